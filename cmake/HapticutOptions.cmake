@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+# Build settings and the table of optional components.
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo" FORCE)
+endif()
+
+option(HAPTICUT_WARNINGS_AS_ERRORS "Treat warnings in hapticut's own code as errors" ${PROJECT_IS_TOP_LEVEL})
+
+# What every target of ours is compiled with. Nothing of it reaches a user's code.
+add_library(hapticut_build_flags INTERFACE)
+target_compile_features(hapticut_build_flags INTERFACE cxx_std_20)
+target_compile_options(hapticut_build_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+  $<$<BOOL:${HAPTICUT_WARNINGS_AS_ERRORS}>:-Werror>)
+
+# What each component needs: a list of `package to find|target or variable that proves it|Debian package`.
+set(HAPTICUT_NEEDS_IO "ITK|ITK_FOUND|libinsighttoolkit5-dev" "assimp|assimp_FOUND|libassimp-dev" "PNG|PNG_FOUND|libpng-dev")
+set(HAPTICUT_NEEDS_CLI "CLI11|CLI11_FOUND|libcli11-dev" "tomlplusplus|tomlplusplus_FOUND|libtomlplusplus-dev"
+    "nlohmann_json|nlohmann_json_FOUND|nlohmann-json3-dev")
+set(HAPTICUT_NEEDS_TESTS "GTest|GTest_FOUND|libgtest-dev" "rapidcheck|rapidcheck_FOUND|librapidcheck-dev")
+set(HAPTICUT_NEEDS_BENCHMARKS "benchmark|benchmark_FOUND|libbenchmark-dev")
+set(HAPTICUT_NEEDS_EXAMPLES "")
+
+set(HAPTICUT_ITK_MODULES ITKCommon ITKIOImageBase ITKImageIO ITKIONRRD ITKIONIFTI ITKIOMeta ITKIOGDCM ITKIOPNG ITKIOTIFF
+    ITKImageGrid ITKConnectedComponents ITKMathematicalMorphology ITKThresholding)
+
+# hapticut_component(NAME "what it is"): AUTO (default) switches it on when all it needs is found, ON insists, OFF skips.
+macro(hapticut_component name purpose)
+  if(PROJECT_IS_TOP_LEVEL OR "${name}" STREQUAL "IO")
+    set(_default AUTO)
+  else()
+    set(_default OFF)
+  endif()
+  set(HAPTICUT_WITH_${name} ${_default} CACHE STRING "${purpose}: AUTO, ON or OFF")
+  set_property(CACHE HAPTICUT_WITH_${name} PROPERTY STRINGS AUTO ON OFF)
+  set(HAPTICUT_${name} FALSE)
+  set(_missing "")
+  if(HAPTICUT_WITH_${name})
+    foreach(_need IN LISTS HAPTICUT_NEEDS_${name})
+      string(REPLACE "|" ";" _need "${_need}")
+      list(GET _need 0 _package)
+      list(GET _need 1 _proof)
+      list(GET _need 2 _debian)
+      if(_package STREQUAL "ITK")
+        find_package(ITK 5.2 QUIET COMPONENTS ${HAPTICUT_ITK_MODULES})
+      else()
+        find_package(${_package} QUIET)
+      endif()
+      if(NOT ${_proof})
+        list(APPEND _missing ${_debian})
+      endif()
+    endforeach()
+    if(NOT _missing)
+      set(HAPTICUT_${name} TRUE)
+    elseif(NOT HAPTICUT_WITH_${name} STREQUAL "AUTO")
+      list(JOIN _missing " " _missing)
+      message(FATAL_ERROR "HAPTICUT_WITH_${name}=ON, but something is missing: sudo apt-get install ${_missing}")
+    endif()
+  endif()
+  if(HAPTICUT_${name})
+    list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: on  (${purpose})")
+  elseif(_missing)
+    list(JOIN _missing " " _missing)
+    list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: off (${purpose}; to turn it on: sudo apt-get install ${_missing})")
+  else()
+    list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: off (${purpose}; HAPTICUT_WITH_${name}=OFF)")
+  endif()
+endmacro()
+
+function(hapticut_report_components)
+  message(STATUS "hapticut ${PROJECT_VERSION}, ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}, ${CMAKE_BUILD_TYPE}")
+  foreach(_line IN LISTS HAPTICUT_COMPONENT_REPORT)
+    message(STATUS "  ${_line}")
+  endforeach()
+endfunction()

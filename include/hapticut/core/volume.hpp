@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hapticut/core/spatial.hpp"
+
+/// @file
+/// A dense regular volume in memory: what comes out of a CT file and goes into a workpiece builder.
+namespace hapticut {
+
+/// Values on a regular grid, x fastest. Sample (i, j, k) is the centre of a voxel and lies at
+/// `X_WG * (i * spacing.x, j * spacing.y, k * spacing.z)`; the voxel reaches half a spacing to each side.
+template <class Value>
+struct Volume {
+  std::array<int, 3> dims = {0, 0, 0};    ///< number of samples along x, y, z
+  Vec3 spacing = Vec3(1e-3, 1e-3, 1e-3);  ///< [m] distance of neighbouring samples along x, y, z
+  Pose X_WG;                              ///< pose of the grid: position of sample (0,0,0) and directions of its axes
+  std::vector<Value> values;              ///< dims[0] * dims[1] * dims[2] values
+
+  [[nodiscard]] std::size_t size() const { return std::size_t(dims[0]) * std::size_t(dims[1]) * std::size_t(dims[2]); }
+  [[nodiscard]] std::size_t offset(int i, int j, int k) const {
+    return (std::size_t(k) * std::size_t(dims[1]) + std::size_t(j)) * std::size_t(dims[0]) + std::size_t(i);
+  }
+  [[nodiscard]] Value& at(int i, int j, int k) { return values[offset(i, j, k)]; }
+  [[nodiscard]] const Value& at(int i, int j, int k) const { return values[offset(i, j, k)]; }
+  [[nodiscard]] Vec3 position(int i, int j, int k) const {
+    return X_WG * Vec3(i * spacing.x(), j * spacing.y(), k * spacing.z());
+  }
+};
+
+using GreyVolume = Volume<float>;           ///< grey values, e.g. Hounsfield units
+using LabelVolume = Volume<std::uint16_t>;  ///< labels; 0 is empty by convention
+
+}  // namespace hapticut

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <variant>
+
+#include "hapticut/core/spatial.hpp"
+
+namespace hapticut {
+
+/// A straight handpiece (thesis 5.11): the head sits on the axis of the stylus.
+///
+///         z_H ^  o  Ho  where the hand feels
+///             |  |
+///             |  |  length
+///             |  |
+///         z_T ^  o  To  origin of the tool head; its tip points down
+///
+struct RayHandle {
+  double length = 0;  ///< [m] >= 0 from Ho to To, along -z_H
+};
+
+/// An angled handpiece (thesis 5.12-5.14), such as a dental contra-angle: the head's axis is bent away from the stylus.
+///
+///         z_H ^  o  Ho
+///             |  |
+///             |  |  length
+///             |  |
+///             E  o-----o  To      elbow E = -length z_H
+///                 neck             To = E - neck z_T
+///                                  z_T = z_H turned by `bend` about y_H  (bend = 0: straight; pi/2: z_T = x_H)
+///
+struct LHandle {
+  double length = 0;                     ///< [m] >= 0 from Ho to the elbow, along -z_H
+  double neck = 0;                       ///< [m] >= 0 from the elbow to To, along -z_T
+  double bend = 1.57079632679489661923;  ///< [rad] between z_H and z_T, about y_H, in [-pi, pi]
+};
+
+using Handle = std::variant<RayHandle, LHandle>;
+
+/// Pose of the tool head T in the handle frame H.
+/// @throws Error when a length is negative or not finite, or the bend is outside [-pi, pi]
+[[nodiscard]] Pose head_in_handle(const Handle& handle);
+
+}  // namespace hapticut

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <variant>
+
+#include "hapticut/tool/shapes.hpp"
+
+namespace hapticut {
+
+/// Extent of a head in its own frame T.
+struct HeadBox {
+  Vec3 min;  ///< [m]
+  Vec3 max;  ///< [m]
+};
+
+/// The cutting head of a tool: any shape, asked for many points at once.
+class ToolHead {
+ public:
+  using Shape = std::variant<SphereHead, ConeHead, FlatHead>;
+
+  /// @throws Error when a dimension is not positive or an angle not between 0 and pi/2
+  ToolHead(Shape shape);  // NOLINT(google-explicit-constructor): a shape is a head
+
+  template <class S>
+  requires std::is_constructible_v<Shape, S> ToolHead(const S& shape)
+      : ToolHead(Shape(shape)) {}  // NOLINT(google-explicit-constructor)
+
+  [[nodiscard]] const Shape& shape() const { return shape_; }
+
+  /// The smallest axis-aligned box around the head, in T, exact.
+  [[nodiscard]] HeadBox bounding_box() const;
+
+  /// [m] radius of the ball about the frame's origin that contains the head, exact.
+  [[nodiscard]] double reach() const;
+
+  /// [m^3] volume of the head, exact.
+  [[nodiscard]] double volume() const;
+
+  /// [m] largest radius of the head about its axis: sphere and flat R, cone the base radius.
+  [[nodiscard]] double largest_radius() const;
+
+  /// Calls `function(springs)` with the springs of this head's shape in precision `Real`: the one place where the shape
+  /// is dispatched. Call it once per block of points, never per point.
+  template <class Real, class Function>
+  decltype(auto) visit_springs(Function&& function) const {
+    if (const auto* sphere = std::get_if<SphereHead>(&shape_)) return function(SphereSprings<Real>(*sphere));
+    if (const auto* cone = std::get_if<ConeHead>(&shape_)) return function(ConeSprings<Real>(*cone));
+    return function(FlatSprings<Real>(*std::get_if<FlatHead>(&shape_)));
+  }
+
+  /// [m] depth and unit direction at one point of T, for tests and set-up code.
+  struct DepthAndDirection {
+    double depth;    ///< [m] <= 0 outside the head
+    Vec3 direction;  ///< [1] from the local spring centre through the point
+  };
+  [[nodiscard]] DepthAndDirection depth_at(const Vec3& p_TQ) const;
+
+ private:
+  Shape shape_;
+};
+
+}  // namespace hapticut

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/core/spatial.hpp"
+
+/// @file
+/// The shapes of cutting heads (model: heads and local spring centres; thesis section 5.2.1).
+///
+/// Tool frame T: +z is the spindle axis, pointing from the cutting tip towards the shank. Every head is a body of
+/// revolution about z, so a point enters only by its distance `rho` from the axis and its height `z`, and the direction
+/// from the local spring centre through it lies in the same meridian plane.
+///
+/// Each shape answers two questions:
+/// * `spring(rho, z)`: how deep a material point lies below the cutting surface, and in which direction the spring
+/// there
+///   pushes the material;
+/// * `margin(rho, z)`: a function that changes by at most one per unit of length and is positive exactly inside the
+/// head,
+///   used to skip whole blocks that the head cannot touch.
+namespace hapticut {
+
+/// Depth and direction at one point, in the meridian plane.
+template <class Real>
+struct Spring {
+  Real depth;     ///< [m] depth w below the cutting surface; <= 0: outside, no spring
+  Real n_radial;  ///< [1] component of n away from the axis
+  Real n_axial;   ///< [1] component of n along +z; n is a unit vector from the tool into the material
+};
+
+/// A ball. Frame origin = centre = spring centre.  `w = R - |x|`, `n = x/|x|`.
+struct SphereHead {
+  double radius;  ///< [m] > 0
+};
+
+/// A cone standing on its apex. Frame origin = apex.  `w = z sin(a) - rho cos(a)`, `n = (cos(a) radial, -sin(a)
+/// axial)`. The base disk at z = height carries no spring.
+struct ConeHead {
+  double half_angle;  ///< [rad] between axis and generatrix, 0 < half_angle < pi/2
+  double height;      ///< [m] > 0
+};
+
+/// How a flat head chooses between its bottom disk and its side wall.
+enum class FlatRule {
+  nearest,      ///< the surface with the smaller depth: continuous and conservative (default)
+  bottom_only,  ///< `w = z`, pushing along the axis
+  side_only,    ///< `w = R - rho`, pushing away from the axis
+  both          ///< the sum of the two springs
+};
+
+/// A cylinder with a cutting bottom disk at z = 0 and a cutting side wall. Frame origin = centre of the bottom disk.
+struct FlatHead {
+  double radius;                      ///< [m] > 0
+  double height;                      ///< [m] > 0
+  FlatRule rule = FlatRule::nearest;  ///< which surface carries the spring
+};
+
+/// The part of a shape that the hot loop needs, in the precision of the loop. One of these per shape; a shape of one's
+/// own offers the same two functions.
+template <class Real>
+struct SphereSprings {
+  Real radius;
+
+  explicit SphereSprings(const SphereHead& head) : radius(Real(head.radius)) {}
+
+  [[nodiscard]] Spring<Real> spring(Real rho, Real z) const {
+    const Real distance = std::sqrt(rho * rho + z * z);
+    const Real inverse = Real(1) / std::max(distance, Real(1e-12));
+    return {radius - distance, rho * inverse, z * inverse};
+  }
+  [[nodiscard]] Real margin(Real rho, Real z) const { return radius - std::sqrt(rho * rho + z * z); }
+};
+
+template <class Real>
+struct ConeSprings {
+  Real sine, cosine, height;
+
+  explicit ConeSprings(const ConeHead& head)
+      : sine(Real(std::sin(head.half_angle))), cosine(Real(std::cos(head.half_angle))), height(Real(head.height)) {}
+
+  [[nodiscard]] Spring<Real> spring(Real rho, Real z) const {
+    const Real depth = z * sine - rho * cosine;
+    return {z < height ? depth : Real(-1), cosine, -sine};
+  }
+  [[nodiscard]] Real margin(Real rho, Real z) const { return std::min(z * sine - rho * cosine, height - z); }
+};
+
+template <class Real>
+struct FlatSprings {
+  Real radius, height;
+  FlatRule rule;
+
+  explicit FlatSprings(const FlatHead& head) : radius(Real(head.radius)), height(Real(head.height)), rule(head.rule) {}
+
+  [[nodiscard]] Spring<Real> spring(Real rho, Real z) const {
+    const Real side = radius - rho;
+    const Real bottom = z;
+    if (!(std::min({side, bottom, height - z}) > Real(0))) return {Real(-1), Real(0), Real(-1)};
+    switch (rule) {
+      case FlatRule::bottom_only:
+        return {bottom, Real(0), Real(-1)};
+      case FlatRule::side_only:
+        return {side, Real(1), Real(0)};
+      case FlatRule::both: {
+        // Two springs in parallel, side * radial - bottom * axial, are one of depth |sum| along the sum, with the same
+        // stored energy: side^2/2 + bottom^2/2.
+        const Real depth = std::sqrt(side * side + bottom * bottom);
+        return {depth, side / depth, -bottom / depth};
+      }
+      case FlatRule::nearest:
+        break;
+    }
+    if (side < bottom) return {side, Real(1), Real(0)};
+    return {bottom, Real(0), Real(-1)};
+  }
+  [[nodiscard]] Real margin(Real rho, Real z) const { return std::min({z, radius - rho, height - z}); }
+};
+
+}  // namespace hapticut

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "hapticut/core/spatial.hpp"
+#include "hapticut/workpiece/material.hpp"
+
+/// @file
+/// A block: 8 x 8 x 8 voxels, the unit of storage and of work. It is one leaf of the OpenVDB trees that hold the
+/// workpiece, seen without OpenVDB.
+namespace hapticut {
+
+inline constexpr int kBlockEdge = 8;                                       ///< voxels along an edge
+inline constexpr int kBlockVoxels = kBlockEdge * kBlockEdge * kBlockEdge;  ///< 512
+
+using VoxelIndex = std::array<int, 3>;
+
+/// Place of voxel (x, y, z) of a block, 0 <= x, y, z < 8, in the block's arrays: z runs fastest.
+[[nodiscard]] constexpr int block_offset(int x, int y, int z) { return (x << 6) | (y << 3) | z; }
+
+/// A box of voxels, both ends included.
+struct IndexBox {
+  VoxelIndex min = {0, 0, 0};
+  VoxelIndex max = {-1, -1, -1};
+
+  [[nodiscard]] bool empty() const { return max[0] < min[0] || max[1] < min[1] || max[2] < min[2]; }
+  [[nodiscard]] std::int64_t voxels() const {
+    if (empty()) return 0;
+    return std::int64_t(max[0] - min[0] + 1) * (max[1] - min[1] + 1) * (max[2] - min[2] + 1);
+  }
+};
+
+/// Index of the first voxel of the block that contains voxel coordinate `i` along one axis.
+[[nodiscard]] constexpr int block_start(int i) { return i & ~(kBlockEdge - 1); }
+
+/// How the voxel grid lies in the world: voxel (i, j, k) is centred at `X_WV * (voxel_size * (i, j, k))`.
+struct GridFrame {
+  double voxel_size = 1e-4;  ///< [m] edge of a voxel
+  Pose X_WV;                 ///< pose of the grid: position of the centre of voxel (0,0,0) and directions of its axes
+
+  [[nodiscard]] Vec3 center(const VoxelIndex& index) const {
+    return X_WV * (voxel_size * Vec3(index[0], index[1], index[2]));
+  }
+};
+
+/// Where the filled part of a partly filled voxel has its centroid, relative to the voxel's centre, in steps of 1/1024
+/// of a voxel edge. The force of a surface voxel is taken at this point, which makes the error of the sum second order
+/// in the voxel size (at the centre its constant is several times larger).
+struct CentroidOffset {
+  static constexpr int kSteps = 1024;  ///< steps per voxel edge
+  std::array<std::int16_t, 3> steps = {0, 0, 0};
+
+  /// @param offset [voxel edges] each component in [-0.5, 0.5]
+  [[nodiscard]] static CentroidOffset from_offset(const Vec3& offset) {
+    const auto round = [](double v) {
+      const double bounded = v < -0.5 ? -0.5 : v > 0.5 ? 0.5 : v;
+      return std::int16_t(bounded * kSteps + (bounded < 0 ? -0.5 : 0.5));
+    };
+    return {{round(offset.x()), round(offset.y()), round(offset.z())}};
+  }
+
+  /// Three 10-bit numbers in one word, as stored; 0 is the centre. Half an edge is clipped by one step at the upper
+  /// end.
+  [[nodiscard]] std::uint32_t packed() const {
+    const auto field = [](int v) { return std::uint32_t(v > 511 ? 511 : v) & 0x3ffu; };
+    return field(steps[0]) | field(steps[1]) << 10 | field(steps[2]) << 20;
+  }
+  [[nodiscard]] static CentroidOffset unpacked(std::uint32_t word) {
+    const auto field = [word](int shift) { return std::int16_t(std::int32_t(word << (22 - shift)) >> 22); };
+    return {{field(0), field(10), field(20)}};
+  }
+  [[nodiscard]] bool operator==(const CentroidOffset&) const = default;
+};
+
+/// Everything that one block holds, written by builders and read back by exporters: plain arrays, 512 entries each.
+struct BlockContent {
+  std::array<MaterialId, kBlockVoxels> material;      ///< kEmpty where there is nothing
+  std::array<float, kBlockVoxels> fill;               ///< [1] filled fraction, 0 ... 1; 0 where material is kEmpty
+  std::array<CentroidOffset, kBlockVoxels> centroid;  ///< of the filled part; zero in full and empty voxels
+};
+
+/// What kind of block a builder delivers: a uniform one needs no arrays.
+struct BlockKind {
+  bool uniform = true;           ///< every voxel is full of `material`, or the whole block is empty (kEmpty)
+  MaterialId material = kEmpty;  ///< only for uniform blocks
+
+  [[nodiscard]] static BlockKind empty() { return {true, kEmpty}; }
+  [[nodiscard]] static BlockKind solid(MaterialId material) { return {true, material}; }
+  [[nodiscard]] static BlockKind mixed() { return {false, kEmpty}; }
+};
+
+/// One block of a workpiece as the step reads it. Null pointers say that all 512 entries are alike, so that homogeneous
+/// interiors need no memory.
+struct BlockView {
+  VoxelIndex origin = {0, 0, 0};           ///< index of the block's first voxel
+  MaterialId uniform_material = kEmpty;    ///< of every voxel, where `material` is null
+  const MaterialId* material = nullptr;    ///< [512] or null: uniform
+  const std::uint64_t* solid = nullptr;    ///< 8 words, bit `block_offset`: not yet empty; null with `material`
+  const float* fill = nullptr;             ///< [512] filled fractions or null: every solid voxel is full
+  const std::int32_t* centroid = nullptr;  ///< [512] packed CentroidOffset or null: quadrature at the voxel centres
+
+  [[nodiscard]] bool empty() const { return material == nullptr && uniform_material == kEmpty; }
+};
+
+}  // namespace hapticut

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "hapticut/workpiece/block.hpp"
+#include "hapticut/workpiece/material.hpp"
+
+namespace hapticut {
+
+/// Volume and mass of one material of a workpiece.
+struct MaterialAmount {
+  MaterialId material;
+  std::int64_t voxels;  ///< not yet empty
+  double volume;        ///< [m^3] partly filled voxels counted by their fraction
+  double mass;          ///< [kg]
+};
+
+/// A frozen copy of the state of a workpiece, to return to. Cheap to copy; shares its memory.
+class WorkpieceSnapshot {
+ private:
+  friend class Workpiece;
+  std::shared_ptr<const void> state_;
+};
+
+/// What is cut: a sparse OpenVDB grid of material ids and, only where a voxel is partly filled, of filled fractions.
+///
+/// Homogeneous interiors are stored as tiles and cost no memory per voxel. Cutting turns tiles into blocks; the blocks
+/// come from a pool that `reserve_blocks` fills beforehand, so that cutting never allocates. Blocks that become empty
+/// go back to the pool.
+///
+/// A workpiece moves but does not copy by accident: use `clone`. Not thread-safe; a simulation owns its workpiece.
+class Workpiece {
+ public:
+  /// Fills one block: return its kind and, when it is mixed, write all of `content`. Called from several threads at
+  /// once, once per block, so it must not change shared state.
+  using BlockFiller = std::function<BlockKind(const VoxelIndex& block_origin, BlockContent& content)>;
+
+  /// Builds a workpiece block by block.
+  /// @param domain  voxels that may be solid; the filler is asked for every block that touches it, and what it writes
+  ///                outside the domain is dropped
+  /// @throws Error when the voxel size is not positive, the frame is not a pose, the domain has more than 2^40 voxels
+  /// or
+  ///         reaches beyond +-2^30, a material id is not in the table, or a fill is not within 0 ... 1
+  [[nodiscard]] static Workpiece from_blocks(const IndexBox& domain, const GridFrame& frame, MaterialTable materials,
+                                             const BlockFiller& fill_block);
+
+  Workpiece(Workpiece&&) noexcept;
+  Workpiece& operator=(Workpiece&&) noexcept;
+  ~Workpiece();
+
+  [[nodiscard]] Workpiece clone() const;  ///< a deep copy with an empty pool
+
+  // --- what it is ---------------------------------------------------------------------------------------------------
+  [[nodiscard]] const GridFrame& frame() const;
+  [[nodiscard]] double voxel_size() const { return frame().voxel_size; }  ///< [m]
+  [[nodiscard]] const MaterialTable& materials() const;
+  [[nodiscard]] IndexBox bounds() const;                      ///< smallest box around all voxels that are not empty
+  [[nodiscard]] bool empty() const;                           ///< nothing left at all
+  [[nodiscard]] std::int64_t solid_voxels() const;            ///< voxels that are not yet empty
+  [[nodiscard]] std::size_t memory_bytes() const;             ///< of the trees, without the pool
+  [[nodiscard]] std::size_t pool_bytes() const;               ///< of the blocks held ready for cutting
+  [[nodiscard]] std::vector<MaterialAmount> amounts() const;  ///< one entry per material of the table
+  [[nodiscard]] MaterialId material_at(const VoxelIndex& index) const;  ///< kEmpty outside
+  [[nodiscard]] double fill_at(const VoxelIndex& index) const;          ///< [1] 0 outside
+  [[nodiscard]] CentroidOffset centroid_at(const VoxelIndex& index) const;
+
+  /// Calls `function(view)` for every block that is not empty, in a fixed order; uniform regions come block by block.
+  void for_each_block(const std::function<void(const BlockView&)>& function) const;
+
+  /// A number that depends on every voxel's material and fill, bit by bit: equal states have equal hashes.
+  [[nodiscard]] std::uint64_t hash() const;
+
+  // --- undo ---------------------------------------------------------------------------------------------------------
+  [[nodiscard]] WorkpieceSnapshot snapshot() const;
+
+  /// @throws Error when the snapshot is empty
+  void restore(const WorkpieceSnapshot& snapshot);
+
+  // --- cutting: what the step calls ---------------------------------------------------------------------------------
+  /// Set-up only: holds memory ready for `count` blocks to become partly cut.
+  void reserve_blocks(std::size_t count);
+  [[nodiscard]] std::size_t reserved_blocks() const;  ///< blocks still in the pool
+
+  /// The block that starts at `origin` (a multiple of 8 along each axis).  @realtime no allocation, no lock; O(1)
+  [[nodiscard]] BlockView block(const VoxelIndex& origin) const noexcept;
+
+  /// Writable fill fractions of one block, [512]; a block that was uniform or full gets memory from the pool.
+  /// @return null when the pool is exhausted: the block must stay as it is
+  /// @realtime no allocation, no lock; O(512)
+  [[nodiscard]] float* writable_fill(const VoxelIndex& origin) noexcept;
+
+  /// Empties the voxels of one block whose bit is set (bit `block_offset` of 8 words) and sets their fill to 0. A block
+  /// with nothing left goes back to the pool: pointers into it are then void.
+  /// @pre `writable_fill` returned memory for this block
+  /// @realtime no allocation, no lock; O(512)
+  void empty_voxels(const VoxelIndex& origin, const std::uint64_t* emptied) noexcept;
+
+ private:
+  friend struct WorkpieceAccess;  // the door to the trees, for workpiece/openvdb.hpp and the file formats
+  struct State;
+  explicit Workpiece(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hapticut

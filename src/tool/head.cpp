@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/tool/head.hpp"
+
+#include <type_traits>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+
+namespace hapticut {
+namespace {
+
+using units::kPi;
+
+template <class... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+
+double base_radius(const ConeHead& cone) { return cone.height * std::tan(cone.half_angle); }
+
+void validate(const SphereHead& head) { require_positive(head.radius, "SphereHead::radius [m]"); }
+
+void validate(const ConeHead& head) {
+  require_positive(head.height, "ConeHead::height [m]");
+  require_positive(head.half_angle, "ConeHead::half_angle [rad]");
+  if (!(head.half_angle < kPi / 2))
+    throw Error("ConeHead::half_angle = " + format_number(head.half_angle) +
+                " rad; must be less than pi/2. Give half of the opening angle, in radians.");
+}
+
+void validate(const FlatHead& head) {
+  require_positive(head.radius, "FlatHead::radius [m]");
+  require_positive(head.height, "FlatHead::height [m]");
+}
+
+}  // namespace
+
+ToolHead::ToolHead(Shape shape) : shape_(shape) {
+  std::visit([](const auto& head) { validate(head); }, shape_);
+}
+
+HeadBox ToolHead::bounding_box() const {
+  const auto around_axis = [](double radius, double low, double high) {
+    return HeadBox{Vec3(-radius, -radius, low), Vec3(radius, radius, high)};
+  };
+  return std::visit(Overloaded{[&](const SphereHead& h) { return around_axis(h.radius, -h.radius, h.radius); },
+                               [&](const ConeHead& h) { return around_axis(base_radius(h), 0, h.height); },
+                               [&](const FlatHead& h) { return around_axis(h.radius, 0, h.height); }},
+                    shape_);
+}
+
+double ToolHead::reach() const {
+  return std::visit(Overloaded{[](const SphereHead& h) { return h.radius; },
+                               [](const ConeHead& h) { return std::hypot(base_radius(h), h.height); },
+                               [](const FlatHead& h) { return std::hypot(h.radius, h.height); }},
+                    shape_);
+}
+
+double ToolHead::volume() const {
+  return std::visit(Overloaded{[](const SphereHead& h) { return 4 * kPi / 3 * h.radius * h.radius * h.radius; },
+                               [](const ConeHead& h) { return kPi / 3 * base_radius(h) * base_radius(h) * h.height; },
+                               [](const FlatHead& h) { return kPi * h.radius * h.radius * h.height; }},
+                    shape_);
+}
+
+double ToolHead::largest_radius() const { return bounding_box().max.x(); }
+
+ToolHead::DepthAndDirection ToolHead::depth_at(const Vec3& p_TQ) const {
+  const double rho = std::hypot(p_TQ.x(), p_TQ.y());
+  const Spring<double> s = visit_springs<double>([&](const auto& springs) { return springs.spring(rho, p_TQ.z()); });
+  const double scale = rho > 0 ? s.n_radial / rho : 0.0;
+  return {s.depth, Vec3(scale * p_TQ.x(), scale * p_TQ.y(), s.n_axial)};
+}
+
+}  // namespace hapticut

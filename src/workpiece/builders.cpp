@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/workpiece/builders.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut {
+namespace {
+
+void validate(const Box& box, double voxel_size) {
+  require_positive(voxel_size, "voxel size [m]");
+  if (!is_finite(box.min) || !is_finite(box.max) || !((box.max - box.min).minCoeff() > 0))
+    throw Error("the box of a workpiece must be finite and have max > min along every axis.");
+  if (!((box.max - box.min).maxCoeff() / voxel_size < 1e9))
+    throw Error("the box of a workpiece is " + format_number((box.max - box.min).maxCoeff() / voxel_size) +
+                " voxels long; choose a larger voxel size.");
+}
+
+/// Grid whose voxel (0,0,0) fills the lower corner of the box.
+GridFrame frame_at_corner(const Box& box, double voxel_size) {
+  return {voxel_size, Pose::from_translation(box.min + Vec3::Constant(voxel_size / 2))};
+}
+
+IndexBox voxels_of(const Box& box, double voxel_size) {
+  IndexBox voxels;
+  for (int axis = 0; axis < 3; ++axis) {
+    voxels.min[axis] = 0;
+    // A voxel counts when the box fills more than rounding noise of it.
+    voxels.max[axis] = int(std::ceil((box.max[axis] - box.min[axis]) / voxel_size - 1e-6)) - 1;
+  }
+  return voxels;
+}
+
+/// Fraction of a voxel that the body fills, and the centroid of that part, from a lattice of points.
+struct Coverage {
+  double fill;
+  Vec3 offset;  ///< [voxel edges] from the voxel's centre
+};
+
+Coverage sample_coverage(const BodyDescription& body, const Vec3& center, double voxel_size, int subsamples) {
+  int inside = 0;
+  Vec3 sum = Vec3::Zero();
+  for (int a = 0; a < subsamples; ++a)
+    for (int b = 0; b < subsamples; ++b)
+      for (int c = 0; c < subsamples; ++c) {
+        const Vec3 offset = (Vec3(a, b, c).array() + 0.5) / subsamples - 0.5;
+        const double distance = body.distance(center + voxel_size * offset);
+        if (distance >= 0) continue;
+        ++inside;
+        sum += offset;
+      }
+  if (inside == 0) return {0, Vec3::Zero()};
+  return {double(inside) / (subsamples * subsamples * subsamples), sum / inside};
+}
+
+}  // namespace
+
+Workpiece build_body(const BodyDescription& body, double voxel_size, MaterialTable materials, int subsamples) {
+  validate(body.box, voxel_size);
+  require_between(subsamples, 1, 32, "subsamples per voxel edge");
+  const GridFrame frame = frame_at_corner(body.box, voxel_size);
+  const double voxel_reach = std::sqrt(3.0) / 2 * voxel_size;
+  const double block_reach = kBlockEdge * voxel_reach;
+
+  const auto fill_block = [&](const VoxelIndex& origin, BlockContent& content) {
+    const Vec3 block_center = frame.center(origin) + Vec3::Constant((kBlockEdge - 1) / 2.0 * voxel_size);
+    if (body.distance(block_center) > block_reach) return BlockKind::empty();
+    for (int n = 0; n < kBlockVoxels; ++n) {
+      const Vec3 center = frame.center({origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7)});
+      const double distance = body.distance(center);
+      content.material[n] = kEmpty;
+      content.fill[n] = 0;
+      content.centroid[n] = {};
+      if (distance > voxel_reach) continue;
+      if (distance <= -voxel_reach) {
+        content.material[n] = body.material(center);
+        content.fill[n] = 1;
+        continue;
+      }
+      const Coverage coverage = sample_coverage(body, center, voxel_size, subsamples);
+      if (coverage.fill == 0) continue;
+      content.material[n] = body.material(center + voxel_size * coverage.offset);
+      content.fill[n] = float(coverage.fill);
+      if (coverage.fill < 1) content.centroid[n] = CentroidOffset::from_offset(coverage.offset);
+    }
+    return BlockKind::mixed();
+  };
+  return Workpiece::from_blocks(voxels_of(body.box, voxel_size), frame, std::move(materials), fill_block);
+}
+
+Workpiece build_block(const Box& box, double voxel_size, Material material) {
+  return build_layered_slab(box, voxel_size, {{std::move(material), box.max.z() - box.min.z()}});
+}
+
+Workpiece build_layered_slab(const Box& box, double voxel_size, const std::vector<Layer>& layers) {
+  validate(box, voxel_size);
+  if (layers.empty()) throw Error("a layered slab needs at least one layer.");
+  MaterialTable materials;
+  std::vector<double> bottoms;  // [m] height at which each layer ends
+  double height = box.max.z();
+  for (const Layer& layer : layers) {
+    require_positive(layer.thickness, "Layer::thickness [m]");
+    materials.add(layer.material);
+    bottoms.push_back(std::max(height -= layer.thickness, box.min.z()));
+  }
+  const GridFrame frame = frame_at_corner(box, voxel_size);
+
+  // All faces are axis-aligned: a voxel's fill is the product of its covered fractions along x, y and z, its centroid
+  // the middle of the covered intervals, exactly. A voxel that an inner face cuts takes the material with the larger
+  // share.
+  struct Covered {
+    double fraction, middle;  // [voxel edges], middle from the voxel's centre
+  };
+  const auto covered = [&](double center, double low, double high) -> Covered {
+    const double from = std::max(-0.5, (low - center) / voxel_size);
+    const double to = std::min(0.5, (high - center) / voxel_size);
+    if (to - from >= 1 - 1e-6) return {1, 0};
+    return to > from ? Covered{to - from, (from + to) / 2} : Covered{0, 0};
+  };
+  const auto material_at = [&](double z) {
+    std::size_t layer = 0;
+    while (layer + 1 < bottoms.size() && z < bottoms[layer]) ++layer;
+    return MaterialId(layer + 1);
+  };
+  const auto fill_block = [&](const VoxelIndex& origin, BlockContent& content) {
+    std::array<std::array<Covered, kBlockEdge>, 3> along;
+    bool full = true;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < kBlockEdge; ++i) {
+        const double center = frame.X_WV.translation[axis] + voxel_size * (origin[axis] + i);
+        const double low = axis == 2 ? std::max(box.min.z(), bottoms.back()) : box.min[axis];
+        along[axis][i] = covered(center, low, box.max[axis]);
+        full &= along[axis][i].fraction == 1;
+      }
+    const auto height_of = [&](int i) {
+      return frame.X_WV.translation.z() + voxel_size * (origin[2] + i + along[2][i].middle);
+    };
+    if (full && material_at(height_of(0)) == material_at(height_of(kBlockEdge - 1)))
+      return BlockKind::solid(material_at(height_of(0)));
+    for (int n = 0; n < kBlockVoxels; ++n) {
+      const Covered& x = along[0][n >> 6];
+      const Covered& y = along[1][n >> 3 & 7];
+      const Covered& z = along[2][n & 7];
+      const double fill = x.fraction * y.fraction * z.fraction;
+      content.material[n] = fill > 1e-6 ? material_at(height_of(n & 7)) : kEmpty;
+      content.fill[n] = fill > 1e-6 ? float(fill) : 0;
+      content.centroid[n] = fill < 1 ? CentroidOffset::from_offset({x.middle, y.middle, z.middle}) : CentroidOffset{};
+    }
+    return BlockKind::mixed();
+  };
+  return Workpiece::from_blocks(voxels_of(box, voxel_size), frame, std::move(materials), fill_block);
+}
+
+Workpiece build_sphere(const Vec3& center, double radius, double voxel_size, Material material) {
+  require_positive(radius, "sphere radius [m]");
+  const Vec3 reach = Vec3::Constant(radius);
+  return build_body({{center - reach, center + reach},
+                     [center, radius](const Vec3& p) { return (p - center).norm() - radius; },
+                     [](const Vec3&) { return MaterialId(1); }},
+                    voxel_size, MaterialTable({std::move(material)}));
+}
+
+}  // namespace hapticut

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/workpiece/workpiece.hpp"
+#include "workpiece/state.hpp"
+
+namespace hapticut {
+namespace {
+
+using openvdb::Coord;
+
+constexpr std::int64_t kMaxDomainVoxels = std::int64_t(1) << 34;  // 2580^3; mixed material of that size needs 20 GB
+constexpr int kMaxIndex = 1 << 30;
+constexpr int kBranchBlocks = kBranchEdge / kBlockEdge;  // 16 along an edge
+constexpr int kBlocksPerBranch = kBranchBlocks * kBranchBlocks * kBranchBlocks;
+
+void validate(const IndexBox& domain, const GridFrame& frame, const MaterialTable& materials) {
+  require_positive(frame.voxel_size, "voxel size [m]");
+  if (!is_finite(frame.X_WV) || !is_rotation(frame.X_WV.rotation, 1e-6))
+    throw Error(
+        "GridFrame::X_WV is not a pose; its rotation must be orthonormal and right-handed and all numbers finite.");
+  if (materials.size() == 0) throw Error("a workpiece needs at least one material; add one to its MaterialTable.");
+  if (domain.empty()) return;
+  double voxels = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (domain.min[axis] < -kMaxIndex || domain.max[axis] > kMaxIndex)
+      throw Error("the workpiece reaches beyond voxel index +-2^30; move it nearer to the grid's origin.");
+    voxels *= double(domain.max[axis]) - domain.min[axis] + 1;
+  }
+  if (voxels > double(kMaxDomainVoxels))
+    throw Error("the workpiece would have " + format_number(voxels) + " voxels; at most " +
+                format_number(double(kMaxDomainVoxels)) +
+                " are allowed. Choose a larger voxel size or crop the input.");
+}
+
+/// What the filler returned for one block, as tree nodes.
+struct BuiltBlock {
+  BlockKind kind;
+  std::unique_ptr<Leaf<MaterialTree>> material;
+  std::unique_ptr<Leaf<FillTree>> fill;
+  std::unique_ptr<Leaf<CentroidTree>> centroid;
+};
+
+void clip_to(const IndexBox& domain, const VoxelIndex& origin, BlockContent& content) {
+  bool inside = true;
+  for (int axis = 0; axis < 3; ++axis)
+    inside &= origin[axis] >= domain.min[axis] && origin[axis] + kBlockEdge - 1 <= domain.max[axis];
+  if (inside) return;
+  for (int n = 0; n < kBlockVoxels; ++n) {
+    const VoxelIndex local = {n >> 6, n >> 3 & 7, n & 7};
+    for (int axis = 0; axis < 3; ++axis) {
+      const int i = origin[axis] + local[axis];
+      if (i < domain.min[axis] || i > domain.max[axis]) content.material[n] = kEmpty;
+    }
+  }
+}
+
+void check_voxel(MaterialId id, float fill, const MaterialTable& materials) {
+  if (!materials.contains(id))
+    throw Error("a voxel has material id " + std::to_string(int(id)) + ", but the workpiece has only materials 1 to " +
+                std::to_string(materials.size()) + ". Add the material to the table or map the id to an existing one.");
+  if (!(fill >= 0 && fill <= 1))
+    throw Error("a voxel has fill " + format_number(double(fill)) + "; a filled fraction must be within 0 ... 1.");
+}
+
+BuiltBlock make_block(const VoxelIndex& origin, const BlockContent& content, const MaterialTable& materials) {
+  bool any_solid = false;
+  bool any_partial = false;
+  bool any_centroid = false;
+  bool uniform = true;
+  const MaterialId first = content.material[0];
+  for (int n = 0; n < kBlockVoxels; ++n) {
+    const MaterialId id = content.material[n];
+    uniform &= id == first;
+    if (id == kEmpty) continue;
+    check_voxel(id, content.fill[n], materials);
+    if (content.fill[n] <= 0) {
+      uniform = false;
+      continue;
+    }
+    any_solid = true;
+    any_partial |= content.fill[n] < 1;
+    any_centroid |= !(content.centroid[n] == CentroidOffset{});
+  }
+  if (!any_solid) return {BlockKind::empty(), nullptr, nullptr, nullptr};
+  if (uniform && !any_partial && !any_centroid) return {BlockKind::solid(first), nullptr, nullptr, nullptr};
+
+  BuiltBlock block{BlockKind::mixed(), nullptr, nullptr, nullptr};
+  const Coord at = to_coord(origin);
+  block.material = std::make_unique<Leaf<MaterialTree>>(at, kEmpty, false);
+  if (any_partial) block.fill = std::make_unique<Leaf<FillTree>>(at, 1.0F, true);
+  if (any_centroid) block.centroid = std::make_unique<Leaf<CentroidTree>>(at, 0, true);
+  for (openvdb::Index n = 0; n < kBlockVoxels; ++n) {
+    const bool solid = content.material[n] != kEmpty && content.fill[n] > 0;
+    if (solid) block.material->setValueOn(n, content.material[n]);
+    if (block.fill) block.fill->setValueOnly(n, solid ? content.fill[n] : 0.0F);
+    if (block.centroid && solid) block.centroid->setValueOnly(n, std::int32_t(content.centroid[n].packed()));
+  }
+  return block;
+}
+
+BuiltBlock build_block(const VoxelIndex& origin, const IndexBox& domain, const MaterialTable& materials,
+                       const Workpiece::BlockFiller& fill_block, BlockContent& content) {
+  const BlockKind kind = fill_block(origin, content);
+  if (kind.uniform) {
+    if (kind.material == kEmpty) return {};
+    content.material.fill(kind.material);
+    content.fill.fill(1.0F);
+    content.centroid.fill({});
+  }
+  clip_to(domain, origin, content);
+  return make_block(origin, content, materials);
+}
+
+}  // namespace
+
+Workpiece Workpiece::from_blocks(const IndexBox& domain, const GridFrame& frame, MaterialTable materials,
+                                 const BlockFiller& fill_block) {
+  validate(domain, frame, materials);
+  auto trees = std::make_unique<VoxelTrees>();
+  std::vector<BuiltBlock> blocks(kBlocksPerBranch);
+  // Branch by branch (128^3 voxels): its blocks are filled in parallel and inserted in order, so the result does not
+  // depend on the number of threads.
+  if (!domain.empty())
+    for (int bx = branch_start(domain.min[0]); bx <= domain.max[0]; bx += kBranchEdge)
+      for (int by = branch_start(domain.min[1]); by <= domain.max[1]; by += kBranchEdge)
+        for (int bz = branch_start(domain.min[2]); bz <= domain.max[2]; bz += kBranchEdge) {
+          const auto origin_of = [&](int n) -> VoxelIndex {
+            return {bx + (n >> 8) * kBlockEdge, by + (n >> 4 & 15) * kBlockEdge, bz + (n & 15) * kBlockEdge};
+          };
+          const auto touches_domain = [&](const VoxelIndex& origin) {
+            bool touches = true;
+            for (int axis = 0; axis < 3; ++axis)
+              touches &= origin[axis] <= domain.max[axis] && origin[axis] + kBlockEdge > domain.min[axis];
+            return touches;
+          };
+          tbb::parallel_for(tbb::blocked_range<int>(0, kBlocksPerBranch, 8), [&](const tbb::blocked_range<int>& range) {
+            BlockContent content;
+            for (int n = range.begin(); n != range.end(); ++n) {
+              const VoxelIndex origin = origin_of(n);
+              blocks[std::size_t(n)] =
+                  touches_domain(origin) ? build_block(origin, domain, materials, fill_block, content) : BuiltBlock{};
+            }
+          });
+          bool alike = true;
+          for (const BuiltBlock& block : blocks)
+            alike &= block.kind.uniform && block.kind.material == blocks[0].kind.material;
+          if (alike) {
+            if (blocks[0].kind.material != kEmpty)
+              trees->material.addTile(2, Coord(bx, by, bz), blocks[0].kind.material, true);
+            continue;
+          }
+          for (int n = 0; n < kBlocksPerBranch; ++n) {
+            BuiltBlock& block = blocks[std::size_t(n)];
+            if (block.kind.uniform) {
+              if (block.kind.material != kEmpty)
+                trees->material.addTile(1, to_coord(origin_of(n)), block.kind.material, true);
+              continue;
+            }
+            trees->material.addLeaf(block.material.release());
+            if (block.fill) trees->fill.addLeaf(block.fill.release());
+            if (block.centroid) trees->centroid.addLeaf(block.centroid.release());
+          }
+        }
+  return WorkpieceAccess::make(frame, std::move(materials), std::move(trees));
+}
+
+}  // namespace hapticut

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <openvdb/Types.h>
+#include <openvdb/tree/Tree.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "hapticut/workpiece/workpiece.hpp"
+
+/// @file
+/// What a workpiece is made of inside: three OpenVDB trees and the pool of nodes that cutting draws from.
+namespace hapticut {
+
+using MaterialTree = openvdb::tree::Tree4<std::uint8_t, 5, 4, 3>::Type;
+using FillTree = openvdb::tree::Tree4<float, 5, 4, 3>::Type;
+using CentroidTree = openvdb::tree::Tree4<std::int32_t, 5, 4, 3>::Type;
+
+/// The levels of a tree, from the root: a trunk node spans 4096^3 voxels, a branch node 128^3, a leaf 8^3 (one block).
+template <class Tree>
+using Trunk = typename Tree::RootNodeType::ChildNodeType;
+template <class Tree>
+using Branch = typename Trunk<Tree>::ChildNodeType;
+template <class Tree>
+using Leaf = typename Tree::LeafNodeType;
+
+inline constexpr int kBranchEdge = Branch<MaterialTree>::DIM;  // 128
+static_assert(Leaf<MaterialTree>::DIM == kBlockEdge);
+
+inline openvdb::Coord to_coord(const VoxelIndex& index) { return {index[0], index[1], index[2]}; }
+inline VoxelIndex to_index(const openvdb::Coord& c) { return {c.x(), c.y(), c.z()}; }
+inline int branch_start(int i) { return i & ~(kBranchEdge - 1); }
+
+/// The voxels themselves.
+struct VoxelTrees {
+  MaterialTree material{kEmpty};  ///< active = not yet empty
+  FillTree fill{1.0F};       ///< a leaf only where some voxel of a block is partly filled; elsewhere solid means full
+  CentroidTree centroid{0};  ///< packed CentroidOffset; a leaf only at antialiased surfaces; never written by cutting
+};
+
+/// Nodes made at set-up, so that cutting can take them without allocating.
+struct BlockPool {
+  struct Entry {
+    std::unique_ptr<Leaf<MaterialTree>> material;
+    std::unique_ptr<Leaf<FillTree>> fill;
+  };
+  std::vector<std::unique_ptr<Leaf<MaterialTree>>> material_leaves;
+  std::vector<std::unique_ptr<Leaf<FillTree>>> fill_leaves;
+  std::vector<std::unique_ptr<Branch<FillTree>>> fill_branches;
+  std::size_t target = 0;  ///< blocks asked for by the last reserve_blocks
+};
+
+struct Workpiece::State {
+  GridFrame frame;
+  MaterialTable materials;
+  std::unique_ptr<VoxelTrees> trees;  ///< never null
+  BlockPool pool;
+
+  /// The branch nodes around the last block that was asked for: neighbouring blocks need no search from the root.
+  struct BranchCache {
+    bool valid = false;
+    openvdb::Coord origin;
+    const Branch<MaterialTree>* material = nullptr;  ///< null: the whole branch is `tile`
+    MaterialId tile = kEmpty;
+    const Branch<FillTree>* fill = nullptr;
+    const Branch<CentroidTree>* centroid = nullptr;
+  };
+  mutable BranchCache cache;
+
+  const BranchCache& branches_at(const openvdb::Coord& block_origin) const noexcept;
+};
+
+/// The door from the library's own files to the trees.
+struct WorkpieceAccess {
+  static const VoxelTrees& trees(const Workpiece& workpiece) { return *workpiece.state_->trees; }
+  static Workpiece make(const GridFrame& frame, MaterialTable materials, std::unique_ptr<VoxelTrees> trees);
+};
+
+}  // namespace hapticut

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/workpiece/workpiece.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "hapticut/core/errors.hpp"
+#include "workpiece/state.hpp"
+
+namespace hapticut {
+namespace {
+
+using openvdb::Coord;
+
+/// The child of a branch node at a block's place, or null where the branch holds a tile there.
+template <class BranchNode>
+const typename BranchNode::ChildNodeType* child_at(const BranchNode* branch, const Coord& block_origin) noexcept {
+  if (branch == nullptr) return nullptr;
+  const openvdb::Index n = BranchNode::coordToOffset(block_origin);
+  return branch->getChildMask().isOn(n) ? branch->getTable()[n].getChild() : nullptr;
+}
+
+template <class LeafNode>
+const typename LeafNode::ValueType* values_of(const LeafNode* leaf) noexcept {
+  return leaf == nullptr ? nullptr : leaf->buffer().data();
+}
+
+/// The 512 active bits of a leaf as 8 words, word x, bit 8 y + z.
+template <class LeafNode>
+const std::uint64_t* mask_words(const LeafNode& leaf) noexcept {
+  static_assert(LeafNode::NodeMaskType::WORD_COUNT == 8);
+  using Mask = typename LeafNode::NodeMaskType;  // only the non-const overload gives the place of the words
+  return &const_cast<Mask&>(leaf.getValueMask()).template getWord<openvdb::Index64>(0);
+}
+
+}  // namespace
+
+Workpiece::Workpiece(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Workpiece::Workpiece(Workpiece&&) noexcept = default;
+Workpiece& Workpiece::operator=(Workpiece&&) noexcept = default;
+Workpiece::~Workpiece() = default;
+
+Workpiece WorkpieceAccess::make(const GridFrame& frame, MaterialTable materials, std::unique_ptr<VoxelTrees> trees) {
+  auto state = std::make_unique<Workpiece::State>();
+  state->frame = frame;
+  state->materials = std::move(materials);
+  state->trees = std::move(trees);
+  return Workpiece(std::move(state));
+}
+
+Workpiece Workpiece::clone() const {
+  return WorkpieceAccess::make(state_->frame, state_->materials, std::make_unique<VoxelTrees>(*state_->trees));
+}
+
+const GridFrame& Workpiece::frame() const { return state_->frame; }
+const MaterialTable& Workpiece::materials() const { return state_->materials; }
+bool Workpiece::empty() const { return state_->trees->material.activeVoxelCount() == 0; }
+std::int64_t Workpiece::solid_voxels() const { return std::int64_t(state_->trees->material.activeVoxelCount()); }
+
+IndexBox Workpiece::bounds() const {
+  openvdb::CoordBBox box;
+  if (!state_->trees->material.evalActiveVoxelBoundingBox(box)) return {};
+  return {to_index(box.min()), to_index(box.max())};
+}
+
+std::size_t Workpiece::memory_bytes() const {
+  const VoxelTrees& trees = *state_->trees;
+  return std::size_t(trees.material.memUsage() + trees.fill.memUsage() + trees.centroid.memUsage());
+}
+
+std::size_t Workpiece::pool_bytes() const {
+  const BlockPool& pool = state_->pool;
+  std::size_t bytes = 0;
+  for (const auto& leaf : pool.material_leaves) bytes += leaf->memUsage();
+  for (const auto& leaf : pool.fill_leaves) bytes += leaf->memUsage();
+  for (const auto& branch : pool.fill_branches) bytes += branch->memUsage();
+  return bytes;
+}
+
+std::vector<MaterialAmount> Workpiece::amounts() const {
+  const double voxel_volume = std::pow(voxel_size(), 3);
+  std::vector<MaterialAmount> amounts;
+  std::vector<double> filled(kMaxMaterials + 1, 0.0);  // in voxels
+  for (int id = 1; id <= materials().size(); ++id) amounts.push_back({MaterialId(id), 0, 0, 0});
+  for_each_block([&](const BlockView& block) {
+    if (block.material == nullptr) {
+      amounts[block.uniform_material - 1U].voxels += kBlockVoxels;
+      filled[block.uniform_material] += kBlockVoxels;
+      return;
+    }
+    for (int n = 0; n < kBlockVoxels; ++n) {
+      if ((block.solid[n >> 6] >> (n & 63) & 1) == 0) continue;
+      amounts[block.material[n] - 1U].voxels += 1;
+      filled[block.material[n]] += block.fill != nullptr ? double(block.fill[n]) : 1.0;
+    }
+  });
+  for (MaterialAmount& amount : amounts) {
+    amount.volume = filled[amount.material] * voxel_volume;
+    amount.mass = amount.volume * materials()[amount.material].density;
+  }
+  return amounts;
+}
+
+MaterialId Workpiece::material_at(const VoxelIndex& index) const {
+  std::uint8_t id = kEmpty;
+  return state_->trees->material.probeValue(to_coord(index), id) ? id : kEmpty;
+}
+
+double Workpiece::fill_at(const VoxelIndex& index) const {
+  return material_at(index) == kEmpty ? 0.0 : double(state_->trees->fill.getValue(to_coord(index)));
+}
+
+CentroidOffset Workpiece::centroid_at(const VoxelIndex& index) const {
+  return CentroidOffset::unpacked(std::uint32_t(state_->trees->centroid.getValue(to_coord(index))));
+}
+
+void Workpiece::for_each_block(const std::function<void(const BlockView&)>& function) const {
+  const auto visit_blocks_of = [&](const openvdb::CoordBBox& region) {
+    for (int x = region.min().x(); x <= region.max().x(); x += kBlockEdge)
+      for (int y = region.min().y(); y <= region.max().y(); y += kBlockEdge)
+        for (int z = region.min().z(); z <= region.max().z(); z += kBlockEdge) {
+          const BlockView view = block({x, y, z});
+          if (!view.empty()) function(view);
+        }
+  };
+  const auto& root = state_->trees->material.root();
+  for (auto trunk = root.cbeginChildOn(); trunk; ++trunk) {
+    // Branch by branch in the order of the trunk's table; inactive tiles hold nothing.
+    for (openvdb::Index n = 0; n < Trunk<MaterialTree>::NUM_VALUES; ++n) {
+      if (!trunk->isChildMaskOn(n) && !trunk->isValueMaskOn(n)) continue;
+      const Coord origin = trunk->offsetToGlobalCoord(n);
+      visit_blocks_of(openvdb::CoordBBox::createCube(origin, kBranchEdge));
+    }
+  }
+}
+
+std::uint64_t Workpiece::hash() const {
+  // FNV-1a over whole words; a uniform block hashes like the same block written out voxel by voxel.
+  constexpr std::uint64_t kPrime = 0x100000001b3ULL;
+  const auto mix = [](std::uint64_t hash, std::uint64_t word) {
+    hash ^= word;
+    hash *= kPrime;
+    return hash ^ (hash >> 29);
+  };
+  const auto voxel_word = [](MaterialId material, float fill) {
+    return std::uint64_t(material) << 32 | std::bit_cast<std::uint32_t>(fill);
+  };
+  std::vector<std::uint64_t> uniform(kMaxMaterials + 1, 0);
+  std::uint64_t total = 0xcbf29ce484222325ULL;
+  for_each_block([&](const BlockView& block) {
+    std::uint64_t content = 0xcbf29ce484222325ULL;
+    if (block.material == nullptr && block.fill == nullptr) {
+      std::uint64_t& known = uniform[block.uniform_material];
+      if (known == 0) {
+        known = content;
+        for (int n = 0; n < kBlockVoxels; ++n) known = mix(known, voxel_word(block.uniform_material, 1.0F));
+      }
+      content = known;
+    } else {
+      for (int n = 0; n < kBlockVoxels; ++n) {
+        const bool solid = block.material == nullptr || (block.solid[n >> 6] >> (n & 63) & 1) != 0;
+        const MaterialId material = block.material == nullptr ? block.uniform_material : block.material[n];
+        const float fill = block.fill == nullptr ? 1.0F : block.fill[n];
+        content = mix(content, solid ? voxel_word(material, fill) : 0);
+      }
+    }
+    for (const int i : block.origin) total = mix(total, std::uint64_t(std::uint32_t(i)));
+    total = mix(total, content);
+  });
+  return total;
+}
+
+WorkpieceSnapshot Workpiece::snapshot() const {
+  WorkpieceSnapshot snapshot;
+  snapshot.state_ = std::make_shared<const VoxelTrees>(*state_->trees);
+  return snapshot;
+}
+
+void Workpiece::restore(const WorkpieceSnapshot& snapshot) {
+  if (!snapshot.state_)
+    throw Error("Workpiece::restore was given an empty snapshot; take one with Workpiece::snapshot first.");
+  state_->trees = std::make_unique<VoxelTrees>(*static_cast<const VoxelTrees*>(snapshot.state_.get()));
+  state_->cache = {};
+  reserve_blocks(state_->pool.target);
+}
+
+void Workpiece::reserve_blocks(std::size_t count) {
+  State& state = *state_;
+  BlockPool& pool = state.pool;
+  pool.target = count;
+  state.cache = {};
+
+  // Tiles larger than a block become branch nodes of block-sized tiles, and the fill tree gets the trunk nodes above
+  // them: what cutting inserts later is one leaf (and at most one branch of the fill tree), always from the pool.
+  std::size_t branches = 0;
+  for (auto trunk = state.trees->material.root().beginChildOn(); trunk; ++trunk) {
+    for (openvdb::Index n = 0; n < Trunk<MaterialTree>::NUM_VALUES; ++n) {
+      if (trunk->isValueMaskOn(n)) {
+        const std::uint8_t id = trunk->getTable()[n].getValue();
+        trunk->addChild(new Branch<MaterialTree>(trunk->offsetToGlobalCoord(n), id, true));
+      }
+    }
+    branches += trunk->getChildMask().countOn();
+    if (state.trees->fill.probeConstNode<Trunk<FillTree>>(trunk->origin()) == nullptr)
+      state.trees->fill.root().addChild(new Trunk<FillTree>(trunk->origin(), 1.0F, false));
+  }
+
+  const std::size_t branch_count = std::min(branches, std::max<std::size_t>(8, count / 32));
+  while (pool.fill_branches.size() < branch_count)
+    pool.fill_branches.push_back(std::make_unique<Branch<FillTree>>(Coord(0), 1.0F, false));
+  while (pool.fill_leaves.size() < count) {
+    pool.fill_leaves.push_back(std::make_unique<Leaf<FillTree>>(Coord(0), 1.0F, true));
+    pool.fill_leaves.back()->buffer().data();
+  }
+  while (pool.material_leaves.size() < count)
+    pool.material_leaves.push_back(std::make_unique<Leaf<MaterialTree>>(Coord(0), kEmpty, true));
+  // Blocks that cutting empties come back to the pool, also those that were never taken from it.
+  const std::size_t material_leaves = state.trees->material.leafCount();
+  const std::size_t fill_leaves = state.trees->fill.leafCount();
+  pool.material_leaves.reserve(pool.material_leaves.size() + material_leaves);
+  pool.fill_leaves.reserve(pool.fill_leaves.size() + fill_leaves);
+}
+
+std::size_t Workpiece::reserved_blocks() const {
+  return std::min(state_->pool.fill_leaves.size(), state_->pool.material_leaves.size());
+}
+
+const Workpiece::State::BranchCache& Workpiece::State::branches_at(const Coord& block_origin) const noexcept {
+  const Coord origin(branch_start(block_origin.x()), branch_start(block_origin.y()), branch_start(block_origin.z()));
+  if (cache.valid && cache.origin == origin) return cache;
+  cache.valid = true;
+  cache.origin = origin;
+  cache.material = trees->material.probeConstNode<Branch<MaterialTree>>(origin);
+  cache.fill = trees->fill.probeConstNode<Branch<FillTree>>(origin);
+  cache.centroid = trees->centroid.probeConstNode<Branch<CentroidTree>>(origin);
+  cache.tile = kEmpty;
+  if (cache.material == nullptr) {
+    std::uint8_t id = kEmpty;
+    if (trees->material.probeValue(origin, id)) cache.tile = id;
+  }
+  return cache;
+}
+
+BlockView Workpiece::block(const VoxelIndex& origin) const noexcept {
+  const Coord at = to_coord(origin);
+  const State::BranchCache& branches = state_->branches_at(at);
+  BlockView view;
+  view.origin = origin;
+  if (branches.material == nullptr) {
+    view.uniform_material = branches.tile;
+  } else if (const auto* leaf = child_at(branches.material, at)) {
+    view.material = values_of(leaf);
+    view.solid = mask_words(*leaf);
+  } else {
+    const openvdb::Index n = Branch<MaterialTree>::coordToOffset(at);
+    view.uniform_material = branches.material->isValueMaskOn(n) ? branches.material->getTable()[n].getValue() : kEmpty;
+  }
+  view.fill = values_of(child_at(branches.fill, at));
+  view.centroid = values_of(child_at(branches.centroid, at));
+  return view;
+}
+
+float* Workpiece::writable_fill(const VoxelIndex& origin) noexcept {
+  State& state = *state_;
+  BlockPool& pool = state.pool;
+  const Coord at = to_coord(origin);
+  const State::BranchCache& branches = state.branches_at(at);
+  HAPTICUT_ASSERT(branches.material != nullptr);  // reserve_blocks left no larger tile
+
+  const auto* fill_leaf = child_at(branches.fill, at);
+  const auto* material_leaf = child_at(branches.material, at);
+  const bool need_branch = branches.fill == nullptr;
+  if ((need_branch && pool.fill_branches.empty()) || (fill_leaf == nullptr && pool.fill_leaves.empty()) ||
+      (material_leaf == nullptr && pool.material_leaves.empty()))
+    return nullptr;
+
+  if (need_branch) {
+    pool.fill_branches.back()->setOrigin(branches.origin);
+    auto* trunk = state.trees->fill.probeNode<Trunk<FillTree>>(at);
+    HAPTICUT_ASSERT(trunk != nullptr);
+    trunk->addChild(pool.fill_branches.back().release());
+    pool.fill_branches.pop_back();
+    state.cache.valid = false;
+  }
+  auto* fill_branch = const_cast<Branch<FillTree>*>(state.branches_at(at).fill);
+  auto* material_branch = const_cast<Branch<MaterialTree>*>(state.cache.material);
+
+  if (material_leaf == nullptr) {
+    const openvdb::Index n = Branch<MaterialTree>::coordToOffset(at);
+    const std::uint8_t id = material_branch->getTable()[n].getValue();
+    auto* leaf = pool.material_leaves.back().release();
+    pool.material_leaves.pop_back();
+    leaf->setOrigin(at);
+    leaf->setValuesOn();
+    std::fill_n(leaf->buffer().data(), kBlockVoxels, id);
+    material_branch->addLeaf(leaf);
+  }
+  if (fill_leaf == nullptr) {
+    auto* leaf = pool.fill_leaves.back().release();
+    pool.fill_leaves.pop_back();
+    leaf->setOrigin(at);
+    float* fill = leaf->buffer().data();
+    const auto* solid = child_at(material_branch, at);
+    for (int n = 0; n < kBlockVoxels; ++n) fill[n] = solid->isValueOn(openvdb::Index(n)) ? 1.0F : 0.0F;
+    fill_branch->addLeaf(leaf);
+    return fill;
+  }
+  return const_cast<float*>(values_of(fill_leaf));
+}
+
+void Workpiece::empty_voxels(const VoxelIndex& origin, const std::uint64_t* emptied) noexcept {
+  State& state = *state_;
+  const Coord at = to_coord(origin);
+  const State::BranchCache& branches = state.branches_at(at);
+  auto* material_leaf = const_cast<Leaf<MaterialTree>*>(child_at(branches.material, at));
+  auto* fill_leaf = const_cast<Leaf<FillTree>*>(child_at(branches.fill, at));
+  HAPTICUT_ASSERT(material_leaf != nullptr && fill_leaf != nullptr);
+
+  float* fill = fill_leaf->buffer().data();
+  auto mask = material_leaf->getValueMask();
+  for (int word = 0; word < 8; ++word) {
+    mask.getWord<openvdb::Index64>(openvdb::Index(word)) &= ~emptied[word];
+    for (std::uint64_t bits = emptied[word]; bits != 0; bits &= bits - 1)
+      fill[word * 64 + std::countr_zero(bits)] = 0.0F;
+  }
+  material_leaf->setValueMask(mask);
+  if (!mask.isOff()) return;
+
+  // Nothing left: both leaves go back to the pool, whose vectors were given room for every leaf of the trees.
+  auto& pool = state.pool;
+  auto* material_branch = const_cast<Branch<MaterialTree>*>(branches.material);
+  auto* fill_branch = const_cast<Branch<FillTree>*>(branches.fill);
+  HAPTICUT_ASSERT(pool.material_leaves.size() < pool.material_leaves.capacity());
+  HAPTICUT_ASSERT(pool.fill_leaves.size() < pool.fill_leaves.capacity());
+  pool.material_leaves.emplace_back(material_branch->stealNode<Leaf<MaterialTree>>(at, kEmpty, false));
+  pool.fill_leaves.emplace_back(fill_branch->stealNode<Leaf<FillTree>>(at, 1.0F, false));
+}
+
+}  // namespace hapticut

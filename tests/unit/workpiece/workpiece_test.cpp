@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/workpiece/workpiece.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/workpiece/builders.hpp"
+
+namespace hapticut {
+namespace {
+
+using units::mm;
+
+Material clay() {
+  Material material;
+  material.name = "clay";
+  return material;
+}
+
+/// Empties one voxel the way the step does.
+bool cut_voxel(Workpiece& workpiece, const VoxelIndex& index) {
+  const VoxelIndex origin = {block_start(index[0]), block_start(index[1]), block_start(index[2])};
+  if (workpiece.writable_fill(origin) == nullptr) return false;
+  const int n = block_offset(index[0] - origin[0], index[1] - origin[1], index[2] - origin[2]);
+  std::uint64_t emptied[8] = {};
+  emptied[n >> 6] = std::uint64_t(1) << (n & 63);
+  workpiece.empty_voxels(origin, emptied);
+  return true;
+}
+
+TEST(Workpiece, ASolidBlockOf256MillionVoxelsFitsIn16MegabytesUntilItIsCut) {
+  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(40, 40, 20) * mm}, 0.05 * mm, clay());
+  EXPECT_EQ(workpiece.solid_voxels(), std::int64_t(800) * 800 * 400);
+  workpiece.reserve_blocks(2048);
+  RecordProperty("tree_bytes", int(workpiece.memory_bytes()));
+  RecordProperty("pool_bytes", int(workpiece.pool_bytes()));
+  EXPECT_LT(workpiece.memory_bytes() + workpiece.pool_bytes(), 16'000'000U);
+}
+
+TEST(Workpiece, CuttingOneVoxelOfATileChangesThatVoxelOnly) {
+  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(40, 40, 40) * mm}, 0.1 * mm, clay());
+  workpiece.reserve_blocks(4);
+  const std::int64_t before = workpiece.solid_voxels();
+  ASSERT_TRUE(cut_voxel(workpiece, {200, 201, 202}));
+  EXPECT_EQ(workpiece.solid_voxels(), before - 1);
+  EXPECT_EQ(workpiece.material_at({200, 201, 202}), kEmpty);
+  EXPECT_EQ(workpiece.material_at({200, 201, 203}), 1);
+  EXPECT_EQ(workpiece.fill_at({200, 201, 202}), 0.0);
+  EXPECT_EQ(workpiece.fill_at({200, 201, 203}), 1.0);
+  EXPECT_EQ(workpiece.reserved_blocks(), 3U);
+}
+
+TEST(Workpiece, ABlockCutEmptyGoesBackToThePool) {
+  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(4, 4, 4) * mm}, 0.1 * mm, clay());
+  workpiece.reserve_blocks(1);
+  for (int n = 0; n < kBlockVoxels; ++n)
+    ASSERT_TRUE(cut_voxel(workpiece, {8 + (n >> 6), 8 + (n >> 3 & 7), 8 + (n & 7)}));
+  EXPECT_TRUE(workpiece.block({8, 8, 8}).empty());
+  EXPECT_EQ(workpiece.reserved_blocks(), 1U);
+  EXPECT_TRUE(cut_voxel(workpiece, {16, 16, 16}));
+}
+
+TEST(Workpiece, AnExhaustedPoolLeavesTheBlockAsItIs) {
+  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(4, 4, 4) * mm}, 0.1 * mm, clay());
+  workpiece.reserve_blocks(1);
+  ASSERT_TRUE(cut_voxel(workpiece, {8, 8, 8}));
+  const std::uint64_t before = workpiece.hash();
+  EXPECT_FALSE(cut_voxel(workpiece, {16, 16, 16}));
+  EXPECT_EQ(workpiece.hash(), before);
+}
+
+TEST(Workpiece, RestoreBringsBackTheSnapshotBitByBit) {
+  Workpiece workpiece = build_sphere(Vec3::Zero(), 2 * mm, 0.1 * mm, clay());
+  workpiece.reserve_blocks(8);
+  const WorkpieceSnapshot snapshot = workpiece.snapshot();
+  const std::uint64_t before = workpiece.hash();
+  ASSERT_TRUE(cut_voxel(workpiece, {20, 20, 20}));
+  EXPECT_NE(workpiece.hash(), before);
+  workpiece.restore(snapshot);
+  EXPECT_EQ(workpiece.hash(), before);
+  EXPECT_TRUE(cut_voxel(workpiece, {20, 20, 20}));
+}
+
+TEST(Workpiece, ACloneIsEqualAndIndependent) {
+  Workpiece original = build_sphere(Vec3::Zero(), 1 * mm, 0.1 * mm, clay());
+  Workpiece copy = original.clone();
+  EXPECT_EQ(copy.hash(), original.hash());
+  copy.reserve_blocks(1);
+  ASSERT_TRUE(cut_voxel(copy, {10, 10, 10}));
+  EXPECT_NE(copy.hash(), original.hash());
+}
+
+TEST(Workpiece, TheHashDoesNotDependOnHowAUniformBlockIsStored) {
+  const auto build = [](bool as_tiles) {
+    return Workpiece::from_blocks({{0, 0, 0}, {15, 15, 15}}, GridFrame{}, MaterialTable({clay()}),
+                                  [&](const VoxelIndex&, BlockContent& content) {
+                                    if (as_tiles) return BlockKind::solid(1);
+                                    content.material.fill(1);
+                                    content.fill.fill(1);
+                                    content.centroid.fill({});
+                                    return BlockKind::mixed();
+                                  });
+  };
+  EXPECT_EQ(build(true).hash(), build(false).hash());
+}
+
+TEST(Workpiece, RefusesAMaterialIdThatIsNotInTheTable) {
+  const auto fill_block = [](const VoxelIndex&, BlockContent&) { return BlockKind::solid(2); };
+  EXPECT_THROW((void)Workpiece::from_blocks({{0, 0, 0}, {7, 7, 7}}, GridFrame{}, MaterialTable({clay()}), fill_block),
+               Error);
+}
+
+TEST(Workpiece, RefusesATrillionVoxels) {
+  EXPECT_THROW((void)build_block({Vec3::Zero(), Vec3(1, 1, 1)}, 0.1 * mm, clay()), Error);
+}
+
+}  // namespace
+}  // namespace hapticut
