@@ -45,7 +45,18 @@ class ToolHead {
   decltype(auto) visit_springs(Function&& function) const {
     if (const auto* sphere = std::get_if<SphereHead>(&shape_)) return function(SphereSprings<Real>(*sphere));
     if (const auto* cone = std::get_if<ConeHead>(&shape_)) return function(ConeSprings<Real>(*cone));
-    return function(FlatSprings<Real>(*std::get_if<FlatHead>(&shape_)));
+    const FlatHead& flat = *std::get_if<FlatHead>(&shape_);
+    switch (flat.rule) {
+      case FlatRule::bottom_only:
+        return function(FlatSprings<Real, FlatRule::bottom_only>(flat));
+      case FlatRule::side_only:
+        return function(FlatSprings<Real, FlatRule::side_only>(flat));
+      case FlatRule::both:
+        return function(FlatSprings<Real, FlatRule::both>(flat));
+      case FlatRule::nearest:
+        break;
+    }
+    return function(FlatSprings<Real, FlatRule::nearest>(flat));
   }
 
   /// [m] depth and unit direction at one point of T, for tests and set-up code.

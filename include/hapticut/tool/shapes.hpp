@@ -87,35 +87,31 @@ struct ConeSprings {
   [[nodiscard]] Real margin(Real rho, Real z) const { return std::min(z * sine - rho * cosine, height - z); }
 };
 
-template <class Real>
+template <class Real, FlatRule rule>
 struct FlatSprings {
   Real radius, height;
-  FlatRule rule;
 
-  explicit FlatSprings(const FlatHead& head) : radius(Real(head.radius)), height(Real(head.height)), rule(head.rule) {}
+  explicit FlatSprings(const FlatHead& head) : radius(Real(head.radius)), height(Real(head.height)) {}
 
   [[nodiscard]] Spring<Real> spring(Real rho, Real z) const {
     const Real side = radius - rho;
-    const Real bottom = z;
-    if (!(std::min({side, bottom, height - z}) > Real(0))) return {Real(-1), Real(0), Real(-1)};
-    switch (rule) {
-      case FlatRule::bottom_only:
-        return {bottom, Real(0), Real(-1)};
-      case FlatRule::side_only:
-        return {side, Real(1), Real(0)};
-      case FlatRule::both: {
-        // Two springs in parallel, side * radial - bottom * axial, are one of depth |sum| along the sum, with the same
-        // stored energy: side^2/2 + bottom^2/2.
-        const Real depth = std::sqrt(side * side + bottom * bottom);
-        return {depth, side / depth, -bottom / depth};
-      }
-      case FlatRule::nearest:
-        break;
+    const bool inside = margin(rho, z) > Real(0);
+    if constexpr (rule == FlatRule::bottom_only) {
+      return {inside ? z : Real(-1), Real(0), Real(-1)};
+    } else if constexpr (rule == FlatRule::side_only) {
+      return {inside ? side : Real(-1), Real(1), Real(0)};
+    } else if constexpr (rule == FlatRule::both) {
+      // Two springs in parallel, side * radial - z * axial, are one of depth |sum| along the sum, with the same stored
+      // energy: side^2/2 + z^2/2.
+      const Real depth = std::sqrt(side * side + z * z);
+      const Real inverse = Real(1) / std::max(depth, Real(1e-12));
+      return {inside ? depth : Real(-1), side * inverse, -z * inverse};
+    } else {
+      const bool on_side = side < z;
+      return {inside ? (on_side ? side : z) : Real(-1), on_side ? Real(1) : Real(0), on_side ? Real(0) : Real(-1)};
     }
-    if (side < bottom) return {side, Real(1), Real(0)};
-    return {bottom, Real(0), Real(-1)};
   }
-  [[nodiscard]] Real margin(Real rho, Real z) const { return std::min({z, radius - rho, height - z}); }
+  [[nodiscard]] Real margin(Real rho, Real z) const { return std::min(std::min(z, height - z), radius - rho); }
 };
 
 }  // namespace hapticut

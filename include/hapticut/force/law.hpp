@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hapticut/core/spatial.hpp"
+#include "hapticut/workpiece/contact.hpp"
+
+/// @file
+/// Stage `evaluate_law`: what a force law is given and what it must deliver. One law per file in `force/laws/`.
+namespace hapticut {
+
+/// Whether and by which energy balance the spinning head takes material away.
+enum class RemovalLaw {
+  none,             ///< nothing is cut: probing, or pure force rendering
+  constant_energy,  ///< law A (default): every removed volume costs its specific cutting energy
+  elastic_release   ///< law G: the elastic energy of removed material pays a part of it
+};
+
+/// Constants of one material as the hot loop needs them.
+struct ContactMaterial {
+  float stiffness;       ///< [N/m^4] k_v
+  float damping;         ///< [s/m] chi
+  float cutting_ratio;   ///< [1] kappa
+  float cutting_energy;  ///< [J/m^3] u
+  float cutting_depth;   ///< [m] w0 = sqrt(2 p_e / k_v), below which nothing is cut
+};
+using ContactMaterials = std::array<ContactMaterial, 256>;  ///< by MaterialId; entry 0 has no stiffness
+
+/// How the head moves during one sub-step, in T at its middle.
+struct HeadMotion {
+  Eigen::Vector3f velocity;               ///< [m/s] of To along the path, V
+  Eigen::Vector3f angular_velocity;       ///< [rad/s] of the handpiece along the path, Omega
+  Eigen::Vector3f felt_velocity;          ///< [m/s] of To as the device measures it: drives damping only
+  Eigen::Vector3f felt_angular_velocity;  ///< [rad/s]
+  float spin;                             ///< [rad/s] omega about +z; 0: the spindle stands
+  float duration;                         ///< [s]
+  float voxel_volume;                     ///< [m^3]
+  RemovalLaw removal;
+};
+
+/// What one block adds to the energy ledger in one sub-step; [J], as defined in EnergyLedger.
+struct LawEnergies {
+  double elastic = 0, cutting = 0, released = 0, damping = 0, rubbing = 0, credited = 0;
+
+  LawEnergies& operator+=(const LawEnergies& o) {
+    elastic += o.elastic, cutting += o.cutting, released += o.released;
+    damping += o.damping, rubbing += o.rubbing, credited += o.credited;
+    return *this;
+  }
+};
+
+/// A fraction of a voxel below this is taken away at once and its volume credited.
+inline constexpr float kSmallestFill = 1e-3F;
+
+/// A force law: from the samples of one block to the force on the tool at each, and to what is left of each voxel.
+///
+/// The step calls `evaluate` once per block and sums what it writes; a law of one's own derives from this class and is
+/// handed to the simulation in its configuration.
+class ForceLaw {
+ public:
+  virtual ~ForceLaw() = default;
+
+  /// Writes `force_x/y/z` and `fill_after` of all `padded_size()` samples. Samples of no fill must get no force.
+  /// @realtime no allocation, no lock, no exception
+  virtual LawEnergies evaluate(const HeadMotion& motion, const ContactMaterials& materials,
+                               ContactBlock& block) const noexcept = 0;
+};
+
+}  // namespace hapticut

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "hapticut/core/spatial.hpp"
+#include "hapticut/workpiece/contact.hpp"
+
+namespace hapticut {
+
+/// What the blocks of one sub-step add up to.
+struct Resultant {
+  Wrench wrench_T;    ///< [N], [N·m] on the tool about To, in T
+  int voxels = 0;     ///< samples inside the head
+  double volume = 0;  ///< [voxels] filled volume inside the head
+  double depth = 0;   ///< [m] greatest depth
+};
+
+/// Stage `sum_resultant`: `F = Sum g_i`, `T = Sum r_i x g_i` over one block, added to `total`.
+///
+/// Single-precision partial sums per lane within a block, double precision across blocks, always in the same order.
+/// @realtime no allocation, no lock; O(samples)
+inline void sum_resultant(const ContactBlock& b, Resultant& total) {
+  enum Term { kForceX, kForceY, kForceZ, kTorqueX, kTorqueY, kTorqueZ, kFill, kTerms };
+  float sums[kTerms][kLanes] = {};
+  float deepest[kLanes] = {};
+  for (int group = 0; group < b.padded_size(); group += kLanes)
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const int n = group + lane;
+      const float fx = b.force_x[n], fy = b.force_y[n], fz = b.force_z[n];
+      const float x = b.x[n], y = b.y[n], z = b.z[n];
+      sums[kForceX][lane] += fx;
+      sums[kForceY][lane] += fy;
+      sums[kForceZ][lane] += fz;
+      sums[kTorqueX][lane] += y * fz - z * fy;
+      sums[kTorqueY][lane] += z * fx - x * fz;
+      sums[kTorqueZ][lane] += x * fy - y * fx;
+      sums[kFill][lane] += b.fill[n];
+      deepest[lane] = std::max(deepest[lane], b.depth[n]);
+    }
+  const auto sum = [&](Term term) {
+    double s = 0;
+    for (const float lane_sum : sums[term]) s += double(lane_sum);
+    return s;
+  };
+  total.wrench_T.force += Vec3(sum(kForceX), sum(kForceY), sum(kForceZ));
+  total.wrench_T.torque += Vec3(sum(kTorqueX), sum(kTorqueY), sum(kTorqueZ));
+  total.voxels += b.size;
+  total.volume += sum(kFill);
+  for (const float depth : deepest) total.depth = std::max(total.depth, double(depth));
+}
+
+}  // namespace hapticut

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// @file
+/// Everything of hapticut; the order is the order to read it in. `workpiece/openvdb.hpp`, the door to OpenVDB, and `io/`,
+/// which is an optional component, are included on their own.
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/mesh.hpp"
+#include "hapticut/core/spatial.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/core/volume.hpp"
+//
+#include "hapticut/tool/handle.hpp"
+#include "hapticut/tool/head.hpp"
+#include "hapticut/tool/shapes.hpp"
+#include "hapticut/tool/tool.hpp"
+//
+#include "hapticut/workpiece/block.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "hapticut/workpiece/contact.hpp"
+#include "hapticut/workpiece/material.hpp"
+#include "hapticut/workpiece/removal.hpp"
+#include "hapticut/workpiece/workpiece.hpp"
+//
+#include "hapticut/force/law.hpp"
+#include "hapticut/force/laws/foundation.hpp"
+#include "hapticut/force/resultant.hpp"
+//
+#include "hapticut/simulation/config.hpp"
+#include "hapticut/simulation/energy.hpp"
+#include "hapticut/simulation/simulation.hpp"
+#include "hapticut/simulation/step.hpp"

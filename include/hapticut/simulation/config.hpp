@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "hapticut/force/law.hpp"
+
+namespace hapticut {
+
+/// How a simulation computes. Every field has a default that works; all are checked when the simulation is made.
+struct SimulationConfig {
+  /// [N/m^4] > 0, k_v of a material of relative stiffness 1. A regularisation, not a material constant: cutting forces
+  /// do not depend on it while the engaged layer is thin. See force/stiffness.hpp for the bounds that accuracy and a
+  /// directly driven device put on it.
+  double reference_stiffness = 1e13;
+
+  RemovalLaw removal = RemovalLaw::constant_energy;
+  Quadrature quadrature = Quadrature::centroid;
+
+  /// The force law; null: FoundationLaw.
+  std::shared_ptr<const ForceLaw> law;
+
+  /// Blocks (8^3 voxels) that may become partly cut before `Simulation::reserve_blocks` has to be called again; about
+  /// 2.8 kB each. A cavity needs about two per patch of 8 x 8 voxels of its wall.
+  std::size_t reserved_blocks = 2048;
+
+  /// Longest list of removed voxels of one step; 0: as many as the head holds. Voxels beyond it are removed all the
+  /// same.
+  std::size_t removed_voxel_capacity = 0;
+
+  double shortest_dt = 1e-6;  ///< [s] steps outside shortest_dt ... longest_dt are rejected
+  double longest_dt = 0.1;    ///< [s]
+
+  /// A step that moves the head by more than half a voxel is cut into equal sub-steps; one that needs more than this
+  /// many is a jump, not a motion, and is rejected.
+  int longest_sweep = 64;
+};
+
+/// @throws Error naming the field, its value and the allowed range
+void validate(const SimulationConfig& config);
+
+}  // namespace hapticut

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+namespace hapticut {
+
+/// Where the work went (model: energy ledger). Everything is accumulated since construction, but `elastic`, which is
+/// the energy stored at the end of the last step. All in [J]; all but the two works are never negative.
+///
+///     hand_work + motor_work + credited = elastic + cutting + released + damping + rubbing
+///
+struct EnergyLedger {
+  double hand_work = 0;   ///< work done by the hand on the tool
+  double motor_work = 0;  ///< work done by the spindle motor on the tool
+  double elastic = 0;     ///< stored in the foundation now
+  double cutting = 0;     ///< specific cutting energy times removed volume
+  double released = 0;    ///< elastic energy of removed material that did not help cutting
+  double damping = 0;     ///< Hunt-Crossley damping
+  double rubbing = 0;     ///< tangential work where nothing is cut: below the edge pressure, or with removal off
+  double credited = 0;    ///< cutting energy of the last thousandth of a voxel, which is taken away without work
+
+  EnergyLedger& operator+=(const EnergyLedger& other) {
+    hand_work += other.hand_work;
+    motor_work += other.motor_work;
+    elastic += other.elastic;
+    cutting += other.cutting;
+    released += other.released;
+    damping += other.damping;
+    rubbing += other.rubbing;
+    credited += other.credited;
+    return *this;
+  }
+
+  /// [J] what the right side lacks; 0 when the ledger closes.
+  [[nodiscard]] double imbalance() const {
+    return hand_work + motor_work + credited - (elastic + cutting + released + damping + rubbing);
+  }
+
+  /// [1] imbalance relative to the work done; 0 before any work.
+  [[nodiscard]] double closure() const {
+    const double work = std::abs(hand_work) + std::abs(motor_work);
+    return work > 0 ? imbalance() / work : 0.0;
+  }
+};
+
+}  // namespace hapticut

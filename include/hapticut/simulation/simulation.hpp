@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "hapticut/simulation/config.hpp"
+#include "hapticut/simulation/step.hpp"
+#include "hapticut/tool/tool.hpp"
+#include "hapticut/workpiece/workpiece.hpp"
+
+namespace hapticut {
+
+/// A tool that a hand moves through a workpiece: the 1 kHz call and what it works on.
+///
+/// Not thread-safe: one thread calls `step`; everything else is called between steps.
+class Simulation {
+ public:
+  /// Takes the workpiece over and reserves all memory that cutting will need.
+  /// @throws Error when the configuration is invalid
+  Simulation(Workpiece workpiece, Tool tool, SimulationConfig config = {});
+
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+  ~Simulation();
+
+  /// Moves the tool to a pose, returns the force and torque on the hand, and takes away what the spindle cuts on the
+  /// way.
+  ///
+  /// The head moves from where it was at the end of the last step to `pose` with constant velocity; in the first step
+  /// it comes from `pose - velocity * dt`.
+  ///
+  /// @param pose      X_WH, pose of the handle at the end of the step
+  /// @param velocity  [m/s] of Ho and [rad/s], in W, as the device estimates it; it drives the damping only, cutting
+  /// and
+  ///                  energies follow the poses
+  /// @param dt        [s] since the last call
+  /// @return a reference that stays valid; its contents are those of the last call
+  /// @realtime no allocation, no lock, no exception, no printing; same input, same bits. O(voxels inside the head)
+  const StepResult& step(const Pose& pose, const Twist& velocity, double dt) noexcept;
+
+  [[nodiscard]] const Workpiece& workpiece() const;
+  [[nodiscard]] const Tool& tool() const;
+  [[nodiscard]] const SimulationConfig& config() const;
+  [[nodiscard]] const StepResult& last_result() const;
+
+  /// [m^3] taken away since construction or reset, by MaterialId.
+  [[nodiscard]] const std::array<double, 256>& removed_volume_by_material() const;
+
+  // --- set-up calls, between steps ----------------------------------------------------------------------------------
+  /// Sets the spindle's speed for the following steps.  @throws Error when it is not finite
+  void set_spindle_speed(double speed);
+
+  /// Fills the pool of the workpiece up to `count` blocks.
+  void reserve_blocks(std::size_t count);
+
+  [[nodiscard]] WorkpieceSnapshot snapshot() const;  ///< of the workpiece, to undo to
+  void restore(const WorkpieceSnapshot& snapshot);   ///< puts the workpiece back; the tool starts afresh
+
+  /// Starts again with another workpiece: tool position, energies and removed volumes are forgotten.
+  void reset(Workpiece workpiece);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hapticut

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "hapticut/core/spatial.hpp"
+#include "hapticut/simulation/energy.hpp"
+#include "hapticut/workpiece/removal.hpp"
+
+namespace hapticut {
+
+/// What a step has to report, as bits; 0 = nothing. Each says what happened to the output, and the cure.
+enum class StepStatus : std::uint32_t {
+  ok = 0,
+
+  /// The pose held a number that is not finite, or no rotation. No force, workpiece untouched.
+  /// Cure: check the device's matrix; re-orthonormalise it (`orthonormalized`) when it is only inexact.
+  pose_rejected = 1U << 0,
+  /// The velocity held a number that is not finite. No force, workpiece untouched. Cure: check the velocity estimate.
+  velocity_rejected = 1U << 1,
+  /// dt was not within SimulationConfig::shortest_dt ... longest_dt. No force, workpiece untouched.
+  /// Cure: pass the seconds since the last call; after a pause call with a fresh pose and the nominal period.
+  dt_rejected = 1U << 2,
+  /// The head moved farther than SimulationConfig::longest_sweep half voxels: a jump, not a motion. No force, workpiece
+  /// untouched; the next step starts from this pose. Cure: bring the hand back smoothly, or raise longest_sweep.
+  jump_rejected = 1U << 3,
+
+  /// Fewer than a quarter of the reserved blocks are left. Output unaffected. Cure: Simulation::reserve_blocks soon.
+  blocks_low = 1U << 4,
+  /// Some material was felt but not cut, because no reserved block was left. Cure: Simulation::reserve_blocks, outside
+  /// the step; raise SimulationConfig::reserved_blocks.
+  blocks_exhausted = 1U << 5,
+  /// More voxels were emptied than the list holds; they are gone and their volume is counted, but not all are listed.
+  /// Cure: raise SimulationConfig::removed_voxel_capacity.
+  removed_list_full = 1U << 6,
+
+  /// The spindle ran slower than its set speed, because the cut asked for more than its power limit.
+  power_limited = 1U << 8,
+  /// The spindle cuts with material deeper than a tenth of the head's radius below the cutting surface: the foundation
+  /// is too soft for the feed, and forces come out low. Cure: raise SimulationConfig::reference_stiffness (with a
+  /// virtual coupling, where a device must not feel it directly), or feed slower.
+  engaged_layer_thick = 1U << 9,
+};
+
+[[nodiscard]] constexpr StepStatus operator|(StepStatus a, StepStatus b) {
+  return StepStatus(std::uint32_t(a) | std::uint32_t(b));
+}
+constexpr StepStatus& operator|=(StepStatus& a, StepStatus b) { return a = a | b; }
+
+/// Whether any of the given bits is set.
+[[nodiscard]] constexpr bool has(StepStatus status, StepStatus bits) {
+  return (std::uint32_t(status) & std::uint32_t(bits)) != 0;
+}
+
+/// The bits of an input that was not accepted.
+inline constexpr StepStatus kRejected =
+    StepStatus::pose_rejected | StepStatus::velocity_rejected | StepStatus::dt_rejected | StepStatus::jump_rejected;
+
+/// The material that the head touches, at the middle of the last sub-step.
+struct Contact {
+  int voxels = 0;     ///< voxels inside the head that are not empty
+  double volume = 0;  ///< [m^3] their filled volume
+  double depth = 0;   ///< [m] greatest depth below the cutting surface
+};
+
+/// The spindle during the step.
+struct SpindleState {
+  double speed = 0;   ///< [rad/s] signed about +z of T
+  double torque = 0;  ///< [N·m] that the motor delivers, positive when it drives the spin
+};
+
+/// What one step returns.
+struct StepResult {
+  Vec3 force = Vec3::Zero();                     ///< [N] on the tool, what the hand feels, in W; mean over the step
+  Vec3 torque = Vec3::Zero();                    ///< [N·m] on the tool about Ho, in W; mean over the step
+  std::span<const RemovedVoxel> removed_voxels;  ///< emptied by this call; valid until the next one
+  double removed_volume = 0;                     ///< [m^3] taken away by this call, partly emptied voxels included
+  Contact contact;                               ///< what the head touches
+  EnergyLedger energy;                           ///< accumulated since construction
+  SpindleState spindle;                          ///< speed and torque of this step
+  int sub_steps = 0;                             ///< 0 when the input was rejected
+  StepStatus status = StepStatus::ok;            ///< bits; ok = nothing to report
+};
+
+}  // namespace hapticut

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/simulation/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/force/laws/foundation.hpp"
+#include "hapticut/force/resultant.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr double kRotationTolerance = 1e-3;  // [1] what device matrices are off by is below this
+constexpr double kThickLayer = 0.1;          // [1] of the head's radius
+
+ContactMaterials contact_materials(const MaterialTable& table, double reference_stiffness) {
+  ContactMaterials constants = {};
+  for (int id = 1; id <= table.size(); ++id) {
+    const Material& m = table[MaterialId(id)];
+    const double stiffness = m.relative_stiffness * reference_stiffness;
+    constants[std::size_t(id)] = {float(stiffness), float(m.damping), float(m.cutting_ratio),
+                                  float(m.specific_cutting_energy), float(std::sqrt(2 * m.edge_pressure / stiffness))};
+  }
+  return constants;
+}
+
+std::size_t voxels_inside(const ToolHead& head, double voxel_size) {
+  // A thin head still touches whole voxels: count those of a head grown by one voxel all round, as a box.
+  const HeadBox box = head.bounding_box();
+  const Vec3 edges = (box.max - box.min).array() / voxel_size + 2;
+  const double in_box = edges.prod();
+  const double in_head = 2 * head.volume() / std::pow(voxel_size, 3) + 4096;
+  return std::size_t(std::min(in_box, in_head));
+}
+
+/// One equal part of the tool's motion during a step, seen at its middle.
+struct SubStep {
+  double duration;    // [s]
+  Pose X_WH;          // of the handle
+  Pose X_WT;          // of the head
+  Twist path_T;       // of To along the path, in T
+  HeadMotion motion;  // the same for the force law
+};
+
+/// What the head meets in one sub-step.
+struct Encounter {
+  Resultant resultant;
+  LawEnergies energies;
+  bool blocks_exhausted = false;
+};
+
+Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
+  return {X_WT.rotation.transpose() * twist_W.linear, X_WT.rotation.transpose() * twist_W.angular};
+}
+
+}  // namespace
+
+struct Simulation::State {
+  State(Workpiece workpiece_, Tool tool_, SimulationConfig config_);
+  void prepare_workpiece();
+
+  // The stages of a step, in their order.
+  void begin_step() noexcept;
+  [[nodiscard]] StepStatus check_input(const Pose& pose, const Twist& velocity, double dt) const noexcept;
+  [[nodiscard]] int plan_sweep(const Pose& pose) const noexcept;
+  [[nodiscard]] SubStep plan_sub_step(int index, double duration, const Twist& path, const Twist& felt) const noexcept;
+  [[nodiscard]] IndexBox find_blocks(const SubStep& sub_step) const noexcept;
+  [[nodiscard]] Encounter cut_blocks(const SubStep& sub_step, const IndexBox& blocks) noexcept;
+  void book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept;
+  void transport_to_handle(const SubStep& sub_step, const Encounter& encounter, double share) noexcept;
+  const StepResult& finish_step(const Pose& pose, int sub_steps) noexcept;
+  const StepResult& reject(StepStatus status) noexcept;
+
+  Workpiece workpiece;
+  Tool tool;
+  SimulationConfig config;
+
+  // Derived from them at set-up.
+  ContactMaterials materials;
+  IndexBox bounds;  // voxels that were ever solid
+  Pose X_VW;
+  double voxel_volume = 0;  // [m^3]
+
+  // What one step hands to the next.
+  bool has_pose = false;
+  Pose X_WH;                 // at the end of the last accepted step
+  double speed_setting = 0;  // [rad/s] asked of the spindle
+  double speed = 0;          // [rad/s] of this step, after the power limit
+  double motor_torque = 0;   // [N·m] of the last sub-step, against which the power limit is held
+
+  ContactBlock contact;  // scratch of cut_blocks
+  RemovalRecord removal;
+  StepResult result;
+};
+
+// --- the step
+// -----------------------------------------------------------------------------------------------------------
+
+const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, double dt) noexcept {
+  State& s = *state_;
+  s.begin_step();
+  const StepStatus refused = s.check_input(pose, velocity, dt);
+  if (refused != StepStatus::ok) return s.reject(refused);
+  if (!std::exchange(s.has_pose, true)) s.X_WH = advance(pose, velocity, -dt);
+
+  const int sub_steps = s.plan_sweep(pose);
+  if (sub_steps > s.config.longest_sweep) {
+    s.X_WH = pose;
+    return s.reject(StepStatus::jump_rejected);
+  }
+  const Twist path = twist_between(s.X_WH, pose, dt);
+  for (int i = 0; i < sub_steps; ++i) {
+    const SubStep sub_step = s.plan_sub_step(i, dt / sub_steps, path, velocity);
+    const IndexBox blocks = s.find_blocks(sub_step);
+    const Encounter encounter = s.cut_blocks(sub_step, blocks);
+    s.book_energy(sub_step, encounter);
+    s.transport_to_handle(sub_step, encounter, 1.0 / sub_steps);
+  }
+  return s.finish_step(pose, sub_steps);
+}
+
+void Simulation::State::begin_step() noexcept {
+  removal.clear();
+  result.force = result.torque = Vec3::Zero();
+  result.removed_voxels = {};
+  result.removed_volume = 0;
+  result.contact = {};
+  result.spindle = {};
+  result.sub_steps = 0;
+  result.status = StepStatus::ok;
+}
+
+StepStatus Simulation::State::check_input(const Pose& pose, const Twist& velocity, double dt) const noexcept {
+  StepStatus status = StepStatus::ok;
+  if (!is_finite(pose) || !is_rotation(pose.rotation, kRotationTolerance)) status |= StepStatus::pose_rejected;
+  if (!is_finite(velocity.linear) || !is_finite(velocity.angular)) status |= StepStatus::velocity_rejected;
+  if (!(dt >= config.shortest_dt && dt <= config.longest_dt)) status |= StepStatus::dt_rejected;
+  return status;
+}
+
+/// Number of equal parts in which no point of the head moves farther than half a voxel.
+int Simulation::State::plan_sweep(const Pose& pose) const noexcept {
+  const Vec3 head_shift = pose * tool.X_HT().translation - X_WH * tool.X_HT().translation;
+  const double turn = vector_from_rotation(pose.rotation * X_WH.rotation.transpose()).norm();
+  const double farthest = head_shift.norm() + turn * tool.head().reach();
+  const double parts = std::ceil(farthest / (0.5 * workpiece.voxel_size()) - 1e-9);
+  return int(std::clamp(parts, 1.0, config.longest_sweep + 1.0));
+}
+
+SubStep Simulation::State::plan_sub_step(int index, double duration, const Twist& path,
+                                         const Twist& felt) const noexcept {
+  SubStep sub_step;
+  sub_step.duration = duration;
+  sub_step.X_WH = advance(X_WH, path, (index + 0.5) * duration);
+  sub_step.X_WT = sub_step.X_WH * tool.X_HT();
+  const Vec3 p_HoTo_W = sub_step.X_WT.translation - sub_step.X_WH.translation;
+  sub_step.path_T = expressed_in(sub_step.X_WT, transport(path, p_HoTo_W));
+  const Twist felt_T = expressed_in(sub_step.X_WT, transport(felt, p_HoTo_W));
+  sub_step.motion = {sub_step.path_T.linear.cast<float>(),
+                     sub_step.path_T.angular.cast<float>(),
+                     felt_T.linear.cast<float>(),
+                     felt_T.angular.cast<float>(),
+                     float(speed),
+                     float(duration),
+                     float(voxel_volume),
+                     config.removal};
+  return sub_step;
+}
+
+/// The box of voxels that the head can reach, cut to where the workpiece ever was.
+IndexBox Simulation::State::find_blocks(const SubStep& sub_step) const noexcept {
+  const HeadBox box = tool.head().bounding_box();
+  const Pose X_VT = X_VW * sub_step.X_WT;
+  const double size = workpiece.voxel_size();
+  const Vec3 center = X_VT * Vec3(0.5 * (box.min + box.max)) / size;
+  const Vec3 half = X_VT.rotation.cwiseAbs() * (0.5 * (box.max - box.min)) / size;
+  IndexBox voxels;
+  for (int axis = 0; axis < 3; ++axis) {
+    // Half a voxel more: the quadrature point of a surface voxel lies off its centre.
+    const double low = std::ceil(center[axis] - half[axis] - 0.5);
+    const double high = std::floor(center[axis] + half[axis] + 0.5);
+    voxels.min[axis] = int(std::clamp(low, double(bounds.min[axis]), bounds.max[axis] + 1.0));
+    voxels.max[axis] = int(std::clamp(high, bounds.min[axis] - 1.0, double(bounds.max[axis])));
+  }
+  return voxels;
+}
+
+Encounter Simulation::State::cut_blocks(const SubStep& sub_step, const IndexBox& blocks) noexcept {
+  Encounter encounter;
+  if (blocks.empty()) return encounter;
+  const GridInHead grid((X_VW * sub_step.X_WT).inverse(), workpiece.voxel_size());
+  tool.head().visit_springs<float>([&](const auto& springs) {
+    for (int i = block_start(blocks.min[0]); i <= blocks.max[0]; i += kBlockEdge)
+      for (int j = block_start(blocks.min[1]); j <= blocks.max[1]; j += kBlockEdge)
+        for (int k = block_start(blocks.min[2]); k <= blocks.max[2]; k += kBlockEdge) {
+          const VoxelIndex origin = {i, j, k};
+          if (!may_touch(springs, grid, origin, float(workpiece.voxel_size()))) continue;
+          const BlockView block = workpiece.block(origin);
+          if (block.empty()) continue;
+          sample_contact(springs, block, grid, config.quadrature, contact);
+          if (contact.size == 0) continue;
+          encounter.energies += config.law->evaluate(sub_step.motion, materials, contact);
+          sum_resultant(contact, encounter.resultant);
+          if (!remove_material(contact, origin, voxel_volume, workpiece, removal)) encounter.blocks_exhausted = true;
+        }
+  });
+  return encounter;
+}
+
+void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept {
+  const Wrench& wrench_T = encounter.resultant.wrench_T;
+  EnergyLedger& energy = result.energy;
+  energy.hand_work -=
+      (wrench_T.force.dot(sub_step.path_T.linear) + wrench_T.torque.dot(sub_step.path_T.angular)) * sub_step.duration;
+  energy.motor_work -= wrench_T.torque.z() * speed * sub_step.duration;
+  energy.elastic = encounter.energies.elastic;
+  energy.cutting += encounter.energies.cutting;
+  energy.released += encounter.energies.released;
+  energy.damping += encounter.energies.damping;
+  energy.rubbing += encounter.energies.rubbing;
+  energy.credited += encounter.energies.credited;
+}
+
+void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encounter& encounter,
+                                            double share) noexcept {
+  const Mat3& R_WT = sub_step.X_WT.rotation;
+  const Wrench& wrench_T = encounter.resultant.wrench_T;
+  const Wrench at_head = {R_WT * wrench_T.force, R_WT * wrench_T.torque};
+  const Wrench at_handle = transport(at_head, sub_step.X_WT.translation - sub_step.X_WH.translation);
+  result.force += share * at_handle.force;
+  result.torque += share * at_handle.torque;
+
+  motor_torque = -wrench_T.torque.z();
+  result.spindle.torque += share * motor_torque;
+  result.contact = {encounter.resultant.voxels, encounter.resultant.volume * voxel_volume, encounter.resultant.depth};
+  if (encounter.blocks_exhausted) result.status |= StepStatus::blocks_exhausted;
+}
+
+const StepResult& Simulation::State::finish_step(const Pose& pose, int sub_steps) noexcept {
+  X_WH = pose;
+  result.sub_steps = sub_steps;
+  result.spindle.speed = speed;
+  result.removed_voxels = removal.voxels();
+  result.removed_volume = removal.volume();
+  if (removal.overflowed()) result.status |= StepStatus::removed_list_full;
+  if (workpiece.reserved_blocks() < config.reserved_blocks / 4) result.status |= StepStatus::blocks_low;
+  if (removal.volume() > 0 && result.contact.depth > kThickLayer * tool.head().largest_radius())
+    result.status |= StepStatus::engaged_layer_thick;
+
+  // The spindle of the next step: as fast as its power allows against the torque of this one.
+  const double limit = tool.spindle().power_limit / std::max(std::abs(motor_torque), 1e-12);
+  if (std::abs(speed) < std::abs(speed_setting)) result.status |= StepStatus::power_limited;
+  speed = std::copysign(std::min(std::abs(speed_setting), limit), speed_setting);
+  return result;
+}
+
+const StepResult& Simulation::State::reject(StepStatus status) noexcept {
+  result.status = status;
+  return result;
+}
+
+// --- set-up
+// -------------------------------------------------------------------------------------------------------------
+
+Simulation::State::State(Workpiece workpiece_, Tool tool_, SimulationConfig config_)
+    : workpiece(std::move(workpiece_)),
+      tool(std::move(tool_)),
+      config(std::move(config_)),
+      speed_setting(tool.spindle().speed),
+      speed(speed_setting),
+      removal(config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity
+                                                : voxels_inside(tool.head(), workpiece.voxel_size())) {
+  if (!config.law) config.law = std::make_shared<FoundationLaw>();
+  prepare_workpiece();
+}
+
+void Simulation::State::prepare_workpiece() {
+  workpiece.reserve_blocks(config.reserved_blocks);
+  bounds = workpiece.bounds();
+  X_VW = workpiece.frame().X_WV.inverse();
+  voxel_volume = std::pow(workpiece.voxel_size(), 3);
+  materials = contact_materials(workpiece.materials(), config.reference_stiffness);
+}
+
+Simulation::Simulation(Workpiece workpiece, Tool tool, SimulationConfig config) {
+  validate(config);
+  state_ = std::make_unique<State>(std::move(workpiece), std::move(tool), std::move(config));
+}
+
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+Simulation::~Simulation() = default;
+
+const Workpiece& Simulation::workpiece() const { return state_->workpiece; }
+const Tool& Simulation::tool() const { return state_->tool; }
+const SimulationConfig& Simulation::config() const { return state_->config; }
+const StepResult& Simulation::last_result() const { return state_->result; }
+
+const std::array<double, 256>& Simulation::removed_volume_by_material() const {
+  return state_->removal.total_by_material();
+}
+
+void Simulation::set_spindle_speed(double speed) {
+  if (!std::isfinite(speed)) throw Error("spindle speed = " + format_number(speed) + " rad/s; must be finite.");
+  state_->speed_setting = state_->speed = speed;
+}
+
+void Simulation::reserve_blocks(std::size_t count) {
+  state_->config.reserved_blocks = count;
+  state_->workpiece.reserve_blocks(count);
+}
+
+WorkpieceSnapshot Simulation::snapshot() const { return state_->workpiece.snapshot(); }
+
+void Simulation::restore(const WorkpieceSnapshot& snapshot) {
+  state_->workpiece.restore(snapshot);
+  state_->bounds = state_->workpiece.bounds();
+  state_->has_pose = false;
+}
+
+void Simulation::reset(Workpiece workpiece) {
+  state_ = std::make_unique<State>(std::move(workpiece), state_->tool, state_->config);
+}
+
+}  // namespace hapticut
