@@ -26,8 +26,10 @@
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/force/resultant.hpp"
+#include "hapticut/force/stiffness.hpp"
 //
 #include "hapticut/simulation/config.hpp"
 #include "hapticut/simulation/energy.hpp"
+#include "hapticut/simulation/scenes.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/simulation/step.hpp"

@@ -35,6 +35,17 @@ std::size_t voxels_inside(const ToolHead& head, double voxel_size) {
   return std::size_t(std::min(in_box, in_head));
 }
 
+void validate_pair(const Workpiece& workpiece, const Tool& tool) {
+  if (workpiece.empty())
+    throw Error("the workpiece is empty; check the threshold, crop box or labels that it was built from.");
+  const HeadBox box = tool.head().bounding_box();
+  const double thinnest = (box.max - box.min).minCoeff();
+  if (thinnest < workpiece.voxel_size())
+    throw Error("the head is " + format_number(thinnest * 1e3) + " mm thin, less than a voxel of " +
+                format_number(workpiece.voxel_size() * 1e3) +
+                " mm; it would slip between voxels. Choose smaller voxels.");
+}
+
 /// One equal part of the tool's motion during a step, seen at its middle.
 struct SubStep {
   double duration;    // [s]
@@ -245,7 +256,7 @@ const StepResult& Simulation::State::finish_step(const Pose& pose, int sub_steps
   result.removed_voxels = removal.voxels();
   result.removed_volume = removal.volume();
   if (removal.overflowed()) result.status |= StepStatus::removed_list_full;
-  if (workpiece.reserved_blocks() < config.reserved_blocks / 4) result.status |= StepStatus::blocks_low;
+  if (4 * workpiece.reserved_blocks() <= config.reserved_blocks) result.status |= StepStatus::blocks_low;
   if (removal.volume() > 0 && result.contact.depth > kThickLayer * tool.head().largest_radius())
     result.status |= StepStatus::engaged_layer_thick;
 
@@ -286,6 +297,7 @@ void Simulation::State::prepare_workpiece() {
 
 Simulation::Simulation(Workpiece workpiece, Tool tool, SimulationConfig config) {
   validate(config);
+  validate_pair(workpiece, tool);
   state_ = std::make_unique<State>(std::move(workpiece), std::move(tool), std::move(config));
 }
 
@@ -321,6 +333,7 @@ void Simulation::restore(const WorkpieceSnapshot& snapshot) {
 }
 
 void Simulation::reset(Workpiece workpiece) {
+  validate_pair(workpiece, state_->tool);
   state_ = std::make_unique<State>(std::move(workpiece), state_->tool, state_->config);
 }
 

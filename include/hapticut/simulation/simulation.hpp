@@ -17,7 +17,7 @@ namespace hapticut {
 class Simulation {
  public:
   /// Takes the workpiece over and reserves all memory that cutting will need.
-  /// @throws Error when the configuration is invalid
+  /// @throws Error when the configuration is invalid, the workpiece is empty, or the head thinner than a voxel
   Simulation(Workpiece workpiece, Tool tool, SimulationConfig config = {});
 
   Simulation(Simulation&&) noexcept;
@@ -58,6 +58,7 @@ class Simulation {
   void restore(const WorkpieceSnapshot& snapshot);   ///< puts the workpiece back; the tool starts afresh
 
   /// Starts again with another workpiece: tool position, energies and removed volumes are forgotten.
+  /// @throws Error when the workpiece is empty, or the head thinner than a voxel
   void reset(Workpiece workpiece);
 
  private:

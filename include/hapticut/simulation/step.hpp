@@ -26,7 +26,7 @@ enum class StepStatus : std::uint32_t {
   /// untouched; the next step starts from this pose. Cure: bring the hand back smoothly, or raise longest_sweep.
   jump_rejected = 1U << 3,
 
-  /// Fewer than a quarter of the reserved blocks are left. Output unaffected. Cure: Simulation::reserve_blocks soon.
+  /// A quarter of the reserved blocks or fewer are left. Output unaffected. Cure: Simulation::reserve_blocks soon.
   blocks_low = 1U << 4,
   /// Some material was felt but not cut, because no reserved block was left. Cure: Simulation::reserve_blocks, outside
   /// the step; raise SimulationConfig::reserved_blocks.

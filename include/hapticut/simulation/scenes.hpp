@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "hapticut/simulation/simulation.hpp"
+
+/// @file
+/// Named fixed scenes, shared by tests, benchmarks, the command line and the documentation: the same numbers
+/// everywhere.
+namespace hapticut {
+
+/// What the hand does in one step.
+struct StepInput {
+  Pose pose;       ///< X_WH at the end of the step
+  Twist velocity;  ///< of Ho, in W
+  double dt;       ///< [s]
+};
+
+/// A workpiece, a tool and a motion.
+struct Scene {
+  std::string name;
+  std::string description;                   ///< one sentence
+  std::function<Simulation()> make;          ///< builds it anew each time
+  std::function<StepInput(int tick)> input;  ///< what the hand does in step `tick` = 0, 1, 2 ...; endless
+};
+
+/// All scenes, in a fixed order.
+[[nodiscard]] const std::vector<Scene>& scenes();
+
+/// @throws Error when there is none of that name; the message lists those there are
+[[nodiscard]] const Scene& find_scene(const std::string& name);
+
+}  // namespace hapticut

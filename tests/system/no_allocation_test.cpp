@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "hapticut/simulation/scenes.hpp"
+#include "support/allocation_count.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr int kSteps = 10000;
+
+/// Keeps the compiler from optimising an allocation away.
+void escape(void* p) { asm volatile("" : : "g"(p) : "memory"); }
+
+TEST(CallCounts, SeeEveryKindOfAllocationAndLock) {
+  test::arm_call_counts();
+  auto integer = std::make_unique<int>(3);
+  std::vector<double> numbers(10);
+  auto* bytes = static_cast<char*>(std::malloc(10));
+  struct alignas(128) Wide {
+    char c[128];
+  };
+  auto wide = std::make_unique<Wide>();
+  for (void* p : {static_cast<void*>(integer.get()), static_cast<void*>(numbers.data()), static_cast<void*>(bytes),
+                  static_cast<void*>(wide.get())})
+    escape(p);
+  std::free(bytes);
+  std::mutex mutex;
+  mutex.lock();
+  const test::CallCounts counts = test::disarm_call_counts();
+  mutex.unlock();
+  EXPECT_GE(counts.allocations, 4);
+  EXPECT_GE(counts.deallocations, 1);
+  EXPECT_EQ(counts.locks, 1);
+}
+
+class NoAllocation : public testing::TestWithParam<std::string> {};
+
+TEST_P(NoAllocation, In10000StepsOfTheScene) {
+  const Scene& scene = find_scene(GetParam());
+  Simulation simulation = scene.make();
+  std::vector<StepInput> inputs;
+  for (int tick = 0; tick < kSteps; ++tick) inputs.push_back(scene.input(tick));
+
+  double removed = 0;
+  int contacts = 0;
+  StepStatus status = StepStatus::ok;
+  test::arm_call_counts();
+  for (const StepInput& input : inputs) {
+    const StepResult& result = simulation.step(input.pose, input.velocity, input.dt);
+    removed += result.removed_volume;
+    contacts += result.contact.voxels > 0 ? 1 : 0;
+    status |= result.status;
+  }
+  const test::CallCounts counts = test::disarm_call_counts();
+
+  EXPECT_EQ(counts.allocations, 0);
+  EXPECT_EQ(counts.deallocations, 0);
+  EXPECT_EQ(counts.locks, 0);
+  EXPECT_GT(contacts, kSteps / 10) << "the scene must be at work, or the test says nothing";
+  if (simulation.tool().spindle().speed != 0) {
+    EXPECT_GT(removed, 0);
+  }
+  EXPECT_FALSE(has(status, StepStatus::blocks_exhausted | StepStatus::removed_list_full));
+}
+
+TEST(NoAllocationOnBadInput, WhenTheInputIsRejectedOrThePoolIsExhausted) {
+  const Scene& scene = find_scene("deep_ball");
+  Simulation simulation = scene.make();
+  StepInput bad = scene.input(0);
+  bad.pose.translation.x() = std::nan("");
+  test::arm_call_counts();
+  (void)simulation.step(bad.pose, bad.velocity, bad.dt);
+  (void)simulation.step(scene.input(0).pose, {}, -1);
+  (void)simulation.step(Pose::from_translation(Vec3(1, 1, 1)), {}, 1e-3);
+  (void)simulation.step(Pose::from_translation(Vec3(-1, 1, 1)), {}, 1e-3);
+  const test::CallCounts counts = test::disarm_call_counts();
+  EXPECT_EQ(counts.allocations, 0);
+}
+
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  for (const Scene& scene : scenes()) names.push_back(scene.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, NoAllocation, testing::ValuesIn(scene_names()),
+                         [](const auto& scene) { return scene.param; });
+
+}  // namespace
+}  // namespace hapticut
