@@ -4,8 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "hapticut/core/errors.hpp"
 #include "hapticut/core/spatial.hpp"
 
 /// @file
@@ -31,6 +33,23 @@ struct Volume {
     return X_WG * Vec3(i * spacing.x(), j * spacing.y(), k * spacing.z());
   }
 };
+
+/// @throws Error unless there is at least one sample along every axis, the number of values is the product of the
+/// dims, the spacing is positive and finite, and the pose is a pose
+template <class Value>
+void require_valid(const Volume<Value>& volume) {
+  for (const int n : volume.dims)
+    if (n < 1)
+      throw Error("Volume::dims has " + std::to_string(n) +
+                  "; must be at least 1 along every axis. Is the volume empty?");
+  if (volume.values.size() != volume.size())
+    throw Error("a volume has " + std::to_string(volume.values.size()) + " values, but its dims ask for " +
+                std::to_string(volume.size()) + ".");
+  for (int axis = 0; axis < 3; ++axis) require_positive(volume.spacing[axis], "Volume::spacing [m]");
+  if (!is_finite(volume.X_WG) || !is_rotation(volume.X_WG.rotation, 1e-6))
+    throw Error(
+        "Volume::X_WG is not a pose; its rotation must be orthonormal and right-handed and all numbers finite.");
+}
 
 using GreyVolume = Volume<float>;           ///< grey values, e.g. Hounsfield units
 using LabelVolume = Volume<std::uint16_t>;  ///< labels; 0 is empty by convention

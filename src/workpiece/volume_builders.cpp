@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/workpiece/volume_builders.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "hapticut/core/errors.hpp"
+#include "workpiece/volume_fields.hpp"
+
+namespace hapticut {
+namespace {
+
+/// Where the voxels of the workpiece lie among the samples of the volume.
+struct Layout {
+  GridFrame frame;
+  IndexBox samples;  // that count
+  IndexBox voxels;   // that may be solid
+  Vec3 first;        // [samples] place of the centre of voxel (0,0,0)
+  Vec3 step;         // [samples] size of a voxel
+  bool one_to_one;   // voxel (i, j, k) is sample (i, j, k)
+};
+
+IndexBox intersection(const IndexBox& a, const IndexBox& b) {
+  IndexBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.min[axis] = std::max(a.min[axis], b.min[axis]);
+    box.max[axis] = std::min(a.max[axis], b.max[axis]);
+  }
+  return box;
+}
+
+/// Voxels of the smallest grid-aligned box around a box of W.
+IndexBox voxels_around(const Box& box, const GridFrame& frame) {
+  if (!is_finite(box.min) || !is_finite(box.max) || !((box.max - box.min).minCoeff() > 0))
+    throw Error("VolumeBuildOptions::crop must be finite and have max > min along every axis.");
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (unsigned n = 0; n < 8; ++n) {
+    const Vec3 corner((n & 1U) != 0 ? box.max.x() : box.min.x(), (n & 2U) != 0 ? box.max.y() : box.min.y(),
+                      (n & 4U) != 0 ? box.max.z() : box.min.z());
+    const Vec3 voxel = frame.X_WV.inverse() * corner / frame.voxel_size;
+    low = low.cwiseMin(voxel);
+    high = high.cwiseMax(voxel);
+  }
+  IndexBox voxels;
+  for (int axis = 0; axis < 3; ++axis) {
+    // The voxel reaches half an edge to each side; a face on a boundary does not touch the next voxel.
+    constexpr double kFar = 1e9;
+    voxels.min[axis] = int(std::clamp(std::floor(low[axis] + 0.5 + 1e-6), -kFar, kFar));
+    voxels.max[axis] = int(std::clamp(std::ceil(high[axis] + 0.5 - 1e-6), -kFar, kFar)) - 1;
+  }
+  return voxels;
+}
+
+template <class Value>
+Layout layout_of(const Volume<Value>& volume, const VolumeBuildOptions& options) {
+  require_valid(volume);
+  require_not_negative(options.voxel_size, "VolumeBuildOptions::voxel_size [m]");
+  require_between(options.subsamples, 1, kMaxSubsamples, "VolumeBuildOptions::subsamples");
+  const double size = options.voxel_size > 0 ? options.voxel_size : volume.spacing.minCoeff();
+
+  Layout layout;
+  layout.step = size * volume.spacing.cwiseInverse();
+  layout.one_to_one = ((layout.step.array() - 1).abs() < 1e-6).all();
+  if (layout.one_to_one) layout.step.setOnes();
+  layout.first = (layout.step.array() - 1) / 2;
+  const Vec3 p_GV = layout.first.cwiseProduct(volume.spacing);
+  layout.frame = {size, volume.X_WG * Pose::from_translation(p_GV)};
+
+  const IndexBox all = {{0, 0, 0}, {volume.dims[0] - 1, volume.dims[1] - 1, volume.dims[2] - 1}};
+  layout.samples = options.crop_samples ? intersection(all, *options.crop_samples) : all;
+  if (layout.samples.empty())
+    throw Error("VolumeBuildOptions::crop_samples has no sample of the volume, which has " +
+                std::to_string(volume.dims[0]) + " x " + std::to_string(volume.dims[1]) + " x " +
+                std::to_string(volume.dims[2]) + ".");
+  for (int axis = 0; axis < 3; ++axis) {
+    // From the lower face of the first sample to the upper face of the last; rounding noise is no voxel.
+    const double low = layout.samples.min[axis] / layout.step[axis];
+    const double high = (layout.samples.max[axis] + 1.0) / layout.step[axis];
+    if (!(high < 1 << 30))
+      throw Error("the workpiece would be " + format_number(high) + " voxels long; choose a larger voxel size.");
+    layout.voxels.min[axis] = int(std::floor(low + 1e-6));
+    layout.voxels.max[axis] = int(std::ceil(high - 1e-6)) - 1;
+  }
+  if (options.crop) {
+    layout.voxels = intersection(layout.voxels, voxels_around(*options.crop, layout.frame));
+    if (layout.voxels.empty())
+      throw Error("VolumeBuildOptions::crop does not meet the volume; check its units and pose.");
+  }
+  return layout;
+}
+
+/// Calls `look(row, count)` for every row of the samples that count, from several threads.
+template <class Value, class Look>
+void for_each_row(const Volume<Value>& volume, const IndexBox& samples, const Look& look) {
+  const auto rows = tbb::blocked_range<int>(samples.min[2], samples.max[2] + 1);
+  tbb::parallel_for(rows, [&](const tbb::blocked_range<int>& slices) {
+    for (int k = slices.begin(); k != slices.end(); ++k)
+      for (int j = samples.min[1]; j <= samples.max[1]; ++j)
+        look(&volume.at(samples.min[0], j, k), samples.max[0] - samples.min[0] + 1);
+  });
+}
+
+template <class Field>
+Workpiece build(const Volume<typename Field::Sample>& volume, const Field& field, const Layout& layout,
+                MaterialTable materials, const VolumeBuildOptions& options) {
+  // Points must not be further apart than samples are, or they would miss some.
+  const int dense_enough = int(std::min(std::ceil(layout.step.maxCoeff() - 1e-6), double(kMaxSubsamples)));
+  const int subsamples = options.antialias ? std::max(options.subsamples, dense_enough) : 1;
+  const VolumeFiller<Field> fill(volume, field, layout.samples, layout.first, layout.step, subsamples,
+                                 options.antialias);
+  return Workpiece::from_blocks(layout.voxels, layout.frame, std::move(materials), std::cref(fill));
+}
+
+/// Labels, sample by sample.
+BlockKind copy_labels(const LabelVolume& volume, const LabelField& field, const IndexBox& samples,
+                      const VoxelIndex& origin, BlockContent& content) {
+  content.material.fill(kEmpty);
+  content.fill.fill(0);
+  content.centroid.fill({});
+  VoxelIndex low, high;
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = std::max(origin[axis], samples.min[axis]);
+    high[axis] = std::min(origin[axis] + kBlockEdge - 1, samples.max[axis]);
+  }
+  for (int k = low[2]; k <= high[2]; ++k)
+    for (int j = low[1]; j <= high[1]; ++j)
+      for (int i = low[0]; i <= high[0]; ++i) {
+        const int n = block_offset(i - origin[0], j - origin[1], k - origin[2]);
+        content.material[n] = field.material_of(volume.at(i, j, k));
+        content.fill[n] = content.material[n] != kEmpty ? 1.0F : 0.0F;
+      }
+  return BlockKind::mixed();
+}
+
+/// Which labels there are among the samples that count.
+std::vector<bool> labels_in(const LabelVolume& volume, const IndexBox& samples) {
+  std::vector<std::atomic<bool>> seen(65536);
+  for_each_row(volume, samples, [&](const std::uint16_t* row, int count) {
+    for (int i = 0; i < count; ++i) {
+      if (i > 0 && row[i] == row[i - 1]) continue;
+      if (!seen[row[i]].load(std::memory_order_relaxed)) seen[row[i]].store(true, std::memory_order_relaxed);
+    }
+  });
+  return {seen.begin(), seen.end()};
+}
+
+void require_all_claimed(const std::vector<bool>& present, const std::vector<bool>& claimed) {
+  std::string unclaimed;
+  int count = 0;
+  for (std::size_t label = 1; label < present.size(); ++label)
+    if (present[label] && !claimed[label] && ++count <= 10)
+      unclaimed += (unclaimed.empty() ? "" : ", ") + std::to_string(label);
+  if (count > 10) unclaimed += " and " + std::to_string(count - 10) + " more";
+  if (count > 0)
+    throw Error("the volume has labels that no material claims: " + unclaimed +
+                ". Give each a material, or pass UnclaimedLabels::kLeaveOut to leave them out.");
+}
+
+void require_finite_values(const GreyVolume& volume, const IndexBox& samples) {
+  std::atomic<bool> finite = true;
+  for_each_row(volume, samples, [&](const float* row, int count) {
+    float sum = 0;  // x * 0 is 0 for every finite x and not a number otherwise
+    for (int i = 0; i < count; ++i) sum += row[i] * 0.0F;
+    if (!(sum == 0)) finite.store(false, std::memory_order_relaxed);
+  });
+  if (!finite) throw Error("the volume has grey values that are not finite numbers; replace them or crop them away.");
+}
+
+double between(double low, double high, double t) { return low + t * (high - low); }
+
+}  // namespace
+
+Workpiece build_from_labels(const LabelVolume& volume, const std::vector<LabelMaterial>& materials,
+                            const VolumeBuildOptions& options, UnclaimedLabels unclaimed) {
+  const Layout layout = layout_of(volume, options);
+  MaterialTable table;
+  std::vector<MaterialId> material_of(65536, kEmpty);
+  std::vector<bool> claimed(65536, false);
+  for (const LabelMaterial& entry : materials) {
+    const MaterialId id = table.add(entry.material);
+    for (const std::uint16_t label : entry.labels) {
+      if (claimed[label])
+        throw Error("label " + std::to_string(label) + " is claimed twice, the second time by material '" +
+                    entry.material.name + "'; a label can be one material only.");
+      claimed[label] = true;
+      material_of[label] = id;
+    }
+  }
+  if (unclaimed == UnclaimedLabels::kRefuse) require_all_claimed(labels_in(volume, layout.samples), claimed);
+  const LabelField field(material_of);
+  if (!layout.one_to_one) return build(volume, field, layout, std::move(table), options);
+  return Workpiece::from_blocks(layout.voxels, layout.frame, std::move(table),
+                                [&](const VoxelIndex& origin, BlockContent& content) {
+                                  return copy_labels(volume, field, layout.samples, origin, content);
+                                });
+}
+
+Workpiece build_from_grey(const GreyVolume& volume, const std::vector<GreyRange>& ranges,
+                          const VolumeBuildOptions& options) {
+  const Layout layout = layout_of(volume, options);
+  MaterialTable table;
+  std::vector<GreyField::Bounds> bounds;
+  for (const GreyRange& range : ranges) {
+    if (!(range.from < range.to))
+      throw Error("GreyRange of '" + range.material.name + "' is " + format_number(range.from) + " ... " +
+                  format_number(range.to) + "; `from` must be less than `to`.");
+    bounds.push_back({float(range.from), float(range.to), table.add(range.material)});
+  }
+  std::sort(bounds.begin(), bounds.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
+  for (std::size_t n = 1; n < bounds.size(); ++n)
+    if (bounds[n].from < bounds[n - 1].to)
+      throw Error("the grey ranges of '" + table[bounds[n - 1].material].name + "' and '" +
+                  table[bounds[n].material].name + "' overlap; a grey value can be one material only.");
+  require_finite_values(volume, layout.samples);
+  return build(volume, GreyField(bounds, false), layout, std::move(table), options);
+}
+
+std::vector<Material> materials_of(const Grade& grade) {
+  if (!std::isfinite(grade.low) || !std::isfinite(grade.high) || !(grade.low < grade.high))
+    throw Error("Grade goes from grey value " + format_number(grade.low) + " to " + format_number(grade.high) +
+                "; both must be finite and `low` less than `high`.");
+  require_between(grade.steps, 1, 200, "Grade::steps");
+  validate(grade.at_low);
+  validate(grade.at_high);
+  std::vector<Material> materials;
+  const Material &a = grade.at_low, &b = grade.at_high;
+  for (int n = 0; n < grade.steps; ++n) {
+    const double t = (n + 0.5) / grade.steps;
+    Material m;
+    m.name = a.name + " " + std::to_string(n + 1) + "/" + std::to_string(grade.steps);
+    m.relative_stiffness = between(a.relative_stiffness, b.relative_stiffness, t);
+    m.damping = between(a.damping, b.damping, t);
+    m.cutting_ratio = between(a.cutting_ratio, b.cutting_ratio, t);
+    m.specific_cutting_energy = between(a.specific_cutting_energy, b.specific_cutting_energy, t);
+    m.edge_pressure = between(a.edge_pressure, b.edge_pressure, t);
+    m.static_friction = between(a.static_friction, b.static_friction, t);
+    m.dynamic_friction = between(a.dynamic_friction, b.dynamic_friction, t);
+    m.tangential_stiffness = between(a.tangential_stiffness, b.tangential_stiffness, t);
+    m.density = between(a.density, b.density, t);
+    materials.push_back(std::move(m));
+  }
+  return materials;
+}
+
+Workpiece build_from_grey(const GreyVolume& volume, const Grade& grade, const VolumeBuildOptions& options) {
+  const Layout layout = layout_of(volume, options);
+  MaterialTable table(materials_of(grade));
+  std::vector<GreyField::Bounds> bounds;
+  const auto bound = [&](int n) { return float(between(grade.low, grade.high, double(n) / grade.steps)); };
+  for (int n = 0; n < grade.steps; ++n) bounds.push_back({bound(n), bound(n + 1), MaterialId(n + 1)});
+  bounds.back().to = std::numeric_limits<float>::infinity();
+  require_finite_values(volume, layout.samples);
+  return build(volume, GreyField(bounds, true), layout, std::move(table), options);
+}
+
+}  // namespace hapticut

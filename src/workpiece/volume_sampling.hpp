@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "hapticut/core/volume.hpp"
+#include "hapticut/workpiece/workpiece.hpp"
+
+/// @file
+/// How the voxels of a workpiece read a dense volume whose axes they share.
+///
+/// Most blocks are all of one material: they are recognised from the samples that they touch. Only voxels that a
+/// surface cuts are looked at point by point.
+namespace hapticut {
+
+inline constexpr int kMaxSubsamples = 16;
+
+/// A point between two samples along one axis.
+struct PointOnAxis {
+  int low = 0;       ///< the sample below
+  int high = 0;      ///< the sample above; the same one at the border
+  float weight = 0;  ///< [1] of the sample above
+  bool inside = false;
+};
+
+/// What is around one point: the values at the corners of its cell (x fastest) and how far it is along each edge.
+template <class Sample>
+struct Cell {
+  std::array<Sample, 8> corner;
+  std::array<float, 3> weight;  ///< [1] 0 ... 1
+  std::array<float, 3> step;    ///< [samples] distance of neighbouring points along each axis
+
+  /// Interpolates what `value_of` makes of each corner.
+  /// @param variation  how much the interpolated value changes across the little box around the point
+  template <class ValueOf>
+  [[nodiscard]] float interpolate(const ValueOf& value_of, float& variation) const {
+    std::array<float, 8> v;
+    for (std::size_t n = 0; n < 8; ++n) v[n] = value_of(corner[n]);
+    const auto [x, y, z] = weight;
+    const float v00 = v[0] + x * (v[1] - v[0]), v10 = v[2] + x * (v[3] - v[2]);
+    const float v01 = v[4] + x * (v[5] - v[4]), v11 = v[6] + x * (v[7] - v[6]);
+    const float low = v00 + y * (v10 - v00), high = v01 + y * (v11 - v01);
+    const float along_x =
+        (1 - z) * ((1 - y) * (v[1] - v[0]) + y * (v[3] - v[2])) + z * ((1 - y) * (v[5] - v[4]) + y * (v[7] - v[6]));
+    const float along_y = (1 - z) * (v10 - v00) + z * (v11 - v01);
+    variation = std::abs(along_x) * step[0] + std::abs(along_y) * step[1] + std::abs(high - low) * step[2];
+    return low + z * (high - low);
+  }
+};
+
+/// Share of the little box around a point that is inside, when the point is `excess` inside and the field changes by
+/// `variation` across the box. Exact for a plane that is parallel to a face of the box.
+/// @param inside  whether the point itself counts as inside; decides alone where nothing changes
+[[nodiscard]] inline float covered_share(float excess, float variation, bool inside) {
+  if (std::abs(excess) >= variation / 2) return inside ? 1.0F : 0.0F;
+  return 0.5F + excess / variation;
+}
+
+/// Fills the blocks of a workpiece from a volume.
+///
+/// A `Field` says what samples mean:
+/// `Sample` their type; `Extent` a summary of several samples, grown by `extend(extent, sample)`; `uniform(extent)` the
+/// one material of everything between such samples (kEmpty for none), or nothing; `Tally` what is counted in a voxel;
+/// `count(cell, tally)` counts one point and returns the share of the box around it that is inside; `material(tally)`
+/// the material of the voxel.
+template <class Field>
+class VolumeFiller {
+ public:
+  using Sample = typename Field::Sample;
+
+  /// @param samples  the samples that count; what lies more than half a spacing beyond them is empty
+  /// @param first    [samples] place of the centre of voxel (0,0,0) among the samples
+  /// @param step     [samples] size of a voxel along each axis
+  /// @param antialias  false: with one subsample, voxels are full or empty
+  VolumeFiller(const Volume<Sample>& volume, const Field& field, const IndexBox& samples, const Vec3& first,
+               const Vec3& step, int subsamples, bool antialias)
+      : volume_(volume), field_(field), samples_(samples), first_(first), step_(step), subsamples_(subsamples) {
+    // A point that stands for no box is inside or outside, with no share between.
+    if (antialias) box_ = (step / subsamples).cast<float>();
+  }
+
+  BlockKind operator()(const VoxelIndex& origin, BlockContent& content) const {
+    Points points;
+    bool all_inside = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      bool any_inside = false;
+      for (int n = 0; n < kBlockEdge * subsamples_; ++n) {
+        const PointOnAxis& point = points[axis][n] = point_on(axis, origin[axis], n);
+        any_inside |= point.inside;
+        all_inside &= point.inside;
+      }
+      if (!any_inside) return BlockKind::empty();
+    }
+    const VoxelIndex last = {kBlockEdge - 1, kBlockEdge - 1, kBlockEdge - 1};
+    if (const auto material = uniform_material(points, {0, 0, 0}, last)) {
+      if (*material == kEmpty) return BlockKind::empty();
+      if (all_inside) return BlockKind::solid(*material);
+    }
+    for (int n = 0; n < kBlockVoxels; ++n) fill_voxel(points, {n >> 6, n >> 3 & 7, n & 7}, n, content);
+    return BlockKind::mixed();
+  }
+
+ private:
+  using Points = std::array<std::array<PointOnAxis, kBlockEdge * kMaxSubsamples>, 3>;
+
+  /// Point `n` of the block along an axis, `subsamples_` to a voxel.
+  [[nodiscard]] PointOnAxis point_on(int axis, int block_origin, int n) const {
+    const double voxel = block_origin - 0.5 + (n + 0.5) / subsamples_;
+    const double place = first_[axis] + voxel * step_[axis];
+    const int min = samples_.min[axis], max = samples_.max[axis];
+    PointOnAxis point;
+    point.inside = place >= min - 0.5 - 1e-9 && place <= max + 0.5 + 1e-9;
+    const double clamped = std::clamp(place, double(min), double(max));
+    point.low = std::min(int(std::floor(clamped)), std::max(max - 1, min));
+    point.high = std::min(point.low + 1, max);
+    point.weight = float(clamped - point.low);
+    return point;
+  }
+
+  /// The one material of the voxels `from` ... `to` of a block, if the samples around them leave no doubt.
+  [[nodiscard]] std::optional<MaterialId> uniform_material(const Points& points, const VoxelIndex& from,
+                                                           const VoxelIndex& to) const {
+    VoxelIndex low, high;
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = points[axis][from[axis] * subsamples_].low;
+      high[axis] = points[axis][(to[axis] + 1) * subsamples_ - 1].high;
+    }
+    typename Field::Extent extent;
+    for (int k = low[2]; k <= high[2]; ++k)
+      for (int j = low[1]; j <= high[1]; ++j) {
+        const Sample* row = &volume_.at(0, j, k);
+        for (int i = low[0]; i <= high[0]; ++i) field_.extend(extent, row[i]);
+        if (!field_.uniform(extent)) return std::nullopt;
+      }
+    return field_.uniform(extent);
+  }
+
+  void fill_voxel(const Points& points, const VoxelIndex& voxel, int n, BlockContent& content) const {
+    content.material[n] = kEmpty;
+    content.fill[n] = 0;
+    content.centroid[n] = {};
+    const auto uniform = uniform_material(points, voxel, voxel);
+    if (uniform && *uniform == kEmpty) return;
+
+    typename Field::Tally tally{};
+    double covered = 0;
+    Vec3 moment = Vec3::Zero();
+    for (int c = 0; c < subsamples_; ++c)
+      for (int b = 0; b < subsamples_; ++b)
+        for (int a = 0; a < subsamples_; ++a) {
+          const PointOnAxis& x = points[0][voxel[0] * subsamples_ + a];
+          const PointOnAxis& y = points[1][voxel[1] * subsamples_ + b];
+          const PointOnAxis& z = points[2][voxel[2] * subsamples_ + c];
+          if (!x.inside || !y.inside || !z.inside) continue;
+          const double share = field_.count(cell_at(x, y, z), tally);
+          covered += share;
+          moment += share * ((Vec3(a, b, c).array() + 0.5) / subsamples_ - 0.5).matrix();
+        }
+    const double fill = covered / (subsamples_ * subsamples_ * subsamples_);
+    if (fill < kNegligible) return;
+    content.material[n] = field_.material(tally);
+    content.fill[n] = fill > 1 - kNegligible ? 1.0F : float(fill);
+    if (content.fill[n] < 1) content.centroid[n] = CentroidOffset::from_offset(moment / covered);
+  }
+
+  [[nodiscard]] Cell<Sample> cell_at(const PointOnAxis& x, const PointOnAxis& y, const PointOnAxis& z) const {
+    const Sample* rows[] = {&volume_.at(0, y.low, z.low), &volume_.at(0, y.high, z.low), &volume_.at(0, y.low, z.high),
+                            &volume_.at(0, y.high, z.high)};
+    Cell<Sample> cell;
+    for (std::size_t n = 0; n < 4; ++n) {
+      cell.corner[2 * n] = rows[n][x.low];
+      cell.corner[2 * n + 1] = rows[n][x.high];
+    }
+    cell.weight = {x.weight, y.weight, z.weight};
+    cell.step = {box_.x(), box_.y(), box_.z()};
+    return cell;
+  }
+
+  static constexpr double kNegligible = 1.0 / 2048;  ///< [1] filled fraction below what a centroid step resolves
+
+  const Volume<Sample>& volume_;
+  const Field& field_;
+  IndexBox samples_;
+  Vec3 first_, step_;
+  int subsamples_;
+  Eigen::Vector3f box_ = Eigen::Vector3f::Zero();  ///< [samples] size of the box that a point stands for
+};
+
+}  // namespace hapticut
