@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <openvdb/openvdb.h>
+
+#include "hapticut/workpiece/workpiece.hpp"
+
+/// @file
+/// The door for users who have OpenVDB grids of their own: the one public header with OpenVDB in it. A program that
+/// includes it links OpenVDB itself.
+namespace hapticut {
+
+/// What the values of a float grid mean.
+enum class GridKind {
+  from_class,  ///< what the grid's own class says: level set or fog volume; anything else is refused
+  level_set,   ///< signed distance, negative inside
+  fog_volume,  ///< filled fraction of each voxel, 0 ... 1; larger values count as 1
+};
+
+/// How a grid becomes a workpiece.
+struct GridImport {
+  GridKind kind = GridKind::from_class;
+  double unit = 1;     ///< [m] length of one world unit of the grid's transform
+  int subsamples = 8;  ///< points per voxel edge in the voxels that a level set cuts, 1 ... 32
+};
+
+/// A workpiece with the voxels of the user's grid: index (i, j, k) stays index (i, j, k). A level set is sampled within
+/// the voxels that its surface cuts, which gives them filled fractions and centroids.
+/// @throws Error when the transform is not a rotation with one voxel size, the kind is not clear, nothing is inside, a
+///         value is not finite, or there would be too many voxels
+[[nodiscard]] Workpiece workpiece_from_grid(const openvdb::FloatGrid& grid, Material material,
+                                            const GridImport& options = {});
+
+/// The same with a material per voxel.
+/// @param ids  material id of every voxel that is not empty, on the same index space as `grid`
+/// @throws Error as above, and when a voxel that is not empty has an id that is not in the table
+[[nodiscard]] Workpiece workpiece_from_grids(const openvdb::FloatGrid& grid, const openvdb::Int32Grid& ids,
+                                             MaterialTable materials, const GridImport& options = {});
+
+/// The filled fractions as a fog volume: 0 outside, active where the workpiece is not empty; uniform regions are tiles.
+/// @param unit  [m] length of one world unit of the grid's transform
+[[nodiscard]] openvdb::FloatGrid::Ptr density_grid(const Workpiece& workpiece, double unit = 1);
+
+/// The material ids: 0 outside, active where the workpiece is not empty; uniform regions are tiles.
+[[nodiscard]] openvdb::Int32Grid::Ptr material_grid(const Workpiece& workpiece, double unit = 1);
+
+}  // namespace hapticut
