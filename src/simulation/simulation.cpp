@@ -60,6 +60,16 @@ struct Encounter {
   Resultant resultant;
   LawEnergies energies;
   bool blocks_exhausted = false;
+
+  void add(const LawTotals& block) {
+    energies.elastic += block.energies.elastic;
+    energies.cutting += block.energies.cutting;
+    energies.released += block.energies.released;
+    energies.damping += block.energies.damping;
+    energies.rubbing += block.energies.rubbing;
+    energies.credited += block.energies.credited;
+    resultant.wrench_T.torque.z() += block.spin_couple;
+  }
 };
 
 Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
@@ -75,6 +85,7 @@ struct Simulation::State {
   // The stages of a step, in their order.
   void begin_step() noexcept;
   [[nodiscard]] StepStatus check_input(const Pose& pose, const Twist& velocity, double dt) const noexcept;
+  void place_at(const Pose& pose) noexcept;
   [[nodiscard]] int plan_sweep(const Pose& pose) const noexcept;
   [[nodiscard]] SubStep plan_sub_step(int index, double duration, const Twist& path, const Twist& felt) const noexcept;
   [[nodiscard]] IndexBox find_blocks(const SubStep& sub_step) const noexcept;
@@ -96,6 +107,7 @@ struct Simulation::State {
 
   // What one step hands to the next.
   bool has_pose = false;
+  bool appeared = false;     // at X_WH, without having moved there
   Pose X_WH;                 // at the end of the last accepted step
   double speed_setting = 0;  // [rad/s] asked of the spindle
   double speed = 0;          // [rad/s] of this step, after the power limit
@@ -114,11 +126,11 @@ const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, doub
   s.begin_step();
   const StepStatus refused = s.check_input(pose, velocity, dt);
   if (refused != StepStatus::ok) return s.reject(refused);
-  if (!std::exchange(s.has_pose, true)) s.X_WH = advance(pose, velocity, -dt);
+  if (!std::exchange(s.has_pose, true)) s.place_at(advance(pose, velocity, -dt));
 
   const int sub_steps = s.plan_sweep(pose);
   if (sub_steps > s.config.longest_sweep) {
-    s.X_WH = pose;
+    s.place_at(pose);
     return s.reject(StepStatus::jump_rejected);
   }
   const Twist path = twist_between(s.X_WH, pose, dt);
@@ -151,6 +163,11 @@ StepStatus Simulation::State::check_input(const Pose& pose, const Twist& velocit
   return status;
 }
 
+void Simulation::State::place_at(const Pose& pose) noexcept {
+  X_WH = pose;
+  appeared = true;
+}
+
 /// Number of equal parts in which no point of the head moves farther than half a voxel.
 int Simulation::State::plan_sweep(const Pose& pose) const noexcept {
   const Vec3 head_shift = pose * tool.X_HT().translation - X_WH * tool.X_HT().translation;
@@ -175,7 +192,7 @@ SubStep Simulation::State::plan_sub_step(int index, double duration, const Twist
                      felt_T.angular.cast<float>(),
                      float(speed),
                      float(duration),
-                     float(voxel_volume),
+                     float(workpiece.voxel_size()),
                      config.removal};
   return sub_step;
 }
@@ -212,7 +229,7 @@ Encounter Simulation::State::cut_blocks(const SubStep& sub_step, const IndexBox&
           if (block.empty()) continue;
           sample_contact(springs, block, grid, config.quadrature, contact);
           if (contact.size == 0) continue;
-          encounter.energies += config.law->evaluate(sub_step.motion, materials, contact);
+          encounter.add(config.law->evaluate(sub_step.motion, materials, contact));
           sum_resultant(contact, encounter.resultant);
           if (!remove_material(contact, origin, voxel_volume, workpiece, removal)) encounter.blocks_exhausted = true;
         }
@@ -223,6 +240,7 @@ Encounter Simulation::State::cut_blocks(const SubStep& sub_step, const IndexBox&
 void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept {
   const Wrench& wrench_T = encounter.resultant.wrench_T;
   EnergyLedger& energy = result.energy;
+  const double imbalance_before = energy.imbalance();
   energy.hand_work -=
       (wrench_T.force.dot(sub_step.path_T.linear) + wrench_T.torque.dot(sub_step.path_T.angular)) * sub_step.duration;
   energy.motor_work -= wrench_T.torque.z() * speed * sub_step.duration;
@@ -232,6 +250,8 @@ void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& en
   energy.damping += encounter.energies.damping;
   energy.rubbing += encounter.energies.rubbing;
   energy.credited += encounter.energies.credited;
+  // Where the tool appears out of nowhere, in the first step and after a jump, the hand is charged for what it finds.
+  if (std::exchange(appeared, false)) energy.hand_work -= energy.imbalance() - imbalance_before;
 }
 
 void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encounter& encounter,

@@ -25,6 +25,7 @@ struct AxialCut {
   FlatRule rule = FlatRule::bottom_only;
   RemovalLaw removal = RemovalLaw::constant_energy;
   Material material = plain_material();
+  Vec3 axis = Vec3(0.0293, 0.0113, 0) * mm;  // off the grid's columns
 };
 
 SteadyState run(const AxialCut& cut) {
@@ -35,7 +36,7 @@ SteadyState run(const AxialCut& cut) {
   config.removal = cut.removal;
   Simulation simulation(build_block(box, cut.voxel_size, cut.material),
                         Tool(FlatHead{kRadius, 4 * mm, cut.rule}, RayHandle{}, Spindle{kSpin}), config);
-  return feed(simulation, Vec3(0.0293, 0.0113, 0) * mm, Vec3(0, 0, -kFeed), kTravel, cut.dt);
+  return feed(simulation, cut.axis, Vec3(0, 0, -kFeed), kTravel, cut.dt);
 }
 
 // C20
@@ -137,6 +138,24 @@ TEST_P(AxialInvariance, ATenthOfTheStepChangesForceAndVolumeByLessThanATenthOfAP
   const SteadyState fast = run(cut);
   EXPECT_NEAR(fast.force.z() / slow.force.z(), 1, 1e-3);
   EXPECT_NEAR(fast.removed_volume / slow.removed_volume, 1, 1e-3);
+}
+
+TEST_P(AxialInvariance, WhereTheAxisMeetsTheGridChangesTheForceByLittle) {
+  // The first offset is the centre of a column of voxels, where the slip of the points vanishes. Measured spread: 1.5
+  // %.
+  AxialCut cut;
+  cut.rule = GetParam();
+  cut.voxel_size = 0.05 * mm;
+  cut.stiffness = 1e14;
+  const Vec3 column = Vec3(-1.31 + 26.5 * 0.05, -1.27 + 25.5 * 0.05, 0) * mm;
+  double low = 1e9, high = 0;
+  for (const double offset : {0.0, 0.1, 0.25, 0.5}) {
+    cut.axis = column + Vec3(offset, 0.3 * offset, 0) * cut.voxel_size;
+    const double force = run(cut).force.z();
+    low = std::min(low, force);
+    high = std::max(high, force);
+  }
+  EXPECT_LT(high / low, 1.02);
 }
 
 TEST_P(AxialInvariance, TheLedgerCloses) {

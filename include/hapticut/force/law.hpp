@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/workpiece/contact.hpp"
@@ -36,19 +35,19 @@ struct HeadMotion {
   Eigen::Vector3f felt_angular_velocity;  ///< [rad/s]
   float spin;                             ///< [rad/s] omega about +z; 0: the spindle stands
   float duration;                         ///< [s]
-  float voxel_volume;                     ///< [m^3]
+  float voxel_size;                       ///< [m] l
   RemovalLaw removal;
 };
 
 /// What one block adds to the energy ledger in one sub-step; [J], as defined in EnergyLedger.
 struct LawEnergies {
   double elastic = 0, cutting = 0, released = 0, damping = 0, rubbing = 0, credited = 0;
+};
 
-  LawEnergies& operator+=(const LawEnergies& o) {
-    elastic += o.elastic, cutting += o.cutting, released += o.released;
-    damping += o.damping, rubbing += o.rubbing, credited += o.credited;
-    return *this;
-  }
+/// What a law delivers for a block beside the arrays it writes.
+struct LawTotals {
+  LawEnergies energies;
+  double spin_couple = 0;  ///< [N·m] about +z on the tool, that no force at a sample's point accounts for
 };
 
 /// A fraction of a voxel below this is taken away at once and its volume credited.
@@ -64,8 +63,8 @@ class ForceLaw {
 
   /// Writes `force_x/y/z` and `fill_after` of all `padded_size()` samples. Samples of no fill must get no force.
   /// @realtime no allocation, no lock, no exception
-  virtual LawEnergies evaluate(const HeadMotion& motion, const ContactMaterials& materials,
-                               ContactBlock& block) const noexcept = 0;
+  virtual LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,
+                             ContactBlock& block) const noexcept = 0;
 };
 
 }  // namespace hapticut

@@ -11,7 +11,7 @@ namespace hapticut {
 ///     hand_work + motor_work + credited = elastic + cutting + released + damping + rubbing
 ///
 struct EnergyLedger {
-  double hand_work = 0;   ///< work done by the hand on the tool
+  double hand_work = 0;   ///< work done by the hand on the tool, and the energy stored where the tool first appeared
   double motor_work = 0;  ///< work done by the spindle motor on the tool
   double elastic = 0;     ///< stored in the foundation now
   double cutting = 0;     ///< specific cutting energy times removed volume
@@ -19,18 +19,6 @@ struct EnergyLedger {
   double damping = 0;     ///< Hunt-Crossley damping
   double rubbing = 0;     ///< tangential work where nothing is cut: below the edge pressure, or with removal off
   double credited = 0;    ///< cutting energy of the last thousandth of a voxel, which is taken away without work
-
-  EnergyLedger& operator+=(const EnergyLedger& other) {
-    hand_work += other.hand_work;
-    motor_work += other.motor_work;
-    elastic += other.elastic;
-    cutting += other.cutting;
-    released += other.released;
-    damping += other.damping;
-    rubbing += other.rubbing;
-    credited += other.credited;
-    return *this;
-  }
 
   /// [J] what the right side lacks; 0 when the ledger closes.
   [[nodiscard]] double imbalance() const {

@@ -26,8 +26,8 @@ namespace hapticut {
 /// repaired; see docs/forces.md.
 class FoundationLaw final : public ForceLaw {
  public:
-  LawEnergies evaluate(const HeadMotion& motion, const ContactMaterials& materials,
-                       ContactBlock& block) const noexcept override {
+  LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,
+                     ContactBlock& block) const noexcept override {
     const bool spinning = motion.spin != 0;
     const bool cutting = spinning && motion.removal != RemovalLaw::none;
     if (block.uniform) return evaluate_samples<true>(motion, materials, spinning, cutting, block);
@@ -37,13 +37,18 @@ class FoundationLaw final : public ForceLaw {
  private:
   static constexpr float kSlipRegularization = 1e-3F;  ///< [m/s] v_eps
   static constexpr float kLargestExponent = 1e30F;     ///< keeps the arithmetic finite; e^-80 is already nothing left
+  static constexpr float kAxisZone = 0.25F;            ///< [voxel edges] about the spindle's axis
+  static constexpr float kAxisSlip = 0.2837F;          ///< 1/mean(1/rho) over a unit square = 1/(4 asinh 1)
   static constexpr float kLeastEnergyShare = 1e-6F;    ///< [1] of u that law G always has to pay
 
   template <bool kUniform>
-  static LawEnergies evaluate_samples(const HeadMotion& m, const ContactMaterials& materials, bool spinning,
-                                      bool cutting, ContactBlock& b) noexcept {
+  static LawTotals evaluate_samples(const HeadMotion& m, const ContactMaterials& materials, bool spinning, bool cutting,
+                                    ContactBlock& b) noexcept {
     const ContactMaterial first = materials[b.material[0]];
     const float dt = m.duration;
+    const float voxel_volume = m.voxel_size * m.voxel_size * m.voxel_size;
+    const float axis_zone = 1.0F / (kAxisZone * kAxisZone * m.voxel_size * m.voxel_size);
+    const float axis_slip_squared = kAxisSlip * kAxisSlip * m.voxel_size * m.voxel_size * m.spin * m.spin;
     const float friction_on = spinning ? 1.0F : 0.0F;
     const float cutting_on = cutting ? 1.0F : 0.0F;
     const float release_helps = m.removal == RemovalLaw::elastic_release ? 1.0F : 0.0F;
@@ -53,7 +58,7 @@ class FoundationLaw final : public ForceLaw {
     const float ax = m.felt_angular_velocity.x(), ay = m.felt_angular_velocity.y(), az = m.felt_angular_velocity.z();
 
     // Partial sums per lane, in units of [N m] = l^3 times an energy density; fixed order, so the same bits every time.
-    enum Term { kElastic, kCutting, kReleased, kDamping, kRubbing, kCredited, kTerms };
+    enum Term { kElastic, kCutting, kReleased, kDamping, kRubbing, kCredited, kCouple, kTerms };
     float sums[kTerms][kLanes] = {};
 
     for (int group = 0; group < b.padded_size(); group += kLanes)
@@ -69,7 +74,9 @@ class FoundationLaw final : public ForceLaw {
         const float px = vx + oy * z - oz * y, py = vy + oz * x - ox * z, pz = vz + ox * y - oy * x;
         const float w_dot = px * nx + py * ny + pz * nz;
         const float tx = px - w_dot * nx - m.spin * y, ty = py - w_dot * ny + m.spin * x, tz = pz - w_dot * nz;
-        const float slip_squared = tx * tx + ty * ty + tz * tz;
+        const float near_axis = std::max(0.0F, 1.0F - (x * x + y * y) * axis_zone);
+        const float extra = axis_slip_squared * near_axis * near_axis;
+        const float slip_squared = tx * tx + ty * ty + tz * tz + extra;
         const float inverse_slip = 1.0F / std::sqrt(slip_squared + kSlipRegularization * kSlipRegularization);
         const float slip = slip_squared * inverse_slip;
 
@@ -95,26 +102,33 @@ class FoundationLaw final : public ForceLaw {
         const float spring = k * mean_fill * w;  // [N/m^3]
         const float normal = spring * damped;
         const float tangential = kappa * normal * inverse_slip;
-        b.force_x[n] = -m.voxel_volume * (normal * nx + tangential * tx);
-        b.force_y[n] = -m.voxel_volume * (normal * ny + tangential * ty);
-        b.force_z[n] = -m.voxel_volume * (normal * nz + tangential * tz);
+        b.force_x[n] = -voxel_volume * (normal * nx + tangential * tx);
+        b.force_y[n] = -voxel_volume * (normal * ny + tangential * ty);
+        b.force_z[n] = -voxel_volume * (normal * nz + tangential * tz);
 
-        const float w_end = std::max(0.0F, w + 0.5F * w_dot * dt);
-        const float paid = is_cut * kappa * normal * slip * dt;
+        const float advance = w_dot * dt;
+        const float w_end = std::max(0.0F, w + 0.5F * advance);
+        const float taken = loss + credit;
+        // Elastic energy of what was taken: what went in, k mean_fill w advance, less what is still stored, exactly.
+        const float let_go =
+            0.5F * k * (w * w + 0.25F * advance * advance) * taken - k * w * advance * (phi - 0.5F * taken - mean_fill);
         sums[kElastic][lane] += 0.5F * k * b.fill_after[n] * w_end * w_end;
-        sums[kCutting][lane] += u * (loss + credit);
-        sums[kReleased][lane] += is_cut * (stored * (loss + credit) - (u - price) * (loss + credit));
+        sums[kCutting][lane] += u * taken;
+        sums[kReleased][lane] += let_go - (u - price) * taken;
         sums[kDamping][lane] += (normal - spring) * w_dot * dt;
-        sums[kRubbing][lane] += kappa * normal * slip * dt - paid;
+        sums[kRubbing][lane] += kappa * normal * slip * dt * (1.0F - is_cut);
         sums[kCredited][lane] += price * credit;
+        sums[kCouple][lane] += tangential * extra;
       }
 
     const auto total = [&](Term term) {
       double sum = 0;
       for (const float lane_sum : sums[term]) sum += double(lane_sum);
-      return sum * double(m.voxel_volume);
+      return sum * double(voxel_volume);
     };
-    return {total(kElastic), total(kCutting), total(kReleased), total(kDamping), total(kRubbing), total(kCredited)};
+    const double couple = spinning ? -total(kCouple) / double(m.spin) : 0.0;
+    return {{total(kElastic), total(kCutting), total(kReleased), total(kDamping), total(kRubbing), total(kCredited)},
+            couple};
   }
 };
 
