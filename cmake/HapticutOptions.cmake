@@ -5,6 +5,14 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND PROJECT_IS_TOP_LEV
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo" FORCE)
 endif()
 
+# Compiling the same code again costs nothing where ccache is installed. Never decided for somebody else's project.
+find_program(HAPTICUT_CCACHE ccache)
+mark_as_advanced(HAPTICUT_CCACHE)
+if(HAPTICUT_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_C_COMPILER_LAUNCHER "${HAPTICUT_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${HAPTICUT_CCACHE}")
+endif()
+
 option(HAPTICUT_WARNINGS_AS_ERRORS "Treat warnings in hapticut's own code as errors" ${PROJECT_IS_TOP_LEVEL})
 
 # What every target of ours is compiled with. Nothing of it reaches a user's code.
@@ -42,7 +50,11 @@ macro(hapticut_component name purpose)
       list(GET _need 1 _proof)
       list(GET _need 2 _debian)
       if(_package STREQUAL "ITK")
+        # Debian's GDCM reports each of its absent programs, none of which is needed.
+        set(_log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
+        set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
         find_package(ITK 5.2 QUIET COMPONENTS ${HAPTICUT_ITK_MODULES})
+        set(CMAKE_MESSAGE_LOG_LEVEL "${_log_level}")
       else()
         find_package(${_package} QUIET)
       endif()
@@ -61,9 +73,9 @@ macro(hapticut_component name purpose)
     list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: on  (${purpose})")
   elseif(_missing)
     list(JOIN _missing " " _missing)
-    list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: off (${purpose}; to turn it on: sudo apt-get install ${_missing})")
+    list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: off (${purpose}, to turn it on: sudo apt-get install ${_missing})")
   else()
-    list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: off (${purpose}; HAPTICUT_WITH_${name}=OFF)")
+    list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: off (${purpose}, HAPTICUT_WITH_${name}=OFF)")
   endif()
 endmacro()
 

@@ -15,6 +15,8 @@ template <class... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;
 };
+template <class... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;  // clang 14 does not deduce aggregates by itself
 
 double base_radius(const ConeHead& cone) { return cone.height * std::tan(cone.half_angle); }
 

@@ -22,8 +22,8 @@ class ToolHead {
   ToolHead(Shape shape);  // NOLINT(google-explicit-constructor): a shape is a head
 
   template <class S>
-  requires std::is_constructible_v<Shape, S> ToolHead(const S& shape)
-      : ToolHead(Shape(shape)) {}  // NOLINT(google-explicit-constructor)
+  // NOLINTNEXTLINE(google-explicit-constructor): as above
+  requires std::is_constructible_v<Shape, S> ToolHead(const S& shape) : ToolHead(Shape(shape)) {}
 
   [[nodiscard]] const Shape& shape() const { return shape_; }
 
