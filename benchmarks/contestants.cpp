@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contestants.hpp"
+
+#include <openvdb/openvdb.h>
+
+#include <cstdint>
+#include <stdexcept>
+
+namespace hapticut::bench {
+namespace {
+
+/// Indices of the voxels whose centres may lie inside a ball, cut to the block.
+struct Range {
+  int lo[3], hi[3];
+};
+Range voxels_around(const Vec3& center, double radius, double h) {
+  const double size[3] = {kBlockX, kBlockY, kBlockZ};
+  Range range{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const int count = int(std::lround(size[axis] / h));
+    range.lo[axis] = std::max(0, int(std::ceil((center[axis] - radius) / h - 0.5)));
+    range.hi[axis] = std::min(count - 1, int(std::floor((center[axis] + radius) / h - 0.5)));
+  }
+  return range;
+}
+
+/// The part of the block that the path can touch, so that dense arrays and voxelised leaves stay small.
+Range reachable(const Workload& w) {
+  Range all = voxels_around(w.center(0), w.radius, w.voxel_size);
+  for (int t = 0; t < w.ticks(); ++t) {
+    const Range r = voxels_around(w.center(t), w.radius, w.voxel_size);
+    for (int axis = 0; axis < 3; ++axis) {
+      all.lo[axis] = std::min(all.lo[axis], r.lo[axis]);
+      all.hi[axis] = std::max(all.hi[axis], r.hi[axis]);
+    }
+  }
+  return all;
+}
+
+/// Common to both OpenVDB contestants: a boolean grid whose leaves exist wherever the ball comes.
+class VdbContestant : public Contestant {
+ public:
+  explicit VdbContestant(const Workload& w)
+      : w_(w), grid_(openvdb::BoolGrid::create(false)), accessor_(grid_->getAccessor()) {
+    const openvdb::Coord last(int(std::lround(kBlockX / w.voxel_size)) - 1,
+                              int(std::lround(kBlockY / w.voxel_size)) - 1,
+                              int(std::lround(kBlockZ / w.voxel_size)) - 1);
+    grid_->sparseFill(openvdb::CoordBBox(openvdb::Coord(0), last), true, true);
+    const Range range = reachable(w);
+    for (int i = range.lo[0] & ~7; i <= range.hi[0]; i += 8)
+      for (int j = range.lo[1] & ~7; j <= range.hi[1]; j += 8)
+        for (int k = range.lo[2] & ~7; k <= range.hi[2]; k += 8) grid_->tree().touchLeaf(openvdb::Coord(i, j, k));
+  }
+
+ protected:
+  Workload w_;
+  openvdb::BoolGrid::Ptr grid_;
+  openvdb::BoolGrid::Accessor accessor_;
+};
+
+class VdbAccessor final : public VdbContestant {
+ public:
+  using VdbContestant::VdbContestant;
+  TickResult tick(const Vec3& center) override {
+    TickResult out;
+    const double h = w_.voxel_size * 1e3, radius = w_.radius * 1e3;
+    const Vec3 c = center * 1e3;
+    const Range range = voxels_around(center, w_.radius, w_.voxel_size);
+    for (int i = range.lo[0]; i <= range.hi[0]; ++i)
+      for (int j = range.lo[1]; j <= range.hi[1]; ++j)
+        for (int k = range.lo[2]; k <= range.hi[2]; ++k) {
+          const double x = (i + 0.5) * h - c.x(), y = (j + 0.5) * h - c.y(), z = (k + 0.5) * h - c.z();
+          const double r = std::sqrt(x * x + y * y + z * z);
+          if (r >= radius) continue;
+          const openvdb::Coord ijk(i, j, k);
+          if (!accessor_.isValueOn(ijk)) continue;
+          const double f = (radius - r) / r;
+          out.force_x -= f * x;
+          out.force_z -= f * z;
+          ++out.contact;
+          if (w_.removes() && r < 0.5 * radius) {
+            accessor_.setValueOff(ijk, false);
+            ++out.removed;
+          }
+        }
+    return out;
+  }
+};
+
+class VdbLeaf final : public VdbContestant {
+ public:
+  using VdbContestant::VdbContestant;
+  TickResult tick(const Vec3& center) override {
+    TickResult out;
+    const double h = w_.voxel_size * 1e3, radius = w_.radius * 1e3;
+    const Vec3 c = center * 1e3;
+    const Range range = voxels_around(center, w_.radius, w_.voxel_size);
+    for (int i = range.lo[0] & ~7; i <= range.hi[0]; i += 8)
+      for (int j = range.lo[1] & ~7; j <= range.hi[1]; j += 8)
+        for (int k = range.lo[2] & ~7; k <= range.hi[2]; k += 8) {
+          auto* leaf = accessor_.probeLeaf(openvdb::Coord(i, j, k));
+          if (leaf == nullptr) continue;
+          for (auto it = leaf->beginValueOn(); it; ++it) {
+            const openvdb::Coord at = it.getCoord();
+            const double x = (at.x() + 0.5) * h - c.x(), y = (at.y() + 0.5) * h - c.y(), z = (at.z() + 0.5) * h - c.z();
+            const double r = std::sqrt(x * x + y * y + z * z);
+            if (r >= radius) continue;
+            const double f = (radius - r) / r;
+            out.force_x -= f * x;
+            out.force_z -= f * z;
+            ++out.contact;
+            if (w_.removes() && r < 0.5 * radius) {
+              it.setValueOff();
+              ++out.removed;
+            }
+          }
+        }
+    return out;
+  }
+};
+
+/// Common to both dense contestants: 1.0 where solid, rows along x.
+class DenseContestant : public Contestant {
+ public:
+  explicit DenseContestant(const Workload& w) : w_(w), region_(reachable(w)) {
+    for (int axis = 0; axis < 3; ++axis) dims_[axis] = region_.hi[axis] - region_.lo[axis] + 1;
+    solid_.assign(std::size_t(dims_[0]) * std::size_t(dims_[1]) * std::size_t(dims_[2]), 1.0F);
+  }
+
+ protected:
+  float* row(int j, int k) {
+    return &solid_[(std::size_t(k - region_.lo[2]) * std::size_t(dims_[1]) + std::size_t(j - region_.lo[1])) *
+                   std::size_t(dims_[0])];
+  }
+  Workload w_;
+  Range region_;
+  int dims_[3] = {};
+  std::vector<float> solid_;
+};
+
+class Dense final : public DenseContestant {
+ public:
+  using DenseContestant::DenseContestant;
+  TickResult tick(const Vec3& center) override {
+    TickResult out;
+    const double h = w_.voxel_size * 1e3, radius = w_.radius * 1e3;
+    const Vec3 c = center * 1e3;
+    const Range range = voxels_around(center, w_.radius, w_.voxel_size);
+    for (int k = range.lo[2]; k <= range.hi[2]; ++k)
+      for (int j = range.lo[1]; j <= range.hi[1]; ++j) {
+        float* solid = row(j, k) - region_.lo[0];
+        for (int i = range.lo[0]; i <= range.hi[0]; ++i) {
+          const double x = (i + 0.5) * h - c.x(), y = (j + 0.5) * h - c.y(), z = (k + 0.5) * h - c.z();
+          const double r2 = x * x + y * y + z * z;
+          if (r2 >= radius * radius || solid[i] == 0) continue;
+          const double r = std::sqrt(r2);
+          const double f = (radius - r) / r;
+          out.force_x -= f * x;
+          out.force_z -= f * z;
+          ++out.contact;
+          if (w_.removes() && r < 0.5 * radius) {
+            solid[i] = 0;
+            ++out.removed;
+          }
+        }
+      }
+    return out;
+  }
+};
+
+class DenseSimd final : public DenseContestant {
+ public:
+  using DenseContestant::DenseContestant;
+  TickResult tick(const Vec3& center) override {
+    const auto h = float(w_.voxel_size * 1e3), radius = float(w_.radius * 1e3);
+    const Eigen::Vector3f c = (center * 1e3).cast<float>();
+    const Range range = voxels_around(center, w_.radius, w_.voxel_size);
+    const float inner = w_.removes() ? 0.25F * radius * radius : -1.0F;
+    double force_x = 0, force_z = 0;
+    float contact = 0, removed = 0;
+    long contacts = 0, removals = 0;
+    for (int k = range.lo[2]; k <= range.hi[2]; ++k) {
+      const auto z = float((k + 0.5) * w_.voxel_size * 1e3 - center.z() * 1e3);
+      for (int j = range.lo[1]; j <= range.hi[1]; ++j) {
+        const auto y = float((j + 0.5) * w_.voxel_size * 1e3 - center.y() * 1e3);
+        const float rest = radius * radius - y * y - z * z;
+        if (rest <= 0) continue;
+        const float half = std::sqrt(rest);
+        const int first = std::max(range.lo[0], int(std::ceil((c.x() - half) / h - 0.5F)));
+        const int last = std::min(range.hi[0], int(std::floor((c.x() + half) / h - 0.5F)));
+        float* solid = row(j, k) - region_.lo[0];
+        const auto x0 = float(0.5 * w_.voxel_size * 1e3 - center.x() * 1e3);
+        float fx = 0, fs = 0;
+        contact = removed = 0;
+        const bool touches_inner = y * y + z * z < inner;
+        for (int i = first; i <= last; ++i) {
+          const float x = float(i) * h + x0;
+          const float r2 = x * x + y * y + z * z;
+          const float r = std::sqrt(r2);
+          const float in = r < radius ? solid[i] : 0.0F;
+          const float f = in * (radius - r) / r;
+          fx += f * x;
+          fs += f;
+          contact += in;
+        }
+        if (touches_inner) {
+          for (int i = first; i <= last; ++i) {
+            const float x = float(i) * h + x0;
+            const bool gone = x * x + y * y + z * z < inner;
+            removed += gone ? solid[i] : 0.0F;
+            solid[i] = gone ? 0.0F : solid[i];
+          }
+        }
+        force_x -= double(fx);
+        force_z -= double(fs * z);
+        contacts += long(contact);
+        removals += long(removed);
+      }
+    }
+    return {force_z, force_x, contacts, removals};
+  }
+};
+
+}  // namespace
+
+const std::vector<std::string>& contestant_names() {
+  static const std::vector<std::string> names = {"vdb_accessor", "vdb_leaf", "dense", "dense_simd"};
+  return names;
+}
+
+std::unique_ptr<Contestant> make_contestant(const std::string& name, const Workload& workload) {
+  if (name == "vdb_accessor") return std::make_unique<VdbAccessor>(workload);
+  if (name == "vdb_leaf") return std::make_unique<VdbLeaf>(workload);
+  if (name == "dense") return std::make_unique<Dense>(workload);
+  if (name == "dense_simd") return std::make_unique<DenseSimd>(workload);
+  throw std::invalid_argument("no contestant '" + name + "'");
+}
+
+}  // namespace hapticut::bench
