@@ -22,15 +22,16 @@ target_compile_options(hapticut_build_flags INTERFACE -Wall -Wextra -Wpedantic -
   $<$<BOOL:${HAPTICUT_WARNINGS_AS_ERRORS}>:-Werror>)
 
 # What each component needs: a list of `package to find|target or variable that proves it|Debian package`.
-set(HAPTICUT_NEEDS_IO "ITK|ITK_FOUND|libinsighttoolkit5-dev" "assimp|assimp_FOUND|libassimp-dev" "PNG|PNG_FOUND|libpng-dev")
+set(HAPTICUT_NEEDS_IO "ITK|ITK_FOUND|libinsighttoolkit5-dev" "assimp|assimp_FOUND|libassimp-dev" "PNG|PNG_FOUND|libpng-dev"
+    "LibArchive|LibArchive_FOUND|libarchive-dev" "EXPAT|EXPAT_FOUND|libexpat1-dev" "ZLIB|ZLIB_FOUND|zlib1g-dev")
 set(HAPTICUT_NEEDS_CLI "CLI11|CLI11_FOUND|libcli11-dev" "tomlplusplus|tomlplusplus_FOUND|libtomlplusplus-dev"
     "nlohmann_json|nlohmann_json_FOUND|nlohmann-json3-dev")
 set(HAPTICUT_NEEDS_TESTS "GTest|GTest_FOUND|libgtest-dev" "rapidcheck|rapidcheck_FOUND|librapidcheck-dev")
 set(HAPTICUT_NEEDS_BENCHMARKS "benchmark|benchmark_FOUND|libbenchmark-dev")
 set(HAPTICUT_NEEDS_EXAMPLES "")
 
-set(HAPTICUT_ITK_MODULES ITKCommon ITKIOImageBase ITKImageIO ITKIONRRD ITKIONIFTI ITKIOMeta ITKIOGDCM ITKIOPNG ITKIOTIFF
-    ITKImageGrid ITKConnectedComponents ITKMathematicalMorphology ITKThresholding)
+set(HAPTICUT_ITK_MODULES ITKCommon ITKIOImageBase ITKIONRRD ITKIONIFTI ITKIOGDCM ITKIOPNG ITKIOTIFF
+    ITKImageFunction ITKImageGrid ITKConnectedComponents ITKDistanceMap)
 
 # hapticut_component(NAME "what it is"): AUTO (default) switches it on when all it needs is found, ON insists, OFF skips.
 macro(hapticut_component name purpose)

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "hapticut/core/volume.hpp"
+#include "hapticut/workpiece/workpiece.hpp"
+
+/// @file
+/// Dense volumes from and to files. Files hold millimetres, volumes hold metres: the conversion happens here.
+///
+/// World axes are those of the medical formats: x to the patient's left, y to the back, z to the head (LPS), whatever
+/// convention the file uses. Origin and direction of the file become `Volume::X_WG`; a left-handed grid is turned round
+/// along its last axis, so that the pose is right-handed and every sample stays where it was.
+///
+/// Every function throws one Error that names the file: when it cannot be opened, is not what it claims to be, is cut
+/// short, has not three dimensions or not one value per sample, has sheared axes, or claims more samples than its size
+/// can hold or than kMaxVolumeSamples.
+namespace hapticut {
+
+/// More samples than this are not read: as grey values they would take 8 GiB.
+inline constexpr std::int64_t kMaxVolumeSamples = std::int64_t(1) << 31;
+
+struct VolumeReadOptions {
+  /// [m] replaces the spacing of the file; needed where the file has none (PNG and TIFF slices).
+  std::optional<Vec3> spacing = std::nullopt;
+  /// Series Instance UID, needed where a DICOM folder holds several series.
+  std::string dicom_series = {};
+};
+
+/// Reads grey values.
+/// @param path  a file: NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), MetaImage (.mhd, .mha), multi-frame DICOM (.dcm),
+///              or InVesalius (.inv3); or a folder: one DICOM series, or PNG or TIFF slices, ordered by the numbers in
+///              their names. The spacing of a DICOM series is the distance of its slices, not their thickness.
+[[nodiscard]] GreyVolume read_grey_volume(const std::filesystem::path& path, const VolumeReadOptions& options = {});
+
+/// Reads labels: the same formats; every value must be a whole number, 0 ... 65535.
+[[nodiscard]] LabelVolume read_label_volume(const std::filesystem::path& path, const VolumeReadOptions& options = {});
+
+/// Red, green, blue.
+using Colour = std::array<std::uint8_t, 3>;
+
+/// Reads labels from a folder of colour slices: each listed colour is a label, every other one is 0. Pixels that are
+/// not wholly opaque are 0 too: partly transparent ones are noise of a drawing program.
+/// @param spacing  [m] of the pixels and the slices
+/// @throws Error also when none of the colours occurs
+[[nodiscard]] LabelVolume read_colour_slices(const std::filesystem::path& folder,
+                                             const std::map<Colour, std::uint16_t>& label_of, const Vec3& spacing);
+
+/// How a file without a header stores its values.
+enum class ValueType : std::uint8_t {
+  kUint8,
+  kInt8,
+  kUint16,
+  kInt16,
+  kUint32,
+  kInt32,
+  kUint64,
+  kInt64,
+  kFloat32,
+  kFloat64
+};
+
+/// What a headerless file does not say itself.
+struct RawLayout {
+  std::array<int, 3> dims = {0, 0, 0};  ///< number of samples along x (fastest), y, z
+  Vec3 spacing = Vec3::Zero();          ///< [m]
+  ValueType type = ValueType::kUint8;
+  bool big_endian = false;
+  std::uint64_t skip = 0;  ///< bytes before the first value
+};
+
+/// @throws Error also when the file is not exactly as long as the layout says
+[[nodiscard]] GreyVolume read_raw_grey_volume(const std::filesystem::path& path, const RawLayout& layout);
+[[nodiscard]] LabelVolume read_raw_label_volume(const std::filesystem::path& path, const RawLayout& layout);
+
+/// Reads the grey values of a project of the program InVesalius (.inv3). A project has no pose: the first sample is at
+/// the origin.
+[[nodiscard]] GreyVolume read_invesalius_project(const std::filesystem::path& path);
+
+/// Writes a compressed NRRD file in millimetres. The file appears under its name only when it is complete.
+/// @throws Error when the volume is not consistent or the file cannot be written; what was there before remains
+void write_nrrd(const std::filesystem::path& path, const GreyVolume& volume);
+void write_nrrd(const std::filesystem::path& path, const LabelVolume& volume);
+
+/// Writes a workpiece as two NRRD files: material ids under `path` and filled fractions under the name with `_density`
+/// before the extension.
+/// @throws Error as above, and when the workpiece is empty
+void write_nrrd(const std::filesystem::path& path, const Workpiece& workpiece);
+
+}  // namespace hapticut

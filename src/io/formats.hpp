@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "io/raw_image.hpp"
+
+/// @file
+/// One reader per format. Each checks what the header claims against the size of the file before it allocates.
+namespace hapticut {
+
+[[nodiscard]] RawImage read_nrrd(const std::filesystem::path& path);
+[[nodiscard]] RawImage read_nifti(const std::filesystem::path& path);
+[[nodiscard]] RawImage read_meta_image(const std::filesystem::path& path);
+[[nodiscard]] RawImage read_invesalius(const std::filesystem::path& path);
+
+/// A file with several frames.
+[[nodiscard]] RawImage read_dicom_file(const std::filesystem::path& path);
+
+/// A folder with one file per slice.
+/// @param series  its Series Instance UID, or empty: the only one
+[[nodiscard]] RawImage read_dicom_series(const std::filesystem::path& folder, const std::string& series);
+
+/// A folder of PNG or TIFF slices of one channel; the spacing is left at zero.
+[[nodiscard]] RawImage read_slices(const std::filesystem::path& folder);
+
+/// Whether a folder has PNG or TIFF files.
+[[nodiscard]] bool has_slices(const std::filesystem::path& folder);
+
+/// @throws Error when a file is too small to hold what its header claims, even at the best ratio of its compression
+void require_bytes(const std::filesystem::path& path, double needed, double available, bool deflated);
+
+}  // namespace hapticut

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/io/volumes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <numeric>
+#include <random>
+
+#include "hapticut/core/units.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "support/no_disk_space.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace hapticut {
+namespace {
+
+using test::TemporaryFolder;
+using units::mm;
+
+GreyVolume rotated_ramp() {
+  GreyVolume volume;
+  volume.dims = {4, 3, 5};
+  volume.spacing = Vec3(0.1, 0.2, 0.7) * mm;
+  volume.X_WG = {rotation_from_vector({0.4, -0.3, 1.2}), Vec3(12.5, -3, 7.25) * mm};
+  volume.values.resize(volume.size());
+  std::iota(volume.values.begin(), volume.values.end(), -20.5F);
+  return volume;
+}
+
+std::filesystem::path written(const TemporaryFolder& folder, const std::string& name, const std::string& bytes) {
+  test::write_bytes(folder / name, bytes);
+  return folder / name;
+}
+
+/// Values of 16 bits, as files store them.
+std::string short_bytes(int count) {
+  std::string bytes(std::size_t(count) * 2, '\0');
+  for (int n = 0; n < count; ++n) {
+    const auto value = std::int16_t(n * 7 - 50);
+    std::memcpy(bytes.data() + 2 * n, &value, 2);
+  }
+  return bytes;
+}
+
+std::string nrrd(const std::string& fields, const std::string& data) {
+  return "NRRD0004\ntype: short\nendian: little\n" + fields + "\n\n" + data;
+}
+const char* const kSmall = "dimension: 3\nsizes: 4 3 5\nspacings: 0.1 0.2 0.7\nencoding: raw";
+
+std::string meta(const std::string& fields) {
+  return "ObjectType = Image\nNDims = 3\nDimSize = 4 3 5\nElementSpacing = 0.1 0.2 0.7\n" + fields +
+         "ElementType = MET_SHORT\nElementDataFile = LOCAL\n";
+}
+
+/// What reading says; empty when it does not fail. Nothing may be printed.
+std::string error_of_reading(const std::filesystem::path& path, const VolumeReadOptions& options = {}) {
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  std::string message;
+  try {
+    (void)read_grey_volume(path, options);
+  } catch (const Error& error) {
+    message = error.what();
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << path;
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "") << path;
+  return message;
+}
+
+void expect_clear_error(const std::filesystem::path& path, const std::string& part) {
+  const std::string message = error_of_reading(path);
+  EXPECT_NE(message.find(path.filename().string()), std::string::npos) << path << " gives: " << message;
+  EXPECT_NE(message.find(part), std::string::npos) << path << " gives: " << message;
+}
+
+TEST(WriteNrrd, IsReadBackTheSame) {
+  const TemporaryFolder folder;
+  const GreyVolume volume = rotated_ramp();
+  write_nrrd(folder / "ramp.nrrd", volume);
+  const GreyVolume back = read_grey_volume(folder / "ramp.nrrd");
+  EXPECT_EQ(back.dims, volume.dims);
+  EXPECT_EQ(back.values, volume.values);
+  EXPECT_TRUE(back.spacing.isApprox(volume.spacing, 1e-12));
+  EXPECT_TRUE(back.X_WG.rotation.isApprox(volume.X_WG.rotation, 1e-12));
+  EXPECT_LT((back.X_WG.translation - volume.X_WG.translation).norm(), 1e-15);
+  EXPECT_EQ(folder.file_count(), 1U);
+}
+
+TEST(WriteNrrd, WritesMaterialsAndFillsOfAWorkpiece) {
+  const TemporaryFolder folder;
+  Material clay;
+  clay.name = "clay";
+  const Workpiece ball = build_sphere(Vec3(3, 4, 5) * mm, 1 * mm, 0.1 * mm, clay);
+  write_nrrd(folder / "ball.nrrd", ball);
+  const LabelVolume materials = read_label_volume(folder / "ball.nrrd");
+  const GreyVolume fills = read_grey_volume(folder / "ball_density.nrrd");
+  ASSERT_EQ(materials.dims, fills.dims);
+  EXPECT_EQ(std::count(materials.values.begin(), materials.values.end(), 1), ball.solid_voxels());
+  const double volume = std::accumulate(fills.values.begin(), fills.values.end(), 0.0) * 1e-12;
+  EXPECT_NEAR(volume / ball.amounts()[0].volume, 1, 1e-9);
+  const IndexBox box = ball.bounds();
+  EXPECT_LT((materials.position(0, 0, 0) - ball.frame().center(box.min)).norm(), 1e-12);
+}
+
+TEST(WriteNrrd, LeavesWhatWasThereWhenItFails) {
+  const TemporaryFolder folder;
+  written(folder, "old.nrrd", "precious");
+  GreyVolume volume = rotated_ramp();
+  volume.dims = {1 << 7, 1 << 7, 1 << 7};
+  volume.values.resize(volume.size());
+  std::mt19937 random(1);
+  for (float& value : volume.values) value = float(random());
+
+  {
+    const test::NoDiskSpace full(1U << 16U);
+    EXPECT_THROW(write_nrrd(folder / "old.nrrd", volume), Error);
+  }
+  EXPECT_EQ(test::read_bytes(folder / "old.nrrd"), "precious");
+  EXPECT_EQ(folder.file_count(), 1U);
+  EXPECT_THROW(write_nrrd(folder / "no/such/folder.nrrd", rotated_ramp()), Error);
+  EXPECT_THROW(write_nrrd("/proc/volume.nrrd", rotated_ramp()), Error);  // not even the administrator may write there
+}
+
+TEST(ReadVolume, ReadsNrrdAndMetaImageAlike) {
+  const TemporaryFolder folder;
+  const auto a = read_grey_volume(written(folder, "a.nrrd", nrrd(kSmall, short_bytes(60))));
+  const auto b = read_grey_volume(written(folder, "b.mha", meta("") + short_bytes(60)));
+  EXPECT_EQ(a.dims, (std::array<int, 3>{4, 3, 5}));
+  EXPECT_EQ(a.at(1, 2, 3), 7 * (1 + 4 * (2 + 3 * 3)) - 50);
+  EXPECT_EQ(a.values, b.values);
+  EXPECT_TRUE(a.spacing.isApprox(Vec3(0.1, 0.2, 0.7) * mm));
+  EXPECT_TRUE(b.spacing.isApprox(a.spacing));
+}
+
+TEST(ReadVolume, TakesTheSpacingOfTheCaller) {
+  const TemporaryFolder folder;
+  const auto path = written(folder, "a.nrrd", nrrd(kSmall, short_bytes(60)));
+  const auto volume = read_grey_volume(path, {.spacing = Vec3(1, 2, 3) * mm, .dicom_series = {}});
+  EXPECT_TRUE(volume.spacing.isApprox(Vec3(1, 2, 3) * mm));
+  EXPECT_THROW((void)read_grey_volume(path, {.spacing = Vec3(1, 0, 3), .dicom_series = {}}), Error);
+}
+
+TEST(ReadVolume, HonoursTheUnitsOfAnNrrdFile) {
+  const TemporaryFolder folder;
+  const std::string fields =
+      "dimension: 3\nspace: LPS\nsizes: 4 3 5\nspace directions: (20,0,0) (0,20,0) (0,0,20)\nspace origin: (1000,0,0)\n"
+      "space units: \"um\" \"um\" \"um\"\nencoding: raw";
+  const auto volume = read_grey_volume(written(folder, "a.nrrd", nrrd(fields, short_bytes(60))));
+  EXPECT_TRUE(volume.spacing.isApprox(Vec3::Constant(0.02 * mm)));
+  EXPECT_NEAR(volume.X_WG.translation.x(), 1 * mm, 1e-12);
+}
+
+TEST(ReadVolume, TurnsALeftHandedGridRoundWithoutMovingASample) {
+  const TemporaryFolder folder;
+  const std::string mirrored =
+      "TransformMatrix = 0 1 0 1 0 0 0 0 1\nOffset = 10 20 30\n";  // x and y axes swapped: determinant -1
+  const auto volume = read_grey_volume(written(folder, "a.mha", meta(mirrored) + short_bytes(60)));
+  EXPECT_GT(volume.X_WG.rotation.determinant(), 0.999);
+  const auto right = read_grey_volume(written(folder, "b.mha", meta("") + short_bytes(60)));
+  const Vec3 mirrored_sample = Vec3(10 + 2 * 0.2, 20 + 1 * 0.1, 30 + 4 * 0.7) * mm;  // sample (1, 2, 4)
+  EXPECT_LT((volume.position(1, 2, 0) - mirrored_sample).norm(), 1e-12);
+  EXPECT_EQ(volume.at(1, 2, 0), right.at(1, 2, 4));
+}
+
+TEST(ReadVolume, ReadsCompressedAndBigEndianMetaImages) {
+  const TemporaryFolder folder;
+  std::string swapped = short_bytes(60);
+  for (std::size_t n = 0; n < swapped.size(); n += 2) std::swap(swapped[n], swapped[n + 1]);
+  const auto big = read_grey_volume(written(folder, "a.mha", meta("BinaryDataByteOrderMSB = True\n") + swapped));
+  EXPECT_EQ(big.at(1, 2, 3), 7 * (1 + 4 * (2 + 3 * 3)) - 50);
+}
+
+TEST(ReadVolume, RefusesLabelsThatAreNotWholeNumbers) {
+  const TemporaryFolder folder;
+  write_nrrd(folder / "grey.nrrd", rotated_ramp());
+  EXPECT_THROW((void)read_label_volume(folder / "grey.nrrd"), Error);                                      // -20.5
+  EXPECT_THROW((void)read_label_volume(written(folder, "a.nrrd", nrrd(kSmall, short_bytes(60)))), Error);  // -50
+}
+
+TEST(ReadVolume, RefusesWhatItCannotReadAndPrintsNothing) {
+  const TemporaryFolder folder;
+  expect_clear_error(folder / "absent.nrrd", "no such file");
+  expect_clear_error(folder / "absent.mhd", "no such file");
+  expect_clear_error(folder / "absent.nii.gz", "no such file");
+  expect_clear_error(written(folder, "a.txt", "text"), "format");
+  expect_clear_error(written(folder, "a.raw", "text"), "read_raw_grey_volume");
+  std::filesystem::create_directory(folder / "empty_folder");
+  expect_clear_error(folder / "empty_folder", "DICOM");
+  std::filesystem::create_directory(folder / "a_folder.nrrd");
+  expect_clear_error(folder / "a_folder.nrrd", "DICOM");
+  expect_clear_error(written(folder, "colour.mha", meta("ElementNumberOfChannels = 3\n") + short_bytes(180)),
+                     "per sample");
+  expect_clear_error(written(folder, "shear.mha", meta("TransformMatrix = 1 0 0 0.5 1 0 0 0 1\n") + short_bytes(60)),
+                     "perpendicular");
+  expect_clear_error(written(folder, "flat.mha", meta("ElementSpacing = 0.1 0.1 0\n") + short_bytes(60)), "spacing");
+}
+
+TEST(ReadVolume, RefusesHeadersThatClaimMoreThanTheFileHolds) {
+  const TemporaryFolder folder;
+  const auto claim = [&](const std::string& name, const std::string& sizes, const std::string& encoding) {
+    return written(folder, name, nrrd("dimension: 3\nsizes: " + sizes + "\nencoding: " + encoding, short_bytes(60)));
+  };
+  expect_clear_error(claim("tera.nrrd", "10000 10000 10000", "raw"), "claims");
+  expect_clear_error(claim("giga.nrrd", "1000 1000 1000", "raw"), "claims");
+  expect_clear_error(claim("giga_gz.nrrd", "1000 1000 1000", "gzip"), "claims");
+  expect_clear_error(claim("giga_bz2.nrrd", "1000 1000 1000", "bzip2"), "encoding");
+  expect_clear_error(claim("zero.nrrd", "10 0 10", "raw"), "claims");
+  expect_clear_error(claim("negative.nrrd", "10 -10 10", "raw"), "claims");
+  expect_clear_error(written(folder, "tera.mha", meta("DimSize = 10000 10000 10000\n")), "claims");
+  expect_clear_error(written(folder, "giga.mha", meta("DimSize = 1000 1000 1000\n") + short_bytes(60)), "claims");
+  expect_clear_error(
+      written(folder, "giga_gz.mha", meta("DimSize = 1000 1000 1000\nCompressedData = True\n") + short_bytes(60)),
+      "claims");
+  std::string nifti(400, '\0');
+  const std::int32_t magic = 348;
+  const std::int16_t dim[] = {3, 10000, 10000, 10000}, bits = 16;
+  std::memcpy(nifti.data(), &magic, sizeof magic);
+  std::memcpy(nifti.data() + 40, dim, sizeof dim);
+  std::memcpy(nifti.data() + 72, &bits, sizeof bits);
+  std::memcpy(nifti.data() + 344, "n+1", 4);
+  expect_clear_error(written(folder, "tera.nii", nifti), "claims");
+}
+
+TEST(ReadVolume, RefusesTruncatedFilesOfEveryLength) {
+  const TemporaryFolder folder;
+  write_nrrd(folder / "whole.nrrd", rotated_ramp());
+  const std::string packed = test::read_bytes(folder / "whole.nrrd");
+  const std::string plain = nrrd(kSmall, short_bytes(60)), mha = meta("") + short_bytes(60);
+  int refused = 0;
+  for (const auto& [name, bytes] :
+       {std::pair<std::string, std::string>{"a.nrrd", packed}, {"b.nrrd", plain}, {"c.mha", mha}})
+    for (std::size_t length = 0; length < bytes.size(); length += 11) {
+      const auto path = written(folder, name, bytes.substr(0, length));
+      const std::string message = error_of_reading(path);
+      // The last bytes of a gzip file are a check sum that is not needed to unpack it.
+      if (name == "a.nrrd" && length + 8 >= bytes.size()) continue;
+      EXPECT_NE(message, "") << name << " cut to " << length << " of " << bytes.size();
+      refused += message.empty() ? 0 : 1;
+    }
+  EXPECT_GT(refused, 60);
+}
+
+TEST(ReadVolume, SurvivesRandomBytes) {
+  const TemporaryFolder folder;
+  std::mt19937 random(3);
+  const std::string starts[] = {"",
+                                "NRRD0004\n",
+                                "NRRD0004\ntype: short\ndimension: 3\nsizes: ",
+                                "ObjectType = Image\n",
+                                meta(""),
+                                nrrd(kSmall, "").substr(0, 80)};
+  for (const char* ending : {".nrrd", ".nhdr", ".nii", ".nii.gz", ".mhd", ".mha", ".inv3", ".dcm"})
+    for (const std::string& start : starts)
+      for (int n = 0; n < 5; ++n) {
+        std::string bytes = start;
+        while (bytes.size() < 40 + 150 * std::size_t(n)) bytes += char(random());
+        // meta("") is complete: random values after it are a volume.
+        const std::string message = error_of_reading(written(folder, std::string("random") + ending, bytes));
+        if (start == starts[4]) continue;
+        EXPECT_NE(message, "") << ending << " starting with " << start;
+      }
+}
+
+TEST(ReadVolume, SurvivesDamagedHeaders) {
+  const TemporaryFolder folder;
+  std::mt19937 random(4);
+  write_nrrd(folder / "whole.nrrd", rotated_ramp());
+  const std::string wholes[] = {test::read_bytes(folder / "whole.nrrd"), meta("Offset = 1 2 3\n") + short_bytes(60)};
+  for (int n = 0; n < 400; ++n) {
+    std::string bytes = wholes[n % 2];
+    for (int change = 0; change < 3; ++change) bytes[random() % 250] = char(random());
+    (void)error_of_reading(written(folder, n % 2 == 0 ? "damaged.nrrd" : "damaged.mha", bytes));
+  }
+}
+
+TEST(ReadVolume, RefusesFilesWithoutPermission) {
+  const TemporaryFolder folder;
+  const auto path = written(folder, "secret.nrrd", nrrd(kSmall, short_bytes(60)));
+  std::filesystem::permissions(path, std::filesystem::perms::none);
+  if (std::ifstream(path)) GTEST_SKIP() << "this user may read everything";
+  expect_clear_error(path, "permissions");
+}
+
+TEST(ReadRaw, RefusesAFileOfAnotherLength) {
+  const TemporaryFolder folder;
+  RawLayout layout{.dims = {4, 3, 5}, .spacing = Vec3::Constant(1 * mm), .type = ValueType::kInt16};
+  const auto path = written(folder, "a.raw", "12345" + short_bytes(60));
+  EXPECT_THROW((void)read_raw_grey_volume(path, layout), Error);
+  layout.skip = 5;
+  EXPECT_EQ(read_raw_grey_volume(path, layout).at(1, 2, 3), 7 * (1 + 4 * (2 + 3 * 3)) - 50);
+  layout.dims = {1 << 20, 1 << 20, 1};
+  EXPECT_THROW((void)read_raw_grey_volume(path, layout), Error);
+}
+
+}  // namespace
+}  // namespace hapticut
