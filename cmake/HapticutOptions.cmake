@@ -22,6 +22,7 @@ target_compile_options(hapticut_build_flags INTERFACE -Wall -Wextra -Wpedantic -
   $<$<BOOL:${HAPTICUT_WARNINGS_AS_ERRORS}>:-Werror>)
 
 # What each component needs: a list of `package to find|target or variable that proves it|Debian package`.
+set(HAPTICUT_NEEDS_SIMD "hwy|hwy_FOUND|libhwy-dev")
 set(HAPTICUT_NEEDS_IO "ITK|ITK_FOUND|libinsighttoolkit5-dev" "assimp|assimp_FOUND|libassimp-dev" "PNG|PNG_FOUND|libpng-dev"
     "LibArchive|LibArchive_FOUND|libarchive-dev" "EXPAT|EXPAT_FOUND|libexpat1-dev" "ZLIB|ZLIB_FOUND|zlib1g-dev")
 set(HAPTICUT_NEEDS_CLI "CLI11|CLI11_FOUND|libcli11-dev" "tomlplusplus|tomlplusplus_FOUND|libtomlplusplus-dev"
@@ -35,7 +36,7 @@ set(HAPTICUT_ITK_MODULES ITKCommon ITKIOImageBase ITKIONRRD ITKIONIFTI ITKIOGDCM
 
 # hapticut_component(NAME "what it is"): AUTO (default) switches it on when all it needs is found, ON insists, OFF skips.
 macro(hapticut_component name purpose)
-  if(PROJECT_IS_TOP_LEVEL OR "${name}" STREQUAL "IO")
+  if(PROJECT_IS_TOP_LEVEL OR "${name}" MATCHES "^(SIMD|IO)$")
     set(_default AUTO)
   else()
     set(_default OFF)

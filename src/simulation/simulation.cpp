@@ -8,6 +8,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/force/resultant.hpp"
+#include "kernels/kernels.hpp"
 
 namespace hapticut {
 namespace {
@@ -17,6 +18,7 @@ constexpr double kThickLayer = 0.1;          // [1] of the head's radius
 
 ContactMaterials contact_materials(const MaterialTable& table, double reference_stiffness) {
   ContactMaterials constants = {};
+  constants[kEmpty].cutting_energy = 1;  // empty lanes are computed like others and must not divide by zero
   for (int id = 1; id <= table.size(); ++id) {
     const Material& m = table[MaterialId(id)];
     const double stiffness = m.relative_stiffness * reference_stiffness;
@@ -227,10 +229,10 @@ Encounter Simulation::State::cut_blocks(const SubStep& sub_step, const IndexBox&
           if (!may_touch(springs, grid, origin, float(workpiece.voxel_size()))) continue;
           const BlockView block = workpiece.block(origin);
           if (block.empty()) continue;
-          sample_contact(springs, block, grid, config.quadrature, contact);
-          if (contact.size == 0) continue;
+          kernels::sample_contact(tool.head(), block, grid, config.quadrature, contact);
+          if (contact.samples == 0) continue;
           encounter.add(config.law->evaluate(sub_step.motion, materials, contact));
-          sum_resultant(contact, encounter.resultant);
+          kernels::sum_resultant(contact, encounter.resultant);
           if (!remove_material(contact, origin, voxel_volume, workpiece, removal)) encounter.blocks_exhausted = true;
         }
   });

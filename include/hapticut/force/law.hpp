@@ -25,7 +25,8 @@ struct ContactMaterial {
   float cutting_energy;  ///< [J/m^3] u
   float cutting_depth;   ///< [m] w0 = sqrt(2 p_e / k_v), below which nothing is cut
 };
-using ContactMaterials = std::array<ContactMaterial, 256>;  ///< by MaterialId; entry 0 has no stiffness
+using ContactMaterials =
+    std::array<ContactMaterial, 256>;  ///< by MaterialId; entry 0 has no stiffness and costs 1 J/m^3
 
 /// How the head moves during one sub-step, in T at its middle.
 struct HeadMotion {
@@ -61,7 +62,8 @@ class ForceLaw {
  public:
   virtual ~ForceLaw() = default;
 
-  /// Writes `force_x/y/z` and `fill_after` of all `padded_size()` samples. Samples of no fill must get no force.
+  /// Writes `force_x/y/z` and `fill_after` of all `lanes()` entries. An entry of no fill must get no force and stay
+  /// empty.
   /// @realtime no allocation, no lock, no exception
   virtual LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,
                              ContactBlock& block) const noexcept = 0;

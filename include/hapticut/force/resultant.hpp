@@ -24,7 +24,7 @@ inline void sum_resultant(const ContactBlock& b, Resultant& total) {
   enum Term { kForceX, kForceY, kForceZ, kTorqueX, kTorqueY, kTorqueZ, kFill, kTerms };
   float sums[kTerms][kLanes] = {};
   float deepest[kLanes] = {};
-  for (int group = 0; group < b.padded_size(); group += kLanes)
+  for (int group = 0; group < b.lanes(); group += kLanes)
     for (int lane = 0; lane < kLanes; ++lane) {
       const int n = group + lane;
       const float fx = b.force_x[n], fy = b.force_y[n], fz = b.force_z[n];
@@ -45,7 +45,7 @@ inline void sum_resultant(const ContactBlock& b, Resultant& total) {
   };
   total.wrench_T.force += Vec3(sum(kForceX), sum(kForceY), sum(kForceZ));
   total.wrench_T.torque += Vec3(sum(kTorqueX), sum(kTorqueY), sum(kTorqueZ));
-  total.voxels += b.size;
+  total.voxels += b.samples;
   total.volume += sum(kFill);
   for (const float depth : deepest) total.depth = std::max(total.depth, double(depth));
 }

@@ -14,30 +14,37 @@
 /// the first-level cache while the later stages work on it.
 namespace hapticut {
 
-/// Arrays are processed in groups of this many samples; the last group is padded with samples of no material.
-inline constexpr int kLanes = 8;
+/// A row: the eight voxels of a block that follow each other along z. All arrays are worked on row by row.
+inline constexpr int kLanes = kBlockEdge;
+inline constexpr int kBlockRows = kBlockVoxels / kLanes;  ///< 64
 
-/// The samples of one block inside the head, in the tool frame T.
-struct alignas(64) ContactBlock {
+/// The samples of one block inside the head, in the tool frame T: the block's rows that hold any, eight lanes each. A
+/// lane whose voxel is empty or outside the head has fill 0 and depth 0, and so feels nothing and loses nothing.
+struct ContactBlock {
+  /// One value per lane, aligned for the widest vectors.
   template <class Value>
-  using Array = std::array<Value, kBlockVoxels>;
+  struct alignas(64) Array : std::array<Value, kBlockVoxels> {};
 
-  int size = 0;         ///< samples
-  bool uniform = true;  ///< all samples are of material[0]
+  int rows = 0;         ///< rows with at least one sample; entry n of an array is lane n % 8 of row n / 8
+  int samples = 0;      ///< lanes inside the head
+  bool uniform = true;  ///< all samples are of `one_material`
+  MaterialId one_material = kEmpty;
+
+  std::array<std::uint8_t, kBlockRows> row;     ///< place of each row in the block: its first voxel's block_offset / 8
+  std::array<std::uint8_t, kBlockRows> inside;  ///< bit set: the lane is a sample
 
   Array<float> x, y, z;                       ///< [m] quadrature point, from the head's origin To
   Array<float> depth;                         ///< [m] w > 0, below the cutting surface
   Array<float> normal_x, normal_y, normal_z;  ///< [1] n, from the tool into the material
-  Array<float> fill;                          ///< [1] phi before this sub-step; 0 in the padding
+  Array<float> fill;                          ///< [1] phi before this sub-step
+  Array<MaterialId> material;                 ///< valid only when not `uniform`
 
   Array<float> force_x, force_y, force_z;  ///< [N] on the tool, written by the force law
   Array<float> fill_after;                 ///< [1] phi after this sub-step, written by the force law
 
-  Array<std::uint16_t> voxel;  ///< block_offset of the sample's voxel
-  Array<MaterialId> material;
-
-  /// Number of samples rounded up to whole groups.
-  [[nodiscard]] int padded_size() const { return (size + kLanes - 1) / kLanes * kLanes; }
+  /// Entries of the arrays in use.
+  [[nodiscard]] int lanes() const { return rows * kLanes; }
+  [[nodiscard]] MaterialId material_of(int n) const { return uniform ? one_material : material[std::size_t(n)]; }
 };
 
 /// Where the voxels of a grid are as seen from the head: voxel (i, j, k) is at `origin + i * step_x + ...` in T.
@@ -70,83 +77,67 @@ template <class Springs>
   return springs.margin(rho, float(c.z())) > -reach;
 }
 
-namespace detail {
-
-/// Writes position, fill and material of every voxel of the block that is not empty.
-inline void gather_solid_voxels(const BlockView& block, const GridInHead& grid, Quadrature quadrature,
-                                ContactBlock& out) {
-  const Vec3 first = grid.position(block.origin);
-  const auto base = first.cast<float>().eval();
-  const Eigen::Matrix3f steps = grid.voxel_steps.cast<float>();
-  const bool at_centroid = block.centroid != nullptr && quadrature == Quadrature::centroid;
-  int n = 0;
-  for (int word = 0; word < kBlockEdge; ++word) {
-    std::uint64_t bits = block.solid == nullptr ? ~std::uint64_t(0) : block.solid[word];
-    for (; bits != 0; bits &= bits - 1) {
-      const int bit = std::countr_zero(bits);
-      const int voxel = word * 64 + bit;
-      float i = float(word), j = float(bit >> 3), k = float(bit & 7);
-      if (at_centroid) {
-        const CentroidOffset offset = CentroidOffset::unpacked(std::uint32_t(block.centroid[voxel]));
-        i += float(offset.steps[0]) * (1.0F / CentroidOffset::kSteps);
-        j += float(offset.steps[1]) * (1.0F / CentroidOffset::kSteps);
-        k += float(offset.steps[2]) * (1.0F / CentroidOffset::kSteps);
-      }
-      out.x[n] = base.x() + steps(0, 0) * i + steps(0, 1) * j + steps(0, 2) * k;
-      out.y[n] = base.y() + steps(1, 0) * i + steps(1, 1) * j + steps(1, 2) * k;
-      out.z[n] = base.z() + steps(2, 0) * i + steps(2, 1) * j + steps(2, 2) * k;
-      out.voxel[n] = std::uint16_t(voxel);
-      ++n;
-    }
+/// Takes row `row` of the block, whose lanes have been written, into the contact, and notes its materials.
+inline void keep_row(const BlockView& block, int row, unsigned inside, ContactBlock& out) {
+  if (block.material != nullptr) {
+    const MaterialId* ids = block.material + row * kLanes;
+    std::copy_n(ids, kLanes, out.material.begin() + out.rows * kLanes);
+    if (out.rows == 0) out.one_material = ids[std::countr_zero(inside)];
+    for (unsigned bits = inside; bits != 0; bits &= bits - 1)
+      out.uniform &= ids[std::countr_zero(bits)] == out.one_material;
   }
-  out.size = n;
+  out.row[out.rows] = std::uint8_t(row);
+  out.inside[out.rows] = std::uint8_t(inside);
+  out.samples += std::popcount(inside);
+  ++out.rows;
 }
-
-}  // namespace detail
 
 /// Stage `sample_contact`: fills `out` with the samples of one block inside the head.
 /// @realtime no allocation, no lock; O(512)
 template <class Springs>
 void sample_contact(const Springs& springs, const BlockView& block, const GridInHead& grid, Quadrature quadrature,
                     ContactBlock& out) {
-  detail::gather_solid_voxels(block, grid, quadrature, out);
+  const Eigen::Vector3f base = grid.position(block.origin).cast<float>();
+  const Eigen::Matrix3f steps = grid.voxel_steps.cast<float>();
+  const bool at_centroid = block.centroid != nullptr && quadrature == Quadrature::centroid;
+  constexpr float kStep = 1.0F / CentroidOffset::kSteps;
 
-  for (int n = 0; n < out.size; ++n) {
-    const float rho = std::sqrt(out.x[n] * out.x[n] + out.y[n] * out.y[n]);
-    const Spring<float> spring = springs.spring(rho, out.z[n]);
-    const float radial = spring.n_radial / std::max(rho, 1e-12F);
-    out.depth[n] = spring.depth;
-    out.normal_x[n] = radial * out.x[n];
-    out.normal_y[n] = radial * out.y[n];
-    out.normal_z[n] = spring.n_axial;
-  }
-
-  // Keep what is inside, in the order of the voxels.
-  int kept = 0;
-  bool uniform = true;
-  for (int n = 0; n < out.size; ++n) {
-    if (!(out.depth[n] > 0)) continue;
-    const int voxel = out.voxel[n];
-    out.x[kept] = out.x[n];
-    out.y[kept] = out.y[n];
-    out.z[kept] = out.z[n];
-    out.depth[kept] = out.depth[n];
-    out.normal_x[kept] = out.normal_x[n];
-    out.normal_y[kept] = out.normal_y[n];
-    out.normal_z[kept] = out.normal_z[n];
-    out.voxel[kept] = std::uint16_t(voxel);
-    out.fill[kept] = block.fill == nullptr ? 1.0F : block.fill[voxel];
-    out.material[kept] = block.material == nullptr ? block.uniform_material : block.material[voxel];
-    uniform &= out.material[kept] == out.material[0];
-    ++kept;
-  }
-  out.size = kept;
-  out.uniform = uniform;
-  for (int n = kept; n < out.padded_size(); ++n) {
-    out.x[n] = out.y[n] = out.z[n] = 0;
-    out.depth[n] = out.normal_x[n] = out.normal_y[n] = out.normal_z[n] = 0;
-    out.fill[n] = 0;
-    out.material[n] = out.material[0];
+  out.rows = out.samples = 0;
+  out.uniform = true;
+  out.one_material = block.uniform_material;
+  for (int row = 0; row < kBlockRows; ++row) {
+    const auto solid = block.solid == nullptr ? 0xffU : unsigned(block.solid[row >> 3] >> (8 * (row & 7)) & 0xff);
+    if (solid == 0) continue;
+    unsigned inside = 0;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const int voxel = row * kLanes + lane, n = out.rows * kLanes + lane;
+      float i = float(row >> 3), j = float(row & 7), k = float(lane);
+      if (at_centroid) {
+        const CentroidOffset offset = CentroidOffset::unpacked(std::uint32_t(block.centroid[voxel]));
+        i += float(offset.steps[0]) * kStep;
+        j += float(offset.steps[1]) * kStep;
+        k += float(offset.steps[2]) * kStep;
+      }
+      const float x = base.x() + steps(0, 0) * i + steps(0, 1) * j + steps(0, 2) * k;
+      const float y = base.y() + steps(1, 0) * i + steps(1, 1) * j + steps(1, 2) * k;
+      const float z = base.z() + steps(2, 0) * i + steps(2, 1) * j + steps(2, 2) * k;
+      const float rho = std::sqrt(x * x + y * y);
+      const Spring<float> spring = springs.spring(rho, z);
+      const float radial = spring.n_radial / std::max(rho, 1e-12F);
+      const bool is_inside = spring.depth > 0 && (solid >> lane & 1U) != 0;
+      inside |= is_inside ? 1U << lane : 0U;
+      out.x[n] = x;
+      out.y[n] = y;
+      out.z[n] = z;
+      out.depth[n] = is_inside ? spring.depth : 0.0F;
+      out.normal_x[n] = radial * x;
+      out.normal_y[n] = radial * y;
+      out.normal_z[n] = spring.n_axial;
+      const float fill = block.fill == nullptr ? 1.0F : block.fill[voxel];
+      out.fill[n] = is_inside ? fill : 0.0F;
+    }
+    if (inside == 0) continue;
+    keep_row(block, row, inside, out);
   }
 }
 

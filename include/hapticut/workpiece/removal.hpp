@@ -60,24 +60,25 @@ class RemovalRecord {
 [[nodiscard]] inline bool remove_material(const ContactBlock& contact, const VoxelIndex& block_origin,
                                           double voxel_volume, Workpiece& workpiece, RemovalRecord& record) noexcept {
   bool changed = false;
-  for (int n = 0; n < contact.size; ++n) changed |= contact.fill_after[n] != contact.fill[n];
+  for (int n = 0; n < contact.lanes(); ++n) changed |= contact.fill_after[n] != contact.fill[n];
   if (!changed) return true;
   float* fill = workpiece.writable_fill(block_origin);
   if (fill == nullptr) return false;
 
   std::uint64_t emptied[8] = {};
   bool any_emptied = false;
-  for (int n = 0; n < contact.size; ++n) {
+  for (int n = 0; n < contact.lanes(); ++n) {
     const float lost = contact.fill[n] - contact.fill_after[n];
     if (lost == 0) continue;
-    const int voxel = contact.voxel[n];
+    const int voxel = contact.row[n / kLanes] * kLanes + n % kLanes;
+    const MaterialId material = contact.material_of(n);
     fill[voxel] = contact.fill_after[n];
-    record.add_volume(contact.material[n], double(lost) * voxel_volume);
+    record.add_volume(material, double(lost) * voxel_volume);
     if (contact.fill_after[n] > 0) continue;
     emptied[voxel >> 6] |= std::uint64_t(1) << (voxel & 63);
     any_emptied = true;
     record.add({{block_origin[0] + (voxel >> 6), block_origin[1] + (voxel >> 3 & 7), block_origin[2] + (voxel & 7)},
-                contact.material[n]});
+                material});
   }
   if (any_emptied) workpiece.empty_voxels(block_origin, emptied);
   return true;

@@ -27,28 +27,41 @@ namespace hapticut {
 class FoundationLaw final : public ForceLaw {
  public:
   LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,
-                     ContactBlock& block) const noexcept override {
+                     ContactBlock& block) const noexcept override;
+
+  /// The same without vector instructions: the reference for them, and the place to read the formulas.
+  static LawTotals evaluate_scalar(const HeadMotion& motion, const ContactMaterials& materials,
+                                   ContactBlock& block) noexcept {
     const bool spinning = motion.spin != 0;
     const bool cutting = spinning && motion.removal != RemovalLaw::none;
     if (block.uniform) return evaluate_samples<true>(motion, materials, spinning, cutting, block);
     return evaluate_samples<false>(motion, materials, spinning, cutting, block);
   }
 
- private:
   static constexpr float kSlipRegularization = 1e-3F;  ///< [m/s] v_eps
   static constexpr float kLargestExponent = 1e30F;     ///< keeps the arithmetic finite; e^-80 is already nothing left
+  static constexpr float kLeastEnergyShare = 1e-6F;    ///< [1] of u that law G always has to pay
   static constexpr float kAxisZone = 0.25F;            ///< [voxel edges] about the spindle's axis
   static constexpr float kAxisSlip = 0.2837F;          ///< 1/mean(1/rho) over a unit square = 1/(4 asinh 1)
-  static constexpr float kLeastEnergyShare = 1e-6F;    ///< [1] of u that law G always has to pay
 
+  /// [1/m^2] 1 over the square of the zone about the axis in which voxels cut by their mean slip.
+  static float axis_zone_factor(const HeadMotion& m) {
+    return 1.0F / (kAxisZone * kAxisZone * m.voxel_size * m.voxel_size);
+  }
+  /// [m^2/s^2] square of the mean slip of a voxel centred on the axis.
+  static float axis_slip_squared(const HeadMotion& m) {
+    return kAxisSlip * kAxisSlip * m.voxel_size * m.voxel_size * m.spin * m.spin;
+  }
+
+ private:
   template <bool kUniform>
   static LawTotals evaluate_samples(const HeadMotion& m, const ContactMaterials& materials, bool spinning, bool cutting,
                                     ContactBlock& b) noexcept {
-    const ContactMaterial first = materials[b.material[0]];
+    const ContactMaterial first = materials[b.one_material];
     const float dt = m.duration;
     const float voxel_volume = m.voxel_size * m.voxel_size * m.voxel_size;
-    const float axis_zone = 1.0F / (kAxisZone * kAxisZone * m.voxel_size * m.voxel_size);
-    const float axis_slip_squared = kAxisSlip * kAxisSlip * m.voxel_size * m.voxel_size * m.spin * m.spin;
+    const float axis_zone = axis_zone_factor(m);
+    const float slip_on_axis = axis_slip_squared(m);
     const float friction_on = spinning ? 1.0F : 0.0F;
     const float cutting_on = cutting ? 1.0F : 0.0F;
     const float release_helps = m.removal == RemovalLaw::elastic_release ? 1.0F : 0.0F;
@@ -61,7 +74,7 @@ class FoundationLaw final : public ForceLaw {
     enum Term { kElastic, kCutting, kReleased, kDamping, kRubbing, kCredited, kCouple, kTerms };
     float sums[kTerms][kLanes] = {};
 
-    for (int group = 0; group < b.padded_size(); group += kLanes)
+    for (int group = 0; group < b.lanes(); group += kLanes)
       for (int lane = 0; lane < kLanes; ++lane) {
         const int n = group + lane;
         const ContactMaterial& material = kUniform ? first : materials[b.material[n]];
@@ -75,7 +88,7 @@ class FoundationLaw final : public ForceLaw {
         const float w_dot = px * nx + py * ny + pz * nz;
         const float tx = px - w_dot * nx - m.spin * y, ty = py - w_dot * ny + m.spin * x, tz = pz - w_dot * nz;
         const float near_axis = std::max(0.0F, 1.0F - (x * x + y * y) * axis_zone);
-        const float extra = axis_slip_squared * near_axis * near_axis;
+        const float extra = slip_on_axis * near_axis * near_axis;
         const float slip_squared = tx * tx + ty * ty + tz * tz + extra;
         const float inverse_slip = 1.0F / std::sqrt(slip_squared + kSlipRegularization * kSlipRegularization);
         const float slip = slip_squared * inverse_slip;

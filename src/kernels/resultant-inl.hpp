@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stage sum_resultant in vectors; included once per instruction set.
+#if defined(HAPTICUT_KERNELS_RESULTANT_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAPTICUT_KERNELS_RESULTANT_INL_HPP
+#undef HAPTICUT_KERNELS_RESULTANT_INL_HPP
+#else
+#define HAPTICUT_KERNELS_RESULTANT_INL_HPP
+#endif
+
+#include "kernels/rows-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hapticut::kernels::HWY_NAMESPACE {
+
+inline HWY_ATTR void SumResultant(const ContactBlock& b, Resultant& total) {
+  const Floats d;
+  LaneSum force_x, force_y, force_z, torque_x, torque_y, torque_z, fill, deepest;
+  for (int row = 0; row < b.rows; ++row)
+    for (std::size_t part = 0; part < kParts; ++part) {
+      const std::size_t n = std::size_t(row) * kLanes + part * kWidth;
+      const Vec fx = hn::Load(d, &b.force_x[n]), fy = hn::Load(d, &b.force_y[n]), fz = hn::Load(d, &b.force_z[n]);
+      const Vec x = hn::Load(d, &b.x[n]), y = hn::Load(d, &b.y[n]), z = hn::Load(d, &b.z[n]);
+      force_x.part[part] = hn::Add(force_x.part[part], fx);
+      force_y.part[part] = hn::Add(force_y.part[part], fy);
+      force_z.part[part] = hn::Add(force_z.part[part], fz);
+      torque_x.part[part] = hn::Add(torque_x.part[part], hn::MulSub(y, fz, hn::Mul(z, fy)));
+      torque_y.part[part] = hn::Add(torque_y.part[part], hn::MulSub(z, fx, hn::Mul(x, fz)));
+      torque_z.part[part] = hn::Add(torque_z.part[part], hn::MulSub(x, fy, hn::Mul(y, fx)));
+      fill.part[part] = hn::Add(fill.part[part], hn::Load(d, &b.fill[n]));
+      deepest.part[part] = hn::Max(deepest.part[part], hn::Load(d, &b.depth[n]));
+    }
+  total.wrench_T.force += Vec3(force_x.total(), force_y.total(), force_z.total());
+  total.wrench_T.torque += Vec3(torque_x.total(), torque_y.total(), torque_z.total());
+  total.voxels += b.samples;
+  total.volume += fill.total();
+  for (const Vec& v : deepest.part) total.depth = std::max(total.depth, double(hn::GetLane(hn::MaxOfLanes(d, v))));
+}
+
+}  // namespace hapticut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
