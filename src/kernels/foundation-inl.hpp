@@ -192,7 +192,8 @@ HWY_INLINE LawTotals EvaluateRows(const HeadMotion& m, const ContactMaterials& m
   const double spin_couple = kMode == Mode::standing ? 0.0 : -couple.total() * l3 / double(m.spin);
   return {{elastic.total() * l3, cut.total() * l3, released.total() * l3, damping.total() * l3, rubbing.total() * l3,
            credited.total() * l3},
-          spin_couple};
+          spin_couple,
+          kMode == Mode::cutting};
 }
 
 template <Mode kMode>

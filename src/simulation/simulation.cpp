@@ -231,8 +231,10 @@ Encounter Simulation::State::cut_blocks(const SubStep& sub_step, const IndexBox&
           if (block.empty()) continue;
           kernels::sample_contact(tool.head(), block, grid, config.quadrature, contact);
           if (contact.samples == 0) continue;
-          encounter.add(config.law->evaluate(sub_step.motion, materials, contact));
+          const LawTotals totals = config.law->evaluate(sub_step.motion, materials, contact);
+          encounter.add(totals);
           kernels::sum_resultant(contact, encounter.resultant);
+          if (!totals.may_remove) continue;
           if (!remove_material(contact, origin, voxel_volume, workpiece, removal)) encounter.blocks_exhausted = true;
         }
   });

@@ -49,6 +49,7 @@ struct LawEnergies {
 struct LawTotals {
   LawEnergies energies;
   double spin_couple = 0;  ///< [N·m] about +z on the tool, that no force at a sample's point accounts for
+  bool may_remove = true;  ///< false: no `fill_after` differs from `fill`, so stage remove_material has nothing to do
 };
 
 /// A fraction of a voxel below this is taken away at once and its volume credited.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -59,26 +61,36 @@ class RemovalRecord {
 /// @realtime no allocation, no lock; O(samples)
 [[nodiscard]] inline bool remove_material(const ContactBlock& contact, const VoxelIndex& block_origin,
                                           double voxel_volume, Workpiece& workpiece, RemovalRecord& record) noexcept {
-  bool changed = false;
-  for (int n = 0; n < contact.lanes(); ++n) changed |= contact.fill_after[n] != contact.fill[n];
-  if (!changed) return true;
+  std::uint64_t changed_rows = 0;  // bit n: row n of the contact lost something
+  for (int row = 0; row < contact.rows; ++row) {
+    float most = 0;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const int n = row * kLanes + lane;
+      most = std::max(most, contact.fill[n] - contact.fill_after[n]);
+    }
+    if (most > 0) changed_rows |= std::uint64_t(1) << row;
+  }
+  if (changed_rows == 0) return true;
   float* fill = workpiece.writable_fill(block_origin);
   if (fill == nullptr) return false;
 
   std::uint64_t emptied[8] = {};
   bool any_emptied = false;
-  for (int n = 0; n < contact.lanes(); ++n) {
-    const float lost = contact.fill[n] - contact.fill_after[n];
-    if (lost == 0) continue;
-    const int voxel = contact.row[n / kLanes] * kLanes + n % kLanes;
-    const MaterialId material = contact.material_of(n);
-    fill[voxel] = contact.fill_after[n];
-    record.add_volume(material, double(lost) * voxel_volume);
-    if (contact.fill_after[n] > 0) continue;
-    emptied[voxel >> 6] |= std::uint64_t(1) << (voxel & 63);
-    any_emptied = true;
-    record.add({{block_origin[0] + (voxel >> 6), block_origin[1] + (voxel >> 3 & 7), block_origin[2] + (voxel & 7)},
-                material});
+  for (; changed_rows != 0; changed_rows &= changed_rows - 1) {
+    const int row = std::countr_zero(changed_rows);
+    for (unsigned lanes = contact.inside[row]; lanes != 0; lanes &= lanes - 1) {
+      const int lane = std::countr_zero(lanes);
+      const int n = row * kLanes + lane, voxel = contact.row[row] * kLanes + lane;
+      const float lost = contact.fill[n] - contact.fill_after[n];
+      const MaterialId material = contact.material_of(n);
+      fill[voxel] = contact.fill_after[n];
+      record.add_volume(material, double(lost) * voxel_volume);
+      if (contact.fill_after[n] > 0) continue;
+      emptied[voxel >> 6] |= std::uint64_t(1) << (voxel & 63);
+      any_emptied = true;
+      record.add({{block_origin[0] + (voxel >> 6), block_origin[1] + (voxel >> 3 & 7), block_origin[2] + (voxel & 7)},
+                  material});
+    }
   }
   if (any_emptied) workpiece.empty_voxels(block_origin, emptied);
   return true;
