@@ -99,7 +99,7 @@ PathWork work_around_an_edge(const ToolHead& head, double l, int steps) {
   Simulation simulation(box_at_phase(quarter, l, test::phase(3)), Tool(head, LHandle{3 * mm, 1 * mm, 0.7}), config);
   const Pose X_TH = simulation.tool().X_HT().inverse();
   PathWork work = {0, 0};
-  double before = 0;
+  double start = 0, before = 0;
   for (int i = 0; i <= steps; ++i) {
     const double t = 2 * kPi * i / steps;
     const Pose X_WT = {
@@ -107,10 +107,11 @@ PathWork work_around_an_edge(const ToolHead& head, double l, int steps) {
         Vec3(-0.1 + 0.45 * std::cos(t), 0.2 * std::sin(t), 0.1 + 0.25 * std::sin(t)) * mm + origin_at(head, 0.35 * mm)};
     const StepResult& result = simulation.step(X_WT * X_TH, {}, 1e-3);
     EXPECT_EQ(result.status, StepStatus::ok);
-    if (i > 0) work.total += std::abs(result.energy.hand_work - before);
+    if (i == 0) start = before = result.energy.hand_work;  // what it found where it appeared
+    work.total += std::abs(result.energy.hand_work - before);
     before = result.energy.hand_work;
   }
-  work.net = before;
+  work.net = before - start;
   return work;
 }
 
