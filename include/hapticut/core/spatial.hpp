@@ -89,11 +89,13 @@ struct Wrench {
   const double angle = std::atan2(sine, cosine);
   if (sine > 1e-7) return axis_times_sine * (angle / (2 * sine));
   if (cosine > 0) return axis_times_sine / 2;
-  // Half a turn: the antisymmetric part vanishes; the axis is the column of R + I with the largest diagonal.
-  const Mat3 m = rotation + Mat3::Identity();
+  // Half a turn: the antisymmetric part vanishes. The axis is the column of the symmetric part of R + I with the
+  // largest diagonal; what is left of the antisymmetric part says which way.
+  const Mat3 m = 0.5 * (rotation + rotation.transpose()) + Mat3::Identity();
   Eigen::Index largest = 0;
   m.diagonal().maxCoeff(&largest);
-  return m.col(largest).normalized() * angle;
+  const Vec3 axis = m.col(largest).normalized();
+  return axis * (axis.dot(axis_times_sine) < 0 ? -angle : angle);
 }
 
 /// The constant twist of the body's origin that takes pose `from` to pose `to` in time `dt`.

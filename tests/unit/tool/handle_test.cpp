@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/tool/handle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+
+namespace hapticut {
+namespace {
+
+using units::kPi;
+using units::mm;
+
+constexpr double kRounding = 1e-15;  // [m] or [1]
+
+TEST(RayHandle, PutsTheHeadOnTheStylusAxis) {
+  const Pose X_HT = head_in_handle(RayHandle{7 * mm});
+  EXPECT_EQ(X_HT.translation, Vec3(0, 0, -7 * mm));
+  EXPECT_EQ(X_HT.rotation, Mat3::Identity());
+}
+
+TEST(LHandle, WithoutBendIsAStraightHandleOfBothLengths) {
+  const Pose X_HT = head_in_handle(LHandle{7 * mm, 2 * mm, 0});
+  EXPECT_LT((X_HT.translation - Vec3(0, 0, -9 * mm)).norm(), kRounding);
+  EXPECT_LT((X_HT.rotation - Mat3::Identity()).norm(), kRounding);
+}
+
+TEST(LHandle, ARightAnglePointsTheHeadsAxisAlongTheHandlesX) {
+  const Pose X_HT = head_in_handle(LHandle{7 * mm, 2 * mm, kPi / 2});
+  EXPECT_LT((X_HT.rotation.col(2) - Vec3(1, 0, 0)).norm(), kRounding);
+  EXPECT_LT((X_HT.rotation.col(1) - Vec3(0, 1, 0)).norm(), kRounding);
+  EXPECT_LT((X_HT.translation - Vec3(-2, 0, -7) * mm).norm(), kRounding);
+}
+
+TEST(LHandle, TheElbowIsANecksLengthAboveTheHeadOnItsAxisAndALengthBelowTheHand) {
+  for (const double bend : {-kPi, -1.0, 0.3, 2.0, kPi}) {
+    const Pose X_HT = head_in_handle(LHandle{7 * mm, 2 * mm, bend});
+    EXPECT_LT((X_HT * Vec3(0, 0, 2 * mm) - Vec3(0, 0, -7 * mm)).norm(), kRounding) << bend;
+    EXPECT_TRUE(is_rotation(X_HT.rotation, 1e-14));
+    EXPECT_NEAR(X_HT.rotation(2, 2), std::cos(bend), kRounding);
+  }
+}
+
+TEST(Handles, RefuseNegativeLengthsAndBendsBeyondHalfATurn) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {-1e-6, nan, infinity}) {
+    EXPECT_THROW((void)head_in_handle(RayHandle{bad}), Error) << bad;
+    EXPECT_THROW((void)head_in_handle(LHandle{bad, 0, 0}), Error) << bad;
+    EXPECT_THROW((void)head_in_handle(LHandle{0, bad, 0}), Error) << bad;
+  }
+  for (const double bad : {3.2, -3.2, nan}) EXPECT_THROW((void)head_in_handle(LHandle{0, 0, bad}), Error) << bad;
+}
+
+}  // namespace
+}  // namespace hapticut

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/tool/shapes.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "support/generators.hpp"
+
+namespace hapticut {
+namespace {
+
+using test::arbitrary_head;
+using test::number_between;
+using units::kPi;
+using units::mm;
+
+double margin_at(const ToolHead& head, double rho, double z) {
+  return head.visit_springs<double>([&](const auto& springs) { return double(springs.margin(rho, z)); });
+}
+
+Spring<double> spring_at(const ToolHead& head, double rho, double z) {
+  return head.visit_springs<double>([&](const auto& springs) -> Spring<double> { return springs.spring(rho, z); });
+}
+
+/// Whether a point of the meridian plane is inside the body, from its definition.
+bool is_inside(const ToolHead& head, double rho, double z) {
+  if (const auto* sphere = std::get_if<SphereHead>(&head.shape()))
+    return rho * rho + z * z < sphere->radius * sphere->radius;
+  if (const auto* cone = std::get_if<ConeHead>(&head.shape()))
+    return z > 0 && z < cone->height && rho < z * std::tan(cone->half_angle);
+  const auto& flat = std::get<FlatHead>(head.shape());
+  return z > 0 && z < flat.height && rho < flat.radius;
+}
+
+RC_GTEST_PROP(Shapes, MarginChangesByAtMostTheDistance, ()) {
+  const ToolHead head = *arbitrary_head();
+  const double reach = 2 * head.reach();
+  const double rho_1 = *number_between(0, reach), rho_2 = *number_between(0, reach);
+  const double z_1 = *number_between(-reach, reach), z_2 = *number_between(-reach, reach);
+  const double distance = std::hypot(rho_1 - rho_2, z_1 - z_2);
+  RC_ASSERT(std::abs(margin_at(head, rho_1, z_1) - margin_at(head, rho_2, z_2)) <= distance * (1 + 1e-9) + 1e-15);
+}
+
+RC_GTEST_PROP(Shapes, MarginIsPositiveExactlyInside, ()) {
+  const ToolHead head = *arbitrary_head();
+  const double reach = 1.2 * head.reach();
+  const double rho = *number_between(0, reach), z = *number_between(-reach, reach);
+  const double margin = margin_at(head, rho, z);
+  if (std::abs(margin) < 1e-12) return;  // on the surface, within rounding
+  RC_ASSERT((margin > 0) == is_inside(head, rho, z));
+}
+
+RC_GTEST_PROP(Shapes, ASpringIsFeltExactlyInside, ()) {
+  const ToolHead head = *arbitrary_head();
+  const double reach = 1.2 * head.reach();
+  const double rho = *number_between(0, reach), z = *number_between(-reach, reach);
+  if (std::abs(margin_at(head, rho, z)) < 1e-12) return;
+  RC_ASSERT((spring_at(head, rho, z).depth > 0) == is_inside(head, rho, z));
+}
+
+RC_GTEST_PROP(Shapes, DirectionIsAUnitVector, ()) {
+  const ToolHead head = *arbitrary_head();
+  const double rho = *number_between(1e-6, head.reach()), z = *number_between(-head.reach(), head.reach());
+  const Spring<double> s = spring_at(head, rho, z);
+  if (!(s.depth > 0)) return;
+  RC_ASSERT(std::abs(std::hypot(s.n_radial, s.n_axial) - 1) < 1e-9);
+}
+
+// The springs push down the slope of their depth: with one spring per point, n = -grad w.
+RC_GTEST_PROP(Shapes, DirectionIsTheSteepestDescentOfDepth, ()) {
+  const ToolHead head = *arbitrary_head();
+  if (const auto* flat = std::get_if<FlatHead>(&head.shape())) RC_PRE(flat->rule != FlatRule::both);
+  const double rho = *number_between(1e-5, head.reach()), z = *number_between(-head.reach(), head.reach());
+  constexpr double kStep = 1e-9;  // [m]
+  RC_PRE(margin_at(head, rho, z) > 3 * kStep);
+  if (const auto* flat = std::get_if<FlatHead>(&head.shape()))
+    RC_PRE(std::abs(flat->radius - rho - z) > 3 * kStep);  // where `nearest` changes sides
+  const double radial = (spring_at(head, rho + kStep, z).depth - spring_at(head, rho - kStep, z).depth) / (2 * kStep);
+  const double axial = (spring_at(head, rho, z + kStep).depth - spring_at(head, rho, z - kStep).depth) / (2 * kStep);
+  const Spring<double> s = spring_at(head, rho, z);
+  // Differences of numbers of 1e-3 over 2e-9, and the curvature 1/rho of the ball over the step.
+  RC_ASSERT(std::abs(s.n_radial + radial) < 1e-6 + kStep / rho);
+  RC_ASSERT(std::abs(s.n_axial + axial) < 1e-6 + kStep / rho);
+}
+
+RC_GTEST_PROP(Shapes, BothSpringsAreTheSumOfBottomAndSide, ()) {
+  const double radius = *number_between(0.1 * mm, 3 * mm), height = *number_between(0.1 * mm, 3 * mm);
+  const double rho = *number_between(0, radius * 0.999), z = *number_between(1e-9, height * 0.999);
+  const auto at = [&](FlatRule rule) { return spring_at(FlatHead{radius, height, rule}, rho, z); };
+  const Spring<double> both = at(FlatRule::both), bottom = at(FlatRule::bottom_only), side = at(FlatRule::side_only);
+  RC_ASSERT(std::abs(both.depth * both.n_radial - side.depth) < 1e-12);
+  RC_ASSERT(std::abs(both.depth * both.n_axial + bottom.depth) < 1e-12);
+}
+
+RC_GTEST_PROP(Shapes, NearestIsTheShallowerOfBottomAndSide, ()) {
+  const double radius = *number_between(0.1 * mm, 3 * mm), height = *number_between(0.1 * mm, 3 * mm);
+  const double rho = *number_between(0, radius * 0.999), z = *number_between(1e-9, height * 0.999);
+  const auto at = [&](FlatRule rule) { return spring_at(FlatHead{radius, height, rule}, rho, z).depth; };
+  RC_ASSERT(at(FlatRule::nearest) == std::min(at(FlatRule::bottom_only), at(FlatRule::side_only)));
+}
+
+}  // namespace
+}  // namespace hapticut
