@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hapticut/core/errors.hpp"
+#include "workpiece/coverage.hpp"
 
 namespace hapticut {
 namespace {
@@ -33,28 +34,6 @@ IndexBox voxels_of(const Box& box, double voxel_size) {
   return voxels;
 }
 
-/// Fraction of a voxel that the body fills, and the centroid of that part, from a lattice of points.
-struct Coverage {
-  double fill;
-  Vec3 offset;  ///< [voxel edges] from the voxel's centre
-};
-
-Coverage sample_coverage(const BodyDescription& body, const Vec3& center, double voxel_size, int subsamples) {
-  int inside = 0;
-  Vec3 sum = Vec3::Zero();
-  for (int a = 0; a < subsamples; ++a)
-    for (int b = 0; b < subsamples; ++b)
-      for (int c = 0; c < subsamples; ++c) {
-        const Vec3 offset = (Vec3(a, b, c).array() + 0.5) / subsamples - 0.5;
-        const double distance = body.distance(center + voxel_size * offset);
-        if (distance >= 0) continue;
-        ++inside;
-        sum += offset;
-      }
-  if (inside == 0) return {0, Vec3::Zero()};
-  return {double(inside) / (subsamples * subsamples * subsamples), sum / inside};
-}
-
 }  // namespace
 
 Workpiece build_body(const BodyDescription& body, double voxel_size, MaterialTable materials, int subsamples) {
@@ -66,10 +45,14 @@ Workpiece build_body(const BodyDescription& body, double voxel_size, MaterialTab
 
   const auto fill_block = [&](const VoxelIndex& origin, BlockContent& content) {
     const Vec3 block_center = frame.center(origin) + Vec3::Constant((kBlockEdge - 1) / 2.0 * voxel_size);
-    if (body.distance(block_center) > block_reach) return BlockKind::empty();
+    const double block_distance = body.distance(block_center);
+    if (block_distance > block_reach) return BlockKind::empty();
+    const bool wholly_inside = block_distance <= -block_reach;
+    BlockCoverage block(body.distance, frame, origin, subsamples);
     for (int n = 0; n < kBlockVoxels; ++n) {
-      const Vec3 center = frame.center({origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7)});
-      const double distance = body.distance(center);
+      const int x = n >> 6, y = n >> 3 & 7, z = n & 7;
+      const Vec3 center = frame.center({origin[0] + x, origin[1] + y, origin[2] + z});
+      const double distance = wholly_inside ? -voxel_reach : block.at_center(x, y, z);
       content.material[n] = kEmpty;
       content.fill[n] = 0;
       content.centroid[n] = {};
@@ -79,7 +62,7 @@ Workpiece build_body(const BodyDescription& body, double voxel_size, MaterialTab
         content.fill[n] = 1;
         continue;
       }
-      const Coverage coverage = sample_coverage(body, center, voxel_size, subsamples);
+      const Coverage coverage = block.coverage(x, y, z);
       if (coverage.fill == 0) continue;
       content.material[n] = body.material(center + voxel_size * coverage.offset);
       content.fill[n] = float(coverage.fill);
