@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hapticut/workpiece/builders.hpp"
+
+/// @file
+/// A procedural lower (mandibular) right first molar: the workpiece that needs no file.
+///
+/// ```
+///         view from the cheek (buccal)                view from above (occlusal)
+///
+///               z occlusal                                  y buccal
+///               ^                                           ^
+///     D   DB    |    MB   cusps                      ___DB__|_______
+///     _   __    |   ____       --- crown_height     / D  .  |  MB   |
+///    / \_/  \___|__/    \                          |   '.   |   .   |
+///   |     enamel|        |                         |-----'--+-.'----|---> x mesial
+///   |    .------|-----.  |                         |   .'   |  '.   |
+///    \  |  pulp |      |/                           \ DL    |   ML  |
+/// ----\-'-------+------'/----> x mesial   z = 0      \______|_______/
+///      |  ___ dentin __|       cemento-enamel
+///      | |   \____/  | |       line
+///      | |   |    |  | |  furcation
+///       \|   |    |  |/
+///   distal root   mesial root  --- root length
+/// ```
+///
+/// Frame W: the origin lies in the middle of the crown's neck, in the plane of the cemento-enamel junction; x points to
+/// the mesial side (towards the front of the mouth), y to the cheek, z to the chewing surface.
+///
+/// How it is made: each cusp is a lobe (the convex hull of a large ball in the crown's wall and a small one at the
+/// cusp's tip); lobes, marginal ridges, root trunk and two strands per root are joined with rounded seams, then
+/// fissures are pressed in. Grooves and fossae are where lobes meet, as in a growing tooth. The outer surface is
+/// antialiased; inside, each voxel is of one material: enamel where the depth under the surface (fissures aside) is
+/// less than the local thickness, pulp in the chamber and canals, dentin elsewhere.
+namespace hapticut {
+
+/// Sizes of the molar. The defaults are an average tooth. Sources: [L] Lee et al. 2016, J Dent Sci 11 (casts of 141
+/// teeth); [W] the customary table of tooth dimensions in textbooks of dental anatomy (Wheeler), from memory; [D]
+/// Deutsch & Musikant 2004, J Endod 30:388 (100 lower molars); [H] Harris et al. 2013, J Endod 39 (22 lower first
+/// molars); [A] assumption.
+struct MolarParameters {
+  double crown_mesiodistal = 11.1e-3;    ///< [m] 8 ... 15 mm, greatest width along x; [L] 11.13 +- 0.40 mm
+  double crown_buccolingual = 10.5e-3;   ///< [m] 8 ... 15 mm, greatest width along y; [L] 10.47 +- 0.27 mm
+  double crown_height = 7.5e-3;          ///< [m] 5 ... 10 mm, junction to the tip of the highest cusp; [W] 7.5 mm
+  double cervix_mesiodistal = 9e-3;      ///< [m] 6.5 mm ... crown_mesiodistal, width of the neck; [W] 9 mm
+  double cervix_buccolingual = 9e-3;     ///< [m] 6.5 mm ... crown_buccolingual; [W] 9 mm
+  double cervical_curvature = 1e-3;      ///< [m] 0 ... 2 mm, rise of the junction on the mesial side; [W] 1 mm
+  double mesial_root_length = 14e-3;     ///< [m] 8 ... 20 mm, junction to apex; [W] 14 mm
+  double distal_root_length = 13e-3;     ///< [m] 8 ... 20 mm; [W] a little shorter than the mesial root
+  double furcation_depth = 3.6e-3;       ///< [m] 2 ... 5 mm, junction to the roof between the roots; [W] 3, [D] about 4
+  double fossa_depth = 2.8e-3;           ///< [m] 1 ... 3.5 mm, highest cusp to the middle of the central fossa; [A]
+  double fissure_depth = 0.35e-3;        ///< [m] 0 ... 0.8 mm; [A]
+  double fissure_half_width = 0.4e-3;    ///< [m] 0.1 ... 1 mm; [A]
+  bool distal_cusp = true;               ///< five cusps as on most lower first molars, or four
+  double enamel_at_cusps = 2.2e-3;       ///< [m] 1.2 ... 3 mm, tip of a cusp to the dentin horn under it; [A]
+  double enamel_on_walls = 1.3e-3;       ///< [m] 0.5 ... 2 mm, thickest on the sides; zero at the junction; [A]
+  double enamel_in_fossa = 1.2e-3;       ///< [m] 0.5 ... 2 mm, under the central fossa; [A]
+  double chamber_mesiodistal = 4.6e-3;   ///< [m] 2 ... 6 mm, pulp chamber; [H] orifices 4.4 mm apart
+  double chamber_buccolingual = 3.8e-3;  ///< [m] 2 ... 6 mm; [H] mesial orifices 1.4 ... 3 mm apart
+  double chamber_roof = 0.64e-3;         ///< [m] -1 ... 2 mm above the junction; [D] 6.36 mm below a cusp of 7 mm
+  double chamber_height = 1.57e-3;       ///< [m] 1 ... 3 mm; [D] 1.57 +- 0.68 mm
+  double horn_height = 1.2e-3;           ///< [m] 0 ... 2 mm, pulp horns above the roof; [A]
+  double canal_radius = 0.4e-3;          ///< [m] 0.2 ... 0.6 mm, at the orifices of the root canals; [A]
+  double canal_radius_at_apex = 0.2e-3;  ///< [m] 0.1 mm ... canal_radius; [A]
+  double apical_dentin = 1e-3;           ///< [m] 0.6 ... 3 mm between the end of a canal and the apex: closed; [A]
+  double caries_depth = 0;               ///< [m] 0 (none) ... 5 mm, a lesion under the central fossa
+  double caries_width = 2.5e-3;          ///< [m] 0.5 ... 6 mm, its diameter along x and y
+};
+
+/// Ids of the materials of a molar; the last one exists only with `caries_depth` > 0.
+inline constexpr MaterialId kMolarEnamel = 1;
+inline constexpr MaterialId kMolarDentin = 2;
+inline constexpr MaterialId kMolarPulp = 3;
+inline constexpr MaterialId kMolarCaries = 4;
+
+/// @throws Error naming the field, its value and the allowed range
+void validate(const MolarParameters& parameters);
+
+/// The molar as functions of the position, for `build_body`.
+/// @throws Error as `validate`
+[[nodiscard]] BodyDescription describe_molar(const MolarParameters& parameters = {});
+
+/// The molar as voxels, made of the presets enamel, dentin, pulp and, with a lesion, caries. The same parameters give
+/// the same bits.
+/// @throws Error as `validate`, and when the voxel size is not positive
+[[nodiscard]] Workpiece build_molar(double voxel_size, const MolarParameters& parameters = {});
+
+}  // namespace hapticut
