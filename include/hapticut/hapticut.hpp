@@ -20,7 +20,11 @@
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/contact.hpp"
 #include "hapticut/workpiece/material.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
+#include "hapticut/workpiece/molar.hpp"
 #include "hapticut/workpiece/removal.hpp"
+#include "hapticut/workpiece/surface.hpp"
+#include "hapticut/workpiece/volume_builders.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 //
 #include "hapticut/force/law.hpp"
