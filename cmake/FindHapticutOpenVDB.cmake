@@ -21,14 +21,21 @@ if(HapticutOpenVDB_INCLUDE_DIR)
   string(REGEX REPLACE "[^0-9]*([0-9]+)[^0-9]*([0-9]+)[^0-9]*([0-9]+).*" "\\1.\\2.\\3" HapticutOpenVDB_VERSION "${_lines}")
 endif()
 
+set(HapticutOpenVDB_NEEDS
+    "hapticut needs OpenVDB 10 and TBB: sudo apt-get install libopenvdb-dev libtbb-dev libimath-dev libboost-dev")
 find_package_handle_standard_args(HapticutOpenVDB
   REQUIRED_VARS HapticutOpenVDB_LIBRARY HapticutOpenVDB_INCLUDE_DIR HapticutOpenVDB_TBB_LIBRARY
                 HapticutOpenVDB_TBB_INCLUDE_DIR HapticutOpenVDB_IMATH_LIBRARY HapticutOpenVDB_IMATH_INCLUDE_DIR Threads_FOUND
   VERSION_VAR HapticutOpenVDB_VERSION
-  REASON_FAILURE_MESSAGE "hapticut needs OpenVDB 10 and TBB: sudo apt-get install libopenvdb-dev libtbb-dev libimath-dev libboost-dev")
+  REASON_FAILURE_MESSAGE "${HapticutOpenVDB_NEEDS}")
 
 if(HapticutOpenVDB_FOUND AND HapticutOpenVDB_VERSION VERSION_LESS 10)
-  message(FATAL_ERROR "hapticut needs OpenVDB 10 or newer; found ${HapticutOpenVDB_VERSION} in ${HapticutOpenVDB_INCLUDE_DIR}")
+  set(HapticutOpenVDB_FOUND FALSE)
+  set(HapticutOpenVDB_NEEDS
+      "hapticut needs OpenVDB 10 or newer; found ${HapticutOpenVDB_VERSION} in ${HapticutOpenVDB_INCLUDE_DIR}")
+  if(HapticutOpenVDB_FIND_REQUIRED)
+    message(FATAL_ERROR "${HapticutOpenVDB_NEEDS}")
+  endif()
 endif()
 
 if(HapticutOpenVDB_FOUND AND NOT TARGET hapticut::openvdb)

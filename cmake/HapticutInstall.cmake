@@ -1,2 +1,46 @@
 # SPDX-License-Identifier: Apache-2.0
-# install + find_package(hapticut)
+# `cmake --install` and what `find_package(hapticut)` finds afterwards.
+
+if(NOT HAPTICUT_INSTALL)
+  return()
+endif()
+include(CMakePackageConfigHelpers)
+
+set(HAPTICUT_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/hapticut")
+
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/hapticut" "${PROJECT_BINARY_DIR}/include/hapticut"
+        DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.hpp")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+# One set of exported targets per component: what a component needs is looked up only for those who ask for it.
+install(TARGETS hapticut EXPORT hapticutTargets)
+install(EXPORT hapticutTargets NAMESPACE hapticut:: DESTINATION "${HAPTICUT_CMAKE_DIR}")
+if(TARGET hapticut_io)
+  set_target_properties(hapticut_io PROPERTIES EXPORT_NAME io)
+  install(TARGETS hapticut_io EXPORT hapticut_ioTargets)
+  install(EXPORT hapticut_ioTargets NAMESPACE hapticut:: DESTINATION "${HAPTICUT_CMAKE_DIR}")
+endif()
+if(TARGET hapticut_cli)
+  install(TARGETS hapticut_cli)
+endif()
+
+get_target_property(_type hapticut TYPE)
+if(_type STREQUAL "STATIC_LIBRARY")
+  set(HAPTICUT_IS_STATIC TRUE)
+  if(HAPTICUT_SIMD)
+    list(JOIN HAPTICUT_NEEDS_SIMD "\" \"" HAPTICUT_PACKAGE_NEEDS_CORE)
+    set(HAPTICUT_PACKAGE_NEEDS_CORE "\"${HAPTICUT_PACKAGE_NEEDS_CORE}\"")
+  endif()
+else()
+  set(HAPTICUT_IS_STATIC FALSE)
+endif()
+list(JOIN HAPTICUT_NEEDS_IO "\" \"" HAPTICUT_PACKAGE_NEEDS_IO)
+set(HAPTICUT_PACKAGE_NEEDS_IO "\"${HAPTICUT_PACKAGE_NEEDS_IO}\"")
+list(JOIN HAPTICUT_ITK_MODULES " " HAPTICUT_ITK_MODULES)
+configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/hapticut-config.cmake.in"
+  "${PROJECT_BINARY_DIR}/hapticut-config.cmake" INSTALL_DESTINATION "${HAPTICUT_CMAKE_DIR}"
+  NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/hapticut-config-version.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/hapticut-config.cmake" "${PROJECT_BINARY_DIR}/hapticut-config-version.cmake"
+              "${CMAKE_CURRENT_LIST_DIR}/FindHapticutOpenVDB.cmake"
+        DESTINATION "${HAPTICUT_CMAKE_DIR}")

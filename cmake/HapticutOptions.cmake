@@ -13,6 +13,7 @@ if(HAPTICUT_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT DEFINED CMAKE_CXX_COMPILER_L
   set(CMAKE_CXX_COMPILER_LAUNCHER "${HAPTICUT_CCACHE}")
 endif()
 
+option(HAPTICUT_INSTALL "Install hapticut together with this project" ${PROJECT_IS_TOP_LEVEL})
 option(HAPTICUT_WARNINGS_AS_ERRORS "Treat warnings in hapticut's own code as errors" ${PROJECT_IS_TOP_LEVEL})
 
 # What every target of ours is compiled with. Nothing of it reaches a user's code.

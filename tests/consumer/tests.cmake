@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: Apache-2.0
+# The package as its users meet it. Not part of sanitizer builds, whose flags an outside project would have to share.
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize" OR NOT HAPTICUT_INSTALL)
+  return()
+endif()
+function(hapticut_package_test name case)
+  add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" -DCASE=${case} "-DSOURCE=${PROJECT_SOURCE_DIR}"
+    "-DBUILD=${PROJECT_BINARY_DIR}" "-DWORK=${PROJECT_BINARY_DIR}/consumer/${case}" "-DCXX=${CMAKE_CXX_COMPILER}"
+    "-DCC=${CMAKE_C_COMPILER}" -P "${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake")
+  set_tests_properties(${name} PROPERTIES LABELS package TIMEOUT 900 SKIP_REGULAR_EXPRESSION "SKIPPED: ")
+endfunction()
+hapticut_package_test(Package.IsFoundLinkedAndRunByAnOutsideProject installed)
+hapticut_package_test(Package.CanBeAddedAsASubdirectory subdirectory)
+hapticut_package_test(Package.GivesTheSameForceToAProgramCompiledForAvx avx)
+hapticut_package_test(Package.NamesTheDebianPackageOfAMissingOpenVDB no_openvdb)
