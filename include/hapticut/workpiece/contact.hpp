@@ -62,7 +62,7 @@ struct GridInHead {
 /// Where in a partly filled voxel its force is taken.
 enum class Quadrature {
   centroid,     ///< at the centroid of the part that was filled when the workpiece was built (default)
-  voxel_center  ///< at the voxel's centre: first order at surfaces that are not aligned with the grid
+  voxel_center  ///< at the voxel's centre: as exact in the mean, but the force ripples on surfaces along the grid
 };
 
 /// Whether the head may reach into a block at all: false only when it certainly does not.
