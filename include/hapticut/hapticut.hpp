@@ -22,6 +22,7 @@
 #include "hapticut/workpiece/contact.hpp"
 #include "hapticut/workpiece/material.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
+#include "hapticut/workpiece/mesh_builder.hpp"
 #include "hapticut/workpiece/molar.hpp"
 #include "hapticut/workpiece/removal.hpp"
 #include "hapticut/workpiece/surface.hpp"

@@ -15,4 +15,18 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of vertices, counter-clockwise seen from outside
 };
 
+/// A colour as files hold it: sRGB, 8 bits each.
+struct Color {
+  std::uint8_t red = 255;
+  std::uint8_t green = 255;
+  std::uint8_t blue = 255;
+  [[nodiscard]] bool operator==(const Color&) const = default;
+};
+
+/// A triangle mesh with a colour per vertex.
+struct ColoredMesh {
+  TriangleMesh mesh;
+  std::vector<Color> colors;  ///< one per vertex
+};
+
 }  // namespace hapticut

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/workpiece/mesh_builder.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "hapticut/core/errors.hpp"
+#include "workpiece/winding_number.hpp"
+
+namespace hapticut {
+namespace {
+
+using Triangle = WindingNumber::Triangle;
+
+constexpr double kInside = 0.5;
+constexpr double kUncertain = 0.2;   // a winding number this near to one half: a hole is close
+constexpr double kDecided = 0.05;    // a winding number this near to 0 or 1: no hole is close
+constexpr double kConsistent = 0.2;  // two ways to a winding number may differ by this much
+constexpr int kOpenSubsamples = 4;   // points per edge where every point needs its own winding number
+/// Of the voxels that a surface cuts: with loose edges in more of them, it is no surface. An incisor's crown that is
+/// open at the neck has 1 %, loose triangles have 20 % and more.
+constexpr double kMaxRaggedShare = 0.1;
+constexpr int kMaxSubsamples = 16;
+
+/// Whether a triangle touches a cube: separating axes of the cube, of the triangle and of their edges.
+bool touches_cube(const Triangle& triangle, const Vec3& center, double half) {
+  const std::array<Vec3, 3> v = {triangle[0] - center, triangle[1] - center, triangle[2] - center};
+  const auto separated = [&](const Vec3& axis) {
+    const double a = axis.dot(v[0]), b = axis.dot(v[1]), c = axis.dot(v[2]);
+    const double reach = half * axis.cwiseAbs().sum() * (1 + 1e-9);
+    return std::min({a, b, c}) > reach || std::max({a, b, c}) < -reach;
+  };
+  const std::array<Vec3, 3> edges = {v[1] - v[0], v[2] - v[1], v[0] - v[2]};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (separated(Vec3::Unit(axis))) return false;
+    for (const Vec3& edge : edges)
+      if (separated(Vec3::Unit(axis).cross(edge))) return false;
+  }
+  return !separated(edges[0].cross(edges[1]));
+}
+
+/// Counts how often segments from a fixed point cross triangles from the outside to the inside.
+class Crossings {
+ public:
+  Crossings(const Vec3& from, const Triangle* const* begin, const Triangle* const* end) : from_(from) {
+    for (; begin != end; ++begin) {
+      const Triangle& t = **begin;
+      const Vec3 a = t[0] - from, b = t[1] - from, c = t[2] - from;
+      const Vec3 normal = (b - a).cross(c - a);
+      faces_.push_back({normal, normal.dot(a), a.cross(b), b.cross(c), c.cross(a)});
+    }
+  }
+
+  [[nodiscard]] int to(const Vec3& point) const {
+    const Vec3 d = point - from_;
+    int count = 0;
+    for (const Face& face : faces_) {
+      const bool from_outside = face.height < 0;
+      if (from_outside == (face.normal.dot(d) - face.height > 0)) continue;  // both ends on one side
+      const bool left = face.ab.dot(d) > 0;
+      if (left != (face.bc.dot(d) > 0) || left != (face.ca.dot(d) > 0)) continue;
+      count += from_outside ? 1 : -1;
+    }
+    return count;
+  }
+
+ private:
+  struct Face {
+    Vec3 normal;
+    double height;  // of the plane above the fixed point, along the normal
+    Vec3 ab, bc, ca;
+  };
+  Vec3 from_;
+  std::vector<Face> faces_;
+};
+
+/// One shell as the voxeliser asks it.
+class ShellSampler {
+ public:
+  explicit ShellSampler(const TriangleMesh& mesh) : winding_(mesh) {}
+
+  enum class Voxel : std::uint8_t { outside, inside, cut, open, unknown };
+
+  /// What is known of the shell in one block.
+  struct Block {
+    bool uniform = true;
+    bool inside = false;                     // all of it, when uniform
+    std::array<Voxel, kBlockVoxels> voxels;  // when it is not
+    std::vector<std::uint32_t> first;        // [513] voxel n is cut by cutting[first[n]] ... cutting[first[n + 1]]
+    std::vector<const Triangle*> cutting;
+    int cut = 0;     // voxels asked for
+    int ragged = 0;  // of them: where the triangles do not explain the winding number, so that edges are loose
+
+    [[nodiscard]] Voxel at(int n) const {
+      if (!uniform) return voxels[std::size_t(n)];
+      return inside ? Voxel::inside : Voxel::outside;
+    }
+  };
+
+  /// @param corner  lower corner of the block's first voxel
+  void enter(const Vec3& corner, double voxel_size, Block& block) const {
+    const double edge = kBlockEdge * voxel_size;
+    std::vector<const Triangle*> touching;
+    winding_.append_touching(corner, corner + Vec3::Constant(edge), touching);
+    block.cutting.clear();
+    block.uniform = touching.empty() && uniform_without_triangles(corner, edge, block.inside);
+    if (block.uniform) return;
+    sort_into_voxels(touching, corner, voxel_size, block);
+    classify(corner, voxel_size, block);
+  }
+
+  /// Calls `mark(index of the subsample)` for the points of a voxel's lattice that are inside.
+  template <class Mark>
+  void subsample(Block& block, int n, const Vec3& center, double voxel_size, int points, const Mark& mark) const {
+    const auto* begin = block.cutting.data() + block.first[std::size_t(n)];
+    const auto* end = block.cutting.data() + block.first[std::size_t(n) + 1];
+    // Within a voxel the winding number of a closed surface changes only at the triangles that cut it: one value and
+    // the crossings on the way tell all. The starting point is off every lattice, so that no segment runs along edges.
+    const Vec3 start = center + voxel_size * Vec3(0.0137, -0.0211, 0.0173);
+    const Crossings crossings(start, begin, end);
+    const double at_start = winding_.at(start);
+    const auto explained = [&](double side) {
+      const Vec3 check = center + voxel_size * side * Vec3(1, 0.97, 0.95);
+      return std::abs(winding_.at(check) - at_start - crossings.to(check)) < kConsistent;
+    };
+    const bool decided = std::abs(at_start - std::round(at_start)) < kDecided;
+    const bool consistent = explained(0.43) && (decided || explained(-0.43));
+    if (begin != end) {
+      ++block.cut;
+      block.ragged += consistent ? 0 : 1;
+    }
+    const auto offset = [](int k, int count) { return (k + 0.5) / count - 0.5; };
+    const int direct = std::min(points, kOpenSubsamples);
+    std::array<bool, kOpenSubsamples * kOpenSubsamples * kOpenSubsamples> known;
+    if (!consistent)
+      for (int m = 0; m < direct * direct * direct; ++m) {
+        const Vec3 at(offset(m / (direct * direct), direct), offset(m / direct % direct, direct),
+                      offset(m % direct, direct));
+        known[std::size_t(m)] = winding_.at(center + voxel_size * at) > kInside;
+      }
+    for (int a = 0, m = 0; a < points; ++a)
+      for (int b = 0; b < points; ++b)
+        for (int c = 0; c < points; ++c, ++m) {
+          bool inside;
+          if (consistent) {
+            const Vec3 at(offset(a, points), offset(b, points), offset(c, points));
+            inside = at_start + crossings.to(center + voxel_size * at) > kInside;
+          } else {
+            const auto coarse = [&](int k) { return k * direct / points; };
+            inside = known[std::size_t((coarse(a) * direct + coarse(b)) * direct + coarse(c))];
+          }
+          if (inside) mark(m);
+        }
+  }
+
+ private:
+  /// Without a triangle in it, a block is all inside or all outside unless a hole runs through it.
+  bool uniform_without_triangles(const Vec3& corner, double edge, bool& inside) const {
+    const Vec3 half = Vec3::Constant(edge / 2);
+    double w = winding_.at(corner + half);
+    inside = w > kInside;
+    for (int n = 0; n < 8 && std::abs(w - kInside) >= kUncertain && inside == (w > kInside); ++n)
+      w = winding_.at(corner + edge * Vec3(n >> 2, n >> 1 & 1, n & 1));
+    return std::abs(w - kInside) >= kUncertain && inside == (w > kInside);
+  }
+
+  /// Finds which voxels are inside. Voxels without a triangle that share a face are on the same side of a surface; only
+  /// near a hole could the winding number pass one half between them, and there it is not close to 0 or 1.
+  void classify(const Vec3& corner, double voxel_size, Block& block) const {
+    for (std::size_t n = 0; n < kBlockVoxels; ++n)
+      block.voxels[n] = block.first[n] != block.first[n + 1] ? Voxel::cut : Voxel::unknown;
+    for (int n = 0; n < kBlockVoxels; ++n) {
+      Voxel& voxel = block.voxels[std::size_t(n)];
+      if (voxel != Voxel::unknown) continue;
+      const std::array<int, 3> at = {n >> 6, n >> 3 & 7, n & 7};
+      const double w = winding_.at(corner + voxel_size * Vec3(at[0] + 0.5, at[1] + 0.5, at[2] + 0.5));
+      voxel = std::abs(w - kInside) < kUncertain ? Voxel::open : w > kInside ? Voxel::inside : Voxel::outside;
+      if (std::abs(w - std::round(w)) >= kDecided) continue;
+      for (int axis = 0; axis < 3; ++axis)
+        for (const int side : {-1, 1}) {
+          std::array<int, 3> next = at;
+          next[std::size_t(axis)] += side;
+          if (next[std::size_t(axis)] < 0 || next[std::size_t(axis)] >= kBlockEdge) continue;
+          Voxel& neighbour = block.voxels[std::size_t(block_offset(next[0], next[1], next[2]))];
+          if (neighbour == Voxel::unknown) neighbour = voxel;
+        }
+    }
+  }
+
+  static void sort_into_voxels(const std::vector<const Triangle*>& touching, const Vec3& corner, double voxel_size,
+                               Block& block) {
+    std::vector<std::pair<std::uint32_t, const Triangle*>> pairs;
+    for (const Triangle* t : touching) {
+      const Vec3 low = ((*t)[0].cwiseMin((*t)[1]).cwiseMin((*t)[2]) - corner) / voxel_size;
+      const Vec3 high = ((*t)[0].cwiseMax((*t)[1]).cwiseMax((*t)[2]) - corner) / voxel_size;
+      VoxelIndex from, to;
+      for (int axis = 0; axis < 3; ++axis) {
+        from[std::size_t(axis)] = int(std::floor(std::clamp(low[axis] - 1e-9, 0.0, kBlockEdge - 1.0)));
+        to[std::size_t(axis)] = int(std::floor(std::clamp(high[axis] + 1e-9, 0.0, kBlockEdge - 1.0)));
+      }
+      for (int x = from[0]; x <= to[0]; ++x)
+        for (int y = from[1]; y <= to[1]; ++y)
+          for (int z = from[2]; z <= to[2]; ++z)
+            if (touches_cube(*t, corner + voxel_size * Vec3(x + 0.5, y + 0.5, z + 0.5), voxel_size / 2))
+              pairs.emplace_back(std::uint32_t(block_offset(x, y, z)), t);
+    }
+    std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    block.first.assign(kBlockVoxels + 1, 0);
+    for (const auto& [voxel, t] : pairs) {
+      ++block.first[voxel + 1];
+      block.cutting.push_back(t);
+    }
+    for (std::size_t n = 0; n < kBlockVoxels; ++n) block.first[n + 1] += block.first[n];
+  }
+
+  WindingNumber winding_;
+};
+
+/// How much of a shell was found, in voxels; written by many threads.
+struct Found {
+  std::atomic<std::int64_t> inside{0};  // whole voxels, and those that are inside in part
+  std::atomic<std::int64_t> cut{0};     // by triangles
+  std::atomic<std::int64_t> ragged{0};  // of the cut ones: by triangles with loose edges
+};
+
+class ShellsFiller {
+ public:
+  ShellsFiller(const std::vector<MeshShell>& shells, const GridFrame& frame, int points)
+      : shells_(shells), frame_(frame), points_(points), found_(shells.size()) {
+    for (const MeshShell& shell : shells) samplers_.push_back(std::make_unique<ShellSampler>(shell.mesh));
+  }
+
+  BlockKind operator()(const VoxelIndex& origin, BlockContent& content) {
+    const double h = frame_.voxel_size;
+    std::vector<ShellSampler::Block> blocks(shells_.size());
+    bool uniform = true;
+    MaterialId material = kEmpty;
+    for (std::size_t s = 0; s < shells_.size(); ++s) {
+      samplers_[s]->enter(frame_.center(origin) - Vec3::Constant(h / 2), h, blocks[s]);
+      uniform &= blocks[s].uniform;
+      if (blocks[s].uniform && blocks[s].inside) {
+        found_[s].inside += kBlockVoxels;
+        material = shells_[s].material;
+      }
+    }
+    if (uniform) return material == kEmpty ? BlockKind::empty() : BlockKind::solid(material);
+
+    std::vector<MaterialId> points(std::size_t(points_ * points_ * points_));
+    for (int n = 0; n < kBlockVoxels; ++n) {
+      const Vec3 center = frame_.center({origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7)});
+      fill_voxel(blocks, n, center, points, content);
+    }
+    for (std::size_t s = 0; s < shells_.size(); ++s) {
+      found_[s].cut += blocks[s].cut;
+      found_[s].ragged += blocks[s].ragged;
+    }
+    return BlockKind::mixed();
+  }
+
+  /// @throws Error when a shell enclosed nothing, or nothing for sure
+  void check() const {
+    for (std::size_t s = 0; s < shells_.size(); ++s) {
+      const std::string which = shells_.size() > 1 ? "surface " + std::to_string(s + 1) : "the surface";
+      if (found_[s].inside == 0)
+        throw Error(which + " encloses nothing that voxels of " + format_number(frame_.voxel_size) +
+                    " m can show; close the surface, or choose smaller voxels.");
+      const double cut = double(found_[s].cut), ragged = double(found_[s].ragged);
+      if (ragged > kMaxRaggedShare * cut)
+        throw Error(which + " is too open to say what is inside: its triangles have loose edges in " +
+                    format_number(ragged) + " of the " + format_number(cut) + " voxels they cut. Close its holes.");
+    }
+  }
+
+ private:
+  void fill_voxel(std::vector<ShellSampler::Block>& blocks, int n, const Vec3& center, std::vector<MaterialId>& points,
+                  BlockContent& content) {
+    using Voxel = ShellSampler::Voxel;
+    bool whole = true;  // no surface within the voxel so far
+    MaterialId material = kEmpty;
+    for (std::size_t s = 0; s < shells_.size(); ++s) {
+      const MaterialId id = shells_[s].material;
+      const Voxel voxel = blocks[s].at(n);
+      if (voxel == Voxel::outside) continue;
+      if (voxel == Voxel::inside) {
+        ++found_[s].inside;
+        whole = true;
+        material = id;
+        continue;
+      }
+      if (whole) std::fill(points.begin(), points.end(), material);
+      whole = false;
+      bool any = false;
+      samplers_[s]->subsample(blocks[s], n, center, frame_.voxel_size, points_, [&](int m) {
+        points[std::size_t(m)] = id;
+        any = true;
+      });
+      if (any) ++found_[s].inside;
+    }
+    content.centroid[n] = {};
+    content.material[n] = material;
+    content.fill[n] = material == kEmpty ? 0.0F : 1.0F;
+    if (!whole) combine(points, n, content);
+  }
+
+  void combine(const std::vector<MaterialId>& points, int n, BlockContent& content) const {
+    std::array<int, kMaxMaterials + 1> count{};
+    Vec3 sum = Vec3::Zero();
+    int filled = 0;
+    for (int a = 0, m = 0; a < points_; ++a)
+      for (int b = 0; b < points_; ++b)
+        for (int c = 0; c < points_; ++c, ++m) {
+          const MaterialId id = points[std::size_t(m)];
+          ++count[id];
+          if (id == kEmpty) continue;
+          ++filled;
+          sum += Vec3(a, b, c);
+        }
+    count[kEmpty] = 0;
+    const int all = points_ * points_ * points_;
+    content.material[n] =
+        filled == 0 ? kEmpty : MaterialId(std::max_element(count.begin(), count.end()) - count.begin());
+    content.fill[n] = float(double(filled) / all);
+    if (filled > 0 && filled < all)
+      content.centroid[n] = CentroidOffset::from_offset(((sum / filled).array() + 0.5) / points_ - 0.5);
+  }
+
+  const std::vector<MeshShell>& shells_;
+  GridFrame frame_;
+  int points_;
+  std::vector<Found> found_;
+  std::vector<std::unique_ptr<ShellSampler>> samplers_;
+};
+
+void validate(const std::vector<MeshShell>& shells, const MaterialTable& materials, const MeshImport& options) {
+  require_positive(options.voxel_size, "MeshImport::voxel_size [m]");
+  require_between(options.subsamples, 1, kMaxSubsamples, "MeshImport::subsamples");
+  if (shells.empty()) throw Error("a workpiece from meshes needs at least one surface.");
+  for (const MeshShell& shell : shells) {
+    if (shell.mesh.triangles.empty()) throw Error("a surface has no triangles; it encloses nothing.");
+    if (shell.material != kEmpty) (void)materials[shell.material];  // throws when it is not in the table
+    for (const Vec3& v : shell.mesh.vertices)
+      if (!is_finite(v)) throw Error("a surface has a vertex that is not finite; repair the mesh.");
+    for (const auto& t : shell.mesh.triangles)
+      for (const std::uint32_t v : t)
+        if (v >= shell.mesh.vertices.size())
+          throw Error("a triangle names vertex " + std::to_string(v) + ", but the surface has only " +
+                      std::to_string(shell.mesh.vertices.size()) + " vertices.");
+  }
+}
+
+}  // namespace
+
+Workpiece build_from_shells(const std::vector<MeshShell>& shells, MaterialTable materials, const MeshImport& options) {
+  validate(shells, materials, options);
+  Vec3 min = shells[0].mesh.vertices[shells[0].mesh.triangles[0][0]], max = min;
+  for (const MeshShell& shell : shells)
+    for (const auto& t : shell.mesh.triangles)
+      for (const std::uint32_t v : t) {
+        min = min.cwiseMin(shell.mesh.vertices[v]);
+        max = max.cwiseMax(shell.mesh.vertices[v]);
+      }
+  const Vec3 voxels = (max - min) / options.voxel_size;
+  if (!(voxels.maxCoeff() < 1e9))
+    throw Error("the surface is " + format_number((max - min).maxCoeff()) + " m long, that is " +
+                format_number(voxels.maxCoeff()) + " voxels; check its unit or choose a larger voxel size.");
+  IndexBox domain;
+  for (int axis = 0; axis < 3; ++axis) {
+    domain.min[std::size_t(axis)] = 0;
+    domain.max[std::size_t(axis)] = int(std::ceil(voxels[axis] - 1e-6)) - 1;
+  }
+  const GridFrame frame{options.voxel_size, Pose::from_translation(min + Vec3::Constant(options.voxel_size / 2))};
+  ShellsFiller filler(shells, frame, options.subsamples);
+  Workpiece workpiece = Workpiece::from_blocks(domain, frame, std::move(materials), std::ref(filler));
+  filler.check();
+  if (workpiece.empty())
+    throw Error("nothing solid is left between the surfaces: the last ones enclose only cavities.");
+  return workpiece;
+}
+
+Workpiece build_from_mesh(const TriangleMesh& mesh, Material material, const MeshImport& options) {
+  return build_from_shells({{mesh, 1}}, MaterialTable({std::move(material)}), options);
+}
+
+}  // namespace hapticut

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/io/meshes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/workpiece/mesh_builder.hpp"
+#include "support/mesh_measures.hpp"
+#include "support/meshes.hpp"
+#include "support/no_disk_space.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/test_data.hpp"
+
+namespace hapticut {
+namespace {
+
+using test::data_path;
+using test::TemporaryFolder;
+using units::mm;
+using units::mm3;
+
+Material named(const std::string& name) {
+  Material material;
+  material.name = name;
+  return material;
+}
+
+std::string error_of(const std::function<void()>& function) {
+  try {
+    function();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+double volume_mm3(const Workpiece& workpiece) { return workpiece.amounts()[0].volume / mm3; }
+
+TriangleMesh only_mesh(const std::string& name, double unit_mm = 1) {
+  const auto meshes = read_mesh(data_path(name), unit_mm);
+  EXPECT_EQ(meshes.size(), 1U);
+  return meshes.at(0).mesh;
+}
+
+constexpr char kTetrahedronOff[] = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+constexpr char kTetrahedronPly[] =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 4\n"
+    "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n"
+    "3 1 2 3\n";
+constexpr char kTetrahedronObj[] =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no tetrahedron\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+TEST(Meshes, AllFormatsGiveTheSameTetrahedron) {
+  const TemporaryFolder folder;
+  test::write_bytes(folder / "a.off", kTetrahedronOff);
+  test::write_bytes(folder / "a.ply", kTetrahedronPly);
+  test::write_bytes(folder / "a.obj", kTetrahedronObj);
+  write_stl(read_mesh(folder / "a.obj")[0].mesh, folder / "a.STL");
+  for (const char* name : {"a.off", "a.ply", "a.obj", "a.STL"}) {
+    const auto meshes = read_mesh(folder / name, 2);
+    ASSERT_EQ(meshes.size(), 1U) << name;
+    EXPECT_EQ(meshes[0].mesh.vertices.size(), 4U) << name;
+    EXPECT_EQ(meshes[0].mesh.triangles.size(), 4U) << name;
+    EXPECT_TRUE(test::is_closed(meshes[0].mesh)) << name;
+    EXPECT_NEAR(test::signed_volume(meshes[0].mesh), 8.0 / 6 * mm3, 1e-6 * mm3) << name;
+  }
+  EXPECT_EQ(read_mesh(folder / "a.obj")[0].name, "tetrahedron");
+}
+
+TEST(Meshes, WhatIsWrittenIsReadBack) {
+  const TemporaryFolder folder;
+  const TriangleMesh ball = test::ball_mesh(Vec3(1, 2, 3) * mm, 2 * mm, 16);
+  write_stl(ball, folder / "ball.stl");
+  write_ply(ball, folder / "ball.ply");
+  write_ply({ball, std::vector<Color>(ball.vertices.size(), Color{1, 2, 3})}, folder / "colored.ply");
+  write_ply(ball, folder / "metres.ply", 1000);
+  for (const auto& [name, unit_mm] :
+       {std::pair{"ball.stl", 1.0}, {"ball.ply", 1.0}, {"colored.ply", 1.0}, {"metres.ply", 1000.0}}) {
+    const TriangleMesh mesh = read_mesh(folder / name, unit_mm).at(0).mesh;
+    EXPECT_EQ(mesh.vertices.size(), ball.vertices.size()) << name;
+    EXPECT_EQ(mesh.triangles.size(), ball.triangles.size()) << name;
+    const double kSingle = 1e-6;  // files hold single precision
+    EXPECT_NEAR(test::signed_volume(mesh), test::signed_volume(ball), kSingle * test::signed_volume(ball)) << name;
+  }
+  EXPECT_EQ(std::filesystem::file_size(folder / "ball.stl"), 84 + 50 * ball.triangles.size());
+  EXPECT_THROW(write_ply({ball, {}}, folder / "x.ply"), Error);
+}
+
+TEST(Meshes, AFullDiskIsReportedAndTheOldFileStays) {
+  const TemporaryFolder folder;
+  const TriangleMesh ball = test::ball_mesh(Vec3::Zero(), 2 * mm, 16);
+  test::write_bytes(folder / "ball.stl", "old");
+  {
+    const test::NoDiskSpace no_space;
+    EXPECT_NE(error_of([&] { write_stl(ball, folder / "ball.stl"); }).find("ball.stl"), std::string::npos);
+    EXPECT_NE(error_of([&] { write_ply(ball, folder / "ball.ply"); }), "");
+  }
+  EXPECT_EQ(test::read_bytes(folder / "ball.stl"), "old");
+  EXPECT_EQ(folder.file_count(), 1U);
+  EXPECT_NE(error_of([&] { write_stl(ball, folder / "no" / "folder.stl"); }), "");
+}
+
+TEST(Meshes, BadFilesAreRefusedByName) {
+  const TemporaryFolder folder;
+  const auto refuses = [&](const std::string& name, const std::string& bytes) {
+    test::write_bytes(folder / name, bytes);
+    const std::string error = error_of([&] { (void)read_mesh(folder / name); });
+    EXPECT_NE(error.find(name), std::string::npos) << name << ": " << error;
+  };
+  refuses("empty.obj", "");
+  refuses("empty.stl", "");
+  refuses("empty.ply", "");
+  refuses("empty.off", "");
+  refuses("words.obj", "this is no mesh\n");
+  refuses("words.stl", "this is no mesh\n");
+  refuses("words.ply", "this is no mesh\n");
+  refuses("words.off", "this is no mesh\n");
+  refuses("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  refuses("infinite.obj", "v 0 0 1e400\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  refuses("huge.obj", "v 0 0 12345678901234567890123456789012345\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  refuses("large.obj", "v 0 0 0\nv 1e12 0 0\nv 0 1 0\nf 1 2 3\n");
+  refuses("far.obj", "v 1e7 0 0\nv 1.0000001e7 0 0\nv 1e7 1 0\nf 1 2 3\n");
+  refuses("outside.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n");
+  refuses("line.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\n");
+  refuses("point.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n");
+  refuses("mesh.xyz", kTetrahedronObj);
+  EXPECT_NE(error_of([&] { (void)read_mesh(folder / "missing.obj"); }).find("missing.obj"), std::string::npos);
+  EXPECT_THROW((void)read_mesh(folder / "mesh.xyz", 0), Error);
+}
+
+TEST(Meshes, FilesThatAreCutOffOrRandomNeverCrash) {
+  const TemporaryFolder folder;
+  const TriangleMesh ball = test::ball_mesh(Vec3::Zero(), 2 * mm, 6);
+  write_stl(ball, folder / "whole.stl");
+  write_ply(ball, folder / "whole.ply");
+  test::write_bytes(folder / "whole.off", kTetrahedronOff);
+  test::write_bytes(folder / "whole.obj", kTetrahedronObj);
+  std::mt19937 random(7);
+  for (const std::string extension : {".stl", ".ply", ".off", ".obj"}) {
+    const std::string bytes = test::read_bytes(folder / ("whole" + extension));
+    for (int round = 0; round < 60; ++round) {
+      std::string hostile = bytes.substr(0, random() % bytes.size());
+      if (round % 2 == 1) {
+        hostile = bytes;
+        for (int k = 0; k < 3; ++k) hostile[random() % hostile.size()] = char(random());
+      }
+      test::write_bytes(folder / ("hostile" + extension), hostile);
+      (void)error_of([&] { (void)read_mesh(folder / ("hostile" + extension)); });  // an Error or a mesh
+    }
+  }
+  const std::string stl = test::read_bytes(folder / "whole.stl");
+  for (const std::size_t length : {10, 83, 84, 100, int(stl.size()) - 1}) {
+    test::write_bytes(folder / "cut.stl", stl.substr(0, length));
+    EXPECT_NE(error_of([&] { (void)read_mesh(folder / "cut.stl"); }), "") << length;
+  }
+}
+
+TEST(Meshes, TheIncisorsDentinHasItsVolume) {
+  HAPTICUT_NEEDS_DATA("teeth/URI1_tooth_mesh2.ply");
+  const Workpiece dentin = build_from_mesh(only_mesh("teeth/URI1_tooth_mesh2.ply"), named("dentin"), {0.1 * mm, 4});
+  EXPECT_NEAR(volume_mm3(dentin), 549.3, 0.005 * 549.3);
+}
+
+TEST(Meshes, TheIncisorsPulpHasItsVolume) {
+  HAPTICUT_NEEDS_DATA("teeth/URI1_tooth_mesh3.ply");
+  const Workpiece pulp = build_from_mesh(only_mesh("teeth/URI1_tooth_mesh3.ply"), named("pulp"), {0.1 * mm, 4});
+  EXPECT_NEAR(volume_mm3(pulp), 19.59, 0.002 * 19.59);
+}
+
+TEST(Meshes, TheIncisorNestsEnamelDentinAndPulp) {
+  HAPTICUT_NEEDS_DATA("teeth/URI1_tooth_mesh1.ply");
+  const std::vector<MeshShell> shells = {{only_mesh("teeth/URI1_tooth_mesh1.ply"), 1},
+                                         {only_mesh("teeth/URI1_tooth_mesh2.ply"), 2},
+                                         {only_mesh("teeth/URI1_tooth_mesh3.ply"), 3}};
+  const Workpiece tooth =
+      build_from_shells(shells, MaterialTable({named("enamel"), named("dentin"), named("pulp")}), {0.2 * mm, 4});
+  const auto amounts = tooth.amounts();
+  EXPECT_GT(amounts[0].volume, 60 * mm3);  // a cap of about a millimetre
+  EXPECT_LT(amounts[0].volume, 200 * mm3);
+  EXPECT_NEAR(amounts[1].volume, (549.3 - 19.59) * mm3, 0.01 * 549.3 * mm3);  // voxels with two materials
+  EXPECT_NEAR(amounts[2].volume, 19.59 * mm3, 0.05 * 19.59 * mm3);
+}
+
+TEST(Meshes, TheMolarHasTwoNamedShells) {
+  HAPTICUT_NEEDS_DATA("meshes/molar_chai3d.obj");
+  const auto meshes = read_mesh(data_path("meshes/molar_chai3d.obj"), 0.04);
+  ASSERT_EQ(meshes.size(), 2U);
+  EXPECT_EQ(meshes[0].name, "Nerve");
+  EXPECT_TRUE(test::is_closed(meshes[0].mesh));
+  EXPECT_TRUE(test::is_closed(meshes[1].mesh));
+  const double nerve = test::signed_volume(meshes[0].mesh), whole = test::signed_volume(meshes[1].mesh);
+  const Workpiece molar = build_from_shells({{meshes[1].mesh, 1}, {meshes[0].mesh, 2}},
+                                            MaterialTable({named("tooth"), named("pulp")}), {0.2 * mm, 4});
+  EXPECT_NEAR(molar.amounts()[0].volume + molar.amounts()[1].volume, whole, 0.005 * whole);
+  EXPECT_NEAR(molar.amounts()[1].volume, nerve, 0.025 * nerve);  // thin canals; voxels count for the larger share
+}
+
+TEST(Meshes, TheBurHasItsVolume) {
+  HAPTICUT_NEEDS_DATA("meshes/burr.stl");
+  const TriangleMesh bur = only_mesh("meshes/burr.stl");
+  EXPECT_NEAR(volume_mm3(build_from_mesh(bur, named("steel"), {0.05 * mm, 4})), test::signed_volume(bur) / mm3,
+              0.001 * test::signed_volume(bur) / mm3);
+}
+
+/// A hostile file, and what has to come of it.
+struct Hostile {
+  const char* name;
+  double voxel_size_mm;
+  double volume_mm3;  ///< of what it encloses; 0: must be refused
+  double tolerance;   ///< [1]
+};
+
+class HostileMesh : public testing::TestWithParam<Hostile> {};
+
+TEST_P(HostileMesh, GivesAWorkpieceOrAClearError) {
+  const Hostile& hostile = GetParam();
+  const std::string name = std::string("meshes/") + hostile.name;
+  HAPTICUT_NEEDS_DATA(name);
+  double volume = 0;
+  const std::string error = error_of([&] {
+    for (const NamedMesh& object : read_mesh(data_path(name)))
+      volume += volume_mm3(build_from_mesh(object.mesh, named("clay"), {hostile.voxel_size_mm * mm, 4}));
+  });
+  if (hostile.volume_mm3 == 0) {
+    EXPECT_NE(error, "");
+  } else {
+    EXPECT_EQ(error, "");
+    EXPECT_NEAR(volume, hostile.volume_mm3, hostile.tolerance * hostile.volume_mm3);
+  }
+}
+
+// Closed meshes without intersections: their volume by the divergence theorem. The union of those with intersections or
+// doubled parts is what this library computed at a quarter of the voxel size. The walls of box.STL are
+// thinner than a voxel and parallel to the lattice of subsamples.
+INSTANTIATE_TEST_SUITE_P(
+    Meshes, HostileMesh,
+    testing::Values(Hostile{"box.STL", 0.15, 16.08, 0.06}, Hostile{"self_intersectA.obj", 0.05, 0.1427, 0.02},
+                    Hostile{"openscad-nonmanifold-crash.obj", 0.5, 381.3, 0.02}, Hostile{"shared.STL", 0.1, 2, 1e-6},
+                    Hostile{"nancolor.obj", 0.1, 1, 1e-6}, Hostile{"negative_indices.obj", 0.1, 8, 1e-6},
+                    Hostile{"wallhole.obj", 0.5, 1066.67, 0.005}, Hostile{"handpiece_chai3d.obj", 1, 8129.5, 0.005},
+                    Hostile{"two_objects_mixed_case_names.stl", 0.1, 2, 1e-6}, Hostile{"Cray_right.obj", 0.1, 0, 0},
+                    Hostile{"soup.stl", 0.05, 0, 0}, Hostile{"notenoughindices.obj", 0.1, 0, 0},
+                    Hostile{"empty.obj", 0.1, 0, 0}, Hostile{"empty.stl", 0.1, 0, 0}, Hostile{"empty.ply", 0.1, 0, 0}),
+    [](const auto& hostile) {
+      std::string name = hostile.param.name;
+      for (char& c : name)
+        if (c == '.' || c == '-') c = '_';
+      return name;
+    });
+
+}  // namespace
+}  // namespace hapticut
