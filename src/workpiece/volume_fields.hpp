@@ -14,12 +14,22 @@
 namespace hapticut {
 
 /// How much of a voxel belongs to each material.
-struct MaterialShares {
-  std::array<float, 256> share{};
-
-  [[nodiscard]] MaterialId largest() const {
-    return MaterialId(std::max_element(share.begin() + 1, share.end()) - share.begin());
+class MaterialShares {
+ public:
+  void add(MaterialId material, float share) {
+    shares_[material] += share;
+    low_ = std::min(low_, material);
+    high_ = std::max(high_, material);
   }
+  /// The material with the largest share that is not kEmpty; of equal ones the first.
+  [[nodiscard]] MaterialId largest() const {
+    const auto begin = shares_.begin() + std::max(low_, MaterialId(1)), end = shares_.begin() + high_ + 1;
+    return MaterialId(std::max_element(begin, end) - shares_.begin());
+  }
+
+ private:
+  std::array<float, 256> shares_{};
+  MaterialId low_ = 255, high_ = 1;  // only these are looked through
 };
 
 /// Labels, each of which is a material or empty.
@@ -42,6 +52,8 @@ class LabelField {
     if (extent.low != extent.high) return std::nullopt;
     return extent.low;
   }
+  [[nodiscard]] bool all_solid(const Extent& extent) const { return extent.low != kEmpty; }
+  [[nodiscard]] bool surely_cut(const Extent& extent) const { return extent.low == kEmpty && extent.high != kEmpty; }
   float count(const Cell<Sample>& cell, Tally& tally) const {
     float variation = 0;
     const float membership =
@@ -50,8 +62,8 @@ class LabelField {
     if (share == 0) return 0;
     const auto [x, y, z] = cell.weight;
     for (unsigned n = 0; n < 8; ++n)
-      tally.share[material_of_[cell.corner[n]]] +=
-          share * ((n & 1U) != 0 ? x : 1 - x) * ((n & 2U) != 0 ? y : 1 - y) * ((n & 4U) != 0 ? z : 1 - z);
+      tally.add(material_of_[cell.corner[n]],
+                share * ((n & 1U) != 0 ? x : 1 - x) * ((n & 2U) != 0 ? y : 1 - y) * ((n & 4U) != 0 ? z : 1 - z));
     return share;
   }
   [[nodiscard]] MaterialId material(const Tally& tally) const { return tally.largest(); }
@@ -108,6 +120,15 @@ class GreyField {
     if (zone != zone_of(extent.high)) return std::nullopt;
     return zones_[zone].material;
   }
+  /// Of one run of solid zones: then everything between lowest and highest value is solid too.
+  [[nodiscard]] bool all_solid(const Extent& extent) const {
+    const Zone& zone = zones_[zone_of(extent.low)];
+    return zone.material != kEmpty && extent.high < zone.high;
+  }
+  [[nodiscard]] bool surely_cut(const Extent& extent) const {
+    const Zone& zone = zones_[zone_of(extent.low)];
+    return extent.high >= zone.high;
+  }
   float count(const Cell<Sample>& cell, Tally& tally) const {
     float variation = 0;
     const float value = cell.interpolate([](Sample v) { return v; }, variation);
@@ -118,7 +139,7 @@ class GreyField {
     const float share = covered_share(inside ? depth : -depth, variation, inside);
     if (share == 0) return 0;
     if (!inside) at = nearest_solid(at, value);
-    tally.materials.share[zones_[at].material] += share;
+    tally.materials.add(zones_[at].material, share);
     tally.covered += double(share);
     tally.value += double(share) * double(value);
     return share;
