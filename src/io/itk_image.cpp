@@ -68,6 +68,9 @@ std::string reason_of(const itk::ExceptionObject& exception) {
   text.erase(text.find_last_not_of(" \n\r\t.") + 1);
   const auto line = text.find_last_of('\n');
   if (line != std::string::npos) text.erase(0, line + 1);
+  // "ITK ERROR: PNGImageIO(0x55d5738a9f00): ..." names an object that means nothing to a reader.
+  const auto object = text.find("): ");
+  if (text.find("ERROR: ") != std::string::npos && object != std::string::npos) text.erase(0, object + 3);
   return text.empty() ? "the file is damaged." : text + ".";
 }
 

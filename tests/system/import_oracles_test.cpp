@@ -9,6 +9,7 @@
 #include "hapticut/io/volume_operations.hpp"
 #include "hapticut/io/volumes.hpp"
 #include "hapticut/workpiece/volume_builders.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
 
 namespace hapticut {
@@ -198,6 +199,31 @@ TEST(ImportOracle, MastoidSlicesAreInNumericOrderAndNoiseIsLeftOut) {
   EXPECT_LT(change_between_slices(bone), 1500);
   // (90, 116, 55) occurs only in pixels that are not wholly opaque.
   EXPECT_THROW((void)read_colour_slices(data_path("bone/mastoid_RT143_256"), {{{90, 116, 55}, 1}}, spacing), Error);
+}
+
+/// What reading says about a folder of links to some of the files of another one.
+template <class Keep>
+std::string error_of_reading_part(const std::string& name, const Keep& keep) {
+  const test::TemporaryFolder folder;
+  for (const auto& entry : std::filesystem::directory_iterator(data_path(name)))
+    if (const auto file = entry.path().filename(); keep(file.string()))
+      std::filesystem::create_symlink(std::filesystem::absolute(entry.path()), folder / file.string());
+  try {
+    (void)read_grey_volume(folder / "", {.spacing = Vec3::Constant(1 * mm), .dicom_series = {}});
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ImportOracle, AMissingSliceIsNoticed) {
+  HAPTICUT_NEEDS_DATA("bone/hand_lowres");
+  const auto few = [](const std::string& name) { return name < "hand0009.png"; };
+  EXPECT_EQ(error_of_reading_part("bone/hand_lowres", few), "");
+  const auto gap = [&](const std::string& name) { return few(name) && name != "hand0005.png"; };
+  EXPECT_NE(error_of_reading_part("bone/hand_lowres", gap).find("hand0006.png"), std::string::npos);
+  const auto missing = [](const std::string& name) { return !name.ends_with("16580"); };
+  EXPECT_NE(error_of_reading_part("formats/example_ct_dicom", missing).find("evenly spaced"), std::string::npos);
 }
 
 class HostileVolume : public testing::TestWithParam<const char*> {};
