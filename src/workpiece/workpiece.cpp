@@ -55,6 +55,13 @@ Workpiece Workpiece::clone() const {
 
 const GridFrame& Workpiece::frame() const { return state_->frame; }
 const MaterialTable& Workpiece::materials() const { return state_->materials; }
+
+void Workpiece::set_materials(MaterialTable materials) {
+  if (materials.size() != state_->materials.size())
+    throw Error("a table of " + std::to_string(materials.size()) + " materials was given for a workpiece of " +
+                std::to_string(state_->materials.size()) + "; change the constants, not the number of materials.");
+  state_->materials = std::move(materials);
+}
 bool Workpiece::empty() const { return state_->trees->material.activeVoxelCount() == 0; }
 std::int64_t Workpiece::solid_voxels() const { return std::int64_t(state_->trees->material.activeVoxelCount()); }
 

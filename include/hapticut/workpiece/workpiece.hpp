@@ -74,6 +74,10 @@ class Workpiece {
   /// A number that depends on every voxel's material and fill, bit by bit: equal states have equal hashes.
   [[nodiscard]] std::uint64_t hash() const;
 
+  /// Changes the constants of the materials, not what is where.
+  /// @throws Error when there are not as many materials as before
+  void set_materials(MaterialTable materials);
+
   // --- undo ---------------------------------------------------------------------------------------------------------
   [[nodiscard]] WorkpieceSnapshot snapshot() const;
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cli/setting.hpp"
+
+namespace hapticut::cli {
+
+/// A subcommand of the program.
+struct Command {
+  std::string name;
+  std::string summary;            ///< one line for the help
+  std::vector<Setting> settings;  ///< what it can be told; a flag without dashes is given by its place
+  std::function<void()> run;      ///< does the work, once the settings are set; @throws Error when it was not done
+};
+
+[[nodiscard]] Command drill_command();
+[[nodiscard]] Command inspect_command();
+[[nodiscard]] Command convert_command();
+
+}  // namespace hapticut::cli

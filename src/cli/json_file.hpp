@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+namespace hapticut::cli {
+
+/// A report; its fields keep the order in which they were added.
+using Json = nlohmann::ordered_json;
+
+/// Writes a report; the file appears when it is complete. Does nothing when there is no file name.
+/// @throws Error when it cannot be written
+void write_json(const std::filesystem::path& path, const Json& report);
+
+}  // namespace hapticut::cli

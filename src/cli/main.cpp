@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program: turns the settings of each subcommand into flags, applies the settings file and then the flags, and
+// runs.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/settings_file.hpp"
+#include "hapticut/core/build_info.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kWrongUsage = 2;
+
+/// A subcommand, and what was written behind its flags.
+struct Registered {
+  Command command;
+  CLI::App* app = nullptr;
+  std::string settings_file = {};
+  std::deque<std::vector<std::string>> texts = {};  // one per setting
+};
+
+void register_flags(Registered& entry) {
+  entry.app->add_option("--settings", entry.settings_file, "a TOML file with settings; flags override it");
+  for (const Setting& setting : entry.command.settings) {
+    std::vector<std::string>& texts = entry.texts.emplace_back();
+    if (setting.flag.empty()) continue;
+    const std::string help = setting.meaning + " (" + setting.allowed + ")";
+    CLI::Option* option = setting.kind == Setting::Kind::boolean ? entry.app->add_flag(setting.flag, texts, help)
+                                                                 : entry.app->add_option(setting.flag, texts, help);
+    if (setting.kind == Setting::Kind::boolean) {
+      option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    } else {
+      option->type_name("")->expected(1)->allow_extra_args(false)->multi_option_policy(
+          setting.kind == Setting::Kind::tables ? CLI::MultiOptionPolicy::TakeAll : CLI::MultiOptionPolicy::Throw);
+    }
+    const std::size_t dot = setting.key.find('.');
+    if (dot != std::string::npos) option->group("[" + setting.key.substr(0, dot) + "]");
+  }
+}
+
+void run(const Registered& entry) {
+  const std::vector<Setting>& settings = entry.command.settings;
+  if (!entry.settings_file.empty()) read_settings_file(entry.settings_file, settings);
+  for (std::size_t i = 0; i < settings.size(); ++i)
+    if (!entry.texts[i].empty()) apply_flag(settings[i], entry.texts[i]);
+  entry.command.run();
+}
+
+std::string unknown_argument(const std::deque<Registered>& entries, const std::string& argument) {
+  std::vector<std::string> known = {"--settings", "--help"};
+  for (const Registered& entry : entries) {
+    if (!entry.app->parsed()) {
+      if (argument.front() != '-') known.push_back(entry.command.name);
+      continue;
+    }
+    for (const Setting& setting : entry.command.settings) known.push_back(setting.flag);
+  }
+  return "there is no " + argument + "." + suggestion(argument, known) + " See hapticut --help.";
+}
+
+int complain(const std::string& message, int code) {
+  std::fprintf(stderr, "hapticut: %s\n", message.c_str());
+  return code;
+}
+
+/// In flags a dash is as good as an underscore: --steps-csv, --voxel-mm.
+void use_underscores(char* argument) {
+  if (argument[0] != '-' || argument[1] != '-') return;
+  for (char* c = argument + 2; *c != '\0' && *c != '='; ++c)
+    if (*c == '-') *c = '_';
+}
+
+int main_with(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) use_underscores(argv[i]);
+  CLI::App app("hapticut: cutting forces for haptic rendering on sparse voxel grids", "hapticut");
+  app.set_version_flag("--version", build_info().version);
+  app.require_subcommand(1);
+  std::deque<Registered> entries;
+  for (Command (*make)() : {&drill_command, &inspect_command, &convert_command}) {
+    Registered& entry = entries.emplace_back(Registered{make()});
+    entry.app = app.add_subcommand(entry.command.name, entry.command.summary);
+    register_flags(entry);
+  }
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& done) {  // --help, --version
+    return app.exit(done);
+  } catch (const CLI::ParseError& error) {
+    // What CLI11 could not place explains more than what it then misses.
+    const std::vector<std::string> extras = app.remaining(true);
+    return complain(extras.empty() ? std::string(error.what()) + ". See hapticut --help."
+                                   : unknown_argument(entries, extras.front()),
+                    kWrongUsage);
+  }
+
+  try {
+    for (const Registered& entry : entries)
+      if (entry.app->parsed()) run(entry);
+  } catch (const UsageError& error) {
+    return complain(error.what(), kWrongUsage);
+  } catch (const std::bad_alloc&) {
+    return complain("there is not enough memory for this. Use larger voxels, a smaller piece or a shorter path.",
+                    kFailed);
+  } catch (const std::exception& error) {
+    return complain(error.what(), kFailed);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace hapticut::cli
+
+int main(int argc, char** argv) { return hapticut::cli::main_with(argc, argv); }

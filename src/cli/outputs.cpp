@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/outputs.hpp"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "hapticut/core/units.hpp"
+#include "hapticut/io/vdb.hpp"
+#include "io/atomic_file.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+std::string names_of(StepStatus status) {
+  std::string names;
+  for (const auto& [bit, name] : status_names())
+    if (has(status, bit)) names += (names.empty() ? "" : "|") + name;
+  return names.empty() ? "ok" : names;
+}
+
+bool has_extension(const std::string& path, const std::vector<std::string>& extensions) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  for (const std::string& allowed : extensions)
+    if (extension == allowed) return true;
+  return false;
+}
+
+void require_extension(const std::string& path, const std::vector<std::string>& extensions) {
+  if (path.empty() || has_extension(path, extensions)) return;
+  std::string list;
+  for (const std::string& allowed : extensions) list += (list.empty() ? "" : ", ") + allowed;
+  throw Error("cannot write '" + path + "': its name must end in one of " + list + ".");
+}
+
+}  // namespace
+
+std::vector<Setting> settings_of(OutputSettings& o) {
+  return {
+      text("output.json", "--json", o.json, "report for machines"),
+      text("output.steps_csv", "--steps_csv", o.steps_csv, "a line for every step"),
+      text("output.save", "--save", o.workpiece, "what is left of the workpiece, .vdb"),
+  };
+}
+
+void check_outputs(const OutputSettings& outputs) {
+  require_extension(outputs.workpiece, {".vdb"});
+  for (const std::string& path : {outputs.json, outputs.steps_csv, outputs.workpiece})
+    if (!path.empty()) AtomicFile unused(path);
+}
+
+void write_workpiece(const std::string& path, const Workpiece& workpiece) {
+  require_extension(path, {".vdb"});
+  save_vdb(workpiece, path);
+}
+
+void write_steps(const std::string& path, const std::vector<StepRow>& rows) {
+  write_atomically(path, [&](std::ostream& stream) {
+    stream << "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz,force_x_N,force_y_N,force_z_N,torque_x_Nmm,torque_y_Nmm,torque_z_Nmm,"
+              "removed_mm3,contact_voxels,status\n";
+    char line[512];
+    for (const StepRow& row : rows) {
+      const Eigen::Quaterniond q(row.X_WT.rotation);
+      const Vec3 p = row.X_WT.translation / units::mm, torque = row.torque / units::N_mm;
+      std::snprintf(line, sizeof line, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%d,",
+                    row.t, p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z(), row.force.x(), row.force.y(), row.force.z(),
+                    torque.x(), torque.y(), torque.z(), row.removed / units::mm3, row.contact_voxels);
+      stream << line << names_of(row.status) << '\n';
+    }
+  });
+}
+
+}  // namespace hapticut::cli

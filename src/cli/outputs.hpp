@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/drill.hpp"
+#include "cli/setting.hpp"
+
+namespace hapticut::cli {
+
+/// The files that a run leaves behind, as the user writes them: `[output]` in a settings file. Empty: not wanted.
+struct OutputSettings {
+  std::string json, steps_csv, workpiece, surface, picture;
+};
+
+[[nodiscard]] std::vector<Setting> settings_of(OutputSettings& outputs);
+
+/// Says before the work begins that a file cannot be written, rather than after it.
+/// @throws Error naming the file
+void check_outputs(const OutputSettings& outputs);
+
+/// Writes what is left of the workpiece, in the format that the extension names.
+/// @throws Error when the format is unknown or the file cannot be written
+void write_workpiece(const std::string& path, const Workpiece& workpiece);
+
+/// One line per step. Positions and rotations are those of the head, and can be read again as a path of poses with
+/// `point = "head"`.
+void write_steps(const std::string& path, const std::vector<StepRow>& rows);
+
+}  // namespace hapticut::cli

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/spatial.hpp"
+
+/// @file
+/// What a user can set: one list of settings serves the flags, the settings file, their help and their error messages.
+namespace hapticut::cli {
+
+/// The command line itself is wrong: exit code 2.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A value before it is checked.
+using Value = std::variant<bool, double, std::string, std::vector<double>>;
+
+/// One thing that can be set, by a flag or by a key of a settings file.
+struct Setting {
+  enum class Kind { number, integer, numbers, text, boolean, tables, named_tables };
+
+  std::string key;      ///< in a settings file, with its table: "tool.radius_mm"
+  std::string flag;     ///< on the command line: "--radius_mm"; empty: settings file only
+  std::string meaning;  ///< what it is, for the help
+  std::string allowed;  ///< completes "must be ..."
+  Kind kind = Kind::text;
+
+  /// Takes a value of this setting's kind; says whether it is allowed.
+  std::function<bool(const Value&)> assign = {};
+
+  /// Of kind tables: makes an element and returns its settings, with keys relative to it. Of kind named_tables: the
+  /// same for the table of that name.
+  std::function<std::vector<Setting>(const std::string& name)> open_table = {};
+  /// Of kind tables: forgets all elements, before a list that replaces them.
+  std::function<void()> clear = {};
+  /// Of kind tables: takes the flag's short form of one element; says whether it is allowed.
+  std::function<bool(const std::string& text)> assign_short_form = {};
+};
+
+/// The numbers that a setting accepts.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false;  ///< `low` itself is not allowed
+
+  [[nodiscard]] static Range any() { return {}; }
+  [[nodiscard]] static Range positive() { return {0, std::numeric_limits<double>::infinity(), true}; }
+  [[nodiscard]] static Range not_negative() { return {0, std::numeric_limits<double>::infinity(), false}; }
+  [[nodiscard]] static Range between(double low, double high) { return {low, high, false}; }
+
+  [[nodiscard]] bool contains(double value) const;
+  [[nodiscard]] std::string text() const;  ///< "a number > 0"
+};
+
+namespace detail {
+
+inline double& stored(double& target) { return target; }
+inline double& stored(std::optional<double>& target) { return target.emplace(); }
+
+}  // namespace detail
+
+/// A number.  @tparam Target  double or std::optional<double>
+template <class Target>
+[[nodiscard]] Setting number(std::string key, std::string flag, Target& target, Range range, std::string meaning) {
+  return {std::move(key),
+          std::move(flag),
+          std::move(meaning),
+          range.text(),
+          Setting::Kind::number,
+          [&target, range](const Value& value) {
+            const double given = std::get<double>(value);
+            if (!range.contains(given)) return false;
+            detail::stored(target) = given;
+            return true;
+          }};
+}
+
+/// A whole number within `low` ... `high`.
+[[nodiscard]] Setting integer(std::string key, std::string flag, std::size_t& target, double low, double high,
+                              std::string meaning);
+
+/// Exactly `count` numbers.
+[[nodiscard]] Setting numbers(std::string key, std::string flag, std::vector<double>& target, std::size_t count,
+                              Range range, std::string meaning);
+
+/// Three numbers.
+[[nodiscard]] Setting vector(std::string key, std::string flag, std::optional<Vec3>& target, Range range,
+                             std::string meaning);
+
+/// Any text that is not empty, e.g. a file name.
+[[nodiscard]] Setting text(std::string key, std::string flag, std::string& target, std::string meaning);
+
+/// One of a few words, each with what it stands for.
+template <class Meaning>
+[[nodiscard]] Setting choice(std::string key, std::string flag, std::optional<Meaning>& target,
+                             std::vector<std::pair<std::string, Meaning>> words, std::string meaning) {
+  std::string allowed = "one of";
+  for (const auto& [word, unused] : words) allowed += (&word == &words.front().first ? " " : ", ") + word;
+  return {std::move(key),
+          std::move(flag),
+          std::move(meaning),
+          std::move(allowed),
+          Setting::Kind::text,
+          [&target, words = std::move(words)](const Value& value) {
+            for (const auto& [word, stands_for] : words)
+              if (word == std::get<std::string>(value)) {
+                target = stands_for;
+                return true;
+              }
+            return false;
+          }};
+}
+
+/// Yes or no.
+[[nodiscard]] Setting boolean(std::string key, std::string flag, bool& target, std::string meaning);
+
+/// Applies the texts that followed a flag on the command line; a repeated flag of kind tables adds elements.
+/// @throws UsageError naming the flag, what was given and what is allowed
+void apply_flag(const Setting& setting, const std::vector<std::string>& texts);
+
+/// What messages print of a value: `-1`, `"fast"`, `true`.
+[[nodiscard]] std::string describe(const Value& value);
+
+/// The name among `candidates` that is nearest to a misspelled one, or nothing when none is near.
+[[nodiscard]] std::optional<std::string> nearest_name(std::string_view misspelled,
+                                                      const std::vector<std::string>& candidates);
+
+/// " Did you mean X?" or nothing.
+[[nodiscard]] std::string suggestion(std::string_view misspelled, const std::vector<std::string>& candidates);
+
+/// The whole of a text as a number, or nothing.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+/// The parts of a text between separators; "a,b" -> {"a", "b"}.
+[[nodiscard]] std::vector<std::string> split(std::string_view text, char separator);
+
+}  // namespace hapticut::cli
