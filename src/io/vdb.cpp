@@ -94,6 +94,18 @@ class FileWriter : public openvdb::io::Stream {
   throw Error("cannot read '" + path.string() + "': " + reason);
 }
 
+/// OpenVDB only prints a warning about a format that it does not know, and then reads on.
+void check_header(std::istream& stream, const std::filesystem::path& path) {
+  std::uint32_t header[3] = {};  // magic number (8 bytes), version of the format
+  stream.read(reinterpret_cast<char*>(header), sizeof header);
+  if (!stream || header[0] != std::uint32_t(openvdb::OPENVDB_MAGIC))
+    fail(path, "it is not a .vdb file, or it was cut off.");
+  if (header[2] > openvdb::OPENVDB_FILE_VERSION)
+    fail(path, "it has version " + std::to_string(header[2]) + " of the OpenVDB format; up to " +
+                   std::to_string(openvdb::OPENVDB_FILE_VERSION) + " can be read.");
+  stream.seekg(0);
+}
+
 openvdb::GridPtrVec read_grids(const std::filesystem::path& path) {
   openvdb::initialize();
   std::error_code code;
@@ -101,6 +113,7 @@ openvdb::GridPtrVec read_grids(const std::filesystem::path& path) {
   errno = 0;
   std::ifstream stream(path, std::ios_base::binary);
   if (!stream) fail(path, std::generic_category().message(errno) + "; check the path and its permissions.");
+  check_header(stream, path);
   try {
     // OpenVDB itself does not look at the state of the stream after reading; this makes a file that ends early throw.
     stream.exceptions(std::ios_base::failbit | std::ios_base::badbit | std::ios_base::eofbit);
