@@ -5,6 +5,7 @@
 #include "cli/command.hpp"
 #include "cli/outputs.hpp"
 #include "cli/workpiece_settings.hpp"
+#include "io/atomic_file.hpp"
 
 namespace hapticut::cli {
 namespace {
@@ -16,9 +17,7 @@ struct ConvertSettings {
 
 void run(const ConvertSettings& s) {
   if (s.target.empty()) throw UsageError("the file to write is missing. Use: hapticut convert SOURCE TARGET.");
-  OutputSettings output;
-  output.workpiece = s.target;
-  check_outputs(output);
+  const AtomicFile writable(s.target);  // says so before the work when it is not
   const Workpiece workpiece = make_workpiece(s.workpiece);
   write_workpiece(s.target, workpiece);
   std::printf("%s: %lld voxels\n", s.target.c_str(), (long long)workpiece.solid_voxels());

@@ -33,6 +33,8 @@ void write_files(const OutputSettings& output, const Json& report, const DrillRe
                  const Workpiece& workpiece) {
   if (!output.steps_csv.empty()) write_steps(output.steps_csv, result.rows);
   if (!output.workpiece.empty()) write_workpiece(output.workpiece, workpiece);
+  if (!output.surface.empty()) write_surface(output.surface, workpiece);
+  if (!output.picture.empty()) write_picture_of(output, workpiece);
   write_json(output.json, report);
 }
 

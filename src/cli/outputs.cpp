@@ -6,7 +6,13 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/vdb.hpp"
+#include "hapticut/workpiece/surface.hpp"
 #include "io/atomic_file.hpp"
+#ifdef HAPTICUT_HAS_IO
+#include "hapticut/io/meshes.hpp"
+#include "hapticut/io/picture.hpp"
+#include "hapticut/io/volumes.hpp"
+#endif
 
 namespace hapticut::cli {
 namespace {
@@ -38,20 +44,61 @@ std::vector<Setting> settings_of(OutputSettings& o) {
   return {
       text("output.json", "--json", o.json, "report for machines"),
       text("output.steps_csv", "--steps_csv", o.steps_csv, "a line for every step"),
-      text("output.save", "--save", o.workpiece, "what is left of the workpiece, .vdb"),
+      text("output.save", "--save", o.workpiece, "what is left of the workpiece, .vdb or .nrrd"),
+      text("output.surface", "--surface", o.surface, "surface of what is left, .stl or .ply"),
+      text("output.picture", "--picture", o.picture, "picture of what is left, .png"),
+      vector("output.picture_view", "--picture_view", o.picture_view, Range::any(),
+             "direction from the camera into the scene"),
   };
 }
 
 void check_outputs(const OutputSettings& outputs) {
-  require_extension(outputs.workpiece, {".vdb"});
-  for (const std::string& path : {outputs.json, outputs.steps_csv, outputs.workpiece})
+  require_extension(outputs.workpiece, {".vdb", ".nrrd"});
+  require_extension(outputs.surface, {".stl", ".ply"});
+  require_extension(outputs.picture, {".png"});
+  for (const std::string& path : {outputs.json, outputs.steps_csv, outputs.workpiece, outputs.surface, outputs.picture})
     if (!path.empty()) AtomicFile unused(path);
 }
 
+#ifdef HAPTICUT_HAS_IO
 void write_workpiece(const std::string& path, const Workpiece& workpiece) {
-  require_extension(path, {".vdb"});
+  if (has_extension(path, {".nrrd"})) return write_nrrd(path, workpiece);
+  if (has_extension(path, {".stl", ".ply"})) return write_surface(path, workpiece);
+  require_extension(path, {".vdb", ".nrrd", ".stl", ".ply"});
   save_vdb(workpiece, path);
 }
+
+void write_surface(const std::string& path, const Workpiece& workpiece) {
+  const WorkpieceSurface surface = extract_surface(workpiece);
+  if (has_extension(path, {".ply"})) return write_ply(colored(surface, workpiece.materials()), path);
+  write_stl(surface.mesh, path);
+}
+
+void write_picture_of(const OutputSettings& outputs, const Workpiece& workpiece) {
+  PictureOptions options;
+  options.view_direction = outputs.picture_view.value_or(options.view_direction);
+  write_picture({colored(extract_surface(workpiece), workpiece.materials())}, options, outputs.picture);
+}
+#else
+namespace {
+
+[[noreturn]] void fail_without_io(const std::string& path) {
+  throw Error("cannot write '" + path +
+              "', because this program was built without its io component; only .vdb files "
+              "can be written. Build it with HAPTICUT_WITH_IO=ON.");
+}
+
+}  // namespace
+
+void write_workpiece(const std::string& path, const Workpiece& workpiece) {
+  if (!has_extension(path, {".vdb"})) fail_without_io(path);
+  save_vdb(workpiece, path);
+}
+
+void write_surface(const std::string& path, const Workpiece&) { fail_without_io(path); }
+
+void write_picture_of(const OutputSettings& outputs, const Workpiece&) { fail_without_io(outputs.picture); }
+#endif
 
 void write_steps(const std::string& path, const std::vector<StepRow>& rows) {
   write_atomically(path, [&](std::ostream& stream) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace hapticut::cli {
 /// The files that a run leaves behind, as the user writes them: `[output]` in a settings file. Empty: not wanted.
 struct OutputSettings {
   std::string json, steps_csv, workpiece, surface, picture;
+  std::optional<Vec3> picture_view;  ///< [1] direction from the camera into the scene
 };
 
 [[nodiscard]] std::vector<Setting> settings_of(OutputSettings& outputs);
@@ -23,6 +25,14 @@ void check_outputs(const OutputSettings& outputs);
 /// Writes what is left of the workpiece, in the format that the extension names.
 /// @throws Error when the format is unknown or the file cannot be written
 void write_workpiece(const std::string& path, const Workpiece& workpiece);
+
+/// Writes the surface of what is left: .stl, or .ply with colours.
+/// @throws Error as above
+void write_surface(const std::string& path, const Workpiece& workpiece);
+
+/// Draws what is left, as PNG.
+/// @throws Error when the file cannot be written
+void write_picture_of(const OutputSettings& outputs, const Workpiece& workpiece);
 
 /// One line per step. Positions and rotations are those of the head, and can be read again as a path of poses with
 /// `point = "head"`.

@@ -82,6 +82,18 @@ bool parse_grey(const std::string&, const std::string& rest, GreyRange& range) {
   return ends[1].empty() || (range.to = parse_number(ends[1]));
 }
 
+using Shell = WorkpieceSettings::Shell;
+
+std::vector<Setting> settings_of_shell(Shell& shell) {
+  return {text("material", "", shell.material, "a material, or empty"),
+          text("object", "", shell.object, "name of an object in the file")};
+}
+
+bool parse_shell(const std::string&, const std::string& rest, Shell& shell) {
+  shell.object = rest;
+  return true;
+}
+
 }  // namespace
 
 std::vector<Setting> settings_of(WorkpieceSettings& w) {
@@ -93,6 +105,9 @@ std::vector<Setting> settings_of(WorkpieceSettings& w) {
       vector("workpiece.size_mm", "--size_mm", w.size_mm, positive,
              "block, slab: size along x, y, z; one corner lies at the origin"),
       text("workpiece.material", "--material", w.material, "block, mesh, .vdb of another program: the material"),
+      table_list<Shell>("workpiece.shells", "--shell", w.shells, "MATERIAL=OBJECT, where MATERIAL may be empty",
+                        "mesh with several objects: what one of them encloses; repeat it", &settings_of_shell,
+                        &parse_shell),
       table_list<Layer>("workpiece.layers", "--layer", w.layers, "MATERIAL=THICKNESS_MM",
                         "slab: a layer, from the top down; repeat it", &settings_of_layer, &parse_layer),
       table_list<Labels>("workpiece.labels", "--label", w.labels, "MATERIAL=LABEL,LABEL...",

@@ -31,9 +31,14 @@ struct WorkpieceSettings {
   std::optional<double> voxel_mm;  ///< default: 0.1 for what is built, the smallest spacing for volumes
   std::optional<Vec3> size_mm;     ///< block, slab
   std::string material;            ///< block, mesh, .vdb of another program
-  std::deque<Layer> layers;        ///< slab, from the top down
-  std::deque<Labels> labels;       ///< volume of labels
-  std::deque<GreyRange> grey;      ///< volume of grey values
+  struct Shell {
+    std::string material;  ///< of what the object encloses; "empty" makes a cavity of it
+    std::string object;    ///< its name in the file
+  };
+  std::deque<Shell> shells;    ///< mesh with several objects
+  std::deque<Layer> layers;    ///< slab, from the top down
+  std::deque<Labels> labels;   ///< volume of labels
+  std::deque<GreyRange> grey;  ///< volume of grey values
   std::optional<double> grade_low, grade_high;
   std::string grade_at_low, grade_at_high;
   std::optional<Vec3> spacing_mm;  ///< volume: replaces what the file says

@@ -11,6 +11,7 @@
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/molar.hpp"
 #ifdef HAPTICUT_HAS_IO
+#include "cli/mesh_source.hpp"
 #include "cli/volume_source.hpp"
 #endif
 
@@ -28,6 +29,7 @@ std::set<std::string> given_settings(const Source& s) {
   note("voxel_mm", s.voxel_mm.has_value());
   note("size_mm", s.size_mm.has_value());
   note("material", !s.material.empty());
+  note("shells", !s.shells.empty());
   note("layers", !s.layers.empty());
   note("labels", !s.labels.empty());
   note("grey", !s.grey.empty());
@@ -139,6 +141,11 @@ Workpiece make_workpiece(const WorkpieceSettings& s) {
   const std::string extension = extension_of(s.source);
   if (extension == ".vdb") return read_vdb(s);
 #ifdef HAPTICUT_HAS_IO
+  for (const char* mesh : {".obj", ".stl", ".ply", ".off"})
+    if (extension == mesh) {
+      refuse_all_but(s, {"voxel_mm", "material", "shells", "unit_mm"});
+      return make_workpiece_from_mesh(s);
+    }
   refuse_all_but(s, {"voxel_mm", "labels", "grey", "grade_low", "grade_high", "grade_at_low", "grade_at_high",
                      "spacing_mm", "crop_mm", "largest_component"});
   return make_workpiece_from_volume(s);

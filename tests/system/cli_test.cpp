@@ -309,6 +309,29 @@ void write_test_volume(const std::filesystem::path& path) {
   write_bytes(path, header);
 }
 
+TEST_F(Drill, LeavesASurfaceAndAPicture) {
+  (void)drill(kBlock + kBall + kGroove + "--save " + path("b.nrrd") + " --surface " + path("b.stl") + " --picture " +
+              path("b.png") + " --picture_view 0,1,-1");
+  EXPECT_TRUE(read_bytes(folder / "b.nrrd").starts_with("NRRD"));
+  EXPECT_TRUE(read_bytes(folder / "b.png").starts_with("\x89PNG"));
+  // The surface encloses what is left: a block of 108 mm^3 without the groove.
+  const Outcome outcome =
+      run("inspect " + path("b.stl") + " --material dentin --voxel_mm 0.2 --json " + path("i.json"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json left = read_json(folder / "report.json");
+  EXPECT_NEAR(read_json(folder / "i.json")["volume_mm3"]["dentin"].get<double>() /
+                  (108 - left["removed_volume_mm3"]["total"].get<double>()),
+              1, 0.02);  // edges are rounded over half a voxel
+}
+
+TEST_F(Convert, WritesSurfacesInColourOrNot) {
+  for (const char* name : {"m.stl", "m.ply"}) {
+    const Outcome outcome = run("convert molar " + path(name) + " --voxel_mm 0.5");
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_GT(std::filesystem::file_size(folder / name), 10000U);
+  }
+}
+
 TEST_F(Inspect, CountsTheGreyValuesOfAVolume) {
   write_test_volume(folder / "v.nrrd");
   const Outcome outcome = run("inspect " + path("v.nrrd") + " --threshold 500 --json " + path("i.json"));
