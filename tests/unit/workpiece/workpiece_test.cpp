@@ -61,6 +61,18 @@ TEST(Workpiece, ABlockCutEmptyGoesBackToThePool) {
   EXPECT_TRUE(cut_voxel(workpiece, {16, 16, 16}));
 }
 
+TEST(Workpiece, TakesOtherConstantsButNotAnotherNumberOfMaterials) {
+  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(1, 1, 1) * mm}, 0.1 * mm, clay());
+  const std::uint64_t before = workpiece.hash();
+  Material heavy = clay();
+  heavy.density *= 2;
+  const double mass = workpiece.amounts()[0].mass;
+  workpiece.set_materials(MaterialTable({heavy}));
+  EXPECT_DOUBLE_EQ(workpiece.amounts()[0].mass, 2 * mass);
+  EXPECT_EQ(workpiece.hash(), before);
+  EXPECT_THROW(workpiece.set_materials(MaterialTable()), Error);
+}
+
 TEST(Workpiece, AnExhaustedPoolLeavesTheBlockAsItIs) {
   Workpiece workpiece = build_block({Vec3::Zero(), Vec3(4, 4, 4) * mm}, 0.1 * mm, clay());
   workpiece.reserve_blocks(1);
