@@ -272,6 +272,14 @@ reference_stiffness_N_per_m4 = 3e15
   EXPECT_GT(hard["force_N"]["mean"].get<double>(), 2 * soft["force_N"]["mean"].get<double>());
 }
 
+TEST_F(Drill, PreparesTheMolarOfTheDemo) {
+  const nlohmann::json report =
+      drill(std::string("--settings ") + HAPTICUT_DEMO + "/molar.toml --voxel_mm 0.2 --rate 200");
+  EXPECT_GT(report["removed_volume_mm3"]["by_material"]["enamel"], 1);
+  EXPECT_GT(report["removed_volume_mm3"]["by_material"]["dentin"], 1);
+  EXPECT_LT(report["energy_closure"], 0.01);
+}
+
 TEST_F(Inspect, CountsWhatABlockHolds) {
   const Outcome outcome =
       run("inspect block --size_mm 2,3,4 --voxel_mm 0.1 --material dentin --json " + path("i.json"));
