@@ -36,6 +36,9 @@ while [ $# -gt 0 ]; do
   shift
 done
 
+# What ccache knows from another clone of the repository serves this one too.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
+
 logs=out/test
 rm -rf "$logs"
 mkdir -p "$logs"

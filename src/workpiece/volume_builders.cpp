@@ -113,7 +113,7 @@ Workpiece build(const Volume<typename Field::Sample>& volume, const Field& field
   const int dense_enough = int(std::min(std::ceil(layout.step.maxCoeff() - 1e-6), double(kMaxSubsamples)));
   const int subsamples = options.antialias ? std::max(options.subsamples, dense_enough) : 1;
   const VolumeFiller<Field> fill(volume, field, layout.samples, layout.first, layout.step, subsamples,
-                                 options.antialias);
+                                 options.antialias ? dense_enough : 1, options.antialias);
   return Workpiece::from_blocks(layout.voxels, layout.frame, std::move(materials), std::cref(fill));
 }
 

@@ -14,12 +14,22 @@
 namespace hapticut {
 
 /// How much of a voxel belongs to each material.
-struct MaterialShares {
-  std::array<float, 256> share{};
-
-  [[nodiscard]] MaterialId largest() const {
-    return MaterialId(std::max_element(share.begin() + 1, share.end()) - share.begin());
+class MaterialShares {
+ public:
+  void add(MaterialId material, float share) {
+    shares_[material] += share;
+    low_ = std::min(low_, material);
+    high_ = std::max(high_, material);
   }
+  /// The material with the largest share that is not kEmpty; of equal ones the first.
+  [[nodiscard]] MaterialId largest() const {
+    const auto begin = shares_.begin() + std::max(low_, MaterialId(1)), end = shares_.begin() + high_ + 1;
+    return MaterialId(std::max_element(begin, end) - shares_.begin());
+  }
+
+ private:
+  std::array<float, 256> shares_{};
+  MaterialId low_ = 255, high_ = 1;  // only these are looked through
 };
 
 /// Labels, each of which is a material or empty.
@@ -42,6 +52,8 @@ class LabelField {
     if (extent.low != extent.high) return std::nullopt;
     return extent.low;
   }
+  [[nodiscard]] bool all_solid(const Extent& extent) const { return extent.low != kEmpty; }
+  [[nodiscard]] bool surely_cut(const Extent& extent) const { return extent.low == kEmpty && extent.high != kEmpty; }
   float count(const Cell<Sample>& cell, Tally& tally) const {
     float variation = 0;
     const float membership =
@@ -50,8 +62,8 @@ class LabelField {
     if (share == 0) return 0;
     const auto [x, y, z] = cell.weight;
     for (unsigned n = 0; n < 8; ++n)
-      tally.share[material_of_[cell.corner[n]]] +=
-          share * ((n & 1U) != 0 ? x : 1 - x) * ((n & 2U) != 0 ? y : 1 - y) * ((n & 4U) != 0 ? z : 1 - z);
+      tally.add(material_of_[cell.corner[n]],
+                share * ((n & 1U) != 0 ? x : 1 - x) * ((n & 2U) != 0 ? y : 1 - y) * ((n & 4U) != 0 ? z : 1 - z));
     return share;
   }
   [[nodiscard]] MaterialId material(const Tally& tally) const { return tally.largest(); }
@@ -92,11 +104,15 @@ class GreyField {
       add_zone(range.to, range.material);
     }
     add_zone(kInfinity, kEmpty);
-    // A surface is where solid meets empty: neighbouring solid zones share their outer bounds.
-    for (std::size_t n = 1; n < zones_.size(); ++n)
-      if (zones_[n].material != kEmpty && zones_[n - 1].material != kEmpty) zones_[n].low = zones_[n - 1].low;
-    for (std::size_t n = zones_.size() - 1; n-- > 0;)
-      if (zones_[n].material != kEmpty && zones_[n + 1].material != kEmpty) zones_[n].high = zones_[n + 1].high;
+    // A surface is where solid meets empty: neighbouring solid zones are one run.
+    for (std::size_t n = 0; n < zones_.size(); ++n) {
+      const bool solid = zones_[n].material != kEmpty;
+      if (!runs_.empty() && solid && runs_.back().solid) {
+        runs_.back().high = zones_[n].high;
+      } else {
+        runs_.push_back({solid, zones_[n].low, zones_[n].high});
+      }
+    }
   }
 
   void extend(Extent& extent, Sample value) const {
@@ -104,21 +120,27 @@ class GreyField {
     extent.high = std::max(extent.high, value);
   }
   [[nodiscard]] std::optional<MaterialId> uniform(const Extent& extent) const {
-    const std::size_t zone = zone_of(extent.low);
-    if (zone != zone_of(extent.high)) return std::nullopt;
-    return zones_[zone].material;
+    const Run& run = run_of(extent.low);
+    if (!(extent.high < run.high)) return std::nullopt;
+    if (!run.solid) return kEmpty;
+    const Zone& zone = zone_of(extent.low);
+    if (!(extent.high < zone.high)) return std::nullopt;
+    return zone.material;
   }
+  [[nodiscard]] bool all_solid(const Extent& extent) const {
+    const Run& run = run_of(extent.low);
+    return run.solid && extent.high < run.high;
+  }
+  [[nodiscard]] bool surely_cut(const Extent& extent) const { return !(extent.high < run_of(extent.low).high); }
+
   float count(const Cell<Sample>& cell, Tally& tally) const {
     float variation = 0;
     const float value = cell.interpolate([](Sample v) { return v; }, variation);
-    std::size_t at = zone_of(value);
-    const Zone& zone = zones_[at];
-    const bool inside = zone.material != kEmpty;
-    const float depth = std::min(value - zone.low, zone.high - value);
-    const float share = covered_share(inside ? depth : -depth, variation, inside);
+    const Run& run = run_of(value);
+    const float depth = std::min(value - run.low, run.high - value);
+    const float share = covered_share(run.solid ? depth : -depth, variation, run.solid);
     if (share == 0) return 0;
-    if (!inside) at = nearest_solid(at, value);
-    tally.materials.share[zones_[at].material] += share;
+    if (!graded_) tally.materials.add(nearest_material(run, value), share);
     tally.covered += double(share);
     tally.value += double(share) * double(value);
     return share;
@@ -126,28 +148,42 @@ class GreyField {
   [[nodiscard]] MaterialId material(const Tally& tally) const {
     if (!graded_) return tally.materials.largest();
     const float mean = float(tally.value / tally.covered);
-    const std::size_t at = zone_of(mean);
-    return zones_[zones_[at].material != kEmpty ? at : nearest_solid(at, mean)].material;
+    return nearest_material(run_of(mean), mean);
   }
 
  private:
   struct Zone {
     MaterialId material;
-    float low, high;  ///< of the run of solid zones, or of the gap, that it is part of
+    float low, high;
+  };
+  /// Neighbouring zones that are all solid, or a gap.
+  struct Run {
+    bool solid;
+    float low, high;
   };
 
-  [[nodiscard]] std::size_t zone_of(float value) const {
-    const auto end = std::upper_bound(ends_.begin(), ends_.end(), value);
-    return std::min(std::size_t(end - ends_.begin()), zones_.size() - 1);
+  /// There are few runs: no search is faster than looking at one after the other.
+  [[nodiscard]] const Run& run_of(float value) const {
+    const Run* run = runs_.data();
+    for (const Run* last = run + runs_.size() - 1; run != last && !(value < run->high);) ++run;
+    return *run;
   }
-  [[nodiscard]] std::size_t nearest_solid(std::size_t gap, float value) const {
-    if (gap == 0) return 1;
-    if (gap + 1 == zones_.size()) return gap - 1;
-    return value - zones_[gap].low < zones_[gap].high - value ? gap - 1 : gap + 1;
+  [[nodiscard]] const Zone& zone_of(float value) const {
+    const auto end = std::upper_bound(ends_.begin(), ends_.end(), value);
+    return zones_[std::min(std::size_t(end - ends_.begin()), zones_.size() - 1)];
+  }
+  /// The material at a value; in a gap that of the nearer end.
+  [[nodiscard]] MaterialId nearest_material(const Run& run, float value) const {
+    const Zone* zone = &zone_of(value);
+    if (run.solid) return zone->material;
+    if (zone == &zones_.front()) return zone[1].material;
+    if (zone == &zones_.back()) return zone[-1].material;
+    return value - run.low < run.high - value ? zone[-1].material : zone[1].material;
   }
 
   std::vector<Zone> zones_;  // every grey value is in one
   std::vector<float> ends_;  // upper bounds of the zones
+  std::vector<Run> runs_;    // every grey value is in one
   bool graded_;
 };
 

@@ -64,9 +64,10 @@ struct Cell {
 ///
 /// A `Field` says what samples mean:
 /// `Sample` their type; `Extent` a summary of several samples, grown by `extend(extent, sample)`; `uniform(extent)` the
-/// one material of everything between such samples (kEmpty for none), or nothing; `Tally` what is counted in a voxel;
-/// `count(cell, tally)` counts one point and returns the share of the box around it that is inside; `material(tally)`
-/// the material of the voxel.
+/// one material of everything between such samples (kEmpty for none), or nothing; `all_solid(extent)` whether
+/// everything between them is some material; `surely_cut(extent)` that neither can be true any more; `Tally` what is
+/// counted in a voxel; `count(cell, tally)` counts one point and returns the share of the box around it that is inside;
+/// `material(tally)` the material of the voxel.
 template <class Field>
 class VolumeFiller {
  public:
@@ -75,41 +76,52 @@ class VolumeFiller {
   /// @param samples  the samples that count; what lies more than half a spacing beyond them is empty
   /// @param first    [samples] place of the centre of voxel (0,0,0) among the samples
   /// @param step     [samples] size of a voxel along each axis
+  /// @param subsamples  points per edge of a voxel that the surface cuts
+  /// @param sparse      points per edge that are enough to see every sample
   /// @param antialias  false: with one subsample, voxels are full or empty
   VolumeFiller(const Volume<Sample>& volume, const Field& field, const IndexBox& samples, const Vec3& first,
-               const Vec3& step, int subsamples, bool antialias)
-      : volume_(volume), field_(field), samples_(samples), first_(first), step_(step), subsamples_(subsamples) {
+               const Vec3& step, int subsamples, int sparse, bool antialias)
+      : volume_(volume),
+        field_(field),
+        samples_(samples),
+        first_(first),
+        step_(step),
+        subsamples_(subsamples),
+        sparse_(sparse) {
     // A point that stands for no box is inside or outside, with no share between.
     if (antialias) box_ = (step / subsamples).cast<float>();
   }
 
   BlockKind operator()(const VoxelIndex& origin, BlockContent& content) const {
     Points points;
-    bool all_inside = true;
+    bool whole_block_inside = true;
     for (int axis = 0; axis < 3; ++axis) {
       bool any_inside = false;
       for (int n = 0; n < kBlockEdge * subsamples_; ++n) {
-        const PointOnAxis& point = points[axis][n] = point_on(axis, origin[axis], n);
+        const PointOnAxis& point = points[axis][n] = point_on(axis, origin[axis], n, subsamples_);
         any_inside |= point.inside;
-        all_inside &= point.inside;
+        whole_block_inside &= point.inside;
       }
       if (!any_inside) return BlockKind::empty();
     }
     const VoxelIndex last = {kBlockEdge - 1, kBlockEdge - 1, kBlockEdge - 1};
-    if (const auto material = uniform_material(points, {0, 0, 0}, last)) {
+    if (const auto material = field_.uniform(extent_of(points, {0, 0, 0}, last))) {
       if (*material == kEmpty) return BlockKind::empty();
-      if (all_inside) return BlockKind::solid(*material);
+      if (whole_block_inside) return BlockKind::solid(*material);
     }
-    for (int n = 0; n < kBlockVoxels; ++n) fill_voxel(points, {n >> 6, n >> 3 & 7, n & 7}, n, content);
+    Points sparse;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int n = 0; n < kBlockEdge * sparse_; ++n) sparse[axis][n] = point_on(axis, origin[axis], n, sparse_);
+    for (int n = 0; n < kBlockVoxels; ++n) fill_voxel(points, sparse, {n >> 6, n >> 3 & 7, n & 7}, n, content);
     return BlockKind::mixed();
   }
 
  private:
   using Points = std::array<std::array<PointOnAxis, kBlockEdge * kMaxSubsamples>, 3>;
 
-  /// Point `n` of the block along an axis, `subsamples_` to a voxel.
-  [[nodiscard]] PointOnAxis point_on(int axis, int block_origin, int n) const {
-    const double voxel = block_origin - 0.5 + (n + 0.5) / subsamples_;
+  /// Point `n` of the block along an axis, `per_voxel` to a voxel.
+  [[nodiscard]] PointOnAxis point_on(int axis, int block_origin, int n, int per_voxel) const {
+    const double voxel = block_origin - 0.5 + (n + 0.5) / per_voxel;
     const double place = first_[axis] + voxel * step_[axis];
     const int min = samples_.min[axis], max = samples_.max[axis];
     PointOnAxis point;
@@ -121,55 +133,98 @@ class VolumeFiller {
     return point;
   }
 
-  /// The one material of the voxels `from` ... `to` of a block, if the samples around them leave no doubt.
-  [[nodiscard]] std::optional<MaterialId> uniform_material(const Points& points, const VoxelIndex& from,
-                                                           const VoxelIndex& to) const {
+  /// Summary of the samples around the voxels `from` ... `to` of a block; stops when it is certain that they differ.
+  [[nodiscard]] typename Field::Extent extent_of(const Points& points, const VoxelIndex& from,
+                                                 const VoxelIndex& to) const {
     VoxelIndex low, high;
     for (int axis = 0; axis < 3; ++axis) {
       low[axis] = points[axis][from[axis] * subsamples_].low;
       high[axis] = points[axis][(to[axis] + 1) * subsamples_ - 1].high;
     }
     typename Field::Extent extent;
-    for (int k = low[2]; k <= high[2]; ++k)
+    for (int k = low[2]; k <= high[2]; ++k) {
       for (int j = low[1]; j <= high[1]; ++j) {
         const Sample* row = &volume_.at(0, j, k);
         for (int i = low[0]; i <= high[0]; ++i) field_.extend(extent, row[i]);
-        if (!field_.uniform(extent)) return std::nullopt;
       }
-    return field_.uniform(extent);
+      if (field_.surely_cut(extent)) return extent;
+    }
+    return extent;
   }
 
-  void fill_voxel(const Points& points, const VoxelIndex& voxel, int n, BlockContent& content) const {
+  void fill_voxel(const Points& points, const Points& sparse, const VoxelIndex& voxel, int n,
+                  BlockContent& content) const {
     content.material[n] = kEmpty;
     content.fill[n] = 0;
     content.centroid[n] = {};
-    const auto uniform = uniform_material(points, voxel, voxel);
+    const auto extent = extent_of(points, voxel, voxel);
+    const auto uniform = field_.uniform(extent);
     if (uniform && *uniform == kEmpty) return;
+    const bool inside = all_inside(points, voxel);
+    if (inside && (uniform || field_.all_solid(extent))) {
+      content.material[n] = uniform ? *uniform : material_of_full(sparse, voxel);
+      content.fill[n] = 1;
+      return;
+    }
 
     typename Field::Tally tally{};
     double covered = 0;
     Vec3 moment = Vec3::Zero();
     for (int c = 0; c < subsamples_; ++c)
-      for (int b = 0; b < subsamples_; ++b)
+      for (int b = 0; b < subsamples_; ++b) {
+        const PointOnAxis& y = points[1][voxel[1] * subsamples_ + b];
+        const PointOnAxis& z = points[2][voxel[2] * subsamples_ + c];
+        if (!y.inside || !z.inside) continue;
+        const Rows rows = rows_at(y, z);
         for (int a = 0; a < subsamples_; ++a) {
           const PointOnAxis& x = points[0][voxel[0] * subsamples_ + a];
-          const PointOnAxis& y = points[1][voxel[1] * subsamples_ + b];
-          const PointOnAxis& z = points[2][voxel[2] * subsamples_ + c];
-          if (!x.inside || !y.inside || !z.inside) continue;
-          const double share = field_.count(cell_at(x, y, z), tally);
+          if (!x.inside) continue;
+          const double share = double(field_.count(cell_at(rows, x, y, z), tally));
+          if (share == 0) continue;
           covered += share;
-          moment += share * ((Vec3(a, b, c).array() + 0.5) / subsamples_ - 0.5).matrix();
+          moment += share * Vec3(a, b, c);
         }
+      }
     const double fill = covered / (subsamples_ * subsamples_ * subsamples_);
     if (fill < kNegligible) return;
     content.material[n] = field_.material(tally);
     content.fill[n] = fill > 1 - kNegligible ? 1.0F : float(fill);
-    if (content.fill[n] < 1) content.centroid[n] = CentroidOffset::from_offset(moment / covered);
+    if (content.fill[n] == 1) return;
+    const Vec3 centroid = ((moment / covered).array() + 0.5) / subsamples_ - 0.5;
+    content.centroid[n] = CentroidOffset::from_offset(centroid);
   }
 
-  [[nodiscard]] Cell<Sample> cell_at(const PointOnAxis& x, const PointOnAxis& y, const PointOnAxis& z) const {
-    const Sample* rows[] = {&volume_.at(0, y.low, z.low), &volume_.at(0, y.high, z.low), &volume_.at(0, y.low, z.high),
-                            &volume_.at(0, y.high, z.high)};
+  /// The material of a voxel that is full: as few points as see every sample.
+  [[nodiscard]] MaterialId material_of_full(const Points& sparse, const VoxelIndex& voxel) const {
+    typename Field::Tally tally{};
+    for (int c = 0; c < sparse_; ++c)
+      for (int b = 0; b < sparse_; ++b) {
+        const PointOnAxis& y = sparse[1][voxel[1] * sparse_ + b];
+        const PointOnAxis& z = sparse[2][voxel[2] * sparse_ + c];
+        const Rows rows = rows_at(y, z);
+        for (int a = 0; a < sparse_; ++a)
+          (void)field_.count(cell_at(rows, sparse[0][voxel[0] * sparse_ + a], y, z), tally);
+      }
+    return field_.material(tally);
+  }
+
+  [[nodiscard]] bool all_inside(const Points& points, const VoxelIndex& voxel) const {
+    bool inside = true;
+    for (int axis = 0; axis < 3; ++axis)
+      inside &=
+          points[axis][voxel[axis] * subsamples_].inside && points[axis][(voxel[axis] + 1) * subsamples_ - 1].inside;
+    return inside;
+  }
+
+  /// The four rows of samples around a line along x: below and above in y, then the same above in z.
+  using Rows = std::array<const Sample*, 4>;
+  [[nodiscard]] Rows rows_at(const PointOnAxis& y, const PointOnAxis& z) const {
+    return {&volume_.at(0, y.low, z.low), &volume_.at(0, y.high, z.low), &volume_.at(0, y.low, z.high),
+            &volume_.at(0, y.high, z.high)};
+  }
+
+  [[nodiscard]] Cell<Sample> cell_at(const Rows& rows, const PointOnAxis& x, const PointOnAxis& y,
+                                     const PointOnAxis& z) const {
     Cell<Sample> cell;
     for (std::size_t n = 0; n < 4; ++n) {
       cell.corner[2 * n] = rows[n][x.low];
@@ -186,7 +241,7 @@ class VolumeFiller {
   const Field& field_;
   IndexBox samples_;
   Vec3 first_, step_;
-  int subsamples_;
+  int subsamples_, sparse_;
   Eigen::Vector3f box_ = Eigen::Vector3f::Zero();  ///< [samples] size of the box that a point stands for
 };
 

@@ -13,3 +13,6 @@ hapticut_package_test(Package.IsFoundLinkedAndRunByAnOutsideProject installed)
 hapticut_package_test(Package.CanBeAddedAsASubdirectory subdirectory)
 hapticut_package_test(Package.GivesTheSameForceToAProgramCompiledForAvx avx)
 hapticut_package_test(Package.NamesTheDebianPackageOfAMissingOpenVDB no_openvdb)
+add_test(NAME Package.EveryOptionalPackageIsInstalledByTheScript COMMAND "${CMAKE_COMMAND}"
+  "-DOPTIONS=${PROJECT_SOURCE_DIR}/cmake/HapticutOptions.cmake" "-DSCRIPT=${PROJECT_SOURCE_DIR}/scripts/install-deps.sh"
+  -P "${PROJECT_SOURCE_DIR}/tests/consumer/compare_package_lists.cmake")

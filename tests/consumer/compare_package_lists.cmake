@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: Apache-2.0
+# Every Debian package that cmake/HapticutOptions.cmake would tell a user to install is in scripts/install-deps.sh.
+cmake_minimum_required(VERSION 3.25)
+file(STRINGS "${OPTIONS}" needs REGEX "^ *(set\\(HAPTICUT_NEEDS_|\")")
+execute_process(COMMAND "${SCRIPT}" --for test --list OUTPUT_VARIABLE installed COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "[^\n]+" installed "${installed}")
+string(REGEX MATCHALL "\\|[a-z0-9.+-]+\"" packages "${needs}")
+list(LENGTH packages count)
+if(count LESS 8)
+  message(FATAL_ERROR "only ${count} packages were found in ${OPTIONS}; has its form changed?")
+endif()
+foreach(package IN LISTS packages)
+  string(REGEX REPLACE "[|\"]" "" package "${package}")
+  if(NOT package IN_LIST installed)
+    message(FATAL_ERROR "${package} is named in ${OPTIONS}, but scripts/install-deps.sh does not install it.")
+  endif()
+endforeach()
