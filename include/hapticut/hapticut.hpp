@@ -2,8 +2,8 @@
 #pragma once
 
 /// @file
-/// Everything of hapticut; the order is the order to read it in. `workpiece/openvdb.hpp`, the door to OpenVDB, and `io/`,
-/// which is an optional component, are included on their own.
+/// Everything of hapticut; the order is the order to read it in. `workpiece/openvdb.hpp`, the door to OpenVDB, and
+/// `io/`, which is an optional component, are included on their own.
 
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/core/errors.hpp"

@@ -141,7 +141,8 @@ class FoundationLaw final : public ForceLaw {
     };
     const double couple = spinning ? -total(kCouple) / double(m.spin) : 0.0;
     return {{total(kElastic), total(kCutting), total(kReleased), total(kDamping), total(kRubbing), total(kCredited)},
-            couple, cutting};
+            couple,
+            cutting};
   }
 };
 
