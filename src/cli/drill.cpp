@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/drill.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <ctime>
 
 #include "cli/progress.hpp"
 #include "hapticut/core/errors.hpp"

@@ -117,4 +117,13 @@ int main_with(int argc, char** argv) {
 }  // namespace
 }  // namespace hapticut::cli
 
-int main(int argc, char** argv) { return hapticut::cli::main_with(argc, argv); }
+int main(int argc, char** argv) {
+  try {
+    return hapticut::cli::main_with(argc, argv);
+  } catch (const std::exception& error) {  // out of memory while the arguments are read
+    std::fprintf(stderr, "hapticut: %s\n", error.what());
+  } catch (...) {
+    std::fputs("hapticut: failed for a reason it cannot name.\n", stderr);
+  }
+  return 1;
+}

@@ -39,6 +39,7 @@ class Reader {
         read_entries(*node.as_table(), key + ".", prefix, settings);
       } else {
         std::vector<std::string> known;
+        known.reserve(settings.size());
         for (const Setting& s : settings) known.push_back(prefix + s.key);
         fail(key_node.source(), prefix + key + ": there is no such setting." + suggestion(prefix + key, known));
       }

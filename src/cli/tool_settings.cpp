@@ -76,7 +76,7 @@ std::vector<Setting> settings_of(ToolSettings& t) {
               {"side_only", FlatRule::side_only},
               {"both", FlatRule::both}},
              "which surface of a flat head carries the spring [nearest]"),
-      choice("tool.handle", "--handle", t.handle, {{"ray", HandleKind::ray}, {"L", HandleKind::L}},
+      choice("tool.handle", "--handle", t.handle, {{"ray", HandleKind::ray}, {"L", HandleKind::angled}},
              "straight (ray) or angled (L) handpiece [ray]"),
       number("tool.handle_length_mm", "--handle_length_mm", t.handle_length_mm, Range::not_negative(),
              "from the hand to the head, or to the elbow of an L [0 for a ray]"),

@@ -13,7 +13,7 @@ namespace hapticut::cli {
 /// The tool as the user writes it: `[tool]` in a settings file.
 struct ToolSettings {
   enum class Head { sphere, cone, flat };
-  enum class HandleKind { ray, L };
+  enum class HandleKind { ray, angled };
 
   std::optional<Head> head;
   std::optional<double> radius_mm, height_mm, half_angle_deg;

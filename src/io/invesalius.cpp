@@ -134,7 +134,7 @@ RawImage read_invesalius(const fs::path& path) {
     cannot_read(path, "its values are of type '" + list.get("matrix/dtype") + "'; only int16 is read.");
 
   RawImage image;
-  image.type = ValueType::kInt16;
+  image.type = ValueType::int16;
   const Vec3 shape = list.three_numbers("matrix/shape");  // slices, rows, columns
   require_sane_dims(path, {shape[2], shape[1], shape[0]});
   image.geometry.dims = {int(shape[2]), int(shape[1]), int(shape[0])};

@@ -13,29 +13,29 @@ ValueType value_type(const itk::ImageIOBase& io, const std::filesystem::path& pa
   using Component = itk::IOComponentEnum;
   switch (io.GetComponentType()) {
     case Component::UCHAR:
-      return ValueType::kUint8;
+      return ValueType::uint8;
     case Component::CHAR:
-      return ValueType::kInt8;
+      return ValueType::int8;
     case Component::USHORT:
-      return ValueType::kUint16;
+      return ValueType::uint16;
     case Component::SHORT:
-      return ValueType::kInt16;
+      return ValueType::int16;
     case Component::UINT:
-      return ValueType::kUint32;
+      return ValueType::uint32;
     case Component::INT:
-      return ValueType::kInt32;
+      return ValueType::int32;
     case Component::ULONG:
-      return sizeof(unsigned long) == 8 ? ValueType::kUint64 : ValueType::kUint32;
+      return sizeof(unsigned long) == 8 ? ValueType::uint64 : ValueType::uint32;
     case Component::LONG:
-      return sizeof(long) == 8 ? ValueType::kInt64 : ValueType::kInt32;
+      return sizeof(long) == 8 ? ValueType::int64 : ValueType::int32;
     case Component::ULONGLONG:
-      return ValueType::kUint64;
+      return ValueType::uint64;
     case Component::LONGLONG:
-      return ValueType::kInt64;
+      return ValueType::int64;
     case Component::FLOAT:
-      return ValueType::kFloat32;
+      return ValueType::float32;
     case Component::DOUBLE:
-      return ValueType::kFloat64;
+      return ValueType::float64;
     default:
       cannot_read(path, "its values are of a type that is not read.");
   }

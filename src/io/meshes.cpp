@@ -129,7 +129,7 @@ class MeshCollector {
     if (!is_finite(position)) fail(path_, "a coordinate is not a finite number; repair the mesh.");
     const std::array<double, 3> key = {position.x() + 0.0, position.y() + 0.0, position.z() + 0.0};  // -0 is 0
     const auto [entry, is_new] = index_.try_emplace(key, std::uint32_t(mesh_.vertices.size()));
-    if (is_new) mesh_.vertices.push_back(unit_ * position);
+    if (is_new) mesh_.vertices.emplace_back(unit_ * position);
     return entry->second;
   }
 

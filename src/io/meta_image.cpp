@@ -67,19 +67,19 @@ MetaHeader parse_header(const fs::path& path) {
 
 ValueType value_type(const fs::path& path, const std::string& name) {
   static const std::map<std::string, ValueType> kTypes = {
-      {"MET_UCHAR", ValueType::kUint8},       {"MET_CHAR", ValueType::kInt8},       {"MET_USHORT", ValueType::kUint16},
-      {"MET_SHORT", ValueType::kInt16},       {"MET_UINT", ValueType::kUint32},     {"MET_INT", ValueType::kInt32},
-      {"MET_ULONG_LONG", ValueType::kUint64}, {"MET_LONG_LONG", ValueType::kInt64}, {"MET_FLOAT", ValueType::kFloat32},
-      {"MET_DOUBLE", ValueType::kFloat64}};
+      {"MET_UCHAR", ValueType::uint8},       {"MET_CHAR", ValueType::int8},       {"MET_USHORT", ValueType::uint16},
+      {"MET_SHORT", ValueType::int16},       {"MET_UINT", ValueType::uint32},     {"MET_INT", ValueType::int32},
+      {"MET_ULONG_LONG", ValueType::uint64}, {"MET_LONG_LONG", ValueType::int64}, {"MET_FLOAT", ValueType::float32},
+      {"MET_DOUBLE", ValueType::float64}};
   const auto found = kTypes.find(name);
   if (found == kTypes.end()) cannot_read(path, "its values are of type '" + name + "', which is not read.");
   return found->second;
 }
 
 /// The numbers of a field that has several names; `otherwise` when it is absent.
-template <std::size_t count>
-std::array<double, count> numbers(const fs::path& path, const MetaHeader& header, const std::vector<std::string>& names,
-                                  std::array<double, count> otherwise) {
+template <std::size_t kCount>
+std::array<double, kCount> numbers(const fs::path& path, const MetaHeader& header,
+                                   const std::vector<std::string>& names, std::array<double, kCount> otherwise) {
   for (const std::string& name : names) {
     const auto found = header.fields.find(name);
     if (found == header.fields.end()) continue;
@@ -87,7 +87,7 @@ std::array<double, count> numbers(const fs::path& path, const MetaHeader& header
     text.imbue(std::locale::classic());
     for (double& number : otherwise)
       if (!(text >> number))
-        cannot_read(path, "its field '" + name + "' is '" + found->second + "'; it must be " + std::to_string(count) +
+        cannot_read(path, "its field '" + name + "' is '" + found->second + "'; it must be " + std::to_string(kCount) +
                               " numbers.");
     break;
   }

@@ -18,25 +18,25 @@ namespace {
 template <class Use>
 void with_type(ValueType type, const Use& use) {
   switch (type) {
-    case ValueType::kUint8:
+    case ValueType::uint8:
       return use(std::uint8_t{});
-    case ValueType::kInt8:
+    case ValueType::int8:
       return use(std::int8_t{});
-    case ValueType::kUint16:
+    case ValueType::uint16:
       return use(std::uint16_t{});
-    case ValueType::kInt16:
+    case ValueType::int16:
       return use(std::int16_t{});
-    case ValueType::kUint32:
+    case ValueType::uint32:
       return use(std::uint32_t{});
-    case ValueType::kInt32:
+    case ValueType::int32:
       return use(std::int32_t{});
-    case ValueType::kUint64:
+    case ValueType::uint64:
       return use(std::uint64_t{});
-    case ValueType::kInt64:
+    case ValueType::int64:
       return use(std::int64_t{});
-    case ValueType::kFloat32:
+    case ValueType::float32:
       return use(float{});
-    case ValueType::kFloat64:
+    case ValueType::float64:
       return use(double{});
   }
 }

@@ -24,7 +24,7 @@ struct FileGeometry {
 /// Values as stored, x fastest, in the machine's byte order.
 struct RawImage {
   FileGeometry geometry;
-  ValueType type = ValueType::kUint8;
+  ValueType type = ValueType::uint8;
   std::vector<std::byte> bytes;
 };
 

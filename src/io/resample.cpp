@@ -96,7 +96,7 @@ LabelVolume resample(const LabelVolume& volume, double voxel_size, LabelInterpol
   LabelVolume target = cubic_grid(volume, voxel_size);
   return with_filters("resampling a volume", [&] {
     const LabelImage::Pointer image = image_view(volume);
-    if (interpolation == LabelInterpolation::kNearest) {
+    if (interpolation == LabelInterpolation::nearest) {
       fill_from<std::uint16_t>(image, itk::NearestNeighborInterpolateImageFunction<LabelImage>::New(), volume.spacing,
                                target);
       return target;

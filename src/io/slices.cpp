@@ -134,16 +134,16 @@ RawImage read_slices(const fs::path& folder) {
       cannot_read(file.path, "it is in colour; save grey values, or read labels with read_colour_slices.");
     switch (picture.type) {
       case itk::IOComponentEnum::UCHAR:
-        image.type = ValueType::kUint8;
+        image.type = ValueType::uint8;
         break;
       case itk::IOComponentEnum::USHORT:
-        image.type = ValueType::kUint16;
+        image.type = ValueType::uint16;
         break;
       case itk::IOComponentEnum::SHORT:
-        image.type = ValueType::kInt16;
+        image.type = ValueType::int16;
         break;
       case itk::IOComponentEnum::FLOAT:
-        image.type = ValueType::kFloat32;
+        image.type = ValueType::float32;
         break;
       default:
         cannot_read(file.path, "its values are of a type that is not read; save 8 or 16 bits per pixel.");

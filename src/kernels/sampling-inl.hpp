@@ -40,7 +40,7 @@ struct ConeVectors {
   }
 };
 
-template <FlatRule rule>
+template <FlatRule kRule>
 struct FlatVectors {
   float radius, height;
   explicit FlatVectors(const FlatHead& head) : radius(float(head.radius)), height(float(head.height)) {}
@@ -50,11 +50,11 @@ struct FlatVectors {
     const Vec inverse = hn::Div(broadcast(1.0F), hn::Max(rho, broadcast(1e-12F)));
     const Vec side = hn::Sub(broadcast(radius), rho);
     const Mask inside = hn::Gt(hn::Min(hn::Min(z, hn::Sub(broadcast(height), z)), side), zero);
-    if constexpr (rule == FlatRule::bottom_only) {
+    if constexpr (kRule == FlatRule::bottom_only) {
       return {hn::IfThenElseZero(inside, z), zero, zero, broadcast(-1.0F)};
-    } else if constexpr (rule == FlatRule::side_only) {
+    } else if constexpr (kRule == FlatRule::side_only) {
       return {hn::IfThenElseZero(inside, side), hn::Mul(x, inverse), hn::Mul(y, inverse), zero};
-    } else if constexpr (rule == FlatRule::both) {
+    } else if constexpr (kRule == FlatRule::both) {
       const Vec depth = hn::Sqrt(hn::MulAdd(side, side, hn::Mul(z, z)));
       const Vec share = hn::Div(broadcast(1.0F), hn::Max(depth, broadcast(1e-12F)));
       const Vec radial = hn::Mul(hn::Mul(side, share), inverse);

@@ -81,7 +81,7 @@ Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
 }  // namespace
 
 struct Simulation::State {
-  State(Workpiece workpiece_, Tool tool_, SimulationConfig config_);
+  State(Workpiece given_workpiece, Tool given_tool, SimulationConfig given_config);
   void prepare_workpiece();
 
   // The stages of a step, in their order.
@@ -299,10 +299,10 @@ const StepResult& Simulation::State::reject(StepStatus status) noexcept {
 // --- set-up
 // -------------------------------------------------------------------------------------------------------------
 
-Simulation::State::State(Workpiece workpiece_, Tool tool_, SimulationConfig config_)
-    : workpiece(std::move(workpiece_)),
-      tool(std::move(tool_)),
-      config(std::move(config_)),
+Simulation::State::State(Workpiece given_workpiece, Tool given_tool, SimulationConfig given_config)
+    : workpiece(std::move(given_workpiece)),
+      tool(std::move(given_tool)),
+      config(std::move(given_config)),
       speed_setting(tool.spindle().speed),
       speed(speed_setting),
       removal(config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity

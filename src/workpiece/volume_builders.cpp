@@ -159,7 +159,7 @@ void require_all_claimed(const std::vector<bool>& present, const std::vector<boo
   if (count > 10) unclaimed += " and " + std::to_string(count - 10) + " more";
   if (count > 0)
     throw Error("the volume has labels that no material claims: " + unclaimed +
-                ". Give each a material, or pass UnclaimedLabels::kLeaveOut to leave them out.");
+                ". Give each a material, or pass UnclaimedLabels::leave_out to leave them out.");
 }
 
 void require_finite_values(const GreyVolume& volume, const IndexBox& samples) {
@@ -192,7 +192,7 @@ Workpiece build_from_labels(const LabelVolume& volume, const std::vector<LabelMa
       material_of[label] = id;
     }
   }
-  if (unclaimed == UnclaimedLabels::kRefuse) require_all_claimed(labels_in(volume, layout.samples), claimed);
+  if (unclaimed == UnclaimedLabels::refuse) require_all_claimed(labels_in(volume, layout.samples), claimed);
   const LabelField field(material_of);
   if (!layout.one_to_one) return build(volume, field, layout, std::move(table), options);
   return Workpiece::from_blocks(layout.voxels, layout.frame, std::move(table),

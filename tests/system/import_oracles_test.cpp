@@ -44,7 +44,7 @@ TEST(ImportOracle, TwelveEncodingsOfTheBallGiveOneBall) {
   }
   const GreyVolume raw = read_raw_grey_volume(data_path(stem + ".raw"), {.dims = {30, 30, 30},
                                                                          .spacing = Vec3::Constant(1 * mm),
-                                                                         .type = ValueType::kInt16,
+                                                                         .type = ValueType::int16,
                                                                          .big_endian = false,
                                                                          .skip = 0});
   EXPECT_EQ(raw.values, ball.values);

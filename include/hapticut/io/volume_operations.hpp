@@ -40,11 +40,11 @@ namespace hapticut {
 [[nodiscard]] GreyVolume resample(const GreyVolume& volume, double voxel_size);
 
 enum class LabelInterpolation : std::uint8_t {
-  kNearest,  ///< the label of the nearest sample: steps stay steps
-  kSmooth    ///< the label with the largest share in a Gaussian of half a spacing: rounds steps
+  nearest,  ///< the label of the nearest sample: steps stay steps
+  smooth    ///< the label with the largest share in a Gaussian of half a spacing: rounds steps
 };
 [[nodiscard]] LabelVolume resample(const LabelVolume& volume, double voxel_size,
-                                   LabelInterpolation interpolation = LabelInterpolation::kNearest);
+                                   LabelInterpolation interpolation = LabelInterpolation::nearest);
 
 /// Keeps the largest of the bodies made of samples that are not 0 and touch by a face; the rest becomes 0.
 /// @throws Error when all samples are 0

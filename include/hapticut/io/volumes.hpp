@@ -53,24 +53,13 @@ using Colour = std::array<std::uint8_t, 3>;
                                              const std::map<Colour, std::uint16_t>& label_of, const Vec3& spacing);
 
 /// How a file without a header stores its values.
-enum class ValueType : std::uint8_t {
-  kUint8,
-  kInt8,
-  kUint16,
-  kInt16,
-  kUint32,
-  kInt32,
-  kUint64,
-  kInt64,
-  kFloat32,
-  kFloat64
-};
+enum class ValueType : std::uint8_t { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
 
 /// What a headerless file does not say itself.
 struct RawLayout {
   std::array<int, 3> dims = {0, 0, 0};  ///< number of samples along x (fastest), y, z
   Vec3 spacing = Vec3::Zero();          ///< [m]
-  ValueType type = ValueType::kUint8;
+  ValueType type = ValueType::uint8;
   bool big_endian = false;
   std::uint64_t skip = 0;  ///< bytes before the first value
 };

@@ -87,7 +87,7 @@ struct ConeSprings {
   [[nodiscard]] Real margin(Real rho, Real z) const { return std::min(z * sine - rho * cosine, height - z); }
 };
 
-template <class Real, FlatRule rule>
+template <class Real, FlatRule kRule>
 struct FlatSprings {
   Real radius, height;
 
@@ -96,11 +96,11 @@ struct FlatSprings {
   [[nodiscard]] Spring<Real> spring(Real rho, Real z) const {
     const Real side = radius - rho;
     const bool inside = margin(rho, z) > Real(0);
-    if constexpr (rule == FlatRule::bottom_only) {
+    if constexpr (kRule == FlatRule::bottom_only) {
       return {inside ? z : Real(-1), Real(0), Real(-1)};
-    } else if constexpr (rule == FlatRule::side_only) {
+    } else if constexpr (kRule == FlatRule::side_only) {
       return {inside ? side : Real(-1), Real(1), Real(0)};
-    } else if constexpr (rule == FlatRule::both) {
+    } else if constexpr (kRule == FlatRule::both) {
       // Two springs in parallel, side * radial - z * axial, are one of depth |sum| along the sum, with the same stored
       // energy: side^2/2 + z^2/2.
       const Real depth = std::sqrt(side * side + z * z);

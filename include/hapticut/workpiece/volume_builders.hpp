@@ -35,8 +35,8 @@ struct LabelMaterial {
 
 /// What to do with a label that no material claims. Label 0 is always empty unless claimed.
 enum class UnclaimedLabels : std::uint8_t {
-  kRefuse,   ///< throw an Error that names them
-  kLeaveOut  ///< leave them empty
+  refuse,    ///< throw an Error that names them
+  leave_out  ///< leave them empty
 };
 
 /// Builds a workpiece from a segmentation. Material ids follow the order of the list.
@@ -48,7 +48,7 @@ enum class UnclaimedLabels : std::uint8_t {
 ///         voxels
 [[nodiscard]] Workpiece build_from_labels(const LabelVolume& volume, const std::vector<LabelMaterial>& materials,
                                           const VolumeBuildOptions& options = {},
-                                          UnclaimedLabels unclaimed = UnclaimedLabels::kRefuse);
+                                          UnclaimedLabels unclaimed = UnclaimedLabels::refuse);
 
 /// Grey values `from <= value < to` are this material.
 struct GreyRange {

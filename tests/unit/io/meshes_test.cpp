@@ -234,8 +234,8 @@ TEST_P(HostileMesh, GivesAWorkpieceOrAClearError) {
 }
 
 // Closed meshes without intersections: their volume by the divergence theorem. The union of those with intersections or
-// doubled parts is what this library computed at a quarter of the voxel size. The walls of box.STL are
-// thinner than a voxel and parallel to the lattice of subsamples.
+// doubled parts is this library's own result with more subsamples: a value to notice changes by, not an oracle. The
+// walls of box.STL are thinner than a voxel and parallel to the lattice of subsamples.
 INSTANTIATE_TEST_SUITE_P(
     Meshes, HostileMesh,
     testing::Values(Hostile{"box.STL", 0.15, 16.08, 0.06}, Hostile{"self_intersectA.obj", 0.05, 0.1427, 0.02},

@@ -105,7 +105,7 @@ TEST(Resample, KeepsTheVolumeOfALabel) {
   auto volume = volume_of<std::uint16_t>({40, 40, 20}, Vec3(0.1, 0.1, 0.2) * mm);
   add_ball(volume, {2, 2, 2}, 1.5, 7);
   add_ball(volume, {2, 2, 2}, 0.8, 9);
-  for (const auto interpolation : {LabelInterpolation::kNearest, LabelInterpolation::kSmooth})
+  for (const auto interpolation : {LabelInterpolation::nearest, LabelInterpolation::smooth})
     for (const double size : {0.05, 0.1}) {
       const LabelVolume cubic = resample(volume, size * mm, interpolation);
       for (const std::uint16_t label : {std::uint16_t(7), std::uint16_t(9)}) {

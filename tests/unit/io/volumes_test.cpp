@@ -284,7 +284,7 @@ TEST(ReadVolume, RefusesFilesWithoutPermission) {
 
 TEST(ReadRaw, RefusesAFileOfAnotherLength) {
   const TemporaryFolder folder;
-  RawLayout layout{.dims = {4, 3, 5}, .spacing = Vec3::Constant(1 * mm), .type = ValueType::kInt16};
+  RawLayout layout{.dims = {4, 3, 5}, .spacing = Vec3::Constant(1 * mm), .type = ValueType::int16};
   const auto path = written(folder, "a.raw", "12345" + short_bytes(60));
   EXPECT_THROW((void)read_raw_grey_volume(path, layout), Error);
   layout.skip = 5;

@@ -152,7 +152,7 @@ TEST(BuildFromLabels, RefusesLabelsThatNoMaterialClaims) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("2, 3"), std::string::npos) << error.what();
   }
-  EXPECT_NO_THROW((void)build_from_labels(volume, {{{1}, named("a")}}, {}, UnclaimedLabels::kLeaveOut));
+  EXPECT_NO_THROW((void)build_from_labels(volume, {{{1}, named("a")}}, {}, UnclaimedLabels::leave_out));
   EXPECT_THROW((void)build_from_labels(volume, {{{1, 2}, named("a")}, {{2, 3}, named("b")}}), Error);
 }
 
