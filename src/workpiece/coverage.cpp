@@ -76,7 +76,8 @@ BlockCoverage::BlockCoverage(const std::function<double(const Vec3&)>& distance,
 }
 
 double BlockCoverage::value(int i, int j, int k) {
-  double& known = values_[std::size_t((i * kNodes + j) * kNodes + k)];
+  const int node = (i * kNodes + j) * kNodes + k;
+  double& known = values_[std::size_t(node)];
   if (std::isnan(known)) {
     const Vec3 voxels(origin_[0] + (i - 1) / 2.0, origin_[1] + (j - 1) / 2.0, origin_[2] + (k - 1) / 2.0);
     known = distance_(frame_.X_WV * (frame_.voxel_size * voxels));

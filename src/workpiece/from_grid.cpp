@@ -29,7 +29,8 @@ struct Patch {
   std::array<float, kPatchEdge * kPatchEdge * kPatchEdge> values;
 
   [[nodiscard]] float at(int x, int y, int z) const {  // -1 ... 8
-    return values[std::size_t(((x + 1) * kPatchEdge + y + 1) * kPatchEdge + z + 1)];
+    const int n = ((x + 1) * kPatchEdge + y + 1) * kPatchEdge + z + 1;
+    return values[std::size_t(n)];
   }
 
   /// Trilinear value at an offset from the centre of voxel (x, y, z).  @param offset [voxels] within +-0.5

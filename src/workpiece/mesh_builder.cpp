@@ -150,7 +150,8 @@ class ShellSampler {
             inside = at_start + crossings.to(center + voxel_size * at) > kInside;
           } else {
             const auto coarse = [&](int k) { return k * direct / points; };
-            inside = known[std::size_t((coarse(a) * direct + coarse(b)) * direct + coarse(c))];
+            const int nearest = (coarse(a) * direct + coarse(b)) * direct + coarse(c);
+            inside = known[std::size_t(nearest)];
           }
           if (inside) mark(m);
         }

@@ -14,7 +14,6 @@
 namespace hapticut {
 namespace {
 
-using implicit::carve;
 using implicit::join;
 using implicit::RoundCone;
 using units::mm;

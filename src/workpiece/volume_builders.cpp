@@ -108,13 +108,13 @@ void for_each_row(const Volume<Value>& volume, const IndexBox& samples, const Lo
 
 template <class Field>
 Workpiece build(const Volume<typename Field::Sample>& volume, const Field& field, const Layout& layout,
-                MaterialTable materials, const VolumeBuildOptions& options) {
+                const MaterialTable& materials, const VolumeBuildOptions& options) {
   // Points must not be further apart than samples are, or they would miss some.
   const int dense_enough = int(std::min(std::ceil(layout.step.maxCoeff() - 1e-6), double(kMaxSubsamples)));
   const int subsamples = options.antialias ? std::max(options.subsamples, dense_enough) : 1;
   const VolumeFiller<Field> fill(volume, field, layout.samples, layout.first, layout.step, subsamples,
                                  options.antialias ? dense_enough : 1, options.antialias);
-  return Workpiece::from_blocks(layout.voxels, layout.frame, std::move(materials), std::cref(fill));
+  return Workpiece::from_blocks(layout.voxels, layout.frame, materials, std::cref(fill));
 }
 
 /// Labels, sample by sample.
@@ -194,7 +194,7 @@ Workpiece build_from_labels(const LabelVolume& volume, const std::vector<LabelMa
   }
   if (unclaimed == UnclaimedLabels::refuse) require_all_claimed(labels_in(volume, layout.samples), claimed);
   const LabelField field(material_of);
-  if (!layout.one_to_one) return build(volume, field, layout, std::move(table), options);
+  if (!layout.one_to_one) return build(volume, field, layout, table, options);
   return Workpiece::from_blocks(layout.voxels, layout.frame, std::move(table),
                                 [&](const VoxelIndex& origin, BlockContent& content) {
                                   return copy_labels(volume, field, layout.samples, origin, content);
@@ -218,7 +218,7 @@ Workpiece build_from_grey(const GreyVolume& volume, const std::vector<GreyRange>
       throw Error("the grey ranges of '" + table[bounds[n - 1].material].name + "' and '" +
                   table[bounds[n].material].name + "' overlap; a grey value can be one material only.");
   require_finite_values(volume, layout.samples);
-  return build(volume, GreyField(bounds, false), layout, std::move(table), options);
+  return build(volume, GreyField(bounds, false), layout, table, options);
 }
 
 std::vector<Material> materials_of(const Grade& grade) {
@@ -253,10 +253,11 @@ Workpiece build_from_grey(const GreyVolume& volume, const Grade& grade, const Vo
   MaterialTable table(materials_of(grade));
   std::vector<GreyField::Bounds> bounds;
   const auto bound = [&](int n) { return float(between(grade.low, grade.high, double(n) / grade.steps)); };
+  bounds.reserve(std::size_t(grade.steps));
   for (int n = 0; n < grade.steps; ++n) bounds.push_back({bound(n), bound(n + 1), MaterialId(n + 1)});
   bounds.back().to = std::numeric_limits<float>::infinity();
   require_finite_values(volume, layout.samples);
-  return build(volume, GreyField(bounds, true), layout, std::move(table), options);
+  return build(volume, GreyField(bounds, true), layout, table, options);
 }
 
 }  // namespace hapticut

@@ -105,12 +105,12 @@ class GreyField {
     }
     add_zone(kInfinity, kEmpty);
     // A surface is where solid meets empty: neighbouring solid zones are one run.
-    for (std::size_t n = 0; n < zones_.size(); ++n) {
-      const bool solid = zones_[n].material != kEmpty;
+    for (const auto& zone : zones_) {
+      const bool solid = zone.material != kEmpty;
       if (!runs_.empty() && solid && runs_.back().solid) {
-        runs_.back().high = zones_[n].high;
+        runs_.back().high = zone.high;
       } else {
-        runs_.push_back({solid, zones_[n].low, zones_[n].high});
+        runs_.push_back({solid, zone.low, zone.high});
       }
     }
   }
