@@ -26,7 +26,4 @@ LawTotals evaluate_foundation(const HeadMotion& motion, const ContactMaterials& 
 /// Stage `sum_resultant`.
 void sum_resultant(const ContactBlock& block, Resultant& total) noexcept;
 
-/// Name of the instruction set in use: "AVX3", "AVX2", "SSE4", ... or "scalar".
-[[nodiscard]] const char* target_name();
-
 }  // namespace hapticut::kernels

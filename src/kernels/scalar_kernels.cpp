@@ -18,6 +18,4 @@ LawTotals evaluate_foundation(const HeadMotion& motion, const ContactMaterials& 
 
 void sum_resultant(const ContactBlock& block, Resultant& total) noexcept { hapticut::sum_resultant(block, total); }
 
-const char* target_name() { return "scalar"; }
-
 }  // namespace hapticut::kernels

@@ -34,7 +34,5 @@ void sum_resultant(const ContactBlock& block, Resultant& total) noexcept {
   HWY_DYNAMIC_DISPATCH(SumResultant)(block, total);
 }
 
-const char* target_name() { return hwy::TargetName(hwy::SupportedTargets() & -hwy::SupportedTargets()); }
-
 }  // namespace hapticut::kernels
 #endif

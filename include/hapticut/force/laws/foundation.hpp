@@ -23,7 +23,7 @@ namespace hapticut {
 /// the path w_dot = (V + Omega x r) . n; the damping factor takes w_dot from the device's own velocity.
 ///
 /// After the thesis's spring model (Uener 2007, eqs. 5.5-5.8, 5.15-5.16), with its dependence on voxel size and step
-/// repaired; see docs/forces.md.
+/// repaired; see docs/decisions/0003-removal-and-ledger.md.
 class FoundationLaw final : public ForceLaw {
  public:
   LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,
