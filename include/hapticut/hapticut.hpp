@@ -39,3 +39,9 @@
 #include "hapticut/simulation/scenes.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/simulation/step.hpp"
+//
+#include "hapticut/device/closed_loop.hpp"
+#include "hapticut/device/device_models.hpp"
+#include "hapticut/device/plant.hpp"
+#include "hapticut/device/stability.hpp"
+#include "hapticut/device/state.hpp"
