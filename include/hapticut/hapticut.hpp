@@ -15,6 +15,7 @@
 #include "hapticut/tool/handle.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/tool/shapes.hpp"
+#include "hapticut/tool/spindle.hpp"
 #include "hapticut/tool/tool.hpp"
 //
 #include "hapticut/workpiece/block.hpp"
@@ -29,6 +30,8 @@
 #include "hapticut/workpiece/volume_builders.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 //
+#include "hapticut/force/contact_point.hpp"
+#include "hapticut/force/friction.hpp"
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/force/resultant.hpp"

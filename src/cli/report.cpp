@@ -21,7 +21,8 @@ Json by_material(const MaterialTable& materials, const std::array<double, 256>& 
 
 Json to_json(const EnergyLedger& e) {
   return {{"hand_work", e.hand_work}, {"motor_work", e.motor_work}, {"elastic", e.elastic}, {"cutting", e.cutting},
-          {"released", e.released},   {"damping", e.damping},       {"rubbing", e.rubbing}, {"credited", e.credited}};
+          {"released", e.released},   {"damping", e.damping},       {"rubbing", e.rubbing}, {"anchored", e.anchored},
+          {"sliding", e.sliding},     {"credited", e.credited}};
 }
 
 Json status_json(const DrillResult& result) {

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/force/contact_point.hpp"
+#include "hapticut/force/friction.hpp"
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/force/resultant.hpp"
 #include "kernels/kernels.hpp"
@@ -92,9 +94,13 @@ struct Simulation::State {
   [[nodiscard]] SubStep plan_sub_step(int index, double duration, const Twist& path, const Twist& felt) const noexcept;
   [[nodiscard]] IndexBox find_blocks(const SubStep& sub_step) const noexcept;
   [[nodiscard]] Encounter cut_blocks(const SubStep& sub_step, const IndexBox& blocks) noexcept;
+  void add_friction(const SubStep& sub_step, Encounter& encounter) noexcept;
+  [[nodiscard]] Wrench normal_wrench(const SubStep& sub_step) noexcept;
+  [[nodiscard]] const DryFriction& friction_at(const Vec3& p_WQ) noexcept;
+  void set_cutting_share(double share) noexcept;
   void book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept;
   void transport_to_handle(const SubStep& sub_step, const Encounter& encounter, double share) noexcept;
-  const StepResult& finish_step(const Pose& pose, int sub_steps) noexcept;
+  const StepResult& finish_step(const Pose& pose, double dt, int sub_steps) noexcept;
   const StepResult& reject(StepStatus status) noexcept;
 
   Workpiece workpiece;
@@ -103,17 +109,20 @@ struct Simulation::State {
 
   // Derived from them at set-up.
   ContactMaterials materials;
-  IndexBox bounds;  // voxels that were ever solid
+  std::array<float, 256> cutting_ratios;   // [1] of the materials at full spin
+  std::array<DryFriction, 256> frictions;  // of the materials, or of the configuration
+  IndexBox bounds;                         // voxels that were ever solid
   Pose X_VW;
   double voxel_volume = 0;  // [m^3]
 
   // What one step hands to the next.
   bool has_pose = false;
-  bool appeared = false;     // at X_WH, without having moved there
-  Pose X_WH;                 // at the end of the last accepted step
-  double speed_setting = 0;  // [rad/s] asked of the spindle
-  double speed = 0;          // [rad/s] of this step, after the power limit
-  double motor_torque = 0;   // [N·m] of the last sub-step, against which the power limit is held
+  bool appeared = false;  // at X_WH, without having moved there
+  Pose X_WH;              // at the end of the last accepted step
+  SpindleMotor motor;
+  double motor_torque = 0;  // [N·m] of the last sub-step, the load of the motor
+  StickSlip friction;       // in W
+  MaterialId touched = 1;   // material at the contact point
 
   ContactBlock contact;  // scratch of cut_blocks
   RemovalRecord removal;
@@ -139,11 +148,12 @@ const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, doub
   for (int i = 0; i < sub_steps; ++i) {
     const SubStep sub_step = s.plan_sub_step(i, dt / sub_steps, path, velocity);
     const IndexBox blocks = s.find_blocks(sub_step);
-    const Encounter encounter = s.cut_blocks(sub_step, blocks);
+    Encounter encounter = s.cut_blocks(sub_step, blocks);
+    s.add_friction(sub_step, encounter);
     s.book_energy(sub_step, encounter);
     s.transport_to_handle(sub_step, encounter, 1.0 / sub_steps);
   }
-  return s.finish_step(pose, sub_steps);
+  return s.finish_step(pose, dt, sub_steps);
 }
 
 void Simulation::State::begin_step() noexcept {
@@ -166,6 +176,8 @@ StepStatus Simulation::State::check_input(const Pose& pose, const Twist& velocit
 }
 
 void Simulation::State::place_at(const Pose& pose) noexcept {
+  result.energy.sliding += std::exchange(result.energy.anchored, 0);
+  friction.release();
   X_WH = pose;
   appeared = true;
 }
@@ -192,7 +204,7 @@ SubStep Simulation::State::plan_sub_step(int index, double duration, const Twist
                      sub_step.path_T.angular.cast<float>(),
                      felt_T.linear.cast<float>(),
                      felt_T.angular.cast<float>(),
-                     float(speed),
+                     float(motor.speed()),
                      float(duration),
                      float(workpiece.voxel_size()),
                      config.removal};
@@ -241,13 +253,67 @@ Encounter Simulation::State::cut_blocks(const SubStep& sub_step, const IndexBox&
   return encounter;
 }
 
+/// Dry friction of a head that stands, or turns so slowly that the cutting ratio does not describe it alone.
+void Simulation::State::add_friction(const SubStep& sub_step, Encounter& encounter) noexcept {
+  const double share = standing_share(motor.speed(), tool.head().largest_radius());
+  const bool touches = share > 0 && encounter.resultant.voxels > 0;
+  const Wrench normal_T = touches ? normal_wrench(sub_step) : Wrench{};
+  EnergyLedger& energy = result.energy;
+  if (normal_T.force.isZero(0)) {
+    energy.sliding += std::exchange(energy.anchored, 0);
+    friction.release();
+    return;
+  }
+  const Vec3 p_TQ = contact_point(tool.head(), normal_T);
+  const Mat3& R_WT = sub_step.X_WT.rotation;
+  const Vec3 turning = sub_step.path_T.angular + Vec3(0, 0, motor.speed());
+  const Vec3 displacement = (sub_step.path_T.linear + turning.cross(p_TQ)) * sub_step.duration;
+  const StickSlip::Outcome outcome =
+      friction.move(R_WT * normal_T.force, R_WT * displacement, friction_at(sub_step.X_WT * p_TQ), share);
+  const Vec3 force_T = R_WT.transpose() * outcome.force;
+  encounter.resultant.wrench_T.force += force_T;
+  encounter.resultant.wrench_T.torque += p_TQ.cross(force_T);
+  energy.anchored = friction.stored();
+  energy.sliding += outcome.dissipated;
+}
+
+/// What the head would feel at this place if it stood, without friction.
+Wrench Simulation::State::normal_wrench(const SubStep& sub_step) noexcept {
+  SubStep standing = sub_step;
+  standing.motion.spin = 0;
+  standing.motion.removal = RemovalLaw::none;
+  return cut_blocks(standing, find_blocks(standing)).resultant.wrench_T;
+}
+
+/// The friction of the material nearest to a point; that of the last one touched where there is none nearby.
+const DryFriction& Simulation::State::friction_at(const Vec3& p_WQ) noexcept {
+  const Vec3 p_VQ = X_VW * p_WQ / workpiece.voxel_size();
+  const VoxelIndex center = {int(std::lround(p_VQ.x())), int(std::lround(p_VQ.y())), int(std::lround(p_VQ.z()))};
+  double nearest = 9;  // [voxels^2]
+  for (int i = -2; i <= 2; ++i)
+    for (int j = -2; j <= 2; ++j)
+      for (int k = -2; k <= 2; ++k) {
+        const VoxelIndex index = {center[0] + i, center[1] + j, center[2] + k};
+        const double distance = (Vec3(index[0], index[1], index[2]) - p_VQ).squaredNorm();
+        if (distance >= nearest) continue;
+        const MaterialId id = workpiece.material_at(index);
+        if (id != kEmpty) touched = id, nearest = distance;
+      }
+  return frictions[touched];
+}
+
+/// Scales the cutting ratio of all materials while the spindle is slow: see `standing_share`.
+void Simulation::State::set_cutting_share(double share) noexcept {
+  for (std::size_t id = 1; id < materials.size(); ++id) materials[id].cutting_ratio = float(share) * cutting_ratios[id];
+}
+
 void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept {
   const Wrench& wrench_T = encounter.resultant.wrench_T;
   EnergyLedger& energy = result.energy;
   const double imbalance_before = energy.imbalance();
   energy.hand_work -=
       (wrench_T.force.dot(sub_step.path_T.linear) + wrench_T.torque.dot(sub_step.path_T.angular)) * sub_step.duration;
-  energy.motor_work -= wrench_T.torque.z() * speed * sub_step.duration;
+  energy.motor_work -= wrench_T.torque.z() * motor.speed() * sub_step.duration;
   energy.elastic = encounter.energies.elastic;
   energy.cutting += encounter.energies.cutting;
   energy.released += encounter.energies.released;
@@ -273,10 +339,10 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   if (encounter.blocks_exhausted) result.status |= StepStatus::blocks_exhausted;
 }
 
-const StepResult& Simulation::State::finish_step(const Pose& pose, int sub_steps) noexcept {
+const StepResult& Simulation::State::finish_step(const Pose& pose, double dt, int sub_steps) noexcept {
   X_WH = pose;
   result.sub_steps = sub_steps;
-  result.spindle.speed = speed;
+  result.spindle.speed = motor.speed();
   result.removed_voxels = removal.voxels();
   result.removed_volume = removal.volume();
   if (removal.overflowed()) result.status |= StepStatus::removed_list_full;
@@ -284,10 +350,9 @@ const StepResult& Simulation::State::finish_step(const Pose& pose, int sub_steps
   if (removal.volume() > 0 && result.contact.depth > kThickLayer * tool.head().largest_radius())
     result.status |= StepStatus::engaged_layer_thick;
 
-  // The spindle of the next step: as fast as its power allows against the torque of this one.
-  const double limit = tool.spindle().power_limit / std::max(std::abs(motor_torque), 1e-12);
-  if (std::abs(speed) < std::abs(speed_setting)) result.status |= StepStatus::power_limited;
-  speed = std::copysign(std::min(std::abs(speed_setting), limit), speed_setting);
+  if (motor.loaded()) result.status |= StepStatus::power_limited;
+  motor.advance(motor_torque, dt);
+  set_cutting_share(1 - standing_share(motor.speed(), tool.head().largest_radius()));
   return result;
 }
 
@@ -303,8 +368,7 @@ Simulation::State::State(Workpiece given_workpiece, Tool given_tool, SimulationC
     : workpiece(std::move(given_workpiece)),
       tool(std::move(given_tool)),
       config(std::move(given_config)),
-      speed_setting(tool.spindle().speed),
-      speed(speed_setting),
+      motor(tool.spindle()),
       removal(config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity
                                                 : voxels_inside(tool.head(), workpiece.voxel_size())) {
   if (!config.law) config.law = std::make_shared<FoundationLaw>();
@@ -317,6 +381,14 @@ void Simulation::State::prepare_workpiece() {
   X_VW = workpiece.frame().X_WV.inverse();
   voxel_volume = std::pow(workpiece.voxel_size(), 3);
   materials = contact_materials(workpiece.materials(), config.reference_stiffness);
+  for (std::size_t id = 0; id < materials.size(); ++id) {
+    cutting_ratios[id] = materials[id].cutting_ratio;
+    if (!workpiece.materials().contains(MaterialId(id))) continue;
+    const Material& m = workpiece.materials()[MaterialId(id)];
+    frictions[id] =
+        config.friction.value_or(DryFriction{m.static_friction, m.dynamic_friction, m.tangential_stiffness});
+  }
+  set_cutting_share(1 - standing_share(motor.speed(), tool.head().largest_radius()));
 }
 
 Simulation::Simulation(Workpiece workpiece, Tool tool, SimulationConfig config) {
@@ -340,7 +412,8 @@ const std::array<double, 256>& Simulation::removed_volume_by_material() const {
 
 void Simulation::set_spindle_speed(double speed) {
   if (!std::isfinite(speed)) throw Error("spindle speed = " + format_number(speed) + " rad/s; must be finite.");
-  state_->speed_setting = state_->speed = speed;
+  state_->motor.set(speed);
+  state_->set_cutting_share(1 - standing_share(state_->motor.speed(), state_->tool.head().largest_radius()));
 }
 
 void Simulation::reserve_blocks(std::size_t count) {

@@ -98,6 +98,7 @@ inline SimulationConfig static_config(Quadrature quadrature = Quadrature::centro
   config.reference_stiffness = kStiffness;
   config.removal = RemovalLaw::none;
   config.quadrature = quadrature;
+  config.friction = DryFriction{0, 0, 1};  // springs alone
   config.reserved_blocks = 1;
   config.longest_sweep = 1;  // `hold` jumps
   return config;

@@ -2,6 +2,7 @@
 // The motor: its torque, its power, and what a limit of it does to the cut.
 #include <gtest/gtest.h>
 
+#include "hapticut/core/errors.hpp"
 #include "support/cutting.hpp"
 
 namespace hapticut {
@@ -89,6 +90,44 @@ TEST(Spindle, TheHandFeelsTheMotorsReaction) {
   for (int tick = 0; tick < 400; ++tick) (void)plunge(simulation, tick);
   const StepResult& result = simulation.last_result();
   EXPECT_NEAR(result.torque.z(), -result.spindle.torque, 1e-12);
+}
+
+// A flat head needs the torque u pi R^2 v_f / omega; a spindle that loses c times it turns at the larger root of
+// omega = omega_0 - c u pi R^2 v_f / omega.
+TEST(Spindle, DroopsToTheSpeedAtWhichItsTorqueAndTheCutsAgree) {
+  const double power = power_needed(), droop = 0.15 * kSpin * kSpin / power;
+  const double expected = 0.5 * (kSpin + std::sqrt(kSpin * kSpin - 4 * droop * power));
+  for (const double sign : {1.0, -1.0}) {
+    SimulationConfig config;
+    config.reference_stiffness = 1e14;
+    Spindle spindle{sign * kSpin};
+    spindle.droop = droop;
+    Simulation simulation(build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
+                          Tool(FlatHead{kRadius, 4 * mm}, RayHandle{}, spindle), config);
+    double speed = 0;
+    for (int tick = 0; tick < 800; ++tick) {
+      const StepResult& result = plunge(simulation, tick);
+      if (tick >= 400) speed += result.spindle.speed / 400;
+    }
+    EXPECT_NEAR(speed / (sign * expected), 1, 0.01);
+  }
+}
+
+TEST(Spindle, RampsToANewSettingWhenItHasAnAccelerationLimit) {
+  Simulation simulation(
+      build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
+      Tool(FlatHead{kRadius, 4 * mm}, RayHandle{}, Spindle{0, std::numeric_limits<double>::infinity(), 1e5}));
+  simulation.set_spindle_speed(kSpin);
+  double before = 0;
+  for (int tick = 0; tick <= 20; ++tick) {
+    const StepResult& result = simulation.step(Pose::from_translation(Vec3(0, 0, 1 * mm)), {}, 1e-3);
+    EXPECT_NEAR(result.spindle.speed, 100.0 * tick, 1e-9);
+    EXPECT_FALSE(has(result.status, StepStatus::power_limited)) << "a ramp is no load";
+    EXPECT_GE(result.spindle.speed, before);
+    before = result.spindle.speed;
+  }
+  EXPECT_THROW(simulation.set_spindle_speed(std::nan("")), Error);
+  EXPECT_EQ(simulation.step(Pose::from_translation(Vec3(0, 0, 1 * mm)), {}, 1e-3).spindle.speed, kSpin);
 }
 
 }  // namespace

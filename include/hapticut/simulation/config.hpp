@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 
+#include "hapticut/force/friction.hpp"
 #include "hapticut/force/law.hpp"
 
 namespace hapticut {
@@ -20,6 +22,9 @@ struct SimulationConfig {
 
   /// The force law; null: FoundationLaw.
   std::shared_ptr<const ForceLaw> law;
+
+  /// Dry friction of the standing head, the same everywhere; empty: each material's own.
+  std::optional<DryFriction> friction;
 
   /// Blocks (8^3 voxels) that may become partly cut before `Simulation::reserve_blocks` has to be called again; about
   /// 2.8 kB each. A cavity needs about two per patch of 8 x 8 voxels of its wall.

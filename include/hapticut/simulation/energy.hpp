@@ -5,10 +5,11 @@
 
 namespace hapticut {
 
-/// Where the work went (model: energy ledger). Everything is accumulated since construction, but `elastic`, which is
-/// the energy stored at the end of the last step. All in [J]; all but the two works are never negative.
+/// Where the work went (model: energy ledger). Everything is accumulated since construction, but `elastic`, and
+/// `anchored`, which are the energies stored at the end of the last step. All in [J]; all but the two works are never
+/// negative.
 ///
-///     hand_work + motor_work + credited = elastic + cutting + released + damping + rubbing
+///     hand_work + motor_work + credited = elastic + cutting + released + damping + rubbing + anchored + sliding
 ///
 struct EnergyLedger {
   double hand_work = 0;   ///< work done by the hand on the tool, and the energy stored where the tool first appeared
@@ -18,11 +19,13 @@ struct EnergyLedger {
   double released = 0;    ///< elastic energy of removed material that did not help cutting
   double damping = 0;     ///< Hunt-Crossley damping
   double rubbing = 0;     ///< tangential work where nothing is cut: below the edge pressure, or with removal off
+  double anchored = 0;    ///< stored in the anchor of dry friction now
+  double sliding = 0;     ///< dissipated by dry friction of the standing head
   double credited = 0;    ///< cutting energy of the last thousandth of a voxel, which is taken away without work
 
   /// [J] what the right side lacks; 0 when the ledger closes.
   [[nodiscard]] double imbalance() const {
-    return hand_work + motor_work + credited - (elastic + cutting + released + damping + rubbing);
+    return hand_work + motor_work + credited - (elastic + cutting + released + damping + rubbing + anchored + sliding);
   }
 
   /// [1] imbalance relative to the work done; 0 before any work.

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
-
 #include "hapticut/tool/handle.hpp"
 #include "hapticut/tool/head.hpp"
+#include "hapticut/tool/spindle.hpp"
 
 namespace hapticut {
-
-/// The motor that turns the head.
-struct Spindle {
-  double speed = 0;  ///< [rad/s] signed about +z of T; 0: the spindle stands and nothing is cut
-  double power_limit = std::numeric_limits<double>::infinity();  ///< [W] > 0; above it the spindle slows down
-};
 
 /// What the hand holds: a head on a handle, turned by a spindle. An immutable description, checked when it is made.
 class Tool {

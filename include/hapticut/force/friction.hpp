@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/core/spatial.hpp"
+
+/// @file
+/// Dry friction of a head that does not spin (thesis 5.2.3 and Table 5.2; model: friction with the spindle standing).
+namespace hapticut {
+
+/// Dry friction between the standing head and the material.
+struct DryFriction {
+  double static_friction = 0.3;        ///< [1] >= dynamic_friction, mu_s
+  double dynamic_friction = 0.3;       ///< [1] >= 0, mu_d
+  double tangential_stiffness = 1000;  ///< [N/m] > 0 of the sticking anchor, k_t
+};
+
+/// @throws Error naming the constant, its value and the allowed range
+void validate(const DryFriction& friction);
+
+/// [m/s] speed of the head's rim from which on the cutting ratio alone describes the tangential force.
+inline constexpr double kFullSpinSpeed = 0.01;
+
+/// How much of the friction is that of a standing head: 1 while the spindle stands, 0 from a rim speed of
+/// `kFullSpinSpeed` on, and a smooth step between.
+///
+/// The hand-over: while it is between 0 and 1, dry friction acts with this share of its coefficients and the cutting
+/// ratio with the rest of its own, so that starting and stopping the spindle changes the force continuously.
+/// @param spin    [rad/s]
+/// @param radius  [m] largest radius of the head
+[[nodiscard]] inline double standing_share(double spin, double radius) {
+  const double t = std::min(1.0, std::abs(spin) * radius / kFullSpinSpeed);
+  return 1 - t * t * (3 - 2 * t);
+}
+
+/// Stick and slip: an elastic anchor that the tool drags over the material.
+///
+/// The anchor S lies in the workpiece, `stretch = S - x` is its distance from the contact point x of the tool, and the
+/// force on the tool is `k_t stretch`, in the plane normal to the summed normal force N. While it sticks, S stays. When
+/// `k_t |stretch|` would exceed `mu_s |N|` it slides: S is dragged along so that the force is `mu_d |N|`, until the
+/// force falls below that. No contact, no anchor. The force never leaves the cone `mu_s |N|`.
+///
+/// A sub-step that sticks returns its mean force, so that the work is exactly what the anchor stores; everything else
+/// is dissipation, and never negative (C17).
+class StickSlip {
+ public:
+  struct Outcome {
+    Vec3 force = Vec3::Zero();  ///< [N] on the tool at the contact point
+    double dissipated = 0;      ///< [J] >= 0
+  };
+
+  /// Moves the contact point of the tool.
+  /// @param normal_force  [N] summed normal force on the tool
+  /// @param displacement  [m] of the tool's contact point over the material, in the same axes
+  /// @param share         [1] of the coefficients in force: see `standing_share`
+  /// @realtime no allocation, no lock
+  Outcome move(const Vec3& normal_force, const Vec3& displacement, const DryFriction& friction,
+               double share = 1) noexcept {
+    const double before = stored();
+    const double normal = share * normal_force.norm();
+    if (!(normal > 0)) {
+      release();
+      return {Vec3::Zero(), before};
+    }
+    if (!anchored_) {
+      anchored_ = true;
+      stiffness_ = friction.tangential_stiffness;  // kept while the contact lasts, whatever material comes next
+    }
+    const Vec3 n = normal_force.normalized();
+    const auto tangential = [&](const Vec3& v) { return Vec3(v - n * n.dot(v)); };
+    const Vec3 start = tangential(stretch_), move = tangential(displacement), end = start - move;
+    const Vec3 mean = start - 0.5 * move;
+
+    const double limit = (sliding_ ? friction.dynamic_friction : friction.static_friction) * normal / stiffness_;
+    if (std::max(mean.squaredNorm(), end.squaredNorm()) <= limit * limit) {
+      sliding_ = false;
+      stretch_ = end;
+      return {stiffness_ * mean, std::max(0.0, before - 0.5 * stiffness_ * start.squaredNorm())};
+    }
+    const double length = std::max(end.norm(), 1e-300), dragged = friction.dynamic_friction * normal / stiffness_;
+    sliding_ = true;
+    stretch_ = end * std::min(1.0, dragged / length);
+    const Vec3 force = stiffness_ * stretch_;
+    return {force, std::max(0.0, before - stored() - force.dot(move))};
+  }
+
+  /// [J] energy of the anchor.
+  [[nodiscard]] double stored() const { return 0.5 * stiffness_ * stretch_.squaredNorm(); }
+  [[nodiscard]] bool anchored() const { return anchored_; }  ///< there is contact
+  [[nodiscard]] bool sliding() const { return sliding_; }
+  [[nodiscard]] const Vec3& stretch() const { return stretch_; }  ///< [m] from the contact point to the anchor
+
+  /// Lets go of the anchor.
+  void release() noexcept { *this = {}; }
+
+ private:
+  Vec3 stretch_ = Vec3::Zero();  // [m]
+  double stiffness_ = 0;         // [N/m]
+  bool anchored_ = false;
+  bool sliding_ = false;
+};
+
+}  // namespace hapticut

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dry friction by itself: the cone, the work of a drag (C17), and what is refused.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/force/contact_point.hpp"
+#include "hapticut/force/friction.hpp"
+#include "support/generators.hpp"
+
+namespace hapticut {
+namespace {
+
+using test::arbitrary_vector;
+using test::number_between;
+using units::mm;
+
+/// A drag at constant normal force from rest.
+struct Drag {
+  double work = 0, peak = 0, plateau = 0, dissipated = 0, stored = 0;
+};
+
+Drag drag(const DryFriction& friction, double normal, double length, int steps) {
+  StickSlip contact;
+  Drag d;
+  const Vec3 move(length / steps, 0, 0);
+  for (int i = 0; i < steps; ++i) {
+    const auto [force, dissipated] = contact.move(Vec3(0, 0, normal), move, friction);
+    d.work -= force.dot(move);
+    d.peak = std::max(d.peak, force.norm());
+    d.plateau = force.norm();
+    d.dissipated += dissipated;
+  }
+  d.stored = contact.stored();
+  return d;
+}
+
+class DragTest : public testing::TestWithParam<double> {};
+
+// Only the step in which the anchor breaks loose is not exact: it is off by at most one step's share of the drop.
+TEST_P(DragTest, DoesTheWorkOfC17) {
+  const DryFriction friction{GetParam(), 0.3, 500};
+  const double normal = 2, length = 10 * mm, stuck = friction.static_friction * normal / 500;
+  const double work = std::pow(friction.static_friction * normal, 2) / (2 * 500) +
+                      friction.dynamic_friction * normal * (length - stuck);
+  for (const int steps : {500, 5000}) {
+    const Drag d = drag(friction, normal, length, steps);
+    const double one_step = friction.static_friction * normal * length / steps;
+    EXPECT_NEAR(d.work, work, one_step);
+    EXPECT_LE(d.peak, friction.static_friction * normal * (1 + 1e-12));
+    EXPECT_GE(d.peak, friction.static_friction * normal - 2 * 500 * length / steps);
+    EXPECT_NEAR(d.plateau, friction.dynamic_friction * normal, 1e-12);
+    EXPECT_NEAR(d.work, d.stored + d.dissipated, 1e-12) << "all work is stored or dissipated";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(StaticOverDynamic, DragTest, testing::Values(0.3, 0.4, 0.5));
+
+RC_GTEST_PROP(StickSlip, NeverLeavesTheConeAndNeverDissipatesLessThanNothing, ()) {
+  DryFriction friction;
+  friction.dynamic_friction = *number_between(0, 0.8);
+  friction.static_friction = friction.dynamic_friction + *number_between(0, 0.5);
+  friction.tangential_stiffness = *number_between(10, 5000);
+  StickSlip contact;
+  double work = 0, dissipated = 0, scale = 1e-9;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 normal = *rc::gen::inRange(0, 20) == 0 ? Vec3(0, 0, 0) : *arbitrary_vector(5);
+    const Vec3 move = *arbitrary_vector(0.5 * mm);
+    const double share = *number_between(0, 1);
+    const auto outcome = contact.move(normal, move, friction, share);
+    RC_ASSERT(outcome.force.norm() <= friction.static_friction * share * normal.norm() * (1 + 1e-9));
+    RC_ASSERT(std::abs(outcome.force.dot(normal)) <= 1e-9 * (1 + normal.squaredNorm()));
+    RC_ASSERT(outcome.dissipated >= 0);
+    work -= outcome.force.dot(move);
+    dissipated += outcome.dissipated;
+    scale += std::abs(outcome.force.dot(move));
+  }
+  RC_ASSERT(std::abs(work - dissipated - contact.stored()) < 1e-9 * scale);
+}
+
+TEST(StickSlip, ReturnsTheEnergyOfAMotionThatNeverSlipped) {
+  StickSlip contact;
+  double work = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 move((i < 50 ? 1 : -1) * 2e-6, (i < 25 || i >= 75 ? 1 : -1) * 1e-6, 0);
+    work -= contact.move(Vec3(0, 0, 1), move, DryFriction{}).force.dot(move);
+  }
+  EXPECT_FALSE(contact.sliding());
+  EXPECT_NEAR(work, 0, 1e-18);
+}
+
+TEST(StickSlip, HasNoAnchorWithoutContact) {
+  StickSlip contact;
+  (void)contact.move(Vec3(0, 0, 1), Vec3(1e-4, 0, 0), DryFriction{});
+  const double stored = contact.stored();
+  EXPECT_GT(stored, 0);
+  const auto outcome = contact.move(Vec3::Zero(), Vec3(1e-4, 0, 0), DryFriction{});
+  EXPECT_FALSE(contact.anchored());
+  EXPECT_EQ(outcome.force, Vec3(0, 0, 0));
+  EXPECT_EQ(outcome.dissipated, stored);
+}
+
+TEST(StandingShare, GoesSmoothlyFromOneAtRestToZeroAtFullSpin) {
+  const double radius = 1 * mm, full = kFullSpinSpeed / radius;
+  EXPECT_EQ(standing_share(0, radius), 1);
+  EXPECT_EQ(standing_share(full, radius), 0);
+  EXPECT_EQ(standing_share(-2 * full, radius), 0);
+  double before = 1;
+  for (double spin = 0; spin <= full; spin += full / 1000) {
+    const double share = standing_share(spin, radius);
+    EXPECT_LE(share, before);
+    EXPECT_LT(before - share, 2e-3) << "no step";
+    before = share;
+  }
+}
+
+TEST(DryFrictionInput, IsRefusedWithItsValueAndTheCure) {
+  const auto message = [](const DryFriction& friction) -> std::string {
+    try {
+      validate(friction);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message({0.3, 0.3, 1000}), "");
+  EXPECT_NE(message({0.3, 0.4, 1000}).find("dynamic_friction = 0.4; must not exceed static_friction = 0.3"),
+            std::string::npos);
+  EXPECT_NE(message({-0.1, 0, 1000}).find("static_friction"), std::string::npos);
+  EXPECT_NE(message({0.3, -0.1, 1000}).find("dynamic_friction"), std::string::npos);
+  EXPECT_NE(message({0.3, 0.3, 0}).find("tangential_stiffness"), std::string::npos);
+  EXPECT_NE(message({std::nan(""), 0.3, 1000}).find("nan"), std::string::npos);
+}
+
+TEST(ContactPoint, IsWhereTheLineOfActionLeavesTheHeadTowardsTheMaterial) {
+  const auto expect_point = [](const ToolHead& head, const Wrench& wrench, const Vec3& point) {
+    EXPECT_LT((contact_point(head, wrench) - point).norm(), 1e-6 * head.reach()) << contact_point(head, wrench);
+  };
+  const Vec3 up(0, 0, 2), left(-3, 0, 0);
+  expect_point(SphereHead{1 * mm}, {up, Vec3::Zero()}, Vec3(0, 0, -1 * mm));
+  expect_point(SphereHead{1 * mm}, {left, Vec3::Zero()}, Vec3(1 * mm, 0, 0));
+  const FlatHead flat{1 * mm, 4 * mm};
+  const Vec3 on_disk(0.5 * mm, 0.2 * mm, 0), on_wall(1 * mm, 0, 3 * mm);
+  expect_point(flat, {up, on_disk.cross(up)}, on_disk);
+  expect_point(flat, {left, on_wall.cross(left)}, on_wall);
+}
+
+}  // namespace
+}  // namespace hapticut
