@@ -49,7 +49,7 @@ void ClosedLoop::reset(const Pose& X_BS) {
   plant_.reset(X_BS);
   under_way_.fill({});
   next_ = 0;
-  applied_ = {};
+  applied_ = written_ = {};
   state_ = {};
   smooth_velocity_ = {};
   started_ = false;
@@ -85,12 +85,12 @@ void ClosedLoop::take(const Wrench& wrench) {
 }
 
 void ClosedLoop::write(const Wrench& wrench) {
-  take(wrench);
+  take(written_ = wrench);
   advance([this] { plant_.advance(applied_); });
 }
 
 void ClosedLoop::write(const Wrench& wrench, const std::function<void(const Plant&, const Wrench& applied)>& observer) {
-  take(wrench);
+  take(written_ = wrench);
   advance([&] {
     for (int n = 0; n < kFineSteps; ++n) {
       plant_.creep(applied_);
@@ -99,7 +99,8 @@ void ClosedLoop::write(const Wrench& wrench, const std::function<void(const Plan
   });
 }
 
-void ClosedLoop::miss_tick() {
+void ClosedLoop::miss_tick(double scale) {
+  take({scale * written_.force, scale * written_.torque});
   advance([this] { plant_.advance(applied_); });
 }
 

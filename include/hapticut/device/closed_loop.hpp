@@ -61,8 +61,8 @@ class ClosedLoop {
   /// The same in fine steps, after each of which the observer is called, for events within a tick.
   void write(const Wrench& wrench, const std::function<void(const Plant&, const Wrench& applied)>& observer);
 
-  /// A tick without a word from the model: the device holds the last force.
-  void miss_tick();
+  /// A tick without a word from the model: the device holds the last wrench, or the share of it that a watchdog allows.
+  void miss_tick(double scale = 1);
 
   void tick(const ForceModel& model) { write(model(read())); }
 
@@ -88,7 +88,7 @@ class ClosedLoop {
   static constexpr int kLongestDelay = 8;
   std::array<Wrench, kLongestDelay> under_way_;
   int next_ = 0;
-  Wrench applied_;
+  Wrench applied_, written_;
   DeviceState state_;
   Twist smooth_velocity_;
   Pose X_last_reading_;

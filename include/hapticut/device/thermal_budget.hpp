@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace hapticut {
+
+/// When the motors count as too warm.
+struct ThermalOptions {
+  double time_constant = 20;  ///< [s] > 0 over which the mean of the squared force is taken
+  double warm = 1.0;          ///< [1] of the continuous force squared at which the force is reduced
+  double cool = 0.8;          ///< [1] at which it may grow again
+  double hot = 0.7;           ///< [1] of a measured temperature at which the force is reduced
+  double cold = 0.5;          ///< [1] at which it may grow again
+  double rate = 1.0;          ///< [1/s] at which the limit shrinks and grows: 0.001 a tick at 1 kHz
+};
+
+/// A limit on the force that keeps the motors from overheating: peak force while they are cool, falling to the
+/// continuous force when the mean of its square, or the temperature that the device measures, says so.
+/// @realtime no allocation, no lock
+class ThermalBudget {
+ public:
+  /// @param peak        [N] the limit of cool motors; 0: no motors
+  /// @param continuous  [N] what they bear for ever; 0: unknown, no limit but by a measured temperature
+  /// @throws Error when an option is out of range
+  ThermalBudget(double peak, double continuous, const ThermalOptions& options);
+
+  /// [N] that may be applied now.
+  [[nodiscard]] double limit() const { return limit_; }
+  [[nodiscard]] bool is_limiting() const { return limiting_; }
+
+  /// Accounts for a tick.
+  /// @param force        [N] that was applied
+  /// @param temperature  [1] that the device measured; 0: not measured
+  void tick(double force, double temperature, double dt) noexcept;
+
+ private:
+  ThermalOptions options_;
+  double peak_, continuous_;
+  double limit_;
+  double heat_ = 0;  // [1] mean of (F / continuous)^2
+  bool limiting_ = false;
+};
+
+}  // namespace hapticut
