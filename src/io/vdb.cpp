@@ -7,11 +7,13 @@
 #include <cerrno>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/openvdb.hpp"
 #include "io/atomic_file.hpp"
+#include "io/vdb_check.hpp"
 #include "workpiece/grids.hpp"
 #include "workpiece/state.hpp"
 
@@ -90,87 +92,95 @@ class FileWriter : public openvdb::io::Stream {
   }
 };
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
-  throw Error("cannot read '" + path.string() + "': " + reason);
-}
-
-/// OpenVDB only prints a warning about a format that it does not know, and then reads on.
-void check_header(std::istream& stream, const std::filesystem::path& path) {
-  std::uint32_t header[3] = {};  // magic number (8 bytes), version of the format
-  stream.read(reinterpret_cast<char*>(header), sizeof header);
-  if (!stream || header[0] != std::uint32_t(openvdb::OPENVDB_MAGIC))
-    fail(path, "it is not a .vdb file, or it was cut off.");
-  if (header[2] > openvdb::OPENVDB_FILE_VERSION)
-    fail(path, "it has version " + std::to_string(header[2]) + " of the OpenVDB format; up to " +
-                   std::to_string(openvdb::OPENVDB_FILE_VERSION) + " can be read.");
-  stream.seekg(0);
-}
-
-openvdb::GridPtrVec read_grids(const std::filesystem::path& path) {
-  openvdb::initialize();
-  std::error_code code;
-  if (std::filesystem::is_directory(path, code)) fail(path, "it is a folder; give a .vdb file.");
-  errno = 0;
-  std::ifstream stream(path, std::ios_base::binary);
-  if (!stream) fail(path, std::generic_category().message(errno) + "; check the path and its permissions.");
-  check_header(stream, path);
+/// Runs a part of the reading.
+/// @throws Error  with the name of the file in front of whatever went wrong
+template <class Function>
+auto reading(const std::filesystem::path& path, const Function& function) {
+  const std::string cannot_read = "cannot read '" + path.string() + "': ";
   try {
-    // OpenVDB itself does not look at the state of the stream after reading; this makes a file that ends early throw.
-    stream.exceptions(std::ios_base::failbit | std::ios_base::badbit | std::ios_base::eofbit);
-    openvdb::io::Stream archive(stream, /*delayLoad=*/false);
-    auto grids = archive.getGrids();
-    return grids ? *grids : openvdb::GridPtrVec();
-  } catch (const std::ios_base::failure&) {
-    fail(path, "the file ends too early; it was cut off or is not a .vdb file. Get a complete copy.");
+    return function();
+  } catch (const Error& error) {
+    throw Error(cannot_read + error.what());
   } catch (const std::exception& error) {
-    fail(path, std::string("it is not a readable .vdb file (OpenVDB: ") + error.what() + ").");
+    throw Error(cannot_read + "it is not a readable .vdb file (OpenVDB: " + error.what() + ").");
   }
 }
 
-std::string list_of(const openvdb::GridPtrVec& grids) {
+/// What was read from a file: the grids that a workpiece can be made of, and the names of all.
+struct VdbFile {
+  openvdb::GridPtrVec grids;
+  std::vector<VdbEntry> entries;
+};
+
+std::string read_file(const std::filesystem::path& path) {
+  std::error_code code;
+  if (std::filesystem::is_directory(path, code)) throw Error("it is a folder; give a .vdb file.");
+  errno = 0;
+  std::ifstream stream(path, std::ios_base::binary);
+  if (!stream) throw Error(std::generic_category().message(errno) + "; check the path and its permissions.");
+  std::ostringstream bytes;
+  if (stream.peek() != std::ifstream::traits_type::eof()) bytes << stream.rdbuf();
+  if (stream.bad() || bytes.fail()) throw Error("reading failed; check the disk.");
+  return std::move(bytes).str();
+}
+
+VdbFile read_grids(const std::filesystem::path& path) {
+  openvdb::initialize();
+  std::string bytes = read_file(path);
+  VdbFile file;
+  file.entries = check_vdb(bytes);
+  std::istringstream stream(std::move(bytes), std::ios_base::binary);
+  // OpenVDB itself does not look at the state of the stream after reading.
+  stream.exceptions(std::ios_base::failbit | std::ios_base::badbit | std::ios_base::eofbit);
+  openvdb::io::Stream archive(stream, /*delayLoad=*/false);
+  if (const auto grids = archive.getGrids()) file.grids = *grids;
+  return file;
+}
+
+std::string list_of(const VdbFile& file) {
   std::string list;
-  for (const auto& grid : grids)
-    if (grid) list += (list.empty() ? "" : ", ") + ("'" + grid->getName() + "' (" + grid->valueType() + ")");
+  for (const VdbEntry& entry : file.entries)
+    list += (list.empty() ? "" : ", ") + ("'" + entry.name + "' (" + entry.type + ")");
   return list.empty() ? "no grid at all" : list;
 }
 
 template <class Grid>
-typename Grid::Ptr require_grid(const openvdb::GridPtrVec& grids, const char* name, const std::filesystem::path& path) {
-  for (const auto& grid : grids)
+typename Grid::Ptr require_grid(const VdbFile& file, const char* name) {
+  for (const auto& grid : file.grids)
     if (grid && grid->getName() == name && grid->isType<Grid>()) return openvdb::gridPtrCast<Grid>(grid);
-  fail(path, std::string("there is no grid '") + name + "' (" + Grid().valueType() + ") in it; it has " +
-                 list_of(grids) + ". A file of another program needs VdbImport, which says what it is made of.");
+  throw Error(std::string("there is no grid '") + name + "' (" + Grid().valueType() + ") in it; it has " +
+              list_of(file) + ". A file of another program needs VdbImport, which says what it is made of.");
 }
 
 template <class Value>
-Value require_meta(const openvdb::MetaMap& meta, const std::string& key, const std::filesystem::path& path) {
+Value require_meta(const openvdb::MetaMap& meta, const std::string& key) {
   const auto entry = meta.getMetadata<openvdb::TypedMetadata<Value>>(key);
   if (!entry)
-    fail(path, "its grid 'material' lacks the metadata '" + key +
-                   "'; hapticut did not write it, or another program dropped it.");
+    throw Error("its grid 'material' lacks the metadata '" + key +
+                "'; hapticut did not write it, or another program dropped it.");
   return entry->value();
 }
 
-MaterialTable read_materials(const openvdb::MetaMap& meta, const std::filesystem::path& path) {
-  const auto count = require_meta<std::int32_t>(meta, kMaterialsKey, path);
+MaterialTable read_materials(const openvdb::MetaMap& meta) {
+  const auto count = require_meta<std::int32_t>(meta, kMaterialsKey);
   if (count < 1 || count > kMaxMaterials)
-    fail(path, "it names " + std::to_string(count) + " materials; 1 to 255 are possible.");
+    throw Error("it names " + std::to_string(count) + " materials; 1 to 255 are possible.");
   MaterialTable materials;
   for (int id = 1; id <= count; ++id) {
     Material material;
-    material.name = require_meta<std::string>(meta, key_of(id, "name"), path);
-    for (const auto& field : kFields) material.*field.member = require_meta<double>(meta, key_of(id, field.name), path);
+    material.name = require_meta<std::string>(meta, key_of(id, "name"));
+    for (const auto& field : kFields) material.*field.member = require_meta<double>(meta, key_of(id, field.name));
     materials.add(std::move(material));
   }
   return materials;
 }
 
 /// The exact frame as it was saved, unless the grid was moved or scaled since.
-GridFrame read_frame(const openvdb::GridBase& grid, const std::filesystem::path& path) {
+GridFrame read_frame(const openvdb::GridBase& grid) {
   GridFrame saved;
-  saved.voxel_size = require_meta<double>(grid, kVoxelSizeKey, path);
-  saved.X_WV = pose_of(require_meta<openvdb::Mat4d>(grid, kPoseKey, path));
-  const double unit = require_meta<double>(grid, kUnitKey, path);
+  saved.voxel_size = require_meta<double>(grid, kVoxelSizeKey);
+  saved.X_WV = pose_of(require_meta<openvdb::Mat4d>(grid, kPoseKey));
+  const double unit = require_meta<double>(grid, kUnitKey);
   const GridFrame now = frame_of(grid.transform(), unit);
   const double tolerance = 1e-9;  // of rounding in the transform
   const bool same = std::abs(now.voxel_size - saved.voxel_size) <= tolerance * saved.voxel_size &&
@@ -180,20 +190,20 @@ GridFrame read_frame(const openvdb::GridBase& grid, const std::filesystem::path&
   return same ? saved : now;
 }
 
-void check_values(const openvdb::FloatTree& density, const openvdb::Int32Tree& ids, const MaterialTable& materials,
-                  const std::filesystem::path& path) {
+void check_values(const openvdb::FloatTree& density, const openvdb::Int32Tree& ids, const MaterialTable& materials) {
   if (!density.hasSameTopology(ids))
-    fail(path, "its grids 'density' and 'material' do not cover the same voxels; another program changed one of them.");
+    throw Error(
+        "its grids 'density' and 'material' do not cover the same voxels; another program changed one of them.");
   for (auto tile = ids.root().cbeginValueOn(); tile; ++tile)
-    fail(path, "its grid 'material' has a solid region of more than 4096^3 voxels.");
+    throw Error("its grid 'material' has a solid region of more than 4096^3 voxels.");
   for (auto value = ids.cbeginValueOn(); value; ++value)
     if (*value < 1 || *value > materials.size())
-      fail(path, "a voxel has material id " + std::to_string(*value) + ", but the file names only " +
-                     std::to_string(materials.size()) + " materials.");
+      throw Error("a voxel has material id " + std::to_string(*value) + ", but the file names only " +
+                  std::to_string(materials.size()) + " materials.");
   for (auto value = density.cbeginValueOn(); value; ++value)
     if (!(*value >= 0 && *value <= 1) || (value.isTileValue() && *value != 1))
-      fail(path, "a voxel has density " + format_number(double(*value)) +
-                     "; a filled fraction must be within 0 ... 1, and 1 in uniform regions.");
+      throw Error("a voxel has density " + format_number(double(*value)) +
+                  "; a filled fraction must be within 0 ... 1, and 1 in uniform regions.");
 }
 
 void copy_fill(const openvdb::FloatTree& density, FillTree& fill) {
@@ -205,6 +215,45 @@ void copy_fill(const openvdb::FloatTree& density, FillTree& fill) {
     for (auto voxel = leaf->cbeginValueOn(); voxel; ++voxel) copy->setValueOnly(voxel.pos(), *voxel);
     fill.addLeaf(copy.release());
   }
+}
+
+Workpiece parse(const std::filesystem::path& path) {
+  const VdbFile file = read_grids(path);
+  const auto density = require_grid<openvdb::FloatGrid>(file, "density");
+  const auto material = require_grid<openvdb::Int32Grid>(file, "material");
+  const auto centroid = require_grid<openvdb::Int32Grid>(file, "centroid");
+  const auto format = require_meta<std::int32_t>(*material, kFormatKey);
+  if (format != kFormat)
+    throw Error("it has format " + std::to_string(format) + "; this version of hapticut reads format " +
+                std::to_string(kFormat) + ". Use the version that wrote it.");
+  MaterialTable materials = read_materials(*material);
+  const GridFrame frame = read_frame(*material);
+  check_values(density->tree(), material->tree(), materials);
+  std::unique_ptr<VoxelTrees> trees(
+      new VoxelTrees{MaterialTree(material->tree()), FillTree(1.0F), CentroidTree(centroid->tree())});
+  copy_fill(density->tree(), trees->fill);
+  return WorkpieceAccess::make(frame, std::move(materials), std::move(trees));
+}
+
+Workpiece parse_foreign(const std::filesystem::path& path, const VdbImport& options) {
+  const VdbFile file = read_grids(path);
+  openvdb::FloatGrid::Ptr chosen;
+  int candidates = 0;
+  for (const auto& grid : file.grids) {
+    if (!grid || !grid->isType<openvdb::FloatGrid>()) continue;
+    if (!options.grid.empty() && grid->getName() != options.grid) continue;
+    chosen = openvdb::gridPtrCast<openvdb::FloatGrid>(grid);
+    ++candidates;
+  }
+  if (candidates != 1)
+    throw Error((candidates == 0 ? std::string("there is no ") : "there is more than one ") + "float grid" +
+                (options.grid.empty() ? "" : " '" + options.grid + "'") + " in it; it has " + list_of(file) +
+                ". Name a float grid (level set or fog volume) with VdbImport::grid.");
+  GridImport import;
+  import.unit = options.unit_mm * 1e-3;
+  if (options.kind == VdbImport::Kind::level_set) import.kind = GridKind::level_set;
+  if (options.kind == VdbImport::Kind::fog_volume) import.kind = GridKind::fog_volume;
+  return workpiece_from_grid(*chosen, options.material, import);
 }
 
 }  // namespace
@@ -222,47 +271,12 @@ void save_vdb(const Workpiece& workpiece, const std::filesystem::path& path) {
 }
 
 Workpiece load_vdb(const std::filesystem::path& path) {
-  const openvdb::GridPtrVec grids = read_grids(path);
-  const auto density = require_grid<openvdb::FloatGrid>(grids, "density", path);
-  const auto material = require_grid<openvdb::Int32Grid>(grids, "material", path);
-  const auto centroid = require_grid<openvdb::Int32Grid>(grids, "centroid", path);
-  const auto format = require_meta<std::int32_t>(*material, kFormatKey, path);
-  if (format != kFormat)
-    fail(path, "it has format " + std::to_string(format) + "; this version of hapticut reads format " +
-                   std::to_string(kFormat) + ". Use the version that wrote it.");
-  MaterialTable materials = read_materials(*material, path);
-  const GridFrame frame = read_frame(*material, path);
-  check_values(density->tree(), material->tree(), materials, path);
-  std::unique_ptr<VoxelTrees> trees(
-      new VoxelTrees{MaterialTree(material->tree()), FillTree(1.0F), CentroidTree(centroid->tree())});
-  copy_fill(density->tree(), trees->fill);
-  return WorkpieceAccess::make(frame, std::move(materials), std::move(trees));
+  return reading(path, [&] { return parse(path); });
 }
 
 Workpiece load_vdb(const std::filesystem::path& path, const VdbImport& options) {
   require_positive(options.unit_mm, "VdbImport::unit_mm [mm]");
-  const openvdb::GridPtrVec grids = read_grids(path);
-  openvdb::FloatGrid::Ptr chosen;
-  int candidates = 0;
-  for (const auto& grid : grids) {
-    if (!grid || !grid->isType<openvdb::FloatGrid>()) continue;
-    if (!options.grid.empty() && grid->getName() != options.grid) continue;
-    chosen = openvdb::gridPtrCast<openvdb::FloatGrid>(grid);
-    ++candidates;
-  }
-  if (candidates != 1)
-    fail(path, (candidates == 0 ? std::string("there is no ") : "there is more than one ") + "float grid" +
-                   (options.grid.empty() ? "" : " '" + options.grid + "'") + " in it; it has " + list_of(grids) +
-                   ". Name a float grid (level set or fog volume) with VdbImport::grid.");
-  GridImport import;
-  import.unit = options.unit_mm * 1e-3;
-  if (options.kind == VdbImport::Kind::level_set) import.kind = GridKind::level_set;
-  if (options.kind == VdbImport::Kind::fog_volume) import.kind = GridKind::fog_volume;
-  try {
-    return workpiece_from_grid(*chosen, options.material, import);
-  } catch (const Error& error) {
-    fail(path, error.what());
-  }
+  return reading(path, [&] { return parse_foreign(path, options); });
 }
 
 }  // namespace hapticut

@@ -30,7 +30,12 @@ GridFrame frame_of(const openvdb::math::Transform& transform, double unit) {
   require_positive(unit, "length of one world unit of the grid [m]");
   if (!transform.isLinear())
     throw Error("the grid's transform is not linear (a frustum); resample the grid to cubic voxels first.");
-  const openvdb::Mat4d matrix = transform.baseMap()->getAffineMap()->getMat4();
+  openvdb::Mat4d matrix;
+  try {
+    matrix = transform.baseMap()->getAffineMap()->getMat4();
+  } catch (const openvdb::ArithmeticError&) {
+    throw Error("the grid's transform cannot be inverted; resample the grid to cubic voxels first.");
+  }
   Mat3 edges;  // column i: edge of a voxel along axis i
   Vec3 translation;
   for (int row = 0; row < 3; ++row)
