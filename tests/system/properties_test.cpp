@@ -173,8 +173,8 @@ RC_GTEST_PROP(Step, TheLedgerClosesAndNoLossIsNegativeInAnyCut, ()) {
            << e.elastic << " cutting " << e.cutting << " released " << e.released << " damping " << e.damping
            << " rubbing " << e.rubbing << " credited " << e.credited << " kind " << scene.head.shape().index() << " R "
            << scene.head.largest_radius();
-  // A touch too light to fill the first voxel is booked to a hundredth of that voxel's k_v l^5.
-  RC_ASSERT(std::abs(e.imbalance()) < 0.005 * work + 1e-2 * 1e13 * std::pow(kVoxel, 5));
+  // A touch too light to fill the first voxel is booked to a few hundredths of that voxel's k_v l^5.
+  RC_ASSERT(std::abs(e.imbalance()) < 0.005 * work + 3e-2 * 1e13 * std::pow(kVoxel, 5));
   for (const double term : {e.elastic, e.cutting, e.released, e.damping, e.rubbing, e.credited})
     RC_ASSERT(term >= -1e-6 * work);
   RC_ASSERT(outcome.removed_volume >= 0);
