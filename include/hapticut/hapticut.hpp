@@ -14,6 +14,8 @@
 //
 #include "hapticut/tool/handle.hpp"
 #include "hapticut/tool/head.hpp"
+#include "hapticut/tool/profile.hpp"
+#include "hapticut/tool/profile_table.hpp"
 #include "hapticut/tool/shapes.hpp"
 #include "hapticut/tool/spindle.hpp"
 #include "hapticut/tool/tool.hpp"

@@ -22,6 +22,8 @@ HWY_EXPORT(SumResultant);
 
 void sample_contact(const ToolHead& head, const BlockView& block, const GridInHead& grid, Quadrature quadrature,
                     ContactBlock& out) noexcept {
+  if (const auto* profile = std::get_if<ProfileHead>(&head.shape()))
+    return hapticut::sample_contact(ProfileSprings<float>(profile->table()), block, grid, quadrature, out);
   HWY_DYNAMIC_DISPATCH(SampleContact)(head, block, grid, quadrature, out);
 }
 

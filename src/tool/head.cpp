@@ -35,9 +35,11 @@ void validate(const FlatHead& head) {
   require_positive(head.height, "FlatHead::height [m]");
 }
 
+void validate(const ProfileHead& /*checked when it was made*/) {}
+
 }  // namespace
 
-ToolHead::ToolHead(Shape shape) : shape_(shape) {
+ToolHead::ToolHead(Shape shape) : shape_(std::move(shape)) {
   std::visit([](const auto& head) { validate(head); }, shape_);
 }
 
@@ -45,23 +47,27 @@ HeadBox ToolHead::bounding_box() const {
   const auto around_axis = [](double radius, double low, double high) {
     return HeadBox{Vec3(-radius, -radius, low), Vec3(radius, radius, high)};
   };
-  return std::visit(Overloaded{[&](const SphereHead& h) { return around_axis(h.radius, -h.radius, h.radius); },
-                               [&](const ConeHead& h) { return around_axis(base_radius(h), 0, h.height); },
-                               [&](const FlatHead& h) { return around_axis(h.radius, 0, h.height); }},
-                    shape_);
+  return std::visit(
+      Overloaded{[&](const SphereHead& h) { return around_axis(h.radius, -h.radius, h.radius); },
+                 [&](const ConeHead& h) { return around_axis(base_radius(h), 0, h.height); },
+                 [&](const FlatHead& h) { return around_axis(h.radius, 0, h.height); },
+                 [&](const ProfileHead& h) { return around_axis(h.table().radius, h.table().bottom, h.table().top); }},
+      shape_);
 }
 
 double ToolHead::reach() const {
   return std::visit(Overloaded{[](const SphereHead& h) { return h.radius; },
                                [](const ConeHead& h) { return std::hypot(base_radius(h), h.height); },
-                               [](const FlatHead& h) { return std::hypot(h.radius, h.height); }},
+                               [](const FlatHead& h) { return std::hypot(h.radius, h.height); },
+                               [](const ProfileHead& h) { return h.reach(); }},
                     shape_);
 }
 
 double ToolHead::volume() const {
   return std::visit(Overloaded{[](const SphereHead& h) { return 4 * kPi / 3 * h.radius * h.radius * h.radius; },
                                [](const ConeHead& h) { return kPi / 3 * base_radius(h) * base_radius(h) * h.height; },
-                               [](const FlatHead& h) { return kPi * h.radius * h.radius * h.height; }},
+                               [](const FlatHead& h) { return kPi * h.radius * h.radius * h.height; },
+                               [](const ProfileHead& h) { return h.volume(); }},
                     shape_);
 }
 

@@ -7,6 +7,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/contact.hpp"
+#include "support/profiles.hpp"
 #include "support/random_pose.hpp"
 
 namespace hapticut {
@@ -17,9 +18,29 @@ using units::deg;
 using units::mm;
 
 struct NamedHead {
-  const char* name;
+  std::string name;
   ToolHead head;
+  bool springs_fill_it = true;   ///< false: parts behind smooth edges have none
+  bool springs_push_out = true;  ///< false: it has hollows whose walls face the axis
 };
+
+NamedHead profile(const test::NamedProfile& p, bool springs_fill_it = true) {
+  return {"Profile" + p.name, ProfileHead(p.profile), springs_fill_it, p.name != "Hollow"};
+}
+
+std::vector<NamedHead> heads() {
+  std::vector<NamedHead> all = {{"Ball", SphereHead{1 * mm}},
+                                {"SlenderCone", ConeHead{12 * deg, 3 * mm}},
+                                {"BluntCone", ConeHead{70 * deg, 1 * mm}},
+                                {"FlatNearest", FlatHead{0.8 * mm, 2 * mm}},
+                                {"FlatBottomOnly", FlatHead{0.8 * mm, 2 * mm, FlatRule::bottom_only}},
+                                {"FlatSideOnly", FlatHead{0.8 * mm, 2 * mm, FlatRule::side_only}},
+                                {"FlatBoth", FlatHead{0.8 * mm, 2 * mm, FlatRule::both}},
+                                {"FlatDisc", FlatHead{2 * mm, 0.4 * mm}}};
+  for (const auto& p : test::closed_profiles()) all.push_back(profile(p));
+  for (const auto& p : test::profiles_with_smooth_edges()) all.push_back(profile(p, p.name != "Neck"));
+  return all;
+}
 
 void PrintTo(const NamedHead& named, std::ostream* out) { *out << named.name; }
 
@@ -39,6 +60,20 @@ class HeadContract : public testing::TestWithParam<NamedHead> {
   Spring<Real> spring(double rho, double z) const {
     return head().visit_springs<Real>(
         [&](const auto& springs) -> Spring<Real> { return springs.spring(Real(rho), Real(z)); });
+  }
+  /// Whether the exact head has this direction at a point or next to it: on a ridge between two surfaces, rounding
+  /// decides for one of them.
+  bool is_direction_near(const Spring<float>& fast, double rho, double z, double step) const {
+    for (int n = 0; n < 9; ++n) {
+      const Spring<double> s = spring<double>(rho + (n % 3 - 1) * step, z + (n / 3 - 1) * step);
+      if (std::hypot(s.n_radial - double(fast.n_radial), s.n_axial - double(fast.n_axial)) < 0.02) return true;
+    }
+    return false;
+  }
+  /// [m] how far from the surface a point must be for inside and outside to be told apart.
+  double surface_error() const {
+    const auto* profile = std::get_if<ProfileHead>(&head().shape());
+    return profile == nullptr ? 1e-12 : 1e-12 + profile->table().error;
   }
   double margin(double rho, double z) const {
     return head().visit_springs<double>([&](const auto& springs) -> double { return springs.margin(rho, z); });
@@ -70,8 +105,11 @@ TEST_P(HeadContract, NoSpringReachesOutOfTheBox) {
 TEST_P(HeadContract, SpringAndMarginAgreeOnWhatIsInside) {
   for_points([&](double rho, double z) {
     const double m = margin(rho, z);
-    if (std::abs(m) > 1e-12) {
-      ASSERT_EQ(m > 0, spring<double>(rho, z).depth > 0) << rho << " " << z;
+    if (std::abs(m) <= surface_error()) return;
+    if (spring<double>(rho, z).depth > 0) {
+      ASSERT_GT(m, 0) << rho << " " << z;
+    } else if (GetParam().springs_fill_it) {
+      ASSERT_LT(m, 0) << rho << " " << z;
     }
   });
 }
@@ -83,19 +121,12 @@ TEST_P(HeadContract, SinglePrecisionGivesTheSameAnswerWithinRounding) {
   for_points([&](double rho, double z) {
     const Spring<double> exact = spring<double>(rho, z);
     const Spring<float> fast = spring<float>(rho, z);
-    if (std::abs(margin(rho, z)) < rounding) return;  // on the surface either answer is right
+    if (std::abs(margin(rho, z)) < rounding + surface_error()) return;  // on the surface either answer is right
     ASSERT_EQ(exact.depth > 0, fast.depth > 0);
     if (exact.depth <= 0) return;
     ASSERT_NEAR(double(fast.depth), exact.depth, rounding);
-    if (exact.depth < 100 * rounding || std::hypot(rho, z) < 100 * rounding) return;   // directions need a length
-    const bool on_the_ridge = std::abs(exact.n_radial - double(fast.n_radial)) > 0.5;  // of a flat's `nearest`
-    if (on_the_ridge) {
-      ASSERT_NEAR(exact.depth, head().largest_radius() - rho, rounding);
-      ASSERT_NEAR(exact.depth, z, rounding);
-      return;
-    }
-    ASSERT_NEAR(double(fast.n_radial), exact.n_radial, 0.02);
-    ASSERT_NEAR(double(fast.n_axial), exact.n_axial, 0.02);
+    if (exact.depth < 100 * rounding || std::hypot(rho, z) < 100 * rounding) return;  // directions need a length
+    ASSERT_TRUE(is_direction_near(fast, rho, z, rounding)) << rho << " " << z;
   });
 }
 
@@ -106,7 +137,9 @@ TEST_P(HeadContract, TheVectorAtAPointLiesInItsMeridianPlane) {
     const auto at = head().depth_at(p);
     if (!(at.depth > 0)) continue;
     ASSERT_NEAR(at.direction.cross(p).z(), 0, 1e-12 * head().reach());
-    ASSERT_GE(at.direction.head<2>().dot(p.head<2>()), -1e-15) << "springs push away from the axis";
+    if (GetParam().springs_push_out) {
+      ASSERT_GE(at.direction.head<2>().dot(p.head<2>()), -1e-15) << "springs push away from the axis";
+    }
   }
 }
 
@@ -131,16 +164,8 @@ TEST_P(HeadContract, NoBlockIsSkippedThatHoldsAPointOfTheHead) {
   EXPECT_GT(touched, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Heads, HeadContract,
-                         testing::Values(NamedHead{"Ball", SphereHead{1 * mm}},
-                                         NamedHead{"SlenderCone", ConeHead{12 * deg, 3 * mm}},
-                                         NamedHead{"BluntCone", ConeHead{70 * deg, 1 * mm}},
-                                         NamedHead{"FlatNearest", FlatHead{0.8 * mm, 2 * mm}},
-                                         NamedHead{"FlatBottomOnly", FlatHead{0.8 * mm, 2 * mm, FlatRule::bottom_only}},
-                                         NamedHead{"FlatSideOnly", FlatHead{0.8 * mm, 2 * mm, FlatRule::side_only}},
-                                         NamedHead{"FlatBoth", FlatHead{0.8 * mm, 2 * mm, FlatRule::both}},
-                                         NamedHead{"FlatDisc", FlatHead{2 * mm, 0.4 * mm}}),
-                         [](const auto& named) { return std::string(named.param.name); });
+INSTANTIATE_TEST_SUITE_P(Heads, HeadContract, testing::ValuesIn(heads()),
+                         [](const auto& named) { return named.param.name; });
 
 }  // namespace
 }  // namespace hapticut

@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "hapticut/tool/profile.hpp"
 #include "hapticut/tool/shapes.hpp"
 
 namespace hapticut {
@@ -16,7 +17,7 @@ struct HeadBox {
 /// The cutting head of a tool: any shape, asked for many points at once.
 class ToolHead {
  public:
-  using Shape = std::variant<SphereHead, ConeHead, FlatHead>;
+  using Shape = std::variant<SphereHead, ConeHead, FlatHead, ProfileHead>;
 
   /// @throws Error when a dimension is not positive or an angle not between 0 and pi/2
   ToolHead(Shape shape);  // NOLINT(google-explicit-constructor): a shape is a head
@@ -36,7 +37,7 @@ class ToolHead {
   /// [m^3] volume of the head, exact.
   [[nodiscard]] double volume() const;
 
-  /// [m] largest radius of the head about its axis: sphere and flat R, cone the base radius.
+  /// [m] largest radius of the head about its axis: sphere and flat R, cone the base radius, profile the largest rho.
   [[nodiscard]] double largest_radius() const;
 
   /// Calls `function(springs)` with the springs of this head's shape in precision `Real`: the one place where the shape
@@ -45,6 +46,8 @@ class ToolHead {
   decltype(auto) visit_springs(Function&& function) const {
     if (const auto* sphere = std::get_if<SphereHead>(&shape_)) return function(SphereSprings<Real>(*sphere));
     if (const auto* cone = std::get_if<ConeHead>(&shape_)) return function(ConeSprings<Real>(*cone));
+    if (const auto* profile = std::get_if<ProfileHead>(&shape_))
+      return function(ProfileSprings<Real>(profile->table()));
     const FlatHead& flat = *std::get_if<FlatHead>(&shape_);
     switch (flat.rule) {
       case FlatRule::bottom_only:

@@ -9,6 +9,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/force/laws/foundation.hpp"
+#include "support/profiles.hpp"
 
 namespace hapticut {
 namespace {
@@ -61,12 +62,14 @@ ContactMaterials three_materials(float damping) {
 }
 
 std::vector<ToolHead> all_heads() {
-  return {SphereHead{0.6 * mm},
-          ConeHead{30 * deg, 1 * mm},
-          FlatHead{0.5 * mm, 1 * mm, FlatRule::nearest},
-          FlatHead{0.5 * mm, 1 * mm, FlatRule::bottom_only},
-          FlatHead{0.5 * mm, 1 * mm, FlatRule::side_only},
-          FlatHead{0.5 * mm, 1 * mm, FlatRule::both}};
+  std::vector<ToolHead> heads = {SphereHead{0.6 * mm},
+                                 ConeHead{30 * deg, 1 * mm},
+                                 FlatHead{0.5 * mm, 1 * mm, FlatRule::nearest},
+                                 FlatHead{0.5 * mm, 1 * mm, FlatRule::bottom_only},
+                                 FlatHead{0.5 * mm, 1 * mm, FlatRule::side_only},
+                                 FlatHead{0.5 * mm, 1 * mm, FlatRule::both}};
+  for (const test::NamedProfile& p : test::all_profiles()) heads.emplace_back(ProfileHead(p.profile));
+  return heads;
 }
 
 class KernelTarget : public testing::TestWithParam<std::int64_t> {

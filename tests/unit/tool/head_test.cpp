@@ -8,6 +8,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "support/profiles.hpp"
 #include "support/random_pose.hpp"
 
 namespace hapticut {
@@ -79,7 +80,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Expected{"Flat", FlatHead{1 * mm, 2 * mm}, Vec3(-1, -1, 0) * mm, Vec3(1, 1, 2) * mm, 2 * kPi * 1e-9,
                              std::sqrt(5.0) * mm},
                     Expected{"FlatBoth", FlatHead{2 * mm, 1 * mm, FlatRule::both}, Vec3(-2, -2, 0) * mm,
-                             Vec3(2, 2, 1) * mm, 4 * kPi * 1e-9, std::sqrt(5.0) * mm}),
+                             Vec3(2, 2, 1) * mm, 4 * kPi * 1e-9, std::sqrt(5.0) * mm},
+                    // cylinder 0.5 x 1.2 mm and ball of 0.5 mm
+                    Expected{"Capsule", ProfileHead(test::closed_profiles()[1].profile), Vec3(-0.5, -0.5, 0) * mm,
+                             Vec3(0.5, 0.5, 2.2) * mm, kPi*(0.3 + 0.5 / 3) * 1e-9, 2.2 * mm},
+                    // frusta of a tree
+                    Expected{"Tree", ProfileHead(test::closed_profiles()[3].profile), Vec3(-0.8, -0.8, 0) * mm,
+                             Vec3(0.8, 0.8, 2) * mm,
+                             kPi / 3 * 1e-9 *
+                                 (0.7 * 0.16 + 0.1 * (0.16 + 0.1 + 0.0625) + 0.5 * (0.0625 + 0.15 + 0.36) +
+                                  0.1 * (0.36 + 0.27 + 0.2025) + 0.5 * (0.2025 + 0.36 + 0.64) + 0.1 * 0.64),
+                             std::hypot(0.8, 1.9) * mm}),
     [](const auto& e) { return std::string(e.param.name); });
 
 TEST(ToolHead, DepthAndDirectionFollowTheSpringCentres) {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "hapticut/tool/profile_table.hpp"
+
+namespace hapticut {
+
+namespace detail {
+class Meridian;
+}
+
+/// What an edge of a profile does.
+enum class EdgeKind {
+  cutting,  ///< carries springs and cuts
+  smooth    ///< safe-sided or shank: only bounds the head
+};
+
+/// One edge of a meridian, from the end of the edge before it.
+struct ProfileEdge {
+  double rho = 0;  ///< [m] end: distance from the axis, >= 0
+  double z = 0;    ///< [m] end: height
+  double radius =
+      0;  ///< [m] 0: straight; > 0: arc that bulges outwards; < 0: hollow arc. Never more than a half circle
+  EdgeKind kind = EdgeKind::cutting;
+};
+
+/// The meridian of a body of revolution, in the tool frame: from its tip on the axis outwards, up and back to the axis
+/// on the shank's side, with the body to the left.
+///
+///       z ^
+///         +-----+       edges: tip -> (R, 0) -> (R, H) -> (0, H)
+///         |     |
+///         |     |
+///     tip +-----+--> rho
+///
+struct Profile {
+  double tip = 0;  ///< [m] z of the starting point, at rho = 0
+  std::vector<ProfileEdge> edges;
+};
+
+/// A head of any profile of revolution.
+///
+/// The depth of a point inside the head is its distance from the nearest cutting surface, `w = min |x - s|`, and the
+/// direction is that from the point to it. Where cutting meets smooth, the cutting surface is taken to go on as it ends
+/// (a line as its line, an arc as its circle): so a ConeHead and a FlatHead are also profiles, the pressure identity
+/// holds, and a smooth edge feels nothing. A point beyond that continued surface has no spring.
+class ProfileHead {
+ public:
+  /// @param tolerance  [1] bound on the error of depths, relative to the smaller of largest radius and height, in
+  ///                   1e-4 ... 0.1; only the points where three edges are equally near have any error
+  /// @throws Error when the profile is not closed, crosses its axis or itself, runs the wrong way round, has an edge of
+  ///         no length, an arc whose radius cannot span its ends, or no cutting edge
+  explicit ProfileHead(Profile profile, double tolerance = 0.01);
+
+  [[nodiscard]] const Profile& profile() const { return profile_; }
+  [[nodiscard]] const ProfileTable& table() const { return *table_; }
+
+  [[nodiscard]] double volume() const { return volume_; }  ///< [m^3] inside the profile, exact (Pappus)
+  [[nodiscard]] double reach() const { return reach_; }    ///< [m] greatest distance from the frame's origin, exact
+
+  /// Depth and direction by asking every edge, without the table. For tests and set-up code: O(edges).
+  [[nodiscard]] Spring<double> exact_spring(double rho, double z) const;
+
+ private:
+  Profile profile_;
+  double volume_ = 0;
+  double reach_ = 0;
+  std::shared_ptr<const detail::Meridian> meridian_;
+  std::shared_ptr<const ProfileTable> table_;
+};
+
+}  // namespace hapticut

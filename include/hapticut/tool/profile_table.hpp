@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "hapticut/tool/shapes.hpp"
+
+/// @file
+/// The table behind a ProfileHead: which curve of the meridian is the nearest one, cell by cell.
+///
+/// The depth below a meridian of lines and arcs is not smooth (the direction jumps on the medial axis), so values on a
+/// grid would blur it. The table therefore holds no depths but, for each square cell of the (rho, z) half-plane, the
+/// one or two curves that decide there and how; depth and direction then follow in closed form, exactly, from the five
+/// numbers of a curve. Cells in which three or more curves compete (a few points of the medial axis, hollow corners)
+/// keep the best two: the only inexact ones, with the error that ProfileTable::error states.
+namespace hapticut {
+
+/// How the two curves of a cell decide.
+enum class CellRule : std::uint32_t {
+  first,    ///< only the first curve
+  nearer,   ///< the one with the smaller depth: a ridge of the medial axis
+  farther,  ///< the one with the larger depth: a hollow corner
+  sides,    ///< the second from its starting point on, the first before it: a joint along the meridian
+  gate      ///< the first, but nothing beyond the second, a smooth edge that only bounds the head
+};
+
+/// One cell packed in 32 bits: the first curve in bits 0-13, the second in bits 14-27, the rule in bits 28-30.
+struct ProfileCell {
+  static constexpr std::uint32_t kMostCurves = 1U << 14U;
+
+  [[nodiscard]] static constexpr std::uint32_t pack(std::uint32_t first, std::uint32_t second, CellRule rule) {
+    return first | second << 14U | std::uint32_t(rule) << 28U;
+  }
+  [[nodiscard]] static constexpr std::uint32_t first(std::uint32_t cell) { return cell & (kMostCurves - 1); }
+  [[nodiscard]] static constexpr std::uint32_t second(std::uint32_t cell) { return cell >> 14U & (kMostCurves - 1); }
+  [[nodiscard]] static constexpr CellRule rule(std::uint32_t cell) { return CellRule(cell >> 28U); }
+};
+
+/// Curves as a structure of arrays, each padded with zeros to a multiple of eight. A curve is a circle of signed
+/// curvature k through a point p with the unit normal m that points into the head; k > 0 bulges outwards, k = 0 is a
+/// straight line, k < 0 is hollow, and a hollow corner is a circle of a millionth of the head's size. With q = x - p,
+///
+///     g = k q - m      depth w = (2 m.q - k q.q) / (1 + |g|)      n = g / |g|
+///
+/// which is R - |x - c| without its cancellation, and m.q for a line. Curve 0 is all zeros: no depth anywhere.
+template <class Real>
+struct ProfileCurves {
+  std::vector<Real> rho, z;                ///< [m] starting point p, in the direction from tip to shank
+  std::vector<Real> normal_rho, normal_z;  ///< [1] m
+  std::vector<Real> curvature;             ///< [1/m] k
+};
+
+/// A piece of the whole meridian, monotone in z, to ask whether a point is inside and how far from the surface.
+template <class Real>
+struct ProfilePiece {
+  Real rho_0, z_0, rho_1, z_1;  ///< [m] ends
+  Real center_rho, center_z;    ///< [m] of an arc
+  Real radius;                  ///< [m] of an arc, 0: straight
+  Real turn;                    ///< [1] arc: +1 bulges outwards (counter-clockwise), -1 hollow
+  Real side;                    ///< [1] arc: +1 to the right of its centre (larger rho), -1 to the left
+};
+
+/// Everything that the step asks of a profile. Immutable once built; tools share it.
+struct ProfileTable {
+  ProfileCurves<float> curves;
+  ProfileCurves<double> exact_curves;  ///< the same in double precision
+  std::vector<ProfilePiece<float>> pieces;
+  std::vector<ProfilePiece<double>> exact_pieces;
+
+  /// Cell of column i and row j at `j * columns + i`; it covers rho in [i, i + 1) cell_size and
+  /// z in bottom + [j, j + 1) cell_size.
+  std::vector<std::uint32_t> cells;
+  int columns = 0;
+  int rows = 0;
+  double cell_size = 0;  ///< [m]
+
+  double radius = 0;  ///< [m] largest rho of the head: beyond it there is no spring
+  double bottom = 0;  ///< [m] least z of the head: below it there is no spring
+  double top = 0;     ///< [m] largest z of the head: from it on there is no spring
+
+  /// [m] Bound on the error of depths: the depth given at a point is the exact one within this, or the exact one of a
+  /// point within this distance. From 289 points of each cell that may have an error, and what can lie between them.
+  double error = 0;
+};
+
+/// The part of a profile that the hot loop needs. Points into the table of its head, which must outlive it.
+template <class Real>
+struct ProfileSprings {
+  const Real *rho, *z, *normal_rho, *normal_z, *curvature;
+  const std::uint32_t* cells;
+  const ProfilePiece<Real>* pieces;
+  std::size_t piece_count;
+  int columns, rows;
+  Real cells_per_length;  ///< [1/m]
+  Real radius, bottom, top;
+
+  explicit ProfileSprings(const ProfileTable& t)
+      : ProfileSprings(t, pick(t.curves, t.exact_curves), pick(t.pieces, t.exact_pieces)) {}
+
+  /// Signed depth below one curve and the direction there.
+  [[nodiscard]] Spring<Real> below(std::uint32_t curve, Real at_rho, Real at_z) const {
+    const Real q_rho = at_rho - rho[curve], q_z = at_z - z[curve];
+    const Real m_rho = normal_rho[curve], m_z = normal_z[curve], k = curvature[curve];
+    const Real twice = Real(2) * (m_rho * q_rho + m_z * q_z) - k * (q_rho * q_rho + q_z * q_z);
+    const Real g_rho = k * q_rho - m_rho, g_z = k * q_z - m_z;
+    const Real root = std::sqrt(g_rho * g_rho + g_z * g_z);
+    const Real inverse = Real(1) / std::max(root, Real(1e-12));
+    return {twice / (Real(1) + root), g_rho * inverse, g_z * inverse};
+  }
+
+  [[nodiscard]] Spring<Real> spring(Real at_rho, Real at_z) const {
+    const int column = std::min(int(at_rho * cells_per_length), columns - 1);
+    const int row = std::clamp(int((at_z - bottom) * cells_per_length), 0, rows - 1);
+    if (!(at_rho < radius && at_z > bottom && at_z < top)) return {Real(-1), Real(1), Real(0)};
+    const std::uint32_t cell = cells[std::size_t(row) * std::size_t(columns) + std::size_t(column)];
+    return decide(cell, at_rho, at_z);
+  }
+
+  /// The spring at a point by the rule of a cell.
+  [[nodiscard]] Spring<Real> decide(std::uint32_t cell, Real at_rho, Real at_z) const {
+    const Spring<Real> first = below(ProfileCell::first(cell), at_rho, at_z);
+    const CellRule rule = ProfileCell::rule(cell);
+    if (rule == CellRule::first) return first;
+    const std::uint32_t other = ProfileCell::second(cell);
+    const Spring<Real> second = below(other, at_rho, at_z);
+    switch (rule) {
+      case CellRule::nearer:
+        return second.depth < first.depth ? second : first;
+      case CellRule::farther:
+        return second.depth > first.depth ? second : first;
+      case CellRule::gate:
+        return second.depth > 0 ? first : Spring<Real>{Real(-1), Real(1), Real(0)};
+      default:
+        break;
+    }
+    // The tangent at p, towards the shank, is m turned by -90 degrees.
+    const Real along = normal_z[other] * (at_rho - rho[other]) - normal_rho[other] * (at_z - z[other]);
+    return along >= 0 ? second : first;
+  }
+
+  /// Distance to the surface, positive inside. O(edges).
+  [[nodiscard]] Real margin(Real at_rho, Real at_z) const {
+    Real nearest = std::numeric_limits<Real>::max();
+    bool inside = false;
+    for (std::size_t n = 0; n < piece_count; ++n) {
+      const ProfilePiece<Real>& p = pieces[n];
+      nearest = std::min(nearest, distance(p, at_rho, at_z));
+      if ((p.z_0 <= at_z) != (p.z_1 <= at_z)) inside ^= crossing(p, at_z) > at_rho;
+    }
+    return inside ? nearest : -nearest;
+  }
+
+ private:
+  static const auto& pick(const auto& single, const auto& exact) {
+    if constexpr (sizeof(Real) == sizeof(float))
+      return single;
+    else
+      return exact;
+  }
+  ProfileSprings(const ProfileTable& t, const ProfileCurves<Real>& c, const std::vector<ProfilePiece<Real>>& p)
+      : rho(c.rho.data()),
+        z(c.z.data()),
+        normal_rho(c.normal_rho.data()),
+        normal_z(c.normal_z.data()),
+        curvature(c.curvature.data()),
+        cells(t.cells.data()),
+        pieces(p.data()),
+        piece_count(p.size()),
+        columns(t.columns),
+        rows(t.rows),
+        cells_per_length(Real(1 / t.cell_size)),
+        radius(Real(t.radius)),
+        bottom(Real(t.bottom)),
+        top(Real(t.top)) {}
+
+  [[nodiscard]] static Real distance(const ProfilePiece<Real>& p, Real at_rho, Real at_z) {
+    const Real to_0 = at_rho - p.rho_0, up_0 = at_z - p.z_0, to_1 = at_rho - p.rho_1, up_1 = at_z - p.z_1;
+    if (p.radius == 0) {
+      const Real along_rho = p.rho_1 - p.rho_0, along_z = p.z_1 - p.z_0;
+      const Real share = (to_0 * along_rho + up_0 * along_z) / (along_rho * along_rho + along_z * along_z);
+      const Real s = std::clamp(share, Real(0), Real(1));
+      const Real d_rho = to_0 - s * along_rho, d_z = up_0 - s * along_z;
+      return std::sqrt(d_rho * d_rho + d_z * d_z);
+    }
+    const Real v_rho = at_rho - p.center_rho, v_z = at_z - p.center_z;
+    const Real after = (p.rho_0 - p.center_rho) * v_z - (p.z_0 - p.center_z) * v_rho;
+    const Real before = v_rho * (p.z_1 - p.center_z) - v_z * (p.rho_1 - p.center_rho);
+    if (p.turn * after >= 0 && p.turn * before >= 0) return std::abs(std::sqrt(v_rho * v_rho + v_z * v_z) - p.radius);
+    return std::sqrt(std::min(to_0 * to_0 + up_0 * up_0, to_1 * to_1 + up_1 * up_1));
+  }
+
+  /// rho at which a piece crosses a height between its ends.
+  [[nodiscard]] static Real crossing(const ProfilePiece<Real>& p, Real at_z) {
+    if (p.radius == 0) return p.rho_0 + (at_z - p.z_0) * (p.rho_1 - p.rho_0) / (p.z_1 - p.z_0);
+    const Real up = at_z - p.center_z;
+    return p.center_rho + p.side * std::sqrt(std::max(Real(0), p.radius * p.radius - up * up));
+  }
+};
+
+}  // namespace hapticut

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "hapticut/tool/profile.hpp"
+
+/// @file
+/// The exact geometry behind a profile: its edges, and the curves whose nearest one gives the depth.
+namespace hapticut::detail {
+
+using Vec2 = Eigen::Vector2d;  ///< (rho, z)
+
+/// Positive when `b` points to the left of `a`.
+[[nodiscard]] inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+[[nodiscard]] inline Vec2 left_of(const Vec2& a) { return {-a.y(), a.x()}; }
+
+/// An edge with what follows from its two ends and its radius.
+struct MeridianEdge {
+  Vec2 from, to;                      ///< [m]
+  double curvature = 0;               ///< [1/m] > 0 bulges outwards
+  Vec2 center = Vec2::Zero();         ///< [m] of an arc
+  double start_angle = 0, sweep = 0;  ///< [rad] of an arc about its centre; sweep > 0 counter-clockwise
+  Vec2 start_tangent, end_tangent;    ///< [1]
+  EdgeKind kind = EdgeKind::cutting;
+
+  [[nodiscard]] double radius() const { return 1 / std::abs(curvature); }
+  [[nodiscard]] bool straight() const { return curvature == 0; }
+  /// [rad] of a point about the centre, from the start in the direction of the sweep, in [0, 2 pi).
+  [[nodiscard]] double angle_of(const Vec2& p) const;
+  [[nodiscard]] Vec2 at_angle(double angle) const;
+};
+
+/// A curve that may be the nearest one, and where it is in charge: the strip of a line, the sector of an arc, the wedge
+/// of a hollow corner. At a free end, where cutting meets smooth, the strip or sector goes on.
+struct MeridianCurve {
+  enum class Kind { line, arc, corner };
+  Kind kind = Kind::line;
+  MeridianEdge edge;          ///< of a corner: the edge before it
+  Vec2 point = Vec2::Zero();  ///< [m] start; of a corner: the corner
+  Vec2 next = Vec2::Zero();   ///< [1] of a corner: tangent of the edge after it
+  double low = 0, high = 0;   ///< [m] or [rad] part of the edge's line or circle that is in charge
+  [[nodiscard]] bool in_charge(const Vec2& x) const;
+  [[nodiscard]] Spring<double> spring(const Vec2& x) const;
+};
+
+class Meridian {
+ public:
+  /// @throws Error as ProfileHead's constructor
+  explicit Meridian(const Profile& profile);
+
+  [[nodiscard]] const std::vector<MeridianEdge>& edges() const { return edges_; }
+  /// Of the cutting edges, along the meridian.
+  [[nodiscard]] const std::vector<MeridianCurve>& curves() const { return curves_; }
+
+  [[nodiscard]] double radius() const { return radius_; }  ///< [m] largest rho
+  [[nodiscard]] double bottom() const { return bottom_; }  ///< [m] least z
+  [[nodiscard]] double top() const { return top_; }        ///< [m] largest z
+  [[nodiscard]] double size() const { return size_; }      ///< [m] larger of radius and height
+  [[nodiscard]] double volume() const;                     ///< [m^3]
+  [[nodiscard]] double reach() const;                      ///< [m]
+  [[nodiscard]] std::vector<ProfilePiece<double>> pieces() const;
+
+  static constexpr std::size_t kNone = ~std::size_t(0);
+  /// The curve whose surface is nearest; kNone when none is in charge.
+  [[nodiscard]] std::size_t nearest(const Vec2& x) const;
+
+ private:
+  void make_edges(const Profile& profile);
+  void make_curves();
+  void check_orientation() const;
+  void check_crossings() const;
+
+  std::vector<MeridianEdge> edges_;
+  std::vector<MeridianCurve> curves_;
+  double radius_ = 0, bottom_ = 0, top_ = 0, size_ = 0;
+};
+
+/// Where two edges meet other than at a shared end, or nothing. `joined`: the second follows the first.
+[[nodiscard]] std::vector<Vec2> crossings(const MeridianEdge& a, const MeridianEdge& b, double tolerance);
+
+/// Table of a meridian. @throws Error when the tolerance needs more cells than are allowed
+[[nodiscard]] ProfileTable make_profile_table(const Meridian& meridian, double tolerance);
+
+}  // namespace hapticut::detail

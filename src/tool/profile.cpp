@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/tool/profile.hpp"
+
+#include "hapticut/core/errors.hpp"
+#include "tool/meridian.hpp"
+
+namespace hapticut {
+
+ProfileHead::ProfileHead(Profile profile, double tolerance) : profile_(std::move(profile)) {
+  require_between(tolerance, 1e-4, 0.1, "ProfileHead tolerance [1]");
+  auto meridian = std::make_shared<const detail::Meridian>(profile_);
+  volume_ = meridian->volume();
+  reach_ = meridian->reach();
+  table_ = std::make_shared<const ProfileTable>(detail::make_profile_table(*meridian, tolerance));
+  meridian_ = std::move(meridian);
+}
+
+Spring<double> ProfileHead::exact_spring(double rho, double z) const {
+  const detail::Vec2 x(rho, z);
+  const Spring<double> none = {-1, 1, 0};
+  if (!(ProfileSprings<double>(*table_).margin(rho, z) > 0)) return none;
+  const std::size_t curve = meridian_->nearest(x);
+  return curve == detail::Meridian::kNone ? none : meridian_->curves()[curve].spring(x);
+}
+
+}  // namespace hapticut

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which curves decide in which cell. Every cell is sampled at 25 points, whose exact depths are known from the
+// meridian; of all the ways that the curves near the cell can decide, the one with the smallest error is kept. Where a
+// curve that may be nearest is left out, 289 points bound the error, and the cells are halved until it is within the
+// tolerance.
+#include "hapticut/tool/profile_table.hpp"
+
+#include <string>
+
+#include "hapticut/core/errors.hpp"
+#include "tool/meridian.hpp"
+
+namespace hapticut::detail {
+namespace {
+
+constexpr double kCornerRadius = 1e-7;  // [1] of the size: the circle that stands for a hollow corner
+constexpr double kExact = 4e-7;         // [1] of the size: what counts as no error
+constexpr std::size_t kMostCells = 1U << 20U;
+constexpr int kTile = 8;          // cells along the edge of a tile, for which curves are preselected
+constexpr int kSamples = 5;       // along the edge of a cell, to choose
+constexpr int kFineSamples = 17;  // along the edge of a cell, to bound the error
+// Two depths, each changing by at most one per unit of length, between a point and the nearest sample.
+constexpr double kBetweenFineSamples = 2 * 0.70710678 / (kFineSamples - 1);  // [1] of the cell size
+
+using Curves = std::vector<std::uint32_t>;
+
+/// One sample of a cell: what the table should say there.
+struct Sample {
+  Vec2 at;
+  double depth;   // [m] <= 0: no spring
+  double margin;  // [m] from the surface, positive inside
+};
+
+class TableBuilder {
+ public:
+  explicit TableBuilder(const Meridian& meridian) : meridian_(meridian) {
+    t_.radius = meridian.radius();
+    t_.bottom = meridian.bottom();
+    t_.top = meridian.top();
+    t_.exact_pieces = meridian.pieces();
+    write_curves();
+    copy_to_single();
+  }
+
+  void divide(double cell_size) {
+    t_.cell_size = cell_size;
+    t_.columns = int(std::ceil(t_.radius / cell_size));
+    t_.rows = int(std::ceil((t_.top - t_.bottom) / cell_size));
+    t_.cells.assign(std::size_t(t_.columns) * std::size_t(t_.rows), 0);
+    t_.error = 0;
+    for (int row = 0; row < t_.rows; row += kTile)
+      for (int column = 0; column < t_.columns; column += kTile) fill_tile(column, row);
+  }
+
+  [[nodiscard]] ProfileTable take() { return std::move(t_); }
+  [[nodiscard]] double error() const { return t_.error; }
+
+ private:
+  void add_curve(const Vec2& p, const Vec2& m, double k) {
+    ProfileCurves<double>& c = t_.exact_curves;
+    c.rho.push_back(p.x());
+    c.z.push_back(p.y());
+    c.normal_rho.push_back(m.x());
+    c.normal_z.push_back(m.y());
+    c.curvature.push_back(k);
+  }
+
+  void write_curves() {
+    add_curve(Vec2::Zero(), Vec2::Zero(), 0);
+    for (const MeridianCurve& curve : meridian_.curves()) {
+      if (curve.kind == MeridianCurve::Kind::corner) {
+        const double radius = kCornerRadius * meridian_.size();
+        const Vec2 normal = left_of(curve.edge.end_tangent);
+        add_curve(curve.point + radius * normal, normal, -1 / radius);
+      } else {
+        add_curve(curve.point, left_of(curve.edge.start_tangent), curve.edge.curvature);
+      }
+    }
+    first_gate_ = std::uint32_t(t_.exact_curves.rho.size());
+    for (const MeridianEdge& e : meridian_.edges())
+      if (e.kind == EdgeKind::smooth) {
+        gate_edges_.push_back(&e);
+        add_curve(e.from, left_of(e.start_tangent), e.curvature);
+      }
+    while (t_.exact_curves.rho.size() % 8 != 0) add_curve(Vec2::Zero(), Vec2::Zero(), 0);
+  }
+
+  void copy_to_single() {
+    const auto copy = [](const std::vector<double>& from, std::vector<float>& to) {
+      to.assign(from.begin(), from.end());
+    };
+    copy(t_.exact_curves.rho, t_.curves.rho);
+    copy(t_.exact_curves.z, t_.curves.z);
+    copy(t_.exact_curves.normal_rho, t_.curves.normal_rho);
+    copy(t_.exact_curves.normal_z, t_.curves.normal_z);
+    copy(t_.exact_curves.curvature, t_.curves.curvature);
+    for (const ProfilePiece<double>& p : t_.exact_pieces)
+      t_.pieces.push_back({float(p.rho_0), float(p.z_0), float(p.rho_1), float(p.z_1), float(p.center_rho),
+                           float(p.center_z), float(p.radius), float(p.turn), float(p.side)});
+  }
+
+  [[nodiscard]] Vec2 corner_of(int column, int row) const {
+    return {column * t_.cell_size, t_.bottom + row * t_.cell_size};
+  }
+
+  /// Signed depth below a curve's line or circle, wherever it is in charge.
+  [[nodiscard]] double below(std::uint32_t curve, const Vec2& x) const {
+    return meridian_.curves()[curve - 1].spring(x).depth;
+  }
+
+  /// Those of `curves` that may be nearest somewhere within `reach` of a point: the distance to a curve changes by at
+  /// most one per unit of length.
+  [[nodiscard]] Curves may_be_nearest(const Curves& curves, const Vec2& middle, double reach) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t n : curves)
+      if (meridian_.curves()[n - 1].in_charge(middle)) least = std::min(least, std::abs(below(n, middle)));
+    Curves kept;
+    for (const std::uint32_t n : curves)
+      if (std::abs(below(n, middle)) <= least + 2 * reach) kept.push_back(n);
+    return kept;
+  }
+
+  void fill_tile(int column, int row) {
+    Curves all(meridian_.curves().size());
+    for (std::size_t n = 0; n < all.size(); ++n) all[n] = std::uint32_t(n + 1);
+    const double half = kTile * t_.cell_size / 2;
+    const Curves near = may_be_nearest(all, corner_of(column, row) + Vec2::Constant(half), std::sqrt(2.0) * half);
+    for (int j = row; j < std::min(row + kTile, t_.rows); ++j)
+      for (int i = column; i < std::min(column + kTile, t_.columns); ++i)
+        t_.cells[std::size_t(j) * std::size_t(t_.columns) + std::size_t(i)] = best_cell(near, i, j);
+  }
+
+  [[nodiscard]] std::uint32_t best_cell(const Curves& near_tile, int column, int row) {
+    const ProfileSprings<double> springs(t_);
+    const double h = t_.cell_size, reach = h * std::sqrt(0.5);
+    const Vec2 corner = corner_of(column, row), middle = corner + Vec2::Constant(h / 2);
+    const double margin = springs.margin(middle.x(), middle.y());
+    if (margin < -reach * 1.001) return 0;
+    const bool on_surface = margin < reach * 1.001;
+    const Curves near = may_be_nearest(near_tile, middle, reach);
+
+    Curves nearest;
+    const std::vector<Sample> samples = take_samples(corner, kSamples, near, on_surface, nearest);
+    if (on_surface) add_close_ones(near, middle, nearest);
+
+    std::uint32_t best = 0;
+    double least = error_of(springs, samples, 0);
+    const double exact = kExact * meridian_.size();
+    if (on_surface && least <= exact) least = 2 * exact;  // a curve is better than none: the surface may pass between
+    const auto consider = [&](std::uint32_t cell) {
+      const double error = error_of(springs, samples, cell);
+      if (error < least) {
+        least = error;
+        best = cell;
+      }
+      return least <= exact;
+    };
+    const auto choose = [&] {
+      for (const std::uint32_t a : nearest)
+        if (consider(ProfileCell::pack(a, a, CellRule::first))) return;
+      for (const CellRule rule : {CellRule::sides, CellRule::nearer, CellRule::farther})
+        for (const std::uint32_t a : nearest)
+          for (const std::uint32_t b : nearest)
+            if (a != b && consider(ProfileCell::pack(a, b, rule))) return;
+      if (!on_surface) return;
+      for (std::uint32_t g = 0; g < gate_edges_.size(); ++g)
+        for (const std::uint32_t a : nearest)
+          if (consider(ProfileCell::pack(a, first_gate_ + g, CellRule::gate))) return;
+    };
+    choose();
+    t_.error = std::max(t_.error, bound_of(best, corner, near, on_surface));
+    return best;
+  }
+
+  [[nodiscard]] double bound_of(std::uint32_t cell, const Vec2& corner, const Curves& near, bool on_surface) const {
+    const std::uint32_t a = ProfileCell::first(cell), b = ProfileCell::second(cell);
+    const bool complete = std::all_of(near.begin(), near.end(), [&](std::uint32_t n) { return n == a || n == b; }) &&
+                          !(on_surface && !gate_edges_.empty());
+    Curves nearest;
+    const std::vector<Sample> samples =
+        take_samples(corner, complete ? kSamples : kFineSamples, near, on_surface, nearest);
+    const double error = error_of(ProfileSprings<double>(t_), samples, cell);
+    return error <= kExact * meridian_.size() ? error : error + kBetweenFineSamples * t_.cell_size;
+  }
+
+  /// Also collects the curves that are nearest at one of the samples.
+  [[nodiscard]] std::vector<Sample> take_samples(const Vec2& corner, int count, const Curves& near, bool on_surface,
+                                                 Curves& nearest) const {
+    const ProfileSprings<double> springs(t_);
+    std::vector<Sample> samples;
+    for (int n = 0; n < count * count; ++n) {
+      const Vec2 x = corner + t_.cell_size / (count - 1) * Vec2(n % count, n / count);
+      if (!(x.x() < t_.radius && x.y() > t_.bottom && x.y() < t_.top)) continue;  // decided without the table
+      Sample s{x, -1, 0};
+      if (on_surface) s.margin = springs.margin(x.x(), x.y());
+      if (!on_surface || s.margin > 0) {
+        double least = std::numeric_limits<double>::infinity();
+        std::uint32_t best = 0;
+        for (const std::uint32_t c : near) {
+          if (!meridian_.curves()[c - 1].in_charge(x)) continue;
+          const double depth = below(c, x);
+          if (std::abs(depth) >= least) continue;
+          least = std::abs(depth);
+          s.depth = depth;
+          best = c;
+        }
+        if (best != 0 && std::find(nearest.begin(), nearest.end(), best) == nearest.end()) nearest.push_back(best);
+      }
+      samples.push_back(s);
+    }
+    return samples;
+  }
+
+  /// The four whose surfaces pass closest: they bound the head in a cell on its surface, also where none of the samples
+  /// saw them.
+  void add_close_ones(const Curves& near, const Vec2& middle, Curves& nearest) const {
+    Curves close = near;
+    std::sort(close.begin(), close.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::abs(below(a, middle)) < std::abs(below(b, middle));
+    });
+    close.resize(std::min<std::size_t>(close.size(), 4));
+    for (const std::uint32_t c : close)
+      if (std::find(nearest.begin(), nearest.end(), c) == nearest.end()) nearest.push_back(c);
+  }
+
+  /// The largest distance by which a sample would have to move for the cell to be right about it.
+  [[nodiscard]] static double error_of(const ProfileSprings<double>& springs, const std::vector<Sample>& samples,
+                                       std::uint32_t cell) {
+    double most = 0;
+    for (const Sample& s : samples) {
+      const double got = std::max(0.0, springs.decide(cell, s.at.x(), s.at.y()).depth), want = std::max(0.0, s.depth);
+      const double difference = std::abs(got - want);
+      const bool on_wrong_side = (got > 0) != (want > 0);
+      most = std::max(most, on_wrong_side && s.margin != 0 ? std::min(difference, std::abs(s.margin)) : difference);
+    }
+    return most;
+  }
+
+  const Meridian& meridian_;
+  ProfileTable t_;
+  std::uint32_t first_gate_ = 0;
+  std::vector<const MeridianEdge*> gate_edges_;
+};
+
+}  // namespace
+
+ProfileTable make_profile_table(const Meridian& meridian, double tolerance) {
+  const double height = meridian.top() - meridian.bottom(), smaller = std::min(meridian.radius(), height);
+  TableBuilder builder(meridian);
+  for (double cell_size = smaller / 16;; cell_size /= 2) {
+    const double cells = (meridian.radius() / cell_size + 1) * (height / cell_size + 1);
+    if (cells > double(kMostCells))
+      throw Error("a tolerance of " + format_number(tolerance) + " needs more than " + std::to_string(kMostCells) +
+                  " cells for this profile. Give ProfileHead a larger tolerance, or the profile fewer small edges.");
+    builder.divide(cell_size);
+    if (builder.error() <= tolerance * smaller) return builder.take();
+  }
+}
+
+}  // namespace hapticut::detail

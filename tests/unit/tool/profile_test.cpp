@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/tool/profile.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hapticut/tool/head.hpp"
+#include "support/profiles.hpp"
+#include "support/random_pose.hpp"
+
+namespace hapticut {
+namespace {
+
+using test::NamedProfile;
+using units::deg;
+using units::kPi;
+using units::mm;
+
+constexpr EdgeKind kSmooth = EdgeKind::smooth;
+
+/// Calls `check(rho, z)` at random points in and around a head.
+template <class Check>
+void for_points(const ToolHead& head, int count, Check&& check) {
+  test::RandomPoses random(5);
+  const HeadBox box = head.bounding_box();
+  const double slack = 0.05 * head.reach();
+  for (int n = 0; n < count; ++n)
+    check(random.between(0, box.max.x() + slack), random.between(box.min.z() - slack, box.max.z() + slack));
+}
+
+Spring<double> spring_at(const ToolHead& head, double rho, double z) {
+  return head.visit_springs<double>([&](const auto& springs) -> Spring<double> { return springs.spring(rho, z); });
+}
+
+double margin_at(const ToolHead& head, double rho, double z) {
+  return head.visit_springs<double>([&](const auto& springs) -> double { return springs.margin(rho, z); });
+}
+
+// --- the analytic heads are profiles too ---------------------------------------------------------------------------
+
+struct Twins {
+  const char* name;
+  ToolHead analytic;
+  Profile profile;
+};
+
+void PrintTo(const Twins& twins, std::ostream* out) { *out << twins.name; }
+
+class ProfileOfAnAnalyticHead : public testing::TestWithParam<Twins> {};
+
+// The closed forms and the curves of the table round differently, in double precision and at points of some
+// millimetres.
+constexpr double kRounding = 1e-12;
+
+TEST_P(ProfileOfAnAnalyticHead, GivesTheSameDepthsAndDirections) {
+  const ToolHead profile = ProfileHead(GetParam().profile);
+  int inside = 0;
+  for_points(profile, 100000, [&](double rho, double z) {
+    const Spring<double> a = spring_at(GetParam().analytic, rho, z), p = spring_at(profile, rho, z);
+    if (std::abs(margin_at(GetParam().analytic, rho, z)) < kRounding * mm) return;
+    ASSERT_EQ(a.depth > 0, p.depth > 0) << rho << " " << z;
+    if (a.depth <= 0) return;
+    ++inside;
+    ASSERT_NEAR(p.depth, a.depth, kRounding * mm);
+    if (std::hypot(rho, z) < 1e-3 * mm) return;  // the centre of a ball has no direction
+    ASSERT_NEAR(p.n_radial, a.n_radial, 1e-9);
+    ASSERT_NEAR(p.n_axial, a.n_axial, 1e-9);
+  });
+  EXPECT_GT(inside, 10000);
+}
+
+TEST_P(ProfileOfAnAnalyticHead, HasTheSameMarginBoxReachAndVolume) {
+  const ToolHead profile = ProfileHead(GetParam().profile);
+  const ToolHead& analytic = GetParam().analytic;
+  EXPECT_LT((profile.bounding_box().min - analytic.bounding_box().min).norm(), kRounding * mm);
+  EXPECT_LT((profile.bounding_box().max - analytic.bounding_box().max).norm(), kRounding * mm);
+  EXPECT_NEAR(profile.reach() / analytic.reach(), 1, kRounding);
+  EXPECT_NEAR(profile.volume() / analytic.volume(), 1, kRounding);
+  EXPECT_NEAR(profile.largest_radius() / analytic.largest_radius(), 1, kRounding);
+  // The analytic margin is the exact distance inside, a bound on it outside.
+  for_points(profile, 20000, [&](double rho, double z) {
+    const double exact = margin_at(profile, rho, z), bound = margin_at(analytic, rho, z);
+    if (bound > 0) {
+      ASSERT_NEAR(exact, bound, kRounding * mm);
+    }
+    if (bound <= 0) {
+      ASSERT_LE(exact, bound + kRounding * mm);
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Heads, ProfileOfAnAnalyticHead,
+    testing::Values(Twins{"Ball", SphereHead{0.9 * mm}, test::ball_profile(0.9 * mm)},
+                    Twins{"Flat", FlatHead{0.8 * mm, 2 * mm}, test::flat_profile(0.8 * mm, 2 * mm)},
+                    Twins{"Disc", FlatHead{2 * mm, 0.4 * mm}, test::flat_profile(2 * mm, 0.4 * mm)},
+                    Twins{"SlenderCone", ConeHead{12 * deg, 3 * mm}, test::cone_profile(12 * deg, 3 * mm)},
+                    Twins{"BluntCone", ConeHead{70 * deg, 1 * mm}, test::cone_profile(70 * deg, 1 * mm)}),
+    [](const auto& twins) { return std::string(twins.param.name); });
+
+TEST(ProfileHead, WithSmoothSidesIsTheFlatHeadThatCutsWithItsBottomOnly) {
+  const ToolHead flat = FlatHead{0.8 * mm, 2 * mm, FlatRule::bottom_only};
+  const ToolHead profile = ProfileHead({0, {{0.8 * mm, 0}, {0.8 * mm, 2 * mm, 0, kSmooth}, {0, 2 * mm, 0, kSmooth}}});
+  for_points(profile, 20000, [&](double rho, double z) {
+    if (std::abs(margin_at(flat, rho, z)) < kRounding * mm) return;
+    const Spring<double> a = spring_at(flat, rho, z), p = spring_at(profile, rho, z);
+    ASSERT_NEAR(std::max(0.0, p.depth), std::max(0.0, a.depth), kRounding * mm);
+    if (a.depth > 0) {
+      ASSERT_NEAR(p.n_axial, -1, kRounding);
+    }
+  });
+}
+
+TEST(ProfileHead, WithASmoothBottomIsTheFlatHeadThatCutsWithItsSideOnly) {
+  const ToolHead flat = FlatHead{0.8 * mm, 2 * mm, FlatRule::side_only};
+  const ToolHead profile = ProfileHead({0, {{0.8 * mm, 0, 0, kSmooth}, {0.8 * mm, 2 * mm}, {0, 2 * mm, 0, kSmooth}}});
+  for_points(profile, 20000, [&](double rho, double z) {
+    if (std::abs(margin_at(flat, rho, z)) < kRounding * mm) return;
+    const Spring<double> a = spring_at(flat, rho, z), p = spring_at(profile, rho, z);
+    ASSERT_NEAR(std::max(0.0, p.depth), std::max(0.0, a.depth), kRounding * mm);
+    if (a.depth > 0) {
+      ASSERT_NEAR(p.n_radial, 1, kRounding);
+    }
+  });
+}
+
+// --- any profile ---------------------------------------------------------------------------------------------------
+
+class AnyProfile : public testing::TestWithParam<NamedProfile> {};
+
+TEST_P(AnyProfile, TableIsWithinItsBoundAndItsBoundWithinTheTolerance) {
+  for (const double tolerance : {0.03, 0.01, 0.003}) {
+    const ProfileHead head(GetParam().profile, tolerance);
+    const ProfileTable& table = head.table();
+    ASSERT_LE(table.error, tolerance * std::min(table.radius, table.top - table.bottom));
+    const ProfileSprings<double> springs(table);
+    const double rounding = 1e-6 * mm;  // of the circle that stands for a hollow corner
+    double sum = 0;
+    constexpr int kPoints = 200000;
+    for_points(head, kPoints, [&](double rho, double z) {
+      const double exact = std::max(0.0, head.exact_spring(rho, z).depth);
+      const double depth = std::max(0.0, springs.spring(rho, z).depth);
+      const bool within = std::abs(depth - exact) <= table.error + rounding;
+      ASSERT_TRUE(within || std::abs(springs.margin(rho, z)) <= table.error) << rho << " " << z << " " << depth - exact;
+      sum += std::abs(depth - exact);
+    });
+    // Few cells have an error at all.
+    EXPECT_LT(sum / kPoints, 1e-4 * table.radius);
+  }
+}
+
+TEST_P(AnyProfile, ATableOfFinerCellsIsBetter) {
+  const ProfileHead coarse(GetParam().profile, 0.1), fine(GetParam().profile, 0.003);
+  EXPECT_LE(fine.table().error, coarse.table().error);
+  const auto mean_error = [](const ProfileHead& head) {
+    double sum = 0;
+    for_points(head, 100000, [&](double rho, double z) {
+      sum += std::abs(std::max(0.0, head.exact_spring(rho, z).depth) -
+                      std::max(0.0, ProfileSprings<double>(head.table()).spring(rho, z).depth));
+    });
+    return sum / 100000;
+  };
+  EXPECT_LE(mean_error(fine), mean_error(coarse) + 1e-9 * mm);
+}
+
+TEST_P(AnyProfile, DirectionIsMinusTheGradientOfTheDepth) {
+  const ProfileHead head(GetParam().profile);
+  const double step = 1e-7 * mm;
+  int checked = 0, off = 0;
+  for_points(head, 20000, [&](double rho, double z) {
+    const Spring<double> s = spring_at(head, rho, z);
+    if (s.depth <= 2 * step) return;
+    const double d_rho = (spring_at(head, rho + step, z).depth - spring_at(head, rho - step, z).depth) / (2 * step);
+    const double d_z = (spring_at(head, rho, z + step).depth - spring_at(head, rho, z - step).depth) / (2 * step);
+    ++checked;
+    off += std::hypot(d_rho + s.n_radial, d_z + s.n_axial) > 1e-4;  // on a ridge, or at the edge of a cell
+  });
+  EXPECT_GT(checked, 1000);
+  EXPECT_LT(off, 0.002 * checked);
+}
+
+INSTANTIATE_TEST_SUITE_P(Profiles, AnyProfile, testing::ValuesIn(test::all_profiles()),
+                         [](const auto& p) { return p.param.name; });
+
+/// Points along a meridian, by its definition and nothing else: edges are straight, or arcs of a radius to the left.
+std::vector<Eigen::Vector2d> points_of(const Profile& profile, double spacing) {
+  std::vector<Eigen::Vector2d> points;
+  Eigen::Vector2d from(0, profile.tip);
+  for (const ProfileEdge& e : profile.edges) {
+    const Eigen::Vector2d to(e.rho, e.z), chord = to - from;
+    const int count = 2 + int(2 * chord.norm() / spacing);
+    for (int n = 0; n <= count; ++n) {
+      const double share = double(n) / count;
+      Eigen::Vector2d p = from + share * chord;
+      if (e.radius != 0) {
+        const Eigen::Vector2d left = Eigen::Vector2d(-chord.y(), chord.x()).normalized();
+        const double half = chord.norm() / 2, R = std::abs(e.radius);
+        const double bend = std::sqrt(std::max(0.0, R * R - half * half));
+        const Eigen::Vector2d center = (from + to) / 2 + (e.radius > 0 ? bend : -bend) * left;
+        const double angle = 2 * std::asin(std::min(1.0, half / R)) * share * (e.radius > 0 ? 1 : -1);
+        p = center + Eigen::Rotation2Dd(angle) * (from - center);
+      }
+      points.push_back(p);
+    }
+    from = to;
+  }
+  return points;
+}
+
+class ClosedProfile : public testing::TestWithParam<NamedProfile> {};
+
+TEST_P(ClosedProfile, DepthIsTheDistanceToTheNearestPointOfTheSurface) {
+  const ToolHead head = ProfileHead(GetParam().profile, 0.002);
+  const double spacing = 0.002 * mm;
+  const std::vector<Eigen::Vector2d> surface = points_of(GetParam().profile, spacing);
+  int inside = 0;
+  for_points(head, 3000, [&](double rho, double z) {
+    double nearest = 1;
+    for (const Eigen::Vector2d& p : surface) nearest = std::min(nearest, (p - Eigen::Vector2d(rho, z)).norm());
+    const Spring<double> s = spring_at(head, rho, z);
+    const double error = 0.002 * mm;  // of the table
+    ASSERT_NEAR(std::abs(margin_at(head, rho, z)), nearest, spacing);
+    if (s.depth <= 0) return;
+    ++inside;
+    ASSERT_NEAR(s.depth, nearest, spacing + error);
+  });
+  EXPECT_GT(inside, 500);
+}
+
+INSTANTIATE_TEST_SUITE_P(Profiles, ClosedProfile, testing::ValuesIn(test::closed_profiles()),
+                         [](const auto& p) { return p.param.name; });
+
+TEST(ProfileHead, SmoothEdgesBoundTheHeadAndFeelNothing) {
+  const Profile neck = test::profiles_with_smooth_edges().back().profile;
+  const ToolHead head = ProfileHead(neck);
+  const ToolHead ball = SphereHead{0.8 * mm};
+  for_points(head, 50000, [&](double rho, double z) {
+    const double depth = std::max(0.0, spring_at(head, rho, z).depth);
+    const double margin = margin_at(head, rho, z);
+    if (std::abs(margin) < 1e-6 * mm) return;
+    const double expected = margin > 0 ? std::max(0.0, spring_at(ball, rho, z).depth) : 0;
+    if (std::abs(margin) < std::get<ProfileHead>(head.shape()).table().error) return;
+    ASSERT_NEAR(depth, expected, kRounding * mm) << rho << " " << z;
+  });
+}
+
+TEST(ProfileHead, VolumeIsThatOfPappusBodies) {
+  // A torus of a half circle bulging out of a cylinder: 2 pi R A(centroid) and the cylinder.
+  const double R = 1 * mm, r = 0.2 * mm;
+  const ProfileHead head({0, {{R, 0}, {R, 2 * r, r}, {0, 2 * r, 0, kSmooth}}});
+  const double half_disc = kPi * r * r / 2, centroid = 4 * r / (3 * kPi);
+  EXPECT_NEAR(head.volume() / (kPi * R * R * 2 * r + 2 * kPi * (R + centroid) * half_disc), 1, 1e-12);
+  EXPECT_NEAR(head.table().radius / (R + r), 1, 1e-12);
+
+  const ProfileHead grooved({0, {{R, 0}, {R, r}, {R, 3 * r, -r}, {R, 4 * r}, {0, 4 * r, 0, kSmooth}}});
+  EXPECT_NEAR(grooved.volume() / (kPi * R * R * 4 * r - 2 * kPi * (R - centroid) * half_disc), 1, 1e-12);
+}
+
+TEST(ProfileHead, CopiesShareOneTable) {
+  const ToolHead head = ProfileHead(test::ball_profile(1 * mm));
+  const ToolHead copy = head;  // NOLINT(performance-unnecessary-copy-initialization): the copy is what is tested
+  EXPECT_EQ(&std::get<ProfileHead>(head.shape()).table(), &std::get<ProfileHead>(copy.shape()).table());
+}
+
+}  // namespace
+}  // namespace hapticut
