@@ -33,6 +33,12 @@
 #include "hapticut/workpiece/workpiece.hpp"
 //
 #include "hapticut/force/contact_point.hpp"
+#include "hapticut/force/effects/axis_mask.hpp"
+#include "hapticut/force/effects/delta_filter.hpp"
+#include "hapticut/force/effects/gravity.hpp"
+#include "hapticut/force/effects/output.hpp"
+#include "hapticut/force/effects/output_limits.hpp"
+#include "hapticut/force/effects/vibration.hpp"
 #include "hapticut/force/friction.hpp"
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/laws/foundation.hpp"

@@ -100,6 +100,7 @@ struct Simulation::State {
   void set_cutting_share(double share) noexcept;
   void book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept;
   void transport_to_handle(const SubStep& sub_step, const Encounter& encounter, double share) noexcept;
+  void add_effects(const Pose& pose, double dt) noexcept;
   const StepResult& finish_step(const Pose& pose, double dt, int sub_steps) noexcept;
   const StepResult& reject(StepStatus status) noexcept;
 
@@ -122,7 +123,8 @@ struct Simulation::State {
   SpindleMotor motor;
   double motor_torque = 0;  // [N·m] of the last sub-step, the load of the motor
   StickSlip friction;       // in W
-  MaterialId touched = 1;   // material at the contact point
+  Output output;
+  MaterialId touched = 1;  // material at the contact point
 
   ContactBlock contact;  // scratch of cut_blocks
   RemovalRecord removal;
@@ -153,12 +155,14 @@ const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, doub
     s.book_energy(sub_step, encounter);
     s.transport_to_handle(sub_step, encounter, 1.0 / sub_steps);
   }
+  s.add_effects(pose, dt);
   return s.finish_step(pose, dt, sub_steps);
 }
 
 void Simulation::State::begin_step() noexcept {
   removal.clear();
   result.force = result.torque = Vec3::Zero();
+  result.model = {};
   result.removed_voxels = {};
   result.removed_volume = 0;
   result.contact = {};
@@ -178,6 +182,7 @@ StepStatus Simulation::State::check_input(const Pose& pose, const Twist& velocit
 void Simulation::State::place_at(const Pose& pose) noexcept {
   result.energy.sliding += std::exchange(result.energy.anchored, 0);
   friction.release();
+  output.restart();
   X_WH = pose;
   appeared = true;
 }
@@ -330,13 +335,33 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   const Wrench& wrench_T = encounter.resultant.wrench_T;
   const Wrench at_head = {R_WT * wrench_T.force, R_WT * wrench_T.torque};
   const Wrench at_handle = transport(at_head, sub_step.X_WT.translation - sub_step.X_WH.translation);
-  result.force += share * at_handle.force;
-  result.torque += share * at_handle.torque;
+  result.model.force += share * at_handle.force;
+  if (config.handle_torque == HandleTorque::full_wrench) {
+    result.model.torque += share * at_handle.torque;
+  } else {
+    const Mat3& R_WH = sub_step.X_WH.rotation;
+    result.model.torque += share * R_WH *
+                           thesis_handle_torque(tool.handle(), R_WH.transpose() * at_head.force, wrench_T.torque.z(),
+                                                config.handle_torque_scale);
+  }
 
   motor_torque = -wrench_T.torque.z();
   result.spindle.torque += share * motor_torque;
   result.contact = {encounter.resultant.voxels, encounter.resultant.volume * voxel_volume, encounter.resultant.depth};
   if (encounter.blocks_exhausted) result.status |= StepStatus::blocks_exhausted;
+}
+
+/// What the hand feels: the force of the model with what is added to it, within its limits.
+void Simulation::State::add_effects(const Pose& pose, double dt) noexcept {
+  const Effects& effects = config.effects;
+  const EffectsInput at = {pose, pose * tool.X_HT(), motor.speed() != 0 && result.contact.voxels > 0,
+                           result.spindle.torque * motor.speed(), dt};
+  const Wrench wanted = output.add_effects(effects, at, result.model);
+  const Wrench felt = output.limit(effects.limits, wanted, dt);
+  result.force = felt.force;
+  result.torque = felt.torque;
+  if (effects.vibration && at.touching && effects.vibration->frequency * dt >= kFastestVibration)
+    result.status |= StepStatus::vibration_left_out;
 }
 
 const StepResult& Simulation::State::finish_step(const Pose& pose, double dt, int sub_steps) noexcept {
@@ -358,6 +383,7 @@ const StepResult& Simulation::State::finish_step(const Pose& pose, double dt, in
 
 const StepResult& Simulation::State::reject(StepStatus status) noexcept {
   result.status = status;
+  output.drop();
   return result;
 }
 
@@ -414,6 +440,11 @@ void Simulation::set_spindle_speed(double speed) {
   if (!std::isfinite(speed)) throw Error("spindle speed = " + format_number(speed) + " rad/s; must be finite.");
   state_->motor.set(speed);
   state_->set_cutting_share(1 - standing_share(state_->motor.speed(), state_->tool.head().largest_radius()));
+}
+
+void Simulation::set_effects(const Effects& effects) {
+  validate(effects, state_->config.update_rate);
+  state_->config.effects = effects;
 }
 
 void Simulation::reserve_blocks(std::size_t count) {

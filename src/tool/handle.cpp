@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/tool/handle.hpp"
 
+#include <cmath>
+
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 
@@ -17,6 +19,15 @@ Pose head_in_handle(const Handle& handle) {
   require_between(bent.bend, -units::kPi, units::kPi, "LHandle::bend [rad]");
   const Mat3 R_HT = rotation_from_vector(Vec3(0, bent.bend, 0));
   return {R_HT, Vec3(0, 0, -bent.length) - bent.neck * R_HT.col(2)};
+}
+
+Vec3 thesis_handle_torque(const Handle& handle, const Vec3& force_H, double spin, double zeta) {
+  const auto* bent = std::get_if<LHandle>(&handle);
+  if (bent == nullptr) return {0, 0, spin};
+  const Vec3 offset = head_in_handle(handle).translation;
+  const double length = offset.norm();
+  if (length == 0) return Vec3::Zero();
+  return zeta * (offset.cross(force_H) + std::sin(bent->bend) * spin / length * offset);
 }
 
 }  // namespace hapticut

@@ -5,8 +5,10 @@
 #include <memory>
 #include <optional>
 
+#include "hapticut/force/effects/output.hpp"
 #include "hapticut/force/friction.hpp"
 #include "hapticut/force/law.hpp"
+#include "hapticut/tool/handle.hpp"
 
 namespace hapticut {
 
@@ -25,6 +27,13 @@ struct SimulationConfig {
 
   /// Dry friction of the standing head, the same everywhere; empty: each material's own.
   std::optional<DryFriction> friction;
+
+  HandleTorque handle_torque = HandleTorque::full_wrench;
+  double handle_torque_scale = 1;  ///< [1] finite: zeta of HandleTorque::thesis; no part of the full wrench
+
+  /// What is added to the model's force, and what the output is limited to.
+  Effects effects;
+  double update_rate = 1000;  ///< [Hz] > 0 at which the step will be called; only the vibration's check needs it
 
   /// Blocks (8^3 voxels) that may become partly cut before `Simulation::reserve_blocks` has to be called again; about
   /// 2.8 kB each. A cavity needs about two per patch of 8 x 8 voxels of its wall.

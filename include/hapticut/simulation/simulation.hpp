@@ -48,8 +48,13 @@ class Simulation {
   [[nodiscard]] const std::array<double, 256>& removed_volume_by_material() const;
 
   // --- set-up calls, between steps ----------------------------------------------------------------------------------
-  /// Sets the spindle's speed for the following steps.  @throws Error when it is not finite
+  /// Sets the spindle's speed for the following steps; with Spindle::acceleration_limit it is reached on a ramp.
+  /// @throws Error when it is not finite
   void set_spindle_speed(double speed);
+
+  /// Sets what is added to the model's force and what limits it, for the following steps.
+  /// @throws Error naming the field, its value and the allowed range; then nothing has changed
+  void set_effects(const Effects& effects);
 
   /// Fills the pool of the workpiece up to `count` blocks.
   void reserve_blocks(std::size_t count);

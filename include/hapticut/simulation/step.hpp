@@ -41,6 +41,9 @@ enum class StepStatus : std::uint32_t {
   /// is too soft for the feed, and forces come out low. Cure: raise SimulationConfig::reference_stiffness (with a
   /// virtual coupling, where a device must not feel it directly), or feed slower.
   engaged_layer_thick = 1U << 9,
+  /// The step was too long for the vibration's frequency, which was left out. Cure: call the step at
+  /// SimulationConfig::update_rate, or lower Vibration::frequency.
+  vibration_left_out = 1U << 10,
 };
 
 [[nodiscard]] constexpr StepStatus operator|(StepStatus a, StepStatus b) {
@@ -72,15 +75,16 @@ struct SpindleState {
 
 /// What one step returns.
 struct StepResult {
-  Vec3 force = Vec3::Zero();                     ///< [N] on the tool, what the hand feels, in W; mean over the step
-  Vec3 torque = Vec3::Zero();                    ///< [N·m] on the tool about Ho, in W; mean over the step
+  Vec3 force = Vec3::Zero();                     ///< [N] on the tool, what the hand feels, in W
+  Vec3 torque = Vec3::Zero();                    ///< [N·m] on the tool about Ho, in W
   std::span<const RemovedVoxel> removed_voxels;  ///< emptied by this call; valid until the next one
   double removed_volume = 0;                     ///< [m^3] taken away by this call, partly emptied voxels included
   Contact contact;                               ///< what the head touches
-  EnergyLedger energy;                           ///< accumulated since construction
-  SpindleState spindle;                          ///< speed and torque of this step
-  int sub_steps = 0;                             ///< 0 when the input was rejected
-  StepStatus status = StepStatus::ok;            ///< bits; ok = nothing to report
+  Wrench model;          ///< about Ho, in W: force and torque before effects and limits; mean over the step
+  EnergyLedger energy;   ///< accumulated since construction
+  SpindleState spindle;  ///< speed and torque of this step
+  int sub_steps = 0;     ///< 0 when the input was rejected
+  StepStatus status = StepStatus::ok;  ///< bits; ok = nothing to report
 };
 
 }  // namespace hapticut

@@ -37,6 +37,26 @@ struct LHandle {
 
 using Handle = std::variant<RayHandle, LHandle>;
 
+/// How force and torque at the head are felt at the handle.
+enum class HandleTorque {
+  full_wrench,  ///< exactly: T_Ho = T_To + (To - Ho) x F (default)
+  thesis        ///< as the thesis prints it, eqs. 5.11-5.14: see `thesis_handle_torque`
+};
+
+/// The torque of the thesis's handles (5.11-5.14), for comparison with it.
+///
+///     ray:  roll about z_H:  T_res               pitch = yaw = 0
+///     L:    T = zeta (To - Ho) x F  +  zeta sin(bend) T_res o,   o = (To - Ho)/|To - Ho|
+///
+/// with T_res the torque about the spindle's axis. The thesis writes the first term as the two components of the force
+/// across the offset times its length (pitch and roll), the second as the yaw, about the offset; which angle beta is,
+/// only its figure showed: read here as the bend of the handle. An L whose head sits on Ho has no offset and no torque.
+/// @param force_H  [N] on the tool, in the axes of H
+/// @param spin     [N·m] T_res about +z of T
+/// @param zeta     [1] the thesis's constant
+/// @return [N·m] about Ho, in the axes of H
+[[nodiscard]] Vec3 thesis_handle_torque(const Handle& handle, const Vec3& force_H, double spin, double zeta);
+
 /// Pose of the tool head T in the handle frame H.
 /// @throws Error when a length is negative or not finite, or the bend is outside [-pi, pi]
 [[nodiscard]] Pose head_in_handle(const Handle& handle);

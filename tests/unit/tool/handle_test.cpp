@@ -54,5 +54,29 @@ TEST(Handles, RefuseNegativeLengthsAndBendsBeyondHalfATurn) {
   for (const double bad : {3.2, -3.2, nan}) EXPECT_THROW((void)head_in_handle(LHandle{0, 0, bad}), Error) << bad;
 }
 
+TEST(ThesisHandleTorque, OfARayIsTheTorqueOfTheSpindleAboutTheStylusAndNothingElse) {
+  const Vec3 torque = thesis_handle_torque(RayHandle{0.1}, Vec3(1, 2, 3), 0.02, 5);
+  EXPECT_EQ(torque, Vec3(0, 0, 0.02));
+}
+
+// With the head straight below the hand the offset is along -z: pitch and roll are the lateral forces times its length.
+TEST(ThesisHandleTorque, OfAnLIsItsOffsetTimesTheLateralForcesAndTheYawBySineOfTheBend) {
+  const double zeta = 0.7, length = 0.1, bend = 0.5;
+  const LHandle no_neck{length, 0, bend};
+  const Vec3 torque = thesis_handle_torque(no_neck, Vec3(1, 2, 3), 0.02, zeta);
+  EXPECT_NEAR(torque.x(), zeta * length * 2, 1e-15);
+  EXPECT_NEAR(torque.y(), -zeta * length * 1, 1e-15);
+  EXPECT_NEAR(torque.z(), -zeta * std::sin(bend) * 0.02, 1e-15);
+  EXPECT_EQ(thesis_handle_torque(LHandle{0, 0, 1}, Vec3(1, 2, 3), 0.02, zeta), Vec3(0, 0, 0));
+}
+
+// What the literal formulas lose: the exact torque of a force at the head of an L differs only in its yaw.
+TEST(ThesisHandleTorque, AgreesWithTheFullWrenchInPitchAndRollForAScaleOfOne) {
+  const LHandle handle{0.1, 0.02, 1.2};
+  const Vec3 force(1, -2, 0.5), offset = head_in_handle(handle).translation;
+  const Vec3 exact = transport(Wrench{force, Vec3::Zero()}, offset).torque;
+  EXPECT_LT((thesis_handle_torque(handle, force, 0, 1) - exact).norm(), 1e-15);
+}
+
 }  // namespace
 }  // namespace hapticut

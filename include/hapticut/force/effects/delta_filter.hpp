@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hapticut/core/spatial.hpp"
+
+namespace hapticut {
+
+/// The force filter of the thesis (Table 6.1), for comparison with it: the default is the slew limit.
+///
+///     |F_previous - F_calculated| > delta:  F = F_previous + epsilon along the difference;  otherwise F = F_calculated
+///
+/// The table adds the number epsilon to a vector; read as a step along the difference vector it keeps its direction and
+/// does not run away when the force is released. It still lags: epsilon a step whatever the rate, 3 N in half a second.
+struct DeltaFilter {
+  double delta = 0.5;      ///< [N] >= 0, largest change that passes unfiltered
+  double epsilon = 0.005;  ///< [N] > 0, change per step otherwise; not more than delta
+};
+
+/// @throws Error naming the field, its value and the allowed range
+void validate(const DeltaFilter& filter);
+
+/// @realtime no allocation, no lock; O(1)
+[[nodiscard]] inline Vec3 filtered(const DeltaFilter& filter, const Vec3& previous, const Vec3& calculated) {
+  const Vec3 difference = calculated - previous;
+  const double length = difference.norm();
+  return length > filter.delta ? Vec3(previous + difference * (filter.epsilon / length)) : calculated;
+}
+
+}  // namespace hapticut

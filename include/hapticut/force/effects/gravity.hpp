@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hapticut/core/spatial.hpp"
+
+namespace hapticut {
+
+/// The weight of the virtual tool (thesis 5.9). The device's own stylus has a weight already: give the difference.
+///
+///     F = m g,   T = (p_com - Ho) x F   about the handle's origin
+struct Gravity {
+  double mass = 0;                           ///< [kg] >= 0
+  Vec3 center_of_mass = Vec3::Zero();        ///< [m] from Ho, in the handle's frame H
+  Vec3 acceleration = Vec3(0, 0, -9.80665);  ///< [m/s^2] in W: which way is down
+};
+
+/// @throws Error naming the field, its value and the allowed range
+void validate(const Gravity& gravity);
+
+/// @param R_WH  orientation of the handle
+/// @return about Ho, in W
+/// @realtime no allocation, no lock; O(1)
+[[nodiscard]] inline Wrench gravity_wrench(const Gravity& gravity, const Mat3& R_WH) {
+  const Vec3 weight = gravity.mass * gravity.acceleration;
+  return {weight, (R_WH * gravity.center_of_mass).cross(weight)};
+}
+
+}  // namespace hapticut

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "hapticut/core/spatial.hpp"
+
+namespace hapticut {
+
+/// What the output may be and how fast it may grow. All unlimited by default: set them to what the device can do.
+struct OutputLimits {
+  double largest_force = std::numeric_limits<double>::infinity();   ///< [N] > 0
+  double largest_torque = std::numeric_limits<double>::infinity();  ///< [N·m] > 0
+  double force_growth = std::numeric_limits<double>::infinity();    ///< [N/s] > 0; see least_force_growth
+  double torque_growth = std::numeric_limits<double>::infinity();   ///< [N·m/s] > 0
+  double ramp_time = 0;  ///< [s] >= 0 in which the output grows to its full size after the start, a jump or a reset
+};
+
+/// @throws Error naming the field, its value and the allowed range
+void validate(const OutputLimits& limits);
+
+/// [N/s] the least growth that does not turn a wall of stiffness K, met at speed v, into a source of energy:
+/// 1.25 K v.
+/// @param stiffness  [N/m] that the device renders
+/// @param speed      [m/s] fastest that the hand moves into it
+[[nodiscard]] constexpr double least_force_growth(double stiffness, double speed) { return 1.25 * stiffness * speed; }
+
+/// The vector, shortened to a length: its direction is kept.
+/// @realtime no allocation, no lock; O(1)
+[[nodiscard]] inline Vec3 saturated(const Vec3& v, double longest) {
+  const double length = v.norm();
+  return length > longest ? Vec3(v * (longest / length)) : v;
+}
+
+/// From the last output towards a target: release is immediate, growth takes its time.
+///
+/// The output first shrinks along its own direction to the foot of the target on it, at once; from there it moves
+/// straight towards the target, by at most `longest_growth`. So its direction of change is constant, it is never larger
+/// than the larger of the two, and a target of zero is reached at once (C18). A limit on shrinking would make a wall
+/// active.
+/// @param longest_growth  rate times dt, in the unit of the vectors
+/// @realtime no allocation, no lock; O(1)
+[[nodiscard]] inline Vec3 growth_limited(const Vec3& previous, const Vec3& target, double longest_growth) {
+  const double squared = previous.squaredNorm();
+  const double kept = squared > 0 ? std::clamp(target.dot(previous) / squared, 0.0, 1.0) : 0.0;
+  const Vec3 start = kept * previous;
+  return start + saturated(target - start, longest_growth);
+}
+
+}  // namespace hapticut

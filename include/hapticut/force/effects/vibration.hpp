@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/core/units.hpp"
+
+namespace hapticut {
+
+/// The vibration that the hand feels along the spindle's axis while the spinning head touches material (thesis 5.10).
+///
+///     F = A sin(phase),  phase advances by 2 pi f dt a step
+///     A = min(amplitude + amplitude_per_watt P, largest_amplitude),   P: power of the spindle
+///
+/// The thesis's sin(f t) shakes at f/2pi, and at 500 Hz sampled with 1 kHz sin(2 pi f t) is zero at every sample:
+/// hence the phase that is accumulated, and the bound on the frequency (D9).
+struct Vibration {
+  double frequency = 150;          ///< [Hz] > 0, below 0.45 of the update rate
+  double amplitude = 0.3;          ///< [N] >= 0
+  double amplitude_per_watt = 0;   ///< [N/W] >= 0
+  double largest_amplitude = 0.5;  ///< [N] >= amplitude
+};
+
+/// [1] of the update rate: a sine sampled less than 1/0.45 times a period beats visibly, and at 0.5 it may vanish.
+inline constexpr double kFastestVibration = 0.45;
+
+/// @param update_rate  [Hz] of the step
+/// @throws Error naming the field, its value and the allowed range
+void validate(const Vibration& vibration, double update_rate);
+
+/// The phase of a vibration from step to step.
+class VibrationPhase {
+ public:
+  /// The force of this step along +z of T.
+  /// @param touching  the head spins in material; otherwise there is no force, and the phase starts again
+  /// @param power     [W] >= 0 of the spindle
+  /// @param dt        [s] a step too long for the frequency gives no force
+  /// @realtime no allocation, no lock; O(1)
+  [[nodiscard]] double advance(const Vibration& vibration, bool touching, double power, double dt) noexcept {
+    if (!touching || vibration.frequency * dt >= kFastestVibration) {
+      phase_ = 0;
+      return 0;
+    }
+    phase_ = std::fmod(phase_ + 2 * units::kPi * vibration.frequency * dt, 2 * units::kPi);
+    const double wanted = vibration.amplitude + vibration.amplitude_per_watt * std::max(0.0, power);
+    return std::min(wanted, vibration.largest_amplitude) * std::sin(phase_);
+  }
+
+ private:
+  double phase_ = 0;  // [rad]
+};
+
+}  // namespace hapticut

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each effect by itself, and their order.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/force/effects/output.hpp"
+#include "support/generators.hpp"
+
+namespace hapticut {
+namespace {
+
+using test::arbitrary_vector;
+using test::number_between;
+using units::kPi;
+
+constexpr double kTick = 1e-3;
+
+template <class... Arguments>
+std::string refusal(const Arguments&... arguments) {
+  try {
+    validate(arguments...);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// --- gravity (5.9) ---------------------------------------------------------------------------------------------------
+
+TEST(Gravity, PullsDownWithTheWeightAndTurnsTheHandAboutTheCentreOfMass) {
+  const Gravity tool{0.1, Vec3(0, 0, -0.05), Vec3(0, 0, -9.81)};
+  const Wrench upright = gravity_wrench(tool, Mat3::Identity());
+  EXPECT_LT((upright.force - Vec3(0, 0, -0.981)).norm(), 1e-15);
+  EXPECT_EQ(upright.torque, Vec3(0, 0, 0));
+  // The stylus lies along +x: its centre of mass is 50 mm along -z_H = -x_W, and pulls that end down.
+  const Wrench level = gravity_wrench(tool, rotation_from_vector(Vec3(0, kPi / 2, 0)));
+  EXPECT_NEAR((level.torque - Vec3(0, -0.05 * 0.981, 0)).norm(), 0, 1e-15);
+}
+
+RC_GTEST_PROP(Gravity, DoesNoWorkOnAClosedPath, ()) {
+  // Potential energy -m g . p_com: the wrench is its gradient, so small turns there and back cancel to second order.
+  const Gravity tool{0.2, *arbitrary_vector(0.1), *arbitrary_vector(9.81)};
+  const Mat3 R = *test::arbitrary_rotation();
+  const Vec3 turn = *arbitrary_vector(1e-6);
+  const Vec3 com = R * tool.center_of_mass;
+  const double work = gravity_wrench(tool, R).torque.dot(turn);
+  const double potential = tool.mass * tool.acceleration.dot(rotation_from_vector(turn) * com - com);
+  RC_ASSERT(std::abs(work - potential) < 1e-11);
+}
+
+// --- vibration (5.10) ------------------------------------------------------------------------------------------------
+
+/// [N] root mean square and zero crossings per second of a second of vibration.
+struct Shake {
+  double rms = 0, peak = 0;
+  int crossings = 0;
+};
+
+Shake shake(const Vibration& vibration, double rate) {
+  VibrationPhase phase;
+  Shake s;
+  double before = 0;
+  for (int i = 0; i < int(rate); ++i) {
+    const double force = phase.advance(vibration, true, 0, 1 / rate);
+    s.rms += force * force / rate;
+    s.peak = std::max(s.peak, std::abs(force));
+    s.crossings += before * force < 0;
+    before = force;
+  }
+  s.rms = std::sqrt(s.rms);
+  return s;
+}
+
+TEST(Vibration, ShakesAtItsFrequencyWithItsAmplitudeAtEveryAllowedRate) {
+  for (const double rate : {1000.0, 2000.0, 4000.0})
+    for (const double frequency : {31.0, 147.0, 443.0}) {
+      Vibration vibration;
+      vibration.frequency = frequency;
+      ASSERT_EQ(refusal(vibration, rate), "");
+      const Shake s = shake(vibration, rate);
+      EXPECT_NEAR(s.rms, 0.3 / std::sqrt(2.0), 0.01 * 0.3);
+      EXPECT_LE(s.peak, 0.3);
+      EXPECT_NEAR(s.crossings, 2 * frequency, 2);
+    }
+}
+
+TEST(Vibration, OfTheThesisIsRefusedAt1kHzWithTheReason) {
+  Vibration vibration;
+  vibration.frequency = 500;
+  const std::string message = refusal(vibration, 1000.0);
+  EXPECT_NE(message.find("Vibration::frequency = 500 Hz; must be below 450 Hz"), std::string::npos);
+  EXPECT_NE(message.find("zero at every sample"), std::string::npos);
+  EXPECT_EQ(refusal(vibration, 2000.0), "");
+  vibration.frequency = 450;
+  EXPECT_NE(refusal(vibration, 1000.0), "");
+}
+
+TEST(Vibration, IsOffWhenNothingIsTouched) {
+  VibrationPhase phase;
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(phase.advance(Vibration{}, false, 1, kTick), 0);
+}
+
+TEST(Vibration, GrowsWithTheCuttingPowerUpToItsLargest) {
+  Vibration vibration;
+  vibration.amplitude = 0;
+  vibration.amplitude_per_watt = 0.1;
+  const auto peak = [&](double power) {
+    VibrationPhase phase;
+    double largest = 0;
+    for (int i = 0; i < 1000; ++i) largest = std::max(largest, phase.advance(vibration, true, power, 1e-4));
+    return largest;
+  };
+  EXPECT_EQ(peak(0), 0);
+  EXPECT_NEAR(peak(2), 0.2, 1e-3);
+  EXPECT_NEAR(peak(100), vibration.largest_amplitude, 1e-3);
+}
+
+// --- the thesis's filter (Table 6.1) ---------------------------------------------------------------------------------
+
+TEST(DeltaFilter, LagsAStepOf3NByHalfASecondAndDoesNotRunAwayOnRelease) {
+  const DeltaFilter filter;
+  Vec3 force = Vec3::Zero();
+  int ticks = 0;
+  while ((force - Vec3(3, 0, 0)).norm() > 1e-12) force = filtered(filter, force, Vec3(3, 0, 0)), ++ticks;
+  EXPECT_NEAR(ticks, 501, 1);  // reference/physics: 501 ms, with a jump of delta at the end
+  ticks = 0;
+  while (force.norm() > 0 && ticks < 10000) {
+    const double before = force.norm();
+    force = filtered(filter, force, Vec3::Zero());
+    ASSERT_LE(force.norm(), before);
+    ++ticks;
+  }
+  EXPECT_NEAR(ticks, 501, 1);
+}
+
+// D8: the table, taken by its letters, adds epsilon to the force whatever the sign of the difference.
+TEST(DeltaFilter, ReadAsANumberAddedToTheForceItWouldRunAwayTo13N) {
+  double force = 3;
+  for (int i = 0; i < 2000; ++i) force = std::abs(force - 0.0) > 0.5 ? force + 0.005 : 0.0;
+  EXPECT_NEAR(force, 13, 1e-9);
+}
+
+// --- limits (C18) ----------------------------------------------------------------------------------------------------
+
+TEST(Saturation, KeepsTheDirection) {
+  EXPECT_LT((saturated(Vec3(3, 4, 0), 2.5) - Vec3(1.5, 2, 0)).norm(), 1e-15);
+  EXPECT_EQ(saturated(Vec3(3, 4, 0), 5), Vec3(3, 4, 0));
+}
+
+TEST(GrowthLimit, TakesTheTimeOfC18WhateverTheStepAndKeepsTheDirection) {
+  const Vec3 target(3, 4, 0);
+  for (const double dt : {1e-3, 2.5e-4, 1e-4}) {
+    Vec3 force = Vec3::Zero();
+    double time = 0;
+    while ((force - target).norm() > 1e-9) {
+      force = growth_limited(force, target, 500 * dt);
+      time += dt;
+      ASSERT_LT(force.cross(target).norm(), 1e-12);
+    }
+    EXPECT_NEAR(time, 5.0 / 500, 1.001 * dt);
+  }
+}
+
+TEST(GrowthLimit, ReleasesAtOnce) {
+  EXPECT_EQ(growth_limited(Vec3(3, 0, 0), Vec3::Zero(), 1e-3), Vec3(0, 0, 0));
+  EXPECT_LT((growth_limited(Vec3(3, 0, 0), Vec3(1, 0, 0), 1e-3) - Vec3(1, 0, 0)).norm(), 1e-15);
+  EXPECT_LT((growth_limited(Vec3(3, 0, 0), Vec3(-2, 0, 0), 0.1) - Vec3(-0.1, 0, 0)).norm(), 1e-15)
+      << "a reversal is a release, and growth the other way";
+}
+
+RC_GTEST_PROP(GrowthLimit, NeverExceedsTheLargerEndAndAlwaysArrives, ()) {
+  const Vec3 start = *arbitrary_vector(5), target = *arbitrary_vector(5);
+  const double growth = *number_between(0.01, 1);
+  Vec3 force = start;
+  for (int i = 0; i < 1100 && (force - target).norm() > 0; ++i) {
+    const Vec3 next = growth_limited(force, target, growth);
+    RC_ASSERT(next.norm() <= std::max(force.norm(), target.norm()) * (1 + 1e-12));
+    RC_ASSERT((next - target).norm() <= (force - target).norm() * (1 + 1e-12));
+    RC_ASSERT(next.norm() <= force.norm() + growth * (1 + 1e-12));
+    force = next;
+  }
+  RC_ASSERT((force - target).norm() < 1e-12);
+}
+
+TEST(GrowthLimit, AtItsLeastRateFollowsAWallThatTheHandRunsInto) {
+  const double stiffness = 1000, speed = 0.2;
+  const double rate = least_force_growth(stiffness, speed);
+  Vec3 force = Vec3::Zero();
+  for (int i = 1; i <= 20; ++i) {
+    const Vec3 wall(0, 0, stiffness * speed * kTick * i);
+    force = growth_limited(force, wall, rate * kTick);
+    EXPECT_EQ(force, wall) << "a limiter that lags behind a wall makes it active";
+  }
+}
+
+// --- all together ----------------------------------------------------------------------------------------------------
+
+RC_GTEST_PROP(Output, StaysWithinItsLimitsWhateverTheModelAndTheEffectsGive, ()) {
+  Effects effects;
+  effects.gravity = Gravity{0.1, Vec3(0, 0.01, 0.02)};
+  effects.vibration = Vibration{};
+  if (*rc::gen::arbitrary<bool>()) effects.delta_filter = DeltaFilter{};
+  effects.limits = {3.3, 0.1, 500, 10, 0.05};
+  Output output;
+  Wrench before;
+  for (int i = 0; i < 60; ++i) {
+    const Wrench model = {*arbitrary_vector(20), *arbitrary_vector(1)};
+    const EffectsInput at = {{*test::arbitrary_rotation(), Vec3::Zero()}, {}, true, 1, kTick};
+    const Wrench out = output.limit(effects.limits, output.add_effects(effects, at, model), kTick);
+    const double share = std::min(1.0, (i + 1) * kTick / 0.05);
+    RC_ASSERT(out.force.norm() <= 3.3 * share * (1 + 1e-12));
+    RC_ASSERT(out.torque.norm() <= 0.1 * share * (1 + 1e-12));
+    // The ramp may add a fiftieth of the largest force in a tick.
+    RC_ASSERT(out.force.norm() <= before.force.norm() + 500 * kTick + 3.3 / 50 + 1e-12);
+    before = out;
+  }
+}
+
+TEST(AxisMask, SwitchesComponentsOff) {
+  AxisMask mask;
+  mask.force = {true, false, true};
+  mask.torque = {false, false, true};
+  const Wrench out = masked(mask, {Vec3(1, 2, 3), Vec3(4, 5, 6)});
+  EXPECT_EQ(out.force, Vec3(1, 0, 3));
+  EXPECT_EQ(out.torque, Vec3(0, 0, 6));
+}
+
+TEST(Output, PassesTheModelThroughUnchangedByDefault) {
+  Output output;
+  const Wrench model = {Vec3(1, 2, 3), Vec3(0.1, 0.2, 0.3)};
+  const Wrench out = output.limit({}, output.add_effects({}, {{}, {}, true, 5, kTick}, model), kTick);
+  EXPECT_EQ(out.force, model.force);
+  EXPECT_EQ(out.torque, model.torque);
+}
+
+TEST(EffectsInput, IsRefusedWithItsValueAndTheCure) {
+  EXPECT_NE(refusal(Gravity{-1}).find("Gravity::mass"), std::string::npos);
+  EXPECT_NE(refusal(Gravity{1, Vec3(0, std::nan(""), 0)}).find("center_of_mass"), std::string::npos);
+  EXPECT_NE(refusal(DeltaFilter{0.1, 0.2}).find("epsilon = 0.2 N; must not exceed delta = 0.1 N"), std::string::npos);
+  EXPECT_NE(refusal(DeltaFilter{-1, 0.2}).find("delta"), std::string::npos);
+  OutputLimits limits;
+  EXPECT_EQ(refusal(limits), "");
+  limits.largest_force = 0;
+  EXPECT_NE(refusal(limits).find("largest_force [N] = 0; must be > 0"), std::string::npos);
+  limits = {};
+  limits.force_growth = -5;
+  EXPECT_NE(refusal(limits).find("force_growth"), std::string::npos);
+  Vibration vibration;
+  vibration.amplitude = 2;
+  EXPECT_NE(refusal(vibration, 1000.0).find("largest_amplitude = 0.5 N"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hapticut
