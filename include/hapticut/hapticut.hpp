@@ -56,7 +56,6 @@
 #include "hapticut/device/device_models.hpp"
 #include "hapticut/device/fault_bench.hpp"
 #include "hapticut/device/guard.hpp"
-#include "hapticut/device/output_limits.hpp"
 #include "hapticut/device/passivity.hpp"
 #include "hapticut/device/plant.hpp"
 #include "hapticut/device/pose_gate.hpp"

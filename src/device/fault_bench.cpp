@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "hapticut/core/units.hpp"
-#include "hapticut/device/output_limits.hpp"
+#include "hapticut/force/effects/output_limits.hpp"
 
 namespace hapticut {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/device/output_limits.hpp"
+#include "hapticut/force/effects/output_limits.hpp"
 
 namespace hapticut {
 namespace {

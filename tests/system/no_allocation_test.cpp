@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
+#include "hapticut/core/units.hpp"
 #include "hapticut/simulation/scenes.hpp"
+#include "hapticut/workpiece/builders.hpp"
 #include "support/allocation_count.hpp"
 
 namespace hapticut {
@@ -81,6 +85,37 @@ TEST(NoAllocationOnBadInput, WhenTheInputIsRejectedOrThePoolIsExhausted) {
   (void)simulation.step(Pose::from_translation(Vec3(-1, 1, 1)), {}, 1e-3);
   const test::CallCounts counts = test::disarm_call_counts();
   EXPECT_EQ(counts.allocations, 0);
+}
+
+TEST(NoAllocationWithEveryTerm, WhileTheSpindleStartsAndStops) {
+  Material material;
+  material.name = "bone";
+  SimulationConfig config;
+  config.effects.gravity = Gravity{0.05};
+  config.effects.vibration = Vibration{};
+  config.effects.delta_filter = DeltaFilter{};
+  config.effects.limits = {3, 0.1, 1000, 100, 0.1};
+  config.handle_torque = HandleTorque::thesis;
+  Spindle spindle{0, 5, 100, 1e3};
+  Simulation simulation(build_block({Vec3(-5, -5, -5) * units::mm, Vec3(5, 5, 0) * units::mm}, 1e-4, material),
+                        Tool(SphereHead{1e-3}, LHandle{0.1, 0.02, 1.2}, spindle), config);
+  const Pose X_TH = simulation.tool().X_HT().inverse();
+  int standing = 0, between = 0, spinning = 0;
+  test::arm_call_counts();
+  for (int tick = 0; tick < kSteps; ++tick) {
+    if (tick % 500 == 0) simulation.set_spindle_speed(tick % 1000 == 0 ? 0 : 20);
+    const double t = 1e-3 * tick;
+    const Vec3 head(2e-3 * std::sin(t), 2e-3 * std::cos(t), 0.9e-3);
+    const StepResult& result = simulation.step(Pose::from_translation(head) * X_TH, {}, 1e-3);
+    const double share = standing_share(result.spindle.speed, 1e-3);
+    ++(share == 1 ? standing : share == 0 ? spinning : between);
+  }
+  const test::CallCounts counts = test::disarm_call_counts();
+  EXPECT_EQ(counts.allocations, 0);
+  EXPECT_EQ(counts.deallocations, 0);
+  EXPECT_EQ(counts.locks, 0);
+  EXPECT_GT(std::min({standing, between, spinning}), kSteps / 20);
+  EXPECT_GT(simulation.last_result().energy.sliding, 0);
 }
 
 std::vector<std::string> scene_names() {
