@@ -51,11 +51,17 @@
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/simulation/step.hpp"
 //
+#include "hapticut/realtime/histogram.hpp"
+#include "hapticut/realtime/realtime.hpp"
+#include "hapticut/realtime/triple_buffer.hpp"
+//
 #include "hapticut/device/arming.hpp"
 #include "hapticut/device/closed_loop.hpp"
+#include "hapticut/device/device.hpp"
 #include "hapticut/device/device_models.hpp"
 #include "hapticut/device/fault_bench.hpp"
 #include "hapticut/device/guard.hpp"
+#include "hapticut/device/mock.hpp"
 #include "hapticut/device/passivity.hpp"
 #include "hapticut/device/plant.hpp"
 #include "hapticut/device/pose_gate.hpp"

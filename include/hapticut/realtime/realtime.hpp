@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hapticut {
+
+/// How a thread is made fit for a 1 kHz loop.
+struct RealtimeOptions {
+  int priority = 80;               ///< [1 ... 99] of SCHED_FIFO; 0: leave the scheduler as it is
+  bool lock_memory = true;         ///< keep the process in memory, and let malloc give nothing back
+  bool flush_denormals = true;     ///< numbers below 1e-308 count as zero: they are slow and mean nothing here
+  int cpu = -1;                    ///< the only processor that the thread may use; -1: any
+  std::size_t stack = 256 * 1024;  ///< [bytes] of the stack that are touched in advance
+};
+
+/// Makes the calling thread fit for a loop for as long as it lives, and puts it back afterwards.
+///
+/// What is not permitted is left out and said in a warning that names the cure: the loop then runs, with more jitter.
+class RealtimeScope {
+ public:
+  /// @throws Error when an option is out of range
+  explicit RealtimeScope(const RealtimeOptions& options);
+  ~RealtimeScope();
+  RealtimeScope(const RealtimeScope&) = delete;
+  RealtimeScope& operator=(const RealtimeScope&) = delete;
+
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  void set_priority(int priority);
+  void pin(int cpu);
+  void lock_memory();
+
+  std::vector<std::string> warnings_;
+  int old_policy_ = 0, old_priority_ = 0;
+  bool scheduled_ = false, locked_ = false, flushing_ = false;
+  unsigned old_control_ = 0;
+};
+
+/// Absolute ticks of the monotonic clock.
+///
+/// The next tick is always a whole number of periods after the first, so no error adds up; a loop that is late by more
+/// than a period skips the ticks it missed and counts them, instead of catching up in a burst.
+/// @realtime no allocation, no lock
+class PeriodicClock {
+ public:
+  /// @param period [s] > 0
+  /// @throws Error when it is not
+  explicit PeriodicClock(double period);
+
+  struct Tick {
+    double time = 0;           ///< [s] since the first
+    double late = 0;           ///< [s] between the moment that was asked for and now
+    std::uint64_t missed = 0;  ///< ticks that were skipped before this one
+  };
+
+  /// Sleeps until the next tick.
+  Tick wait() noexcept;
+
+  /// [s] since the first tick.
+  [[nodiscard]] double now() const noexcept;
+
+ private:
+  std::int64_t period_, start_, next_;  // [ns]
+};
+
+/// [s] of processor time that the calling thread has used.
+[[nodiscard]] double thread_cpu_time() noexcept;
+
+/// [s] of the monotonic clock.
+[[nodiscard]] double monotonic_time() noexcept;
+
+}  // namespace hapticut

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/device/device.hpp"
+
+#include <exception>
+#include <utility>
+
+#include "device/run_slots.hpp"
+#include "hapticut/core/errors.hpp"
+#include "hapticut/realtime/triple_buffer.hpp"
+
+namespace hapticut {
+
+struct Device::Latest {
+  std::mutex readers;
+  TripleBuffer<DeviceState> state;
+  TripleBuffer<DeviceOutput> output;
+};
+
+Device::Device(std::string name, DeviceCapabilities capabilities)
+    : capabilities_(std::move(capabilities)), name_(std::move(name)), latest_(std::make_unique<Latest>()) {}
+
+Device::~Device() = default;
+
+void Device::stop() noexcept { stop_.store(true, std::memory_order_release); }
+void Device::emergency_stop() noexcept { emergency_.store(true, std::memory_order_release); }
+
+void Device::interrupt(SafetyEvent reason) noexcept {
+  interruption_.store(std::uint8_t(reason), std::memory_order_release);
+}
+
+DeviceState Device::state() const {
+  const std::lock_guard lock(latest_->readers);
+  return latest_->state.latest();
+}
+
+DeviceOutput Device::output() const {
+  const std::lock_guard lock(latest_->readers);
+  return latest_->output.latest();
+}
+
+ArmingState Device::arming() const {
+  const std::lock_guard lock(guard_mutex_);
+  return guard_ ? guard_->state() : ArmingState::off;
+}
+
+std::vector<SafetyLogEntry> Device::drain_log() {
+  const std::lock_guard lock(guard_mutex_);
+  return guard_ ? guard_->log().drain() : std::vector<SafetyLogEntry>();
+}
+
+std::uint64_t Device::count(SafetyEvent event) const {
+  const std::lock_guard lock(guard_mutex_);
+  return guard_ ? guard_->log().count(event) : 0;
+}
+
+namespace {
+
+/// What a run holds of the process: its slot, and the signals.
+class RunScope {
+ public:
+  explicit RunScope(bool signals) : slot_(run_slots::take()), signals_(signals) {
+    if (slot_ < 0)
+      throw Error("More than " + std::to_string(run_slots::kSlots) +
+                  " devices would be running at once in this process; stop one first.");
+    if (signals_) run_slots::catch_signals();
+  }
+  ~RunScope() { give_back(); }
+  RunScope(const RunScope&) = delete;
+  RunScope& operator=(const RunScope&) = delete;
+
+  [[nodiscard]] int slot() const { return slot_; }
+  void give_back() noexcept {
+    if (slot_ < 0) return;
+    run_slots::give_back(std::exchange(slot_, -1));
+    if (signals_) run_slots::release_signals();
+  }
+
+ private:
+  int slot_;
+  bool signals_;
+};
+
+}  // namespace
+
+RunReport Device::run(const DeviceCallback& callback, const RunOptions& options) {
+  if (!callback) throw Error("Device::run was given no callback; pass a function from DeviceState to DeviceCommand.");
+  require_not_negative(options.seconds, "RunOptions::seconds [s]");
+  if (running_.exchange(true))
+    throw Error("The device \"" + name_ + "\" runs already; stop it before running it again.");
+  struct Running {
+    std::atomic<bool>& flag;
+    ~Running() { flag.store(false); }
+  } const running{running_};
+  {
+    const std::lock_guard lock(guard_mutex_);
+    guard_ = std::make_unique<SafetyGuard>(capabilities_, options.guard);
+  }
+  stop_.store(false);
+  RunScope scope(options.stop_on_signals);
+  Servo servo(*this, *guard_, callback, options);
+  servo.slot_ = scope.slot();
+  guard_->start();
+  {
+    // Time that is simulated does not pass by itself, so nobody can be late in it.
+    std::unique_ptr<WatchdogThread> watchdog;
+    if (!options.simulated_time)
+      watchdog = std::make_unique<WatchdogThread>(options.guard.watchdog, guard_->heartbeat(),
+                                                  [this](Watchdog::Verdict, double share) { scale_output(share); });
+    servo.report_.end = drive(servo, options);
+  }
+  RunReport report = std::move(servo.report_);
+  report.guard = guard_->state();
+  guard_->stop();
+  for (std::size_t n = 0; n < kSafetyEvents; ++n) report.events[n] = guard_->log().count(SafetyEvent(n));
+  report.log = guard_->log().drain();
+  scope.give_back();
+  if (servo.exception_) std::rethrow_exception(servo.exception_);
+  return report;
+}
+
+Servo::Servo(Device& device, SafetyGuard& guard, const DeviceCallback& callback, const RunOptions& options)
+    : device_(device), guard_(guard), callback_(callback), seconds_(options.seconds) {}
+
+Wrench Servo::tick(const DeviceState& reading) noexcept {
+  const double began = monotonic_time();
+  if (report_.ticks++ == 0) begin_ = reading.time;
+  run_slots::Slot& slot = run_slots::slot(slot_);
+  if (device_.emergency_.load(std::memory_order_acquire) || slot.emergency.load(std::memory_order_acquire))
+    guard_.emergency_stop();
+  if (device_.reset_.exchange(false, std::memory_order_acq_rel)) {
+    device_.emergency_.store(false, std::memory_order_release);
+    guard_.reset();
+  }
+  const auto reason =
+      SafetyEvent(device_.interruption_.exchange(std::uint8_t(SafetyEvent::count), std::memory_order_acq_rel));
+  if (reason != SafetyEvent::count) guard_.interrupt(reason);
+
+  const DeviceState& state = guard_.admit(reading);
+  DeviceCommand command;
+  if (!exception_) try {
+      command = callback_(state);
+    } catch (...) {
+      exception_ = std::current_exception();
+      guard_.report_exception();
+      command = {};
+    }
+  callback_ended_ = callback_ended_ || command.stop;
+  time_is_up_ = time_is_up_ || (seconds_ > 0 && reading.time - begin_ >= seconds_);
+  if (reading.fault == DeviceFault::disconnected || reading.fault == DeviceFault::driver_error) {
+    lost_ = true;
+    report_.fault = reading.fault;
+  }
+  const Wrench wrench = guard_.release(command.wrench);
+  slot.quiet.store(wrench.force.isZero(0) && wrench.torque.isZero(0), std::memory_order_release);
+  publish(state);
+  report_.compute.add(monotonic_time() - began);
+  return wrench;
+}
+
+void Servo::applied(const Wrench& wrench) noexcept {
+  guard_.applied(wrench);
+  device_.latest_->output.write(guard_.output());
+}
+
+void Servo::publish(const DeviceState& state) noexcept {
+  device_.latest_->state.write(state);
+  device_.latest_->output.write(guard_.output());
+}
+
+bool Servo::should_end() const noexcept {
+  return callback_ended_ || time_is_up_ || lost_ || exception_ || device_.stop_.load(std::memory_order_acquire) ||
+         run_slots::slot(slot_).stop.load(std::memory_order_acquire);
+}
+
+Wrench Servo::farewell(int n) const noexcept {
+  const bool gently = !lost_ && !exception_ && guard_.state() != ArmingState::fault && n < kFarewellTicks;
+  if (!gently) return {};
+  const double share = 1 - double(n + 1) / kFarewellTicks;
+  return {share * guard_.output().applied.force, share * guard_.output().applied.torque};
+}
+
+std::string PolledDevice::drive(Servo& servo, const RunOptions& options) {
+  const bool simulated = options.simulated_time && is_simulated();
+  if (options.simulated_time && !simulated)
+    throw Error("The device \"" + name() + "\" cannot run in simulated time; leave RunOptions::simulated_time false.");
+  begin_run(options);
+  std::string end = "stopped";
+  {
+    std::unique_ptr<RealtimeScope> scope;
+    if (!simulated) {
+      scope = std::make_unique<RealtimeScope>(options.realtime);
+      for (const std::string& warning : scope->warnings()) servo.warn(warning);
+    }
+    PeriodicClock clock(options.guard.period);
+    const auto wait = [&] {
+      if (simulated) return;
+      const PeriodicClock::Tick tick = clock.wait();
+      servo.report_wake_up(tick.late);
+      servo.report_missed(tick.missed);
+    };
+    DeviceState state;
+    bool more = true;
+    while (!servo.should_end()) {
+      wait();
+      more = read(state);
+      if (!more) break;
+      servo.applied(write(servo.tick(state)));
+    }
+    if (!more) end = "the device has nothing more to tell";
+    if (state.fault == DeviceFault::disconnected || state.fault == DeviceFault::driver_error)
+      end = describe(state.fault);
+    for (int n = 0;; ++n) {
+      const Wrench wrench = servo.farewell(n);
+      write(wrench);
+      if (wrench.force.isZero(0) && wrench.torque.isZero(0)) break;
+      wait();
+    }
+  }
+  end_run();
+  return end;
+}
+
+}  // namespace hapticut

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/device/device.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/device/closed_loop.hpp"
+#include "hapticut/device/mock.hpp"
+
+namespace hapticut {
+namespace {
+
+/// Exact periods, no wall clock.
+RunOptions simulated(double seconds) {
+  RunOptions options;
+  options.seconds = seconds;
+  options.simulated_time = true;
+  return options;
+}
+
+/// A real clock without what needs privileges, and quickly armed.
+RunOptions real(double seconds) {
+  RunOptions options;
+  options.seconds = seconds;
+  options.realtime.priority = 0;
+  options.realtime.lock_memory = false;
+  options.guard.arming.ramp = 0.02;
+  return options;
+}
+
+DeviceCommand wall(const DeviceState& state) {
+  DeviceCommand command;
+  command.wrench.force.z() = std::max(0.0, -300 * state.X_BS.translation.z());
+  return command;
+}
+
+/// Remembers what was written, and can be told to misbehave.
+class WrittenDevice : public PolledDevice {
+ public:
+  WrittenDevice() : PolledDevice("written", capabilities_of_a_touch()) {}
+  std::vector<Vec3> forces;
+  std::function<bool(DeviceState&)> next = [](DeviceState&) { return true; };
+  std::function<void(const Vec3&)> on_write = [](const Vec3&) {};
+  std::atomic<double> share{1};
+
+ protected:
+  static DeviceCapabilities capabilities_of_a_touch() { return hapticut::capabilities(device_model("touch")); }
+  bool read(DeviceState& state) noexcept override {
+    ++state.sequence;
+    state.time = double(state.sequence) * 1e-3;
+    return next(state);
+  }
+  Wrench write(const Wrench& wrench) noexcept override {
+    forces.push_back(wrench.force);
+    on_write(wrench.force);
+    return wrench;
+  }
+  void scale_output(double s) noexcept override { share.store(s); }
+  [[nodiscard]] bool is_simulated() const override { return true; }
+};
+
+/// No force at first, so that the guard lets go, and 1 N from then on.
+DeviceCallback pushing(double from = 0.1) {
+  return [=](const DeviceState& state) {
+    DeviceCommand command;
+    if (state.time > from) command.wrench.force.x() = 1;
+    return command;
+  };
+}
+
+TEST(OpenDevice, SaysWhatWasAskedWhatThereIsAndWhatToInstall) {
+  try {
+    (void)open_device("falcon:1");
+    FAIL();
+  } catch (const Error& e) {
+    const std::string text = e.what();
+    EXPECT_NE(text.find("falcon:1"), std::string::npos) << text;
+    EXPECT_NE(text.find("mock:PATH"), std::string::npos) << text;
+    EXPECT_NE(text.find("openhaptics[:NAME]"), std::string::npos) << text;
+  }
+  try {
+    (void)open_device("mock:figure-of-eight");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("spiral"), std::string::npos) << e.what();
+  }
+  EXPECT_THROW((void)open_device("mock:spiral,hand=robot"), Error);
+  EXPECT_THROW((void)open_device("mock:spiral,speed=3"), Error);
+  EXPECT_THROW((void)open_device("mock:spiral,seconds=-1"), Error);
+}
+
+TEST(OpenDevice, FindsDriversThatOthersRegister) {
+  register_device_driver(
+      {"written", "written", "", [](const std::string&) { return std::make_unique<WrittenDevice>(); }});
+  EXPECT_EQ(open_device("written")->name(), "written");
+  register_device_driver({"written", "written", "the moon", nullptr});
+  try {
+    (void)open_device("written");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("install the moon"), std::string::npos) << e.what();
+  }
+}
+
+TEST(MockDevice, FollowsItsPathExactlyWhenRigid) {
+  const auto device = open_device("mock:spiral");
+  const ScriptedPath path = scripted_path("spiral");
+  long ticks = 0;
+  const RunReport report = device->run(
+      [&](const DeviceState& state) {
+        EXPECT_EQ(state.X_BS.translation, path(double(ticks++) * 1e-3).translation);
+        return wall(state);
+      },
+      simulated(5));
+  EXPECT_EQ(report.ticks, 5001U);
+  EXPECT_EQ(report.guard, ArmingState::on);
+  EXPECT_EQ(report.missed, 0U);
+}
+
+TEST(MockDevice, IsMovedByTheForceWhenAHandHoldsIt) {
+  const auto deepest = [](const char* name) {
+    double z = 0;
+    open_device(name)->run(
+        [&](const DeviceState& state) {
+          z = state.X_BS.translation.z();
+          return wall(state);
+        },
+        simulated(6));
+    return z;
+  };
+  EXPECT_NEAR(deepest("mock:press"), -5e-3, 1e-9);
+  // The set point is 5 mm deep; hand and wall of 300 N/m each share the way, give or take dry friction and encoder.
+  EXPECT_NEAR(deepest("mock:press,hand=nominal"), -2.5e-3, 0.3e-3);
+  EXPECT_LT(deepest("mock:press,hand=firm"), deepest("mock:press,hand=light"));
+}
+
+TEST(MockDevice, GivesTheSameReadingsOnEveryRun) {
+  const auto run = [] {
+    std::vector<Vec3> positions;
+    open_device("mock:circle,hand=nominal-pad,device=premium6dof")
+        ->run(
+            [&](const DeviceState& state) {
+              positions.push_back(state.X_BS.translation);
+              return wall(state);
+            },
+            simulated(4));
+    return positions;
+  };
+  EXPECT_EQ(run(), run());
+}
+
+TEST(MockDevice, EndsWhenItsScriptEnds) {
+  const RunReport report = open_device("mock:line,seconds=0.5")->run(wall, simulated(0));
+  EXPECT_EQ(report.ticks, 500U);
+  EXPECT_EQ(report.end, "the device has nothing more to tell");
+}
+
+TEST(Device, ReachesEveryStateOfItsRunFromOtherThreads) {
+  const auto device = open_device("mock:press");
+  std::thread observer;
+  std::atomic<bool> seen{false}, begun{false};
+  observer = std::thread([&] {
+    while (!begun.load()) std::this_thread::yield();
+    while (device->is_running()) {
+      const DeviceOutput output = device->output();
+      const DeviceState state = device->state();
+      if (output.applied.force.z() > 0.1 && state.sequence > 0 && device->arming() == ArmingState::on) {
+        seen.store(true);
+        device->stop();
+      }
+    }
+  });
+  const RunReport report = device->run(
+      [&](const DeviceState& state) {
+        begun.store(true);
+        return wall(state);
+      },
+      simulated(0));
+  observer.join();
+  EXPECT_TRUE(seen.load());
+  EXPECT_EQ(report.end, "stopped");
+  EXPECT_GT(report.events[std::size_t(SafetyEvent::engaged)], 0U);
+}
+
+TEST(Device, FadesTheForceOutBeforeARunEnds) {
+  WrittenDevice device;
+  RunOptions options = simulated(3);
+  device.run(pushing(), options);
+  ASSERT_GT(device.forces.size(), 40U);
+  EXPECT_TRUE(device.forces.back().isZero(0));
+  const std::size_t end = device.forces.size();
+  for (std::size_t n = end - 20; n < end; ++n) {
+    EXPECT_LT(device.forces[n].x(), device.forces[n - 1].x());
+    EXPECT_NEAR(device.forces[n - 1].x() - device.forces[n].x(), 1.0 / 20, 1e-9);
+  }
+}
+
+TEST(Device, GivesNoForceAfterTheCallbackThrewAndPassesTheExceptionOn) {
+  WrittenDevice device;
+  const DeviceCallback push = pushing();
+  const auto throwing = [&](const DeviceState& state) {
+    if (state.time > 2.5) throw std::runtime_error("tool broke");
+    return push(state);
+  };
+  EXPECT_THROW(device.run(throwing, simulated(3)), std::runtime_error);
+  EXPECT_TRUE(device.forces.back().isZero(0));
+  EXPECT_TRUE(device.forces[device.forces.size() - 2].isZero(0));  // of the very tick that threw
+  EXPECT_EQ(device.forces[device.forces.size() - 3].x(), 1);
+  EXPECT_FALSE(device.is_running());
+  EXPECT_EQ(device.count(SafetyEvent::exception), 1U);
+}
+
+TEST(Device, EndsWithoutForceWhenItIsUnplugged) {
+  WrittenDevice device;
+  device.next = [](DeviceState& state) {
+    if (state.time > 2.5) {
+      state.fault = DeviceFault::disconnected;
+      state.valid = false;
+    }
+    return true;
+  };
+  const RunReport report = device.run(pushing(), simulated(0));
+  EXPECT_EQ(report.fault, DeviceFault::disconnected);
+  EXPECT_NE(report.end.find("cable"), std::string::npos) << report.end;
+  EXPECT_TRUE(device.forces.back().isZero(0));
+  EXPECT_TRUE(device.forces[device.forces.size() - 2].isZero(0));
+}
+
+TEST(Device, CanRunAgain) {
+  WrittenDevice device;
+  for (int n = 0; n < 3; ++n) {
+    device.forces.clear();
+    EXPECT_EQ(device.run(pushing(), simulated(2)).guard, ArmingState::on);
+    EXPECT_TRUE(device.forces.front().isZero(0));
+    EXPECT_TRUE(device.forces.back().isZero(0));
+  }
+}
+
+TEST(Device, RefusesToRunTwiceAtOnceAndWithoutACallback) {
+  WrittenDevice device;
+  EXPECT_THROW(device.run(nullptr), Error);
+  device.run(
+      [&](const DeviceState&) {
+        EXPECT_THROW(device.run(pushing(), simulated(1)), Error);
+        return DeviceCommand{{}, true};
+      },
+      simulated(1));
+}
+
+TEST(Device, EmergencyStopLastsUntilReset) {
+  WrittenDevice device;
+  const DeviceCallback push = pushing();
+  const RunReport report = device.run(
+      [&](const DeviceState& state) {
+        if (std::abs(state.time - 2.5) < 1e-9) device.emergency_stop();
+        if (std::abs(state.time - 3.0) < 1e-9) device.reset_fault();
+        DeviceCommand command = push(state);
+        if (state.time > 3 && state.time < 3.2) command.wrench = {};
+        return command;
+      },
+      simulated(5.5));
+  EXPECT_EQ(device.forces[2490].x(), 1);
+  for (std::size_t n = 2501; n < 3190; ++n) EXPECT_TRUE(device.forces[n].isZero(0)) << n;
+  EXPECT_EQ(device.forces[5400].x(), 1);
+  EXPECT_EQ(report.events[std::size_t(SafetyEvent::fault)], 1U);
+}
+
+TEST(Device, AWatchdogFadesTheForceOfADeviceWhoseLoopHangs) {
+  WrittenDevice device;
+  double least = 1;
+  std::atomic<bool> hung{false};
+  device.run(
+      [&](const DeviceState& state) {
+        if (state.sequence == 20 && !hung.exchange(true))
+          for (int n = 0; n < 2000 && (least = device.share.load()) > 0; ++n)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return DeviceCommand{{}, state.sequence > 60};
+      },
+      real(0));
+  EXPECT_EQ(least, 0);
+}
+
+/// What a child process leaves behind of the last force it wrote.
+struct SharedForce {
+  SharedForce()
+      : value(static_cast<std::atomic<double>*>(
+            mmap(nullptr, sizeof(std::atomic<double>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0))) {
+    value->store(-1);
+  }
+  ~SharedForce() { munmap(value, sizeof(std::atomic<double>)); }
+  std::atomic<double>* value;
+};
+
+/// Runs `child` in a process of its own, sends it a signal once it renders a force, and returns how it ended.
+int end_of_child(SharedForce& last, const std::function<void(WrittenDevice&)>& child, int signal) {
+  const pid_t pid = fork();
+  if (pid == 0) {
+    WrittenDevice device;
+    device.on_write = [&](const Vec3& force) { last.value->store(force.x()); };
+    try {
+      child(device);
+    } catch (...) {
+      _exit(98);
+    }
+    _exit(99);
+  }
+  for (int n = 0; n < 20000 && last.value->load() < 0.5; ++n) usleep(1000);
+  if (signal != 0) kill(pid, signal);
+  int status = 0;
+  waitpid(pid, &status, 0);
+  return status;
+}
+
+TEST(Device, LeavesNoForceWhenASignalEndsTheProcess) {
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+    SharedForce last;
+    const int status = end_of_child(
+        last, [](WrittenDevice& device) { device.run(pushing(), real(0)); }, signal);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
+    EXPECT_EQ(last.value->load(), 0);
+  }
+}
+
+TEST(Device, LeavesNoForceWhenAnotherThreadCrashesOrExits) {
+  SharedForce last;
+  const auto with_thread = [&](const std::function<void()>& end) {
+    return [&last, end](WrittenDevice& device) {
+      std::thread([&last, end] {
+        while (last.value->load() < 0.5) usleep(1000);
+        end();
+      }).detach();
+      device.run(pushing(), real(0));
+      for (;;) usleep(1000);
+    };
+  };
+  int status = end_of_child(last, with_thread([] { std::abort(); }), 0);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT) << status;
+  EXPECT_EQ(last.value->load(), 0);
+
+  last.value->store(-1);
+  status = end_of_child(last, with_thread([] { std::exit(7); }), 0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 7) << status;
+  EXPECT_EQ(last.value->load(), 0);
+}
+
+}  // namespace
+}  // namespace hapticut
