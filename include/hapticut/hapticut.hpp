@@ -12,6 +12,7 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/core/volume.hpp"
 //
+#include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/handle.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/tool/profile.hpp"

@@ -71,6 +71,24 @@ double ToolHead::volume() const {
                     shape_);
 }
 
+Profile ToolHead::profile() const {
+  constexpr EdgeKind kCutting = EdgeKind::cutting, kSmooth = EdgeKind::smooth;
+  const auto flat = [&](const FlatHead& h) {
+    const EdgeKind bottom = h.rule == FlatRule::side_only ? kSmooth : kCutting;
+    const EdgeKind side = h.rule == FlatRule::bottom_only ? kSmooth : kCutting;
+    return Profile{0, {{h.radius, 0, 0, bottom}, {h.radius, h.height, 0, side}, {0, h.height, 0, kSmooth}}};
+  };
+  return std::visit(
+      Overloaded{[](const SphereHead& h) {
+                   return Profile{-h.radius, {{0, h.radius, h.radius, kCutting}}};
+                 },
+                 [](const ConeHead& h) {
+                   return Profile{0, {{base_radius(h), h.height, 0, kCutting}, {0, h.height, 0, kSmooth}}};
+                 },
+                 flat, [](const ProfileHead& h) { return h.profile(); }},
+      shape_);
+}
+
 double ToolHead::largest_radius() const { return bounding_box().max.x(); }
 
 ToolHead::DepthAndDirection ToolHead::depth_at(const Vec3& p_TQ) const {

@@ -7,6 +7,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/contact.hpp"
+#include "support/catalogue_heads.hpp"
 #include "support/profiles.hpp"
 #include "support/random_pose.hpp"
 
@@ -39,6 +40,7 @@ std::vector<NamedHead> heads() {
                                 {"FlatDisc", FlatHead{2 * mm, 0.4 * mm}}};
   for (const auto& p : test::closed_profiles()) all.push_back(profile(p));
   for (const auto& p : test::profiles_with_smooth_edges()) all.push_back(profile(p, p.name != "Neck"));
+  for (const auto& [name, head] : test::catalogue_heads()) all.push_back({"Catalogue_" + name, head});
   return all;
 }
 

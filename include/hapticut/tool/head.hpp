@@ -40,6 +40,9 @@ class ToolHead {
   /// [m] largest radius of the head about its axis: sphere and flat R, cone the base radius, profile the largest rho.
   [[nodiscard]] double largest_radius() const;
 
+  /// The outline as a meridian of lines and arcs. The two surfaces of a flat head are drawn as its rule uses them.
+  [[nodiscard]] Profile profile() const;
+
   /// Calls `function(springs)` with the springs of this head's shape in precision `Real`: the one place where the shape
   /// is dispatched. Call it once per block of points, never per point.
   template <class Real, class Function>

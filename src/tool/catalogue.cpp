@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/tool/catalogue.hpp"
+
+#include <string>
+
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut {
+namespace {
+
+using units::kPi;
+
+constexpr EdgeKind kSmooth = EdgeKind::smooth;
+
+std::string in_mm(double length) { return format_number(length / units::mm) + " mm"; }
+
+void require_less(double value, const std::string& name, double limit, const std::string& limit_name) {
+  if (!(value < limit))
+    throw Error(name + " = " + in_mm(value) + "; must be less than the " + limit_name + ", " + in_mm(limit) + ".");
+}
+
+void require_at_least(double value, const std::string& name, double limit, const std::string& limit_name) {
+  if (!(value >= limit))
+    throw Error(name + " = " + in_mm(value) + "; must be at least the " + limit_name + ", " + in_mm(limit) + ".");
+}
+
+ProfileHead closed(std::vector<ProfileEdge> edges) {
+  edges.push_back({0, edges.back().z, 0, kSmooth});
+  return ProfileHead({0, std::move(edges)});
+}
+
+}  // namespace
+
+ToolHead round_head(double diameter) {
+  require_positive(diameter, "round_head diameter [m]");
+  return SphereHead{diameter / 2};
+}
+
+ToolHead inverted_cone_head(double tip_diameter, double neck_diameter, double length) {
+  require_positive(tip_diameter, "inverted_cone_head tip_diameter [m]");
+  require_positive(neck_diameter, "inverted_cone_head neck_diameter [m]");
+  require_positive(length, "inverted_cone_head length [m]");
+  require_less(neck_diameter, "inverted_cone_head neck_diameter", tip_diameter, "tip_diameter");
+  return closed({{tip_diameter / 2, 0}, {neck_diameter / 2, length}});
+}
+
+ToolHead cylinder_head(double diameter, double length) {
+  require_positive(diameter, "cylinder_head diameter [m]");
+  require_positive(length, "cylinder_head length [m]");
+  return FlatHead{diameter / 2, length};
+}
+
+ToolHead round_end_cylinder_head(double diameter, double length) {
+  require_positive(diameter, "round_end_cylinder_head diameter [m]");
+  require_positive(length, "round_end_cylinder_head length [m]");
+  const double r = diameter / 2;
+  require_at_least(length, "round_end_cylinder_head length", r, "radius");
+  std::vector<ProfileEdge> edges = {{r, r, r}};
+  if (length > r) edges.push_back({r, length});
+  return closed(std::move(edges));
+}
+
+ToolHead tapered_head(double tip_diameter, double diameter, double length) {
+  require_positive(tip_diameter, "tapered_head tip_diameter [m]");
+  require_positive(diameter, "tapered_head diameter [m]");
+  require_positive(length, "tapered_head length [m]");
+  require_less(tip_diameter, "tapered_head tip_diameter", diameter, "diameter");
+  return closed({{tip_diameter / 2, 0}, {diameter / 2, length}});
+}
+
+ToolHead round_end_tapered_head(double tip_diameter, double diameter, double length) {
+  require_positive(tip_diameter, "round_end_tapered_head tip_diameter [m]");
+  require_positive(diameter, "round_end_tapered_head diameter [m]");
+  require_positive(length, "round_end_tapered_head length [m]");
+  require_less(tip_diameter, "round_end_tapered_head tip_diameter", diameter, "diameter");
+  const double r = tip_diameter / 2, R = diameter / 2, above = length - r;
+  require_less(R, "half of the round_end_tapered_head diameter", length, "length");
+  // The wall leans outwards by the angle a and touches the ball: R cos(a) - above sin(a) = r.
+  const double a = std::acos(r / std::hypot(R, above)) - std::atan2(above, R);
+  return closed({{r * std::cos(a), r - r * std::sin(a), r}, {R, length}});
+}
+
+ToolHead needle_head(double diameter, double length) {
+  require_positive(diameter, "needle_head diameter [m]");
+  require_positive(length, "needle_head length [m]");
+  return ConeHead{std::atan2(diameter / 2, length), length};
+}
+
+ToolHead flame_head(double diameter, double length, double neck_diameter, double widest_height) {
+  require_positive(diameter, "flame_head diameter [m]");
+  require_positive(length, "flame_head length [m]");
+  require_positive(neck_diameter, "flame_head neck_diameter [m]");
+  require_positive(widest_height, "flame_head widest_height [m]");
+  require_less(neck_diameter, "flame_head neck_diameter", diameter, "diameter");
+  require_less(widest_height, "flame_head widest_height", length, "length");
+  const double R = diameter / 2, narrowing = R - neck_diameter / 2, above = length - widest_height;
+  require_at_least(widest_height, "flame_head widest_height", R, "radius");
+  require_at_least(above, "flame_head length above widest_height", narrowing, "difference of the radii");
+  // Both arcs are upright where they meet.
+  const double below_radius = (R * R + widest_height * widest_height) / (2 * R);
+  const double above_radius = (narrowing * narrowing + above * above) / (2 * narrowing);
+  return closed({{R, widest_height, below_radius}, {neck_diameter / 2, length, above_radius}});
+}
+
+ToolHead pear_head(double diameter, double length, double neck_diameter) {
+  require_positive(diameter, "pear_head diameter [m]");
+  require_positive(length, "pear_head length [m]");
+  require_positive(neck_diameter, "pear_head neck_diameter [m]");
+  require_less(neck_diameter, "pear_head neck_diameter", diameter, "diameter");
+  const double R = diameter / 2, r = neck_diameter / 2, above = length - R;
+  require_less(R, "half of the pear_head diameter", length, "length");
+  require_less(std::sqrt(R * R - r * r), "height of the pear_head's ball above its centre, at the neck,", above,
+               "length above the centre");
+  // The wall leans inwards by the angle a and touches the ball: r cos(a) + above sin(a) = R.
+  const double a = std::atan2(above, r) - std::acos(R / std::hypot(r, above));
+  return closed({{R * std::cos(a), R + R * std::sin(a), R}, {r, length}});
+}
+
+ToolHead wheel_head(double diameter, double thickness, double shank_diameter) {
+  require_positive(diameter, "wheel_head diameter [m]");
+  require_positive(thickness, "wheel_head thickness [m]");
+  require_positive(shank_diameter, "wheel_head shank_diameter [m]");
+  require_less(shank_diameter, "wheel_head shank_diameter", diameter, "diameter");
+  return closed({{diameter / 2, 0}, {diameter / 2, thickness}, {shank_diameter / 2, thickness}});
+}
+
+ToolHead christmas_tree_head(double diameter, double length, int tiers) {
+  require_positive(diameter, "christmas_tree_head diameter [m]");
+  require_positive(length, "christmas_tree_head length [m]");
+  require_between(tiers, 1, 20, "christmas_tree_head tiers");
+  std::vector<ProfileEdge> edges;
+  for (int n = 1; n <= tiers; ++n) {
+    const double rim = diameter / 2 * n / tiers, z = length * n / tiers;
+    edges.push_back({rim, z});
+    if (n < tiers) edges.push_back({kTreeWaist * rim, z});
+  }
+  return closed(std::move(edges));
+}
+
+ToolHead twist_drill_head(double diameter, double length, double point_angle) {
+  require_positive(diameter, "twist_drill_head diameter [m]");
+  require_positive(length, "twist_drill_head length [m]");
+  if (!(point_angle > 0 && point_angle < kPi))
+    throw Error("twist_drill_head point_angle = " + format_number(point_angle) +
+                " rad; must be between 0 and pi. Give the full angle of the point, in radians.");
+  const double R = diameter / 2, point = R / std::tan(point_angle / 2);
+  require_less(point, "height of the twist_drill_head's point", length, "length");
+  return closed({{R, point}, {R, length, 0, kSmooth}});
+}
+
+}  // namespace hapticut
