@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@ struct CatalogueHead {
   std::string name;
   ToolHead head;
 };
+
+inline void PrintTo(const CatalogueHead& named, std::ostream* out) { *out << named.name; }
 
 /// One of each, of common dimensions.
 inline std::vector<CatalogueHead> catalogue_heads() {

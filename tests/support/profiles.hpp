@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct NamedProfile {
   std::string name;
   Profile profile;
 };
+
+inline void PrintTo(const NamedProfile& named, std::ostream* out) { *out << named.name; }
 
 inline Profile ball_profile(double radius) { return {-radius, {{0, radius, radius}}}; }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "hapticut/tool/catalogue.hpp"
 #include "support/random_pose.hpp"
 #include "support/static_contact.hpp"
 
@@ -42,7 +43,7 @@ struct OracleHead {
 
   /// [m] radius of a ball about the middle of the head that contains it.
   [[nodiscard]] double reach() const {
-    return closed_end > 0 ? std::hypot(closed_end / 2, closed_radius) : head.largest_radius();
+    return closed_end > 0 ? std::hypot(closed_end / 2, head.largest_radius()) : head.largest_radius();
   }
 };
 
@@ -74,6 +75,64 @@ OracleHead flat() {
           r,
           3.5,
           0.008,
+          1.6};
+}
+
+OracleHead round_end() {
+  const double r = 0.7 * mm, h = 1.6 * mm;
+  return {"ProfileRoundEnd",
+          round_end_cylinder_head(2 * r, h),
+          [=](double rho, double z) { return z < h ? r - std::hypot(rho, std::min(0.0, z - r)) : -1.0; },
+          h,
+          r,
+          1.5,
+          0.003,
+          1.7};
+}
+
+/// Sharper than a right angle at the tip's rim, where the direction of the springs jumps the more.
+OracleHead inverted_cone() {
+  const double tip = 0.8 * mm, neck = 0.5 * mm, h = 1.4 * mm;
+  return {"ProfileInvertedCone",
+          inverted_cone_head(2 * tip, 2 * neck, h),
+          [=](double rho, double z) {
+            const double wall = ((tip - rho) * h - z * (tip - neck)) / std::hypot(h, tip - neck);
+            return z < h ? std::min(z, wall) : -1.0;
+          },
+          h,
+          neck,
+          6.0,
+          0.011,
+          1.6};
+}
+
+/// Two tiers: ridges and a hollow corner.
+OracleHead tree() {
+  const double R = 0.9 * mm, h = 1.6 * mm;
+  struct Segment {
+    Eigen::Vector2d from, to;
+    double longest;  // [1] of its length: the last goes on
+  };
+  const double inner = kTreeWaist * R / 2;
+  const std::vector<Segment> segments = {
+      {{0, 0}, {R / 2, h / 2}, 1}, {{R / 2, h / 2}, {inner, h / 2}, 1}, {{inner, h / 2}, {R, h}, 9}};
+  return {"ProfileTree",
+          christmas_tree_head(2 * R, h, 2),
+          [=](double rho, double z) {
+            const double limit = z < h / 2 ? z * R / h : inner + (2 * z / h - 1) * (R - inner);
+            if (z >= h || rho >= limit) return -1.0;
+            double nearest = 1;
+            for (const Segment& s : segments) {
+              const Eigen::Vector2d along = s.to - s.from, x(rho, z);
+              const double share = std::clamp(along.dot(x - s.from) / along.squaredNorm(), 0.0, s.longest);
+              nearest = std::min(nearest, (x - s.from - share * along).norm());
+            }
+            return nearest;
+          },
+          h,
+          R,
+          4.5,
+          0.01,
           1.6};
 }
 
@@ -207,7 +266,8 @@ TEST_P(PressureIdentity, TheOracleItselfIsExactEnough) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Heads, PressureIdentity, testing::Values(ball(), cone(), flat()),
+INSTANTIATE_TEST_SUITE_P(Heads, PressureIdentity,
+                         testing::Values(ball(), cone(), flat(), round_end(), inverted_cone(), tree()),
                          [](const auto& oracle) { return std::string(oracle.param.name); });
 
 }  // namespace

@@ -2,6 +2,7 @@
 // What every head whose depth vanishes on its surface has in common, with the spindle standing: C13, C16 and C19.
 #include <gtest/gtest.h>
 
+#include "hapticut/tool/catalogue.hpp"
 #include "support/random_pose.hpp"
 #include "support/static_contact.hpp"
 
@@ -46,6 +47,12 @@ HeadCase flat_bottom() {
           [=](double rho, double z) { return rho < R ? z : 0.0; }};
 }
 
+HeadCase round_end() {
+  const double R = 0.8 * mm, H = 1.4 * mm;
+  return {"RoundEnd", round_end_cylinder_head(2 * R, H),
+          [=](double rho, double z) { return R - std::hypot(rho, std::min(0.0, z - R)); }};
+}
+
 const auto kName = [](const auto& c) { return std::string(c.param.name); };
 
 /// Pose of the head's origin with its lowest point `depth` below the surface.
@@ -81,7 +88,7 @@ TEST_P(AxialPress, C16ForceIsThePressureOnTheSection) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Heads, AxialPress, testing::Values(ball(), cone(), flat(), flat_bottom()), kName);
+INSTANTIATE_TEST_SUITE_P(Heads, AxialPress, testing::Values(ball(), cone(), flat(), flat_bottom(), round_end()), kName);
 
 // --- closed paths -----------------------------------------------------------------------------------------------
 
@@ -123,7 +130,7 @@ TEST_P(ClosedPath, C13CostsNoWork) {
   EXPECT_LT(std::abs(work.net), 1e-4 * work.total);
 }
 
-INSTANTIATE_TEST_SUITE_P(Heads, ClosedPath, testing::Values(ball(), cone(), flat()), kName);
+INSTANTIATE_TEST_SUITE_P(Heads, ClosedPath, testing::Values(ball(), cone(), flat(), round_end()), kName);
 
 // --- handles ----------------------------------------------------------------------------------------------------
 
@@ -198,7 +205,7 @@ TEST_P(HandleTransport, C19TheLedgerCountsTheSameWorkAtHeadAndHandle) {
   EXPECT_NEAR(simulation.last_result().energy.hand_work / work, 1, 1e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Heads, HandleTransport, testing::Values(ball(), cone(), flat()), kName);
+INSTANTIATE_TEST_SUITE_P(Heads, HandleTransport, testing::Values(ball(), cone(), flat(), round_end()), kName);
 
 }  // namespace
 }  // namespace hapticut
