@@ -12,6 +12,14 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/hapticut" "${PROJECT_BINARY_DIR
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.hpp")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
+# A shared library is found beside its users, wherever the whole is installed.
+file(RELATIVE_PATH _from_programs "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
+foreach(_target hapticut_io hapticut_cli)
+  if(TARGET ${_target} AND BUILD_SHARED_LIBS)
+    set_target_properties(${_target} PROPERTIES INSTALL_RPATH "$ORIGIN;$ORIGIN/${_from_programs}")
+  endif()
+endforeach()
+
 # One set of exported targets per component: what a component needs is looked up only for those who ask for it.
 install(TARGETS hapticut EXPORT hapticutTargets)
 install(EXPORT hapticutTargets NAMESPACE hapticut:: DESTINATION "${HAPTICUT_CMAKE_DIR}")

@@ -132,6 +132,8 @@ if check "configure: release" configure release && check "build: release" build 
 fi
 if ! $quick; then
   if check "configure: clang++" configure clang && check "build: clang++" build clang; then
+    # The same package as shared libraries.
+    run_tests clang -R '^Package\.(IsFound|LetsAnOutsideProject)'
     check "clang-tidy" lint_is_clean
   fi
   if check "configure: sanitizers" configure asan-ubsan && check "build: sanitizers" build asan-ubsan -t unit_tests; then

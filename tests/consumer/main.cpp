@@ -5,8 +5,15 @@
 #include <hapticut/hapticut.hpp>
 #include <hapticut/version.hpp>
 
+#ifdef COMPONENT
+bool COMPONENT();  // defined beside this file; whether the component did its work
+#endif
+
 int main() {
   using namespace hapticut;
+#ifdef COMPONENT
+  if (!COMPONENT()) return 3;
+#endif
   constexpr double kRadius = 1e-3, kDepth = 0.6e-3;  // [m]
   Material bone;
   bone.name = "bone";

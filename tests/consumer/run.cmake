@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Builds and runs the outside project against this build:
-#   cmake -DCASE=installed|subdirectory|avx|no_openvdb -DSOURCE=... -DBUILD=... -DWORK=... -DCXX=... -P run.cmake
+#   cmake -DCASE=installed|openvdb|io|no_io|subdirectory|program_without_io|avx|no_openvdb -DSOURCE=... -DBUILD=... -DWORK=... -DCXX=... -P run.cmake
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -18,18 +18,56 @@ macro(build_consumer folder)
   must("${CMAKE_COMMAND}" -S "${SOURCE}/tests/consumer" -B "${WORK}/${folder}" -G Ninja -DCMAKE_BUILD_TYPE=Release
        "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_PREFIX_PATH=${WORK}/prefix" ${ARGN})
   must("${CMAKE_COMMAND}" --build "${WORK}/${folder}")
-  must("${WORK}/${folder}/consumer")
+  must("${CMAKE_COMMAND}" -E chdir "${WORK}/${folder}" "${WORK}/${folder}/consumer")
 endmacro()
 
 file(REMOVE_RECURSE "${WORK}")
-if(NOT CASE STREQUAL "subdirectory")
+if(NOT CASE MATCHES "^(subdirectory|program_without_io)$")
   must("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/prefix")
 endif()
 
 if(CASE STREQUAL "installed")
   build_consumer(installed)
+  if(EXISTS "${WORK}/prefix/bin/hapticut")
+    must("${WORK}/prefix/bin/hapticut" --version)
+  endif()
+elseif(CASE MATCHES "^(openvdb|io)$")
+  build_consumer(${CASE} "-DCOMPONENT=${CASE}")
+elseif(CASE STREQUAL "no_io")
+  file(GLOB_RECURSE targets "${WORK}/prefix/hapticut_ioTargets*.cmake")
+  if(targets)
+    file(REMOVE ${targets})
+  endif()
+  run("${CMAKE_COMMAND}" -S "${SOURCE}/tests/consumer" -B "${WORK}/no_io" -G Ninja "-DCMAKE_CXX_COMPILER=${CXX}"
+      "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_PREFIX_PATH=${WORK}/prefix" -DCOMPONENT=io)
+  if(code EQUAL 0 OR NOT output MATCHES "HAPTICUT_WITH_IO=ON")
+    message(FATAL_ERROR "a missing component must stop the configuration and say how to build it:\n${output}")
+  endif()
 elseif(CASE STREQUAL "subdirectory")
-  build_consumer(subdirectory "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_WITH_IO=OFF)
+  # Compiling the whole library once more is long, so whoever has a ccache gives it to this project as well.
+  build_consumer(subdirectory "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_WITH_IO=OFF "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
+elseif(CASE STREQUAL "program_without_io")
+  set(folder "${BUILD}/consumer/subdirectory/subdirectory")
+  must("${CMAKE_COMMAND}" -S "${SOURCE}/tests/consumer" -B "${folder}" -G Ninja -DCMAKE_BUILD_TYPE=Release
+       "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
+       "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_WITH_IO=OFF -DHAPTICUT_WITH_CLI=ON -DWANTED=CLI)
+  if(NOT output MATCHES "IO: off \\([^\n]*HAPTICUT_WITH_IO=OFF")
+    message(FATAL_ERROR "the configuration does not say that IO is off:\n${output}")
+  endif()
+  must("${CMAKE_COMMAND}" --build "${folder}" -t hapticut_cli)
+  set(program "${folder}/hapticut/src/cli/hapticut")
+  must("${program}" inspect molar --voxel_mm 0.3)
+  file(WRITE "${folder}/a.nrrd" "NRRD0004\n")
+  foreach(file a.nrrd a.stl)
+    if(file STREQUAL "a.nrrd")
+      run("${program}" inspect "${folder}/${file}")
+    else()
+      run("${program}" convert molar "${folder}/${file}" --voxel_mm 0.3)
+    endif()
+    if(code EQUAL 0 OR NOT output MATCHES "HAPTICUT_WITH_IO=ON")
+      message(FATAL_ERROR "the program does not say what it lacks for ${file}: ${code}\n${output}")
+    endif()
+  endforeach()
 elseif(CASE STREQUAL "avx")
   set(cpu "")
   if(EXISTS /proc/cpuinfo)

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes and reads through every library that hapticut::io stands on: what its package leaves out does not link.
+#include <hapticut/hapticut.hpp>
+#include <hapticut/io/meshes.hpp>
+#include <hapticut/io/picture.hpp>
+#include <hapticut/io/volumes.hpp>
+
+bool use_io() {
+  using namespace hapticut;
+  Material bone;
+  bone.name = "bone";
+  const Workpiece ball = build_sphere(Vec3::Zero(), 1e-3, 1e-4, bone);
+  const WorkpieceSurface surface = extract_surface(ball);
+  write_stl(surface.mesh, "consumer_ball.stl");
+  write_picture({colored(surface, ball.materials())}, PictureOptions{}, "consumer_ball.png");
+  write_nrrd("consumer_ball.nrrd", ball);
+  return !read_mesh("consumer_ball.stl").empty() && read_label_volume("consumer_ball.nrrd").dims[0] >= 20;
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// A grid of its own becomes a workpiece.
+#include <hapticut/workpiece/openvdb.hpp>
+
+bool use_openvdb() {
+  using namespace hapticut;
+  openvdb::initialize();
+  auto grid = openvdb::FloatGrid::create(0.0F);
+  grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+  grid->fill({{0, 0, 0}, {9, 9, 9}}, 1.0F);
+  Material bone;
+  bone.name = "bone";
+  return workpiece_from_grid(*grid, bone).solid_voxels() == 1000;
+}
