@@ -9,6 +9,7 @@
 #include "hapticut/force/contact_point.hpp"
 #include "hapticut/force/friction.hpp"
 #include "hapticut/force/laws/foundation.hpp"
+#include "hapticut/force/laws/lumped.hpp"
 #include "hapticut/force/resultant.hpp"
 #include "kernels/kernels.hpp"
 
@@ -72,7 +73,16 @@ struct Encounter {
     energies.damping += block.energies.damping;
     energies.rubbing += block.energies.rubbing;
     energies.credited += block.energies.credited;
+    energies.elastic_before += block.energies.elastic_before;
     resultant.wrench_T.torque.z() += block.spin_couple;
+  }
+
+  void add(const LumpedForce& lumped) {
+    resultant.wrench_T.force += lumped.wrench_T.force;
+    resultant.wrench_T.torque += lumped.wrench_T.torque;
+    energies.elastic_before += lumped.elastic_before;
+    energies.elastic += lumped.elastic;
+    energies.damping += lumped.damped;
   }
 };
 
@@ -212,7 +222,8 @@ SubStep Simulation::State::plan_sub_step(int index, double duration, const Twist
                      float(motor.speed()),
                      float(duration),
                      float(workpiece.voxel_size()),
-                     config.removal};
+                     config.removal,
+                     float(tool.head().largest_radius())};
   return sub_step;
 }
 
@@ -238,22 +249,35 @@ Encounter Simulation::State::cut_blocks(const SubStep& sub_step, const IndexBox&
   Encounter encounter;
   if (blocks.empty()) return encounter;
   const GridInHead grid((X_VW * sub_step.X_WT).inverse(), workpiece.voxel_size());
-  tool.head().visit_springs<float>([&](const auto& springs) {
-    for (int i = block_start(blocks.min[0]); i <= blocks.max[0]; i += kBlockEdge)
-      for (int j = block_start(blocks.min[1]); j <= blocks.max[1]; j += kBlockEdge)
-        for (int k = block_start(blocks.min[2]); k <= blocks.max[2]; k += kBlockEdge) {
-          const VoxelIndex origin = {i, j, k};
-          if (!may_touch(springs, grid, origin, float(workpiece.voxel_size()))) continue;
-          const BlockView block = workpiece.block(origin);
-          if (block.empty()) continue;
-          kernels::sample_contact(tool.head(), block, grid, config.quadrature, contact);
-          if (contact.samples == 0) continue;
-          const LawTotals totals = config.law->evaluate(sub_step.motion, materials, contact);
-          encounter.add(totals);
-          kernels::sum_resultant(contact, encounter.resultant);
-          if (!totals.may_remove) continue;
-          if (!remove_material(contact, origin, voxel_volume, workpiece, removal)) encounter.blocks_exhausted = true;
-        }
+  const auto for_each_block = [&](const auto& visit) {
+    tool.head().visit_springs<float>([&](const auto& springs) {
+      for (int i = block_start(blocks.min[0]); i <= blocks.max[0]; i += kBlockEdge)
+        for (int j = block_start(blocks.min[1]); j <= blocks.max[1]; j += kBlockEdge)
+          for (int k = block_start(blocks.min[2]); k <= blocks.max[2]; k += kBlockEdge) {
+            const VoxelIndex origin = {i, j, k};
+            if (!may_touch(springs, grid, origin, float(workpiece.voxel_size()))) continue;
+            const BlockView block = workpiece.block(origin);
+            if (block.empty()) continue;
+            kernels::sample_contact(tool.head(), block, grid, config.quadrature, contact);
+            if (contact.samples > 0) visit(origin);
+          }
+    });
+  };
+
+  HeadMotion motion = sub_step.motion;
+  WholeContact whole;
+  if (config.law->needs_moments()) {
+    for_each_block([&](const VoxelIndex&) { add_moments(contact, motion, materials, whole.moments); });
+    if (whole.moments.volume > 0) whole.lumped = config.law->lump(tool.head(), motion, whole.moments);
+    encounter.add(whole.lumped);
+    motion.whole = &whole;
+  }
+  for_each_block([&](const VoxelIndex& origin) {
+    const LawTotals totals = config.law->evaluate(motion, materials, contact);
+    encounter.add(totals);
+    kernels::sum_resultant(contact, encounter.resultant);
+    if (!totals.may_remove) return;
+    if (!remove_material(contact, origin, voxel_volume, workpiece, removal)) encounter.blocks_exhausted = true;
   });
   return encounter;
 }
@@ -420,6 +444,7 @@ void Simulation::State::prepare_workpiece() {
 Simulation::Simulation(Workpiece workpiece, Tool tool, SimulationConfig config) {
   validate(config);
   validate_pair(workpiece, tool);
+  if (config.law) config.law->require_head(tool.head());
   state_ = std::make_unique<State>(std::move(workpiece), std::move(tool), std::move(config));
 }
 

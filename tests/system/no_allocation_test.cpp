@@ -12,6 +12,7 @@
 #include "hapticut/simulation/scenes.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/allocation_count.hpp"
+#include "support/laws.hpp"
 
 namespace hapticut {
 namespace {
@@ -116,6 +117,27 @@ TEST(NoAllocationWithEveryTerm, WhileTheSpindleStartsAndStops) {
   EXPECT_EQ(counts.locks, 0);
   EXPECT_GT(std::min({standing, between, spinning}), kSteps / 20);
   EXPECT_GT(simulation.last_result().energy.sliding, 0);
+}
+
+TEST(NoAllocationOfAnyLaw, WhileItCuts) {
+  for (const test::NamedLaw& named : test::all_laws()) {
+    Material material;
+    material.name = "bone";
+    SimulationConfig config;
+    config.law = named.law;
+    Simulation simulation(build_block({Vec3(-2, -2, -3) * units::mm, Vec3(2, 2, 0) * units::mm}, 1e-4, material),
+                          Tool(named.head, RayHandle{}, Spindle{2000}), config);
+    const double lowest = named.head.bounding_box().min.z();
+    double removed = 0;
+    test::arm_call_counts();
+    for (int tick = 0; tick < 1000; ++tick) {
+      const Vec3 head(1e-4 * std::sin(0.01 * tick), 0, -lowest - 1e-6 * tick);
+      removed += simulation.step(Pose::from_translation(head), {}, 1e-3).removed_volume;
+    }
+    const test::CallCounts counts = test::disarm_call_counts();
+    EXPECT_EQ(counts.allocations + counts.deallocations + counts.locks, 0) << named.name;
+    EXPECT_GT(removed, 0) << named.name;
+  }
 }
 
 std::vector<std::string> scene_names() {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "hapticut/core/spatial.hpp"
+#include "hapticut/force/whole_contact.hpp"
 #include "hapticut/workpiece/contact.hpp"
 
 /// @file
@@ -38,11 +39,14 @@ struct HeadMotion {
   float duration;                         ///< [s]
   float voxel_size;                       ///< [m] l
   RemovalLaw removal;
+  float head_radius = 0;                ///< [m] largest radius of the head
+  const WholeContact* whole = nullptr;  ///< only for laws that need moments
 };
 
 /// What one block adds to the energy ledger in one sub-step; [J], as defined in EnergyLedger.
 struct LawEnergies {
   double elastic = 0, cutting = 0, released = 0, damping = 0, rubbing = 0, credited = 0;
+  double elastic_before = 0;  ///< stored in the samples at the beginning of the sub-step
 };
 
 /// What a law delivers for a block beside the arrays it writes.
@@ -58,10 +62,25 @@ inline constexpr float kSmallestFill = 1e-3F;
 /// A force law: from the samples of one block to the force on the tool at each, and to what is left of each voxel.
 ///
 /// The step calls `evaluate` once per block and sums what it writes; a law of one's own derives from this class and is
-/// handed to the simulation in its configuration.
+/// handed to the simulation in its configuration. A law that knows the contact only as a whole says so by
+/// `needs_moments`, and gives its force by `lump`; force/laws/lumped.hpp shares the cut out for it.
 class ForceLaw {
  public:
   virtual ~ForceLaw() = default;
+
+  /// Called once, at set-up.
+  /// @throws Error when the law has no formula for this head; the message names those that it has
+  virtual void require_head(const ToolHead&) const {}
+
+  /// Whether the blocks are gone over once before, to give `lump` and `HeadMotion::whole` the whole contact.
+  [[nodiscard]] virtual bool needs_moments() const noexcept { return false; }
+
+  /// Force, torque and energies of the whole contact, added once per sub-step to what the blocks give. Only called when
+  /// the law needs moments and something is touched.
+  /// @realtime no allocation, no lock, no exception
+  [[nodiscard]] virtual LumpedForce lump(const ToolHead&, const HeadMotion&, const ContactMoments&) const noexcept {
+    return {};
+  }
 
   /// Writes `force_x/y/z` and `fill_after` of all `lanes()` entries. An entry of no fill must get no force and stay
   /// empty.

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/force/laws/lumped.hpp"
+
+namespace hapticut {
+
+/// A rigid punch on an elastic half space (thesis Table 5.1; Boussinesq, Hertz, Sneddon 1965), at depth d:
+///
+///     flat    F = 2 R E* d                        U = R E* d^2
+///     sphere  F = 4/3 E* sqrt(R) d^1.5            U = 8/15 E* sqrt(R) d^2.5
+///     cone    F = 2/pi E* tan(alpha) d^2          U = 2/(3 pi) E* tan(alpha) d^3      alpha: half-apex angle
+///
+/// E* = E/(1 - nu^2). All pressed at a right angle onto a flat surface: the limit of this law, and the reason that the
+/// thesis gives for not using it. d is the depth at which a half space would fill the same volume of the head, along
+/// the mean direction into the material, so that any contact gives a force, and a perpendicular one exactly that of the
+/// table. A spinning head rubs under F with the materials' cutting ratio and cuts by the power of that.
+class ContactMechanicsLaw final : public LumpedLaw {
+ public:
+  /// @param effective_modulus  [Pa] > 0, E* = E/(1 - nu^2)
+  /// @throws Error when it is not positive
+  explicit ContactMechanicsLaw(double effective_modulus) : modulus_(effective_modulus) {
+    require_positive(effective_modulus, "ContactMechanicsLaw::effective_modulus [Pa]");
+  }
+
+  void require_head(const ToolHead& head) const override {
+    if (std::holds_alternative<ProfileHead>(head.shape()))
+      throw Error(
+          "ContactMechanicsLaw was given a profile head; it has formulas for a sphere, a cone and a flat head. Choose "
+          "one of these, or FoundationLaw.");
+  }
+
+  [[nodiscard]] LumpedForce lump(const ToolHead& head, const HeadMotion& m,
+                                 const ContactMoments& moments) const noexcept override {
+    const Vec3 n = moments.normal();
+    const double d = depth_of(head, moments.volume);
+    // The force acts at the centroid; about its own axis a head of revolution has no torque of normal forces.
+    const Vec3 centroid = moments.first_moment / moments.volume;
+    const Vec3 tilting(double(m.angular_velocity.x()), double(m.angular_velocity.y()), 0);
+    // Half of what it advances along n in this sub-step, so that the energies are those of its two ends.
+    const double half = 0.5 * (m.velocity.cast<double>() + tilting.cross(centroid)).dot(n) * double(m.duration);
+    LumpedForce lumped;
+    lumped.elastic_before = energy(head, std::max(0.0, d - half));
+    lumped.elastic = energy(head, std::max(0.0, d + half));
+    const double normal = force(head, d);
+    lumped.wrench_T.force = -normal * n;
+    lumped.wrench_T.torque = centroid.cross(lumped.wrench_T.force);
+    lumped.wrench_T.torque.z() = 0;
+    add_rubbing(m, moments, normal, lumped);
+    return lumped;
+  }
+
+  /// [N] at depth d [m].
+  [[nodiscard]] double force(const ToolHead& head, double d) const {
+    if (const auto* flat = std::get_if<FlatHead>(&head.shape())) return 2 * flat->radius * modulus_ * d;
+    if (const auto* sphere = std::get_if<SphereHead>(&head.shape()))
+      return 4.0 / 3 * modulus_ * std::sqrt(sphere->radius) * std::pow(d, 1.5);
+    if (const auto* cone = std::get_if<ConeHead>(&head.shape()))
+      return 2 / units::kPi * modulus_ * std::tan(cone->half_angle) * d * d;
+    return 0;
+  }
+
+  /// [J] at depth d [m].
+  [[nodiscard]] double energy(const ToolHead& head, double d) const {
+    if (std::holds_alternative<FlatHead>(head.shape())) return force(head, d) * d / 2;
+    if (std::holds_alternative<SphereHead>(head.shape())) return force(head, d) * d / 2.5;
+    return force(head, d) * d / 3;
+  }
+
+  /// [m] depth at which a half space fills this volume [m^3] of a head, tip first; at most the height of the head.
+  [[nodiscard]] static double depth_of(const ToolHead& head, double volume) {
+    using units::kPi;
+    if (const auto* flat = std::get_if<FlatHead>(&head.shape()))
+      return std::min(volume / (kPi * flat->radius * flat->radius), flat->height);
+    if (const auto* cone = std::get_if<ConeHead>(&head.shape()))
+      return std::min(std::cbrt(3 * volume / (kPi * std::pow(std::tan(cone->half_angle), 2))), cone->height);
+    // pi d^2 (R - d/3) = V is, with z = 1 - d/R and s = V over the ball's volume, z^3 - 3 z + 2 - 4 s = 0; z = 2 cos t.
+    const double R = std::get_if<SphereHead>(&head.shape())->radius;
+    const double share = std::clamp(volume / (4 * kPi / 3 * R * R * R), 0.0, 1.0);
+    return R * (1 - 2 * std::cos((2 * kPi - std::acos(2 * share - 1)) / 3));
+  }
+
+ private:
+  double modulus_;
+};
+
+}  // namespace hapticut

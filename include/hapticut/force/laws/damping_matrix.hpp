@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/force/laws/lumped.hpp"
+
+namespace hapticut {
+
+/// Resistance to the motion of a spinning head (thesis 5.1, 5.2, after its [15]): a viscous force and a part of it
+/// turned across by the spin.
+///
+///     F = -M V,   M = m (I + mu [omega_hat]x),   m = K_alpha K_beta K_omega K_eps F(H, L)
+///
+/// The K are the factors that the source tabulates for the head, the material, the speed and the layer; they enter as
+/// one product, `resistance`, and F(H, L), its "function for the contact area", is that area: the filled volume in the
+/// head over its greatest depth. The force needs motion: at rest there is none, and a surface does not push back. It
+/// does no work but -m |V|^2, which cuts while the spindle turns. Any head.
+class DampingMatrixLaw final : public LumpedLaw {
+ public:
+  struct Constants {
+    double resistance = 1e8;  ///< [N·s/m^3] > 0: the product of the K
+    double friction = 0.3;    ///< [1] >= 0, mu
+  };
+
+  /// @throws Error naming the constant, its value and the allowed range
+  explicit DampingMatrixLaw(const Constants& constants) : c_(constants) {
+    require_positive(c_.resistance, "DampingMatrixLaw::resistance [N s/m^3]");
+    require_not_negative(c_.friction, "DampingMatrixLaw::friction [1]");
+  }
+
+  [[nodiscard]] LumpedForce lump(const ToolHead&, const HeadMotion& m,
+                                 const ContactMoments& moments) const noexcept override {
+    if (!(moments.depth > 0)) return {};
+    const Vec3 V = m.velocity.cast<double>();
+    const double factor = c_.resistance * moments.volume / moments.depth;
+    const Vec3 axis(0, 0, m.spin == 0 ? 0.0 : std::copysign(1.0, double(m.spin)));
+    LumpedForce lumped;
+    lumped.wrench_T.force = -factor * (V + c_.friction * axis.cross(V));
+    const double power = factor * V.squaredNorm();
+    // The force acts at To, so only V does work.
+    if (moments.rubbing_speed > 0 && m.spin != 0)
+      lumped.cutting_power = power;
+    else
+      lumped.damped = power * double(m.duration);
+    return lumped;
+  }
+
+ private:
+  Constants c_;
+};
+
+}  // namespace hapticut

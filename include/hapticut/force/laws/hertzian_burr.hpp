@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/force/laws/contact_mechanics.hpp"
+#include "hapticut/force/laws/lumped.hpp"
+
+namespace hapticut {
+
+/// A round burr whose contact is Hertz's (Agus, Giachetti, Gobbetti, Zanetti, Zorcolo: Mastoidectomy simulation with
+/// combined visual and haptic feedback, 2002; [1], [2] of the thesis).
+///
+/// The burr of radius R knows the bone by two sums over the voxels inside it, of which the depth h and the direction n
+/// of an equivalent flat surface follow:
+///
+///     M0 = Sum rho_i = pi R^3 (h/R)^2 (1 - h/3R),   M1 = Sum rho_i r_i = |M1| n
+///     F_e = -C1 R^2 (h/R)^1.5 n                       elastic force on the burr
+///     F_mu: Coulomb friction of F_e along the slip of the surface, ratio kappa of the materials
+///     mass flux = alpha mu P omega r                  power of the friction over the cost of a volume: 1/alpha = u
+///
+/// The original spreads the flux like Hertz's pressure over the contact; here it is spread like depth times slip, the
+/// removal that all laws of the library share. Its total is the same.
+class HertzianBurrLaw final : public LumpedLaw {
+ public:
+  /// @param stiffness  [Pa] > 0, C1
+  /// @throws Error when it is not positive
+  explicit HertzianBurrLaw(double stiffness) : stiffness_(stiffness) {
+    require_positive(stiffness, "HertzianBurrLaw::stiffness [Pa]");
+  }
+
+  void require_head(const ToolHead& head) const override {
+    if (!std::holds_alternative<SphereHead>(head.shape()))
+      throw Error(
+          "HertzianBurrLaw was given a head that is no sphere; it has a formula for a round burr only. Choose "
+          "SphereHead, or FoundationLaw for other heads.");
+  }
+
+  [[nodiscard]] LumpedForce lump(const ToolHead& head, const HeadMotion& m,
+                                 const ContactMoments& moments) const noexcept override {
+    const double R = std::get_if<SphereHead>(&head.shape())->radius;
+    const double arm = moments.first_moment.norm();
+    if (!(arm > 1e-9 * R * moments.volume)) return {};  // buried: no direction
+    const Vec3 n = moments.first_moment / arm;
+    const double h = ContactMechanicsLaw::depth_of(head, moments.volume);
+    const double half = 0.5 * m.velocity.cast<double>().dot(n) * double(m.duration);
+    LumpedForce lumped;
+    lumped.elastic_before = energy(R, std::max(0.0, h - half));
+    lumped.elastic = energy(R, std::max(0.0, h + half));
+    const double normal = force(R, h);
+    lumped.wrench_T.force = -normal * n;
+    add_rubbing(m, moments, normal, lumped);
+    return lumped;
+  }
+
+  /// [N] at depth h [m] of a burr of radius R [m].
+  [[nodiscard]] double force(double R, double h) const { return stiffness_ * R * R * std::pow(h / R, 1.5); }
+
+  /// [J] the same integrated over h.
+  [[nodiscard]] double energy(double R, double h) const { return force(R, h) * h / 2.5; }
+
+ private:
+  double stiffness_;
+};
+
+}  // namespace hapticut

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/force/law.hpp"
+
+namespace hapticut {
+
+/// The model of the thesis as printed (Uener 2007, eqs. 5.5-5.8, 5.15, 5.16), to reproduce it and to compare with it.
+///
+/// For every voxel i inside the head, whole or partly filled, of depth w, direction n and material stiffness k_i:
+///
+///     F_i   = -k_i l w_i n_i - b V                                        spring and damper of one voxel
+///     F     = Sum F_i,   T = Sum (X_i - To) x F_i + T_spin z
+///     T_spin = -lambda sgn(omega) (|omega|/omega_0)^m R Sum k_i l w_i     omega_0 = 1 rad/s
+///     P_i   = lambda (|omega|/omega_0)^m R k_i l w_i |omega|              power generated at the voxel
+///     voxel i is removed, whole and in this step, iff  P_i >= c k_i       power required
+///
+/// What is a reading: the repulsive sign (as printed the springs pull the tool in); the arm X_i - To (along the spring,
+/// as printed, the torque is zero, D3); everything about the second lines of 5.6-5.8, of which only a constant lambda,
+/// a power of the spindle's speed and a cross product survived; the required power, "related to the stiffness", as
+/// proportional to it. V is the velocity of the head as the device gives it, R the largest radius of the head.
+///
+/// k_i = k_v l0^2 of the material's k_v = relative stiffness times SimulationConfig::reference_stiffness, so that
+/// thesis and default model agree at the voxel size l0; at any other they do not: the sums grow as l^-2 and, for the
+/// damper, l^-3 under refinement (D1, D2). Removal costs no energy (D7): the ledger books the springs' energy of
+/// removed voxels as released, the spin torque's work as rubbing, the damper's as damping, which a turning handpiece
+/// can make negative.
+class ThesisLaw final : public ForceLaw {
+ public:
+  struct Constants {
+    double reference_voxel_size = 1e-4;  ///< [m] > 0, l0
+    double damping = 0;                  ///< [N·s/m] >= 0 of one voxel, b
+    double spin_torque = 0.3;            ///< [1] >= 0, lambda
+    double spin_exponent = 0;            ///< [1] m
+    double required_power = 1e-9;        ///< [W/(N/m^2)] >= 0, c: power to remove a voxel over its stiffness
+  };
+
+  /// @throws Error naming the constant, its value and the allowed range
+  explicit ThesisLaw(const Constants& constants) : c_(constants) {
+    require_positive(c_.reference_voxel_size, "ThesisLaw::reference_voxel_size [m]");
+    require_not_negative(c_.damping, "ThesisLaw::damping [N s/m]");
+    require_not_negative(c_.spin_torque, "ThesisLaw::spin_torque [1]");
+    require_between(c_.spin_exponent, -10, 10, "ThesisLaw::spin_exponent [1]");
+    require_not_negative(c_.required_power, "ThesisLaw::required_power [W/(N/m^2)]");
+  }
+
+  [[nodiscard]] const Constants& constants() const { return c_; }
+
+  LawTotals evaluate(const HeadMotion& m, const ContactMaterials& materials, ContactBlock& b) const noexcept override {
+    const double l = double(m.voxel_size), dt = double(m.duration), spin = double(m.spin);
+    const double l0_squared = c_.reference_voxel_size * c_.reference_voxel_size;
+    const double spin_share = spin == 0 ? 0 : c_.spin_torque * std::pow(std::abs(spin), c_.spin_exponent);
+    const bool removes = spin != 0 && m.removal != RemovalLaw::none;
+    const Vec3 V = m.velocity.cast<double>(), Omega = m.angular_velocity.cast<double>();
+    const Vec3 damper = c_.damping * m.felt_velocity.cast<double>();
+
+    LawTotals totals;
+    totals.may_remove = removes;
+    double normal_sum = 0;
+    for (int i = 0; i < b.lanes(); ++i) {
+      const auto n = std::size_t(i);
+      b.force_x[n] = b.force_y[n] = b.force_z[n] = 0;
+      b.fill_after[n] = b.fill[n];
+      if (!(b.fill[n] > 0)) continue;
+      const double w = double(b.depth[n]);
+      const Vec3 r(double(b.x[n]), double(b.y[n]), double(b.z[n]));
+      const Vec3 direction(double(b.normal_x[n]), double(b.normal_y[n]), double(b.normal_z[n]));
+      const double k = double(materials[b.material_of(i)].stiffness) * l0_squared;
+      const double normal = k * l * w;
+      const Vec3 force = -normal * direction - damper;
+      b.force_x[n] = float(force.x());
+      b.force_y[n] = float(force.y());
+      b.force_z[n] = float(force.z());
+      normal_sum += normal;
+
+      const Vec3 velocity = V + Omega.cross(r);
+      const double advance = velocity.dot(direction) * dt;
+      const double before = std::max(0.0, w - advance / 2), after = std::max(0.0, w + advance / 2);
+      totals.energies.elastic_before += 0.5 * k * l * before * before;
+      totals.energies.damping += damper.dot(velocity) * dt;
+      const double generated = spin_share * double(m.head_radius) * normal * std::abs(spin);
+      if (removes && generated >= c_.required_power * k) {
+        b.fill_after[n] = 0;
+        totals.energies.released += 0.5 * k * l * after * after;
+      } else {
+        totals.energies.elastic += 0.5 * k * l * after * after;
+      }
+    }
+    totals.spin_couple = -std::copysign(spin_share * double(m.head_radius) * normal_sum, spin);
+    totals.energies.rubbing = -totals.spin_couple * spin * dt;
+    return totals;
+  }
+
+ private:
+  Constants c_;
+};
+
+}  // namespace hapticut

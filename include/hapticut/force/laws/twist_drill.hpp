@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/force/laws/lumped.hpp"
+
+namespace hapticut {
+
+/// A twist drill that chips bone (Allotta, Belmonte, Bosio, Dario 1996; [33] of the thesis).
+///
+///     F = K_s a (D/2) sin(beta/2),   M = K_s a D^2/8,   a = 2 pi v_f/|omega|
+///
+/// D is the diameter of the drill where it is in material, beta its point angle, v_f the speed at which it is fed
+/// towards its tip. M turns against the spin, F pushes back along the axis; retreating, or standing, there is neither.
+/// M omega = K_s pi D^2/4 v_f: exactly what removing the fed volume costs, if K_s is the material's u. F v_f is lost to
+/// friction. This is the steady state of the default law with kappa = 1/sin(beta/2) and p_e = 0 (C31).
+///
+/// A cone is a drill of point angle twice its half angle, a flat head one of 180 degrees.
+class TwistDrillLaw final : public LumpedLaw {
+ public:
+  struct Constants {
+    double specific_energy = 1e8;         ///< [J/m^3] > 0, K_s
+    double largest_feed_per_turn = 1e-3;  ///< [m] > 0; a is cut off there, where the spindle turns too slowly to chip
+  };
+
+  /// @throws Error naming the constant, its value and the allowed range
+  explicit TwistDrillLaw(const Constants& constants) : c_(constants) {
+    require_positive(c_.specific_energy, "TwistDrillLaw::specific_energy [J/m^3]");
+    require_positive(c_.largest_feed_per_turn, "TwistDrillLaw::largest_feed_per_turn [m]");
+  }
+
+  void require_head(const ToolHead& head) const override {
+    if (!std::holds_alternative<ConeHead>(head.shape()) && !std::holds_alternative<FlatHead>(head.shape()))
+      throw Error(
+          "TwistDrillLaw was given a head without a point angle; it has formulas for a cone and a flat head. Choose "
+          "one of these, or FoundationLaw.");
+  }
+
+  [[nodiscard]] LumpedForce lump(const ToolHead& head, const HeadMotion& m,
+                                 const ContactMoments& moments) const noexcept override {
+    const double feed = std::max(0.0, -double(m.velocity.z())), spin = double(m.spin);
+    if (spin == 0 || feed == 0) return {};
+    const double radius = std::min(moments.radius, head.largest_radius());
+    const double a = std::min(2 * units::kPi * feed / std::abs(spin), c_.largest_feed_per_turn);
+    const double couple = torque(2 * radius, a);
+    LumpedForce lumped;
+    lumped.wrench_T.force.z() = thrust(2 * radius, a, point_angle(head));
+    lumped.wrench_T.torque.z() = -std::copysign(couple, spin);
+    lumped.cutting_power =
+        std::max(0.0, couple * (std::abs(spin) + std::copysign(1.0, spin) * double(m.angular_velocity.z())));
+    lumped.damped = lumped.wrench_T.force.z() * feed * double(m.duration);
+    return lumped;
+  }
+
+  /// [N] of a drill of diameter D [m] and point angle [rad] at feed per turn a [m].
+  [[nodiscard]] double thrust(double diameter, double a, double point_angle) const {
+    return c_.specific_energy * a * diameter / 2 * std::sin(point_angle / 2);
+  }
+  /// [N·m]
+  [[nodiscard]] double torque(double diameter, double a) const {
+    return c_.specific_energy * a * diameter * diameter / 8;
+  }
+  /// [rad]
+  [[nodiscard]] static double point_angle(const ToolHead& head) {
+    const auto* cone = std::get_if<ConeHead>(&head.shape());
+    return cone != nullptr ? 2 * cone->half_angle : units::kPi;
+  }
+
+ private:
+  Constants c_;
+};
+
+}  // namespace hapticut
