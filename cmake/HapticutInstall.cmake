@@ -28,6 +28,11 @@ if(TARGET hapticut_io)
   install(TARGETS hapticut_io EXPORT hapticut_ioTargets)
   install(EXPORT hapticut_ioTargets NAMESPACE hapticut:: DESTINATION "${HAPTICUT_CMAKE_DIR}")
 endif()
+if(TARGET hapticut_openhaptics)
+  set_target_properties(hapticut_openhaptics PROPERTIES EXPORT_NAME openhaptics)
+  install(TARGETS hapticut_openhaptics EXPORT hapticut_openhapticsTargets)
+  install(EXPORT hapticut_openhapticsTargets NAMESPACE hapticut:: DESTINATION "${HAPTICUT_CMAKE_DIR}")
+endif()
 if(TARGET hapticut_cli)
   install(TARGETS hapticut_cli)
 endif()
@@ -50,5 +55,5 @@ configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/hapticut-config.cmake.i
   NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/hapticut-config-version.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/hapticut-config.cmake" "${PROJECT_BINARY_DIR}/hapticut-config-version.cmake"
-              "${CMAKE_CURRENT_LIST_DIR}/FindHapticutOpenVDB.cmake"
+              "${CMAKE_CURRENT_LIST_DIR}/FindHapticutOpenVDB.cmake" "${CMAKE_CURRENT_LIST_DIR}/FindOpenHaptics.cmake"
         DESTINATION "${HAPTICUT_CMAKE_DIR}")

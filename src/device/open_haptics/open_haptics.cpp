@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/device/open_haptics.hpp"
+
+#include <HD/hd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "device/open_haptics/connection.hpp"
+#include "device/open_haptics/errors.hpp"
+#include "device/open_haptics/scheduler.hpp"
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+
+namespace hapticut {
+namespace {
+
+using open_haptics::Connection;
+using open_haptics::drain;
+using open_haptics::Scheduler;
+
+constexpr int kTemperatureTicks = 100;   // between two readings of it
+constexpr int kCalibrationTicks = 1000;  // the same, while the device is calibrated
+constexpr int kUncalibratedTicks = 100;  // the same, while it is not
+constexpr double kAngularFilter = 30;    // [Hz] of the difference of orientations
+constexpr double kTooWarm = 1;           // [1] a temperature that the guard reduces the force at
+constexpr double kCooled = 0.5;          // [1] measured, at which a driver that complained of heat is satisfied
+
+/// The rotation of a column-major matrix, made orthonormal: the driver's has small errors.
+Mat3 rotation_of(const std::array<HDdouble, 16>& m) {
+  const Vec3 z = Vec3(m[8], m[9], m[10]).normalized();
+  const Vec3 x = Vec3(m[4], m[5], m[6]).cross(z).normalized();
+  Mat3 R;
+  R << x, z.cross(x), z;
+  return R;
+}
+
+// Errors of all devices are on one stack, so that whoever looks first finds those of the others too.
+constexpr std::size_t kMostDevices = 16;
+std::array<std::atomic<DeviceFault>, kMostDevices> faults_by_handle{};
+
+/// The graver of two faults.
+DeviceFault graver(DeviceFault a, DeviceFault b) {
+  const auto rank = [](DeviceFault f) { return f == DeviceFault::disconnected ? 100 : int(f); };
+  return rank(a) < rank(b) ? b : a;
+}
+
+class OpenHapticsDevice final : public Device {
+ public:
+  OpenHapticsDevice(const OpenHapticsOptions& options, const std::string& name)
+      : Device(name, {}), options_(options), connection_(options) {
+    capabilities_ = connection_.capabilities();
+    require_positive(options.rate, "OpenHapticsOptions::rate [Hz]");
+    require_positive(options.start_timeout, "OpenHapticsOptions::start_timeout [s]");
+    require_positive(options.silence, "OpenHapticsOptions::silence [s]");
+    if (!options_.clock) options_.clock = monotonic_time;
+  }
+
+ protected:
+  std::string drive(Servo& servo, const RunOptions& options) override;
+
+ private:
+  enum class Phase : std::uint8_t { running, ending, done };
+
+  static HDCallbackCode HDCALLBACK on_tick(void* self) { return static_cast<OpenHapticsDevice*>(self)->tick(); }
+  HDCallbackCode tick() noexcept;
+  void read(DeviceState& state) noexcept;
+  void look_after_calibration() noexcept;
+  void take_errors() noexcept;
+  void write(const Wrench& wrench) noexcept;
+
+  OpenHapticsOptions options_;
+  Connection connection_;
+
+  // Of a run; touched by the driver's thread only, but for the atomics.
+  Servo* servo_ = nullptr;
+  std::atomic<Phase> phase_{Phase::done};
+  std::atomic<std::uint64_t> ticks_{0};
+  double period_ = 1e-3, begin_ = 0, last_time_ = 0;
+  int farewells_ = 0;
+  std::uint32_t epoch_ = 0;
+  HDenum calibration_ = HD_CALIBRATION_OK;
+  bool must_calibrate_ = false, warm_ = false;
+  double temperature_ = 0;
+  DeviceFault fault_ = DeviceFault::none;
+  open_haptics::Errors fatal_;
+  Mat3 R_last_ = Mat3::Identity();
+  Vec3 angular_velocity_ = Vec3::Zero();
+};
+
+void OpenHapticsDevice::read(DeviceState& state) noexcept {
+  const std::uint64_t n = ticks_.fetch_add(1, std::memory_order_acq_rel);
+  const double now = options_.clock();
+  if (n == 0) begin_ = last_time_ = now;
+  const double elapsed = n == 0 ? period_ : now - last_time_;
+  last_time_ = now;
+  servo_->report_wake_up(std::max(0.0, elapsed - period_));
+  if (elapsed > 1.5 * period_) servo_->report_missed(std::uint64_t(std::lround(elapsed / period_)) - 1);
+
+  std::array<HDdouble, 16> transform{};
+  std::array<HDdouble, 3> velocity{};
+  HDint buttons = 0;
+  hdGetDoublev(HD_CURRENT_TRANSFORM, transform.data());
+  hdGetDoublev(HD_CURRENT_VELOCITY, velocity.data());
+  hdGetIntegerv(HD_CURRENT_BUTTONS, &buttons);
+  if (connection_.measures_temperature() && n % kTemperatureTicks == 0) {
+    std::array<HDdouble, 6> temperatures{};
+    hdGetDoublev(HD_MOTOR_TEMPERATURE, temperatures.data());
+    temperature_ = *std::max_element(temperatures.begin(), temperatures.end());
+    if (temperature_ < kCooled) warm_ = false;
+  }
+  state.X_BS = {rotation_of(transform), Vec3(transform[12], transform[13], transform[14]) * units::mm};
+  if (n == 0 || !R_last_.allFinite()) R_last_ = state.X_BS.rotation;
+  const Vec3 turn = vector_from_rotation(state.X_BS.rotation * R_last_.transpose());
+  R_last_ = state.X_BS.rotation;
+  const double memory = std::exp(-2 * units::kPi * kAngularFilter * period_);
+  angular_velocity_ = memory * angular_velocity_ + (1 - memory) / period_ * turn;
+  if (!angular_velocity_.allFinite()) angular_velocity_.setZero();
+  state.velocity = {Vec3(velocity[0], velocity[1], velocity[2]) * units::mm, angular_velocity_};
+  state.buttons = std::uint32_t(buttons);
+  state.time = now - begin_;
+  state.sequence = n + 1;
+  state.epoch = epoch_;
+  state.temperature = warm_ ? kTooWarm : temperature_;
+  state.fault = fault_;
+  state.valid = true;
+  if (calibration_ == HD_CALIBRATION_NEEDS_MANUAL_INPUT) {
+    state.valid = false;
+    if (state.fault == DeviceFault::none) state.fault = DeviceFault::uncalibrated;
+  }
+}
+
+// A calibration moves the pose at once: the force is taken away for the tick before it, and the guard waits after it.
+void OpenHapticsDevice::look_after_calibration() noexcept {
+  const std::uint64_t n = ticks_.load(std::memory_order_relaxed);
+  const int pause = calibration_ == HD_CALIBRATION_OK ? kCalibrationTicks : kUncalibratedTicks;
+  if (connection_.calibration_style() == 0 || n % std::uint64_t(pause) != 0) return;
+  calibration_ = hdCheckCalibration();
+  must_calibrate_ =
+      calibration_ == HD_CALIBRATION_NEEDS_UPDATE && connection_.calibration_style() != HD_CALIBRATION_ENCODER_RESET;
+}
+
+// What the driver complains about, for the next reading of the device that it means.
+void OpenHapticsDevice::take_errors() noexcept {
+  const HHD own = connection_.handle();
+  const open_haptics::Errors errors = drain();
+  fault_ = own < kMostDevices ? faults_by_handle[own].exchange(DeviceFault::none) : DeviceFault::none;
+  for (int n = 0; n < errors.count; ++n) {
+    const HDErrorInfo& error = errors.kept[std::size_t(n)];
+    const DeviceFault fault = open_haptics::fault_of(error.errorCode);
+    // A lost connection is reported without a handle, by the frame that finds it: it is ours.
+    const bool foreign = error.hHD != own && error.hHD < kMostDevices && fault != DeviceFault::disconnected &&
+                         fault != DeviceFault::driver_error;
+    if (foreign)
+      faults_by_handle[error.hHD] = graver(faults_by_handle[error.hHD], fault);
+    else
+      fault_ = graver(fault_, fault);
+  }
+  if (fault_ == DeviceFault::motors_warm) warm_ = true;
+  if (fault_ == DeviceFault::disconnected || fault_ == DeviceFault::driver_error) fatal_ = errors;
+}
+
+void OpenHapticsDevice::write(const Wrench& wrench) noexcept {
+  const std::array<HDdouble, 3> force = {wrench.force.x(), wrench.force.y(), wrench.force.z()};
+  hdSetDoublev(HD_CURRENT_FORCE, force.data());
+  if (capabilities_.output_degrees_of_freedom < 6) return;
+  const Vec3 t = wrench.torque / units::mN_m;
+  const std::array<HDdouble, 3> torque = {t.x(), t.y(), t.z()};
+  hdSetDoublev(HD_CURRENT_TORQUE, torque.data());
+}
+
+HDCallbackCode OpenHapticsDevice::tick() noexcept {
+  const HHD handle = connection_.handle();
+  hdMakeCurrentDevice(handle);
+  hdBeginFrame(handle);
+  bool last = false;
+  if (phase_.load(std::memory_order_relaxed) == Phase::running) {
+    DeviceState state;
+    read(state);
+    look_after_calibration();
+    Wrench wrench = servo_->tick(state);
+    if (must_calibrate_) {
+      wrench = {};
+      servo_->applied(wrench);
+    }
+    write(wrench);
+    if (servo_->should_end()) phase_.store(Phase::ending, std::memory_order_relaxed);
+  } else {
+    const Wrench wrench = servo_->farewell(farewells_++);
+    write(wrench);
+    last = wrench.force.isZero(0) && wrench.torque.isZero(0);
+  }
+  hdEndFrame(handle);
+  if (must_calibrate_) {
+    hdUpdateCalibration(connection_.calibration_style());
+    calibration_ = HD_CALIBRATION_OK;
+    must_calibrate_ = false;
+    ++epoch_;
+  }
+  take_errors();
+  if (!last) return HD_CALLBACK_CONTINUE;
+  phase_.store(Phase::done, std::memory_order_release);
+  return HD_CALLBACK_DONE;
+}
+
+std::string OpenHapticsDevice::drive(Servo& servo, const RunOptions& options) {
+  if (options.simulated_time)
+    throw Error("An OpenHaptics device cannot run in simulated time; leave RunOptions::simulated_time false.");
+  for (const std::string& warning : connection_.warnings()) servo.warn(warning);
+  servo_ = &servo;
+  ticks_ = 0;
+  farewells_ = 0;
+  period_ = options.guard.period;
+  fault_ = DeviceFault::none;
+  fatal_ = {};
+  must_calibrate_ = warm_ = false;
+  angular_velocity_.setZero();
+  Scheduler& scheduler = Scheduler::instance();
+  scheduler.between_ticks([this] {
+    hdMakeCurrentDevice(connection_.handle());
+    calibration_ = connection_.calibration_style() == 0 ? HD_CALIBRATION_OK : hdCheckCalibration();
+    drain();
+  });
+  connection_.enable_force(true);
+  phase_.store(Phase::running, std::memory_order_release);
+  const HDSchedulerHandle handle = scheduler.join(on_tick, this, options_.rate);
+
+  using Clock = std::chrono::steady_clock;
+  const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
+  Clock::time_point heard = Clock::now();
+  std::uint64_t last = 0;
+  bool silent = false;
+  while (phase_.load(std::memory_order_acquire) != Phase::done && !silent) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const std::uint64_t now = ticks_.load(std::memory_order_acquire);
+    const bool ending = phase_.load(std::memory_order_acquire) == Phase::ending;
+    if (now != last) {
+      last = now;
+      heard = Clock::now();
+    }
+    silent = seconds(Clock::now() - heard) > (last == 0 || ending ? options_.start_timeout : options_.silence);
+  }
+  scheduler.leave(handle, !silent);
+  connection_.enable_force(false);
+  servo_ = nullptr;
+  if (silent && last == 0)
+    throw Error("The OpenHaptics scheduler runs but never calls back; check that no other program uses the device.");
+  if (silent) return "the driver stopped calling back; " + describe(DeviceFault::disconnected);
+  if (!fatal_.any()) return "stopped";
+  servo.warn("OpenHaptics: " + fatal_.describe());
+  return describe(fault_ == DeviceFault::none ? DeviceFault::disconnected : fault_);
+}
+
+}  // namespace
+
+std::unique_ptr<Device> open_open_haptics(const OpenHapticsOptions& options) {
+  return std::make_unique<OpenHapticsDevice>(
+      options, options.device_name.empty() ? "openhaptics" : "openhaptics:" + options.device_name);
+}
+
+void use_open_haptics() {
+  register_device_driver(
+      {"openhaptics", "openhaptics[:NAME], NAME as in the maker's setup program", "", [](const std::string& rest) {
+         OpenHapticsOptions options;
+         options.device_name = rest;
+         return open_open_haptics(options);
+       }});
+}
+
+}  // namespace hapticut

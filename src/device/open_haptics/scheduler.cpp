@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/open_haptics/scheduler.hpp"
+
+#include <cmath>
+
+#include "device/open_haptics/errors.hpp"
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut::open_haptics {
+namespace {
+
+extern "C" HDCallbackCode HDCALLBACK hapticut_between_ticks(void* work) {
+  (*static_cast<const std::function<void()>*>(work))();
+  return HD_CALLBACK_DONE;
+}
+
+}  // namespace
+
+Scheduler& Scheduler::instance() {
+  static Scheduler scheduler;
+  return scheduler;
+}
+
+HDSchedulerHandle Scheduler::join(HDSchedulerCallback callback, void* data, double rate) {
+  const std::lock_guard lock(mutex_);
+  drain();
+  const HDSchedulerHandle handle = hdScheduleAsynchronous(callback, data, HD_MAX_SCHEDULER_PRIORITY);
+  Errors errors = drain();
+  if (errors.any()) throw Error("The OpenHaptics scheduler takes no callback: " + errors.describe() + ".");
+  if (users_ == 0) {
+    hdSetSchedulerRate(HDulong(std::lround(rate)));
+    drain();  // some devices have a fixed rate
+    hdStartScheduler();
+    errors = drain();
+    if (errors.has(HD_TIMER_ERROR) || errors.has(HD_COMM_ERROR) || errors.has(HD_INVALID_OPERATION)) {
+      hdStopScheduler();
+      hdUnschedule(handle);
+      drain();
+      throw Error("The OpenHaptics scheduler does not start: " + errors.describe() +
+                  "; check that no other program uses the device.");
+    }
+  }
+  ++users_;
+  return handle;
+}
+
+void Scheduler::leave(HDSchedulerHandle handle, bool finished) {
+  const std::lock_guard lock(mutex_);
+  if (--users_ == 0) hdStopScheduler();
+  if (!finished) {
+    hdUnschedule(handle);
+    drain();
+  }
+}
+
+void Scheduler::between_ticks(const std::function<void()>& work) {
+  hdScheduleSynchronous(hapticut_between_ticks, const_cast<std::function<void()>*>(&work), HD_MIN_SCHEDULER_PRIORITY);
+}
+
+}  // namespace hapticut::open_haptics

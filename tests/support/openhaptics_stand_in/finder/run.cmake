@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: Apache-2.0
+# cmake -DSOURCE=... -DBINARY=... -DSDK=... -DMODULES=... -DCOMPILER=... -DGENERATOR=... -P run.cmake
+file(REMOVE_RECURSE "${BINARY}")
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${ARGN}:\n${output}")
+  endif()
+endfunction()
+set(configure ${CMAKE_COMMAND} -G ${GENERATOR} -S "${SOURCE}" -B "${BINARY}" -DMODULES=${MODULES} -DCMAKE_CXX_COMPILER=${COMPILER})
+run(${configure} -DOpenHaptics_ROOT=${SDK})
+run(${CMAKE_COMMAND} --build "${BINARY}")
+run("${BINARY}/finder")
+
+file(REMOVE_RECURSE "${BINARY}")
+# As on a machine without the SDK, also where there is one.
+execute_process(COMMAND ${configure} -DOpenHaptics_HD_LIBRARY=OFF
+  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(result EQUAL 0 OR NOT output MATCHES "OpenHaptics_ROOT")
+  message(FATAL_ERROR "an absent SDK was not reported with what to do:\n${output}")
+endif()

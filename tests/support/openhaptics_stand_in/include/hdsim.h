@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Control of the stand-in for the OpenHaptics device library: what a test does to it, and what it saw. */
+#ifndef HAPTICUT_HDSIM_H
+#define HAPTICUT_HDSIM_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What a simulated device is; hdsim_touch and hdsim_premium6dof fill in the numbers of two real ones. */
+typedef struct {
+  const char* name;  /* that hdInitDevice must be called with; the first device also answers to NULL */
+  const char* model;
+  int input_dof, output_dof;
+  double stiffness;              /* N/mm */
+  double force, continuous;      /* N */
+  double torque_force, torque_continuous, torque_stiffness; /* mNm, mNm, mNm/rad */
+  double workspace[6];           /* mm */
+  int calibration_style;
+} hdsim_device;
+
+/* Back to no devices, no scheduler, manual clock. */
+void hdsim_reset(void);
+
+hdsim_device hdsim_touch(const char* name);
+hdsim_device hdsim_premium6dof(const char* name);
+
+/* Adds a device. Returns its index. */
+int hdsim_add_device(const hdsim_device* device);
+
+/* Makes hdInitDevice refuse this name (NULL: the default device) with HD_DEVICE_FAULT. */
+void hdsim_refuse_name(const char* name);
+
+/* 1: hdInitDevice needs hdDeploymentLicense first. */
+void hdsim_require_license(int required);
+
+/* Column-major, mm. Bases of the rotation are taken as they are. */
+void hdsim_set_transform(int device, const double transform[16]);
+void hdsim_set_velocity(int device, const double velocity[3]);
+void hdsim_set_buttons(int device, int buttons);
+void hdsim_set_temperature(int device, double hottest);
+void hdsim_set_calibration(int device, unsigned int status);
+/* hdUpdateCalibration moves the reported position by this much, in mm. */
+void hdsim_set_calibration_jump(int device, const double jump[3]);
+/* The position stays as it is while everything else moves. */
+void hdsim_freeze_position(int device, int frozen);
+void hdsim_set_nan(int device, int nan);
+/* The device stops answering: HD_COMM_ERROR, internal code -28, on every frame. */
+void hdsim_unplug(int device, int unplugged);
+
+/* Pushes an error at the end of the given tick (counted from hdsim_reset), or now for tick < 0. */
+void hdsim_inject_error(int device, unsigned int code, int internal, long tick);
+/* hdStartScheduler fails with HD_TIMER_ERROR. */
+void hdsim_fail_start(int fail);
+
+/* 1: hdStartScheduler starts a thread of 1 kHz; 0 (default): the test runs the ticks. */
+void hdsim_use_thread(int use);
+/* Runs ticks of the manual clock in the calling thread. Returns how many callbacks it called. */
+int hdsim_run_ticks(int ticks);
+/* Seconds of ticks since hdsim_reset. */
+double hdsim_time(void);
+int hdsim_is_running(void);
+int hdsim_scheduled_callbacks(void);
+
+/* What the motors get now. N and mNm. A committed force is delayed by this many ticks before it acts (default 0). */
+void hdsim_delay_ticks(int device, int ticks);
+void hdsim_get_committed_force(int device, double force[3], double torque[3]);
+/* The n-th committed force of the run, n < hdsim_committed_count. */
+long hdsim_committed_count(int device);
+void hdsim_get_committed(int device, long n, double force[3], double torque[3]);
+
+/* What was done right and wrong. */
+typedef struct {
+  long ticks;                    /* of the scheduler */
+  long frames;                   /* completed */
+  long open_frames;              /* begun and not ended at the end of a tick */
+  long ticks_without_frame;      /* while the device's owner had a callback */
+  long illegal_begins, illegal_ends;
+  long sets_outside_frame, gets_outside_frame;
+  long torque_sets_on_3dof;
+  long joint_space_sets;         /* of joint or gimbal torques */
+  int force_output_enabled;
+  int initialised;
+  int callbacks_at_disable;      /* still scheduled when hdDisableDevice was called; -1: never called */
+  int running_at_init;           /* hdInitDevice was called while the scheduler ran */
+  int zero_force_before_stop;    /* 1: the last committed force was zero when the scheduler stopped; -1: never stopped */
+  int zero_force_before_disable; /* the same for hdDisableDevice */
+  int calibration_updates;
+  int force_during_calibration;  /* 1: hdUpdateCalibration was called while a force was committed */
+  const char* init_locale_point; /* how "1.5" was printed with %.1f during hdInitDevice */
+} hdsim_counters;
+hdsim_counters hdsim_get_counters(int device);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

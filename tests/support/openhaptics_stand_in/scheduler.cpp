@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <chrono>
+
+#include "stand_in.hpp"
+
+namespace hdsim {
+namespace {
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+bool in_servo() { return simulation().servo == std::this_thread::get_id(); }
+
+bool known_rate(HDulong rate) {
+  if (rate == 500 || rate == 1000 || rate == 1600 || rate == 2000) return true;
+  for (int n = 4; n <= 16; ++n)
+    if (rate == HDulong(8000.0 / n + 0.5)) return true;
+  return false;
+}
+
+void finish_threads() {
+  auto& s = simulation();
+  s.stop_thread = true;
+  if (s.thread.joinable() && !in_servo()) s.thread.join();
+}
+
+}  // namespace
+
+int run_tick() {
+  auto& s = simulation();
+  const std::lock_guard lock(s.mutex);
+  if (!s.running) return 0;
+  s.servo = std::this_thread::get_id();
+  s.tick_began = now();
+  for (Device& device : s.devices) device.frame_done = device.frame_this_tick = false;
+  s.order.assign(s.callbacks.begin(), s.callbacks.end());
+  std::sort(s.order.begin(), s.order.end(),
+            [](const auto& a, const auto& b) { return a.second.priority > b.second.priority; });
+  int called = 0;
+  for (const auto& [handle, callback] : s.order) {
+    if (s.callbacks.count(handle) == 0) continue;
+    ++called;
+    if (callback.function(callback.data) == HD_CALLBACK_DONE) s.callbacks.erase(handle);
+  }
+  for (std::size_t n = 0; n < s.devices.size(); ++n) {
+    Device& device = s.devices[n];
+    ++device.counters.ticks;
+    if (device.frame_depth > 0) ++device.counters.open_frames;
+    if (device.initialised && called > 0 && !device.frame_this_tick) ++device.counters.ticks_without_frame;
+  }
+  for (const PlannedError& error : s.planned)
+    if (error.tick == s.ticks) push(error.code, error.internal, HHD(error.device));
+  ++s.ticks;
+  s.servo = {};
+  return called;
+}
+
+}  // namespace hdsim
+
+using hdsim::simulation;
+
+extern "C" {
+
+void hdStartScheduler(void) {
+  auto& s = simulation();
+  {
+    const std::lock_guard lock(s.mutex);
+    if (s.fail_start) return hdsim::push(HD_TIMER_ERROR);
+    if (s.running) return hdsim::push(HD_INVALID_OPERATION);
+    s.running = true;
+    s.stop_thread = false;
+    if (!s.use_thread) return;
+  }
+  s.thread = std::thread([&s] {
+    auto next = std::chrono::steady_clock::now();
+    while (!s.stop_thread) {
+      hdsim::run_tick();
+      next += std::chrono::milliseconds(1);
+      std::this_thread::sleep_until(next);
+    }
+  });
+}
+
+void hdStopScheduler(void) {
+  auto& s = simulation();
+  {
+    const std::lock_guard lock(s.mutex);
+    if (!s.running) return;
+    s.running = false;
+    for (hdsim::Device& device : s.devices)
+      if (device.initialised)
+        device.counters.zero_force_before_stop =
+            device.committed.force == hdsim::Vec{} && device.committed.torque == hdsim::Vec{} ? 1 : 0;
+  }
+  hdsim::finish_threads();
+}
+
+void hdSetSchedulerRate(HDulong rate) {
+  const std::lock_guard lock(simulation().mutex);
+  if (!hdsim::known_rate(rate)) return hdsim::push(HD_INVALID_VALUE);
+  simulation().rate = double(rate);
+}
+
+void hdScheduleSynchronous(HDSchedulerCallback callback, void* data, HDushort priority) {
+  auto& s = simulation();
+  bool at_once = false;
+  {
+    const std::lock_guard lock(s.mutex);
+    at_once = !s.running || hdsim::in_servo();
+  }
+  if (at_once) {
+    while (callback(data) == HD_CALLBACK_CONTINUE) {
+    }
+    return;
+  }
+  const HDSchedulerHandle handle = hdScheduleAsynchronous(callback, data, priority);
+  (void)hdWaitForCompletion(handle, HD_WAIT_INFINITE);
+}
+
+HDSchedulerHandle hdScheduleAsynchronous(HDSchedulerCallback callback, void* data, HDushort priority) {
+  auto& s = simulation();
+  const std::lock_guard lock(s.mutex);
+  const HDSchedulerHandle handle = s.next_handle++;
+  if (hdsim::in_servo() && callback(data) == HD_CALLBACK_DONE) return handle;
+  s.callbacks[handle] = {callback, data, priority};
+  return handle;
+}
+
+void hdUnschedule(HDSchedulerHandle handle) {
+  const std::lock_guard lock(simulation().mutex);
+  if (simulation().callbacks.erase(handle) == 0) hdsim::push(HD_INVALID_OPERATION);
+}
+
+HDboolean hdWaitForCompletion(HDSchedulerHandle handle, HDWaitCode code) {
+  auto& s = simulation();
+  for (;;) {
+    {
+      const std::lock_guard lock(s.mutex);
+      const bool scheduled = s.callbacks.count(handle) > 0;
+      if (code == HD_WAIT_CHECK_STATUS) return scheduled ? HD_TRUE : HD_FALSE;
+      if (!scheduled) return HD_TRUE;
+      if (!s.running) return HD_FALSE;
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+}
+
+HDdouble hdGetSchedulerTimeStamp(void) { return hdsim::now() - simulation().tick_began; }
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <HD/hd.h>
+
+#include <array>
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "hdsim.h"
+
+/// @file
+/// The state of the stand-in for the OpenHaptics device library.
+namespace hdsim {
+
+using Vec = std::array<double, 3>;
+
+struct Reading {
+  std::array<double, 16> transform{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  Vec velocity{};
+  int buttons = 0;
+};
+
+struct Output {
+  Vec force{}, torque{};  // N, mNm
+};
+
+struct Device {
+  hdsim_device spec{};
+  std::string name, model;
+  bool initialised = false;
+  Reading actual, current, last;
+  Output set, committed, previous;  // being set in a frame, of the last frame, of the one before
+  std::vector<Output> history;
+  int delay = 0;
+  int frame_depth = 0;
+  bool frame_done = false, frame_this_tick = false;
+  std::set<HDenum> enabled{HD_MAX_FORCE_CLAMPING, HD_FORCE_RAMPING, HD_SOFTWARE_FORCE_LIMIT, HD_ONE_FRAME_LIMIT};
+  double temperature = 0;
+  HDenum calibration = HD_CALIBRATION_OK;
+  Vec calibration_jump{}, calibration_offset{};
+  bool frozen = false, nan = false, unplugged = false;
+  Vec frozen_position{};
+  double velocity_limit = 1200, impulse_limit = 4, ramping_rate = 10;
+  hdsim_counters counters{};
+};
+
+struct Callback {
+  HDSchedulerCallback function = nullptr;
+  void* data = nullptr;
+  HDushort priority = 0;
+};
+
+struct PlannedError {
+  int device;
+  HDerror code;
+  int internal;
+  long tick;
+};
+
+/// One per process, like the library it stands for.
+struct Simulation {
+  std::recursive_mutex mutex;  // held while a callback runs, so that other threads wait for the tick as they would
+  std::vector<HDErrorInfo> errors;
+  std::vector<Device> devices;
+  std::set<std::string> refused;
+  bool refuse_default = false, license_required = false, licensed = false, fail_start = false;
+  HHD current = HD_INVALID_HANDLE;
+
+  std::map<HDSchedulerHandle, Callback> callbacks;
+  HDSchedulerHandle next_handle = 1;
+  std::vector<std::pair<HDSchedulerHandle, Callback>> order;  // of a tick; kept so that a tick allocates nothing
+  std::vector<PlannedError> planned;
+  bool running = false, use_thread = false;
+  double rate = 1000;
+  long ticks = 0;
+  double tick_began = 0;
+  std::thread thread;
+  std::thread::id servo;  // of the tick that is running
+  std::atomic<bool> stop_thread{false};
+};
+
+Simulation& simulation();
+
+/// The device of a handle, or null.
+Device* find(HHD handle);
+Device* current();
+
+/// The current device for a call that needs one; pushes an error when there is none.
+Device* needed();
+
+void push(HDerror code, int internal = 0, HHD handle = 0);
+void sample(Device& device);
+int run_tick();
+
+}  // namespace hdsim

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/device/open_haptics.hpp"
+
+#include <gtest/gtest.h>
+#include <hdsim.h>
+
+#include <array>
+#include <atomic>
+#include <clocale>
+#include <cmath>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/device/plant.hpp"
+#include "support/open_haptics.hpp"
+
+namespace hapticut {
+namespace {
+
+using test::committed;
+using test::options_for;
+using test::place;
+using test::push_for;
+using test::quick;
+
+// Numbers of the interface that the control of the stand-in is spoken to with.
+constexpr unsigned kWarmMotors = 0x0200, kExceededForce = 0x0201, kExceededImpulse = 0x0202, kExceededSpeed = 0x0203;
+constexpr unsigned kCommError = 0x0302, kInvalidInputType = 0x0103;
+constexpr unsigned kCalibrationNeedsUpdate = 0x5001, kCalibrationNeedsManualInput = 0x5002;
+
+class OpenHapticsFaults : public test::OpenHapticsTest {};
+
+TEST_F(OpenHapticsFaults, EndsWithoutForceWhenItIsUnpluggedInContact) {
+  add_touch();
+  const auto device = open_open_haptics(options_for());
+  const Outcome outcome = run(*device, push_for(10000), quick(), [](long tick) {
+    if (tick == 300) hdsim_unplug(0, 1);
+  });
+  EXPECT_EQ(outcome.report.fault, DeviceFault::disconnected);
+  EXPECT_NE(outcome.report.end.find("cable"), std::string::npos) << outcome.report.end;
+  ASSERT_FALSE(outcome.report.warnings.empty());
+  EXPECT_NE(outcome.report.warnings.back().find("0x0302, internal -28"), std::string::npos)
+      << outcome.report.warnings.back();
+  EXPECT_LE(outcome.report.ticks, 303U);
+  EXPECT_TRUE(committed(0).force.isZero(0));
+  EXPECT_EQ(hdsim_get_counters(0).zero_force_before_stop, 1);
+}
+
+TEST_F(OpenHapticsFaults, GivesUpOnADriverThatStopsCallingBack) {
+  add_touch();
+  OpenHapticsOptions options = options_for();
+  options.silence = 0.05;
+  const auto device = open_open_haptics(options);
+  RunReport report;
+  std::thread runner([&] { report = device->run(push_for(100000), quick()); });
+  int ticks = 0;
+  while (ticks < 100) ticks += hdsim_run_ticks(1);
+  runner.join();  // nobody ticks any more
+  EXPECT_NE(report.end.find("stopped calling back"), std::string::npos) << report.end;
+  EXPECT_EQ(hdsim_is_running(), 0);
+  EXPECT_EQ(hdsim_scheduled_callbacks(), 0);
+}
+
+TEST_F(OpenHapticsFaults, SeesThePositionThatStandsStillAtTheOrigin) {
+  add_touch();
+  place(0, Pose::from_translation({0, -0.110, -0.035}));
+  const auto device = open_open_haptics(options_for());
+  ArmingState state = ArmingState::off;
+  const Outcome outcome = run(
+      *device,
+      [&, n = 0](const DeviceState& s) mutable {
+        state = device->arming();
+        return DeviceCommand{{Vec3(s.time > 0.1 ? 1 : 0, 0, 0), Vec3::Zero()}, ++n >= 1500};
+      },
+      quick(),
+      [](long tick) {  // the gimbal's angles move
+        place(0, {rotation_from_vector(Vec3(0.5 * std::sin(0.01 * double(tick)), 0, 0)), Vec3(0, -0.110, -0.035)});
+      });
+  EXPECT_EQ(outcome.report.guard, ArmingState::fault);
+  EXPECT_GE(outcome.report.events[std::size_t(SafetyEvent::pose_frozen)], 1U);
+  EXPECT_TRUE(committed(0).force.isZero(0));
+}
+
+TEST_F(OpenHapticsFaults, ReducesTheForceWhileTheMotorsAreWarm) {
+  add_touch();
+  const auto device = open_open_haptics(options_for());
+  double warm = 0, cooled = 0;
+  RunOptions options = quick();
+  options.guard.thermal.time_constant = 1e6;  // only what the device says
+  const Outcome outcome = run(*device, push_for(6000, {Vec3(2, 0, 0), Vec3::Zero()}), options, [&](long tick) {
+    if (tick == 500) hdsim_inject_error(0, kWarmMotors, 0, -1);
+    if (tick == 500) hdsim_set_temperature(0, 0.6);
+    if (tick == 3000) warm = committed(0).force.x();
+    if (tick == 3000) hdsim_set_temperature(0, 0.3);
+    if (tick == 5990) cooled = committed(0).force.x();
+  });
+  EXPECT_NEAR(warm, 0.88, 1e-9);
+  EXPECT_NEAR(cooled, 2, 1e-9);
+  EXPECT_GE(outcome.report.events[std::size_t(SafetyEvent::motors_warm)], 1U);
+}
+
+TEST_F(OpenHapticsFaults, ComesBackThroughTheFadeInAfterTheDriverRefusedAForce) {
+  for (const unsigned code : {kExceededForce, kExceededImpulse, kExceededSpeed}) {
+    hdsim_reset();
+    add_touch();
+    const auto device = open_open_haptics(options_for());
+    std::vector<double> forces;
+    const Outcome outcome = run(
+        *device,
+        [&, n = 0](const DeviceState&) mutable {
+          DeviceCommand command;
+          ++n;
+          if (n > 50 && (n < 300 || n > 350)) command.wrench.force.x() = 1;
+          command.stop = n >= 600;
+          return command;
+        },
+        quick(),
+        [&](long tick) {
+          if (tick == 280) hdsim_inject_error(0, code, 0, -1);
+          forces.push_back(committed(0).force.x());
+        });
+    EXPECT_EQ(outcome.report.fault, DeviceFault::none) << code;
+    EXPECT_EQ(outcome.report.ticks, 600U) << code;
+    EXPECT_EQ(forces[279], 1) << code;
+    for (std::size_t n = 283; n < 300; ++n) EXPECT_EQ(forces[n], 0) << code << ", tick " << n;
+    EXPECT_EQ(forces[500], 1) << code;
+  }
+}
+
+TEST_F(OpenHapticsFaults, TakesErrorsOfTheProgrammerAsFatal) {
+  add_touch();
+  const auto device = open_open_haptics(options_for());
+  const Outcome outcome = run(*device, push_for(10000), quick(), [](long tick) {
+    if (tick == 200) hdsim_inject_error(0, kInvalidInputType, 0, -1);
+  });
+  EXPECT_EQ(outcome.report.fault, DeviceFault::driver_error);
+  EXPECT_TRUE(committed(0).force.isZero(0));
+}
+
+TEST_F(OpenHapticsFaults, DrainsErrorsThatWaitedBeforeItBegan) {
+  add_touch();
+  hdsim_inject_error(0, kCommError, 7, -1);
+  const auto device = open_open_haptics(options_for());
+  hdsim_inject_error(0, kCommError, 7, -1);
+  EXPECT_EQ(run(*device, push_for(100)).report.fault, DeviceFault::none);
+}
+
+TEST_F(OpenHapticsFaults, CalibratesADockedStylusWithoutForceAndWaitsUntilFree) {
+  add_touch();
+  hdsim_set_calibration(0, kCalibrationNeedsManualInput);
+  const std::array<double, 3> jump = {0, 20, 0};  // mm
+  hdsim_set_calibration_jump(0, jump.data());
+  const auto device = open_open_haptics(options_for());
+  bool valid_before = true;
+  double y_after = 0;
+  const Outcome outcome = run(
+      *device,
+      [&, n = 0](const DeviceState& state) mutable {
+        if (++n == 100) valid_before = state.valid;
+        y_after = state.X_BS.translation.y();
+        return DeviceCommand{{Vec3(n > 1500 ? 1 : 0, 0, 0), Vec3::Zero()}, n >= 2000};
+      },
+      quick(),
+      [](long tick) {
+        if (tick == 500) hdsim_set_calibration(0, kCalibrationNeedsUpdate);  // docked
+      });
+  EXPECT_FALSE(valid_before);
+  EXPECT_NEAR(y_after, 0.020, 1e-12);
+  EXPECT_EQ(hdsim_get_counters(0).calibration_updates, 1);
+  EXPECT_EQ(outcome.report.guard, ArmingState::on);
+}
+
+TEST_F(OpenHapticsFaults, TakesTheForceAwayBeforeACalibrationInContact) {
+  add_touch();
+  const std::array<double, 3> jump = {0, 20, 0};  // mm
+  hdsim_set_calibration_jump(0, jump.data());
+  const auto device = open_open_haptics(options_for());
+  const Outcome outcome = run(*device, push_for(2500), quick(), [](long tick) {
+    if (tick == 500) hdsim_set_calibration(0, kCalibrationNeedsUpdate);
+  });
+  EXPECT_EQ(hdsim_get_counters(0).calibration_updates, 1);
+  EXPECT_EQ(hdsim_get_counters(0).force_during_calibration, 0);
+  EXPECT_GE(outcome.report.events[std::size_t(SafetyEvent::recalibrated)], 1U);
+  EXPECT_EQ(outcome.report.guard, ArmingState::wait_free);  // it pushes all the time
+}
+
+TEST_F(OpenHapticsFaults, ResetsEncodersOnlyWhenSomebodyHoldsTheLinks) {
+  add_premium();
+  hdsim_set_calibration(0, kCalibrationNeedsManualInput);
+  try {
+    (void)open_open_haptics(options_for());
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("right angles"), std::string::npos) << e.what();
+  }
+  OpenHapticsOptions held = options_for();
+  held.reset_encoders = true;
+  EXPECT_EQ(open_open_haptics(held)->capabilities().output_degrees_of_freedom, 6);
+  EXPECT_EQ(hdsim_get_counters(0).calibration_updates, 1);
+}
+
+TEST_F(OpenHapticsFaults, ReadsNumbersWithADecimalPointWhateverTheLocale) {
+  add_touch();
+  const std::string before = std::setlocale(LC_NUMERIC, nullptr);
+  bool found = false;
+  for (const char* name : {"de_DE.UTF-8", "pt_BR.UTF-8", "fr_FR.UTF-8", "de_DE.utf8"})
+    if (!found) found = std::setlocale(LC_NUMERIC, name) != nullptr;
+  const auto device = open_open_haptics(options_for());
+  std::setlocale(LC_NUMERIC, before.c_str());
+  EXPECT_STREQ(hdsim_get_counters(0).init_locale_point, "1.5");
+  if (!found) GTEST_SKIP() << "no locale with a decimal comma is installed";
+}
+
+TEST_F(OpenHapticsFaults, NeverRendersAPoseThatIsNotANumber) {
+  add_touch();
+  const auto device = open_open_haptics(options_for());
+  const Outcome outcome = run(*device, push_for(1000), quick(), [](long tick) {
+    if (tick == 300) hdsim_set_nan(0, 1);
+  });
+  EXPECT_EQ(outcome.report.guard, ArmingState::fault);
+  for (long n = 0; n < hdsim_committed_count(0); ++n) {
+    Wrench w;
+    hdsim_get_committed(0, n, w.force.data(), w.torque.data());
+    ASSERT_TRUE(w.force.allFinite());
+    ASSERT_TRUE(n <= 325 || w.force.isZero(0)) << n;
+  }
+}
+
+TEST_F(OpenHapticsFaults, StopsFromAnotherThreadFromInsideAndTwiceAndRunsAgain) {
+  add_touch();
+  const auto device = open_open_haptics(options_for());
+  for (int round = 0; round < 3; ++round) {
+    std::atomic<long> calls{0};
+    std::thread stopper([&] {
+      while (calls < 120) std::this_thread::yield();
+      device->stop();
+      device->stop();
+    });
+    const Outcome outcome = run(*device, [&](const DeviceState&) {
+      if (round == 1 && ++calls == 100) device->stop();  // from inside
+      if (round != 1)
+        ++calls;
+      else if (calls >= 100)
+        calls = 120;
+      return DeviceCommand{};
+    });
+    stopper.join();
+    EXPECT_EQ(outcome.report.end, "stopped");
+    EXPECT_EQ(hdsim_get_counters(0).zero_force_before_stop, 1);
+    EXPECT_EQ(hdsim_is_running(), 0);
+  }
+}
+
+TEST_F(OpenHapticsFaults, RunsInTheDriversOwnThread) {
+  add_touch();
+  hdsim_use_thread(1);
+  OpenHapticsOptions options;  // the real clock
+  const auto device = open_open_haptics(options);
+  const std::thread::id here = std::this_thread::get_id();
+  std::thread::id there;
+  const RunReport report = device->run(
+      [&, n = 0](const DeviceState&) mutable {
+        there = std::this_thread::get_id();
+        return DeviceCommand{{}, ++n >= 200};
+      },
+      quick());
+  EXPECT_NE(here, there);
+  EXPECT_EQ(report.ticks, 200U);
+  EXPECT_EQ(report.wake_up.count(), 200U);
+}
+
+// The bench of stability_test.cpp with the whole adapter and the guard in the loop: no tick is lost on the way.
+TEST_F(OpenHapticsFaults, AddsNoDelayToTheClosedLoop) {
+  const auto swing = [](double stiffness) {
+    hdsim_reset();
+    hdsim_device spec = hdsim_touch("Default Device");
+    spec.stiffness = 2;
+    spec.continuous = spec.force = 50;  // nothing saturates, so that the loop is linear
+    for (int n = 0; n < 6; ++n) spec.workspace[n] = n < 3 ? -500 : 500;
+    hdsim_add_device(&spec);
+    const auto device = open_open_haptics(options_for());
+    RunOptions options = quick();
+    options.guard.passivity.enabled = false;  // the bare loop is measured
+    options.guard.ramp_damping = 0;
+    options.guard.gate.fastest = 100;
+    Plant plant(device_model("touch"), hand_model("released"), {});
+    double first = 0, last = 0;
+    const auto clock = [&](long tick) {
+      if (tick == 200) plant.set_velocity({0, 0, -1e-3});
+      const double z = std::abs(plant.pose().translation.z());
+      if (tick > 200 && tick <= 1200) first = std::max(first, z);
+      if (tick > 5200 && tick <= 6200) last = std::max(last, z);
+      // The force of the frame that has just ended acts during the tick that begins now.
+      if (tick > 0) plant.advance(committed(0));
+      place(0, plant.pose(), plant.velocity().linear);
+    };
+    const auto wall = [&, n = 0](const DeviceState& state) mutable {
+      DeviceCommand command;
+      command.wrench.force.z() = -stiffness * state.X_BS.translation.z();
+      command.stop = ++n >= 6300;
+      return command;
+    };
+    run(*device, wall, options, clock);
+    return last / first;
+  };
+  const double limit = 2 * 0.20 / 1e-3;  // 2 b / T = 400 N/m
+  EXPECT_LT(swing(0.98 * limit), 1);
+  EXPECT_GT(swing(1.02 * limit), 1);
+}
+
+}  // namespace
+}  // namespace hapticut
