@@ -43,6 +43,7 @@ class Hapticut final : public Contestant {
     config.reference_stiffness = cutting ? 1e13 : 1e3 / std::pow(w.voxel_size, 3);  // static: 1 N/mm per voxel
     config.removal = cutting ? RemovalLaw::constant_energy : RemovalLaw::none;
     config.quadrature = cutting ? Quadrature::centroid : Quadrature::voxel_center;
+    config.deep_contact = cutting;  // static: the springs alone, as the others compute them
     config.reserved_blocks = 16384;
     return Simulation(build_block({Vec3::Zero(), Vec3(kBlockX, kBlockY, kBlockZ)}, w.voxel_size, bone),
                       Tool(SphereHead{w.radius}, RayHandle{}, Spindle{cutting ? 3000.0 : 0.0}), config);

@@ -34,6 +34,7 @@
 #include "hapticut/workpiece/workpiece.hpp"
 //
 #include "hapticut/force/contact_point.hpp"
+#include "hapticut/force/deep_contact.hpp"
 #include "hapticut/force/effects/axis_mask.hpp"
 #include "hapticut/force/effects/delta_filter.hpp"
 #include "hapticut/force/effects/gravity.hpp"

@@ -7,6 +7,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/contact_point.hpp"
+#include "hapticut/force/deep_contact.hpp"
 #include "hapticut/force/friction.hpp"
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/force/laws/lumped.hpp"
@@ -104,6 +105,7 @@ struct Simulation::State {
   [[nodiscard]] SubStep plan_sub_step(int index, double duration, const Twist& path, const Twist& felt) const noexcept;
   [[nodiscard]] IndexBox find_blocks(const SubStep& sub_step) const noexcept;
   [[nodiscard]] Encounter cut_blocks(const SubStep& sub_step, const IndexBox& blocks) noexcept;
+  void hold_deep_contact(const SubStep& sub_step, Encounter& encounter) noexcept;
   void add_friction(const SubStep& sub_step, Encounter& encounter) noexcept;
   [[nodiscard]] Wrench normal_wrench(const SubStep& sub_step) noexcept;
   [[nodiscard]] const DryFriction& friction_at(const Vec3& p_WQ) noexcept;
@@ -131,8 +133,9 @@ struct Simulation::State {
   bool appeared = false;  // at X_WH, without having moved there
   Pose X_WH;              // at the end of the last accepted step
   SpindleMotor motor;
-  double motor_torque = 0;  // [N·m] of the last sub-step, the load of the motor
-  StickSlip friction;       // in W
+  double motor_torque = 0;   // [N·m] of the last sub-step, the load of the motor
+  DeepContact deep_contact;  // in W
+  StickSlip friction;        // in W
   Output output;
   MaterialId touched = 1;  // material at the contact point
 
@@ -161,6 +164,7 @@ const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, doub
     const SubStep sub_step = s.plan_sub_step(i, dt / sub_steps, path, velocity);
     const IndexBox blocks = s.find_blocks(sub_step);
     Encounter encounter = s.cut_blocks(sub_step, blocks);
+    s.hold_deep_contact(sub_step, encounter);
     s.add_friction(sub_step, encounter);
     s.book_energy(sub_step, encounter);
     s.transport_to_handle(sub_step, encounter, 1.0 / sub_steps);
@@ -192,6 +196,7 @@ StepStatus Simulation::State::check_input(const Pose& pose, const Twist& velocit
 void Simulation::State::place_at(const Pose& pose) noexcept {
   result.energy.sliding += std::exchange(result.energy.anchored, 0);
   friction.release();
+  deep_contact.release();
   output.restart();
   X_WH = pose;
   appeared = true;
@@ -282,11 +287,29 @@ Encounter Simulation::State::cut_blocks(const SubStep& sub_step, const IndexBox&
   return encounter;
 }
 
+/// Keeps a ball beyond its radius from popping through.
+void Simulation::State::hold_deep_contact(const SubStep& sub_step, Encounter& encounter) noexcept {
+  const auto* ball = std::get_if<SphereHead>(&tool.head().shape());
+  if (ball == nullptr || !config.deep_contact) return;
+  const double filled = encounter.resultant.volume * voxel_volume / tool.head().volume();
+  const Mat3& R_WT = sub_step.X_WT.rotation;
+  const Vec3 half_way = 0.5 * sub_step.duration * (R_WT * sub_step.path_T.linear);
+  Wrench& wrench_T = encounter.resultant.wrench_T;
+  const DeepContact::Outcome outcome =
+      deep_contact.move(sub_step.X_WT.translation - half_way, sub_step.X_WT.translation + half_way, filled,
+                        R_WT * wrench_T.force, ball->radius);
+  wrench_T.force += R_WT.transpose() * outcome.force;
+  encounter.energies.elastic_before += outcome.stored_before;
+  encounter.energies.elastic += outcome.stored;
+  encounter.energies.released += outcome.released;
+}
+
 /// Dry friction of a head that stands, or turns so slowly that the cutting ratio does not describe it alone.
 void Simulation::State::add_friction(const SubStep& sub_step, Encounter& encounter) noexcept {
   const double share = standing_share(motor.speed(), tool.head().largest_radius());
   const bool touches = share > 0 && encounter.resultant.voxels > 0;
-  const Wrench normal_T = touches ? normal_wrench(sub_step) : Wrench{};
+  Wrench normal_T;
+  if (touches) normal_T = motor.speed() == 0 ? encounter.resultant.wrench_T : normal_wrench(sub_step);
   EnergyLedger& energy = result.energy;
   if (normal_T.force.isZero(0)) {
     energy.sliding += std::exchange(energy.anchored, 0);

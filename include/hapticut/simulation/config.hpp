@@ -28,6 +28,8 @@ struct SimulationConfig {
   /// Dry friction of the standing head, the same everywhere; empty: each material's own.
   std::optional<DryFriction> friction;
 
+  bool deep_contact = true;  ///< a ball pushed beyond its radius keeps pushing back; see force/deep_contact.hpp
+
   HandleTorque handle_torque = HandleTorque::full_wrench;
   double handle_torque_scale = 1;  ///< [1] finite: zeta of HandleTorque::thesis; no part of the full wrench
 

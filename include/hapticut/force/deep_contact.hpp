@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "hapticut/core/spatial.hpp"
+
+namespace hapticut {
+
+/// Keeps a ball that was pushed beyond its radius from popping through (D15).
+///
+/// The springs of a ball push away from its centre, so those beyond the centre help it in: the force of a half space
+/// peaks at depth R, falls, and vanishes when the ball is buried. Once more than half of the ball is filled, the
+/// direction n that it last pushed in is frozen, and the ball is tied to that place by a spring along n:
+///
+///     F = -K s n,   s = (To - p) . n > 0        p: where To was then
+///
+/// with K = 1.05 * 16/9 |F_last|/R, a little more than the steepest fall of the springs' force (C2), so that the sum
+/// never falls as the ball goes deeper. The spring has an energy, K s^2/2, and does no work on a closed path. It lets
+/// go where the ball comes back to p, and yields where material leaves the ball (it is cut, or a wall breaks): K then
+/// falls with the filled share of the ball, to nothing at a quarter. A ball that never touched a surface before it was
+/// buried has no direction to be pushed in, and feels the springs alone.
+class DeepContact {
+ public:
+  static constexpr double kDeep = 0.52;  ///< [1] filled share of the ball from which on it is held; 1/2 at depth R
+  static constexpr double kFree = 0.25;  ///< [1] at which nothing is left of the spring
+
+  struct Outcome {
+    Vec3 force = Vec3::Zero();  ///< [N] on the ball at its centre
+    double stored_before = 0;   ///< [J]
+    double stored = 0;          ///< [J]
+    double released = 0;        ///< [J] >= 0, lost where the spring yielded or let go
+  };
+
+  /// The ball has moved on a straight way.
+  /// @param from, to      [m] its centre, in W
+  /// @param filled        [1] share of the ball that is filled, in the middle of the way
+  /// @param normal_force  [N] of the springs on the ball, there, in W
+  /// @param radius        [m]
+  /// @realtime no allocation, no lock; O(1)
+  Outcome move(const Vec3& from, const Vec3& to, double filled, const Vec3& normal_force, double radius) noexcept {
+    if (!held_) {
+      const double force = normal_force.norm();
+      if (filled < kDeep) {
+        touched_ = force > 0;
+        if (touched_) normal_ = -normal_force / force, last_force_ = force;
+        return {};
+      }
+      if (!touched_) return {};
+      held_ = true;
+      place_ = from;
+      full_stiffness_ = stiffness_ = 1.05 * 16 / 9 * last_force_ / radius;
+      stored_ = 0;
+    }
+    Outcome outcome;
+    outcome.stored_before = stored_;
+    const double share = std::clamp((filled - kFree) / (kDeep - kFree), 0.0, 1.0);
+    stiffness_ = std::min(stiffness_, share * full_stiffness_);
+    const double before = (from - place_).dot(normal_), after = (to - place_).dot(normal_);
+    const double tension = stiffness_ * std::max(0.0, 0.5 * (before + after));
+    outcome.force = -tension * normal_;
+    stored_ = 0.5 * stiffness_ * std::max(0.0, after) * std::max(0.0, after);
+    outcome.stored = stored_;
+    outcome.released = std::max(0.0, outcome.stored_before + tension * (after - before) - stored_);
+    if (after <= 0 || stiffness_ == 0) *this = {};
+    return outcome;
+  }
+
+  [[nodiscard]] bool held() const { return held_; }        ///< the spring acts
+  [[nodiscard]] double stored() const { return stored_; }  ///< [J]
+
+  void release() noexcept { *this = {}; }
+
+ private:
+  bool touched_ = false, held_ = false;
+  Vec3 normal_ = Vec3::Zero();                 // [1] from the ball into the material
+  Vec3 place_ = Vec3::Zero();                  // [m]
+  double last_force_ = 0;                      // [N]
+  double full_stiffness_ = 0, stiffness_ = 0;  // [N/m]
+  double stored_ = 0;                          // [J]
+};
+
+}  // namespace hapticut
