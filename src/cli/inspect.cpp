@@ -22,8 +22,8 @@ struct InspectSettings {
 };
 
 bool has_materials(const WorkpieceSettings& s) {
-  return !s.labels.empty() || !s.grey.empty() || s.grade_low || s.grade_high || !s.grade_at_low.empty() ||
-         !s.grade_at_high.empty();
+  return !s.labels.empty() || !s.fill_cavities.empty() || !s.grey.empty() || s.grade_low || s.grade_high ||
+         !s.grade_at_low.empty() || !s.grade_at_high.empty();
 }
 
 #ifdef HAPTICUT_HAS_IO
@@ -31,15 +31,15 @@ void inspect_volume(const InspectSettings& s) {
   const VolumeSummary v = summarize_volume(s.workpiece, s.threshold);
   const Vec3 spacing = v.spacing / units::mm;
   const double voxel = spacing.prod();
-  Json report = {{"source", s.workpiece.source},
-                 {"dims", v.dims},
-                 {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}},
-                 {"lowest", v.lowest},
-                 {"highest", v.highest}};
+  Json report = {
+      {"source", s.workpiece.source}, {"dims", v.dims},        {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}},
+      {"pose", to_json(v.X_WG)},      {"box", to_json(v.box)}, {"lowest", v.lowest},
+      {"highest", v.highest}};
   Table table("hapticut inspect: " + s.workpiece.source);
   table.add("samples",
             std::to_string(v.dims[0]) + " x " + std::to_string(v.dims[1]) + " x " + std::to_string(v.dims[2]));
   table.add("spacing", rounded(spacing.x()) + " x " + rounded(spacing.y()) + " x " + rounded(spacing.z()) + " mm");
+  table.add("box", box_text(v.box) + (v.X_WG.rotation.isIdentity(1e-9) ? "" : ", axes turned"));
   table.add("values", rounded(v.lowest, 6) + " to " + rounded(v.highest, 6));
   Json voxels = Json::object(), volumes = Json::object();
   for (const auto& [label, count] : v.voxels_by_label) {
@@ -71,6 +71,7 @@ void inspect_workpiece(const InspectSettings& s) {
   Table table("hapticut inspect: " + summary.source);
   table.add("voxels", std::to_string(summary.dims[0]) + " x " + std::to_string(summary.dims[1]) + " x " +
                           std::to_string(summary.dims[2]) + " of " + rounded(size) + " mm");
+  table.add("box", box_text(summary.box) + (summary.X_WV.rotation.isIdentity(1e-9) ? "" : ", axes turned"));
   for (const MaterialAmount& amount : summary.amounts)
     if (amount.voxels > 0)
       table.add(workpiece.materials()[amount.material].name, std::to_string(amount.voxels) + " voxels, " +

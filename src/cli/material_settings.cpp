@@ -10,33 +10,37 @@ namespace {
 
 std::vector<std::string> known_presets() { return {preset_names().begin(), preset_names().end()}; }
 
-std::vector<Setting> settings_of(MaterialChange& m) {
-  const Range positive = Range::positive(), not_negative = Range::not_negative();
-  return {
-      text("based_on", "", m.based_on, "the preset that it starts from"),
-      number("relative_stiffness", "", m.relative_stiffness, positive, "foundation stiffness over the reference"),
-      number("damping_s_per_m", "", m.damping, not_negative, "Hunt-Crossley factor"),
-      number("cutting_ratio", "", m.cutting_ratio, not_negative, "tangential over normal force of the spinning head"),
-      number("specific_cutting_energy_J_per_m3", "", m.specific_cutting_energy, positive, "energy to cut away"),
-      number("edge_pressure_Pa", "", m.edge_pressure, not_negative, "pressure below which nothing is cut"),
-      number("static_friction", "", m.static_friction, not_negative, "of the standing spindle"),
-      number("dynamic_friction", "", m.dynamic_friction, not_negative, "of the standing spindle"),
-      number("tangential_stiffness_N_per_m", "", m.tangential_stiffness, positive, "of the sticking anchor"),
-      number("density_kg_per_m3", "", m.density, positive, "mass over volume"),
-  };
+/// A number of Material that the user may change.
+struct Field {
+  const char* key;
+  double Material::*member;
+  Range range;
+  const char* meaning;
+};
+
+const std::array<Field, std::tuple_size_v<decltype(MaterialChange::numbers)>> kFields = {{
+    {"relative_stiffness", &Material::relative_stiffness, Range::positive(), "foundation stiffness over the reference"},
+    {"damping_s_per_m", &Material::damping, Range::not_negative(), "Hunt-Crossley factor"},
+    {"cutting_ratio", &Material::cutting_ratio, Range::not_negative(),
+     "tangential over normal force of the spinning head"},
+    {"specific_cutting_energy_J_per_m3", &Material::specific_cutting_energy, Range::positive(), "energy to cut away"},
+    {"edge_pressure_Pa", &Material::edge_pressure, Range::not_negative(), "pressure below which nothing is cut"},
+    {"static_friction", &Material::static_friction, Range::not_negative(), "of the standing spindle"},
+    {"dynamic_friction", &Material::dynamic_friction, Range::not_negative(), "of the standing spindle"},
+    {"tangential_stiffness_N_per_m", &Material::tangential_stiffness, Range::positive(), "of the sticking anchor"},
+    {"density_kg_per_m3", &Material::density, Range::positive(), "mass over volume"},
+}};
+
+std::vector<Setting> settings_of(MaterialChange& change) {
+  std::vector<Setting> settings = {text("based_on", "", change.based_on, "the preset that it starts from")};
+  for (std::size_t i = 0; i < kFields.size(); ++i)
+    settings.push_back(number(kFields[i].key, "", change.numbers[i], kFields[i].range, kFields[i].meaning));
+  return settings;
 }
 
 void apply(const MaterialChange& change, Material& material) {
-  const auto set = [](const std::optional<double>& from, double& to) { to = from.value_or(to); };
-  set(change.relative_stiffness, material.relative_stiffness);
-  set(change.damping, material.damping);
-  set(change.cutting_ratio, material.cutting_ratio);
-  set(change.specific_cutting_energy, material.specific_cutting_energy);
-  set(change.edge_pressure, material.edge_pressure);
-  set(change.static_friction, material.static_friction);
-  set(change.dynamic_friction, material.dynamic_friction);
-  set(change.tangential_stiffness, material.tangential_stiffness);
-  set(change.density, material.density);
+  for (std::size_t i = 0; i < kFields.size(); ++i)
+    material.*kFields[i].member = change.numbers[i].value_or(material.*kFields[i].member);
   validate(material);
 }
 

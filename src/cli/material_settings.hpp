@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,9 +14,8 @@ namespace hapticut::cli {
 
 /// What the user changes of a material: `[material.NAME]` in a settings file, in SI units like Material itself.
 struct MaterialChange {
-  std::string based_on;  ///< a preset; empty: the preset of the same name
-  std::optional<double> relative_stiffness, damping, cutting_ratio, specific_cutting_energy, edge_pressure;
-  std::optional<double> static_friction, dynamic_friction, tangential_stiffness, density;
+  std::string based_on;                          ///< a preset; empty: the preset of the same name
+  std::array<std::optional<double>, 9> numbers;  ///< in the order of the table of the .cpp file
 };
 
 /// The materials of a run: the presets, changed by the user, and the user's own.

@@ -14,83 +14,125 @@ namespace {
 using Kind = PathSettings::Kind;
 using Point = PathSettings::Point;
 
-const char* name_of(Kind kind) {
-  switch (kind) {
-    case Kind::line:
-      return "line";
-    case Kind::circle:
-      return "circle";
-    case Kind::spiral:
-      return "spiral";
-    case Kind::cavity:
-      return "cavity";
-    case Kind::poses:
-      break;
-  }
-  return "poses";
+const std::vector<std::pair<std::string, Kind>>& kinds() {
+  static const std::vector<std::pair<std::string, Kind>> kKinds = {{"line", Kind::line},
+                                                                   {"circle", Kind::circle},
+                                                                   {"spiral", Kind::spiral},
+                                                                   {"cavity", Kind::cavity},
+                                                                   {"poses", Kind::poses}};
+  return kKinds;
 }
 
-/// Looks settings up for one kind of path: what it needs must be there, what it does not know must not.
-class Lookup {
- public:
-  explicit Lookup(Kind kind) : kind_(kind) {}
+const std::string& name_of(Kind kind) {
+  return std::find_if(kinds().begin(), kinds().end(), [&](const auto& known) { return known.second == kind; })->first;
+}
 
-  template <class Value>
-  Value need(const std::optional<Value>& value, const std::string& name) {
-    if (!value)
-      throw Error("path." + name + " is missing; a path of kind " + name_of(kind_) + " needs it. Set --" + name +
-                  ", or " + name + " under [path] in the settings file.");
-    return *value;
-  }
-
-  template <class Value>
-  void refuse_unless(std::initializer_list<Kind> kinds, const std::optional<Value>& value, const char* name) const {
-    if (value && std::find(kinds.begin(), kinds.end(), kind_) == kinds.end())
-      throw Error(std::string("path.") + name + " is set, but a path of kind " + name_of(kind_) +
-                  " has none. Leave it out, or choose another kind.");
-  }
-
- private:
-  Kind kind_;
+/// A number or vector of some kinds of path.
+template <class Value>
+struct Field {
+  std::string name;  // of the key and of the flag
+  std::optional<Value> PathSettings::*member;
+  std::vector<Kind> kinds;
+  Range range;
+  const char* meaning;
 };
 
+const std::vector<Field<double>>& number_fields() {
+  using S = PathSettings;
+  const Range any = Range::any(), positive = Range::positive(), not_negative = Range::not_negative();
+  constexpr Kind kLine = Kind::line, kCircle = Kind::circle, kSpiral = Kind::spiral, kCavity = Kind::cavity;
+  static const std::vector<Field<double>> kFields = {
+      {"feed_mm_per_s", &S::feed_mm_per_s, {kLine, kCircle, kSpiral, kCavity}, positive, "speed along the path"},
+      {"approach_mm",
+       &S::approach_mm,
+       {kLine, kCircle, kSpiral, kCavity},
+       not_negative,
+       "distance along the tool axis from which the path is entered [0]"},
+      {"approach_feed_mm_per_s",
+       &S::approach_feed_mm_per_s,
+       {kLine, kCircle, kSpiral, kCavity},
+       positive,
+       "speed of approach and retract [the feed]"},
+      {"retract_mm",
+       &S::retract_mm,
+       {kLine, kCircle, kSpiral, kCavity},
+       not_negative,
+       "distance along the tool axis to which the tool is pulled out at the end [0]"},
+      {"circle_radius_mm", &S::radius_mm, {kCircle}, positive, "radius"},
+      {"turns", &S::turns, {kCircle}, positive, "number of turns"},
+      {"start_angle_deg", &S::start_angle_deg, {kCircle}, any, "where it starts [0]"},
+      {"start_radius_mm", &S::start_radius_mm, {kSpiral}, not_negative, "first radius"},
+      {"end_radius_mm", &S::end_radius_mm, {kSpiral}, not_negative, "last radius"},
+      {"pitch_mm", &S::pitch_mm, {kSpiral, kCavity}, positive, "distance of neighbouring turns"},
+      {"depth_mm", &S::depth_mm, {kSpiral, kCavity}, not_negative, "depth below the centre"},
+      {"top_radius_mm", &S::top_radius_mm, {kCavity}, not_negative, "radius of the first layer"},
+      {"bottom_radius_mm", &S::bottom_radius_mm, {kCavity}, not_negative, "radius of the last layer"},
+      {"layer_mm", &S::layer_mm, {kCavity}, positive, "distance of neighbouring layers"},
+  };
+  return kFields;
+}
+
+const std::vector<Field<Vec3>>& vector_fields() {
+  using S = PathSettings;
+  const std::vector<Kind> round = {Kind::circle, Kind::spiral, Kind::cavity};
+  static const std::vector<Field<Vec3>> kFields = {
+      {"from_mm", &S::from_mm, {Kind::line}, Range::any(), "start"},
+      {"to_mm", &S::to_mm, {Kind::line}, Range::any(), "end"},
+      {"center_mm", &S::center_mm, round, Range::any(), "centre"},
+      {"axis", &S::axis, round, Range::any(), "normal of the curve, out of the material [the tool axis]"},
+  };
+  return kFields;
+}
+
+/// "circle, spiral: radius", or without the kinds when only poses are left out.
+template <class Value>
+std::string meaning_of(const Field<Value>& field) {
+  if (field.kinds.size() + 1 == kinds().size()) return field.meaning;
+  std::string list;
+  for (const Kind kind : field.kinds) list += (list.empty() ? "" : ", ") + name_of(kind);
+  return list + ": " + field.meaning;
+}
+
+template <class Value>
+const Value& need(const std::optional<Value>& value, Kind kind, const std::string& name) {
+  if (!value)
+    throw Error("path." + name + " is missing; a path of kind " + name_of(kind) + " needs it. Set --" + name + ", or " +
+                name + " under [path] in the settings file.");
+  return *value;
+}
+
+template <class Value>
+void refuse_what_does_not_belong(const PathSettings& s, const std::vector<Field<Value>>& fields) {
+  for (const Field<Value>& field : fields)
+    if (s.*field.member && std::find(field.kinds.begin(), field.kinds.end(), *s.kind) == field.kinds.end())
+      throw Error(
+          "path." + field.name + " is set, but a path of kind " + name_of(*s.kind) + " has none. " +
+          (*s.kind == Kind::poses ? "Put it into the file of poses." : "Leave it out, or choose another kind."));
+}
+
 void refuse_what_does_not_belong(const PathSettings& s) {
-  const Lookup lookup(*s.kind);
-  const std::initializer_list<Kind> curves = {Kind::line, Kind::circle, Kind::spiral, Kind::cavity};
-  lookup.refuse_unless({Kind::line}, s.from_mm, "from_mm");
-  lookup.refuse_unless({Kind::line}, s.to_mm, "to_mm");
-  lookup.refuse_unless({Kind::circle, Kind::spiral, Kind::cavity}, s.center_mm, "center_mm");
-  lookup.refuse_unless({Kind::circle, Kind::spiral, Kind::cavity}, s.axis, "axis");
-  lookup.refuse_unless({Kind::circle}, s.radius_mm, "circle_radius_mm");
-  lookup.refuse_unless({Kind::circle}, s.turns, "turns");
-  lookup.refuse_unless({Kind::circle}, s.start_angle_deg, "start_angle_deg");
-  lookup.refuse_unless({Kind::spiral}, s.start_radius_mm, "start_radius_mm");
-  lookup.refuse_unless({Kind::spiral}, s.end_radius_mm, "end_radius_mm");
-  lookup.refuse_unless({Kind::spiral, Kind::cavity}, s.pitch_mm, "pitch_mm");
-  lookup.refuse_unless({Kind::spiral, Kind::cavity}, s.depth_mm, "depth_mm");
-  lookup.refuse_unless({Kind::cavity}, s.top_radius_mm, "top_radius_mm");
-  lookup.refuse_unless({Kind::cavity}, s.bottom_radius_mm, "bottom_radius_mm");
-  lookup.refuse_unless({Kind::cavity}, s.layer_mm, "layer_mm");
-  lookup.refuse_unless(curves, s.feed_mm_per_s, "feed_mm_per_s");
-  if (!s.file.empty()) lookup.refuse_unless({Kind::poses}, std::optional(s.file), "file");
+  refuse_what_does_not_belong(s, number_fields());
+  refuse_what_does_not_belong(s, vector_fields());
+  if (!s.file.empty() && *s.kind != Kind::poses)
+    throw Error("path.file is set, but a path of kind " + name_of(*s.kind) + " has none. Leave it out.");
 }
 
 std::vector<Vec3> curve_of(const PathSettings& s, const Vec3& tool_axis) {
-  Lookup lookup(*s.kind);
+  const Kind kind = *s.kind;
   using units::mm;
-  if (*s.kind == Kind::line) return {lookup.need(s.from_mm, "from_mm") * mm, lookup.need(s.to_mm, "to_mm") * mm};
-  const CurvePlane plane{lookup.need(s.center_mm, "center_mm") * mm, s.axis.value_or(tool_axis)};
+  if (kind == Kind::line) return {need(s.from_mm, kind, "from_mm") * mm, need(s.to_mm, kind, "to_mm") * mm};
+  const CurvePlane plane{need(s.center_mm, kind, "center_mm") * mm, s.axis.value_or(tool_axis)};
   if (!(plane.axis.norm() > 0)) throw Error("path.axis = 0 0 0; must have a length. Set path.axis, e.g. 0,0,1.");
-  if (*s.kind == Kind::circle)
-    return circle(plane, lookup.need(s.radius_mm, "circle_radius_mm") * mm, lookup.need(s.turns, "turns"),
+  if (kind == Kind::circle)
+    return circle(plane, need(s.radius_mm, kind, "circle_radius_mm") * mm, need(s.turns, kind, "turns"),
                   s.start_angle_deg.value_or(0) * units::deg);
-  const double pitch = lookup.need(s.pitch_mm, "pitch_mm") * mm, depth = lookup.need(s.depth_mm, "depth_mm") * mm;
-  if (*s.kind == Kind::spiral)
-    return spiral(plane, lookup.need(s.start_radius_mm, "start_radius_mm") * mm,
-                  lookup.need(s.end_radius_mm, "end_radius_mm") * mm, pitch, depth);
-  return cavity(plane, {lookup.need(s.top_radius_mm, "top_radius_mm") * mm,
-                        lookup.need(s.bottom_radius_mm, "bottom_radius_mm") * mm, depth,
-                        lookup.need(s.layer_mm, "layer_mm") * mm, pitch});
+  const double pitch = need(s.pitch_mm, kind, "pitch_mm") * mm, depth = need(s.depth_mm, kind, "depth_mm") * mm;
+  if (kind == Kind::spiral)
+    return spiral(plane, need(s.start_radius_mm, kind, "start_radius_mm") * mm,
+                  need(s.end_radius_mm, kind, "end_radius_mm") * mm, pitch, depth);
+  return cavity(plane, {need(s.top_radius_mm, kind, "top_radius_mm") * mm,
+                        need(s.bottom_radius_mm, kind, "bottom_radius_mm") * mm, depth,
+                        need(s.layer_mm, kind, "layer_mm") * mm, pitch});
 }
 
 Mat3 orientation_of(const PathSettings& s) {
@@ -109,7 +151,7 @@ void append(std::vector<TimedPose>& poses, const Vec3& target, const Mat3& rotat
 std::vector<TimedPose> follow(const PathSettings& s) {
   const Mat3 rotation = orientation_of(s);
   const Vec3 outwards = rotation.col(2);
-  const double feed = Lookup(*s.kind).need(s.feed_mm_per_s, "feed_mm_per_s") * units::mm_per_s;
+  const double feed = need(s.feed_mm_per_s, *s.kind, "feed_mm_per_s") * units::mm_per_s;
   const double approach_feed = s.approach_feed_mm_per_s ? *s.approach_feed_mm_per_s * units::mm_per_s : feed;
   const std::vector<Vec3> points = curve_of(s, outwards);
 
@@ -129,48 +171,23 @@ Vec3 tip_in_head(const ToolHead& head) {
 }
 
 std::vector<Setting> settings_of(PathSettings& p) {
-  const Range any = Range::any(), positive = Range::positive(), not_negative = Range::not_negative();
-  return {
-      choice("path.kind", "--path", p.kind,
-             {{"line", Kind::line},
-              {"circle", Kind::circle},
-              {"spiral", Kind::spiral},
-              {"cavity", Kind::cavity},
-              {"poses", Kind::poses}},
-             "how the tool moves"),
+  std::vector<Setting> settings = {
+      choice("path.kind", "--path", p.kind, kinds(), "how the tool moves"),
       choice("path.point", "--point", p.point, {{"tip", Point::tip}, {"head", Point::head}, {"handle", Point::handle}},
              "what the positions are of: the tip of the tool, the origin of the head (centre of a sphere), or, with "
              "poses only, the hand [tip]"),
-      number("path.feed_mm_per_s", "--feed_mm_per_s", p.feed_mm_per_s, positive, "speed along the path"),
-      number("path.approach_mm", "--approach_mm", p.approach_mm, not_negative,
-             "distance along the tool axis from which the path is entered [0]"),
-      number("path.approach_feed_mm_per_s", "--approach_feed_mm_per_s", p.approach_feed_mm_per_s, positive,
-             "speed of approach and retract [the feed]"),
-      number("path.retract_mm", "--retract_mm", p.retract_mm, not_negative,
-             "distance along the tool axis to which the tool is pulled out at the end [0]"),
-      vector("path.tool_axis", "--tool_axis", p.tool_axis, any, "direction from the tip to the shank [0,0,1]"),
-      number("path.tool_roll_deg", "--tool_roll_deg", p.tool_roll_deg, any, "turn of the tool about its axis [0]"),
-      vector("path.from_mm", "--from_mm", p.from_mm, any, "line: start"),
-      vector("path.to_mm", "--to_mm", p.to_mm, any, "line: end"),
-      vector("path.center_mm", "--center_mm", p.center_mm, any, "circle, spiral, cavity: centre"),
-      vector("path.axis", "--axis", p.axis, any,
-             "circle, spiral, cavity: normal of the curve, out of the material [the tool axis]"),
-      number("path.circle_radius_mm", "--circle_radius_mm", p.radius_mm, positive, "circle: radius"),
-      number("path.turns", "--turns", p.turns, positive, "circle: number of turns"),
-      number("path.start_angle_deg", "--start_angle_deg", p.start_angle_deg, any, "circle: where it starts [0]"),
-      number("path.start_radius_mm", "--start_radius_mm", p.start_radius_mm, not_negative, "spiral: first radius"),
-      number("path.end_radius_mm", "--end_radius_mm", p.end_radius_mm, not_negative, "spiral: last radius"),
-      number("path.pitch_mm", "--pitch_mm", p.pitch_mm, positive, "spiral, cavity: distance of neighbouring turns"),
-      number("path.depth_mm", "--depth_mm", p.depth_mm, not_negative, "spiral, cavity: depth below the centre"),
-      number("path.top_radius_mm", "--top_radius_mm", p.top_radius_mm, not_negative,
-             "cavity: radius of the first layer"),
-      number("path.bottom_radius_mm", "--bottom_radius_mm", p.bottom_radius_mm, not_negative,
-             "cavity: radius of the last layer"),
-      number("path.layer_mm", "--layer_mm", p.layer_mm, positive, "cavity: distance of neighbouring layers"),
-      text("path.file", "--poses", p.file,
-           "poses: a CSV file with the columns t_s, x_mm, y_mm, z_mm and, for the "
-           "rotation, qw, qx, qy, qz or r00 ... r22"),
+      vector("path.tool_axis", "--tool_axis", p.tool_axis, Range::any(), "direction from the tip to the shank [0,0,1]"),
+      number("path.tool_roll_deg", "--tool_roll_deg", p.tool_roll_deg, Range::any(),
+             "turn of the tool about its axis [0]"),
   };
+  for (const auto& f : vector_fields())
+    settings.push_back(vector("path." + f.name, "--" + f.name, p.*f.member, f.range, meaning_of(f)));
+  for (const auto& f : number_fields())
+    settings.push_back(number("path." + f.name, "--" + f.name, p.*f.member, f.range, meaning_of(f)));
+  settings.push_back(text("path.file", "--poses", p.file,
+                          "poses: a CSV file with the columns t_s, x_mm, y_mm, z_mm and, for the rotation, qw, qx, "
+                          "qy, qz or r00 ... r22"));
+  return settings;
 }
 
 Motion make_motion(const PathSettings& s, const Tool& tool) {
@@ -183,10 +200,6 @@ Motion make_motion(const PathSettings& s, const Tool& tool) {
   std::vector<TimedPose> poses;
   if (*s.kind == Kind::poses) {
     if (s.file.empty()) throw Error("path.file is missing; a path of poses needs it. Set --poses FILE.csv.");
-    if (s.approach_mm || s.retract_mm || s.approach_feed_mm_per_s)
-      throw Error(
-          "path.approach_mm, approach_feed_mm_per_s and retract_mm belong to curves; put the way in and out "
-          "into the file of poses.");
     poses = read_poses(s.file, orientation_of(s));
   } else {
     if (point == Point::handle)

@@ -35,6 +35,8 @@ Json to_json(const BuildInfo& build) {
   return {{"version", build.version}, {"commit", build.commit}, {"compiler", build.compiler}, {"cpu", build.cpu}};
 }
 
+Json in_mm(const Vec3& p) { return {p.x() / units::mm, p.y() / units::mm, p.z() / units::mm}; }
+
 std::string dims_text(const std::array<int, 3>& dims) {
   return std::to_string(dims[0]) + " x " + std::to_string(dims[1]) + " x " + std::to_string(dims[2]);
 }
@@ -47,9 +49,35 @@ WorkpieceSummary summarize(const std::string& source, const Workpiece& workpiece
   summary.source = source;
   for (std::size_t axis = 0; axis < 3; ++axis) summary.dims[axis] = box.empty() ? 0 : box.max[axis] - box.min[axis] + 1;
   summary.voxel_size = workpiece.voxel_size();
+  summary.X_WV = workpiece.frame().X_WV;
+  summary.box = {Vec3::Zero(), Vec3::Zero()};
+  for (int corner = 0; corner < 8 && !box.empty(); ++corner) {
+    Vec3 index;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      index[int(axis)] = (corner >> axis & 1) != 0 ? box.max[axis] + 0.5 : box.min[axis] - 0.5;
+    const Vec3 p = summary.X_WV * (summary.voxel_size * index);
+    summary.box.min = corner == 0 ? p : summary.box.min.cwiseMin(p).eval();
+    summary.box.max = corner == 0 ? p : summary.box.max.cwiseMax(p).eval();
+  }
   summary.memory_bytes = workpiece.memory_bytes();
   summary.amounts = workpiece.amounts();
   return summary;
+}
+
+Json to_json(const Pose& pose) {
+  Json rotation = Json::array();
+  for (int row = 0; row < 3; ++row)
+    rotation.push_back({pose.rotation(row, 0), pose.rotation(row, 1), pose.rotation(row, 2)});
+  return {{"position_mm", in_mm(pose.translation)}, {"rotation", rotation}};
+}
+
+Json to_json(const Box& box) { return {{"min_mm", in_mm(box.min)}, {"max_mm", in_mm(box.max)}}; }
+
+std::string box_text(const Box& box) {
+  const auto corner = [](const Vec3& p) {
+    return rounded(p.x() / units::mm) + " " + rounded(p.y() / units::mm) + " " + rounded(p.z() / units::mm);
+  };
+  return corner(box.min) + " to " + corner(box.max) + " mm";
 }
 
 Json to_json(const WorkpieceSummary& s, const MaterialTable& materials) {
@@ -59,12 +87,9 @@ Json to_json(const WorkpieceSummary& s, const MaterialTable& materials) {
     voxels[materials[amount.material].name] = amount.voxels;
     volumes[materials[amount.material].name] = amount.volume / units::mm3;
   }
-  return {{"source", s.source},
-          {"dims", s.dims},
-          {"voxel_size_mm", s.voxel_size / units::mm},
-          {"memory_bytes", s.memory_bytes},
-          {"voxels", voxels},
-          {"volume_mm3", volumes}};
+  return {{"source", s.source},      {"dims", s.dims},        {"voxel_size_mm", s.voxel_size / units::mm},
+          {"pose", to_json(s.X_WV)}, {"box", to_json(s.box)}, {"memory_bytes", s.memory_bytes},
+          {"voxels", voxels},        {"volume_mm3", volumes}};
 }
 
 Json to_json(const DrillReport& report, const DrillResult& r, const Simulation& simulation) {

@@ -6,6 +6,7 @@
 
 #include "cli/drill.hpp"
 #include "cli/json_file.hpp"
+#include "hapticut/workpiece/builders.hpp"
 
 namespace hapticut::cli {
 
@@ -14,13 +15,22 @@ struct WorkpieceSummary {
   std::string source;
   std::array<int, 3> dims = {0, 0, 0};  ///< voxels along the grid's axes, of the smallest box around what is solid
   double voxel_size = 0;                ///< [m]
+  Pose X_WV;                            ///< pose of the grid: position of the centre of voxel (0, 0, 0)
+  Box box;                              ///< [m] around what is solid, in W
   std::size_t memory_bytes = 0;
   std::vector<MaterialAmount> amounts;  ///< by material
 };
 
 [[nodiscard]] WorkpieceSummary summarize(const std::string& source, const Workpiece& workpiece);
 
-/// `dims`, `voxel_size_mm`, `memory_bytes`, and `voxels` and `volume_mm3` by material.
+/// A pose as `position_mm` and `rotation` (rows), and the box around something as `min_mm` and `max_mm`.
+[[nodiscard]] Json to_json(const Pose& pose);
+[[nodiscard]] Json to_json(const Box& box);
+
+/// "0 0 0 to 1 2 3 mm".
+[[nodiscard]] std::string box_text(const Box& box);
+
+/// `dims`, `voxel_size_mm`, `pose`, `box`, `memory_bytes`, and `voxels` and `volume_mm3` by material.
 [[nodiscard]] Json to_json(const WorkpieceSummary& summary, const MaterialTable& materials);
 
 /// What a user should know before trusting the numbers, as sentences; empty when there is nothing to say.

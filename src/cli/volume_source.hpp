@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cli/workpiece_settings.hpp"
+#include "hapticut/workpiece/builders.hpp"
 
 namespace hapticut::cli {
 
@@ -17,6 +18,8 @@ namespace hapticut::cli {
 struct VolumeSummary {
   std::array<int, 3> dims;
   Vec3 spacing;                                                  ///< [m]
+  Pose X_WG;                                                     ///< of the first sample
+  Box box;                                                       ///< [m] around all samples, in W
   double lowest, highest;                                        ///< grey values
   std::size_t memory_bytes;                                      ///< of the samples in memory
   std::optional<std::size_t> voxels_at_or_above = std::nullopt;  ///< a threshold

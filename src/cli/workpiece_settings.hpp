@@ -41,11 +41,20 @@ struct WorkpieceSettings {
   std::deque<GreyRange> grey;  ///< volume of grey values
   std::optional<double> grade_low, grade_high;
   std::string grade_at_low, grade_at_high;
-  std::optional<Vec3> spacing_mm;  ///< volume: replaces what the file says
-  std::vector<double> crop_mm;     ///< x, y, z of the lower corner, then of the upper one
-  bool largest_component = false;  ///< volume: leave loose pieces out
-  std::optional<double> unit_mm;   ///< mesh, .vdb of another program: length of one unit of the file
-  std::string grid;                ///< .vdb of another program
+  std::optional<Vec3> spacing_mm;       ///< volume: replaces what the file says
+  std::vector<double> crop_mm;          ///< x, y, z of the lower corner, then of the upper one
+  bool largest_component = false;       ///< volume: leave loose pieces out
+  std::string fill_cavities;            ///< labels: material of what they enclose
+  std::optional<double> close_gaps_mm;  ///< labels: holes that a ball of this radius does not enter count as enclosed
+  std::string dicom_series;             ///< which series of a folder
+  struct Raw {
+    std::vector<double> dims;
+    std::string type;
+    bool big_endian = false;
+    std::size_t skip_bytes = 0;
+  } raw;                          ///< file of samples without a header
+  std::optional<double> unit_mm;  ///< mesh, .vdb of another program: length of one unit of the file
+  std::string grid;               ///< .vdb of another program
   MaterialChanges materials;
 };
 

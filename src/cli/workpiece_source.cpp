@@ -40,6 +40,13 @@ std::set<std::string> given_settings(const Source& s) {
   note("spacing_mm", s.spacing_mm.has_value());
   note("crop_mm", !s.crop_mm.empty());
   note("largest_component", s.largest_component);
+  note("fill_cavities", !s.fill_cavities.empty());
+  note("close_gaps_mm", s.close_gaps_mm.has_value());
+  note("dicom_series", !s.dicom_series.empty());
+  note("raw_dims", !s.raw.dims.empty());
+  note("raw_type", !s.raw.type.empty());
+  note("raw_big_endian", s.raw.big_endian);
+  note("raw_skip_bytes", s.raw.skip_bytes > 0);
   note("unit_mm", s.unit_mm.has_value());
   note("grid", !s.grid.empty());
   return given;
@@ -147,7 +154,8 @@ Workpiece make_workpiece(const WorkpieceSettings& s) {
       return make_workpiece_from_mesh(s);
     }
   refuse_all_but(s, {"voxel_mm", "labels", "grey", "grade_low", "grade_high", "grade_at_low", "grade_at_high",
-                     "spacing_mm", "crop_mm", "largest_component"});
+                     "spacing_mm", "crop_mm", "largest_component", "fill_cavities", "close_gaps_mm", "dicom_series",
+                     "raw_dims", "raw_type", "raw_big_endian", "raw_skip_bytes"});
   return make_workpiece_from_volume(s);
 #else
   throw Error("'" + s.source +

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "support/temporary_folder.hpp"
 
@@ -32,6 +36,45 @@ inline Outcome run_program(const TemporaryFolder& folder, const std::string& arg
 inline nlohmann::json read_json(const std::filesystem::path& path) {
   std::ifstream stream(path);
   return nlohmann::json::parse(stream);
+}
+
+// A 6 mm block of cortical bone, a ball of 1 mm radius; coarse voxels keep the tests short.
+inline const std::string kBlock = "--workpiece block --size_mm 6,6,3 --material cortical_bone --voxel_mm 0.2 ";
+inline const std::string kSpinningBall = "--head sphere --radius_mm 1 --spindle_rpm 30000 ";
+inline const std::string kBall = kSpinningBall + "--reference_stiffness 1e14 ";
+inline const std::string kStiffBall = kSpinningBall + "--reference_stiffness 3e15 ";  // a thin engaged layer
+inline const std::string kGroove = "--path line --from_mm -2,3,2.5 --to_mm 8,3,2.5 --feed_mm_per_s 20 ";
+
+class Program : public testing::Test {
+ protected:
+  Outcome run(const std::string& arguments) { return run_program(folder, arguments); }
+  nlohmann::json drill(const std::string& arguments) {
+    const Outcome outcome = run("drill " + arguments + " --json " + path("report.json"));
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "");
+    return outcome.code == 0 ? read_json(folder / "report.json") : nlohmann::json();
+  }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+
+  TemporaryFolder folder;
+};
+
+/// The columns of a CSV file by name; text cells read as 0.
+inline std::map<std::string, std::vector<double>> read_csv(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line, cell;
+  std::vector<std::string> names;
+  std::map<std::string, std::vector<double>> columns;
+  for (int row = 0; std::getline(lines, line); ++row) {
+    std::istringstream cells(line);
+    for (std::size_t i = 0; std::getline(cells, cell, ','); ++i) {
+      if (row == 0)
+        names.push_back(cell);
+      else
+        columns[names.at(i)].push_back(std::atof(cell.c_str()));
+    }
+  }
+  return columns;
 }
 
 }  // namespace hapticut::test
