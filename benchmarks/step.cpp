@@ -45,6 +45,7 @@ class Hapticut final : public Contestant {
     config.quadrature = cutting ? Quadrature::centroid : Quadrature::voxel_center;
     config.deep_contact = cutting;  // static: the springs alone, as the others compute them
     config.reserved_blocks = 16384;
+    config.friction = DryFriction{0, 0, 1};  // the other contestants have none
     return Simulation(build_block({Vec3::Zero(), Vec3(kBlockX, kBlockY, kBlockZ)}, w.voxel_size, bone),
                       Tool(SphereHead{w.radius}, RayHandle{}, Spindle{cutting ? 3000.0 : 0.0}), config);
   }

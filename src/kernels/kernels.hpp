@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/resultant.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/contact.hpp"
+#include "hapticut/workpiece/removal.hpp"
 
 /// @file
 /// The stages that work on one block, in the widest vector instructions of the machine, chosen when the program starts.
@@ -19,11 +21,65 @@ namespace hapticut::kernels {
 void sample_contact(const ToolHead& head, const BlockView& block, const GridInHead& grid, Quadrature quadrature,
                     ContactBlock& out) noexcept;
 
-/// Stage `evaluate_law` of FoundationLaw.
-LawTotals evaluate_foundation(const HeadMotion& motion, const ContactMaterials& materials,
-                              ContactBlock& block) noexcept;
-
 /// Stage `sum_resultant`.
 void sum_resultant(const ContactBlock& block, Resultant& total) noexcept;
+
+/// What every block of a sub-step has in common.
+struct ContactJob {
+  const ToolHead& head;
+  GridInHead grid;
+  HeadMotion motion;
+  const ContactMaterials& materials;
+  Quadrature quadrature;
+  bool damped;  ///< some material has damping
+};
+
+/// What the blocks of a sub-step add up to, lane by lane: the voxels of a strip always meet the same lane, so that the
+/// order of summation does not depend on the vectors of the machine.
+struct ContactSums {
+  enum Term {  // the first six in units of [N/m^3], the energies in [J/m^3], to be multiplied by a voxel's volume
+    kForceX,   // of the reaction of the material, that is minus the force on the tool
+    kForceY,
+    kForceZ,
+    kTorqueX,
+    kTorqueY,
+    kTorqueZ,
+    kElasticMiddle,  // k phi (w^2 + advance^2/4) / 2
+    kElasticChange,  // k phi w advance / 2: half of what is stored more at the end, where nothing is cut
+    kTakenElastic,   // k taken (w + advance/2)^2 / 2
+    kLag,            // k w advance (phi - mean fill) / 2
+    kHelped,         // elastic energy that helped cutting (law G)
+    kDamping,
+    kRubbing,
+    kCredited,
+    kCouple,
+    kFill,
+    kTerms
+  };
+  static constexpr int kLanes = BlockChange::kStrip;
+
+  alignas(64) std::array<std::array<double, kLanes>, kTerms> lanes = {};
+  std::array<double, 256> taken = {};  ///< [voxels] filled volume taken away, by MaterialId
+  int voxels = 0;                      ///< samples
+  float depth = 0;                     ///< [m] greatest
+
+  [[nodiscard]] double total(Term term) const {
+    double sum = 0;
+    for (const double lane : lanes[term]) sum += lane;
+    return sum;
+  }
+};
+
+/// One block to be pressed: what it holds, where its fills go, and what became of them.
+struct PressTask {
+  BlockView block;
+  float* fill_after = nullptr;  ///< [512] the fills of changed strips are written here; may be `block.fill`
+  bool may_cut = true;          ///< false: felt but not cut
+  BlockChange change;           ///< the result
+};
+
+/// Stages `sample_contact`, `evaluate_law` of FoundationLaw and `sum_resultant` in one pass that never leaves the
+/// registers: what the step runs unless it was given another law.
+void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums) noexcept;
 
 }  // namespace hapticut::kernels

@@ -8,74 +8,10 @@
 #endif
 
 #include "kernels/rows-inl.hpp"
+#include "kernels/springs-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hapticut::kernels::HWY_NAMESPACE {
-
-/// Depth and direction at a vector of points.
-struct SpringVectors {
-  Vec depth, normal_x, normal_y, normal_z;
-};
-
-struct SphereVectors {
-  float radius;
-  explicit SphereVectors(const SphereHead& head) : radius(float(head.radius)) {}
-  HWY_INLINE SpringVectors at(Vec x, Vec y, Vec z) const {
-    const Vec distance = hn::Sqrt(hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z))));
-    const Vec inverse = hn::Div(broadcast(1.0F), hn::Max(distance, broadcast(1e-12F)));
-    return {hn::Sub(broadcast(radius), distance), hn::Mul(x, inverse), hn::Mul(y, inverse), hn::Mul(z, inverse)};
-  }
-};
-
-struct ConeVectors {
-  float sine, cosine, height;
-  explicit ConeVectors(const ConeHead& head)
-      : sine(float(std::sin(head.half_angle))), cosine(float(std::cos(head.half_angle))), height(float(head.height)) {}
-  HWY_INLINE SpringVectors at(Vec x, Vec y, Vec z) const {
-    const Vec rho = hn::Sqrt(hn::MulAdd(x, x, hn::Mul(y, y)));
-    const Vec radial = hn::Div(broadcast(cosine), hn::Max(rho, broadcast(1e-12F)));
-    const Vec depth = hn::MulSub(z, broadcast(sine), hn::Mul(rho, broadcast(cosine)));
-    const Mask below_base = hn::Lt(z, broadcast(height));
-    return {hn::IfThenElseZero(below_base, depth), hn::Mul(x, radial), hn::Mul(y, radial), broadcast(-sine)};
-  }
-};
-
-template <FlatRule kRule>
-struct FlatVectors {
-  float radius, height;
-  explicit FlatVectors(const FlatHead& head) : radius(float(head.radius)), height(float(head.height)) {}
-  HWY_INLINE SpringVectors at(Vec x, Vec y, Vec z) const {
-    const Vec zero = broadcast(0.0F);
-    const Vec rho = hn::Sqrt(hn::MulAdd(x, x, hn::Mul(y, y)));
-    const Vec inverse = hn::Div(broadcast(1.0F), hn::Max(rho, broadcast(1e-12F)));
-    const Vec side = hn::Sub(broadcast(radius), rho);
-    const Mask inside = hn::Gt(hn::Min(hn::Min(z, hn::Sub(broadcast(height), z)), side), zero);
-    if constexpr (kRule == FlatRule::bottom_only) {
-      return {hn::IfThenElseZero(inside, z), zero, zero, broadcast(-1.0F)};
-    } else if constexpr (kRule == FlatRule::side_only) {
-      return {hn::IfThenElseZero(inside, side), hn::Mul(x, inverse), hn::Mul(y, inverse), zero};
-    } else if constexpr (kRule == FlatRule::both) {
-      const Vec depth = hn::Sqrt(hn::MulAdd(side, side, hn::Mul(z, z)));
-      const Vec share = hn::Div(broadcast(1.0F), hn::Max(depth, broadcast(1e-12F)));
-      const Vec radial = hn::Mul(hn::Mul(side, share), inverse);
-      return {hn::IfThenElseZero(inside, depth), hn::Mul(x, radial), hn::Mul(y, radial), hn::Neg(hn::Mul(z, share))};
-    } else {
-      const Mask on_side = hn::Lt(side, z);
-      const Vec radial = hn::IfThenElseZero(on_side, inverse);
-      return {hn::IfThenElseZero(inside, hn::Min(side, z)), hn::Mul(x, radial), hn::Mul(y, radial),
-              hn::IfThenZeroElse(on_side, broadcast(-1.0F))};
-    }
-  }
-};
-
-/// Component `shift / 10` of eight packed centroid offsets, in voxel edges.
-template <int kShift>
-HWY_INLINE Vec centroid_component(const std::int32_t* packed) {
-  const hn::RebindToSigned<Floats> ints;
-  const auto word = hn::LoadU(ints, packed);
-  const auto steps = hn::ShiftRight<22>(hn::ShiftLeft<22 - kShift>(word));
-  return hn::Mul(hn::ConvertTo(Floats(), steps), broadcast(1.0F / CentroidOffset::kSteps));
-}
 
 template <class Springs>
 HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const GridInHead& grid, bool at_centroid,
@@ -100,9 +36,10 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
       Vec y = hn::MulAdd(k, broadcast(steps(1, 2)), broadcast(start.y()));
       Vec z = hn::MulAdd(k, broadcast(steps(2, 2)), broadcast(start.z()));
       if (at_centroid) {
-        const Vec di = centroid_component<0>(block.centroid + voxel);
-        const Vec dj = centroid_component<10>(block.centroid + voxel);
-        const Vec dk = centroid_component<20>(block.centroid + voxel);
+        const auto packed = hn::LoadU(hn::RebindToSigned<Floats>(), block.centroid + voxel);
+        const Vec di = centroid_component<0>(packed);
+        const Vec dj = centroid_component<10>(packed);
+        const Vec dk = centroid_component<20>(packed);
         const auto shifted = [&](Vec p, int axis) {
           return hn::MulAdd(di, broadcast(steps(axis, 0)),
                             hn::MulAdd(dj, broadcast(steps(axis, 1)), hn::MulAdd(dk, broadcast(steps(axis, 2)), p)));
@@ -111,7 +48,7 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
         y = shifted(y, 1);
         z = shifted(z, 2);
       }
-      const SpringVectors spring = springs.at(x, y, z);
+      const SpringVectors<Vec> spring = springs.at(x, y, z);
       const Mask is_inside = hn::And(hn::Gt(spring.depth, hn::Zero(d)), mask_of(solid, part));
       inside |= bits_of(is_inside, part);
       const Vec fill = block.fill == nullptr ? broadcast(1.0F) : hn::LoadU(d, block.fill + voxel);
@@ -131,21 +68,7 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
 inline HWY_ATTR void SampleContact(const ToolHead& head, const BlockView& block, const GridInHead& grid,
                                    Quadrature quadrature, ContactBlock& out) {
   const bool at_centroid = block.centroid != nullptr && quadrature == Quadrature::centroid;
-  const auto sample = [&](const auto& springs) HWY_ATTR { SampleRows(springs, block, grid, at_centroid, out); };
-  const ToolHead::Shape& shape = head.shape();
-  if (const auto* sphere = std::get_if<SphereHead>(&shape)) return sample(SphereVectors(*sphere));
-  if (const auto* cone = std::get_if<ConeHead>(&shape)) return sample(ConeVectors(*cone));
-  const FlatHead& flat = *std::get_if<FlatHead>(&shape);
-  switch (flat.rule) {
-    case FlatRule::bottom_only:
-      return sample(FlatVectors<FlatRule::bottom_only>(flat));
-    case FlatRule::side_only:
-      return sample(FlatVectors<FlatRule::side_only>(flat));
-    case FlatRule::both:
-      return sample(FlatVectors<FlatRule::both>(flat));
-    case FlatRule::nearest:
-      return sample(FlatVectors<FlatRule::nearest>(flat));
-  }
+  visit_springs(head, [&](const auto& springs) HWY_ATTR { SampleRows(springs, block, grid, at_centroid, out); });
 }
 
 }  // namespace hapticut::kernels::HWY_NAMESPACE

@@ -9,28 +9,13 @@
 #include "hapticut/force/contact_point.hpp"
 #include "hapticut/force/deep_contact.hpp"
 #include "hapticut/force/friction.hpp"
-#include "hapticut/force/laws/foundation.hpp"
-#include "hapticut/force/laws/lumped.hpp"
-#include "hapticut/force/resultant.hpp"
-#include "kernels/kernels.hpp"
+#include "simulation/contact_stages.hpp"
 
 namespace hapticut {
 namespace {
 
 constexpr double kRotationTolerance = 1e-3;  // [1] what device matrices are off by is below this
 constexpr double kThickLayer = 0.1;          // [1] of the head's radius
-
-ContactMaterials contact_materials(const MaterialTable& table, double reference_stiffness) {
-  ContactMaterials constants = {};
-  constants[kEmpty].cutting_energy = 1;  // empty lanes are computed like others and must not divide by zero
-  for (int id = 1; id <= table.size(); ++id) {
-    const Material& m = table[MaterialId(id)];
-    const double stiffness = m.relative_stiffness * reference_stiffness;
-    constants[std::size_t(id)] = {float(stiffness), float(m.damping), float(m.cutting_ratio),
-                                  float(m.specific_cutting_energy), float(std::sqrt(2 * m.edge_pressure / stiffness))};
-  }
-  return constants;
-}
 
 std::size_t voxels_inside(const ToolHead& head, double voxel_size) {
   // A thin head still touches whole voxels: count those of a head grown by one voxel all round, as a box.
@@ -54,37 +39,11 @@ void validate_pair(const Workpiece& workpiece, const Tool& tool) {
 
 /// One equal part of the tool's motion during a step, seen at its middle.
 struct SubStep {
-  double duration;    // [s]
-  Pose X_WH;          // of the handle
-  Pose X_WT;          // of the head
-  Twist path_T;       // of To along the path, in T
-  HeadMotion motion;  // the same for the force law
-};
-
-/// What the head meets in one sub-step.
-struct Encounter {
-  Resultant resultant;
-  LawEnergies energies;
-  bool blocks_exhausted = false;
-
-  void add(const LawTotals& block) {
-    energies.elastic += block.energies.elastic;
-    energies.cutting += block.energies.cutting;
-    energies.released += block.energies.released;
-    energies.damping += block.energies.damping;
-    energies.rubbing += block.energies.rubbing;
-    energies.credited += block.energies.credited;
-    energies.elastic_before += block.energies.elastic_before;
-    resultant.wrench_T.torque.z() += block.spin_couple;
-  }
-
-  void add(const LumpedForce& lumped) {
-    resultant.wrench_T.force += lumped.wrench_T.force;
-    resultant.wrench_T.torque += lumped.wrench_T.torque;
-    energies.elastic_before += lumped.elastic_before;
-    energies.elastic += lumped.elastic;
-    energies.damping += lumped.damped;
-  }
+  double duration;     // [s]
+  Pose X_WH;           // of the handle
+  Pose X_WT;           // of the head
+  Twist path_T;        // of To along the path, in T
+  HeadPlacement head;  // the same for the stages that see voxels
 };
 
 Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
@@ -103,13 +62,13 @@ struct Simulation::State {
   void place_at(const Pose& pose) noexcept;
   [[nodiscard]] int plan_sweep(const Pose& pose) const noexcept;
   [[nodiscard]] SubStep plan_sub_step(int index, double duration, const Twist& path, const Twist& felt) const noexcept;
-  [[nodiscard]] IndexBox find_blocks(const SubStep& sub_step) const noexcept;
-  [[nodiscard]] Encounter cut_blocks(const SubStep& sub_step, const IndexBox& blocks) noexcept;
+  void find_blocks(const SubStep& sub_step) noexcept;
+  [[nodiscard]] Encounter evaluate_contact(const SubStep& sub_step) noexcept;
+  void remove_material() noexcept;
   void hold_deep_contact(const SubStep& sub_step, Encounter& encounter) noexcept;
   void add_friction(const SubStep& sub_step, Encounter& encounter) noexcept;
   [[nodiscard]] Wrench normal_wrench(const SubStep& sub_step) noexcept;
   [[nodiscard]] const DryFriction& friction_at(const Vec3& p_WQ) noexcept;
-  void set_cutting_share(double share) noexcept;
   void book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept;
   void transport_to_handle(const SubStep& sub_step, const Encounter& encounter, double share) noexcept;
   void add_effects(const Pose& pose, double dt) noexcept;
@@ -121,17 +80,14 @@ struct Simulation::State {
   SimulationConfig config;
 
   // Derived from them at set-up.
-  ContactMaterials materials;
-  std::array<float, 256> cutting_ratios;   // [1] of the materials at full spin
+  ContactStages contact_stages;
   std::array<DryFriction, 256> frictions;  // of the materials, or of the configuration
-  IndexBox bounds;                         // voxels that were ever solid
   Pose X_VW;
   double voxel_volume = 0;  // [m^3]
 
   // What one step hands to the next.
   bool has_pose = false;
-  bool appeared = false;  // at X_WH, without having moved there
-  Pose X_WH;              // at the end of the last accepted step
+  Pose X_WH;  // at the end of the last accepted step
   SpindleMotor motor;
   double motor_torque = 0;   // [N·m] of the last sub-step, the load of the motor
   DeepContact deep_contact;  // in W
@@ -139,7 +95,6 @@ struct Simulation::State {
   Output output;
   MaterialId touched = 1;  // material at the contact point
 
-  ContactBlock contact;  // scratch of cut_blocks
   RemovalRecord removal;
   StepResult result;
 };
@@ -162,8 +117,9 @@ const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, doub
   const Twist path = twist_between(s.X_WH, pose, dt);
   for (int i = 0; i < sub_steps; ++i) {
     const SubStep sub_step = s.plan_sub_step(i, dt / sub_steps, path, velocity);
-    const IndexBox blocks = s.find_blocks(sub_step);
-    Encounter encounter = s.cut_blocks(sub_step, blocks);
+    s.find_blocks(sub_step);
+    Encounter encounter = s.evaluate_contact(sub_step);
+    s.remove_material();
     s.hold_deep_contact(sub_step, encounter);
     s.add_friction(sub_step, encounter);
     s.book_energy(sub_step, encounter);
@@ -199,7 +155,6 @@ void Simulation::State::place_at(const Pose& pose) noexcept {
   deep_contact.release();
   output.restart();
   X_WH = pose;
-  appeared = true;
 }
 
 /// Number of equal parts in which no point of the head moves farther than half a voxel.
@@ -220,72 +175,28 @@ SubStep Simulation::State::plan_sub_step(int index, double duration, const Twist
   const Vec3 p_HoTo_W = sub_step.X_WT.translation - sub_step.X_WH.translation;
   sub_step.path_T = expressed_in(sub_step.X_WT, transport(path, p_HoTo_W));
   const Twist felt_T = expressed_in(sub_step.X_WT, transport(felt, p_HoTo_W));
-  sub_step.motion = {sub_step.path_T.linear.cast<float>(),
-                     sub_step.path_T.angular.cast<float>(),
-                     felt_T.linear.cast<float>(),
-                     felt_T.angular.cast<float>(),
-                     float(motor.speed()),
-                     float(duration),
-                     float(workpiece.voxel_size()),
-                     config.removal,
-                     float(tool.head().largest_radius())};
+  sub_step.head.X_VT = X_VW * sub_step.X_WT;
+  sub_step.head.motion = {sub_step.path_T.linear.cast<float>(),
+                          sub_step.path_T.angular.cast<float>(),
+                          felt_T.linear.cast<float>(),
+                          felt_T.angular.cast<float>(),
+                          float(motor.speed()),
+                          float(duration),
+                          float(workpiece.voxel_size()),
+                          config.removal,
+                          float(tool.head().largest_radius())};
   return sub_step;
 }
 
-/// The box of voxels that the head can reach, cut to where the workpiece ever was.
-IndexBox Simulation::State::find_blocks(const SubStep& sub_step) const noexcept {
-  const HeadBox box = tool.head().bounding_box();
-  const Pose X_VT = X_VW * sub_step.X_WT;
-  const double size = workpiece.voxel_size();
-  const Vec3 center = X_VT * Vec3(0.5 * (box.min + box.max)) / size;
-  const Vec3 half = X_VT.rotation.cwiseAbs() * (0.5 * (box.max - box.min)) / size;
-  IndexBox voxels;
-  for (int axis = 0; axis < 3; ++axis) {
-    // Half a voxel more: the quadrature point of a surface voxel lies off its centre.
-    const double low = std::ceil(center[axis] - half[axis] - 0.5);
-    const double high = std::floor(center[axis] + half[axis] + 0.5);
-    voxels.min[axis] = int(std::clamp(low, double(bounds.min[axis]), bounds.max[axis] + 1.0));
-    voxels.max[axis] = int(std::clamp(high, bounds.min[axis] - 1.0, double(bounds.max[axis])));
-  }
-  return voxels;
+void Simulation::State::find_blocks(const SubStep& sub_step) noexcept {
+  contact_stages.find_blocks(workpiece, tool.head(), sub_step.head);
 }
 
-Encounter Simulation::State::cut_blocks(const SubStep& sub_step, const IndexBox& blocks) noexcept {
-  Encounter encounter;
-  if (blocks.empty()) return encounter;
-  const GridInHead grid((X_VW * sub_step.X_WT).inverse(), workpiece.voxel_size());
-  const auto for_each_block = [&](const auto& visit) {
-    tool.head().visit_springs<float>([&](const auto& springs) {
-      for (int i = block_start(blocks.min[0]); i <= blocks.max[0]; i += kBlockEdge)
-        for (int j = block_start(blocks.min[1]); j <= blocks.max[1]; j += kBlockEdge)
-          for (int k = block_start(blocks.min[2]); k <= blocks.max[2]; k += kBlockEdge) {
-            const VoxelIndex origin = {i, j, k};
-            if (!may_touch(springs, grid, origin, float(workpiece.voxel_size()))) continue;
-            const BlockView block = workpiece.block(origin);
-            if (block.empty()) continue;
-            kernels::sample_contact(tool.head(), block, grid, config.quadrature, contact);
-            if (contact.samples > 0) visit(origin);
-          }
-    });
-  };
-
-  HeadMotion motion = sub_step.motion;
-  WholeContact whole;
-  if (config.law->needs_moments()) {
-    for_each_block([&](const VoxelIndex&) { add_moments(contact, motion, materials, whole.moments); });
-    if (whole.moments.volume > 0) whole.lumped = config.law->lump(tool.head(), motion, whole.moments);
-    encounter.add(whole.lumped);
-    motion.whole = &whole;
-  }
-  for_each_block([&](const VoxelIndex& origin) {
-    const LawTotals totals = config.law->evaluate(motion, materials, contact);
-    encounter.add(totals);
-    kernels::sum_resultant(contact, encounter.resultant);
-    if (!totals.may_remove) return;
-    if (!remove_material(contact, origin, voxel_volume, workpiece, removal)) encounter.blocks_exhausted = true;
-  });
-  return encounter;
+Encounter Simulation::State::evaluate_contact(const SubStep& sub_step) noexcept {
+  return contact_stages.evaluate_contact(workpiece, tool.head(), sub_step.head, removal);
 }
+
+void Simulation::State::remove_material() noexcept { contact_stages.remove_material(workpiece, removal); }
 
 /// Keeps a ball beyond its radius from popping through.
 void Simulation::State::hold_deep_contact(const SubStep& sub_step, Encounter& encounter) noexcept {
@@ -331,10 +242,11 @@ void Simulation::State::add_friction(const SubStep& sub_step, Encounter& encount
 
 /// What the head would feel at this place if it stood, without friction.
 Wrench Simulation::State::normal_wrench(const SubStep& sub_step) noexcept {
-  SubStep standing = sub_step;
+  HeadPlacement standing = sub_step.head;
   standing.motion.spin = 0;
   standing.motion.removal = RemovalLaw::none;
-  return cut_blocks(standing, find_blocks(standing)).resultant.wrench_T;
+  contact_stages.find_blocks(workpiece, tool.head(), standing);  // again, for some may be gone
+  return contact_stages.evaluate_contact(workpiece, tool.head(), standing, removal).resultant.wrench_T;
 }
 
 /// The friction of the material nearest to a point; that of the last one touched where there is none nearby.
@@ -354,26 +266,19 @@ const DryFriction& Simulation::State::friction_at(const Vec3& p_WQ) noexcept {
   return frictions[touched];
 }
 
-/// Scales the cutting ratio of all materials while the spindle is slow: see `standing_share`.
-void Simulation::State::set_cutting_share(double share) noexcept {
-  for (std::size_t id = 1; id < materials.size(); ++id) materials[id].cutting_ratio = float(share) * cutting_ratios[id];
-}
-
 void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept {
   const Wrench& wrench_T = encounter.resultant.wrench_T;
   EnergyLedger& energy = result.energy;
-  const double imbalance_before = energy.imbalance();
   energy.hand_work -=
       (wrench_T.force.dot(sub_step.path_T.linear) + wrench_T.torque.dot(sub_step.path_T.angular)) * sub_step.duration;
   energy.motor_work -= wrench_T.torque.z() * motor.speed() * sub_step.duration;
+  energy.entered += encounter.energies.elastic_before - energy.elastic;
   energy.elastic = encounter.energies.elastic;
   energy.cutting += encounter.energies.cutting;
   energy.released += encounter.energies.released;
   energy.damping += encounter.energies.damping;
   energy.rubbing += encounter.energies.rubbing;
   energy.credited += encounter.energies.credited;
-  // Where the tool appears out of nowhere, in the first step and after a jump, the hand is charged for what it finds.
-  if (std::exchange(appeared, false)) energy.hand_work -= energy.imbalance() - imbalance_before;
 }
 
 void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encounter& encounter,
@@ -424,7 +329,7 @@ const StepResult& Simulation::State::finish_step(const Pose& pose, double dt, in
 
   if (motor.loaded()) result.status |= StepStatus::power_limited;
   motor.advance(motor_torque, dt);
-  set_cutting_share(1 - standing_share(motor.speed(), tool.head().largest_radius()));
+  contact_stages.set_cutting_share(1 - standing_share(motor.speed(), tool.head().largest_radius()));
   return result;
 }
 
@@ -441,27 +346,24 @@ Simulation::State::State(Workpiece given_workpiece, Tool given_tool, SimulationC
     : workpiece(std::move(given_workpiece)),
       tool(std::move(given_tool)),
       config(std::move(given_config)),
+      contact_stages(workpiece, tool.head(), config),
       motor(tool.spindle()),
       removal(config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity
                                                 : voxels_inside(tool.head(), workpiece.voxel_size())) {
-  if (!config.law) config.law = std::make_shared<FoundationLaw>();
   prepare_workpiece();
 }
 
 void Simulation::State::prepare_workpiece() {
   workpiece.reserve_blocks(config.reserved_blocks);
-  bounds = workpiece.bounds();
   X_VW = workpiece.frame().X_WV.inverse();
   voxel_volume = std::pow(workpiece.voxel_size(), 3);
-  materials = contact_materials(workpiece.materials(), config.reference_stiffness);
-  for (std::size_t id = 0; id < materials.size(); ++id) {
-    cutting_ratios[id] = materials[id].cutting_ratio;
+  for (std::size_t id = 0; id < frictions.size(); ++id) {
     if (!workpiece.materials().contains(MaterialId(id))) continue;
     const Material& m = workpiece.materials()[MaterialId(id)];
     frictions[id] =
         config.friction.value_or(DryFriction{m.static_friction, m.dynamic_friction, m.tangential_stiffness});
   }
-  set_cutting_share(1 - standing_share(motor.speed(), tool.head().largest_radius()));
+  contact_stages.set_cutting_share(1 - standing_share(motor.speed(), tool.head().largest_radius()));
 }
 
 Simulation::Simulation(Workpiece workpiece, Tool tool, SimulationConfig config) {
@@ -487,7 +389,8 @@ const std::array<double, 256>& Simulation::removed_volume_by_material() const {
 void Simulation::set_spindle_speed(double speed) {
   if (!std::isfinite(speed)) throw Error("spindle speed = " + format_number(speed) + " rad/s; must be finite.");
   state_->motor.set(speed);
-  state_->set_cutting_share(1 - standing_share(state_->motor.speed(), state_->tool.head().largest_radius()));
+  state_->contact_stages.set_cutting_share(1 -
+                                           standing_share(state_->motor.speed(), state_->tool.head().largest_radius()));
 }
 
 void Simulation::set_effects(const Effects& effects) {
@@ -504,7 +407,7 @@ WorkpieceSnapshot Simulation::snapshot() const { return state_->workpiece.snapsh
 
 void Simulation::restore(const WorkpieceSnapshot& snapshot) {
   state_->workpiece.restore(snapshot);
-  state_->bounds = state_->workpiece.bounds();
+  state_->contact_stages.set_bounds(state_->workpiece.bounds());
   state_->has_pose = false;
 }
 

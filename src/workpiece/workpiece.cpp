@@ -268,7 +268,18 @@ BlockView Workpiece::block(const VoxelIndex& origin) const noexcept {
   return view;
 }
 
+bool Workpiece::has_reserve_for(const VoxelIndex& origin) const noexcept {
+  const BlockPool& pool = state_->pool;
+  const Coord at = to_coord(origin);
+  const State::BranchCache& branches = state_->branches_at(at);
+  const auto enough = [](bool there, const auto& reserve) { return there || !reserve.empty(); };
+  return enough(branches.fill != nullptr, pool.fill_branches) &&
+         enough(child_at(branches.fill, at) != nullptr, pool.fill_leaves) &&
+         enough(child_at(branches.material, at) != nullptr, pool.material_leaves);
+}
+
 float* Workpiece::writable_fill(const VoxelIndex& origin) noexcept {
+  if (!has_reserve_for(origin)) return nullptr;
   State& state = *state_;
   BlockPool& pool = state.pool;
   const Coord at = to_coord(origin);
@@ -277,12 +288,7 @@ float* Workpiece::writable_fill(const VoxelIndex& origin) noexcept {
 
   const auto* fill_leaf = child_at(branches.fill, at);
   const auto* material_leaf = child_at(branches.material, at);
-  const bool need_branch = branches.fill == nullptr;
-  if ((need_branch && pool.fill_branches.empty()) || (fill_leaf == nullptr && pool.fill_leaves.empty()) ||
-      (material_leaf == nullptr && pool.material_leaves.empty()))
-    return nullptr;
-
-  if (need_branch) {
+  if (branches.fill == nullptr) {
     pool.fill_branches.back()->setOrigin(branches.origin);
     auto* trunk = state.trees->fill.probeNode<Trunk<FillTree>>(at);
     HAPTICUT_ASSERT(trunk != nullptr);

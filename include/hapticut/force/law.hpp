@@ -45,8 +45,20 @@ struct HeadMotion {
 
 /// What one block adds to the energy ledger in one sub-step; [J], as defined in EnergyLedger.
 struct LawEnergies {
-  double elastic = 0, cutting = 0, released = 0, damping = 0, rubbing = 0, credited = 0;
   double elastic_before = 0;  ///< stored in the samples at the beginning of the sub-step
+  double elastic = 0;         ///< and at its end
+  double cutting = 0, released = 0, damping = 0, rubbing = 0, credited = 0;
+
+  LawEnergies& operator+=(const LawEnergies& other) {
+    elastic_before += other.elastic_before;
+    elastic += other.elastic;
+    cutting += other.cutting;
+    released += other.released;
+    damping += other.damping;
+    rubbing += other.rubbing;
+    credited += other.credited;
+    return *this;
+  }
 };
 
 /// What a law delivers for a block beside the arrays it writes.

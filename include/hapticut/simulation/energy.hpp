@@ -5,14 +5,14 @@
 
 namespace hapticut {
 
-/// Where the work went (model: energy ledger). Everything is accumulated since construction, but `elastic`, and
-/// `anchored`, which are the energies stored at the end of the last step. All in [J]; all but the two works are never
-/// negative.
+/// Where the work went (model: energy ledger). Everything is accumulated since construction, but `elastic` and
+/// `anchored`, which are the energies stored at the end of the last step. All in [J]; all losses are never negative.
 ///
-///     hand_work + motor_work + credited = elastic + cutting + released + damping + rubbing + anchored + sliding
+///     hand_work + motor_work + entered + credited
+///         = elastic + cutting + released + damping + rubbing + anchored + sliding
 ///
 struct EnergyLedger {
-  double hand_work = 0;   ///< work done by the hand on the tool, and the energy stored where the tool first appeared
+  double hand_work = 0;   ///< work done by the hand on the tool
   double motor_work = 0;  ///< work done by the spindle motor on the tool
   double elastic = 0;     ///< stored in the foundation now
   double cutting = 0;     ///< specific cutting energy times removed volume
@@ -23,15 +23,22 @@ struct EnergyLedger {
   double sliding = 0;     ///< dissipated by dry friction of the standing head
   double credited = 0;    ///< cutting energy of the last thousandth of a voxel, which is taken away without work
 
+  /// Elastic energy of material that came under the cutting surface without having been pressed there, less that of
+  /// material that left it still pressed: where the tool appears out of nowhere, and where material passes a face
+  /// behind which the depth does not begin at zero (the side of FlatRule::bottom_only, the base of a cone). Else zero
+  /// within the error of the quadrature.
+  double entered = 0;
+
   /// [J] what the right side lacks; 0 when the ledger closes.
   [[nodiscard]] double imbalance() const {
-    return hand_work + motor_work + credited - (elastic + cutting + released + damping + rubbing + anchored + sliding);
+    return hand_work + motor_work + entered + credited -
+           (elastic + cutting + released + damping + rubbing + anchored + sliding);
   }
 
-  /// [1] imbalance relative to the work done; 0 before any work.
+  /// [1] imbalance relative to what was turned over; 0 before any work.
   [[nodiscard]] double closure() const {
-    const double work = std::abs(hand_work) + std::abs(motor_work);
-    return work > 0 ? imbalance() / work : 0.0;
+    const double turnover = std::abs(hand_work) + std::abs(motor_work) + std::abs(entered);
+    return turnover > 0 ? imbalance() / turnover : 0.0;
   }
 };
 

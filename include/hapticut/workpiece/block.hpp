@@ -102,6 +102,12 @@ struct BlockView {
   const std::int32_t* centroid = nullptr;  ///< [512] packed CentroidOffset or null: quadrature at the voxel centres
 
   [[nodiscard]] bool empty() const { return material == nullptr && uniform_material == kEmpty; }
+
+  /// [1] filled fraction of voxel `block_offset` of a block that is not empty.
+  [[nodiscard]] float fill_of(int voxel) const {
+    if (fill != nullptr) return fill[voxel];
+    return solid == nullptr || (solid[voxel >> 6] >> (voxel & 63) & 1) != 0 ? 1.0F : 0.0F;
+  }
 };
 
 }  // namespace hapticut

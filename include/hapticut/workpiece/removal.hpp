@@ -55,45 +55,61 @@ class RemovalRecord {
   std::array<double, 256> total_by_material_ = {};
 };
 
-/// Stage `remove_material`: writes the fills that the force law left into the workpiece and records what went.
-/// @param voxel_volume  [m^3]
-/// @return false when the workpiece's pool is exhausted: this block stays as it was
+/// What a sub-step made of the fills of one block.
+struct BlockChange {
+  static constexpr int kStrip = 16;  ///< voxels of a strip: two rows, which follow each other in memory
+
+  std::uint32_t strips = 0;                   ///< bit n: some of the fills `kStrip * n ...` may have changed
+  bool any_emptied = false;                   ///< some voxel is empty now
+  std::array<std::uint64_t, 8> emptied = {};  ///< bit `block_offset`: this voxel became empty
+};
+
+/// What a force law left of the samples of one block.
+/// @param fill_after  [512] the fills of the changed strips are written here; may be `block.fill` itself
+/// @param taken       [voxels] filled volume that went is added here, by MaterialId
 /// @realtime no allocation, no lock; O(samples)
-[[nodiscard]] inline bool remove_material(const ContactBlock& contact, const VoxelIndex& block_origin,
-                                          double voxel_volume, Workpiece& workpiece, RemovalRecord& record) noexcept {
-  std::uint64_t changed_rows = 0;  // bit n: row n of the contact lost something
+inline BlockChange find_changes(const ContactBlock& contact, const BlockView& block, float* fill_after,
+                                std::array<double, 256>& taken) noexcept {
+  BlockChange change;
   for (int row = 0; row < contact.rows; ++row) {
     float most = 0;
     for (int lane = 0; lane < kLanes; ++lane) {
       const int n = row * kLanes + lane;
       most = std::max(most, contact.fill[n] - contact.fill_after[n]);
     }
-    if (most > 0) changed_rows |= std::uint64_t(1) << row;
-  }
-  if (changed_rows == 0) return true;
-  float* fill = workpiece.writable_fill(block_origin);
-  if (fill == nullptr) return false;
-
-  std::uint64_t emptied[8] = {};
-  bool any_emptied = false;
-  for (; changed_rows != 0; changed_rows &= changed_rows - 1) {
-    const int row = std::countr_zero(changed_rows);
+    if (!(most > 0)) continue;
+    const int first = contact.row[row] * kLanes, strip = first / BlockChange::kStrip;
+    if ((change.strips >> strip & 1U) == 0) {
+      change.strips |= 1U << strip;
+      for (int voxel = strip * BlockChange::kStrip; voxel < (strip + 1) * BlockChange::kStrip; ++voxel)
+        fill_after[voxel] = block.fill_of(voxel);
+    }
     for (unsigned lanes = contact.inside[row]; lanes != 0; lanes &= lanes - 1) {
-      const int lane = std::countr_zero(lanes);
-      const int n = row * kLanes + lane, voxel = contact.row[row] * kLanes + lane;
-      const float lost = contact.fill[n] - contact.fill_after[n];
-      const MaterialId material = contact.material_of(n);
-      fill[voxel] = contact.fill_after[n];
-      record.add_volume(material, double(lost) * voxel_volume);
+      const int lane = std::countr_zero(lanes), n = row * kLanes + lane, voxel = first + lane;
+      taken[contact.material_of(n)] += double(contact.fill[n] - contact.fill_after[n]);
+      fill_after[voxel] = contact.fill_after[n];
       if (contact.fill_after[n] > 0) continue;
-      emptied[voxel >> 6] |= std::uint64_t(1) << (voxel & 63);
-      any_emptied = true;
-      record.add({{block_origin[0] + (voxel >> 6), block_origin[1] + (voxel >> 3 & 7), block_origin[2] + (voxel & 7)},
-                  material});
+      change.emptied[voxel >> 6] |= std::uint64_t(1) << (voxel & 63);
+      change.any_emptied = true;
     }
   }
-  if (any_emptied) workpiece.empty_voxels(block_origin, emptied);
-  return true;
+  return change;
+}
+
+/// Stage `remove_material` for one block: takes its emptied voxels out of the workpiece and lists them.
+/// @param block  as it was before the sub-step
+/// @realtime no allocation, no lock; O(emptied voxels)
+inline void empty_voxels(const BlockView& block, const std::array<std::uint64_t, 8>& emptied, Workpiece& workpiece,
+                         RemovalRecord& record) noexcept {
+  for (int slab = 0; slab < kBlockEdge; ++slab)
+    for (std::uint64_t bits = emptied[slab]; bits != 0; bits &= bits - 1) {
+      const int in_slab = std::countr_zero(bits);
+      const MaterialId material =
+          block.material != nullptr ? block.material[slab * 64 + in_slab] : block.uniform_material;
+      record.add(
+          {{block.origin[0] + slab, block.origin[1] + (in_slab >> 3), block.origin[2] + (in_slab & 7)}, material});
+    }
+  workpiece.empty_voxels(block.origin, emptied.data());
 }
 
 }  // namespace hapticut

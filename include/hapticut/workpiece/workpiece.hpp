@@ -92,6 +92,10 @@ class Workpiece {
   /// The block that starts at `origin` (a multiple of 8 along each axis).  @realtime no allocation, no lock; O(1)
   [[nodiscard]] BlockView block(const VoxelIndex& origin) const noexcept;
 
+  /// Whether `writable_fill` would return memory for a block.
+  /// @realtime no allocation, no lock
+  [[nodiscard]] bool has_reserve_for(const VoxelIndex& origin) const noexcept;
+
   /// Writable fill fractions of one block, [512]; a block that was uniform or full gets memory from the pool.
   /// @return null when the pool is exhausted: the block must stay as it is
   /// @realtime no allocation, no lock; O(512)

@@ -26,12 +26,10 @@ namespace hapticut {
 /// repaired; see docs/decisions/0003-removal-and-ledger.md.
 class FoundationLaw final : public ForceLaw {
  public:
+  /// The place to read the formulas, and the reference for the vector instructions that a simulation runs instead where
+  /// it was given no other law (src/kernels/press-inl.hpp).
   LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,
-                     ContactBlock& block) const noexcept override;
-
-  /// The same without vector instructions: the reference for them, and the place to read the formulas.
-  static LawTotals evaluate_scalar(const HeadMotion& motion, const ContactMaterials& materials,
-                                   ContactBlock& block) noexcept {
+                     ContactBlock& block) const noexcept override {
     const bool spinning = motion.spin != 0;
     const bool cutting = spinning && motion.removal != RemovalLaw::none;
     if (block.uniform) return evaluate_samples<true>(motion, materials, spinning, cutting, block);
@@ -71,7 +69,7 @@ class FoundationLaw final : public ForceLaw {
     const float ax = m.felt_angular_velocity.x(), ay = m.felt_angular_velocity.y(), az = m.felt_angular_velocity.z();
 
     // Partial sums per lane, in units of [N m] = l^3 times an energy density; fixed order, so the same bits every time.
-    enum Term { kElastic, kCutting, kReleased, kDamping, kRubbing, kCredited, kCouple, kTerms };
+    enum Term { kElasticBefore, kElastic, kCutting, kReleased, kDamping, kRubbing, kCredited, kCouple, kTerms };
     float sums[kTerms][kLanes] = {};
 
     for (int group = 0; group < b.lanes(); group += kLanes)
@@ -120,11 +118,12 @@ class FoundationLaw final : public ForceLaw {
         b.force_z[n] = -voxel_volume * (normal * nz + tangential * tz);
 
         const float advance = w_dot * dt;
-        const float w_end = std::max(0.0F, w + 0.5F * advance);
+        const float w_begin = w - 0.5F * advance, w_end = w + 0.5F * advance;
         const float taken = loss + credit;
         // Elastic energy of what was taken: what went in, k mean_fill w advance, less what is still stored, exactly.
         const float let_go =
             0.5F * k * (w * w + 0.25F * advance * advance) * taken - k * w * advance * (phi - 0.5F * taken - mean_fill);
+        sums[kElasticBefore][lane] += 0.5F * k * phi * w_begin * w_begin;
         sums[kElastic][lane] += 0.5F * k * b.fill_after[n] * w_end * w_end;
         sums[kCutting][lane] += u * taken;
         sums[kReleased][lane] += let_go - (u - price) * taken;
@@ -140,7 +139,8 @@ class FoundationLaw final : public ForceLaw {
       return sum * double(voxel_volume);
     };
     const double couple = spinning ? -total(kCouple) / double(m.spin) : 0.0;
-    return {{total(kElastic), total(kCutting), total(kReleased), total(kDamping), total(kRubbing), total(kCredited)},
+    return {{total(kElasticBefore), total(kElastic), total(kCutting), total(kReleased), total(kDamping), total(kRubbing),
+             total(kCredited)},
             couple,
             cutting};
   }

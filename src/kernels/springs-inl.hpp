@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+// Depth and direction of the material below a head's surface, in vectors; included once per instruction set.
+#if defined(HAPTICUT_KERNELS_SPRINGS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAPTICUT_KERNELS_SPRINGS_INL_HPP
+#undef HAPTICUT_KERNELS_SPRINGS_INL_HPP
+#else
+#define HAPTICUT_KERNELS_SPRINGS_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include "kernels/kernels.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hapticut::kernels::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A vector like `v` with `value` in every lane.
+template <class V>
+HWY_INLINE V same(V /*v*/, float value) {
+  return hn::Set(hn::DFromV<V>(), value);
+}
+
+/// Depth and direction at a vector of points.
+template <class V>
+struct SpringVectors {
+  V depth, normal_x, normal_y, normal_z;
+};
+
+/// Each shape answers two questions: `at(x, y, z)`, the springs at a vector of points, and `misses(x, y, z)`, whether
+/// it is certain, without a square root, that no point of the vector is inside the head.
+struct SphereVectors {
+  float radius;
+  explicit SphereVectors(const SphereHead& head) : radius(float(head.radius)) {}
+  template <class V>
+  HWY_INLINE bool misses(V x, V y, V z) const {
+    const V squared = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
+    return hn::AllTrue(hn::DFromV<V>(), hn::Ge(squared, same(x, radius * radius)));
+  }
+  template <class V>
+  HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
+    const V distance = hn::Sqrt(hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z))));
+    const V inverse = hn::Div(same(x, 1.0F), hn::Max(distance, same(x, 1e-12F)));
+    return {hn::Sub(same(x, radius), distance), hn::Mul(x, inverse), hn::Mul(y, inverse), hn::Mul(z, inverse)};
+  }
+};
+
+struct ConeVectors {
+  float sine, cosine, height;
+  explicit ConeVectors(const ConeHead& head)
+      : sine(float(std::sin(head.half_angle))), cosine(float(std::cos(head.half_angle))), height(float(head.height)) {}
+  template <class V>
+  HWY_INLINE bool misses(V x, V y, V z) const {
+    const V edge = hn::Mul(z, same(x, sine / cosine));
+    const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
+    const auto hit = hn::And(hn::Lt(squared, hn::Mul(edge, edge)),
+                             hn::And(hn::Gt(z, hn::Zero(hn::DFromV<V>())), hn::Lt(z, same(x, height))));
+    return hn::AllFalse(hn::DFromV<V>(), hit);
+  }
+  template <class V>
+  HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
+    const V rho = hn::Sqrt(hn::MulAdd(x, x, hn::Mul(y, y)));
+    const V radial = hn::Div(same(x, cosine), hn::Max(rho, same(x, 1e-12F)));
+    const V depth = hn::MulSub(z, same(x, sine), hn::Mul(rho, same(x, cosine)));
+    const auto below_base = hn::Lt(z, same(x, height));
+    return {hn::IfThenElseZero(below_base, depth), hn::Mul(x, radial), hn::Mul(y, radial), same(x, -sine)};
+  }
+};
+
+template <FlatRule kRule>
+struct FlatVectors {
+  float radius, height;
+  explicit FlatVectors(const FlatHead& head) : radius(float(head.radius)), height(float(head.height)) {}
+  template <class V>
+  HWY_INLINE bool misses(V x, V y, V z) const {
+    const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
+    const auto hit = hn::And(hn::Lt(squared, same(x, radius * radius)),
+                             hn::And(hn::Gt(z, hn::Zero(hn::DFromV<V>())), hn::Lt(z, same(x, height))));
+    return hn::AllFalse(hn::DFromV<V>(), hit);
+  }
+  template <class V>
+  HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
+    const V zero = same(x, 0.0F);
+    const V rho = hn::Sqrt(hn::MulAdd(x, x, hn::Mul(y, y)));
+    const V inverse = hn::Div(same(x, 1.0F), hn::Max(rho, same(x, 1e-12F)));
+    const V side = hn::Sub(same(x, radius), rho);
+    const auto inside = hn::Gt(hn::Min(hn::Min(z, hn::Sub(same(x, height), z)), side), zero);
+    if constexpr (kRule == FlatRule::bottom_only) {
+      return {hn::IfThenElseZero(inside, z), zero, zero, same(x, -1.0F)};
+    } else if constexpr (kRule == FlatRule::side_only) {
+      return {hn::IfThenElseZero(inside, side), hn::Mul(x, inverse), hn::Mul(y, inverse), zero};
+    } else if constexpr (kRule == FlatRule::both) {
+      const V depth = hn::Sqrt(hn::MulAdd(side, side, hn::Mul(z, z)));
+      const V share = hn::Div(same(x, 1.0F), hn::Max(depth, same(x, 1e-12F)));
+      const V radial = hn::Mul(hn::Mul(side, share), inverse);
+      return {hn::IfThenElseZero(inside, depth), hn::Mul(x, radial), hn::Mul(y, radial), hn::Neg(hn::Mul(z, share))};
+    } else {
+      const auto on_side = hn::Lt(side, z);
+      const V radial = hn::IfThenElseZero(on_side, inverse);
+      return {hn::IfThenElseZero(inside, hn::Min(side, z)), hn::Mul(x, radial), hn::Mul(y, radial),
+              hn::IfThenZeroElse(on_side, same(x, -1.0F))};
+    }
+  }
+};
+
+/// The curve of its cell for every point: see ProfileSprings. Neighbouring points mostly share one curve, whose numbers
+/// then need no gathering.
+struct ProfileVectors {
+  ProfileSprings<float> table;
+  explicit ProfileVectors(const ProfileHead& head) : table(head.table()) {}
+
+  template <class V>
+  HWY_INLINE bool misses(V x, V y, V z) const {
+    const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
+    const auto hit = hn::And(hn::Lt(squared, same(x, table.radius * table.radius)),
+                             hn::And(hn::Gt(z, same(x, table.bottom)), hn::Lt(z, same(x, table.top))));
+    return hn::AllFalse(hn::DFromV<V>(), hit);
+  }
+
+  template <class V>
+  HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
+    const hn::DFromV<V> d;
+    const hn::RebindToSigned<hn::DFromV<V>> ints;
+    const V rho = hn::Sqrt(hn::MulAdd(x, x, hn::Mul(y, y)));
+    const V scale = same(x, table.cells_per_length);
+    const auto zero = hn::Zero(ints);
+    const auto column = hn::Min(hn::ConvertTo(ints, hn::Mul(rho, scale)), hn::Set(ints, table.columns - 1));
+    const auto row = hn::Min(hn::Max(hn::ConvertTo(ints, hn::Mul(hn::Sub(z, same(x, table.bottom)), scale)), zero),
+                             hn::Set(ints, table.rows - 1));
+    const auto bounded = hn::And(hn::Lt(rho, same(x, table.radius)),
+                                 hn::And(hn::Gt(z, same(x, table.bottom)), hn::Lt(z, same(x, table.top))));
+    const auto index = hn::Add(hn::Mul(row, hn::Set(ints, table.columns)), column);
+    const auto cell =
+        hn::IfThenElseZero(hn::RebindMask(ints, bounded),
+                           hn::GatherIndex(ints, reinterpret_cast<const std::int32_t*>(table.cells), index));
+    const auto curve_bits = hn::Set(ints, std::int32_t(ProfileCell::kMostCurves - 1));
+    const auto rule = hn::ShiftRight<28>(cell);
+
+    Meridian<V> spring = below(hn::And(cell, curve_bits), rho, z);
+    const auto first_only = hn::Eq(rule, zero);
+    if (!hn::AllTrue(ints, first_only)) {
+      const auto other = hn::And(hn::ShiftRight<14>(cell), curve_bits);
+      const Meridian<V> second = below(other, rho, z);
+      const auto is = [&](CellRule r) HWY_ATTR { return hn::RebindMask(d, hn::Eq(rule, hn::Set(ints, int(r)))); };
+      const auto nearer = hn::And(is(CellRule::nearer), hn::Lt(second.depth, spring.depth));
+      const auto farther = hn::And(is(CellRule::farther), hn::Gt(second.depth, spring.depth));
+      const auto beyond = hn::And(is(CellRule::sides), hn::Ge(second.along, hn::Zero(d)));
+      const auto take = hn::Or(hn::Or(nearer, farther), beyond);
+      const auto shut = hn::And(is(CellRule::gate), hn::Le(second.depth, hn::Zero(d)));
+      spring.depth = hn::IfThenZeroElse(shut, hn::IfThenElse(take, second.depth, spring.depth));
+      spring.n_radial = hn::IfThenElse(take, second.n_radial, spring.n_radial);
+      spring.n_axial = hn::IfThenElse(take, second.n_axial, spring.n_axial);
+    }
+    const V radial = hn::Div(spring.n_radial, hn::Max(rho, same(x, 1e-12F)));
+    return {spring.depth, hn::Mul(x, radial), hn::Mul(y, radial), spring.n_axial};
+  }
+
+ private:
+  template <class V>
+  struct Meridian {
+    V depth, n_radial, n_axial;
+    V along;  // [m] beyond the curve's starting point, towards the shank
+  };
+
+  /// `ProfileSprings::below` for a vector of curves.
+  template <class I, class V>
+  HWY_INLINE Meridian<V> below(I curve, V rho, V z) const {
+    const hn::DFromV<V> d;
+    const hn::DFromV<I> ints;
+    const std::int32_t one = hn::GetLane(curve);
+    V p_rho, p_z, m_rho, m_z, k;
+    if (hn::AllTrue(ints, hn::Eq(curve, hn::Set(ints, one)))) {
+      p_rho = hn::Set(d, table.rho[one]), p_z = hn::Set(d, table.z[one]);
+      m_rho = hn::Set(d, table.normal_rho[one]), m_z = hn::Set(d, table.normal_z[one]);
+      k = hn::Set(d, table.curvature[one]);
+    } else {
+      p_rho = hn::GatherIndex(d, table.rho, curve), p_z = hn::GatherIndex(d, table.z, curve);
+      m_rho = hn::GatherIndex(d, table.normal_rho, curve), m_z = hn::GatherIndex(d, table.normal_z, curve);
+      k = hn::GatherIndex(d, table.curvature, curve);
+    }
+    const V q_rho = hn::Sub(rho, p_rho), q_z = hn::Sub(z, p_z);
+    const V inward = hn::MulAdd(m_rho, q_rho, hn::Mul(m_z, q_z));
+    const V twice = hn::NegMulAdd(k, hn::MulAdd(q_rho, q_rho, hn::Mul(q_z, q_z)), hn::Add(inward, inward));
+    const V g_rho = hn::MulSub(k, q_rho, m_rho), g_z = hn::MulSub(k, q_z, m_z);
+    const V root = hn::Sqrt(hn::MulAdd(g_rho, g_rho, hn::Mul(g_z, g_z)));
+    const V inverse = hn::Div(hn::Set(d, 1.0F), hn::Max(root, hn::Set(d, 1e-12F)));
+    return {hn::Div(twice, hn::Add(hn::Set(d, 1.0F), root)), hn::Mul(g_rho, inverse), hn::Mul(g_z, inverse),
+            hn::NegMulAdd(m_rho, q_z, hn::Mul(m_z, q_rho))};
+  }
+};
+
+/// Calls `function(springs)` with the vector springs of the head's shape.
+template <class Function>
+HWY_INLINE auto visit_springs(const ToolHead& head, const Function& function) {
+  const ToolHead::Shape& shape = head.shape();
+  if (const auto* sphere = std::get_if<SphereHead>(&shape)) return function(SphereVectors(*sphere));
+  if (const auto* cone = std::get_if<ConeHead>(&shape)) return function(ConeVectors(*cone));
+  if (const auto* profile = std::get_if<ProfileHead>(&shape)) return function(ProfileVectors(*profile));
+  const FlatHead& flat = *std::get_if<FlatHead>(&shape);
+  switch (flat.rule) {
+    case FlatRule::bottom_only:
+      return function(FlatVectors<FlatRule::bottom_only>(flat));
+    case FlatRule::side_only:
+      return function(FlatVectors<FlatRule::side_only>(flat));
+    case FlatRule::both:
+      return function(FlatVectors<FlatRule::both>(flat));
+    case FlatRule::nearest:
+      break;
+  }
+  return function(FlatVectors<FlatRule::nearest>(flat));
+}
+
+/// Component `kShift / 10` of packed centroid offsets, in voxel edges.
+template <int kShift, class Words>
+HWY_INLINE auto centroid_component(Words packed) {
+  const hn::Rebind<float, hn::DFromV<Words>> floats;
+  const auto steps = hn::ShiftRight<22>(hn::ShiftLeft<22 - kShift>(packed));
+  return hn::Mul(hn::ConvertTo(floats, steps), hn::Set(floats, 1.0F / CentroidOffset::kSteps));
+}
+
+}  // namespace hapticut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

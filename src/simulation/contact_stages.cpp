@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/contact_stages.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/force/laws/foundation.hpp"
+#include "hapticut/force/laws/lumped.hpp"
+
+namespace hapticut {
+namespace {
+
+ContactMaterials contact_materials(const MaterialTable& table, double reference_stiffness) {
+  ContactMaterials constants = {};
+  constants[kEmpty].cutting_energy = 1;  // empty lanes are computed like others and must not divide by zero
+  for (int id = 1; id <= table.size(); ++id) {
+    const Material& m = table[MaterialId(id)];
+    const double stiffness = m.relative_stiffness * reference_stiffness;
+    constants[std::size_t(id)] = {float(stiffness), float(m.damping), float(m.cutting_ratio),
+                                  float(m.specific_cutting_energy), float(std::sqrt(2 * m.edge_pressure / stiffness))};
+  }
+  return constants;
+}
+
+/// The most blocks that a head in any pose can reach.
+std::size_t most_blocks(const ToolHead& head, double voxel_size) {
+  const HeadBox box = head.bounding_box();
+  const double diagonal = (box.max - box.min).norm() / voxel_size + 1;
+  const double edge = std::ceil(diagonal / kBlockEdge) + 1;
+  return std::size_t(edge * edge * edge);
+}
+
+/// The box of voxels that the head can reach, cut to `bounds`.
+IndexBox reach_of(const HeadBox& box, const Pose& X_VT, double voxel_size, const IndexBox& bounds) noexcept {
+  const Vec3 center = X_VT * Vec3(0.5 * (box.min + box.max)) / voxel_size;
+  const Vec3 half = X_VT.rotation.cwiseAbs() * (0.5 * (box.max - box.min)) / voxel_size;
+  IndexBox voxels;
+  for (int axis = 0; axis < 3; ++axis) {
+    // Half a voxel more: the quadrature point of a surface voxel lies off its centre.
+    const double low = std::ceil(center[axis] - half[axis] - 0.5);
+    const double high = std::floor(center[axis] + half[axis] + 0.5);
+    voxels.min[axis] = int(std::clamp(low, double(bounds.min[axis]), bounds.max[axis] + 1.0));
+    voxels.max[axis] = int(std::clamp(high, bounds.min[axis] - 1.0, double(bounds.max[axis])));
+  }
+  return voxels;
+}
+
+}  // namespace
+
+ContactStages::ContactStages(const Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config)
+    : law_(std::dynamic_pointer_cast<const FoundationLaw>(config.law) ? nullptr : config.law),
+      quadrature_(config.quadrature),
+      materials_(contact_materials(workpiece.materials(), config.reference_stiffness)),
+      voxel_volume_(std::pow(workpiece.voxel_size(), 3)),
+      bounds_(workpiece.bounds()) {
+  for (std::size_t id = 0; id < materials_.size(); ++id) cutting_ratios_[id] = materials_[id].cutting_ratio;
+  damped_ = std::any_of(materials_.begin(), materials_.end(), [](const auto& m) { return m.damping != 0; });
+  const std::size_t most = most_blocks(head, workpiece.voxel_size());
+  blocks_.reserve(most);
+  emptied_.reserve(most);
+}
+
+void ContactStages::set_cutting_share(double share) noexcept {
+  for (std::size_t id = 1; id < materials_.size(); ++id)
+    materials_[id].cutting_ratio = float(share) * cutting_ratios_[id];
+}
+
+void ContactStages::find_blocks(const Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at) noexcept {
+  blocks_.clear();
+  const double size = workpiece.voxel_size();
+  const IndexBox voxels = reach_of(head.bounding_box(), at.X_VT, size, bounds_);
+  if (voxels.empty()) return;
+  const GridInHead grid(at.X_VT.inverse(), size);
+  head.visit_springs<float>([&](const auto& springs) {
+    for (int i = block_start(voxels.min[0]); i <= voxels.max[0]; i += kBlockEdge)
+      for (int j = block_start(voxels.min[1]); j <= voxels.max[1]; j += kBlockEdge)
+        for (int k = block_start(voxels.min[2]); k <= voxels.max[2]; k += kBlockEdge) {
+          const VoxelIndex origin = {i, j, k};
+          if (!may_touch(springs, grid, origin, float(size))) continue;
+          const BlockView block = workpiece.block(origin);
+          if (!block.empty()) blocks_.push_back(block);
+        }
+  });
+}
+
+Encounter ContactStages::evaluate_contact(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
+                                          RemovalRecord& removal) noexcept {
+  Encounter encounter;
+  if (law_ == nullptr)
+    press_blocks(workpiece, head, at, removal, encounter);
+  else
+    ask_law(workpiece, head, at, removal, encounter);
+  return encounter;
+}
+
+/// FoundationLaw, block by block in one pass of vector instructions.
+void ContactStages::press_blocks(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
+                                 RemovalRecord& removal, Encounter& encounter) noexcept {
+  using kernels::ContactSums;
+  const kernels::ContactJob job = {
+      head, GridInHead(at.X_VT.inverse(), workpiece.voxel_size()), at.motion, materials_, quadrature_, damped_};
+  ContactSums sums;
+  const bool cuts = at.motion.spin != 0 && at.motion.removal != RemovalLaw::none;
+  for (auto next = blocks_.begin(); next != blocks_.end();) {
+    std::size_t count = 0;
+    while (next != blocks_.end() && count < kPressedAtOnce) {
+      const BlockView& block = *next++;
+      tasks_[count++] = {block, fill_target(block), cuts && can_cut(block, workpiece, encounter), {}};
+      if (cuts && block.fill == nullptr) break;  // its new fills must be kept before another block needs their place
+    }
+    kernels::press_blocks(job, std::span(tasks_).first(count), sums);
+    for (const kernels::PressTask& task : std::span(tasks_).first(count)) keep_change(task, workpiece);
+  }
+  const auto total = [&](ContactSums::Term term) { return sums.total(term) * voxel_volume_; };
+  Resultant& resultant = encounter.resultant;
+  resultant.wrench_T.force =
+      -Vec3(total(ContactSums::kForceX), total(ContactSums::kForceY), total(ContactSums::kForceZ));
+  resultant.wrench_T.torque =
+      -Vec3(total(ContactSums::kTorqueX), total(ContactSums::kTorqueY), total(ContactSums::kTorqueZ));
+  if (at.motion.spin != 0) resultant.wrench_T.torque.z() -= total(ContactSums::kCouple) / double(at.motion.spin);
+  resultant.voxels = sums.voxels;
+  resultant.volume = sums.total(ContactSums::kFill);
+  resultant.depth = double(sums.depth);
+  LawEnergies& energies = encounter.energies;
+  const double middle = total(ContactSums::kElasticMiddle), change = total(ContactSums::kElasticChange);
+  const double taken = total(ContactSums::kTakenElastic);
+  energies.elastic_before = middle - change;
+  energies.elastic = middle + change - taken;
+  energies.released = taken - 2 * total(ContactSums::kLag) - total(ContactSums::kHelped);
+  energies.damping = total(ContactSums::kDamping);
+  energies.rubbing = total(ContactSums::kRubbing);
+  energies.credited = total(ContactSums::kCredited);
+  for (int id = 1; id <= workpiece.materials().size(); ++id) {
+    const double volume = sums.taken[std::size_t(id)] * voxel_volume_;
+    if (volume == 0) continue;
+    energies.cutting += double(materials_[std::size_t(id)].cutting_energy) * volume;
+    removal.add_volume(MaterialId(id), volume);
+  }
+}
+
+/// Any other law, stage by stage on the samples of one block.
+void ContactStages::ask_law(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, RemovalRecord& removal,
+                            Encounter& encounter) noexcept {
+  const GridInHead grid(at.X_VT.inverse(), workpiece.voxel_size());
+  HeadMotion motion = at.motion;
+  WholeContact whole;
+  if (law_->needs_moments()) {
+    for (const BlockView& block : blocks_) {
+      kernels::sample_contact(head, block, grid, quadrature_, contact_);
+      add_moments(contact_, motion, materials_, whole.moments);
+    }
+    if (whole.moments.volume > 0) whole.lumped = law_->lump(head, motion, whole.moments);
+    encounter.add(whole.lumped);
+    motion.whole = &whole;
+  }
+  HeadMotion without_removal = motion;
+  without_removal.removal = RemovalLaw::none;
+  std::array<double, 256> taken = {};
+  for (const BlockView& block : blocks_) {
+    kernels::sample_contact(head, block, grid, quadrature_, contact_);
+    if (contact_.samples == 0) continue;
+    const bool writable = motion.removal != RemovalLaw::none && can_cut(block, workpiece, encounter);
+    const LawTotals totals = law_->evaluate(writable ? motion : without_removal, materials_, contact_);
+    encounter.add(totals);
+    kernels::sum_resultant(contact_, encounter.resultant);
+    if (!totals.may_remove || !writable) continue;
+    float* fill_after = fill_target(block);
+    keep_change({block, fill_after, true, find_changes(contact_, block, fill_after, taken)}, workpiece);
+  }
+  for (int id = 1; id <= workpiece.materials().size(); ++id)
+    removal.add_volume(MaterialId(id), taken[std::size_t(id)] * voxel_volume_);
+}
+
+/// Whether what is cut from a block can be written down. Where no reserved block is left, material is felt but not cut.
+bool ContactStages::can_cut(const BlockView& block, const Workpiece& workpiece, Encounter& encounter) noexcept {
+  const bool writable = block.fill != nullptr || workpiece.has_reserve_for(block.origin);
+  encounter.blocks_exhausted |= !writable;
+  return writable;
+}
+
+/// Where the new fills of a block are written: into the block itself, once it has fills of its own.
+float* ContactStages::fill_target(const BlockView& block) noexcept {
+  return block.fill != nullptr ? const_cast<float*>(block.fill) : new_fill_.data();
+}
+
+/// Gives a block that was cut for the first time fills of its own, and notes its emptied voxels.
+void ContactStages::keep_change(const kernels::PressTask& task, Workpiece& workpiece) noexcept {
+  const auto& [block, fill_after, may_cut, change] = task;
+  if (change.strips == 0) return;
+  if (block.fill == nullptr) {
+    float* fill = workpiece.writable_fill(block.origin);
+    HAPTICUT_ASSERT(fill != nullptr);  // can_cut said so
+    for (std::uint32_t strips = change.strips; strips != 0; strips &= strips - 1) {
+      const int first = BlockChange::kStrip * std::countr_zero(strips);
+      std::copy_n(fill_after + first, BlockChange::kStrip, fill + first);
+    }
+  }
+  if (change.any_emptied) emptied_.push_back({block, change.emptied});
+}
+
+void ContactStages::remove_material(Workpiece& workpiece, RemovalRecord& removal) noexcept {
+  for (const EmptiedBlock& entry : emptied_) empty_voxels(entry.block, entry.emptied, workpiece, removal);
+  emptied_.clear();
+}
+
+}  // namespace hapticut

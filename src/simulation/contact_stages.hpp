@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "hapticut/force/law.hpp"
+#include "hapticut/force/resultant.hpp"
+#include "hapticut/simulation/config.hpp"
+#include "hapticut/tool/head.hpp"
+#include "hapticut/workpiece/removal.hpp"
+#include "hapticut/workpiece/workpiece.hpp"
+#include "kernels/kernels.hpp"
+
+/// @file
+/// The stages of a step that see voxels: which blocks the head reaches, what it feels and leaves of each, and what is
+/// taken out of the workpiece.
+namespace hapticut {
+
+/// What the head meets in one sub-step.
+struct Encounter {
+  Resultant resultant;
+  LawEnergies energies;
+  bool blocks_exhausted = false;
+
+  void add(const LawTotals& block) {
+    energies += block.energies;
+    resultant.wrench_T.torque.z() += block.spin_couple;
+  }
+  void add(const LumpedForce& lumped) {
+    resultant.wrench_T.force += lumped.wrench_T.force;
+    resultant.wrench_T.torque += lumped.wrench_T.torque;
+    energies.elastic_before += lumped.elastic_before;
+    energies.elastic += lumped.elastic;
+    energies.damping += lumped.damped;
+  }
+};
+
+/// Where the head is and how it moves, for the stages that see voxels.
+struct HeadPlacement {
+  Pose X_VT;          ///< of the head in the grid's frame
+  HeadMotion motion;  ///< at the middle of the sub-step
+};
+
+/// The stages and the memory that they need, all of it taken at set-up.
+class ContactStages {
+ public:
+  /// @param law  null: FoundationLaw, in vector instructions
+  ContactStages(const Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config);
+
+  /// Stage `find_blocks`: the blocks that the head may touch.
+  void find_blocks(const Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at) noexcept;
+
+  /// Stage `evaluate_contact`: samples every block found, asks the law, and sums. The fills of partly cut voxels are
+  /// already those after the sub-step when it returns; voxels that became empty wait for `remove_material`.
+  [[nodiscard]] Encounter evaluate_contact(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
+                                           RemovalRecord& removal) noexcept;
+
+  /// Stage `remove_material`: takes voxels that became empty out of the workpiece and lists them.
+  void remove_material(Workpiece& workpiece, RemovalRecord& removal) noexcept;
+
+  void set_bounds(const IndexBox& bounds) noexcept { bounds_ = bounds; }
+
+  /// Scales the cutting ratio of all materials while the spindle is slow: see `standing_share`.
+  void set_cutting_share(double share) noexcept;
+
+ private:
+  static constexpr std::size_t kPressedAtOnce = 8;  // blocks that share single-precision sums
+
+  struct EmptiedBlock {
+    BlockView block;
+    std::array<std::uint64_t, 8> emptied;
+  };
+
+  void press_blocks(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, RemovalRecord& removal,
+                    Encounter& encounter) noexcept;
+  void ask_law(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, RemovalRecord& removal,
+               Encounter& encounter) noexcept;
+  [[nodiscard]] static bool can_cut(const BlockView& block, const Workpiece& workpiece, Encounter& encounter) noexcept;
+  [[nodiscard]] float* fill_target(const BlockView& block) noexcept;
+  void keep_change(const kernels::PressTask& task, Workpiece& workpiece) noexcept;
+
+  std::shared_ptr<const ForceLaw> law_;  // null: FoundationLaw
+  Quadrature quadrature_;
+  ContactMaterials materials_;
+  std::array<float, 256> cutting_ratios_ = {};  // [1] of the materials at full spin
+  bool damped_ = false;                         // some material has damping
+  double voxel_volume_;                         // [m^3]
+  IndexBox bounds_;                             // voxels that were ever solid
+
+  std::vector<BlockView> blocks_;      // found by find_blocks
+  std::vector<EmptiedBlock> emptied_;  // by evaluate_contact, for remove_material
+  ContactBlock contact_;               // scratch of ask_law
+  std::array<kernels::PressTask, kPressedAtOnce> tasks_;
+  ContactBlock::Array<float> new_fill_;  // of a block that has no fills of its own yet
+};
+
+}  // namespace hapticut
