@@ -3,22 +3,14 @@
 // One iteration is one whole path; times are thread CPU time per tick. Run with
 // --benchmark_enable_random_interleaving=true and several repetitions, and compare contestants of the same run only.
 #include <benchmark/benchmark.h>
-#include <ctime>
-
-#include <cstdio>
 
 #include "contestants.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "tick_times.hpp"
 
 namespace hapticut::bench {
 namespace {
-
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
 
 /// hapticut itself, as a contestant: `cutting` with the full model, or static with the same voxels as the others.
 class Hapticut final : public Contestant {
@@ -61,40 +53,26 @@ std::unique_ptr<Contestant> make_any(const std::string& name, const Workload& wo
 }
 
 void run_path(benchmark::State& state, const std::string& name, const Workload& workload) {
-  std::vector<double> times(std::size_t(workload.ticks()));
-  double force_z = 0, contact = 0;
+  double force_z = 0;
   long most = 0, removed = 0;
   for (auto _ : state) {
     const auto contestant = make_any(name, workload);
-    force_z = contact = 0;
+    TickTimes times(workload.ticks());
+    force_z = 0;
     most = removed = 0;
-    double total = 0;
     for (int t = 0; t < workload.ticks(); ++t) {
       const Vec3 center = workload.center(t);
-      const double before = thread_seconds();
-      const TickResult r = contestant->tick(center);
-      times[std::size_t(t)] = thread_seconds() - before;
-      total += times[std::size_t(t)];
-      force_z += r.force_z;
-      contact += double(r.contact);
-      most = std::max(most, r.contact);
-      removed += r.removed;
+      times.time([&] {
+        const TickResult r = contestant->tick(center);
+        force_z += r.force_z;
+        most = std::max(most, r.contact);
+        removed += r.removed;
+        return r.contact;
+      });
     }
-    state.SetIterationTime(total);
+    state.SetIterationTime(times.total());
+    times.report(state);
   }
-  const double ticks = double(times.size());
-  double mean = 0;
-  for (const double t : times) mean += t * 1e6 / ticks;
-  state.counters["mean_us"] = mean;
-  state.counters["misses"] = double(std::count_if(times.begin(), times.end(), [](double t) { return t > 1e-3; }));
-  std::sort(times.begin(), times.end());
-  const auto percentile = [&](double p) { return 1e6 * times[std::min(times.size() - 1, std::size_t(p * ticks))]; };
-  state.counters["p50_us"] = percentile(0.5);
-  state.counters["p99_us"] = percentile(0.99);
-  state.counters["p999_us"] = percentile(0.999);
-  state.counters["max_us"] = 1e6 * times.back();
-  state.counters["contact_voxels"] = contact / ticks;
-  state.counters["ns_per_contact_voxel"] = contact > 0 ? mean * 1e3 * ticks / contact : 0;
   state.counters["most_in_contact"] = double(most);
   state.counters["removed"] = double(removed);
   state.counters["force_z_sum"] = force_z;

@@ -54,6 +54,8 @@
 #include "hapticut/force/stiffness.hpp"
 #include "hapticut/force/whole_contact.hpp"
 //
+#include "hapticut/simulation/stage_times.hpp"
+#include "hapticut/simulation/worst_case.hpp"
 #include "hapticut/simulation/config.hpp"
 #include "hapticut/simulation/energy.hpp"
 #include "hapticut/simulation/scenes.hpp"

@@ -31,7 +31,9 @@ struct ContactJob {
   HeadMotion motion;
   const ContactMaterials& materials;
   Quadrature quadrature;
-  bool damped;  ///< some material has damping
+  bool damped;                   ///< some material has damping
+  unsigned level_of_detail = 1;  ///< n: only an n-th of the strips is evaluated, and each counts n times
+  unsigned turn = 0;             ///< which of them
 };
 
 /// What the blocks of a sub-step add up to, lane by lane: the voxels of a strip always meet the same lane, so that the

@@ -166,6 +166,7 @@ class Press {
         offsets_(offsets),
         totals_(totals),
         part_(part),
+        level_(job.level_of_detail),
         damped_(job.damped),
         release_(m_.removal == RemovalLaw::elastic_release),
         material_(job.materials[kEmpty]),
@@ -198,6 +199,7 @@ class Press {
       if (solid == 0) continue;
       for (int strip = 0; strip < kStripsPerSlab; ++strip) {
         const auto bits = unsigned(solid >> (kStripLanes * strip + int(part_ * kWidth))) & kAllLanes;
+        if (level_ > 1 && !has_turn(block.origin, slab, strip)) continue;
         if (bits != 0) press_strip(task, slab * kStripsPerSlab + strip, bits, at_centroid);
       }
     }
@@ -298,7 +300,8 @@ class Press {
       }
       constexpr float kRegular = FoundationLaw::kSlipRegularization * FoundationLaw::kSlipRegularization;
       const Vec inverse_slip = hn::Div(one, hn::Sqrt(hn::Add(slip_squared, broadcast(kRegular))));
-      const Vec slip_path = hn::Mul(hn::Mul(slip_squared, inverse_slip), dt);
+      // [m] A strip that waited for its turn makes up for it.
+      const Vec slip_path = hn::Mul(hn::Mul(slip_squared, inverse_slip), broadcast(m_.duration * float(level_)));
 
       Mask is_cut = hn::MaskFromVec(zero);
       if (kMode == Mode::cutting && task.may_cut) {
@@ -374,6 +377,11 @@ class Press {
     return normal;
   }
 
+  /// Strips take turns by diagonal planes.
+  HWY_INLINE bool has_turn(const VoxelIndex& origin, int slab, int strip) const {
+    return (unsigned(origin[0] + slab) + unsigned(origin[1] / 2 + strip) + job_.turn) % level_ == 0;
+  }
+
   HWY_INLINE void shift_to_centroids(const std::int32_t* centroids, Vectors& r) const {
     const hn::RebindToSigned<Floats> ints;
     const auto packed = hn::LoadU(ints, centroids);
@@ -446,6 +454,7 @@ class Press {
   const StripOffsets& offsets_;
   ContactSums& totals_;
   const std::size_t part_;
+  const unsigned level_;
   const bool damped_, release_;
   bool near_axis_ = false;
   MaterialVectors material_;

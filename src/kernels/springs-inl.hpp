@@ -143,24 +143,35 @@ struct ProfileVectors {
       const auto other = hn::And(hn::ShiftRight<14>(cell), curve_bits);
       const Meridian<V> second = below(other, rho, z);
       const auto is = [&](CellRule r) HWY_ATTR { return hn::RebindMask(d, hn::Eq(rule, hn::Set(ints, int(r)))); };
-      const auto nearer = hn::And(is(CellRule::nearer), hn::Lt(second.depth, spring.depth));
-      const auto farther = hn::And(is(CellRule::farther), hn::Gt(second.depth, spring.depth));
+      // second.depth - spring.depth has the sign of:
+      const V deeper = hn::MulSub(second.twice, hn::Add(same(x, 1.0F), spring.root),
+                                  hn::MulAdd(spring.twice, second.root, spring.twice));
+      const auto nearer = hn::And(is(CellRule::nearer), hn::Lt(deeper, hn::Zero(d)));
+      const auto farther = hn::And(is(CellRule::farther), hn::Gt(deeper, hn::Zero(d)));
       const auto beyond = hn::And(is(CellRule::sides), hn::Ge(second.along, hn::Zero(d)));
       const auto take = hn::Or(hn::Or(nearer, farther), beyond);
-      const auto shut = hn::And(is(CellRule::gate), hn::Le(second.depth, hn::Zero(d)));
-      spring.depth = hn::IfThenZeroElse(shut, hn::IfThenElse(take, second.depth, spring.depth));
-      spring.n_radial = hn::IfThenElse(take, second.n_radial, spring.n_radial);
-      spring.n_axial = hn::IfThenElse(take, second.n_axial, spring.n_axial);
+      const auto shut = hn::And(is(CellRule::gate), hn::Le(second.twice, hn::Zero(d)));
+      spring.twice = hn::IfThenZeroElse(shut, hn::IfThenElse(take, second.twice, spring.twice));
+      spring.root = hn::IfThenElse(take, second.root, spring.root);
+      spring.g_rho = hn::IfThenElse(take, second.g_rho, spring.g_rho);
+      spring.g_z = hn::IfThenElse(take, second.g_z, spring.g_z);
     }
-    const V radial = hn::Div(spring.n_radial, hn::Max(rho, same(x, 1e-12F)));
-    return {spring.depth, hn::Mul(x, radial), hn::Mul(y, radial), spring.n_axial};
+    // One division for three: by the length of the gradient g, by 1 + |g| and by rho.
+    const V one = same(x, 1.0F), length = hn::Max(spring.root, same(x, 1e-12F)), plus_one = hn::Add(one, length);
+    const V from_axis = hn::Max(rho, same(x, 1e-12F));
+    const V inverse = hn::Div(one, hn::Mul(hn::Mul(length, plus_one), from_axis));
+    const V depth = hn::Mul(spring.twice, hn::Mul(inverse, hn::Mul(length, from_axis)));
+    const V radial = hn::Mul(spring.g_rho, hn::Mul(inverse, plus_one));
+    const V axial = hn::Mul(spring.g_z, hn::Mul(inverse, hn::Mul(plus_one, from_axis)));
+    return {depth, hn::Mul(x, radial), hn::Mul(y, radial), axial};
   }
 
  private:
   template <class V>
   struct Meridian {
-    V depth, n_radial, n_axial;
-    V along;  // [m] beyond the curve's starting point, towards the shank
+    V twice, root;  // depth = twice / (1 + root)
+    V g_rho, g_z;   // direction = g / root
+    V along;        // [m] beyond the curve's starting point, towards the shank
   };
 
   /// `ProfileSprings::below` for a vector of curves.
@@ -184,9 +195,7 @@ struct ProfileVectors {
     const V twice = hn::NegMulAdd(k, hn::MulAdd(q_rho, q_rho, hn::Mul(q_z, q_z)), hn::Add(inward, inward));
     const V g_rho = hn::MulSub(k, q_rho, m_rho), g_z = hn::MulSub(k, q_z, m_z);
     const V root = hn::Sqrt(hn::MulAdd(g_rho, g_rho, hn::Mul(g_z, g_z)));
-    const V inverse = hn::Div(hn::Set(d, 1.0F), hn::Max(root, hn::Set(d, 1e-12F)));
-    return {hn::Div(twice, hn::Add(hn::Set(d, 1.0F), root)), hn::Mul(g_rho, inverse), hn::Mul(g_z, inverse),
-            hn::NegMulAdd(m_rho, q_z, hn::Mul(m_z, q_rho))};
+    return {twice, root, g_rho, g_z, hn::NegMulAdd(m_rho, q_z, hn::Mul(m_z, q_rho))};
   }
 };
 

@@ -24,14 +24,6 @@ ContactMaterials contact_materials(const MaterialTable& table, double reference_
   return constants;
 }
 
-/// The most blocks that a head in any pose can reach.
-std::size_t most_blocks(const ToolHead& head, double voxel_size) {
-  const HeadBox box = head.bounding_box();
-  const double diagonal = (box.max - box.min).norm() / voxel_size + 1;
-  const double edge = std::ceil(diagonal / kBlockEdge) + 1;
-  return std::size_t(edge * edge * edge);
-}
-
 /// The box of voxels that the head can reach, cut to `bounds`.
 IndexBox reach_of(const HeadBox& box, const Pose& X_VT, double voxel_size, const IndexBox& bounds) noexcept {
   const Vec3 center = X_VT * Vec3(0.5 * (box.min + box.max)) / voxel_size;
@@ -54,12 +46,33 @@ ContactStages::ContactStages(const Workpiece& workpiece, const ToolHead& head, c
       quadrature_(config.quadrature),
       materials_(contact_materials(workpiece.materials(), config.reference_stiffness)),
       voxel_volume_(std::pow(workpiece.voxel_size(), 3)),
+      most_voxels_(most_voxels(head, workpiece.voxel_size())),
+      most_blocks_(most_blocks(head, workpiece.voxel_size())),
+      voxel_budget_(config.voxel_budget),
       bounds_(workpiece.bounds()) {
   for (std::size_t id = 0; id < materials_.size(); ++id) cutting_ratios_[id] = materials_[id].cutting_ratio;
   damped_ = std::any_of(materials_.begin(), materials_.end(), [](const auto& m) { return m.damping != 0; });
-  const std::size_t most = most_blocks(head, workpiece.voxel_size());
-  blocks_.reserve(most);
-  emptied_.reserve(most);
+  if (law_ != nullptr && voxel_budget_ != 0)
+    throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
+                " was given with a law of your own; only the default law has a level of detail. Leave it at 0.");
+  blocks_.reserve(most_blocks_);
+  emptied_.reserve(most_blocks_);
+}
+
+WorstCase ContactStages::worst_case(const SimulationConfig& config) const noexcept {
+  const std::size_t budget = voxel_budget_ == 0 ? most_voxels_ : voxel_budget_;
+  const std::size_t parts = (most_voxels_ + budget - 1) / budget;
+  return {most_blocks_, std::min(most_voxels_, budget), config.longest_sweep, int(parts)};
+}
+
+/// Into how many parts the voxels of the blocks found must be divided to stay within the budget.
+int ContactStages::level_of_detail() const noexcept {
+  if (voxel_budget_ == 0 || most_voxels_ <= voxel_budget_) return 1;
+  std::size_t solid = 0;
+  for (const BlockView& block : blocks_)
+    for (int slab = 0; slab < kBlockEdge; ++slab)
+      solid += block.solid == nullptr ? 64 : std::size_t(std::popcount(block.solid[slab]));
+  return int((std::min(solid, most_voxels_) + voxel_budget_ - 1) / voxel_budget_);
 }
 
 void ContactStages::set_cutting_share(double share) noexcept {
@@ -99,8 +112,15 @@ Encounter ContactStages::evaluate_contact(Workpiece& workpiece, const ToolHead& 
 void ContactStages::press_blocks(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
                                  RemovalRecord& removal, Encounter& encounter) noexcept {
   using kernels::ContactSums;
-  const kernels::ContactJob job = {
-      head, GridInHead(at.X_VT.inverse(), workpiece.voxel_size()), at.motion, materials_, quadrature_, damped_};
+  encounter.level_of_detail = std::max(1, level_of_detail());
+  const kernels::ContactJob job = {head,
+                                   GridInHead(at.X_VT.inverse(), workpiece.voxel_size()),
+                                   at.motion,
+                                   materials_,
+                                   quadrature_,
+                                   damped_,
+                                   unsigned(encounter.level_of_detail),
+                                   turn_++};
   ContactSums sums;
   const bool cuts = at.motion.spin != 0 && at.motion.removal != RemovalLaw::none;
   for (auto next = blocks_.begin(); next != blocks_.end();) {
@@ -113,25 +133,27 @@ void ContactStages::press_blocks(Workpiece& workpiece, const ToolHead& head, con
     kernels::press_blocks(job, std::span(tasks_).first(count), sums);
     for (const kernels::PressTask& task : std::span(tasks_).first(count)) keep_change(task, workpiece);
   }
-  const auto total = [&](ContactSums::Term term) { return sums.total(term) * voxel_volume_; };
+  // Voxels that waited for their turn are represented by those that had it; what was taken is exact.
+  const double weight = encounter.level_of_detail;
+  const auto total = [&](ContactSums::Term term) { return weight * sums.total(term) * voxel_volume_; };
   Resultant& resultant = encounter.resultant;
   resultant.wrench_T.force =
       -Vec3(total(ContactSums::kForceX), total(ContactSums::kForceY), total(ContactSums::kForceZ));
   resultant.wrench_T.torque =
       -Vec3(total(ContactSums::kTorqueX), total(ContactSums::kTorqueY), total(ContactSums::kTorqueZ));
   if (at.motion.spin != 0) resultant.wrench_T.torque.z() -= total(ContactSums::kCouple) / double(at.motion.spin);
-  resultant.voxels = sums.voxels;
-  resultant.volume = sums.total(ContactSums::kFill);
+  resultant.voxels = sums.voxels * encounter.level_of_detail;
+  resultant.volume = weight * sums.total(ContactSums::kFill);
   resultant.depth = double(sums.depth);
   LawEnergies& energies = encounter.energies;
   const double middle = total(ContactSums::kElasticMiddle), change = total(ContactSums::kElasticChange);
-  const double taken = total(ContactSums::kTakenElastic);
+  const double taken = total(ContactSums::kTakenElastic) / weight;
   energies.elastic_before = middle - change;
   energies.elastic = middle + change - taken;
-  energies.released = taken - 2 * total(ContactSums::kLag) - total(ContactSums::kHelped);
+  energies.released = taken - 2 * total(ContactSums::kLag) - total(ContactSums::kHelped) / weight;
   energies.damping = total(ContactSums::kDamping);
-  energies.rubbing = total(ContactSums::kRubbing);
-  energies.credited = total(ContactSums::kCredited);
+  energies.rubbing = total(ContactSums::kRubbing) / weight;  // over all the time since the last turn
+  energies.credited = total(ContactSums::kCredited) / weight;
   for (int id = 1; id <= workpiece.materials().size(); ++id) {
     const double volume = sums.taken[std::size_t(id)] * voxel_volume_;
     if (volume == 0) continue;

@@ -9,6 +9,7 @@
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/resultant.hpp"
 #include "hapticut/simulation/config.hpp"
+#include "hapticut/simulation/worst_case.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/removal.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
@@ -24,6 +25,7 @@ struct Encounter {
   Resultant resultant;
   LawEnergies energies;
   bool blocks_exhausted = false;
+  int level_of_detail = 1;  // an n-th of the voxels was evaluated
 
   void add(const LawTotals& block) {
     energies += block.energies;
@@ -61,6 +63,8 @@ class ContactStages {
   /// Stage `remove_material`: takes voxels that became empty out of the workpiece and lists them.
   void remove_material(Workpiece& workpiece, RemovalRecord& removal) noexcept;
 
+  [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
+
   void set_bounds(const IndexBox& bounds) noexcept { bounds_ = bounds; }
 
   /// Scales the cutting ratio of all materials while the spindle is slow: see `standing_share`.
@@ -78,6 +82,7 @@ class ContactStages {
                     Encounter& encounter) noexcept;
   void ask_law(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, RemovalRecord& removal,
                Encounter& encounter) noexcept;
+  [[nodiscard]] int level_of_detail() const noexcept;
   [[nodiscard]] static bool can_cut(const BlockView& block, const Workpiece& workpiece, Encounter& encounter) noexcept;
   [[nodiscard]] float* fill_target(const BlockView& block) noexcept;
   void keep_change(const kernels::PressTask& task, Workpiece& workpiece) noexcept;
@@ -88,7 +93,10 @@ class ContactStages {
   std::array<float, 256> cutting_ratios_ = {};  // [1] of the materials at full spin
   bool damped_ = false;                         // some material has damping
   double voxel_volume_;                         // [m^3]
-  IndexBox bounds_;                             // voxels that were ever solid
+  std::size_t most_voxels_, most_blocks_;
+  std::size_t voxel_budget_;  // 0: no limit
+  unsigned turn_ = 0;         // of the level of detail
+  IndexBox bounds_;           // voxels that were ever solid
 
   std::vector<BlockView> blocks_;      // found by find_blocks
   std::vector<EmptiedBlock> emptied_;  // by evaluate_contact, for remove_material

@@ -10,21 +10,13 @@
 #include "hapticut/force/deep_contact.hpp"
 #include "hapticut/force/friction.hpp"
 #include "simulation/contact_stages.hpp"
+#include "simulation/stage_timer.hpp"
 
 namespace hapticut {
 namespace {
 
 constexpr double kRotationTolerance = 1e-3;  // [1] what device matrices are off by is below this
 constexpr double kThickLayer = 0.1;          // [1] of the head's radius
-
-std::size_t voxels_inside(const ToolHead& head, double voxel_size) {
-  // A thin head still touches whole voxels: count those of a head grown by one voxel all round, as a box.
-  const HeadBox box = head.bounding_box();
-  const Vec3 edges = (box.max - box.min).array() / voxel_size + 2;
-  const double in_box = edges.prod();
-  const double in_head = 2 * head.volume() / std::pow(voxel_size, 3) + 4096;
-  return std::size_t(std::min(in_box, in_head));
-}
 
 void validate_pair(const Workpiece& workpiece, const Tool& tool) {
   if (workpiece.empty())
@@ -57,6 +49,9 @@ struct Simulation::State {
   void prepare_workpiece();
 
   // The stages of a step, in their order.
+  [[nodiscard]] StageTimer timed(double StageTimes::*stage) const noexcept {
+    return StageTimer(config.stage_times ? &(times.*stage) : nullptr);
+  }
   void begin_step() noexcept;
   [[nodiscard]] StepStatus check_input(const Pose& pose, const Twist& velocity, double dt) const noexcept;
   void place_at(const Pose& pose) noexcept;
@@ -97,6 +92,7 @@ struct Simulation::State {
 
   RemovalRecord removal;
   StepResult result;
+  mutable StageTimes times;
 };
 
 // --- the step
@@ -131,6 +127,7 @@ const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, doub
 
 void Simulation::State::begin_step() noexcept {
   removal.clear();
+  times = {};
   result.force = result.torque = Vec3::Zero();
   result.model = {};
   result.removed_voxels = {};
@@ -142,6 +139,7 @@ void Simulation::State::begin_step() noexcept {
 }
 
 StepStatus Simulation::State::check_input(const Pose& pose, const Twist& velocity, double dt) const noexcept {
+  const StageTimer timer = timed(&StageTimes::check_input);
   StepStatus status = StepStatus::ok;
   if (!is_finite(pose) || !is_rotation(pose.rotation, kRotationTolerance)) status |= StepStatus::pose_rejected;
   if (!is_finite(velocity.linear) || !is_finite(velocity.angular)) status |= StepStatus::velocity_rejected;
@@ -159,6 +157,7 @@ void Simulation::State::place_at(const Pose& pose) noexcept {
 
 /// Number of equal parts in which no point of the head moves farther than half a voxel.
 int Simulation::State::plan_sweep(const Pose& pose) const noexcept {
+  const StageTimer timer = timed(&StageTimes::plan_sweep);
   const Vec3 head_shift = pose * tool.X_HT().translation - X_WH * tool.X_HT().translation;
   const double turn = vector_from_rotation(pose.rotation * X_WH.rotation.transpose()).norm();
   const double farthest = head_shift.norm() + turn * tool.head().reach();
@@ -168,6 +167,7 @@ int Simulation::State::plan_sweep(const Pose& pose) const noexcept {
 
 SubStep Simulation::State::plan_sub_step(int index, double duration, const Twist& path,
                                          const Twist& felt) const noexcept {
+  const StageTimer timer = timed(&StageTimes::plan_sub_step);
   SubStep sub_step;
   sub_step.duration = duration;
   sub_step.X_WH = advance(X_WH, path, (index + 0.5) * duration);
@@ -189,17 +189,23 @@ SubStep Simulation::State::plan_sub_step(int index, double duration, const Twist
 }
 
 void Simulation::State::find_blocks(const SubStep& sub_step) noexcept {
+  const StageTimer timer = timed(&StageTimes::find_blocks);
   contact_stages.find_blocks(workpiece, tool.head(), sub_step.head);
 }
 
 Encounter Simulation::State::evaluate_contact(const SubStep& sub_step) noexcept {
+  const StageTimer timer = timed(&StageTimes::evaluate_contact);
   return contact_stages.evaluate_contact(workpiece, tool.head(), sub_step.head, removal);
 }
 
-void Simulation::State::remove_material() noexcept { contact_stages.remove_material(workpiece, removal); }
+void Simulation::State::remove_material() noexcept {
+  const StageTimer timer = timed(&StageTimes::remove_material);
+  contact_stages.remove_material(workpiece, removal);
+}
 
 /// Keeps a ball beyond its radius from popping through.
 void Simulation::State::hold_deep_contact(const SubStep& sub_step, Encounter& encounter) noexcept {
+  const StageTimer timer = timed(&StageTimes::hold_deep_contact);
   const auto* ball = std::get_if<SphereHead>(&tool.head().shape());
   if (ball == nullptr || !config.deep_contact) return;
   const double filled = encounter.resultant.volume * voxel_volume / tool.head().volume();
@@ -217,6 +223,7 @@ void Simulation::State::hold_deep_contact(const SubStep& sub_step, Encounter& en
 
 /// Dry friction of a head that stands, or turns so slowly that the cutting ratio does not describe it alone.
 void Simulation::State::add_friction(const SubStep& sub_step, Encounter& encounter) noexcept {
+  const StageTimer timer = timed(&StageTimes::add_friction);
   const double share = standing_share(motor.speed(), tool.head().largest_radius());
   const bool touches = share > 0 && encounter.resultant.voxels > 0;
   Wrench normal_T;
@@ -267,6 +274,7 @@ const DryFriction& Simulation::State::friction_at(const Vec3& p_WQ) noexcept {
 }
 
 void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept {
+  const StageTimer timer = timed(&StageTimes::book_energy);
   const Wrench& wrench_T = encounter.resultant.wrench_T;
   EnergyLedger& energy = result.energy;
   energy.hand_work -=
@@ -283,6 +291,7 @@ void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& en
 
 void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encounter& encounter,
                                             double share) noexcept {
+  const StageTimer timer = timed(&StageTimes::transport_to_handle);
   const Mat3& R_WT = sub_step.X_WT.rotation;
   const Wrench& wrench_T = encounter.resultant.wrench_T;
   const Wrench at_head = {R_WT * wrench_T.force, R_WT * wrench_T.torque};
@@ -301,10 +310,12 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   result.spindle.torque += share * motor_torque;
   result.contact = {encounter.resultant.voxels, encounter.resultant.volume * voxel_volume, encounter.resultant.depth};
   if (encounter.blocks_exhausted) result.status |= StepStatus::blocks_exhausted;
+  if (encounter.level_of_detail > 1) result.status |= StepStatus::detail_reduced;
 }
 
 /// What the hand feels: the force of the model with what is added to it, within its limits.
 void Simulation::State::add_effects(const Pose& pose, double dt) noexcept {
+  const StageTimer timer = timed(&StageTimes::add_effects);
   const Effects& effects = config.effects;
   const EffectsInput at = {pose, pose * tool.X_HT(), motor.speed() != 0 && result.contact.voxels > 0,
                            result.spindle.torque * motor.speed(), dt};
@@ -349,7 +360,7 @@ Simulation::State::State(Workpiece given_workpiece, Tool given_tool, SimulationC
       contact_stages(workpiece, tool.head(), config),
       motor(tool.spindle()),
       removal(config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity
-                                                : voxels_inside(tool.head(), workpiece.voxel_size())) {
+                                                : most_voxels(tool.head(), workpiece.voxel_size())) {
   prepare_workpiece();
 }
 
@@ -385,6 +396,10 @@ const StepResult& Simulation::last_result() const { return state_->result; }
 const std::array<double, 256>& Simulation::removed_volume_by_material() const {
   return state_->removal.total_by_material();
 }
+
+WorstCase Simulation::worst_case() const { return state_->contact_stages.worst_case(state_->config); }
+
+const StageTimes& Simulation::stage_times() const { return state_->times; }
 
 void Simulation::set_spindle_speed(double speed) {
   if (!std::isfinite(speed)) throw Error("spindle speed = " + format_number(speed) + " rad/s; must be finite.");

@@ -5,7 +5,9 @@
 #include <memory>
 
 #include "hapticut/simulation/config.hpp"
+#include "hapticut/simulation/stage_times.hpp"
 #include "hapticut/simulation/step.hpp"
+#include "hapticut/simulation/worst_case.hpp"
 #include "hapticut/tool/tool.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 
@@ -46,6 +48,12 @@ class Simulation {
 
   /// [m^3] taken away since construction or reset, by MaterialId.
   [[nodiscard]] const std::array<double, 256>& removed_volume_by_material() const;
+
+  /// What a step may have to do at most.
+  [[nodiscard]] WorstCase worst_case() const;
+
+  /// Of the last step; see SimulationConfig::stage_times.
+  [[nodiscard]] const StageTimes& stage_times() const;
 
   // --- set-up calls, between steps ----------------------------------------------------------------------------------
   /// Sets the spindle's speed for the following steps; with Spindle::acceleration_limit it is reached on a ramp.

@@ -44,6 +44,9 @@ enum class StepStatus : std::uint32_t {
   /// The step was too long for the vibration's frequency, which was left out. Cure: call the step at
   /// SimulationConfig::update_rate, or lower Vibration::frequency.
   vibration_left_out = 1U << 10,
+  /// The head touched more voxels than SimulationConfig::voxel_budget: only a part of them was evaluated, in turn with
+  /// the others. Cure: larger voxels, a smaller head, or a larger budget.
+  detail_reduced = 1U << 11,
 };
 
 [[nodiscard]] constexpr StepStatus operator|(StepStatus a, StepStatus b) {

@@ -139,8 +139,8 @@ class FoundationLaw final : public ForceLaw {
       return sum * double(voxel_volume);
     };
     const double couple = spinning ? -total(kCouple) / double(m.spin) : 0.0;
-    return {{total(kElasticBefore), total(kElastic), total(kCutting), total(kReleased), total(kDamping), total(kRubbing),
-             total(kCredited)},
+    return {{total(kElasticBefore), total(kElastic), total(kCutting), total(kReleased), total(kDamping),
+             total(kRubbing), total(kCredited)},
             couple,
             cutting};
   }

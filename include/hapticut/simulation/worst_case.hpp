@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "hapticut/tool/head.hpp"
+
+namespace hapticut {
+
+/// The most that a step may have to do, known at set-up: the work of a step is proportional to the voxels it evaluates.
+struct WorstCase {
+  std::size_t blocks = 0;   ///< blocks looked at in one sub-step
+  std::size_t voxels = 0;   ///< voxels evaluated in one sub-step, level of detail considered
+  int sub_steps = 0;        ///< of the longest sweep that is not rejected
+  int level_of_detail = 1;  ///< 1: every voxel in every sub-step; n: an n-th of them in turn
+};
+
+/// Upper bound on the voxels that a head in any pose can touch: those whose cube may meet it.
+/// @param voxel_size  [m] > 0
+[[nodiscard]] std::size_t most_voxels(const ToolHead& head, double voxel_size);
+
+/// Upper bound on the blocks that a head in any pose can touch.
+/// @param voxel_size  [m] > 0
+[[nodiscard]] std::size_t most_blocks(const ToolHead& head, double voxel_size);
+
+}  // namespace hapticut
