@@ -18,6 +18,14 @@ constexpr double kUnitsWatched = 1;         // [s]
 constexpr double kImplausiblyFar = 2;       // [m] no desktop device reaches farther
 constexpr double kImplausiblySmall = 1e-6;  // [m] of all motion within a second, while the stylus turns
 
+constexpr double kFastTurn = 10;  // [rad/s] at which damping may take all the torque there is
+
+/// The options with the damping that a device can render, where they name none.
+PassivityOptions with_damping(PassivityOptions options, double damping) {
+  if (options.greatest_damping == 0) options.greatest_damping = damping;
+  return options;
+}
+
 double or_default(double value, double fallback) { return value > 0 ? value : fallback; }
 
 bool is_finite(const Wrench& w) { return w.force.allFinite() && w.torque.allFinite(); }
@@ -35,8 +43,8 @@ SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOpti
       ramp_damping_(options.ramp_damping < 0 ? kRampDampingShare * capabilities.damping : options.ramp_damping),
       gate_(capabilities, options.gate),
       arming_(options.arming),
-      passivity_(options.passivity, greatest_force_),
-      turning_passivity_(options.passivity, greatest_torque_),
+      passivity_(with_damping(options.passivity, capabilities.damping), greatest_force_),
+      turning_passivity_(with_damping(options.passivity, greatest_torque_ / kFastTurn), greatest_torque_),
       thermal_(greatest_force_, capabilities.continuous_force, options.thermal) {
   require_positive(options.period, "GuardOptions::period [s]");
   require_not_negative(options.greatest_force, "GuardOptions::greatest_force [N]");

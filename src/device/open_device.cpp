@@ -6,6 +6,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/device.hpp"
 #include "hapticut/device/mock.hpp"
+#include "hapticut/device/mouse.hpp"
 
 namespace hapticut {
 namespace {
@@ -24,6 +25,7 @@ Registry& registry() {
       {},
       {
           mock_driver(),
+          mouse_driver(),
           absent("openhaptics", "openhaptics[:NAME], NAME as in the maker's setup program",
                  "3D Systems OpenHaptics 3.0 or later and the device's driver, then build hapticut with "
                  "-DHAPTICUT_WITH_OPENHAPTICS=ON and call hapticut::use_open_haptics()"),

@@ -2,11 +2,18 @@
 #include "hapticut/device/passivity.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut {
+
+namespace {
+
+constexpr double kSoftest = 100;  // [N/m] or [N·m/rad]; a softer spring stores more than is remembered
+
+}  // namespace
 
 PassivityController::PassivityController(const PassivityOptions& options, double greatest)
     : options_(options), greatest_(options.greatest > 0 ? options.greatest : greatest) {
@@ -16,6 +23,9 @@ PassivityController::PassivityController(const PassivityOptions& options, double
   require_positive(options.slowest, "PassivityOptions::slowest [m/s]");
   require_between(options.delay, 0, kLongestDelay, "PassivityOptions::delay [ticks]");
   require_between(options.free_ticks, 1, 100000, "PassivityOptions::free_ticks");
+  require_not_negative(options.greatest_damping, "PassivityOptions::greatest_damping [N·s/m]");
+  if (options_.credit == 0) options_.credit = greatest_ * greatest_ / (2 * kSoftest);
+  if (options_.greatest_damping == 0) options_.greatest_damping = std::numeric_limits<double>::infinity();
   restart();
 }
 
@@ -40,7 +50,7 @@ Vec3 PassivityController::control(const Vec3& force, const Vec3& applied, const 
   const double owed = -stored_ - options_.allowance;
   const double speed = motion.norm() / dt;
   if (owed <= 0 || speed < options_.slowest) return force;
-  taken_ = std::min(owed / (speed * dt), greatest_);
+  taken_ = std::min({owed / (speed * dt), greatest_, options_.greatest_damping * speed});
   return force - taken_ / motion.norm() * motion;
 }
 

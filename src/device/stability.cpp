@@ -134,12 +134,13 @@ bool Buzz::buzzes() const {
 
 Buzz press(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness, const PressTest& test) {
   require_positive(test.seconds, "PressTest::seconds [s]");
+  require_between(test.approach, 0, test.seconds, "PressTest::approach [s]");
   require_between(test.measured, config.period, test.seconds, "PressTest::measured [s]");
   ClosedLoop loop(config);
   const ForceModel model = factory(stiffness);
   loop.reset(Pose::from_translation({0, 0, test.height + 10 * kApproach}));
   loop.plant().set_velocity({0, 0, -test.speed});
-  loop.plant().set_target(Pose::from_translation({0, 0, test.height - test.depth}));
+  const long waits = std::lround(test.approach / config.period);
 
   const long ticks = std::lround(test.seconds / config.period), measured = std::lround(test.measured / config.period);
   std::vector<double> z, force;
@@ -148,6 +149,7 @@ Buzz press(const ClosedLoopConfig& config, const ModelFactory& factory, double s
   Buzz buzz;
   double energy_before = 0;
   for (long n = 0; n < ticks; ++n) {
+    if (n == waits) loop.plant().set_target(Pose::from_translation({0, 0, test.height - test.depth}));
     if (n == ticks - measured) energy_before = loop.generated_energy();
     const bool counts = n >= ticks - measured;
     if (counts) z.push_back(loop.plant().pose().translation.z());

@@ -29,10 +29,11 @@ ThermalBudget::ThermalBudget(double peak, double continuous, const ThermalOption
 void ThermalBudget::tick(double force, double temperature, double dt) noexcept {
   const double share = continuous_ > 0 ? force / continuous_ : 0;
   heat_ += (share * share - heat_) * -std::expm1(-dt / options_.time_constant);
-  if (heat_ > options_.warm || temperature > options_.hot) {
+  const bool measured = temperature > 0;
+  if (measured ? temperature > options_.hot : heat_ > options_.warm) {
     if (!limiting_) limit_ = std::min(limit_, std::max(force, continuous_));
     limiting_ = true;
-  } else if (heat_ < options_.cool && temperature <= options_.cold) {
+  } else if (measured ? temperature < options_.cold : heat_ < options_.cool) {
     limiting_ = false;
   }
   const double floor = continuous_ > 0 ? continuous_ : kCarefulShare * peak_;

@@ -95,6 +95,11 @@ class Device {
 
   [[nodiscard]] ArmingState arming() const;
 
+  /// The same without a lock, for code that runs in the loop: of the tick before the current one.
+  /// @pre a run is under way, in this thread
+  [[nodiscard]] const DeviceOutput& last_output() const noexcept { return guard_->output(); }
+  [[nodiscard]] ArmingState last_arming() const noexcept { return guard_->state(); }
+
   /// Takes the entries of the safety log; empty before the first run.
   [[nodiscard]] std::vector<SafetyLogEntry> drain_log();
 

@@ -10,9 +10,12 @@ namespace hapticut {
 /// How the passivity controller watches. Energies in [J], for the translation; the rotation has its own instance.
 struct PassivityOptions {
   bool enabled = true;
-  double credit = 5e-3;   ///< [J] that the model may have absorbed and give back later: more is forgotten
-  double allowance = 0;   ///< [J] that the model may generate, for a device whose own friction takes it
-  double greatest = 0;    ///< [N or N·m] of the damping; 0: the device's peak
+  double credit = 5e-3;  ///< [J] that the model may have absorbed and give back later: more is forgotten
+  double allowance = 0;  ///< [J] that the model may generate, for a device whose own friction takes it
+  double greatest = 0;   ///< [N or N·m] of the damping; 0: the device's peak
+  /// [N·s/m or N·m·s/rad] of the damping at most; 0: no bound. Without one, a force of any size answers the smallest
+  /// motion. SafetyGuard fills in what the device can render.
+  double greatest_damping = 0;
   double slowest = 1e-6;  ///< [m/s or rad/s] below which nothing is damped
   double free = 1e-3;     ///< [N or N·m] a shorter force counts as none
   int delay = 0;          ///< [ticks] 0 ... 8 between a written force and the one that acts, beyond the hold
@@ -26,8 +29,8 @@ struct PassivityOptions {
 ///     W(n) = W(n-1) - F(n-1) · (x(n) - x(n-1)),   F on the device as it was applied,
 ///
 /// W > 0 is energy that went into the model. When W falls below minus the allowance, a damping force `-a v` is added
-/// with `a = -W / (v^2 T)`, bounded (time-domain passivity control, Hannaford and Ryu 2002). It acts one tick late and
-/// is bounded by the device: a strong help, not a proof.
+/// with `a = -W / (v^2 T)`, bounded by a damping and a force (time-domain passivity control, Hannaford and Ryu 2002).
+/// It acts one tick late and is bounded by the device: a strong help, not a proof.
 ///
 /// A spindle that drags the tool sideways does generate energy; the controller then holds the hand back gently, which
 /// is what a guard is for.

@@ -73,7 +73,8 @@ struct PressTest {
   double height = 0;     ///< [m]
   double depth = 0.010;  ///< [m]
   double speed = 0.05;   ///< [m/s] of the approach
-  double seconds = 4;    ///< of the run
+  double approach = 0;   ///< [s] that the hand waits 2 mm above the surface before it presses
+  double seconds = 4;    ///< [s] of the run
   double measured = 1;   ///< [s] at its end
 };
 

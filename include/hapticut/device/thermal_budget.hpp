@@ -5,7 +5,7 @@ namespace hapticut {
 
 /// When the motors count as too warm.
 struct ThermalOptions {
-  double time_constant = 20;  ///< [s] > 0 over which the mean of the squared force is taken
+  double time_constant = 60;  ///< [s] > 0 over which the mean of the squared force is taken
   double warm = 1.0;          ///< [1] of the continuous force squared at which the force is reduced
   double cool = 0.8;          ///< [1] at which it may grow again
   double hot = 0.7;           ///< [1] of a measured temperature at which the force is reduced
@@ -14,7 +14,8 @@ struct ThermalOptions {
 };
 
 /// A limit on the force that keeps the motors from overheating: peak force while they are cool, falling to the
-/// continuous force when the mean of its square, or the temperature that the device measures, says so.
+/// continuous force when the temperature that the device measures says so, or, where it measures none, the mean of the
+/// squared force.
 /// @realtime no allocation, no lock
 class ThermalBudget {
  public:

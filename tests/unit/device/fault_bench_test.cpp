@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
 
 namespace hapticut {
@@ -114,6 +115,35 @@ TEST(Passivity, TheControllerTakesTheSpeedOutOfABounceAsInTheTable) {
       };
       EXPECT_NEAR(bounce(config, controlled, row.stiffness).restitution, row.by_delay[delay], 0.02)
           << row.stiffness << " N/m, delay " << delay;
+    }
+}
+
+// A wall gives back what it has stored. A controller that takes that for activity answers with force after force.
+TEST(Passivity, TheControllerOfTheGuardLeavesAHandAloneThatPressesSteadily) {
+  for (const char* device : {"touch", "premium15"})
+    for (const double stiffness : {200.0, 600.0}) {
+      auto guard = std::make_shared<SafetyGuard>(capabilities(device_model(device)), GuardOptions{});
+      guard->start();
+      const ModelFactory guarded = [&](double k) {
+        LinearWall w;
+        w.stiffness = k;
+        return ForceModel(
+            [w, guard](const DeviceState& reading) mutable { return guard->release(w(guard->admit(reading))); });
+      };
+      ClosedLoopConfig config = pressed(device, 0);
+      PressTest test;
+      test.speed = 0;
+      test.depth = 6e-3;
+      test.seconds = 8;
+      // The hand waits above the surface until the force is faded in.
+      config.hand.stiffness = 200;
+      test.approach = 3;
+      const Buzz buzz = press(config, guarded, stiffness, test);
+      EXPECT_EQ(guard->state(), ArmingState::on);
+      EXPECT_FALSE(buzz.buzzes()) << device << ", " << stiffness << " N/m: " << buzz.position_rms * 1e6 << " um, "
+                                  << buzz.force_peak_to_peak << " N";
+      // A held wall does generate a little while the tip bounces off it once; 20 ticks of 5000 pressed ones.
+      EXPECT_LT(guard->log().count(SafetyEvent::passivity), 20U) << device << ", " << stiffness;
     }
 }
 

@@ -310,7 +310,7 @@ TEST(SafetyLog, NamesEveryEventAndCountsWhatItsListCannotHold) {
 
 TEST(ThermalBudget, LetsAPeakPassAndFallsToTheContinuousForceWhenItLasts) {
   ThermalBudget budget(3.3, 0.88, {});
-  for (int n = 0; n < 100; ++n) budget.tick(3.3, 0, kPeriod);
+  for (int n = 0; n < 4000; ++n) budget.tick(3.3, 0, kPeriod);
   EXPECT_EQ(budget.limit(), 3.3);
   for (int n = 0; n < 10000; ++n) budget.tick(std::min(3.3, budget.limit()), 0, kPeriod);
   EXPECT_NEAR(budget.limit(), 0.88, 1e-12);

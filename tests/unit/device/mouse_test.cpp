@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/device/mouse.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut {
+namespace {
+
+RunOptions simulated() {
+  RunOptions options;
+  options.simulated_time = true;
+  options.stop_on_signals = false;
+  return options;
+}
+
+/// Where the hand is after a while, when `act` was done at the beginning.
+template <typename Act>
+DeviceState after(MouseDevice& mouse, const Act& act, long ticks = 2000) {
+  DeviceState last;
+  mouse.run(
+      [&, n = 0L](const DeviceState& state) mutable {
+        if (n == 0) act();
+        last = state;
+        return DeviceCommand{{}, ++n >= ticks};
+      },
+      simulated());
+  return last;
+}
+
+constexpr double kSettled = 1e-6;  // [m] what is left of the approach of a firm hand after 2 s
+
+TEST(MouseDevice, FollowsPointerAndWheel) {
+  MouseDevice mouse;
+  const DeviceState state = after(mouse, [&] {
+    mouse.pointer_moved(200, 100);  // right, and down as windows count
+    mouse.wheel_turned(3);
+    mouse.button(1, true);
+  });
+  EXPECT_LT((state.X_BS.translation - Vec3(10e-3, -5e-3, -1.5e-3)).norm(), kSettled);
+  EXPECT_TRUE(state.pressed(1));
+  EXPECT_FALSE(state.pressed(0));
+}
+
+TEST(MouseDevice, MovesAndTurnsWhileAKeyIsHeld) {
+  MouseDevice mouse;
+  const DeviceState state = after(mouse, [&] {
+    mouse.key(MoveKey::nearer, true);
+    mouse.key(MoveKey::turn_left, true);
+  });
+  // A set point at 20 mm/s for 2 s; the hand lags by damping over stiffness.
+  EXPECT_NEAR(state.X_BS.translation.z(), 0.040, 1e-3);
+  EXPECT_NEAR(state.velocity.linear.z(), 0.02, 1e-4);
+  EXPECT_NEAR(vector_from_rotation(state.X_BS.rotation).z(), 2, 0.01);
+  mouse.key(MoveKey::nearer, false);
+}
+
+TEST(MouseDevice, NeverJumpsAndStaysWithinReach) {
+  MouseDevice mouse;
+  Vec3 last = Vec3::Zero();
+  double fastest = 0;
+  const RunReport report = mouse.run(
+      [&, n = 0](const DeviceState& state) mutable {
+        if (n == 0) mouse.pointer_moved(1e9, std::nan(""));
+        fastest = std::max(fastest, (state.X_BS.translation - last).norm() / 1e-3);
+        last = state.X_BS.translation;
+        return DeviceCommand{{}, ++n >= 3000};
+      },
+      simulated());
+  EXPECT_LT(fastest, 0.5);
+  EXPECT_NEAR(last.x(), 0.08, kSettled);
+  EXPECT_EQ(report.events[std::size_t(SafetyEvent::pose_jump)], 0U);
+}
+
+TEST(MouseDevice, IsPushedBackByTheForce) {
+  MouseDevice mouse;
+  DeviceState last;
+  mouse.run(
+      [&, n = 0](const DeviceState& state) mutable {
+        if (n == 2000) mouse.wheel_turned(20);  // 10 mm away, into a wall at the origin
+        last = state;
+        DeviceCommand command;
+        command.wrench.force.z() = std::max(0.0, -400 * state.X_BS.translation.z());
+        command.stop = ++n >= 5000;
+        return command;
+      },
+      simulated());
+  // A hand of 800 N/m and a wall of 400 N/m.
+  EXPECT_NEAR(last.X_BS.translation.z(), -10e-3 * 800 / 1200, 1e-4);
+  EXPECT_NEAR(mouse.set_point().z(), -10e-3, 1e-9);
+}
+
+TEST(MouseDevice, IsOpenedByNameAndPromisesNoRate) {
+  const auto mouse = open_device("mouse");
+  EXPECT_FALSE(mouse->capabilities().hard_realtime);
+  EXPECT_THROW((void)open_device("mouse:left"), Error);
+}
+
+}  // namespace
+}  // namespace hapticut
