@@ -59,13 +59,13 @@ void ClosedLoop::reset(const Pose& X_BS) {
 const DeviceState& ClosedLoop::read() {
   const Pose X_BS = plant_.measured_pose();
   if (started_) {
-    const Twist raw = twist_between(X_last_reading_, X_BS, config_.period);
+    const Twist raw = twist_between(X_BS_read_, X_BS, config_.period);
     const double a = memory(config_.velocity_filter, config_.period);
     smooth_velocity_.linear = a * smooth_velocity_.linear + (1 - a) * raw.linear;
     smooth_velocity_.angular = a * smooth_velocity_.angular + (1 - a) * raw.angular;
   }
   started_ = true;
-  X_last_reading_ = X_BS;
+  X_BS_read_ = X_BS;
   state_.X_BS = X_BS;
   state_.velocity = smooth_velocity_;
   state_.time = time_;

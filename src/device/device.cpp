@@ -17,7 +17,7 @@ struct Device::Latest {
 };
 
 Device::Device(std::string name, DeviceCapabilities capabilities)
-    : capabilities_(std::move(capabilities)), name_(std::move(name)), latest_(std::make_unique<Latest>()) {}
+    : name_(std::move(name)), capabilities_(std::move(capabilities)), latest_(std::make_unique<Latest>()) {}
 
 Device::~Device() = default;
 
@@ -150,7 +150,7 @@ Wrench Servo::tick(const DeviceState& reading) noexcept {
     lost_ = true;
     report_.fault = reading.fault;
   }
-  const Wrench wrench = guard_.release(command.wrench);
+  Wrench wrench = guard_.release(command.wrench);
   slot.quiet.store(wrench.force.isZero(0) && wrench.torque.isZero(0), std::memory_order_release);
   publish(state);
   report_.compute.add(monotonic_time() - began);

@@ -150,7 +150,7 @@ const DeviceState& SafetyGuard::admit(const DeviceState& reading) noexcept {
   reading_ok_ = verdict == PoseGate::Verdict::accepted;
   if (started_ && reading_ok_ && state.epoch != epoch) {
     arming_.interrupt(SafetyEvent::recalibrated, false, log_);
-    X_last_ = state.X_BS;  // the way between two calibrations is no motion
+    X_BS_last_ = state.X_BS;  // the way between two calibrations is no motion
   }
   if (verdict == PoseGate::Verdict::lost && arming_.state() > ArmingState::armed) arming_.fail(log_);
   switch (state.fault) {
@@ -173,11 +173,11 @@ const DeviceState& SafetyGuard::admit(const DeviceState& reading) noexcept {
       reading_ok_ = false;
       break;
   }
-  if (!started_) X_last_ = state.X_BS;
+  if (!started_) X_BS_last_ = state.X_BS;
   started_ = true;
-  motion_ = state.X_BS.translation - X_last_.translation;
-  turn_ = vector_from_rotation(state.X_BS.rotation * X_last_.rotation.transpose());
-  X_last_ = state.X_BS;
+  motion_ = state.X_BS.translation - X_BS_last_.translation;
+  turn_ = vector_from_rotation(state.X_BS.rotation * X_BS_last_.rotation.transpose());
+  X_BS_last_ = state.X_BS;
   published_state_.store(arming_.state(), std::memory_order_release);
   return state;
 }

@@ -46,8 +46,8 @@ MockDevice::~MockDevice() = default;
 void MockDevice::begin_run(const RunOptions& /*options*/) {
   tick_ = 0;
   velocity_ = {};
-  X_last_ = options_.path(0);
-  plant_.reset(X_last_);
+  X_BS_last_ = options_.path(0);
+  plant_.reset(X_BS_last_);
 }
 
 bool MockDevice::read(DeviceState& state) noexcept {
@@ -58,12 +58,12 @@ bool MockDevice::read(DeviceState& state) noexcept {
   else
     plant_.set_target(options_.path(time));
   const Pose X_BS = plant_.measured_pose();
-  const Twist raw = twist_between(X_last_, X_BS, options_.period);
+  const Twist raw = twist_between(X_BS_last_, X_BS, options_.period);
   const double memory =
       options_.velocity_filter > 0 ? std::exp(-2 * units::kPi * options_.velocity_filter * options_.period) : 0;
   velocity_.linear = memory * velocity_.linear + (1 - memory) * raw.linear;
   velocity_.angular = memory * velocity_.angular + (1 - memory) * raw.angular;
-  X_last_ = X_BS;
+  X_BS_last_ = X_BS;
   state = {};
   state.X_BS = X_BS;
   state.velocity = velocity_;

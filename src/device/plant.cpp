@@ -72,11 +72,11 @@ void Plant::reset(const Pose& X_BS) {
   axes_.row(kHand) = X_BS.translation.transpose();
   R_BS_ = X_BS.rotation;
   angular_velocity_.setZero();
-  X_target_ = X_BS;
+  X_BS_target_ = X_BS;
 }
 
 void Plant::set_target(const Pose& X_BS) {
-  X_target_ = X_BS;
+  X_BS_target_ = X_BS;
   if (!options_.rotation) R_BS_ = X_BS.rotation;
 }
 
@@ -102,7 +102,7 @@ void Plant::creep(const Wrench& wrench) {
 }
 
 void Plant::translate(const Propagator& p, const Vec3& force) {
-  const Axes next = p.state * axes_ + p.force * force.transpose() + p.target * X_target_.translation.transpose();
+  const Axes next = p.state * axes_ + p.force * force.transpose() + p.target * X_BS_target_.translation.transpose();
   axes_ = next;
 }
 
@@ -111,7 +111,7 @@ void Plant::translate_with_friction(double duration, const Vec3& force) {
   const double step = duration / steps;
   for (int axis = 0; axis < 3; ++axis) {
     double x = axes_(kTip, axis), v = axes_(kTipSpeed, axis), hand = axes_(kHand, axis), w = axes_(kHandSpeed, axis);
-    const double target = X_target_.translation[axis];
+    const double target = X_BS_target_.translation[axis];
     for (int n = 0; n < steps; ++n) {  // half a drift, kick, half a drift: exact for a constant force
       x += v * step / 2;
       hand += w * step / 2;
@@ -133,7 +133,7 @@ void Plant::rotate(double duration, const Vec3& torque) {
   const double damping = device_.rotational_damping + hand_.angular_damping;
   for (int n = 0; n < steps; ++n) {
     R_BS_ = rotation_from_vector(angular_velocity_ * step / 2) * R_BS_;
-    const Vec3 away = vector_from_rotation(R_BS_ * X_target_.rotation.transpose());
+    const Vec3 away = vector_from_rotation(R_BS_ * X_BS_target_.rotation.transpose());
     angular_velocity_ += step / inertia * (torque - hand_.angular_stiffness * away - damping * angular_velocity_);
     R_BS_ = orthonormalized(rotation_from_vector(angular_velocity_ * step / 2) * R_BS_);
   }

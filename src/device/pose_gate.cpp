@@ -48,19 +48,19 @@ std::optional<SafetyEvent> PoseGate::objection(const DeviceState& reading, doubl
 }
 
 bool PoseGate::is_frozen(const DeviceState& reading) noexcept {
-  if (resting_ == 0 || reading.X_BS.translation != X_still_.translation) {
-    X_still_ = reading.X_BS;
+  if (resting_ == 0 || reading.X_BS.translation != X_BS_still_.translation) {
+    X_BS_still_ = reading.X_BS;
     resting_ = 1;
     contradicted_ = 0;
     return false;
   }
   const bool turned =
-      vector_from_rotation(reading.X_BS.rotation * X_still_.rotation.transpose()).norm() > options_.frozen_turn;
+      vector_from_rotation(reading.X_BS.rotation * X_BS_still_.rotation.transpose()).norm() > options_.frozen_turn;
   const bool moves = reading.velocity.linear.norm() > options_.frozen_speed;
   if (turned || moves) return ++contradicted_ >= options_.frozen_ticks;
   contradicted_ = 0;
   if (++resting_ > kRest) {  // a turn must happen soon after the last look to count
-    X_still_ = reading.X_BS;
+    X_BS_still_ = reading.X_BS;
     resting_ = 1;
   }
   return false;

@@ -13,8 +13,8 @@
 namespace hapticut {
 
 struct RealtimeLoop::State {
-  State(Device& device_, LoopModel& model_, const RealtimeLoopOptions& options_)
-      : device(device_), model(model_), options(options_) {
+  State(Device& a_device, LoopModel& a_model, const RealtimeLoopOptions& some_options)
+      : device(a_device), model(a_model), options(some_options) {
     if (!options.region.empty()) outbox = std::make_unique<BlockOutbox>(options.region, options.block_capacity);
     copy = [this](ChangedBlock& block) { model.copy(block); };
   }

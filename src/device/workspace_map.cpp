@@ -7,7 +7,7 @@
 
 namespace hapticut {
 
-WorkspaceMap::WorkspaceMap(const WorkspaceMapOptions& options) : options_(options), X_home_(options.X_WB) {
+WorkspaceMap::WorkspaceMap(const WorkspaceMapOptions& options) : options_(options), X_WS_home_(options.X_WB) {
   require_positive(options.scale, "WorkspaceMapOptions::scale");
   require_positive(options.force_scale, "WorkspaceMapOptions::force_scale");
   require_positive(options.torque_scale, "WorkspaceMapOptions::torque_scale");
@@ -18,19 +18,19 @@ WorkspaceMap::WorkspaceMap(const WorkspaceMapOptions& options) : options_(option
 }
 
 Pose WorkspaceMap::stylus_in_world(const Pose& X_BS) const noexcept {
-  if (!engaged_) return X_home_;
+  if (!engaged_) return X_WS_home_;
   const Mat3& R_WB = options_.X_WB.rotation;
   Pose X_WS;
-  X_WS.translation = X_home_.translation + options_.scale * (R_WB * (X_BS.translation - X_latch_.translation));
-  X_WS.rotation = X_home_.rotation;
+  X_WS.translation = X_WS_home_.translation + options_.scale * (R_WB * (X_BS.translation - X_BS_latch_.translation));
+  X_WS.rotation = X_WS_home_.rotation;
   if (options_.orientation)
-    X_WS.rotation = R_WB * (X_BS.rotation * X_latch_.rotation.transpose()) * R_WB.transpose() * X_home_.rotation;
+    X_WS.rotation = R_WB * (X_BS.rotation * X_BS_latch_.rotation.transpose()) * R_WB.transpose() * X_WS_home_.rotation;
   return X_WS;
 }
 
 void WorkspaceMap::latch(const Pose& X_BS, const Pose& X_WS) noexcept {
-  X_home_ = {orthonormalized(X_WS.rotation), X_WS.translation};  // many clutches must not add up
-  X_latch_ = X_BS;
+  X_WS_home_ = {orthonormalized(X_WS.rotation), X_WS.translation};  // many clutches must not add up
+  X_BS_latch_ = X_BS;
 }
 
 void WorkspaceMap::release(const Pose& X_BS) noexcept {

@@ -91,7 +91,7 @@ class ClosedLoop {
   Wrench applied_, written_;
   DeviceState state_;
   Twist smooth_velocity_;
-  Pose X_last_reading_;
+  Pose X_BS_read_;
   bool started_ = false;
   double time_ = 0, generated_energy_ = 0, device_dissipation_ = 0;
 };

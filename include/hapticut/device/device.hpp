@@ -117,13 +117,15 @@ class Device {
   /// hold the last force by themselves.
   virtual void scale_output(double /*share*/) noexcept {}
 
-  DeviceCapabilities capabilities_;
+  /// For devices that know what they are only once they are open.
+  void set_capabilities(const DeviceCapabilities& capabilities) { capabilities_ = capabilities; }
 
  private:
   friend class Servo;
   struct Latest;
 
   std::string name_;
+  DeviceCapabilities capabilities_;
   std::atomic<bool> running_{false}, stop_{false}, emergency_{false}, reset_{false};
   std::atomic<std::uint8_t> interruption_{std::uint8_t(SafetyEvent::count)};
   std::unique_ptr<Latest> latest_;

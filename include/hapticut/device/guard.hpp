@@ -117,7 +117,7 @@ class SafetyGuard {
   bool started_ = false, reading_ok_ = false;
   double last_time_ = 0, dt_ = 0, gate_time_ = 0;
   int not_finite_ = 0;
-  Pose X_last_;         // of the last admitted reading
+  Pose X_BS_last_;      // of the last admitted reading
   Vec3 motion_, turn_;  // since then
   Vec3 low_seen_, high_seen_;
   double watched_ = 0;  // [s] of the check of units

@@ -56,7 +56,7 @@ class MockDevice : public PolledDevice {
   MockOptions options_;
   Plant plant_;
   std::uint64_t tick_ = 0;
-  Pose X_last_;
+  Pose X_BS_last_;
   Twist velocity_;
 };
 

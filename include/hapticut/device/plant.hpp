@@ -36,7 +36,7 @@ class Plant {
 
   /// Where the hand wants to be.
   void set_target(const Pose& X_BS);
-  [[nodiscard]] const Pose& target() const { return X_target_; }
+  [[nodiscard]] const Pose& target() const { return X_BS_target_; }
 
   /// Gives tip and hand a velocity.  @param velocity [m/s] in B
   void set_velocity(const Vec3& velocity);
@@ -79,7 +79,7 @@ class Plant {
   Axes axes_ = Axes::Zero();
   Mat3 R_BS_ = Mat3::Identity();
   Vec3 angular_velocity_ = Vec3::Zero();
-  Pose X_target_;
+  Pose X_BS_target_;
 };
 
 }  // namespace hapticut

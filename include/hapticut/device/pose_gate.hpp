@@ -55,7 +55,7 @@ class PoseGate {
   double elapsed_ = 0;  // [s] that a hand had for the way from the last good pose
   int bad_ = 0;
   int resting_ = 0, contradicted_ = 0;
-  Pose X_still_;
+  Pose X_BS_still_;
 };
 
 }  // namespace hapticut

@@ -67,8 +67,8 @@ class WorkspaceMap {
   void latch(const Pose& X_BS, const Pose& X_WS) noexcept;
 
   WorkspaceMapOptions options_;
-  Pose X_home_;   // of the stylus, in W
-  Pose X_latch_;  // of the stylus, in B
+  Pose X_WS_home_;   // of the stylus, in W
+  Pose X_BS_latch_;  // of the stylus, in B
   bool engaged_ = true;
 };
 

@@ -53,7 +53,7 @@ class OpenHapticsDevice final : public Device {
  public:
   OpenHapticsDevice(const OpenHapticsOptions& options, const std::string& name)
       : Device(name, {}), options_(options), connection_(options) {
-    capabilities_ = connection_.capabilities();
+    set_capabilities(connection_.capabilities());
     require_positive(options.rate, "OpenHapticsOptions::rate [Hz]");
     require_positive(options.start_timeout, "OpenHapticsOptions::start_timeout [s]");
     require_positive(options.silence, "OpenHapticsOptions::silence [s]");
@@ -88,7 +88,7 @@ class OpenHapticsDevice final : public Device {
   double temperature_ = 0;
   DeviceFault fault_ = DeviceFault::none;
   open_haptics::Errors fatal_;
-  Mat3 R_last_ = Mat3::Identity();
+  Mat3 R_BS_last_ = Mat3::Identity();
   Vec3 angular_velocity_ = Vec3::Zero();
 };
 
@@ -114,9 +114,9 @@ void OpenHapticsDevice::read(DeviceState& state) noexcept {
     if (temperature_ < kCooled) warm_ = false;
   }
   state.X_BS = {rotation_of(transform), Vec3(transform[12], transform[13], transform[14]) * units::mm};
-  if (n == 0 || !R_last_.allFinite()) R_last_ = state.X_BS.rotation;
-  const Vec3 turn = vector_from_rotation(state.X_BS.rotation * R_last_.transpose());
-  R_last_ = state.X_BS.rotation;
+  if (n == 0 || !R_BS_last_.allFinite()) R_BS_last_ = state.X_BS.rotation;
+  const Vec3 turn = vector_from_rotation(state.X_BS.rotation * R_BS_last_.transpose());
+  R_BS_last_ = state.X_BS.rotation;
   const double memory = std::exp(-2 * units::kPi * kAngularFilter * period_);
   angular_velocity_ = memory * angular_velocity_ + (1 - memory) / period_ * turn;
   if (!angular_velocity_.allFinite()) angular_velocity_.setZero();
@@ -167,7 +167,7 @@ void OpenHapticsDevice::take_errors() noexcept {
 void OpenHapticsDevice::write(const Wrench& wrench) noexcept {
   const std::array<HDdouble, 3> force = {wrench.force.x(), wrench.force.y(), wrench.force.z()};
   hdSetDoublev(HD_CURRENT_FORCE, force.data());
-  if (capabilities_.output_degrees_of_freedom < 6) return;
+  if (capabilities().output_degrees_of_freedom < 6) return;
   const Vec3 t = wrench.torque / units::mN_m;
   const std::array<HDdouble, 3> torque = {t.x(), t.y(), t.z()};
   hdSetDoublev(HD_CURRENT_TORQUE, torque.data());
