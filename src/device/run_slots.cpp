@@ -10,8 +10,8 @@
 namespace hapticut::run_slots {
 namespace {
 
-constexpr int kGraceAtExit = 300;  // [ms] for loops that end
-constexpr int kGraceAtCrash = 50;  // [ms] for loops that take their force away
+constexpr int kGraceAtExit = 1000;  // [ms] for loops that end
+constexpr int kGraceAtCrash = 300;  // [ms] for loops that take their force away
 
 constexpr std::array<int, 3> kEnding = {SIGINT, SIGTERM, SIGHUP};
 constexpr std::array<int, 5> kCrashing = {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL};

@@ -20,6 +20,7 @@ inline OpenHapticsOptions options_for(const char* name = "") {
   OpenHapticsOptions options;
   options.device_name = name;
   options.clock = hdsim_time;
+  options.start_timeout = options.silence = 60;  // this machine may be busy
   return options;
 }
 
