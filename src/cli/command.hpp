@@ -20,5 +20,6 @@ struct Command {
 [[nodiscard]] Command drill_command();
 [[nodiscard]] Command inspect_command();
 [[nodiscard]] Command convert_command();
+[[nodiscard]] Command validate_command();
 
 }  // namespace hapticut::cli

@@ -82,7 +82,7 @@ int main_with(int argc, char** argv) {
   app.set_version_flag("--version", build_info().version);
   app.require_subcommand(1);
   std::deque<Registered> entries;
-  for (Command (*make)() : {&drill_command, &inspect_command, &convert_command}) {
+  for (Command (*make)() : {&drill_command, &inspect_command, &convert_command, &validate_command}) {
     Registered& entry = entries.emplace_back(Registered{make()});
     entry.app = app.add_subcommand(entry.command.name, entry.command.summary);
     register_flags(entry);

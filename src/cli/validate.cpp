@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/json_file.hpp"
+#include "cli/table.hpp"
+#include "hapticut/core/build_info.hpp"
+#include "hapticut/core/errors.hpp"
+#include "validation/checks.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+using validation::Check;
+
+struct ValidateSettings {
+  std::string only, json, markdown;
+};
+
+std::string percent(double share) { return rounded(100 * share, 2) + " %"; }
+
+/// The table as a page of the documentation. No times and no machine in it: it changes only when a result does.
+void write_markdown(const std::string& path, const std::vector<Check>& checks) {
+  if (path.empty()) return;
+  std::ofstream out(path);
+  out << "<!-- SPDX-License-Identifier: Apache-2.0 -->\n# Validation\n\nWhat each closed form gives, and what the "
+         "library gives. Written by `hapticut validate --markdown docs/validation.md`;\nthe formulas are in "
+         "[forces.md](forces.md).\n\n| id | case | expected | computed | error | tolerance "
+         "|\n|---|---|---|---|---|---|\n";
+  for (const Check& c : checks)
+    out << "| " << c.id << " | " << c.what << " | " << rounded(c.expected, 4) << " " << c.unit << " | "
+        << rounded(c.computed, 4) << " " << c.unit << " | " << percent(c.relative_error())
+        << (c.pass() ? "" : " **FAIL**") << " | " << percent(c.tolerance) << " |\n";
+  out.flush();
+  if (!out) throw Error("cannot write " + path + ". Choose a folder that exists and can be written to.");
+}
+
+void run(const ValidateSettings& s) {
+  std::vector<Check> checks;
+  Json cases = Json::array();
+  int failed = 0;
+  const auto start = std::chrono::steady_clock::now();
+  for (const validation::Experiment& experiment : validation::all_experiments()) {
+    if (!s.only.empty() && experiment.name.find(s.only) == std::string::npos) continue;
+    for (const Check& c : experiment.run()) {
+      std::printf("%-4s %-22s %12s %12s %-6s %8s of %-7s %s\n", c.pass() ? "ok" : "FAIL", c.id.c_str(),
+                  rounded(c.expected, 5).c_str(), rounded(c.computed, 5).c_str(), c.unit.c_str(),
+                  percent(c.relative_error()).c_str(), percent(c.tolerance).c_str(), c.what.c_str());
+      std::fflush(stdout);
+      cases.push_back({{"id", c.id},
+                       {"case", c.what},
+                       {"unit", c.unit},
+                       {"expected", c.expected},
+                       {"computed", c.computed},
+                       {"relative_error", c.relative_error()},
+                       {"tolerance", c.tolerance},
+                       {"pass", c.pass()}});
+      failed += c.pass() ? 0 : 1;
+      checks.push_back(c);
+    }
+  }
+  if (checks.empty())
+    throw Error("no experiment has '" + s.only + "' in its name. Leave --only out to run all of them.");
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::printf("%zu cases, %d failed, %s s\n", checks.size(), failed, rounded(seconds, 3).c_str());
+  write_json(s.json, {{"cases", cases},
+                      {"failed", failed},
+                      {"seconds", seconds},
+                      {"build", {{"version", build_info().version}, {"commit", build_info().commit}}}});
+  write_markdown(s.markdown, checks);
+  if (failed > 0)
+    throw Error(std::to_string(failed) + " of " + std::to_string(checks.size()) +
+                " cases are off by more than their tolerance: this build does not compute what it should.");
+}
+
+}  // namespace
+
+Command validate_command() {
+  auto settings = std::make_shared<ValidateSettings>();
+  return {"validate",
+          "Hold the library against its closed forms and say how far it is off",
+          {text("validate.only", "--only", settings->only, "run only the experiments with this in their name"),
+           text("output.json", "--json", settings->json, "report for machines"),
+           text("output.markdown", "--markdown", settings->markdown, "the same as a page of the documentation")},
+          [settings] { run(*settings); }};
+}
+
+}  // namespace hapticut::cli
