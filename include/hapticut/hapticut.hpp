@@ -33,6 +33,7 @@
 #include "hapticut/workpiece/volume_builders.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 //
+#include "hapticut/force/calibration.hpp"
 #include "hapticut/force/contact_point.hpp"
 #include "hapticut/force/deep_contact.hpp"
 #include "hapticut/force/effects/axis_mask.hpp"
@@ -54,13 +55,13 @@
 #include "hapticut/force/stiffness.hpp"
 #include "hapticut/force/whole_contact.hpp"
 //
-#include "hapticut/simulation/stage_times.hpp"
-#include "hapticut/simulation/worst_case.hpp"
 #include "hapticut/simulation/config.hpp"
 #include "hapticut/simulation/energy.hpp"
 #include "hapticut/simulation/scenes.hpp"
 #include "hapticut/simulation/simulation.hpp"
+#include "hapticut/simulation/stage_times.hpp"
 #include "hapticut/simulation/step.hpp"
+#include "hapticut/simulation/worst_case.hpp"
 //
 #include "hapticut/realtime/block_outbox.hpp"
 #include "hapticut/realtime/histogram.hpp"

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/force/calibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+
+namespace hapticut {
+namespace {
+
+using units::kPi;
+
+constexpr double kLeastSpread = 1.05;  // [1] of feed per turn over radius, to tell edge from chip
+
+double chip_over_radius(const DrillingTest& t) { return t.feed_speed / (std::abs(t.spindle_speed) * t.radius); }
+
+/// The best u and p_e for a kappa, and the sum of squares that they leave.
+struct Fit {
+  double u = 0, edge = 0, squares = std::numeric_limits<double>::infinity();
+};
+
+Fit fit_at(double kappa, std::span<const DrillingTest> tests, bool with_edge) {
+  // Rows (a, b) . (u, p_e) = 1: thrust and torque over their measured values.
+  double aa = 0, ab = 0, bb = 0, a1 = 0, b1 = 0;
+  const auto for_each_row = [&](const auto& visit) {
+    for (const DrillingTest& t : tests) {
+      const double R = t.radius, x = t.feed_speed / std::abs(t.spindle_speed);
+      visit(2 * kPi * R * x / kappa / t.thrust, kPi * R * R / t.thrust);
+      visit(kPi * R * R * x / t.torque, 2 * kPi / 3 * kappa * R * R * R / t.torque);
+    }
+  };
+  for_each_row([&](double a, double b) { aa += a * a, ab += a * b, bb += b * b, a1 += a, b1 += b; });
+  const auto squares = [&](double u, double edge) {
+    double sum = 0;
+    for_each_row([&](double a, double b) { sum += std::pow(a * u + b * edge - 1, 2); });
+    return sum;
+  };
+  Fit best;
+  const auto consider = [&](double u, double edge) {
+    if (!(u > 0) || !(edge >= 0)) return;
+    const double s = squares(u, edge);
+    if (s < best.squares) best = {u, edge, s};
+  };
+  consider(a1 / aa, 0);
+  const double determinant = aa * bb - ab * ab;
+  if (with_edge && determinant > 0) consider((a1 * bb - b1 * ab) / determinant, (b1 * aa - a1 * ab) / determinant);
+  return best;
+}
+
+}  // namespace
+
+AxialCutForce axial_cut_force(const Calibration& c, double radius, double spindle_speed, double feed_speed) {
+  const double x = feed_speed / std::abs(spindle_speed);
+  return {kPi * radius * radius * c.edge_pressure + 2 * kPi * radius * c.specific_cutting_energy * x / c.cutting_ratio,
+          2 * kPi / 3 * c.cutting_ratio * c.edge_pressure * std::pow(radius, 3) +
+              c.specific_cutting_energy * kPi * radius * radius * x};
+}
+
+Calibration calibrate(std::span<const DrillingTest> tests) {
+  if (tests.empty()) throw Error("there is no drilling test to calibrate on; at least one is needed.");
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const DrillingTest& t : tests) {
+    require_positive(t.radius, "DrillingTest::radius [m]");
+    require_positive(std::abs(t.spindle_speed), "DrillingTest::spindle_speed [rad/s]");
+    require_positive(t.feed_speed, "DrillingTest::feed_speed [m/s]");
+    require_positive(t.thrust, "DrillingTest::thrust [N]");
+    require_positive(t.torque, "DrillingTest::torque [N m]");
+    least = std::min(least, chip_over_radius(t));
+    most = std::max(most, chip_over_radius(t));
+  }
+  const bool with_edge = most > kLeastSpread * least;
+
+  // kappa from 0.001 to 1000 on a logarithmic grid, then by halving the step about the best.
+  const auto squares = [&](double log_kappa) { return fit_at(std::exp(log_kappa), tests, with_edge).squares; };
+  double best = 0, step = 0.1;
+  for (double at = std::log(1e-3); at <= std::log(1e3); at += step)
+    if (squares(at) < squares(best)) best = at;
+  for (; step > 1e-12; step /= 2)
+    for (const double at : {best - step, best + step})
+      if (squares(at) < squares(best)) best = at;
+
+  Calibration c;
+  c.cutting_ratio = std::exp(best);
+  const Fit fit = fit_at(c.cutting_ratio, tests, with_edge);
+  c.specific_cutting_energy = fit.u;
+  c.edge_pressure = fit.edge;
+  c.edge_identified = with_edge;
+  for (const DrillingTest& t : tests) {
+    const AxialCutForce model = axial_cut_force(c, t.radius, t.spindle_speed, t.feed_speed);
+    c.thrust_residual += std::pow(model.thrust / t.thrust - 1, 2) / double(tests.size());
+    c.torque_residual += std::pow(model.torque / t.torque - 1, 2) / double(tests.size());
+  }
+  c.thrust_residual = std::sqrt(c.thrust_residual);
+  c.torque_residual = std::sqrt(c.torque_residual);
+  return c;
+}
+
+}  // namespace hapticut

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Constants from drilling tests: those that made the tests come back, and published ones are explained.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <vector>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/force/calibration.hpp"
+#include "support/generators.hpp"
+
+namespace hapticut {
+namespace {
+
+using test::number_between;
+using units::mm;
+using units::N_mm;
+using units::rpm;
+
+DrillingTest made_by(const Calibration& constants, double radius, double speed, double feed) {
+  const AxialCutForce force = axial_cut_force(constants, radius, speed, feed);
+  return {radius, speed, feed, force.thrust, force.torque};
+}
+
+RC_GTEST_PROP(Calibration, ReturnsTheConstantsThatMadeTheTests, ()) {
+  Calibration made;
+  made.specific_cutting_energy = *number_between(5e7, 2e9);
+  made.cutting_ratio = *number_between(0.2, 6);
+  made.edge_pressure = *number_between(0, 5e6);
+  std::vector<DrillingTest> tests;
+  for (int n = 0; n < 6; ++n)
+    tests.push_back(
+        made_by(made, *number_between(0.5, 2) * mm, *number_between(50, 5000), *number_between(0.2, 5) * mm * (n + 1)));
+  const Calibration found = calibrate(tests);
+  RC_PRE(found.edge_identified);
+  RC_ASSERT(found.thrust_residual < 1e-4);
+  RC_ASSERT(found.torque_residual < 1e-4);
+  // Where edge or chip are a small part of every test, the other is what the tests fix.
+  for (const DrillingTest& t : tests) {
+    const AxialCutForce again = axial_cut_force(found, t.radius, t.spindle_speed, t.feed_speed);
+    RC_ASSERT(std::abs(again.thrust / t.thrust - 1) < 1e-3);
+    RC_ASSERT(std::abs(again.torque / t.torque - 1) < 1e-3);
+  }
+}
+
+// One condition: u = M omega/(pi R^2 v_f), kappa = 2 M/(R F), p_e = 0. Bovine bone, a 2.5 mm drill at 1000 rpm (Orelaja
+// et al. 2020: 20.07 N, 41.2 N mm); the feed is not in the table, so u is given per mm/s of it.
+TEST(Calibration, OfOneTestIsItsClosedFormAndSaysThatTheEdgeIsNotIdentified) {
+  const double R = 1.25 * mm, speed = 1000 * rpm, feed = 1 * mm, thrust = 20.07, torque = 41.2 * N_mm;
+  const DrillingTest bovine{R, speed, feed, thrust, torque};
+  const Calibration c = calibrate({&bovine, 1});
+  EXPECT_FALSE(c.edge_identified);
+  EXPECT_EQ(c.edge_pressure, 0);
+  EXPECT_NEAR(c.cutting_ratio / (2 * torque / (R * thrust)), 1, 1e-6);
+  EXPECT_NEAR(c.cutting_ratio, 3.28, 0.01) << "flutes rub: 2.5 to 5, not 1/sin(59 deg)";
+  EXPECT_NEAR(c.specific_cutting_energy / (torque * speed / (units::kPi * R * R * feed)), 1, 1e-6);
+  EXPECT_LT(c.thrust_residual + c.torque_residual, 1e-6);
+}
+
+// B8, B15, DC8: thrust and torque rise with feed and diameter; force falls with speed.
+TEST(Calibration, PredictsTheTrendsThatOthersMeasured) {
+  const DrillingTest bovine{1.25 * mm, 1000 * rpm, 1 * mm, 20.07, 41.2 * N_mm};
+  Calibration c = calibrate({&bovine, 1});
+  c.edge_pressure = 1e6;
+  const auto at = [&](double radius, double speed, double feed) { return axial_cut_force(c, radius, speed, feed); };
+  const AxialCutForce base = at(1.25 * mm, 100, 1 * mm);
+  EXPECT_GT(at(1.25 * mm, 100, 2 * mm).thrust, base.thrust);
+  EXPECT_GT(at(1.25 * mm, 100, 2 * mm).torque, base.torque);
+  EXPECT_GT(at(1.5 * mm, 100, 1 * mm).thrust, base.thrust);
+  EXPECT_GT(at(1.5 * mm, 100, 1 * mm).torque, base.torque);
+  EXPECT_LT(at(1.25 * mm, 200, 1 * mm).thrust, base.thrust);
+  EXPECT_LT(at(1.25 * mm, 200, 1 * mm).torque, base.torque);
+  // The energy of a volume, F v + M omega over pi R^2 v, falls with the chip: the edge costs the same for less.
+  const auto energy = [&](double feed) {
+    const AxialCutForce f = at(1.25 * mm, 100, feed);
+    return (f.thrust * feed + f.torque * 100) / feed;
+  };
+  EXPECT_LT(energy(2 * mm), energy(1 * mm));
+}
+
+TEST(CalibrationInput, OutOfRangeIsRefusedByName) {
+  EXPECT_THROW((void)calibrate({}), Error);
+  DrillingTest bad{1 * mm, 100, 1 * mm, 10, 0};
+  try {
+    (void)calibrate({&bad, 1});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("DrillingTest::torque [N m]"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace hapticut
