@@ -130,10 +130,10 @@ std::vector<VdbEntry> check_vdb(std::string& bytes) {
       unusable.emplace_back(begin, in.position());
     }
   }
-  for (auto range = unusable.rbegin(); range != unusable.rend(); ++range)
-    bytes.erase(range->first, range->second - range->first);
   const auto left = std::int32_t(std::size_t(count) - unusable.size());
   std::memcpy(bytes.data() + at_count, &left, sizeof left);
+  for (; !unusable.empty(); unusable.pop_back())  // from behind, so that places before it stay
+    bytes.erase(unusable.back().first, unusable.back().second - unusable.back().first);
   return entries;
 }
 

@@ -107,8 +107,8 @@ class TreeWalk {
 
   void walk_values(std::uint64_t entries, const Mask& active) {
     using namespace openvdb::io;
-    const int kind = in_.take<std::int8_t>();
-    if (kind < NO_MASK_OR_INACTIVE_VALS || kind > NO_MASK_AND_ALL_VALS) damaged("values have an unknown encoding");
+    const int kind = in_.take<std::uint8_t>();
+    if (kind > NO_MASK_AND_ALL_VALS) damaged("values have an unknown encoding");
     if (kind == NO_MASK_AND_ONE_INACTIVE_VAL || kind == MASK_AND_ONE_INACTIVE_VAL) in_.take(kValueSize);
     if (kind == MASK_AND_TWO_INACTIVE_VALS) in_.take(2 * kValueSize);
     if (kind == MASK_AND_NO_INACTIVE_VALS || kind == MASK_AND_ONE_INACTIVE_VAL || kind == MASK_AND_TWO_INACTIVE_VALS)
