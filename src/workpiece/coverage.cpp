@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "workpiece/coverage.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hapticut {
 namespace {
@@ -17,56 +19,118 @@ struct VoxelPolynomial {
   Vec3 bend;
 };
 
-Coverage count_lattice(const VoxelPolynomial& f, int subsamples) {
-  int inside = 0;
-  Vec3 sum = Vec3::Zero();
-  const auto offset_of = [&](int n) { return (n + 0.5) / subsamples - 0.5; };
+constexpr double kRounding = 1e-9;  // [1] of a voxel
+
+/// @param moment  [voxel edges] integral of the position over the filled part, over the volume of a voxel
+Coverage coverage_of(double fill, const Vec3& moment) {
+  if (fill < kRounding) return {0, Vec3::Zero()};
+  if (fill > 1 - kRounding) return {1, Vec3::Zero()};
+  return {fill, moment / fill};
+}
+
+/// The part of a row, -0.5 ... 0.5, in which c + z (s + z q) is negative.
+struct Covered {
+  double length;  // [voxel edges]
+  double moment;  // [voxel edges^2] integral of z over it
+};
+
+Covered covered_part(double c, double s, double q) {
+  double ends[4] = {-0.5, 0.5, 0.5, 0.5};
+  int parts = 1;
+  const double discriminant = s * s - 4 * q * c;
+  if (discriminant > 0) {
+    // Without the difference of two nearly equal numbers, and good for q = 0 as well.
+    const double t = -0.5 * (s + std::copysign(std::sqrt(discriminant), s));
+    double first = c / t, second = q != 0 ? t / q : std::numeric_limits<double>::infinity();
+    if (first > second) std::swap(first, second);
+    for (const double root : {first, second})
+      if (root > -0.5 && root < 0.5) ends[parts++] = root;
+    ends[parts] = 0.5;
+  }
+  Covered covered{0, 0};
+  for (int n = 0; n < parts; ++n) {
+    const double length = ends[n + 1] - ends[n], middle = (ends[n] + ends[n + 1]) / 2;
+    if (c + middle * (s + middle * q) >= 0) continue;
+    covered.length += length;
+    covered.moment += length * middle;
+  }
+  return covered;
+}
+
+/// Turns the axes x -> y -> z -> x of a polynomial `turns` times: once makes x the last one, twice y.
+VoxelPolynomial turned(const VoxelPolynomial& f, int turns) {
+  VoxelPolynomial g = f;
+  for (; turns > 0; --turns) {
+    const VoxelPolynomial before = g;
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        for (int k = 0; k < 2; ++k) g.corner[j][k][i] = before.corner[i][j][k];
+    g.bend = Vec3(before.bend.y(), before.bend.z(), before.bend.x());
+  }
+  return g;
+}
+
+/// Adds up rows along z: exactly along the rows, by the midpoint rule over `rows`^2 of them. Exact for a plane along z.
+Coverage add_rows(const VoxelPolynomial& f, int rows) {
+  double volume = 0;
+  Vec3 moment = Vec3::Zero();
+  const auto offset_of = [&](int n) { return (n + 0.5) / rows - 0.5; };
   const auto mix = [](double a, double b, double t) { return a + (b - a) * t; };
-  for (int a = 0; a < subsamples; ++a) {
+  for (int a = 0; a < rows; ++a) {
     const double x = offset_of(a);
     double edge[2][2];
     for (int j = 0; j < 2; ++j)
       for (int k = 0; k < 2; ++k) edge[j][k] = mix(f.corner[0][j][k], f.corner[1][j][k], x + 0.5);
     const double bend_x = f.bend.x() * (1 - 4 * x * x) + f.bend.z();
-    for (int b = 0; b < subsamples; ++b) {
+    for (int b = 0; b < rows; ++b) {
       const double y = offset_of(b);
       const double low = mix(edge[0][0], edge[1][0], y + 0.5);
       const double high = mix(edge[0][1], edge[1][1], y + 0.5);
-      const double constant = (low + high) / 2 + bend_x + f.bend.y() * (1 - 4 * y * y);
-      const double slope = high - low;
-      const double curve = -4 * f.bend.z();
-      int row = 0;
-      double row_sum = 0;
-      for (int c = 0; c < subsamples; ++c) {
-        const double z = offset_of(c);
-        const bool filled = constant + z * (slope + z * curve) < 0;
-        row += filled;
-        row_sum += filled ? z : 0;
-      }
-      inside += row;
-      sum += Vec3(row * x, row * y, row_sum);
+      const Covered row =
+          covered_part((low + high) / 2 + bend_x + f.bend.y() * (1 - 4 * y * y), high - low, -4 * f.bend.z());
+      volume += row.length;
+      moment += Vec3(row.length * x, row.length * y, row.moment);
     }
   }
-  if (inside == 0) return {0, Vec3::Zero()};
-  return {double(inside) / (subsamples * subsamples * subsamples), sum / inside};
+  return coverage_of(volume / (rows * rows), moment / (rows * rows));
+}
+
+/// The rows run along the axis along which the function changes most.
+Coverage integrate(const VoxelPolynomial& f, int rows) {
+  Vec3 slope = Vec3::Zero();
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      slope.x() += f.corner[1][i][j] - f.corner[0][i][j];
+      slope.y() += f.corner[i][1][j] - f.corner[i][0][j];
+      slope.z() += f.corner[i][j][1] - f.corner[i][j][0];
+    }
+  int axis = 2;
+  slope.cwiseAbs().maxCoeff(&axis);
+  Coverage coverage = add_rows(turned(f, (axis + 1) % 3), rows);
+  const Vec3 o = coverage.offset;
+  if (axis == 1) coverage.offset = Vec3(o.y(), o.z(), o.x());
+  if (axis == 0) coverage.offset = Vec3(o.z(), o.x(), o.y());
+  return coverage;
 }
 
 }  // namespace
 
 Coverage sample_coverage(const std::function<double(const Vec3&)>& distance, const Vec3& center, double voxel_size,
                          int subsamples) {
-  int inside = 0;
-  Vec3 sum = Vec3::Zero();
+  if (subsamples == 1) return {distance(center) < 0 ? 1.0 : 0.0, Vec3::Zero()};
+  double volume = 0;
+  Vec3 moment = Vec3::Zero();
+  const double cell = voxel_size / subsamples;
   for (int a = 0; a < subsamples; ++a)
     for (int b = 0; b < subsamples; ++b)
       for (int c = 0; c < subsamples; ++c) {
         const Vec3 offset = (Vec3(a, b, c).array() + 0.5) / subsamples - 0.5;
-        if (distance(center + voxel_size * offset) >= 0) continue;
-        ++inside;
-        sum += offset;
+        const double weight = std::clamp(0.5 - distance(center + voxel_size * offset) / cell, 0.0, 1.0);
+        volume += weight;
+        moment += weight * offset;
       }
-  if (inside == 0) return {0, Vec3::Zero()};
-  return {double(inside) / (subsamples * subsamples * subsamples), sum / inside};
+  const double all = double(subsamples) * subsamples * subsamples;
+  return coverage_of(volume / all, moment / all);
 }
 
 BlockCoverage::BlockCoverage(const std::function<double(const Vec3&)>& distance, const GridFrame& frame,
@@ -87,6 +151,7 @@ double BlockCoverage::value(int i, int j, int k) {
 
 Coverage BlockCoverage::coverage(int x, int y, int z) {
   const int i = 2 * x + 1, j = 2 * y + 1, k = 2 * z + 1;
+  if (subsamples_ == 1) return {value(i, j, k) < 0 ? 1.0 : 0.0, Vec3::Zero()};
   VoxelPolynomial f{};
   double mean = 0;
   for (int a = 0; a < 2; ++a)
@@ -122,7 +187,7 @@ Coverage BlockCoverage::coverage(int x, int y, int z) {
     smooth &= std::abs(f.bend[axis]) <= kMostBend * frame_.voxel_size;
   }
   smooth &= std::abs(2 * centre - faces) <= agreement;
-  if (smooth) return count_lattice(f, subsamples_);
+  if (smooth) return integrate(f, subsamples_);
   return sample_coverage(distance_, frame_.center({origin_[0] + x, origin_[1] + y, origin_[2] + z}), frame_.voxel_size,
                          subsamples_);
 }

@@ -16,18 +16,21 @@ struct Coverage {
   Vec3 offset;  ///< [voxel edges] from the voxel's centre; zero when nothing is filled
 };
 
-/// Counts which points of a lattice of `subsamples`^3 in one voxel the body contains, asking for each of them.
-/// @param distance  [m] of a point in W, negative inside
+/// Adds up `subsamples`^3 cells of one voxel, asking for the distance of each: a cell counts by how far the surface is
+/// from its middle, which is exact for a plane along the grid.
+/// @param distance  [m] of a point in W, negative inside; where it is less than the true distance, surfaces blur a
+/// little
+/// @param subsamples  1: the voxel is full when its centre is inside, and empty otherwise
 [[nodiscard]] Coverage sample_coverage(const std::function<double(const Vec3&)>& distance, const Vec3& center,
                                        double voxel_size, int subsamples);
 
-/// Counts the same lattice for the voxels of one block, but asks the function far less often.
+/// The same for the voxels of one block, but asks the function far less often and is more exact.
 ///
 /// The function is known at the 8 corners, 6 face centres and the centre of a voxel, most of which neighbours share.
 /// Through them runs one trilinear function plus a parabola along each axis. Where the 15 values agree with it, and it
-/// bends little, the surface is smooth on the scale of the voxel and the lattice is counted on the polynomial: about 6
-/// calls per voxel. Elsewhere (edges, thin sheets, strong curvature) the function is asked at every point of the
-/// lattice.
+/// bends little, the surface is smooth on the scale of the voxel and `subsamples`^2 rows, each with the exact length
+/// that the polynomial covers of it, add up to the fraction: about 6 calls per voxel. Elsewhere (edges, thin sheets,
+/// strong curvature) the function is asked in every cell.
 class BlockCoverage {
  public:
   /// @param origin  first voxel of the block; `distance` must outlive the object

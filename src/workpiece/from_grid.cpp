@@ -100,20 +100,20 @@ class GridSampler {
   void cover(const Patch& patch, int x, int y, int z, float& fill, CentroidOffset& centroid) const {
     const float distance = patch.at(x, y, z);
     fill = distance < 0 ? 1.0F : 0.0F;
-    if (std::abs(distance) >= kVoxelReach) return;
-    int inside = 0;
-    Vec3 sum = Vec3::Zero();
+    if (subsamples_ == 1 || std::abs(distance) >= kVoxelReach) return;
+    double volume = 0;
+    Vec3 moment = Vec3::Zero();
     for (int a = 0; a < subsamples_; ++a)
       for (int b = 0; b < subsamples_; ++b)
         for (int c = 0; c < subsamples_; ++c) {
           const Vec3 offset = (Vec3(a, b, c).array() + 0.5) / subsamples_ - 0.5;
-          if (patch.interpolated(x, y, z, offset) >= 0) continue;
-          ++inside;
-          sum += offset;
+          // How much of a cell a plane along the grid at this distance covers.
+          const double weight = std::clamp(0.5 - patch.interpolated(x, y, z, offset) * subsamples_, 0.0, 1.0);
+          volume += weight;
+          moment += weight * offset;
         }
-    const int all = subsamples_ * subsamples_ * subsamples_;
-    fill = float(double(inside) / all);
-    if (inside > 0 && inside < all) centroid = CentroidOffset::from_offset(sum / inside);
+    fill = float(volume / (subsamples_ * subsamples_ * subsamples_));
+    if (fill > 0 && fill < 1) centroid = CentroidOffset::from_offset(moment / volume);
   }
 
   [[nodiscard]] bool uniform_id(const Coord& at) const {

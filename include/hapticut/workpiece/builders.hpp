@@ -27,7 +27,8 @@ struct BodyDescription {
 };
 
 /// Builds any body described by functions.
-/// @param subsamples  points per voxel edge used for a voxel that the surface cuts, 1 ... 32
+/// @param subsamples  rows per voxel edge added up in a voxel that the surface cuts, 1 ... 32; a face along the grid is
+///                    exact from 2 on; 1: voxels are full when their centre is inside, and empty otherwise
 /// @throws Error when the voxel size is not positive, the box is empty or not finite, or there would be too many voxels
 [[nodiscard]] Workpiece build_body(const BodyDescription& body, double voxel_size, MaterialTable materials,
                                    int subsamples = 8);

@@ -21,7 +21,7 @@ enum class GridKind {
 struct GridImport {
   GridKind kind = GridKind::from_class;
   double unit = 1;     ///< [m] length of one world unit of the grid's transform
-  int subsamples = 8;  ///< points per voxel edge in the voxels that a level set cuts, 1 ... 32
+  int subsamples = 8;  ///< points per voxel edge in the voxels that a level set cuts, 1 ... 32; 1: whole voxels
 };
 
 /// A workpiece with the voxels of the user's grid: index (i, j, k) stays index (i, j, k). A level set is sampled within
