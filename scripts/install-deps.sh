@@ -16,8 +16,8 @@ set -eu
 
 core='g++ cmake ninja-build git ca-certificates libopenvdb-dev libtbb-dev libimath-dev libboost-dev libeigen3-dev libhwy-dev'
 build="$core libinsighttoolkit5-dev libassimp-dev libpng-dev libarchive-dev libexpat1-dev zlib1g-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev"
-bench="$build libbenchmark-dev"
-test="$bench ccache libgtest-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev
+bench="$build ccache libbenchmark-dev"
+test="$bench valgrind libgtest-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev
   libopenvdb-tools python3-openvdb"
 demo="$build ccache invesalius-examples"
 

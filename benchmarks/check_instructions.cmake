@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+# Counts the instructions of Simulation::step under callgrind and compares them with those kept in the repository: the
+# one measure of speed that a busy machine does not change.
+#   cmake -DPROGRAM=... -DWORKLOAD=... -DVALGRIND=... -DCOUNTS=instruction_counts.json -DOUT=... -P check_instructions.cmake
+# With -DUPDATE=ON the count is printed and not compared.
+cmake_minimum_required(VERSION 3.25)
+set(tolerance 3)  # percent: what another minor version of the compiler or of the C++ library changes
+
+execute_process(
+  COMMAND ${VALGRIND} --tool=callgrind --collect-atstart=no --callgrind-out-file=${OUT}
+    "--toggle-collect=hapticut::Simulation::step(hapticut::Pose const&, hapticut::Twist const&, double)"
+    ${PROGRAM} ${WORKLOAD}
+  OUTPUT_VARIABLE output ERROR_VARIABLE errors RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "callgrind failed on ${WORKLOAD}:\n${errors}")
+endif()
+if(NOT errors MATCHES "Collected : ([0-9]+)")
+  message(FATAL_ERROR "callgrind counted nothing in Simulation::step:\n${errors}")
+endif()
+set(count ${CMAKE_MATCH_1})
+if(UPDATE)
+  message("\"${WORKLOAD}\": ${count}")
+  return()
+endif()
+
+file(READ ${COUNTS} counts)
+string(JSON expected GET "${counts}" ${WORKLOAD})
+math(EXPR difference "(${count} - ${expected}) * 1000 / ${expected}")  # per mille
+message("${WORKLOAD}: ${count} instructions, kept: ${expected}, difference ${difference} per mille")
+math(EXPR limit "${tolerance} * 10")
+if(difference GREATER limit)
+  message(FATAL_ERROR "the step takes more instructions than before. If that is meant, say why in the commit and put "
+    "${count} into ${COUNTS}.")
+endif()
+math(EXPR negative "-${limit}")
+if(difference LESS negative)
+  message(FATAL_ERROR "the step takes fewer instructions than before: put ${count} into ${COUNTS}, so that the gain is kept.")
+endif()

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// A fixed number of steps of one workload, to have their instructions counted: `bench_instructions WORKLOAD`.
+#include <cstdio>
+#include <cstring>
+
+#include "hapticut/core/units.hpp"
+#include "hapticut/simulation/scenes.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "workloads.hpp"
+
+namespace {
+
+using namespace hapticut;
+
+constexpr int kSteps = 200;
+
+/// A ball wholly inside a block, nothing removed.
+double buried_ball(RemovalLaw removal, double spin) {
+  Material material;
+  material.name = "bone";
+  SimulationConfig config;
+  config.removal = removal;
+  config.friction = DryFriction{0, 0, 1};
+  const bench::Workload w3{bench::Path::w3, 0.1e-3, 1e-3};
+  Simulation simulation(
+      build_block({Vec3(16, 16, 6) * units::mm, Vec3(24, 24, 14) * units::mm}, w3.voxel_size, material),
+      Tool(SphereHead{w3.radius}, RayHandle{}, Spindle{spin}), config);
+  double sum = 0;
+  for (int t = 0; t < kSteps; ++t)
+    sum += simulation.step(Pose::from_translation(w3.center(t)), {}, bench::kTick).force.x();
+  return sum;
+}
+
+double scene(const char* name) {
+  const Scene& scene = find_scene(name);
+  Simulation simulation = scene.make();
+  double sum = 0;
+  for (int t = 0; t < kSteps; ++t) {
+    const StepInput input = scene.input(t);
+    sum += simulation.step(input.pose, input.velocity, input.dt).force.z();
+  }
+  return sum;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const char* name = argc > 1 ? argv[1] : "";
+  double sum = 0;
+  if (std::strcmp(name, "static") == 0)
+    sum = buried_ball(RemovalLaw::none, 0);
+  else if (std::strcmp(name, "cutting") == 0)
+    sum = buried_ball(RemovalLaw::constant_energy, 3000);
+  else if (std::strcmp(name, "scene") == 0)
+    sum = scene("deep_ball");
+  else {
+    std::fprintf(stderr, "usage: bench_instructions static|cutting|scene\n");
+    return 2;
+  }
+  std::printf("%.17g\n", sum);
+  return 0;
+}

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the JSON of the benchmarks to a Markdown table: `bench_report step.json scenarios.json`.
+// Ratios are those of one repetition of one run, and their median is what counts.
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace {
+
+using nlohmann::json;
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+/// Every counter of every benchmark, one value a repetition.
+class Results {
+ public:
+  void read(const std::string& file) {
+    std::ifstream stream(file);
+    if (!stream) throw std::runtime_error(file + " cannot be read; run scripts/bench.sh, which writes it.");
+    const json all = json::parse(stream);
+    context_ = all.at("context");
+    for (const json& run : all.at("benchmarks")) {
+      if (run.at("run_type") != "iteration") continue;
+      std::string name = run.at("name");
+      name.resize(std::min(name.size(), name.find("/iterations:")));
+      if (!runs_.contains(name)) order_.push_back(name);
+      runs_[name].push_back(run);
+    }
+  }
+
+  [[nodiscard]] std::optional<double> value(const std::string& name, const std::string& counter) const {
+    const auto found = runs_.find(name);
+    if (found == runs_.end() || !found->second.front().contains(counter)) return std::nullopt;
+    std::vector<double> values;
+    for (const json& run : found->second) values.push_back(run.at(counter));
+    return median(values);
+  }
+
+  /// Median over the repetitions of the ratio of a counter.
+  [[nodiscard]] std::optional<double> ratio(const std::string& ours, const std::string& theirs,
+                                            const std::string& counter) const {
+    const auto a = runs_.find(ours), b = runs_.find(theirs);
+    if (a == runs_.end() || b == runs_.end()) return std::nullopt;
+    std::vector<double> ratios;
+    for (std::size_t n = 0; n < std::min(a->second.size(), b->second.size()); ++n)
+      ratios.push_back(double(a->second[n].at(counter)) / double(b->second[n].at(counter)));
+    return median(ratios);
+  }
+
+  [[nodiscard]] const std::vector<std::string>& names() const { return order_; }
+  [[nodiscard]] const json& context() const { return context_; }
+
+ private:
+  std::map<std::string, std::vector<json>> runs_;
+  std::vector<std::string> order_;
+  json context_;
+};
+
+void print_row(const std::string& what, double target, const std::optional<double>& measured) {
+  if (measured)
+    std::printf("| %s | %.4g | %.3g | %s |\n", what.c_str(), target, *measured, *measured <= target ? "yes" : "**no**");
+  else
+    std::printf("| %s | %.4g | not run | |\n", what.c_str(), target);
+}
+
+void print_targets(const Results& r) {
+  std::printf("| what | at most | measured | met |\n|---|---|---|---|\n");
+  for (const auto& [h, target] : {std::pair("0.1", 0.20), std::pair("0.05", 0.12)}) {
+    const std::string at = std::string("step/W2/h") + h + "/R2/";
+    print_row("hapticut / vdb_accessor, mean, W2 R 2, " + std::string(h) + " mm", target,
+              r.ratio(at + "hapticut", at + "vdb_accessor", "mean_us"));
+  }
+  for (const auto& [h, target] : {std::pair("0.1", 1.2), std::pair("0.05", 1.0)}) {
+    const std::string at = std::string("step/W2/h") + h + "/R2/";
+    print_row("hapticut / dense_simd, p50, W2 R 2, " + std::string(h) + " mm", target,
+              r.ratio(at + "hapticut", at + "dense_simd", "p50_us"));
+  }
+  for (const char* h : {"0.1", "0.05"})
+    for (const char* path : {"W1/h%/R2/", "W3/h%/R2/", "W3/h%/R3/"}) {
+      std::string at = "step/" + std::string(path);
+      at.replace(at.find('%'), 1, h);
+      print_row("hapticut_static / dense_simd, p50, " + at, 1.0,
+                r.ratio(at + "hapticut_static", at + "dense_simd", "p50_us"));
+    }
+  for (const char* h : {"0.1", "0.05"})
+    for (const char* radius : {"2", "3"}) {
+      const std::string at = std::string("step/W3/h") + h + "/R" + radius + "/";
+      print_row("cutting / static, per contact voxel, " + at, 2.5,
+                r.ratio(at + "hapticut", at + "hapticut_static", "ns_per_contact_voxel"));
+      print_row("hapticut / dense_simd, p50, " + at, 1.3, r.ratio(at + "hapticut", at + "dense_simd", "p50_us"));
+    }
+  print_row("deadline misses in 60 s, 0.05 mm, R 2", 0, r.value("deadline/h0.05/R2", "misses"));
+  print_row("p99.9 [us] in 60 s, 0.05 mm, R 2", 700, r.value("deadline/h0.05/R2", "p999_us"));
+  print_row("p99.9 [us] in 60 s, 0.1 mm, R 3", 500, r.value("deadline/h0.1/R3", "p999_us"));
+  print_row("ten times larger workpiece, p50", 1.05, r.ratio("sizes/x10", "sizes/x1", "p50_us"));
+  print_row("head from a profile / sphere, p50", 2,
+            r.ratio("heads/profile_sphere/static", "heads/sphere/static", "p50_us"));
+  print_row("page faults in 60 s", 0, r.value("deadline/h0.05/R2", "page_faults"));
+  print_row("allocations in 60 s", 0, r.value("deadline/h0.05/R2", "allocations"));
+  print_row("load 256 M voxels in layers [ms]", 5000, r.value("load/layers", "real_time"));
+  print_row("load 256 M voxels, mixed [ms]", 5000, r.value("load/mixed", "real_time"));
+  print_row("bytes per voxel, mixed", 1.5, r.value("load/mixed", "bytes_per_voxel"));
+}
+
+void print_all(const Results& r) {
+  std::printf(
+      "\n| benchmark | p50 us | p99 us | p99.9 us | max us | misses | allocations | voxels in contact | ns per voxel "
+      "|\n");
+  std::printf("|---|---|---|---|---|---|---|---|---|\n");
+  for (const std::string& name : r.names()) {
+    if (!r.value(name, "p50_us")) continue;
+    const auto v = [&](const char* counter) { return r.value(name, counter).value_or(0); };
+    std::printf("| %s | %.1f | %.1f | %.1f | %.0f | %.0f | %.0f | %.0f | %.2f |\n", name.c_str(), v("p50_us"),
+                v("p99_us"), v("p999_us"), v("max_us"), v("misses"), v("allocations"), v("contact_voxels"),
+                v("ns_per_contact_voxel"));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  Results results;
+  for (int i = 1; i < argc; ++i) results.read(argv[i]);
+  if (results.names().empty()) throw std::runtime_error("usage: bench_report RESULTS.json ...");
+  print_targets(results);
+  print_all(results);
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "bench_report: %s\n", error.what());
+  return 1;
+}
