@@ -7,6 +7,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -26,7 +28,10 @@ class Results {
   void read(const std::string& file) {
     std::ifstream stream(file);
     if (!stream) throw std::runtime_error(file + " cannot be read; run scripts/bench.sh, which writes it.");
-    const json all = json::parse(stream);
+    std::stringstream text;
+    text << stream.rdbuf();
+    // Google Benchmark writes the variation of counters that are all zero as NaN, which is no JSON.
+    const json all = json::parse(std::regex_replace(text.str(), std::regex(": -?[nN]a[nN]"), ": null"));
     context_ = all.at("context");
     for (const json& run : all.at("benchmarks")) {
       if (run.at("run_type") != "iteration") continue;

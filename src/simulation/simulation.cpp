@@ -258,8 +258,13 @@ Wrench Simulation::State::normal_wrench(const SubStep& sub_step) noexcept {
 
 /// The friction of the material nearest to a point; that of the last one touched where there is none nearby.
 const DryFriction& Simulation::State::friction_at(const Vec3& p_WQ) noexcept {
+  if (config.friction) return frictions[touched];  // the same everywhere
   const Vec3 p_VQ = X_VW * p_WQ / workpiece.voxel_size();
   const VoxelIndex center = {int(std::lround(p_VQ.x())), int(std::lround(p_VQ.y())), int(std::lround(p_VQ.z()))};
+  if (const MaterialId id = workpiece.material_at(center); id != kEmpty) {
+    touched = id;
+    return frictions[touched];
+  }
   double nearest = 9;  // [voxels^2]
   for (int i = -2; i <= 2; ++i)
     for (int j = -2; j <= 2; ++j)
