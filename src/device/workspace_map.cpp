@@ -65,9 +65,10 @@ Twist WorkspaceMap::to_world(const Pose& X_BS, const Twist& stylus) const noexce
 
 Wrench WorkspaceMap::to_device(const Pose& X_BS, const Wrench& tool) const noexcept {
   if (!engaged_) return {};
-  const Mat3 R_BW = options_.X_WB.rotation.transpose();
+  const Mat3& R_WB = options_.X_WB.rotation;
   const Wrench about_stylus = transport(tool, stylus_in_world(X_BS).rotation * options_.X_SH.translation);
-  return {options_.force_scale * (R_BW * about_stylus.force), options_.torque_scale * (R_BW * about_stylus.torque)};
+  return {options_.force_scale * (R_WB.transpose() * about_stylus.force),
+          options_.torque_scale * (R_WB.transpose() * about_stylus.torque)};
 }
 
 }  // namespace hapticut
