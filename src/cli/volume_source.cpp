@@ -27,7 +27,8 @@ VolumeReadOptions read_options(const Source& s) {
 }
 
 bool is_raw(const Source& s) {
-  return s.source.ends_with(".raw") || !s.raw.dims.empty() || !s.raw.type.empty() || s.raw.big_endian || s.raw.skip_bytes > 0;
+  return s.source.ends_with(".raw") || !s.raw.dims.empty() || !s.raw.type.empty() || s.raw.big_endian ||
+         s.raw.skip_bytes > 0;
 }
 
 RawLayout raw_layout(const Source& s) {
