@@ -22,4 +22,9 @@ struct Command {
 [[nodiscard]] Command convert_command();
 [[nodiscard]] Command validate_command();
 
+/// All of them, in the order of the help.
+[[nodiscard]] inline std::vector<Command> all_commands() {
+  return {drill_command(), inspect_command(), convert_command(), validate_command()};
+}
+
 }  // namespace hapticut::cli

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/command.hpp"
@@ -82,8 +83,8 @@ int main_with(int argc, char** argv) {
   app.set_version_flag("--version", build_info().version);
   app.require_subcommand(1);
   std::deque<Registered> entries;
-  for (Command (*make)() : {&drill_command, &inspect_command, &convert_command, &validate_command}) {
-    Registered& entry = entries.emplace_back(Registered{make()});
+  for (Command& command : all_commands()) {
+    Registered& entry = entries.emplace_back(Registered{std::move(command)});
     entry.app = app.add_subcommand(entry.command.name, entry.command.summary);
     register_flags(entry);
   }
