@@ -226,8 +226,8 @@ Wrench SafetyGuard::bound(const Wrench& wrench) noexcept {
     log_.report(SafetyEvent::continuous_limited, thermal_.limit());
   }
   const double growth_time = std::min(dt_, options_.period);  // a late tick does not earn a bigger step
-  const Wrench grown{growth_limited(before_ramp_.force, w.force, slew_ * growth_time),
-                     growth_limited(before_ramp_.torque, w.torque, torque_slew_ * growth_time)};
+  Wrench grown{growth_limited(before_ramp_.force, w.force, slew_ * growth_time),
+               growth_limited(before_ramp_.torque, w.torque, torque_slew_ * growth_time)};
   // A rounding error is no limit.
   if ((grown.force - w.force).norm() > 1e-9 * force || (grown.torque - w.torque).norm() > 1e-9 * torque) {
     output_.limits |= OutputLimit::slew_limited;

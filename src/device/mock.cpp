@@ -73,8 +73,8 @@ bool MockDevice::read(DeviceState& state) noexcept {
 }
 
 Wrench MockDevice::write(const Wrench& wrench) noexcept {
-  const Wrench applied{saturated(wrench.force, options_.device.peak_force),
-                       saturated(wrench.torque, options_.device.peak_torque)};
+  Wrench applied{saturated(wrench.force, options_.device.peak_force),
+                 saturated(wrench.torque, options_.device.peak_torque)};
   if (!options_.rigid) plant_.advance(applied);
   return applied;
 }

@@ -29,7 +29,7 @@ struct Flight {
   double in = 0, out = 0, energy = 0, penetration = 0, force = 0;
 };
 
-Flight fly(const ClosedLoopConfig& config, ForceModel model, const BounceTest& test, double phase) {
+Flight fly(const ClosedLoopConfig& config, const ForceModel& model, const BounceTest& test, double phase) {
   ClosedLoop loop(config);
   const Vec3 start(0, 0, test.height + kApproach + phase * test.speed * config.period);
   loop.reset(Pose::from_translation(start));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/open_haptics/connection.hpp"
 
-#include <locale.h>
 #include <clocale>
 
 #include <array>
