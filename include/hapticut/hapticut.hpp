@@ -16,6 +16,7 @@
 #include "hapticut/tool/handle.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/tool/profile.hpp"
+#include "hapticut/tool/profile_mesh.hpp"
 #include "hapticut/tool/profile_table.hpp"
 #include "hapticut/tool/shapes.hpp"
 #include "hapticut/tool/spindle.hpp"

@@ -202,18 +202,32 @@ void Meridian::make_curves() {
       curves_.push_back({MeridianCurve::Kind::corner, before, point, next, 0, 0});
   };
   const auto mirrored = [](const Vec2& tangent) { return Vec2(tangent.x(), -tangent.y()); };
+  // Whether the cutting edge's line or circle stays out of the body beyond its end at a smooth edge, see ProfileHead.
+  const auto goes_on = [&](const MeridianEdge& e, double turn) {
+    if (e.straight()) return turn > kRounding;
+    return e.curvature > 0 && e.center.x() <= kRounding * size_;
+  };
+  const auto add_end = [&](const MeridianEdge& e, const Vec2& point, const Vec2& beyond) {
+    MeridianEdge before = e;
+    before.end_tangent = beyond;
+    curves_.push_back({MeridianCurve::Kind::corner, before, point, -beyond, 0, 0});
+  };
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     if (!cuts(i)) continue;
     const MeridianEdge& e = edges_[i];
     const bool first = i == 0, last = i + 1 == edges_.size();
+    const bool smooth_before = !first && !cuts(i - 1), smooth_after = !last && !cuts(i + 1);
+    const bool free_start = smooth_before && goes_on(e, cross(edges_[i - 1].end_tangent, e.start_tangent));
+    const bool free_end = smooth_after && goes_on(e, cross(e.end_tangent, edges_[i + 1].start_tangent));
     if (first) {  // a hollow tip: the corner with the other half of the meridian
       MeridianEdge other = e;
       other.end_tangent = mirrored(e.start_tangent);
       add_corner(other, e.from, e.start_tangent);
-    } else if (cuts(i - 1)) {
+    } else if (!smooth_before) {
       add_corner(edges_[i - 1], e.from, e.start_tangent);
+    } else if (!free_start) {
+      add_end(e, e.from, -e.start_tangent);
     }
-    const bool free_start = !first && !cuts(i - 1), free_end = !last && !cuts(i + 1);
     MeridianCurve curve;
     curve.edge = e;
     curve.point = e.from;
@@ -228,6 +242,7 @@ void Meridian::make_curves() {
       curve.high = free_end ? (free_start ? 2 * kPi : half_turn) : sweep;
     }
     curves_.push_back(curve);
+    if (smooth_after && !free_end) add_end(e, e.to, e.end_tangent);
     if (last) add_corner(e, e.to, mirrored(e.end_tangent));
   }
 }

@@ -34,7 +34,7 @@ struct MeridianEdge {
 };
 
 /// A curve that may be the nearest one, and where it is in charge: the strip of a line, the sector of an arc, the wedge
-/// of a hollow corner. At a free end, where cutting meets smooth, the strip or sector goes on.
+/// of a hollow corner or of the end of a cutting edge. Where the cutting surface goes on, so do strip and sector.
 struct MeridianCurve {
   enum class Kind { line, arc, corner };
   Kind kind = Kind::line;

@@ -65,6 +65,13 @@ inline std::vector<NamedProfile> profiles_with_smooth_edges() {
   profiles.push_back({"SafeSided", {0, {{0.6 * mm, 0}, {0.6 * mm, 2 * mm, 0, kSmooth}, {0, 2 * mm, 0, kSmooth}}}});
   profiles.push_back(
       {"SafeTip", {0, {{0.3 * mm, 0.1 * mm, 0.5 * mm, kSmooth}, {0.6 * mm, 1.8 * mm}, {0, 2 * mm, 0, kSmooth}}}});
+  profiles.push_back(
+      {"HalfSafeSide",
+       {0, {{0.6 * mm, 0}, {0.6 * mm, 0.9 * mm}, {0.6 * mm, 2 * mm, 0, kSmooth}, {0, 2 * mm, 0, kSmooth}}}});
+  profiles.push_back(
+      {"RoundedRim",
+       {0,
+        {{0.9 * mm, 0}, {1.1 * mm, 0.2 * mm, 0.2 * mm}, {0.9 * mm, 0.4 * mm, 0.2 * mm}, {0, 0.4 * mm, 0, kSmooth}}}});
   profiles.push_back({"Neck",
                       {-0.8 * mm,
                        {{0.8 * mm, 0, 0.8 * mm},

@@ -44,9 +44,13 @@ struct Profile {
 /// A head of any profile of revolution.
 ///
 /// The depth of a point inside the head is its distance from the nearest cutting surface, `w = min |x - s|`, and the
-/// direction is that from the point to it. Where cutting meets smooth, the cutting surface is taken to go on as it ends
-/// (a line as its line, an arc as its circle): so a ConeHead and a FlatHead are also profiles, the pressure identity
-/// holds, and a smooth edge feels nothing. A point beyond that continued surface has no spring.
+/// direction is that from the point to it.
+///
+/// Where a cutting edge meets a smooth one, the cutting surface is taken to go on as it ends, if that leads out of the
+/// body: a straight edge from which the body turns away goes on as its line, an arc about a centre on the axis or
+/// beyond goes on as its circle. So a ConeHead and a FlatHead are profiles too, and a ball may carry a neck; what lies
+/// beyond the continued surface has no spring. Any other edge ends where it ends, and its end is the nearest point of
+/// what lies behind.
 class ProfileHead {
  public:
   /// @param tolerance  [1] bound on the error of depths, relative to the smaller of largest radius and height, in

@@ -243,6 +243,19 @@ TEST(ProfileHead, SmoothEdgesBoundTheHeadAndFeelNothing) {
   });
 }
 
+TEST(ProfileHead, ACuttingEdgeThatDoesNotLeadOutOfTheBodyEndsWhereItEnds) {
+  // A cylinder that cuts with its bottom and the lower 0.9 mm of its side.
+  const ToolHead head =
+      ProfileHead({0, {{0.6 * mm, 0}, {0.6 * mm, 0.9 * mm}, {0.6 * mm, 2 * mm, 0, kSmooth}, {0, 2 * mm, 0, kSmooth}}});
+  const double error = std::get<ProfileHead>(head.shape()).table().error;
+  for_points(head, 20000, [&](double rho, double z) {
+    const bool inside = rho < 0.6 * mm && z > 0 && z < 2 * mm;
+    const double side = std::hypot(0.6 * mm - rho, std::max(0.0, z - 0.9 * mm));
+    const double expected = inside ? std::min(z, side) : 0;
+    ASSERT_NEAR(std::max(0.0, spring_at(head, rho, z).depth), expected, error + 1e-6 * mm) << rho << " " << z;
+  });
+}
+
 TEST(ProfileHead, VolumeIsThatOfPappusBodies) {
   // A torus of a half circle bulging out of a cylinder: 2 pi R A(centroid) and the cylinder.
   const double R = 1 * mm, r = 0.2 * mm;
