@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/tool_settings.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cli/profile_file.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/tool/catalogue.hpp"
 
 namespace hapticut::cli {
 namespace {
@@ -24,29 +30,175 @@ void refuse(const std::optional<Value>& value, const std::string& name, const st
   if (value) throw Error("tool." + name + " is set, but " + owner + " has none. Leave it out, or choose another.");
 }
 
+using Number = std::optional<double> ToolSettings::*;
+
+/// The numbers that describe heads, by their names.
+struct Dimension {
+  const char* name;
+  Number value;
+};
+constexpr Dimension kRadius{"radius_mm", &ToolSettings::radius_mm}, kHeight{"height_mm", &ToolSettings::height_mm},
+    kHalfAngle{"half_angle_deg", &ToolSettings::half_angle_deg}, kDiameter{"diameter_mm", &ToolSettings::diameter_mm},
+    kLength{"length_mm", &ToolSettings::length_mm}, kTip{"tip_diameter_mm", &ToolSettings::tip_diameter_mm},
+    kNeck{"neck_diameter_mm", &ToolSettings::neck_diameter_mm},
+    kShank{"shank_diameter_mm", &ToolSettings::shank_diameter_mm},
+    kWidest{"widest_height_mm", &ToolSettings::widest_height_mm},
+    kPointAngle{"point_angle_deg", &ToolSettings::point_angle_deg};
+constexpr std::array kDimensions = {kRadius, kHeight, kHalfAngle, kDiameter, kLength,
+                                    kTip,    kNeck,   kShank,     kWidest,   kPointAngle};
+
+/// What one kind of head is called and needs, and how it is made.
+struct HeadKind {
+  Head head;
+  const char* name;
+  const char* owner;  // in messages
+  std::vector<Dimension> needs;
+  std::vector<Dimension> may_have;
+  ToolHead (*make)(const ToolSettings& s);
+};
+
+double mm_of(const std::optional<double>& value) { return *value * units::mm; }
+
+const std::vector<HeadKind>& head_kinds() {
+  using S = ToolSettings;
+  static const std::vector<HeadKind> kinds = {
+      {Head::sphere,
+       "sphere",
+       "a sphere",
+       {kRadius},
+       {},
+       [](const S& s) -> ToolHead { return SphereHead{mm_of(s.radius_mm)}; }},
+      {Head::cone,
+       "cone",
+       "a cone, given by angle and height,",
+       {kHalfAngle, kHeight},
+       {},
+       [](const S& s) -> ToolHead {
+         return ConeHead{*s.half_angle_deg * units::deg, mm_of(s.height_mm)};
+       }},
+      {Head::flat,
+       "flat",
+       "a flat head",
+       {kRadius, kHeight},
+       {},
+       [](const S& s) -> ToolHead {
+         return FlatHead{mm_of(s.radius_mm), mm_of(s.height_mm), s.flat_rule.value_or(FlatRule::nearest)};
+       }},
+      {Head::profile,
+       "profile",
+       "a head of a profile",
+       {},
+       {},
+       [](const S& s) -> ToolHead { return ProfileHead(read_profile(s.profile)); }},
+      {Head::round,
+       "round",
+       "a round head",
+       {kDiameter},
+       {},
+       [](const S& s) { return round_head(mm_of(s.diameter_mm)); }},
+      {Head::inverted_cone,
+       "inverted_cone",
+       "an inverted cone",
+       {kTip, kNeck, kLength},
+       {},
+       [](const S& s) {
+         return inverted_cone_head(mm_of(s.tip_diameter_mm), mm_of(s.neck_diameter_mm), mm_of(s.length_mm));
+       }},
+      {Head::cylinder,
+       "cylinder",
+       "a cylinder",
+       {kDiameter, kLength},
+       {},
+       [](const S& s) { return cylinder_head(mm_of(s.diameter_mm), mm_of(s.length_mm)); }},
+      {Head::round_end_cylinder,
+       "round_end_cylinder",
+       "a round-end cylinder",
+       {kDiameter, kLength},
+       {},
+       [](const S& s) { return round_end_cylinder_head(mm_of(s.diameter_mm), mm_of(s.length_mm)); }},
+      {Head::tapered,
+       "tapered",
+       "a tapered head",
+       {kTip, kDiameter, kLength},
+       {},
+       [](const S& s) { return tapered_head(mm_of(s.tip_diameter_mm), mm_of(s.diameter_mm), mm_of(s.length_mm)); }},
+      {Head::round_end_tapered,
+       "round_end_tapered",
+       "a round-end tapered head",
+       {kTip, kDiameter, kLength},
+       {},
+       [](const S& s) {
+         return round_end_tapered_head(mm_of(s.tip_diameter_mm), mm_of(s.diameter_mm), mm_of(s.length_mm));
+       }},
+      {Head::needle,
+       "needle",
+       "a needle",
+       {kDiameter, kLength},
+       {},
+       [](const S& s) { return needle_head(mm_of(s.diameter_mm), mm_of(s.length_mm)); }},
+      {Head::flame,
+       "flame",
+       "a flame",
+       {kDiameter, kLength, kNeck, kWidest},
+       {},
+       [](const S& s) {
+         return flame_head(mm_of(s.diameter_mm), mm_of(s.length_mm), mm_of(s.neck_diameter_mm),
+                           mm_of(s.widest_height_mm));
+       }},
+      {Head::pear,
+       "pear",
+       "a pear",
+       {kDiameter, kLength, kNeck},
+       {},
+       [](const S& s) { return pear_head(mm_of(s.diameter_mm), mm_of(s.length_mm), mm_of(s.neck_diameter_mm)); }},
+      {Head::wheel,
+       "wheel",
+       "a wheel",
+       {kDiameter, kLength, kShank},
+       {},
+       [](const S& s) { return wheel_head(mm_of(s.diameter_mm), mm_of(s.length_mm), mm_of(s.shank_diameter_mm)); }},
+      {Head::christmas_tree,
+       "christmas_tree",
+       "a christmas tree",
+       {kDiameter, kLength},
+       {},
+       [](const S& s) { return christmas_tree_head(mm_of(s.diameter_mm), mm_of(s.length_mm), int(s.tiers)); }},
+      {Head::twist_drill, "twist_drill", "a twist drill", {kDiameter, kLength}, {kPointAngle}, [](const S& s) {
+         return twist_drill_head(mm_of(s.diameter_mm), mm_of(s.length_mm),
+                                 s.point_angle_deg.value_or(118) * units::deg);
+       }}};
+  return kinds;
+}
+
+bool holds(const std::vector<Dimension>& dimensions, const Dimension& d) {
+  return std::any_of(dimensions.begin(), dimensions.end(),
+                     [&](const Dimension& other) { return other.value == d.value; });
+}
+
 ToolHead make_head(const ToolSettings& s) {
   if (!s.head)
     throw Error(
-        "the head of the tool is missing. Set --head to sphere, cone or flat, or head under [tool] in the "
-        "settings file.");
-  switch (*s.head) {
-    case Head::sphere:
-      refuse(s.height_mm, "height_mm", "a sphere");
-      refuse(s.half_angle_deg, "half_angle_deg", "a sphere");
-      refuse(s.flat_rule, "flat_rule", "a sphere");
-      return SphereHead{required(s.radius_mm, "radius_mm", "a sphere") * units::mm};
-    case Head::cone:
-      refuse(s.radius_mm, "radius_mm", "a cone, given by angle and height,");
-      refuse(s.flat_rule, "flat_rule", "a cone");
-      return ConeHead{required(s.half_angle_deg, "half_angle_deg", "a cone") * units::deg,
-                      required(s.height_mm, "height_mm", "a cone") * units::mm};
-    case Head::flat:
-      break;
-  }
-  refuse(s.half_angle_deg, "half_angle_deg", "a flat head");
-  return FlatHead{required(s.radius_mm, "radius_mm", "a flat head") * units::mm,
-                  required(s.height_mm, "height_mm", "a flat head") * units::mm,
-                  s.flat_rule.value_or(FlatRule::nearest)};
+        "the head of the tool is missing. Set --head to sphere, cone, flat, profile or a name of the catalogue, or "
+        "head under "
+        "[tool] in the settings file.");
+  const HeadKind& kind =
+      *std::find_if(head_kinds().begin(), head_kinds().end(), [&](const HeadKind& k) { return k.head == *s.head; });
+  for (const Dimension& d : kDimensions)
+    if (!holds(kind.needs, d) && !holds(kind.may_have, d)) refuse(s.*d.value, d.name, kind.owner);
+  for (const Dimension& d : kind.needs) (void)required(s.*d.value, d.name, kind.owner);
+  const auto tiers = s.tiers > 0 ? std::optional(double(s.tiers)) : std::nullopt;
+  if (kind.head == Head::christmas_tree) (void)required(tiers, "tiers", kind.owner);
+  if (kind.head != Head::christmas_tree) refuse(tiers, "tiers", kind.owner);
+  if (kind.head != Head::flat) refuse(s.flat_rule, "flat_rule", kind.owner);
+  if (kind.head == Head::profile && s.profile.empty()) fail_missing("profile", kind.owner);
+  if (kind.head != Head::profile && !s.profile.empty()) refuse(std::optional(s.profile), "profile", kind.owner);
+  return kind.make(s);
+}
+
+std::vector<std::pair<std::string, Head>> names_of_heads() {
+  std::vector<std::pair<std::string, Head>> names;
+  for (const HeadKind& kind : head_kinds()) names.emplace_back(kind.name, kind.head);
+  return names;
 }
 
 Handle make_handle(const ToolSettings& s) {
@@ -64,8 +216,7 @@ Handle make_handle(const ToolSettings& s) {
 
 std::vector<Setting> settings_of(ToolSettings& t) {
   return {
-      choice("tool.head", "--head", t.head, {{"sphere", Head::sphere}, {"cone", Head::cone}, {"flat", Head::flat}},
-             "shape of the cutting head"),
+      choice("tool.head", "--head", t.head, names_of_heads(), "shape of the cutting head; docs/heads.md draws them"),
       number("tool.radius_mm", "--radius_mm", t.radius_mm, Range::positive(), "radius of a sphere or flat head"),
       number("tool.height_mm", "--height_mm", t.height_mm, Range::positive(), "height of a cone or flat head"),
       number("tool.half_angle_deg", "--half_angle_deg", t.half_angle_deg, Range{0, 90, true},
@@ -76,6 +227,23 @@ std::vector<Setting> settings_of(ToolSettings& t) {
               {"side_only", FlatRule::side_only},
               {"both", FlatRule::both}},
              "which surface of a flat head carries the spring [nearest]"),
+      number("tool.diameter_mm", "--diameter_mm", t.diameter_mm, Range::positive(),
+             "largest diameter of a head of the catalogue"),
+      number("tool.length_mm", "--length_mm", t.length_mm, Range::positive(),
+             "length of a head of the catalogue, thickness of a wheel"),
+      number("tool.tip_diameter_mm", "--tip_diameter_mm", t.tip_diameter_mm, Range::positive(),
+             "diameter at the tip of an inverted_cone, tapered or round_end_tapered head"),
+      number("tool.neck_diameter_mm", "--neck_diameter_mm", t.neck_diameter_mm, Range::positive(),
+             "diameter at the shank of an inverted_cone, flame or pear"),
+      number("tool.shank_diameter_mm", "--shank_diameter_mm", t.shank_diameter_mm, Range::positive(),
+             "of a wheel: what of its upper face does not cut"),
+      number("tool.widest_height_mm", "--widest_height_mm", t.widest_height_mm, Range::positive(),
+             "of a flame: from the tip to its widest place"),
+      integer("tool.tiers", "--tiers", t.tiers, 1, 20, "of a christmas_tree: number of cones"),
+      number("tool.point_angle_deg", "--point_angle_deg", t.point_angle_deg, Range{0, 180, true},
+             "of a twist_drill: full angle of its point [118]"),
+      text("tool.profile", "--profile", t.profile,
+           "of a head of kind profile: CSV file of its meridian, or a mesh of revolution in mm, shank towards +z"),
       choice("tool.handle", "--handle", t.handle, {{"ray", HandleKind::ray}, {"L", HandleKind::angled}},
              "straight (ray) or angled (L) handpiece [ray]"),
       number("tool.handle_length_mm", "--handle_length_mm", t.handle_length_mm, Range::not_negative(),
