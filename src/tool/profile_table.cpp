@@ -28,7 +28,7 @@ using Curves = std::vector<std::uint32_t>;
 struct Sample {
   Vec2 at;
   double depth;   // [m] <= 0: no spring
-  double margin;  // [m] from the surface, positive inside
+  double margin;  // [m] from the surface, positive inside; infinite: far inside
 };
 
 class TableBuilder {
@@ -191,7 +191,7 @@ class TableBuilder {
     for (int n = 0; n < count * count; ++n) {
       const Vec2 x = corner + t_.cell_size / (count - 1) * Vec2(n % count, n / count);
       if (!(x.x() < t_.radius && x.y() > t_.bottom && x.y() < t_.top)) continue;  // decided without the table
-      Sample s{x, -1, 0};
+      Sample s{x, -1, std::numeric_limits<double>::infinity()};
       if (on_surface) s.margin = springs.margin(x.x(), x.y());
       if (!on_surface || s.margin > 0) {
         double least = std::numeric_limits<double>::infinity();
@@ -231,7 +231,7 @@ class TableBuilder {
       const double got = std::max(0.0, springs.decide(cell, s.at.x(), s.at.y()).depth), want = std::max(0.0, s.depth);
       const double difference = std::abs(got - want);
       const bool on_wrong_side = (got > 0) != (want > 0);
-      most = std::max(most, on_wrong_side && s.margin != 0 ? std::min(difference, std::abs(s.margin)) : difference);
+      most = std::max(most, on_wrong_side ? std::min(difference, std::abs(s.margin)) : difference);
     }
     return most;
   }

@@ -256,6 +256,16 @@ TEST(ProfileHead, ACuttingEdgeThatDoesNotLeadOutOfTheBodyEndsWhereItEnds) {
   });
 }
 
+TEST(ProfileHead, ASmoothPointCutsTheSideOffExactly) {
+  // Its slope passes through points that the table is made from.
+  const ProfileHead head({0, {{1 * mm, 0.6 * mm, 0, kSmooth}, {1 * mm, 5 * mm}, {0, 5 * mm, 0, kSmooth}}});
+  EXPECT_LT(head.table().error, 1e-9 * mm);
+  for_points(head, 20000, [&](double rho, double z) {
+    const double expected = z < 5 * mm && z > 0.6 * rho ? std::max(0.0, 1 * mm - rho) : 0;
+    ASSERT_NEAR(std::max(0.0, spring_at(head, rho, z).depth), expected, kRounding * mm) << rho << " " << z;
+  });
+}
+
 TEST(ProfileHead, VolumeIsThatOfPappusBodies) {
   // A torus of a half circle bulging out of a cylinder: 2 pi R A(centroid) and the cylinder.
   const double R = 1 * mm, r = 0.2 * mm;
