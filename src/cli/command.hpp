@@ -21,10 +21,11 @@ struct Command {
 [[nodiscard]] Command inspect_command();
 [[nodiscard]] Command convert_command();
 [[nodiscard]] Command validate_command();
+[[nodiscard]] Command calibrate_command();
 
 /// All of them, in the order of the help.
 [[nodiscard]] inline std::vector<Command> all_commands() {
-  return {drill_command(), inspect_command(), convert_command(), validate_command()};
+  return {drill_command(), inspect_command(), convert_command(), validate_command(), calibrate_command()};
 }
 
 }  // namespace hapticut::cli

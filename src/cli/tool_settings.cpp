@@ -256,6 +256,10 @@ std::vector<Setting> settings_of(ToolSettings& t) {
              "spindle speed, positive counter-clockwise seen from the shank; 0: stands, nothing is cut"),
       number("tool.power_limit_W", "--power_limit_W", t.power_limit_W, Range::positive(),
              "power of the spindle, above which it slows down [no limit]"),
+      number("tool.acceleration_rpm_per_s", "--acceleration_rpm_per_s", t.acceleration_rpm_per_s, Range::positive(),
+             "how fast the spindle recovers its speed after a load [at once]"),
+      number("tool.droop_rpm_per_Nmm", "--droop_rpm_per_Nmm", t.droop_rpm_per_Nmm, Range::not_negative(),
+             "speed that the spindle loses per load torque, as an air turbine does [0]"),
   };
 }
 
@@ -265,6 +269,8 @@ Tool make_tool(const ToolSettings& s) {
   const double rpm = required(s.spindle_rpm, "spindle_rpm", "every tool");
   Spindle spindle{rpm * units::rpm};
   if (s.power_limit_W) spindle.power_limit = *s.power_limit_W;
+  if (s.acceleration_rpm_per_s) spindle.acceleration_limit = *s.acceleration_rpm_per_s * units::rpm;
+  if (s.droop_rpm_per_Nmm) spindle.droop = *s.droop_rpm_per_Nmm * units::rpm / units::N_mm;
   return Tool(std::move(head), std::move(handle), spindle);
 }
 

@@ -43,7 +43,7 @@ struct ToolSettings {
   std::optional<HandleKind> handle;
   std::optional<double> handle_length_mm, handle_neck_mm, handle_bend_deg;
   std::optional<double> spindle_rpm;
-  std::optional<double> power_limit_W;
+  std::optional<double> power_limit_W, acceleration_rpm_per_s, droop_rpm_per_Nmm;
 };
 
 [[nodiscard]] std::vector<Setting> settings_of(ToolSettings& tool);

@@ -24,8 +24,7 @@ void add_rows(const cli::Setting& setting, const std::string& prefix, std::vecto
 
 TEST(CommandLinePage, ListsEverySettingAsTheProgramDescribesIt) {
   std::vector<std::string> expected;
-  for (const cli::Command& command :
-       {cli::drill_command(), cli::inspect_command(), cli::convert_command(), cli::validate_command()})
+  for (const cli::Command& command : cli::all_commands())
     for (const cli::Setting& setting : command.settings) add_rows(setting, "", expected);
   ASSERT_GT(expected.size(), 80U);
 

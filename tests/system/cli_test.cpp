@@ -52,7 +52,7 @@ TEST_F(Convert, KeepsAWorkpieceInVdb) {
 }
 
 TEST_F(Program, HelpsAndSaysItsVersion) {
-  for (const char* command : {"", "drill ", "inspect ", "convert "}) {
+  for (const char* command : {"", "drill ", "inspect ", "convert ", "validate ", "calibrate "}) {
     const Outcome outcome = run(std::string(command) + "--help");
     EXPECT_EQ(outcome.code, 0);
     EXPECT_NE(outcome.out.find("Usage: hapticut"), std::string::npos);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// `hapticut validate` and `hapticut calibrate` as a user runs them.
+#include "support/program.hpp"
+
+namespace hapticut {
+namespace {
+
+using test::Outcome;
+using test::Program;
+using test::read_json;
+using Validate = Program;
+using Calibrate = Program;
+
+TEST_F(Validate, ReportsEveryFieldOfEveryCaseAndThatAllPass) {
+  const Outcome outcome = run("validate --only effects --json " + path("v.json") + " --markdown " + path("v.md"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json report = read_json(folder / "v.json");
+  EXPECT_EQ(report["failed"], 0);
+  ASSERT_GE(report["cases"].size(), 5U);
+  for (const nlohmann::json& one : report["cases"]) {
+    EXPECT_TRUE(one["pass"]) << one;
+    EXPECT_LE(one["relative_error"].get<double>(), one["tolerance"].get<double>());
+    for (const char* field : {"id", "case", "unit", "expected", "computed"}) EXPECT_TRUE(one.contains(field)) << field;
+  }
+  EXPECT_NE(test::read_bytes(path("v.md")).find("| C18 at 1 kHz |"), std::string::npos);
+}
+
+TEST_F(Validate, RefusesAnExperimentThatDoesNotExist) {
+  const Outcome outcome = run("validate --only nonsense");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("no experiment has 'nonsense' in its name"), std::string::npos);
+}
+
+void write(const std::string& name, const std::string& content) { std::ofstream(name) << content; }
+
+constexpr const char* kHeader = "radius_mm,spindle_rpm,feed_mm_per_s,thrust_N,torque_Nmm\n";
+
+TEST_F(Calibrate, FitsThePublishedDrillingTestAndSaysWhatItDoesNotIdentify) {
+  write(path("t.csv"), std::string(kHeader) + "1.25,1000,1,20.07,41.2\n");
+  const Outcome outcome = run("calibrate " + path("t.csv") + " --json " + path("c.json"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json report = read_json(folder / "c.json");
+  EXPECT_NEAR(report["cutting_ratio"].get<double>(), 2 * 41.2 / (1.25 * 20.07), 1e-4);
+  EXPECT_FALSE(report["edge_identified"]);
+  EXPECT_NE(outcome.out.find("do not identify it"), std::string::npos);
+}
+
+TEST_F(Calibrate, RefusesAFileThatIsWrongWithItsLine) {
+  write(path("t.csv"), "radius,feed\n1,2\n");
+  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("t.csv:1: the first line is"), std::string::npos);
+  write(path("t.csv"), std::string(kHeader) + "1.25,1000,1,20.07,41.2\n1.25,1000,fast,20,41\n");
+  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("t.csv:3: 'fast' is not one of five numbers"),
+            std::string::npos);
+  write(path("t.csv"), std::string(kHeader) + "1.25,1000,1,20.07\n");
+  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("t.csv:2: 4 numbers; there must be five"), std::string::npos);
+  write(path("t.csv"), std::string(kHeader) + "1.25,1000,1,-3,41\n");
+  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("DrillingTest::thrust [N] = -3"), std::string::npos);
+  write(path("t.csv"), kHeader);
+  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("there is no drilling test"), std::string::npos);
+  EXPECT_NE(run("calibrate " + path("none.csv")).errors.find("cannot be read"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hapticut
