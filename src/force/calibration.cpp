@@ -76,12 +76,17 @@ Calibration calibrate(std::span<const DrillingTest> tests) {
 
   // kappa from 0.001 to 1000 on a logarithmic grid, then by halving the step about the best.
   const auto squares = [&](double log_kappa) { return fit_at(std::exp(log_kappa), tests, with_edge).squares; };
+  constexpr int kGrid = 70, kHalvings = 37;  // steps of 0.1 to each side, down to 1e-12
   double best = 0, step = 0.1;
-  for (double at = std::log(1e-3); at <= std::log(1e3); at += step)
+  const auto try_at = [&](double at) {
     if (squares(at) < squares(best)) best = at;
-  for (; step > 1e-12; step /= 2)
-    for (const double at : {best - step, best + step})
-      if (squares(at) < squares(best)) best = at;
+  };
+  for (int n = -kGrid; n <= kGrid; ++n) try_at(n * step);
+  for (int halving = 0; halving < kHalvings; ++halving, step /= 2) {
+    const double middle = best;
+    try_at(middle - step);
+    try_at(middle + step);
+  }
 
   Calibration c;
   c.cutting_ratio = std::exp(best);
