@@ -45,7 +45,7 @@ std::vector<Vec2> candidates(const MeridianEdge& a, const MeridianEdge& b, doubl
   if (a.straight() && b.straight()) {
     const double sine = cross(a.start_tangent, b.start_tangent);
     if (std::abs(sine) > 1e-12)
-      points.push_back(a.from + cross(b.from - a.from, b.start_tangent) / sine * a.start_tangent);
+      points.emplace_back(a.from + cross(b.from - a.from, b.start_tangent) / sine * a.start_tangent);
   } else if (a.straight()) {
     add(on_line(a, b.center, b.radius()));
   } else if (b.straight()) {

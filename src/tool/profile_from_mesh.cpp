@@ -138,7 +138,7 @@ class Cut {
     const Vec2 on_axis(0, a.y() + a.x() / (a.x() - b.x()) * (b.y() - a.y()));
     const Key& outer = a_inside ? key_b : key_a;
     nodes_[outer].place = a_inside ? b : a;
-    ends_.push_back({on_axis, outer});
+    ends_.emplace_back(on_axis, outer);
   }
 
   void link(const Key& from, const Vec2& place, const Key& to) {
@@ -202,7 +202,7 @@ std::vector<Vec2> meridian_points(const WeldedMesh& mesh, const std::vector<Vec2
   std::vector<std::pair<double, Vec2>> along;
   for (const Vec3& v : mesh.vertices) {
     const Vec2 x(v.head<2>().norm(), v.z());
-    along.push_back({project(cut, x).first, x});
+    along.emplace_back(project(cut, x).first, x);
   }
   std::stable_sort(along.begin(), along.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Vec2> points = {cut.front()};
@@ -210,7 +210,7 @@ std::vector<Vec2> meridian_points(const WeldedMesh& mesh, const std::vector<Vec2
     Vec2 sum = Vec2::Zero();
     std::size_t end = n;
     for (; end < along.size() && (along[end].second - along[n].second).norm() < ring; ++end) sum += along[end].second;
-    points.push_back(sum / double(end - n));
+    points.emplace_back(sum / double(end - n));
     n = end;
   }
   points.push_back(cut.back());
@@ -273,6 +273,7 @@ RecognizedProfile profile_from_mesh(const TriangleMesh& mesh, const Vec3& toward
   double radius = 0;
   for (const Vec3& v : welded.vertices) radius = std::max(radius, v.head<2>().norm());
   std::vector<Cut> cuts;
+  cuts.reserve(kCuts);
   for (int n = 0; n < kCuts; ++n) cuts.emplace_back(welded, kFirstCut + n * kCutAngle, kOnAxis * radius);
   const double tip = cuts.front().points().front().y();
 

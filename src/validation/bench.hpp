@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include "hapticut/core/units.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/workpiece/builders.hpp"
@@ -54,7 +56,7 @@ struct Steady {
 inline Steady feed(Simulation& simulation, const Vec3& start, const Vec3& velocity, double travel, double from,
                    double dt = 1e-3) {
   Steady steady;
-  const int steps = int(travel / (velocity.norm() * dt) + 0.5);
+  const int steps = int(std::lround(travel / (velocity.norm() * dt)));
   int counted = 0;
   for (int i = 0; i < steps; ++i) {
     const StepResult& result =

@@ -105,7 +105,7 @@ std::vector<Check> flat() {
 
 std::vector<Check> layers() {
   const double d = 0.8 * kR, t = 0.3 * kR;
-  const auto force = [&](std::vector<Layer> slab, double voxel) {
+  const auto force = [&](const std::vector<Layer>& slab, double voxel) {
     const Box box{Vec3(-1.13, -1.15, -2) * mm, Vec3(1.13, 1.15, 0) * mm};
     Simulation simulation(build_layered_slab(box, voxel, slab), Tool(SphereHead{kR}), static_config());
     return hold(simulation, ball_at(d)).force.z();
@@ -118,6 +118,7 @@ std::vector<Check> layers() {
   };
   std::vector<Layer> graded;
   constexpr int kLayers = 60;
+  graded.reserve(kLayers);
   for (int i = 0; i < kLayers; ++i)
     graded.push_back({material(("layer " + std::to_string(i)).c_str(), 1 + (i + 0.5) * kVoxel / (0.5 * mm)), kVoxel});
   // C12: k_v grows with depth by 2 k_v/mm, so besides the surface's pressure, slope times Int w^2/2 dV pushes up.
