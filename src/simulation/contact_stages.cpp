@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/laws/foundation.hpp"
@@ -76,6 +77,7 @@ int ContactStages::level_of_detail() const noexcept {
 }
 
 void ContactStages::set_cutting_share(double share) noexcept {
+  if (std::exchange(cutting_share_, share) == share) return;
   for (std::size_t id = 1; id < materials_.size(); ++id)
     materials_[id].cutting_ratio = float(share) * cutting_ratios_[id];
 }
@@ -120,7 +122,7 @@ void ContactStages::press_blocks(Workpiece& workpiece, const ToolHead& head, con
                                    quadrature_,
                                    damped_,
                                    unsigned(encounter.level_of_detail),
-                                   turn_++};
+                                   turn_};
   ContactSums sums;
   const bool cuts = at.motion.spin != 0 && at.motion.removal != RemovalLaw::none;
   for (auto next = blocks_.begin(); next != blocks_.end();) {
@@ -225,6 +227,12 @@ void ContactStages::keep_change(const kernels::PressTask& task, Workpiece& workp
 void ContactStages::remove_material(Workpiece& workpiece, RemovalRecord& removal) noexcept {
   for (const EmptiedBlock& entry : emptied_) empty_voxels(entry.block, entry.emptied, workpiece, removal);
   emptied_.clear();
+  ++turn_;
+}
+
+void ContactStages::start_afresh(const Workpiece& workpiece) {
+  bounds_ = workpiece.bounds();
+  turn_ = 0;
 }
 
 }  // namespace hapticut

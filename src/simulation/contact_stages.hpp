@@ -49,7 +49,7 @@ struct HeadPlacement {
 /// The stages and the memory that they need, all of it taken at set-up.
 class ContactStages {
  public:
-  /// @param law  null: FoundationLaw, in vector instructions
+  /// @throws Error when a level of detail is asked for and the law has none
   ContactStages(const Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config);
 
   /// Stage `find_blocks`: the blocks that the head may touch.
@@ -60,12 +60,14 @@ class ContactStages {
   [[nodiscard]] Encounter evaluate_contact(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
                                            RemovalRecord& removal) noexcept;
 
-  /// Stage `remove_material`: takes voxels that became empty out of the workpiece and lists them.
+  /// Stage `remove_material`: takes voxels that became empty out of the workpiece and lists them. Ends a turn of the
+  /// level of detail.
   void remove_material(Workpiece& workpiece, RemovalRecord& removal) noexcept;
 
   [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
 
-  void set_bounds(const IndexBox& bounds) noexcept { bounds_ = bounds; }
+  /// For a workpiece that was put back to what it once was.
+  void start_afresh(const Workpiece& workpiece);
 
   /// Scales the cutting ratio of all materials while the spindle is slow: see `standing_share`.
   void set_cutting_share(double share) noexcept;
@@ -91,6 +93,7 @@ class ContactStages {
   Quadrature quadrature_;
   ContactMaterials materials_;
   std::array<float, 256> cutting_ratios_ = {};  // [1] of the materials at full spin
+  double cutting_share_ = 1;                    // [1] of them that holds now
   bool damped_ = false;                         // some material has damping
   double voxel_volume_;                         // [m^3]
   std::size_t most_voxels_, most_blocks_;

@@ -427,7 +427,7 @@ WorkpieceSnapshot Simulation::snapshot() const { return state_->workpiece.snapsh
 
 void Simulation::restore(const WorkpieceSnapshot& snapshot) {
   state_->workpiece.restore(snapshot);
-  state_->contact_stages.set_bounds(state_->workpiece.bounds());
+  state_->contact_stages.start_afresh(state_->workpiece);
   state_->has_pose = false;
 }
 

@@ -114,9 +114,9 @@ struct ProfileSprings {
   }
 
   [[nodiscard]] Spring<Real> spring(Real at_rho, Real at_z) const {
+    if (!(at_rho < radius && at_z > bottom && at_z < top)) return {Real(-1), Real(1), Real(0)};
     const int column = std::min(int(at_rho * cells_per_length), columns - 1);
     const int row = std::clamp(int((at_z - bottom) * cells_per_length), 0, rows - 1);
-    if (!(at_rho < radius && at_z > bottom && at_z < top)) return {Real(-1), Real(1), Real(0)};
     const std::uint32_t cell = cells[std::size_t(row) * std::size_t(columns) + std::size_t(column)];
     return decide(cell, at_rho, at_z);
   }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DSOURCE=... -DBINARY=... -DSDK=... -DMODULES=... -DCOMPILER=... -DGENERATOR=... -P run.cmake
+# cmake -DSOURCE=... -DBINARY=... -DSDK=... -DFLAGS=... -DMODULES=... -DCOMPILER=... -DGENERATOR=... -P run.cmake
 file(REMOVE_RECURSE "${BINARY}")
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -7,7 +7,8 @@ function(run)
     message(FATAL_ERROR "${ARGN}:\n${output}")
   endif()
 endfunction()
-set(configure ${CMAKE_COMMAND} -G ${GENERATOR} -S "${SOURCE}" -B "${BINARY}" -DMODULES=${MODULES} -DCMAKE_CXX_COMPILER=${COMPILER})
+set(configure ${CMAKE_COMMAND} -G ${GENERATOR} -S "${SOURCE}" -B "${BINARY}" -DMODULES=${MODULES} -DCMAKE_CXX_COMPILER=${COMPILER}
+  "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${configure} -DOpenHaptics_ROOT=${SDK})
 run(${CMAKE_COMMAND} --build "${BINARY}")
 run("${BINARY}/finder")
