@@ -13,6 +13,8 @@
 namespace hapticut {
 namespace {
 
+constexpr int kListedSubSteps = 64;  // whose changed blocks are listed one by one before repetitions are dropped
+
 ContactMaterials contact_materials(const MaterialTable& table, double reference_stiffness) {
   ContactMaterials constants = {};
   constants[kEmpty].cutting_energy = 1;  // empty lanes are computed like others and must not divide by zero
@@ -58,6 +60,7 @@ ContactStages::ContactStages(const Workpiece& workpiece, const ToolHead& head, c
                 " was given with a law of your own; only the default law has a level of detail. Leave it at 0.");
   blocks_.reserve(most_blocks_);
   emptied_.reserve(most_blocks_);
+  changed_.reserve(most_blocks_ * std::size_t(std::min(config.longest_sweep, kListedSubSteps)));
 }
 
 WorstCase ContactStages::worst_case(const SimulationConfig& config) const noexcept {
@@ -213,6 +216,7 @@ float* ContactStages::fill_target(const BlockView& block) noexcept {
 void ContactStages::keep_change(const kernels::PressTask& task, Workpiece& workpiece) noexcept {
   const auto& [block, fill_after, may_cut, change] = task;
   if (change.strips == 0) return;
+  list_change(block.origin);
   if (block.fill == nullptr) {
     float* fill = workpiece.writable_fill(block.origin);
     HAPTICUT_ASSERT(fill != nullptr);  // can_cut said so
@@ -222,6 +226,23 @@ void ContactStages::keep_change(const kernels::PressTask& task, Workpiece& workp
     }
   }
   if (change.any_emptied) emptied_.push_back({block, change.emptied});
+}
+
+void ContactStages::forget_changes() noexcept {
+  changed_.clear();
+  changed_blocks_ = {};
+}
+
+void ContactStages::list_change(const VoxelIndex& origin) noexcept {
+  if (changed_.size() == changed_.capacity()) {  // only in sweeps of very many sub-steps
+    std::sort(changed_.begin(), changed_.end());
+    changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+  }
+  if (changed_.size() < changed_.capacity())
+    changed_.push_back(origin);
+  else
+    changed_blocks_.complete = false;
+  changed_blocks_.origins = changed_;
 }
 
 void ContactStages::remove_material(Workpiece& workpiece, RemovalRecord& removal) noexcept {

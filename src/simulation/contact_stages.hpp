@@ -9,6 +9,7 @@
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/resultant.hpp"
 #include "hapticut/simulation/config.hpp"
+#include "hapticut/simulation/step.hpp"
 #include "hapticut/simulation/worst_case.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/removal.hpp"
@@ -69,6 +70,10 @@ class ContactStages {
   /// For a workpiece that was put back to what it once was.
   void start_afresh(const Workpiece& workpiece);
 
+  /// Forgets which blocks have changed, at the beginning of a step.
+  void forget_changes() noexcept;
+  [[nodiscard]] const ChangedBlocks& changed() const noexcept { return changed_blocks_; }
+
   /// Scales the cutting ratio of all materials while the spindle is slow: see `standing_share`.
   void set_cutting_share(double share) noexcept;
 
@@ -88,6 +93,7 @@ class ContactStages {
   [[nodiscard]] static bool can_cut(const BlockView& block, const Workpiece& workpiece, Encounter& encounter) noexcept;
   [[nodiscard]] float* fill_target(const BlockView& block) noexcept;
   void keep_change(const kernels::PressTask& task, Workpiece& workpiece) noexcept;
+  void list_change(const VoxelIndex& origin) noexcept;
 
   std::shared_ptr<const ForceLaw> law_;  // null: FoundationLaw
   Quadrature quadrature_;
@@ -101,6 +107,8 @@ class ContactStages {
   unsigned turn_ = 0;         // of the level of detail
   IndexBox bounds_;           // voxels that were ever solid
 
+  std::vector<VoxelIndex> changed_;    // origins, since forget_changes; some more than once
+  ChangedBlocks changed_blocks_;       // the same as the user sees it
   std::vector<BlockView> blocks_;      // found by find_blocks
   std::vector<EmptiedBlock> emptied_;  // by evaluate_contact, for remove_material
   ContactBlock contact_;               // scratch of ask_law

@@ -90,6 +90,9 @@ struct Simulation::State {
   Output output;
   MaterialId touched = 1;  // material at the contact point
 
+  std::uint64_t steps = 0;
+  std::uint64_t workpiece_exchanges = 0;
+
   RemovalRecord removal;
   StepResult result;
   mutable StageTimes times;
@@ -126,7 +129,9 @@ const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, doub
 }
 
 void Simulation::State::begin_step() noexcept {
+  ++steps;
   removal.clear();
+  contact_stages.forget_changes();
   times = {};
   result.force = result.torque = Vec3::Zero();
   result.model = {};
@@ -398,6 +403,11 @@ const Tool& Simulation::tool() const { return state_->tool; }
 const SimulationConfig& Simulation::config() const { return state_->config; }
 const StepResult& Simulation::last_result() const { return state_->result; }
 
+ChangedBlocks Simulation::changed_blocks() const noexcept { return state_->contact_stages.changed(); }
+double Simulation::spindle_setting() const noexcept { return state_->motor.setting(); }
+std::uint64_t Simulation::steps() const noexcept { return state_->steps; }
+std::uint64_t Simulation::workpiece_exchanges() const noexcept { return state_->workpiece_exchanges; }
+
 const std::array<double, 256>& Simulation::removed_volume_by_material() const {
   return state_->removal.total_by_material();
 }
@@ -429,11 +439,14 @@ void Simulation::restore(const WorkpieceSnapshot& snapshot) {
   state_->workpiece.restore(snapshot);
   state_->contact_stages.start_afresh(state_->workpiece);
   state_->has_pose = false;
+  ++state_->workpiece_exchanges;
 }
 
 void Simulation::reset(Workpiece workpiece) {
   validate_pair(workpiece, state_->tool);
+  const std::uint64_t exchanges = state_->workpiece_exchanges;
   state_ = std::make_unique<State>(std::move(workpiece), state_->tool, state_->config);
+  state_->workpiece_exchanges = exchanges + 1;
 }
 
 }  // namespace hapticut

@@ -6,7 +6,7 @@
 
 namespace hapticut {
 
-ProfileHead::ProfileHead(Profile profile, double tolerance) : profile_(std::move(profile)) {
+ProfileHead::ProfileHead(Profile profile, double tolerance) : profile_(std::move(profile)), tolerance_(tolerance) {
   require_between(tolerance, 1e-4, 0.1, "ProfileHead tolerance [1]");
   auto meridian = std::make_shared<const detail::Meridian>(profile_);
   volume_ = meridian->volume();

@@ -12,13 +12,6 @@
 /// everywhere.
 namespace hapticut {
 
-/// What the hand does in one step.
-struct StepInput {
-  Pose pose;       ///< X_WH at the end of the step
-  Twist velocity;  ///< of Ho, in W
-  double dt;       ///< [s]
-};
-
 /// A workpiece, a tool and a motion.
 struct Scene {
   std::string name;

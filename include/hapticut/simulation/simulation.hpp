@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 
 #include "hapticut/simulation/config.hpp"
@@ -45,6 +46,18 @@ class Simulation {
   [[nodiscard]] const Tool& tool() const;
   [[nodiscard]] const SimulationConfig& config() const;
   [[nodiscard]] const StepResult& last_result() const;
+
+  /// What the last step has changed.  @realtime no allocation, no lock; O(1)
+  [[nodiscard]] ChangedBlocks changed_blocks() const noexcept;
+
+  /// [rad/s] that was asked of the spindle last; while it ramps or is loaded its speed is StepResult::spindle.
+  [[nodiscard]] double spindle_setting() const noexcept;
+
+  /// Calls of `step` since construction or `reset`.
+  [[nodiscard]] std::uint64_t steps() const noexcept;
+
+  /// How often `restore` and `reset` have exchanged the workpiece.
+  [[nodiscard]] std::uint64_t workpiece_exchanges() const noexcept;
 
   /// [m^3] taken away since construction or reset, by MaterialId.
   [[nodiscard]] const std::array<double, 256>& removed_volume_by_material() const;

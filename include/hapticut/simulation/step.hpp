@@ -10,6 +10,13 @@
 
 namespace hapticut {
 
+/// What the hand does in one step.
+struct StepInput {
+  Pose pose;       ///< X_WH at the end of the step
+  Twist velocity;  ///< of Ho, in W
+  double dt = 0;   ///< [s]
+};
+
 /// What a step has to report, as bits; 0 = nothing. Each says what happened to the output, and the cure.
 enum class StepStatus : std::uint32_t {
   ok = 0,
@@ -74,6 +81,12 @@ struct Contact {
 struct SpindleState {
   double speed = 0;   ///< [rad/s] signed about +z of T
   double torque = 0;  ///< [N·m] that the motor delivers, positive when it drives the spin
+};
+
+/// The blocks that a step has changed, for pictures and copies of the workpiece.
+struct ChangedBlocks {
+  std::span<const VoxelIndex> origins;  ///< first voxels, some more than once; valid until the next step
+  bool complete = true;                 ///< false: more than could be listed, so any block may have changed
 };
 
 /// What one step returns.

@@ -61,6 +61,7 @@ class ProfileHead {
 
   [[nodiscard]] const Profile& profile() const { return profile_; }
   [[nodiscard]] const ProfileTable& table() const { return *table_; }
+  [[nodiscard]] double tolerance() const { return tolerance_; }  ///< [1] that the table was made for
 
   [[nodiscard]] double volume() const { return volume_; }  ///< [m^3] inside the profile, exact (Pappus)
   [[nodiscard]] double reach() const { return reach_; }    ///< [m] greatest distance from the frame's origin, exact
@@ -70,6 +71,7 @@ class ProfileHead {
 
  private:
   Profile profile_;
+  double tolerance_;
   double volume_ = 0;
   double reach_ = 0;
   std::shared_ptr<const detail::Meridian> meridian_;
