@@ -3,6 +3,8 @@
 #include <hapticut/hapticut.hpp>
 #include <hapticut/io/meshes.hpp>
 #include <hapticut/io/picture.hpp>
+#include <hapticut/io/recorder.hpp>
+#include <hapticut/io/replay.hpp>
 #include <hapticut/io/volumes.hpp>
 
 bool use_io() {
@@ -14,5 +16,10 @@ bool use_io() {
   write_stl(surface.mesh, "consumer_ball.stl");
   write_picture({colored(surface, ball.materials())}, PictureOptions{}, "consumer_ball.png");
   write_nrrd("consumer_ball.nrrd", ball);
+  Simulation simulation(ball.clone(), Tool(SphereHead{1e-3}));
+  Recorder recorder("consumer_ball.h5", simulation);
+  recorder.step({Pose::from_translation(Vec3(0, 0, 1.5e-3)), {}, 1e-3});
+  recorder.close();
+  if (!replay(read_recording("consumer_ball.h5")).identical) return false;
   return !read_mesh("consumer_ball.stl").empty() && read_label_volume("consumer_ball.nrrd").dims[0] >= 20;
 }

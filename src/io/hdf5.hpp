@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <hdf5.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hapticut/core/errors.hpp"
+
+/// @file
+/// The C interface of HDF5 with owners for its identifiers and exceptions for its error codes. The C interface, because
+/// HDF5's own C++ layer lacks single-writer-multiple-reader, which recordings live on.
+namespace hapticut::hdf5 {
+
+/// Something that HDF5 refused, in its own words.
+class Failure : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Keeps HDF5 from printing to stderr in this thread, for as long as it lives.
+class Quiet {
+ public:
+  Quiet();
+  ~Quiet();
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
+
+ private:
+  H5E_auto2_t print_ = nullptr;
+  void* data_ = nullptr;
+};
+
+/// @throws Failure that says what was tried, and HDF5's reason
+[[noreturn]] void fail(const std::string& what);
+
+template <class Code>
+Code checked(Code code, const std::string& what) {
+  if (code < 0) fail(what);
+  return code;
+}
+
+/// Owns an identifier of HDF5.
+template <herr_t (*kClose)(hid_t)>
+class Handle {
+ public:
+  Handle() = default;
+  explicit Handle(hid_t id) : id_(id) {}
+  Handle(hid_t id, const std::string& what) : id_(checked(id, what)) {}
+  ~Handle() { reset(); }
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)) {}
+  Handle& operator=(Handle&& other) noexcept {
+    if (this != &other) {
+      reset();
+      id_ = std::exchange(other.id_, H5I_INVALID_HID);
+    }
+    return *this;
+  }
+
+  [[nodiscard]] hid_t get() const { return id_; }
+  [[nodiscard]] bool valid() const { return id_ >= 0; }
+  /// @return HDF5's code
+  herr_t reset() noexcept { return id_ >= 0 ? kClose(std::exchange(id_, H5I_INVALID_HID)) : 0; }
+
+ private:
+  hid_t id_ = H5I_INVALID_HID;
+};
+
+using File = Handle<H5Fclose>;
+using Group = Handle<H5Gclose>;
+using DataSet = Handle<H5Dclose>;
+using DataSpace = Handle<H5Sclose>;
+using DataType = Handle<H5Tclose>;
+using Attribute = Handle<H5Aclose>;
+using Properties = Handle<H5Pclose>;
+
+/// What HDF5 calls a number in memory and in a file.
+struct NumberType {
+  hid_t memory, file;
+};
+[[nodiscard]] NumberType type_of(double);
+[[nodiscard]] NumberType type_of(std::uint8_t);
+[[nodiscard]] NumberType type_of(std::int32_t);
+[[nodiscard]] NumberType type_of(std::uint32_t);
+[[nodiscard]] NumberType type_of(std::uint64_t);
+
+[[nodiscard]] Group create_group(hid_t parent, const std::string& name);
+[[nodiscard]] Group open_group(hid_t parent, const std::string& name);
+[[nodiscard]] bool exists(hid_t parent, const std::string& name);
+
+void write_attribute(hid_t object, const std::string& name, const std::string& text);
+void write_attribute(hid_t object, const std::string& name, std::uint64_t number);
+
+/// @throws Failure when there is none, or it is of another kind
+[[nodiscard]] std::string read_text_attribute(hid_t object, const std::string& name);
+[[nodiscard]] std::uint64_t read_number_attribute(hid_t object, const std::string& name);
+[[nodiscard]] bool has_attribute(hid_t object, const std::string& name);
+
+/// Lengths along the dimensions of a data set.
+[[nodiscard]] std::vector<hsize_t> shape_of(hid_t data_set);
+
+/// A data set of a fixed number of rows.
+template <class Number>
+DataSet write_array(hid_t parent, const std::string& name, const Number* values, const std::vector<hsize_t>& shape) {
+  const NumberType type = type_of(Number());
+  const DataSpace space(H5Screate_simple(int(shape.size()), shape.data(), nullptr), "making room for " + name);
+  DataSet set(H5Dcreate2(parent, name.c_str(), type.file, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+              "creating " + name);
+  checked(H5Dwrite(set.get(), type.memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "writing " + name);
+  return set;
+}
+
+/// All of a data set of numbers.
+/// @throws Failure when there is none, or it holds something else than numbers
+template <class Number>
+std::vector<Number> read_array(hid_t parent, const std::string& name) {
+  const DataSet set(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), "opening " + name);
+  hsize_t count = 1;
+  for (const hsize_t length : shape_of(set.get())) count *= length;
+  const DataType type(H5Dget_type(set.get()), "looking at " + name);
+  const H5T_class_t kind = H5Tget_class(type.get());
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw Failure("its '" + name + "' holds no numbers");
+  constexpr hsize_t kMost = hsize_t(1) << 32;
+  if (count > kMost) throw Failure("its '" + name + "' has " + std::to_string(count) + " entries, which is too many");
+  std::vector<Number> values(count);
+  if (count > 0)
+    checked(H5Dread(set.get(), type_of(Number()).memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+            "reading " + name);
+  return values;
+}
+
+/// A text as a data set of its own.
+DataSet write_text(hid_t parent, const std::string& name, const std::string& text);
+[[nodiscard]] std::string read_text(hid_t parent, const std::string& name);
+
+}  // namespace hapticut::hdf5

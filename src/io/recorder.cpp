@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/io/recorder.hpp"
+
+#include <atomic>
+#include <boost/lockfree/spsc_queue.hpp>
+#include <chrono>
+#include <condition_variable>
+#include <cstring>
+#include <ctime>
+#include <mutex>
+#include <thread>
+
+#include "hapticut/core/build_info.hpp"
+#include "io/atomic_file.hpp"
+#include "io/recording_columns.hpp"
+#include "io/recording_file.hpp"
+#include "io/recording_settings.hpp"
+#include "io/room_on_disk.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr auto kPoll = std::chrono::milliseconds(5);  // between looks at the ring
+constexpr std::size_t kBatch = 1024;                  // steps written at once
+constexpr std::uint64_t kHeadroom = 4 << 20;          // [bytes] more than a batch and the end of the recording need
+
+/// A step on its way to the writer, with the effects that were in force: the writer notes their changes.
+struct Message {
+  RecordedStep step;
+  EffectNumbers effects;
+};
+
+/// Appends rows to a data set whose first dimension has no end.
+class Appender {
+ public:
+  Appender(hid_t group, const std::string& name, hid_t memory_type, std::vector<hsize_t> row_shape)
+      : name_(name),
+        set_(H5Dopen2(group, name.c_str(), H5P_DEFAULT), "opening " + name),
+        type_(memory_type),
+        shape_(std::move(row_shape)) {
+    shape_.insert(shape_.begin(), hdf5::shape_of(set_.get()).at(0));
+  }
+
+  void append(const void* rows, std::size_t count) {
+    std::vector<hsize_t> from(shape_.size(), 0), length = shape_;
+    from[0] = shape_[0];
+    length[0] = count;
+    shape_[0] += count;
+    hdf5::checked(H5Dset_extent(set_.get(), shape_.data()), "writing " + name_);
+    const hdf5::DataSpace target(H5Dget_space(set_.get()), "writing " + name_);
+    hdf5::checked(H5Sselect_hyperslab(target.get(), H5S_SELECT_SET, from.data(), nullptr, length.data(), nullptr),
+                  "writing " + name_);
+    const hdf5::DataSpace source(H5Screate_simple(int(length.size()), length.data(), nullptr), "writing " + name_);
+    hdf5::checked(H5Dwrite(set_.get(), type_, source.get(), target.get(), H5P_DEFAULT, rows), "writing " + name_);
+  }
+
+ private:
+  std::string name_;
+  hdf5::DataSet set_;
+  hid_t type_;
+  std::vector<hsize_t> shape_;
+};
+
+std::string now_as_text() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  ::gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
+  throw Error("cannot write the recording '" + path.string() + "': " + reason +
+              ". Check the folder, its permissions and the free disk space.");
+}
+
+}  // namespace
+
+struct Recorder::State {
+  State(std::filesystem::path a_path, Simulation& a_simulation, const RecorderOptions& some_options)
+      : path(std::move(a_path)), simulation(a_simulation), options(some_options), ring(options.steps) {
+    // The first touch of a page would cost the loop time: go once round the ring.
+    while (ring.push(message)) {
+    }
+    ring.consume_all([](const Message&) {});
+  }
+
+  void note(const StepInput& input, const DeviceTick* device, std::uint64_t free_blocks) noexcept;
+  void write_until_stopped();
+  void write_batch(std::vector<Message>& batch);
+
+  std::filesystem::path path;
+  Simulation& simulation;
+  RecorderOptions options;
+
+  // The loop's side.
+  boost::lockfree::spsc_queue<Message> ring;
+  Message message;  // being filled
+  std::uint64_t steps_seen = 0, exchanges_seen = 0;
+  double time = 0;
+  std::atomic<std::uint64_t> recorded{0}, lost{0};
+
+  // The writer's side.
+  std::unique_ptr<RoomOnDisk> room;
+  hdf5::File file;
+  std::vector<const Column*> columns;
+  std::vector<Appender> appenders;
+  std::vector<Appender> effects_appenders;  // numbers of the first steps, and the effects
+  EffectNumbers last_effects{};
+  std::vector<std::byte> rows;
+  std::uint64_t unflushed = 0;  // [bytes] that HDF5 may still hold
+
+  std::mutex mutex;
+  std::condition_variable wake;
+  bool stopping = false;
+  std::atomic<bool> failed{false};
+  std::string failure;
+  std::thread writer;
+};
+
+Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, const RecorderOptions& options) {
+  require_between(double(options.steps), 16, 1e7, "RecorderOptions::steps");
+  require_between(options.flush_period, 0.01, 0.5, "RecorderOptions::flush_period [s]");
+  if (simulation.steps() > 0)
+    throw Error("the simulation to be recorded has made " + std::to_string(simulation.steps()) +
+                " steps, so a replay could not begin where it does; record from its first step, or reset it to a clone "
+                "of its workpiece first.");
+  const hdf5::Quiet quiet;
+  state_ = std::make_unique<State>(path, simulation, options);
+  State& s = *state_;
+  s.exchanges_seen = simulation.workpiece_exchanges();
+  s.last_effects = pack(simulation.config().effects);
+  try {
+    AtomicFile target(path);
+    RecordingInfo info;
+    const BuildInfo build = build_info();
+    info.version = build.version;
+    info.commit = build.commit;
+    info.compiler = build.compiler;
+    info.cpu = build.cpu;
+    info.begun = now_as_text();
+    info.device = options.device;
+    info.note = options.note;
+    write_recording_header(target.temporary_path(), info, simulation, options.workpiece_file);
+    target.commit();
+    s.room = std::make_unique<RoomOnDisk>(path);
+    s.room->require(std::filesystem::file_size(path) + kHeadroom);
+
+    // From here on the file is in order at any moment: single writer, multiple readers.
+    s.file = hdf5::File(H5Fopen(path.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, newest_format().get()), "opening it");
+    const hdf5::Group steps = hdf5::open_group(s.file.get(), kStepsGroup);
+    for (const Column& column : recording_columns()) {
+      if (column.side == Column::Side::device && options.device.empty()) continue;
+      s.columns.push_back(&column);
+      s.appenders.emplace_back(steps.get(), column.name, type_of(column.kind).memory, column.shape);
+    }
+    const hdf5::Group effects = hdf5::open_group(s.file.get(), kEffectsGroup);
+    s.effects_appenders.emplace_back(effects.get(), kFirstSteps, H5T_NATIVE_UINT64, std::vector<hsize_t>{});
+    s.effects_appenders.emplace_back(effects.get(), kEffectValues, H5T_NATIVE_DOUBLE,
+                                     std::vector<hsize_t>{kEffectNumbers});
+  } catch (const hdf5::Failure& failure) {
+    fail(path, failure.what());
+  } catch (const RoomOnDisk::Lacking& lacking) {
+    fail(path, lacking.what());
+  }
+  s.writer = std::thread([&s] { s.write_until_stopped(); });
+}
+
+Recorder::~Recorder() {
+  if (!state_->writer.joinable()) return;
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->stopping = true;
+  }
+  state_->wake.notify_one();
+  state_->writer.join();
+}
+
+// --- the loop's side ------------------------------------------------------------------------------------------------
+
+const StepResult& Recorder::step(const StepInput& input, const DeviceTick* device) noexcept {
+  State& s = *state_;
+  const bool over = s.simulation.steps() != s.steps_seen || s.simulation.workpiece_exchanges() != s.exchanges_seen;
+  const std::uint64_t free_blocks = s.simulation.workpiece().reserved_blocks();
+  const StepResult& result = s.simulation.step(input.pose, input.velocity, input.dt);
+  if (over) {
+    s.lost.fetch_add(1, std::memory_order_relaxed);
+    return result;
+  }
+  ++s.steps_seen;
+  s.note(input, device, free_blocks);
+  while (!s.ring.push(s.message)) {
+    if (!s.options.wait_when_full || s.failed.load(std::memory_order_relaxed)) {
+      s.lost.fetch_add(1, std::memory_order_relaxed);
+      return result;
+    }
+    std::this_thread::yield();
+  }
+  s.recorded.fetch_add(1, std::memory_order_relaxed);
+  return result;
+}
+
+void Recorder::State::note(const StepInput& input, const DeviceTick* device, std::uint64_t free_blocks) noexcept {
+  RecordedStep& row = message.step;
+  const StepResult& result = simulation.last_result();
+  time += input.dt;
+  row.number = steps_seen - 1;
+  row.time = device != nullptr ? device->state.time : time;
+  row.input = input;
+  row.spindle_setting = simulation.spindle_setting();
+  row.reserved_blocks = simulation.config().reserved_blocks;
+  row.free_blocks = free_blocks;
+  note_result(result, row);
+  row.device = device != nullptr ? *device : DeviceTick{};
+  message.effects = pack(simulation.config().effects);
+}
+
+std::uint64_t Recorder::recorded() const noexcept { return state_->recorded.load(std::memory_order_relaxed); }
+std::uint64_t Recorder::lost() const noexcept { return state_->lost.load(std::memory_order_relaxed); }
+bool Recorder::failed() const noexcept { return state_->failed.load(std::memory_order_relaxed); }
+
+// --- the writer's side ----------------------------------------------------------------------------------------------
+
+void Recorder::State::write_until_stopped() {
+  using Clock = std::chrono::steady_clock;
+  const hdf5::Quiet quiet;
+  try {
+    const auto period =
+        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.flush_period));
+    Clock::time_point next_flush = Clock::now() + period;
+    std::vector<Message> batch;
+    batch.reserve(kBatch);
+    for (bool last = false, empty = true; !last || !empty;) {
+      if (empty) {
+        std::unique_lock lock(mutex);
+        if (ring.read_available() == 0) wake.wait_for(lock, kPoll, [this] { return stopping; });
+        last = stopping;
+      }
+      batch.clear();
+      while (batch.size() < kBatch && ring.consume_one([&](const Message& m) { batch.push_back(m); })) {
+      }
+      write_batch(batch);
+      empty = batch.empty();
+      if ((last && empty) || Clock::now() >= next_flush) {
+        hdf5::checked(H5Fflush(file.get(), H5F_SCOPE_GLOBAL), "flushing");
+        unflushed = 0;
+        next_flush = Clock::now() + period;
+      }
+    }
+  } catch (const std::exception& error) {
+    failure = error.what();
+    failed.store(true, std::memory_order_release);
+  }
+  appenders.clear();
+  effects_appenders.clear();
+  if (file.reset() < 0 && failure.empty()) {
+    failure = "closing failed";
+    failed.store(true, std::memory_order_release);
+  }
+}
+
+void Recorder::State::write_batch(std::vector<Message>& batch) {
+  if (batch.empty()) return;
+  hsize_t length = 0;
+  hdf5::checked(H5Fget_filesize(file.get(), &length), "looking at its size");
+  unflushed += batch.size() * sizeof(RecordedStep);  // more than what comes of them
+  room->require(length + unflushed + kHeadroom);
+  // Effects first: who reads a step finds the effects that belong to it.
+  for (const Message& one : batch) {
+    if (std::memcmp(&one.effects, &last_effects, sizeof last_effects) == 0) continue;
+    last_effects = one.effects;
+    effects_appenders[1].append(last_effects.data(), 1);
+    effects_appenders[0].append(&one.step.number, 1);
+  }
+  for (std::size_t n = 0; n < columns.size(); ++n) {
+    const Column& column = *columns[n];
+    rows.resize(batch.size() * column.bytes);
+    for (std::size_t row = 0; row < batch.size(); ++row) column.pack(batch[row].step, rows.data() + row * column.bytes);
+    appenders[n].append(rows.data(), batch.size());
+  }
+}
+
+void Recorder::close() {
+  State& s = *state_;
+  if (!s.writer.joinable()) throw Error("the recorder of '" + s.path.string() + "' is closed already.");
+  {
+    const std::lock_guard lock(s.mutex);
+    s.stopping = true;
+  }
+  s.wake.notify_one();
+  s.writer.join();
+  if (!s.failure.empty()) fail(s.path, s.failure);
+  const hdf5::Quiet quiet;
+  try {
+    hdf5::File file(H5Fopen(s.path.c_str(), H5F_ACC_RDWR, newest_format().get()), "opening it");
+    write_recording_end(file.get(), s.lost.load(), s.simulation.workpiece().hash());
+    if (file.reset() < 0) hdf5::fail("closing it");
+  } catch (const hdf5::Failure& failure) {
+    fail(s.path, failure.what());
+  }
+}
+
+}  // namespace hapticut

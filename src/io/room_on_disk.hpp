@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut {
+
+/// Asks for the disk space of a growing file before it is needed, for writers that cannot recover from a full disk.
+/// What was asked for beyond the end of the file is given back at the end.
+class RoomOnDisk {
+ public:
+  /// There is no room, or the file cannot be opened; in the words of the system.
+  class Lacking : public Error {
+   public:
+    using Error::Error;
+  };
+
+  /// @throws Lacking
+  explicit RoomOnDisk(const std::filesystem::path& path);
+  ~RoomOnDisk();
+  RoomOnDisk(const RoomOnDisk&) = delete;
+  RoomOnDisk& operator=(const RoomOnDisk&) = delete;
+
+  /// Makes sure that the file can become so long.
+  /// @throws Lacking
+  void require(std::uint64_t length);
+
+ private:
+  int file_;
+  std::uint64_t safe_ = 0;  // [bytes] length
+};
+
+}  // namespace hapticut

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+// The recorder when something goes wrong: killed, without memory, without disk; and files that are no recordings.
+#include "hapticut/io/recorder.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+#include <thread>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/io/replay.hpp"
+#include "hapticut/realtime/realtime.hpp"
+#include "support/no_disk_space.hpp"
+#include "support/recordings.hpp"
+#include "support/temporary_folder.hpp"
+
+extern char** environ;
+
+namespace hapticut {
+namespace {
+
+using test::patient;
+using test::TemporaryFolder;
+
+constexpr char kFolderVariable[] = "HAPTICUT_TEST_RECORDING_FOLDER";
+
+/// A counter that two processes see.
+class SharedCounter {
+ public:
+  explicit SharedCounter(const std::filesystem::path& path) {
+    const int file = ::open(path.c_str(), O_CREAT | O_RDWR, 0600);
+    EXPECT_EQ(::ftruncate(file, sizeof(std::atomic<long>)), 0);
+    void* memory = ::mmap(nullptr, sizeof(std::atomic<long>), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    ::close(file);
+    count_ = static_cast<std::atomic<long>*>(memory);
+  }
+  ~SharedCounter() { ::munmap(count_, sizeof(std::atomic<long>)); }
+  SharedCounter(const SharedCounter&) = delete;
+  SharedCounter& operator=(const SharedCounter&) = delete;
+  std::atomic<long>& operator*() { return *count_; }
+
+ private:
+  std::atomic<long>* count_;
+};
+
+// The process that the next test kills: a loop of 1 kHz that records until the end of time.
+TEST(RecorderChild, DISABLED_RecordsUntilItIsKilled) {
+  const std::filesystem::path folder = std::getenv(kFolderVariable);
+  SharedCounter steps(folder / "counter");
+  const Scene& scene = find_scene("axial_flat");
+  Simulation simulation = scene.make();
+  Recorder recorder(folder / "killed.h5", simulation);
+  PeriodicClock clock(1e-3);
+  for (int tick = 0;; ++tick) {
+    clock.wait();
+    recorder.step(scene.input(tick));
+    (*steps).store(tick + 1);
+  }
+}
+
+TEST(Recorder, LosesLessThanASecondWhenItsProcessIsKilled) {
+  const long kAtOneKilohertz = 1000;  // steps of a second
+  for (const long when : {350, 1501}) {
+    const TemporaryFolder folder;
+    SharedCounter steps(folder / "counter");
+    ::setenv(kFolderVariable, folder.operator/("").c_str(), 1);
+    std::string program = "/proc/self/exe", filter = "--gtest_filter=RecorderChild.*",
+                disabled = "--gtest_also_run_disabled_tests";
+    char* arguments[] = {program.data(), filter.data(), disabled.data(), nullptr};
+    pid_t child = 0;
+    posix_spawn_file_actions_t quietly;
+    ::posix_spawn_file_actions_init(&quietly);
+    ::posix_spawn_file_actions_addopen(&quietly, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    ASSERT_EQ(::posix_spawn(&child, program.c_str(), &quietly, nullptr, arguments, environ), 0);
+    ::posix_spawn_file_actions_destroy(&quietly);
+    while ((*steps).load() < when && ::waitpid(child, nullptr, WNOHANG) == 0)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ASSERT_EQ(::kill(child, SIGKILL), 0);
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+
+    const long made = (*steps).load();
+    const Recording recording = read_recording(folder / "killed.h5");
+    EXPECT_GE(long(recording.size()), made - kAtOneKilohertz);
+    EXPECT_GT(recording.size(), 0U);
+    EXPECT_LE(long(recording.size()), made + 1);
+    EXPECT_EQ(recording.info().lost, 0U);
+    EXPECT_FALSE(recording.info().closed);
+    ASSERT_EQ(recording.info().remarks.size(), 1U);
+    const ReplayReport report = replay(recording);
+    EXPECT_TRUE(report.identical);
+    EXPECT_EQ(report.steps, recording.size());
+  }
+}
+
+/// Steps in free air, which take next to no time.
+void step_in_the_air(Recorder& recorder, int steps) {
+  for (int tick = 0; tick < steps; ++tick)
+    recorder.step({Pose::from_translation(Vec3(0, 0, 1 + 1e-6 * tick)), {}, 1e-3});
+}
+
+TEST(Recorder, CountsTheStepsThatFindItsMemoryFullAndTheRecordingSaysSo) {
+  const TemporaryFolder folder;
+  Simulation simulation = find_scene("axial_flat").make();
+  RecorderOptions options;
+  options.steps = 16;
+  Recorder recorder(folder / "a.h5", simulation, options);
+  step_in_the_air(recorder, 100000);  // faster than any disk
+  const std::uint64_t lost = recorder.lost();
+  ASSERT_GT(lost, 0U);
+  EXPECT_EQ(recorder.recorded() + lost, 100000U);
+  recorder.close();
+
+  const Recording recording = read_recording(folder / "a.h5");
+  EXPECT_EQ(recording.info().lost, lost);
+  EXPECT_EQ(recording.size(), 100000 - lost);
+  ASSERT_EQ(recording.info().remarks.size(), 1U);
+  EXPECT_NE(recording.info().remarks[0].find(std::to_string(lost)), std::string::npos);
+  const ReplayReport report = replay(recording);
+  EXPECT_TRUE(report.identical);  // as far as it goes
+  EXPECT_GE(report.steps, 16U);
+  EXPECT_EQ(report.steps + report.left_out, recording.size());
+  EXPECT_GT(report.left_out, 0U);
+}
+
+TEST(Recorder, LosesNothingWhereItMayWait) {
+  const TemporaryFolder folder;
+  Simulation simulation = find_scene("axial_flat").make();
+  RecorderOptions options = patient();
+  options.steps = 16;
+  Recorder recorder(folder / "a.h5", simulation, options);
+  step_in_the_air(recorder, 5000);
+  EXPECT_EQ(recorder.lost(), 0U);
+  recorder.close();
+  EXPECT_EQ(read_recording(folder / "a.h5").size(), 5000U);
+}
+
+TEST(Recorder, EndsTheRecordingWhereTheWorkpieceIsExchanged) {
+  const TemporaryFolder folder;
+  const Scene& scene = find_scene("axial_flat");
+  for (const bool reset : {false, true}) {
+    Simulation simulation = scene.make();
+    const WorkpieceSnapshot fresh = simulation.snapshot();
+    Recorder recorder(folder / "a.h5", simulation, patient());
+    for (int tick = 0; tick < 100; ++tick) recorder.step(scene.input(tick));
+    if (reset)
+      simulation.reset(simulation.workpiece().clone());
+    else
+      simulation.restore(fresh);
+    for (int tick = 0; tick < 200; ++tick) recorder.step(scene.input(tick));
+    EXPECT_EQ(recorder.recorded(), 100U);
+    EXPECT_EQ(recorder.lost(), 200U);
+    EXPECT_GT(simulation.last_result().force.norm(), 0);
+    recorder.close();
+    const Recording recording = read_recording(folder / "a.h5");
+    EXPECT_EQ(recording.info().lost, 200U);
+    EXPECT_TRUE(replay(recording).identical);
+  }
+}
+
+TEST(Recorder, EndsTheRecordingWhereSomebodyElseMakesAStep) {
+  const TemporaryFolder folder;
+  Simulation simulation = find_scene("axial_flat").make();
+  Recorder recorder(folder / "a.h5", simulation, patient());
+  step_in_the_air(recorder, 10);
+  simulation.step({}, {}, 1e-3);
+  step_in_the_air(recorder, 10);
+  EXPECT_EQ(recorder.recorded(), 10U);
+  EXPECT_EQ(recorder.lost(), 10U);
+}
+
+TEST(Recorder, GoesOnSteppingWhenTheDiskIsFullAndSaysSoAtTheEnd) {
+  const TemporaryFolder folder;
+  Simulation simulation = find_scene("axial_flat").make();
+  {
+    const test::NoDiskSpace full(16 << 20);
+    Recorder recorder(folder / "a.h5", simulation, patient());
+    step_in_the_air(recorder, 50000);
+    EXPECT_TRUE(recorder.failed());
+    EXPECT_GT(recorder.lost(), 0U);
+    EXPECT_EQ(simulation.steps(), 50000U);
+    try {
+      recorder.close();
+      FAIL() << "no error";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("a.h5"), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("free disk space"), std::string::npos);
+    }
+  }
+  // What was written before is in order.
+  const Recording recording = read_recording(folder / "a.h5");
+  EXPECT_GT(recording.size(), 1000U);
+  EXPECT_TRUE(replay(recording).identical);
+}
+
+TEST(Recorder, RefusesPlacesAndOptionsThatCannotBe) {
+  const TemporaryFolder folder;
+  Simulation simulation = find_scene("axial_flat").make();
+  EXPECT_THROW(Recorder(folder / "no/such/folder.h5", simulation), Error);
+  EXPECT_THROW(Recorder(folder / "", simulation), Error);
+  RecorderOptions options;
+  options.steps = 1;
+  EXPECT_THROW(Recorder(folder / "a.h5", simulation, options), Error);
+  options = {};
+  options.flush_period = 2;
+  EXPECT_THROW(Recorder(folder / "a.h5", simulation, options), Error);
+  const test::NoDiskSpace full;
+  EXPECT_THROW(Recorder(folder / "a.h5", simulation), Error);
+  EXPECT_EQ(folder.file_count(), 0U);
+}
+
+// --- files that are no recordings -----------------------------------------------------------------------------------
+
+std::string complaint_about(const std::filesystem::path& path) {
+  try {
+    (void)replay(read_recording(path));
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("cannot read '" + path.string() + "': "), std::string::npos) << text;
+    EXPECT_EQ(text.back(), '.') << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+    return text;
+  }
+  return "no complaint";
+}
+
+/// Changes an HDF5 file from outside.
+void change(const std::filesystem::path& path, const std::function<void(hid_t)>& action) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  ASSERT_GE(file, 0);
+  action(file);
+  ASSERT_GE(H5Fclose(file), 0);
+}
+
+TEST(BadRecording, IsNamedInOneSentence) {
+  const TemporaryFolder folder;
+  const auto contains = [](const std::string& text, const char* part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  contains(complaint_about(folder / "absent.h5"), "no such file");
+  test::write_bytes(folder / "text.h5", "this is no recording");
+  contains(complaint_about(folder / "text.h5"), "no HDF5 file");
+  test::write_bytes(folder / "empty.h5", "");
+  contains(complaint_about(folder / "empty.h5"), "no HDF5 file");
+  const hid_t foreign = H5Fcreate((folder / "foreign.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  H5Fclose(foreign);
+  contains(complaint_about(folder / "foreign.h5"), "no recording of hapticut");
+
+  test::record_scene(folder / "good.h5", "axial_flat", 50);
+  const auto damaged = [&](const std::function<void(hid_t)>& action) {
+    std::filesystem::copy_file(folder / "good.h5", folder / "bad.h5",
+                               std::filesystem::copy_options::overwrite_existing);
+    change(folder / "bad.h5", action);
+    return complaint_about(folder / "bad.h5");
+  };
+  contains(damaged([](hid_t file) {
+             const std::uint64_t version = 99;
+             const hid_t attribute = H5Aopen(file, "format", H5P_DEFAULT);
+             H5Awrite(attribute, H5T_NATIVE_UINT64, &version);
+             H5Aclose(attribute);
+           }),
+           "format 99");
+  const auto without = [&](const char* name) {
+    return damaged([name](hid_t file) { H5Ldelete(file, name, H5P_DEFAULT); });
+  };
+  contains(without("steps/force"), "steps/force");
+  contains(without("steps"), "'steps'");
+  contains(without("effects"), "'effects'");
+  contains(without("workpiece"), "'workpiece'");
+  contains(without("workpiece/vdb"), "vdb");
+  contains(without("simulation/longest_dt"), "simulation/longest_dt");
+  contains(without("tool/radius"), "tool/radius");
+  contains(without("materials/damping"), "materials/damping");
+  contains(without("materials"), "'materials'");
+  contains(damaged([](hid_t file) {
+             const double value = -1;
+             const hid_t set = H5Dopen2(file, "simulation/reference_stiffness", H5P_DEFAULT);
+             H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value);
+             H5Dclose(set);
+           }),
+           "reference_stiffness");
+  contains(damaged([](hid_t file) {
+             std::vector<std::uint8_t> zeros(1 << 20, 0);
+             const hid_t set = H5Dopen2(file, "workpiece/vdb", H5P_DEFAULT);
+             H5Dwrite(set, H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data());
+             H5Dclose(set);
+           }),
+           "cannot read");
+}
+
+TEST(BadRecording, ThatIsCutShortIsRefusedAtEveryLength) {
+  const TemporaryFolder folder;
+  test::record_scene(folder / "good.h5", "axial_flat", 50);
+  const std::string bytes = test::read_bytes(folder / "good.h5");
+  for (const double share : {0.0, 0.0001, 0.001, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.999}) {
+    test::write_bytes(folder / "short.h5", bytes.substr(0, std::size_t(share * double(bytes.size()))));
+    EXPECT_NE(complaint_about(folder / "short.h5"), "no complaint") << share;
+  }
+}
+
+}  // namespace
+}  // namespace hapticut

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings as CSV and NumPy: every digit arrives.
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <sstream>
+
+#include "hapticut/core/errors.hpp"
+#include "support/recordings.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace hapticut {
+namespace {
+
+using test::TemporaryFolder;
+
+constexpr int kSteps = 400;
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+double number(const std::string& text) {
+  double value = 0;
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
+  EXPECT_EQ(end.ptr, text.data() + text.size()) << text;
+  return value;
+}
+
+TEST(RecordingExport, WritesEveryDigitAsText) {
+  const TemporaryFolder folder;
+  test::record_scene(folder / "a.h5", "axial_flat", kSteps);
+  const Recording recording = read_recording(folder / "a.h5");
+  write_csv(recording, folder / "a.csv");
+  std::istringstream lines(test::read_bytes(folder / "a.csv"));
+  std::string line;
+  ASSERT_TRUE(std::getline(lines, line));
+  const std::vector<std::string> names = cells_of(line);
+  const auto column = [&](const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    EXPECT_NE(found, names.end()) << name;
+    return std::size_t(found - names.begin());
+  };
+  const std::size_t z = column("pose_translation_2"), force = column("force_2"), hash = column("removed_voxels_hash"),
+                    row21 = column("pose_rotation_21"), count = column("number");
+  std::size_t rows = 0;
+  bool cut = false;
+  for (; std::getline(lines, line); ++rows) {
+    const std::vector<std::string> cells = cells_of(line);
+    ASSERT_EQ(cells.size(), names.size());
+    const RecordedStep step = recording.read(rows, 1).at(0);
+    EXPECT_EQ(number(cells[z]), step.input.pose.translation.z());
+    EXPECT_EQ(number(cells[row21]), step.input.pose.rotation(2, 1));
+    EXPECT_EQ(number(cells[force]), step.force.z());
+    EXPECT_EQ(cells[hash], std::to_string(step.removed_voxels_hash));
+    EXPECT_EQ(cells[count], std::to_string(rows));
+    cut = cut || step.removed_voxels_hash != 0;
+  }
+  EXPECT_EQ(rows, std::size_t(kSteps));
+  EXPECT_TRUE(cut);
+}
+
+TEST(RecordingExport, WritesArraysThatNumPyReads) {
+  if (std::system("/usr/bin/python3 -c 'import numpy' > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "needs the Python module numpy (Debian package python3-numpy)";
+  const TemporaryFolder folder;
+  test::record_scene(folder / "a.h5", "axial_flat", kSteps);
+  const Recording recording = read_recording(folder / "a.h5");
+  write_npz(recording, folder / "a.npz");
+  test::write_bytes(folder / "check.py", R"(
+import sys, numpy
+data = numpy.load(sys.argv[1])
+n = int(sys.argv[2])
+assert data["force"].shape == (n, 3) and data["force"].dtype == numpy.float64, data["force"].shape
+assert data["pose_rotation"].shape == (n, 3, 3)
+assert data["dt"].shape == (n,)
+assert data["number"].dtype == numpy.uint64 and list(data["number"]) == list(range(n))
+assert data["status"].dtype == numpy.uint32 and data["sub_steps"].dtype == numpy.int32
+print(data["force"][-1, 2].hex(), data["energy_cutting"].sum().hex() != "0x0.0p+0")
+)");
+  const std::string command = "/usr/bin/python3 " + (folder / "check.py").string() + " " + (folder / "a.npz").string() +
+                              " " + std::to_string(kSteps) + " > " + (folder / "out").string();
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  std::istringstream out(test::read_bytes(folder / "out"));
+  std::string force, cut;
+  out >> force >> cut;
+  EXPECT_EQ(std::strtod(force.c_str(), nullptr), recording.read(kSteps - 1, 1)[0].force.z());
+  EXPECT_EQ(cut, "True");
+}
+
+TEST(RecordingExport, SaysWhatCannotBeWritten) {
+  const TemporaryFolder folder;
+  test::record_scene(folder / "a.h5", "axial_flat", 5);
+  const Recording recording = read_recording(folder / "a.h5");
+  EXPECT_THROW(write_csv(recording, folder / "no/such/a.csv"), Error);
+  EXPECT_THROW(write_npz(recording, folder / "no/such/a.npz"), Error);
+}
+
+}  // namespace
+}  // namespace hapticut

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/io/recording.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include "hapticut/core/build_info.hpp"
+#include "hapticut/core/errors.hpp"
+#include "hapticut/force/laws/contact_mechanics.hpp"
+#include "hapticut/force/laws/foundation.hpp"
+#include "hapticut/io/replay.hpp"
+#include "hapticut/io/vdb.hpp"
+#include "hapticut/tool/catalogue.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "support/cutting.hpp"
+#include "support/recordings.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace hapticut {
+namespace {
+
+using test::patient;
+using test::TemporaryFolder;
+
+Simulation small_cut(const SimulationConfig& config = {},
+                     const Tool& tool = Tool(SphereHead{1e-3}, RayHandle{20e-3}, Spindle{3000})) {
+  return {build_block({Vec3(-2e-3, -2e-3, -3e-3), Vec3(2e-3, 2e-3, 0)}, 1e-4, test::plain_material()), tool, config};
+}
+
+/// Straight down with 2 mm/s from just above the face.
+StepInput plunge(const Simulation& simulation, int tick) {
+  const HeadBox box = simulation.tool().head().bounding_box();
+  const double z = -box.min.z() + 1e-5 - 2e-6 * tick;
+  const Pose pose = Pose::from_translation(Vec3(2.3e-5, 1.1e-5, z)) * simulation.tool().X_HT().inverse();
+  return {pose, {Vec3(0, 0, -2e-3), Vec3::Zero()}, 1e-3};
+}
+
+ReplayReport replay_file(const std::filesystem::path& path) { return replay(read_recording(path)); }
+
+void expect_identical(const ReplayReport& report, std::uint64_t steps, const std::string& what) {
+  EXPECT_TRUE(report.identical) << what << ": step " << (report.first_difference ? report.first_difference->step : 0)
+                                << ", " << (report.first_difference ? report.first_difference->column : "");
+  EXPECT_EQ(report.steps, steps) << what;
+  EXPECT_EQ(report.largest_force_difference, 0) << what;
+}
+
+TEST(Recording, ReplaysEverySceneWithTheSameBits) {
+  const TemporaryFolder folder;
+  for (const Scene& scene : scenes()) {
+    test::record_scene(folder / "scene.h5", scene.name, 700);
+    const Recording recording = read_recording(folder / "scene.h5");
+    EXPECT_TRUE(recording.info().closed);
+    EXPECT_TRUE(recording.info().remarks.empty());
+    expect_identical(replay(recording), 700, scene.name);
+  }
+}
+
+TEST(Recording, HoldsWhatTheStepsReturned) {
+  const TemporaryFolder folder;
+  Simulation simulation = small_cut();
+  RecorderOptions options = patient();
+  options.note = "a note";
+  Recorder recorder(folder / "a.h5", simulation, options);
+  std::vector<Vec3> forces, torques;
+  std::vector<std::uint64_t> removed;
+  std::vector<double> work;
+  for (int tick = 0; tick < 300; ++tick) {
+    const StepResult& result = recorder.step(plunge(simulation, tick));
+    forces.push_back(result.force);
+    torques.push_back(result.torque);
+    removed.push_back(result.removed_voxels.size());
+    work.push_back(result.energy.motor_work);
+  }
+  EXPECT_EQ(recorder.recorded(), 300U);
+  EXPECT_EQ(recorder.lost(), 0U);
+  recorder.close();
+
+  const Recording recording = read_recording(folder / "a.h5");
+  EXPECT_EQ(recording.info().note, "a note");
+  EXPECT_EQ(recording.info().version, build_info().version);
+  EXPECT_EQ(recording.info().workpiece_hash_at_end, simulation.workpiece().hash());
+  EXPECT_FALSE(recording.has_device());
+  ASSERT_EQ(recording.size(), 300U);
+  const std::vector<RecordedStep> steps = recording.read(0, 1000);
+  ASSERT_EQ(steps.size(), 300U);
+  for (std::size_t n = 0; n < steps.size(); ++n) {
+    const StepInput input = plunge(simulation, int(n));
+    EXPECT_EQ(steps[n].number, n);
+    EXPECT_NEAR(steps[n].time, 1e-3 * double(n + 1), 1e-12);
+    EXPECT_EQ(steps[n].input.pose.translation, input.pose.translation);
+    EXPECT_EQ(steps[n].input.pose.rotation, input.pose.rotation);
+    EXPECT_EQ(steps[n].input.velocity.linear, input.velocity.linear);
+    EXPECT_EQ(steps[n].force, forces[n]);
+    EXPECT_EQ(steps[n].torque, torques[n]);
+    EXPECT_EQ(steps[n].removed_voxels, removed[n]);
+    EXPECT_EQ(steps[n].energy.motor_work, work[n]);
+  }
+  EXPECT_EQ(recording.read(298, 10).size(), 2U);
+  EXPECT_EQ(recording.read(298, 10)[1].force, forces[299]);
+  EXPECT_TRUE(recording.read(300, 10).empty());
+}
+
+TEST(Recording, ReplaysWhatWasSetBetweenTheStepsAndWhatWasRejected) {
+  const TemporaryFolder folder;
+  SimulationConfig config;
+  config.reserved_blocks = 2;  // soon used up
+  config.friction = DryFriction{0.4, 0.2, 500};
+  config.effects.vibration.emplace();
+  Simulation simulation = small_cut(config);
+  simulation.set_spindle_speed(2500);
+  Recorder recorder(folder / "a.h5", simulation, patient());
+  StepStatus seen = StepStatus::ok;
+  for (int tick = 0; tick < 600; ++tick) {
+    if (tick == 100) simulation.set_spindle_speed(0);
+    if (tick == 150) simulation.set_spindle_speed(-4000);
+    if (tick == 200) {
+      Effects effects;
+      effects.gravity = Gravity{0.1, Vec3(0, 0, 0.01), Vec3(0, 0, -9.81)};
+      effects.delta_filter.emplace();
+      effects.enabled.torque[1] = false;
+      effects.limits.largest_force = 2;
+      effects.limits.ramp_time = 0.1;
+      simulation.set_effects(effects);
+    }
+    if (tick == 250) simulation.set_effects({});
+    if (tick % 40 == 0) simulation.reserve_blocks(simulation.config().reserved_blocks + std::size_t(tick / 400));
+    StepInput input = plunge(simulation, tick);
+    if (tick == 300) input.pose.translation.x() = std::numeric_limits<double>::quiet_NaN();
+    if (tick == 310) input.velocity.angular.y() = std::numeric_limits<double>::infinity();
+    if (tick == 320) input.dt = -1;
+    if (tick == 330) input.pose.translation.x() += 1;
+    seen |= recorder.step(input).status;
+  }
+  recorder.close();
+  for (const StepStatus bit : {StepStatus::pose_rejected, StepStatus::velocity_rejected, StepStatus::dt_rejected,
+                               StepStatus::jump_rejected, StepStatus::blocks_low})
+    EXPECT_TRUE(has(seen, bit)) << std::uint32_t(bit);
+  const Recording recording = read_recording(folder / "a.h5");
+  ASSERT_EQ(recording.effects().size(), 3U);
+  EXPECT_EQ(recording.effects()[1].first_step, 200U);
+  EXPECT_EQ(recording.effects()[2].first_step, 250U);
+  EXPECT_FALSE(recording.effects()[1].effects.enabled.torque[1]);
+  EXPECT_TRUE(recording.effects()[1].effects.gravity && !recording.effects()[1].effects.vibration);
+  EXPECT_TRUE(std::isinf(recording.effects()[1].effects.limits.largest_torque));
+  expect_identical(replay(recording), 600, "settings");
+}
+
+TEST(Recording, KeepsEveryKindOfToolAndSetting) {
+  const TemporaryFolder folder;
+  const LHandle angled{80e-3, 12e-3, 1.2};
+  Spindle air_turbine{30000, 20, 1e5, 2e4};
+  SimulationConfig config;
+  config.removal = RemovalLaw::elastic_release;
+  config.quadrature = Quadrature::voxel_center;
+  config.handle_torque = HandleTorque::thesis;
+  config.handle_torque_scale = 0.7;
+  config.reference_stiffness = 3e13;
+  config.deep_contact = false;
+  config.voxel_budget = 5000;
+  config.longest_sweep = 77;
+  config.removed_voxel_capacity = 20;
+  for (const Tool& tool : {Tool(ConeHead{0.5, 3e-3}), Tool(FlatHead{1e-3, 2e-3, FlatRule::both}, angled, air_turbine),
+                           Tool(round_head(2e-3), RayHandle{5e-3}, Spindle{-2000}),
+                           Tool(pear_head(2e-3, 4e-3, 1e-3), angled, air_turbine)}) {
+    Simulation simulation = small_cut(config, tool);
+    Recorder recorder(folder / "a.h5", simulation, patient());
+    for (int tick = 0; tick < 200; ++tick) recorder.step(plunge(simulation, tick));
+    recorder.close();
+    const Recording recording = read_recording(folder / "a.h5");
+    EXPECT_EQ(recording.tool().head().shape().index(), tool.head().shape().index());
+    EXPECT_EQ(recording.tool().head().volume(), tool.head().volume());
+    EXPECT_EQ(recording.tool().X_HT().translation, tool.X_HT().translation);
+    EXPECT_EQ(recording.tool().spindle().droop, tool.spindle().droop);
+    EXPECT_EQ(recording.config().longest_sweep, 77);
+    EXPECT_EQ(recording.config().voxel_budget, 5000U);
+    EXPECT_EQ(recording.config().handle_torque, HandleTorque::thesis);
+    EXPECT_FALSE(recording.config().friction);
+    expect_identical(replay(recording), 200, "head " + std::to_string(tool.head().shape().index()));
+  }
+}
+
+TEST(Recording, SaysWhereAReplayLeavesIt) {
+  const TemporaryFolder folder;
+  test::record_scene(folder / "a.h5", "axial_flat", 200);
+  const Recording recording = read_recording(folder / "a.h5");
+  ASSERT_TRUE(recording.default_law());
+  // Another law must give other forces from the first contact on.
+  ReplayOptions options;
+  options.law = std::make_shared<ContactMechanicsLaw>(1e9);
+  const ReplayReport report = replay(recording, options);
+  EXPECT_FALSE(report.identical);
+  ASSERT_TRUE(report.first_difference);
+  const RecordedStep step = recording.read(report.first_difference->step, 1)[0];
+  EXPECT_GT(step.contact.voxels, 0);
+  EXPECT_GT(report.largest_force_difference, 0);
+  EXPECT_NE(report.first_difference->recorded, report.first_difference->replayed);
+}
+
+TEST(Recording, OfALawOfItsOwnAsksForThatLaw) {
+  const TemporaryFolder folder;
+  SimulationConfig config;
+  config.law = std::make_shared<ContactMechanicsLaw>(1e9);
+  Simulation simulation = small_cut(config);
+  Recorder recorder(folder / "a.h5", simulation, patient());
+  for (int tick = 0; tick < 100; ++tick) recorder.step(plunge(simulation, tick));
+  recorder.close();
+  const Recording recording = read_recording(folder / "a.h5");
+  EXPECT_THROW((void)replay(recording), Error);
+  ReplayOptions options;
+  options.law = config.law;
+  expect_identical(replay(recording, options), 100, "own law");
+}
+
+TEST(Recording, MayNameTheFileOfItsWorkpieceInsteadOfHoldingIt) {
+  const TemporaryFolder folder;
+  save_vdb(build_sphere(Vec3(0, 0, -2e-3), 2e-3, 1e-4, test::plain_material()), folder / "ball.vdb");
+  Simulation simulation(load_vdb(folder / "ball.vdb"), Tool(SphereHead{1e-3}, RayHandle{}, Spindle{3000}));
+  RecorderOptions options = patient();
+  options.workpiece_file = folder / "ball.vdb";
+  Recorder recorder(folder / "a.h5", simulation, options);
+  for (int tick = 0; tick < 300; ++tick) recorder.step(plunge(simulation, tick));
+  recorder.close();
+  expect_identical(replay_file(folder / "a.h5"), 300, "file");
+
+  // Moved together to another folder.
+  std::filesystem::create_directory(folder / "moved");
+  for (const char* name : {"a.h5", "ball.vdb"}) std::filesystem::rename(folder / name, folder / "moved" / name);
+  expect_identical(replay_file(folder / "moved/a.h5"), 300, "moved");
+
+  save_vdb(build_sphere(Vec3(0, 0, -2e-3), 2.1e-3, 1e-4, test::plain_material()), folder / "moved/ball.vdb");
+  EXPECT_THROW((void)replay_file(folder / "moved/a.h5"), Error);
+  std::filesystem::remove(folder / "moved/ball.vdb");
+  EXPECT_THROW((void)replay_file(folder / "moved/a.h5"), Error);
+}
+
+TEST(Recording, CanBeMadeOfACutWorkpieceAfterAReset) {
+  const TemporaryFolder folder;
+  Simulation simulation = small_cut();
+  for (int tick = 0; tick < 300; ++tick) {
+    const StepInput input = plunge(simulation, tick);
+    simulation.step(input.pose, input.velocity, input.dt);
+  }
+  EXPECT_THROW(Recorder(folder / "a.h5", simulation), Error);
+  EXPECT_EQ(folder.file_count(), 0U);
+  simulation.reset(simulation.workpiece().clone());
+  Recorder recorder(folder / "a.h5", simulation, patient());
+  for (int tick = 250; tick < 500; ++tick) recorder.step(plunge(simulation, tick));
+  recorder.close();
+  expect_identical(replay_file(folder / "a.h5"), 250, "cut before");
+}
+
+TEST(Recording, IsReadWhileItIsBeingWritten) {
+  const TemporaryFolder folder;
+  Simulation simulation = small_cut();
+  Recorder recorder(folder / "a.h5", simulation, patient());
+  for (int tick = 0; tick < 100; ++tick) recorder.step(plunge(simulation, tick));
+  std::uint64_t size = 0;
+  for (int attempt = 0; attempt < 2000 && size < 100; ++attempt) {
+    const Recording recording = read_recording(folder / "a.h5");
+    EXPECT_FALSE(recording.info().closed);
+    EXPECT_EQ(recording.info().remarks.size(), 1U);
+    size = recording.size();
+    for (const RecordedStep& step : recording.read(0, size)) EXPECT_LT(step.number, 100U);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  EXPECT_EQ(size, 100U);
+  recorder.close();
+}
+
+TEST(Effects, SurviveTheWayThroughNumbers) {
+  const TemporaryFolder folder;
+  SimulationConfig config;
+  config.effects.gravity = Gravity{0.2, Vec3(1e-3, 2e-3, 3e-3), Vec3(0, -9.8, 0)};
+  config.effects.vibration = Vibration{120, 0.2, 0.01, 0.4};
+  config.effects.delta_filter = DeltaFilter{0.3, 0.004};
+  config.effects.enabled = {{true, false, true}, {false, true, false}};
+  config.effects.limits = {5, 0.1, 900, 20, 0.5};
+  Simulation simulation = small_cut(config);
+  Recorder(folder / "a.h5", simulation, patient()).close();
+  const Effects e = read_recording(folder / "a.h5").config().effects;
+  EXPECT_EQ(e.gravity->mass, 0.2);
+  EXPECT_EQ(e.gravity->center_of_mass, Vec3(1e-3, 2e-3, 3e-3));
+  EXPECT_EQ(e.gravity->acceleration, Vec3(0, -9.8, 0));
+  EXPECT_EQ(e.vibration->frequency, 120);
+  EXPECT_EQ(e.vibration->amplitude, 0.2);
+  EXPECT_EQ(e.vibration->amplitude_per_watt, 0.01);
+  EXPECT_EQ(e.vibration->largest_amplitude, 0.4);
+  EXPECT_EQ(e.delta_filter->delta, 0.3);
+  EXPECT_EQ(e.delta_filter->epsilon, 0.004);
+  EXPECT_EQ(e.enabled.force, config.effects.enabled.force);
+  EXPECT_EQ(e.enabled.torque, config.effects.enabled.torque);
+  EXPECT_EQ(e.limits.largest_force, 5);
+  EXPECT_EQ(e.limits.largest_torque, 0.1);
+  EXPECT_EQ(e.limits.force_growth, 900);
+  EXPECT_EQ(e.limits.torque_growth, 20);
+  EXPECT_EQ(e.limits.ramp_time, 0.5);
+}
+
+}  // namespace
+}  // namespace hapticut
