@@ -15,6 +15,7 @@ const Names<RemovalLaw> kRemovalLaws = {{RemovalLaw::none, "none"},
                                         {RemovalLaw::constant_energy, "constant_energy"},
                                         {RemovalLaw::elastic_release, "elastic_release"}};
 const Names<Quadrature> kQuadratures = {{Quadrature::centroid, "centroid"}, {Quadrature::voxel_center, "voxel_center"}};
+const Names<ContactTime> kContactTimes = {{ContactTime::middle, "middle"}, {ContactTime::end, "end"}};
 const Names<HandleTorque> kHandleTorques = {{HandleTorque::full_wrench, "full_wrench"},
                                             {HandleTorque::thesis, "thesis"}};
 const Names<FlatRule> kFlatRules = {{FlatRule::nearest, "nearest"},
@@ -112,6 +113,7 @@ void visit_config(Archive& archive, Config& c) {
   archive("reference_stiffness", "N/m^4", c.reference_stiffness);
   archive("removal", c.removal, kRemovalLaws);
   archive("quadrature", c.quadrature, kQuadratures);
+  archive("contact_time", c.contact_time, kContactTimes);
   archive("deep_contact", c.deep_contact);
   archive("handle_torque", c.handle_torque, kHandleTorques);
   archive("handle_torque_scale", "1", c.handle_torque_scale);
@@ -127,7 +129,7 @@ void visit_config(Archive& archive, Config& c) {
 
 // A new field of SimulationConfig or Effects needs a line of its own here, and the format a new number: a recording
 // that leaves a setting out does not replay.
-static_assert(sizeof(Effects) == 176 && sizeof(SimulationConfig) == 320);
+static_assert(sizeof(Effects) == 176 && sizeof(SimulationConfig) == 328);
 
 template <class Archive, class Friction>
 void visit_friction(Archive& archive, Friction& f) {

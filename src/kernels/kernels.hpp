@@ -10,6 +10,7 @@
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/contact.hpp"
 #include "hapticut/workpiece/removal.hpp"
+#include "kernels/stiffness.hpp"
 
 /// @file
 /// The stages that work on one block, in the widest vector instructions of the machine, chosen when the program starts.
@@ -32,8 +33,16 @@ struct ContactJob {
   const ContactMaterials& materials;
   Quadrature quadrature;
   bool damped;                   ///< some material has damping
-  unsigned level_of_detail = 1;  ///< n: only an n-th of the strips is evaluated, and each counts n times
+  unsigned level_of_detail = 1;  ///< n: only an n-th of the strips is evaluated
   unsigned turn = 0;             ///< which of them
+
+  /// Strips take turns by diagonal planes.
+  /// @param origin  of the block
+  /// @param slab    0 ... 7, the strip's place along i
+  /// @param strip   0 ... 3, and along j
+  [[nodiscard]] bool has_turn(const VoxelIndex& origin, int slab, int strip) const {
+    return (unsigned(origin[0] + slab) + unsigned(origin[1] / 2 + strip) + turn) % level_of_detail == 0;
+  }
 };
 
 /// What the blocks of a sub-step add up to, lane by lane: the voxels of a strip always meet the same lane, so that the
@@ -82,6 +91,8 @@ struct PressTask {
 
 /// Stages `sample_contact`, `evaluate_law` of FoundationLaw and `sum_resultant` in one pass that never leaves the
 /// registers: what the step runs unless it was given another law.
-void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums) noexcept;
+/// @param stiffness  sums to add to; null: not wanted
+void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
+                  StiffnessSums* stiffness = nullptr) noexcept;
 
 }  // namespace hapticut::kernels

@@ -7,118 +7,17 @@
 #define HAPTICUT_KERNELS_PRESS_INL_HPP
 #endif
 
-#include <bit>
-#include <cstring>
-
 #include "hapticut/force/laws/foundation.hpp"
 #include "kernels/springs-inl.hpp"
+#include "kernels/stiffness-inl.hpp"
+#include "kernels/strips-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hapticut::kernels::HWY_NAMESPACE {
 
-// A strip: the sixteen voxels of two neighbouring rows, which follow each other in memory. Vectors hold a strip or an
-// equal part of one, so that sums have the same order everywhere.
 namespace strips {
 
-constexpr int kStripLanes = ContactSums::kLanes;
-constexpr int kStripsPerSlab = 64 / kStripLanes;  // a slab: the 64 voxels of a block of equal i
-constexpr int kStrips = kBlockVoxels / kStripLanes;
-using Floats = hn::CappedTag<float, kStripLanes>;
-using Vec = hn::Vec<Floats>;
-using Mask = hn::Mask<Floats>;
-constexpr std::size_t kWidth = hn::MaxLanes(Floats());
-constexpr std::size_t kParts = kStripLanes / kWidth;
-constexpr unsigned kAllLanes = (1U << kWidth) - 1;
-
-HWY_INLINE Vec broadcast(float value) { return hn::Set(Floats(), value); }
-HWY_INLINE Mask mask_of(unsigned bits) {
-  const std::uint8_t bytes[8] = {std::uint8_t(bits), std::uint8_t(bits >> 8)};  // Highway may read eight bytes
-  return hn::LoadMaskBits(Floats(), bytes);
-}
-HWY_INLINE std::uint64_t bits_of(Mask mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(Floats(), mask, bytes);
-  return std::uint64_t(bytes[0]) | std::uint64_t(bytes[1]) << 8;
-}
-
 enum class Mode { standing, rubbing, cutting };  // spindle stands; turns with removal off; turns and cuts
-
-/// c0 - c1 x + c2 x^2 - ... - c7 x^7 in pairs: the shortest chain of dependent operations.
-HWY_INLINE Vec alternating_series(Vec x, const float (&c)[8]) {
-  const auto pair = [&](int n) HWY_ATTR { return hn::NegMulAdd(broadcast(c[n + 1]), x, broadcast(c[n])); };
-  const Vec x2 = hn::Mul(x, x), x4 = hn::Mul(x2, x2);
-  const Vec low = hn::MulAdd(pair(2), x2, pair(0)), high = hn::MulAdd(pair(6), x2, pair(4));
-  return hn::MulAdd(high, x4, low);
-}
-
-/// (1 - e^-x)/x for x >= 0, as in core/decay.hpp.
-HWY_INLINE Vec mean_of_decay(Vec x) {
-  const Floats d;
-  const hn::RebindToSigned<Floats> ints;
-  constexpr float kMean[8] = {1, 0.5F, 1.0F / 6, 1.0F / 24, 1.0F / 120, 1.0F / 720, 1.0F / 5040, 1.0F / 40320};
-  constexpr float kExponential[8] = {1, 1, 0.5F, 1.0F / 6, 1.0F / 24, 1.0F / 120, 1.0F / 720, 1.0F / 5040};
-  const Vec series = alternating_series(x, kMean);
-  const Mask small = hn::Lt(x, broadcast(0.5F));
-  if (hn::AllTrue(d, small)) return series;
-
-  const Vec safe = hn::Max(x, broadcast(0.5F));
-  const Vec bounded = hn::Min(safe, broadcast(80.0F));
-  const auto n = hn::NearestInt(hn::Mul(bounded, broadcast(1.44269504F)));
-  const Vec whole = hn::ConvertTo(d, n);
-  const Vec g =
-      hn::NegMulAdd(whole, broadcast(-2.12194440e-4F), hn::NegMulAdd(whole, broadcast(0.693359375F), bounded));
-  const auto exponent = hn::ShiftLeft<23>(hn::Sub(hn::Set(ints, 127), n));
-  const Vec exp_of_minus = hn::Mul(alternating_series(g, kExponential), hn::BitCast(d, exponent));
-  return hn::IfThenElse(small, series, hn::Div(hn::Sub(broadcast(1.0F), exp_of_minus), safe));
-}
-
-/// Material constants of the lanes of one vector.
-struct MaterialVectors {
-  Vec stiffness, damping, cutting_ratio, energy, inverse_energy, cutting_depth;
-
-  HWY_INLINE explicit MaterialVectors(const ContactMaterial& m)
-      : stiffness(broadcast(m.stiffness)),
-        damping(broadcast(m.damping)),
-        cutting_ratio(broadcast(m.cutting_ratio)),
-        energy(broadcast(m.cutting_energy)),
-        inverse_energy(broadcast(1.0F / m.cutting_energy)),
-        cutting_depth(broadcast(m.cutting_depth)) {}
-
-  HWY_INLINE MaterialVectors(const ContactMaterials& table, const MaterialId* ids) {
-    alignas(64) float lanes[6][kWidth];
-    for (std::size_t i = 0; i < kWidth; ++i) {
-      const ContactMaterial& m = table[ids[i]];
-      lanes[0][i] = m.stiffness;
-      lanes[1][i] = m.damping;
-      lanes[2][i] = m.cutting_ratio;
-      lanes[3][i] = m.cutting_energy;
-      lanes[4][i] = 1.0F / m.cutting_energy;
-      lanes[5][i] = m.cutting_depth;
-    }
-    const Floats d;
-    stiffness = hn::Load(d, lanes[0]);
-    damping = hn::Load(d, lanes[1]);
-    cutting_ratio = hn::Load(d, lanes[2]);
-    energy = hn::Load(d, lanes[3]);
-    inverse_energy = hn::Load(d, lanes[4]);
-    cutting_depth = hn::Load(d, lanes[5]);
-  }
-};
-
-/// A vector of points, of velocities ...
-struct Vectors {
-  Vec x, y, z;
-};
-HWY_INLINE Vec dot(const Vectors& a, const Vectors& b) {
-  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
-}
-/// v + omega x r
-HWY_INLINE Vectors velocity_at(const Vectors& r, const Eigen::Vector3f& v, const Eigen::Vector3f& omega) {
-  const Vec ox = broadcast(omega.x()), oy = broadcast(omega.y()), oz = broadcast(omega.z());
-  return {hn::NegMulAdd(oz, r.y, hn::MulAdd(oy, r.z, broadcast(v.x()))),
-          hn::NegMulAdd(ox, r.z, hn::MulAdd(oz, r.x, broadcast(v.y()))),
-          hn::NegMulAdd(oy, r.x, hn::MulAdd(ox, r.y, broadcast(v.z())))};
-}
 
 /// Running sums of one vector of lanes over the strips of a block.
 struct PressSums {
@@ -141,32 +40,19 @@ struct PressSums {
   }
 };
 
-/// Where the strips of any block are, from the block's first voxel.
-struct StripOffsets {
-  float x[kStrips], y[kStrips], z[kStrips];  // [m]
-
-  explicit StripOffsets(const Eigen::Matrix3f& steps) {
-    for (int n = 0; n < kStrips; ++n) {
-      const Eigen::Vector3f offset =
-          steps.col(0) * float(n / kStripsPerSlab) + steps.col(1) * float(2 * (n % kStripsPerSlab));
-      x[n] = offset.x(), y[n] = offset.y(), z[n] = offset.z();
-    }
-  }
-};
-
 /// The strips of a few blocks one after the other, in those lanes that share a vector: `part * kWidth ...`.
 template <class Springs, Mode kMode>
 class Press {
  public:
   HWY_INLINE Press(const Springs& springs, const ContactJob& job, const StripOffsets& offsets, std::size_t part,
-                   ContactSums& totals)
+                   ContactSums& totals, StiffnessSums* stiffness_totals)
       : springs_(springs),
         job_(job),
         m_(job.motion),
         offsets_(offsets),
         totals_(totals),
+        stiffness_totals_(stiffness_totals),
         part_(part),
-        level_(job.level_of_detail),
         damped_(job.damped),
         release_(m_.removal == RemovalLaw::elastic_release),
         material_(job.materials[kEmpty]),
@@ -182,7 +68,7 @@ class Press {
     taken_ = hn::Zero(d);
   }
 
-  HWY_INLINE void press(PressTask& task) {
+  HWY_INLINE void press_block(PressTask& task) {
     const BlockView& block = task.block;
     const Eigen::Vector3f base = job_.grid.position(block.origin).template cast<float>();
     lanes_ = {hn::Add(lane_offsets_.x, broadcast(base.x())), hn::Add(lane_offsets_.y, broadcast(base.y())),
@@ -199,7 +85,7 @@ class Press {
       if (solid == 0) continue;
       for (int strip = 0; strip < kStripsPerSlab; ++strip) {
         const auto bits = unsigned(solid >> (kStripLanes * strip + int(part_ * kWidth))) & kAllLanes;
-        if (level_ > 1 && !has_turn(block.origin, slab, strip)) continue;
+        if (job_.level_of_detail > 1 && !job_.has_turn(block.origin, slab, strip)) continue;
         if (bits != 0) press_strip(task, slab * kStripsPerSlab + strip, bits, at_centroid);
       }
     }
@@ -223,7 +109,7 @@ class Press {
     add(ContactSums::kElasticMiddle, sums_.elastic_middle);
     add(ContactSums::kElasticChange, sums_.elastic_change);
     add(ContactSums::kFill, sums_.fill);
-    if (damped_) add(ContactSums::kDamping, sums_.damping);
+    if (damped_ || m_.lead > 0) add(ContactSums::kDamping, sums_.damping);
     if constexpr (kMode != Mode::standing) {
       add(ContactSums::kRubbing, sums_.rubbing);
       add(ContactSums::kCouple, sums_.couple);
@@ -235,6 +121,7 @@ class Press {
       add(ContactSums::kCredited, sums_.credited);
     }
     totals_.depth = std::max(totals_.depth, hn::GetLane(hn::MaxOfLanes(Floats(), sums_.depth)));
+    if (stiffness_totals_ != nullptr) stiffness_.flush(part_, *stiffness_totals_);
   }
 
  private:
@@ -277,8 +164,10 @@ class Press {
 
     // Stored energy k phi (w -+ advance/2)^2 / 2 at the beginning and the end, in terms that both share.
     const Vec half_stiffness = hn::Mul(half, material.stiffness);
-    const Vec squares = hn::MulAdd(w, w, hn::Mul(broadcast(0.25F), hn::Mul(advance, advance)));
-    const Vec product = hn::Mul(w, advance);
+    const Vec advance_squared = hn::Mul(advance, advance);
+    const Vec middle = m_.lead > 0 ? hn::NegMulAdd(broadcast(m_.lead), advance, w) : w;
+    const Vec squares = hn::MulAdd(middle, middle, hn::Mul(broadcast(0.25F), advance_squared));
+    const Vec product = hn::Mul(middle, advance);
     const Vec pressed = hn::Mul(half_stiffness, product);
     sums_.elastic_middle = hn::MulAdd(hn::Mul(half_stiffness, squares), phi, sums_.elastic_middle);
     sums_.elastic_change = hn::MulAdd(pressed, phi, sums_.elastic_change);
@@ -300,8 +189,7 @@ class Press {
       }
       constexpr float kRegular = FoundationLaw::kSlipRegularization * FoundationLaw::kSlipRegularization;
       const Vec inverse_slip = hn::Div(one, hn::Sqrt(hn::Add(slip_squared, broadcast(kRegular))));
-      // [m] A strip that waited for its turn makes up for it.
-      const Vec slip_path = hn::Mul(hn::Mul(slip_squared, inverse_slip), broadcast(m_.duration * float(level_)));
+      const Vec slip_path = hn::Mul(hn::Mul(slip_squared, inverse_slip), broadcast(m_.duration * m_.turns));  // [m]
 
       Mask is_cut = hn::MaskFromVec(zero);
       if (kMode == Mode::cutting && task.may_cut) {
@@ -355,6 +243,15 @@ class Press {
       if (near_axis_) sums_.couple = hn::MulAdd(tangential, extra, sums_.couple);
     }
 
+    if (m_.lead > 0) add_lead_work(half_stiffness, phi, mean_fill, middle, advance, advance_squared);
+    if (stiffness_totals_ != nullptr) {
+      const Vec slope =
+          damped_ ? hn::IfThenElseZero(hn::Gt(damped, zero),
+                                       hn::MulAdd(hn::Mul(material.damping, w), broadcast(1.0F / m_.duration), damped))
+                  : one;
+      stiffness_.add(hn::Mul(hn::Mul(material.stiffness, mean_fill), slope), r, n);
+    }
+
     // Stage sum_resultant.
     sums_.add_reaction(r, reaction);
     sums_.fill = hn::Add(sums_.fill, phi);
@@ -368,6 +265,19 @@ class Press {
       task.fill_after[voxel] = task.block.fill_of(voxel);
   }
 
+  /// Evaluated after the middle, springs push harder than what they store: a damper's work. Those that were not touched
+  /// at the beginning stored nothing there.
+  HWY_INLINE void add_lead_work(Vec half_stiffness, Vec fill, Vec mean_fill, Vec middle, Vec advance,
+                                Vec advance_squared) {
+    const Vec half = broadcast(0.5F);
+    const Vec not_yet = hn::Max(hn::Zero(Floats()), hn::MulSub(half, advance, middle));
+    const Vec before_touch = hn::Mul(hn::Mul(half_stiffness, fill), hn::Mul(not_yet, not_yet));
+    sums_.elastic_middle = hn::NegMulAdd(half, before_touch, sums_.elastic_middle);
+    sums_.elastic_change = hn::MulAdd(half, before_touch, sums_.elastic_change);
+    const Vec pushed = hn::Mul(hn::Mul(half_stiffness, mean_fill), hn::Mul(broadcast(2 * m_.lead), advance_squared));
+    sums_.damping = hn::Add(sums_.damping, hn::Sub(pushed, before_touch));
+  }
+
   /// [N/m^3] of filled and empty volume alike; books what the damping takes.
   HWY_INLINE Vec normal_force(Vec stiff_depth, Vec fill, Vec damped, Vec advance) {
     const Vec spring = hn::Mul(stiff_depth, fill);
@@ -375,11 +285,6 @@ class Press {
     const Vec normal = hn::Mul(spring, damped);
     sums_.damping = hn::MulAdd(hn::Sub(normal, spring), advance, sums_.damping);
     return normal;
-  }
-
-  /// Strips take turns by diagonal planes.
-  HWY_INLINE bool has_turn(const VoxelIndex& origin, int slab, int strip) const {
-    return (unsigned(origin[0] + slab) + unsigned(origin[1] / 2 + strip) + job_.turn) % level_ == 0;
   }
 
   HWY_INLINE void shift_to_centroids(const std::int32_t* centroids, Vectors& r) const {
@@ -413,17 +318,6 @@ class Press {
     material_id_ = kEmpty;
     material_ = MaterialVectors(job_.materials, ids);
   }
-  HWY_INLINE static bool all_are(const MaterialId* ids, MaterialId one) {
-    using Word = std::conditional_t<(kWidth < 8), std::uint32_t, std::uint64_t>;
-    Word difference = 0;
-    for (std::size_t first = 0; first < kWidth; first += sizeof(Word)) {
-      Word word = 0;
-      std::memcpy(&word, ids + first, std::min(kWidth, sizeof(Word)));
-      difference |= word ^ Word(~Word(0) / 255 * one);
-    }
-    return difference == 0;
-  }
-
   /// Books what went, by material.
   HWY_INLINE void take(Vec taken, const BlockView& block, int voxel, Mask inside) {
     if (material_id_ != kEmpty) {
@@ -453,8 +347,8 @@ class Press {
   const HeadMotion& m_;
   const StripOffsets& offsets_;
   ContactSums& totals_;
+  StiffnessSums* const stiffness_totals_;  // null: not wanted
   const std::size_t part_;
-  const unsigned level_;
   const bool damped_, release_;
   bool near_axis_ = false;
   MaterialVectors material_;
@@ -464,29 +358,32 @@ class Press {
   Vectors lanes_;         // [m] of the lanes of the block's first strip, in T
   Vec taken_;             // [voxels] of material_id_
   PressSums sums_;
+  StiffnessVectors stiffness_;
 };
 
 template <class Springs, Mode kMode>
 HWY_INLINE void PressParts(const Springs& springs, const ContactJob& job, const StripOffsets& offsets,
-                           std::span<PressTask> tasks, ContactSums& sums) {
+                           std::span<PressTask> tasks, ContactSums& sums, StiffnessSums* stiffness) {
   for (std::size_t part = 0; part < kParts; ++part) {
-    Press<Springs, kMode> press(springs, job, offsets, part, sums);
-    for (PressTask& task : tasks) press.press(task);
+    Press<Springs, kMode> press(springs, job, offsets, part, sums, stiffness);
+    for (PressTask& task : tasks) press.press_block(task);
     press.flush();
   }
 }
 
 }  // namespace strips
 
-inline HWY_ATTR void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums) {
+inline HWY_ATTR void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
+                                 StiffnessSums* stiffness) {
   using strips::Mode;
   const strips::StripOffsets offsets(job.grid.voxel_steps.cast<float>());
   visit_springs(job.head, [&](const auto& springs) HWY_ATTR {
     using Springs = std::decay_t<decltype(springs)>;
-    if (job.motion.spin == 0) return strips::PressParts<Springs, Mode::standing>(springs, job, offsets, tasks, sums);
+    if (job.motion.spin == 0)
+      return strips::PressParts<Springs, Mode::standing>(springs, job, offsets, tasks, sums, stiffness);
     if (job.motion.removal == RemovalLaw::none)
-      return strips::PressParts<Springs, Mode::rubbing>(springs, job, offsets, tasks, sums);
-    return strips::PressParts<Springs, Mode::cutting>(springs, job, offsets, tasks, sums);
+      return strips::PressParts<Springs, Mode::rubbing>(springs, job, offsets, tasks, sums, stiffness);
+    return strips::PressParts<Springs, Mode::cutting>(springs, job, offsets, tasks, sums, stiffness);
   });
 }
 

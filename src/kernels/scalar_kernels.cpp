@@ -9,10 +9,25 @@
 namespace hapticut::kernels {
 namespace {
 
-void press_block(const ContactJob& job, PressTask& task, ContactSums& sums) noexcept {
+/// Leaves out what has no turn.
+BlockView with_turn(const ContactJob& job, const BlockView& block,
+                    std::array<std::uint64_t, kBlockEdge>& solid) noexcept {
+  BlockView view = block;
+  for (int slab = 0; slab < kBlockEdge; ++slab) {
+    std::uint64_t& word = solid[std::size_t(slab)] = block.solid == nullptr ? ~std::uint64_t(0) : block.solid[slab];
+    for (int strip = 0; strip < kBlockVoxels / kBlockEdge / BlockChange::kStrip; ++strip)
+      if (!job.has_turn(block.origin, slab, strip)) word &= ~(0xFFFFULL << (BlockChange::kStrip * strip));
+  }
+  view.solid = solid.data();
+  return view;
+}
+
+void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, StiffnessSums* stiffness) noexcept {
   thread_local ContactBlock contact;
   task.change = {};
-  sample_contact(job.head, task.block, job.grid, job.quadrature, contact);
+  std::array<std::uint64_t, kBlockEdge> solid;
+  const BlockView block = job.level_of_detail > 1 ? with_turn(job, task.block, solid) : task.block;
+  sample_contact(job.head, block, job.grid, job.quadrature, contact);
   if (contact.samples == 0) return;
   HeadMotion motion = job.motion;
   if (!task.may_cut) motion.removal = RemovalLaw::none;
@@ -38,6 +53,7 @@ void press_block(const ContactJob& job, PressTask& task, ContactSums& sums) noex
   add(ContactSums::kFill, resultant.volume * volume);
   sums.voxels += resultant.voxels;
   sums.depth = std::max(sums.depth, float(resultant.depth));
+  if (stiffness != nullptr) add_stiffness(contact, motion, job.materials, *stiffness);
   if (totals.may_remove) task.change = find_changes(contact, task.block, task.fill_after, sums.taken);
 }
 
@@ -51,8 +67,9 @@ void sample_contact(const ToolHead& head, const BlockView& block, const GridInHe
 
 void sum_resultant(const ContactBlock& block, Resultant& total) noexcept { hapticut::sum_resultant(block, total); }
 
-void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums) noexcept {
-  for (PressTask& task : tasks) press_block(job, task, sums);
+void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
+                  StiffnessSums* stiffness) noexcept {
+  for (PressTask& task : tasks) press_block(job, task, sums, stiffness);
 }
 
 }  // namespace hapticut::kernels

@@ -27,8 +27,9 @@ void sample_contact(const ToolHead& head, const BlockView& block, const GridInHe
   HWY_DYNAMIC_DISPATCH(SampleContact)(head, block, grid, quadrature, out);
 }
 
-void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums) noexcept {
-  HWY_DYNAMIC_DISPATCH(PressBlocks)(job, tasks, sums);
+void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
+                  StiffnessSums* stiffness) noexcept {
+  HWY_DYNAMIC_DISPATCH(PressBlocks)(job, tasks, sums, stiffness);
 }
 
 void sum_resultant(const ContactBlock& block, Resultant& total) noexcept {

@@ -58,6 +58,11 @@ ContactStages::ContactStages(const Workpiece& workpiece, const ToolHead& head, c
   if (law_ != nullptr && voxel_budget_ != 0)
     throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
                 " was given with a law of your own; only the default law has a level of detail. Leave it at 0.");
+  if (law_ != nullptr && config.contact_time != ContactTime::middle)
+    throw Error(
+        "SimulationConfig::contact_time = end was given with a law of your own; only the default law keeps its "
+        "energies "
+        "there. Leave it at middle.");
   blocks_.reserve(most_blocks_);
   emptied_.reserve(most_blocks_);
   changed_.reserve(most_blocks_ * std::size_t(std::min(config.longest_sweep, kListedSubSteps)));
@@ -76,7 +81,7 @@ int ContactStages::level_of_detail() const noexcept {
   for (const BlockView& block : blocks_)
     for (int slab = 0; slab < kBlockEdge; ++slab)
       solid += block.solid == nullptr ? 64 : std::size_t(std::popcount(block.solid[slab]));
-  return int((std::min(solid, most_voxels_) + voxel_budget_ - 1) / voxel_budget_);
+  return std::max(1, int((std::min(solid, most_voxels_) + voxel_budget_ - 1) / voxel_budget_));
 }
 
 void ContactStages::set_cutting_share(double share) noexcept {
@@ -113,40 +118,62 @@ Encounter ContactStages::evaluate_contact(Workpiece& workpiece, const ToolHead& 
   return encounter;
 }
 
+kernels::ContactJob ContactStages::job_at(const Workpiece& workpiece, const ToolHead& head,
+                                          const HeadPlacement& at) const noexcept {
+  const int level = level_of_detail();
+  kernels::ContactJob job = {head,
+                             GridInHead(at.X_VT.inverse(), workpiece.voxel_size()),
+                             at.motion,
+                             materials_,
+                             quadrature_,
+                             damped_,
+                             unsigned(level),
+                             turn_};
+  job.motion.turns = float(level);
+  return job;
+}
+
 /// FoundationLaw, block by block in one pass of vector instructions.
 void ContactStages::press_blocks(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
                                  RemovalRecord& removal, Encounter& encounter) noexcept {
-  using kernels::ContactSums;
-  encounter.level_of_detail = std::max(1, level_of_detail());
-  const kernels::ContactJob job = {head,
-                                   GridInHead(at.X_VT.inverse(), workpiece.voxel_size()),
-                                   at.motion,
-                                   materials_,
-                                   quadrature_,
-                                   damped_,
-                                   unsigned(encounter.level_of_detail),
-                                   turn_};
-  ContactSums sums;
+  const kernels::ContactJob job = job_at(workpiece, head, at);
+  kernels::ContactSums sums;
   const bool cuts = at.motion.spin != 0 && at.motion.removal != RemovalLaw::none;
   for (auto next = blocks_.begin(); next != blocks_.end();) {
     std::size_t count = 0;
     while (next != blocks_.end() && count < kPressedAtOnce) {
       const BlockView& block = *next++;
-      tasks_[count++] = {block, fill_target(block), cuts && can_cut(block, workpiece, encounter), {}};
+      const bool writable = cuts && can_cut(block, workpiece);
+      encounter.blocks_exhausted |= cuts && !writable;
+      tasks_[count++] = {block, fill_target(block), writable, {}};
       if (cuts && block.fill == nullptr) break;  // its new fills must be kept before another block needs their place
     }
     kernels::press_blocks(job, std::span(tasks_).first(count), sums);
     for (const kernels::PressTask& task : std::span(tasks_).first(count)) keep_change(task, workpiece);
   }
-  // Voxels that waited for their turn are represented by those that had it; what was taken is exact.
-  const double weight = encounter.level_of_detail;
+  take_sums(job, sums, encounter);
+  for (int id = 1; id <= workpiece.materials().size(); ++id) {
+    const double volume = sums.taken[std::size_t(id)] * voxel_volume_;
+    if (volume == 0) continue;
+    encounter.energies.cutting += double(materials_[std::size_t(id)].cutting_energy) * volume;
+    removal.add_volume(MaterialId(id), volume);
+  }
+}
+
+/// What the kernel's sums mean. Voxels that waited for their turn are represented by those that had it; what was taken
+/// is exact.
+void ContactStages::take_sums(const kernels::ContactJob& job, const kernels::ContactSums& sums,
+                              Encounter& encounter) const noexcept {
+  using kernels::ContactSums;
+  const double weight = job.level_of_detail;
+  encounter.level_of_detail = int(job.level_of_detail);
   const auto total = [&](ContactSums::Term term) { return weight * sums.total(term) * voxel_volume_; };
   Resultant& resultant = encounter.resultant;
   resultant.wrench_T.force =
       -Vec3(total(ContactSums::kForceX), total(ContactSums::kForceY), total(ContactSums::kForceZ));
   resultant.wrench_T.torque =
       -Vec3(total(ContactSums::kTorqueX), total(ContactSums::kTorqueY), total(ContactSums::kTorqueZ));
-  if (at.motion.spin != 0) resultant.wrench_T.torque.z() -= total(ContactSums::kCouple) / double(at.motion.spin);
+  if (job.motion.spin != 0) resultant.wrench_T.torque.z() -= total(ContactSums::kCouple) / double(job.motion.spin);
   resultant.voxels = sums.voxels * encounter.level_of_detail;
   resultant.volume = weight * sums.total(ContactSums::kFill);
   resultant.depth = double(sums.depth);
@@ -159,12 +186,25 @@ void ContactStages::press_blocks(Workpiece& workpiece, const ToolHead& head, con
   energies.damping = total(ContactSums::kDamping);
   energies.rubbing = total(ContactSums::kRubbing) / weight;  // over all the time since the last turn
   energies.credited = total(ContactSums::kCredited) / weight;
-  for (int id = 1; id <= workpiece.materials().size(); ++id) {
-    const double volume = sums.taken[std::size_t(id)] * voxel_volume_;
-    if (volume == 0) continue;
-    energies.cutting += double(materials_[std::size_t(id)].cutting_energy) * volume;
-    removal.add_volume(MaterialId(id), volume);
+}
+
+Encounter ContactStages::probe_contact(const Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
+                                       Stiffness& stiffness_T) noexcept {
+  HAPTICUT_ASSERT(law_ == nullptr);
+  const kernels::ContactJob job = job_at(workpiece, head, at);
+  kernels::ContactSums sums;
+  kernels::StiffnessSums stiffness;
+  const bool cuts = at.motion.spin != 0 && at.motion.removal != RemovalLaw::none;
+  for (auto next = blocks_.begin(); next != blocks_.end();) {
+    std::size_t count = 0;
+    for (; next != blocks_.end() && count < kPressedAtOnce; ++next)  // nobody reads the new fills
+      tasks_[count++] = {*next, new_fill_.data(), cuts && can_cut(*next, workpiece), {}};
+    kernels::press_blocks(job, std::span(tasks_).first(count), sums, &stiffness);
   }
+  Encounter encounter;
+  take_sums(job, sums, encounter);
+  stiffness_T = stiffness.total(double(job.level_of_detail) * voxel_volume_);
+  return encounter;
 }
 
 /// Any other law, stage by stage on the samples of one block.
@@ -188,7 +228,8 @@ void ContactStages::ask_law(Workpiece& workpiece, const ToolHead& head, const He
   for (const BlockView& block : blocks_) {
     kernels::sample_contact(head, block, grid, quadrature_, contact_);
     if (contact_.samples == 0) continue;
-    const bool writable = motion.removal != RemovalLaw::none && can_cut(block, workpiece, encounter);
+    const bool removes = motion.removal != RemovalLaw::none, writable = removes && can_cut(block, workpiece);
+    encounter.blocks_exhausted |= removes && !writable;
     const LawTotals totals = law_->evaluate(writable ? motion : without_removal, materials_, contact_);
     encounter.add(totals);
     kernels::sum_resultant(contact_, encounter.resultant);
@@ -201,10 +242,8 @@ void ContactStages::ask_law(Workpiece& workpiece, const ToolHead& head, const He
 }
 
 /// Whether what is cut from a block can be written down. Where no reserved block is left, material is felt but not cut.
-bool ContactStages::can_cut(const BlockView& block, const Workpiece& workpiece, Encounter& encounter) noexcept {
-  const bool writable = block.fill != nullptr || workpiece.has_reserve_for(block.origin);
-  encounter.blocks_exhausted |= !writable;
-  return writable;
+bool ContactStages::can_cut(const BlockView& block, const Workpiece& workpiece) noexcept {
+  return block.fill != nullptr || workpiece.has_reserve_for(block.origin);
 }
 
 /// Where the new fills of a block are written: into the block itself, once it has fills of its own.

@@ -44,7 +44,7 @@ struct Encounter {
 /// Where the head is and how it moves, for the stages that see voxels.
 struct HeadPlacement {
   Pose X_VT;          ///< of the head in the grid's frame
-  HeadMotion motion;  ///< at the middle of the sub-step
+  HeadMotion motion;  ///< where the contact is evaluated: at the middle of the sub-step, or its end
 };
 
 /// The stages and the memory that they need, all of it taken at set-up.
@@ -60,6 +60,11 @@ class ContactStages {
   /// already those after the sub-step when it returns; voxels that became empty wait for `remove_material`.
   [[nodiscard]] Encounter evaluate_contact(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
                                            RemovalRecord& removal) noexcept;
+
+  /// What `evaluate_contact` would return for the blocks found, without a change to anything; only FoundationLaw.
+  /// @param stiffness_T  of the contact about To, in T
+  [[nodiscard]] Encounter probe_contact(const Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
+                                        Stiffness& stiffness_T) noexcept;
 
   /// Stage `remove_material`: takes voxels that became empty out of the workpiece and lists them. Ends a turn of the
   /// level of detail.
@@ -85,12 +90,15 @@ class ContactStages {
     std::array<std::uint64_t, 8> emptied;
   };
 
+  [[nodiscard]] kernels::ContactJob job_at(const Workpiece& workpiece, const ToolHead& head,
+                                           const HeadPlacement& at) const noexcept;
+  void take_sums(const kernels::ContactJob& job, const kernels::ContactSums& sums, Encounter& encounter) const noexcept;
   void press_blocks(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, RemovalRecord& removal,
                     Encounter& encounter) noexcept;
   void ask_law(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, RemovalRecord& removal,
                Encounter& encounter) noexcept;
   [[nodiscard]] int level_of_detail() const noexcept;
-  [[nodiscard]] static bool can_cut(const BlockView& block, const Workpiece& workpiece, Encounter& encounter) noexcept;
+  [[nodiscard]] static bool can_cut(const BlockView& block, const Workpiece& workpiece) noexcept;
   [[nodiscard]] float* fill_target(const BlockView& block) noexcept;
   void keep_change(const kernels::PressTask& task, Workpiece& workpiece) noexcept;
   void list_change(const VoxelIndex& origin) noexcept;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hapticut/core/units.hpp"
+#include "hapticut/device/coupling.hpp"
 #include "hapticut/simulation/scenes.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/allocation_count.hpp"
@@ -148,6 +149,33 @@ std::vector<std::string> scene_names() {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, NoAllocation, testing::ValuesIn(scene_names()),
                          [](const auto& scene) { return scene.param; });
+
+TEST(NoAllocation, InStepsOfAVirtualCoupling) {
+  SimulationConfig config;
+  config.reference_stiffness = 1e16;
+  config.contact_time = ContactTime::end;
+  Material material;
+  material.cutting_ratio = 0.5;
+  material.specific_cutting_energy = 3e8;
+  const Box box{Vec3(-4e-3, -4e-3, -4e-3), Vec3(4e-3, 4e-3, 0)};
+  Simulation simulation(build_block(box, 1e-4, material), Tool(SphereHead{1e-3}, RayHandle{20e-3}, Spindle{2000}),
+                        config);
+  CouplingGains gains;
+  gains.angular_stiffness = 0.3;
+  VirtualCoupling coupling(simulation, gains);
+  double removed = 0;
+  test::arm_call_counts();
+  for (int n = 0; n < 2000; ++n) {
+    const double z = 22e-3 - 4e-6 * n;
+    removed += coupling.step(Pose::from_translation({1e-6 * n, 0, z}), {Vec3(1e-3, 0, -4e-3), Vec3::Zero()}, 1e-3)
+                   .removed_volume;
+  }
+  const test::CallCounts counts = test::disarm_call_counts();
+  EXPECT_EQ(counts.allocations, 0);
+  EXPECT_EQ(counts.deallocations, 0);
+  EXPECT_EQ(counts.locks, 0);
+  EXPECT_GT(removed, 1e-9);
+}
 
 }  // namespace
 }  // namespace hapticut

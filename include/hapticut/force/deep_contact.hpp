@@ -66,8 +66,10 @@ class DeepContact {
     return outcome;
   }
 
-  [[nodiscard]] bool held() const { return held_; }        ///< the spring acts
-  [[nodiscard]] double stored() const { return stored_; }  ///< [J]
+  [[nodiscard]] bool held() const { return held_; }                          ///< the spring acts
+  [[nodiscard]] double stiffness() const { return held_ ? stiffness_ : 0; }  ///< [N/m] of the spring
+  [[nodiscard]] const Vec3& normal() const { return normal_; }  ///< [1] that it is along, into the material, in W
+  [[nodiscard]] double stored() const { return stored_; }       ///< [J]
 
   void release() noexcept { *this = {}; }
 

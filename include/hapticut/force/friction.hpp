@@ -90,6 +90,7 @@ class StickSlip {
   [[nodiscard]] double stored() const { return 0.5 * stiffness_ * stretch_.squaredNorm(); }
   [[nodiscard]] bool anchored() const { return anchored_; }  ///< there is contact
   [[nodiscard]] bool sliding() const { return sliding_; }
+  [[nodiscard]] double stiffness() const { return stiffness_; }   ///< [N/m] of the anchor
   [[nodiscard]] const Vec3& stretch() const { return stretch_; }  ///< [m] from the contact point to the anchor
 
   /// Lets go of the anchor.

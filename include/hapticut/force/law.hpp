@@ -29,7 +29,7 @@ struct ContactMaterial {
 using ContactMaterials =
     std::array<ContactMaterial, 256>;  ///< by MaterialId; entry 0 has no stiffness and costs 1 J/m^3
 
-/// How the head moves during one sub-step, in T at its middle.
+/// How the head moves during one sub-step, in T where the contact is evaluated.
 struct HeadMotion {
   Eigen::Vector3f velocity;               ///< [m/s] of To along the path, V
   Eigen::Vector3f angular_velocity;       ///< [rad/s] of the handpiece along the path, Omega
@@ -39,7 +39,9 @@ struct HeadMotion {
   float duration;                         ///< [s]
   float voxel_size;                       ///< [m] l
   RemovalLaw removal;
-  float head_radius = 0;                ///< [m] largest radius of the head
+  float head_radius = 0;  ///< [m] largest radius of the head
+  float lead = 0;         ///< [1] of the sub-step that the contact is evaluated after its middle; 0.5: at its end
+  float turns = 1;        ///< sub-steps whose slip is made up for in this one, where samples take turns
   const WholeContact* whole = nullptr;  ///< only for laws that need moments
 };
 

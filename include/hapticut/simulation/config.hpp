@@ -12,6 +12,12 @@
 
 namespace hapticut {
 
+/// Where on its way the head meets the material in a sub-step.
+enum class ContactTime {
+  middle,  ///< second order in dt: for poses that come from a hand or a script (default)
+  end      ///< first order, but unconditionally stable for poses that were solved for: what an implicit coupling needs
+};
+
 /// How a simulation computes. Every field has a default that works; all are checked when the simulation is made.
 struct SimulationConfig {
   /// [N/m^4] > 0, k_v of a material of relative stiffness 1. A regularisation, not a material constant: cutting forces
@@ -21,6 +27,10 @@ struct SimulationConfig {
 
   RemovalLaw removal = RemovalLaw::constant_energy;
   Quadrature quadrature = Quadrature::centroid;
+
+  /// With `end`, springs that are being pressed push harder than what they store in the sub-step; the difference is
+  /// booked as damping. Only with the default law.
+  ContactTime contact_time = ContactTime::middle;
 
   /// The force law; null: FoundationLaw.
   std::shared_ptr<const ForceLaw> law;

@@ -14,6 +14,11 @@
 
 namespace hapticut {
 
+/// Why `Simulation::step` would reject an input; ok when it would not, unless it is a jump.
+/// @realtime no allocation, no lock; O(1)
+[[nodiscard]] StepStatus check_input(const SimulationConfig& config, const Pose& pose, const Twist& velocity,
+                                     double dt) noexcept;
+
 /// A tool that a hand moves through a workpiece: the 1 kHz call and what it works on.
 ///
 /// Not thread-safe: one thread calls `step`; everything else is called between steps.
@@ -41,6 +46,14 @@ class Simulation {
   /// @return a reference that stays valid; its contents are those of the last call
   /// @realtime no allocation, no lock, no exception, no printing; same input, same bits. O(voxels inside the head)
   const StepResult& step(const Pose& pose, const Twist& velocity, double dt) noexcept;
+
+  /// What a step to `pose` would feel, and how stiff the contact would be there; changes nothing. Where the step would
+  /// be cut into sub-steps, each is probed on the material as it is now. For implicit integrators: `VirtualCoupling`
+  /// (device/coupling.hpp) is one.
+  ///
+  /// Only with the default law. An input that `step` would reject gives no force and no stiffness.
+  /// @realtime as `step`
+  [[nodiscard]] ContactProbe probe(const Pose& pose, const Twist& velocity, double dt) noexcept;
 
   [[nodiscard]] const Workpiece& workpiece() const;
   [[nodiscard]] const Tool& tool() const;

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "hapticut/core/spatial.hpp"
+#include "hapticut/force/contact_stiffness.hpp"
 #include "hapticut/simulation/energy.hpp"
 #include "hapticut/workpiece/removal.hpp"
 
@@ -70,11 +71,19 @@ constexpr StepStatus& operator|=(StepStatus& a, StepStatus b) { return a = a | b
 inline constexpr StepStatus kRejected =
     StepStatus::pose_rejected | StepStatus::velocity_rejected | StepStatus::dt_rejected | StepStatus::jump_rejected;
 
-/// The material that the head touches, at the middle of the last sub-step.
+/// The material that the head touches, where the last sub-step evaluates it.
 struct Contact {
   int voxels = 0;     ///< voxels inside the head that are not empty
   double volume = 0;  ///< [m^3] their filled volume
   double depth = 0;   ///< [m] greatest depth below the cutting surface
+  int turns = 1;      ///< n: an n-th of the voxels was evaluated; see SimulationConfig::voxel_budget
+};
+
+/// What a step would feel, without taking it.
+struct ContactProbe {
+  Wrench wrench;                            ///< about Ho, in W, on the tool; without effects and limits
+  Stiffness stiffness = Stiffness::Zero();  ///< about Ho, in W; positive semidefinite
+  Contact contact;
 };
 
 /// The spindle during the step.

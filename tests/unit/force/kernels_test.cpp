@@ -158,13 +158,24 @@ struct Reference {
   std::array<double, 256> taken = {};
   BlockChange change;
   std::array<float, kBlockVoxels> fill_after = {};
+  kernels::StiffnessSums stiffness;
 
   Reference(const kernels::ContactJob& job, const BlockView& block) {
     ContactBlock contact;
+    std::array<std::uint64_t, kBlockEdge> with_turn = {};
+    for (int row = 0; row < kBlockRows; ++row) {
+      const int slab = row / kBlockEdge, in_slab = row % kBlockEdge;
+      const std::uint64_t bits = std::uint64_t(0xff) << (8 * in_slab);
+      const std::uint64_t solid = block.solid == nullptr ? ~std::uint64_t(0) : block.solid[slab];
+      if (job.has_turn(block.origin, slab, in_slab / 2)) with_turn[std::size_t(slab)] |= solid & bits;
+    }
+    BlockView evaluated = block;
+    evaluated.solid = with_turn.data();
     job.head.visit_springs<float>(
-        [&](const auto& springs) { sample_contact(springs, block, job.grid, job.quadrature, contact); });
+        [&](const auto& springs) { sample_contact(springs, evaluated, job.grid, job.quadrature, contact); });
     totals = FoundationLaw().evaluate(job.motion, job.materials, contact);
     sum_resultant(contact, resultant);
+    kernels::add_stiffness(contact, job.motion, job.materials, stiffness);
     if (totals.may_remove) change = find_changes(contact, block, fill_after.data(), taken);
   }
 };
@@ -173,7 +184,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto vector = [&] { return Vec3(unit(random), unit(random), unit(random)); };
-  long samples = 0, emptied = 0;
+  long samples = 0, emptied = 0, stiff = 0;
   for (const ToolHead& head : all_heads())
     for (int trial = 0; trial < 60; ++trial) {
       const RandomBlock block(random, trial % 2 == 0, trial % 4 == 0, trial % 3 == 0);
@@ -187,17 +198,27 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
                               trial % 5 == 0 ? 0.0F : 2000.0F,
                               5e-3F,
                               float(kVoxel),
-                              RemovalLaw(trial % 3)};
+                              RemovalLaw(trial % 3),
+                              0,
+                              trial % 8 < 4 ? 0.0F : 0.5F,
+                              float(1 + trial % 11 % 3)};
       const bool damped = trial % 2 != 0;
       const ContactMaterials materials = three_materials(damped ? 20.0F : 0.0F);
-      const kernels::ContactJob job = {
-          head, grid, motion, materials, trial % 7 == 0 ? Quadrature::voxel_center : Quadrature::centroid, damped};
+      const kernels::ContactJob job = {head,
+                                       grid,
+                                       motion,
+                                       materials,
+                                       trial % 7 == 0 ? Quadrature::voxel_center : Quadrature::centroid,
+                                       damped,
+                                       unsigned(motion.turns),
+                                       unsigned(trial)};
       const Reference expected(job, block.view);
 
       std::array<float, kBlockVoxels> fill_after = {};
       kernels::PressTask task{block.view, fill_after.data(), true, {}};
       kernels::ContactSums sums;
-      kernels::press_blocks(job, std::span(&task, 1), sums);
+      kernels::StiffnessSums stiffness;
+      kernels::press_blocks(job, std::span(&task, 1), sums, &stiffness);
       // A voxel whose depth is 0 within rounding may be a sample in one and not in the other; skip the rare block.
       if (sums.voxels != expected.resultant.voxels) continue;
       samples += sums.voxels;
@@ -216,7 +237,8 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       EXPECT_NEAR(double(sums.depth), expected.resultant.depth, kRounding * mm);
 
       const LawEnergies& energies = expected.totals.energies;
-      const double energy = energies.elastic_before + energies.cutting + energies.released + energies.rubbing + 1e-30;
+      const double energy = energies.elastic_before + energies.cutting + energies.released + energies.rubbing +
+                            std::abs(energies.damping) + 1e-30;
       const double middle_energy = total(kElasticMiddle), change = total(kElasticChange), taken = total(kTakenElastic);
       EXPECT_NEAR(middle_energy - change, energies.elastic_before, 2 * kRounding * energy);
       EXPECT_NEAR(middle_energy + change - taken, energies.elastic, 2 * kRounding * energy);
@@ -224,6 +246,9 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       EXPECT_NEAR(total(kDamping), energies.damping, kRounding * energy);
       EXPECT_NEAR(total(kRubbing), energies.rubbing, kRounding * energy);
       EXPECT_NEAR(total(kCredited), energies.credited, 10 * kRounding * energy);
+      const Stiffness k = stiffness.total(volume), k_expected = expected.stiffness.total(volume);
+      EXPECT_LT((k - k_expected).norm(), 20 * kRounding * (k_expected.norm() + 1e-9));
+      stiff += k.norm() > 0 ? 1 : 0;
       if (motion.spin != 0) {
         // The couple fades out as 1 - (rho / zone)^2, where single precision cancels.
         const double couple = -total(kCouple) / double(motion.spin);
@@ -246,6 +271,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       EXPECT_LE(differently_finished, 1);
     }
   EXPECT_GT(samples, 10000) << "the heads must meet the blocks, or the test says nothing";
+  EXPECT_GT(stiff, 100);
   EXPECT_GT(emptied, 20) << "some voxels must be cut out, or the test says nothing";
 }
 

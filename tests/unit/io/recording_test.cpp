@@ -156,6 +156,7 @@ TEST(Recording, KeepsEveryKindOfToolAndSetting) {
   SimulationConfig config;
   config.removal = RemovalLaw::elastic_release;
   config.quadrature = Quadrature::voxel_center;
+  config.contact_time = ContactTime::end;
   config.handle_torque = HandleTorque::thesis;
   config.handle_torque_scale = 0.7;
   config.reference_stiffness = 3e13;

@@ -57,6 +57,7 @@ class FoundationLaw final : public ForceLaw {
                                     ContactBlock& b) noexcept {
     const ContactMaterial first = materials[b.one_material];
     const float dt = m.duration;
+    const float slip_time = dt * m.turns;  // a sample that waited for its turn makes up for it
     const float voxel_volume = m.voxel_size * m.voxel_size * m.voxel_size;
     const float axis_zone = axis_zone_factor(m);
     const float slip_on_axis = axis_slip_squared(m);
@@ -102,7 +103,7 @@ class FoundationLaw final : public ForceLaw {
         const float price = std::max(u - release_helps * stored, kLeastEnergyShare * u);
         const float is_cut = w > material.cutting_depth ? cutting_on : 0.0F;
         const float rate = is_cut * kappa * k * w * damped * slip;  // [W/m^3] tangential power per filled volume
-        const float exponent = std::min(rate * dt / price, kLargestExponent);
+        const float exponent = std::min(rate * slip_time / price, kLargestExponent);
         const float mean_fill = phi * mean_of_decay(exponent);
         const float loss = mean_fill * exponent;
         const float left = phi - loss;
@@ -118,17 +119,23 @@ class FoundationLaw final : public ForceLaw {
         b.force_z[n] = -voxel_volume * (normal * nz + tangential * tz);
 
         const float advance = w_dot * dt;
-        const float w_begin = w - 0.5F * advance, w_end = w + 0.5F * advance;
+        const float w_middle = w - m.lead * advance;
+        const float w_begin = w_middle - 0.5F * advance, w_end = w_middle + 0.5F * advance;
         const float taken = loss + credit;
         // Elastic energy of what was taken: what went in, k mean_fill w advance, less what is still stored, exactly.
-        const float let_go =
-            0.5F * k * (w * w + 0.25F * advance * advance) * taken - k * w * advance * (phi - 0.5F * taken - mean_fill);
-        sums[kElasticBefore][lane] += 0.5F * k * phi * w_begin * w_begin;
+        const float let_go = 0.5F * k * (w_middle * w_middle + 0.25F * advance * advance) * taken -
+                             k * w_middle * advance * (phi - 0.5F * taken - mean_fill);
+        // Evaluated after the middle, springs push harder than what they store: a damper's work. Those that were not
+        // touched at the beginning stored nothing there.
+        const float not_yet = m.lead > 0 ? std::max(0.0F, -w_begin) : 0.0F;
+        const float before_touch = 0.5F * k * phi * not_yet * not_yet;
+        const float lead_work = k * mean_fill * m.lead * advance * advance - before_touch;
+        sums[kElasticBefore][lane] += 0.5F * k * phi * w_begin * w_begin - before_touch;
         sums[kElastic][lane] += 0.5F * k * b.fill_after[n] * w_end * w_end;
         sums[kCutting][lane] += u * taken;
         sums[kReleased][lane] += let_go - (u - price) * taken;
-        sums[kDamping][lane] += (normal - spring) * w_dot * dt;
-        sums[kRubbing][lane] += kappa * normal * slip * dt * (1.0F - is_cut);
+        sums[kDamping][lane] += (normal - spring) * w_dot * dt + lead_work;
+        sums[kRubbing][lane] += kappa * normal * slip * slip_time * (1.0F - is_cut);
         sums[kCredited][lane] += price * credit;
         sums[kCouple][lane] += tangential * extra;
       }

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Strips of voxels in vectors: their lanes, places, materials and motion; included once per instruction set.
+#if defined(HAPTICUT_KERNELS_STRIPS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAPTICUT_KERNELS_STRIPS_INL_HPP
+#undef HAPTICUT_KERNELS_STRIPS_INL_HPP
+#else
+#define HAPTICUT_KERNELS_STRIPS_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include <bit>
+#include <cstring>
+
+#include "kernels/kernels.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hapticut::kernels::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// A strip: the sixteen voxels of two neighbouring rows, which follow each other in memory. Vectors hold a strip or an
+// equal part of one, so that sums have the same order everywhere.
+namespace strips {
+
+constexpr int kStripLanes = ContactSums::kLanes;
+constexpr int kStripsPerSlab = 64 / kStripLanes;  // a slab: the 64 voxels of a block of equal i
+constexpr int kStrips = kBlockVoxels / kStripLanes;
+using Floats = hn::CappedTag<float, kStripLanes>;
+using Vec = hn::Vec<Floats>;
+using Mask = hn::Mask<Floats>;
+constexpr std::size_t kWidth = hn::MaxLanes(Floats());
+constexpr std::size_t kParts = kStripLanes / kWidth;
+constexpr unsigned kAllLanes = (1U << kWidth) - 1;
+
+HWY_INLINE Vec broadcast(float value) { return hn::Set(Floats(), value); }
+HWY_INLINE Mask mask_of(unsigned bits) {
+  const std::uint8_t bytes[8] = {std::uint8_t(bits), std::uint8_t(bits >> 8)};  // Highway may read eight bytes
+  return hn::LoadMaskBits(Floats(), bytes);
+}
+HWY_INLINE std::uint64_t bits_of(Mask mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(Floats(), mask, bytes);
+  return std::uint64_t(bytes[0]) | std::uint64_t(bytes[1]) << 8;
+}
+
+/// c0 - c1 x + c2 x^2 - ... - c7 x^7 in pairs: the shortest chain of dependent operations.
+HWY_INLINE Vec alternating_series(Vec x, const float (&c)[8]) {
+  const auto pair = [&](int n) HWY_ATTR { return hn::NegMulAdd(broadcast(c[n + 1]), x, broadcast(c[n])); };
+  const Vec x2 = hn::Mul(x, x), x4 = hn::Mul(x2, x2);
+  const Vec low = hn::MulAdd(pair(2), x2, pair(0)), high = hn::MulAdd(pair(6), x2, pair(4));
+  return hn::MulAdd(high, x4, low);
+}
+
+/// (1 - e^-x)/x for x >= 0, as in core/decay.hpp.
+HWY_INLINE Vec mean_of_decay(Vec x) {
+  const Floats d;
+  const hn::RebindToSigned<Floats> ints;
+  constexpr float kMean[8] = {1, 0.5F, 1.0F / 6, 1.0F / 24, 1.0F / 120, 1.0F / 720, 1.0F / 5040, 1.0F / 40320};
+  constexpr float kExponential[8] = {1, 1, 0.5F, 1.0F / 6, 1.0F / 24, 1.0F / 120, 1.0F / 720, 1.0F / 5040};
+  const Vec series = alternating_series(x, kMean);
+  const Mask small = hn::Lt(x, broadcast(0.5F));
+  if (hn::AllTrue(d, small)) return series;
+
+  const Vec safe = hn::Max(x, broadcast(0.5F));
+  const Vec bounded = hn::Min(safe, broadcast(80.0F));
+  const auto n = hn::NearestInt(hn::Mul(bounded, broadcast(1.44269504F)));
+  const Vec whole = hn::ConvertTo(d, n);
+  const Vec g =
+      hn::NegMulAdd(whole, broadcast(-2.12194440e-4F), hn::NegMulAdd(whole, broadcast(0.693359375F), bounded));
+  const auto exponent = hn::ShiftLeft<23>(hn::Sub(hn::Set(ints, 127), n));
+  const Vec exp_of_minus = hn::Mul(alternating_series(g, kExponential), hn::BitCast(d, exponent));
+  return hn::IfThenElse(small, series, hn::Div(hn::Sub(broadcast(1.0F), exp_of_minus), safe));
+}
+
+/// Material constants of the lanes of one vector.
+struct MaterialVectors {
+  Vec stiffness, damping, cutting_ratio, energy, inverse_energy, cutting_depth;
+
+  HWY_INLINE explicit MaterialVectors(const ContactMaterial& m)
+      : stiffness(broadcast(m.stiffness)),
+        damping(broadcast(m.damping)),
+        cutting_ratio(broadcast(m.cutting_ratio)),
+        energy(broadcast(m.cutting_energy)),
+        inverse_energy(broadcast(1.0F / m.cutting_energy)),
+        cutting_depth(broadcast(m.cutting_depth)) {}
+
+  HWY_INLINE MaterialVectors(const ContactMaterials& table, const MaterialId* ids) {
+    alignas(64) float lanes[6][kWidth];
+    for (std::size_t i = 0; i < kWidth; ++i) {
+      const ContactMaterial& m = table[ids[i]];
+      lanes[0][i] = m.stiffness;
+      lanes[1][i] = m.damping;
+      lanes[2][i] = m.cutting_ratio;
+      lanes[3][i] = m.cutting_energy;
+      lanes[4][i] = 1.0F / m.cutting_energy;
+      lanes[5][i] = m.cutting_depth;
+    }
+    const Floats d;
+    stiffness = hn::Load(d, lanes[0]);
+    damping = hn::Load(d, lanes[1]);
+    cutting_ratio = hn::Load(d, lanes[2]);
+    energy = hn::Load(d, lanes[3]);
+    inverse_energy = hn::Load(d, lanes[4]);
+    cutting_depth = hn::Load(d, lanes[5]);
+  }
+};
+
+/// A vector of points, of velocities ...
+struct Vectors {
+  Vec x, y, z;
+};
+HWY_INLINE Vec dot(const Vectors& a, const Vectors& b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+/// v + omega x r
+HWY_INLINE Vectors velocity_at(const Vectors& r, const Eigen::Vector3f& v, const Eigen::Vector3f& omega) {
+  const Vec ox = broadcast(omega.x()), oy = broadcast(omega.y()), oz = broadcast(omega.z());
+  return {hn::NegMulAdd(oz, r.y, hn::MulAdd(oy, r.z, broadcast(v.x()))),
+          hn::NegMulAdd(ox, r.z, hn::MulAdd(oz, r.x, broadcast(v.y()))),
+          hn::NegMulAdd(oy, r.x, hn::MulAdd(ox, r.y, broadcast(v.z())))};
+}
+
+/// Where the strips of any block are, from the block's first voxel.
+struct StripOffsets {
+  float x[kStrips], y[kStrips], z[kStrips];  // [m]
+
+  explicit StripOffsets(const Eigen::Matrix3f& steps) {
+    for (int n = 0; n < kStrips; ++n) {
+      const Eigen::Vector3f offset =
+          steps.col(0) * float(n / kStripsPerSlab) + steps.col(1) * float(2 * (n % kStripsPerSlab));
+      x[n] = offset.x(), y[n] = offset.y(), z[n] = offset.z();
+    }
+  }
+};
+
+/// Whether all lanes of a vector have one material.
+HWY_INLINE bool all_are(const MaterialId* ids, MaterialId one) {
+  using Word = std::conditional_t<(kWidth < 8), std::uint32_t, std::uint64_t>;
+  Word difference = 0;
+  for (std::size_t first = 0; first < kWidth; first += sizeof(Word)) {
+    Word word = 0;
+    std::memcpy(&word, ids + first, std::min(kWidth, sizeof(Word)));
+    difference |= word ^ Word(~Word(0) / 255 * one);
+  }
+  return difference == 0;
+}
+
+}  // namespace strips
+
+}  // namespace hapticut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

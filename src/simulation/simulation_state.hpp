@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "hapticut/force/deep_contact.hpp"
+#include "hapticut/force/friction.hpp"
+#include "hapticut/simulation/simulation.hpp"
+#include "simulation/contact_stages.hpp"
+#include "simulation/stage_timer.hpp"
+
+/// @file
+/// What a simulation holds, and the stages of its step.
+namespace hapticut {
+
+/// One equal part of the tool's motion during a step, seen where the contact is evaluated: at its middle or its end.
+struct SubStep {
+  double duration;     // [s]
+  Pose X_WH;           // of the handle
+  Pose X_WT;           // of the head
+  Twist path_T;        // of To along the path, in T
+  HeadPlacement head;  // the same for the stages that see voxels
+};
+
+/// What the anchor of dry friction does to the head in a sub-step.
+struct AnchorForce {
+  Wrench wrench_T;               // on the tool about To, in T
+  double dissipated = 0;         // [J]
+  Vec3 normal_T = Vec3::Zero();  // of the plane that it pulls in, in T
+  Vec3 p_TQ = Vec3::Zero();      // [m] where it pulls, in T
+};
+
+struct Simulation::State {
+  State(Workpiece given_workpiece, Tool given_tool, SimulationConfig given_config);
+  void prepare_workpiece();
+
+  // The stages of a step, in their order.
+  [[nodiscard]] StageTimer timed(double StageTimes::*stage) const noexcept {
+    return StageTimer(config.stage_times ? &(times.*stage) : nullptr);
+  }
+  [[nodiscard]] ContactProbe probe_sub_step(const SubStep& sub_step, DeepContact& deep, StickSlip& anchor) noexcept;
+  void begin_step() noexcept;
+  [[nodiscard]] StepStatus check_step_input(const Pose& pose, const Twist& velocity, double dt) const noexcept {
+    const StageTimer timer = timed(&StageTimes::check_input);
+    return check_input(config, pose, velocity, dt);
+  }
+  void place_at(const Pose& pose) noexcept;
+  [[nodiscard]] int plan_sweep(const Pose& from, const Pose& pose) const noexcept;
+  [[nodiscard]] SubStep plan_sub_step(const Pose& from, int index, double duration, const Twist& path,
+                                      const Twist& felt) const noexcept;
+  void find_blocks(const SubStep& sub_step) noexcept;
+  [[nodiscard]] Encounter evaluate_contact(const SubStep& sub_step) noexcept;
+  void remove_material() noexcept;
+  void hold_deep_contact(const SubStep& sub_step, Encounter& encounter) noexcept;
+  [[nodiscard]] DeepContact::Outcome hold(const SubStep& sub_step, const Encounter& encounter,
+                                          DeepContact& deep) const noexcept;
+  void add_friction(const SubStep& sub_step, Encounter& encounter) noexcept;
+  [[nodiscard]] AnchorForce pull_of_anchor(const SubStep& sub_step, const Encounter& encounter,
+                                           StickSlip& anchor) noexcept;
+  [[nodiscard]] Wrench normal_wrench(const SubStep& sub_step) noexcept;
+  [[nodiscard]] const DryFriction& friction_at(const Vec3& p_WQ) noexcept;
+  void book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept;
+  void transport_to_handle(const SubStep& sub_step, const Encounter& encounter, double share) noexcept;
+  [[nodiscard]] Contact contact_of(const Encounter& encounter) const noexcept {
+    const Resultant& resultant = encounter.resultant;
+    return {resultant.voxels, resultant.volume * voxel_volume, resultant.depth, encounter.level_of_detail};
+  }
+  void add_effects(const Pose& pose, double dt) noexcept;
+  const StepResult& finish_step(const Pose& pose, double dt, int sub_steps) noexcept;
+  const StepResult& reject(StepStatus status) noexcept;
+
+  Workpiece workpiece;
+  Tool tool;
+  SimulationConfig config;
+
+  // Derived from them at set-up.
+  ContactStages contact_stages;
+  std::array<DryFriction, 256> frictions;  // of the materials, or of the configuration
+  Pose X_VW;
+  double voxel_volume = 0;  // [m^3]
+
+  // What one step hands to the next.
+  bool has_pose = false;
+  Pose X_WH;  // at the end of the last accepted step
+  SpindleMotor motor;
+  double motor_torque = 0;   // [N·m] of the last sub-step, the load of the motor
+  DeepContact deep_contact;  // in W
+  StickSlip friction;        // in W
+  Output output;
+  MaterialId touched = 1;  // material at the contact point
+
+  std::uint64_t steps = 0;
+  std::uint64_t workpiece_exchanges = 0;
+
+  RemovalRecord removal;
+  StepResult result;
+  mutable StageTimes times;
+};
+
+}  // namespace hapticut

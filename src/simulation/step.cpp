@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// The step, stage by stage.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "simulation/simulation_state.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr double kRotationTolerance = 1e-3;  // [1] what device matrices are off by is below this
+constexpr double kThickLayer = 0.1;          // [1] of the head's radius
+
+Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
+  return {X_WT.rotation.transpose() * twist_W.linear, X_WT.rotation.transpose() * twist_W.angular};
+}
+
+}  // namespace
+
+const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, double dt) noexcept {
+  State& s = *state_;
+  s.begin_step();
+  const StepStatus refused = s.check_step_input(pose, velocity, dt);
+  if (refused != StepStatus::ok) return s.reject(refused);
+  if (!std::exchange(s.has_pose, true)) s.place_at(advance(pose, velocity, -dt));
+
+  const int sub_steps = s.plan_sweep(s.X_WH, pose);
+  if (sub_steps > s.config.longest_sweep) {
+    s.place_at(pose);
+    return s.reject(StepStatus::jump_rejected);
+  }
+  const Twist path = twist_between(s.X_WH, pose, dt);
+  for (int i = 0; i < sub_steps; ++i) {
+    const SubStep sub_step = s.plan_sub_step(s.X_WH, i, dt / sub_steps, path, velocity);
+    s.find_blocks(sub_step);
+    Encounter encounter = s.evaluate_contact(sub_step);
+    s.remove_material();
+    s.hold_deep_contact(sub_step, encounter);
+    s.add_friction(sub_step, encounter);
+    s.book_energy(sub_step, encounter);
+    s.transport_to_handle(sub_step, encounter, 1.0 / sub_steps);
+  }
+  s.add_effects(pose, dt);
+  return s.finish_step(pose, dt, sub_steps);
+}
+
+ContactProbe Simulation::probe(const Pose& pose, const Twist& velocity, double dt) noexcept {
+  State& s = *state_;
+  ContactProbe probed;
+  if (check_input(s.config, pose, velocity, dt) != StepStatus::ok) return probed;
+  const Pose from = s.has_pose ? s.X_WH : advance(pose, velocity, -dt);
+  const int sub_steps = s.plan_sweep(from, pose);
+  if (sub_steps > s.config.longest_sweep) return probed;
+  const Twist path = twist_between(from, pose, dt);
+  DeepContact deep = s.deep_contact;
+  StickSlip anchor = s.friction;
+  for (int i = 0; i < sub_steps; ++i) {
+    const SubStep sub_step = s.plan_sub_step(from, i, dt / sub_steps, path, velocity);
+    const ContactProbe part = s.probe_sub_step(sub_step, deep, anchor);
+    const double share = 1.0 / sub_steps, moves = (i + 1) * share;  // with the end of the way
+    probed.wrench.force += share * part.wrench.force;
+    probed.wrench.torque += share * part.wrench.torque;
+    probed.stiffness += share * moves * part.stiffness;
+    probed.contact = part.contact;
+  }
+  return probed;
+}
+
+ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepContact& deep, StickSlip& anchor) noexcept {
+  find_blocks(sub_step);
+  Stiffness stiffness_T;
+  Encounter encounter = contact_stages.probe_contact(workpiece, tool.head(), sub_step.head, stiffness_T);
+  Wrench& wrench_T = encounter.resultant.wrench_T;
+  const Mat3& R_WT = sub_step.X_WT.rotation;
+
+  wrench_T.force += R_WT.transpose() * hold(sub_step, encounter, deep).force;
+  const Vec3 along = R_WT.transpose() * deep.normal();
+  stiffness_T.topLeftCorner<3, 3>() += deep.stiffness() * along * along.transpose();
+
+  const AnchorForce pull = pull_of_anchor(sub_step, encounter, anchor);
+  wrench_T.force += pull.wrench_T.force;
+  wrench_T.torque += pull.wrench_T.torque;
+  if (anchor.anchored() && !anchor.sliding()) {
+    const Mat3 plane = Mat3::Identity() - pull.normal_T * pull.normal_T.transpose();
+    Stiffness at_anchor = Stiffness::Zero();
+    at_anchor.topLeftCorner<3, 3>() = anchor.stiffness() * plane;
+    // The anchor pulls at Q: about To that is the stiffness of a body point p_TQ away.
+    stiffness_T += transport(at_anchor, Mat3::Identity(), pull.p_TQ);
+  }
+
+  const Vec3 p_HoTo_W = sub_step.X_WT.translation - sub_step.X_WH.translation;
+  return {transport(Wrench{R_WT * wrench_T.force, R_WT * wrench_T.torque}, p_HoTo_W),
+          transport(stiffness_T, R_WT, p_HoTo_W), contact_of(encounter)};
+}
+
+void Simulation::State::begin_step() noexcept {
+  ++steps;
+  removal.clear();
+  contact_stages.forget_changes();
+  times = {};
+  result.force = result.torque = Vec3::Zero();
+  result.model = {};
+  result.removed_voxels = {};
+  result.removed_volume = 0;
+  result.contact = {};
+  result.spindle = {};
+  result.sub_steps = 0;
+  result.status = StepStatus::ok;
+}
+
+StepStatus check_input(const SimulationConfig& config, const Pose& pose, const Twist& velocity, double dt) noexcept {
+  StepStatus status = StepStatus::ok;
+  if (!is_finite(pose) || !is_rotation(pose.rotation, kRotationTolerance)) status |= StepStatus::pose_rejected;
+  if (!is_finite(velocity.linear) || !is_finite(velocity.angular)) status |= StepStatus::velocity_rejected;
+  if (!(dt >= config.shortest_dt && dt <= config.longest_dt)) status |= StepStatus::dt_rejected;
+  return status;
+}
+
+void Simulation::State::place_at(const Pose& pose) noexcept {
+  result.energy.sliding += std::exchange(result.energy.anchored, 0);
+  friction.release();
+  deep_contact.release();
+  output.restart();
+  X_WH = pose;
+}
+
+/// Number of equal parts in which no point of the head moves farther than half a voxel.
+int Simulation::State::plan_sweep(const Pose& from, const Pose& pose) const noexcept {
+  const StageTimer timer = timed(&StageTimes::plan_sweep);
+  const Vec3 head_shift = pose * tool.X_HT().translation - from * tool.X_HT().translation;
+  const double turn = vector_from_rotation(pose.rotation * from.rotation.transpose()).norm();
+  const double farthest = head_shift.norm() + turn * tool.head().reach();
+  const double parts = std::ceil(farthest / (0.5 * workpiece.voxel_size()) - 1e-9);
+  return int(std::clamp(parts, 1.0, config.longest_sweep + 1.0));
+}
+
+SubStep Simulation::State::plan_sub_step(const Pose& from, int index, double duration, const Twist& path,
+                                         const Twist& felt) const noexcept {
+  const StageTimer timer = timed(&StageTimes::plan_sub_step);
+  const double lead = config.contact_time == ContactTime::end ? 0.5 : 0.0;
+  SubStep sub_step;
+  sub_step.duration = duration;
+  sub_step.X_WH = advance(from, path, (index + 0.5 + lead) * duration);
+  sub_step.X_WT = sub_step.X_WH * tool.X_HT();
+  const Vec3 p_HoTo_W = sub_step.X_WT.translation - sub_step.X_WH.translation;
+  sub_step.path_T = expressed_in(sub_step.X_WT, transport(path, p_HoTo_W));
+  const Twist felt_T = expressed_in(sub_step.X_WT, transport(felt, p_HoTo_W));
+  sub_step.head.X_VT = X_VW * sub_step.X_WT;
+  sub_step.head.motion = {sub_step.path_T.linear.cast<float>(),
+                          sub_step.path_T.angular.cast<float>(),
+                          felt_T.linear.cast<float>(),
+                          felt_T.angular.cast<float>(),
+                          float(motor.speed()),
+                          float(duration),
+                          float(workpiece.voxel_size()),
+                          config.removal,
+                          float(tool.head().largest_radius()),
+                          float(lead)};
+  return sub_step;
+}
+
+void Simulation::State::find_blocks(const SubStep& sub_step) noexcept {
+  const StageTimer timer = timed(&StageTimes::find_blocks);
+  contact_stages.find_blocks(workpiece, tool.head(), sub_step.head);
+}
+
+Encounter Simulation::State::evaluate_contact(const SubStep& sub_step) noexcept {
+  const StageTimer timer = timed(&StageTimes::evaluate_contact);
+  return contact_stages.evaluate_contact(workpiece, tool.head(), sub_step.head, removal);
+}
+
+void Simulation::State::remove_material() noexcept {
+  const StageTimer timer = timed(&StageTimes::remove_material);
+  contact_stages.remove_material(workpiece, removal);
+}
+
+/// Keeps a ball beyond its radius from popping through.
+void Simulation::State::hold_deep_contact(const SubStep& sub_step, Encounter& encounter) noexcept {
+  const StageTimer timer = timed(&StageTimes::hold_deep_contact);
+  const DeepContact::Outcome outcome = hold(sub_step, encounter, deep_contact);
+  encounter.resultant.wrench_T.force += sub_step.X_WT.rotation.transpose() * outcome.force;
+  encounter.energies.elastic_before += outcome.stored_before;
+  encounter.energies.elastic += outcome.stored;
+  encounter.energies.released += outcome.released;
+}
+
+DeepContact::Outcome Simulation::State::hold(const SubStep& sub_step, const Encounter& encounter,
+                                             DeepContact& deep) const noexcept {
+  const auto* ball = std::get_if<SphereHead>(&tool.head().shape());
+  if (ball == nullptr || !config.deep_contact) return {};
+  const double filled = encounter.resultant.volume * voxel_volume / tool.head().volume();
+  const Mat3& R_WT = sub_step.X_WT.rotation;
+  const Vec3 way = sub_step.duration * (R_WT * sub_step.path_T.linear);
+  const double lead = double(sub_step.head.motion.lead);
+  const Vec3 from = sub_step.X_WT.translation - (0.5 + lead) * way;
+  return deep.move(from, from + way, filled, R_WT * encounter.resultant.wrench_T.force, ball->radius);
+}
+
+void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept {
+  const StageTimer timer = timed(&StageTimes::book_energy);
+  const Wrench& wrench_T = encounter.resultant.wrench_T;
+  EnergyLedger& energy = result.energy;
+  energy.hand_work -=
+      (wrench_T.force.dot(sub_step.path_T.linear) + wrench_T.torque.dot(sub_step.path_T.angular)) * sub_step.duration;
+  energy.motor_work -= wrench_T.torque.z() * motor.speed() * sub_step.duration;
+  energy.entered += encounter.energies.elastic_before - energy.elastic;
+  energy.elastic = encounter.energies.elastic;
+  energy.cutting += encounter.energies.cutting;
+  energy.released += encounter.energies.released;
+  energy.damping += encounter.energies.damping;
+  energy.rubbing += encounter.energies.rubbing;
+  energy.credited += encounter.energies.credited;
+}
+
+void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encounter& encounter,
+                                            double share) noexcept {
+  const StageTimer timer = timed(&StageTimes::transport_to_handle);
+  const Mat3& R_WT = sub_step.X_WT.rotation;
+  const Wrench& wrench_T = encounter.resultant.wrench_T;
+  const Wrench at_head = {R_WT * wrench_T.force, R_WT * wrench_T.torque};
+  const Wrench at_handle = transport(at_head, sub_step.X_WT.translation - sub_step.X_WH.translation);
+  result.model.force += share * at_handle.force;
+  if (config.handle_torque == HandleTorque::full_wrench) {
+    result.model.torque += share * at_handle.torque;
+  } else {
+    const Mat3& R_WH = sub_step.X_WH.rotation;
+    result.model.torque += share * R_WH *
+                           thesis_handle_torque(tool.handle(), R_WH.transpose() * at_head.force, wrench_T.torque.z(),
+                                                config.handle_torque_scale);
+  }
+
+  motor_torque = -wrench_T.torque.z();
+  result.spindle.torque += share * motor_torque;
+  result.contact = contact_of(encounter);
+  if (encounter.blocks_exhausted) result.status |= StepStatus::blocks_exhausted;
+  if (encounter.level_of_detail > 1) result.status |= StepStatus::detail_reduced;
+}
+
+/// What the hand feels: the force of the model with what is added to it, within its limits.
+void Simulation::State::add_effects(const Pose& pose, double dt) noexcept {
+  const StageTimer timer = timed(&StageTimes::add_effects);
+  const Effects& effects = config.effects;
+  const EffectsInput at = {pose, pose * tool.X_HT(), motor.speed() != 0 && result.contact.voxels > 0,
+                           result.spindle.torque * motor.speed(), dt};
+  const Wrench wanted = output.add_effects(effects, at, result.model);
+  const Wrench felt = output.limit(effects.limits, wanted, dt);
+  result.force = felt.force;
+  result.torque = felt.torque;
+  if (effects.vibration && at.touching && effects.vibration->frequency * dt >= kFastestVibration)
+    result.status |= StepStatus::vibration_left_out;
+}
+
+const StepResult& Simulation::State::finish_step(const Pose& pose, double dt, int sub_steps) noexcept {
+  X_WH = pose;
+  result.sub_steps = sub_steps;
+  result.spindle.speed = motor.speed();
+  result.removed_voxels = removal.voxels();
+  result.removed_volume = removal.volume();
+  if (removal.overflowed()) result.status |= StepStatus::removed_list_full;
+  if (4 * workpiece.reserved_blocks() <= config.reserved_blocks) result.status |= StepStatus::blocks_low;
+  if (removal.volume() > 0 && result.contact.depth > kThickLayer * tool.head().largest_radius())
+    result.status |= StepStatus::engaged_layer_thick;
+
+  if (motor.loaded()) result.status |= StepStatus::power_limited;
+  motor.advance(motor_torque, dt);
+  contact_stages.set_cutting_share(1 - standing_share(motor.speed(), tool.head().largest_radius()));
+  return result;
+}
+
+const StepResult& Simulation::State::reject(StepStatus status) noexcept {
+  result.status = status;
+  output.drop();
+  return result;
+}
+
+}  // namespace hapticut
