@@ -31,13 +31,16 @@ set(HAPTICUT_NEEDS_CLI "CLI11|CLI11_FOUND|libcli11-dev" "tomlplusplus|tomlpluspl
 set(HAPTICUT_NEEDS_TESTS "GTest|GTest_FOUND|libgtest-dev" "rapidcheck|rapidcheck_FOUND|librapidcheck-dev")
 set(HAPTICUT_NEEDS_BENCHMARKS "benchmark|benchmark_FOUND|libbenchmark-dev")
 set(HAPTICUT_NEEDS_EXAMPLES "")
+set(HAPTICUT_NEEDS_PYTHON "Python|Python_FOUND|python3-dev" "pybind11|pybind11_FOUND|pybind11-dev")
 
 set(HAPTICUT_ITK_MODULES ITKCommon ITKIOImageBase ITKIONRRD ITKIONIFTI ITKIOGDCM ITKIOPNG ITKIOTIFF
     ITKImageFunction ITKImageGrid ITKConnectedComponents ITKDistanceMap)
 
 # hapticut_component(NAME "what it is"): AUTO (default) switches it on when all it needs is found, ON insists, OFF skips.
 macro(hapticut_component name purpose)
-  if(PROJECT_IS_TOP_LEVEL OR "${name}" MATCHES "^(SIMD|IO)$")
+  if("${name}" STREQUAL "PYTHON")
+    set(_default OFF)  # `pip install .` switches it on
+  elseif(PROJECT_IS_TOP_LEVEL OR "${name}" MATCHES "^(SIMD|IO)$")
     set(_default AUTO)
   else()
     set(_default OFF)
@@ -58,6 +61,8 @@ macro(hapticut_component name purpose)
         set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
         find_package(ITK 5.2 QUIET COMPONENTS ${HAPTICUT_ITK_MODULES})
         set(CMAKE_MESSAGE_LOG_LEVEL "${_log_level}")
+      elseif(_package STREQUAL "Python")
+        find_package(Python 3.9 QUIET COMPONENTS Interpreter Development.Module)
       else()
         find_package(${_package} QUIET)
       endif()

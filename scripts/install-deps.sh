@@ -7,7 +7,7 @@
 #   --for GROUP  core   compiler, CMake, OpenVDB, Eigen: the library alone
 #                build  core, and file formats and the command line (default)
 #                test   build, and what scripts/test.sh runs: test libraries, clang, formatter, linter, readers to check
-#                       our files against
+#                       our files against, what pip needs to build the Python package
 #                demo   build, and the skull CT that scripts/demo.sh drills
 #                bench  build, and the benchmark library
 #   --list       print the packages of the group, one a line, and stop
@@ -18,7 +18,7 @@ core='g++ cmake ninja-build git ca-certificates libopenvdb-dev libtbb-dev libima
 build="$core libinsighttoolkit5-dev libassimp-dev libhdf5-dev libpng-dev libarchive-dev libexpat1-dev zlib1g-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev"
 bench="$build ccache libbenchmark-dev"
 test="$bench valgrind libgtest-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev
-  libopenvdb-tools python3-openvdb"
+  libopenvdb-tools python3-openvdb python3-venv python3-dev pybind11-dev"
 demo="$build ccache invesalius-examples"
 
 complain() {

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hapticut/core/spatial.hpp"
+
+/// @file
+/// How vectors, rotations, poses, twists and lists of points cross between C++ and NumPy.
+///
+/// An array that is given has the one type float64 and its elements follow each other in memory (C order): everything
+/// else is refused with what was given and what is needed, so that no number changes on the way and no large array is
+/// copied behind the user's back. Lists and tuples of numbers, and arrays of whole numbers, are taken as well where
+/// only a few numbers are wanted.
+namespace hapticut::python {
+
+namespace py = pybind11;
+
+/// An argument that is checked by hand, because its message shall name it, and what it is to type checkers.
+#define HAPTICUT_NAMED_ARGUMENT(Name)              \
+  class Name : public pybind11::object {           \
+   public:                                         \
+    PYBIND11_OBJECT_DEFAULT(Name, object, accept)  \
+   private:                                        \
+    static bool accept(PyObject*) { return true; } \
+  }
+HAPTICUT_NAMED_ARGUMENT(FewNumbers);    ///< float64 array or a list of numbers
+HAPTICUT_NAMED_ARGUMENT(Float64Array);  ///< nothing but a float64 array
+HAPTICUT_NAMED_ARGUMENT(Durations);     ///< a number or a float64 array
+HAPTICUT_NAMED_ARGUMENT(RealArray);     ///< array of real numbers of any type
+
+/// "array of shape (3, 4) and dtype float32", or the type of whatever else it is.
+[[nodiscard]] std::string describe_given(py::handle given);
+
+/// "(n, 4, 4)"; -1 stands for n.
+[[nodiscard]] std::string describe_shape(std::span<const py::ssize_t> shape);
+
+/// The numbers of an array of exactly this shape (-1: any length).
+/// @param what  how messages begin, e.g. "poses"
+/// @throws Error naming what was given and what is needed
+[[nodiscard]] std::span<const double> numbers_of(py::handle given, const char* what,
+                                                 std::initializer_list<py::ssize_t> shape);
+
+/// Copies a few numbers out of an array, a list or a tuple.
+/// @return false when it is nothing of that kind, so that another overload may take it
+/// @throws Error when it is, but of another shape or type
+bool read_numbers(py::handle given, const char* what, std::initializer_list<py::ssize_t> shape, double* numbers);
+
+/// A homogeneous matrix as a pose.
+/// @param matrix  [16] in rows
+/// @throws Error when its last row is not 0 0 0 1
+[[nodiscard]] Pose pose_from(const double* matrix, const char* what);
+
+/// [16] in rows.
+void write_pose(const Pose& pose, double* matrix);
+
+/// A read-only array that looks into memory which `owner` keeps alive.
+[[nodiscard]] py::array view(const py::dtype& type, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides,
+                             const void* data, py::handle owner);
+
+/// (n, 3) float64 that looks into the vectors.
+[[nodiscard]] py::array view_of(std::span<const Vec3> points, py::handle owner);
+
+}  // namespace hapticut::python
+
+#if PYBIND11_VERSION_HEX >= 0x03000000
+#define HAPTICUT_ARRAY_NAME pybind11::detail::io_name("numpy.typing.ArrayLike", "numpy.typing.NDArray[numpy.float64]")
+#else
+#define HAPTICUT_ARRAY_NAME pybind11::detail::const_name("numpy.typing.NDArray[numpy.float64]")
+#endif
+
+namespace pybind11::detail {
+
+template <>
+struct handle_type_name<hapticut::python::FewNumbers> {
+  static constexpr auto name = const_name("numpy.typing.ArrayLike");
+};
+template <>
+struct handle_type_name<hapticut::python::Float64Array> {
+  static constexpr auto name = const_name("numpy.typing.NDArray[numpy.float64]");
+};
+template <>
+struct handle_type_name<hapticut::python::Durations> {
+  static constexpr auto name = const_name("float | numpy.typing.NDArray[numpy.float64]");
+};
+template <>
+struct handle_type_name<hapticut::python::RealArray> {
+  static constexpr auto name = const_name("numpy.typing.NDArray[typing.Any]");
+};
+
+template <>
+struct type_caster<hapticut::Vec3> {
+  PYBIND11_TYPE_CASTER(hapticut::Vec3, HAPTICUT_ARRAY_NAME);
+  bool load(handle given, bool) { return hapticut::python::read_numbers(given, "a vector", {3}, value.data()); }
+  static handle cast(const hapticut::Vec3& v, return_value_policy, handle) {
+    return array_t<double>(3, v.data()).release();
+  }
+};
+
+template <>
+struct type_caster<hapticut::Mat3> {
+  PYBIND11_TYPE_CASTER(hapticut::Mat3, HAPTICUT_ARRAY_NAME);
+  bool load(handle given, bool) {
+    if (!hapticut::python::read_numbers(given, "a rotation", {3, 3}, value.data())) return false;
+    value.transposeInPlace();  // NumPy holds rows, Eigen columns
+    return true;
+  }
+  static handle cast(const hapticut::Mat3& m, return_value_policy, handle) {
+    const hapticut::Mat3 rows = m.transpose();
+    return array_t<double>({3, 3}, rows.data()).release();
+  }
+};
+
+template <>
+struct type_caster<hapticut::Pose> {
+  PYBIND11_TYPE_CASTER(hapticut::Pose, HAPTICUT_ARRAY_NAME);
+  bool load(handle given, bool) {
+    std::array<double, 16> matrix;
+    if (!hapticut::python::read_numbers(given, "a pose", {4, 4}, matrix.data())) return false;
+    value = hapticut::python::pose_from(matrix.data(), "a pose");
+    return true;
+  }
+  static handle cast(const hapticut::Pose& pose, return_value_policy, handle) {
+    array_t<double> matrix({4, 4});
+    hapticut::python::write_pose(pose, matrix.mutable_data());
+    return matrix.release();
+  }
+};
+
+template <>
+struct type_caster<hapticut::Twist> {
+  PYBIND11_TYPE_CASTER(hapticut::Twist, HAPTICUT_ARRAY_NAME);
+  bool load(handle given, bool) {
+    std::array<double, 6> numbers;
+    if (!hapticut::python::read_numbers(given, "a twist", {6}, numbers.data())) return false;
+    value = {hapticut::Vec3(numbers.data()), hapticut::Vec3(numbers.data() + 3)};
+    return true;
+  }
+  static handle cast(const hapticut::Twist& twist, return_value_policy, handle) {
+    array_t<double> numbers(6);
+    for (int i = 0; i < 3; ++i) {
+      numbers.mutable_at(i) = twist.linear[i];
+      numbers.mutable_at(i + 3) = twist.angular[i];
+    }
+    return numbers.release();
+  }
+};
+
+}  // namespace pybind11::detail

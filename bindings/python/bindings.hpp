@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace hapticut::python {
+
+/// Each binds one folder of the library; the order is that of the folders, because defaults refer to what is bound
+/// before.
+void bind_core(pybind11::module_& m);
+void bind_tool(pybind11::module_& m);
+void bind_materials(pybind11::module_& m);
+void bind_workpiece(pybind11::module_& m);
+void bind_builders(pybind11::module_& m);
+void bind_force(pybind11::module_& m);
+void bind_effects(pybind11::module_& m);
+void bind_simulation(pybind11::module_& m);
+void bind_io(pybind11::module_& m);
+void bind_device(pybind11::module_& m);
+void bind_guard(pybind11::module_& m);
+void bind_bench(pybind11::module_& m);
+
+}  // namespace hapticut::python

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/core
+#include <utility>
+
+#include "bindings.hpp"
+#include "core.hpp"
+#include "hapticut/core/build_info.hpp"
+#include "structs.hpp"
+
+namespace hapticut::python {
+
+namespace {
+
+std::vector<Vec3> points_from(py::handle array, const char* what) {
+  const std::span<const double> numbers = numbers_of(array, what, {-1, 3});
+  std::vector<Vec3> points(numbers.size() / 3);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = Vec3(numbers.data() + 3 * i);
+  return points;
+}
+
+TriangleMesh mesh_from(const Float64Array& vertices, const RealArray& triangles) {
+  TriangleMesh mesh{points_from(vertices, "vertices"), {}};
+  const auto given = py::array_t<std::int64_t, py::array::c_style>::ensure(triangles);
+  const bool whole = given && py::array(triangles).dtype().kind() != 'f';
+  if (!whole || given.ndim() != 2 || given.shape(1) != 3) {
+    PyErr_Clear();
+    throw Error("triangles: " + describe_given(triangles) +
+                " was given; needed is an array of shape (n, 3) and a whole-number dtype.");
+  }
+  mesh.triangles.resize(std::size_t(given.shape(0)));
+  for (py::ssize_t i = 0; i < given.shape(0); ++i)
+    for (int corner = 0; corner < 3; ++corner) {
+      const std::int64_t index = given.at(i, corner);
+      if (index < 0 || index >= std::int64_t(mesh.vertices.size()))
+        throw Error("triangle " + std::to_string(i) + " names vertex " + std::to_string(index) + ", but there are " +
+                    std::to_string(mesh.vertices.size()) + " vertices.");
+      mesh.triangles[std::size_t(i)][std::size_t(corner)] = std::uint32_t(index);
+    }
+  return mesh;
+}
+
+py::array triangles_of(const TriangleMesh& mesh, py::handle owner) {
+  return view(py::dtype::of<std::uint32_t>(), {py::ssize_t(mesh.triangles.size()), 3},
+              {3 * sizeof(std::uint32_t), sizeof(std::uint32_t)}, mesh.triangles.data(), owner);
+}
+
+template <class Value>
+void bind_volume(py::module_& m, const char* name, const char* purpose) {
+  using V = Volume<Value>;
+  const std::string text = std::string(purpose) + "\n\n" + doc("Volume");
+  py::class_<V>(m, name, text.c_str())
+      .def(py::init([](const RealArray& values, const Vec3& spacing, const Pose& X_WG) {
+             return volume_from<Value>(values, spacing, X_WG);
+           }),
+           py::arg("values"), py::arg("spacing"), py::arg("X_WG") = Pose{},
+           "Copies an array of shape (nx, ny, nz), in any memory order; values[i, j, k] is sample (i, j, k).")
+      .def_property_readonly(
+          "values",
+          [](const py::object& self) {
+            const V& v = self.cast<const V&>();
+            const auto nx = py::ssize_t(v.dims[0]), ny = py::ssize_t(v.dims[1]), nz = py::ssize_t(v.dims[2]);
+            const auto size = py::ssize_t(sizeof(Value));
+            return view(py::dtype::of<Value>(), {nx, ny, nz}, {size, size * nx, size * nx * ny}, v.values.data(), self);
+          },
+          "(nx, ny, nz) read-only; values[i, j, k] is sample (i, j, k). Looks into the volume: nothing is copied.")
+      .def_property_readonly(
+          "dims", [](const V& v) { return py::make_tuple(v.dims[0], v.dims[1], v.dims[2]); }, doc("Volume::dims"))
+      .def_readonly("spacing", &V::spacing, doc("Volume::spacing"))
+      .def_readonly("X_WG", &V::X_WG, doc("Volume::X_WG"))
+      .def("position", &V::position, py::arg("i"), py::arg("j"), py::arg("k"), "[m] (3,) of a sample, in W.");
+}
+
+void bind_spatial(py::module_& m) {
+  bind_struct<Wrench>(m, "Wrench", field("force", &Wrench::force), field("torque", &Wrench::torque));
+  m.def("transport", py::overload_cast<const Wrench&, const Vec3&>(&transport), py::arg("wrench_P"), py::arg("p_QP"),
+        doc("transport"));
+  m.def("transport", py::overload_cast<const Twist&, const Vec3&>(&transport), py::arg("twist_P"), py::arg("p_PQ"),
+        doc("transport#2"));
+  m.def("rotation_from_vector", &rotation_from_vector, py::arg("v"), doc("rotation_from_vector"));
+  m.def("vector_from_rotation", &vector_from_rotation, py::arg("rotation"), doc("vector_from_rotation"));
+  m.def("twist_between", &twist_between, py::arg("from_"), py::arg("to"), py::arg("dt"), doc("twist_between"));
+  m.def("advance", &advance, py::arg("from_"), py::arg("twist"), py::arg("dt"), doc("advance"));
+  m.def("is_rotation", &is_rotation, py::arg("m"), py::arg("tolerance"), doc("is_rotation"));
+  m.def("orthonormalized", &orthonormalized, py::arg("m"), doc("orthonormalized"));
+}
+
+}  // namespace
+
+void bind_core(py::module_& m) {
+  bind_result<BuildInfo>(m, "BuildInfo", member("version", &BuildInfo::version), member("commit", &BuildInfo::commit),
+                         member("compiler", &BuildInfo::compiler), member("cpu", &BuildInfo::cpu));
+  m.def("build_info", &build_info, "Which library this is and what it runs on.");
+  bind_spatial(m);
+
+  py::class_<TriangleMesh>(m, "TriangleMesh", doc("TriangleMesh"))
+      .def(py::init(&mesh_from), py::arg("vertices"), py::arg("triangles"),
+           "Copies vertices (n, 3) float64 [m] and triangles (m, 3) of whole numbers.")
+      .def_property_readonly(
+          "vertices", [](const py::object& self) { return view_of(self.cast<const TriangleMesh&>().vertices, self); },
+          "(n, 3) [m] in W; read-only, looks into the mesh.")
+      .def_property_readonly(
+          "triangles", [](const py::object& self) { return triangles_of(self.cast<const TriangleMesh&>(), self); },
+          "(m, 3) uint32: indices of vertices, counter-clockwise seen from outside; read-only, looks into the mesh.")
+      .def("__repr__", [](const TriangleMesh& mesh) {
+        return "TriangleMesh(" + std::to_string(mesh.vertices.size()) + " vertices, " +
+               std::to_string(mesh.triangles.size()) + " triangles)";
+      });
+
+  bind_struct<Color>(m, "Color", field("red", &Color::red), field("green", &Color::green), field("blue", &Color::blue))
+      .def(
+          "__eq__",
+          [](const Color& a, const py::object& b) { return py::isinstance<Color>(b) && a == b.cast<const Color&>(); },
+          py::arg("other"))
+      .def("__hash__", [](const Color& c) { return (c.red << 16) + (c.green << 8) + c.blue; });
+  py::class_<ColoredMesh>(m, "ColoredMesh", doc("ColoredMesh"))
+      .def(py::init([](const TriangleMesh& mesh, const std::vector<Color>& colors) {
+             return ColoredMesh{mesh, colors};
+           }),
+           py::arg("mesh"), py::arg("colors"))
+      .def_property_readonly(
+          "mesh", [](const ColoredMesh& c) -> const TriangleMesh& { return c.mesh; },
+          py::return_value_policy::reference_internal, "The surface.")
+      .def_property_readonly(
+          "colors",
+          [](const py::object& self) {
+            const auto& colors = self.cast<const ColoredMesh&>().colors;
+            static_assert(sizeof(Color) == 3);
+            return view(py::dtype::of<std::uint8_t>(), {py::ssize_t(colors.size()), 3}, {3, 1}, colors.data(), self);
+          },
+          "(n, 3) uint8: red, green, blue of every vertex; read-only.");
+
+  bind_volume<float>(m, "GreyVolume", "Grey values, e.g. Hounsfield units.");
+  bind_volume<std::uint16_t>(m, "LabelVolume", "Labels; 0 is empty by convention.");
+}
+
+}  // namespace hapticut::python

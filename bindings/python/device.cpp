@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/device: devices, mock and mouse, and the map from hand to world
+#include "hapticut/device/device.hpp"
+
+#include <optional>
+#include <set>
+
+#include "bindings.hpp"
+#include "hapticut/device/mock.hpp"
+#include "hapticut/device/mouse.hpp"
+#include "hapticut/device/workspace_map.hpp"
+#include "structs.hpp"
+
+namespace hapticut::python {
+
+namespace {
+
+/// Names of models are looked at, not owned; those that Python gives stay for the life of the program.
+std::string_view kept(const std::string& name) {
+  static std::set<std::string> names;
+  return *names.insert(name).first;
+}
+
+template <class S>
+auto name_field(std::string_view S::*member) {
+  return computed<S, std::string>(
+      "name", [member](const S& s) { return std::string(s.*member); },
+      [member](S& s, const std::string& name) { s.*member = kept(name); });
+}
+
+void bind_models(py::module_& m) {
+  using D = DeviceModel;
+  bind_struct<D>(m, "DeviceModel", name_field(&D::name), field("mass", &D::mass), field("damping", &D::damping),
+                 field("dry_friction", &D::dry_friction), field("encoder_step", &D::encoder_step),
+                 field("peak_force", &D::peak_force), field("continuous_force", &D::continuous_force),
+                 field("rendered_stiffness", &D::rendered_stiffness), field("rendered_damping", &D::rendered_damping),
+                 field("rotational_inertia", &D::rotational_inertia),
+                 field("rotational_damping", &D::rotational_damping), field("peak_torque", &D::peak_torque),
+                 field("workspace_half_width", &D::workspace_half_width));
+  m.def(
+      "device_models", [] { return std::vector<D>(device_models().begin(), device_models().end()); },
+      doc("device_models"));
+  m.def("device_model", &device_model, py::return_value_policy::copy, py::arg("name"), doc("device_model"));
+  m.def("capabilities", &capabilities, py::arg("model"), doc("capabilities"));
+  using H = HandModel;
+  bind_struct<H>(m, "HandModel", name_field(&H::name), field("mass", &H::mass), field("damping", &H::damping),
+                 field("stiffness", &H::stiffness), field("pad_stiffness", &H::pad_stiffness),
+                 field("pad_damping", &H::pad_damping), field("inertia", &H::inertia),
+                 field("angular_damping", &H::angular_damping), field("angular_stiffness", &H::angular_stiffness));
+  m.def(
+      "hand_models", [] { return std::vector<H>(hand_models().begin(), hand_models().end()); }, doc("hand_models"));
+  m.def("hand_model", &hand_model, py::return_value_policy::copy, py::arg("name"), doc("hand_model"));
+}
+
+void bind_runs(py::module_& m) {
+  using O = RunOptions;
+  bind_struct<O>(m, "RunOptions", field("seconds", &O::seconds), field("simulated_time", &O::simulated_time),
+                 field("stop_on_signals", &O::stop_on_signals), field("realtime", &O::realtime),
+                 field("guard", &O::guard));
+  using R = RunReport;
+  bind_result<R>(m, "RunReport", member("ticks", &R::ticks), member("missed", &R::missed),
+                 member("wake_up", &R::wake_up), member("compute", &R::compute), member("end", &R::end),
+                 member("fault", &R::fault), member("guard", &R::guard), member("log", &R::log),
+                 member("warnings", &R::warnings))
+      .def_property_readonly(
+          "events",
+          [](const R& report) {
+            py::dict events;
+            for (std::size_t i = 0; i < kSafetyEvents; ++i)
+              if (report.events[i] > 0) events[py::str(std::string(name(SafetyEvent(i))))] = report.events[i];
+            return events;
+          },
+          "dict from the name of a SafetyEvent to the number of ticks that reported it.");
+}
+
+void bind_devices(py::module_& m) {
+  using Released = py::call_guard<py::gil_scoped_release>;
+  py::class_<Device>(m, "Device", doc("Device"))
+      .def_property_readonly("name", &Device::name, doc("Device::name"))
+      .def_property_readonly("capabilities", &Device::capabilities, py::return_value_policy::copy,
+                             "What it can measure and render.")
+      .def("run", &Device::run, py::arg("callback"), py::arg("options") = RunOptions{}, doc("Device::run"), Released())
+      .def("stop", &Device::stop, doc("Device::stop"))
+      .def("emergency_stop", &Device::emergency_stop, doc("Device::emergency_stop"))
+      .def("reset_fault", &Device::reset_fault, doc("Device::reset_fault"))
+      .def("interrupt", &Device::interrupt, py::arg("reason"), doc("Device::interrupt"))
+      .def_property_readonly("is_running", &Device::is_running, "Whether a run is under way.")
+      .def_property_readonly("state", &Device::state, doc("Device::state"))
+      .def_property_readonly("output", &Device::output, doc("Device::output"))
+      .def_property_readonly("arming", &Device::arming, "Whether a force is allowed.")
+      .def("drain_log", &Device::drain_log, doc("Device::drain_log"))
+      .def("count", &Device::count, py::arg("event"), doc("Device::count"));
+  m.def("open_device", &open_device, py::arg("name"), doc("open_device"));
+  m.def(
+      "device_drivers",
+      [] {
+        py::list drivers;
+        for (const DeviceDriver& driver : device_drivers()) {
+          py::dict entry;
+          entry["scheme"] = driver.scheme;
+          entry["usage"] = driver.usage;
+          entry["missing"] = driver.missing;
+          drivers.append(entry);
+        }
+        return drivers;
+      },
+      "The kinds of devices there are, usable or not: dicts of scheme, usage and missing (empty, or what to install).");
+
+  m.def("scripted_path", &scripted_path, py::arg("name"), doc("scripted_path"));
+  using O = MockOptions;
+  using OptionalPath = std::optional<ScriptedPath>;
+  const auto path = computed<O, OptionalPath>(
+      "path", [](const O& o) { return o.path ? OptionalPath(o.path) : std::nullopt; },
+      [](O& o, const OptionalPath& given) { o.path = given.value_or(nullptr); });
+  bind_struct<O>(m, "MockOptions", path, field("device", &O::device), field("hand", &O::hand),
+                 field("rigid", &O::rigid), field("dry_friction", &O::dry_friction), field("encoder", &O::encoder),
+                 field("velocity_filter", &O::velocity_filter), field("period", &O::period), field("end", &O::end));
+  py::class_<MockDevice, Device>(m, "MockDevice", doc("MockDevice"))
+      .def(py::init<MockOptions, std::string>(), py::arg("options"), py::arg("name") = "mock",
+           doc("MockDevice::MockDevice"));
+  m.def("open_mock", &open_mock, py::arg("text"), doc("open_mock"));
+
+  bind_enum<MoveKey>(m, "MoveKey",
+                     {{"left", MoveKey::left},
+                      {"right", MoveKey::right},
+                      {"down", MoveKey::down},
+                      {"up", MoveKey::up},
+                      {"away", MoveKey::away},
+                      {"nearer", MoveKey::nearer},
+                      {"turn_left", MoveKey::turn_left},
+                      {"turn_right", MoveKey::turn_right}});
+  using M = MouseOptions;
+  const auto device = computed<M, std::string>(
+      "device", [](const M& o) { return std::string(o.device); },
+      [](M& o, const std::string& given) { o.device = kept(given); });
+  const auto hand = computed<M, std::string>(
+      "hand", [](const M& o) { return std::string(o.hand); },
+      [](M& o, const std::string& given) { o.hand = kept(given); });
+  bind_struct<M>(m, "MouseOptions", field("per_pixel", &M::per_pixel), field("per_notch", &M::per_notch),
+                 field("key_speed", &M::key_speed), field("key_turn", &M::key_turn), field("reach", &M::reach),
+                 field("fastest", &M::fastest), device, hand);
+  py::class_<MouseDevice, Device>(m, "MouseDevice", doc("MouseDevice"))
+      .def(py::init<const M&>(), py::arg("options") = M{}, doc("MouseDevice::MouseDevice"))
+      .def("pointer_moved", &MouseDevice::pointer_moved, py::arg("dx"), py::arg("dy"),
+           doc("MouseDevice::pointer_moved"))
+      .def("wheel_turned", &MouseDevice::wheel_turned, py::arg("notches"), doc("MouseDevice::wheel_turned"))
+      .def("button", &MouseDevice::button, py::arg("number"), py::arg("pressed"), doc("MouseDevice::button"))
+      .def("key", &MouseDevice::key, py::arg("key"), py::arg("pressed"), doc("MouseDevice::key"))
+      .def_property_readonly("set_point", &MouseDevice::set_point, doc("MouseDevice::set_point"));
+}
+
+void bind_map(py::module_& m) {
+  using O = WorkspaceMapOptions;
+  bind_struct<O>(m, "WorkspaceMapOptions", field("X_WB", &O::X_WB), field("scale", &O::scale),
+                 field("force_scale", &O::force_scale), field("torque_scale", &O::torque_scale),
+                 field("X_SH", &O::X_SH), field("orientation", &O::orientation));
+  using M = WorkspaceMap;
+  py::class_<M>(m, "WorkspaceMap", doc("WorkspaceMap"))
+      .def(py::init<const O&>(), py::arg("options") = O{}, doc("WorkspaceMap::WorkspaceMap"))
+      .def("release", &M::release, py::arg("X_BS"), doc("WorkspaceMap::release"))
+      .def("engage", &M::engage, py::arg("X_BS"), doc("WorkspaceMap::engage"))
+      .def("place", &M::place, py::arg("X_BS"), py::arg("X_WH"), doc("WorkspaceMap::place"))
+      .def("set_scale", &M::set_scale, py::arg("scale"), py::arg("X_BS"), doc("WorkspaceMap::set_scale"))
+      .def_property_readonly("engaged", &M::engaged, "Whether the clutch is closed.")
+      .def_property_readonly("scale", &M::scale, doc("WorkspaceMapOptions::scale"))
+      .def("to_world", py::overload_cast<const Pose&>(&M::to_world, py::const_), py::arg("X_BS"),
+           doc("WorkspaceMap::to_world"))
+      .def("to_world", py::overload_cast<const Pose&, const Twist&>(&M::to_world, py::const_), py::arg("X_BS"),
+           py::arg("stylus"), doc("WorkspaceMap::to_world#2"))
+      .def("to_device", &M::to_device, py::arg("X_BS"), py::arg("tool"), doc("WorkspaceMap::to_device"))
+      .def("felt_stiffness", &M::felt_stiffness, py::arg("world"), doc("WorkspaceMap::felt_stiffness"));
+}
+
+}  // namespace
+
+void bind_device(py::module_& m) {
+  bind_models(m);
+  bind_runs(m);
+  bind_devices(m);
+  bind_map(m);
+}
+
+}  // namespace hapticut::python

@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Turns the comments of the C++ headers into the docstrings of the Python package.
+
+    documentation.py OUTPUT HEADER...
+
+Every declaration with a ``///`` comment becomes an entry ``{"Scope::name", "text"}`` of OUTPUT, sorted by key; further
+overloads are ``name#2``, ``name#3``. Doxygen's commands become the sections of NumPy's style, so that there is one
+description of a thing, and it stands in the header.
+"""
+import re
+import sys
+from pathlib import Path
+
+SECTIONS = {"param": "Parameters", "return": "Returns", "throws": "Raises", "realtime": "Notes", "pre": "Notes"}
+SCOPE = re.compile(r"^\s*(?:struct|class|enum(?: class)?|namespace)\s+(?:alignas\(\d+\)\s+)?(\w+)[^;(]*\{")
+ENUMERATOR = re.compile(r"^\s*(\w+)\s*(?:=[^,]*)?,?\s*(?:///<.*)?$")
+FUNCTION = re.compile(r"(\w+|operator\S+)\s*\(")
+PREAMBLE = re.compile(r"^\s*(?:template|requires)\b[^{;]*$")
+NO_DECLARATION = re.compile(r"^\s*(?:public|private|protected|using|friend)\b")
+
+
+def numpy_style(comment: list[str]) -> str:
+    """The lines of one Doxygen comment as the text of a docstring."""
+    text: list[str] = []
+    sections: dict[str, list[list[str]]] = {}
+    target = text
+    for line in comment:
+        # A command may also follow a sentence on the same line, after two spaces.
+        for n, part in enumerate(re.split(r"(?:^|(?<=  ))(?=@(?:param|return|throws|realtime|pre)\b)", line)):
+            command = re.match(r"@(param|return|throws|realtime|pre)\b\s*(.*)", part)
+            if command is None:
+                if part.strip() or n == 0:
+                    target.append(part.rstrip() if target is text else part.strip())
+                continue
+            entry = [command[2].strip()]
+            if command[1] == "pre":
+                entry[0] = "Requires: " + entry[0]
+            if command[1] == "realtime":
+                entry[0] = "Real time: " + entry[0]
+            sections.setdefault(SECTIONS[command[1]], []).append(entry)
+            target = entry
+    lines = "\n".join(text).strip("\n").split("\n") if any(text) else []
+    for title in ("Parameters", "Returns", "Raises", "Notes"):
+        if title not in sections:
+            continue
+        if lines:
+            lines.append("")
+        lines += [title, "-" * len(title)]
+        for entry in sections[title]:
+            body = [part for part in entry if part]
+            if title == "Parameters":
+                name, _, rest = body[0].partition(" ") if body else ("", "", "")
+                while rest and name.endswith(","):  # "@param from, to  text"
+                    more, _, rest = rest.partition(" ")
+                    name += " " + more
+                lines.append(name)
+                lines += ["    " + part.strip() for part in [rest, *body[1:]] if part.strip()]
+            elif title == "Raises":
+                sentence = " ".join(body)
+                sentence = sentence.removeprefix("Error").strip()
+                lines += ["Error", "    " + (sentence[:1].upper() + sentence[1:] if sentence else "See above.")]
+            else:
+                lines += body
+    return "\n".join(lines).replace("`", "``")
+
+
+def without_comments_and_strings(line: str) -> str:
+    return re.sub(r'"(?:\\.|[^"\\])*"', '""', re.sub(r"//.*", "", line))
+
+
+class Header:
+    """Reads one header line by line, with a stack of the scopes that it is in."""
+
+    def __init__(self, entries: dict[str, str]):
+        self.entries = entries
+        self.scopes: list[tuple[str, int, bool]] = []  # name, depth of its inside, is an enumeration
+        self.depth = 0
+        self.pending: list[str] = []
+        self.last: list[str] = []  # keys that a following ///< line continues
+        self.trailing: list[str] = []
+        self.open_parentheses = 0
+
+    def key(self, name: str) -> str:
+        return "::".join([scope for scope, _, _ in self.scopes if scope != "hapticut"] + [name])
+
+    def add(self, names: list[str], comment: list[str], overloads: bool = False) -> None:
+        self.last, self.trailing = [], comment
+        for name in names:
+            key = self.key(name)
+            if key in self.entries and overloads:
+                number = 2
+                while f"{key}#{number}" in self.entries:
+                    number += 1
+                key = f"{key}#{number}"
+            self.entries[key] = numpy_style(comment)
+            self.last.append(key)
+
+    def read(self, path: Path) -> None:
+        for line in path.read_text(encoding="utf-8").splitlines():
+            self.read_line(line)
+
+    def read_line(self, line: str) -> None:
+        stripped = line.strip()
+        if stripped.startswith("///<"):
+            if self.last:
+                self.trailing.append(stripped[4:].strip())
+                for key in self.last:
+                    self.entries[key] = numpy_style(self.trailing)
+            return
+        if stripped.startswith("///"):
+            self.pending.append(re.sub(r"^///\s?", "", stripped) if stripped != "///" else "")
+            return
+        if stripped.startswith("//"):
+            return
+        code = without_comments_and_strings(line)
+        in_scope = not self.scopes or self.depth == self.scopes[-1][1]
+        if self.open_parentheses == 0 and in_scope and code.strip():
+            self.read_declaration(line, code)
+        if not stripped:
+            self.last = []
+            if self.pending and self.pending[0].startswith("@file"):
+                self.pending = []
+        elif not PREAMBLE.match(code):  # the comment belongs to what follows it
+            self.pending = []
+        self.open_parentheses = max(0, self.open_parentheses + code.count("(") - code.count(")"))
+        self.depth += code.count("{") - code.count("}")
+        while self.scopes and self.depth < self.scopes[-1][1]:
+            self.scopes.pop()
+
+    def read_declaration(self, line: str, code: str) -> None:
+        comment = self.pending
+        if comment and comment[0].startswith("@file"):
+            comment = []
+        found = re.search(r"///<\s?(.*)", line)
+        trailing = [found[1].strip()] if found else []
+        scope = SCOPE.match(code)
+        if scope and "(" not in code.split("{")[0].replace("alignas(", ""):
+            if comment or trailing:
+                self.add([scope[1]], comment or trailing)
+            self.scopes.append((scope[1], self.depth + 1, "enum" in code.split("{")[0].split()))
+            return
+        if self.scopes and self.scopes[-1][2]:
+            enumerator = ENUMERATOR.match(line)
+            if enumerator and (comment or trailing):
+                self.add([enumerator[1]], comment or trailing)
+            return
+        if not (comment or trailing) or PREAMBLE.match(code) or NO_DECLARATION.match(code):
+            return
+        head = re.sub(r"\[\[\w+\]\]|alignas\(\w+\)", "", code)
+        function = FUNCTION.search(head)
+        assigned = head.find("=")
+        if function and (assigned < 0 or function.start() < assigned):
+            # a field such as std::function<double(int)> f; is no function
+            field = re.match(r"^\s*(?:std::)\w+<.*>\s+(\w+)\s*(?:=.*|\{.*)?;", head)
+            self.add([field[1] if field else function[1]], comment or trailing, overloads=field is None)
+            return
+        declaration = re.sub(r"<[^<>]*(?:<[^<>]*>[^<>]*)*>", "", head.strip()).rstrip(";")
+        declaration = re.sub(r"^(?:(?:static|inline|constexpr|const|mutable)\s+)*[\w:]+[*&]*\s+", "", declaration)
+        declaration = re.sub(r"\{[^}]*\}|\([^)]*\)", "", declaration)
+        names = [part.split("=")[0].strip(" *&") for part in declaration.split(",")]
+        names = [name for name in names if re.fullmatch(r"\w+", name)]
+        if names:
+            self.add(names, comment or trailing)
+
+
+def main() -> None:
+    output, *headers = sys.argv[1:]
+    entries: dict[str, str] = {}
+    for header in headers:
+        Header(entries).read(Path(header))
+    lines = ["// Written by documentation.py from the headers."]
+    for key in sorted(entries):
+        # Raw strings have a greatest length that no comment reaches.
+        lines.append(f'{{"{key}", R"~~({entries[key]})~~"}},')
+    text = "\n".join(lines) + "\n"
+    path = Path(output)
+    if not path.exists() or path.read_text(encoding="utf-8") != text:
+        path.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/force/effects
+#include "bindings.hpp"
+#include "hapticut/force/effects/output.hpp"
+#include "structs.hpp"
+
+namespace hapticut::python {
+
+void bind_effects(py::module_& m) {
+  bind_struct<Gravity>(m, "Gravity", field("mass", &Gravity::mass), field("center_of_mass", &Gravity::center_of_mass),
+                       field("acceleration", &Gravity::acceleration));
+  bind_struct<Vibration>(m, "Vibration", field("frequency", &Vibration::frequency),
+                         field("amplitude", &Vibration::amplitude),
+                         field("amplitude_per_watt", &Vibration::amplitude_per_watt),
+                         field("largest_amplitude", &Vibration::largest_amplitude));
+  bind_struct<DeltaFilter>(m, "DeltaFilter", field("delta", &DeltaFilter::delta),
+                           field("epsilon", &DeltaFilter::epsilon));
+  bind_struct<AxisMask>(m, "AxisMask", field("force", &AxisMask::force), field("torque", &AxisMask::torque));
+  bind_struct<OutputLimits>(
+      m, "OutputLimits", field("largest_force", &OutputLimits::largest_force),
+      field("largest_torque", &OutputLimits::largest_torque), field("force_growth", &OutputLimits::force_growth),
+      field("torque_growth", &OutputLimits::torque_growth), field("ramp_time", &OutputLimits::ramp_time));
+  bind_struct<Effects>(m, "Effects", field("gravity", &Effects::gravity), field("vibration", &Effects::vibration),
+                       field("delta_filter", &Effects::delta_filter), field("enabled", &Effects::enabled),
+                       field("limits", &Effects::limits));
+  m.attr("kFastestVibration") = kFastestVibration;
+  m.def("validate", py::overload_cast<const Gravity&>(&validate), py::arg("gravity"), doc("validate"));
+  m.def("validate", py::overload_cast<const DeltaFilter&>(&validate), py::arg("filter"), doc("validate"));
+  m.def("validate", py::overload_cast<const OutputLimits&>(&validate), py::arg("limits"), doc("validate"));
+  m.def("validate", py::overload_cast<const Vibration&, double>(&validate), py::arg("vibration"),
+        py::arg("update_rate"), doc("validate"));
+  m.def("validate", py::overload_cast<const Effects&, double>(&validate), py::arg("effects"), py::arg("update_rate"),
+        doc("validate"));
+
+  m.def("gravity_wrench", &gravity_wrench, py::arg("gravity"), py::arg("R_WH"), doc("gravity_wrench"));
+  m.def("masked", &masked, py::arg("mask"), py::arg("wrench"), doc("masked"));
+  m.def("filtered", &filtered, py::arg("filter"), py::arg("previous"), py::arg("calculated"), doc("filtered"));
+  m.def("least_force_growth", &least_force_growth, py::arg("stiffness"), py::arg("speed"), doc("least_force_growth"));
+  m.def("saturated", &saturated, py::arg("v"), py::arg("longest"), doc("saturated"));
+  m.def("growth_limited", &growth_limited, py::arg("previous"), py::arg("target"), py::arg("longest_growth"),
+        doc("growth_limited"));
+
+  bind_struct<EffectsInput>(m, "EffectsInput", field("X_WH", &EffectsInput::X_WH), field("X_WT", &EffectsInput::X_WT),
+                            field("touching", &EffectsInput::touching), field("power", &EffectsInput::power),
+                            field("dt", &EffectsInput::dt));
+  py::class_<Output>(m, "Output", doc("Output"))
+      .def(py::init<>())
+      .def("add_effects", &Output::add_effects, py::arg("effects"), py::arg("at"), py::arg("wrench"),
+           doc("Output::add_effects"))
+      .def("limit", &Output::limit, py::arg("limits"), py::arg("wrench"), py::arg("dt"),
+           "Saturation, growth limit and start-up ramp.")
+      .def("drop", &Output::drop, doc("Output::drop"))
+      .def("restart", &Output::restart, doc("Output::restart"));
+}
+
+}  // namespace hapticut::python

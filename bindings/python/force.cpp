@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/force: laws, friction, stiffness and calibration
+#include "bindings.hpp"
+#include "hapticut/force/calibration.hpp"
+#include "hapticut/force/contact_point.hpp"
+#include "hapticut/force/deep_contact.hpp"
+#include "hapticut/force/friction.hpp"
+#include "hapticut/force/law.hpp"
+#include "hapticut/force/laws/contact_mechanics.hpp"
+#include "hapticut/force/laws/damping_matrix.hpp"
+#include "hapticut/force/laws/foundation.hpp"
+#include "hapticut/force/laws/hertzian_burr.hpp"
+#include "hapticut/force/laws/thesis.hpp"
+#include "hapticut/force/laws/twist_drill.hpp"
+#include "hapticut/force/stiffness.hpp"
+#include "structs.hpp"
+
+namespace hapticut::python {
+
+namespace {
+
+template <class Law>
+using LawBinding = py::class_<Law, ForceLaw, std::shared_ptr<Law>>;
+
+void bind_laws(py::module_& m) {
+  bind_enum<RemovalLaw>(m, "RemovalLaw",
+                        {{"none", RemovalLaw::none},
+                         {"constant_energy", RemovalLaw::constant_energy},
+                         {"elastic_release", RemovalLaw::elastic_release}});
+  py::class_<ForceLaw, std::shared_ptr<ForceLaw>>(
+      m, "ForceLaw",
+      "A force law: from the samples inside the head to the force on the tool and to what is left of each voxel.\n\n"
+      "It works in the 1 kHz loop, so a law of one's own is a class in C++; Python chooses one and its constants.")
+      .def("require_head", &ForceLaw::require_head, py::arg("head"), doc("ForceLaw::require_head"))
+      .def("needs_moments", &ForceLaw::needs_moments, doc("ForceLaw::needs_moments"));
+  LawBinding<FoundationLaw>(m, "FoundationLaw", doc("FoundationLaw")).def(py::init<>());
+
+  LawBinding<ThesisLaw> thesis(m, "ThesisLaw", doc("ThesisLaw"));
+  using Thesis = ThesisLaw::Constants;
+  bind_struct<Thesis>(thesis, "Constants", "ThesisLaw::Constants",
+                      field("reference_voxel_size", &Thesis::reference_voxel_size), field("damping", &Thesis::damping),
+                      field("spin_torque", &Thesis::spin_torque), field("spin_exponent", &Thesis::spin_exponent),
+                      field("required_power", &Thesis::required_power));
+  thesis.def(py::init<const Thesis&>(), py::arg("constants"), doc("ThesisLaw::ThesisLaw"))
+      .def_property_readonly("constants", &ThesisLaw::constants, py::return_value_policy::copy, "As given.");
+
+  LawBinding<ContactMechanicsLaw>(m, "ContactMechanicsLaw", doc("ContactMechanicsLaw"))
+      .def(py::init<double>(), py::arg("effective_modulus"), doc("ContactMechanicsLaw::ContactMechanicsLaw"))
+      .def("force", &ContactMechanicsLaw::force, py::arg("head"), py::arg("d"), doc("ContactMechanicsLaw::force"))
+      .def("energy", &ContactMechanicsLaw::energy, py::arg("head"), py::arg("d"), doc("ContactMechanicsLaw::energy"))
+      .def_static("depth_of", &ContactMechanicsLaw::depth_of, py::arg("head"), py::arg("volume"),
+                  doc("ContactMechanicsLaw::depth_of"));
+
+  LawBinding<HertzianBurrLaw>(m, "HertzianBurrLaw", doc("HertzianBurrLaw"))
+      .def(py::init<double>(), py::arg("stiffness"), doc("HertzianBurrLaw::HertzianBurrLaw"))
+      .def("force", &HertzianBurrLaw::force, py::arg("R"), py::arg("h"), doc("HertzianBurrLaw::force"))
+      .def("energy", &HertzianBurrLaw::energy, py::arg("R"), py::arg("h"), doc("HertzianBurrLaw::energy"));
+
+  LawBinding<DampingMatrixLaw> damping(m, "DampingMatrixLaw", doc("DampingMatrixLaw"));
+  using Damping = DampingMatrixLaw::Constants;
+  bind_struct<Damping>(damping, "Constants", "DampingMatrixLaw::Constants", field("resistance", &Damping::resistance),
+                       field("friction", &Damping::friction));
+  damping.def(py::init<const Damping&>(), py::arg("constants"), doc("DampingMatrixLaw::DampingMatrixLaw"));
+
+  LawBinding<TwistDrillLaw> drill(m, "TwistDrillLaw", doc("TwistDrillLaw"));
+  using Drill = TwistDrillLaw::Constants;
+  bind_struct<Drill>(drill, "Constants", "TwistDrillLaw::Constants", field("specific_energy", &Drill::specific_energy),
+                     field("largest_feed_per_turn", &Drill::largest_feed_per_turn));
+  drill.def(py::init<const Drill&>(), py::arg("constants"), doc("TwistDrillLaw::TwistDrillLaw"))
+      .def("thrust", &TwistDrillLaw::thrust, py::arg("diameter"), py::arg("a"), py::arg("point_angle"),
+           doc("TwistDrillLaw::thrust"))
+      .def("torque", &TwistDrillLaw::torque, py::arg("diameter"), py::arg("a"), doc("TwistDrillLaw::torque"))
+      .def_static("point_angle", &TwistDrillLaw::point_angle, py::arg("head"), doc("TwistDrillLaw::point_angle"));
+}
+
+void bind_friction(py::module_& m) {
+  bind_struct<DryFriction>(m, "DryFriction", field("static_friction", &DryFriction::static_friction),
+                           field("dynamic_friction", &DryFriction::dynamic_friction),
+                           field("tangential_stiffness", &DryFriction::tangential_stiffness));
+  m.def("validate", py::overload_cast<const DryFriction&>(&validate), py::arg("friction"), doc("validate"));
+  m.attr("kFullSpinSpeed") = kFullSpinSpeed;
+  m.def("standing_share", &standing_share, py::arg("spin"), py::arg("radius"), doc("standing_share"));
+
+  py::class_<StickSlip> stick_slip(m, "StickSlip", doc("StickSlip"));
+  py::class_<StickSlip::Outcome>(stick_slip, "Outcome", "What a motion of the contact point gave.")
+      .def_readonly("force", &StickSlip::Outcome::force, doc("StickSlip::Outcome::force"))
+      .def_readonly("dissipated", &StickSlip::Outcome::dissipated, doc("StickSlip::Outcome::dissipated"));
+  stick_slip.def(py::init<>())
+      .def("move", &StickSlip::move, py::arg("normal_force"), py::arg("displacement"), py::arg("friction"),
+           py::arg("share") = 1.0, doc("StickSlip::move"))
+      .def_property_readonly("stored", &StickSlip::stored, doc("StickSlip::stored"))
+      .def_property_readonly("anchored", &StickSlip::anchored, doc("StickSlip::anchored"))
+      .def_property_readonly("sliding", &StickSlip::sliding, "It slides.")
+      .def_property_readonly(
+          "stretch", [](const StickSlip& s) { return s.stretch(); }, doc("StickSlip::stretch"))
+      .def("release", &StickSlip::release, doc("StickSlip::release"));
+
+  py::class_<DeepContact> deep(m, "DeepContact", doc("DeepContact"));
+  using Outcome = DeepContact::Outcome;
+  py::class_<Outcome>(deep, "Outcome", "What a motion of the ball gave.")
+      .def_readonly("force", &Outcome::force, doc("DeepContact::Outcome::force"))
+      .def_readonly("stored_before", &Outcome::stored_before, doc("DeepContact::Outcome::stored_before"))
+      .def_readonly("stored", &Outcome::stored, doc("DeepContact::Outcome::stored"))
+      .def_readonly("released", &Outcome::released, doc("DeepContact::Outcome::released"));
+  deep.def(py::init<>())
+      .def("move", &DeepContact::move, py::arg("start"), py::arg("to"), py::arg("filled"), py::arg("normal_force"),
+           py::arg("radius"), doc("DeepContact::move"))
+      .def_property_readonly("held", &DeepContact::held, doc("DeepContact::held"))
+      .def_property_readonly("stored", &DeepContact::stored, doc("DeepContact::stored"))
+      .def("release", &DeepContact::release, "Lets go.");
+  m.def("contact_point", &contact_point, py::arg("head"), py::arg("wrench_T"), doc("contact_point"));
+}
+
+}  // namespace
+
+void bind_force(py::module_& m) {
+  bind_laws(m);
+  bind_friction(m);
+  m.def("stiffness_for_accuracy", &stiffness_for_accuracy, py::arg("head"), py::arg("material"),
+        py::arg("spindle_speed"), py::arg("feed_speed"), doc("stiffness_for_accuracy"));
+  m.def("largest_contact_stiffness", &largest_contact_stiffness, py::arg("head"), doc("largest_contact_stiffness"));
+  m.def("stiffness_for_device", &stiffness_for_device, py::arg("head"), py::arg("device_stiffness"),
+        doc("stiffness_for_device"));
+
+  bind_struct<DrillingTest>(m, "DrillingTest", required("radius", &DrillingTest::radius),
+                            required("spindle_speed", &DrillingTest::spindle_speed),
+                            required("feed_speed", &DrillingTest::feed_speed),
+                            required("thrust", &DrillingTest::thrust), required("torque", &DrillingTest::torque));
+  bind_struct<Calibration>(
+      m, "Calibration", field("specific_cutting_energy", &Calibration::specific_cutting_energy),
+      field("cutting_ratio", &Calibration::cutting_ratio), field("edge_pressure", &Calibration::edge_pressure),
+      field("edge_identified", &Calibration::edge_identified), field("thrust_residual", &Calibration::thrust_residual),
+      field("torque_residual", &Calibration::torque_residual));
+  bind_result<AxialCutForce>(m, "AxialCutForce", member("thrust", &AxialCutForce::thrust),
+                             member("torque", &AxialCutForce::torque));
+  m.def("axial_cut_force", &axial_cut_force, py::arg("constants"), py::arg("radius"), py::arg("spindle_speed"),
+        py::arg("feed_speed"), "Steady thrust and torque of a flat head fed axially (C22).");
+  m.def(
+      "calibrate", [](const std::vector<DrillingTest>& tests) { return calibrate(tests); }, py::arg("tests"),
+      doc("calibrate"));
+}
+
+}  // namespace hapticut::python

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/device: the safety pipeline and its settings
+#include "hapticut/device/guard.hpp"
+
+#include "bindings.hpp"
+#include "hapticut/realtime/histogram.hpp"
+#include "hapticut/realtime/realtime.hpp"
+#include "structs.hpp"
+
+namespace hapticut::python {
+
+namespace {
+
+void bind_states(py::module_& m) {
+  bind_enum<DeviceFault>(m, "DeviceFault",
+                         {{"none", DeviceFault::none},
+                          {"disconnected", DeviceFault::disconnected},
+                          {"uncalibrated", DeviceFault::uncalibrated},
+                          {"motors_warm", DeviceFault::motors_warm},
+                          {"force_limit", DeviceFault::force_limit},
+                          {"speed_limit", DeviceFault::speed_limit},
+                          {"overloaded", DeviceFault::overloaded},
+                          {"driver_error", DeviceFault::driver_error}});
+  using C = DeviceCapabilities;
+  bind_struct<C>(m, "DeviceCapabilities", field("model", &C::model), field("vendor", &C::vendor),
+                 field("serial_number", &C::serial_number), field("driver_version", &C::driver_version),
+                 field("input_degrees_of_freedom", &C::input_degrees_of_freedom),
+                 field("output_degrees_of_freedom", &C::output_degrees_of_freedom), field("peak_force", &C::peak_force),
+                 field("continuous_force", &C::continuous_force), field("peak_torque", &C::peak_torque),
+                 field("continuous_torque", &C::continuous_torque), field("stiffness", &C::stiffness),
+                 field("rotational_stiffness", &C::rotational_stiffness), field("damping", &C::damping),
+                 field("position_resolution", &C::position_resolution), field("workspace_low", &C::workspace_low),
+                 field("workspace_high", &C::workspace_high), field("rate", &C::rate),
+                 field("hard_realtime", &C::hard_realtime));
+  using S = DeviceState;
+  bind_struct<S>(m, "DeviceState", field("X_BS", &S::X_BS), field("velocity", &S::velocity),
+                 field("buttons", &S::buttons), field("time", &S::time), field("sequence", &S::sequence),
+                 field("epoch", &S::epoch), field("temperature", &S::temperature), field("valid", &S::valid),
+                 field("fault", &S::fault))
+      .def("pressed", &S::pressed, py::arg("button"), "Whether a button is pressed.");
+  bind_struct<DeviceCommand>(m, "DeviceCommand", field("wrench", &DeviceCommand::wrench),
+                             field("stop", &DeviceCommand::stop));
+  bind_bits<OutputLimit>(m, "OutputLimit",
+                         {{"none", OutputLimit::none},
+                          {"held_back", OutputLimit::held_back},
+                          {"ramped", OutputLimit::ramped},
+                          {"saturated", OutputLimit::saturated},
+                          {"slew_limited", OutputLimit::slew_limited},
+                          {"cooled", OutputLimit::cooled},
+                          {"damped", OutputLimit::damped},
+                          {"not_finite", OutputLimit::not_finite},
+                          {"no_actuator", OutputLimit::no_actuator},
+                          {"by_driver", OutputLimit::by_driver}});
+  py::class_<DeviceOutput>(m, "DeviceOutput", doc("DeviceOutput"))
+      .def_readonly("commanded", &DeviceOutput::commanded, doc("DeviceOutput::commanded"))
+      .def_readonly("applied", &DeviceOutput::applied, doc("DeviceOutput::applied"))
+      .def_property_readonly(
+          "limits", [](const DeviceOutput& o) { return std::uint32_t(o.limits); },
+          "Bits of OutputLimit: why they differ.");
+  m.def("describe", py::overload_cast<DeviceFault>(&describe), py::arg("fault"), doc("describe"));
+  m.def(
+      "describe", [](std::uint32_t limits) { return describe(OutputLimit(limits)); }, py::arg("limits"),
+      "The bits of OutputLimit in words, separated by commas.");
+  bind_enum<ArmingState>(m, "ArmingState",
+                         {{"off", ArmingState::off},
+                          {"armed", ArmingState::armed},
+                          {"wait_free", ArmingState::wait_free},
+                          {"ramp", ArmingState::ramp},
+                          {"on", ArmingState::on},
+                          {"fault", ArmingState::fault}});
+}
+
+void bind_log(py::module_& m) {
+  py::enum_<SafetyEvent> events(m, "SafetyEvent", doc("SafetyEvent"));
+  for (std::size_t i = 0; i < kSafetyEvents; ++i) {
+    const auto event = SafetyEvent(i);
+    const std::string event_name(name(event));
+    events.value(event_name.c_str(), event, doc(std::string("SafetyEvent::") + event_name));
+  }
+  using L = SafetyLogEntry;
+  py::class_<L>(m, "SafetyLogEntry", doc("SafetyLogEntry"))
+      .def_readonly("time", &L::time, doc("SafetyLogEntry::time"))
+      .def_readonly("sequence", &L::sequence, doc("SafetyLogEntry::sequence"))
+      .def_readonly("event", &L::event, "What began.")
+      .def_readonly("value", &L::value, doc("SafetyLogEntry::value"));
+  m.def("describe", py::overload_cast<const SafetyLogEntry&>(&describe), py::arg("entry"),
+        "An entry in words: time, name and value.");
+}
+
+void bind_options(py::module_& m) {
+  using G = PoseGateOptions;
+  bind_struct<G>(m, "PoseGateOptions", field("fastest", &G::fastest), field("fastest_turn", &G::fastest_turn),
+                 field("workspace_margin", &G::workspace_margin), field("rotation_tolerance", &G::rotation_tolerance),
+                 field("hold_ticks", &G::hold_ticks), field("frozen_ticks", &G::frozen_ticks),
+                 field("frozen_turn", &G::frozen_turn), field("frozen_speed", &G::frozen_speed));
+  using A = ArmingOptions;
+  bind_struct<A>(m, "ArmingOptions", field("valid_ticks", &A::valid_ticks), field("free_force", &A::free_force),
+                 field("free_torque", &A::free_torque), field("free_ticks", &A::free_ticks), field("ramp", &A::ramp),
+                 field("short_ramp", &A::short_ramp));
+  using P = PassivityOptions;
+  bind_struct<P>(m, "PassivityOptions", field("enabled", &P::enabled), field("credit", &P::credit),
+                 field("allowance", &P::allowance), field("greatest", &P::greatest),
+                 field("greatest_damping", &P::greatest_damping), field("slowest", &P::slowest),
+                 field("free", &P::free), field("delay", &P::delay), field("free_ticks", &P::free_ticks));
+  using T = ThermalOptions;
+  bind_struct<T>(m, "ThermalOptions", field("time_constant", &T::time_constant), field("warm", &T::warm),
+                 field("cool", &T::cool), field("hot", &T::hot), field("cold", &T::cold), field("rate", &T::rate));
+  using W = WatchdogOptions;
+  bind_struct<W>(m, "WatchdogOptions", field("period", &W::period), field("late_ticks", &W::late_ticks),
+                 field("fade_ticks", &W::fade_ticks), field("fade", &W::fade), field("fault_ticks", &W::fault_ticks));
+  using O = GuardOptions;
+  bind_struct<O>(m, "GuardOptions", field("gate", &O::gate), field("arming", &O::arming),
+                 field("passivity", &O::passivity), field("thermal", &O::thermal), field("watchdog", &O::watchdog),
+                 field("period", &O::period), field("greatest_force", &O::greatest_force),
+                 field("greatest_torque", &O::greatest_torque), field("slew", &O::slew),
+                 field("torque_slew", &O::torque_slew), field("stiffness", &O::stiffness),
+                 field("fastest_contact", &O::fastest_contact), field("ramp_damping", &O::ramp_damping),
+                 field("late", &O::late), field("pause", &O::pause), field("not_finite_ticks", &O::not_finite_ticks));
+}
+
+}  // namespace
+
+void bind_guard(py::module_& m) {
+  bind_states(m);
+  bind_log(m);
+  bind_options(m);
+  py::class_<SafetyGuard>(m, "SafetyGuard", doc("SafetyGuard"))
+      .def(py::init<const DeviceCapabilities&, const GuardOptions&>(), py::arg("capabilities"),
+           py::arg("options") = GuardOptions{}, doc("SafetyGuard::SafetyGuard"))
+      .def("start", &SafetyGuard::start, doc("SafetyGuard::start"))
+      .def("stop", &SafetyGuard::stop, doc("SafetyGuard::stop"))
+      .def("admit", &SafetyGuard::admit, py::return_value_policy::copy, py::arg("reading"), doc("SafetyGuard::admit"))
+      .def("release", &SafetyGuard::release, py::arg("commanded"), doc("SafetyGuard::release"))
+      .def("applied", &SafetyGuard::applied, py::arg("wrench"), doc("SafetyGuard::applied"))
+      .def("emergency_stop", &SafetyGuard::emergency_stop, doc("SafetyGuard::emergency_stop"))
+      .def("reset", &SafetyGuard::reset, doc("SafetyGuard::reset"))
+      .def("interrupt", &SafetyGuard::interrupt, py::arg("reason"), doc("SafetyGuard::interrupt"))
+      .def_property_readonly("state", &SafetyGuard::state, "Whether a force is allowed.")
+      .def(
+          "drain_log", [](SafetyGuard& guard) { return guard.log().drain(); },
+          "Takes the entries out of the log, oldest first.")
+      .def(
+          "count", [](const SafetyGuard& guard, SafetyEvent event) { return guard.log().count(event); },
+          py::arg("event"), doc("SafetyLog::count"))
+      .def_property_readonly(
+          "output", [](const SafetyGuard& guard) { return guard.output(); }, "Both sides of the last tick.")
+      .def_property_readonly("slew", &SafetyGuard::slew, doc("SafetyGuard::slew"))
+      .def_property_readonly("greatest_force", &SafetyGuard::greatest_force, doc("SafetyGuard::greatest_force"));
+
+  using R = RealtimeOptions;
+  bind_struct<R>(m, "RealtimeOptions", field("priority", &R::priority), field("lock_memory", &R::lock_memory),
+                 field("flush_denormals", &R::flush_denormals), field("cpu", &R::cpu), field("stack", &R::stack));
+  using H = LatencyHistogram;
+  py::class_<H>(m, "LatencyHistogram", doc("LatencyHistogram"))
+      .def(py::init<>())
+      .def("add", &H::add, py::arg("seconds"), doc("LatencyHistogram::add"))
+      .def_property_readonly("count", &H::count, "How many durations were added.")
+      .def_property_readonly("min", &H::min, doc("LatencyHistogram::min"))
+      .def_property_readonly("max", &H::max, doc("LatencyHistogram::max"))
+      .def_property_readonly("mean", &H::mean, doc("LatencyHistogram::mean"))
+      .def_property_readonly("longer", &H::longer, doc("LatencyHistogram::longer"))
+      .def_property_readonly(
+          "buckets",
+          [](const H& h) { return py::array_t<std::uint64_t>(py::ssize_t(h.buckets().size()), h.buckets().data()); },
+          "(2000,) uint64: how many durations fell into each bucket of 1 us.")
+      .def("quantile", &H::quantile, py::arg("share"), doc("LatencyHistogram::quantile"));
+}
+
+}  // namespace hapticut::python

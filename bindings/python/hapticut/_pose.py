@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+class Pose:
+    """What C++ offers for poses, which are (4, 4) arrays here: ``X_AC = X_AB @ X_BC``."""
+
+    @staticmethod
+    def from_translation(translation: ArrayLike) -> NDArray[np.float64]:
+        """A pose that only moves.
+
+        Parameters
+        ----------
+        translation
+            [m] (3,), or (n, 3) for n poses.
+
+        Returns
+        -------
+        numpy.ndarray
+            (4, 4), or (n, 4, 4).
+        """
+        p = np.asarray(translation, dtype=np.float64)
+        if p.shape[-1:] != (3,):
+            raise ValueError(f"translation has shape {p.shape}; needed is (3,) or (n, 3).")
+        X = np.zeros((*p.shape[:-1], 4, 4))
+        X[..., range(4), range(4)] = 1
+        X[..., :3, 3] = p
+        return X
+
+    @staticmethod
+    def inverse(X_AB: ArrayLike) -> NDArray[np.float64]:
+        """The same pose, or poses (..., 4, 4), seen the other way round: ``X_BA``."""
+        X = np.asarray(X_AB, dtype=np.float64)
+        inverse = np.zeros_like(X)
+        R = np.swapaxes(X[..., :3, :3], -1, -2)
+        inverse[..., :3, :3] = R
+        inverse[..., :3, 3] = -np.einsum("...ij,...j->...i", R, X[..., :3, 3])
+        inverse[..., 3, 3] = 1
+        return inverse

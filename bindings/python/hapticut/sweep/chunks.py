@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a worker does: some runs, one after the other, each with its own random numbers."""
+from __future__ import annotations
+
+import pickle
+import time
+import traceback
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from typing import Any, Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .spaces import Parameters, plain
+
+Run = Callable[[Parameters, np.random.Generator], Mapping[str, Any]]
+
+
+class Row:
+    """What became of one run: its summary and its traces, or its error."""
+
+    def __init__(self, index: int):
+        self.index = index
+        self.summary: Parameters = {}
+        self.traces: dict[str, NDArray[Any]] = {}
+        self.error = ""
+
+    def as_json(self) -> dict[str, Any]:
+        return {"run": self.index, "summary": self.summary, "error": self.error, "traces": sorted(self.traces)}
+
+
+class Chunk:
+    """Rows and how long they took."""
+
+    def __init__(self, rows: list[Row], seconds: float):
+        self.rows = rows
+        self.seconds = seconds
+
+
+@lru_cache(maxsize=4)
+def _function(pickled: bytes) -> Run:
+    function: Run = pickle.loads(pickled)
+    return function
+
+
+def generator(seed: int, index: int) -> np.random.Generator:
+    """The random numbers of a run: they depend on nothing but the study's seed and the run's index."""
+    return np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(index,)))
+
+
+def _outcome(row: Row, result: Any, taken: frozenset[str]) -> None:
+    if not isinstance(result, Mapping):
+        raise TypeError(f"run returned {type(result).__name__}; it must return a dict of its summary")
+    for name, value in result.items():
+        if not isinstance(name, str) or name in taken:
+            raise ValueError(f"run returned a column named {name!r}, which is no text or the name of something else")
+        if isinstance(value, np.ndarray) and value.ndim > 0:
+            row.traces[name] = value
+        else:
+            row.summary[name] = plain(value.item() if isinstance(value, np.ndarray) else value, f"column {name}")
+
+
+def run_chunk(pickled: bytes, seed: int, first: Sequence[int], parameters: Sequence[Parameters]) -> Chunk:
+    """The runs of some indices. A run that raises becomes a row with its error; the others go on."""
+    function = _function(pickled)
+    taken = frozenset(parameters[0]) | {"run", "error"} if parameters else frozenset()
+    rows = []
+    begin = time.perf_counter()
+    for index, row_parameters in zip(first, parameters):
+        row = Row(index)
+        try:
+            _outcome(row, function(dict(row_parameters), generator(seed, index)), taken)
+        except Exception as error:
+            row = Row(index)
+            row.error = traceback.format_exception_only(type(error), error)[-1].strip().replace("\n", " ")
+        rows.append(row)
+    return Chunk(rows, time.perf_counter() - begin)

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/io
+#include <map>
+#include <string>
+
+#include "bindings.hpp"
+#include "hapticut/io/vdb.hpp"
+#include "structs.hpp"
+#include "workpiece.hpp"
+#ifdef HAPTICUT_PYTHON_WITH_IO
+#include "hapticut/io/meshes.hpp"
+#include "hapticut/io/picture.hpp"
+#include "hapticut/io/volume_operations.hpp"
+#include "hapticut/io/volumes.hpp"
+#endif
+
+namespace hapticut::python {
+
+namespace {
+
+using Path = std::filesystem::path;
+using Released = py::call_guard<py::gil_scoped_release>;
+
+void bind_vdb(py::module_& m) {
+  py::class_<VdbImport> import(m, "VdbImport", doc("VdbImport"));
+  bind_enum<VdbImport::Kind>(import, "Kind",
+                             {{"from_class", VdbImport::Kind::from_class},
+                              {"level_set", VdbImport::Kind::level_set},
+                              {"fog_volume", VdbImport::Kind::fog_volume}},
+                             "VdbImport::Kind");
+  import
+      .def(py::init([](const Material& material, const std::string& grid, double unit_mm, VdbImport::Kind kind) {
+             return VdbImport{material, grid, unit_mm, kind};
+}),
+           py::arg("material"), py::arg("grid") = "", py::arg("unit_mm") = 1.0,
+           py::arg("kind") = VdbImport::Kind::from_class)
+      .def_readwrite("material", &VdbImport::material, doc("VdbImport::material"))
+      .def_readwrite("grid", &VdbImport::grid, doc("VdbImport::grid"))
+      .def_readwrite("unit_mm", &VdbImport::unit_mm, doc("VdbImport::unit_mm"))
+      .def_readwrite("kind", &VdbImport::kind, "What the grid's values mean.");
+m.def(
+    "save_vdb",
+    [](const PythonWorkpiece& workpiece, const Path& path) {
+      workpiece.read_released([&](const Workpiece& w) { save_vdb(w, path); });
+    },
+    py::arg("workpiece"), py::arg("path"), doc("save_vdb"));
+m.def(
+    "load_vdb", [](const Path& path) { return make_released([&] { return load_vdb(path); }); }, py::arg("path"),
+    doc("load_vdb"));
+m.def(
+    "load_vdb",
+    [](const Path& path, const VdbImport& options) { return make_released([&] { return load_vdb(path, options); }); },
+    py::arg("path"), py::arg("options"), doc("load_vdb#2"));
+}  // namespace
+
+#ifdef HAPTICUT_PYTHON_WITH_IO
+
+void bind_meshes(py::module_& m) {
+  py::class_<NamedMesh>(m, "NamedMesh", doc("NamedMesh"))
+      .def_readonly("name", &NamedMesh::name, doc("NamedMesh::name"))
+      .def_property_readonly(
+          "mesh", [](const NamedMesh& n) -> const TriangleMesh& { return n.mesh; },
+          py::return_value_policy::reference_internal, "The surface, in metres.");
+  m.def("read_mesh", &read_mesh, py::arg("path"), py::arg("unit_mm") = 1.0, doc("read_mesh"), Released());
+  m.def("write_stl", &write_stl, py::arg("mesh"), py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_stl"),
+        Released());
+  m.def("write_ply", py::overload_cast<const TriangleMesh&, const Path&, double>(&write_ply), py::arg("mesh"),
+        py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_ply"), Released());
+  m.def("write_ply", py::overload_cast<const ColoredMesh&, const Path&, double>(&write_ply), py::arg("mesh"),
+        py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_ply#2"), Released());
+
+  using P = PictureOptions;
+  bind_struct<P>(m, "PictureOptions", field("width", &P::width), field("height", &P::height),
+                 field("view_direction", &P::view_direction), field("up", &P::up), field("background", &P::background),
+                 field("scale_bar", &P::scale_bar));
+  m.def("material_color", &material_color, py::arg("name"), doc("material_color"));
+  m.def("colored", &colored, py::arg("surface"), py::arg("materials"), doc("colored"));
+  m.def("write_picture", &write_picture, py::arg("meshes"), py::arg("options"), py::arg("path"), doc("write_picture"),
+        Released());
+}
+
+void bind_volume_files(py::module_& m) {
+  m.attr("kMaxVolumeSamples") = kMaxVolumeSamples;
+  bind_struct<VolumeReadOptions>(m, "VolumeReadOptions", field("spacing", &VolumeReadOptions::spacing),
+                                 field("dicom_series", &VolumeReadOptions::dicom_series));
+  m.def("read_grey_volume", &read_grey_volume, py::arg("path"), py::arg("options") = VolumeReadOptions{},
+        doc("read_grey_volume"), Released());
+  m.def("read_label_volume", &read_label_volume, py::arg("path"), py::arg("options") = VolumeReadOptions{},
+        doc("read_label_volume"), Released());
+  m.def(
+      "read_colour_slices",
+      [](const Path& folder, const py::dict& label_of, const Vec3& spacing) {
+        std::map<Colour, std::uint16_t> labels;
+        for (const auto& [colour, label] : label_of) labels[colour.cast<Colour>()] = label.cast<std::uint16_t>();
+        const py::gil_scoped_release released;
+        return read_colour_slices(folder, labels, spacing);
+      },
+      py::arg("folder"), py::arg("label_of"), py::arg("spacing"),
+      (std::string(doc("read_colour_slices")) + "\n\nlabel_of is a dict from (red, green, blue) to a label.").c_str());
+  bind_enum<ValueType>(m, "ValueType",
+                       {{"uint8", ValueType::uint8},
+                        {"int8", ValueType::int8},
+                        {"uint16", ValueType::uint16},
+                        {"int16", ValueType::int16},
+                        {"uint32", ValueType::uint32},
+                        {"int32", ValueType::int32},
+                        {"uint64", ValueType::uint64},
+                        {"int64", ValueType::int64},
+                        {"float32", ValueType::float32},
+                        {"float64", ValueType::float64}});
+  bind_struct<RawLayout>(m, "RawLayout", field("dims", &RawLayout::dims), field("spacing", &RawLayout::spacing),
+                         field("type", &RawLayout::type), field("big_endian", &RawLayout::big_endian),
+                         field("skip", &RawLayout::skip));
+  m.def("read_raw_grey_volume", &read_raw_grey_volume, py::arg("path"), py::arg("layout"),
+        "Reads grey values from a file without a header.", Released());
+  m.def("read_raw_label_volume", &read_raw_label_volume, py::arg("path"), py::arg("layout"),
+        "Reads labels from a file without a header.", Released());
+  m.def("read_invesalius_project", &read_invesalius_project, py::arg("path"), doc("read_invesalius_project"),
+        Released());
+  m.def(
+      "write_nrrd", [](const Path& path, const GreyVolume& volume) { write_nrrd(path, volume); }, py::arg("path"),
+      py::arg("volume"), doc("write_nrrd"), Released());
+  m.def(
+      "write_nrrd", [](const Path& path, const LabelVolume& volume) { write_nrrd(path, volume); }, py::arg("path"),
+      py::arg("volume"), Released());
+  m.def(
+      "write_nrrd",
+      [](const Path& path, const PythonWorkpiece& workpiece) {
+        workpiece.read_released([&](const Workpiece& w) { write_nrrd(path, w); });
+      },
+      py::arg("path"), py::arg("workpiece"),
+      "Writes material ids under ``path`` and filled fractions under the name with ``_density`` before the extension.");
+}
+
+void bind_operations(py::module_& m) {
+  using Grey = const GreyVolume&;
+  using Labels = const LabelVolume&;
+  m.def(
+      "with_spacing", [](Grey v, const Vec3& spacing) { return with_spacing(v, spacing); }, py::arg("volume"),
+      py::arg("spacing"), doc("with_spacing"));
+  m.def(
+      "with_spacing", [](Labels v, const Vec3& spacing) { return with_spacing(v, spacing); }, py::arg("volume"),
+      py::arg("spacing"));
+  m.def(
+      "crop", [](Grey v, const IndexBox& samples) { return crop(v, samples); }, py::arg("volume"), py::arg("samples"),
+      doc("crop"), Released());
+  m.def(
+      "crop", [](Labels v, const IndexBox& samples) { return crop(v, samples); }, py::arg("volume"), py::arg("samples"),
+      Released());
+  m.def(
+      "box_around",
+      [](Labels v, const std::vector<std::uint16_t>& labels, double margin) { return box_around(v, labels, margin); },
+      py::arg("volume"), py::arg("labels") = std::vector<std::uint16_t>{}, py::arg("margin") = 0.0, doc("box_around"),
+      Released());
+  m.def(
+      "box_around", [](Grey v, double threshold, double margin) { return box_around(v, threshold, margin); },
+      py::arg("volume"), py::arg("threshold"), py::arg("margin") = 0.0, doc("box_around#2"), Released());
+  m.def("label_range", &label_range, py::arg("volume"), py::arg("from_"), py::arg("to"), py::arg("label") = 1,
+        doc("label_range"), Released());
+  bind_enum<LabelInterpolation>(m, "LabelInterpolation",
+                                {{"nearest", LabelInterpolation::nearest}, {"smooth", LabelInterpolation::smooth}});
+  m.def(
+      "resample", [](Grey v, double voxel_size) { return resample(v, voxel_size); }, py::arg("volume"),
+      py::arg("voxel_size"), doc("resample"), Released());
+  m.def(
+      "resample",
+      [](Labels v, double voxel_size, LabelInterpolation interpolation) {
+        return resample(v, voxel_size, interpolation);
+      },
+      py::arg("volume"), py::arg("voxel_size"), py::arg("interpolation") = LabelInterpolation::nearest,
+      "The same volume with cubic samples of another size.", Released());
+  m.def(
+      "keep_largest_component", [](Labels v) { return keep_largest_component(v); }, py::arg("volume"),
+      doc("keep_largest_component"), Released());
+  m.def(
+      "fill_cavities", [](Labels v, std::uint16_t label) { return fill_cavities(v, label); }, py::arg("volume"),
+      py::arg("label"), doc("fill_cavities"), Released());
+  m.def(
+      "close_gaps", [](Labels v, double radius, std::uint16_t label) { return close_gaps(v, radius, label); },
+      py::arg("volume"), py::arg("radius"), py::arg("label"), doc("close_gaps"), Released());
+}
+
+#endif
+
+}  // namespace hapticut::python
+
+void bind_io(py::module_& m) {
+  bind_vdb(m);
+#ifdef HAPTICUT_PYTHON_WITH_IO
+  m.attr("kWithIo") = true;
+  bind_meshes(m);
+  bind_volume_files(m);
+  bind_operations(m);
+#else
+  m.attr("kWithIo") = false;
+#endif
+}
+
+}  // namespace hapticut::python

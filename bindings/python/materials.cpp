@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/workpiece/material.hpp and material_presets.hpp
+#include "bindings.hpp"
+#include "hapticut/workpiece/material.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
+#include "structs.hpp"
+
+namespace hapticut::python {
+
+void bind_materials(py::module_& m) {
+  bind_struct<Material>(
+      m, "Material", field("name", &Material::name), field("relative_stiffness", &Material::relative_stiffness),
+      field("damping", &Material::damping), field("cutting_ratio", &Material::cutting_ratio),
+      field("specific_cutting_energy", &Material::specific_cutting_energy),
+      field("edge_pressure", &Material::edge_pressure), field("static_friction", &Material::static_friction),
+      field("dynamic_friction", &Material::dynamic_friction),
+      field("tangential_stiffness", &Material::tangential_stiffness), field("density", &Material::density));
+  m.def("validate", py::overload_cast<const Material&>(&validate), py::arg("material"), doc("validate"));
+
+  py::class_<MaterialTable>(m, "MaterialTable", doc("MaterialTable"))
+      .def(py::init<>())
+      .def(py::init<std::vector<Material>>(), py::arg("materials"), doc("MaterialTable::MaterialTable"))
+      .def("add", &MaterialTable::add, py::arg("material"), doc("MaterialTable::add"))
+      .def("size", &MaterialTable::size, "How many there are.")
+      .def("contains", &MaterialTable::contains, py::arg("id"), "Whether there is a material of this id.")
+      .def("id_of", &MaterialTable::id_of, py::arg("name"), doc("MaterialTable::id_of"))
+      .def("all", &MaterialTable::all, py::return_value_policy::copy, doc("MaterialTable::all"))
+      .def("__getitem__", &MaterialTable::operator[], py::return_value_policy::copy, py::arg("id"),
+           "The material of an id.\n\nRaises\n------\nError\n    When there is no such id.")
+      .def("__len__", &MaterialTable::size)
+      .def("__contains__", &MaterialTable::contains, py::arg("id"))
+      .def("__iter__",
+           [](const MaterialTable& table) { return py::iter(py::cast(table.all(), py::return_value_policy::copy)); })
+      .def("__repr__",
+           [](const py::object& self) { return "MaterialTable(" + std::string(py::repr(self.attr("all")())) + ")"; })
+      .def(py::pickle([](const MaterialTable& table) { return table.all(); },
+                      [](const std::vector<Material>& materials) { return MaterialTable(materials); }));
+
+  m.def("find_preset", &find_preset, py::arg("name"), doc("find_preset"));
+  m.def(
+      "preset_names",
+      [] {
+        const auto names = preset_names();
+        return std::vector<std::string>(names.begin(), names.end());
+      },
+      "The names that find_preset knows.");
+  m.def(
+      "preset_color",
+      [](std::string_view name) {
+        const auto color = preset_color(name);
+        return py::make_tuple(color[0], color[1], color[2]);
+      },
+      py::arg("name"), doc("preset_color"));
+}
+
+}  // namespace hapticut::python

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "hapticut/simulation/simulation.hpp"
+#include "workpiece.hpp"
+
+namespace hapticut::python {
+
+/// A voxel that became empty in a run.
+struct RemovedInRun {
+  std::int64_t step;      ///< index of the step in the run
+  std::int32_t index[3];  ///< in the workpiece's grid
+  std::uint8_t material;  ///< what it was made of
+};
+
+/// A simulation as Python holds it.
+class PythonSimulation : public std::enable_shared_from_this<PythonSimulation> {
+ public:
+  explicit PythonSimulation(Simulation given) : simulation(std::move(given)) {}
+
+  Simulation simulation;
+  Occupancy occupancy;
+  std::vector<RemovedInRun> removed;  ///< of the last run
+};
+
+}  // namespace hapticut::python

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pybind11/functional.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "arrays.hpp"
+#include "documentation.hpp"
+
+/// @file
+/// One way to bind a plain struct: every field is a keyword of the constructor, with the default of C++, an attribute
+/// with the comment of the header, and part of the text and the pickle of the object.
+namespace hapticut::python {
+
+namespace detail {
+
+/// A field's comment; Python's `from_` is C++'s `from`.
+inline const char* doc_of_field(const std::string& scope, std::string_view name) {
+  while (name.ends_with('_')) name.remove_suffix(1);
+  return doc_or_none(scope + "::" + std::string(name));
+}
+
+}  // namespace detail
+
+/// A field of struct S.
+template <class S, class T, bool kRequired>
+struct Field {
+  using Value = T;
+  static constexpr bool kIsRequired = kRequired;
+  const char* name;
+  T S::*member;
+
+  [[nodiscard]] const T& get(const S& s) const { return s.*member; }
+  void set(S& s, T value) const { s.*member = std::move(value); }
+  [[nodiscard]] auto argument(const S& defaults) const {
+    if constexpr (kRequired) {
+      return py::arg(name);
+    } else {
+      return py::arg(name) = defaults.*member;
+    }
+  }
+  void define(py::class_<S>& binding, const std::string& scope) const {
+    binding.def_readwrite(name, member, detail::doc_of_field(scope, name));
+  }
+};
+
+template <class S, class T>
+Field<S, T, false> field(const char* name, T S::*member) {
+  return {name, member};
+}
+
+/// A field that the constructor must be given.
+template <class S, class T>
+Field<S, T, true> required(const char* name, T S::*member) {
+  return {name, member};
+}
+
+/// A field that Python sees as another type.
+template <class S, class T, class Get, class Set>
+struct ComputedField {
+  using Value = T;
+  static constexpr bool kIsRequired = false;
+  const char* name;
+  Get getter;
+  Set setter;
+
+  [[nodiscard]] T get(const S& s) const { return getter(s); }
+  void set(S& s, T value) const { setter(s, std::move(value)); }
+  [[nodiscard]] auto argument(const S& defaults) const { return py::arg(name) = getter(defaults); }
+  void define(py::class_<S>& binding, const std::string& scope) const {
+    binding.def_property(name, getter, setter, detail::doc_of_field(scope, name));
+  }
+};
+
+template <class S, class T, class Get, class Set>
+ComputedField<S, T, Get, Set> computed(const char* name, Get getter, Set setter) {
+  return {name, getter, setter};
+}
+
+namespace detail {
+
+/// How many fields may be given by position: all of a few, else those that must be given, or the first.
+template <class... Fields>
+constexpr std::size_t positional_fields() {
+  constexpr std::size_t kFew = 4;
+  if (sizeof...(Fields) <= kFew) return sizeof...(Fields);
+  std::size_t must = 0;
+  ((must += Fields::kIsRequired ? 1 : 0), ...);
+  return must > 0 ? must : 1;
+}
+
+template <class S, class... Fields, std::size_t... kFirst, std::size_t... kRest>
+void define_constructor(py::class_<S>& binding, const std::tuple<Fields...>& fields, std::index_sequence<kFirst...>,
+                        std::index_sequence<kRest...>) {
+  const S defaults{};
+  const auto construct = [fields](typename Fields::Value... values) {
+    S s{};
+    std::apply([&](const auto&... field) { (field.set(s, std::move(values)), ...); }, fields);
+    return s;
+  };
+  if constexpr (sizeof...(kRest) == 0) {
+    binding.def(py::init(construct), std::get<kFirst>(fields).argument(defaults)...);
+  } else {
+    binding.def(py::init(construct), std::get<kFirst>(fields).argument(defaults)..., py::kw_only(),
+                std::get<sizeof...(kFirst) + kRest>(fields).argument(defaults)...);
+  }
+}
+
+}  // namespace detail
+
+/// Binds a struct.
+/// @param name   in Python
+/// @param scope  its name in C++, within namespace hapticut
+template <class S, class... Fields>
+py::class_<S> bind_struct(py::handle parent, const char* name, const char* scope, Fields... fields) {
+  py::class_<S> binding(parent, name, doc_or_none(scope));
+  const std::tuple<Fields...> all(fields...);
+  constexpr std::size_t kFirst = detail::positional_fields<Fields...>();
+  detail::define_constructor(binding, all, std::make_index_sequence<kFirst>(),
+                             std::make_index_sequence<sizeof...(Fields) - kFirst>());
+  (fields.define(binding, scope), ...);
+  binding.def("__repr__", [all](py::handle self) {
+    std::string text = std::string(py::str(py::type::of(self).attr("__qualname__"))) + "(";
+    std::apply(
+        [&](const auto&... field) {
+          bool first = true;
+          ((text += std::string(first ? "" : ", ") + field.name + "=" + std::string(py::repr(self.attr(field.name))),
+            first = false),
+           ...);
+        },
+        all);
+    return text + ")";
+  });
+  const auto copy = [](const S& s) { return S(s); };
+  binding.def("__copy__", copy);
+  binding.def(
+      "__deepcopy__", [](const S& s, const py::dict&) { return S(s); }, py::arg("memo"));
+  binding.def(py::pickle(
+      [all](const py::object& self) -> py::tuple {
+        return std::apply([&](const auto&... field) { return py::make_tuple(py::object(self.attr(field.name))...); },
+                          all);
+      },
+      [all](const py::tuple& values) {
+        S s{};
+        std::apply(
+            [&](const auto&... field) {
+              std::size_t i = 0;
+              (field.set(s, values[i++].template cast<typename Fields::Value>()), ...);
+            },
+            all);
+        return s;
+      }));
+  return binding;
+}
+
+template <class S, class... Fields>
+py::class_<S> bind_struct(py::handle parent, const char* name, Fields... fields) {
+  return bind_struct<S>(parent, name, name, fields...);
+}
+
+template <class S, class T>
+std::pair<const char*, T S::*> member(const char* name, T S::*pointer) {
+  return {name, pointer};
+}
+
+/// Binds a struct that Python only reads: what a call returns.
+template <class S, class... Members>
+py::class_<S> bind_result(py::handle parent, const char* name, std::pair<const char*, Members S::*>... members) {
+  py::class_<S> binding(parent, name, doc(name));
+  (binding.def_property_readonly(
+       members.first, [member = members.second](const S& s) -> const Members& { return s.*member; },
+       py::return_value_policy::copy, doc_or_none(std::string(name) + "::" + members.first)),
+   ...);
+  binding.def("__repr__", [members...](py::handle self) {
+    std::string text = std::string(py::str(py::type::of(self).attr("__qualname__"))) + "(";
+    bool first = true;
+    ((text += std::string(first ? "" : ", ") + members.first + "=" + std::string(py::repr(self.attr(members.first))),
+      first = false),
+     ...);
+    return text + ")";
+  });
+  return binding;
+}
+
+/// Binds an enumeration; its values' docstrings are the comments of the header.
+template <class E>
+py::enum_<E> bind_enum(py::handle parent, const char* name, std::initializer_list<std::pair<const char*, E>> values,
+                       const char* scope = nullptr) {
+  const std::string prefix = scope != nullptr ? scope : name;
+  py::enum_<E> binding(parent, name, doc_or_none(prefix));
+  for (const auto& [value_name, value] : values)
+    binding.value(value_name, value, doc_or_none(prefix + "::" + value_name));
+  return binding;
+}
+
+/// Binds an enumeration of bits: `a | b` and `a & b` are whole numbers, and so are those with a number; with an array
+/// of numbers they are arrays.
+template <class E>
+void bind_bits(py::handle parent, const char* name, std::initializer_list<std::pair<const char*, E>> values) {
+  py::enum_<E> binding = bind_enum<E>(parent, name, values);
+  binding.attr("__array_ufunc__") = py::none();  // so that arrays leave the operation to these
+  const auto define = [&binding](const char* left, const char* right, const char* operation) {
+    const auto apply = [operation](E bits, const py::object& other) -> py::object {
+      const py::object number = py::isinstance<E>(other) ? py::object(py::int_(other)) : other;
+      return number.attr(operation)(py::int_(std::uint32_t(bits)));
+    };
+    binding.def(left, apply, py::arg("other")).def(right, apply, py::arg("other"));
+  };
+  define("__and__", "__rand__", "__and__");
+  define("__or__", "__ror__", "__or__");
+  define("__xor__", "__rxor__", "__xor__");
+}
+
+}  // namespace hapticut::python

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/tool
+#include "hapticut/tool/tool.hpp"
+
+#include "bindings.hpp"
+#include "hapticut/tool/catalogue.hpp"
+#include "hapticut/tool/profile_mesh.hpp"
+#include "structs.hpp"
+
+namespace hapticut::python {
+
+namespace {
+
+void bind_shapes(py::module_& m) {
+  bind_struct<SphereHead>(m, "SphereHead", required("radius", &SphereHead::radius));
+  bind_struct<ConeHead>(m, "ConeHead", required("half_angle", &ConeHead::half_angle),
+                        required("height", &ConeHead::height));
+  bind_enum<FlatRule>(m, "FlatRule",
+                      {{"nearest", FlatRule::nearest},
+                       {"bottom_only", FlatRule::bottom_only},
+                       {"side_only", FlatRule::side_only},
+                       {"both", FlatRule::both}});
+  bind_struct<FlatHead>(m, "FlatHead", required("radius", &FlatHead::radius), required("height", &FlatHead::height),
+                        field("rule", &FlatHead::rule));
+  bind_enum<EdgeKind>(m, "EdgeKind", {{"cutting", EdgeKind::cutting}, {"smooth", EdgeKind::smooth}});
+  bind_struct<ProfileEdge>(m, "ProfileEdge", field("rho", &ProfileEdge::rho), field("z", &ProfileEdge::z),
+                           field("radius", &ProfileEdge::radius), field("kind", &ProfileEdge::kind));
+  bind_struct<Profile>(m, "Profile", field("tip", &Profile::tip), field("edges", &Profile::edges));
+  py::class_<ProfileHead>(m, "ProfileHead", doc("ProfileHead"))
+      .def(py::init<Profile, double>(), py::arg("profile"), py::arg("tolerance") = 0.01,
+           doc("ProfileHead::ProfileHead"))
+      .def_property_readonly("profile", &ProfileHead::profile, py::return_value_policy::copy, "The meridian.")
+      .def_property_readonly("volume", &ProfileHead::volume, doc("ProfileHead::volume"))
+      .def_property_readonly("reach", &ProfileHead::reach, doc("ProfileHead::reach"))
+      .def_property_readonly(
+          "table_error", [](const ProfileHead& head) { return head.table().error; }, doc("ProfileTable::error"));
+}
+
+void bind_heads(py::module_& m) {
+  bind_result<HeadBox>(m, "HeadBox", member("min", &HeadBox::min), member("max", &HeadBox::max));
+  using Depth = ToolHead::DepthAndDirection;
+  py::class_<Depth>(m, "DepthAndDirection", doc("ToolHead::DepthAndDirection"))
+      .def_readonly("depth", &Depth::depth, doc("ToolHead::DepthAndDirection::depth"))
+      .def_readonly("direction", &Depth::direction, doc("ToolHead::DepthAndDirection::direction"));
+  py::class_<ToolHead>(m, "ToolHead", doc("ToolHead"))
+      .def(py::init<ToolHead::Shape>(), py::arg("shape"), doc("ToolHead::ToolHead"))
+      .def_property_readonly("shape", &ToolHead::shape, py::return_value_policy::copy,
+                             "SphereHead, ConeHead, FlatHead or ProfileHead.")
+      .def("bounding_box", &ToolHead::bounding_box, doc("ToolHead::bounding_box"))
+      .def("reach", &ToolHead::reach, doc("ToolHead::reach"))
+      .def("volume", &ToolHead::volume, doc("ToolHead::volume"))
+      .def("largest_radius", &ToolHead::largest_radius, doc("ToolHead::largest_radius"))
+      .def("profile", &ToolHead::profile, doc("ToolHead::profile"))
+      .def("depth_at", &ToolHead::depth_at, py::arg("p_TQ"), doc("ToolHead::DepthAndDirection"))
+      .def("__repr__",
+           [](const py::object& self) { return "ToolHead(" + std::string(py::repr(self.attr("shape"))) + ")"; });
+  py::implicitly_convertible<SphereHead, ToolHead>();
+  py::implicitly_convertible<ConeHead, ToolHead>();
+  py::implicitly_convertible<FlatHead, ToolHead>();
+  py::implicitly_convertible<ProfileHead, ToolHead>();
+
+  m.def("round_head", &round_head, py::arg("diameter"), doc("round_head"));
+  m.def("inverted_cone_head", &inverted_cone_head, py::arg("tip_diameter"), py::arg("neck_diameter"), py::arg("length"),
+        doc("inverted_cone_head"));
+  m.def("cylinder_head", &cylinder_head, py::arg("diameter"), py::arg("length"), doc("cylinder_head"));
+  m.def("round_end_cylinder_head", &round_end_cylinder_head, py::arg("diameter"), py::arg("length"),
+        doc("round_end_cylinder_head"));
+  m.def("tapered_head", &tapered_head, py::arg("tip_diameter"), py::arg("diameter"), py::arg("length"),
+        doc("tapered_head"));
+  m.def("round_end_tapered_head", &round_end_tapered_head, py::arg("tip_diameter"), py::arg("diameter"),
+        py::arg("length"), doc("round_end_tapered_head"));
+  m.def("needle_head", &needle_head, py::arg("diameter"), py::arg("length"), doc("needle_head"));
+  m.def("flame_head", &flame_head, py::arg("diameter"), py::arg("length"), py::arg("neck_diameter"),
+        py::arg("widest_height"), doc("flame_head"));
+  m.def("pear_head", &pear_head, py::arg("diameter"), py::arg("length"), py::arg("neck_diameter"), doc("pear_head"));
+  m.def("wheel_head", &wheel_head, py::arg("diameter"), py::arg("thickness"), py::arg("shank_diameter"),
+        doc("wheel_head"));
+  m.def("christmas_tree_head", &christmas_tree_head, py::arg("diameter"), py::arg("length"), py::arg("tiers"),
+        doc("christmas_tree_head"));
+  m.def("twist_drill_head", &twist_drill_head, py::arg("diameter"), py::arg("length"),
+        py::arg("point_angle") = 118 * units::deg, doc("twist_drill_head"));
+
+  py::class_<RecognizedProfile>(m, "RecognizedProfile", doc("RecognizedProfile"))
+      .def_readonly("profile", &RecognizedProfile::profile, doc("RecognizedProfile::profile"))
+      .def_readonly("X_MT", &RecognizedProfile::X_MT, doc("RecognizedProfile::X_MT"))
+      .def_readonly("deviation", &RecognizedProfile::deviation, doc("RecognizedProfile::deviation"));
+  m.def("profile_from_mesh", &profile_from_mesh, py::arg("mesh"), py::arg("towards_shank") = Vec3(Vec3::UnitZ()),
+        py::arg("tolerance") = 0.02, doc("profile_from_mesh"), py::call_guard<py::gil_scoped_release>());
+  m.def("mesh_of_revolution", &mesh_of_revolution, py::arg("profile"), py::arg("sides"), doc("mesh_of_revolution"));
+}
+
+void bind_handles(py::module_& m) {
+  bind_struct<RayHandle>(m, "RayHandle", field("length", &RayHandle::length));
+  bind_struct<LHandle>(m, "LHandle", field("length", &LHandle::length), field("neck", &LHandle::neck),
+                       field("bend", &LHandle::bend));
+  bind_enum<HandleTorque>(m, "HandleTorque",
+                          {{"full_wrench", HandleTorque::full_wrench}, {"thesis", HandleTorque::thesis}});
+  m.def("thesis_handle_torque", &thesis_handle_torque, py::arg("handle"), py::arg("force_H"), py::arg("spin"),
+        py::arg("zeta"), doc("thesis_handle_torque"));
+  m.def("head_in_handle", &head_in_handle, py::arg("handle"), doc("head_in_handle"));
+}
+
+}  // namespace
+
+void bind_tool(py::module_& m) {
+  bind_shapes(m);
+  bind_heads(m);
+  bind_handles(m);
+  bind_struct<Spindle>(m, "Spindle", field("speed", &Spindle::speed), field("power_limit", &Spindle::power_limit),
+                       field("acceleration_limit", &Spindle::acceleration_limit), field("droop", &Spindle::droop));
+  m.def("validate", py::overload_cast<const Spindle&>(&validate), py::arg("spindle"), doc("validate"));
+  py::class_<SpindleMotor>(m, "SpindleMotor", doc("SpindleMotor"))
+      .def(py::init<const Spindle&>(), py::arg("spindle"))
+      .def("set", &SpindleMotor::set, py::arg("setting"), doc("SpindleMotor::set"))
+      .def("advance", &SpindleMotor::advance, py::arg("torque"), py::arg("dt"), doc("SpindleMotor::advance"))
+      .def_property_readonly("speed", &SpindleMotor::speed, doc("SpindleMotor::speed"))
+      .def_property_readonly("setting", &SpindleMotor::setting, doc("SpindleMotor::setting"))
+      .def_property_readonly("loaded", &SpindleMotor::loaded, doc("SpindleMotor::loaded"));
+  py::class_<Tool>(m, "Tool", doc("Tool"))
+      .def(py::init<ToolHead, Handle, Spindle>(), py::arg("head"), py::arg("handle") = Handle(RayHandle{}),
+           py::arg("spindle") = Spindle{}, doc("Tool::Tool"))
+      .def_property_readonly("head", &Tool::head, py::return_value_policy::copy, "The cutting head.")
+      .def_property_readonly("handle", &Tool::handle, py::return_value_policy::copy, "RayHandle or LHandle.")
+      .def_property_readonly("spindle", &Tool::spindle, py::return_value_policy::copy, "The motor.")
+      .def_property_readonly("X_HT", &Tool::X_HT, doc("Tool::X_HT"))
+      .def("__repr__", [](const py::object& self) {
+        return "Tool(" + std::string(py::repr(self.attr("head"))) + ", " + std::string(py::repr(self.attr("handle"))) +
+               ", " + std::string(py::repr(self.attr("spindle"))) + ")";
+      });
+}
+
+}  // namespace hapticut::python

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/workpiece: the workpiece itself and its surface
+#include "workpiece.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bindings.hpp"
+#include "core.hpp"
+#include "hapticut/workpiece/contact.hpp"
+#include "hapticut/workpiece/surface.hpp"
+#include "hapticut/workpiece/volume_builders.hpp"
+#include "simulation.hpp"
+#include "structs.hpp"
+
+namespace hapticut::python {
+
+const Workpiece& PythonWorkpiece::read() const {
+  occupancy().require_readable("The workpiece");
+  return own_ != nullptr ? *own_ : simulation_->simulation.workpiece();
+}
+
+Workpiece& PythonWorkpiece::write() {
+  if (own_ == nullptr)
+    throw Error(
+        "this workpiece belongs to a Simulation, which alone may change it; use Simulation.restore, .reset or "
+        ".reserve_blocks, or change a clone() of it.");
+  own_occupancy_->require_writable("The workpiece");
+  return *own_;
+}
+
+Occupancy& PythonWorkpiece::occupancy() const {
+  return own_occupancy_ != nullptr ? *own_occupancy_ : simulation_->occupancy;
+}
+
+namespace {
+
+/// An array larger than this, 4 GiB of bytes, is a mistake more often than a wish.
+constexpr std::int64_t kMostVoxelsOfAnArray = std::int64_t(1) << 32;
+
+IndexBox box_or_bounds(const Workpiece& workpiece, const std::optional<IndexBox>& box) {
+  const IndexBox wanted = box ? *box : workpiece.bounds();
+  if (wanted.empty())
+    throw Error(box ? "IndexBox is empty; each max must be at least its min." : "the workpiece is empty; give a box.");
+  return wanted;
+}
+
+/// Calls `function(block, voxel in the block, place in the array)` for every voxel of a box.
+template <class Function>
+void for_each_voxel(const Workpiece& workpiece, const IndexBox& box, const Function& function) {
+  const auto ny = std::size_t(box.max[1] - box.min[1] + 1), nz = std::size_t(box.max[2] - box.min[2] + 1);
+  for (int bi = block_start(box.min[0]); bi <= box.max[0]; bi += kBlockEdge)
+    for (int bj = block_start(box.min[1]); bj <= box.max[1]; bj += kBlockEdge)
+      for (int bk = block_start(box.min[2]); bk <= box.max[2]; bk += kBlockEdge) {
+        const BlockView block = workpiece.block({bi, bj, bk});
+        if (block.empty()) continue;
+        for (int i = std::max(bi, box.min[0]); i <= std::min(bi + kBlockEdge - 1, box.max[0]); ++i)
+          for (int j = std::max(bj, box.min[1]); j <= std::min(bj + kBlockEdge - 1, box.max[1]); ++j)
+            for (int k = std::max(bk, box.min[2]); k <= std::min(bk + kBlockEdge - 1, box.max[2]); ++k)
+              function(
+                  block, block_offset(i - bi, j - bj, k - bk),
+                  (std::size_t(i - box.min[0]) * ny + std::size_t(j - box.min[1])) * nz + std::size_t(k - box.min[2]));
+      }
+}
+
+template <class Value, class Function>
+py::array dense(const PythonWorkpiece& workpiece, const std::optional<IndexBox>& box, const Function& value_of) {
+  const IndexBox wanted = box_or_bounds(workpiece.read(), box);
+  if (wanted.voxels() > kMostVoxelsOfAnArray)
+    throw Error("an array of " + std::to_string(wanted.voxels()) + " voxels is too large; ask for a smaller box.");
+  py::array_t<Value> array(
+      {wanted.max[0] - wanted.min[0] + 1, wanted.max[1] - wanted.min[1] + 1, wanted.max[2] - wanted.min[2] + 1});
+  Value* values = array.mutable_data();
+  std::fill_n(values, array.size(), Value(0));
+  workpiece.read_released([&](const Workpiece& w) {
+    for_each_voxel(w, wanted, [&](const BlockView& block, int voxel, std::size_t at) {
+      if (block.fill_of(voxel) > 0) values[at] = value_of(block, voxel);
+    });
+  });
+  return array;
+}
+
+MaterialId material_of(const BlockView& block, int voxel) {
+  return block.material != nullptr ? block.material[voxel] : block.uniform_material;
+}
+
+/// A workpiece from dense arrays of voxels, exactly: the opposite of material_array and fill_array.
+PythonWorkpiece from_arrays(const py::array& material, const std::optional<py::array>& fill, const GridFrame& frame,
+                            const MaterialTable& materials, const VoxelIndex& origin) {
+  const auto ids = py::array_t<std::uint8_t, py::array::c_style>::ensure(material);
+  if (material.dtype().kind() != 'u' || material.itemsize() != 1 || material.ndim() != 3 || !ids) {
+    PyErr_Clear();
+    throw Error("material: " + describe_given(material) +
+                " was given; needed is an array of shape (nx, ny, nz) and dtype uint8.");
+  }
+  py::array_t<float, py::array::c_style | py::array::forcecast> fills;
+  if (fill) {
+    fills = *fill;
+    const bool same_shape = fill->ndim() == 3 && std::equal(material.shape(), material.shape() + 3, fill->shape());
+    if (fill->dtype().kind() != 'f' || !same_shape)
+      throw Error("fill: " + describe_given(*fill) +
+                  " was given; needed is a floating dtype and the shape of material, " +
+                  std::string(py::str(material.attr("shape"))) + ".");
+  }
+  if (material.size() == 0) throw Error("material has no voxels; every axis must have at least one.");
+  const int nx = int(ids.shape(0)), ny = int(ids.shape(1)), nz = int(ids.shape(2));
+  const IndexBox domain{origin, {origin[0] + nx - 1, origin[1] + ny - 1, origin[2] + nz - 1}};
+  const std::uint8_t* id = ids.data();
+  const float* part = fill ? fills.data() : nullptr;
+  return make_released([&] {
+    return Workpiece::from_blocks(domain, frame, materials, [&](const VoxelIndex& block, BlockContent& content) {
+      for (int x = 0; x < kBlockEdge; ++x)
+        for (int y = 0; y < kBlockEdge; ++y)
+          for (int z = 0; z < kBlockEdge; ++z) {
+            const int i = block[0] + x - origin[0], j = block[1] + y - origin[1], k = block[2] + z - origin[2];
+            const auto voxel = std::size_t(block_offset(x, y, z));
+            content.material[voxel] = kEmpty;
+            content.fill[voxel] = 0;
+            content.centroid[voxel] = {};
+            if (i < 0 || j < 0 || k < 0 || i >= nx || j >= ny || k >= nz) continue;
+            const std::size_t at =
+                (std::size_t(i) * std::size_t(ny) + std::size_t(j)) * std::size_t(nz) + std::size_t(k);
+            const float share = part != nullptr ? part[at] : 1.0F;
+            if (id[at] == kEmpty || share == 0) continue;
+            content.material[voxel] = id[at];
+            content.fill[voxel] = share;
+          }
+      return BlockKind::mixed();
+    });
+  });
+}
+
+std::vector<LabelMaterial> label_materials_from(const py::dict& materials) {
+  std::vector<LabelMaterial> list;
+  for (const auto& [labels, material] : materials) {
+    LabelMaterial entry;
+    const auto add = [&entry](py::handle label) {
+      const py::object number = py::reinterpret_steal<py::object>(PyNumber_Index(label.ptr()));
+      if (!number) {
+        PyErr_Clear();
+        throw Error("materials: a key must be a label, or a tuple of labels; " + std::string(py::repr(label)) +
+                    " is neither.");
+      }
+      const long value = PyLong_AsLong(number.ptr());
+      if (PyErr_Occurred() != nullptr || value < 0 || value > 65535) {
+        PyErr_Clear();
+        throw Error("materials: label " + std::string(py::str(number)) + " is not within 0 ... 65535.");
+      }
+      entry.labels.push_back(std::uint16_t(value));
+    };
+    if (py::isinstance<py::tuple>(labels)) {
+      for (const py::handle label : py::reinterpret_borrow<py::tuple>(labels)) add(label);
+    } else {
+      add(labels);
+    }
+    if (!py::isinstance<Material>(material))
+      throw Error("materials: the value of label " + std::string(py::repr(labels)) + " is " + describe_given(material) +
+                  "; it must be a Material.");
+    entry.material = material.cast<Material>();
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+void bind_values(py::module_& m) {
+  bind_struct<IndexBox>(m, "IndexBox", field("min", &IndexBox::min), field("max", &IndexBox::max))
+      .def("empty", &IndexBox::empty, "Whether there is no voxel in it.")
+      .def("voxels", &IndexBox::voxels, "How many voxels there are in it.");
+  bind_struct<GridFrame>(m, "GridFrame", field("voxel_size", &GridFrame::voxel_size), field("X_WV", &GridFrame::X_WV))
+      .def("center", &GridFrame::center, py::arg("index"), "[m] (3,) of a voxel, in W.");
+  bind_struct<Box>(m, "Box", required("min", &Box::min), required("max", &Box::max));
+  bind_result<MaterialAmount>(m, "MaterialAmount", member("material", &MaterialAmount::material),
+                              member("voxels", &MaterialAmount::voxels), member("volume", &MaterialAmount::volume),
+                              member("mass", &MaterialAmount::mass));
+  py::class_<WorkpieceSnapshot>(m, "WorkpieceSnapshot", doc("WorkpieceSnapshot"));
+  bind_enum<Quadrature>(m, "Quadrature",
+                        {{"centroid", Quadrature::centroid}, {"voxel_center", Quadrature::voxel_center}});
+  bind_enum<UnclaimedLabels>(m, "UnclaimedLabels",
+                             {{"refuse", UnclaimedLabels::refuse}, {"leave_out", UnclaimedLabels::leave_out}});
+  bind_struct<VolumeBuildOptions>(
+      m, "VolumeBuildOptions", field("voxel_size", &VolumeBuildOptions::voxel_size),
+      field("crop_samples", &VolumeBuildOptions::crop_samples), field("crop", &VolumeBuildOptions::crop),
+      field("antialias", &VolumeBuildOptions::antialias), field("subsamples", &VolumeBuildOptions::subsamples));
+  bind_struct<GreyRange>(m, "GreyRange", "GreyRange", required("from_", &GreyRange::from),
+                         required("to", &GreyRange::to), required("material", &GreyRange::material));
+  bind_struct<Grade>(m, "Grade", required("low", &Grade::low), required("high", &Grade::high),
+                     required("at_low", &Grade::at_low), required("at_high", &Grade::at_high),
+                     field("steps", &Grade::steps));
+}
+
+void bind_makers(py::class_<PythonWorkpiece>& binding) {
+  binding
+      .def_static(
+          "from_labels",
+          [](const RealArray& array, const Vec3& spacing, const py::dict& materials, const Pose& X_WG,
+             const VolumeBuildOptions& options, UnclaimedLabels unclaimed) {
+            const LabelVolume volume = volume_from<std::uint16_t>(array, spacing, X_WG);
+            const std::vector<LabelMaterial> list = label_materials_from(materials);
+            return make_released([&] { return build_from_labels(volume, list, options, unclaimed); });
+          },
+          py::arg("array"), py::arg("spacing"), py::arg("materials"), py::arg("X_WG") = Pose{},
+          py::arg("options") = VolumeBuildOptions{}, py::arg("unclaimed") = UnclaimedLabels::refuse,
+          "A workpiece from a segmentation.\n\n"
+          "Parameters\n----------\n"
+          "array\n    (nx, ny, nz) of a whole-number dtype, any memory order: array[i, j, k] is the label of sample\n"
+          "    (i, j, k). An array that was read as [z, y, x] is given as array.T.\n"
+          "spacing\n    [m] (3,) distance of neighbouring samples along x, y, z.\n"
+          "materials\n    dict from a label, or a tuple of labels, to its Material; ids follow its order.\n"
+          "X_WG\n    (4, 4) pose of the grid: position of sample (0, 0, 0) and directions of its axes.\n"
+          "options\n    voxel size, crop and antialiasing.\n"
+          "unclaimed\n    what to do with a label that no material claims; label 0 is always empty unless claimed.\n\n"
+          "Raises\n------\nError\n    When the array, the spacing or the labels do not fit; see build_from_labels.")
+      .def_static(
+          "from_intensity",
+          [](const RealArray& array, const Vec3& spacing, const std::vector<GreyRange>& ranges, const Pose& X_WG,
+             const VolumeBuildOptions& options) {
+            const GreyVolume volume = volume_from<float>(array, spacing, X_WG);
+            return make_released([&] { return build_from_grey(volume, ranges, options); });
+          },
+          py::arg("array"), py::arg("spacing"), py::arg("ranges"), py::arg("X_WG") = Pose{},
+          py::arg("options") = VolumeBuildOptions{},
+          "A workpiece from grey values: what no range covers is empty.\n\n"
+          "Parameters\n----------\n"
+          "array\n    (nx, ny, nz) of any real dtype, any memory order: array[i, j, k] is sample (i, j, k).\n"
+          "spacing\n    [m] (3,) distance of neighbouring samples along x, y, z.\n"
+          "ranges\n    GreyRange list, or one Grade for a material whose constants change with the grey value.\n"
+          "X_WG\n    (4, 4) pose of the grid.\n"
+          "options\n    voxel size, crop and antialiasing.\n\n"
+          "Raises\n------\nError\n    When the array, the spacing or the ranges do not fit; see build_from_grey.")
+      .def_static(
+          "from_intensity",
+          [](const RealArray& array, const Vec3& spacing, const Grade& grade, const Pose& X_WG,
+             const VolumeBuildOptions& options) {
+            const GreyVolume volume = volume_from<float>(array, spacing, X_WG);
+            return make_released([&] { return build_from_grey(volume, grade, options); });
+          },
+          py::arg("array"), py::arg("spacing"), py::arg("ranges"), py::arg("X_WG") = Pose{},
+          py::arg("options") = VolumeBuildOptions{})
+      .def_static("from_arrays", &from_arrays, py::arg("material"), py::arg("fill"), py::arg("frame"),
+                  py::arg("materials"), py::arg("origin") = VoxelIndex{0, 0, 0},
+                  "A workpiece from its voxels: what material_array and fill_array give, but for the centroids.\n\n"
+                  "Parameters\n----------\n"
+                  "material\n    (nx, ny, nz) uint8 ids, 0 where there is nothing.\n"
+                  "fill\n    (nx, ny, nz) filled fractions 0 ... 1, or None: all full.\n"
+                  "frame\n    voxel size and pose.\n"
+                  "materials\n    the table that the ids refer to.\n"
+                  "origin\n    index of the first voxel.\n\n"
+                  "Raises\n------\nError\n    When shapes or types do not fit, or an id or a fill is out of range.");
+}
+
+void bind_state(py::class_<PythonWorkpiece>& binding) {
+  using W = PythonWorkpiece;
+  binding
+      .def(
+          "clone", [](const W& w) { return W(w.read_released([](const Workpiece& x) { return x.clone(); })); },
+          doc("Workpiece::clone"))
+      .def("__copy__", [](const W& w) { return W(w.read().clone()); })
+      .def(
+          "__deepcopy__", [](const W& w, const py::dict&) { return W(w.read().clone()); }, py::arg("memo"))
+      .def_property_readonly(
+          "frame", [](const W& w) { return w.read().frame(); }, doc("GridFrame"))
+      .def_property_readonly(
+          "voxel_size", [](const W& w) { return w.read().voxel_size(); }, doc("Workpiece::voxel_size"))
+      .def_property_readonly(
+          "materials", [](const W& w) { return w.read().materials(); }, "A copy of the table; see set_materials.")
+      .def(
+          "bounds", [](const W& w) { return w.read().bounds(); }, doc("Workpiece::bounds"))
+      .def(
+          "empty", [](const W& w) { return w.read().empty(); }, doc("Workpiece::empty"))
+      .def(
+          "solid_voxels", [](const W& w) { return w.read().solid_voxels(); }, doc("Workpiece::solid_voxels"))
+      .def(
+          "memory_bytes", [](const W& w) { return w.read().memory_bytes(); }, doc("Workpiece::memory_bytes"))
+      .def(
+          "pool_bytes", [](const W& w) { return w.read().pool_bytes(); }, doc("Workpiece::pool_bytes"))
+      .def(
+          "amounts", [](const W& w) { return w.read().amounts(); }, doc("Workpiece::amounts"))
+      .def(
+          "material_at", [](const W& w, const VoxelIndex& i) { return w.read().material_at(i); }, py::arg("index"),
+          doc("Workpiece::material_at"))
+      .def(
+          "fill_at", [](const W& w, const VoxelIndex& i) { return w.read().fill_at(i); }, py::arg("index"),
+          doc("Workpiece::fill_at"))
+      .def(
+          "centroid_at",
+          [](const W& w, const VoxelIndex& i) {
+            const CentroidOffset offset = w.read().centroid_at(i);
+            return Vec3(Vec3(offset.steps[0], offset.steps[1], offset.steps[2]) / CentroidOffset::kSteps);
+          },
+          py::arg("index"), "[voxel edges] (3,) from a voxel's centre to the centroid of its filled part.")
+      .def(
+          "material_array",
+          [](const W& w, const std::optional<IndexBox>& box) { return dense<std::uint8_t>(w, box, &material_of); },
+          py::arg("box") = py::none(),
+          "(nx, ny, nz) uint8: the material of every voxel of a box, 0 where it is empty; without a box, of bounds().")
+      .def(
+          "fill_array",
+          [](const W& w, const std::optional<IndexBox>& box) {
+            return dense<float>(w, box, [](const BlockView& block, int voxel) { return block.fill_of(voxel); });
+          },
+          py::arg("box") = py::none(),
+          "(nx, ny, nz) float32: the filled fraction of every voxel of a box; without a box, of bounds().")
+      .def(
+          "hash", [](const W& w) { return w.read().hash(); }, doc("Workpiece::hash"))
+      .def(
+          "set_materials", [](W& w, const MaterialTable& table) { w.write().set_materials(table); },
+          py::arg("materials"), doc("Workpiece::set_materials"))
+      .def(
+          "snapshot", [](const W& w) { return w.read().snapshot(); },
+          "A frozen copy of the state, to return to. Cheap to copy; shares memory.")
+      .def(
+          "restore", [](W& w, const WorkpieceSnapshot& snapshot) { w.write().restore(snapshot); }, py::arg("snapshot"),
+          doc("Workpiece::restore"))
+      .def(
+          "reserve_blocks", [](W& w, std::size_t count) { w.write().reserve_blocks(count); }, py::arg("count"),
+          doc("Workpiece::reserve_blocks"))
+      .def(
+          "reserved_blocks", [](const W& w) { return w.read().reserved_blocks(); }, doc("Workpiece::reserved_blocks"))
+      .def("__repr__", [](const W& w) {
+        return "Workpiece(" + std::to_string(w.read().solid_voxels()) + " voxels of " +
+               format_number(w.read().voxel_size() * 1e3) + " mm)";
+      });
+}
+
+}  // namespace
+
+void bind_workpiece(py::module_& m) {
+  bind_values(m);
+  py::class_<PythonWorkpiece> binding(m, "Workpiece", doc("Workpiece"));
+  bind_makers(binding);
+  bind_state(binding);
+
+  py::class_<WorkpieceSurface>(m, "WorkpieceSurface", doc("WorkpieceSurface"))
+      .def_property_readonly(
+          "mesh", [](const WorkpieceSurface& s) -> const TriangleMesh& { return s.mesh; },
+          py::return_value_policy::reference_internal, doc("WorkpieceSurface::mesh"))
+      .def_property_readonly(
+          "materials",
+          [](const py::object& self) {
+            const auto& ids = self.cast<const WorkpieceSurface&>().materials;
+            return view(py::dtype::of<std::uint8_t>(), {py::ssize_t(ids.size())}, {1}, ids.data(), self);
+          },
+          "(n,) uint8 of each vertex: the material of the voxel nearest to it that is not empty; read-only.");
+  m.def(
+      "extract_surface",
+      [](const PythonWorkpiece& w) { return w.read_released([](const Workpiece& x) { return extract_surface(x); }); },
+      py::arg("workpiece"), doc("extract_surface"));
+  m.def(
+      "extract_surface",
+      [](const PythonWorkpiece& w, MaterialId material) {
+        return w.read_released([material](const Workpiece& x) { return extract_surface(x, material); });
+      },
+      py::arg("workpiece"), py::arg("material"), doc("extract_surface#2"));
+}
+
+}  // namespace hapticut::python

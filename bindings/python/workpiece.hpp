@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <utility>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/workpiece/workpiece.hpp"
+
+namespace hapticut::python {
+
+/// Who is at work on a C++ object while the interpreter lock is released. Only looked at with the lock held.
+class Occupancy {
+ public:
+  void require_readable(const char* what) const {
+    if (writing_) throw Error(std::string(what) + " is being worked on by another thread; wait until that has ended.");
+  }
+  void require_writable(const char* what) const {
+    require_readable(what);
+    if (readers_ > 0) throw Error(std::string(what) + " is being read by another thread; wait until that has ended.");
+  }
+
+ private:
+  friend class ReleasedReading;
+  friend class ReleasedWriting;
+  int readers_ = 0;
+  bool writing_ = false;
+};
+
+/// Releases the interpreter lock while an object is read.
+class ReleasedReading {
+ public:
+  explicit ReleasedReading(Occupancy& occupancy) : occupancy_(occupancy) { ++occupancy_.readers_; }
+  ~ReleasedReading() {
+    release_.disarmed();
+    --occupancy_.readers_;
+  }
+  ReleasedReading(const ReleasedReading&) = delete;
+  ReleasedReading& operator=(const ReleasedReading&) = delete;
+
+ private:
+  friend class ReleasedWriting;
+  struct Release {
+    PyThreadState* state = PyEval_SaveThread();
+    void disarmed() {
+      if (state != nullptr) PyEval_RestoreThread(std::exchange(state, nullptr));
+    }
+  };
+  Occupancy& occupancy_;
+  Release release_;
+};
+
+/// Releases the interpreter lock while an object is changed.
+class ReleasedWriting {
+ public:
+  explicit ReleasedWriting(Occupancy& occupancy) : occupancy_(occupancy) { occupancy_.writing_ = true; }
+  ~ReleasedWriting() {
+    release_.disarmed();
+    occupancy_.writing_ = false;
+  }
+  ReleasedWriting(const ReleasedWriting&) = delete;
+  ReleasedWriting& operator=(const ReleasedWriting&) = delete;
+
+ private:
+  Occupancy& occupancy_;
+  ReleasedReading::Release release_;
+};
+
+class PythonSimulation;
+
+/// A workpiece as Python holds it: its own, or a look at that of a simulation, which it keeps alive. The look is always
+/// at the simulation's present workpiece, also after a reset, and cannot change it.
+class PythonWorkpiece {
+ public:
+  explicit PythonWorkpiece(Workpiece workpiece)
+      : own_(std::make_unique<Workpiece>(std::move(workpiece))), own_occupancy_(std::make_unique<Occupancy>()) {}
+  explicit PythonWorkpiece(std::shared_ptr<PythonSimulation> simulation) : simulation_(std::move(simulation)) {}
+
+  /// @throws Error while another thread changes it
+  [[nodiscard]] const Workpiece& read() const;
+
+  /// @throws Error when it belongs to a simulation, or another thread is at work on it
+  [[nodiscard]] Workpiece& write();
+
+  [[nodiscard]] Occupancy& occupancy() const;
+
+  /// Calls `function(workpiece)` without the interpreter lock.
+  template <class Function>
+  auto read_released(const Function& function) const {
+    const Workpiece& workpiece = read();
+    const ReleasedReading released(occupancy());
+    return function(workpiece);
+  }
+
+ private:
+  std::unique_ptr<Workpiece> own_;
+  std::unique_ptr<Occupancy> own_occupancy_;
+  std::shared_ptr<PythonSimulation> simulation_;
+};
+
+/// Calls a function that makes a workpiece, without the interpreter lock.
+template <class Function>
+PythonWorkpiece make_released(const Function& function) {
+  const pybind11::gil_scoped_release released;
+  return PythonWorkpiece(function());
+}
+
+}  // namespace hapticut::python

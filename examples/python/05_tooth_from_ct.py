@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A tooth from an array of CT grey values: thresholds make materials of them, and a burr drills it.
+
+The array is made here, from the built-in molar as a scanner would see it, so that the example needs no file; with a
+file it would be `hapticut.read_grey_volume("scan.nrrd").values`."""
+import sys
+from pathlib import Path
+
+import numpy as np
+from scipy.ndimage import gaussian_filter
+
+import hapticut
+from hapticut import plot
+from hapticut.units import mm, ms, rpm
+
+folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+molar = hapticut.build_molar(0.2 * mm)
+rng = np.random.default_rng(1)
+hounsfield = np.array([-1000.0, 2600.0, 1500.0, 40.0])[np.pad(molar.material_array(), 4)]
+ct = (gaussian_filter(hounsfield, 0.6) + rng.normal(scale=40, size=hounsfield.shape)).astype(np.int16)
+
+tooth = hapticut.Workpiece.from_intensity(ct, [0.2 * mm] * 3, [
+    hapticut.GreyRange(600.0, 2050.0, hapticut.presets.dentin()),
+    hapticut.GreyRange(2050.0, np.inf, hapticut.presets.enamel()),
+])
+for amount, material in zip(tooth.amounts(), tooth.materials):
+    print(f"{material.name}: {amount.volume * 1e9:.0f} mm^3, {amount.mass * 1e3:.2f} g")
+
+# The burr comes down on the middle of the chewing surface, 2.5 mm in 1.25 s.
+bounds = tooth.bounds()
+middle = [(low + high) // 2 for low, high in zip(bounds.min, bounds.max)]
+column = tooth.fill_array(hapticut.IndexBox([middle[0], middle[1], 0], [middle[0], middle[1], bounds.max[2]]))
+surface = tooth.frame.center([middle[0], middle[1], int(np.flatnonzero(column[0, 0] > 0.5)[-1])])
+burr = hapticut.Tool(hapticut.round_head(1.8 * mm), spindle=hapticut.Spindle(150_000 * rpm))
+simulation = hapticut.Simulation(tooth, burr, hapticut.SimulationConfig(reference_stiffness=1e14))
+n = 1250
+hand = np.tile(surface + [0, 0, 1.1 * mm], (n, 1))
+hand[:, 2] -= 2.5 * mm * np.arange(1, n + 1) / n
+trace = simulation.run(hapticut.Pose.from_translation(hand), np.tile([0, 0, -2 * mm, 0, 0, 0], (n, 1)), 1 * ms)
+print(f"greatest force {trace['force'][:, 2].max():.2f} N, removed {trace['removed_volume'].sum() * 1e9:.1f} mm^3")
+plot.slice_through(simulation.workpiece, axis=1, index=middle[1]).figure.savefig(folder / "tooth_section.png", dpi=120)
+plot.surface(simulation.workpiece, elevation=55).figure.savefig(folder / "tooth.png", dpi=120)

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: Apache-2.0
+"""2 000 drilling runs over feed, speed and material on all processors, and a response surface through the results.
+
+With another executor the same runs go to a cluster: dask.distributed.Client("host:8786").get_executor()."""
+import sys
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import hapticut
+from hapticut import plot
+from hapticut.units import mm, ms
+
+RADIUS = 0.6 * mm
+MATERIALS = ("enamel", "dentin", "cortical_bone", "trabecular_bone")
+
+
+def drill(parameters, rng):
+    """Steady thrust and torque of a flat burr, from 0.15 to 0.3 mm depth."""
+    material = hapticut.find_preset(parameters["material"])
+    box = hapticut.Box([-0.8 * mm, -0.8 * mm, -0.5 * mm], [0.8 * mm, 0.8 * mm, 0])
+    block = hapticut.build_block(box, 0.05 * mm, material)
+    head = hapticut.FlatHead(RADIUS, 1 * mm, hapticut.FlatRule.bottom_only)
+    tool = hapticut.Tool(head, spindle=hapticut.Spindle(parameters["speed"]))
+    # Stiff enough for a thin engaged layer; the force does not depend on it then.
+    k = 4 * hapticut.stiffness_for_accuracy(tool.head, material, parameters["speed"], parameters["feed"])
+    config = hapticut.SimulationConfig(reference_stiffness=k / material.relative_stiffness)
+    n = int(round(0.3 * mm / (parameters["feed"] * ms)))
+    hand = np.zeros((n, 3))
+    hand[:, :2] = rng.uniform(-0.02 * mm, 0.02 * mm, 2)  # where the hand sets the burr down
+    hand[:, 2] = -0.3 * mm * np.arange(1, n + 1) / n
+    simulation = hapticut.Simulation(block, tool, config)
+    trace = simulation.run(hapticut.Pose.from_translation(hand), np.zeros((n, 6)), 1 * ms)[n // 2:]
+    return {"thrust": trace["force"][:, 2].mean(), "torque": -trace["torque"][:, 2].mean()}
+
+
+def main():
+    folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+    runs = int(sys.argv[2]) if len(sys.argv) > 2 else 2000
+    design = hapticut.sweep.latin_hypercube(runs // len(MATERIALS), {"feed": (1e-3, 4e-3), "speed": (2e3, 2e4, "log")},
+                                            seed=1)
+    space = [{**point, "material": material} for material in MATERIALS for point in design]
+    table = hapticut.sweep(space, drill, out=folder / "sweep", seed=1,
+                           units={"feed": "m/s", "speed": "rad/s", "thrust": "N", "torque": "N·m"})
+
+    # ln F = a + b ln(feed) + c ln(speed) for each material; the theory (C20) says b = 1 and c = -1 for the chip's part.
+    figure, axes = plt.subplots(1, len(MATERIALS), figsize=(14, 3.6), layout="constrained", sharey=True)
+    for ax, (material, rows) in zip(axes, table.groupby("material", sort=False)):
+        A = np.column_stack([np.ones(len(rows)), np.log(rows["feed"]), np.log(rows["speed"])])
+        fit, *_ = np.linalg.lstsq(A, np.log(rows["thrust"]), rcond=None)
+        r2 = 1 - np.var(np.log(rows["thrust"]) - A @ fit) / np.var(np.log(rows["thrust"]))
+        print(f"{material}: thrust ~ feed^{fit[1]:.2f} speed^{fit[2]:.2f}, R^2 = {r2:.3f}")
+        feed, speed = np.meshgrid(np.linspace(1e-3, 4e-3, 40), np.geomspace(2e3, 2e4, 40))
+        surface = np.exp(fit[0] + fit[1] * np.log(feed) + fit[2] * np.log(speed))
+        lines = ax.contour(feed * 1e3, speed, surface, 8, cmap="viridis")
+        ax.clabel(lines, fmt="%.2g N", fontsize=8)
+        ax.scatter(rows["feed"] * 1e3, rows["speed"], s=2, color="0.7")
+        ax.set(title=f"{material}: thrust", xlabel="feed [mm/s]", yscale="log")
+    axes[0].set_ylabel("spindle speed [rad/s]")
+    figure.savefig(folder / "response_surface.png", dpi=120)
+
+    table["feed class"] = (table["feed"] * 1e3).round(0)
+    ax = plot.sweep_matrix(table, "feed class", "material", "thrust", units={"feed class": "mm/s"})
+    ax.figure.savefig(folder / "sweep_matrix.png", dpi=120)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Installs the package with pip into a new virtual environment, as a user would, and runs the tests of Python there.
+#
+#   tests/python/in_fresh_environment.sh FOLDER [PYTHON [TEST...]]
+#
+#   FOLDER  becomes the environment; what was there is removed
+#   PYTHON  to make it with (default: python3)
+#   TEST    for pytest (default: all of tests/python)
+set -euo pipefail
+folder=$(realpath -m "$1")
+python=${2:-python3}
+shift $(($# > 2 ? 2 : $#))
+source=$(cd "$(dirname "$0")/../.." && pwd)
+
+skip() {
+  echo "SKIPPED: $1"
+  exit 0
+}
+command -v "$python" >/dev/null || skip "there is no $python."
+"$python" -c 'import sys; sys.exit(sys.version_info < (3, 9))' || skip "$python is older than Python 3.9."
+"$python" -c 'import venv, ensurepip' 2>/dev/null || skip "$python has no venv; sudo apt-get install python3-venv."
+include=$("$python" -c 'import sysconfig; print(sysconfig.get_path("include"))')
+[ -f "$include/Python.h" ] || skip "$python has no headers; sudo apt-get install python3-dev."
+
+unset PYTHONPATH PYTHONHOME
+rm -rf "$folder"
+"$python" -m venv "$folder"
+# The one thing that may be absent is the index of packages; asked for on its own, so that nothing else looks like it.
+"$folder/bin/python" -m pip download --quiet --no-deps --dest "$folder/probe" scikit-build-core ||
+  skip "pip cannot download scikit-build-core, so nothing can be installed."
+"$folder/bin/python" -m pip install --quiet "$source[test]"
+cd "$folder" # not where `import hapticut` could find anything but what was installed
+exec "$folder/bin/python" -m pytest -q --rootdir "$source" -c "$source/pyproject.toml" -p no:cacheprovider \
+  "${@:-$source/tests/python}"

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Functions for sweeps, at the top level of a module, where worker processes find them."""
+from __future__ import annotations
+
+import os
+import signal
+import time
+from pathlib import Path
+
+import numpy as np
+
+import hapticut
+from hapticut.units import mm
+
+
+def drill(parameters, rng):
+    """A short plunge; the hand trembles."""
+    material = hapticut.find_preset(parameters["material"])
+    block = hapticut.build_block(hapticut.Box([-1 * mm, -1 * mm, -1 * mm], [1 * mm, 1 * mm, 0]), 0.1 * mm, material)
+    tool = hapticut.Tool(hapticut.SphereHead(0.5 * mm), spindle=hapticut.Spindle(parameters["speed"]))
+    simulation = hapticut.Simulation(block, tool, hapticut.SimulationConfig(reference_stiffness=1e15))
+    n = 60
+    hand = np.zeros((n, 3))
+    hand[:, 2] = 0.5 * mm - parameters["feed"] * 1e-3 * np.arange(1, n + 1)
+    hand[:, :2] = rng.normal(scale=2e-6, size=(n, 2))
+    trace = simulation.run(hapticut.Pose.from_translation(hand), np.zeros((n, 6)), 1e-3)
+    return {"peak_force": trace["force"][:, 2].max(), "removed_volume": trace["removed_volume"].sum(),
+            "draw": rng.random(), "force": trace["force"]}
+
+
+def sometimes_raises(parameters, rng):
+    if parameters["x"] == 3:
+        raise ValueError("three is\ntoo much")
+    return {"square": parameters["x"] ** 2}
+
+
+def returns_nonsense(parameters, rng):
+    return [{"x": 1}, 7, {"y": None}, {3: 1}, {"error": 1}][parameters["x"]]
+
+
+def kills_its_worker_once(parameters, rng):
+    """Dies in the middle of the sweep, the first time that it comes there."""
+    mark = Path(parameters["folder"], "killed")
+    if parameters["x"] == 25 and not mark.exists():
+        mark.touch()
+        os.kill(os.getpid(), signal.SIGKILL)
+    time.sleep(0.01)
+    return {"draw": rng.random()}
+
+
+def always_kills_its_worker(parameters, rng):
+    if parameters["x"] == 5:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return {"draw": rng.random()}
+
+
+def busy(parameters, rng):
+    """Some milliseconds of work of one processor."""
+    return {"sum": float(np.sort(rng.random(60_000)).sum())}
+
+
+def sleeps(parameters, rng):
+    time.sleep(parameters["seconds"])
+    return {"y": parameters["x"]}
+
+
+def sleeps_not(parameters, rng):
+    return {"y": parameters["x"]}

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is installed: its version, its stubs, its speed to import, and that all of it can be called."""
+from __future__ import annotations
+
+import inspect
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import hapticut
+from conftest import REPOSITORY
+
+PACKAGE = Path(hapticut.__file__).parent
+
+
+def test_the_version_is_that_of_the_project():
+    text = (REPOSITORY / "CMakeLists.txt").read_text(encoding="utf-8")
+    version = re.search(r"project\(hapticut VERSION ([0-9.]+)", text)[1]
+    assert hapticut.__version__ == hapticut.build_info().version == version
+    installed = pytest.importorskip("importlib.metadata")
+    try:
+        assert installed.version("hapticut") == version
+    except installed.PackageNotFoundError:
+        assert "build" in PACKAGE.parts, "neither installed nor from a build folder"
+
+
+def test_types_are_marked_and_there():
+    assert (PACKAGE / "py.typed").exists() and (PACKAGE / "_hapticut.pyi").exists()
+
+
+def test_every_public_name_has_a_docstring_and_says_no_cpp_type():
+    undocumented, leaked = [], []
+
+    def look(name, thing):
+        text = inspect.getdoc(thing) or ""
+        if not text.strip():
+            undocumented.append(name)
+        if "::" in re.sub(r"``[^`]*``|std::|\b\w+::\w+", "", text.split("\n")[0]):
+            leaked.append(name)
+
+    core = hapticut._hapticut
+    for name in dir(core):
+        thing = getattr(core, name)
+        if name.startswith("_") or not (inspect.isclass(thing) or inspect.isroutine(thing)):
+            continue
+        look(name, thing)
+    assert not leaked
+    # Plain sets of options whose fields say it all.
+    assert set(undocumented) <= {"VolumeBuildOptions", "VolumeReadOptions", "LabelInterpolation"}
+
+
+def test_importing_is_quick_and_leaves_the_large_libraries_alone():
+    code = ("import numpy, sys, time; t = time.process_time(); import hapticut; print(time.process_time() - t); "
+            "print([m for m in ('matplotlib', 'pandas', 'scipy', 'dask', 'tqdm') if m in sys.modules])")
+    output = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout.splitlines()
+    assert float(output[0]) < 0.3  # [s] of processor time beside numpy's own
+    assert output[1] == "[]"
+
+
+def test_the_modules_of_python_are_found_when_they_are_used():
+    assert callable(hapticut.sweep) and hapticut.sweep.grid(a=[1, 2])[1] == {"a": 2}
+    with pytest.raises(AttributeError, match="nonsense"):
+        hapticut.nonsense
+
+
+def test_the_committed_stubs_are_those_of_this_module(tmp_path):
+    pytest.importorskip("pybind11_stubgen", reason="pybind11-stubgen is not installed")
+    script = REPOSITORY / "bindings" / "python" / "write_stubs.py"
+    wanted = dict(re.findall(r'^(PYBIND11|STUBGEN) = "([^"]+)"', script.read_text(encoding="utf-8"), re.M))
+    from importlib.metadata import version
+
+    built, tool = hapticut._hapticut._pybind11_version, version("pybind11-stubgen")
+    if built != wanted["PYBIND11"] or not tool.startswith(wanted["STUBGEN"]):
+        pytest.skip(f"signatures are written by pybind11 {built} and stubgen {tool} here, not {wanted}")
+    if not hapticut.kWithIo:
+        pytest.skip("hapticut was built without file formats (HAPTICUT_WITH_IO)")
+    subprocess.run([sys.executable, str(script), str(tmp_path / "new.pyi")], check=True, capture_output=True)
+    committed = (REPOSITORY / "bindings/python/hapticut/_hapticut.pyi").read_text(encoding="utf-8")
+    assert (tmp_path / "new.pyi").read_text(encoding="utf-8") == committed, "run bindings/python/write_stubs.py"
+
+
+def test_mypy_finds_nothing(tmp_path):
+    pytest.importorskip("mypy", reason="mypy is not installed")
+    result = subprocess.run([sys.executable, "-m", "mypy", "-p", "hapticut", "--config-file",
+                             str(REPOSITORY / "pyproject.toml")], cwd=tmp_path, capture_output=True, text=True)
+    assert result.returncode == 0, result.stdout + result.stderr
+
+
+# What pybind11's classes have and stubs cannot say: their metaclass, and the constructor of object in classes that
+# only the library makes.
+ARTEFACTS = re.compile(r"is inconsistent, metaclass differs$"
+                       r'|__init__ is inconsistent, stub does not have \*args parameter "args"$')
+
+
+def test_stubtest_finds_nothing(tmp_path):
+    pytest.importorskip("mypy", reason="mypy is not installed")
+    result = subprocess.run([sys.executable, "-m", "mypy.stubtest", "hapticut._hapticut", "--concise",
+                             "--mypy-config-file", str(REPOSITORY / "pyproject.toml")], cwd=tmp_path,
+                            capture_output=True, text=True)
+    found = [line for line in (result.stdout + result.stderr).splitlines() if not ARTEFACTS.search(line)]
+    assert not found, "\n".join(found)

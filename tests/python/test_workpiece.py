@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Workpieces from arrays, shapes and files, and back."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import hapticut
+from hapticut.units import mm
+
+ENAMEL, DENTIN = hapticut.presets.enamel(), hapticut.presets.dentin()
+
+
+def labels() -> np.ndarray:
+    array = np.zeros((12, 10, 8), dtype=np.uint8)
+    array[2:10, 2:8, 1:5] = 3
+    array[4:8, 3:7, 1:3] = 7
+    return array
+
+
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_labels_become_materials_voxel_by_voxel(order):
+    array = np.array(labels(), order=order)
+    workpiece = hapticut.Workpiece.from_labels(array, [0.2 * mm] * 3, {3: ENAMEL, 7: DENTIN})
+    assert [material.name for material in workpiece.materials.all()] == ["enamel", "dentin"]
+    box = hapticut.IndexBox(min=[0, 0, 0], max=[11, 9, 7])
+    found = workpiece.material_array(box)
+    assert np.array_equal(found == 1, labels() == 3) and np.array_equal(found == 2, labels() == 7)
+    assert workpiece.solid_voxels() == np.count_nonzero(labels())
+
+
+def test_several_labels_may_be_one_material():
+    workpiece = hapticut.Workpiece.from_labels(labels(), [1 * mm] * 3, {(3, 7): ENAMEL})
+    assert [amount.voxels for amount in workpiece.amounts()] == [np.count_nonzero(labels())]
+
+
+@pytest.mark.parametrize("array, spacing, materials, message", [
+    (labels(), [1 * mm] * 3, {3: ENAMEL}, "no material claims: 7"),
+    (labels(), [1 * mm, -1 * mm, 1 * mm], {3: ENAMEL, 7: DENTIN}, "spacing"),
+    (labels(), [1 * mm, np.nan, 1 * mm], {3: ENAMEL, 7: DENTIN}, "spacing"),
+    (labels(), [1 * mm] * 2, {3: ENAMEL, 7: DENTIN}, r"shape \(2,\).*\(3,\)"),
+    (labels().astype(float), [1 * mm] * 3, {3: ENAMEL}, "float64.*whole-number dtype"),
+    (labels()[0], [1 * mm] * 3, {3: ENAMEL}, r"shape \(10, 8\).*\(nx, ny, nz\)"),
+    (labels().astype(np.int16) - 1, [1 * mm] * 3, {3: ENAMEL}, "-1.*0 ... 65535"),
+    (labels(), [1 * mm] * 3, {3: "enamel"}, "type str.*must be a Material"),
+    (labels(), [1 * mm] * 3, {"three": ENAMEL}, "'three' is neither"),
+    (labels()[:0], [1 * mm] * 3, {3: ENAMEL}, "dims"),
+])
+def test_what_is_wrong_with_labels_is_said(array, spacing, materials, message):
+    with pytest.raises(hapticut.Error, match=message):
+        hapticut.Workpiece.from_labels(array, spacing, materials)
+
+
+def test_grey_values_become_a_workpiece():
+    i, j, k = np.indices((20, 20, 20))
+    ball = 8 - np.sqrt((i - 9.5) ** 2 + (j - 9.5) ** 2 + (k - 9.5) ** 2)
+    ranges = [hapticut.GreyRange(0.0, np.inf, DENTIN)]
+    for dtype in (np.float32, np.float64):
+        workpiece = hapticut.Workpiece.from_intensity(ball.astype(dtype), [0.1 * mm] * 3, ranges)
+        # 1 %: a ball of 8 samples, its surface interpolated
+        assert workpiece.amounts()[0].volume == pytest.approx(4 / 3 * np.pi * (0.8 * mm) ** 3, rel=0.01)
+    grade = hapticut.Grade(0.0, 8.0, ENAMEL, DENTIN, steps=4)
+    assert len(hapticut.Workpiece.from_intensity(ball, [0.1 * mm] * 3, grade).materials) == 4
+    assert [m.name for m in hapticut.materials_of(grade)][0].startswith("enamel")
+    ball[0, 0, 0] = np.nan
+    with pytest.raises(hapticut.Error, match="finite"):
+        hapticut.Workpiece.from_intensity(ball, [0.1 * mm] * 3, ranges)
+
+
+def test_arrays_of_voxels_go_in_and_out_exactly(block):
+    material, fill = block.material_array(), block.fill_array()
+    again = hapticut.Workpiece.from_arrays(material, fill, block.frame, block.materials, block.bounds().min)
+    assert again.hash() == block.hash()
+    assert again.material_at(block.bounds().min) == 1 and again.fill_at([10**6, 0, 0]) == 0
+    with pytest.raises(hapticut.Error, match="int64.*uint8"):
+        hapticut.Workpiece.from_arrays(material.astype(int), fill, block.frame, block.materials)
+    with pytest.raises(hapticut.Error, match="shape of material"):
+        hapticut.Workpiece.from_arrays(material, fill[1:], block.frame, block.materials)
+    with pytest.raises(hapticut.Error, match="id"):
+        hapticut.Workpiece.from_arrays(material + np.uint8(4), fill, block.frame, block.materials)
+
+
+def test_a_body_may_be_described_in_python():
+    body = hapticut.BodyDescription(hapticut.Box([-1 * mm] * 3, [1 * mm] * 3),
+                                    lambda p: float(np.linalg.norm(p) - 0.8 * mm), lambda p: 1 if p[2] > 0 else 2)
+    table = hapticut.MaterialTable([ENAMEL, DENTIN])
+    workpiece = hapticut.build_body(body, 0.2 * mm, table, subsamples=4)
+    upper, lower = workpiece.amounts()
+    assert upper.volume + lower.volume == pytest.approx(4 / 3 * np.pi * (0.8 * mm) ** 3, rel=0.02)  # 8 voxels across
+
+    def fails(p: np.ndarray) -> float:
+        raise KeyError("from Python")
+
+    body.distance = fails
+    with pytest.raises(KeyError, match="from Python"):
+        hapticut.build_body(body, 0.2 * mm, table)
+
+
+def test_the_surface_of_a_block_is_a_closed_box(block):
+    surface = hapticut.extract_surface(block)
+    vertices, triangles = surface.mesh.vertices, surface.mesh.triangles
+    a, b, c = (vertices[triangles[:, corner]] for corner in range(3))
+    volume = np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
+    assert volume == pytest.approx(6 * 6 * 4 * mm**3, rel=0.01)
+    assert len(surface.materials) == len(vertices) and set(surface.materials.tolist()) == {1}
+    assert not vertices.flags.writeable and not triangles.flags.writeable
+    del surface
+    assert np.isfinite(vertices).all()  # the array keeps the mesh alive
+    with pytest.raises(hapticut.Error):
+        hapticut.extract_surface(block, 9)
+
+
+def test_a_mesh_becomes_a_workpiece():
+    mesh = hapticut.mesh_of_revolution(hapticut.SphereHead(1 * mm) and hapticut.round_head(2 * mm).profile(), 48)
+    workpiece = hapticut.build_from_mesh(mesh, DENTIN, hapticut.MeshImport(voxel_size=0.1 * mm))
+    assert workpiece.amounts()[0].volume == pytest.approx(4 / 3 * np.pi * mm**3, rel=0.02)  # 48 facets around
+    again = hapticut.TriangleMesh(np.array(mesh.vertices), np.array(mesh.triangles))
+    assert np.array_equal(again.triangles, mesh.triangles)
+    with pytest.raises(hapticut.Error, match="names vertex 9999"):
+        hapticut.TriangleMesh(np.array(mesh.vertices), np.array([[0, 1, 9999]]))
+    with pytest.raises(hapticut.Error, match=r"vertices.*float32.*\(n, 3\)"):
+        hapticut.TriangleMesh(np.array(mesh.vertices, dtype=np.float32), np.array(mesh.triangles))
+    with pytest.raises(hapticut.Error, match="triangles.*float64"):
+        hapticut.TriangleMesh(np.array(mesh.vertices), np.array(mesh.triangles, dtype=float))
+
+
+def test_vdb_files_bring_back_every_bit(block, tmp_path):
+    hapticut.save_vdb(block, tmp_path / "block.vdb")
+    assert hapticut.load_vdb(str(tmp_path / "block.vdb")).hash() == block.hash()
+    with pytest.raises(hapticut.Error, match="nothing.vdb"):
+        hapticut.load_vdb(tmp_path / "nothing.vdb")
+
+
+def test_volumes_go_through_files(tmp_path):
+    if not hapticut.kWithIo:
+        pytest.skip("hapticut was built without file formats (HAPTICUT_WITH_IO)")
+    volume = hapticut.LabelVolume(labels(), [0.2 * mm, 0.3 * mm, 0.4 * mm],
+                                  hapticut.Pose.from_translation([1 * mm, 0, 0]))
+    hapticut.write_nrrd(tmp_path / "labels.nrrd", volume)
+    again = hapticut.read_label_volume(tmp_path / "labels.nrrd")
+    assert np.array_equal(again.values, labels()) and again.dims == labels().shape
+    assert np.allclose(again.spacing, volume.spacing) and np.allclose(again.X_WG, volume.X_WG)
+    assert np.allclose(again.position(1, 0, 0), [1.2 * mm, 0, 0])
+    assert hapticut.box_around(again, [7]).min == [4, 3, 1]
+    with pytest.raises(hapticut.Error, match="gone.nrrd"):
+        hapticut.read_grey_volume(tmp_path / "gone.nrrd")
+
+
+def test_structs_copy_pickle_and_print(block):
+    import copy
+    import pickle
+
+    material = hapticut.presets.enamel()
+    assert repr(pickle.loads(pickle.dumps(material))) == repr(material) == repr(copy.deepcopy(material))
+    config = hapticut.SimulationConfig(effects=hapticut.Effects(gravity=hapticut.Gravity(mass=0.1)))
+    assert pickle.loads(pickle.dumps(config)).effects.gravity.mass == 0.1
+    config.effects.limits.largest_force = 3.0
+    assert config.effects.limits.largest_force == 3.0
+    assert copy.copy(block).hash() == block.hash()
+    with pytest.raises(TypeError, match="stiffnes"):
+        hapticut.Material("typo", stiffnes=1.0)
+
+
+def test_poses_come_as_matrices_and_twists_as_six_numbers():
+    v = np.array([0.1, -0.2, 0.3])
+    R = hapticut.rotation_from_vector(v)
+    assert np.allclose(hapticut.vector_from_rotation(R), v) and hapticut.is_rotation(R, 1e-12)
+    X = hapticut.advance(np.eye(4), np.concatenate([[1, 2, 3], v]), 1.0)
+    assert np.allclose(X[:3, :3], R) and np.allclose(X[:3, 3], [1, 2, 3])
+    assert np.allclose(hapticut.twist_between(np.eye(4), X, 1.0), [1, 2, 3, *v])
+    assert np.allclose(hapticut.Pose.inverse(X) @ X, np.eye(4))
+    assert np.allclose(hapticut.Pose.inverse(np.stack([X, X]))[1] @ X, np.eye(4))
+    wrench = hapticut.transport(hapticut.Wrench(force=[0, 0, 1], torque=[0, 0, 0]), [1, 0, 0])
+    assert np.allclose(wrench.torque, [0, -1, 0])
+    assert np.allclose(hapticut.transport(np.array([0.0, 0, 0, 0, 0, 1]), [1, 0, 0]), [0, 1, 0, 0, 0, 1])
+    with pytest.raises(hapticut.Error, match=r"a twist.*\(3,\).*\(6,\)"):
+        hapticut.advance(np.eye(4), np.zeros(3), 1.0)
+    with pytest.raises(hapticut.Error, match="a vector.*float32"):
+        hapticut.rotation_from_vector(v.astype(np.float32))
+    with pytest.raises(ValueError, match="shape"):
+        hapticut.Pose.from_translation([1, 2])
+
+
+def test_units_are_those_of_the_header():
+    import re
+
+    from conftest import REPOSITORY
+
+    text = (REPOSITORY / "include/hapticut/core/units.hpp").read_text(encoding="utf-8")
+    found = dict(re.findall(r"constexpr double (\w+) = ([^;]+);", text))
+    assert len(found) >= 10
+    for name, value in found.items():
+        expected = eval(value, {"kPi": np.pi})  # arithmetic of our own header
+        assert getattr(hapticut.units, name) == pytest.approx(expected, rel=1e-15), name
+
+
+def test_presets_are_those_of_the_library():
+    for name in hapticut.preset_names():
+        assert repr(getattr(hapticut.presets, name)()) == repr(hapticut.find_preset(name))
+    with pytest.raises(hapticut.Error, match="enamel"):
+        hapticut.find_preset("unobtainium")
