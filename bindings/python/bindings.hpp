@@ -19,5 +19,6 @@ void bind_io(pybind11::module_& m);
 void bind_device(pybind11::module_& m);
 void bind_guard(pybind11::module_& m);
 void bind_bench(pybind11::module_& m);
+void bind_recordings(pybind11::module_& m);
 
 }  // namespace hapticut::python

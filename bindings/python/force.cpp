@@ -14,6 +14,7 @@
 #include "hapticut/force/laws/twist_drill.hpp"
 #include "hapticut/force/stiffness.hpp"
 #include "structs.hpp"
+#include "tool_head.hpp"
 
 namespace hapticut::python {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <pybind11/pybind11.h>
 
+#include <string>
+
 #include "bindings.hpp"
 #include "hapticut/core/errors.hpp"
 
@@ -24,4 +26,10 @@ PYBIND11_MODULE(_hapticut, m) {
   bind_guard(m);
   bind_device(m);
   bind_bench(m);
+  bind_recordings(m);
+
+  py::list names;
+  for (const py::handle name : py::module_::import("builtins").attr("dir")(m))
+    if (!name.cast<std::string>().starts_with("_")) names.append(name);
+  m.attr("__all__") = names;
 }

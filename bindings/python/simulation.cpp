@@ -8,7 +8,9 @@
 
 #include "bindings.hpp"
 #include "hapticut/simulation/scenes.hpp"
+#include "recording.hpp"
 #include "structs.hpp"
+#include "tool_head.hpp"
 #include "trace.hpp"
 
 namespace hapticut::python {
@@ -34,28 +36,6 @@ TraceRow trace_row(const StepResult& result, double time) {
 }
 
 namespace {
-
-/// A step's result that outlives the next step: owns its list of voxels.
-struct PythonStepResult {
-  StepResult result;
-  std::vector<RemovedVoxel> voxels;
-
-  explicit PythonStepResult(const StepResult& given)
-      : result(given), voxels(given.removed_voxels.begin(), given.removed_voxels.end()) {
-    result.removed_voxels = voxels;
-  }
-  PythonStepResult(PythonStepResult&&) = default;  // moving a vector does not move its elements
-};
-
-PythonStepResult step(PythonSimulation& self, const FewNumbers& pose, const FewNumbers& velocity, double dt) {
-  self.occupancy.require_writable("The simulation");
-  std::array<double, 16> matrix;
-  std::array<double, 6> twist;
-  if (!read_numbers(pose, "pose", {4, 4}, matrix.data())) (void)numbers_of(pose, "pose", {4, 4});
-  if (!read_numbers(velocity, "velocity", {6}, twist.data())) (void)numbers_of(velocity, "velocity", {6});
-  return PythonStepResult(
-      self.simulation.step(pose_from(matrix.data(), "pose"), {Vec3(twist.data()), Vec3(twist.data() + 3)}, dt));
-}
 
 void require_finite(std::span<const double> numbers, std::size_t per_row, const char* what) {
   for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -105,23 +85,47 @@ struct RunInput {
   [[nodiscard]] double duration_of(std::size_t step) const { return durations.empty() ? dt : durations[step]; }
 };
 
-py::array run(PythonSimulation& self, const Float64Array& poses, const Float64Array& velocities, const Durations& dt) {
-  self.occupancy.require_writable("The simulation");
+}  // namespace
+
+PythonStepResult make_step(PythonSimulation& simulation, const FewNumbers& pose, const FewNumbers& velocity, double dt,
+                           const Stepper& step) {
+  simulation.occupancy.require_writable("The simulation");
+  std::array<double, 16> matrix;
+  std::array<double, 6> twist;
+  if (!read_numbers(pose, "pose", {4, 4}, matrix.data())) (void)numbers_of(pose, "pose", {4, 4});
+  if (!read_numbers(velocity, "velocity", {6}, twist.data())) (void)numbers_of(velocity, "velocity", {6});
+  return PythonStepResult(step({pose_from(matrix.data(), "pose"), {Vec3(twist.data()), Vec3(twist.data() + 3)}, dt}));
+}
+
+py::array make_steps(PythonSimulation& simulation, const Float64Array& poses, const Float64Array& velocities,
+                     const Durations& dt, const Stepper& step) {
+  simulation.occupancy.require_writable("The simulation");
   const RunInput input(poses, velocities, dt);
   py::array_t<TraceRow> trace{py::ssize_t(input.steps)};
   TraceRow* rows = trace.mutable_data();
-  self.removed.clear();
-  const ReleasedWriting released(self.occupancy);
-  double time = 0;
-  for (std::size_t i = 0; i < input.steps; ++i) {
-    const double duration = input.duration_of(i);
-    const StepResult& result = self.simulation.step(input.pose_of(i), input.velocity_of(i), duration);
-    time += duration;
-    rows[i] = trace_row(result, time);
-    for (const RemovedVoxel& voxel : result.removed_voxels)
-      self.removed.push_back({std::int64_t(i), {voxel.index[0], voxel.index[1], voxel.index[2]}, voxel.material});
+  simulation.removed.clear();
+  {
+    const ReleasedWriting released(simulation.occupancy);
+    double time = 0;
+    for (std::size_t i = 0; i < input.steps; ++i) {
+      const double duration = input.duration_of(i);
+      const StepResult& result = step({input.pose_of(i), input.velocity_of(i), duration});
+      time += duration;
+      rows[i] = trace_row(result, time);
+      for (const RemovedVoxel& voxel : result.removed_voxels)
+        simulation.removed.push_back(
+            {std::int64_t(i), {voxel.index[0], voxel.index[1], voxel.index[2]}, voxel.material});
+    }
   }
   return trace;
+}
+
+namespace {
+
+Stepper stepper_of(PythonSimulation& self) {
+  return [&self](const StepInput& input) -> const StepResult& {
+    return self.simulation.step(input.pose, input.velocity, input.dt);
+  };
 }
 
 void bind_config(py::module_& m) {
@@ -245,22 +249,32 @@ void bind_the_simulation(py::module_& m) {
            "Works on a copy of the workpiece, and reserves all memory that cutting will need.\n\n"
            "Raises\n------\nError\n    When the configuration is invalid, the workpiece is empty, or the head thinner "
            "than a voxel.")
-      .def("step", &step, py::arg("pose"), py::arg("velocity"), py::arg("dt"), doc("Simulation::step"))
-      .def("run", &run, py::arg("poses"), py::arg("velocities"), py::arg("dt"),
-           "Makes a step for every row, without the interpreter lock.\n\n"
-           "Parameters\n----------\n"
-           "poses\n    (n, 4, 4) float64, C-contiguous: X_WH at the end of each step.\n"
-           "velocities\n    (n, 6) float64, C-contiguous: [m/s] of Ho, then [rad/s], in W.\n"
-           "dt\n    [s] one number, or (n,) float64.\n\n"
-           "Returns\n-------\n"
-           "numpy.ndarray\n"
-           "    (n,) structured; the fields are those of StepResult: `trace[\"force\"]` is (n, 3),\n"
-           "    `trace[\"energy\"][\"cutting\"]` (n,); removed_voxels is their number, see removed_in_run; `time` [s] "
-           "is\n"
-           "    that since the beginning of the run.\n\n"
-           "Raises\n------\nError\n    When an array has another shape or type, or holds a number that is not finite; "
-           "nothing was simulated then.\n    Whatever else is wrong with an input is reported by `status`, as step "
-           "does.")
+      .def(
+          "step",
+          [](S& self, const FewNumbers& pose, const FewNumbers& velocity, double dt) {
+            return make_step(self, pose, velocity, dt, stepper_of(self));
+          },
+          py::arg("pose"), py::arg("velocity"), py::arg("dt"), doc("Simulation::step"))
+      .def(
+          "run",
+          [](S& self, const Float64Array& poses, const Float64Array& velocities, const Durations& dt) {
+            return make_steps(self, poses, velocities, dt, stepper_of(self));
+          },
+          py::arg("poses"), py::arg("velocities"), py::arg("dt"),
+          "Makes a step for every row, without the interpreter lock.\n\n"
+          "Parameters\n----------\n"
+          "poses\n    (n, 4, 4) float64, C-contiguous: X_WH at the end of each step.\n"
+          "velocities\n    (n, 6) float64, C-contiguous: [m/s] of Ho, then [rad/s], in W.\n"
+          "dt\n    [s] one number, or (n,) float64.\n\n"
+          "Returns\n-------\n"
+          "numpy.ndarray\n"
+          "    (n,) structured; the fields are those of StepResult: `trace[\"force\"]` is (n, 3),\n"
+          "    `trace[\"energy\"][\"cutting\"]` (n,); removed_voxels is their number, see removed_in_run; `time` [s] "
+          "is\n"
+          "    that since the beginning of the run.\n\n"
+          "Raises\n------\nError\n    When an array has another shape or type, or holds a number that is not finite; "
+          "nothing was simulated then.\n    Whatever else is wrong with an input is reported by `status`, as step "
+          "does.")
       .def_property_readonly(
           "removed_in_run",
           [](S& self) -> py::array {
@@ -290,6 +304,25 @@ void bind_the_simulation(py::module_& m) {
             return py::array_t<double>(py::ssize_t(volumes.size()), volumes.data());
           },
           "[m^3] (256,) taken away since construction or reset, by material id.")
+      .def_property_readonly(
+          "spindle_setting", [](const S& self) { return self.simulation.spindle_setting(); },
+          doc("Simulation::spindle_setting"))
+      .def_property_readonly(
+          "steps", [](const S& self) { return self.simulation.steps(); }, doc("Simulation::steps"))
+      .def_property_readonly(
+          "workpiece_exchanges", [](const S& self) { return self.simulation.workpiece_exchanges(); },
+          doc("Simulation::workpiece_exchanges"))
+      .def(
+          "changed_blocks",
+          [](S& self) {
+            self.occupancy.require_readable("The simulation");
+            const ChangedBlocks changed = self.simulation.changed_blocks();
+            py::array_t<std::int32_t> origins({py::ssize_t(changed.origins.size()), py::ssize_t(3)});
+            for (std::size_t i = 0; i < changed.origins.size(); ++i)
+              std::copy_n(changed.origins[i].data(), 3, origins.mutable_data(py::ssize_t(i)));
+            return py::make_tuple(origins, changed.complete);
+          },
+          "What the last step has changed: (n, 3) int32 first voxels of blocks, and whether that is all of them.")
       .def(
           "worst_case", [](const S& self) { return self.simulation.worst_case(); }, doc("Simulation::worst_case"))
       .def_property_readonly(

@@ -27,4 +27,16 @@ class PythonSimulation : public std::enable_shared_from_this<PythonSimulation> {
   std::vector<RemovedInRun> removed;  ///< of the last run
 };
 
+/// A step's result that outlives the next step: owns its list of voxels.
+struct PythonStepResult {
+  StepResult result;
+  std::vector<RemovedVoxel> voxels;
+
+  explicit PythonStepResult(const StepResult& given)
+      : result(given), voxels(given.removed_voxels.begin(), given.removed_voxels.end()) {
+    result.removed_voxels = voxels;
+  }
+  PythonStepResult(PythonStepResult&&) = default;  // moving a vector does not move its elements
+};
+
 }  // namespace hapticut::python

@@ -6,6 +6,7 @@
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/profile_mesh.hpp"
 #include "structs.hpp"
+#include "tool_head.hpp"
 
 namespace hapticut::python {
 
@@ -54,10 +55,6 @@ void bind_heads(py::module_& m) {
       .def("depth_at", &ToolHead::depth_at, py::arg("p_TQ"), doc("ToolHead::DepthAndDirection"))
       .def("__repr__",
            [](const py::object& self) { return "ToolHead(" + std::string(py::repr(self.attr("shape"))) + ")"; });
-  py::implicitly_convertible<SphereHead, ToolHead>();
-  py::implicitly_convertible<ConeHead, ToolHead>();
-  py::implicitly_convertible<FlatHead, ToolHead>();
-  py::implicitly_convertible<ProfileHead, ToolHead>();
 
   m.def("round_head", &round_head, py::arg("diameter"), doc("round_head"));
   m.def("inverted_cone_head", &inverted_cone_head, py::arg("tip_diameter"), py::arg("neck_diameter"), py::arg("length"),

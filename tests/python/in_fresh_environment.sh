@@ -24,6 +24,7 @@ include=$("$python" -c 'import sysconfig; print(sysconfig.get_path("include"))')
 [ -f "$include/Python.h" ] || skip "$python has no headers; sudo apt-get install python3-dev."
 
 unset PYTHONPATH PYTHONHOME
+export CC=${CC:-cc} CXX=${CXX:-c++} # as CMake calls them, so that ccache knows what other builds have compiled
 rm -rf "$folder"
 "$python" -m venv "$folder"
 # The one thing that may be absent is the index of packages; asked for on its own, so that nothing else looks like it.

@@ -121,7 +121,8 @@ def dask_over_tcp(folder):
                                    "--no-dashboard", "--scheduler-file", str(address)))
             deadline = time.monotonic() + 60
             while not address.exists():
-                assert processes[0].poll() is None and time.monotonic() < deadline, (folder / "scheduler.log").read_text()
+                log = (folder / "scheduler.log").read_text()
+                assert processes[0].poll() is None and time.monotonic() < deadline, log
                 time.sleep(0.05)
             time.sleep(0.1)
             where = json.loads(address.read_text())["address"]

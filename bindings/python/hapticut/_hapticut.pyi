@@ -8,8 +8,9 @@ import collections.abc
 import numpy
 import numpy.typing
 import os
+import pathlib
 import typing
-__all__: list[str] = ['ArmingOptions', 'ArmingState', 'AxialCutForce', 'AxisMask', 'BodyDescription', 'Bounce', 'BounceTest', 'Box', 'BuildInfo', 'Buzz', 'Calibration', 'ClosedLoop', 'ClosedLoopConfig', 'Color', 'ColoredMesh', 'ConeHead', 'Contact', 'ContactMechanicsLaw', 'DampingMatrixLaw', 'DeepContact', 'DeltaFilter', 'DepthAndDirection', 'Device', 'DeviceCapabilities', 'DeviceCommand', 'DeviceFault', 'DeviceModel', 'DeviceOutput', 'DeviceState', 'DrillingTest', 'DryFriction', 'EdgeKind', 'Effects', 'EffectsInput', 'EnergyLedger', 'Error', 'FaultResponse', 'FlatHead', 'FlatRule', 'ForceLaw', 'FoundationLaw', 'Grade', 'Gravity', 'GreyRange', 'GreyVolume', 'GridFrame', 'GuardOptions', 'HandModel', 'HandleTorque', 'HeadBox', 'HertzianBurrLaw', 'IndexBox', 'InjectedFault', 'LHandle', 'LabelInterpolation', 'LabelMaterial', 'LabelVolume', 'LatencyHistogram', 'Layer', 'LinearWall', 'Material', 'MaterialAmount', 'MaterialTable', 'MeshImport', 'MeshShell', 'MockDevice', 'MockOptions', 'MolarParameters', 'MouseDevice', 'MouseOptions', 'MoveKey', 'NamedMesh', 'Output', 'OutputLimit', 'OutputLimits', 'PassivityOptions', 'PictureOptions', 'Plant', 'PlantOptions', 'PoseGateOptions', 'PressTest', 'Profile', 'ProfileEdge', 'ProfileHead', 'Quadrature', 'RawLayout', 'RayHandle', 'RealtimeOptions', 'RecognizedProfile', 'RemovalLaw', 'RunOptions', 'RunReport', 'SafetyEvent', 'SafetyGuard', 'SafetyLogEntry', 'Scene', 'Simulation', 'SimulationConfig', 'SphereHead', 'Spindle', 'SpindleMotor', 'SpindleState', 'StabilitySearch', 'StageTimes', 'StepInput', 'StepResult', 'StepStatus', 'StickSlip', 'ThermalOptions', 'ThesisLaw', 'Tool', 'ToolHead', 'TriangleMesh', 'TwistDrillLaw', 'UnclaimedLabels', 'ValueType', 'VdbImport', 'Vibration', 'VolumeBuildOptions', 'VolumeReadOptions', 'WatchdogOptions', 'Workpiece', 'WorkpieceSnapshot', 'WorkpieceSurface', 'WorkspaceMap', 'WorkspaceMapOptions', 'WorstCase', 'Wrench', 'advance', 'axial_cut_force', 'bounce', 'box_around', 'build_block', 'build_body', 'build_from_grey', 'build_from_labels', 'build_from_mesh', 'build_from_shells', 'build_info', 'build_layered_slab', 'build_molar', 'build_sphere', 'calibrate', 'capabilities', 'christmas_tree_head', 'close_gaps', 'colored', 'contact_point', 'crop', 'cylinder_head', 'describe', 'describe_molar', 'device_drivers', 'device_model', 'device_models', 'extract_surface', 'fill_cavities', 'filtered', 'find_preset', 'find_scene', 'flame_head', 'gravity_wrench', 'growth_limited', 'hand_model', 'hand_models', 'has', 'head_in_handle', 'injected_faults', 'inverted_cone_head', 'is_rotation', 'is_stable', 'kFastestVibration', 'kFullSpinSpeed', 'kMaxVolumeSamples', 'kMolarCaries', 'kMolarDentin', 'kMolarEnamel', 'kMolarPulp', 'kRejected', 'kWithIo', 'keep_largest_component', 'label_range', 'largest_contact_stiffness', 'largest_stable_stiffness', 'least_force_growth', 'load_vdb', 'masked', 'material_color', 'materials_of', 'mesh_of_revolution', 'most_blocks', 'most_voxels', 'needle_head', 'obeys_the_rules', 'open_device', 'open_mock', 'orthonormalized', 'pear_head', 'preset_color', 'preset_names', 'press', 'profile_from_mesh', 'read_colour_slices', 'read_grey_volume', 'read_invesalius_project', 'read_label_volume', 'read_mesh', 'read_raw_grey_volume', 'read_raw_label_volume', 'resample', 'respond', 'rotation_from_vector', 'round_end_cylinder_head', 'round_end_tapered_head', 'round_head', 'saturated', 'save_vdb', 'scenes', 'scripted_path', 'standing_share', 'stiffness_for_accuracy', 'stiffness_for_device', 'tapered_head', 'thesis_handle_torque', 'transport', 'twist_between', 'twist_drill_head', 'validate', 'vector_from_rotation', 'wheel_head', 'with_spacing', 'write_nrrd', 'write_picture', 'write_ply', 'write_stl']
+__all__: list = ['ArmingOptions', 'ArmingState', 'AxialCutForce', 'AxisMask', 'BodyDescription', 'Bounce', 'BounceTest', 'Box', 'BuildInfo', 'Buzz', 'Calibration', 'ClosedLoop', 'ClosedLoopConfig', 'Color', 'ColoredMesh', 'ConeHead', 'Contact', 'ContactMechanicsLaw', 'DampingMatrixLaw', 'DeepContact', 'DeltaFilter', 'DepthAndDirection', 'Device', 'DeviceCapabilities', 'DeviceCommand', 'DeviceFault', 'DeviceModel', 'DeviceOutput', 'DeviceState', 'DrillingTest', 'DryFriction', 'EdgeKind', 'Effects', 'EffectsInput', 'EnergyLedger', 'Error', 'FaultResponse', 'FlatHead', 'FlatRule', 'ForceLaw', 'FoundationLaw', 'Grade', 'Gravity', 'GreyRange', 'GreyVolume', 'GridFrame', 'GuardOptions', 'HandModel', 'HandleTorque', 'HeadBox', 'HertzianBurrLaw', 'IndexBox', 'InjectedFault', 'LHandle', 'LabelInterpolation', 'LabelMaterial', 'LabelVolume', 'LatencyHistogram', 'Layer', 'LinearWall', 'Material', 'MaterialAmount', 'MaterialTable', 'MeshImport', 'MeshShell', 'MockDevice', 'MockOptions', 'MolarParameters', 'MouseDevice', 'MouseOptions', 'MoveKey', 'NamedMesh', 'Output', 'OutputLimit', 'OutputLimits', 'PassivityOptions', 'PictureOptions', 'Plant', 'PlantOptions', 'PoseGateOptions', 'PressTest', 'Profile', 'ProfileEdge', 'ProfileHead', 'Quadrature', 'RawLayout', 'RayHandle', 'RealtimeOptions', 'RecognizedProfile', 'RecordedEffects', 'Recorder', 'RecorderOptions', 'Recording', 'RecordingInfo', 'RemovalLaw', 'ReplayDifference', 'ReplayReport', 'RunOptions', 'RunReport', 'SafetyEvent', 'SafetyGuard', 'SafetyLogEntry', 'Scene', 'Simulation', 'SimulationConfig', 'SphereHead', 'Spindle', 'SpindleMotor', 'SpindleState', 'StabilitySearch', 'StageTimes', 'StepInput', 'StepResult', 'StepStatus', 'StickSlip', 'ThermalOptions', 'ThesisLaw', 'Tool', 'ToolHead', 'TriangleMesh', 'TwistDrillLaw', 'UnclaimedLabels', 'ValueType', 'VdbImport', 'Vibration', 'VolumeBuildOptions', 'VolumeReadOptions', 'WatchdogOptions', 'Workpiece', 'WorkpieceSnapshot', 'WorkpieceSurface', 'WorkspaceMap', 'WorkspaceMapOptions', 'WorstCase', 'Wrench', 'advance', 'axial_cut_force', 'bounce', 'box_around', 'build_block', 'build_body', 'build_from_grey', 'build_from_labels', 'build_from_mesh', 'build_from_shells', 'build_info', 'build_layered_slab', 'build_molar', 'build_sphere', 'calibrate', 'capabilities', 'christmas_tree_head', 'close_gaps', 'colored', 'contact_point', 'crop', 'cylinder_head', 'describe', 'describe_molar', 'device_drivers', 'device_model', 'device_models', 'extract_surface', 'fill_cavities', 'filtered', 'find_preset', 'find_scene', 'flame_head', 'gravity_wrench', 'growth_limited', 'hand_model', 'hand_models', 'has', 'head_in_handle', 'injected_faults', 'inverted_cone_head', 'is_rotation', 'is_stable', 'kFastestVibration', 'kFullSpinSpeed', 'kMaxVolumeSamples', 'kMolarCaries', 'kMolarDentin', 'kMolarEnamel', 'kMolarPulp', 'kRecordingFormat', 'kRejected', 'kWithIo', 'keep_largest_component', 'label_range', 'largest_contact_stiffness', 'largest_stable_stiffness', 'least_force_growth', 'load_vdb', 'masked', 'material_color', 'materials_of', 'mesh_of_revolution', 'most_blocks', 'most_voxels', 'needle_head', 'obeys_the_rules', 'open_device', 'open_mock', 'orthonormalized', 'pear_head', 'preset_color', 'preset_names', 'press', 'profile_from_mesh', 'read_colour_slices', 'read_grey_volume', 'read_invesalius_project', 'read_label_volume', 'read_mesh', 'read_raw_grey_volume', 'read_raw_label_volume', 'read_recording', 'replay', 'resample', 'respond', 'rotation_from_vector', 'round_end_cylinder_head', 'round_end_tapered_head', 'round_head', 'saturated', 'save_vdb', 'scenes', 'scripted_path', 'simulation_of', 'standing_share', 'stiffness_for_accuracy', 'stiffness_for_device', 'tapered_head', 'thesis_handle_torque', 'transport', 'twist_between', 'twist_drill_head', 'validate', 'vector_from_rotation', 'wheel_head', 'with_spacing', 'write_csv', 'write_npz', 'write_nrrd', 'write_picture', 'write_ply', 'write_stl']
 class Error(RuntimeError):
     """
     Something that was asked for cannot be done. The message says what was given, what is allowed and what to do.
@@ -3489,6 +3490,10 @@ class Simulation:
         Error
             When the configuration is invalid, the workpiece is empty, or the head thinner than a voxel.
         """
+    def changed_blocks(self) -> tuple[numpy.typing.NDArray[numpy.int32], bool]:
+        """
+        What the last step has changed: (n, 3) int32 first voxels of blocks, and whether that is all of them.
+        """
     def reserve_blocks(self, count: typing.SupportsInt | typing.SupportsIndex) -> None:
         """
         Fills the pool of the workpiece up to ``count`` blocks.
@@ -3606,9 +3611,19 @@ class Simulation:
         [m^3] (256,) taken away since construction or reset, by material id.
         """
     @property
+    def spindle_setting(self) -> float:
+        """
+        [rad/s] that was asked of the spindle last; while it ramps or is loaded its speed is StepResult::spindle.
+        """
+    @property
     def stage_times(self) -> StageTimes:
         """
         Of the last step; see SimulationConfig::stage_times.
+        """
+    @property
+    def steps(self) -> int:
+        """
+        Calls of ``step`` since construction or ``reset``.
         """
     @property
     def tool(self) -> Tool:
@@ -3619,6 +3634,11 @@ class Simulation:
     def workpiece(self) -> Workpiece:
         """
         What is left: a look at it, not a copy. It cannot be changed from there.
+        """
+    @property
+    def workpiece_exchanges(self) -> int:
+        """
+        How often ``restore`` and ``reset`` have exchanged the workpiece.
         """
 class StepInput:
     """
@@ -6907,6 +6927,324 @@ class FaultResponse:
         """
         [s] from the fault to the first tick without force; < 0: the force went on
         """
+class RecorderOptions:
+    """
+    How a recording is made.
+    """
+    def __copy__(self) -> RecorderOptions:
+        ...
+    def __deepcopy__(self, memo: dict) -> RecorderOptions:
+        ...
+    def __getstate__(self) -> tuple:
+        ...
+    def __init__(self, device: str = '', *, note: str = '', steps: typing.SupportsInt | typing.SupportsIndex = 8192, flush_period: typing.SupportsFloat | typing.SupportsIndex = 0.2, wait_when_full: bool = False, workpiece_file: str = '') -> None:
+        ...
+    def __repr__(self) -> str:
+        ...
+    def __setstate__(self, arg0: tuple) -> None:
+        ...
+    @property
+    def device(self) -> str:
+        """
+        name of the device that the steps come from; empty: none, and no columns for it
+        """
+    @device.setter
+    def device(self, arg0: str) -> None:
+        ...
+    @property
+    def flush_period(self) -> float:
+        """
+        [s] in 0.01 ... 0.5; a process that is killed loses this, and what it takes to write
+        """
+    @flush_period.setter
+    def flush_period(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def note(self) -> str:
+        """
+        anything
+        """
+    @note.setter
+    def note(self, arg0: str) -> None:
+        ...
+    @property
+    def steps(self) -> int:
+        """
+        that the memory between loop and disk holds, about 1.3 kB each
+        """
+    @steps.setter
+    def steps(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def wait_when_full(self) -> bool:
+        """
+        Where the memory is full: true waits for the disk, for simulations that nobody feels; false loses the step and
+        says so in the recording, for loops.
+        """
+    @wait_when_full.setter
+    def wait_when_full(self, arg0: bool) -> None:
+        ...
+    @property
+    def workpiece_file(self) -> str:
+        """
+        File that the initial workpiece was loaded from, by ``load_vdb``. The recording then holds its name and a hash
+        instead of its content. Empty: the recording holds the workpiece.
+        """
+    @workpiece_file.setter
+    def workpiece_file(self, arg1: str) -> None:
+        ...
+class Recorder:
+    """
+    Records the steps of a simulation: the loop puts each into a bounded memory without lock, and a thread of the
+    recorder's own writes it to an HDF5 file. The file is in order at any moment: a process that is killed loses the
+    last fraction of a second, not the recording.
+
+    ``step`` belongs to one thread; the rest may be called from any.
+    """
+    def __enter__(self) -> typing.Any:
+        ...
+    def __exit__(self, type: typing.Any, value: typing.Any, traceback: typing.Any) -> None:
+        ...
+    def __init__(self, path: os.PathLike | str | bytes, simulation: Simulation, options: RecorderOptions = ...) -> None:
+        """
+        Writes what there is before the first step, and replaces what was at ``path``.
+
+        Parameters
+        ----------
+        simulation
+            that has made no step yet, or was just reset; it must stay where it is until the end
+
+        Raises
+        ------
+        Error
+            When the simulation has made steps, an option is out of range, or the file cannot be written
+        """
+    def close(self) -> None:
+        """
+        Writes what is left, and the hash of the workpiece, and ends the recording.
+
+        Raises
+        ------
+        Error
+            When something could not be written, also earlier
+        """
+    def run(self, poses: numpy.typing.NDArray[numpy.float64], velocities: numpy.typing.NDArray[numpy.float64], dt: float | numpy.typing.NDArray[numpy.float64]) -> numpy.ndarray:
+        """
+        Makes a step for every row and records it; see Simulation.run. A run is quicker than the disk: set
+        RecorderOptions.wait_when_full, or steps will be lost.
+        """
+    def step(self, pose: numpy.typing.ArrayLike, velocity: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex) -> StepResult:
+        """
+        Makes a step of the simulation and records it.
+        """
+    @property
+    def failed(self) -> bool:
+        """
+        the disk is full, or the like: ``close`` says what
+        """
+    @property
+    def lost(self) -> int:
+        """
+        steps that found the memory full or came after the end
+        """
+    @property
+    def recorded(self) -> int:
+        """
+        steps that were taken over
+        """
+class RecordingInfo:
+    """
+    Who made a recording, and how it ended.
+    """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def begun(self) -> str:
+        """
+        when, as 2026-01-31T23:59:59Z
+        """
+    @property
+    def closed(self) -> bool:
+        """
+        false: the program ended before it could finish; the last moment is missing
+        """
+    @property
+    def commit(self) -> str:
+        """
+        of the program that recorded: see BuildInfo
+        """
+    @property
+    def compiler(self) -> str:
+        """
+        of the program that recorded: see BuildInfo
+        """
+    @property
+    def cpu(self) -> str:
+        """
+        of the program that recorded: see BuildInfo
+        """
+    @property
+    def device(self) -> str:
+        """
+        that the steps came from; empty: none
+        """
+    @property
+    def format(self) -> int:
+        ...
+    @property
+    def lost(self) -> int:
+        """
+        steps that found the recorder's memory full; a replay ends before the first
+        """
+    @property
+    def note(self) -> str:
+        """
+        of whoever recorded
+        """
+    @property
+    def remarks(self) -> list[str]:
+        """
+        what a reader should know: lost steps, an end without an end, in sentences
+        """
+    @property
+    def version(self) -> str:
+        """
+        of the program that recorded: see BuildInfo
+        """
+    @property
+    def workpiece_hash_at_end(self) -> int | None:
+        """
+        Workpiece::hash, only when closed
+        """
+class RecordedEffects:
+    """
+    A change of the effects between two steps.
+    """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def effects(self) -> Effects:
+        ...
+    @property
+    def first_step(self) -> int:
+        """
+        number of the first step that they were in force
+        """
+class Recording:
+    """
+    A recording that is open for reading; steps are read from the disk when they are asked for. Also one that is still
+    being written: what is there so far.
+    """
+    def __len__(self) -> int:
+        ...
+    def read(self, first: typing.SupportsInt | typing.SupportsIndex = 0, count: typing.SupportsInt | typing.SupportsIndex | None = None) -> dict:
+        """
+        The steps from one on, all of them without a count: a dict of poses (n, 4, 4), velocities (n, 6) and dt (n,),
+        as Simulation.run takes them, and trace, as it returns them.
+        """
+    def workpiece(self) -> Workpiece:
+        """
+        The workpiece before the first step: out of the recording, or out of the file that it names.
+
+        Raises
+        ------
+        Error
+            When that file is missing, or is not what was recorded
+        """
+    @property
+    def config(self) -> SimulationConfig:
+        """
+        without the law
+        """
+    @property
+    def default_law(self) -> bool:
+        """
+        whether the force law was the library's own, FoundationLaw
+        """
+    @property
+    def effects(self) -> list[RecordedEffects]:
+        """
+        the first entry belongs to step 0
+        """
+    @property
+    def has_device(self) -> bool:
+        """
+        whether the steps have a device's side
+        """
+    @property
+    def info(self) -> RecordingInfo:
+        """
+        Who made it, and how it ended.
+        """
+    @property
+    def path(self) -> pathlib.Path:
+        """
+        Of the file.
+        """
+    @property
+    def tool(self) -> Tool:
+        """
+        That made the steps.
+        """
+class ReplayDifference:
+    """
+    Where a replay leaves its recording.
+    """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def column(self) -> str:
+        """
+        of the recording, or "workpiece" for its hash at the end
+        """
+    @property
+    def element(self) -> int:
+        """
+        of the column, counted through its rows
+        """
+    @property
+    def recorded(self) -> float:
+        ...
+    @property
+    def replayed(self) -> float:
+        ...
+    @property
+    def step(self) -> int:
+        """
+        number of the step
+        """
+class ReplayReport:
+    """
+    What came of a replay.
+    """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def first_difference(self) -> ReplayDifference | None:
+        ...
+    @property
+    def identical(self) -> bool:
+        """
+        every bit of every result, and of the workpiece at the end where it is known
+        """
+    @property
+    def largest_force_difference(self) -> float:
+        """
+        [N] over all steps
+        """
+    @property
+    def left_out(self) -> int:
+        """
+        recorded steps after the first lost one, which cannot be made again
+        """
+    @property
+    def steps(self) -> int:
+        """
+        that were made again
+        """
+    @property
+    def workpiece_hash(self) -> int:
+        ...
 def advance(from_: numpy.typing.ArrayLike, twist: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
     """
     The pose after moving with a constant twist of the body's origin for ``dt`` seconds.
@@ -7529,6 +7867,24 @@ def read_raw_label_volume(path: os.PathLike | str | bytes, layout: RawLayout) ->
     """
     Reads labels from a file without a header.
     """
+def read_recording(path: os.PathLike | str | bytes) -> Recording:
+    """
+    Opens a recording.
+
+    Raises
+    ------
+    Error
+        When the file is missing, damaged, no recording, of a newer format, or lacks something
+    """
+def replay(recording: Recording, law: ForceLaw | None = None, progress: collections.abc.Callable[[int], None] | None = None) -> ReplayReport:
+    """
+    Makes all steps of a recording again and compares them bit by bit with what was recorded.
+
+    Raises
+    ------
+    Error
+        When the recording cannot be read, its workpiece is missing, or it needs a law that was not given
+    """
 @typing.overload
 def resample(volume: GreyVolume, voxel_size: typing.SupportsFloat | typing.SupportsIndex) -> GreyVolume:
     """
@@ -7607,6 +7963,15 @@ def scripted_path(name: str) -> collections.abc.Callable[[typing.SupportsFloat |
     ------
     Error
         That lists the names there are
+    """
+def simulation_of(recording: Recording, law: ForceLaw | None = None) -> Simulation:
+    """
+    The simulation of a recording before its first step.
+
+    Raises
+    ------
+    Error
+        As above
     """
 def standing_share(spin: typing.SupportsFloat | typing.SupportsIndex, radius: typing.SupportsFloat | typing.SupportsIndex) -> float:
     """
@@ -7837,6 +8202,24 @@ def with_spacing(volume: GreyVolume, spacing: numpy.typing.ArrayLike) -> GreyVol
 @typing.overload
 def with_spacing(volume: LabelVolume, spacing: numpy.typing.ArrayLike) -> LabelVolume:
     ...
+def write_csv(recording: Recording, path: os.PathLike | str | bytes) -> None:
+    """
+    Writes the steps as text, a line a step, with the names of the columns on top and all digits.
+
+    Raises
+    ------
+    Error
+        When the recording cannot be read or the file cannot be written
+    """
+def write_npz(recording: Recording, path: os.PathLike | str | bytes) -> None:
+    """
+    Writes the steps as a NumPy archive (.npz): one array a column, of the names and shapes of the recording.
+
+    Raises
+    ------
+    Error
+        As above
+    """
 @typing.overload
 def write_nrrd(path: os.PathLike | str | bytes, volume: GreyVolume) -> None:
     """
@@ -7902,5 +8285,6 @@ kMolarCaries: int = 4
 kMolarDentin: int = 2
 kMolarEnamel: int = 1
 kMolarPulp: int = 3
+kRecordingFormat: int = 1
 kRejected: int = 15
 kWithIo: bool = True

@@ -110,7 +110,8 @@ def space_of(settings: Mapping[str, Any], path: Path) -> Space:
     """The space of a study."""
     kinds = [kind for kind in ("grid", "latin_hypercube", "sobol", "runs") if kind in settings]
     if len(kinds) != 1:
-        raise Error(f"{path} has {' and '.join(kinds) or 'no space'}; give one of grid, latin_hypercube, sobol and runs.")
+        found = " and ".join(kinds) or "no space"
+        raise Error(f"{path} has {found}; give one of grid, latin_hypercube, sobol and runs.")
     given = settings[kinds[0]]
     if kinds[0] == "grid":
         return grid(**given)

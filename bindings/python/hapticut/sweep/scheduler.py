@@ -147,8 +147,8 @@ class Scheduler:
     def _died(self, error: BaseException, *pieces: _Piece) -> None:
         """The executor is gone, and with it everything that was on its way."""
         if self.pool is None:
-            raise Error(f"the executor died ({type(error).__name__}: {error}). All finished chunks are kept: call sweep "
-                        "again with another executor to go on.") from error
+            raise Error(f"the executor died ({type(error).__name__}: {error}). All finished chunks are kept: call "
+                        "sweep again with another executor to go on.") from error
         self.deaths += 1
         if self.made == 0 and self.deaths >= 2 * GREATEST_STRIKES:
             raise Error("the worker processes die before they finish a run. A script needs `if __name__ == "
@@ -193,9 +193,9 @@ class Scheduler:
                         break
                     except Exception as error:
                         # run_chunk itself does not raise: the function did not arrive, or the executor gave up.
-                        raise Error(f"the executor could not make a chunk ({type(error).__name__}: {error}). All finished "
-                                    "chunks are kept: call sweep again to go on. The workers need hapticut, and the "
-                                    "module of run.") from error
+                        raise Error(f"the executor could not make a chunk ({type(error).__name__}: {error}). All "
+                                    "finished chunks are kept: call sweep again to go on. The workers need hapticut, "
+                                    "and the module of run.") from error
                     del self.on_their_way[future]
                     self.seconds += chunk.seconds
                     self.made += len(chunk.rows)

@@ -39,7 +39,8 @@ class Space(Sequence[Parameters]):
         self._rows: list[Parameters] = []
         for index, row in enumerate(rows):
             if list(row) != names:
-                raise Error(f"run {index} has the parameters {list(row)}, but run 0 has {names}; they must be the same.")
+                raise Error(f"run {index} has the parameters {list(row)}, but run 0 has {names}; they must be the "
+                            "same.")
             self._rows.append({name: plain(row[name], f"parameter {name} of run {index}") for name in names})
         self.names = names
 

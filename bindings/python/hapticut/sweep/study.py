@@ -57,13 +57,15 @@ class Study:
             write_whole(self.out / "chunks" / "writable", b"")
             (self.out / "chunks" / "writable").unlink()
         except OSError as error:
-            raise Error(f"cannot write to the study's folder {self.out}: {error}. Choose another one by `out`.") from None
+            raise Error(f"cannot write to the study's folder {self.out}: {error}. Choose another one by "
+                        "`out`.") from None
 
     def _claim(self, resume: bool) -> None:
         description = self.out / "study.json"
         if not description.exists():
             if any((self.out / "chunks").glob("*.jsonl")):
-                raise Error(f"{self.out} holds runs, but no study.json that says of what. Choose another folder by `out`.")
+                raise Error(f"{self.out} holds runs, but no study.json that says of what. Choose another folder by "
+                            "`out`.")
             text = json.dumps({**self.identity, "units": self.units}, indent=2)
             write_whole(description, (text + "\n").encode())
             return
@@ -73,8 +75,8 @@ class Study:
             raise Error(f"{description} is damaged. Choose another folder by `out`, or remove this one.") from None
         different = [key for key, value in self.identity.items() if found.get(key) != value]
         if different:
-            raise Error(f"{self.out} holds another study, with another {', '.join(different)}. Choose another folder by "
-                        "`out`; nothing was changed.")
+            raise Error(f"{self.out} holds another study, with another {', '.join(different)}. Choose another folder "
+                        "by `out`; nothing was changed.")
         if not resume and any((self.out / "chunks").glob("*.jsonl")):
             raise Error(f"{self.out} holds runs of this study already. Pass resume=True to go on with it, or choose "
                         "another folder by `out`; nothing was changed.")

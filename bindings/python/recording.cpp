@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/io: recordings and their replay
+#include "recording.hpp"
+
+#include "bindings.hpp"
+#include "structs.hpp"
+#include "trace.hpp"
+#ifdef HAPTICUT_PYTHON_WITH_IO
+#include "hapticut/io/recorder.hpp"
+#include "hapticut/io/recording.hpp"
+#include "hapticut/io/replay.hpp"
+#endif
+
+namespace hapticut::python {
+
+#ifdef HAPTICUT_PYTHON_WITH_IO
+
+namespace {
+
+/// A recorder and the simulation that it belongs to.
+struct PythonRecorder {
+  std::shared_ptr<PythonSimulation> simulation;
+  std::unique_ptr<Recorder> recorder;
+
+  [[nodiscard]] Stepper stepper() const {
+    return [this](const StepInput& input) -> const StepResult& { return recorder->step(input); };
+  }
+  void close() const {
+    simulation->occupancy.require_writable("The simulation");
+    const ReleasedWriting released(simulation->occupancy);
+    recorder->close();
+  }
+};
+
+void bind_recorder(py::module_& m) {
+  using O = RecorderOptions;
+  const auto workpiece_file = computed<O, std::string>(
+      "workpiece_file", [](const O& o) { return o.workpiece_file.string(); },
+      [](O& o, const std::string& path) { o.workpiece_file = path; });
+  bind_struct<O>(m, "RecorderOptions", field("device", &O::device), field("note", &O::note), field("steps", &O::steps),
+                 field("flush_period", &O::flush_period), field("wait_when_full", &O::wait_when_full), workpiece_file);
+  using R = PythonRecorder;
+  py::class_<R>(m, "Recorder", doc("Recorder"))
+      .def(py::init([](const std::filesystem::path& path, const std::shared_ptr<PythonSimulation>& simulation,
+                       const O& options) {
+             simulation->occupancy.require_writable("The simulation");
+             const ReleasedWriting released(simulation->occupancy);
+             return R{simulation, std::make_unique<Recorder>(path, simulation->simulation, options)};
+           }),
+           py::arg("path"), py::arg("simulation"), py::arg("options") = O{}, doc("Recorder::Recorder"))
+      .def(
+          "step",
+          [](R& self, const FewNumbers& pose, const FewNumbers& velocity, double dt) {
+            return make_step(*self.simulation, pose, velocity, dt, self.stepper());
+          },
+          py::arg("pose"), py::arg("velocity"), py::arg("dt"), "Makes a step of the simulation and records it.")
+      .def(
+          "run",
+          [](R& self, const Float64Array& poses, const Float64Array& velocities, const Durations& dt) {
+            return make_steps(*self.simulation, poses, velocities, dt, self.stepper());
+          },
+          py::arg("poses"), py::arg("velocities"), py::arg("dt"),
+          "Makes a step for every row and records it; see Simulation.run. A run is quicker than the disk: set\n"
+          "RecorderOptions.wait_when_full, or steps will be lost.")
+      .def_property_readonly(
+          "recorded", [](const R& r) { return r.recorder->recorded(); }, doc("Recorder::recorded"))
+      .def_property_readonly(
+          "lost", [](const R& r) { return r.recorder->lost(); }, doc("Recorder::lost"))
+      .def_property_readonly(
+          "failed", [](const R& r) { return r.recorder->failed(); }, doc("Recorder::failed"))
+      .def("close", &R::close, doc("Recorder::close"))
+      .def("__enter__", [](py::object self) { return self; })
+      .def(
+          "__exit__", [](R& r, const py::object&, const py::object&, const py::object&) { r.close(); }, py::arg("type"),
+          py::arg("value"), py::arg("traceback"));
+}
+
+void bind_recording(py::module_& m) {
+  m.attr("kRecordingFormat") = kRecordingFormat;
+  using I = RecordingInfo;
+  bind_result<I>(m, "RecordingInfo", member("format", &I::format), member("version", &I::version),
+                 member("commit", &I::commit), member("compiler", &I::compiler), member("cpu", &I::cpu),
+                 member("begun", &I::begun), member("device", &I::device), member("note", &I::note),
+                 member("closed", &I::closed), member("lost", &I::lost),
+                 member("workpiece_hash_at_end", &I::workpiece_hash_at_end), member("remarks", &I::remarks));
+  bind_result<RecordedEffects>(m, "RecordedEffects", member("first_step", &RecordedEffects::first_step),
+                               member("effects", &RecordedEffects::effects));
+  py::class_<Recording>(m, "Recording", doc("Recording"))
+      .def_property_readonly("path", &Recording::path, "Of the file.")
+      .def_property_readonly("info", &Recording::info, py::return_value_policy::copy, "Who made it, and how it ended.")
+      .def_property_readonly("has_device", &Recording::has_device, doc("Recording::has_device"))
+      .def_property_readonly("default_law", &Recording::default_law, doc("Recording::default_law"))
+      .def("__len__", &Recording::size)
+      .def(
+          "read",
+          [](const Recording& recording, std::uint64_t first, std::optional<std::uint64_t> count) {
+            std::vector<RecordedStep> steps;
+            {
+              const py::gil_scoped_release released;
+              steps = recording.read(first, count.value_or(recording.size()));
+            }
+            const auto n = py::ssize_t(steps.size());
+            py::array_t<double> poses({n, py::ssize_t(4), py::ssize_t(4)}), velocities({n, py::ssize_t(6)}), dt(n);
+            py::array_t<TraceRow> trace(n);
+            for (py::ssize_t i = 0; i < n; ++i) {
+              const RecordedStep& step = steps[std::size_t(i)];
+              write_pose(step.input.pose, poses.mutable_data(i));
+              std::copy_n(step.input.velocity.linear.data(), 3, velocities.mutable_data(i));
+              std::copy_n(step.input.velocity.angular.data(), 3, velocities.mutable_data(i) + 3);
+              dt.mutable_at(i) = step.input.dt;
+              StepResult result;
+              result.force = step.force;
+              result.torque = step.torque;
+              result.removed_volume = step.removed_volume;
+              result.contact = step.contact;
+              result.model = step.model;
+              result.energy = step.energy;
+              result.spindle = step.spindle;
+              result.sub_steps = step.sub_steps;
+              result.status = step.status;
+              trace.mutable_at(i) = trace_row(result, step.time);
+              trace.mutable_at(i).removed_voxels = std::int64_t(step.removed_voxels);
+            }
+            py::dict out;
+            out["poses"] = poses;
+            out["velocities"] = velocities;
+            out["dt"] = dt;
+            out["trace"] = trace;
+            return out;
+          },
+          py::arg("first") = 0, py::arg("count") = py::none(),
+          "The steps from one on, all of them without a count: a dict of poses (n, 4, 4), velocities (n, 6) and dt "
+          "(n,),\n"
+          "as Simulation.run takes them, and trace, as it returns them.")
+      .def_property_readonly(
+          "tool", [](const Recording& r) { return r.tool(); }, "That made the steps.")
+      .def_property_readonly(
+          "config", [](const Recording& r) { return r.config(); }, doc("Recording::config"))
+      .def_property_readonly(
+          "effects", [](const Recording& r) { return r.effects(); }, doc("Recording::effects"))
+      .def(
+          "workpiece", [](const Recording& r) { return make_released([&] { return r.workpiece(); }); },
+          doc("Recording::workpiece"));
+  const auto released = py::call_guard<py::gil_scoped_release>();
+  m.def("read_recording", &read_recording, py::arg("path"), doc("read_recording"), released);
+  m.def("write_csv", &write_csv, py::arg("recording"), py::arg("path"), doc("write_csv"), released);
+  m.def("write_npz", &write_npz, py::arg("recording"), py::arg("path"), doc("write_npz"), released);
+}
+
+void bind_replay(py::module_& m) {
+  using D = ReplayDifference;
+  bind_result<D>(m, "ReplayDifference", member("step", &D::step), member("column", &D::column),
+                 member("element", &D::element), member("recorded", &D::recorded), member("replayed", &D::replayed));
+  using R = ReplayReport;
+  bind_result<R>(m, "ReplayReport", member("steps", &R::steps), member("identical", &R::identical),
+                 member("first_difference", &R::first_difference),
+                 member("largest_force_difference", &R::largest_force_difference), member("left_out", &R::left_out),
+                 member("workpiece_hash", &R::workpiece_hash));
+  using Law = std::shared_ptr<ForceLaw>;
+  m.def(
+      "replay",
+      [](const Recording& recording, const std::optional<Law>& law,
+         const std::optional<std::function<void(std::uint64_t)>>& progress) {
+        ReplayOptions options;
+        options.law = law.value_or(nullptr);
+        if (progress) options.progress = *progress;
+        const py::gil_scoped_release without_lock;
+        return replay(recording, options);
+      },
+      py::arg("recording"), py::arg("law") = py::none(), py::arg("progress") = py::none(), doc("replay"));
+  m.def(
+      "simulation_of",
+      [](const Recording& recording, const std::optional<Law>& law) {
+        const py::gil_scoped_release without_lock;
+        return std::make_shared<PythonSimulation>(simulation_of(recording, law.value_or(nullptr)));
+      },
+      py::arg("recording"), py::arg("law") = py::none(), doc("simulation_of"));
+}
+
+}  // namespace
+
+void bind_recordings(py::module_& m) {
+  bind_recorder(m);
+  bind_recording(m);
+  bind_replay(m);
+}
+
+#else
+
+void bind_recordings(py::module_&) {}
+
+#endif
+
+}  // namespace hapticut::python

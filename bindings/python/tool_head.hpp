@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <optional>
+
+#include "hapticut/tool/head.hpp"
+
+namespace pybind11::detail {
+
+/// Where a head is wanted a shape is one, as in C++. pybind11's own implicit conversions would swallow the message when
+/// the shape is not valid.
+template <>
+struct type_caster<hapticut::ToolHead> : type_caster_base<hapticut::ToolHead> {
+  bool load(handle given, bool convert) {
+    return type_caster_base<hapticut::ToolHead>::load(given, convert) || make<hapticut::SphereHead>(given) ||
+           make<hapticut::ConeHead>(given) || make<hapticut::FlatHead>(given) || make<hapticut::ProfileHead>(given);
+  }
+
+ private:
+  template <class Shape>
+  bool make(handle given) {
+    if (!isinstance<Shape>(given)) return false;
+    made_.emplace(hapticut::ToolHead::Shape(given.cast<const Shape&>()));
+    value = &*made_;
+    return true;
+  }
+
+  std::optional<hapticut::ToolHead> made_;
+};
+
+}  // namespace pybind11::detail

@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Every bound function, method and attribute is used once, and gives what its name says."""
+from __future__ import annotations
+
+import inspect
+import math
+
+import numpy as np
+import pytest
+
+import hapticut as h
+from hapticut.units import deg, mm
+
+core = h._hapticut
+
+
+def use_attributes(thing):
+    """Reads every attribute of an object; a getter that fails, fails the test."""
+    return {name: getattr(thing, name) for name in dir(thing) if not name.startswith("_")}
+
+
+def test_every_struct_is_made_with_its_defaults_copied_changed_and_printed():
+    import copy
+    import pickle
+
+    made = 0
+    for name, cls in inspect.getmembers(core, inspect.isclass):
+        try:
+            thing = cls()
+        except TypeError:
+            continue  # needs arguments, or is only made by the library
+        made += 1
+        values = use_attributes(thing)
+        assert name in repr(thing) or "object" in repr(thing)
+        if not hasattr(thing, "__getstate__") or not hasattr(cls, "__setstate__"):
+            continue
+        for attribute, value in values.items():
+            if not callable(value) or isinstance(value, h.ForceLaw):
+                setattr(thing, attribute, value)  # what was read can be written
+        if name not in ("MockOptions",):  # may hold a function
+            assert repr(pickle.loads(pickle.dumps(thing))) == repr(copy.deepcopy(thing)) == repr(copy.copy(thing))
+    assert made > 40
+
+
+HEADS = {
+    "round_head": h.round_head(2 * mm),
+    "inverted_cone_head": h.inverted_cone_head(2 * mm, 1 * mm, 2 * mm),
+    "cylinder_head": h.cylinder_head(1 * mm, 4 * mm),
+    "round_end_cylinder_head": h.round_end_cylinder_head(1 * mm, 4 * mm),
+    "tapered_head": h.tapered_head(0.8 * mm, 1.2 * mm, 4 * mm),
+    "round_end_tapered_head": h.round_end_tapered_head(0.8 * mm, 1.2 * mm, 4 * mm),
+    "needle_head": h.needle_head(1 * mm, 6 * mm),
+    "flame_head": h.flame_head(1.2 * mm, 5 * mm, 0.8 * mm, 2 * mm),
+    "pear_head": h.pear_head(1.2 * mm, 3 * mm, 0.8 * mm),
+    "wheel_head": h.wheel_head(4 * mm, 0.8 * mm, 1 * mm),
+    "christmas_tree_head": h.christmas_tree_head(1.6 * mm, 5 * mm, 4),
+    "twist_drill_head": h.twist_drill_head(2.5 * mm, 8 * mm),
+}
+
+
+@pytest.mark.parametrize("name", HEADS)
+def test_heads_have_an_extent_a_profile_and_a_depth(name):
+    head = HEADS[name]
+    box = head.bounding_box()
+    assert (box.max > box.min).all() and 0 < head.largest_radius() <= head.reach() and head.volume() > 0
+    inside = head.depth_at([0.1 * head.largest_radius(), 0, 0.45 * box.min[2] + 0.55 * box.max[2]])
+    assert inside.depth > 0 and np.linalg.norm(inside.direction) == pytest.approx(1)
+    assert head.depth_at(box.max + 1 * mm).depth <= 0
+    profile = head.profile()
+    again = h.ToolHead(h.ProfileHead(profile))
+    assert again.volume() == pytest.approx(head.volume(), rel=1e-6)
+    if isinstance(again.shape, h.ProfileHead):
+        assert again.shape.reach > 0 and again.shape.volume > 0 and again.shape.table_error >= 0
+        assert len(again.shape.profile.edges) == len(profile.edges)
+    assert name in dir(h) and "Head" in repr(head)
+    assert h.most_voxels(head, 0.1 * mm) > 0 and h.most_blocks(head, 0.1 * mm) > 0
+    assert h.largest_contact_stiffness(head) > 0
+
+
+def test_meshes_are_recognized_as_profiles():
+    mesh = h.mesh_of_revolution(h.cylinder_head(1 * mm, 3 * mm).profile(), 64)
+    found = h.profile_from_mesh(mesh, [0, 0, 1])
+    assert found.deviation < 0.05 * mm and found.X_MT.shape == (4, 4)
+    assert h.ProfileHead(found.profile).volume == pytest.approx(math.pi * (0.5 * mm) ** 2 * 3 * mm, rel=0.02)
+
+
+def test_handles_and_tools():
+    bent = h.LHandle(length=20 * mm, neck=5 * mm, bend=90 * deg)
+    assert np.allclose(h.head_in_handle(bent)[:3, 3], [-5 * mm, 0, -20 * mm])
+    tool = h.Tool(h.FlatHead(1 * mm, 2 * mm, h.FlatRule.both), bent, h.Spindle(100.0, power_limit=1.0))
+    assert tool.head.shape.rule == h.FlatRule.both and tool.handle.neck == 5 * mm and tool.spindle.power_limit == 1.0
+    assert np.allclose(tool.X_HT, h.head_in_handle(bent))
+    assert h.thesis_handle_torque(bent, [0, 0, 1], 0.1, 1.0).shape == (3,)
+    motor = h.SpindleMotor(h.Spindle(100.0, acceleration_limit=10.0))
+    motor.set(50.0)
+    motor.advance(0.0, 1.0)
+    assert motor.speed == pytest.approx(90) and motor.setting == 50.0 and not motor.loaded
+    h.validate(h.Spindle())
+    with pytest.raises(h.Error, match="ConeHead"):
+        h.Tool(h.ConeHead(120 * deg, 1 * mm))
+
+
+def test_materials_and_their_table():
+    table = h.MaterialTable([h.presets.enamel()])
+    assert table.add(h.presets.dentin()) == 2 and table.size() == len(table) == 2
+    assert table.contains(2) and 2 in table and not table.contains(3)
+    assert table[2].name == "dentin" and table.id_of("dentin") == 2 and [m.name for m in table][0] == "enamel"
+    assert len(h.preset_color("enamel")) == 3
+    h.validate(h.presets.pulp())
+    with pytest.raises(h.Error, match=r"damping.*= -1"):
+        h.validate(h.Material("x", damping=-1.0))
+    with pytest.raises(h.Error):
+        table[9]
+
+
+def test_builders():
+    molar = h.build_molar(0.4 * mm, h.MolarParameters(caries_depth=2 * mm))
+    assert [m.name for m in molar.materials] == ["enamel", "dentin", "pulp", "caries"]
+    assert (h.kMolarEnamel, h.kMolarDentin, h.kMolarPulp, h.kMolarCaries) == (1, 2, 3, 4)
+    description = h.describe_molar()
+    assert description.distance(np.zeros(3)) < 0 and description.material(np.zeros(3)) in (2, 3)
+    h.validate(h.MolarParameters())
+    ball = h.build_sphere([0, 0, 0], 1 * mm, 0.1 * mm, h.presets.clay())
+    assert ball.amounts()[0].volume == pytest.approx(4 / 3 * np.pi * mm**3, rel=1e-3)
+    slab = h.build_layered_slab(h.Box([-1 * mm] * 3, [1 * mm] * 3), 0.1 * mm,
+                                [h.Layer(h.presets.enamel(), 0.5 * mm), h.Layer(h.presets.dentin(), 1 * mm)])
+    assert [a.volume for a in slab.amounts()] == pytest.approx([2e-9, 4e-9], rel=1e-6)
+    values = np.full((4, 4, 4), 2, np.uint16)
+    labels = h.LabelVolume(values, [1 * mm] * 3)
+    assert h.build_from_labels(labels, [h.LabelMaterial([2], h.presets.clay())]).solid_voxels() == 64
+    grey = h.GreyVolume(values.astype(float), [1 * mm] * 3)
+    assert not h.build_from_grey(grey, [h.GreyRange(1.0, 3.0, h.presets.clay())]).empty()
+    assert not h.build_from_grey(grey, h.Grade(1.0, 3.0, h.presets.clay(), h.presets.pulp())).empty()
+    mesh = h.mesh_of_revolution(h.round_head(2 * mm).profile(), 24)
+    shells = [h.MeshShell(mesh, 1)]
+    assert shells[0].material == 1 and len(shells[0].mesh.vertices) == len(mesh.vertices)
+    assert h.build_from_shells(shells, h.MaterialTable([h.presets.clay()]), h.MeshImport(0.2 * mm)).solid_voxels() > 0
+
+
+def test_a_workpiece_tells_what_it_is(block):
+    assert block.voxel_size == block.frame.voxel_size == 0.1 * mm and not block.empty()
+    assert block.memory_bytes() > 0 and block.pool_bytes() == 0
+    block.reserve_blocks(3)
+    assert block.reserved_blocks() == 3 and block.pool_bytes() > 0
+    bounds = block.bounds()
+    assert bounds.voxels() == block.solid_voxels() == 60 * 60 * 40 and not bounds.empty()
+    assert np.allclose(block.centroid_at(bounds.min), 0) and block.material_at([-5, 0, 0]) == 0
+    snapshot = block.snapshot()
+    block.restore(snapshot)
+    assert h.extract_surface(block, 1).vertices.shape[1] == 3
+    with pytest.raises(h.Error, match="empty"):
+        block.material_array(h.IndexBox())
+
+
+def test_friction_and_deep_contact_by_themselves():
+    friction = h.DryFriction(0.4, 0.2, 1000.0)
+    h.validate(friction)
+    anchor = h.StickSlip()
+    stuck = anchor.move([0, 0, 1], [1e-4, 0, 0], friction)
+    assert anchor.anchored and not anchor.sliding and stuck.dissipated == 0 and stuck.force[0] < 0
+    slid = anchor.move([0, 0, 1], [1e-2, 0, 0], friction)
+    assert anchor.sliding and np.linalg.norm(slid.force) == pytest.approx(0.2) and anchor.stretch.shape == (3,)
+    assert anchor.stored > 0
+    anchor.release()
+    assert not anchor.anchored
+    assert h.standing_share(0.0, 1e-3) == 1 and h.standing_share(1e3, 1e-3) == 0 and h.kFullSpinSpeed == 0.01
+    deep = h.DeepContact()
+    deep.move([0, 0, 1e-3], [0, 0, 0], 0.3, [0, 0, 2.0], 1e-3)
+    out = deep.move([0, 0, 0], [0, 0, -1e-3], 0.9, [0, 0, 1.0], 1e-3)
+    assert deep.held and out.force[2] > 0 and out.stored == deep.stored > 0 and out.stored_before == out.released == 0
+    deep.release()
+    assert not deep.held
+    point = h.contact_point(h.SphereHead(1e-3), h.Wrench([0, 0, 1], [0, 0, 0]))
+    assert np.allclose(point, [0, 0, -1e-3], atol=1e-8)
+
+
+def test_laws_by_themselves():
+    hertz = h.ContactMechanicsLaw(1e6)
+    assert hertz.force(h.SphereHead(1e-3), 1e-4) == pytest.approx(4 / 3 * 1e6 * math.sqrt(1e-3) * 1e-4**1.5)
+    assert hertz.energy(h.FlatHead(1e-3, 1e-3), 1e-4) == pytest.approx(1e-3 * 1e6 * 1e-8)
+    assert h.ContactMechanicsLaw.depth_of(h.SphereHead(1e-3), 2 / 3 * math.pi * 1e-9) == pytest.approx(1e-3)
+    burr = h.HertzianBurrLaw(1e6)
+    assert burr.energy(1e-3, 1e-4) == pytest.approx(burr.force(1e-3, 1e-4) * 1e-4 / 2.5)
+    assert burr.needs_moments() and not h.FoundationLaw().needs_moments()
+    with pytest.raises(h.Error, match="sphere"):
+        burr.require_head(h.ConeHead(0.5, 1e-3))
+    drill = h.TwistDrillLaw(h.TwistDrillLaw.Constants(specific_energy=2e8))
+    assert drill.thrust(2e-3, 1e-4, math.pi) == pytest.approx(2e8 * 1e-4 * 1e-3)
+    assert drill.torque(2e-3, 1e-4) == pytest.approx(2e8 * 1e-4 * 4e-6 / 8)
+    assert h.TwistDrillLaw.point_angle(h.ConeHead(0.5, 1e-3)) == pytest.approx(1.0)
+    assert h.ThesisLaw(h.ThesisLaw.Constants(damping=2.0)).constants.damping == 2.0
+    with pytest.raises(h.Error, match="resistance"):
+        h.DampingMatrixLaw(h.DampingMatrixLaw.Constants(resistance=-1.0))
+
+
+def test_stiffness_and_calibration():
+    head, bone = h.SphereHead(1 * mm), h.presets.cortical_bone()
+    assert h.stiffness_for_accuracy(head, bone, 2000.0, 2e-3) == pytest.approx(200 * 3e8 * 2e-3 / (0.5 * 2000 * 1e-9))
+    assert h.stiffness_for_device(head, 1000.0) == pytest.approx(1000 * 27 / (4 * math.pi) / 1e-9, rel=0.01)
+    known = h.Calibration(specific_cutting_energy=3e8, cutting_ratio=0.6, edge_pressure=1e5)
+    tests = []
+    for feed in (1e-3, 4e-3):
+        force = h.axial_cut_force(known, 1.25 * mm, 100.0, feed)
+        tests.append(h.DrillingTest(1.25 * mm, 100.0, feed, force.thrust, force.torque))
+    found = h.calibrate(tests)
+    assert found.edge_identified and found.specific_cutting_energy == pytest.approx(3e8, rel=1e-4)
+    assert found.cutting_ratio == pytest.approx(0.6, rel=1e-4) and found.thrust_residual < 1e-4
+
+
+def test_effects_by_themselves():
+    assert np.allclose(h.gravity_wrench(h.Gravity(mass=2.0), np.eye(3)).force, [0, 0, -2 * 9.80665])
+    wrench = h.Wrench([1, 2, 3], [4, 5, 6])
+    assert h.masked(h.AxisMask(force=[True, False, True]), wrench).force.tolist() == [1, 0, 3]
+    assert np.allclose(h.filtered(h.DeltaFilter(), [0, 0, 0], [1, 0, 0]), [0.005, 0, 0])
+    assert h.least_force_growth(1000.0, 0.5) == 625
+    assert np.allclose(h.saturated([3, 4, 0], 1.0), [0.6, 0.8, 0])
+    assert np.allclose(h.growth_limited([1, 0, 0], [0, 2, 0], 0.5), [0, 0.5, 0])
+    output = h.Output()
+    effects = h.Effects(vibration=h.Vibration(frequency=100.0, amplitude=0.4))
+    moved = output.add_effects(effects, h.EffectsInput(touching=True, dt=1e-3), h.Wrench())
+    assert np.linalg.norm(moved.force) == pytest.approx(0.4 * math.sin(2 * math.pi * 0.1))
+    limited = output.limit(h.OutputLimits(largest_force=1.0), wrench, 1e-3)
+    assert np.allclose(limited.force, np.array([1, 2, 3]) / 14**0.5)
+    output.drop()
+    output.restart()
+    for value in (h.Gravity(), h.DeltaFilter(), h.OutputLimits()):
+        h.validate(value)
+    h.validate(h.Vibration(), 1000.0)
+    h.validate(h.Effects(), 1000.0)
+    with pytest.raises(h.Error, match="frequency"):
+        h.validate(h.Vibration(frequency=460.0), 1000.0)
+    assert h.kFastestVibration == 0.45
+
+
+def test_a_simulation_tells_what_it_is(simulation, plunge):
+    simulation.run(*plunge, 1e-3)
+    values = use_attributes(simulation)
+    assert values["steps"] == 600 and values["workpiece_exchanges"] == 0
+    assert values["spindle_setting"] == values["tool"].spindle.speed and values["config"].reference_stiffness == 1e14
+    assert values["removed_volume_by_material"].sum() > 0
+    origins, complete = simulation.changed_blocks()
+    assert origins.shape[1] == 3 and complete
+    worst = simulation.worst_case()
+    assert worst.voxels >= simulation.last_result.contact.voxels and worst.level_of_detail == 1
+    simulation.reserve_blocks(4000)
+    assert use_attributes(simulation.last_result)["contact"].depth > 0
+    assert use_attributes(simulation.stage_times)["check_input"] == 0
+    h.validate(h.SimulationConfig())
+
+
+def test_enumerations_have_the_names_of_cpp():
+    assert h.StepStatus.jump_rejected | h.StepStatus.dt_rejected == 0b1100
+    assert 0b1100 & h.StepStatus.dt_rejected == 4 and h.StepStatus.ok ^ 3 == 3
+    assert h.kRejected == 15 and not h.has(0, h.StepStatus.pose_rejected)
+    assert h.describe(int(h.OutputLimit.ramped)).strip() and h.describe(h.DeviceFault.disconnected).strip()
+    for name, cls in inspect.getmembers(core, inspect.isclass):
+        if hasattr(cls, "__members__"):
+            assert cls.__members__, name
+
+
+def test_colours_and_meshes():
+    red = h.Color(255, 0, 0)
+    assert red == h.Color(255, 0, 0) != h.Color(0, 255, 0) and red != "red" and hash(red) == 0xFF0000
+    mesh = h.TriangleMesh(np.eye(3), np.array([[0, 1, 2]]))
+    colored = h.ColoredMesh(mesh, [red] * 3)
+    assert colored.colors.tolist() == [[255, 0, 0]] * 3 and len(colored.mesh.vertices) == 3

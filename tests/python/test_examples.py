@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The examples run, say what they should and draw what they say; the README shows the first one."""
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+
+import pytest
+from conftest import REPOSITORY
+
+FOLDER = REPOSITORY / "examples" / "python"
+EXPECTED = {
+    "01_first_force": (r"\[[\d. ]+\] N; \d+ voxels gone", [], []),
+    "02_law_of_your_own": (r"Hertz, E\* = 1 MPa: [\d.]+ N", ["laws.png"], []),
+    "03_figures_of_the_thesis": (r"flat head: (\d+) \.\.\. \1 voxels in every step; cone: \d+ rising to \d+",
+                                 ["figure_7_1_voxels.png", "figure_7_2_force.png", "figure_7_3_torque.png"], []),
+    "04_cut_a_groove": (r"removed [\d.]+ mm\^3; the energy ledger is off by -?[\d.]+e-0[4-9]", ["groove.png"], []),
+    "05_tooth_from_ct": (r"enamel: \d+ mm\^3.*\n?.*greatest force [\d.]+ N", ["tooth.png", "tooth_section.png"], []),
+    "06_record_and_replay": (r"400\d ticks .*identical, bit by bit", ["replay.png"], []),
+    "07_sweep_and_response_surface": (r"enamel: thrust ~ feed\^[\d.]+ speed\^-[\d.]+, R\^2 = (0\.9\d+|1\.0+)",
+                                      ["response_surface.png", "sweep_matrix.png"], ["48"]),
+    "08_calibration": (r"predicted at 2000 rpm: simulation [\d.]+ N", [], []),
+}
+
+
+def test_every_example_is_known_here():
+    assert sorted(path.stem for path in FOLDER.glob("*.py")) == sorted(EXPECTED)
+
+
+@pytest.mark.parametrize("name", EXPECTED)
+def test_example(name, tmp_path):
+    words, pictures, arguments = EXPECTED[name]
+    for module in ("matplotlib", "pandas", "scipy"):
+        if module in (FOLDER / f"{name}.py").read_text(encoding="utf-8") or (module == "matplotlib" and pictures):
+            pytest.importorskip(module, reason=f"{module} is not installed")
+    done = subprocess.run([sys.executable, str(FOLDER / f"{name}.py"), str(tmp_path), *arguments], cwd=tmp_path,
+                          capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert re.search(words, done.stdout, re.S), done.stdout
+    for picture in pictures:
+        assert (tmp_path / picture).stat().st_size > 5000
+
+
+def test_examples_fit_on_a_screen():
+    for path in FOLDER.glob("*.py"):
+        assert len(path.read_text(encoding="utf-8").splitlines()) <= 80, path.name
+
+
+def test_the_calibration_gives_back_what_was_measured():
+    done = subprocess.run([sys.executable, str(FOLDER / "08_calibration.py")], capture_output=True, text=True,
+                          check=True)
+    numbers = [[float(n) for n in re.findall(r"([\d.]+) N\b", line)] for line in done.stdout.splitlines()[1:]]
+    for simulated_thrust, simulated_torque, thrust, torque in numbers:
+        # A thin engaged layer: C20 within 4 % (model.md 8.3).
+        assert simulated_thrust == pytest.approx(thrust, rel=0.04)
+        assert simulated_torque == pytest.approx(torque, rel=0.04)
+    assert numbers[0][2:] == pytest.approx([20.07, 41.2], rel=1e-3)
+
+
+def test_the_readme_shows_the_first_example_word_for_word():
+    example = (FOLDER / "01_first_force.py").read_text(encoding="utf-8").split("\n", 1)[1]
+    assert len(example.splitlines()) == 10
+    assert f"```python\n{example}```" in (REPOSITORY / "README.md").read_text(encoding="utf-8")

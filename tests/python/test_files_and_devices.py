@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files, recordings, devices and the bench."""
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import hapticut as h
+from hapticut.units import mm
+
+needs_io = pytest.mark.skipif(not h.kWithIo, reason="hapticut was built without file formats (HAPTICUT_WITH_IO)")
+
+
+@needs_io
+def test_meshes_and_pictures_go_to_files(block, tmp_path):
+    surface = h.extract_surface(block)
+    h.write_stl(surface.mesh, tmp_path / "a.stl")
+    h.write_ply(surface.mesh, tmp_path / "a.ply")
+    colored = h.colored(surface, block.materials)
+    h.write_ply(colored, tmp_path / "b.ply")
+    [named] = h.read_mesh(tmp_path / "a.ply")
+    assert isinstance(named.name, str) and np.allclose(named.mesh.vertices.max(axis=0), [3 * mm, 3 * mm, 0], atol=1e-6)
+    h.write_picture([colored], h.PictureOptions(width=200, height=150), tmp_path / "a.png")
+    assert (tmp_path / "a.png").read_bytes()[:4] == b"\x89PNG"
+    assert isinstance(h.material_color("enamel"), h.Color)
+
+
+@needs_io
+def test_volumes_are_worked_on(tmp_path, block):
+    grey = h.GreyVolume(np.arange(8 * 9 * 10, dtype=np.float32).reshape(8, 9, 10), [1 * mm] * 3)
+    h.write_nrrd(tmp_path / "grey.nrrd", grey)
+    again = h.read_grey_volume(tmp_path / "grey.nrrd", h.VolumeReadOptions(spacing=[2 * mm] * 3))
+    assert np.array_equal(again.values, grey.values) and np.allclose(again.spacing, 2 * mm)
+    assert np.allclose(h.with_spacing(grey, [3 * mm] * 3).spacing, 3 * mm)
+    assert h.crop(grey, h.IndexBox([1, 1, 1], [3, 4, 5])).dims == (3, 4, 5)
+    assert h.box_around(grey, 700.0).max == [7, 8, 9]
+    labels = h.label_range(grey, 100.0, 200.0, 5)
+    assert set(np.unique(labels.values)) == {0, 5} and np.count_nonzero(labels.values) == 100
+    assert h.resample(grey, 2 * mm).dims == (4, 5, 5)
+    assert h.resample(labels, 0.5 * mm, h.LabelInterpolation.smooth).dims == (16, 18, 20)
+    shell = np.zeros((9, 9, 9), np.uint8)
+    shell[1:8, 1:8, 1:8] = 1
+    shell[3:6, 3:6, 3:6] = 0
+    shell[0, 0, 0] = 1
+    volume = h.keep_largest_component(h.LabelVolume(shell, [1 * mm] * 3))
+    assert volume.values[0, 0, 0] == 0
+    assert np.count_nonzero(h.fill_cavities(volume, 2).values == 2) == 27
+    assert np.count_nonzero(h.close_gaps(volume, 1 * mm, 2).values == 2) > 0
+    assert np.allclose(h.with_spacing(volume, [2 * mm] * 3).spacing, 2 * mm)
+    assert h.crop(volume, h.box_around(volume)).dims == (7, 7, 7)
+    h.write_nrrd(tmp_path / "work.nrrd", block)
+    assert (tmp_path / "work_density.nrrd").exists()
+    (tmp_path / "raw").write_bytes(bytes(range(24)))
+    layout = h.RawLayout(dims=[2, 3, 4], spacing=[1 * mm] * 3, type=h.ValueType.uint8)
+    assert h.read_raw_grey_volume(tmp_path / "raw", layout).values[1, 2, 3] == 23
+    assert h.read_raw_label_volume(tmp_path / "raw", layout).values[1, 0, 0] == 1
+    for read in (h.read_invesalius_project, lambda path: h.read_colour_slices(path, {(1, 2, 3): 4}, [1 * mm] * 3)):
+        with pytest.raises(h.Error):
+            read(tmp_path / "nothing")
+    assert h.kMaxVolumeSamples > 0
+
+
+def test_vdb_files_of_others_need_to_say_what_they_are(block, tmp_path):
+    h.save_vdb(block, tmp_path / "a.vdb")
+    how = h.VdbImport(h.presets.clay(), grid="density", kind=h.VdbImport.Kind.fog_volume)
+    assert h.load_vdb(tmp_path / "a.vdb", how).solid_voxels() == block.solid_voxels()
+    assert (how.material.name, how.grid, how.unit_mm, how.kind.name) == ("clay", "density", 1.0, "fog_volume")
+    how.grid = "nowhere"
+    with pytest.raises(h.Error, match="nowhere"):
+        h.load_vdb(tmp_path / "a.vdb", how)
+
+
+@needs_io
+def test_recordings_are_replayed_bit_by_bit(simulation, plunge, tmp_path):
+    poses, velocities = plunge
+    with h.Recorder(tmp_path / "a.h5", simulation, h.RecorderOptions(note="test", wait_when_full=True)) as recorder:
+        first = recorder.step(poses[0], velocities[0], 1e-3)
+        trace = recorder.run(poses[1:].copy(), velocities[1:].copy(), 1e-3)
+        assert recorder.lost == 0 and not recorder.failed
+    assert recorder.recorded == len(poses)
+    recording = h.read_recording(tmp_path / "a.h5")
+    assert len(recording) == len(poses) and recording.info.note == "test" and recording.info.closed
+    assert not recording.has_device and recording.default_law and recording.path.name == "a.h5"
+    assert recording.info.workpiece_hash_at_end == simulation.workpiece.hash()
+    assert repr(recording.tool) == repr(simulation.tool) and recording.config.reference_stiffness == 1e14
+    assert recording.effects[0].first_step == 0
+    columns = recording.read()
+    assert np.array_equal(columns["poses"], poses) and np.array_equal(columns["trace"]["force"][1:], trace["force"])
+    assert np.array_equal(columns["trace"]["force"][0], first.force) and len(recording.read(590)["dt"]) == 10
+    seen = []
+    report = h.replay(recording, progress=seen.append)
+    assert report.identical and report.steps == len(poses) and report.first_difference is None
+    assert report.workpiece_hash == simulation.workpiece.hash() and report.left_out == 0
+    other = h.simulation_of(recording)
+    again = other.run(columns["poses"], columns["velocities"], columns["dt"])
+    assert np.array_equal(again["force"][1:], trace["force"])
+    assert recording.workpiece().hash() != other.workpiece.hash()
+    h.write_csv(recording, tmp_path / "a.csv")
+    h.write_npz(recording, tmp_path / "a.npz")
+    assert len((tmp_path / "a.csv").read_text().splitlines()) == len(poses) + 1
+    assert len(np.load(tmp_path / "a.npz")["force"]) == len(poses) and h.kRecordingFormat >= 1
+    with pytest.raises(h.Error, match="steps"):
+        h.Recorder(tmp_path / "b.h5", simulation)
+    with pytest.raises(h.Error):
+        h.read_recording(tmp_path / "a.csv")
+
+
+def test_a_mock_device_runs_a_function_of_python():
+    device = h.open_device("mock:press,device=touch,hand=nominal")
+    assert device.capabilities.peak_force > 0 and device.name.startswith("mock")
+    wall = h.LinearWall(stiffness=300.0)
+    ticks = []
+
+    def tick(state):
+        assert state.valid and state.X_BS.shape == (4, 4) and not state.pressed(0)
+        ticks.append(state.time)
+        return h.DeviceCommand(wall(state))
+
+    report = device.run(tick, h.RunOptions(seconds=5, simulated_time=True))
+    assert report.ticks == len(ticks) and report.end and report.fault == h.DeviceFault.none
+    assert device.output.commanded.force[2] > 0 and device.output.limits >= 0
+    assert report.compute.count == report.ticks and report.compute.quantile(0.5) <= report.compute.max
+    assert report.compute.buckets.shape == (2000,) and report.compute.min <= report.compute.mean
+    assert "engaged" in report.events and device.count(h.SafetyEvent.engaged) == report.events["engaged"]
+    assert any(entry.event == h.SafetyEvent.engaged for entry in report.log) and h.describe(report.log[0])
+    assert not device.is_running and isinstance(report.warnings, list)
+    assert device.state.X_BS.shape == (4, 4) and device.arming == h.ArmingState.off
+    device.stop(), device.emergency_stop(), device.reset_fault(), device.interrupt(h.SafetyEvent.reclutched)
+    assert isinstance(device.drain_log(), list)
+
+
+def test_an_exception_in_a_tick_comes_out_of_the_run():
+    device = h.MockDevice(h.MockOptions(path=h.scripted_path("rest")))
+
+    def tick(state):
+        raise KeyError("in the loop")
+
+    with pytest.raises(KeyError, match="in the loop"):
+        device.run(tick, h.RunOptions(seconds=1, simulated_time=True))
+    with pytest.raises(h.Error, match="mock"):
+        h.open_device("nonsense")
+    assert {driver["scheme"] for driver in h.device_drivers()} >= {"mock", "mouse"}
+
+
+def test_a_path_and_a_mouse_may_come_from_python():
+    options = h.MockOptions(path=lambda t: h.Pose.from_translation([0, 0, 1e-3 * t]), end=0.1)
+    assert options.path(2.0)[2, 3] == 2e-3 and h.MockOptions().path is None
+    heights = []
+    h.MockDevice(options).run(lambda s: heights.append(s.X_BS[2, 3]) or h.DeviceCommand(),
+                              h.RunOptions(simulated_time=True))
+    assert heights[-1] == pytest.approx(1e-4, rel=0.05)
+    mouse = h.MouseDevice(h.MouseOptions(hand="firm"))
+    mouse.pointer_moved(20.0, 0.0), mouse.wheel_turned(1.0), mouse.button(0, True), mouse.key(h.MoveKey.left, True)
+    mouse.key(h.MoveKey.left, False)
+    mouse.run(lambda s: h.DeviceCommand(), h.RunOptions(seconds=0.2, simulated_time=True))
+    assert mouse.set_point.shape == (3,)
+    assert isinstance(h.open_mock("rest"), h.MockDevice)
+
+
+def test_models_maps_and_the_guard():
+    assert "touch" in [model.name for model in h.device_models()] and h.hand_model("firm").mass > 0
+    assert "nominal" in [model.name for model in h.hand_models()]
+    touch = h.device_model("touch")
+    touch.name = "mine"
+    assert touch.name == "mine" and h.device_model("touch").name == "touch"
+    assert h.capabilities(touch).peak_force == touch.peak_force
+    options = h.WorkspaceMapOptions(scale=2.0)
+    mapped = h.WorkspaceMap(options)
+    X = h.Pose.from_translation([1e-3, 0, 0])
+    mapped.place(np.eye(4), np.eye(4))
+    assert np.allclose(mapped.to_world(X)[0, 3], 2e-3) and mapped.engaged and mapped.scale == 2.0
+    assert np.allclose(mapped.to_world(X, np.array([1.0, 0, 0, 0, 0, 0])), [2, 0, 0, 0, 0, 0])
+    assert mapped.to_device(X, h.Wrench([1, 0, 0], [0, 0, 0])).force[0] == 1 and mapped.felt_stiffness(10.0) == 20.0
+    mapped.release(X)
+    assert not mapped.engaged
+    mapped.engage(X)
+    assert mapped.set_scale(3.0, X) and not mapped.set_scale(-1.0, X)
+
+    guard = h.SafetyGuard(h.capabilities(h.device_model("touch")))
+    guard.start()
+    for n in range(40):
+        admitted = guard.admit(h.DeviceState(time=1e-3 * n, sequence=n))
+        applied = guard.release(h.Wrench())
+    assert admitted.valid and not applied.force.any() and guard.state in (h.ArmingState.ramp, h.ArmingState.on)
+    guard.applied(applied), guard.emergency_stop(), guard.reset(), guard.interrupt(h.SafetyEvent.reclutched)
+    assert guard.count(h.SafetyEvent.armed) >= 1 and guard.drain_log() and guard.slew > 0 and guard.greatest_force > 0
+    assert guard.output.limits >= 0
+    guard.stop()
+    histogram = h.LatencyHistogram()
+    histogram.add(5e-6)
+    assert histogram.count == 1 and histogram.longer == 0 and histogram.max == 5e-6
+
+
+def test_the_bench_finds_the_limit_of_colgate_and_schenkel():
+    config = h.ClosedLoopConfig(device=h.device_model("premium15"), hand=h.hand_model("released"))
+
+    def wall(stiffness):
+        return h.LinearWall(stiffness=stiffness, one_sided=False)
+
+    found = h.largest_stable_stiffness(config, wall, h.StabilitySearch(low=50, high=200))
+    # 2 %: the windows of the search are finite.
+    assert found == pytest.approx(2 * config.device.damping / config.period, rel=0.02)
+    assert h.is_stable(config, wall, 0.5 * found) and not h.is_stable(config, wall, 1.2 * found)
+    one_sided = lambda stiffness: h.LinearWall(stiffness=stiffness)  # noqa: E731
+    bounced = h.bounce(config, one_sided, 500.0, h.BounceTest(phases=2))
+    assert bounced.penetration > 0 and bounced.peak_force > 0 and bounced.restitution >= bounced.mean_restitution
+    held = h.ClosedLoopConfig(device=h.device_model("touch"), hand=h.hand_model("nominal"))
+    buzz = h.press(held, one_sided, 200.0, h.PressTest(seconds=1.0, measured=0.5))
+    assert not buzz.buzzes() and math.isfinite(buzz.force_peak_to_peak)
+    options = h.GuardOptions(stiffness=300.0)
+    fault = h.injected_faults()[0]
+    response = h.respond(held, one_sided, 300.0, options, fault)
+    guard = h.SafetyGuard(h.capabilities(held.device), options)
+    assert h.obeys_the_rules(response, guard, 1e-3) and response.end in list(h.ArmingState.__members__.values())
+
+
+def test_a_plant_and_a_closed_loop_step_by_step():
+    plant = h.Plant(h.device_model("touch"), h.hand_model("released"))
+    plant.reset(np.eye(4)), plant.set_target(np.eye(4)), plant.set_velocity([0.1, 0, 0])
+    assert plant.kinetic_energy > 0 and np.allclose(plant.target, np.eye(4))
+    plant.advance(h.Wrench()), plant.creep(h.Wrench())
+    assert plant.pose[0, 3] > 0 and np.allclose(plant.measured_pose, plant.pose) and plant.velocity.shape == (6,)
+    assert plant.device.name == "touch" and plant.hand.name == "released" and plant.options.period == 1e-3
+    loop = h.ClosedLoop(h.ClosedLoopConfig(device=plant.device, hand=plant.hand))
+    loop.reset(np.eye(4))
+    loop.read()
+    loop.write(h.Wrench([1, 0, 0], [0, 0, 0]))
+    loop.miss_tick(0.5)
+    loop.tick(lambda state: h.Wrench())
+    assert loop.plant.pose[0, 3] > 0 and loop.generated_energy > 0 and loop.device_dissipation > 0
+    assert loop.applied.force.shape == (3,) and loop.config.delay == 0
+    wall = h.LinearWall(stiffness=1.0)
+    wall.stiffness, wall.damping, wall.filter, wall.one_sided, wall.height, wall.period = 2.0, 0.0, 0.0, True, 0.1, 1e-3
+    assert wall(h.DeviceState()).force[2] == pytest.approx(0.2)
