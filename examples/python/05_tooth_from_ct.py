@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A tooth from an array of CT grey values: thresholds make materials of them, and a burr drills it.
+"""A tooth from an array of CT grey values: thresholds make labels of them, labels materials, and a burr drills it.
 
 The array is made here, from the built-in molar as a scanner would see it, so that the example needs no file; with a
 file it would be `hapticut.read_grey_volume("scan.nrrd").values`."""
@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from scipy.ndimage import gaussian_filter
+from scipy.ndimage import gaussian_filter, maximum_filter
 
 import hapticut
 from hapticut import plot
@@ -19,10 +19,11 @@ rng = np.random.default_rng(1)
 hounsfield = np.array([-1000.0, 2600.0, 1500.0, 40.0])[np.pad(molar.material_array(), 4)]
 ct = (gaussian_filter(hounsfield, 0.6) + rng.normal(scale=40, size=hounsfield.shape)).astype(np.int16)
 
-tooth = hapticut.Workpiece.from_intensity(ct, [0.2 * mm] * 3, [
-    hapticut.GreyRange(600.0, 2050.0, hapticut.presets.dentin()),
-    hapticut.GreyRange(2050.0, np.inf, hapticut.presets.enamel()),
-])
+# A scanner blurs: from enamel to air the values pass through those of dentin. So a sample that is not air belongs to
+# the densest tissue beside it.
+labels = np.where(ct > 600, np.where(maximum_filter(ct, 3) > 2050, 2, 1), 0).astype(np.uint8)
+materials = {1: hapticut.presets.dentin(), 2: hapticut.presets.enamel()}
+tooth = hapticut.Workpiece.from_labels(labels, [0.2 * mm] * 3, materials)
 for amount, material in zip(tooth.amounts(), tooth.materials):
     print(f"{material.name}: {amount.volume * 1e9:.0f} mm^3, {amount.mass * 1e3:.2f} g")
 

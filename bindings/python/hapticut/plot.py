@@ -133,7 +133,7 @@ def latency(times: Union[core.LatencyHistogram, NDArray[np.float64]], ax: Option
     ax.axvline(typical * 1e6, color=INK, linestyle="--", linewidth=1, label=f"median {typical * 1e6:.3g} µs")
     ax.axvline(p99 * 1e6, color=INK, linestyle=":", linewidth=1.2, label=f"99 % {p99 * 1e6:.3g} µs")
     _finish(ax, "time of a step [µs]", "steps")
-    ax.legend(frameon=False)
+    ax.legend(frameon=False, ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     return ax
 
 
@@ -248,8 +248,8 @@ def surface(workpiece: core.Workpiece, ax: Optional[Axes] = None, elevation: flo
     seen = facing & (lengths > 0)
     corners, normals = corners[seen], normals[seen] / lengths[seen, None]
     order = np.argsort(corners.mean(axis=1) @ towards)  # the farthest first: the painter's way
-    light = 0.55 * towards - 0.45 * right + 0.7 * up
-    shade = 0.35 + 0.65 * np.clip(normals @ (light / np.linalg.norm(light)), 0, 1)
+    light = 0.8 * towards - 0.35 * right + 0.5 * up
+    shade = 0.45 + 0.55 * np.clip(normals @ (light / np.linalg.norm(light)), 0, 1)
     base = colors[np.median(found.materials[triangles[seen]], axis=1).astype(int)]
     flat = np.stack([corners @ right, corners @ up], axis=-1)
     shown = np.clip(base * shade[:, None], 0, 1)[order]
