@@ -72,7 +72,7 @@ const std::vector<std::pair<StepStatus, std::string>>& status_names() {
   return names;
 }
 
-DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows) {
+DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows, StepRecorder* recorder) {
   const double dt = 1 / rate;
   const double count = std::max(1.0, std::ceil(motion.duration() * rate - 1e-6));
   if (count > kMostSteps)
@@ -95,7 +95,8 @@ DrillResult drill(Simulation& simulation, const Motion& motion, double rate, boo
     before = pose;
 
     const double start = thread_time();
-    const StepResult& step = simulation.step(pose, velocity, dt);
+    const StepResult& step =
+        recorder != nullptr ? recorder->step({pose, velocity, dt}, nullptr) : simulation.step(pose, velocity, dt);
     times[i] = float(thread_time() - start);
 
     add(step, result);

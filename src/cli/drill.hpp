@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/motion.hpp"
+#include "hapticut/device/step_recorder.hpp"
 #include "hapticut/simulation/simulation.hpp"
 
 namespace hapticut::cli {
@@ -54,7 +55,9 @@ struct DrillResult {
 /// Moves the head of the simulation's tool along `motion`, one step every 1/rate seconds.
 /// @param rate       [Hz]
 /// @param keep_rows  whether to keep every step for the per-step file
+/// @param recorder   makes the steps and keeps them; null: the simulation makes them itself
 /// @throws Error when there would be more than ten million steps
-[[nodiscard]] DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows);
+[[nodiscard]] DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows,
+                                StepRecorder* recorder = nullptr);
 
 }  // namespace hapticut::cli

@@ -5,6 +5,7 @@
 #include "cli/command.hpp"
 #include "cli/outputs.hpp"
 #include "cli/path_settings.hpp"
+#include "cli/recording_source.hpp"
 #include "cli/report.hpp"
 #include "cli/simulation_settings.hpp"
 #include "cli/tool_settings.hpp"
@@ -46,7 +47,9 @@ void run(const DrillSettings& s) {
   DrillReport report{summarize(s.workpiece.source, workpiece), s.simulation.rate_Hz, {}};
   Simulation simulation(std::move(workpiece), tool, make_config(s.simulation));
 
-  const DrillResult result = drill(simulation, motion, report.rate, !s.output.steps_csv.empty());
+  RunRecorder recorder(s.output.record, simulation, Pace::own, nullptr);
+  const DrillResult result = drill(simulation, motion, report.rate, !s.output.steps_csv.empty(), recorder.get());
+  recorder.close();
   report.warnings = warnings_of(result, simulation);
   std::fputs(to_table(report, result, simulation).c_str(), stdout);
   write_files(s.output, to_json(report, result, simulation), result, simulation.workpiece());

@@ -44,6 +44,7 @@ std::vector<Setting> settings_of(OutputSettings& o) {
   return {
       text("output.json", "--json", o.json, "report for machines"),
       text("output.steps_csv", "--steps_csv", o.steps_csv, "a line for every step"),
+      text("output.record", "--record", o.record, "recording of every step, for replay and export"),
       text("output.save", "--save", o.workpiece, "what is left of the workpiece, .vdb or .nrrd"),
       text("output.surface", "--surface", o.surface, "surface of what is left, .stl or .ply"),
       text("output.picture", "--picture", o.picture, "picture of what is left, .png"),
@@ -56,7 +57,8 @@ void check_outputs(const OutputSettings& outputs) {
   require_extension(outputs.workpiece, {".vdb", ".nrrd"});
   require_extension(outputs.surface, {".stl", ".ply"});
   require_extension(outputs.picture, {".png"});
-  for (const std::string& path : {outputs.json, outputs.steps_csv, outputs.workpiece, outputs.surface, outputs.picture})
+  for (const std::string& path :
+       {outputs.json, outputs.steps_csv, outputs.workpiece, outputs.surface, outputs.picture, outputs.record})
     if (!path.empty()) AtomicFile unused(path);
 }
 

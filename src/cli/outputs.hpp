@@ -12,7 +12,7 @@ namespace hapticut::cli {
 
 /// The files that a run leaves behind, as the user writes them: `[output]` in a settings file. Empty: not wanted.
 struct OutputSettings {
-  std::string json, steps_csv, workpiece, surface, picture;
+  std::string json, steps_csv, workpiece, surface, picture, record;
   std::optional<Vec3> picture_view;  ///< [1] direction from the camera into the scene
 };
 

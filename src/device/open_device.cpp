@@ -26,6 +26,9 @@ Registry& registry() {
       {
           mock_driver(),
           mouse_driver(),
+          absent("replay", "replay:FILE, FILE a recording",
+                 "what hapticut's component io needs (scripts/install-deps.sh), then build hapticut with "
+                 "-DHAPTICUT_WITH_IO=ON, link hapticut::io and call hapticut::use_recordings()"),
           absent("openhaptics", "openhaptics[:NAME], NAME as in the maker's setup program",
                  "3D Systems OpenHaptics 3.0 or later and the device's driver, then build hapticut with "
                  "-DHAPTICUT_WITH_OPENHAPTICS=ON and call hapticut::use_open_haptics()"),

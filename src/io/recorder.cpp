@@ -142,7 +142,7 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     info.begun = now_as_text();
     info.device = options.device;
     info.note = options.note;
-    write_recording_header(target.temporary_path(), info, simulation, options.workpiece_file);
+    write_recording_header(target.temporary_path(), info, simulation, options);
     target.commit();
     s.room = std::make_unique<RoomOnDisk>(path);
     s.room->require(std::filesystem::file_size(path) + kHeadroom);

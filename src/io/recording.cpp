@@ -167,6 +167,7 @@ Recording::~Recording() = default;
 const std::filesystem::path& Recording::path() const { return state_->path; }
 const RecordingInfo& Recording::info() const { return state_->info; }
 bool Recording::has_device() const { return !state_->info.device.empty(); }
+const DeviceCapabilities& Recording::capabilities() const { return state_->capabilities; }
 std::uint64_t Recording::size() const { return state_->size; }
 bool Recording::default_law() const { return state_->default_law; }
 const Tool& Recording::tool() const { return *state_->tool; }
@@ -228,6 +229,7 @@ Recording read_recording(const std::filesystem::path& path) {
     s.default_law = read_default_law(s.file.get());
     s.tool.emplace(read_tool(s.file.get()));
     s.materials = read_materials(s.file.get());
+    if (!s.info.device.empty()) s.capabilities = read_capabilities(s.file.get());
     s.effects = read_effects(s.file.get(), s.config.update_rate);
     s.config.effects = s.effects.front().effects;
     validate(s.config);

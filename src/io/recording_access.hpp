@@ -23,6 +23,7 @@ struct OpenRecording {
   bool default_law = true;
   std::optional<Tool> tool;
   MaterialTable materials;
+  DeviceCapabilities capabilities;
   std::vector<RecordedEffects> effects;
   std::vector<OpenColumn> columns;
   std::uint64_t size = 0;              ///< rows that all columns have

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "hapticut/io/recorder.hpp"
 #include "hapticut/io/recording.hpp"
 #include "io/hdf5.hpp"
 
@@ -24,7 +25,7 @@ inline constexpr char kEffectValues[] = "values";
 /// cannot recover from a full disk.
 /// @throws Error when the file cannot be written
 void write_recording_header(const std::filesystem::path& path, const RecordingInfo& info, const Simulation& simulation,
-                            const std::filesystem::path& workpiece_file);
+                            const RecorderOptions& options);
 
 /// Notes that the recording is complete.
 void write_recording_end(hid_t file, std::uint64_t lost, std::uint64_t workpiece_hash);

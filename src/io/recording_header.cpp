@@ -107,15 +107,16 @@ hdf5::Properties newest_format() {
 }
 
 void write_recording_header(const std::filesystem::path& path, const RecordingInfo& info, const Simulation& simulation,
-                            const std::filesystem::path& workpiece_file) {
+                            const RecorderOptions& options) {
   std::vector<std::uint8_t> vdb;
-  if (workpiece_file.empty()) vdb = vdb_bytes_of(simulation.workpiece());
+  if (options.workpiece_file.empty()) vdb = vdb_bytes_of(simulation.workpiece());
   RoomOnDisk(path).require(vdb.size() + kHeaderRoom);
   hdf5::File file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, newest_format().get()), "creating it");
   write_info(file.get(), info);
   write_settings(file.get(), simulation.config(), simulation.tool(), simulation.workpiece().materials());
-  write_workpiece(file.get(), simulation.workpiece(), vdb, workpiece_file);
+  write_workpiece(file.get(), simulation.workpiece(), vdb, options.workpiece_file);
   write_effects(file.get(), simulation.config().effects);
+  if (!info.device.empty()) write_capabilities(file.get(), options.capabilities);
   create_steps(file.get(), !info.device.empty());
   if (file.reset() < 0) hdf5::fail("closing it");
 }

@@ -4,12 +4,10 @@
 #include <utility>
 
 #include "hapticut/force/laws/foundation.hpp"
+#include "io/settings_archive.hpp"
 
 namespace hapticut {
 namespace {
-
-template <class Enum>
-using Names = std::vector<std::pair<Enum, const char*>>;
 
 const Names<RemovalLaw> kRemovalLaws = {{RemovalLaw::none, "none"},
                                         {RemovalLaw::constant_energy, "constant_energy"},
@@ -22,88 +20,6 @@ const Names<FlatRule> kFlatRules = {{FlatRule::nearest, "nearest"},
                                     {FlatRule::bottom_only, "bottom_only"},
                                     {FlatRule::side_only, "side_only"},
                                     {FlatRule::both, "both"}};
-
-/// Writes settings into a group.
-class Writer {
- public:
-  explicit Writer(hid_t group) : group_(group) {}
-
-  void operator()(const char* name, const char* unit, const double& value) { write(name, unit, &value, 1); }
-  void operator()(const char* name, const char* unit, const std::vector<double>& values) {
-    write(name, unit, values.data(), values.size());
-  }
-  void operator()(const char* name, const std::size_t& value) {
-    const auto number = std::uint64_t(value);
-    hdf5::write_attribute(hdf5::write_array(group_, name, &number, {1}).get(), "unit", "1");
-  }
-  void operator()(const char* name, const int& value) { (*this)(name, std::size_t(value)); }
-  void operator()(const char* name, const bool& value) { (*this)(name, std::size_t(value)); }
-  void operator()(const char* name, const std::string& text) { hdf5::write_text(group_, name, text); }
-  template <class Enum>
-  void operator()(const char* name, const Enum& value, const Names<Enum>& names) {
-    for (const auto& [known, word] : names)
-      if (known == value) hdf5::write_text(group_, name, word);
-  }
-
- private:
-  void write(const char* name, const char* unit, const double* values, std::size_t count) {
-    hdf5::write_attribute(hdf5::write_array(group_, name, values, {count}).get(), "unit", unit);
-  }
-  hid_t group_;
-};
-
-/// Reads them back, by the same calls.
-class Reader {
- public:
-  Reader(hid_t group, std::string name) : group_(group), name_(std::move(name)) {}
-
-  void operator()(const char* name, const char* /*unit*/, double& value) const { value = only<double>(name); }
-  void operator()(const char* name, const char* /*unit*/, std::vector<double>& values) const {
-    require(name);
-    values = hdf5::read_array<double>(group_, name);
-  }
-  void operator()(const char* name, std::size_t& value) const { value = std::size_t(only<std::uint64_t>(name)); }
-  void operator()(const char* name, int& value) const { value = int(only<std::uint64_t>(name)); }
-  void operator()(const char* name, bool& value) const { value = only<std::uint64_t>(name) != 0; }
-  void operator()(const char* name, std::string& text) const {
-    require(name);
-    text = hdf5::read_text(group_, name);
-  }
-  template <class Enum>
-  void operator()(const char* name, Enum& value, const Names<Enum>& names) const {
-    std::string found, allowed;
-    (*this)(name, found);
-    for (const auto& [known, word] : names) {
-      if (found == word) {
-        value = known;
-        return;
-      }
-      if (!allowed.empty()) allowed += ", ";
-      allowed += word;
-    }
-    throw Error("its '" + name_ + "/" + name + "' is \"" + found + "\", but must be one of " + allowed);
-  }
-
- private:
-  void require(const char* name) const {
-    if (!hdf5::exists(group_, name)) throw Error("it lacks '" + name_ + "/" + name + "'");
-  }
-  template <class Number>
-  Number only(const char* name) const {
-    require(name);
-    const std::vector<Number> values = hdf5::read_array<Number>(group_, name);
-    if (values.size() != 1) throw Error("its '" + name_ + "/" + name + "' must be one number");
-    return values[0];
-  }
-  hid_t group_;
-  std::string name_;
-};
-
-Reader reader_of(hid_t file, hdf5::Group& group, const char* name) {
-  if (!hdf5::exists(file, name)) throw Error(std::string("it lacks the group '") + name + "'");
-  group = hdf5::open_group(file, name);
-  return {group.get(), name};
-}
 
 // --- what is stored, once for writing and reading -------------------------------------------------------------------
 
@@ -146,6 +62,32 @@ void visit_spindle(Archive& archive, Motor& s) {
   archive("spindle_droop", "rad/(s N m)", s.droop);
 }
 
+template <class Archive, class Capabilities>
+void visit_capabilities(Archive& archive, Capabilities& c) {
+  archive("model", c.model);
+  archive("vendor", c.vendor);
+  archive("serial_number", c.serial_number);
+  archive("driver_version", c.driver_version);
+  archive("input_degrees_of_freedom", c.input_degrees_of_freedom);
+  archive("output_degrees_of_freedom", c.output_degrees_of_freedom);
+  archive("peak_force", "N", c.peak_force);
+  archive("continuous_force", "N", c.continuous_force);
+  archive("peak_torque", "N m", c.peak_torque);
+  archive("continuous_torque", "N m", c.continuous_torque);
+  archive("stiffness", "N/m", c.stiffness);
+  archive("rotational_stiffness", "N m/rad", c.rotational_stiffness);
+  archive("damping", "N s/m", c.damping);
+  archive("position_resolution", "m", c.position_resolution);
+  archive("workspace_low_x", "m", c.workspace_low.x());
+  archive("workspace_low_y", "m", c.workspace_low.y());
+  archive("workspace_low_z", "m", c.workspace_low.z());
+  archive("workspace_high_x", "m", c.workspace_high.x());
+  archive("workspace_high_y", "m", c.workspace_high.y());
+  archive("workspace_high_z", "m", c.workspace_high.z());
+  archive("rate", "Hz", c.rate);
+  archive("hard_realtime", c.hard_realtime);
+}
+
 constexpr struct {
   const char *name, *unit;
   double Material::*member;
@@ -165,7 +107,7 @@ static_assert(sizeof(Material) == sizeof(std::string) + std::size(kMaterialField
 
 // --- heads and handles ----------------------------------------------------------------------------------------------
 
-void write_head(Writer& write, const ToolHead& head) {
+void write_head(SettingsWriter& write, const ToolHead& head) {
   if (const auto* sphere = std::get_if<SphereHead>(&head.shape())) {
     write("head", std::string("sphere"));
     write("radius", "m", sphere->radius);
@@ -197,7 +139,7 @@ void write_head(Writer& write, const ToolHead& head) {
   }
 }
 
-ToolHead read_profile(const Reader& read) {
+ToolHead read_profile(const SettingsReader& read) {
   Profile profile;
   double tolerance = 0;
   std::vector<double> rho, z, radius, cutting;
@@ -214,7 +156,7 @@ ToolHead read_profile(const Reader& read) {
   return ProfileHead(std::move(profile), tolerance);
 }
 
-ToolHead read_head(const Reader& read) {
+ToolHead read_head(const SettingsReader& read) {
   std::string kind;
   read("head", kind);
   if (kind == "sphere") {
@@ -239,7 +181,7 @@ ToolHead read_head(const Reader& read) {
   throw Error("its 'tool/head' is \"" + kind + "\", but must be one of sphere, cone, flat, profile");
 }
 
-void write_handle(Writer& write, const Handle& handle) {
+void write_handle(SettingsWriter& write, const Handle& handle) {
   if (const auto* ray = std::get_if<RayHandle>(&handle)) {
     write("handle", std::string("ray"));
     write("handle_length", "m", ray->length);
@@ -252,7 +194,7 @@ void write_handle(Writer& write, const Handle& handle) {
   write("handle_bend", "rad", angled.bend);
 }
 
-Handle read_handle(const Reader& read) {
+Handle read_handle(const SettingsReader& read) {
   std::string kind;
   double length = 0;
   read("handle", kind);
@@ -265,65 +207,12 @@ Handle read_handle(const Reader& read) {
   return angled;
 }
 
-// --- effects --------------------------------------------------------------------------------------------------------
-
-/// Goes over the numbers of the effects in their order.
-template <class Visit>
-void visit_effects(Effects& e, bool& gravity, bool& vibration, bool& filter, Gravity& g, Vibration& v, DeltaFilter& f,
-                   const Visit& visit) {
-  visit("gravity", gravity);
-  visit("gravity_mass_kg", g.mass);
-  visit("gravity_center_x_m", g.center_of_mass.x());
-  visit("gravity_center_y_m", g.center_of_mass.y());
-  visit("gravity_center_z_m", g.center_of_mass.z());
-  visit("gravity_x_m_per_s2", g.acceleration.x());
-  visit("gravity_y_m_per_s2", g.acceleration.y());
-  visit("gravity_z_m_per_s2", g.acceleration.z());
-  visit("vibration", vibration);
-  visit("vibration_frequency_Hz", v.frequency);
-  visit("vibration_amplitude_N", v.amplitude);
-  visit("vibration_amplitude_N_per_W", v.amplitude_per_watt);
-  visit("vibration_largest_amplitude_N", v.largest_amplitude);
-  visit("delta_filter", filter);
-  visit("delta_filter_delta_N", f.delta);
-  visit("delta_filter_epsilon_N", f.epsilon);
-  visit("force_x", e.enabled.force[0]);
-  visit("force_y", e.enabled.force[1]);
-  visit("force_z", e.enabled.force[2]);
-  visit("torque_x", e.enabled.torque[0]);
-  visit("torque_y", e.enabled.torque[1]);
-  visit("torque_z", e.enabled.torque[2]);
-  visit("largest_force_N", e.limits.largest_force);
-  visit("largest_torque_Nm", e.limits.largest_torque);
-  visit("force_growth_N_per_s", e.limits.force_growth);
-  visit("torque_growth_Nm_per_s", e.limits.torque_growth);
-  visit("ramp_time_s", e.limits.ramp_time);
-}
-
-template <class Visit>
-void visit_all(Effects& effects, const Visit& visit) {
-  bool gravity = effects.gravity.has_value(), vibration = effects.vibration.has_value(),
-       filter = effects.delta_filter.has_value();
-  Gravity g = effects.gravity.value_or(Gravity{});
-  Vibration v = effects.vibration.value_or(Vibration{});
-  DeltaFilter f = effects.delta_filter.value_or(DeltaFilter{});
-  visit_effects(effects, gravity, vibration, filter, g, v, f, visit);
-  effects.gravity = gravity ? std::optional(g) : std::nullopt;
-  effects.vibration = vibration ? std::optional(v) : std::nullopt;
-  effects.delta_filter = filter ? std::optional(f) : std::nullopt;
-}
-
-double to_number(double value) { return value; }
-double to_number(bool value) { return value ? 1 : 0; }
-void from_number(double number, double& value) { value = number; }
-void from_number(double number, bool& value) { value = number != 0; }
-
 }  // namespace
 
 void write_settings(hid_t file, const SimulationConfig& config, const Tool& tool, const MaterialTable& materials) {
   {
     const hdf5::Group group = hdf5::create_group(file, "simulation");
-    Writer write(group.get());
+    SettingsWriter write(group.get());
     visit_config(write, config);
     const bool law_is_default =
         config.law == nullptr || dynamic_cast<const FoundationLaw*>(config.law.get()) != nullptr;
@@ -333,13 +222,13 @@ void write_settings(hid_t file, const SimulationConfig& config, const Tool& tool
   }
   {
     const hdf5::Group group = hdf5::create_group(file, "tool");
-    Writer write(group.get());
+    SettingsWriter write(group.get());
     write_head(write, tool.head());
     write_handle(write, tool.handle());
     visit_spindle(write, tool.spindle());
   }
   const hdf5::Group group = hdf5::create_group(file, "materials");
-  Writer write(group.get());
+  SettingsWriter write(group.get());
   write("count", std::size_t(materials.size()));
   int id = 0;
   for (const Material& material : materials.all()) write(("name_" + std::to_string(++id)).c_str(), material.name);
@@ -352,7 +241,7 @@ void write_settings(hid_t file, const SimulationConfig& config, const Tool& tool
 
 SimulationConfig read_config(hid_t file) {
   hdf5::Group group;
-  const Reader read = reader_of(file, group, "simulation");
+  const SettingsReader read = settings_of(file, group, "simulation");
   SimulationConfig config;
   visit_config(read, config);
   bool friction_is_given = false;
@@ -364,13 +253,13 @@ SimulationConfig read_config(hid_t file) {
 bool read_default_law(hid_t file) {
   hdf5::Group group;
   bool law_is_default = false;
-  reader_of(file, group, "simulation")("law_is_default", law_is_default);
+  settings_of(file, group, "simulation")("law_is_default", law_is_default);
   return law_is_default;
 }
 
 Tool read_tool(hid_t file) {
   hdf5::Group group;
-  const Reader read = reader_of(file, group, "tool");
+  const SettingsReader read = settings_of(file, group, "tool");
   Spindle spindle;
   visit_spindle(read, spindle);
   return Tool(read_head(read), read_handle(read), spindle);
@@ -378,7 +267,7 @@ Tool read_tool(hid_t file) {
 
 MaterialTable read_materials(hid_t file) {
   hdf5::Group group;
-  const Reader read = reader_of(file, group, "materials");
+  const SettingsReader read = settings_of(file, group, "materials");
   std::size_t count = 0;
   read("count", count);
   if (count < 1 || count > std::size_t(kMaxMaterials))
@@ -395,34 +284,18 @@ MaterialTable read_materials(hid_t file) {
   return MaterialTable(std::move(materials));
 }
 
-EffectNumbers pack(const Effects& effects) noexcept {
-  EffectNumbers numbers{};
-  Effects copy = effects;
-  std::size_t n = 0;
-  visit_all(copy, [&](const char*, const auto& value) { numbers[n++] = to_number(value); });
-  HAPTICUT_ASSERT(n == kEffectNumbers);
-  return numbers;
+void write_capabilities(hid_t file, const DeviceCapabilities& capabilities) {
+  const hdf5::Group group = hdf5::create_group(file, "device");
+  SettingsWriter write(group.get());
+  visit_capabilities(write, capabilities);
 }
 
-Effects unpack(const EffectNumbers& numbers) {
-  Effects effects;
-  // What is absent is visited only when it is there: so make it all, and let the flags say what to keep.
-  effects.gravity.emplace();
-  effects.vibration.emplace();
-  effects.delta_filter.emplace();
-  std::size_t n = 0;
-  visit_all(effects, [&](const char*, auto& value) { from_number(numbers[n++], value); });
-  return effects;
-}
-
-std::string effect_names() {
-  std::string names;
-  Effects none;
-  visit_all(none, [&](const char* name, const auto&) {
-    if (!names.empty()) names += ',';
-    names += name;
-  });
-  return names;
+DeviceCapabilities read_capabilities(hid_t file) {
+  hdf5::Group group;
+  const SettingsReader read = settings_of(file, group, "device");
+  DeviceCapabilities capabilities;
+  visit_capabilities(read, capabilities);
+  return capabilities;
 }
 
 }  // namespace hapticut

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "hapticut/device/state.hpp"
 #include "hapticut/simulation/config.hpp"
 #include "hapticut/tool/tool.hpp"
 #include "hapticut/workpiece/material.hpp"
@@ -20,6 +21,10 @@ void write_settings(hid_t file, const SimulationConfig& config, const Tool& tool
 [[nodiscard]] bool read_default_law(hid_t file);         ///< whether the law was FoundationLaw
 [[nodiscard]] Tool read_tool(hid_t file);
 [[nodiscard]] MaterialTable read_materials(hid_t file);
+
+/// The group `device`.
+void write_capabilities(hid_t file, const DeviceCapabilities& capabilities);
+[[nodiscard]] DeviceCapabilities read_capabilities(hid_t file);
 
 /// Effects as a row of numbers, so that a change of them is one more row. What is absent is written with its
 /// defaults.

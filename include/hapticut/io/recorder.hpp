@@ -14,9 +14,10 @@ namespace hapticut {
 
 /// How a recording is made.
 struct RecorderOptions {
-  std::string device;         ///< name of the device that the steps come from; empty: none, and no columns for it
-  std::string note;           ///< anything
-  std::size_t steps = 8192;   ///< that the memory between loop and disk holds, about 1.3 kB each
+  std::string device;               ///< name of the device that the steps come from; empty: none, and no columns for it
+  std::string note;                 ///< anything
+  DeviceCapabilities capabilities;  ///< of that device, so that it can be played back
+  std::size_t steps = 8192;         ///< that the memory between loop and disk holds, about 1.3 kB each
   double flush_period = 0.2;  ///< [s] in 0.01 ... 0.5; a process that is killed loses this, and what it takes to write
 
   /// Where the memory is full: true waits for the disk, for simulations that nobody feels; false loses the step and

@@ -78,9 +78,10 @@ class Recording {
 
   [[nodiscard]] const std::filesystem::path& path() const;
   [[nodiscard]] const RecordingInfo& info() const;
-  [[nodiscard]] bool has_device() const;     ///< whether the steps have a device's side
-  [[nodiscard]] std::uint64_t size() const;  ///< steps that are in the file
-  [[nodiscard]] bool default_law() const;    ///< whether the force law was the library's own, FoundationLaw
+  [[nodiscard]] bool has_device() const;                         ///< whether the steps have a device's side
+  [[nodiscard]] const DeviceCapabilities& capabilities() const;  ///< of the device, where there was one
+  [[nodiscard]] std::uint64_t size() const;                      ///< steps that are in the file
+  [[nodiscard]] bool default_law() const;  ///< whether the force law was the library's own, FoundationLaw
 
   /// Steps `first ... first + count - 1` in the order of the file, fewer at its end.
   /// @throws Error when they cannot be read

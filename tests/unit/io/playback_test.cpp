@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/io/playback.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/device/mock.hpp"
+#include "support/recordings.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace hapticut {
+namespace {
+
+using test::TemporaryFolder;
+
+RunOptions in_simulated_time() {
+  RunOptions options;
+  options.simulated_time = true;
+  options.stop_on_signals = false;
+  return options;
+}
+
+bool same(const DeviceState& a, const DeviceState& b) {
+  return a.X_BS.rotation == b.X_BS.rotation && a.X_BS.translation == b.X_BS.translation &&
+         a.velocity.linear == b.velocity.linear && a.velocity.angular == b.velocity.angular && a.buttons == b.buttons &&
+         a.time == b.time && a.sequence == b.sequence && a.epoch == b.epoch && a.temperature == b.temperature &&
+         a.valid == b.valid && a.fault == b.fault;
+}
+
+TEST(Playback, GivesTheReadingsOfARecordedDeviceAgain) {
+  const TemporaryFolder folder;
+  const auto device = open_device("mock:spiral,seconds=3,hand=nominal");
+  Simulation simulation = find_scene("axial_flat").make();
+  RecorderOptions options = test::patient();
+  options.device = device->name();
+  options.capabilities = device->capabilities();
+  Recorder recorder(folder / "a.h5", simulation, options);
+  std::vector<DeviceState> states;
+  std::vector<Wrench> forces;
+  RunOptions run = in_simulated_time();
+  const auto callback = [&](StepRecorder* keeper) {
+    return [&, keeper](const DeviceState& state) {
+      states.push_back(state);
+      const DeviceTick tick{state, {}, ArmingState::on};
+      const StepInput input{Pose::from_translation(state.X_BS.translation + Vec3(0, 0, 20e-3)), state.velocity, 1e-3};
+      if (keeper != nullptr) keeper->step(input, &tick);
+      return DeviceCommand{{Vec3(0, 0, state.X_BS.translation.z() < 0 ? 0.5 : 0), Vec3::Zero()}, false};
+    };
+  };
+  (void)device->run(callback(&recorder), run);
+  recorder.close();
+  const std::vector<DeviceState> recorded = std::exchange(states, {});
+  ASSERT_EQ(recorded.size(), 3000U);
+
+  use_recordings();
+  const auto playback = open_device("replay:" + (folder / "a.h5").string());
+  EXPECT_EQ(playback->capabilities().model, device->capabilities().model);
+  EXPECT_EQ(playback->capabilities().peak_force, device->capabilities().peak_force);
+  EXPECT_EQ(playback->capabilities().workspace_high, device->capabilities().workspace_high);
+  for (int again = 0; again < 2; ++again) {
+    states.clear();
+    const RunReport report = playback->run(callback(nullptr), run);
+    EXPECT_EQ(report.end, "the device has nothing more to tell");
+    ASSERT_EQ(states.size(), recorded.size());
+    for (std::size_t n = 0; n < states.size(); ++n) ASSERT_TRUE(same(states[n], recorded[n])) << n;
+  }
+}
+
+TEST(Playback, OfARecordingWithoutADeviceGivesThePosesOfTheHandle) {
+  const TemporaryFolder folder;
+  test::record_scene(folder / "a.h5", "axial_flat", 200);
+  const auto playback = open_playback(folder / "a.h5");
+  EXPECT_EQ(playback->size(), 200U);
+  EXPECT_EQ(playback->capabilities().output_degrees_of_freedom, 0);
+  const Scene& scene = find_scene("axial_flat");
+  int tick = 0;
+  (void)playback->run(
+      [&](const DeviceState& state) {
+        EXPECT_TRUE(state.valid);
+        EXPECT_EQ(state.X_BS.translation, scene.input(tick).pose.translation);
+        ++tick;
+        return DeviceCommand{};
+      },
+      in_simulated_time());
+  EXPECT_EQ(tick, 200);
+}
+
+TEST(Playback, NeedsARecordingWithSteps) {
+  const TemporaryFolder folder;
+  use_recordings();
+  EXPECT_THROW((void)open_device("replay"), Error);
+  EXPECT_THROW((void)open_device("replay:" + (folder / "absent.h5").string()), Error);
+  test::record_scene(folder / "empty.h5", "axial_flat", 0);
+  EXPECT_THROW((void)open_playback(folder / "empty.h5"), Error);
+  EXPECT_THROW(PlaybackDevice({}, {}), Error);
+}
+
+}  // namespace
+}  // namespace hapticut
