@@ -83,6 +83,7 @@
 #include "hapticut/device/pose_gate.hpp"
 #include "hapticut/device/realtime_loop.hpp"
 #include "hapticut/device/safety_log.hpp"
+#include "hapticut/device/simulation_model.hpp"
 #include "hapticut/device/stability.hpp"
 #include "hapticut/device/state.hpp"
 #include "hapticut/device/step_recorder.hpp"

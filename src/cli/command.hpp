@@ -22,13 +22,14 @@ struct Command {
 [[nodiscard]] Command convert_command();
 [[nodiscard]] Command validate_command();
 [[nodiscard]] Command calibrate_command();
+[[nodiscard]] Command loop_command();
 [[nodiscard]] Command replay_command();
 [[nodiscard]] Command export_command();
 
 /// All of them, in the order of the help.
 [[nodiscard]] inline std::vector<Command> all_commands() {
   return {drill_command(),     inspect_command(), convert_command(), validate_command(),
-          calibrate_command(), replay_command(),  export_command()};
+          calibrate_command(), loop_command(),    replay_command(),  export_command()};
 }
 
 }  // namespace hapticut::cli

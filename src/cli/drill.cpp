@@ -94,10 +94,12 @@ DrillResult drill(Simulation& simulation, const Motion& motion, double rate, boo
     const Twist velocity = twist_between(before, pose, dt);
     before = pose;
 
+    if (recorder != nullptr) recorder->before_step();
     const double start = thread_time();
-    const StepResult& step =
-        recorder != nullptr ? recorder->step({pose, velocity, dt}, nullptr) : simulation.step(pose, velocity, dt);
+    const StepResult& step = simulation.step(pose, velocity, dt);
     times[i] = float(thread_time() - start);
+
+    if (recorder != nullptr) recorder->after_step(nullptr);
 
     add(step, result);
     if (i == 0) result.starts_in_contact = step.contact.voxels > 0;

@@ -128,6 +128,8 @@ RunReport RealtimeLoop::stop() {
 
 bool RealtimeLoop::is_running() const noexcept { return state_->running.load(); }
 
+void RealtimeLoop::emergency_stop() noexcept { state_->device.emergency_stop(); }
+
 bool RealtimeLoop::send(const LoopCommand& command) noexcept {
   if (state_->commands.push(command)) return true;
   state_->dropped.fetch_add(1, std::memory_order_relaxed);

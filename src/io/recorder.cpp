@@ -86,7 +86,7 @@ struct Recorder::State {
     ring.consume_all([](const Message&) {});
   }
 
-  void note(const StepInput& input, const DeviceTick* device, std::uint64_t free_blocks) noexcept;
+  void note(const DeviceTick* device) noexcept;
   void write_until_stopped();
   void write_batch(std::vector<Message>& batch);
 
@@ -97,7 +97,8 @@ struct Recorder::State {
   // The loop's side.
   boost::lockfree::spsc_queue<Message> ring;
   Message message;  // being filled
-  std::uint64_t steps_seen = 0, exchanges_seen = 0;
+  std::uint64_t steps_seen = 0, exchanges_seen = 0, free_blocks = 0;
+  bool over = false;  // nothing can be recorded any more
   double time = 0;
   std::atomic<std::uint64_t> recorded{0}, lost{0};
 
@@ -180,38 +181,52 @@ Recorder::~Recorder() {
 // --- the loop's side ------------------------------------------------------------------------------------------------
 
 const StepResult& Recorder::step(const StepInput& input, const DeviceTick* device) noexcept {
+  before_step();
+  const StepResult& result = state_->simulation.step(input.pose, input.velocity, input.dt);
+  after_step(device);
+  return result;
+}
+
+void Recorder::before_step() noexcept {
   State& s = *state_;
-  const bool over = s.simulation.steps() != s.steps_seen || s.simulation.workpiece_exchanges() != s.exchanges_seen;
-  const std::uint64_t free_blocks = s.simulation.workpiece().reserved_blocks();
-  const StepResult& result = s.simulation.step(input.pose, input.velocity, input.dt);
-  if (over) {
+  s.over = s.over || s.simulation.steps() != s.steps_seen || s.simulation.workpiece_exchanges() != s.exchanges_seen;
+  s.free_blocks = s.simulation.workpiece().reserved_blocks();
+}
+
+void Recorder::after_step(const DeviceTick* device) noexcept {
+  State& s = *state_;
+  if (s.over) {
     s.lost.fetch_add(1, std::memory_order_relaxed);
-    return result;
+    return;
+  }
+  if (s.simulation.steps() == s.steps_seen) return;  // none was made
+  s.over = s.simulation.steps() != s.steps_seen + 1 || s.simulation.workpiece_exchanges() != s.exchanges_seen;
+  if (s.over) {
+    s.lost.fetch_add(s.simulation.steps() - s.steps_seen, std::memory_order_relaxed);
+    return;
   }
   ++s.steps_seen;
-  s.note(input, device, free_blocks);
+  s.note(device);
   while (!s.ring.push(s.message)) {
     if (!s.options.wait_when_full || s.failed.load(std::memory_order_relaxed)) {
       s.lost.fetch_add(1, std::memory_order_relaxed);
-      return result;
+      return;
     }
     std::this_thread::yield();
   }
   s.recorded.fetch_add(1, std::memory_order_relaxed);
-  return result;
 }
 
-void Recorder::State::note(const StepInput& input, const DeviceTick* device, std::uint64_t free_blocks) noexcept {
+void Recorder::State::note(const DeviceTick* device) noexcept {
   RecordedStep& row = message.step;
-  const StepResult& result = simulation.last_result();
-  time += input.dt;
   row.number = steps_seen - 1;
+  row.input = simulation.last_input();
+  time += row.input.dt;
   row.time = device != nullptr ? device->state.time : time;
-  row.input = input;
   row.spindle_setting = simulation.spindle_setting();
   row.reserved_blocks = simulation.config().reserved_blocks;
   row.free_blocks = free_blocks;
-  note_result(result, row);
+  note_result(simulation.last_result(), row);
   row.device = device != nullptr ? *device : DeviceTick{};
   message.effects = pack(simulation.config().effects);
 }

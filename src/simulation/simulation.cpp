@@ -66,6 +66,7 @@ const StepResult& Simulation::last_result() const { return state_->result; }
 
 ChangedBlocks Simulation::changed_blocks() const noexcept { return state_->contact_stages.changed(); }
 double Simulation::spindle_setting() const noexcept { return state_->motor.setting(); }
+const StepInput& Simulation::last_input() const noexcept { return state_->input; }
 std::uint64_t Simulation::steps() const noexcept { return state_->steps; }
 std::uint64_t Simulation::workpiece_exchanges() const noexcept { return state_->workpiece_exchanges; }
 

@@ -90,6 +90,7 @@ struct Simulation::State {
   Output output;
   MaterialId touched = 1;  // material at the contact point
 
+  StepInput input;  // of the last step
   std::uint64_t steps = 0;
   std::uint64_t workpiece_exchanges = 0;
 

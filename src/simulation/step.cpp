@@ -21,6 +21,7 @@ Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
 const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, double dt) noexcept {
   State& s = *state_;
   s.begin_step();
+  s.input = {pose, velocity, dt};
   const StepStatus refused = s.check_step_input(pose, velocity, dt);
   if (refused != StepStatus::ok) return s.reject(refused);
   if (!std::exchange(s.has_pose, true)) s.place_at(advance(pose, velocity, -dt));

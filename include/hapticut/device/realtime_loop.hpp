@@ -91,6 +91,10 @@ class RealtimeLoop {
 
   [[nodiscard]] bool is_running() const noexcept;
 
+  /// No force from the next tick on, until `reset_fault` is sent. From any thread, also in a signal handler, and
+  /// whatever the queue of commands is full of.
+  void emergency_stop() noexcept;
+
   /// Sends a command to be obeyed at the next tick.  @return false when the queue is full: it is dropped and counted
   bool send(const LoopCommand& command) noexcept;
 

@@ -14,16 +14,22 @@ struct DeviceTick {
   ArmingState arming = ArmingState::off;  ///< of the guard until then
 };
 
-/// Makes the steps of a simulation in its stead and keeps what went in and what came out: what a loop is given to have
-/// itself recorded. hapticut/io/recorder.hpp has the one that writes files.
+/// Keeps what went into the steps of a simulation and what came out: what a loop is given to have itself recorded.
+/// hapticut/io/recorder.hpp has the one that writes files.
+///
+///     recorder.before_step();  simulation.step(pose, velocity, dt);  recorder.after_step(nullptr);
+///
+/// In between anybody may make the step, a VirtualCoupling for one; none, or more than one, is no step to be recorded.
 class StepRecorder {
  public:
   virtual ~StepRecorder() = default;
 
-  /// `Simulation::step` of the simulation that is recorded.
+  /// @realtime no allocation, no lock beyond what the recorder says
+  virtual void before_step() noexcept = 0;
+
   /// @param device  null: no device is involved
   /// @realtime no allocation, no lock beyond what the recorder says
-  virtual const StepResult& step(const StepInput& input, const DeviceTick* device) noexcept = 0;
+  virtual void after_step(const DeviceTick* device) noexcept = 0;
 };
 
 }  // namespace hapticut

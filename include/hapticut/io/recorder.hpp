@@ -46,11 +46,16 @@ class Recorder final : public StepRecorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Makes a step and records it. What was set between the steps (spindle speed, effects, reserved blocks) is recorded
-  /// with it. When the workpiece was exchanged in between, or somebody else made a step, the recording is over: the
-  /// steps go on, unrecorded.
+  /// Makes a step and records it: `before_step`, Simulation::step, `after_step`.
+  const StepResult& step(const StepInput& input, const DeviceTick* device = nullptr) noexcept;
+
+  void before_step() noexcept override;
+
+  /// Records the step that was made since `before_step`, with what was set since the last one (spindle speed, effects,
+  /// reserved blocks). When the workpiece was exchanged, or there was another step in between, the recording is over:
+  /// the steps go on, unrecorded.
   /// @realtime no allocation, no lock, unless RecorderOptions::wait_when_full
-  const StepResult& step(const StepInput& input, const DeviceTick* device = nullptr) noexcept override;
+  void after_step(const DeviceTick* device) noexcept override;
 
   [[nodiscard]] std::uint64_t recorded() const noexcept;  ///< steps that were taken over
   [[nodiscard]] std::uint64_t lost() const noexcept;      ///< steps that found the memory full or came after the end

@@ -66,6 +66,9 @@ class Simulation {
   /// [rad/s] that was asked of the spindle last; while it ramps or is loaded its speed is StepResult::spindle.
   [[nodiscard]] double spindle_setting() const noexcept;
 
+  /// What `step` was last called with, be it by whoever: dt = 0 before the first time.
+  [[nodiscard]] const StepInput& last_input() const noexcept;
+
   /// Calls of `step` since construction or `reset`.
   [[nodiscard]] std::uint64_t steps() const noexcept;
 

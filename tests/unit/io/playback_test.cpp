@@ -38,7 +38,7 @@ TEST(Playback, GivesTheReadingsOfARecordedDeviceAgain) {
   std::vector<DeviceState> states;
   std::vector<Wrench> forces;
   RunOptions run = in_simulated_time();
-  const auto callback = [&](StepRecorder* keeper) {
+  const auto callback = [&](Recorder* keeper) {
     return [&, keeper](const DeviceState& state) {
       states.push_back(state);
       const DeviceTick tick{state, {}, ArmingState::on};

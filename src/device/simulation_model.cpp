@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/device/simulation_model.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace hapticut {
+namespace {
+
+enum Code : std::int32_t { kSpindleSpeed, kOpenClutch, kCloseClutch, kScale };
+
+LoopCommand command(Code code, double value = 0) { return {LoopCommand::Kind::model, code, {value}}; }
+
+enum Place : std::size_t {
+  kForce = 0,
+  kTorque = 3,
+  kRemovedVolume = 6,
+  kContactDepth,
+  kContactVoxels,
+  kSpindle,
+  kStatus,
+  kSeen,
+  kSteps
+};
+
+Vec3 vector_at(const LoopSnapshot& snapshot, std::size_t place) {
+  return {snapshot.values[place], snapshot.values[place + 1], snapshot.values[place + 2]};
+}
+
+bool has_force(ArmingState arming) { return arming == ArmingState::ramp || arming == ArmingState::on; }
+
+}  // namespace
+
+namespace model_commands {
+
+LoopCommand set_spindle_speed(double speed) { return command(kSpindleSpeed, speed); }
+LoopCommand open_clutch() { return command(kOpenClutch); }
+LoopCommand close_clutch() { return command(kCloseClutch); }
+LoopCommand set_scale(double scale) { return command(kScale, scale); }
+
+}  // namespace model_commands
+
+ToolSnapshot tool_of(const LoopSnapshot& snapshot) {
+  const auto& values = snapshot.values;
+  ToolSnapshot tool;
+  tool.force = vector_at(snapshot, kForce);
+  tool.torque = vector_at(snapshot, kTorque);
+  tool.removed_volume = values[kRemovedVolume];
+  tool.contact_depth = values[kContactDepth];
+  tool.contact_voxels = int(values[kContactVoxels]);
+  tool.spindle_speed = values[kSpindle];
+  tool.status = StepStatus(std::uint32_t(values[kStatus]));
+  tool.seen = StepStatus(std::uint32_t(values[kSeen]));
+  tool.steps = std::uint64_t(values[kSteps]);
+  return tool;
+}
+
+SimulationModel::SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options,
+                                 StepRecorder* recorder)
+    : simulation_(&simulation),
+      device_(&device),
+      recorder_(recorder),
+      map_(options.map),
+      region_(simulation.workpiece().bounds()),
+      spindle_needs_force_(options.spindle_needs_force),
+      spindle_speed_(simulation.spindle_setting()) {}
+
+Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept {
+  stepped_ = false;
+  Wrench wrench;
+  if (state.valid) {
+    X_BS_ = state.X_BS;
+    turn_spindle(device_->last_arming());
+    wrench = move_tool(state, dt);
+  }
+  show(snapshot);
+  return wrench;
+}
+
+void SimulationModel::turn_spindle(ArmingState arming) noexcept {
+  if (!has_force(arming))
+    may_cut_ = false;
+  else if (tool_.contact_voxels == 0)
+    may_cut_ = true;
+  const double wanted = spindle_needs_force_ && !may_cut_ ? 0 : spindle_speed_;
+  if (wanted != simulation_->spindle_setting()) simulation_->set_spindle_speed(wanted);
+}
+
+Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept {
+  const Pose pose = map_.to_world(state.X_BS);
+  const Twist velocity = map_.to_world(state.X_BS, state.velocity);
+  if (recorder_ != nullptr) recorder_->before_step();
+  const StepResult& result = simulation_->step(pose, velocity, dt);
+  if (recorder_ != nullptr) {
+    const DeviceTick tick{state, device_->last_output(), device_->last_arming()};
+    recorder_->after_step(&tick);
+  }
+  stepped_ = true;
+  ++tool_.steps;
+  tool_.force = result.force;
+  tool_.torque = result.torque;
+  tool_.removed_volume += result.removed_volume;
+  tool_.contact_depth = result.contact.depth;
+  tool_.contact_voxels = result.contact.voxels;
+  tool_.spindle_speed = result.spindle.speed;
+  tool_.status = result.status;
+  tool_.seen |= result.status;
+  return map_.to_device(state.X_BS, {result.force, result.torque});
+}
+
+void SimulationModel::show(LoopSnapshot& snapshot) const noexcept {
+  snapshot.X_WT = map_.to_world(X_BS_) * simulation_->tool().X_HT();
+  auto& values = snapshot.values;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    values[kForce + axis] = tool_.force[int(axis)];
+    values[kTorque + axis] = tool_.torque[int(axis)];
+  }
+  values[kRemovedVolume] = tool_.removed_volume;
+  values[kContactDepth] = tool_.contact_depth;
+  values[kContactVoxels] = tool_.contact_voxels;
+  values[kSpindle] = tool_.spindle_speed;
+  values[kStatus] = double(std::uint32_t(tool_.status));
+  values[kSeen] = double(std::uint32_t(tool_.seen));
+  values[kSteps] = double(tool_.steps);
+}
+
+void SimulationModel::obey(const LoopCommand& given) noexcept {
+  const double value = given.values[0];
+  switch (given.code) {
+    case kSpindleSpeed:
+      if (std::isfinite(value)) spindle_speed_ = value;
+      break;
+    case kOpenClutch:
+      map_.release(X_BS_);
+      break;
+    case kCloseClutch:
+      map_.engage(X_BS_);
+      device_->interrupt(SafetyEvent::reclutched);
+      break;
+    case kScale:
+      if (map_.set_scale(value, X_BS_)) device_->interrupt(SafetyEvent::reclutched);
+      break;
+    default:
+      break;
+  }
+}
+
+void SimulationModel::mark_changes(BlockOutbox& outbox) noexcept {
+  if (!stepped_) return;
+  const ChangedBlocks changed = simulation_->changed_blocks();
+  for (const VoxelIndex& origin : changed.origins) outbox.mark(origin);
+  if (changed.complete) return;
+  for (int i = block_start(region_.min[0]); i <= region_.max[0]; i += kBlockEdge)
+    for (int j = block_start(region_.min[1]); j <= region_.max[1]; j += kBlockEdge)
+      for (int k = block_start(region_.min[2]); k <= region_.max[2]; k += kBlockEdge) outbox.mark({i, j, k});
+}
+
+void SimulationModel::copy(ChangedBlock& block) noexcept { copy_block(simulation_->workpiece(), block); }
+
+void copy_block(const Workpiece& workpiece, ChangedBlock& block) noexcept {
+  const BlockView view = workpiece.block(block.origin);
+  if (view.material == nullptr) {
+    block.material.fill(view.uniform_material);
+    for (int n = 0; n < kBlockVoxels; ++n) block.fill[std::size_t(n)] = view.empty() ? 0.0F : view.fill_of(n);
+    return;
+  }
+  block.material.fill(kEmpty);
+  block.fill.fill(0);
+  for (int word = 0; word < 8; ++word)
+    for (std::uint64_t bits = view.solid[word]; bits != 0; bits &= bits - 1) {
+      const int n = 64 * word + std::countr_zero(bits);
+      block.material[std::size_t(n)] = view.material[n];
+      block.fill[std::size_t(n)] = view.fill_of(n);
+    }
+}
+
+}  // namespace hapticut
