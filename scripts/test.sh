@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Checks everything: installs what is missing, builds, runs every test, checks format and lint, compiles with clang++ and
-# runs the unit tests under the sanitizers. The last line is `N passed, N failed, N skipped`, where a test is one test of
-# ctest or one of the checks above; the exit code is 0 only when nothing failed.
+# Checks everything: installs what is missing, builds, runs every test, checks format and lint, compiles with clang++,
+# runs the unit tests under the address and undefined-behaviour sanitizers, and the tests of what threads exchange under
+# the thread sanitizer. The last line is `N passed, N failed, N skipped`, where a test is one test of ctest or one of the
+# checks above; the exit code is 0 only when nothing failed.
 #
 #   scripts/test.sh [--quick] [--no-install] [--jobs N]
 #
@@ -138,6 +139,12 @@ if ! $quick; then
   fi
   if check "configure: sanitizers" configure asan-ubsan && check "build: sanitizers" build asan-ubsan -t unit_tests; then
     run_tests asan-ubsan
+  fi
+  # Only what threads exchange: the rest of the library is built for it without its optional parts.
+  if check "configure: thread sanitizer" cmake --preset tsan -DHAPTICUT_WITH_IO=OFF -DHAPTICUT_WITH_CLI=OFF \
+      -DHAPTICUT_WITH_TESTS=ON &&
+    check "build: thread sanitizer" build tsan -t test_realtime test_realtime_loop test_simulation_model; then
+    run_tests tsan
   fi
 fi
 
