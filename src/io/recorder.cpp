@@ -5,7 +5,6 @@
 #include <boost/lockfree/spsc_queue.hpp>
 #include <chrono>
 #include <condition_variable>
-#include <cstring>
 #include <ctime>
 #include <mutex>
 #include <thread>
@@ -283,7 +282,7 @@ void Recorder::State::write_batch(std::vector<Message>& batch) {
   room->require(length + unflushed + kHeadroom);
   // Effects first: who reads a step finds the effects that belong to it.
   for (const Message& one : batch) {
-    if (std::memcmp(&one.effects, &last_effects, sizeof last_effects) == 0) continue;
+    if (one.effects == last_effects) continue;  // no effect holds a number that is not one
     last_effects = one.effects;
     effects_appenders[1].append(last_effects.data(), 1);
     effects_appenders[0].append(&one.step.number, 1);

@@ -74,8 +74,10 @@ Column column(Column::Side side, const char* name, const char* unit, const char*
 }
 
 // The member of a step, for reading and for writing.
+// NOLINTBEGIN(bugprone-macro-parentheses): the path to a member cannot stand in parentheses
 #define HAPTICUT_MEMBER(path) \
   [](auto& s) -> auto& { return s.path; }
+// NOLINTEND(bugprone-macro-parentheses)
 
 std::vector<Column> make_columns() {
   using enum Column::Side;
