@@ -71,6 +71,7 @@
 //
 #include "hapticut/device/arming.hpp"
 #include "hapticut/device/closed_loop.hpp"
+#include "hapticut/device/coupling.hpp"
 #include "hapticut/device/device.hpp"
 #include "hapticut/device/device_models.hpp"
 #include "hapticut/device/fault_bench.hpp"

@@ -20,6 +20,7 @@ namespace hapticut::cli {
 namespace {
 
 enum class Up { y, z };
+enum class Coupling { virtual_tool, none };
 
 constexpr std::size_t kReservedBlocks = 16384;  // there is no time to refill them between steps
 
@@ -30,6 +31,7 @@ struct LoopSettings {
   std::optional<Vec3> origin_mm;
   std::optional<Up> up;
   double scale = 1;
+  std::optional<Coupling> coupling;
   std::string record, json;
   WorkpieceSettings workpiece;
   ToolSettings tool;
@@ -48,6 +50,10 @@ std::vector<Setting> settings_of(LoopSettings& s) {
       choice("loop.up", "--up", s.up, {{"y", Up::y}, {"z", Up::z}},
              "axis of the device's base that points up, along z of the world [z of mock and replay, y of others]"),
       number("loop.scale", "--scale", s.scale, Range::positive(), "metres in the world per metre of the hand [1]"),
+      choice(
+          "loop.coupling", "--coupling", s.coupling, {{"virtual", Coupling::virtual_tool}, {"none", Coupling::none}},
+          "between hand and tool: a spring that the device renders, or nothing [virtual, where the device promises a "
+          "stiffness]"),
       text("output.record", "--record", s.record, "recording of every step, for replay and export"),
       text("output.json", "--json", s.json, "report for machines"),
   };
@@ -88,6 +94,14 @@ WorkspaceMapOptions map_of(const LoopSettings& s, const DeviceCapabilities& capa
   return map;
 }
 
+/// Gains with which the device feels what it can render, whatever the scale of the world.
+CouplingGains gains_of(const DeviceCapabilities& device, double scale) {
+  CouplingGains gains = coupling_gains(device);
+  gains.stiffness /= scale;
+  gains.damping /= scale;
+  return gains;
+}
+
 /// What a screen would do: looks sixty times a second, and takes what has changed.
 LoopWatch watch(RealtimeLoop& loop) {
   constexpr auto kFrame = std::chrono::microseconds(16667);
@@ -117,13 +131,19 @@ void run(LoopSettings s) {
   complete(s);
   use_recordings_if_possible();
   const std::unique_ptr<Device> device = open_device(s.device);
+  const bool coupled =
+      s.coupling.value_or(device->capabilities().stiffness > 0 ? Coupling::virtual_tool : Coupling::none) ==
+      Coupling::virtual_tool;
   const Tool tool = make_tool(s.tool);
   Workpiece workpiece = make_workpiece(s.workpiece);
   const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
-  Simulation simulation(std::move(workpiece), tool, make_config(s.simulation));
+  SimulationConfig config = make_config(s.simulation);
+  if (coupled) config.contact_time = ContactTime::end;
+  Simulation simulation(std::move(workpiece), tool, std::move(config));
   RunRecorder recorder(s.record, simulation, s.simulated_time ? Pace::own : Pace::of_a_hand, device.get());
   SimulationModelOptions model_options;
   model_options.map = map_of(s, device->capabilities(), summary.box, tool);
+  if (coupled) model_options.coupling = gains_of(device->capabilities(), s.scale);
   SimulationModel model(simulation, *device, model_options, recorder.get());
   RealtimeLoopOptions options;
   options.run.seconds = s.seconds;
@@ -131,7 +151,7 @@ void run(LoopSettings s) {
   options.run.guard.period = options.run.guard.watchdog.period = 1 / s.simulation.rate_Hz;
   options.region = model.region();
 
-  LoopReport report{summary, *device, simulation, s.simulation.rate_Hz, {}, {}, 0};
+  LoopReport report{summary, *device, simulation, coupled, s.simulation.rate_Hz, {}, {}, 0};
   {
     RealtimeLoop loop(*device, model, options);
     loop.start();

@@ -43,7 +43,7 @@ std::uint64_t deadline_misses(const LatencyHistogram& compute, double period) {
 std::vector<std::string> warnings_of(const LoopReport& r) {
   std::vector<std::string> warnings = r.run.warnings;
   const DeviceCapabilities& device = r.device.capabilities();
-  if (device.stiffness > 0) {
+  if (device.stiffness > 0 && !r.coupled) {
     const double most = stiffness_for_device(r.simulation.tool().head(), device.stiffness);
     if (r.simulation.config().reference_stiffness > most)
       warnings.push_back("the device is driven directly, and a flat face of this material is stiffer than the " +
@@ -78,6 +78,7 @@ Json to_json(const LoopReport& r) {
         {"model", device.model},
         {"peak_force_N", device.peak_force},
         {"stiffness_N_per_m", device.stiffness}}},
+      {"coupling", r.coupled ? "virtual" : "none"},
       {"rate_Hz", r.rate},
       {"ticks", r.run.ticks},
       {"missed_ticks", r.run.missed},
@@ -106,7 +107,8 @@ std::string to_table(const LoopReport& r) {
   Table table("hapticut loop: " + r.device.name());
   const DeviceCapabilities& device = r.device.capabilities();
   table.add("device", (device.model.empty() ? "unknown" : device.model) + ", " + rounded(device.peak_force) + " N, " +
-                          rounded(device.stiffness) + " N/m");
+                          rounded(device.stiffness) + " N/m, " +
+                          (r.coupled ? "behind a virtual coupling" : "driven directly"));
   table.add("workpiece", r.workpiece.source + ", voxels of " + rounded(r.workpiece.voxel_size / units::mm) + " mm");
   table.add("ticks", std::to_string(r.run.ticks) + " at " + rounded(r.rate, 6) + " Hz, " +
                          std::to_string(r.run.missed) + " missed; " + r.run.end);

@@ -21,7 +21,8 @@ struct LoopReport {
   WorkpieceSummary workpiece;  ///< before cutting
   const Device& device;
   const Simulation& simulation;
-  double rate;  ///< [Hz]
+  bool coupled;  ///< by a virtual coupling
+  double rate;   ///< [Hz]
   LoopWatch seen;
   RunReport run;
   std::uint64_t steps_lost;  ///< by the recorder

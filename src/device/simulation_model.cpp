@@ -64,7 +64,9 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
       map_(options.map),
       region_(simulation.workpiece().bounds()),
       spindle_needs_force_(options.spindle_needs_force),
-      spindle_speed_(simulation.spindle_setting()) {}
+      spindle_speed_(simulation.spindle_setting()) {
+  if (options.coupling) coupling_.emplace(simulation, *options.coupling);
+}
 
 Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept {
   stepped_ = false;
@@ -73,6 +75,8 @@ Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& 
     X_BS_ = state.X_BS;
     turn_spindle(device_->last_arming());
     wrench = move_tool(state, dt);
+  } else if (coupling_) {
+    coupling_->release();  // nobody knows where the hand will be
   }
   show(snapshot);
   return wrench;
@@ -87,30 +91,43 @@ void SimulationModel::turn_spindle(ArmingState arming) noexcept {
   if (wanted != simulation_->spindle_setting()) simulation_->set_spindle_speed(wanted);
 }
 
-Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept {
-  const Pose pose = map_.to_world(state.X_BS);
-  const Twist velocity = map_.to_world(state.X_BS, state.velocity);
-  if (recorder_ != nullptr) recorder_->before_step();
+/// Steps, with the coupling or without.  @return what the hand feels, about Ho of the hand, in W
+Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept {
+  if (coupling_) {
+    const CoupledResult& result = coupling_->step(pose, velocity, dt);
+    X_WH_ = result.X_WH;
+    return result.hand;
+  }
   const StepResult& result = simulation_->step(pose, velocity, dt);
+  X_WH_ = pose;
+  return {result.force, result.torque};
+}
+
+Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept {
+  const std::uint64_t steps = simulation_->steps();
+  if (recorder_ != nullptr) recorder_->before_step();
+  const Wrench felt = follow_hand(map_.to_world(state.X_BS), map_.to_world(state.X_BS, state.velocity), dt);
   if (recorder_ != nullptr) {
     const DeviceTick tick{state, device_->last_output(), device_->last_arming()};
     recorder_->after_step(&tick);
   }
-  stepped_ = true;
+  stepped_ = simulation_->steps() != steps;
+  if (!stepped_) return {};  // the coupling refused the input
+  const StepResult& result = simulation_->last_result();
   ++tool_.steps;
-  tool_.force = result.force;
-  tool_.torque = result.torque;
+  tool_.force = felt.force;
+  tool_.torque = felt.torque;
   tool_.removed_volume += result.removed_volume;
   tool_.contact_depth = result.contact.depth;
   tool_.contact_voxels = result.contact.voxels;
   tool_.spindle_speed = result.spindle.speed;
   tool_.status = result.status;
   tool_.seen |= result.status;
-  return map_.to_device(state.X_BS, {result.force, result.torque});
+  return map_.to_device(state.X_BS, felt);
 }
 
 void SimulationModel::show(LoopSnapshot& snapshot) const noexcept {
-  snapshot.X_WT = map_.to_world(X_BS_) * simulation_->tool().X_HT();
+  snapshot.X_WT = X_WH_ * simulation_->tool().X_HT();
   auto& values = snapshot.values;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     values[kForce + axis] = tool_.force[int(axis)];

@@ -54,6 +54,20 @@ TEST_F(Loop, RefusesWhatItCannotDo) {
   EXPECT_EQ(run("loop mock:spiral --seconds 1 --record " + path("no/such/folder.h5")).code, 1);
 }
 
+TEST_F(Loop, HasACouplingWhereTheDeviceNeedsOne) {
+  const std::string arguments =
+      "mock:press,hand=nominal --seconds 3 --simulated-time --reference-stiffness 1e15 " + kCoarse;
+  const nlohmann::json coupled = loop(arguments);
+  EXPECT_EQ(coupled["coupling"], "virtual");
+  const nlohmann::json direct = loop(arguments + "--coupling none");
+  EXPECT_EQ(direct["coupling"], "none");
+  const auto warns = [](const nlohmann::json& report) {
+    return report["warnings"].dump().find("driven directly") != std::string::npos;
+  };
+  EXPECT_FALSE(warns(coupled));
+  EXPECT_TRUE(warns(direct));
+}
+
 #ifdef HAPTICUT_HAS_IO
 TEST_F(Loop, RecordsWhatReplaysAndPlaysBackWithTheSameResult) {
   const nlohmann::json first =

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "hapticut/device/coupling.hpp"
 #include "hapticut/device/realtime_loop.hpp"
 #include "hapticut/device/step_recorder.hpp"
 #include "hapticut/device/workspace_map.hpp"
@@ -22,7 +24,7 @@ namespace model_commands {
 
 /// What a SimulationModel shows of its last tick, in LoopSnapshot::values.
 struct ToolSnapshot {
-  Vec3 force = Vec3::Zero();   ///< [N] on the tool, what the hand is meant to feel, in W
+  Vec3 force = Vec3::Zero();   ///< [N] what the hand is meant to feel, in W
   Vec3 torque = Vec3::Zero();  ///< [N·m] about Ho, in W
   double removed_volume = 0;   ///< [m^3] since the loop began
   double contact_depth = 0;    ///< [m]
@@ -38,6 +40,10 @@ struct ToolSnapshot {
 struct SimulationModelOptions {
   WorkspaceMapOptions map;  ///< from the device's base to the world
 
+  /// Between hand and tool; empty: the device is driven directly by the contact, which must then be as soft as the
+  /// device (`stiffness_for_device`).
+  std::optional<CouplingGains> coupling;
+
   /// While the guard holds the force back, and from then on until the tool has touched nothing, the spindle stands:
   /// nothing is cut that the hand cannot feel, and a tool that begins inside the material does not eat its way out.
   bool spindle_needs_force = true;
@@ -52,7 +58,7 @@ class SimulationModel final : public LoopModel {
  public:
   /// @param device    whose guard must know of clutch and scale; the one that the loop runs
   /// @param recorder  of this simulation; null: nothing is recorded
-  /// @throws Error when the map is none
+  /// @throws Error when the map is none, or the coupling does not suit the simulation
   SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options = {},
                   StepRecorder* recorder = nullptr);
 
@@ -65,6 +71,7 @@ class SimulationModel final : public LoopModel {
   void copy(ChangedBlock& block) noexcept override;
 
  private:
+  [[nodiscard]] Wrench follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept;
   [[nodiscard]] Wrench move_tool(const DeviceState& state, double dt) noexcept;
   void turn_spindle(ArmingState arming) noexcept;
   void show(LoopSnapshot& snapshot) const noexcept;
@@ -73,11 +80,13 @@ class SimulationModel final : public LoopModel {
   Device* device_;
   StepRecorder* recorder_;
   WorkspaceMap map_;
+  std::optional<VirtualCoupling> coupling_;
   IndexBox region_;
   bool spindle_needs_force_;
 
   double spindle_speed_;  // [rad/s] while there is a force
   Pose X_BS_;             // of the last valid reading
+  Pose X_WH_;             // of the tool's handle
   ToolSnapshot tool_;
   bool may_cut_ = false;  // there is a force, and the tool was free since it came back
   bool stepped_ = false;  // in this tick

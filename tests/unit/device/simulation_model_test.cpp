@@ -131,6 +131,26 @@ TEST(SimulationModel, FeelsOnTheDeviceWhatTheSimulationSays) {
   EXPECT_EQ(tool.removed_volume, 0);
 }
 
+TEST(SimulationModel, HoldsTheToolOnTheSurfaceWhileTheHandGoesOn) {
+  // The hand goes 5 mm below the face; the material is a thousand times stiffer than the device.
+  const auto device = open_device("mock:press,seconds=3");
+  SimulationConfig config;
+  config.reference_stiffness = 1e16;
+  config.contact_time = ContactTime::end;
+  Simulation simulation(build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
+                        Tool(SphereHead{kRadius}), config);
+  SimulationModelOptions options = ball_above_the_block();
+  options.coupling = coupling_gains(device->capabilities());
+  SimulationModel model(simulation, *device, options);
+  RealtimeLoop loop(*device, model, options_for(model, 0));
+  loop.start();
+  loop.wait();
+  EXPECT_LT(device->state().X_BS.translation.z(), -4.9e-3);
+  EXPECT_NEAR(loop.latest().X_WT.translation.z(), kRadius, 2e-4);  // a voxel
+  EXPECT_NEAR(tool_of(loop.latest()).force.norm(), options.coupling->largest_force, 0.01);
+  EXPECT_EQ(device->output().commanded.force, tool_of(loop.latest()).force);
+}
+
 TEST(SimulationModel, CutsNothingBeforeTheToolWasFree) {
   // The ball begins half inside the block, or all of it, where its springs are in balance; and stays there.
   for (const double height : {-0.5e-3, -3e-3})

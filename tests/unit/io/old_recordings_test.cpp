@@ -35,7 +35,7 @@ Simulation two_layers() {
   config.friction = DryFriction{0.35, 0.25, 800};
   config.effects.vibration.emplace();
   return {build_layered_slab({Vec3(-2e-3, -2e-3, -2e-3), Vec3(2e-3, 2e-3, 0)}, 2e-4,
-                             {{layer("hard", 3e8), 0.5e-3}, {layer("soft", 1e8), 2e-3}}),
+                             {{layer("hard", 2e7), 0.5e-3}, {layer("soft", 1e7), 2e-3}}),
           Tool(SphereHead{1e-3}, LHandle{50e-3, 10e-3, 70 * units::deg}, Spindle{3000, 15, 2e4, 1e4}), config};
 }
 
@@ -47,9 +47,8 @@ StepInput push(int tick) {
   return {pose_at(tick), twist_between(pose_at(tick - 1), pose_at(tick), 1e-3), 1e-3};
 }
 
-// Writes the recording of the present format, once, when the format is raised:
-//   HAPTICUT_WRITE_RECORDING=tests/recordings/format_1.h5 test_recording --gtest_also_run_disabled_tests \
-//     --gtest_filter=OldRecordings.DISABLED_WriteThePresentFormat
+// Writes the recording of the present format to the file that HAPTICUT_WRITE_RECORDING names; to be run once, with
+// --gtest_also_run_disabled_tests, when the format is raised.
 TEST(OldRecordings, DISABLED_WriteThePresentFormat) {
   const char* path = std::getenv("HAPTICUT_WRITE_RECORDING");
   ASSERT_NE(path, nullptr);
@@ -108,7 +107,7 @@ TEST(OldRecordings, OfEveryFormatAreReadAndReplayed) {
       largest = std::max(largest, step.model.force.norm());
       voxels += step.removed_voxels;
     }
-    EXPECT_GT(largest, 1);
+    EXPECT_GT(largest, 0.1);
     EXPECT_GT(voxels, 10U);
 
     // Made again by this version on this machine: bits are promised only where neither differs, numbers always.
