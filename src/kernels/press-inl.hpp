@@ -55,8 +55,10 @@ class Press {
         part_(part),
         damped_(job.damped),
         release_(m_.removal == RemovalLaw::elastic_release),
+        implicit_(m_.lead > 0 || stiffness_totals != nullptr),
         material_(job.materials[kEmpty]),
-        steps_(job.grid.voxel_steps.template cast<float>()) {
+        steps_(job.grid.voxel_steps.template cast<float>()),
+        stiffness_(stiffness_totals != nullptr) {
     const Floats d;
     const Vec lane = hn::Iota(d, float(part * kWidth));
     const Vec j = hn::IfThenElseZero(hn::Ge(lane, broadcast(8.0F)), broadcast(1.0F));
@@ -160,14 +162,12 @@ class Press {
       const Vec felt = dot(velocity_at(r, m_.felt_velocity, m_.felt_angular_velocity), n);
       damped = hn::Max(zero, hn::MulAdd(material.damping, felt, one));
     }
-    Vec mean_fill = phi;
+    Vec mean_fill = phi, gone = zero;
 
     // Stored energy k phi (w -+ advance/2)^2 / 2 at the beginning and the end, in terms that both share.
     const Vec half_stiffness = hn::Mul(half, material.stiffness);
-    const Vec advance_squared = hn::Mul(advance, advance);
-    const Vec middle = m_.lead > 0 ? hn::NegMulAdd(broadcast(m_.lead), advance, w) : w;
-    const Vec squares = hn::MulAdd(middle, middle, hn::Mul(broadcast(0.25F), advance_squared));
-    const Vec product = hn::Mul(middle, advance);
+    const Vec squares = hn::MulAdd(w, w, hn::Mul(broadcast(0.25F), hn::Mul(advance, advance)));
+    const Vec product = hn::Mul(w, advance);
     const Vec pressed = hn::Mul(half_stiffness, product);
     sums_.elastic_middle = hn::MulAdd(hn::Mul(half_stiffness, squares), phi, sums_.elastic_middle);
     sums_.elastic_change = hn::MulAdd(pressed, phi, sums_.elastic_change);
@@ -225,6 +225,7 @@ class Press {
         sums_.lag = hn::MulAdd(pressed, hn::Sub(phi, mean_fill), sums_.lag);
         if (release_) sums_.helped = hn::MulAdd(hn::Sub(u, price), taken, sums_.helped);
 
+        gone = taken;
         take(taken, block, voxel, inside);
         if (kParts > 1 && task.fill_after != block.fill) begin_strip(task, strip);
         const Vec kept = solid == kAllLanes ? old_fill : hn::IfThenElseZero(mask_of(solid), old_fill);
@@ -243,13 +244,9 @@ class Press {
       if (near_axis_) sums_.couple = hn::MulAdd(tangential, extra, sums_.couple);
     }
 
-    if (m_.lead > 0) add_lead_work(half_stiffness, phi, mean_fill, middle, advance, advance_squared);
-    if (stiffness_totals_ != nullptr) {
-      const Vec slope =
-          damped_ ? hn::IfThenElseZero(hn::Gt(damped, zero),
-                                       hn::MulAdd(hn::Mul(material.damping, w), broadcast(1.0F / m_.duration), damped))
-                  : one;
-      stiffness_.add(hn::Mul(hn::Mul(material.stiffness, mean_fill), slope), r, n);
+    if (implicit_) [[unlikely]] {
+      if (m_.lead > 0) add_lead(half_stiffness, w, phi, mean_fill, gone, advance);
+      if (stiffness_totals_ != nullptr) add_stiffness(hn::Mul(material.stiffness, mean_fill), w, damped, r, n);
     }
 
     // Stage sum_resultant.
@@ -265,17 +262,32 @@ class Press {
       task.fill_after[voxel] = task.block.fill_of(voxel);
   }
 
-  /// Evaluated after the middle, springs push harder than what they store: a damper's work. Those that were not touched
-  /// at the beginning stored nothing there.
-  HWY_INLINE void add_lead_work(Vec half_stiffness, Vec fill, Vec mean_fill, Vec middle, Vec advance,
-                                Vec advance_squared) {
-    const Vec half = broadcast(0.5F);
+  /// The energies of a sub-step whose contact is evaluated after its middle: corrects the sums from the depth w there
+  /// to that in the middle, and books what the springs push harder than what they store as a damper's work. Those that
+  /// were not touched at the beginning stored nothing there.
+  HWY_INLINE void add_lead(Vec half_stiffness, Vec w, Vec fill, Vec mean_fill, Vec taken, Vec advance) {
+    const Vec half = broadcast(0.5F), lead = hn::Mul(broadcast(m_.lead), advance);
+    const Vec middle = hn::Sub(w, lead);
+    const Vec squares = hn::Mul(half_stiffness, hn::MulSub(middle, middle, hn::Mul(w, w)));
+    const Vec product = hn::Mul(half_stiffness, hn::Mul(hn::Neg(lead), advance));
     const Vec not_yet = hn::Max(hn::Zero(Floats()), hn::MulSub(half, advance, middle));
     const Vec before_touch = hn::Mul(hn::Mul(half_stiffness, fill), hn::Mul(not_yet, not_yet));
-    sums_.elastic_middle = hn::NegMulAdd(half, before_touch, sums_.elastic_middle);
-    sums_.elastic_change = hn::MulAdd(half, before_touch, sums_.elastic_change);
-    const Vec pushed = hn::Mul(hn::Mul(half_stiffness, mean_fill), hn::Mul(broadcast(2 * m_.lead), advance_squared));
+    const Vec half_before = hn::Mul(half, before_touch);
+    sums_.elastic_middle = hn::Add(sums_.elastic_middle, hn::MulSub(squares, fill, half_before));
+    sums_.elastic_change = hn::Add(sums_.elastic_change, hn::MulAdd(product, fill, half_before));
+    sums_.taken_elastic = hn::MulAdd(taken, hn::Add(squares, product), sums_.taken_elastic);
+    sums_.lag = hn::MulAdd(product, hn::Sub(fill, mean_fill), sums_.lag);
+    const Vec pushed = hn::Mul(hn::Mul(half_stiffness, mean_fill), hn::Mul(hn::Add(lead, lead), advance));
     sums_.damping = hn::Add(sums_.damping, hn::Sub(pushed, before_touch));
+  }
+
+  HWY_INLINE void add_stiffness(Vec spring, Vec w, Vec damped, const Vectors& r, const Vectors& n) {
+    if (damped_) {
+      const Vec damper = hn::Mul(hn::Mul(material_.damping, w), broadcast(1.0F / m_.duration));
+      const Vec slope = hn::IfThenElseZero(hn::Gt(damped, hn::Zero(Floats())), hn::Add(damped, damper));
+      spring = hn::Mul(spring, slope);
+    }
+    stiffness_.add(spring, r, n);
   }
 
   /// [N/m^3] of filled and empty volume alike; books what the damping takes.
@@ -349,7 +361,7 @@ class Press {
   ContactSums& totals_;
   StiffnessSums* const stiffness_totals_;  // null: not wanted
   const std::size_t part_;
-  const bool damped_, release_;
+  const bool damped_, release_, implicit_;
   bool near_axis_ = false;
   MaterialVectors material_;
   MaterialId material_id_ = kEmpty;  // kEmpty: the lanes of material_ differ

@@ -17,8 +17,10 @@ namespace strips {
 /// StiffnessSums of one vector of lanes over the strips of a few blocks.
 class StiffnessVectors {
  public:
-  HWY_INLINE StiffnessVectors() {
-    for (Vec& term : terms_) term = broadcast(0.0F);
+  /// @param wanted  false: nothing will be added, and nothing is set up for it
+  HWY_INLINE explicit StiffnessVectors(bool wanted) {
+    if (wanted)
+      for (Vec& term : terms_) term = broadcast(0.0F);
   }
 
   /// @param slope  [N/m^4] of the springs; zero in lanes without one

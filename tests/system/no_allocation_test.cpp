@@ -155,6 +155,7 @@ TEST(NoAllocation, InStepsOfAVirtualCoupling) {
   config.reference_stiffness = 1e16;
   config.contact_time = ContactTime::end;
   Material material;
+  material.name = "plain";
   material.cutting_ratio = 0.5;
   material.specific_cutting_energy = 3e8;
   const Box box{Vec3(-4e-3, -4e-3, -4e-3), Vec3(4e-3, 4e-3, 0)};
