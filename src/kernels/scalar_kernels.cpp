@@ -33,7 +33,7 @@ void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, Stif
   if (!task.may_cut) motion.removal = RemovalLaw::none;
   const LawTotals totals = FoundationLaw().evaluate(motion, job.materials, contact);
   Resultant resultant;
-  sum_resultant(contact, resultant);
+  hapticut::sum_resultant(contact, resultant);
   const double volume = std::pow(double(motion.voxel_size), 3);
   const auto add = [&](ContactSums::Term term, double total) { sums.lanes[term][0] += total / volume; };
   add(ContactSums::kForceX, -resultant.wrench_T.force.x());
