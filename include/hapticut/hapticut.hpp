@@ -36,6 +36,7 @@
 //
 #include "hapticut/force/calibration.hpp"
 #include "hapticut/force/contact_point.hpp"
+#include "hapticut/force/contact_stiffness.hpp"
 #include "hapticut/force/deep_contact.hpp"
 #include "hapticut/force/effects/axis_mask.hpp"
 #include "hapticut/force/effects/delta_filter.hpp"

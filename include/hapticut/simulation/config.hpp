@@ -55,11 +55,12 @@ struct SimulationConfig {
   /// same.
   std::size_t removed_voxel_capacity = 0;
 
-  /// Most voxels that one sub-step may evaluate; 0: no limit. Where the head touches more, only every second (third
-  /// ...) strip of 16 voxels is evaluated in a sub-step, in turn, and counts twice (three times ...): the deadline
-  /// holds, the force is that of a coarser quadrature (below 7 % off, the just noticeable difference, for up to four
-  /// turns while the head touches some thousand voxels), and StepStatus::detail_reduced says so. Only with the default
-  /// law.
+  /// Most voxels that one sub-step may evaluate; 0: no limit. Where the blocks that the head touches hold more, only
+  /// every second (third ...) strip of 16 voxels is evaluated in a sub-step, in turn, and counts twice (three times
+  /// ...): the deadline holds, the force is that of a coarser quadrature, and StepStatus::detail_reduced and
+  /// Contact::turns say so. In a groove cut with five turns the force stays within 7 % (the just noticeable
+  /// difference) and the removed volume within 2 %. All solid voxels of those blocks are counted, so the turns are more
+  /// than needed, about twice as many for a ball of 30 voxels across. Only with the default law.
   std::size_t voxel_budget = 0;
 
   bool stage_times = false;  ///< measure Simulation::stage_times
