@@ -25,11 +25,13 @@ RecorderOptions options_for(Pace pace, const Device* device) {
 }  // namespace
 
 struct RunRecorder::State {
+  State(const std::string& path, Simulation& simulation, const RecorderOptions& options)
+      : recorder(path, simulation, options) {}
   Recorder recorder;
 };
 
 RunRecorder::RunRecorder(const std::string& path, Simulation& simulation, Pace pace, const Device* device) {
-  if (!path.empty()) state_.reset(new State{Recorder(path, simulation, options_for(pace, device))});
+  if (!path.empty()) state_ = std::make_unique<State>(path, simulation, options_for(pace, device));
 }
 
 StepRecorder* RunRecorder::get() const { return state_ ? &state_->recorder : nullptr; }
