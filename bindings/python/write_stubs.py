@@ -5,6 +5,7 @@
 Needs an installed hapticut that was built with pybind11 of the version given below, and pybind11-stubgen. The stubs in
 hapticut/_hapticut.pyi are written with it, and a test does the same again and compares.
 """
+import ast
 import sys
 import tempfile
 from pathlib import Path
@@ -28,8 +29,12 @@ def stubs() -> str:
         finally:
             sys.argv = arguments
         text = (Path(folder) / "hapticut" / "_hapticut.pyi").read_text(encoding="utf-8")
-    lines = [line.rstrip() for line in text.splitlines()]
-    return "# SPDX-License-Identifier: Apache-2.0\n# Written by write_stubs.py.\n" + "\n".join(lines) + "\n"
+    tree = ast.parse(text)
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node) is not None:
+            # Docstrings are those of the headers, and change with them; `help` shows them.
+            node.body = node.body[1:] or [ast.Expr(ast.Constant(...))]
+    return "# SPDX-License-Identifier: Apache-2.0\n# Written by write_stubs.py.\n" + ast.unparse(tree) + "\n"
 
 
 if __name__ == "__main__":
