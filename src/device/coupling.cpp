@@ -59,8 +59,9 @@ VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& ga
 }
 
 const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& hand_velocity, double dt) noexcept {
-  const Pose pose = hand_pose;  // copies: they may be parts of the last result, which changes
-  const Twist velocity = hand_velocity;
+  // Copies, because they may be parts of the last result, which changes.
+  const Pose pose = hand_pose;           // NOLINT(performance-unnecessary-copy-initialization)
+  const Twist velocity = hand_velocity;  // NOLINT(performance-unnecessary-copy-initialization)
   begin_tick();
   const StepStatus refused = check_input(simulation_->config(), pose, velocity, dt);
   if (refused != StepStatus::ok) return let_go(refused);

@@ -127,8 +127,8 @@ struct StripOffsets {
 
   explicit StripOffsets(const Eigen::Matrix3f& steps) {
     for (int n = 0; n < kStrips; ++n) {
-      const Eigen::Vector3f offset =
-          steps.col(0) * float(n / kStripsPerSlab) + steps.col(1) * float(2 * (n % kStripsPerSlab));
+      const int slab = n / kStripsPerSlab, row = 2 * (n % kStripsPerSlab);
+      const Eigen::Vector3f offset = steps.col(0) * float(slab) + steps.col(1) * float(row);
       x[n] = offset.x(), y[n] = offset.y(), z[n] = offset.z();
     }
   }

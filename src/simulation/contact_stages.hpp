@@ -48,7 +48,7 @@ struct HeadPlacement {
 };
 
 /// The stages and the memory that they need, all of it taken at set-up.
-class ContactStages {
+class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in the order of their use
  public:
   /// @throws Error when a level of detail is asked for and the law has none
   ContactStages(const Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config);

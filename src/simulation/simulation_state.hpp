@@ -31,7 +31,7 @@ struct AnchorForce {
   Vec3 p_TQ = Vec3::Zero();      // [m] where it pulls, in T
 };
 
-struct Simulation::State {
+struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding): in the order of their making
   State(Workpiece given_workpiece, Tool given_tool, SimulationConfig given_config);
   void prepare_workpiece();
 
