@@ -72,6 +72,7 @@
 //
 #include "hapticut/device/arming.hpp"
 #include "hapticut/device/closed_loop.hpp"
+#include "hapticut/device/contact_bench.hpp"
 #include "hapticut/device/coupling.hpp"
 #include "hapticut/device/device.hpp"
 #include "hapticut/device/device_models.hpp"

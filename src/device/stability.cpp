@@ -12,7 +12,6 @@ namespace hapticut {
 namespace {
 
 constexpr double kHopeless = 1e6;     // [1] growth of the nudge that needs no more waiting
-constexpr double kForgotten = 1e-9;   // [1] what is left of the nudge when it needs no more waiting
 constexpr double kApproach = 0.2e-3;  // [m] above the surface where a flight begins
 constexpr double kBuzzRms = 50e-6;    // [m]
 constexpr double kBuzzForce = 0.3;    // [N]
@@ -84,7 +83,7 @@ bool is_stable(const ClosedLoopConfig& config, const ModelFactory& factory, doub
       swing = std::max(swing, distance(calm.loop, nudged.loop));
       if (!(swing < kHopeless * search.nudge)) return false;
     }
-    if (swing < kForgotten * search.nudge) return true;
+    if (swing < search.forgotten * search.nudge) return true;
     if (w == search.windows - 1) return swing <= last;
     last = swing;
   }

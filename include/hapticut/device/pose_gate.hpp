@@ -15,7 +15,7 @@ struct PoseGateOptions {
   double workspace_margin = 0.05;    ///< [m] beyond the device's own box that is still believed
   double rotation_tolerance = 1e-3;  ///< [1] of the entries of R R^T - 1; inexact ones are made exact
   int hold_ticks = 20;               ///< bad readings in a row after which the gate gives up
-  int frozen_ticks = 40;             ///< ticks of a position that stands still bit by bit while others move
+  int frozen_ticks = 30;             ///< ticks of a position that stands still bit by bit while others move
   double frozen_turn = 0.1;          ///< [rad] within 0.1 s that contradict a position that stands still
   double frozen_speed = 5e-3;        ///< [m/s] reported speed that contradicts a position that stands still
 };

@@ -23,6 +23,7 @@ struct StabilitySearch {
   double low = 5, high = 1e6;   ///< where the limit is looked for
   double coarse_factor = 1.15;  ///< of the scan for the first unstable value
   double tolerance = 1e-3;      ///< [1] relative, of the result
+  double forgotten = 1e-9;      ///< [1] what is left of the nudge when it needs no more waiting
 };
 
 /// Whether a small nudge dies out: the difference of two runs, one nudged and one not, shrinks.
