@@ -8,6 +8,7 @@
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/mesh.hpp"
+#include "hapticut/core/reserve.hpp"
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/core/volume.hpp"

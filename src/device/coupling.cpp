@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/core/reserve.hpp"
 
 namespace hapticut {
 namespace {
@@ -54,8 +55,8 @@ VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& ga
         "with "
         "SimulationConfig::contact_time = ContactTime::end.");
   const std::size_t capacity = simulation.config().removed_voxel_capacity;
-  removed_.reserve(capacity > 0 ? capacity : simulation.worst_case().voxels * 2);
-  changed_.reserve(simulation.worst_case().blocks * kMostParts);
+  reserve_touched(removed_, capacity > 0 ? capacity : simulation.worst_case().voxels * 2);
+  reserve_touched(changed_, simulation.worst_case().blocks * kMostParts);
 }
 
 const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& hand_velocity, double dt) noexcept {

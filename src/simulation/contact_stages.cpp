@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/core/reserve.hpp"
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/force/laws/lumped.hpp"
 
@@ -63,9 +64,9 @@ ContactStages::ContactStages(const Workpiece& workpiece, const ToolHead& head, c
         "SimulationConfig::contact_time = end was given with a law of your own; only the default law keeps its "
         "energies "
         "there. Leave it at middle.");
-  blocks_.reserve(most_blocks_);
-  emptied_.reserve(most_blocks_);
-  changed_.reserve(most_blocks_ * std::size_t(std::min(config.longest_sweep, kListedSubSteps)));
+  reserve_touched(blocks_, most_blocks_);
+  reserve_touched(emptied_, most_blocks_);
+  reserve_touched(changed_, most_blocks_ * std::size_t(std::min(config.longest_sweep, kListedSubSteps)));
 }
 
 WorstCase ContactStages::worst_case(const SimulationConfig& config) const noexcept {

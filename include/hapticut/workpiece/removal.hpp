@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "hapticut/core/reserve.hpp"
 #include "hapticut/workpiece/contact.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 
@@ -23,7 +24,7 @@ struct RemovedVoxel {
 /// What was taken away, collected over the sub-steps of one step. Has room for a fixed number of voxels.
 class RemovalRecord {
  public:
-  explicit RemovalRecord(std::size_t capacity) { voxels_.reserve(capacity); }
+  explicit RemovalRecord(std::size_t capacity) { reserve_touched(voxels_, capacity); }
 
   void clear() noexcept {
     voxels_.clear();
