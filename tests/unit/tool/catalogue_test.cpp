@@ -83,7 +83,7 @@ TEST(Catalogue, TheTwistDrillCutsWithItsPointOnly) {
 class CatalogueShape : public testing::TestWithParam<CatalogueHead> {};
 
 TEST_P(CatalogueShape, IsTheSameAsAProfile) {
-  const ToolHead& head = GetParam().head;
+  const ToolHead head = GetParam().make();
   const ToolHead twin = ProfileHead(head.profile());
   EXPECT_NEAR(twin.volume() / head.volume(), 1, kRounding);
   EXPECT_NEAR(twin.reach() / head.reach(), 1, kRounding);
@@ -182,8 +182,9 @@ std::string drawing() {
       << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
   for (int n = 0; n < int(heads.size()); ++n) {
     const double x0 = (n % kColumns + 0.5) * kWidth, y0 = (n / kColumns + 1) * kHeight - 40;
-    const Profile profile = heads[std::size_t(n)].head.profile();
-    const Place place = {x0, y0 + heads[std::size_t(n)].head.bounding_box().min.z() / mm * kScale};
+    const ToolHead head = heads[std::size_t(n)].make();
+    const Profile profile = head.profile();
+    const Place place = {x0, y0 + head.bounding_box().min.z() / mm * kScale};
     svg << "<path d=\"" << outline(profile, place) << "\" fill=\"#dde6f0\" stroke=\"#1f4e79\" stroke-width=\"2\"/>\n";
     const std::string smooth = smooth_edges(profile, place);
     if (!smooth.empty())

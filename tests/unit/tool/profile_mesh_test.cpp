@@ -48,7 +48,8 @@ double volume_of(const TriangleMesh& mesh) {
 
 std::vector<NamedProfile> all_shapes() {
   std::vector<NamedProfile> all = test::closed_profiles();
-  for (const auto& [name, head] : test::catalogue_heads()) all.push_back({"catalogue_" + name, head.profile()});
+  for (const test::CatalogueHead& head : test::catalogue_heads())
+    all.push_back({"catalogue_" + head.name, head.make().profile()});
   return all;
 }
 
