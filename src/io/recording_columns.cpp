@@ -51,7 +51,7 @@ Column column(Column::Side side, const char* name, const char* unit, const char*
       std::memcpy(row, transposed.data(), sizeof(Mat3));
     };
     c.unpack = [access](RecordedStep& s, const std::byte* row) {
-      Mat3 transposed;
+      Mat3 transposed = Mat3::Zero();
       std::memcpy(transposed.data(), row, sizeof(Mat3));
       access(s) = transposed.transpose();
     };
