@@ -13,6 +13,9 @@ constexpr ColumnKind kind_of() {
   if constexpr (std::is_same_v<T, std::uint64_t>) return ColumnKind::uint64;
 }
 
+/// A matrix row by row, as everybody but Eigen expects.
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor | Eigen::DontAlign>;
+
 /// The number that a scalar is stored as.
 template <class T>
 struct StoredType {
@@ -44,16 +47,16 @@ Column column(Column::Side side, const char* name, const char* unit, const char*
     c.pack = [access](const RecordedStep& s, std::byte* row) { std::memcpy(row, access(s).data(), sizeof(Vec3)); };
     c.unpack = [access](RecordedStep& s, const std::byte* row) { std::memcpy(access(s).data(), row, sizeof(Vec3)); };
   } else if constexpr (std::is_same_v<Member, Mat3>) {
-    c.shape = {3, 3};  // row by row, as everybody but Eigen expects
+    c.shape = {3, 3};
     c.numbers = 9;
     c.pack = [access](const RecordedStep& s, std::byte* row) {
-      const Mat3 transposed = access(s).transpose();
-      std::memcpy(row, transposed.data(), sizeof(Mat3));
+      const RowMajor rows = access(s);
+      std::memcpy(row, rows.data(), sizeof(RowMajor));
     };
     c.unpack = [access](RecordedStep& s, const std::byte* row) {
-      Mat3 transposed = Mat3::Zero();
-      std::memcpy(transposed.data(), row, sizeof(Mat3));
-      access(s) = transposed.transpose();
+      RowMajor rows = RowMajor::Zero();
+      std::memcpy(rows.data(), row, sizeof(RowMajor));
+      access(s) = rows;
     };
   } else {
     using Stored = typename StoredType<Member>::type;
