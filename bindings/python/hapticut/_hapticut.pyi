@@ -4211,7 +4211,7 @@ class PoseGateOptions:
     def __getstate__(self) -> tuple:
         ...
 
-    def __init__(self, fastest: typing.SupportsFloat | typing.SupportsIndex=2.0, *, fastest_turn: typing.SupportsFloat | typing.SupportsIndex=30.0, workspace_margin: typing.SupportsFloat | typing.SupportsIndex=0.05, rotation_tolerance: typing.SupportsFloat | typing.SupportsIndex=0.001, hold_ticks: typing.SupportsInt | typing.SupportsIndex=20, frozen_ticks: typing.SupportsInt | typing.SupportsIndex=40, frozen_turn: typing.SupportsFloat | typing.SupportsIndex=0.1, frozen_speed: typing.SupportsFloat | typing.SupportsIndex=0.005) -> None:
+    def __init__(self, fastest: typing.SupportsFloat | typing.SupportsIndex=2.0, *, fastest_turn: typing.SupportsFloat | typing.SupportsIndex=30.0, workspace_margin: typing.SupportsFloat | typing.SupportsIndex=0.05, rotation_tolerance: typing.SupportsFloat | typing.SupportsIndex=0.001, hold_ticks: typing.SupportsInt | typing.SupportsIndex=20, frozen_ticks: typing.SupportsInt | typing.SupportsIndex=30, frozen_turn: typing.SupportsFloat | typing.SupportsIndex=0.1, frozen_speed: typing.SupportsFloat | typing.SupportsIndex=0.005) -> None:
         ...
 
     def __repr__(self) -> str:
