@@ -68,6 +68,8 @@ const std::vector<std::pair<StepStatus, std::string>>& status_names() {
       {StepStatus::removed_list_full, "removed_list_full"},
       {StepStatus::power_limited, "power_limited"},
       {StepStatus::engaged_layer_thick, "engaged_layer_thick"},
+      {StepStatus::vibration_left_out, "vibration_left_out"},
+      {StepStatus::detail_reduced, "detail_reduced"},
   };
   return names;
 }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/command.hpp"
+#include "cli/force_settings.hpp"
 #include "cli/json_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/table.hpp"
@@ -18,6 +19,7 @@ namespace {
 
 struct ReplaySettings {
   std::string recording, json;
+  ForceSettings force;
 };
 
 struct ExportSettings {
@@ -49,6 +51,8 @@ void run_replay(const ReplaySettings& s) {
   const Recording recording = read_recording(s.recording);
   ProgressBar progress("replaying", std::size_t(recording.size()));
   ReplayOptions options;
+  const std::shared_ptr<const ForceLaw> law = make_law(s.force);  // refuses constants of another law
+  if (s.force.law) options.law = law;
   options.progress = [&](std::uint64_t steps) { progress.advance_to(std::size_t(steps)); };
   const ReplayReport report = replay(recording, options);
   const RecordingInfo& info = recording.info();
@@ -102,18 +106,18 @@ void run_replay(const ReplaySettings& s) {
               "HAPTICUT_WITH_IO=ON.");
 }
 
-void run_export(const ExportSettings& s) { run_replay({s.recording, ""}); }
+void run_export(const ExportSettings& s) { run_replay({s.recording, "", {}}); }
 #endif
 
 }  // namespace
 
 Command replay_command() {
   auto settings = std::make_shared<ReplaySettings>();
-  return {"replay",
-          "Run a recording again and compare bit by bit",
-          {text("replay.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
-           text("output.json", "--json", settings->json, "report for machines")},
-          [settings] {
+  std::vector<Setting> all = law_settings_of(settings->force);
+  all.insert(all.begin(),
+             {text("replay.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
+              text("output.json", "--json", settings->json, "report for machines")});
+  return {"replay", "Run a recording again and compare bit by bit", std::move(all), [settings] {
             if (settings->recording.empty()) throw UsageError("the recording is missing. Use: hapticut replay FILE.");
             run_replay(*settings);
           }};

@@ -22,7 +22,7 @@ Json by_material(const MaterialTable& materials, const std::array<double, 256>& 
 Json to_json(const EnergyLedger& e) {
   return {{"hand_work", e.hand_work}, {"motor_work", e.motor_work}, {"elastic", e.elastic}, {"cutting", e.cutting},
           {"released", e.released},   {"damping", e.damping},       {"rubbing", e.rubbing}, {"anchored", e.anchored},
-          {"sliding", e.sliding},     {"credited", e.credited}};
+          {"sliding", e.sliding},     {"credited", e.credited},     {"entered", e.entered}};
 }
 
 Json status_json(const DrillResult& result) {

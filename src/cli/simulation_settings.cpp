@@ -5,7 +5,7 @@ namespace hapticut::cli {
 
 std::vector<Setting> settings_of(SimulationSettings& s) {
   const SimulationConfig limits;
-  return {
+  std::vector<Setting> all = {
       number("simulation.rate_Hz", "--rate", s.rate_Hz, Range::between(1 / limits.longest_dt, 1 / limits.shortest_dt),
              "steps per second [1000]"),
       number("simulation.reference_stiffness_N_per_m4", "--reference_stiffness", s.config.reference_stiffness,
@@ -20,13 +20,21 @@ std::vector<Setting> settings_of(SimulationSettings& s) {
              "where in a partly filled voxel its force is taken [centroid]"),
       integer("simulation.reserved_blocks", "--reserved_blocks", s.config.reserved_blocks, 1, 1e6,
               "blocks kept ready for cutting; they are refilled between steps [2048]"),
+      integer("simulation.voxel_budget", "--voxel_budget", s.config.voxel_budget, 0, 1e9,
+              "most voxels that a step evaluates, the others take turns; 0: all [0]"),
   };
+  for (std::vector<Setting> more : {settings_of(s.force), settings_of(s.effects)})
+    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  return all;
 }
 
 SimulationConfig make_config(const SimulationSettings& settings) {
   SimulationConfig config = settings.config;
   config.removal = settings.removal.value_or(config.removal);
   config.quadrature = settings.quadrature.value_or(config.quadrature);
+  config.update_rate = settings.rate_Hz;
+  apply(settings.force, config);
+  config.effects = make_effects(settings.effects, config.update_rate);
   return config;
 }
 

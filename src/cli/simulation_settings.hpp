@@ -4,21 +4,26 @@
 #include <optional>
 #include <vector>
 
+#include "cli/effects_settings.hpp"
+#include "cli/force_settings.hpp"
 #include "cli/setting.hpp"
 #include "hapticut/simulation/config.hpp"
 
 namespace hapticut::cli {
 
-/// How it is computed, as the user writes it: `[simulation]` in a settings file.
+/// How it is computed, as the user writes it: `[simulation]`, `[force]` and `[effects]` in a settings file.
 struct SimulationSettings {
   double rate_Hz = 1000;
   std::optional<RemovalLaw> removal;
   std::optional<Quadrature> quadrature;
   SimulationConfig config;
+  ForceSettings force;
+  EffectsSettings effects;
 };
 
 [[nodiscard]] std::vector<Setting> settings_of(SimulationSettings& simulation);
 
+/// @throws Error when settings do not fit together
 [[nodiscard]] SimulationConfig make_config(const SimulationSettings& settings);
 
 }  // namespace hapticut::cli

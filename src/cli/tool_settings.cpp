@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/profile_file.hpp"
+#include "cli/required.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/tool/catalogue.hpp"
 
@@ -15,35 +16,22 @@ namespace {
 using Head = ToolSettings::Head;
 using HandleKind = ToolSettings::HandleKind;
 
-[[noreturn]] void fail_missing(const std::string& name, const std::string& owner) {
-  throw Error("tool." + name + " is missing; " + owner + " needs it. Set --" + name + ", or " + name +
-              " under [tool] in the settings file.");
-}
-
-double required(const std::optional<double>& value, const std::string& name, const std::string& owner) {
-  if (!value) fail_missing(name, owner);
-  return *value;
-}
-
-template <class Value>
-void refuse(const std::optional<Value>& value, const std::string& name, const std::string& owner) {
-  if (value) throw Error("tool." + name + " is set, but " + owner + " has none. Leave it out, or choose another.");
-}
-
 using Number = std::optional<double> ToolSettings::*;
 
-/// The numbers that describe heads, by their names.
+/// The numbers that describe heads, by their keys.
 struct Dimension {
-  const char* name;
+  const char* key;
   Number value;
 };
-constexpr Dimension kRadius{"radius_mm", &ToolSettings::radius_mm}, kHeight{"height_mm", &ToolSettings::height_mm},
-    kHalfAngle{"half_angle_deg", &ToolSettings::half_angle_deg}, kDiameter{"diameter_mm", &ToolSettings::diameter_mm},
-    kLength{"length_mm", &ToolSettings::length_mm}, kTip{"tip_diameter_mm", &ToolSettings::tip_diameter_mm},
-    kNeck{"neck_diameter_mm", &ToolSettings::neck_diameter_mm},
-    kShank{"shank_diameter_mm", &ToolSettings::shank_diameter_mm},
-    kWidest{"widest_height_mm", &ToolSettings::widest_height_mm},
-    kPointAngle{"point_angle_deg", &ToolSettings::point_angle_deg};
+constexpr Dimension kRadius{"tool.radius_mm", &ToolSettings::radius_mm},
+    kHeight{"tool.height_mm", &ToolSettings::height_mm},
+    kHalfAngle{"tool.half_angle_deg", &ToolSettings::half_angle_deg},
+    kDiameter{"tool.diameter_mm", &ToolSettings::diameter_mm}, kLength{"tool.length_mm", &ToolSettings::length_mm},
+    kTip{"tool.tip_diameter_mm", &ToolSettings::tip_diameter_mm},
+    kNeck{"tool.neck_diameter_mm", &ToolSettings::neck_diameter_mm},
+    kShank{"tool.shank_diameter_mm", &ToolSettings::shank_diameter_mm},
+    kWidest{"tool.widest_height_mm", &ToolSettings::widest_height_mm},
+    kPointAngle{"tool.point_angle_deg", &ToolSettings::point_angle_deg};
 constexpr std::array kDimensions = {kRadius, kHeight, kHalfAngle, kDiameter, kLength,
                                     kTip,    kNeck,   kShank,     kWidest,   kPointAngle};
 
@@ -184,14 +172,14 @@ ToolHead make_head(const ToolSettings& s) {
   const HeadKind& kind =
       *std::find_if(head_kinds().begin(), head_kinds().end(), [&](const HeadKind& k) { return k.head == *s.head; });
   for (const Dimension& d : kDimensions)
-    if (!holds(kind.needs, d) && !holds(kind.may_have, d)) refuse(s.*d.value, d.name, kind.owner);
-  for (const Dimension& d : kind.needs) (void)required(s.*d.value, d.name, kind.owner);
+    if (!holds(kind.needs, d) && !holds(kind.may_have, d)) refuse(s.*d.value, d.key, kind.owner);
+  for (const Dimension& d : kind.needs) (void)required(s.*d.value, d.key, kind.owner);
   const auto tiers = s.tiers > 0 ? std::optional(double(s.tiers)) : std::nullopt;
-  if (kind.head == Head::christmas_tree) (void)required(tiers, "tiers", kind.owner);
-  if (kind.head != Head::christmas_tree) refuse(tiers, "tiers", kind.owner);
-  if (kind.head != Head::flat) refuse(s.flat_rule, "flat_rule", kind.owner);
-  if (kind.head == Head::profile && s.profile.empty()) fail_missing("profile", kind.owner);
-  if (kind.head != Head::profile && !s.profile.empty()) refuse(std::optional(s.profile), "profile", kind.owner);
+  if (kind.head == Head::christmas_tree) (void)required(tiers, "tool.tiers", kind.owner);
+  if (kind.head != Head::christmas_tree) refuse(tiers, "tool.tiers", kind.owner);
+  if (kind.head != Head::flat) refuse(s.flat_rule, "tool.flat_rule", kind.owner);
+  if (kind.head == Head::profile && s.profile.empty()) fail_missing("tool.profile", kind.owner);
+  if (kind.head != Head::profile && !s.profile.empty()) refuse(std::optional(s.profile), "tool.profile", kind.owner);
   return kind.make(s);
 }
 
@@ -203,12 +191,12 @@ std::vector<std::pair<std::string, Head>> names_of_heads() {
 
 Handle make_handle(const ToolSettings& s) {
   if (s.handle.value_or(HandleKind::ray) == HandleKind::ray) {
-    refuse(s.handle_neck_mm, "handle_neck_mm", "a ray handle");
-    refuse(s.handle_bend_deg, "handle_bend_deg", "a ray handle");
+    refuse(s.handle_neck_mm, "tool.handle_neck_mm", "a ray handle");
+    refuse(s.handle_bend_deg, "tool.handle_bend_deg", "a ray handle");
     return RayHandle{s.handle_length_mm.value_or(0) * units::mm};
   }
-  return LHandle{required(s.handle_length_mm, "handle_length_mm", "an L handle") * units::mm,
-                 required(s.handle_neck_mm, "handle_neck_mm", "an L handle") * units::mm,
+  return LHandle{required(s.handle_length_mm, "tool.handle_length_mm", "an L handle") * units::mm,
+                 required(s.handle_neck_mm, "tool.handle_neck_mm", "an L handle") * units::mm,
                  s.handle_bend_deg.value_or(90) * units::deg};
 }
 
@@ -266,7 +254,7 @@ std::vector<Setting> settings_of(ToolSettings& t) {
 Tool make_tool(const ToolSettings& s) {
   ToolHead head = make_head(s);
   Handle handle = make_handle(s);
-  const double rpm = required(s.spindle_rpm, "spindle_rpm", "every tool");
+  const double rpm = required(s.spindle_rpm, "tool.spindle_rpm", "every tool");
   Spindle spindle{rpm * units::rpm};
   if (s.power_limit_W) spindle.power_limit = *s.power_limit_W;
   if (s.acceleration_rpm_per_s) spindle.acceleration_limit = *s.acceleration_rpm_per_s * units::rpm;

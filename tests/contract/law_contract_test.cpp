@@ -262,7 +262,7 @@ TEST(LawInput, AHeadWithoutAFormulaIsRefusedNamingThoseThatHaveOne) {
             std::string::npos);
   EXPECT_NE(refusal([] {
               with(std::make_shared<TwistDrillLaw>(TwistDrillLaw::Constants{}), SphereHead{1 * mm});
-            }).find("a cone and a flat head"),
+            }).find("a cone, a flat head and a profile"),
             std::string::npos);
   EXPECT_EQ(refusal([] { with(std::make_shared<ContactMechanicsLaw>(1e6), SphereHead{1 * mm}); }), "");
 }

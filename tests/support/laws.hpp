@@ -13,6 +13,7 @@
 #include "hapticut/force/laws/hertzian_burr.hpp"
 #include "hapticut/force/laws/thesis.hpp"
 #include "hapticut/force/laws/twist_drill.hpp"
+#include "hapticut/tool/catalogue.hpp"
 
 /// @file
 /// Every force law of the library with a head that it has formulas for.
@@ -45,7 +46,9 @@ inline std::vector<NamedLaw> all_laws() {
           {"HertzianBurr", std::make_shared<HertzianBurrLaw>(3e6), ball},
           {"DampingMatrix", std::make_shared<DampingMatrixLaw>(DampingMatrixLaw::Constants{3e8, 0.3}), ball},
           {"TwistDrill", std::make_shared<TwistDrillLaw>(TwistDrillLaw::Constants{3e8}), cone},
-          {"TwistDrillOnAFlat", std::make_shared<TwistDrillLaw>(TwistDrillLaw::Constants{3e8}), flat}};
+          {"TwistDrillOnAFlat", std::make_shared<TwistDrillLaw>(TwistDrillLaw::Constants{3e8}), flat},
+          {"TwistDrillOfTheCatalogue", std::make_shared<TwistDrillLaw>(TwistDrillLaw::Constants{3e8}),
+           twist_drill_head(1.6 * mm, 4 * mm)}};
 }
 
 }  // namespace hapticut::test

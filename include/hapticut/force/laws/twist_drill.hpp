@@ -19,7 +19,8 @@ namespace hapticut {
 /// M omega = K_s pi D^2/4 v_f: exactly what removing the fed volume costs, if K_s is the material's u. F v_f is lost to
 /// friction. This is the steady state of the default law with kappa = 1/sin(beta/2) and p_e = 0 (C31).
 ///
-/// A cone is a drill of point angle twice its half angle, a flat head one of 180 degrees.
+/// A cone is a drill of point angle twice its half angle, a flat head one of 180 degrees; a profile is one where only
+/// a straight edge at its tip cuts, as that of `twist_drill_head`.
 class TwistDrillLaw final : public LumpedLaw {
  public:
   struct Constants {
@@ -34,10 +35,10 @@ class TwistDrillLaw final : public LumpedLaw {
   }
 
   void require_head(const ToolHead& head) const override {
-    if (!std::holds_alternative<ConeHead>(head.shape()) && !std::holds_alternative<FlatHead>(head.shape()))
+    if (!(point_angle(head) > 0))
       throw Error(
-          "TwistDrillLaw was given a head without a point angle; it has formulas for a cone and a flat head. Choose "
-          "one of these, or FoundationLaw.");
+          "TwistDrillLaw was given a head without a point angle; it has formulas for a cone, a flat head and a profile "
+          "of which only a straight edge at the tip cuts. Choose one of these, or FoundationLaw.");
   }
 
   [[nodiscard]] LumpedForce lump(const ToolHead& head, const HeadMotion& m,
@@ -64,10 +65,18 @@ class TwistDrillLaw final : public LumpedLaw {
   [[nodiscard]] double torque(double diameter, double a) const {
     return c_.specific_energy * a * diameter * diameter / 8;
   }
-  /// [rad]
+  /// [rad] full angle of the point; 0: the head is no drill.
   [[nodiscard]] static double point_angle(const ToolHead& head) {
-    const auto* cone = std::get_if<ConeHead>(&head.shape());
-    return cone != nullptr ? 2 * cone->half_angle : units::kPi;
+    if (const auto* cone = std::get_if<ConeHead>(&head.shape())) return 2 * cone->half_angle;
+    if (std::holds_alternative<FlatHead>(head.shape())) return units::kPi;
+    const auto* shape = std::get_if<ProfileHead>(&head.shape());
+    if (shape == nullptr) return 0;
+    const Profile& profile = shape->profile();
+    const ProfileEdge& point = profile.edges.front();
+    const auto cutting = [](const ProfileEdge& edge) { return edge.kind == EdgeKind::cutting; };
+    if (!cutting(point) || point.radius != 0 || std::count_if(profile.edges.begin(), profile.edges.end(), cutting) > 1)
+      return 0;
+    return 2 * std::atan2(point.rho, point.z - profile.tip);
   }
 
  private:
