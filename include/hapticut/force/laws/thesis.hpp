@@ -26,8 +26,9 @@ namespace hapticut {
 /// k_i = k_v l0^2 of the material's k_v = relative stiffness times SimulationConfig::reference_stiffness, so that
 /// thesis and default model agree at the voxel size l0; at any other they do not: the sums grow as l^-2 and, for the
 /// damper, l^-3 under refinement (D1, D2). Removal costs no energy (D7): the ledger books the springs' energy of
-/// removed voxels as released, the spin torque's work as rubbing, the damper's as damping, which a turning handpiece
-/// can make negative.
+/// removed voxels as released, the spin torque's work as rubbing, the damper's as damping. The damper follows the
+/// hand's velocity, not the slip of the surface (D10), so where the head turns, with the handpiece or the spindle, it
+/// may give energy: that term is a loss only for a head that does not turn.
 class ThesisLaw final : public ForceLaw {
  public:
   struct Constants {
@@ -54,7 +55,8 @@ class ThesisLaw final : public ForceLaw {
     const double l0_squared = c_.reference_voxel_size * c_.reference_voxel_size;
     const double spin_share = spin == 0 ? 0 : c_.spin_torque * std::pow(std::abs(spin), c_.spin_exponent);
     const bool removes = spin != 0 && m.removal != RemovalLaw::none;
-    const Vec3 V = m.velocity.cast<double>(), Omega = m.angular_velocity.cast<double>();
+    const Vec3 V = m.velocity.cast<double>(), Omega = m.angular_velocity.cast<double>(),
+               turning = Omega + Vec3(0, 0, spin);
     const Vec3 damper = c_.damping * m.felt_velocity.cast<double>();
 
     LawTotals totals;
@@ -80,7 +82,7 @@ class ThesisLaw final : public ForceLaw {
       const double advance = velocity.dot(direction) * dt;
       const double before = std::max(0.0, w - advance / 2), after = std::max(0.0, w + advance / 2);
       totals.energies.elastic_before += 0.5 * k * l * before * before;
-      totals.energies.damping += damper.dot(velocity) * dt;
+      totals.energies.damping += damper.dot(V + turning.cross(r)) * dt;
       const double generated = spin_share * double(m.head_radius) * normal * std::abs(spin);
       if (removes && generated >= c_.required_power * k) {
         b.fill_after[n] = 0;

@@ -17,7 +17,8 @@ namespace hapticut {
 /// D is the diameter of the drill where it is in material, beta its point angle, v_f the speed at which it is fed
 /// towards its tip. M turns against the spin, F pushes back along the axis; retreating, or standing, there is neither.
 /// M omega = K_s pi D^2/4 v_f: exactly what removing the fed volume costs, if K_s is the material's u. F v_f is lost to
-/// friction. This is the steady state of the default law with kappa = 1/sin(beta/2) and p_e = 0 (C31).
+/// friction. Material of cutting ratio 0 is not cut, whatever the power. This is the steady state of the default law
+/// with kappa = 1/sin(beta/2) and p_e = 0 (C31).
 ///
 /// A cone is a drill of point angle twice its half angle, a flat head one of 180 degrees; a profile is one where only
 /// a straight edge at its tip cuts, as that of `twist_drill_head`.
@@ -51,9 +52,13 @@ class TwistDrillLaw final : public LumpedLaw {
     LumpedForce lumped;
     lumped.wrench_T.force.z() = thrust(2 * radius, a, point_angle(head));
     lumped.wrench_T.torque.z() = -std::copysign(couple, spin);
-    lumped.cutting_power =
-        std::max(0.0, couple * (std::abs(spin) + std::copysign(1.0, spin) * double(m.angular_velocity.z())));
     lumped.damped = lumped.wrench_T.force.z() * feed * double(m.duration);
+    const double power =
+        std::max(0.0, couple * (std::abs(spin) + std::copysign(1.0, spin) * double(m.angular_velocity.z())));
+    if (moments.rubbing_speed > 0)
+      lumped.cutting_power = power;
+    else
+      lumped.damped += power * double(m.duration);
     return lumped;
   }
 

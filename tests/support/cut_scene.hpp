@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "support/generators.hpp"
+#include "support/static_contact.hpp"
+
+/// @file
+/// A tool that goes through a block of two materials: the scene of the properties that hold for any cut.
+namespace hapticut::test {
+
+inline constexpr double kSceneVoxel = 0.1 * units::mm;
+
+/// A block of two materials that the head is pressed into, along a straight path.
+struct CutScene {
+  Box box_V = {Vec3(-1.52, -1.43, -1.61) * units::mm, Vec3(1.38, 1.51, 0.03) * units::mm};
+  GridFrame frame = {kSceneVoxel, {}};
+  VoxelIndex shift = {0, 0, 0};  // the same voxels under other indices
+  bool mirrored = false;         // at x = 0 of the grid
+  ToolHead head = SphereHead{0.8 * units::mm};
+  std::shared_ptr<const ForceLaw> law;  // null: the default one
+  RemovalLaw removal = RemovalLaw::constant_energy;
+  double spin = 2000;  // [rad/s]
+  Pose X_VT;           // where the head starts, in the grid's frame
+  Vec3 feed_V = Vec3(3, 1, -5) * units::mm_per_s;
+  Vec3 turn_V = Vec3::Zero();  // [rad/s] of the head about its origin
+  Material soft, hard;
+
+  CutScene() {
+    soft.name = "soft", soft.relative_stiffness = 0.4, soft.cutting_ratio = 0.3;
+    soft.specific_cutting_energy = 1e8, soft.damping = 5;
+    hard.name = "hard", hard.edge_pressure = 1e5;
+    X_VT = {rotation_from_vector(Vec3(0.5, 0.3, 0.2)), Vec3(0.1, -0.05, 0.3) * units::mm};
+  }
+};
+
+struct CutOutcome {
+  std::vector<Wrench> wrenches_V;  // about To, in the frame of the grid
+  double removed_volume = 0;
+  EnergyLedger energy;
+  double turnover = 0;    // [J] of both works, to and fro
+  double least_loss = 0;  // [J] the most negative change of a dissipation in a step
+};
+
+/// The irreversible terms of a ledger.
+inline std::array<double, 6> losses(const EnergyLedger& e) {
+  return {e.cutting, e.released, e.damping, e.rubbing, e.sliding, e.credited};
+}
+
+inline CutOutcome run(const CutScene& scene, int steps = 40) {
+  const auto mirror = [&](Vec3 v) {
+    if (scene.mirrored) v.x() = -v.x();
+    return v;
+  };
+  Box box = scene.box_V;
+  if (scene.mirrored) std::tie(box.min.x(), box.max.x()) = std::pair(-box.max.x(), -box.min.x());
+  const Vec3 shift = kSceneVoxel * Vec3(scene.shift[0], scene.shift[1], scene.shift[2]);
+  GridFrame frame = scene.frame;
+  frame.X_WV.translation -= frame.X_WV.rotation * shift;
+  Workpiece workpiece = box_on_grid(
+      {box.min + shift, box.max + shift}, frame, MaterialTable({scene.soft, scene.hard}),
+      [&](const Vec3& p) { return MaterialId(mirror(p - shift).dot(Vec3(1, 2, 3)) < -0.2317 * units::mm ? 2 : 1); });
+  SimulationConfig config;
+  config.reference_stiffness = 1e13;
+  config.law = scene.law;
+  config.removal = scene.removal;
+  Simulation simulation(std::move(workpiece),
+                        Tool(scene.head, RayHandle{}, {scene.mirrored ? -scene.spin : scene.spin}), config);
+  CutOutcome outcome;
+  const Mat3 R_WV = scene.frame.X_WV.rotation;
+  EnergyLedger before;
+  for (int i = 1; i <= steps; ++i) {
+    Pose X_VT = scene.X_VT;
+    X_VT.translation += scene.feed_V * 1e-3 * i;
+    X_VT.rotation = rotation_from_vector(scene.turn_V * 1e-3 * i) * X_VT.rotation;
+    Vec3 turn_V = scene.turn_V;
+    if (scene.mirrored) {
+      // A head of revolution mirrored is itself, with its y axis reversed to keep the frame right-handed.
+      const Mat3 M = Vec3(-1, 1, 1).asDiagonal(), S = Vec3(1, -1, 1).asDiagonal();
+      X_VT = {M * X_VT.rotation * S, M * X_VT.translation};
+      turn_V.tail<2>() *= -1;
+    }
+    const StepResult& result =
+        simulation.step(scene.frame.X_WV * X_VT, {R_WV * mirror(scene.feed_V), R_WV * turn_V}, 1e-3);
+    RC_ASSERT(!has(result.status, kRejected));
+    outcome.wrenches_V.push_back({R_WV.transpose() * result.force, R_WV.transpose() * result.torque});
+    outcome.removed_volume += result.removed_volume;
+    const EnergyLedger& after = result.energy;
+    outcome.turnover += std::abs(after.hand_work - before.hand_work) + std::abs(after.motor_work - before.motor_work);
+    const auto a = losses(before), b = losses(after);
+    for (std::size_t n = 0; n < a.size(); ++n) outcome.least_loss = std::min(outcome.least_loss, b[n] - a[n]);
+    before = after;
+  }
+  outcome.energy = before;
+  return outcome;
+}
+
+/// Largest difference of force and torque on the way, relative to the largest force and to 1 mm times it.
+inline double difference(const CutOutcome& a, const CutOutcome& b) {
+  double force = 0, worst = 0;
+  for (std::size_t n = 0; n < a.wrenches_V.size(); ++n) {
+    force = std::max(force, a.wrenches_V[n].force.norm());
+    worst = std::max(worst, (a.wrenches_V[n].force - b.wrenches_V[n].force).norm());
+    worst = std::max(worst, (a.wrenches_V[n].torque - b.wrenches_V[n].torque).norm() / (1 * units::mm));
+  }
+  RC_PRE(force > 0);
+  return worst / force;
+}
+
+/// What a mirrored scene should give: a force mirrors like a position, a torque with the opposite sign.
+inline CutOutcome mirrored_back(CutOutcome outcome) {
+  for (Wrench& wrench : outcome.wrenches_V) {
+    wrench.force.x() = -wrench.force.x();
+    wrench.torque.tail<2>() *= -1;
+  }
+  return outcome;
+}
+
+/// A head in the middle of the upper face, in any orientation, going anywhere at up to 10 mm/s.
+inline CutScene arbitrary_cut_scene(const ToolHead& head) {
+  CutScene scene;
+  scene.head = head;
+  const HeadBox box = scene.head.bounding_box();
+  const Vec3 middle = 0.5 * (box.min + box.max);
+  const Mat3 R_VT = *arbitrary_rotation();
+  scene.X_VT = {R_VT,
+                Vec3(*number_between(-0.2, 0.2), *number_between(-0.2, 0.2), *number_between(-0.1, 0.1)) * units::mm -
+                    R_VT * middle};
+  scene.feed_V = *arbitrary_vector(10 * units::mm_per_s);
+  scene.spin = *number_between(500, 5000);
+  return scene;
+}
+
+/// A scene whose springs are conservative: their depth vanishes wherever material can get in. That is any ball, and a
+/// cone or a flat head of rule `nearest` as long as its upper end stays outside.
+/// @param kinds  1: balls; 3: cones and flat heads too
+inline CutScene arbitrary_conservative_scene(int kinds = 3) {
+  using units::mm;
+  const int kind = *rc::gen::inRange(0, kinds);
+  if (kind == 0) return arbitrary_cut_scene(SphereHead{*number_between(0.3 * mm, 1.5 * mm)});
+  const double height = *number_between(2 * mm, 3 * mm);
+  CutScene scene = arbitrary_cut_scene(SphereHead{1 * mm});
+  if (kind == 1)
+    scene.head = ConeHead{*number_between(15 * units::deg, 35 * units::deg), height};
+  else
+    scene.head = FlatHead{*number_between(0.4 * mm, 1.2 * mm), height};
+  const Vec3 tilt_axis(*number_between(-0.5, 0.5), *number_between(-0.5, 0.5), 0);
+  scene.X_VT = {rotation_from_vector(tilt_axis),
+                Vec3(*number_between(-0.5, 0.5), *number_between(-0.5, 0.5), *number_between(-0.2, 0.3)) * mm};
+  return scene;
+}
+
+/// Anything that a material may be.
+inline void make_arbitrary(Material& m) {
+  m.relative_stiffness = *number_between(0.05, 2);
+  m.cutting_ratio = *number_between(0, 3);
+  m.specific_cutting_energy = std::pow(10, *number_between(7, 10));
+  m.edge_pressure = *rc::gen::element(0.0, 1e4, 1e6);
+  m.damping = *number_between(0, 50);
+}
+
+}  // namespace hapticut::test
