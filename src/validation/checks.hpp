@@ -38,9 +38,11 @@ struct Experiment {
 [[nodiscard]] std::vector<Experiment> all_experiments();
 
 // By subject; `all_experiments` joins them.
-[[nodiscard]] std::vector<Experiment> static_experiments();   ///< C1-C16, C19
-[[nodiscard]] std::vector<Experiment> term_experiments();     ///< friction, effects, spindle: C17, C18
-[[nodiscard]] std::vector<Experiment> cutting_experiments();  ///< C20-C32, C34
-[[nodiscard]] std::vector<Experiment> law_experiments();      ///< the alternative laws, the thesis: C33, D1, D5
+[[nodiscard]] std::vector<Experiment> static_experiments();       ///< C1-C16, C19
+[[nodiscard]] std::vector<Experiment> term_experiments();         ///< friction, effects, spindle: C17, C18
+[[nodiscard]] std::vector<Experiment> cutting_experiments();      ///< C20-C32, C34
+[[nodiscard]] std::vector<Experiment> law_experiments();          ///< the alternative laws, the thesis: C33
+[[nodiscard]] std::vector<Experiment> measurement_experiments();  ///< rows B1 of published measurements
+[[nodiscard]] std::vector<Experiment> defect_experiments();  ///< of the thesis, in its model and in the default one
 
 }  // namespace hapticut::validation

@@ -23,6 +23,7 @@ constexpr double kBall = 0.06;            // [1] the same where depths meet the 
 constexpr double kAxialFeed = 2e-3, kAxialSpin = 2000;
 
 struct Axial {
+  double feed_speed = kAxialFeed;
   double voxel = 0.05 * mm;
   double dt = 1e-3;
   double kappa = kKappa;
@@ -45,7 +46,7 @@ Simulation axial_simulation(const Axial& cut, double depth) {
 
 Steady axial(const Axial& cut) {
   Simulation simulation = axial_simulation(cut, 2 * mm);
-  return feed(simulation, Vec3(0.0293, 0.0113, 0) * mm, Vec3(0, 0, -kAxialFeed), 2 * mm, cut.from, cut.dt);
+  return feed(simulation, Vec3(0.0293, 0.0113, 0) * mm, Vec3(0, 0, -cut.feed_speed), 2 * mm, cut.from, cut.dt);
 }
 
 const double kThrust = 2 * kPi * kR * kU * kAxialFeed / (kKappa * kAxialSpin);
@@ -98,6 +99,16 @@ std::vector<Check> axial_edge_pressure() {
   return {{"C22 thrust", "flat head fed axially, with edge pressure", "N", edge + kThrust, s.force.z(), kThin},
           {"C22 torque", "its torque", "N m", kTorque - 2 * kPi / 3 * kKappa * cut.edge_pressure * std::pow(kR, 3),
            s.torque.z(), kThin}};
+}
+
+/// So slow that the edge carries nineteen parts of twenty.
+std::vector<Check> axial_edge_dominated() {
+  Axial cut;
+  cut.edge_pressure = 2e6;
+  cut.feed_speed = 0.1 * kAxialFeed;
+  const Steady s = axial(cut);
+  return {{"C32 edge", "torque over thrust of a flat head whose edge rubs: 2 kappa R/3", "m", 2.0 / 3 * kKappa * kR,
+           -s.torque.z() / s.force.z(), kThin}};
 }
 
 /// A hand that pushes with a constant force: its speed adapts until the cut pushes back as much.
@@ -213,6 +224,7 @@ std::vector<Experiment> cutting_experiments() {
           {"axial, invariance", axial_invariance},
           {"axial, law G", axial_elastic_release},
           {"axial, edge pressure", axial_edge_pressure},
+          {"flat head, edge dominated", axial_edge_dominated},
           {"constant hand force", constant_hand_force},
           {"twist drill", twist_drill},
           {"milling", milling},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The alternative force laws and the model of the thesis: Table 5.1, C31 by its own law, C33, D1, D5.
+// The alternative force laws and the figures of the thesis: Table 5.1, C31 by its own law, C33.
 #include <cmath>
 #include <memory>
 
@@ -111,27 +111,12 @@ std::vector<Check> figures_of_the_thesis() {
       {"C33 sphere volume", "all steps of the sphere", "m^3", kPi * d * d * (R - d / 3), total(ball), kCoarse}};
 }
 
-std::vector<Check> defects() {
-  const auto force = [](double voxel, bool thesis) {
-    SimulationConfig config = static_config();
-    if (thesis) config.law = std::make_shared<ThesisLaw>(ThesisLaw::Constants{});
-    Simulation simulation(build_block({Vec3(-1.2, -1.2, -0.8) * mm, Vec3(1.2, 1.2, 0) * mm}, voxel, plain_material()),
-                          Tool(SphereHead{kR}), config);
-    return hold(simulation, Pose::from_translation(Vec3(0, 0, 0.5 * mm))).force.z();
-  };
-  return {{"D1 thesis", "force of the thesis's sum when voxels halve: four times", "1", 32.690 / 8.148,
-           force(0.05 * mm, true) / force(0.1 * mm, true), 0.01},
-          {"D1 cured", "the same in the default model: none", "1", 1, force(0.05 * mm, false) / force(0.1 * mm, false),
-           0.01}};
-}
-
 }  // namespace
 
 std::vector<Experiment> law_experiments() {
   return {{"contact mechanics", contact_mechanics},
           {"twist drill and damping matrix", drill_and_damping},
-          {"figures of the thesis", figures_of_the_thesis},
-          {"defects", defects}};
+          {"figures of the thesis", figures_of_the_thesis}};
 }
 
 }  // namespace hapticut::validation

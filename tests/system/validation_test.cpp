@@ -6,15 +6,25 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <regex>
 #include <set>
 #include <sstream>
+
+#include "validation/measurements.hpp"
 
 namespace hapticut {
 namespace {
 
 using validation::Check;
 using validation::Experiment;
+
+std::string contents(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
 
 class Validation : public testing::TestWithParam<Experiment> {};
 
@@ -32,6 +42,51 @@ INSTANTIATE_TEST_SUITE_P(Experiments, Validation, testing::ValuesIn(validation::
   return name;
 });
 
+// The thesis's model and the default one on the same case: the first shows the defect, in the second it is gone.
+class Defect : public testing::TestWithParam<const char*> {};
+
+TEST_P(Defect, IsShownByTheThesisAndCuredInTheDefault) {
+  const std::string name = GetParam();
+  bool shown = false, cured = false;
+  for (const Experiment& experiment : validation::defect_experiments()) {
+    if (experiment.name != std::string("defect ").append(name)) continue;
+    for (const Check& check : experiment.run()) {
+      std::cout << check.id << ", " << check.what << ": " << check.computed << " " << check.unit << " (expected "
+                << check.expected << ")\n";
+      EXPECT_TRUE(check.pass()) << check.id;
+      shown |= check.id.starts_with(name + " thesis");
+      cured |= check.id.starts_with(name + " cured");
+    }
+  }
+  EXPECT_TRUE(shown && cured);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheThesis, Defect, testing::Values("D1", "D2", "D5", "D6", "D7", "D8", "D11", "D15"),
+                         [](const auto& name) { return std::string(name.param); });
+
+TEST(AllExperiments, CoverEveryClosedFormAndTheDrillingsOfBone) {
+  std::set<std::string> first_words;
+  for (const Experiment& experiment : validation::all_experiments())
+    for (const Check& check : experiment.run()) first_words.insert(check.id.substr(0, check.id.find(' ')));
+  for (int n = 1; n <= 34; ++n) EXPECT_EQ(first_words.count(std::string("C").append(std::to_string(n))), 1U) << n;
+  for (const char* row : {"B1a", "B1b", "B1c", "B1d", "B1e", "B1f"}) EXPECT_EQ(first_words.count(row), 1U) << row;
+}
+
+TEST(MeasurementsPage, IsWhatTheLibraryWrites) {
+  EXPECT_EQ(contents(std::filesystem::path(HAPTICUT_DOCS) / "measurements.md"), validation::measurements_page())
+      << "run hapticut validate --measurements docs/measurements.md";
+}
+
+// DC4: the bur of the source under its load removes what it removed there, and needs half the load for half of it.
+TEST(DiamondBur, DC4NeedsItsLoadForItsRemoval) {
+  using validation::DiamondBur;
+  EXPECT_NEAR(DiamondBur::energy(), 113e9, 2e9);
+  EXPECT_NEAR(DiamondBur::load(DiamondBur::kRemoval, DiamondBur::energy()), 0.64, 0.01);
+  EXPECT_GT(DiamondBur::load(DiamondBur::kRemoval, DiamondBur::energy()), 0.43)
+      << "within what dentists press with (DC3)";
+  EXPECT_LT(DiamondBur::load(DiamondBur::kRemoval, DiamondBur::energy()), 1.79);
+}
+
 TEST(Check, OfANumberThatIsNoneDoesNotPass) {
   Check check{"x", "", "", 1, std::nan(""), 0.1};
   EXPECT_FALSE(check.pass());
@@ -39,13 +94,6 @@ TEST(Check, OfANumberThatIsNoneDoesNotPass) {
   EXPECT_TRUE(check.pass());
   check.computed = 1.2;
   EXPECT_FALSE(check.pass());
-}
-
-std::string contents(const std::filesystem::path& path) {
-  std::ifstream in(path);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 /// `Suite.Name` of every test that a file of the tests declares.
@@ -63,13 +111,14 @@ std::set<std::string> declared_tests() {
 
 TEST(ForcesPage, NamesOnlyTestsThatExistAndMany) {
   const std::set<std::string> declared = declared_tests();
-  const std::string page = contents(std::filesystem::path(HAPTICUT_DOCS) / "forces.md");
+  const std::string page = contents(std::filesystem::path(HAPTICUT_DOCS) / "forces.md") +
+                           contents(std::filesystem::path(HAPTICUT_DOCS) / "measurements.md");
   ASSERT_FALSE(page.empty());
   const std::regex name(R"(`(\w+\.[A-Z]\w{5,})`)");
   int named = 0;
   for (std::sregex_iterator match(page.begin(), page.end(), name), end; match != end; ++match, ++named)
     EXPECT_TRUE(declared.count((*match)[1].str()) == 1)
-        << "docs/forces.md names a test that is not there: " << (*match)[1];
+        << "docs/forces.md or measurements.md names a test that is not there: " << (*match)[1];
   EXPECT_GE(named, 40);
 }
 
