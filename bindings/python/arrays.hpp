@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "hapticut/core/spatial.hpp"
+#include "hapticut/force/contact_stiffness.hpp"
 
 /// @file
 /// How vectors, rotations, poses, twists and lists of points cross between C++ and NumPy.
@@ -117,6 +118,20 @@ struct type_caster<hapticut::Mat3> {
   static handle cast(const hapticut::Mat3& m, return_value_policy, handle) {
     const hapticut::Mat3 rows = m.transpose();
     return array_t<double>({3, 3}, rows.data()).release();
+  }
+};
+
+template <>
+struct type_caster<hapticut::Stiffness> {
+  PYBIND11_TYPE_CASTER(hapticut::Stiffness, HAPTICUT_ARRAY_NAME);
+  bool load(handle given, bool) {
+    if (!hapticut::python::read_numbers(given, "a stiffness", {6, 6}, value.data())) return false;
+    value.transposeInPlace();  // NumPy holds rows, Eigen columns
+    return true;
+  }
+  static handle cast(const hapticut::Stiffness& stiffness, return_value_policy, handle) {
+    const hapticut::Stiffness rows = stiffness.transpose();
+    return array_t<double>({6, 6}, rows.data()).release();
   }
 };
 

@@ -2,15 +2,16 @@
 // include/hapticut/device: the closed loop in simulated time, what it measures, and injected faults
 #include "bindings.hpp"
 #include "hapticut/device/closed_loop.hpp"
+#include "hapticut/device/contact_bench.hpp"
 #include "hapticut/device/fault_bench.hpp"
+#include "hapticut/device/mock.hpp"
 #include "hapticut/device/stability.hpp"
+#include "models.hpp"
 #include "structs.hpp"
 
 namespace hapticut::python {
 
 namespace {
-
-using Released = py::call_guard<py::gil_scoped_release>;
 
 void bind_plant(py::module_& m) {
   using O = PlantOptions;
@@ -33,9 +34,12 @@ void bind_plant(py::module_& m) {
       .def_property_readonly("device", &Plant::device, py::return_value_policy::copy, "As given.")
       .def_property_readonly("hand", &Plant::hand, py::return_value_policy::copy, "As given.")
       .def_property_readonly("options", &Plant::options, py::return_value_policy::copy, "As given.");
+  py::reinterpret_borrow<py::class_<MockDevice, Device>>(m.attr("MockDevice"))
+      .def_property_readonly("plant", &MockDevice::plant, py::return_value_policy::copy,
+                             "A copy of device and hand as they are now.");
 }
 
-void bind_loop(py::module_& m) {
+void bind_closed_loop(py::module_& m) {
   using W = LinearWall;
   py::class_<W>(m, "LinearWall", doc("LinearWall"))
       .def(py::init([](double stiffness, double damping, double filter, bool one_sided, double height, double period) {
@@ -69,6 +73,9 @@ void bind_loop(py::module_& m) {
       .def("reset", &L::reset, py::arg("X_BS"), doc("ClosedLoop::reset"))
       .def("read", &L::read, py::return_value_policy::copy, doc("ClosedLoop::read"))
       .def("write", py::overload_cast<const Wrench&>(&L::write), py::arg("wrench"), doc("ClosedLoop::write"))
+      .def("write",
+           py::overload_cast<const Wrench&, const std::function<void(const Plant&, const Wrench&)>&>(&L::write),
+           py::arg("wrench"), py::arg("observer"), doc("ClosedLoop::write#2"))
       .def("miss_tick", &L::miss_tick, py::arg("scale") = 1.0, doc("ClosedLoop::miss_tick"))
       .def("tick", &L::tick, py::arg("model"), "One tick: reads, asks the model, and writes.")
       .def_property_readonly("plant", py::overload_cast<>(&L::plant), py::return_value_policy::reference_internal,
@@ -84,11 +91,24 @@ void bind_stability(py::module_& m) {
   bind_struct<S>(m, "StabilitySearch", field("start", &S::start), field("target", &S::target),
                  field("settle", &S::settle), field("nudge", &S::nudge), field("window", &S::window),
                  field("windows", &S::windows), field("low", &S::low), field("high", &S::high),
-                 field("coarse_factor", &S::coarse_factor), field("tolerance", &S::tolerance));
-  m.def("is_stable", &is_stable, py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("search") = S{},
-        doc("is_stable"), Released());
-  m.def("largest_stable_stiffness", &largest_stable_stiffness, py::arg("config"), py::arg("factory"),
-        py::arg("search") = S{}, doc("largest_stable_stiffness"), Released());
+                 field("coarse_factor", &S::coarse_factor), field("tolerance", &S::tolerance),
+                 field("forgotten", &S::forgotten));
+  m.def(
+      "is_stable",
+      [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const S& search) {
+        const ModelFactory make = factory_from(factory);
+        const py::gil_scoped_release released;
+        return is_stable(config, make, stiffness, search);
+      },
+      py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("search") = S{}, doc("is_stable"));
+  m.def(
+      "largest_stable_stiffness",
+      [](const ClosedLoopConfig& config, const AnyFactory& factory, const S& search) {
+        const ModelFactory make = factory_from(factory);
+        const py::gil_scoped_release released;
+        return largest_stable_stiffness(config, make, search);
+      },
+      py::arg("config"), py::arg("factory"), py::arg("search") = S{}, doc("largest_stable_stiffness"));
   using B = Bounce;
   bind_result<B>(m, "Bounce", member("restitution", &B::restitution), member("mean_restitution", &B::mean_restitution),
                  member("generated_energy", &B::generated_energy), member("penetration", &B::penetration),
@@ -96,8 +116,15 @@ void bind_stability(py::module_& m) {
   using T = BounceTest;
   bind_struct<T>(m, "BounceTest", field("height", &T::height), field("speed", &T::speed), field("phases", &T::phases),
                  field("time_limit", &T::time_limit));
-  m.def("bounce", &bounce, py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("test") = T{},
-        "What becomes of a free flight into the material.", Released());
+  m.def(
+      "bounce",
+      [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const T& test) {
+        const ModelFactory make = factory_from(factory);
+        const py::gil_scoped_release released;
+        return bounce(config, make, stiffness, test);
+      },
+      py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("test") = T{},
+      "What becomes of a free flight into the material.");
   using Z = Buzz;
   bind_result<Z>(m, "Buzz", member("position_rms", &Z::position_rms), member("frequency", &Z::frequency),
                  member("force_peak_to_peak", &Z::force_peak_to_peak), member("generated_power", &Z::generated_power),
@@ -106,8 +133,35 @@ void bind_stability(py::module_& m) {
   using P = PressTest;
   bind_struct<P>(m, "PressTest", field("height", &P::height), field("depth", &P::depth), field("speed", &P::speed),
                  field("approach", &P::approach), field("seconds", &P::seconds), field("measured", &P::measured));
-  m.def("press", &press, py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("test") = P{},
-        "How a hand feels that presses steadily.", Released());
+  m.def(
+      "press",
+      [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const P& test) {
+        const ModelFactory make = factory_from(factory);
+        const py::gil_scoped_release released;
+        return press(config, make, stiffness, test);
+      },
+      py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("test") = P{},
+      "How a hand feels that presses steadily.");
+}
+
+void bind_contact_bench(py::module_& m) {
+  py::class_<PythonForceModel>(m, "ForceModel", "A model that the library made: from a reading to a wrench.")
+      .def(
+          "__call__", [](const PythonForceModel& self, const DeviceState& state) { return self.model(state); },
+          py::arg("state"), "The wrench for a reading.");
+  py::class_<PythonModelFactory>(m, "ModelFactory",
+                                 "Makes models of a given stiffness. The bench runs them without the interpreter.")
+      .def(
+          "__call__",
+          [](const PythonModelFactory& self, double stiffness) { return PythonForceModel{self.make(stiffness)}; },
+          py::arg("stiffness"), "A fresh model.");
+  using C = ContactBench;
+  bind_struct<C>(m, "ContactBench", field("radius", &C::radius), field("voxel_size", &C::voxel_size),
+                 field("coupling", &C::coupling));
+  m.def(
+      "contact_models", [](const C& bench) { return PythonModelFactory{contact_models(bench)}; }, py::arg("bench"),
+      doc("contact_models"));
+  m.def("pressed_search", &pressed_search, py::arg("bench"), doc("pressed_search"));
 }
 
 void bind_faults(py::module_& m) {
@@ -123,8 +177,16 @@ void bind_faults(py::module_& m) {
   bind_result<R>(m, "FaultResponse", member("time_to_zero", &R::time_to_zero),
                  member("greatest_force", &R::greatest_force), member("greatest_growth", &R::greatest_growth),
                  member("oldest_force", &R::oldest_force), member("end", &R::end));
-  m.def("respond", &respond, py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("options"),
-        py::arg("fault"), py::arg("height") = 0.0, doc("respond"), Released());
+  m.def(
+      "respond",
+      [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const GuardOptions& options,
+         InjectedFault fault, double height) {
+        const ModelFactory make = factory_from(factory);
+        const py::gil_scoped_release released;
+        return respond(config, make, stiffness, options, fault, height);
+      },
+      py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("options"), py::arg("fault"),
+      py::arg("height") = 0.0, doc("respond"));
   m.def("obeys_the_rules", &obeys_the_rules, py::arg("response"), py::arg("guard"), py::arg("period"),
         doc("obeys_the_rules"));
 }
@@ -133,8 +195,9 @@ void bind_faults(py::module_& m) {
 
 void bind_bench(py::module_& m) {
   bind_plant(m);
-  bind_loop(m);
+  bind_closed_loop(m);
   bind_stability(m);
+  bind_contact_bench(m);
   bind_faults(m);
 }
 

@@ -14,11 +14,15 @@ void bind_workpiece(pybind11::module_& m);
 void bind_builders(pybind11::module_& m);
 void bind_force(pybind11::module_& m);
 void bind_effects(pybind11::module_& m);
+void bind_results(pybind11::module_& m);
 void bind_simulation(pybind11::module_& m);
+void bind_coupling(pybind11::module_& m);
 void bind_io(pybind11::module_& m);
 void bind_device(pybind11::module_& m);
 void bind_guard(pybind11::module_& m);
+void bind_guard_stages(pybind11::module_& m);
 void bind_bench(pybind11::module_& m);
 void bind_recordings(pybind11::module_& m);
+void bind_loop(pybind11::module_& m);
 
 }  // namespace hapticut::python

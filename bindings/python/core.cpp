@@ -76,6 +76,8 @@ void bind_spatial(py::module_& m) {
         doc("transport"));
   m.def("transport", py::overload_cast<const Twist&, const Vec3&>(&transport), py::arg("twist_P"), py::arg("p_PQ"),
         doc("transport#2"));
+  m.def("transport", py::overload_cast<const Stiffness&, const Mat3&, const Vec3&>(&transport), py::arg("stiffness_T"),
+        py::arg("R_WT"), py::arg("p_HoTo_W"), doc("transport#3"));
   m.def("rotation_from_vector", &rotation_from_vector, py::arg("v"), doc("rotation_from_vector"));
   m.def("vector_from_rotation", &vector_from_rotation, py::arg("rotation"), doc("vector_from_rotation"));
   m.def("twist_between", &twist_between, py::arg("from_"), py::arg("to"), py::arg("dt"), doc("twist_between"));

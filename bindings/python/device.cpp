@@ -8,6 +8,7 @@
 #include "bindings.hpp"
 #include "hapticut/device/mock.hpp"
 #include "hapticut/device/mouse.hpp"
+#include "hapticut/device/playback.hpp"
 #include "hapticut/device/workspace_map.hpp"
 #include "structs.hpp"
 
@@ -119,6 +120,13 @@ void bind_devices(py::module_& m) {
       .def(py::init<MockOptions, std::string>(), py::arg("options"), py::arg("name") = "mock",
            doc("MockDevice::MockDevice"));
   m.def("open_mock", &open_mock, py::arg("text"), doc("open_mock"));
+
+  py::class_<PlaybackDevice, Device>(m, "PlaybackDevice", doc("PlaybackDevice"))
+      .def(py::init<std::vector<DeviceState>, const DeviceCapabilities&, std::string>(), py::arg("readings"),
+           py::arg("capabilities") = DeviceCapabilities{}, py::arg("name") = "playback",
+           doc("PlaybackDevice::PlaybackDevice"))
+      .def("size", &PlaybackDevice::size, doc("PlaybackDevice::size"))
+      .def("__len__", &PlaybackDevice::size);
 
   bind_enum<MoveKey>(m, "MoveKey",
                      {{"left", MoveKey::left},

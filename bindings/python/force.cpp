@@ -34,7 +34,16 @@ void bind_laws(py::module_& m) {
       "It works in the 1 kHz loop, so a law of one's own is a class in C++; Python chooses one and its constants.")
       .def("require_head", &ForceLaw::require_head, py::arg("head"), doc("ForceLaw::require_head"))
       .def("needs_moments", &ForceLaw::needs_moments, doc("ForceLaw::needs_moments"));
-  LawBinding<FoundationLaw>(m, "FoundationLaw", doc("FoundationLaw")).def(py::init<>());
+  using Foundation = FoundationLaw;
+  LawBinding<Foundation>(m, "FoundationLaw", doc("FoundationLaw"))
+      .def(py::init<>())
+      .def_readonly_static("kSlipRegularization", &Foundation::kSlipRegularization,
+                           doc("FoundationLaw::kSlipRegularization"))
+      .def_readonly_static("kLargestExponent", &Foundation::kLargestExponent, doc("FoundationLaw::kLargestExponent"))
+      .def_readonly_static("kLeastEnergyShare", &Foundation::kLeastEnergyShare, doc("FoundationLaw::kLeastEnergyShare"))
+      .def_readonly_static("kAxisZone", &Foundation::kAxisZone, doc("FoundationLaw::kAxisZone"))
+      .def_readonly_static("kAxisSlip", &Foundation::kAxisSlip, doc("FoundationLaw::kAxisSlip"));
+  m.attr("kSmallestFill") = kSmallestFill;
 
   LawBinding<ThesisLaw> thesis(m, "ThesisLaw", doc("ThesisLaw"));
   using Thesis = ThesisLaw::Constants;
@@ -94,6 +103,7 @@ void bind_friction(py::module_& m) {
       .def_property_readonly("sliding", &StickSlip::sliding, "It slides.")
       .def_property_readonly(
           "stretch", [](const StickSlip& s) { return s.stretch(); }, doc("StickSlip::stretch"))
+      .def_property_readonly("stiffness", &StickSlip::stiffness, doc("StickSlip::stiffness"))
       .def("release", &StickSlip::release, doc("StickSlip::release"));
 
   py::class_<DeepContact> deep(m, "DeepContact", doc("DeepContact"));
@@ -106,7 +116,12 @@ void bind_friction(py::module_& m) {
   deep.def(py::init<>())
       .def("move", &DeepContact::move, py::arg("start"), py::arg("to"), py::arg("filled"), py::arg("normal_force"),
            py::arg("radius"), doc("DeepContact::move"))
+      .def_readonly_static("kDeep", &DeepContact::kDeep, doc("DeepContact::kDeep"))
+      .def_readonly_static("kFree", &DeepContact::kFree, doc("DeepContact::kFree"))
       .def_property_readonly("held", &DeepContact::held, doc("DeepContact::held"))
+      .def_property_readonly("stiffness", &DeepContact::stiffness, doc("DeepContact::stiffness"))
+      .def_property_readonly(
+          "normal", [](const DeepContact& d) { return d.normal(); }, doc("DeepContact::normal"))
       .def_property_readonly("stored", &DeepContact::stored, doc("DeepContact::stored"))
       .def("release", &DeepContact::release, "Lets go.");
   m.def("contact_point", &contact_point, py::arg("head"), py::arg("wrench_T"), doc("contact_point"));

@@ -51,16 +51,18 @@ void bind_states(py::module_& m) {
                           {"not_finite", OutputLimit::not_finite},
                           {"no_actuator", OutputLimit::no_actuator},
                           {"by_driver", OutputLimit::by_driver}});
-  py::class_<DeviceOutput>(m, "DeviceOutput", doc("DeviceOutput"))
-      .def_readonly("commanded", &DeviceOutput::commanded, doc("DeviceOutput::commanded"))
-      .def_readonly("applied", &DeviceOutput::applied, doc("DeviceOutput::applied"))
-      .def_property_readonly(
-          "limits", [](const DeviceOutput& o) { return std::uint32_t(o.limits); },
-          "Bits of OutputLimit: why they differ.");
+  const auto bits = computed<DeviceOutput, std::uint32_t>(
+      "limits", [](const DeviceOutput& o) { return std::uint32_t(o.limits); },
+      [](DeviceOutput& o, std::uint32_t given) { o.limits = OutputLimit(given); });
+  bind_struct<DeviceOutput>(m, "DeviceOutput", field("commanded", &DeviceOutput::commanded),
+                            field("applied", &DeviceOutput::applied), bits);
   m.def("describe", py::overload_cast<DeviceFault>(&describe), py::arg("fault"), doc("describe"));
   m.def(
       "describe", [](std::uint32_t limits) { return describe(OutputLimit(limits)); }, py::arg("limits"),
       "The bits of OutputLimit in words, separated by commas.");
+  m.def(
+      "has", [](std::uint32_t limits, OutputLimit wanted) { return has(OutputLimit(limits), wanted); },
+      py::arg("limits"), py::arg("bits"), doc("has"));
   bind_enum<ArmingState>(m, "ArmingState",
                          {{"off", ArmingState::off},
                           {"armed", ArmingState::armed},
@@ -85,6 +87,15 @@ void bind_log(py::module_& m) {
       .def_readonly("value", &L::value, doc("SafetyLogEntry::value"));
   m.def("describe", py::overload_cast<const SafetyLogEntry&>(&describe), py::arg("entry"),
         "An entry in words: time, name and value.");
+  m.attr("kSafetyEvents") = kSafetyEvents;
+  py::class_<SafetyLog>(m, "SafetyLog", doc("SafetyLog"))
+      .def(py::init<>())
+      .def("begin_tick", &SafetyLog::begin_tick, py::arg("time"), py::arg("sequence"),
+           "What is reported from here on belongs to this reading.")
+      .def("report", &SafetyLog::report, py::arg("event"), py::arg("value") = 0.0, doc("SafetyLog::report"))
+      .def("count", &SafetyLog::count, py::arg("event"), doc("SafetyLog::count"))
+      .def_property_readonly("dropped", &SafetyLog::dropped, doc("SafetyLog::dropped"))
+      .def("drain", &SafetyLog::drain, doc("SafetyLog::drain"));
 }
 
 void bind_options(py::module_& m) {
@@ -136,6 +147,11 @@ void bind_guard(py::module_& m) {
       .def("reset", &SafetyGuard::reset, doc("SafetyGuard::reset"))
       .def("interrupt", &SafetyGuard::interrupt, py::arg("reason"), doc("SafetyGuard::interrupt"))
       .def_property_readonly("state", &SafetyGuard::state, "Whether a force is allowed.")
+      .def("report_exception", &SafetyGuard::report_exception, doc("SafetyGuard::report_exception"))
+      .def_property_readonly(
+          "heartbeat", [](const SafetyGuard& guard) { return guard.heartbeat().load(); }, doc("SafetyGuard::heartbeat"))
+      .def_property_readonly("log", py::overload_cast<>(&SafetyGuard::log), py::return_value_policy::reference_internal,
+                             "What was reported.")
       .def(
           "drain_log", [](SafetyGuard& guard) { return guard.log().drain(); },
           "Takes the entries out of the log, oldest first.")
@@ -153,6 +169,8 @@ void bind_guard(py::module_& m) {
   using H = LatencyHistogram;
   py::class_<H>(m, "LatencyHistogram", doc("LatencyHistogram"))
       .def(py::init<>())
+      .def_readonly_static("kBuckets", &H::kBuckets, "How many buckets there are.")
+      .def_readonly_static("kBucketWidth", &H::kBucketWidth, "[s]")
       .def("add", &H::add, py::arg("seconds"), doc("LatencyHistogram::add"))
       .def_property_readonly("count", &H::count, "How many durations were added.")
       .def_property_readonly("min", &H::min, doc("LatencyHistogram::min"))

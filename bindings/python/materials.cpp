@@ -8,6 +8,8 @@
 namespace hapticut::python {
 
 void bind_materials(py::module_& m) {
+  m.attr("kEmpty") = kEmpty;
+  m.attr("kMaxMaterials") = kMaxMaterials;
   bind_struct<Material>(
       m, "Material", field("name", &Material::name), field("relative_stiffness", &Material::relative_stiffness),
       field("damping", &Material::damping), field("cutting_ratio", &Material::cutting_ratio),

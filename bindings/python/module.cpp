@@ -21,12 +21,16 @@ PYBIND11_MODULE(_hapticut, m) {
   bind_builders(m);
   bind_force(m);
   bind_effects(m);
+  bind_results(m);
   bind_simulation(m);
   bind_io(m);
   bind_guard(m);
+  bind_guard_stages(m);
+  bind_coupling(m);
   bind_device(m);
   bind_bench(m);
   bind_recordings(m);
+  bind_loop(m);
 
   py::list names;
   for (const py::handle name : py::module_::import("builtins").attr("dir")(m))

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // include/hapticut/io: recordings and their replay
-#include "recording.hpp"
-
 #include "bindings.hpp"
+#include "steps.hpp"
 #include "structs.hpp"
-#include "trace.hpp"
 #ifdef HAPTICUT_PYTHON_WITH_IO
-#include "hapticut/io/recorder.hpp"
+#include "hapticut/io/playback.hpp"
 #include "hapticut/io/recording.hpp"
 #include "hapticut/io/replay.hpp"
+#include "recorder.hpp"
 #endif
 
 namespace hapticut::python {
@@ -17,30 +16,18 @@ namespace hapticut::python {
 
 namespace {
 
-/// A recorder and the simulation that it belongs to.
-struct PythonRecorder {
-  std::shared_ptr<PythonSimulation> simulation;
-  std::unique_ptr<Recorder> recorder;
-
-  [[nodiscard]] Stepper stepper() const {
-    return [this](const StepInput& input) -> const StepResult& { return recorder->step(input); };
-  }
-  void close() const {
-    simulation->occupancy.require_writable("The simulation");
-    const ReleasedWriting released(simulation->occupancy);
-    recorder->close();
-  }
-};
-
 void bind_recorder(py::module_& m) {
+  using T = DeviceTick;
+  bind_struct<T>(m, "DeviceTick", field("state", &T::state), field("output", &T::output), field("arming", &T::arming));
   using O = RecorderOptions;
   const auto workpiece_file = computed<O, std::string>(
       "workpiece_file", [](const O& o) { return o.workpiece_file.string(); },
       [](O& o, const std::string& path) { o.workpiece_file = path; });
-  bind_struct<O>(m, "RecorderOptions", field("device", &O::device), field("note", &O::note), field("steps", &O::steps),
+  bind_struct<O>(m, "RecorderOptions", field("device", &O::device), field("note", &O::note),
+                 field("capabilities", &O::capabilities), field("steps", &O::steps),
                  field("flush_period", &O::flush_period), field("wait_when_full", &O::wait_when_full), workpiece_file);
   using R = PythonRecorder;
-  py::class_<R>(m, "Recorder", doc("Recorder"))
+  py::class_<R, std::shared_ptr<R>>(m, "Recorder", doc("Recorder"))
       .def(py::init([](const std::filesystem::path& path, const std::shared_ptr<PythonSimulation>& simulation,
                        const O& options) {
              simulation->occupancy.require_writable("The simulation");
@@ -50,10 +37,12 @@ void bind_recorder(py::module_& m) {
            py::arg("path"), py::arg("simulation"), py::arg("options") = O{}, doc("Recorder::Recorder"))
       .def(
           "step",
-          [](R& self, const FewNumbers& pose, const FewNumbers& velocity, double dt) {
-            return make_step(*self.simulation, pose, velocity, dt, self.stepper());
+          [](R& self, const FewNumbers& pose, const FewNumbers& velocity, double dt,
+             const std::optional<DeviceTick>& device) {
+            return make_step(*self.simulation, pose, velocity, dt, self.stepper(device ? &*device : nullptr));
           },
-          py::arg("pose"), py::arg("velocity"), py::arg("dt"), "Makes a step of the simulation and records it.")
+          py::arg("pose"), py::arg("velocity"), py::arg("dt"), py::arg("device") = py::none(),
+          "Makes a step of the simulation and records it.")
       .def(
           "run",
           [](R& self, const Float64Array& poses, const Float64Array& velocities, const Durations& dt) {
@@ -62,6 +51,20 @@ void bind_recorder(py::module_& m) {
           py::arg("poses"), py::arg("velocities"), py::arg("dt"),
           "Makes a step for every row and records it; see Simulation.run. A run is quicker than the disk: set\n"
           "RecorderOptions.wait_when_full, or steps will be lost.")
+      .def(
+          "before_step",
+          [](const R& self) {
+            self.simulation->occupancy.require_writable("The simulation");
+            self.recorder->before_step();
+          },
+          "To be called before somebody else makes a step, a VirtualCoupling for one.")
+      .def(
+          "after_step",
+          [](const R& self, const std::optional<DeviceTick>& device) {
+            self.simulation->occupancy.require_writable("The simulation");
+            self.recorder->after_step(device ? &*device : nullptr);
+          },
+          py::arg("device") = py::none(), doc("Recorder::after_step"))
       .def_property_readonly(
           "recorded", [](const R& r) { return r.recorder->recorded(); }, doc("Recorder::recorded"))
       .def_property_readonly(
@@ -89,6 +92,8 @@ void bind_recording(py::module_& m) {
       .def_property_readonly("path", &Recording::path, "Of the file.")
       .def_property_readonly("info", &Recording::info, py::return_value_policy::copy, "Who made it, and how it ended.")
       .def_property_readonly("has_device", &Recording::has_device, doc("Recording::has_device"))
+      .def_property_readonly("capabilities", &Recording::capabilities, py::return_value_policy::copy,
+                             doc("Recording::capabilities"))
       .def_property_readonly("default_law", &Recording::default_law, doc("Recording::default_law"))
       .def("__len__", &Recording::size)
       .def(
@@ -180,6 +185,9 @@ void bind_replay(py::module_& m) {
 }  // namespace
 
 void bind_recordings(py::module_& m) {
+  use_recordings();  // open_device("replay:FILE")
+  m.def("open_playback", &open_playback, py::arg("recording"), doc("open_playback"),
+        py::call_guard<py::gil_scoped_release>());
   bind_recorder(m);
   bind_recording(m);
   bind_replay(m);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "hapticut/simulation/simulation.hpp"
@@ -25,6 +26,11 @@ class PythonSimulation : public std::enable_shared_from_this<PythonSimulation> {
   Simulation simulation;
   Occupancy occupancy;
   std::vector<RemovedInRun> removed;  ///< of the last run
+
+  void remember(std::span<const RemovedVoxel> voxels, std::size_t step) {
+    for (const RemovedVoxel& voxel : voxels)
+      removed.push_back({std::int64_t(step), {voxel.index[0], voxel.index[1], voxel.index[2]}, voxel.material});
+  }
 };
 
 /// A step's result that outlives the next step: owns its list of voxels.

@@ -27,10 +27,17 @@ void bind_shapes(py::module_& m) {
   bind_struct<ProfileEdge>(m, "ProfileEdge", field("rho", &ProfileEdge::rho), field("z", &ProfileEdge::z),
                            field("radius", &ProfileEdge::radius), field("kind", &ProfileEdge::kind));
   bind_struct<Profile>(m, "Profile", field("tip", &Profile::tip), field("edges", &Profile::edges));
+  using S = Spring<double>;
+  py::class_<S>(m, "Spring", doc("Spring"))
+      .def_readonly("depth", &S::depth, doc("Spring::depth"))
+      .def_readonly("n_radial", &S::n_radial, doc("Spring::n_radial"))
+      .def_readonly("n_axial", &S::n_axial, doc("Spring::n_axial"));
   py::class_<ProfileHead>(m, "ProfileHead", doc("ProfileHead"))
       .def(py::init<Profile, double>(), py::arg("profile"), py::arg("tolerance") = 0.01,
            doc("ProfileHead::ProfileHead"))
       .def_property_readonly("profile", &ProfileHead::profile, py::return_value_policy::copy, "The meridian.")
+      .def_property_readonly("tolerance", &ProfileHead::tolerance, doc("ProfileHead::tolerance"))
+      .def("exact_spring", &ProfileHead::exact_spring, py::arg("rho"), py::arg("z"), doc("ProfileHead::exact_spring"))
       .def_property_readonly("volume", &ProfileHead::volume, doc("ProfileHead::volume"))
       .def_property_readonly("reach", &ProfileHead::reach, doc("ProfileHead::reach"))
       .def_property_readonly(
@@ -39,12 +46,12 @@ void bind_shapes(py::module_& m) {
 
 void bind_heads(py::module_& m) {
   bind_result<HeadBox>(m, "HeadBox", member("min", &HeadBox::min), member("max", &HeadBox::max));
+  py::class_<ToolHead> binding(m, "ToolHead", doc("ToolHead"));
   using Depth = ToolHead::DepthAndDirection;
-  py::class_<Depth>(m, "DepthAndDirection", doc("ToolHead::DepthAndDirection"))
+  py::class_<Depth>(binding, "DepthAndDirection", doc("ToolHead::DepthAndDirection"))
       .def_readonly("depth", &Depth::depth, doc("ToolHead::DepthAndDirection::depth"))
       .def_readonly("direction", &Depth::direction, doc("ToolHead::DepthAndDirection::direction"));
-  py::class_<ToolHead>(m, "ToolHead", doc("ToolHead"))
-      .def(py::init<ToolHead::Shape>(), py::arg("shape"), doc("ToolHead::ToolHead"))
+  binding.def(py::init<ToolHead::Shape>(), py::arg("shape"), doc("ToolHead::ToolHead"))
       .def_property_readonly("shape", &ToolHead::shape, py::return_value_policy::copy,
                              "SphereHead, ConeHead, FlatHead or ProfileHead.")
       .def("bounding_box", &ToolHead::bounding_box, doc("ToolHead::bounding_box"))
@@ -74,6 +81,7 @@ void bind_heads(py::module_& m) {
         doc("wheel_head"));
   m.def("christmas_tree_head", &christmas_tree_head, py::arg("diameter"), py::arg("length"), py::arg("tiers"),
         doc("christmas_tree_head"));
+  m.attr("kTreeWaist") = kTreeWaist;
   m.def("twist_drill_head", &twist_drill_head, py::arg("diameter"), py::arg("length"),
         py::arg("point_angle") = 118 * units::deg, doc("twist_drill_head"));
 

@@ -12,6 +12,7 @@ namespace hapticut::python {
 struct ContactRow {
   std::int64_t voxels;
   double volume, depth;
+  std::int64_t turns;
 };
 
 struct WrenchRow {

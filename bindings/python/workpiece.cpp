@@ -325,6 +325,8 @@ void bind_state(py::class_<PythonWorkpiece>& binding) {
 }  // namespace
 
 void bind_workpiece(py::module_& m) {
+  m.attr("kBlockEdge") = kBlockEdge;
+  m.attr("kBlockVoxels") = kBlockVoxels;
   bind_values(m);
   py::class_<PythonWorkpiece> binding(m, "Workpiece", doc("Workpiece"));
   bind_makers(binding);

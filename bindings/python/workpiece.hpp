@@ -25,6 +25,7 @@ class Occupancy {
  private:
   friend class ReleasedReading;
   friend class ReleasedWriting;
+  friend class PythonLoop;
   int readers_ = 0;
   bool writing_ = false;
 };

@@ -19,27 +19,48 @@ def use_attributes(thing):
     return {name: getattr(thing, name) for name in dir(thing) if not name.startswith("_")}
 
 
+def classes(owner=core):
+    """All classes of the module, those inside of others as well."""
+    for _, cls in inspect.getmembers(owner, inspect.isclass):
+        if cls.__module__ == core.__name__ and cls is not owner:
+            yield cls
+            yield from classes(cls)
+
+
+# What has no defaults.
+GIVEN = [h.DrillingTest(1.25 * mm, 100.0, 1e-3, 20.0, 0.04), h.GreyRange(1.0, 2.0, h.presets.clay()),
+         h.Grade(1.0, 2.0, h.presets.clay(), h.presets.pulp(), steps=3), h.Layer(h.presets.clay(), 1 * mm),
+         h.LabelMaterial([1, 2], h.presets.clay()), h.MeshShell(h.TriangleMesh(np.eye(3), np.array([[0, 1, 2]])), 1),
+         h.SphereHead(1 * mm), h.ConeHead(0.5, 1 * mm), h.FlatHead(1 * mm, 2 * mm), h.VdbImport(h.presets.clay()),
+         h.BodyDescription(h.Box([0] * 3, [1 * mm] * 3), lambda p: 1.0, lambda p: 1),
+         h.Box([0] * 3, [1 * mm] * 3)]
+
+
 def test_every_struct_is_made_with_its_defaults_copied_changed_and_printed():
     import copy
     import pickle
 
-    made = 0
-    for name, cls in inspect.getmembers(core, inspect.isclass):
+    things = list(GIVEN)
+    for cls in classes():
         try:
-            thing = cls()
+            things.append(cls())
         except TypeError:
-            continue  # needs arguments, or is only made by the library
-        made += 1
+            pass  # needs arguments, or is only made by the library
+    assert len(things) > 75
+    for thing in things:
+        cls, name = type(thing), type(thing).__name__
         values = use_attributes(thing)
         assert name in repr(thing) or "object" in repr(thing)
-        if not hasattr(thing, "__getstate__") or not hasattr(cls, "__setstate__"):
+        if not hasattr(cls, "__setstate__"):
+            for attribute, value in values.items():
+                if getattr(getattr(cls, attribute), "fset", None):
+                    setattr(thing, attribute, value)  # what was read can be written
             continue
         for attribute, value in values.items():
-            if not callable(value) or isinstance(value, h.ForceLaw):
+            if not callable(value) or isinstance(value, h.ForceLaw) or name == "BodyDescription":
                 setattr(thing, attribute, value)  # what was read can be written
-        if name not in ("MockOptions",):  # may hold a function
+        if name not in ("MockOptions", "BodyDescription"):  # hold functions
             assert repr(pickle.loads(pickle.dumps(thing))) == repr(copy.deepcopy(thing)) == repr(copy.copy(thing))
-    assert made > 40
 
 
 HEADS = {
@@ -63,13 +84,18 @@ def test_heads_have_an_extent_a_profile_and_a_depth(name):
     head = HEADS[name]
     box = head.bounding_box()
     assert (box.max > box.min).all() and 0 < head.largest_radius() <= head.reach() and head.volume() > 0
-    inside = head.depth_at([0.1 * head.largest_radius(), 0, 0.45 * box.min[2] + 0.55 * box.max[2]])
+    inside: h.ToolHead.DepthAndDirection = head.depth_at([0.1 * head.largest_radius(), 0, 0.45 * box.min[2] + 0.55 * box.max[2]])
     assert inside.depth > 0 and np.linalg.norm(inside.direction) == pytest.approx(1)
     assert head.depth_at(box.max + 1 * mm).depth <= 0
     profile = head.profile()
     again = h.ToolHead(h.ProfileHead(profile))
     assert again.volume() == pytest.approx(head.volume(), rel=1e-6)
     if isinstance(again.shape, h.ProfileHead):
+        assert again.shape.tolerance == 0.01
+        spring = again.shape.exact_spring(0.1 * head.largest_radius(), 0.45 * box.min[2] + 0.55 * box.max[2])
+        assert math.hypot(spring.n_radial, spring.n_axial) == pytest.approx(1)
+        # The table may be off by its tolerance of 1 % of the head.
+        assert spring.depth == pytest.approx(inside.depth, abs=0.011 * max(box.max - box.min))
         assert again.shape.reach > 0 and again.shape.volume > 0 and again.shape.table_error >= 0
         assert len(again.shape.profile.edges) == len(profile.edges)
     assert name in dir(h) and "Head" in repr(head)
@@ -82,6 +108,27 @@ def test_meshes_are_recognized_as_profiles():
     found = h.profile_from_mesh(mesh, [0, 0, 1])
     assert found.deviation < 0.05 * mm and found.X_MT.shape == (4, 4)
     assert h.ProfileHead(found.profile).volume == pytest.approx(math.pi * (0.5 * mm) ** 2 * 3 * mm, rel=0.02)
+
+
+def test_rotations_are_made_exact_again():
+    skewed = np.eye(3)
+    skewed[0, 1] = 1e-4
+    assert not h.is_rotation(skewed, 1e-6) and h.is_rotation(h.orthonormalized(skewed), 1e-12)
+    info = h.build_info()
+    assert info.version and info.compiler and info.cpu and isinstance(info.commit, str)
+
+
+def test_a_stiffness_goes_to_another_point():
+    spring = np.diag([1000.0, 2000, 3000, 0, 0, 0])  # at To, along the axes of T
+    arm = np.array([0.0, 0.0, -0.1])  # from Ho to To
+    about = h.transport(spring, np.eye(3), arm)
+    assert np.allclose(about, about.T) and np.allclose(about[:3, :3], spring[:3, :3])
+    turn = np.array([1e-3, 0, 0])  # moves To by turn x arm
+    moved = np.cross(turn, arm)
+    force = -spring[:3, :3] @ moved
+    assert np.allclose(-about[:3, 3:] @ turn, force) and np.allclose(-about[3:, 3:] @ turn, np.cross(arm, force))
+    with pytest.raises(h.Error, match=r"a stiffness.*\(3, 3\).*\(6, 6\)"):
+        h.transport(np.eye(3), np.eye(3), arm)
 
 
 def test_handles_and_tools():
@@ -128,7 +175,10 @@ def test_builders():
     values = np.full((4, 4, 4), 2, np.uint16)
     labels = h.LabelVolume(values, [1 * mm] * 3)
     assert h.build_from_labels(labels, [h.LabelMaterial([2], h.presets.clay())]).solid_voxels() == 64
+    with pytest.raises(h.Error, match="no material claims"):
+        h.build_from_labels(labels, [h.LabelMaterial([1], h.presets.clay())], unclaimed=h.UnclaimedLabels.refuse)
     grey = h.GreyVolume(values.astype(float), [1 * mm] * 3)
+    assert np.allclose(grey.position(1, 2, 3), [1 * mm, 2 * mm, 3 * mm]) and np.array_equal(grey.X_WG, np.eye(4))
     assert not h.build_from_grey(grey, [h.GreyRange(1.0, 3.0, h.presets.clay())]).empty()
     assert not h.build_from_grey(grey, h.Grade(1.0, 3.0, h.presets.clay(), h.presets.pulp())).empty()
     mesh = h.mesh_of_revolution(h.round_head(2 * mm).profile(), 24)
@@ -147,6 +197,9 @@ def test_a_workpiece_tells_what_it_is(block):
     assert np.allclose(block.centroid_at(bounds.min), 0) and block.material_at([-5, 0, 0]) == 0
     snapshot = block.snapshot()
     block.restore(snapshot)
+    [amount] = block.amounts()
+    assert amount.material == 1 and amount.mass == pytest.approx(amount.volume * block.materials[1].density)
+    assert np.allclose(block.frame.center([0, 0, 0]), block.frame.X_WV[:3, 3])
     assert h.extract_surface(block, 1).vertices.shape[1] == 3
     with pytest.raises(h.Error, match="empty"):
         block.material_array(h.IndexBox())
@@ -160,13 +213,14 @@ def test_friction_and_deep_contact_by_themselves():
     assert anchor.anchored and not anchor.sliding and stuck.dissipated == 0 and stuck.force[0] < 0
     slid = anchor.move([0, 0, 1], [1e-2, 0, 0], friction)
     assert anchor.sliding and np.linalg.norm(slid.force) == pytest.approx(0.2) and anchor.stretch.shape == (3,)
-    assert anchor.stored > 0
+    assert anchor.stored > 0 and anchor.stiffness == 1000
     anchor.release()
     assert not anchor.anchored
     assert h.standing_share(0.0, 1e-3) == 1 and h.standing_share(1e3, 1e-3) == 0 and h.kFullSpinSpeed == 0.01
     deep = h.DeepContact()
     deep.move([0, 0, 1e-3], [0, 0, 0], 0.3, [0, 0, 2.0], 1e-3)
     out = deep.move([0, 0, 0], [0, 0, -1e-3], 0.9, [0, 0, 1.0], 1e-3)
+    assert deep.stiffness > 0 and np.allclose(abs(deep.normal), [0, 0, 1])
     assert deep.held and out.force[2] > 0 and out.stored == deep.stored > 0 and out.stored_before == out.released == 0
     deep.release()
     assert not deep.held
@@ -223,6 +277,9 @@ def test_effects_by_themselves():
     assert np.allclose(limited.force, np.array([1, 2, 3]) / 14**0.5)
     output.drop()
     output.restart()
+    shaking = h.VibrationPhase()
+    assert shaking.advance(effects.vibration, True, 0.0, 1e-3) == pytest.approx(0.4 * math.sin(2 * math.pi * 0.1))
+    assert shaking.advance(effects.vibration, False, 0.0, 1e-3) == 0
     for value in (h.Gravity(), h.DeltaFilter(), h.OutputLimits()):
         h.validate(value)
     h.validate(h.Vibration(), 1000.0)
@@ -242,6 +299,15 @@ def test_a_simulation_tells_what_it_is(simulation, plunge):
     assert origins.shape[1] == 3 and complete
     worst = simulation.worst_case()
     assert worst.voxels >= simulation.last_result.contact.voxels and worst.level_of_detail == 1
+    assert worst.blocks * h.kBlockVoxels >= worst.voxels and worst.sub_steps >= 1
+    given = values["last_input"]
+    assert np.array_equal(given.pose, plunge[0][-1]) and np.array_equal(given.velocity, plunge[1][-1])
+    last = simulation.last_result
+    assert given.dt == 1e-3 and last.contact.turns == 1 and last.spindle.speed > 0 and last.spindle.torque > 0
+    energy = use_attributes(last.energy)
+    terms = ("elastic", "cutting", "damping", "rubbing", "anchored", "sliding", "credited", "entered", "released")
+    assert all(math.isfinite(energy[term]) for term in terms) and energy["hand_work"] > 0 < energy["motor_work"]
+    assert last.energy.imbalance() == pytest.approx(0, abs=1e-3 * energy["cutting"])  # single precision in the loop
     simulation.reserve_blocks(4000)
     assert use_attributes(simulation.last_result)["contact"].depth > 0
     assert use_attributes(simulation.stage_times)["check_input"] == 0
@@ -253,9 +319,27 @@ def test_enumerations_have_the_names_of_cpp():
     assert 0b1100 & h.StepStatus.dt_rejected == 4 and h.StepStatus.ok ^ 3 == 3
     assert h.kRejected == 15 and not h.has(0, h.StepStatus.pose_rejected)
     assert h.describe(int(h.OutputLimit.ramped)).strip() and h.describe(h.DeviceFault.disconnected).strip()
-    for name, cls in inspect.getmembers(core, inspect.isclass):
+    assert h.has(int(h.OutputLimit.cooled), h.OutputLimit.cooled) and not h.has(0, h.OutputLimit.cooled)
+    assert h.ContactTime.middle != h.ContactTime.end and h.RemovalLaw.none != h.RemovalLaw.elastic_release
+    assert h.SimulationConfig().quadrature in h.Quadrature.__members__.values()
+    assert h.SimulationConfig().handle_torque == h.HandleTorque.full_wrench
+    kinds = {edge.kind for head in HEADS.values() for edge in head.profile().edges}
+    assert kinds == {h.EdgeKind.cutting, h.EdgeKind.smooth}
+    for cls in classes():
         if hasattr(cls, "__members__"):
-            assert cls.__members__, name
+            assert cls.__members__, cls
+
+
+def test_constants_are_those_of_cpp():
+    assert (h.kEmpty, h.kMaxMaterials, h.kBlockEdge, h.kBlockVoxels) == (0, 255, 8, 512)
+    assert h.kSafetyEvents == len(h.SafetyEvent.__members__) and 0 < h.kTreeWaist < 1 and 0 < h.kSmallestFill < 1e-2
+    histogram = h.LatencyHistogram
+    assert (histogram.kBuckets, histogram.kBucketWidth) == (2000, 1e-6)
+    deep, law = h.DeepContact, h.FoundationLaw
+    assert (deep.kDeep, deep.kFree) == (0.52, 0.25) and h.RealtimeLoop.kCommands == 256
+    assert law.kSlipRegularization == pytest.approx(1e-3) and law.kLargestExponent == pytest.approx(1e30)
+    assert law.kLeastEnergyShare == pytest.approx(1e-6) and law.kAxisZone == 0.25
+    assert law.kAxisSlip == pytest.approx(1 / (4 * math.asinh(1)), rel=1e-3)
 
 
 def test_colours_and_meshes():

@@ -205,13 +205,16 @@ def test_the_bench_finds_the_limit_of_colgate_and_schenkel():
     assert h.is_stable(config, wall, 0.5 * found) and not h.is_stable(config, wall, 1.2 * found)
     one_sided = lambda stiffness: h.LinearWall(stiffness=stiffness)  # noqa: E731
     bounced = h.bounce(config, one_sided, 500.0, h.BounceTest(phases=2))
-    assert bounced.penetration > 0 and bounced.peak_force > 0 and bounced.restitution >= bounced.mean_restitution
+    assert bounced.penetration > 0 and bounced.generated_energy >= 0 and bounced.peak_force > 0 and bounced.restitution >= bounced.mean_restitution
     held = h.ClosedLoopConfig(device=h.device_model("touch"), hand=h.hand_model("nominal"))
     buzz = h.press(held, one_sided, 200.0, h.PressTest(seconds=1.0, measured=0.5))
+    assert buzz.position_rms < 50e-6 and buzz.frequency >= 0 and buzz.generated_power < 5e-3
     assert not buzz.buzzes() and math.isfinite(buzz.force_peak_to_peak)
     options = h.GuardOptions(stiffness=300.0)
-    fault = h.injected_faults()[0]
-    response = h.respond(held, one_sided, 300.0, options, fault)
+    assert len(h.injected_faults()) == len(h.InjectedFault.__members__)
+    response = h.respond(held, one_sided, 300.0, options, h.InjectedFault.unplugged)
+    assert 0 <= response.time_to_zero < 0.1 and response.oldest_force <= 0.05 and response.greatest_growth >= 0
+    assert response.greatest_force <= held.device.peak_force
     guard = h.SafetyGuard(h.capabilities(held.device), options)
     assert h.obeys_the_rules(response, guard, 1e-3) and response.end in list(h.ArmingState.__members__.values())
 

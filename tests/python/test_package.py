@@ -2,6 +2,7 @@
 """What is installed: its version, its stubs, its speed to import, and that all of it can be called."""
 from __future__ import annotations
 
+import difflib
 import inspect
 import re
 import subprocess
@@ -79,8 +80,12 @@ def test_the_committed_stubs_are_those_of_this_module(tmp_path):
     if not hapticut.kWithIo:
         pytest.skip("hapticut was built without file formats (HAPTICUT_WITH_IO)")
     subprocess.run([sys.executable, str(script), str(tmp_path / "new.pyi")], check=True, capture_output=True)
-    committed = (REPOSITORY / "bindings/python/hapticut/_hapticut.pyi").read_text(encoding="utf-8")
-    assert (tmp_path / "new.pyi").read_text(encoding="utf-8") == committed, "run bindings/python/write_stubs.py"
+    committed = REPOSITORY / "bindings/python/hapticut/_hapticut.pyi"
+    old, new = (path.read_text(encoding="utf-8").splitlines() for path in (committed, tmp_path / "new.pyi"))
+    if old != new:
+        changes = [line for line in difflib.unified_diff(old, new, "committed", "of this module", n=0, lineterm="")]
+        pytest.fail("the committed stubs are out of date: run `python bindings/python/write_stubs.py` with this module "
+                    "installed, and commit what it writes.\n" + "\n".join(changes[:20]), pytrace=False)
 
 
 def test_mypy_finds_nothing(tmp_path):

@@ -116,6 +116,7 @@ def test_the_ledger_closes(simulation, plunge):
     simulation.run(*plunge, 1e-3)
     energy = simulation.last_result.energy
     assert energy.cutting > 0
+    assert simulation.last_result.contact.volume > 0
     assert abs(energy.closure()) < 1e-3  # single precision in the hot loop
 
 
@@ -206,6 +207,7 @@ def test_scenes_are_those_of_the_tests_and_benchmarks_in_cpp():
     names = [scene.name for scene in hapticut.scenes()]
     scene = hapticut.find_scene(names[0])
     simulation, given = scene.make(), scene.input(0)
+    assert scene.description
     assert simulation.step(given.pose, given.velocity, given.dt).sub_steps >= 1
     with pytest.raises(hapticut.Error, match=names[0]):
         hapticut.find_scene("nowhere")

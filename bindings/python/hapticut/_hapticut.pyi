@@ -7,7 +7,7 @@ import numpy.typing
 import os
 import pathlib
 import typing
-__all__: list = ['ArmingOptions', 'ArmingState', 'AxialCutForce', 'AxisMask', 'BodyDescription', 'Bounce', 'BounceTest', 'Box', 'BuildInfo', 'Buzz', 'Calibration', 'ClosedLoop', 'ClosedLoopConfig', 'Color', 'ColoredMesh', 'ConeHead', 'Contact', 'ContactMechanicsLaw', 'DampingMatrixLaw', 'DeepContact', 'DeltaFilter', 'DepthAndDirection', 'Device', 'DeviceCapabilities', 'DeviceCommand', 'DeviceFault', 'DeviceModel', 'DeviceOutput', 'DeviceState', 'DrillingTest', 'DryFriction', 'EdgeKind', 'Effects', 'EffectsInput', 'EnergyLedger', 'Error', 'FaultResponse', 'FlatHead', 'FlatRule', 'ForceLaw', 'FoundationLaw', 'Grade', 'Gravity', 'GreyRange', 'GreyVolume', 'GridFrame', 'GuardOptions', 'HandModel', 'HandleTorque', 'HeadBox', 'HertzianBurrLaw', 'IndexBox', 'InjectedFault', 'LHandle', 'LabelInterpolation', 'LabelMaterial', 'LabelVolume', 'LatencyHistogram', 'Layer', 'LinearWall', 'Material', 'MaterialAmount', 'MaterialTable', 'MeshImport', 'MeshShell', 'MockDevice', 'MockOptions', 'MolarParameters', 'MouseDevice', 'MouseOptions', 'MoveKey', 'NamedMesh', 'Output', 'OutputLimit', 'OutputLimits', 'PassivityOptions', 'PictureOptions', 'Plant', 'PlantOptions', 'PoseGateOptions', 'PressTest', 'Profile', 'ProfileEdge', 'ProfileHead', 'Quadrature', 'RawLayout', 'RayHandle', 'RealtimeOptions', 'RecognizedProfile', 'RecordedEffects', 'Recorder', 'RecorderOptions', 'Recording', 'RecordingInfo', 'RemovalLaw', 'ReplayDifference', 'ReplayReport', 'RunOptions', 'RunReport', 'SafetyEvent', 'SafetyGuard', 'SafetyLogEntry', 'Scene', 'Simulation', 'SimulationConfig', 'SphereHead', 'Spindle', 'SpindleMotor', 'SpindleState', 'StabilitySearch', 'StageTimes', 'StepInput', 'StepResult', 'StepStatus', 'StickSlip', 'ThermalOptions', 'ThesisLaw', 'Tool', 'ToolHead', 'TriangleMesh', 'TwistDrillLaw', 'UnclaimedLabels', 'ValueType', 'VdbImport', 'Vibration', 'VolumeBuildOptions', 'VolumeReadOptions', 'WatchdogOptions', 'Workpiece', 'WorkpieceSnapshot', 'WorkpieceSurface', 'WorkspaceMap', 'WorkspaceMapOptions', 'WorstCase', 'Wrench', 'advance', 'axial_cut_force', 'bounce', 'box_around', 'build_block', 'build_body', 'build_from_grey', 'build_from_labels', 'build_from_mesh', 'build_from_shells', 'build_info', 'build_layered_slab', 'build_molar', 'build_sphere', 'calibrate', 'capabilities', 'christmas_tree_head', 'close_gaps', 'colored', 'contact_point', 'crop', 'cylinder_head', 'describe', 'describe_molar', 'device_drivers', 'device_model', 'device_models', 'extract_surface', 'fill_cavities', 'filtered', 'find_preset', 'find_scene', 'flame_head', 'gravity_wrench', 'growth_limited', 'hand_model', 'hand_models', 'has', 'head_in_handle', 'injected_faults', 'inverted_cone_head', 'is_rotation', 'is_stable', 'kFastestVibration', 'kFullSpinSpeed', 'kMaxVolumeSamples', 'kMolarCaries', 'kMolarDentin', 'kMolarEnamel', 'kMolarPulp', 'kRecordingFormat', 'kRejected', 'kWithIo', 'keep_largest_component', 'label_range', 'largest_contact_stiffness', 'largest_stable_stiffness', 'least_force_growth', 'load_vdb', 'masked', 'material_color', 'materials_of', 'mesh_of_revolution', 'most_blocks', 'most_voxels', 'needle_head', 'obeys_the_rules', 'open_device', 'open_mock', 'orthonormalized', 'pear_head', 'preset_color', 'preset_names', 'press', 'profile_from_mesh', 'read_colour_slices', 'read_grey_volume', 'read_invesalius_project', 'read_label_volume', 'read_mesh', 'read_raw_grey_volume', 'read_raw_label_volume', 'read_recording', 'replay', 'resample', 'respond', 'rotation_from_vector', 'round_end_cylinder_head', 'round_end_tapered_head', 'round_head', 'saturated', 'save_vdb', 'scenes', 'scripted_path', 'simulation_of', 'standing_share', 'stiffness_for_accuracy', 'stiffness_for_device', 'tapered_head', 'thesis_handle_torque', 'transport', 'twist_between', 'twist_drill_head', 'validate', 'vector_from_rotation', 'wheel_head', 'with_spacing', 'write_csv', 'write_npz', 'write_nrrd', 'write_picture', 'write_ply', 'write_stl']
+__all__: list = ['Arming', 'ArmingOptions', 'ArmingState', 'AxialCutForce', 'AxisMask', 'BodyDescription', 'Bounce', 'BounceTest', 'Box', 'BuildInfo', 'Buzz', 'Calibration', 'ChangedBlock', 'ClosedLoop', 'ClosedLoopConfig', 'Color', 'ColoredMesh', 'ConeHead', 'Contact', 'ContactBench', 'ContactMechanicsLaw', 'ContactProbe', 'ContactTime', 'CoupledResult', 'CouplingEnergy', 'CouplingGains', 'DampingMatrixLaw', 'DeepContact', 'DeltaFilter', 'Device', 'DeviceCapabilities', 'DeviceCommand', 'DeviceFault', 'DeviceModel', 'DeviceOutput', 'DeviceState', 'DeviceTick', 'DrillingTest', 'DryFriction', 'EdgeKind', 'Effects', 'EffectsInput', 'EnergyLedger', 'Error', 'FaultResponse', 'FlatHead', 'FlatRule', 'ForceLaw', 'ForceModel', 'FoundationLaw', 'Grade', 'Gravity', 'GreyRange', 'GreyVolume', 'GridFrame', 'GuardOptions', 'HandModel', 'HandleTorque', 'HeadBox', 'HertzianBurrLaw', 'IndexBox', 'InjectedFault', 'LHandle', 'LabelInterpolation', 'LabelMaterial', 'LabelVolume', 'LatencyHistogram', 'Layer', 'LinearWall', 'LoopCommand', 'LoopSnapshot', 'Material', 'MaterialAmount', 'MaterialTable', 'MeshImport', 'MeshShell', 'MockDevice', 'MockOptions', 'ModelFactory', 'MolarParameters', 'MouseDevice', 'MouseOptions', 'MoveKey', 'NamedMesh', 'Output', 'OutputLimit', 'OutputLimits', 'PassivityController', 'PassivityOptions', 'PictureOptions', 'Plant', 'PlantOptions', 'PlaybackDevice', 'PoseGate', 'PoseGateOptions', 'PressTest', 'Profile', 'ProfileEdge', 'ProfileHead', 'Quadrature', 'RawLayout', 'RayHandle', 'RealtimeLoop', 'RealtimeLoopOptions', 'RealtimeOptions', 'RecognizedProfile', 'RecordedEffects', 'Recorder', 'RecorderOptions', 'Recording', 'RecordingInfo', 'RemovalLaw', 'ReplayDifference', 'ReplayReport', 'RunOptions', 'RunReport', 'SafetyEvent', 'SafetyGuard', 'SafetyLog', 'SafetyLogEntry', 'Scene', 'Simulation', 'SimulationConfig', 'SimulationModel', 'SimulationModelOptions', 'SphereHead', 'Spindle', 'SpindleMotor', 'SpindleState', 'Spring', 'StabilitySearch', 'StageTimes', 'StepInput', 'StepResult', 'StepStatus', 'StickSlip', 'ThermalBudget', 'ThermalOptions', 'ThesisLaw', 'Tool', 'ToolHead', 'ToolSnapshot', 'TriangleMesh', 'TwistDrillLaw', 'UnclaimedLabels', 'ValueType', 'VdbImport', 'Vibration', 'VibrationPhase', 'VirtualCoupling', 'VolumeBuildOptions', 'VolumeReadOptions', 'Watchdog', 'WatchdogOptions', 'Workpiece', 'WorkpieceSnapshot', 'WorkpieceSurface', 'WorkspaceMap', 'WorkspaceMapOptions', 'WorstCase', 'Wrench', 'advance', 'axial_cut_force', 'bounce', 'box_around', 'build_block', 'build_body', 'build_from_grey', 'build_from_labels', 'build_from_mesh', 'build_from_shells', 'build_info', 'build_layered_slab', 'build_molar', 'build_sphere', 'calibrate', 'capabilities', 'check_input', 'christmas_tree_head', 'close_gaps', 'colored', 'contact_models', 'contact_point', 'coupling_gains', 'crop', 'cylinder_head', 'describe', 'describe_molar', 'device_drivers', 'device_model', 'device_models', 'extract_surface', 'fill_cavities', 'filtered', 'find_preset', 'find_scene', 'flame_head', 'gravity_wrench', 'growth_limited', 'hand_model', 'hand_models', 'has', 'head_in_handle', 'injected_faults', 'inverted_cone_head', 'is_rotation', 'is_stable', 'kBlockEdge', 'kBlockVoxels', 'kEmpty', 'kFastestVibration', 'kFullSpinSpeed', 'kMaxMaterials', 'kMaxVolumeSamples', 'kMolarCaries', 'kMolarDentin', 'kMolarEnamel', 'kMolarPulp', 'kRecordingFormat', 'kRejected', 'kSafetyEvents', 'kSmallestFill', 'kTreeWaist', 'kWithIo', 'keep_largest_component', 'label_range', 'largest_contact_stiffness', 'largest_stable_stiffness', 'least_force_growth', 'load_vdb', 'masked', 'material_color', 'materials_of', 'mesh_of_revolution', 'model_commands', 'most_blocks', 'most_voxels', 'needle_head', 'obeys_the_rules', 'open_device', 'open_mock', 'open_playback', 'orthonormalized', 'pear_head', 'preset_color', 'preset_names', 'press', 'pressed_search', 'profile_from_mesh', 'read_colour_slices', 'read_grey_volume', 'read_invesalius_project', 'read_label_volume', 'read_mesh', 'read_raw_grey_volume', 'read_raw_label_volume', 'read_recording', 'replay', 'resample', 'respond', 'rotation_from_vector', 'round_end_cylinder_head', 'round_end_tapered_head', 'round_head', 'saturated', 'save_vdb', 'scenes', 'scripted_path', 'simulation_of', 'standing_share', 'stiffness_for_accuracy', 'stiffness_for_device', 'tapered_head', 'thesis_handle_torque', 'tool_of', 'transport', 'twist_between', 'twist_drill_head', 'validate', 'vector_from_rotation', 'wheel_head', 'with_spacing', 'write_csv', 'write_npz', 'write_nrrd', 'write_picture', 'write_ply', 'write_stl']
 
 class Error(RuntimeError):
     ...
@@ -493,9 +493,26 @@ class Profile:
     def tip(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 
+class Spring:
+
+    @property
+    def depth(self) -> float:
+        ...
+
+    @property
+    def n_axial(self) -> float:
+        ...
+
+    @property
+    def n_radial(self) -> float:
+        ...
+
 class ProfileHead:
 
     def __init__(self, profile: Profile, tolerance: typing.SupportsFloat | typing.SupportsIndex=0.01) -> None:
+        ...
+
+    def exact_spring(self, rho: typing.SupportsFloat | typing.SupportsIndex, z: typing.SupportsFloat | typing.SupportsIndex) -> Spring:
         ...
 
     @property
@@ -508,6 +525,10 @@ class ProfileHead:
 
     @property
     def table_error(self) -> float:
+        ...
+
+    @property
+    def tolerance(self) -> float:
         ...
 
     @property
@@ -527,17 +548,17 @@ class HeadBox:
     def min(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
 
-class DepthAndDirection:
-
-    @property
-    def depth(self) -> float:
-        ...
-
-    @property
-    def direction(self) -> numpy.typing.NDArray[numpy.float64]:
-        ...
-
 class ToolHead:
+
+    class DepthAndDirection:
+
+        @property
+        def depth(self) -> float:
+            ...
+
+        @property
+        def direction(self) -> numpy.typing.NDArray[numpy.float64]:
+            ...
 
     def __init__(self, shape: SphereHead | ConeHead | FlatHead | ProfileHead) -> None:
         ...
@@ -548,7 +569,7 @@ class ToolHead:
     def bounding_box(self) -> HeadBox:
         ...
 
-    def depth_at(self, p_TQ: numpy.typing.ArrayLike) -> DepthAndDirection:
+    def depth_at(self, p_TQ: numpy.typing.ArrayLike) -> ToolHead.DepthAndDirection:
         ...
 
     def largest_radius(self) -> float:
@@ -1906,6 +1927,11 @@ class ForceLaw:
         ...
 
 class FoundationLaw(ForceLaw):
+    kAxisSlip: typing.ClassVar[float] = 0.28369998931884766
+    kAxisZone: typing.ClassVar[float] = 0.25
+    kLargestExponent: typing.ClassVar[float] = 1.0000000150474662e+30
+    kLeastEnergyShare: typing.ClassVar[float] = 9.999999974752427e-07
+    kSlipRegularization: typing.ClassVar[float] = 0.0010000000474974513
 
     def __init__(self) -> None:
         ...
@@ -2171,6 +2197,10 @@ class StickSlip:
         ...
 
     @property
+    def stiffness(self) -> float:
+        ...
+
+    @property
     def stored(self) -> float:
         ...
 
@@ -2197,6 +2227,8 @@ class DeepContact:
         @property
         def stored_before(self) -> float:
             ...
+    kDeep: typing.ClassVar[float] = 0.52
+    kFree: typing.ClassVar[float] = 0.25
 
     def __init__(self) -> None:
         ...
@@ -2209,6 +2241,14 @@ class DeepContact:
 
     @property
     def held(self) -> bool:
+        ...
+
+    @property
+    def normal(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+
+    @property
+    def stiffness(self) -> float:
         ...
 
     @property
@@ -2609,6 +2649,14 @@ class Effects:
     def __setstate__(self, arg0: tuple) -> None:
         ...
 
+class VibrationPhase:
+
+    def __init__(self) -> None:
+        ...
+
+    def advance(self, vibration: Vibration, touching: bool, power: typing.SupportsFloat | typing.SupportsIndex, dt: typing.SupportsFloat | typing.SupportsIndex) -> float:
+        ...
+
 class EffectsInput:
 
     def __copy__(self) -> EffectsInput:
@@ -2686,21 +2734,18 @@ class Output:
     def restart(self) -> None:
         ...
 
-class SimulationConfig:
-    handle_torque: HandleTorque
-    quadrature: Quadrature
-    removal: RemovalLaw
+class StepInput:
 
-    def __copy__(self) -> SimulationConfig:
+    def __copy__(self) -> StepInput:
         ...
 
-    def __deepcopy__(self, memo: dict) -> SimulationConfig:
+    def __deepcopy__(self, memo: dict) -> StepInput:
         ...
 
     def __getstate__(self) -> tuple:
         ...
 
-    def __init__(self, reference_stiffness: typing.SupportsFloat | typing.SupportsIndex=10000000000000.0, *, removal: RemovalLaw=RemovalLaw.constant_energy, quadrature: Quadrature=Quadrature.centroid, law: ForceLaw | None=None, friction: DryFriction | None=None, deep_contact: bool=True, handle_torque: HandleTorque=HandleTorque.full_wrench, handle_torque_scale: typing.SupportsFloat | typing.SupportsIndex=1.0, effects: Effects=..., update_rate: typing.SupportsFloat | typing.SupportsIndex=1000.0, reserved_blocks: typing.SupportsInt | typing.SupportsIndex=2048, removed_voxel_capacity: typing.SupportsInt | typing.SupportsIndex=0, voxel_budget: typing.SupportsInt | typing.SupportsIndex=0, stage_times: bool=False, shortest_dt: typing.SupportsFloat | typing.SupportsIndex=1e-06, longest_dt: typing.SupportsFloat | typing.SupportsIndex=0.1, longest_sweep: typing.SupportsInt | typing.SupportsIndex=64) -> None:
+    def __init__(self, pose: numpy.typing.ArrayLike=..., velocity: numpy.typing.ArrayLike=..., dt: typing.SupportsFloat | typing.SupportsIndex=0.0) -> None:
         ...
 
     def __repr__(self) -> str:
@@ -2710,115 +2755,27 @@ class SimulationConfig:
         ...
 
     @property
-    def deep_contact(self) -> bool:
+    def dt(self) -> float:
         ...
 
-    @deep_contact.setter
-    def deep_contact(self, arg0: bool) -> None:
-        ...
-
-    @property
-    def effects(self) -> Effects:
-        ...
-
-    @effects.setter
-    def effects(self, arg0: Effects) -> None:
+    @dt.setter
+    def dt(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 
     @property
-    def friction(self) -> DryFriction | None:
+    def pose(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
 
-    @friction.setter
-    def friction(self, arg0: DryFriction | None) -> None:
-        ...
-
-    @property
-    def handle_torque_scale(self) -> float:
-        ...
-
-    @handle_torque_scale.setter
-    def handle_torque_scale(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+    @pose.setter
+    def pose(self, arg0: numpy.typing.ArrayLike) -> None:
         ...
 
     @property
-    def law(self) -> ForceLaw | None:
+    def velocity(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
 
-    @law.setter
-    def law(self, arg1: ForceLaw | None) -> None:
-        ...
-
-    @property
-    def longest_dt(self) -> float:
-        ...
-
-    @longest_dt.setter
-    def longest_dt(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-
-    @property
-    def longest_sweep(self) -> int:
-        ...
-
-    @longest_sweep.setter
-    def longest_sweep(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
-
-    @property
-    def reference_stiffness(self) -> float:
-        ...
-
-    @reference_stiffness.setter
-    def reference_stiffness(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-
-    @property
-    def removed_voxel_capacity(self) -> int:
-        ...
-
-    @removed_voxel_capacity.setter
-    def removed_voxel_capacity(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
-
-    @property
-    def reserved_blocks(self) -> int:
-        ...
-
-    @reserved_blocks.setter
-    def reserved_blocks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
-
-    @property
-    def shortest_dt(self) -> float:
-        ...
-
-    @shortest_dt.setter
-    def shortest_dt(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-
-    @property
-    def stage_times(self) -> bool:
-        ...
-
-    @stage_times.setter
-    def stage_times(self, arg0: bool) -> None:
-        ...
-
-    @property
-    def update_rate(self) -> float:
-        ...
-
-    @update_rate.setter
-    def update_rate(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-
-    @property
-    def voxel_budget(self) -> int:
-        ...
-
-    @voxel_budget.setter
-    def voxel_budget(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+    @velocity.setter
+    def velocity(self, arg0: numpy.typing.ArrayLike) -> None:
         ...
 
 class StepStatus:
@@ -2910,6 +2867,10 @@ class Contact:
 
     @property
     def depth(self) -> float:
+        ...
+
+    @property
+    def turns(self) -> int:
         ...
 
     @property
@@ -3037,6 +2998,219 @@ class StepResult:
     def torque(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
 
+class ContactProbe:
+
+    def __repr__(self) -> str:
+        ...
+
+    @property
+    def contact(self) -> Contact:
+        ...
+
+    @property
+    def stiffness(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+
+    @property
+    def wrench(self) -> Wrench:
+        ...
+
+class ContactTime:
+    __members__: typing.ClassVar[dict[str, ContactTime]]
+    end: typing.ClassVar[ContactTime]
+    middle: typing.ClassVar[ContactTime]
+
+    @typing.overload
+    def __eq__(self, other: ContactTime) -> bool:
+        ...
+
+    @typing.overload
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+
+    def __getstate__(self) -> int:
+        ...
+
+    def __hash__(self) -> int:
+        ...
+
+    def __index__(self) -> int:
+        ...
+
+    def __init__(self, value: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    def __int__(self) -> int:
+        ...
+
+    @typing.overload
+    def __ne__(self, other: ContactTime) -> bool:
+        ...
+
+    @typing.overload
+    def __ne__(self, other: typing.Any) -> bool:
+        ...
+
+    def __repr__(self) -> str:
+        ...
+
+    def __setstate__(self, state: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    def __str__(self) -> str:
+        ...
+
+    @property
+    def name(self) -> str:
+        ...
+
+    @property
+    def value(self) -> int:
+        ...
+
+class SimulationConfig:
+    handle_torque: HandleTorque
+    quadrature: Quadrature
+    removal: RemovalLaw
+
+    def __copy__(self) -> SimulationConfig:
+        ...
+
+    def __deepcopy__(self, memo: dict) -> SimulationConfig:
+        ...
+
+    def __getstate__(self) -> tuple:
+        ...
+
+    def __init__(self, reference_stiffness: typing.SupportsFloat | typing.SupportsIndex=10000000000000.0, *, removal: RemovalLaw=RemovalLaw.constant_energy, quadrature: Quadrature=Quadrature.centroid, contact_time: ContactTime=ContactTime.middle, law: ForceLaw | None=None, friction: DryFriction | None=None, deep_contact: bool=True, handle_torque: HandleTorque=HandleTorque.full_wrench, handle_torque_scale: typing.SupportsFloat | typing.SupportsIndex=1.0, effects: Effects=..., update_rate: typing.SupportsFloat | typing.SupportsIndex=1000.0, reserved_blocks: typing.SupportsInt | typing.SupportsIndex=2048, removed_voxel_capacity: typing.SupportsInt | typing.SupportsIndex=0, voxel_budget: typing.SupportsInt | typing.SupportsIndex=0, stage_times: bool=False, shortest_dt: typing.SupportsFloat | typing.SupportsIndex=1e-06, longest_dt: typing.SupportsFloat | typing.SupportsIndex=0.1, longest_sweep: typing.SupportsInt | typing.SupportsIndex=64) -> None:
+        ...
+
+    def __repr__(self) -> str:
+        ...
+
+    def __setstate__(self, arg0: tuple) -> None:
+        ...
+
+    @property
+    def contact_time(self) -> ContactTime:
+        ...
+
+    @contact_time.setter
+    def contact_time(self, arg0: ContactTime) -> None:
+        ...
+
+    @property
+    def deep_contact(self) -> bool:
+        ...
+
+    @deep_contact.setter
+    def deep_contact(self, arg0: bool) -> None:
+        ...
+
+    @property
+    def effects(self) -> Effects:
+        ...
+
+    @effects.setter
+    def effects(self, arg0: Effects) -> None:
+        ...
+
+    @property
+    def friction(self) -> DryFriction | None:
+        ...
+
+    @friction.setter
+    def friction(self, arg0: DryFriction | None) -> None:
+        ...
+
+    @property
+    def handle_torque_scale(self) -> float:
+        ...
+
+    @handle_torque_scale.setter
+    def handle_torque_scale(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def law(self) -> ForceLaw | None:
+        ...
+
+    @law.setter
+    def law(self, arg1: ForceLaw | None) -> None:
+        ...
+
+    @property
+    def longest_dt(self) -> float:
+        ...
+
+    @longest_dt.setter
+    def longest_dt(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def longest_sweep(self) -> int:
+        ...
+
+    @longest_sweep.setter
+    def longest_sweep(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def reference_stiffness(self) -> float:
+        ...
+
+    @reference_stiffness.setter
+    def reference_stiffness(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def removed_voxel_capacity(self) -> int:
+        ...
+
+    @removed_voxel_capacity.setter
+    def removed_voxel_capacity(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def reserved_blocks(self) -> int:
+        ...
+
+    @reserved_blocks.setter
+    def reserved_blocks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def shortest_dt(self) -> float:
+        ...
+
+    @shortest_dt.setter
+    def shortest_dt(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def stage_times(self) -> bool:
+        ...
+
+    @stage_times.setter
+    def stage_times(self, arg0: bool) -> None:
+        ...
+
+    @property
+    def update_rate(self) -> float:
+        ...
+
+    @update_rate.setter
+    def update_rate(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def voxel_budget(self) -> int:
+        ...
+
+    @voxel_budget.setter
+    def voxel_budget(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
 class StageTimes:
 
     def __repr__(self) -> str:
@@ -3112,7 +3286,10 @@ class Simulation:
     def __init__(self, workpiece: Workpiece, tool: Tool, config: SimulationConfig=...) -> None:
         ...
 
-    def changed_blocks(self) -> tuple[numpy.typing.NDArray[numpy.int32], bool]:
+    def changed_blocks(self) -> tuple[numpy.ndarray, bool]:
+        ...
+
+    def probe(self, pose: numpy.typing.ArrayLike, velocity: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex) -> ContactProbe:
         ...
 
     def reserve_blocks(self, count: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -3144,6 +3321,10 @@ class Simulation:
 
     @property
     def config(self) -> SimulationConfig:
+        ...
+
+    @property
+    def last_input(self) -> StepInput:
         ...
 
     @property
@@ -3180,50 +3361,6 @@ class Simulation:
 
     @property
     def workpiece_exchanges(self) -> int:
-        ...
-
-class StepInput:
-
-    def __copy__(self) -> StepInput:
-        ...
-
-    def __deepcopy__(self, memo: dict) -> StepInput:
-        ...
-
-    def __getstate__(self) -> tuple:
-        ...
-
-    def __init__(self, pose: numpy.typing.ArrayLike=..., velocity: numpy.typing.ArrayLike=..., dt: typing.SupportsFloat | typing.SupportsIndex=0.0) -> None:
-        ...
-
-    def __repr__(self) -> str:
-        ...
-
-    def __setstate__(self, arg0: tuple) -> None:
-        ...
-
-    @property
-    def dt(self) -> float:
-        ...
-
-    @dt.setter
-    def dt(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-
-    @property
-    def pose(self) -> numpy.typing.NDArray[numpy.float64]:
-        ...
-
-    @pose.setter
-    def pose(self, arg0: numpy.typing.ArrayLike) -> None:
-        ...
-
-    @property
-    def velocity(self) -> numpy.typing.NDArray[numpy.float64]:
-        ...
-
-    @velocity.setter
-    def velocity(self, arg0: numpy.typing.ArrayLike) -> None:
         ...
 
 class Scene:
@@ -4029,16 +4166,46 @@ class OutputLimit:
 
 class DeviceOutput:
 
+    def __copy__(self) -> DeviceOutput:
+        ...
+
+    def __deepcopy__(self, memo: dict) -> DeviceOutput:
+        ...
+
+    def __getstate__(self) -> tuple:
+        ...
+
+    def __init__(self, commanded: Wrench=..., applied: Wrench=..., limits: typing.SupportsInt | typing.SupportsIndex=0) -> None:
+        ...
+
+    def __repr__(self) -> str:
+        ...
+
+    def __setstate__(self, arg0: tuple) -> None:
+        ...
+
     @property
     def applied(self) -> Wrench:
+        ...
+
+    @applied.setter
+    def applied(self, arg0: Wrench) -> None:
         ...
 
     @property
     def commanded(self) -> Wrench:
         ...
 
+    @commanded.setter
+    def commanded(self, arg0: Wrench) -> None:
+        ...
+
     @property
     def limits(self) -> int:
+        ...
+
+    @limits.setter
+    def limits(self, arg1: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
 
 class ArmingState:
@@ -4198,6 +4365,27 @@ class SafetyLogEntry:
 
     @property
     def value(self) -> float:
+        ...
+
+class SafetyLog:
+
+    def __init__(self) -> None:
+        ...
+
+    def begin_tick(self, time: typing.SupportsFloat | typing.SupportsIndex, sequence: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    def count(self, event: SafetyEvent) -> int:
+        ...
+
+    def drain(self) -> list[SafetyLogEntry]:
+        ...
+
+    def report(self, event: SafetyEvent, value: typing.SupportsFloat | typing.SupportsIndex=0.0) -> None:
+        ...
+
+    @property
+    def dropped(self) -> int:
         ...
 
 class PoseGateOptions:
@@ -4704,6 +4892,9 @@ class SafetyGuard:
     def release(self, commanded: Wrench) -> Wrench:
         ...
 
+    def report_exception(self) -> None:
+        ...
+
     def reset(self) -> None:
         ...
 
@@ -4715,6 +4906,14 @@ class SafetyGuard:
 
     @property
     def greatest_force(self) -> float:
+        ...
+
+    @property
+    def heartbeat(self) -> int:
+        ...
+
+    @property
+    def log(self) -> SafetyLog:
         ...
 
     @property
@@ -4790,6 +4989,8 @@ class RealtimeOptions:
         ...
 
 class LatencyHistogram:
+    kBucketWidth: typing.ClassVar[float] = 1e-06
+    kBuckets: typing.ClassVar[int] = 2000
 
     def __init__(self) -> None:
         ...
@@ -4822,6 +5023,402 @@ class LatencyHistogram:
 
     @property
     def min(self) -> float:
+        ...
+
+class PoseGate:
+
+    class Verdict:
+        __members__: typing.ClassVar[dict[str, PoseGate.Verdict]]
+        accepted: typing.ClassVar[PoseGate.Verdict]
+        held: typing.ClassVar[PoseGate.Verdict]
+        lost: typing.ClassVar[PoseGate.Verdict]
+
+        @typing.overload
+        def __eq__(self, other: PoseGate.Verdict) -> bool:
+            ...
+
+        @typing.overload
+        def __eq__(self, other: typing.Any) -> bool:
+            ...
+
+        def __getstate__(self) -> int:
+            ...
+
+        def __hash__(self) -> int:
+            ...
+
+        def __index__(self) -> int:
+            ...
+
+        def __init__(self, value: typing.SupportsInt | typing.SupportsIndex) -> None:
+            ...
+
+        def __int__(self) -> int:
+            ...
+
+        @typing.overload
+        def __ne__(self, other: PoseGate.Verdict) -> bool:
+            ...
+
+        @typing.overload
+        def __ne__(self, other: typing.Any) -> bool:
+            ...
+
+        def __repr__(self) -> str:
+            ...
+
+        def __setstate__(self, state: typing.SupportsInt | typing.SupportsIndex) -> None:
+            ...
+
+        def __str__(self) -> str:
+            ...
+
+        @property
+        def name(self) -> str:
+            ...
+
+        @property
+        def value(self) -> int:
+            ...
+
+    def __init__(self, capabilities: DeviceCapabilities, options: PoseGateOptions=...) -> None:
+        ...
+
+    def check(self, reading: DeviceState, dt: typing.SupportsFloat | typing.SupportsIndex, log: SafetyLog) -> PoseGate.Verdict:
+        ...
+
+    def restart(self) -> None:
+        ...
+
+    @property
+    def state(self) -> DeviceState:
+        ...
+
+class Arming:
+
+    def __init__(self, options: ArmingOptions=...) -> None:
+        ...
+
+    def fail(self, log: SafetyLog, value: typing.SupportsFloat | typing.SupportsIndex=0.0) -> None:
+        ...
+
+    def interrupt(self, reason: SafetyEvent, short_ramp: bool, log: SafetyLog, value: typing.SupportsFloat | typing.SupportsIndex=0.0) -> None:
+        ...
+
+    def reset(self, log: SafetyLog) -> None:
+        ...
+
+    def start(self, log: SafetyLog) -> None:
+        ...
+
+    def stop(self) -> None:
+        ...
+
+    def tick(self, dt: typing.SupportsFloat | typing.SupportsIndex, reading_ok: bool, force: typing.SupportsFloat | typing.SupportsIndex, torque: typing.SupportsFloat | typing.SupportsIndex, log: SafetyLog) -> float:
+        ...
+
+    @property
+    def state(self) -> ArmingState:
+        ...
+
+class PassivityController:
+
+    def __init__(self, options: PassivityOptions, greatest: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    def control(self, force: numpy.typing.ArrayLike, applied: numpy.typing.ArrayLike, motion: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+
+    def restart(self) -> None:
+        ...
+
+    @property
+    def stored(self) -> float:
+        ...
+
+    @property
+    def taken(self) -> float:
+        ...
+
+class ThermalBudget:
+
+    def __init__(self, peak: typing.SupportsFloat | typing.SupportsIndex, continuous: typing.SupportsFloat | typing.SupportsIndex, options: ThermalOptions=...) -> None:
+        ...
+
+    def tick(self, force: typing.SupportsFloat | typing.SupportsIndex, temperature: typing.SupportsFloat | typing.SupportsIndex, dt: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def is_limiting(self) -> bool:
+        ...
+
+    @property
+    def limit(self) -> float:
+        ...
+
+class Watchdog:
+
+    class Verdict:
+        __members__: typing.ClassVar[dict[str, Watchdog.Verdict]]
+        alive: typing.ClassVar[Watchdog.Verdict]
+        dead: typing.ClassVar[Watchdog.Verdict]
+        fading: typing.ClassVar[Watchdog.Verdict]
+        late: typing.ClassVar[Watchdog.Verdict]
+
+        @typing.overload
+        def __eq__(self, other: Watchdog.Verdict) -> bool:
+            ...
+
+        @typing.overload
+        def __eq__(self, other: typing.Any) -> bool:
+            ...
+
+        def __getstate__(self) -> int:
+            ...
+
+        def __hash__(self) -> int:
+            ...
+
+        def __index__(self) -> int:
+            ...
+
+        def __init__(self, value: typing.SupportsInt | typing.SupportsIndex) -> None:
+            ...
+
+        def __int__(self) -> int:
+            ...
+
+        @typing.overload
+        def __ne__(self, other: Watchdog.Verdict) -> bool:
+            ...
+
+        @typing.overload
+        def __ne__(self, other: typing.Any) -> bool:
+            ...
+
+        def __repr__(self) -> str:
+            ...
+
+        def __setstate__(self, state: typing.SupportsInt | typing.SupportsIndex) -> None:
+            ...
+
+        def __str__(self) -> str:
+            ...
+
+        @property
+        def name(self) -> str:
+            ...
+
+        @property
+        def value(self) -> int:
+            ...
+
+    def __init__(self, options: WatchdogOptions=...) -> None:
+        ...
+
+    def scale(self, seconds_without: typing.SupportsFloat | typing.SupportsIndex) -> float:
+        ...
+
+    def verdict(self, seconds_without: typing.SupportsFloat | typing.SupportsIndex) -> Watchdog.Verdict:
+        ...
+
+    @property
+    def options(self) -> WatchdogOptions:
+        ...
+
+class CouplingGains:
+
+    def __copy__(self) -> CouplingGains:
+        ...
+
+    def __deepcopy__(self, memo: dict) -> CouplingGains:
+        ...
+
+    def __getstate__(self) -> tuple:
+        ...
+
+    def __init__(self, mass: typing.SupportsFloat | typing.SupportsIndex=0.05, *, stiffness: typing.SupportsFloat | typing.SupportsIndex=700.0, damping: typing.SupportsFloat | typing.SupportsIndex=12.0, largest_force: typing.SupportsFloat | typing.SupportsIndex=..., angular_stiffness: typing.SupportsFloat | typing.SupportsIndex=0.0, angular_damping: typing.SupportsFloat | typing.SupportsIndex=0.0, inertia: typing.SupportsFloat | typing.SupportsIndex=2e-05, newton_steps: typing.SupportsInt | typing.SupportsIndex=5) -> None:
+        ...
+
+    def __repr__(self) -> str:
+        ...
+
+    def __setstate__(self, arg0: tuple) -> None:
+        ...
+
+    @property
+    def angular_damping(self) -> float:
+        ...
+
+    @angular_damping.setter
+    def angular_damping(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def angular_stiffness(self) -> float:
+        ...
+
+    @angular_stiffness.setter
+    def angular_stiffness(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def damping(self) -> float:
+        ...
+
+    @damping.setter
+    def damping(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def inertia(self) -> float:
+        ...
+
+    @inertia.setter
+    def inertia(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def largest_force(self) -> float:
+        ...
+
+    @largest_force.setter
+    def largest_force(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def mass(self) -> float:
+        ...
+
+    @mass.setter
+    def mass(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def newton_steps(self) -> int:
+        ...
+
+    @newton_steps.setter
+    def newton_steps(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def stiffness(self) -> float:
+        ...
+
+    @stiffness.setter
+    def stiffness(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+class CouplingEnergy:
+
+    def __repr__(self) -> str:
+        ...
+
+    def closure(self) -> float:
+        ...
+
+    def imbalance(self) -> float:
+        ...
+
+    @property
+    def damper(self) -> float:
+        ...
+
+    @property
+    def hand_work(self) -> float:
+        ...
+
+    @property
+    def implicit(self) -> float:
+        ...
+
+    @property
+    def kinetic(self) -> float:
+        ...
+
+    @property
+    def spring(self) -> float:
+        ...
+
+    @property
+    def tool_work(self) -> float:
+        ...
+
+class CoupledResult:
+
+    @property
+    def X_WH(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+
+    @property
+    def changed_blocks(self) -> tuple[numpy.ndarray, bool]:
+        ...
+
+    @property
+    def coupling(self) -> Wrench:
+        ...
+
+    @property
+    def energy(self) -> CouplingEnergy:
+        ...
+
+    @property
+    def hand(self) -> Wrench:
+        ...
+
+    @property
+    def newton_steps(self) -> int:
+        ...
+
+    @property
+    def parts(self) -> int:
+        ...
+
+    @property
+    def removed_materials(self) -> numpy.ndarray:
+        ...
+
+    @property
+    def removed_volume(self) -> float:
+        ...
+
+    @property
+    def removed_voxels(self) -> numpy.ndarray:
+        ...
+
+    @property
+    def status(self) -> int:
+        ...
+
+    @property
+    def velocity(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+
+class VirtualCoupling:
+
+    def __init__(self, simulation: Simulation, gains: CouplingGains=...) -> None:
+        ...
+
+    def release(self) -> None:
+        ...
+
+    def run(self, poses: numpy.typing.NDArray[numpy.float64], velocities: numpy.typing.NDArray[numpy.float64], dt: float | numpy.typing.NDArray[numpy.float64]) -> numpy.ndarray:
+        ...
+
+    def step(self, pose: numpy.typing.ArrayLike, velocity: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex) -> CoupledResult:
+        ...
+
+    @property
+    def gains(self) -> CouplingGains:
+        ...
+
+    @property
+    def last_result(self) -> CoupledResult:
+        ...
+
+    @property
+    def simulation(self) -> Simulation:
         ...
 
 class DeviceModel:
@@ -5287,6 +5884,21 @@ class MockOptions:
 class MockDevice(Device):
 
     def __init__(self, options: MockOptions, name: str='mock') -> None:
+        ...
+
+    @property
+    def plant(self) -> Plant:
+        ...
+
+class PlaybackDevice(Device):
+
+    def __init__(self, readings: collections.abc.Sequence[DeviceState], capabilities: DeviceCapabilities=..., name: str='playback') -> None:
+        ...
+
+    def __len__(self) -> int:
+        ...
+
+    def size(self) -> int:
         ...
 
 class MoveKey:
@@ -5823,7 +6435,12 @@ class ClosedLoop:
     def tick(self, model: collections.abc.Callable[[DeviceState], Wrench]) -> None:
         ...
 
+    @typing.overload
     def write(self, wrench: Wrench) -> None:
+        ...
+
+    @typing.overload
+    def write(self, wrench: Wrench, observer: collections.abc.Callable[[Plant, Wrench], None]) -> None:
         ...
 
     @property
@@ -5857,7 +6474,7 @@ class StabilitySearch:
     def __getstate__(self) -> tuple:
         ...
 
-    def __init__(self, start: numpy.typing.ArrayLike=..., *, target: numpy.typing.ArrayLike=..., settle: typing.SupportsFloat | typing.SupportsIndex=0.0, nudge: typing.SupportsFloat | typing.SupportsIndex=0.0001, window: typing.SupportsFloat | typing.SupportsIndex=1.0, windows: typing.SupportsInt | typing.SupportsIndex=4, low: typing.SupportsFloat | typing.SupportsIndex=5.0, high: typing.SupportsFloat | typing.SupportsIndex=1000000.0, coarse_factor: typing.SupportsFloat | typing.SupportsIndex=1.15, tolerance: typing.SupportsFloat | typing.SupportsIndex=0.001) -> None:
+    def __init__(self, start: numpy.typing.ArrayLike=..., *, target: numpy.typing.ArrayLike=..., settle: typing.SupportsFloat | typing.SupportsIndex=0.0, nudge: typing.SupportsFloat | typing.SupportsIndex=0.0001, window: typing.SupportsFloat | typing.SupportsIndex=1.0, windows: typing.SupportsInt | typing.SupportsIndex=4, low: typing.SupportsFloat | typing.SupportsIndex=5.0, high: typing.SupportsFloat | typing.SupportsIndex=1000000.0, coarse_factor: typing.SupportsFloat | typing.SupportsIndex=1.15, tolerance: typing.SupportsFloat | typing.SupportsIndex=0.001, forgotten: typing.SupportsFloat | typing.SupportsIndex=1e-09) -> None:
         ...
 
     def __repr__(self) -> str:
@@ -5872,6 +6489,14 @@ class StabilitySearch:
 
     @coarse_factor.setter
     def coarse_factor(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def forgotten(self) -> float:
+        ...
+
+    @forgotten.setter
+    def forgotten(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 
     @property
@@ -6119,6 +6744,60 @@ class PressTest:
     def speed(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 
+class ForceModel:
+
+    def __call__(self, state: DeviceState) -> Wrench:
+        ...
+
+class ModelFactory:
+
+    def __call__(self, stiffness: typing.SupportsFloat | typing.SupportsIndex) -> ForceModel:
+        ...
+
+class ContactBench:
+
+    def __copy__(self) -> ContactBench:
+        ...
+
+    def __deepcopy__(self, memo: dict) -> ContactBench:
+        ...
+
+    def __getstate__(self) -> tuple:
+        ...
+
+    def __init__(self, radius: typing.SupportsFloat | typing.SupportsIndex=0.001, voxel_size: typing.SupportsFloat | typing.SupportsIndex=0.0001, coupling: CouplingGains | None=None) -> None:
+        ...
+
+    def __repr__(self) -> str:
+        ...
+
+    def __setstate__(self, arg0: tuple) -> None:
+        ...
+
+    @property
+    def coupling(self) -> CouplingGains | None:
+        ...
+
+    @coupling.setter
+    def coupling(self, arg0: CouplingGains | None) -> None:
+        ...
+
+    @property
+    def radius(self) -> float:
+        ...
+
+    @radius.setter
+    def radius(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def voxel_size(self) -> float:
+        ...
+
+    @voxel_size.setter
+    def voxel_size(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
 class InjectedFault:
     __members__: typing.ClassVar[dict[str, InjectedFault]]
     buried_5mm: typing.ClassVar[InjectedFault]
@@ -6211,6 +6890,50 @@ class FaultResponse:
     def time_to_zero(self) -> float:
         ...
 
+class DeviceTick:
+
+    def __copy__(self) -> DeviceTick:
+        ...
+
+    def __deepcopy__(self, memo: dict) -> DeviceTick:
+        ...
+
+    def __getstate__(self) -> tuple:
+        ...
+
+    def __init__(self, state: DeviceState=..., output: DeviceOutput=..., arming: ArmingState=ArmingState.off) -> None:
+        ...
+
+    def __repr__(self) -> str:
+        ...
+
+    def __setstate__(self, arg0: tuple) -> None:
+        ...
+
+    @property
+    def arming(self) -> ArmingState:
+        ...
+
+    @arming.setter
+    def arming(self, arg0: ArmingState) -> None:
+        ...
+
+    @property
+    def output(self) -> DeviceOutput:
+        ...
+
+    @output.setter
+    def output(self, arg0: DeviceOutput) -> None:
+        ...
+
+    @property
+    def state(self) -> DeviceState:
+        ...
+
+    @state.setter
+    def state(self, arg0: DeviceState) -> None:
+        ...
+
 class RecorderOptions:
 
     def __copy__(self) -> RecorderOptions:
@@ -6222,13 +6945,21 @@ class RecorderOptions:
     def __getstate__(self) -> tuple:
         ...
 
-    def __init__(self, device: str='', *, note: str='', steps: typing.SupportsInt | typing.SupportsIndex=8192, flush_period: typing.SupportsFloat | typing.SupportsIndex=0.2, wait_when_full: bool=False, workpiece_file: str='') -> None:
+    def __init__(self, device: str='', *, note: str='', capabilities: DeviceCapabilities=..., steps: typing.SupportsInt | typing.SupportsIndex=8192, flush_period: typing.SupportsFloat | typing.SupportsIndex=0.2, wait_when_full: bool=False, workpiece_file: str='') -> None:
         ...
 
     def __repr__(self) -> str:
         ...
 
     def __setstate__(self, arg0: tuple) -> None:
+        ...
+
+    @property
+    def capabilities(self) -> DeviceCapabilities:
+        ...
+
+    @capabilities.setter
+    def capabilities(self, arg0: DeviceCapabilities) -> None:
         ...
 
     @property
@@ -6290,13 +7021,19 @@ class Recorder:
     def __init__(self, path: os.PathLike | str | bytes, simulation: Simulation, options: RecorderOptions=...) -> None:
         ...
 
+    def after_step(self, device: DeviceTick | None=None) -> None:
+        ...
+
+    def before_step(self) -> None:
+        ...
+
     def close(self) -> None:
         ...
 
     def run(self, poses: numpy.typing.NDArray[numpy.float64], velocities: numpy.typing.NDArray[numpy.float64], dt: float | numpy.typing.NDArray[numpy.float64]) -> numpy.ndarray:
         ...
 
-    def step(self, pose: numpy.typing.ArrayLike, velocity: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex) -> StepResult:
+    def step(self, pose: numpy.typing.ArrayLike, velocity: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex, device: DeviceTick | None=None) -> StepResult:
         ...
 
     @property
@@ -6389,6 +7126,10 @@ class Recording:
         ...
 
     @property
+    def capabilities(self) -> DeviceCapabilities:
+        ...
+
+    @property
     def config(self) -> SimulationConfig:
         ...
 
@@ -6470,13 +7211,340 @@ class ReplayReport:
     def workpiece_hash(self) -> int:
         ...
 
+class LoopCommand:
+
+    class Kind:
+        __members__: typing.ClassVar[dict[str, LoopCommand.Kind]]
+        emergency_stop: typing.ClassVar[LoopCommand.Kind]
+        model: typing.ClassVar[LoopCommand.Kind]
+        reset_fault: typing.ClassVar[LoopCommand.Kind]
+        stop: typing.ClassVar[LoopCommand.Kind]
+
+        @typing.overload
+        def __eq__(self, other: LoopCommand.Kind) -> bool:
+            ...
+
+        @typing.overload
+        def __eq__(self, other: typing.Any) -> bool:
+            ...
+
+        def __getstate__(self) -> int:
+            ...
+
+        def __hash__(self) -> int:
+            ...
+
+        def __index__(self) -> int:
+            ...
+
+        def __init__(self, value: typing.SupportsInt | typing.SupportsIndex) -> None:
+            ...
+
+        def __int__(self) -> int:
+            ...
+
+        @typing.overload
+        def __ne__(self, other: LoopCommand.Kind) -> bool:
+            ...
+
+        @typing.overload
+        def __ne__(self, other: typing.Any) -> bool:
+            ...
+
+        def __repr__(self) -> str:
+            ...
+
+        def __setstate__(self, state: typing.SupportsInt | typing.SupportsIndex) -> None:
+            ...
+
+        def __str__(self) -> str:
+            ...
+
+        @property
+        def name(self) -> str:
+            ...
+
+        @property
+        def value(self) -> int:
+            ...
+
+    def __init__(self, kind: LoopCommand.Kind=..., code: typing.SupportsInt | typing.SupportsIndex=0, values: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], 'FixedSize(8)']=[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]) -> None:
+        ...
+
+    @property
+    def code(self) -> int:
+        ...
+
+    @code.setter
+    def code(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def kind(self) -> LoopCommand.Kind:
+        ...
+
+    @kind.setter
+    def kind(self, arg0: LoopCommand.Kind) -> None:
+        ...
+
+    @property
+    def values(self) -> typing.Annotated[list[float], 'FixedSize(8)']:
+        ...
+
+    @values.setter
+    def values(self, arg0: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], 'FixedSize(8)']) -> None:
+        ...
+
+class model_commands:
+
+    @staticmethod
+    def close_clutch() -> LoopCommand:
+        ...
+
+    @staticmethod
+    def open_clutch() -> LoopCommand:
+        ...
+
+    @staticmethod
+    def set_scale(scale: typing.SupportsFloat | typing.SupportsIndex) -> LoopCommand:
+        ...
+
+    @staticmethod
+    def set_spindle_speed(speed: typing.SupportsFloat | typing.SupportsIndex) -> LoopCommand:
+        ...
+
+class LoopSnapshot:
+
+    def __repr__(self) -> str:
+        ...
+
+    @property
+    def X_WT(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+
+    @property
+    def arming(self) -> ArmingState:
+        ...
+
+    @property
+    def blocks_waiting(self) -> int:
+        ...
+
+    @property
+    def commands_dropped(self) -> int:
+        ...
+
+    @property
+    def device(self) -> DeviceState:
+        ...
+
+    @property
+    def output(self) -> DeviceOutput:
+        ...
+
+    @property
+    def tick(self) -> int:
+        ...
+
+    @property
+    def values(self) -> typing.Annotated[list[float], 'FixedSize(16)']:
+        ...
+
+class ToolSnapshot:
+
+    def __repr__(self) -> str:
+        ...
+
+    @property
+    def contact_depth(self) -> float:
+        ...
+
+    @property
+    def contact_voxels(self) -> int:
+        ...
+
+    @property
+    def force(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+
+    @property
+    def removed_volume(self) -> float:
+        ...
+
+    @property
+    def seen(self) -> int:
+        ...
+
+    @property
+    def spindle_speed(self) -> float:
+        ...
+
+    @property
+    def status(self) -> int:
+        ...
+
+    @property
+    def steps(self) -> int:
+        ...
+
+    @property
+    def torque(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+
+class ChangedBlock:
+
+    @property
+    def fill(self) -> numpy.ndarray:
+        ...
+
+    @property
+    def material(self) -> numpy.ndarray:
+        ...
+
+    @property
+    def origin(self) -> typing.Annotated[list[int], 'FixedSize(3)']:
+        ...
+
+    @property
+    def version(self) -> int:
+        ...
+
+class SimulationModelOptions:
+
+    def __copy__(self) -> SimulationModelOptions:
+        ...
+
+    def __deepcopy__(self, memo: dict) -> SimulationModelOptions:
+        ...
+
+    def __getstate__(self) -> tuple:
+        ...
+
+    def __init__(self, map: WorkspaceMapOptions=..., coupling: CouplingGains | None=None, spindle_needs_force: bool=True) -> None:
+        ...
+
+    def __repr__(self) -> str:
+        ...
+
+    def __setstate__(self, arg0: tuple) -> None:
+        ...
+
+    @property
+    def coupling(self) -> CouplingGains | None:
+        ...
+
+    @coupling.setter
+    def coupling(self, arg0: CouplingGains | None) -> None:
+        ...
+
+    @property
+    def map(self) -> WorkspaceMapOptions:
+        ...
+
+    @map.setter
+    def map(self, arg0: WorkspaceMapOptions) -> None:
+        ...
+
+    @property
+    def spindle_needs_force(self) -> bool:
+        ...
+
+    @spindle_needs_force.setter
+    def spindle_needs_force(self, arg0: bool) -> None:
+        ...
+
+class SimulationModel:
+
+    def __init__(self, simulation: Simulation, device: Device, options: SimulationModelOptions=..., recorder: Recorder | None=None) -> None:
+        ...
+
+    @property
+    def region(self) -> IndexBox:
+        ...
+
+class RealtimeLoopOptions:
+    run: RunOptions
+
+    def __copy__(self) -> RealtimeLoopOptions:
+        ...
+
+    def __deepcopy__(self, memo: dict) -> RealtimeLoopOptions:
+        ...
+
+    def __getstate__(self) -> tuple:
+        ...
+
+    def __init__(self, run: RunOptions=..., region: IndexBox=..., block_capacity: typing.SupportsInt | typing.SupportsIndex=256, blocks_per_tick: typing.SupportsInt | typing.SupportsIndex=16) -> None:
+        ...
+
+    def __repr__(self) -> str:
+        ...
+
+    def __setstate__(self, arg0: tuple) -> None:
+        ...
+
+    @property
+    def block_capacity(self) -> int:
+        ...
+
+    @block_capacity.setter
+    def block_capacity(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def blocks_per_tick(self) -> int:
+        ...
+
+    @blocks_per_tick.setter
+    def blocks_per_tick(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def region(self) -> IndexBox:
+        ...
+
+    @region.setter
+    def region(self, arg0: IndexBox) -> None:
+        ...
+
+class RealtimeLoop:
+    kCommands: typing.ClassVar[int] = 256
+
+    def __init__(self, model: typing.Any, options: RealtimeLoopOptions=...) -> None:
+        ...
+
+    def emergency_stop(self) -> None:
+        ...
+
+    def latest(self) -> LoopSnapshot:
+        ...
+
+    def receive(self) -> ChangedBlock | None:
+        ...
+
+    def send(self, command: LoopCommand) -> bool:
+        ...
+
+    def start(self) -> None:
+        ...
+
+    def stop(self) -> RunReport:
+        ...
+
+    def wait(self) -> RunReport:
+        ...
+
+    @property
+    def is_running(self) -> bool:
+        ...
+
 def advance(from_: numpy.typing.ArrayLike, twist: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
     ...
 
 def axial_cut_force(constants: Calibration, radius: typing.SupportsFloat | typing.SupportsIndex, spindle_speed: typing.SupportsFloat | typing.SupportsIndex, feed_speed: typing.SupportsFloat | typing.SupportsIndex) -> AxialCutForce:
     ...
 
-def bounce(config: ClosedLoopConfig, factory: collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], stiffness: typing.SupportsFloat | typing.SupportsIndex, test: BounceTest=...) -> Bounce:
+def bounce(config: ClosedLoopConfig, factory: ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], stiffness: typing.SupportsFloat | typing.SupportsIndex, test: BounceTest=...) -> Bounce:
     ...
 
 @typing.overload
@@ -6528,6 +7596,9 @@ def calibrate(tests: collections.abc.Sequence[DrillingTest]) -> Calibration:
 def capabilities(model: DeviceModel) -> DeviceCapabilities:
     ...
 
+def check_input(config: SimulationConfig, pose: numpy.typing.ArrayLike, velocity: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex) -> int:
+    ...
+
 def christmas_tree_head(diameter: typing.SupportsFloat | typing.SupportsIndex, length: typing.SupportsFloat | typing.SupportsIndex, tiers: typing.SupportsInt | typing.SupportsIndex) -> ToolHead:
     ...
 
@@ -6537,7 +7608,13 @@ def close_gaps(volume: LabelVolume, radius: typing.SupportsFloat | typing.Suppor
 def colored(surface: WorkpieceSurface, materials: MaterialTable) -> ColoredMesh:
     ...
 
+def contact_models(bench: ContactBench) -> ModelFactory:
+    ...
+
 def contact_point(head: ToolHead, wrench_T: Wrench) -> numpy.typing.NDArray[numpy.float64]:
+    ...
+
+def coupling_gains(device: DeviceCapabilities, mass: typing.SupportsFloat | typing.SupportsIndex=0.05) -> CouplingGains:
     ...
 
 @typing.overload
@@ -6610,7 +7687,12 @@ def hand_model(name: str) -> HandModel:
 def hand_models() -> list[HandModel]:
     ...
 
+@typing.overload
 def has(status: typing.SupportsInt | typing.SupportsIndex, bits: StepStatus) -> bool:
+    ...
+
+@typing.overload
+def has(limits: typing.SupportsInt | typing.SupportsIndex, bits: OutputLimit) -> bool:
     ...
 
 def head_in_handle(handle: RayHandle | LHandle) -> numpy.typing.NDArray[numpy.float64]:
@@ -6625,7 +7707,7 @@ def inverted_cone_head(tip_diameter: typing.SupportsFloat | typing.SupportsIndex
 def is_rotation(m: numpy.typing.ArrayLike, tolerance: typing.SupportsFloat | typing.SupportsIndex) -> bool:
     ...
 
-def is_stable(config: ClosedLoopConfig, factory: collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], stiffness: typing.SupportsFloat | typing.SupportsIndex, search: StabilitySearch=...) -> bool:
+def is_stable(config: ClosedLoopConfig, factory: ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], stiffness: typing.SupportsFloat | typing.SupportsIndex, search: StabilitySearch=...) -> bool:
     ...
 
 def keep_largest_component(volume: LabelVolume) -> LabelVolume:
@@ -6637,7 +7719,7 @@ def label_range(volume: GreyVolume, from_: typing.SupportsFloat | typing.Support
 def largest_contact_stiffness(head: ToolHead) -> float:
     ...
 
-def largest_stable_stiffness(config: ClosedLoopConfig, factory: collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], search: StabilitySearch=...) -> float:
+def largest_stable_stiffness(config: ClosedLoopConfig, factory: ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], search: StabilitySearch=...) -> float:
     ...
 
 def least_force_growth(stiffness: typing.SupportsFloat | typing.SupportsIndex, speed: typing.SupportsFloat | typing.SupportsIndex) -> float:
@@ -6681,6 +7763,9 @@ def open_device(name: str) -> Device:
 def open_mock(text: str) -> MockDevice:
     ...
 
+def open_playback(recording: os.PathLike | str | bytes) -> PlaybackDevice:
+    ...
+
 def orthonormalized(m: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
     ...
 
@@ -6693,7 +7778,10 @@ def preset_color(name: str) -> tuple[int, int, int]:
 def preset_names() -> list[str]:
     ...
 
-def press(config: ClosedLoopConfig, factory: collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], stiffness: typing.SupportsFloat | typing.SupportsIndex, test: PressTest=...) -> Buzz:
+def press(config: ClosedLoopConfig, factory: ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], stiffness: typing.SupportsFloat | typing.SupportsIndex, test: PressTest=...) -> Buzz:
+    ...
+
+def pressed_search(bench: ContactBench) -> StabilitySearch:
     ...
 
 def profile_from_mesh(mesh: TriangleMesh, towards_shank: numpy.typing.ArrayLike=..., tolerance: typing.SupportsFloat | typing.SupportsIndex=0.02) -> RecognizedProfile:
@@ -6734,7 +7822,7 @@ def resample(volume: GreyVolume, voxel_size: typing.SupportsFloat | typing.Suppo
 def resample(volume: LabelVolume, voxel_size: typing.SupportsFloat | typing.SupportsIndex, interpolation: LabelInterpolation=LabelInterpolation.nearest) -> LabelVolume:
     ...
 
-def respond(config: ClosedLoopConfig, factory: collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], stiffness: typing.SupportsFloat | typing.SupportsIndex, options: GuardOptions, fault: InjectedFault, height: typing.SupportsFloat | typing.SupportsIndex=0.0) -> FaultResponse:
+def respond(config: ClosedLoopConfig, factory: ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], stiffness: typing.SupportsFloat | typing.SupportsIndex, options: GuardOptions, fault: InjectedFault, height: typing.SupportsFloat | typing.SupportsIndex=0.0) -> FaultResponse:
     ...
 
 def rotation_from_vector(v: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
@@ -6779,12 +7867,19 @@ def tapered_head(tip_diameter: typing.SupportsFloat | typing.SupportsIndex, diam
 def thesis_handle_torque(handle: RayHandle | LHandle, force_H: numpy.typing.ArrayLike, spin: typing.SupportsFloat | typing.SupportsIndex, zeta: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
     ...
 
+def tool_of(snapshot: LoopSnapshot) -> ToolSnapshot:
+    ...
+
 @typing.overload
 def transport(wrench_P: Wrench, p_QP: numpy.typing.ArrayLike) -> Wrench:
     ...
 
 @typing.overload
 def transport(twist_P: numpy.typing.ArrayLike, p_PQ: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
+    ...
+
+@typing.overload
+def transport(stiffness_T: numpy.typing.ArrayLike, R_WT: numpy.typing.ArrayLike, p_HoTo_W: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
     ...
 
 def twist_between(from_: numpy.typing.ArrayLike, to: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
@@ -6833,6 +7928,10 @@ def validate(effects: Effects, update_rate: typing.SupportsFloat | typing.Suppor
 def validate(config: SimulationConfig) -> None:
     ...
 
+@typing.overload
+def validate(gains: CouplingGains) -> None:
+    ...
+
 def vector_from_rotation(rotation: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
     ...
 
@@ -6879,8 +7978,12 @@ def write_ply(mesh: ColoredMesh, path: os.PathLike | str | bytes, unit_mm: typin
 def write_stl(mesh: TriangleMesh, path: os.PathLike | str | bytes, unit_mm: typing.SupportsFloat | typing.SupportsIndex=1.0) -> None:
     ...
 _pybind11_version: str = '3.1'
+kBlockEdge: int = 8
+kBlockVoxels: int = 512
+kEmpty: int = 0
 kFastestVibration: float = 0.45
 kFullSpinSpeed: float = 0.01
+kMaxMaterials: int = 255
 kMaxVolumeSamples: int = 2147483648
 kMolarCaries: int = 4
 kMolarDentin: int = 2
@@ -6888,4 +7991,7 @@ kMolarEnamel: int = 1
 kMolarPulp: int = 3
 kRecordingFormat: int = 1
 kRejected: int = 15
+kSafetyEvents: int = 33
+kSmallestFill: float = 0.0010000000474974513
+kTreeWaist: float = 0.6
 kWithIo: bool = True

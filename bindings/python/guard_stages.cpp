@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/device: the stages of the safety pipeline, each by itself
+#include "bindings.hpp"
+#include "hapticut/device/arming.hpp"
+#include "hapticut/device/passivity.hpp"
+#include "hapticut/device/pose_gate.hpp"
+#include "hapticut/device/thermal_budget.hpp"
+#include "hapticut/device/watchdog.hpp"
+#include "structs.hpp"
+
+namespace hapticut::python {
+
+void bind_guard_stages(py::module_& m) {
+  using G = PoseGate;
+  py::class_<G> gate(m, "PoseGate", doc("PoseGate"));
+  bind_enum<G::Verdict>(gate, "Verdict",
+                        {{"accepted", G::Verdict::accepted}, {"held", G::Verdict::held}, {"lost", G::Verdict::lost}},
+                        "PoseGate::Verdict");
+  gate.def(py::init<const DeviceCapabilities&, const PoseGateOptions&>(), py::arg("capabilities"),
+           py::arg("options") = PoseGateOptions{}, doc("PoseGate::PoseGate"))
+      .def("check", &G::check, py::arg("reading"), py::arg("dt"), py::arg("log"), doc("PoseGate::check"))
+      .def_property_readonly("state", &G::state, py::return_value_policy::copy, doc("PoseGate::state"))
+      .def("restart", &G::restart, doc("PoseGate::restart"));
+
+  using A = Arming;
+  py::class_<A>(m, "Arming", doc("Arming"))
+      .def(py::init<const ArmingOptions&>(), py::arg("options") = ArmingOptions{}, doc("Arming::Arming"))
+      .def("start", &A::start, py::arg("log"), "Begins a run: armed, waiting for valid readings.")
+      .def("stop", &A::stop, "Ends a run: off.")
+      .def("interrupt", &A::interrupt, py::arg("reason"), py::arg("short_ramp"), py::arg("log"), py::arg("value") = 0.0,
+           doc("Arming::interrupt"))
+      .def("fail", &A::fail, py::arg("log"), py::arg("value") = 0.0, "Enters the fault state, until it is reset.")
+      .def("reset", &A::reset, py::arg("log"), doc("Arming::reset"))
+      .def("tick", &A::tick, py::arg("dt"), py::arg("reading_ok"), py::arg("force"), py::arg("torque"), py::arg("log"),
+           doc("Arming::tick"))
+      .def_property_readonly("state", &A::state, "Whether a force is allowed.");
+
+  using P = PassivityController;
+  py::class_<P>(m, "PassivityController", doc("PassivityController"))
+      .def(py::init<const PassivityOptions&, double>(), py::arg("options"), py::arg("greatest"),
+           doc("PassivityController::PassivityController"))
+      .def("control", &P::control, py::arg("force"), py::arg("applied"), py::arg("motion"), py::arg("dt"),
+           doc("PassivityController::control"))
+      .def("restart", &P::restart, "Forgets what was stored.")
+      .def_property_readonly("stored", &P::stored, doc("PassivityController::stored"))
+      .def_property_readonly("taken", &P::taken, doc("PassivityController::taken"));
+
+  using T = ThermalBudget;
+  py::class_<T>(m, "ThermalBudget", doc("ThermalBudget"))
+      .def(py::init<double, double, const ThermalOptions&>(), py::arg("peak"), py::arg("continuous"),
+           py::arg("options") = ThermalOptions{}, doc("ThermalBudget::ThermalBudget"))
+      .def_property_readonly("limit", &T::limit, doc("ThermalBudget::limit"))
+      .def_property_readonly("is_limiting", &T::is_limiting, "Whether the limit is below the peak.")
+      .def("tick", &T::tick, py::arg("force"), py::arg("temperature"), py::arg("dt"), doc("ThermalBudget::tick"));
+
+  using W = Watchdog;
+  py::class_<W> watchdog(m, "Watchdog", doc("Watchdog"));
+  bind_enum<W::Verdict>(watchdog, "Verdict",
+                        {{"alive", W::Verdict::alive},
+                         {"late", W::Verdict::late},
+                         {"fading", W::Verdict::fading},
+                         {"dead", W::Verdict::dead}},
+                        "Watchdog::Verdict");
+  watchdog.def(py::init<const WatchdogOptions&>(), py::arg("options") = WatchdogOptions{}, doc("Watchdog::Watchdog"))
+      .def("verdict", &W::verdict, py::arg("seconds_without"), "What that long a silence means.")
+      .def("scale", &W::scale, py::arg("seconds_without"), doc("Watchdog::scale"))
+      .def_property_readonly("options", &W::options, py::return_value_policy::copy, "As given.");
+}
+
+}  // namespace hapticut::python

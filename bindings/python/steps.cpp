@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut::python {
+
+TraceRow trace_row(const StepResult& result, double time) {
+  TraceRow row{};
+  row.time = time;
+  const auto copy = [](const Vec3& from, double* to) { std::copy_n(from.data(), 3, to); };
+  copy(result.force, row.force);
+  copy(result.torque, row.torque);
+  row.removed_voxels = std::int64_t(result.removed_voxels.size());
+  row.removed_volume = result.removed_volume;
+  row.contact = {result.contact.voxels, result.contact.volume, result.contact.depth, result.contact.turns};
+  copy(result.model.force, row.model.force);
+  copy(result.model.torque, row.model.torque);
+  const EnergyLedger& e = result.energy;
+  row.energy = {e.hand_work, e.motor_work, e.elastic, e.cutting,  e.released, e.damping,
+                e.rubbing,   e.anchored,   e.sliding, e.credited, e.entered};
+  row.spindle = {result.spindle.speed, result.spindle.torque};
+  row.sub_steps = result.sub_steps;
+  row.status = std::uint32_t(result.status);
+  return row;
+}
+
+namespace {
+
+void require_finite(std::span<const double> numbers, std::size_t per_row, const char* what) {
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (!std::isfinite(numbers[i]))
+      throw Error(std::string(what) + "[" + std::to_string(i / per_row) + "] holds " + format_number(numbers[i]) +
+                  "; every number must be finite. Nothing was simulated.");
+}
+
+}  // namespace
+
+RunInput::RunInput(const py::object& given_poses, const py::object& given_velocities, const py::object& given_dt)
+    : poses(numbers_of(given_poses, "poses", {-1, 4, 4})),
+      velocities(numbers_of(given_velocities, "velocities", {-1, 6})),
+      dt(0),
+      steps(poses.size() / 16) {
+  if (velocities.size() / 6 != steps)
+    throw Error("poses has " + std::to_string(steps) + " rows, but velocities has " +
+                std::to_string(velocities.size() / 6) + "; each step needs one of both.");
+  if (py::isinstance<py::array>(given_dt) && py::reinterpret_borrow<py::array>(given_dt).ndim() > 0) {
+    durations = numbers_of(given_dt, "dt", {-1});
+    if (durations.size() != steps)
+      throw Error("poses has " + std::to_string(steps) + " rows, but dt has " + std::to_string(durations.size()) +
+                  "; give one number, or one for each step.");
+    require_finite(durations, 1, "dt");
+  } else {
+    dt = PyFloat_AsDouble(given_dt.ptr());
+    if (PyErr_Occurred() != nullptr) {
+      PyErr_Clear();
+      throw Error("dt: " + describe_given(given_dt) +
+                  " was given; needed is a number, or an array of shape (n,) and "
+                  "dtype float64.");
+    }
+    require_finite({&dt, 1}, 1, "dt");
+  }
+  require_finite(poses, 16, "poses");
+  require_finite(velocities, 6, "velocities");
+  for (std::size_t i = 0; i < steps; ++i) (void)(*this)[i];
+}
+
+StepInput RunInput::operator[](std::size_t step) const {
+  const double* v = velocities.data() + 6 * step;
+  return {pose_from(poses.data() + 16 * step, "a row of poses"),
+          {Vec3(v), Vec3(v + 3)},
+          durations.empty() ? dt : durations[step]};
+}
+
+StepInput step_input(const FewNumbers& pose, const FewNumbers& velocity, double dt) {
+  std::array<double, 16> matrix;
+  std::array<double, 6> twist;
+  if (!read_numbers(pose, "pose", {4, 4}, matrix.data())) (void)numbers_of(pose, "pose", {4, 4});
+  if (!read_numbers(velocity, "velocity", {6}, twist.data())) (void)numbers_of(velocity, "velocity", {6});
+  return {pose_from(matrix.data(), "pose"), {Vec3(twist.data()), Vec3(twist.data() + 3)}, dt};
+}
+
+py::array voxel_indices(const std::vector<RemovedVoxel>& voxels, py::handle owner) {
+  static_assert(sizeof(RemovedVoxel) == 16 && sizeof(int) == 4);
+  return view(py::dtype::of<std::int32_t>(), {py::ssize_t(voxels.size()), 3}, {sizeof(RemovedVoxel), 4},
+              voxels.empty() ? nullptr : voxels.data()->index.data(), owner);
+}
+
+py::array voxel_materials(const std::vector<RemovedVoxel>& voxels, py::handle owner) {
+  return view(py::dtype::of<std::uint8_t>(), {py::ssize_t(voxels.size())}, {sizeof(RemovedVoxel)},
+              voxels.empty() ? nullptr : &voxels.data()->material, owner);
+}
+
+py::array block_origins(std::span<const VoxelIndex> origins) {
+  py::array_t<std::int32_t> array({py::ssize_t(origins.size()), py::ssize_t(3)});
+  for (std::size_t i = 0; i < origins.size(); ++i)
+    std::copy_n(origins[i].data(), 3, array.mutable_data(py::ssize_t(i)));
+  return array;
+}
+
+PythonStepResult make_step(PythonSimulation& simulation, const FewNumbers& pose, const FewNumbers& velocity, double dt,
+                           const Stepper& step) {
+  simulation.occupancy.require_writable("The simulation");
+  return PythonStepResult(step(step_input(pose, velocity, dt)));
+}
+
+py::array make_steps(PythonSimulation& simulation, const Float64Array& poses, const Float64Array& velocities,
+                     const Durations& dt, const Stepper& step) {
+  simulation.occupancy.require_writable("The simulation");
+  const RunInput input(poses, velocities, dt);
+  py::array_t<TraceRow> trace{py::ssize_t(input.steps)};
+  TraceRow* rows = trace.mutable_data();
+  simulation.removed.clear();
+  {
+    const ReleasedWriting released(simulation.occupancy);
+    double time = 0;
+    for (std::size_t i = 0; i < input.steps; ++i) {
+      const StepInput now = input[i];
+      const StepResult& result = step(now);
+      time += now.dt;
+      rows[i] = trace_row(result, time);
+      simulation.remember(result.removed_voxels, i);
+    }
+  }
+  return trace;
+}
+
+}  // namespace hapticut::python
