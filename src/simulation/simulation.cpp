@@ -91,8 +91,8 @@ void Simulation::set_effects(const Effects& effects) {
 }
 
 void Simulation::reserve_blocks(std::size_t count) {
-  state_->config.reserved_blocks = count;
   state_->workpiece.reserve_blocks(count);
+  state_->config.reserved_blocks = count;
 }
 
 WorkpieceSnapshot Simulation::snapshot() const { return state_->workpiece.snapshot(); }

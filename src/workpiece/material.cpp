@@ -22,7 +22,8 @@ void validate(const Material& material) {
   require_positive(material.density, field("density [kg/m^3]").c_str());
   if (material.dynamic_friction > material.static_friction)
     throw Error(field("dynamic_friction") + " = " + format_number(material.dynamic_friction) +
-                "; must not exceed static_friction = " + format_number(material.static_friction) + ".");
+                "; must not exceed static_friction = " + format_number(material.static_friction) +
+                ". Lower it, or raise static_friction.");
 }
 
 MaterialTable::MaterialTable(std::vector<Material> materials) {
