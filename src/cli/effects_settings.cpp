@@ -59,10 +59,8 @@ std::optional<Vibration> make_vibration(const EffectsSettings& s, double update_
                 ", 0.45 of simulation.rate_Hz = " + format_number(update_rate) +
                 ": sampled more coarsely a sine beats, and at half the rate it may be zero at every sample. Lower it, "
                 "or raise simulation.rate_Hz.");
-  if (vibration.amplitude > vibration.largest_amplitude)
-    throw Error("effects.vibration_N = " + format_number(vibration.amplitude) +
-                "; must be from 0 to effects.vibration_largest_N = " + format_number(vibration.largest_amplitude) +
-                ". Lower it, or raise effects.vibration_largest_N.");
+  require_at_most(vibration.amplitude, "effects.vibration_N", vibration.largest_amplitude,
+                  "effects.vibration_largest_N");
   return vibration;
 }
 
@@ -75,10 +73,7 @@ std::optional<DeltaFilter> make_filter(const EffectsSettings& s) {
   DeltaFilter filter;
   filter.delta = s.filter_delta_N.value_or(filter.delta);
   filter.epsilon = s.filter_epsilon_N.value_or(filter.epsilon);
-  if (filter.epsilon > filter.delta)
-    throw Error("effects.filter_epsilon_N = " + format_number(filter.epsilon) +
-                "; must be a number > 0, up to effects.filter_delta_N = " + format_number(filter.delta) +
-                ", or the force would overshoot. Lower it, or raise effects.filter_delta_N.");
+  require_at_most(filter.epsilon, "effects.filter_epsilon_N", filter.delta, "effects.filter_delta_N");
   return filter;
 }
 

@@ -116,10 +116,8 @@ std::optional<DryFriction> make_friction(const S& s) {
   friction.static_friction = s.static_friction.value_or(s.dynamic_friction.value_or(friction.static_friction));
   friction.dynamic_friction = s.dynamic_friction.value_or(friction.static_friction);
   friction.tangential_stiffness = s.tangential_stiffness_N_per_m.value_or(friction.tangential_stiffness);
-  if (friction.dynamic_friction > friction.static_friction)
-    throw Error("force.dynamic_friction = " + format_number(friction.dynamic_friction) +
-                "; must be from 0 to force.static_friction = " + format_number(friction.static_friction) +
-                ". Lower it, or raise force.static_friction.");
+  require_at_most(friction.dynamic_friction, "force.dynamic_friction", friction.static_friction,
+                  "force.static_friction");
   return friction;
 }
 

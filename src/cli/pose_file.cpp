@@ -3,22 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <optional>
 
-#include "cli/setting.hpp"
+#include "cli/csv_file.hpp"
 #include "hapticut/core/units.hpp"
 
 namespace hapticut::cli {
 namespace {
 
 constexpr double kRotationTolerance = 1e-3;  // [1] what six printed digits are off by is well below this
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 /// The places of some columns, or nothing when none of them is there.
 template <std::size_t kCount>
@@ -27,21 +20,14 @@ using Columns = std::optional<std::array<std::size_t, kCount>>;
 class PoseFile {
  public:
   PoseFile(const std::filesystem::path& path, const Mat3& rotation)
-      : name_(path.string()), stream_(path), rotation_(rotation) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error) || !stream_)
-      throw Error(name_ + ": this file of poses cannot be read. Check the name given to --poses.");
-  }
+      : lines_(path, "file of poses", "--poses"), rotation_(rotation) {}
 
   std::vector<TimedPose> read() {
     std::vector<TimedPose> poses;
     std::vector<std::string> cells;
-    if (!next_line(cells)) fail("the file is empty; its first line must name the columns t_s, x_mm, y_mm, z_mm ...");
+    if (!lines_.next(cells)) fail("the file is empty; its first line must name the columns t_s, x_mm, y_mm, z_mm ...");
     read_names(cells);
-    while (next_line(cells)) {
-      if (cells.size() != names_.size())
-        fail(std::to_string(cells.size()) + " values; there must be " + std::to_string(names_.size()) +
-             ", as in the first line.");
+    while (lines_.next(cells)) {
       poses.push_back(read_pose(cells));
       if (poses.size() > 1 && !(poses.back().t > poses[poses.size() - 2].t))
         fail("t_s = " + format_number(poses.back().t) + "; times must increase from line to line.");
@@ -51,22 +37,7 @@ class PoseFile {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& message) const {
-    throw Error(name_ + ":" + std::to_string(line_) + ": " + message);
-  }
-
-  bool next_line(std::vector<std::string>& cells) {
-    std::string line;
-    while (std::getline(stream_, line)) {
-      ++line_;
-      line = trimmed(line);
-      if (line.empty() || line.front() == '#') continue;
-      cells = split(line, ',');
-      std::transform(cells.begin(), cells.end(), cells.begin(), trimmed);
-      return true;
-    }
-    return false;
-  }
+  [[noreturn]] void fail(const std::string& message) const { lines_.fail(message); }
 
   template <std::size_t kCount>
   Columns<kCount> find(const std::array<const char*, kCount>& wanted) const {
@@ -126,10 +97,8 @@ class PoseFile {
     return orthonormalized(given);
   }
 
-  std::string name_;
-  std::ifstream stream_;
+  CsvFile lines_;
   Mat3 rotation_;
-  int line_ = 0;
   std::vector<std::string> names_;
   std::array<std::size_t, 4> place_ = {};
   Columns<4> quaternion_;

@@ -2,11 +2,11 @@
 #include "cli/profile_file.hpp"
 
 #include <algorithm>
-#include <fstream>
+#include <array>
 #include <optional>
 #include <string>
 
-#include "cli/setting.hpp"
+#include "cli/csv_file.hpp"
 #include "hapticut/core/units.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/meshes.hpp"
@@ -16,30 +16,17 @@
 namespace hapticut::cli {
 namespace {
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 class ProfileFile {
  public:
-  explicit ProfileFile(const std::filesystem::path& path) : name_(path.string()), stream_(path) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error) || !stream_)
-      throw Error(name_ + ": this profile cannot be read. Check the name given to --profile.");
-  }
+  explicit ProfileFile(const std::filesystem::path& path) : lines_(path, "profile", "--profile") {}
 
   Profile read() {
     std::vector<std::string> cells;
-    if (!next_line(cells)) fail("the file is empty; its first line must name the columns rho_mm, z_mm ...");
+    if (!lines_.next(cells)) fail("the file is empty; its first line must name the columns rho_mm, z_mm ...");
     read_names(cells);
     Profile profile;
     std::size_t points = 0;
-    for (; next_line(cells); ++points) {
-      if (cells.size() != columns_)
-        fail(std::to_string(cells.size()) + " values; there must be " + std::to_string(columns_) +
-             ", as in the first line.");
+    for (; lines_.next(cells); ++points) {
       const ProfileEdge edge = read_edge(cells);
       if (points > 0) {
         profile.edges.push_back(edge);
@@ -53,24 +40,9 @@ class ProfileFile {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& message) const {
-    throw Error(name_ + ":" + std::to_string(line_) + ": " + message);
-  }
-
-  bool next_line(std::vector<std::string>& cells) {
-    for (std::string line; std::getline(stream_, line);) {
-      ++line_;
-      line = trimmed(line);
-      if (line.empty() || line.front() == '#') continue;
-      cells = split(line, ',');
-      std::transform(cells.begin(), cells.end(), cells.begin(), trimmed);
-      return true;
-    }
-    return false;
-  }
+  [[noreturn]] void fail(const std::string& message) const { lines_.fail(message); }
 
   void read_names(const std::vector<std::string>& names) {
-    columns_ = names.size();
     const std::vector<std::string> known = {"rho_mm", "z_mm", "radius_mm", "kind"};
     for (std::size_t n = 0; n < names.size(); ++n) {
       const auto place = std::find(known.begin(), known.end(), names[n]);
@@ -100,10 +72,7 @@ class ProfileFile {
     return edge;
   }
 
-  std::string name_;
-  std::ifstream stream_;
-  int line_ = 0;
-  std::size_t columns_ = 0;
+  CsvFile lines_;
   std::array<std::optional<std::size_t>, 4> place_ = {};
 };
 

@@ -31,4 +31,11 @@ void refuse(const std::optional<Value>& value, const std::string& key, const std
   if (value) throw Error(key + " is set, but " + owner + " has none. Leave it out, or choose another.");
 }
 
+/// @throws Error when a setting exceeds another one; both are named
+inline void require_at_most(double value, const std::string& key, double limit, const std::string& limit_key) {
+  if (value > limit)
+    throw Error(key + " = " + format_number(value) + "; must be at most " + limit_key + " = " + format_number(limit) +
+                ". Lower it, or raise " + limit_key + ".");
+}
+
 }  // namespace hapticut::cli

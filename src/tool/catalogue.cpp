@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/tool/catalogue.hpp"
 
+#include <initializer_list>
 #include <string>
+#include <utility>
 
 #include "hapticut/core/errors.hpp"
 
@@ -13,6 +15,11 @@ using units::kPi;
 constexpr EdgeKind kSmooth = EdgeKind::smooth;
 
 std::string in_mm(double length) { return format_number(length / units::mm) + " mm"; }
+
+/// Dimensions of a head, each positive.
+void require_dimensions(const std::string& head, std::initializer_list<std::pair<const char*, double>> dimensions) {
+  for (const auto& [name, value] : dimensions) require_positive(value, (head + " " + name + " [m]").c_str());
+}
 
 void require_less(double value, const std::string& name, double limit, const std::string& limit_name) {
   if (!(value < limit))
@@ -32,27 +39,24 @@ ProfileHead closed(std::vector<ProfileEdge> edges) {
 }  // namespace
 
 ToolHead round_head(double diameter) {
-  require_positive(diameter, "round_head diameter [m]");
+  require_dimensions("round_head", {{"diameter", diameter}});
   return SphereHead{diameter / 2};
 }
 
 ToolHead inverted_cone_head(double tip_diameter, double neck_diameter, double length) {
-  require_positive(tip_diameter, "inverted_cone_head tip_diameter [m]");
-  require_positive(neck_diameter, "inverted_cone_head neck_diameter [m]");
-  require_positive(length, "inverted_cone_head length [m]");
+  require_dimensions("inverted_cone_head",
+                     {{"tip_diameter", tip_diameter}, {"neck_diameter", neck_diameter}, {"length", length}});
   require_less(neck_diameter, "inverted_cone_head neck_diameter", tip_diameter, "tip_diameter");
   return closed({{tip_diameter / 2, 0}, {neck_diameter / 2, length}});
 }
 
 ToolHead cylinder_head(double diameter, double length) {
-  require_positive(diameter, "cylinder_head diameter [m]");
-  require_positive(length, "cylinder_head length [m]");
+  require_dimensions("cylinder_head", {{"diameter", diameter}, {"length", length}});
   return FlatHead{diameter / 2, length};
 }
 
 ToolHead round_end_cylinder_head(double diameter, double length) {
-  require_positive(diameter, "round_end_cylinder_head diameter [m]");
-  require_positive(length, "round_end_cylinder_head length [m]");
+  require_dimensions("round_end_cylinder_head", {{"diameter", diameter}, {"length", length}});
   const double r = diameter / 2;
   require_at_least(length, "round_end_cylinder_head length", r, "radius");
   std::vector<ProfileEdge> edges = {{r, r, r}};
@@ -61,17 +65,14 @@ ToolHead round_end_cylinder_head(double diameter, double length) {
 }
 
 ToolHead tapered_head(double tip_diameter, double diameter, double length) {
-  require_positive(tip_diameter, "tapered_head tip_diameter [m]");
-  require_positive(diameter, "tapered_head diameter [m]");
-  require_positive(length, "tapered_head length [m]");
+  require_dimensions("tapered_head", {{"tip_diameter", tip_diameter}, {"diameter", diameter}, {"length", length}});
   require_less(tip_diameter, "tapered_head tip_diameter", diameter, "diameter");
   return closed({{tip_diameter / 2, 0}, {diameter / 2, length}});
 }
 
 ToolHead round_end_tapered_head(double tip_diameter, double diameter, double length) {
-  require_positive(tip_diameter, "round_end_tapered_head tip_diameter [m]");
-  require_positive(diameter, "round_end_tapered_head diameter [m]");
-  require_positive(length, "round_end_tapered_head length [m]");
+  require_dimensions("round_end_tapered_head",
+                     {{"tip_diameter", tip_diameter}, {"diameter", diameter}, {"length", length}});
   require_less(tip_diameter, "round_end_tapered_head tip_diameter", diameter, "diameter");
   const double r = tip_diameter / 2, R = diameter / 2, above = length - r;
   require_less(R, "half of the round_end_tapered_head diameter", length, "length");
@@ -81,16 +82,14 @@ ToolHead round_end_tapered_head(double tip_diameter, double diameter, double len
 }
 
 ToolHead needle_head(double diameter, double length) {
-  require_positive(diameter, "needle_head diameter [m]");
-  require_positive(length, "needle_head length [m]");
+  require_dimensions("needle_head", {{"diameter", diameter}, {"length", length}});
   return ConeHead{std::atan2(diameter / 2, length), length};
 }
 
 ToolHead flame_head(double diameter, double length, double neck_diameter, double widest_height) {
-  require_positive(diameter, "flame_head diameter [m]");
-  require_positive(length, "flame_head length [m]");
-  require_positive(neck_diameter, "flame_head neck_diameter [m]");
-  require_positive(widest_height, "flame_head widest_height [m]");
+  require_dimensions(
+      "flame_head",
+      {{"diameter", diameter}, {"length", length}, {"neck_diameter", neck_diameter}, {"widest_height", widest_height}});
   require_less(neck_diameter, "flame_head neck_diameter", diameter, "diameter");
   require_less(widest_height, "flame_head widest_height", length, "length");
   const double R = diameter / 2, narrowing = R - neck_diameter / 2, above = length - widest_height;
@@ -103,9 +102,7 @@ ToolHead flame_head(double diameter, double length, double neck_diameter, double
 }
 
 ToolHead pear_head(double diameter, double length, double neck_diameter) {
-  require_positive(diameter, "pear_head diameter [m]");
-  require_positive(length, "pear_head length [m]");
-  require_positive(neck_diameter, "pear_head neck_diameter [m]");
+  require_dimensions("pear_head", {{"diameter", diameter}, {"length", length}, {"neck_diameter", neck_diameter}});
   require_less(neck_diameter, "pear_head neck_diameter", diameter, "diameter");
   const double R = diameter / 2, r = neck_diameter / 2, above = length - R;
   require_less(R, "half of the pear_head diameter", length, "length");
@@ -117,16 +114,14 @@ ToolHead pear_head(double diameter, double length, double neck_diameter) {
 }
 
 ToolHead wheel_head(double diameter, double thickness, double shank_diameter) {
-  require_positive(diameter, "wheel_head diameter [m]");
-  require_positive(thickness, "wheel_head thickness [m]");
-  require_positive(shank_diameter, "wheel_head shank_diameter [m]");
+  require_dimensions("wheel_head",
+                     {{"diameter", diameter}, {"thickness", thickness}, {"shank_diameter", shank_diameter}});
   require_less(shank_diameter, "wheel_head shank_diameter", diameter, "diameter");
   return closed({{diameter / 2, 0}, {diameter / 2, thickness}, {shank_diameter / 2, thickness}});
 }
 
 ToolHead christmas_tree_head(double diameter, double length, int tiers) {
-  require_positive(diameter, "christmas_tree_head diameter [m]");
-  require_positive(length, "christmas_tree_head length [m]");
+  require_dimensions("christmas_tree_head", {{"diameter", diameter}, {"length", length}});
   require_between(tiers, 1, 20, "christmas_tree_head tiers");
   std::vector<ProfileEdge> edges;
   for (int n = 1; n <= tiers; ++n) {
@@ -138,8 +133,7 @@ ToolHead christmas_tree_head(double diameter, double length, int tiers) {
 }
 
 ToolHead twist_drill_head(double diameter, double length, double point_angle) {
-  require_positive(diameter, "twist_drill_head diameter [m]");
-  require_positive(length, "twist_drill_head length [m]");
+  require_dimensions("twist_drill_head", {{"diameter", diameter}, {"length", length}});
   if (!(point_angle > 0 && point_angle < kPi))
     throw Error("twist_drill_head point_angle = " + format_number(point_angle) +
                 " rad; must be between 0 and pi. Give the full angle of the point, in radians.");

@@ -118,7 +118,7 @@ TEST_F(ForceSettings, AHeadWithoutAFormulaAndConstantsOfAnotherLawAreRefused) {
   expect_failure("--burr_stiffness_Pa 1e6", {"force.burr_stiffness_Pa is set, but the foundation law has none"});
   expect_failure("--law springs", {"--law springs: must be one of foundation, thesis,"});
   expect_failure("--static_friction 0.2 --dynamic_friction 0.3",
-                 {"force.dynamic_friction = 0.3; must be from 0 to force.static_friction = 0.2"});
+                 {"force.dynamic_friction = 0.3; must be at most force.static_friction = 0.2"});
 }
 
 TEST_F(ForceSettings, InAFileAreRefusedWithLineKeyAndRange) {
