@@ -172,12 +172,13 @@ double cap(double d) { return kPi / 12 * d * d * d * (4 * kR - 3 * d); }
 /// The surface half-way through a layer of voxels. Those that it cuts count whole in the thesis, so it seems to lie
 /// half a voxel higher.
 std::vector<Check> binary_voxels() {
+  constexpr double kLayers = 24;  // below the surface: half a radius or more
   std::vector<Check> checks;
   for (const int parts : {25, 50}) {
     PressedBall ball;
     ball.voxel = kR / parts;
     ball.depth = 0.2 * kR;
-    ball.block_height = (parts / 2 + 0.5) * ball.voxel;
+    ball.block_height = (kLayers + 0.5) * ball.voxel;
     ball.quadrature = Quadrature::voxel_center;
     const double k_v = kStiffness * std::pow(1e-4 / ball.voxel, 2);  // of the springs of the thesis
     const std::string of = ", l = R/" + std::to_string(parts);
@@ -201,7 +202,8 @@ std::vector<Check> pop_through() {
         build_block({Vec3(-1.2, -1.2, -2.2) * mm, Vec3(1.2, 1.2, 0) * mm}, 0.1 * mm, plain_material()),
         Tool(SphereHead{kR}), config);
     double at_radius = 0, least = 1e9, last = 0;
-    for (double depth = 0; depth < 1.6 * kR; depth += 0.01 * mm) {
+    for (int step = 0; step < 160; ++step) {
+      const double depth = 0.01 * kR * step;
       last = simulation.step(Pose::from_translation(Vec3(0.013 * mm, 0.021 * mm, kR - depth)), {}, 1e-3).force.z();
       if (depth < kR) at_radius = last;
       if (depth >= kR) least = std::min(least, last);

@@ -108,6 +108,8 @@ std::vector<Check> figures_of_the_thesis() {
       {"C33 cone volume", "all steps of the cone", "m^3", kPi * std::pow(d, 3) / 3, total(cone), kCoarse},
       {"C33 cone force", "its thirteenth step", "N", k_v / 2 * kPi * std::pow(12.5 * D, 2) * 0.5 * D * D,
        cone.force[12], 0.1},
+      {"C33 sphere force", "its seventh step", "N",
+       k_v * kPi / 4 * R * R * D * D * (1 - std::pow((R - 6.5 * D) / R, 4)), ball.force[6], 0.1},
       {"C33 sphere volume", "all steps of the sphere", "m^3", kPi * d * d * (R - d / 3), total(ball), kCoarse}};
 }
 

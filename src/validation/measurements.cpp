@@ -14,7 +14,6 @@
 namespace hapticut::validation {
 namespace {
 
-using units::kPi;
 using units::mm;
 using units::N_mm;
 using units::rpm;

@@ -122,6 +122,19 @@ TEST(ForcesPage, NamesOnlyTestsThatExistAndMany) {
   EXPECT_GE(named, 40);
 }
 
+// Every formula has its proof in its row; the table of defects has one test for all of its rows.
+TEST(ForcesPage, NamesATestInEveryRowOfItsTables) {
+  std::istringstream page(contents(std::filesystem::path(HAPTICUT_DOCS) / "forces.md"));
+  const std::regex name(R"(`\w+\.[A-Z]\w{5,}`)"), heading(R"(\| (term|law|\|).*)"), defect(R"(\| D\d+ \|.*)");
+  int rows = 0;
+  for (std::string line; std::getline(page, line);) {
+    if (!line.starts_with("| ") || std::regex_match(line, heading) || std::regex_match(line, defect)) continue;
+    EXPECT_TRUE(std::regex_search(line, name)) << "names no test: " << line;
+    ++rows;
+  }
+  EXPECT_GE(rows, 35);
+}
+
 TEST(ValidationPage, ListsEveryCaseOnceAndOnlyThose) {
   const std::string page = contents(std::filesystem::path(HAPTICUT_DOCS) / "validation.md");
   std::set<std::string> ids;
