@@ -2,6 +2,7 @@
 // include/hapticut/device: devices, mock and mouse, and the map from hand to world
 #include "hapticut/device/device.hpp"
 
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -74,6 +75,24 @@ void bind_runs(py::module_& m) {
           "dict from the name of a SafetyEvent to the number of ticks that reported it.");
 }
 
+/// A path that may be a function of Python: what it raises cannot come out of the device's loop. It goes to
+/// sys.unraisablehook, and the reading is one that the guard does not believe, so that there is no force.
+ScriptedPath safe_path(const ScriptedPath& given) {
+  return [given](double time) {
+    try {
+      return given(time);
+    } catch (py::error_already_set& error) {
+      const py::gil_scoped_acquire lock;
+      error.discard_as_unraisable("the path of a MockDevice");
+    } catch (const std::exception& error) {
+      const py::gil_scoped_acquire lock;
+      PyErr_SetString(PyExc_RuntimeError, error.what());
+      PyErr_WriteUnraisable(Py_None);
+    }
+    return Pose::from_translation(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+  };
+}
+
 void bind_devices(py::module_& m) {
   using Released = py::call_guard<py::gil_scoped_release>;
   py::class_<Device>(m, "Device", doc("Device"))
@@ -112,7 +131,7 @@ void bind_devices(py::module_& m) {
   using OptionalPath = std::optional<ScriptedPath>;
   const auto path = computed<O, OptionalPath>(
       "path", [](const O& o) { return o.path ? OptionalPath(o.path) : std::nullopt; },
-      [](O& o, const OptionalPath& given) { o.path = given.value_or(nullptr); });
+      [](O& o, const OptionalPath& given) { o.path = given && *given ? safe_path(*given) : nullptr; });
   bind_struct<O>(m, "MockOptions", path, field("device", &O::device), field("hand", &O::hand),
                  field("rigid", &O::rigid), field("dry_friction", &O::dry_friction), field("encoder", &O::encoder),
                  field("velocity_filter", &O::velocity_filter), field("period", &O::period), field("end", &O::end));

@@ -215,6 +215,20 @@ void bind_the_simulation(py::module_& m) {
           "forgotten.\n\nRaises\n------\nError\n    When the workpiece is empty, or the head thinner than a voxel.");
 }
 
+/// What Simulation.run would be in C++: the same steps, nothing kept but their sum.
+double loop_in_cpp(PythonSimulation& self, const Float64Array& poses, const Float64Array& velocities,
+                   const Durations& dt) {
+  self.occupancy.require_writable("The simulation");
+  const RunInput input(poses, velocities, dt);
+  const ReleasedWriting released(self.occupancy);
+  double sum = 0;
+  for (std::size_t i = 0; i < input.steps; ++i) {
+    const StepInput now = input[i];
+    sum += self.simulation.step(now.pose, now.velocity, now.dt).force.z();
+  }
+  return sum;
+}
+
 void bind_scenes(py::module_& m) {
   py::class_<Scene>(m, "Scene", doc("Scene"))
       .def_readonly("name", &Scene::name, "What find_scene is asked for.")
@@ -235,6 +249,8 @@ void bind_simulation(py::module_& m) {
   bind_config(m);
   bind_limits(m);
   bind_the_simulation(m);
+  m.def("_loop_in_cpp", &loop_in_cpp, py::arg("simulation"), py::arg("poses"), py::arg("velocities"), py::arg("dt"),
+        "For benchmarks/python_cost.py.");
   bind_scenes(m);
 }
 

@@ -29,7 +29,7 @@ ax = plt.subplots(figsize=(7, 4), layout="constrained")[1]
 for name, (stiffness, law) in laws.items():
     simulation = hapticut.Simulation(block, tool, hapticut.SimulationConfig(reference_stiffness=stiffness, law=law))
     force = simulation.run(poses, np.zeros((len(poses), 6)), 1 * ms)["force"][:, 2]
-    ax.plot(depths / mm, force, label=name)
+    ax.plot(depths / mm, force, "--" if name.startswith("thesis") else "-", label=name)  # it lies on the foundation
     print(f"{name}: {force[-1]:.3f} N at 0.5 mm")
 ax.set(xlabel="depth [mm]", ylabel="force on the tool [N]")
 ax.legend(frameon=False)

@@ -55,7 +55,7 @@ def main():
         surface = np.exp(fit[0] + fit[1] * np.log(feed) + fit[2] * np.log(speed))
         lines = ax.contour(feed * 1e3, speed, surface, 8, cmap="viridis")
         ax.clabel(lines, fmt="%.2g N", fontsize=8)
-        ax.scatter(rows["feed"] * 1e3, rows["speed"], s=2, color="0.7")
+        ax.scatter(rows["feed"] * 1e3, rows["speed"], s=2, color="0.85")
         ax.set(title=f"{material}: thrust", xlabel="feed [mm/s]", yscale="log")
     axes[0].set_ylabel("spindle speed [rad/s]")
     figure.savefig(folder / "response_surface.png", dpi=120)

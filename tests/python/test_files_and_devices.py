@@ -144,6 +144,19 @@ def test_an_exception_in_a_tick_comes_out_of_the_run():
     assert {driver["scheme"] for driver in h.device_drivers()} >= {"mock", "mouse"}
 
 
+@pytest.mark.parametrize("path", [lambda t: {}["gone"], lambda t: np.zeros(3)])
+def test_a_path_that_fails_takes_the_force_away_and_says_so(path, monkeypatch):
+    import sys
+
+    said = []
+    monkeypatch.setattr(sys, "unraisablehook", lambda what: said.append(what.exc_value))
+    device = h.MockDevice(h.MockOptions(path=path))
+    forces = []
+    report = device.run(lambda s: forces.append(device.output.applied.force.any()) or h.DeviceCommand(h.Wrench([1, 0, 0])),
+                        h.RunOptions(seconds=0.2, simulated_time=True))
+    assert said and "pose_not_finite" in report.events and not any(forces)
+
+
 def test_a_path_and_a_mouse_may_come_from_python():
     options = h.MockOptions(path=lambda t: h.Pose.from_translation([0, 0, 1e-3 * t]), end=0.1)
     assert options.path(2.0)[2, 3] == 2e-3 and h.MockOptions().path is None

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import difflib
 import inspect
+import os
 import re
+import shutil
 import subprocess
 import sys
+import sysconfig
 from pathlib import Path
 
 import pytest
@@ -108,6 +111,28 @@ def test_stubtest_finds_nothing(tmp_path):
                             capture_output=True, text=True)
     found = [line for line in (result.stdout + result.stderr).splitlines() if not ARTEFACTS.search(line)]
     assert not found, "\n".join(found)
+
+
+OTHER = Path("/usr/bin/python3")
+
+
+def test_the_python_of_the_system_gives_the_first_force_too(tmp_path):
+    """With its own NumPy, which is an older one than pip's."""
+    ask = "import sysconfig, sys; print(sysconfig.get_config_var('SOABI'), sys.executable); import numpy"
+    if not OTHER.exists() or OTHER.resolve() == Path(sys.executable).resolve():
+        pytest.skip(f"there is no {OTHER} beside {sys.executable}")
+    other = subprocess.run([OTHER, "-s", "-c", ask], capture_output=True, text=True, cwd=tmp_path)
+    if other.returncode != 0:
+        pytest.skip(f"{OTHER} has no NumPy; sudo apt-get install python3-numpy")
+    if other.stdout.split()[0] != sysconfig.get_config_var("SOABI"):
+        pytest.skip(f"{OTHER} cannot load modules for {sys.implementation.cache_tag}; build with it: docs/python.md")
+    shutil.copytree(PACKAGE, tmp_path / "hapticut", ignore=shutil.ignore_patterns("__pycache__"))
+    example = REPOSITORY / "examples" / "python" / "01_first_force.py"
+    environment = {**{name: value for name, value in os.environ.items() if not name.startswith("PYTHON")},
+                   "PYTHONPATH": str(tmp_path)}
+    outputs = [subprocess.run([python, "-s", str(example)], env=environment, capture_output=True, text=True,
+                              check=True, cwd=tmp_path).stdout for python in (str(OTHER), sys.executable)]
+    assert outputs[0] == outputs[1] and "voxels gone" in outputs[0]
 
 
 def test_cmake_installs_the_same_tree(tmp_path):

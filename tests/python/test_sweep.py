@@ -7,6 +7,7 @@ import json
 import os
 import pickle
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -146,6 +147,40 @@ def test_a_scheduler_and_two_workers_over_tcp_give_the_same_bits(reference, tmp_
         client.wait_for_workers(2, timeout=60)
         out = tmp_path / "out"
         assert_same_bits(hapticut.sweep(SPACE, runs.drill, client.get_executor(), out), out, reference)
+
+
+MPI_STUDY = """
+import sys
+import hapticut, runs
+from mpi4py.futures import MPIPoolExecutor
+if __name__ == "__main__":
+    space = hapticut.sweep.grid(feed=[2e-3, 4e-3], speed=[2000.0, 8000.0],
+                                material=["enamel", "dentin", "cortical_bone"])
+    units = {"feed": "m/s", "peak_force": "N"}
+    with MPIPoolExecutor() as executor:
+        hapticut.sweep(space, runs.drill, executor, sys.argv[1], units=units, progress=False)
+"""
+
+
+def test_a_pool_of_mpi_gives_the_same_bits(reference, tmp_path):
+    pytest.importorskip("mpi4py", reason="mpi4py is not installed")
+    mpiexec = shutil.which("mpiexec")
+    if mpiexec is None:
+        pytest.skip("there is no mpiexec; e.g. sudo apt-get install openmpi-bin")
+    (tmp_path / "study.py").write_text(MPI_STUDY)
+    # Open MPI's: more processes than processors, all of them on this machine, also for root (in a container).
+    variables = {"OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_btl": "self,vader", "OMPI_ALLOW_RUN_AS_ROOT": "1",
+                 "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    with environment():
+        done = subprocess.run([mpiexec, "-n", "3", sys.executable, "-m", "mpi4py.futures", str(tmp_path / "study.py"),
+                               str(tmp_path / "out")], env={**os.environ, **variables}, capture_output=True, text=True,
+                              timeout=300)
+    assert done.returncode == 0, done.stdout + done.stderr
+    made = sum(len(path.read_text().splitlines()) for path in (tmp_path / "out" / "chunks").glob("*.jsonl"))
+    assert made == len(SPACE)  # so that what follows only reads the table
+    table = hapticut.sweep(SPACE, runs.drill, sweep.SerialExecutor(), tmp_path / "out", progress=False,
+                           units={"feed": "m/s", "peak_force": "N"})
+    assert_same_bits(table, tmp_path / "out", reference)
 
 
 @pytest.mark.filterwarnings("ignore")  # of dask's own

@@ -7538,6 +7538,9 @@ class RealtimeLoop:
     def is_running(self) -> bool:
         ...
 
+def _loop_in_cpp(simulation: Simulation, poses: numpy.typing.NDArray[numpy.float64], velocities: numpy.typing.NDArray[numpy.float64], dt: float | numpy.typing.NDArray[numpy.float64]) -> float:
+    ...
+
 def advance(from_: numpy.typing.ArrayLike, twist: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
     ...
 

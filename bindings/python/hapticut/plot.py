@@ -47,7 +47,8 @@ def _three_components(ax: Axes, trace: NDArray[Any], field: str, factor: float, 
     values = trace[field] * factor
     for axis, (name, color) in enumerate(zip("xyz", AXIS_COLORS)):
         ax.plot(time, values[:, axis], color=color, linewidth=1.1, label=name)
-    ax.plot(time, np.linalg.norm(values, axis=1), color=INK, linewidth=1.4, alpha=0.5, label="length")
+    # Behind the others and wider: it often coincides with one of them.
+    ax.plot(time, np.linalg.norm(values, axis=1), color=INK, linewidth=3.5, alpha=0.3, zorder=1.5, label="length")
     _finish(ax, "time [s]", label)
     ax.legend(ncols=4, frameon=False, loc="best")
     return ax
@@ -171,7 +172,7 @@ def sweep_matrix(table: pd.DataFrame, x: str, y: str, value: str, ax: Optional[A
     ax.set_xlabel(label(x))
     ax.set_ylabel(label(y))
     if cells.size <= 100:
-        middle = np.nanmean(cells.to_numpy(dtype=float))
+        middle = sum(image.get_clim()) / 2  # of the colours: darker ones get white digits
         for (row, column), number in np.ndenumerate(cells.to_numpy(dtype=float)):
             if np.isfinite(number):
                 ax.text(column + 0.5, row + 0.5, f"{number:.3g}", ha="center", va="center", fontsize=8,

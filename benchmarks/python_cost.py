@@ -1,0 +1,136 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""What Python costs: Simulation.run against the same loop in C++, one call of step, the import, and a sweep.
+
+    python benchmarks/python_cost.py [--runs 10000] [--json FILE]
+
+Needs an installed hapticut. Times are processor time of the thread and the least of several repetitions, but that of the
+sweep: there it is said how much of the processors' time the runs got, how much others took, and how much lay idle.
+"""
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+import hapticut
+from hapticut.units import mm, ms, rpm
+
+REPETITIONS = 15
+STEPS = 1000
+
+
+def plunge(above=0.0):
+    """The first second of the README, or the same above the bone."""
+    box = hapticut.Box([-3 * mm, -3 * mm, -4 * mm], [3 * mm, 3 * mm, 0])
+    bone = hapticut.build_block(box, 0.1 * mm, hapticut.presets.cortical_bone())
+    tool = hapticut.Tool(hapticut.SphereHead(1.5 * mm), hapticut.RayHandle(20 * mm), hapticut.Spindle(40000 * rpm))
+    simulation = hapticut.Simulation(bone, tool, hapticut.SimulationConfig(reference_stiffness=1e14))
+    heights = (1.5 + 20) * mm + above - 0.002 * mm * np.arange(1, STEPS + 1)
+    poses = hapticut.Pose.from_translation(np.outer(heights, [0, 0, 1]))
+    return simulation, poses, np.tile([0, 0, -2 * mm, 0, 0, 0], (STEPS, 1))
+
+
+def cost_of(function, above=0.0):
+    """[s] a step, least of several plunges."""
+    times = []
+    for _ in range(REPETITIONS):
+        simulation, poses, velocities = plunge(above)
+        begin = time.thread_time()
+        function(simulation, poses, velocities)
+        times.append(time.thread_time() - begin)
+    return min(times) / STEPS
+
+
+def run(simulation, poses, velocities):
+    simulation.run(poses, velocities, 1 * ms)
+
+
+def in_cpp(simulation, poses, velocities):
+    hapticut._hapticut._loop_in_cpp(simulation, poses, velocities, 1 * ms)
+
+
+def step_by_step(simulation, poses, velocities):
+    step = simulation.step
+    for pose, velocity in zip(poses, velocities):
+        step(pose, velocity, 1e-3)
+
+
+def python_alone(simulation, poses, velocities):
+    for pose, velocity in zip(poses, velocities):
+        pass
+
+
+def seconds_to_import():
+    """[s] of processor time that `import hapticut` takes where numpy is there already."""
+    code = "import numpy, time; begin = time.process_time(); import hapticut; print(time.process_time() - begin)"
+    return min(float(subprocess.run([sys.executable, "-c", code], check=True, capture_output=True).stdout)
+               for _ in range(5))
+
+
+def drill(parameters, rng):
+    """Some milliseconds of drilling."""
+    block = hapticut.build_block(hapticut.Box([-1 * mm, -1 * mm, -1 * mm], [1 * mm, 1 * mm, 0]), 0.1 * mm,
+                                 hapticut.presets.cortical_bone())
+    tool = hapticut.Tool(hapticut.SphereHead(0.5 * mm), spindle=hapticut.Spindle(parameters["speed"]))
+    simulation = hapticut.Simulation(block, tool, hapticut.SimulationConfig(reference_stiffness=1e15))
+    n = 250
+    hand = np.zeros((n, 3))
+    hand[:, 2] = 0.5 * mm - parameters["feed"] * 1e-3 * np.arange(1, n + 1)
+    hand[:, :2] = rng.normal(scale=2e-6, size=(n, 2))
+    trace = simulation.run(hapticut.Pose.from_translation(hand), np.zeros((n, 6)), 1e-3)
+    return {"thrust": trace["force"][:, 2].max()}
+
+
+def idle_time():
+    """[s] that the processors of this machine have waited since it began; nan where that is not known."""
+    try:
+        fields = Path("/proc/stat").read_text().split("\n", 1)[0].split()
+    except OSError:
+        return float("nan")
+    return (int(fields[4]) + int(fields[5])) / os.sysconf("SC_CLK_TCK")
+
+
+def sweep(runs):
+    """Shares of the processors' time."""
+    space = [{"feed": 1e-3 + 2e-3 * n / runs, "speed": 4000.0} for n in range(runs)]
+    with tempfile.TemporaryDirectory() as folder:
+        before, idle, begin = os.times(), idle_time(), time.monotonic()
+        hapticut.sweep(space, drill, out=folder, progress=False)
+        wall, after = time.monotonic() - begin, os.times()
+        idle = idle_time() - idle
+    used = sum(getattr(after, name) - getattr(before, name)
+               for name in ("user", "system", "children_user", "children_system"))
+    available = wall * os.cpu_count()
+    return {"runs": runs, "seconds": wall, "processors": os.cpu_count(), "sweep": used / available,
+            "idle": idle / available, "others": 1 - (used + idle) / available,
+            "share of what others left": used / (used + idle)}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--runs", type=int, default=10_000, help="of the sweep; 0: none")
+    parser.add_argument("--json", type=Path, help="write the numbers to a file, too")
+    arguments = parser.parse_args()
+
+    cpp, python = cost_of(in_cpp), cost_of(run)
+    report = {"step_in_cpp_us": cpp * 1e6, "step_in_run_us": python * 1e6, "run_over_cpp": python / cpp}
+    free = cost_of(in_cpp, above=10 * mm)
+    call = cost_of(step_by_step, above=10 * mm) - cost_of(python_alone, above=10 * mm)
+    report |= {"overhead_of_step_us": (call - free) * 1e6, "import_s": seconds_to_import()}
+    if arguments.runs > 0:
+        report["sweep"] = sweep(arguments.runs)
+    report["build"] = {name: getattr(hapticut.build_info(), name) for name in ("version", "commit", "compiler", "cpu")}
+    text = json.dumps(report, indent=2)
+    print(text)
+    if arguments.json:
+        arguments.json.write_text(text + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
