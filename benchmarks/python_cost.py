@@ -4,8 +4,8 @@
 
     python benchmarks/python_cost.py [--runs 10000] [--json FILE]
 
-Needs an installed hapticut. Times are processor time of the thread and the least of several repetitions, but that of the
-sweep: there it is said how much of the processors' time the runs got, how much others took, and how much lay idle.
+Needs an installed hapticut. Times are processor time of the thread and the least of several repetitions; of the sweep it is
+said how busy it keeps the processors.
 """
 import argparse
 import json
@@ -19,6 +19,7 @@ from pathlib import Path
 import numpy as np
 
 import hapticut
+from hapticut.sweep.scheduler import Scheduler
 from hapticut.units import mm, ms, rpm
 
 REPETITIONS = 15
@@ -97,19 +98,30 @@ def idle_time():
 
 
 def sweep(runs):
-    """Shares of the processors' time."""
+    """How busy a sweep keeps the processors: the share of the time that its workers spend inside of runs, which other
+    programs do not change, and the shares of the processors' time, which they do."""
+    inside = []
+    of_scheduler = Scheduler.chunks
+
+    def chunks(self):
+        for chunk in of_scheduler(self):
+            inside.append(chunk.seconds)
+            yield chunk
+
+    Scheduler.chunks = chunks
     space = [{"feed": 1e-3 + 2e-3 * n / runs, "speed": 4000.0} for n in range(runs)]
     with tempfile.TemporaryDirectory() as folder:
         before, idle, begin = os.times(), idle_time(), time.monotonic()
         hapticut.sweep(space, drill, out=folder, progress=False)
         wall, after = time.monotonic() - begin, os.times()
         idle = idle_time() - idle
+    Scheduler.chunks = of_scheduler
     used = sum(getattr(after, name) - getattr(before, name)
                for name in ("user", "system", "children_user", "children_system"))
     available = wall * os.cpu_count()
-    return {"runs": runs, "seconds": wall, "processors": os.cpu_count(), "sweep": used / available,
-            "idle": idle / available, "others": 1 - (used + idle) / available,
-            "share of what others left": used / (used + idle)}
+    return {"runs": runs, "seconds": wall, "processors": os.cpu_count(), "workers_inside_runs": sum(inside) / available,
+            "processor_time": {"sweep": used / available, "idle": idle / available,
+                               "other_programs": 1 - (used + idle) / available}}
 
 
 def main():
