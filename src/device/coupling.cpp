@@ -172,6 +172,8 @@ Twist VirtualCoupling::solve(const Pose& pose, const Twist& hand, double dt) noe
   if (!turns()) tool.angular = hand_path.angular;
   const double reach = simulation_->tool().head().reach() + simulation_->tool().X_HT().translation.norm();
   const double solved = kSolved * simulation_->workpiece().voxel_size() / dt;  // [m/s]
+  Vec3 last = Vec3::Zero();  // correction
+  bool slid = false, from_rest = false;
 
   for (int n = 0; n < gains_.newton_steps; ++n) {
     ++result_.newton_steps;
@@ -194,8 +196,18 @@ Twist VirtualCoupling::solve(const Pose& pose, const Twist& hand, double dt) noe
     } else {
       linear = Mat3(a.topLeftCorner<3, 3>()).ldlt().solve(Vec3(lacking.head<3>()));
     }
+    if (slid && contact.sliding && !from_rest && linear.dot(last) < -0.5 * last.squaredNorm()) {
+      // To and fro between sliding one way and the other: the head sticks, or nearly so, and that is found from rest.
+      from_rest = true;
+      tool.linear.setZero();
+      if (turns()) tool.angular.setZero();
+      last.setZero();
+      continue;
+    }
     tool.linear += linear;
     tool.angular += angular;
+    last = linear;
+    slid = contact.sliding;
     if (linear.norm() + angular.norm() * reach < solved) break;
   }
   return tool;

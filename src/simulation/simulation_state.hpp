@@ -25,10 +25,10 @@ struct SubStep {
 
 /// What the anchor of dry friction does to the head in a sub-step.
 struct AnchorForce {
-  Wrench wrench_T;               // on the tool about To, in T
-  double dissipated = 0;         // [J]
-  Vec3 normal_T = Vec3::Zero();  // of the plane that it pulls in, in T
-  Vec3 p_TQ = Vec3::Zero();      // [m] where it pulls, in T
+  Wrench wrench_T;                  // on the tool about To, in T
+  double dissipated = 0;            // [J]
+  Mat3 stiffness_T = Mat3::Zero();  // [N/m] of the place where it pulls, in T
+  Vec3 p_TQ = Vec3::Zero();         // [m] that place, in T
 };
 
 struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding): in the order of their making

@@ -34,11 +34,12 @@ AnchorForce Simulation::State::pull_of_anchor(const SubStep& sub_step, const Enc
   const Vec3 turning = sub_step.path_T.angular + Vec3(0, 0, motor.speed());
   const Vec3 displacement = (sub_step.path_T.linear + turning.cross(p_TQ)) * sub_step.duration;
   const StickSlip::Outcome outcome =
-      anchor.move(R_WT * normal_T.force, R_WT * displacement, friction_at(sub_step.X_WT * p_TQ), share);
+      anchor.move(R_WT * normal_T.force, R_WT * displacement, friction_at(sub_step.X_WT * p_TQ), share,
+                  double(sub_step.head.motion.lead));
   const Vec3 force_T = R_WT.transpose() * outcome.force;
   pull.wrench_T = {force_T, p_TQ.cross(force_T)};
   pull.dissipated = outcome.dissipated;
-  pull.normal_T = normal_T.force.normalized();
+  pull.stiffness_T = R_WT.transpose() * outcome.stiffness * R_WT;
   pull.p_TQ = p_TQ;
   return pull;
 }

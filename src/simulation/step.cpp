@@ -64,6 +64,7 @@ ContactProbe Simulation::probe(const Pose& pose, const Twist& velocity, double d
     probed.wrench.torque += share * part.wrench.torque;
     probed.stiffness += share * moves * part.stiffness;
     probed.contact = part.contact;
+    probed.sliding = part.sliding;
   }
   return probed;
 }
@@ -82,17 +83,14 @@ ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepCont
   const AnchorForce pull = pull_of_anchor(sub_step, encounter, anchor);
   wrench_T.force += pull.wrench_T.force;
   wrench_T.torque += pull.wrench_T.torque;
-  if (anchor.anchored() && !anchor.sliding()) {
-    const Mat3 plane = Mat3::Identity() - pull.normal_T * pull.normal_T.transpose();
-    Stiffness at_anchor = Stiffness::Zero();
-    at_anchor.topLeftCorner<3, 3>() = anchor.stiffness() * plane;
-    // The anchor pulls at Q: about To that is the stiffness of a body point p_TQ away.
-    stiffness_T += transport(at_anchor, Mat3::Identity(), pull.p_TQ);
-  }
+  Stiffness at_anchor = Stiffness::Zero();
+  at_anchor.topLeftCorner<3, 3>() = pull.stiffness_T;
+  // The anchor pulls at Q: about To that is the stiffness of a body point p_TQ away.
+  stiffness_T += transport(at_anchor, Mat3::Identity(), pull.p_TQ);
 
   const Vec3 p_HoTo_W = sub_step.X_WT.translation - sub_step.X_WH.translation;
   return {transport(Wrench{R_WT * wrench_T.force, R_WT * wrench_T.torque}, p_HoTo_W),
-          transport(stiffness_T, R_WT, p_HoTo_W), contact_of(encounter)};
+          transport(stiffness_T, R_WT, p_HoTo_W), contact_of(encounter), anchor.sliding()};
 }
 
 void Simulation::State::begin_step() noexcept {

@@ -44,25 +44,32 @@ inline constexpr double kFullSpinSpeed = 0.01;
 ///
 /// A sub-step that sticks returns its mean force, so that the work is exactly what the anchor stores; everything else
 /// is dissipation, and never negative (C17).
+///
+/// For implicit steps (`lead` = 0.5) the force is that of the end, and the step in which it begins to slide still has
+/// mu_s: so the force never falls as the tool moves on, and every step has a solution.
 class StickSlip {
  public:
   struct Outcome {
     Vec3 force = Vec3::Zero();  ///< [N] on the tool at the contact point
     double dissipated = 0;      ///< [J] >= 0
+
+    /// [N/m] by how much the force falls with a small displacement; symmetric, positive semidefinite.
+    Mat3 stiffness = Mat3::Zero();
   };
 
   /// Moves the contact point of the tool.
   /// @param normal_force  [N] summed normal force on the tool
   /// @param displacement  [m] of the tool's contact point over the material, in the same axes
   /// @param share         [1] of the coefficients in force: see `standing_share`
+  /// @param lead          [1] of the sub-step after its middle that the force is that of: 0, or 0.5 for its end
   /// @realtime no allocation, no lock
-  Outcome move(const Vec3& normal_force, const Vec3& displacement, const DryFriction& friction,
-               double share = 1) noexcept {
+  Outcome move(const Vec3& normal_force, const Vec3& displacement, const DryFriction& friction, double share = 1,
+               double lead = 0) noexcept {
     const double before = stored();
     const double normal = share * normal_force.norm();
     if (!(normal > 0)) {
       release();
-      return {Vec3::Zero(), before};
+      return {Vec3::Zero(), before, Mat3::Zero()};
     }
     if (!anchored_) {
       anchored_ = true;
@@ -70,20 +77,25 @@ class StickSlip {
     }
     const Vec3 n = normal_force.normalized();
     const auto tangential = [&](const Vec3& v) { return Vec3(v - n * n.dot(v)); };
+    const Mat3 plane = Mat3::Identity() - n * n.transpose();
     const Vec3 start = tangential(stretch_), move = tangential(displacement), end = start - move;
-    const Vec3 mean = start - 0.5 * move;
+    const Vec3 seen = start - (0.5 + lead) * move;  // the mean, or the end
 
     const double limit = (sliding_ ? friction.dynamic_friction : friction.static_friction) * normal / stiffness_;
-    if (std::max(mean.squaredNorm(), end.squaredNorm()) <= limit * limit) {
+    if (std::max(seen.squaredNorm(), end.squaredNorm()) <= limit * limit) {
       sliding_ = false;
       stretch_ = end;
-      return {stiffness_ * mean, std::max(0.0, before - 0.5 * stiffness_ * start.squaredNorm())};
+      const double let_go = std::max(0.0, before - 0.5 * stiffness_ * start.squaredNorm());
+      return {stiffness_ * seen, let_go + lead * stiffness_ * move.squaredNorm(), (0.5 + lead) * stiffness_ * plane};
     }
-    const double length = std::max(end.norm(), 1e-300), dragged = friction.dynamic_friction * normal / stiffness_;
+    const double length = std::max(end.norm(), 1e-300);
+    const double dragged = lead > 0 ? limit : friction.dynamic_friction * normal / stiffness_;
+    const double kept = std::min(1.0, dragged / length);
     sliding_ = true;
-    stretch_ = end * std::min(1.0, dragged / length);
-    const Vec3 force = stiffness_ * stretch_;
-    return {force, std::max(0.0, before - stored() - force.dot(move))};
+    stretch_ = kept * end;
+    const Vec3 force = stiffness_ * stretch_, along = end / length;
+    return {force, std::max(0.0, before - stored() - force.dot(move)),
+            kept * stiffness_ * (plane - along * along.transpose())};
   }
 
   /// [J] energy of the anchor.

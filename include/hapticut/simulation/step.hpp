@@ -84,6 +84,7 @@ struct ContactProbe {
   Wrench wrench;                            ///< about Ho, in W, on the tool; without effects and limits
   Stiffness stiffness = Stiffness::Zero();  ///< about Ho, in W; positive semidefinite
   Contact contact;
+  bool sliding = false;  ///< dry friction drags its anchor along: see StickSlip
 };
 
 /// The spindle during the step.

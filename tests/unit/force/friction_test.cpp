@@ -21,16 +21,16 @@ struct Drag {
   double work = 0, peak = 0, plateau = 0, dissipated = 0, stored = 0;
 };
 
-Drag drag(const DryFriction& friction, double normal, double length, int steps) {
+Drag drag(const DryFriction& friction, double normal, double length, int steps, double lead = 0) {
   StickSlip contact;
   Drag d;
   const Vec3 move(length / steps, 0, 0);
   for (int i = 0; i < steps; ++i) {
-    const auto [force, dissipated] = contact.move(Vec3(0, 0, normal), move, friction);
-    d.work -= force.dot(move);
-    d.peak = std::max(d.peak, force.norm());
-    d.plateau = force.norm();
-    d.dissipated += dissipated;
+    const StickSlip::Outcome seen = contact.move(Vec3(0, 0, normal), move, friction, 1, lead);
+    d.work -= seen.force.dot(move);
+    d.peak = std::max(d.peak, seen.force.norm());
+    d.plateau = seen.force.norm();
+    d.dissipated += seen.dissipated;
   }
   d.stored = contact.stored();
   return d;
@@ -44,15 +44,16 @@ TEST_P(DragTest, DoesTheWorkOfC17) {
   const double normal = 2, length = 10 * mm, stuck = friction.static_friction * normal / 500;
   const double work = std::pow(friction.static_friction * normal, 2) / (2 * 500) +
                       friction.dynamic_friction * normal * (length - stuck);
-  for (const int steps : {500, 5000}) {
-    const Drag d = drag(friction, normal, length, steps);
-    const double one_step = friction.static_friction * normal * length / steps;
-    EXPECT_NEAR(d.work, work, one_step);
-    EXPECT_LE(d.peak, friction.static_friction * normal * (1 + 1e-12));
-    EXPECT_GE(d.peak, friction.static_friction * normal - 2 * 500 * length / steps);
-    EXPECT_NEAR(d.plateau, friction.dynamic_friction * normal, 1e-12);
-    EXPECT_NEAR(d.work, d.stored + d.dissipated, 1e-12) << "all work is stored or dissipated";
-  }
+  for (const int steps : {500, 5000})
+    for (const double lead : {0.0, 0.5}) {
+      const Drag d = drag(friction, normal, length, steps, lead);
+      const double one_step = friction.static_friction * normal * length / steps;
+      EXPECT_NEAR(d.work, work, (1 + lead) * one_step);
+      EXPECT_LE(d.peak, friction.static_friction * normal * (1 + 1e-12));
+      EXPECT_GE(d.peak, friction.static_friction * normal - 2 * 500 * length / steps);
+      EXPECT_NEAR(d.plateau, friction.dynamic_friction * normal, 1e-12);
+      EXPECT_NEAR(d.work, d.stored + d.dissipated, 1e-12) << "all work is stored or dissipated";
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(StaticOverDynamic, DragTest, testing::Values(0.3, 0.4, 0.5));
@@ -131,6 +132,31 @@ TEST(DryFrictionInput, IsRefusedWithItsValueAndTheCure) {
   EXPECT_NE(message({0.3, -0.1, 1000}).find("dynamic_friction"), std::string::npos);
   EXPECT_NE(message({0.3, 0.3, 0}).find("tangential_stiffness"), std::string::npos);
   EXPECT_NE(message({std::nan(""), 0.3, 1000}).find("nan"), std::string::npos);
+}
+
+/// What implicit steps need: the force of the end is the slope of a convex function of where the step ends, so that a
+/// step has exactly one solution, and `stiffness` is its slope.
+RC_GTEST_PROP(StickSlip, AtTheEndOfAStepOpposesEveryFurtherMotion, ()) {
+  const DryFriction friction{*number_between(0.2, 1), *number_between(0, 0.2), *number_between(100, 1e6)};
+  const Vec3 normal = *number_between(0.1, 5) * (Vec3(0, 0, 1) + 0.3 * *arbitrary_vector(1)).normalized();
+  StickSlip before;
+  for (int n = 0; n < 3; ++n) (void)before.move(normal, *arbitrary_vector(1 * mm), friction, 1, 0.5);
+  const auto move = [&](const Vec3& displacement) {
+    StickSlip anchor = before;
+    return anchor.move(normal, displacement, friction, 1, 0.5);
+  };
+  const Vec3 a = *arbitrary_vector(1 * mm), b = *arbitrary_vector(1 * mm);
+  RC_ASSERT((move(a).force - move(b).force).dot(a - b) <= 1e-12);
+
+  const Mat3 stiffness = move(a).stiffness;
+  const Vec3 direction = (*arbitrary_vector(1) + Vec3(1e-3, 0, 0)).normalized();
+  const double h = 1e-9;
+  const Vec3 slope = -(move(a + h * direction).force - move(a - h * direction).force) / (2 * h);
+  RC_ASSERT((stiffness - stiffness.transpose()).norm() <= 1e-9 * stiffness.norm());
+  RC_ASSERT(direction.dot(stiffness * direction) >= -1e-9 * stiffness.norm());
+  const bool sticks_and_slides = (move(a + h * direction).stiffness - move(a - h * direction).stiffness).norm() >
+                                 1e-3 * friction.tangential_stiffness;  // a kink in between
+  if (!sticks_and_slides) RC_ASSERT((stiffness * direction - slope).norm() <= 1e-4 * friction.tangential_stiffness);
 }
 
 TEST(ContactPoint, IsWhereTheLineOfActionLeavesTheHeadTowardsTheMaterial) {

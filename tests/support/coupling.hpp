@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/device/coupling.hpp"
+#include "support/cutting.hpp"
+
+/// @file
+/// Tools on a virtual coupling, and a hand that presses them down.
+namespace hapticut::test {
+
+inline constexpr double kTick = 1e-3;        // [s]
+inline constexpr double kRadius = 1e-3;      // [m] of the ball
+inline constexpr double kSpin = 2000;        // [rad/s]
+inline constexpr double kPress = 5;          // [N]
+inline constexpr double kApproach = 0.1;     // [m/s]
+inline const Vec3 kAside = {1e-5, 2e-5, 0};  // [m] off the symmetry of the grid
+
+inline SimulationConfig implicit(double reference_stiffness) {
+  SimulationConfig config;
+  config.reference_stiffness = reference_stiffness;
+  config.contact_time = ContactTime::end;
+  return config;
+}
+
+/// @param depth  [m] of the material below z = 0
+inline Workpiece half_space(double depth = 4e-3, const Material& material = plain_material(), double voxel = 1e-4) {
+  return build_block({{-4e-3, -4e-3, -depth}, {4e-3, 4e-3, 0}}, voxel, material);
+}
+
+inline Tool ball(double spin = 0) { return Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin}); }
+
+/// A hand that comes down along z and stays where the coupling pulls with a force.
+struct PressedTool {
+  double rest_penetration = 0;      // [m]
+  double greatest_penetration = 0;  // [m]
+  double rebound = 0;               // [m/s] greatest speed upwards
+  double jitter = 0;                // [m] from the lowest to the highest place in the last half second
+  double rest_force = 0;            // [N] on the hand, upwards
+  int newton_steps = 0;             // in all ticks
+};
+
+inline PressedTool press(VirtualCoupling& coupling, double force = kPress, int ticks = 2000) {
+  const double start = kRadius + 1e-3, end = kRadius - force / coupling.gains().stiffness;
+  PressedTool pressed;
+  double last = start, low = 1, high = -1;
+  for (int n = 0; n < ticks; ++n) {
+    const double z = std::max(start - kApproach * n * kTick, end);
+    const CoupledResult& result = coupling.step(Pose::from_translation(kAside + Vec3(0, 0, z)),
+                                                {Vec3(0, 0, (z - last) / kTick), Vec3::Zero()}, kTick);
+    last = z;
+    const double height = result.X_WH.translation.z();
+    pressed.newton_steps += result.newton_steps;
+    pressed.rebound = std::max(pressed.rebound, result.velocity.linear.z());
+    pressed.greatest_penetration = std::max(pressed.greatest_penetration, kRadius - height);
+    if (n >= ticks - 500) low = std::min(low, height), high = std::max(high, height);
+  }
+  pressed.rest_penetration = kRadius - coupling.last_result().X_WH.translation.z();
+  pressed.jitter = high - low;
+  pressed.rest_force = coupling.last_result().hand.force.z();
+  return pressed;
+}
+
+}  // namespace hapticut::test
