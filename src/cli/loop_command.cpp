@@ -138,10 +138,6 @@ void run(LoopSettings s) {
   Workpiece workpiece = make_workpiece(s.workpiece);
   const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
   SimulationConfig config = make_config(s.simulation);
-  if (coupled && s.simulation.force.law.value_or(ForceSettings::Law::foundation) != ForceSettings::Law::foundation)
-    throw Error(
-        "force.law is set, but the virtual coupling knows the stiffness of the foundation law only. Set --coupling "
-        "none, or leave force.law out.");
   if (coupled) config.contact_time = ContactTime::end;
   Simulation simulation(std::move(workpiece), tool, std::move(config));
   RunRecorder recorder(s.record, simulation, s.simulated_time ? Pace::own : Pace::of_a_hand, device.get());

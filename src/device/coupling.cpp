@@ -59,11 +59,14 @@ VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& ga
   reserve_touched(changed_, simulation.worst_case().blocks * kMostParts);
 }
 
-const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& hand_velocity, double dt) noexcept {
+const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& hand_velocity, double dt,
+                                           StepRecorder* recorder, const DeviceTick* device) noexcept {
   // Copies, because they may be parts of the last result, which changes.
   const Pose pose = hand_pose;           // NOLINT(performance-unnecessary-copy-initialization)
   const Twist velocity = hand_velocity;  // NOLINT(performance-unnecessary-copy-initialization)
   begin_tick();
+  recorder_ = recorder;
+  device_ = device;
   const StepStatus refused = check_input(simulation_->config(), pose, velocity, dt);
   if (refused != StepStatus::ok) return let_go(refused);
   if (!std::exchange(held_, true)) {
@@ -121,7 +124,7 @@ StepStatus VirtualCoupling::move(const Pose& pose, const Twist& hand_path, const
   Pose X_WH = advance(result_.X_WH, tool, dt);
   if (!turns()) X_WH.rotation = pose.rotation;
   const double work_before = simulation_->last_result().energy.hand_work;
-  const StepResult& stepped = simulation_->step(X_WH, tool, dt);
+  const StepResult& stepped = step_simulation(X_WH, tool, dt);
   if (has(stepped.status, kRejected)) return stepped.status;
   keep_lists(stepped);
 
@@ -132,6 +135,13 @@ StepStatus VirtualCoupling::move(const Pose& pose, const Twist& hand_path, const
   book(before, after, tool_before, hand_path, hand, stepped.energy.hand_work - work_before, dt);
   X_WD_ = pose;
   return stepped.status;
+}
+
+const StepResult& VirtualCoupling::step_simulation(const Pose& X_WH, const Twist& tool, double dt) noexcept {
+  if (recorder_ != nullptr) recorder_->before_step();
+  const StepResult& stepped = simulation_->step(X_WH, tool, dt);
+  if (recorder_ != nullptr) recorder_->after_step(device_);
+  return stepped;
 }
 
 /// What the parts of a tick have changed, together.
@@ -172,14 +182,15 @@ Twist VirtualCoupling::solve(const Pose& pose, const Twist& hand, double dt) noe
   if (!turns()) tool.angular = hand_path.angular;
   const double reach = simulation_->tool().head().reach() + simulation_->tool().X_HT().translation.norm();
   const double solved = kSolved * simulation_->workpiece().voxel_size() / dt;  // [m/s]
-  Vec3 last = Vec3::Zero();  // correction
+  Vec3 last = Vec3::Zero();                                                    // correction
   bool slid = false, from_rest = false;
 
   for (int n = 0; n < gains_.newton_steps; ++n) {
     ++result_.newton_steps;
     Pose X_WH = advance(result_.X_WH, tool, dt);
     if (!turns()) X_WH.rotation = pose.rotation;
-    const ContactProbe contact = simulation_->probe(X_WH, tool, dt);
+    const ContactProbe contact =
+        simulation_->probe(X_WH, tool, dt, turns() ? ProbedMotions::all : ProbedMotions::translations);
     const Pull p = pull(X_WH, tool, pose, hand);
 
     Stiffness a = dt * contact.stiffness;

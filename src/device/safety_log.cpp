@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/device/safety_log.hpp"
 
+#include <algorithm>
 #include <boost/lockfree/spsc_queue.hpp>
 
 #include "hapticut/core/errors.hpp"
@@ -59,8 +60,8 @@ SafetyLog::~SafetyLog() = default;
 
 void SafetyLog::begin_tick(double time, std::uint64_t sequence) noexcept {
   ++tick_;
-  time_ = time;
-  sequence_ = sequence;
+  time_.store(time, std::memory_order_relaxed);
+  sequence_.store(sequence, std::memory_order_relaxed);
 }
 
 void SafetyLog::report(SafetyEvent event, double value) noexcept {
@@ -68,7 +69,19 @@ void SafetyLog::report(SafetyEvent event, double value) noexcept {
   counts_[n].fetch_add(1, std::memory_order_relaxed);
   const bool began = last_tick_[n] + 1 < tick_;
   last_tick_[n] = tick_;
-  if (began && !ring_->entries.push({time_, sequence_, event, value})) dropped_.fetch_add(1, std::memory_order_relaxed);
+  if (!began) return;
+  const SafetyLogEntry entry = {time_.load(std::memory_order_relaxed), sequence_.load(std::memory_order_relaxed), event,
+                                value};
+  if (!ring_->entries.push(entry)) dropped_.fetch_add(1, std::memory_order_relaxed);
+}
+
+void SafetyLog::note(SafetyEvent event, double value) {
+  counts_[std::size_t(event)].fetch_add(1, std::memory_order_relaxed);
+  const std::lock_guard lock(readers_);
+  if (noted_.size() < kCapacity)
+    noted_.push_back({time_.load(std::memory_order_relaxed), sequence_.load(std::memory_order_relaxed), event, value});
+  else
+    dropped_.fetch_add(1, std::memory_order_relaxed);
 }
 
 std::uint64_t SafetyLog::count(SafetyEvent event) const noexcept {
@@ -79,6 +92,10 @@ std::vector<SafetyLogEntry> SafetyLog::drain() {
   const std::lock_guard lock(readers_);
   std::vector<SafetyLogEntry> entries;
   ring_->entries.consume_all([&](const SafetyLogEntry& entry) { entries.push_back(entry); });
+  entries.insert(entries.end(), noted_.begin(), noted_.end());
+  noted_.clear();
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const SafetyLogEntry& a, const SafetyLogEntry& b) { return a.sequence < b.sequence; });
   return entries;
 }
 

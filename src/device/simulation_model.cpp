@@ -5,10 +5,12 @@
 #include <bit>
 #include <cmath>
 
+#include "hapticut/core/errors.hpp"
+
 namespace hapticut {
 namespace {
 
-enum Code : std::int32_t { kSpindleSpeed, kOpenClutch, kCloseClutch, kScale };
+enum Code : std::int32_t { kSpindleSpeed, kOpenClutch, kCloseClutch, kScale, kUndoMark, kUndo };
 
 LoopCommand command(Code code, double value = 0) { return {LoopCommand::Kind::model, code, {value}}; }
 
@@ -21,7 +23,9 @@ enum Place : std::size_t {
   kSpindle,
   kStatus,
   kSeen,
-  kSteps
+  kSteps,
+  kUndoMarks,
+  kUndoing
 };
 
 Vec3 vector_at(const LoopSnapshot& snapshot, std::size_t place) {
@@ -38,6 +42,8 @@ LoopCommand set_spindle_speed(double speed) { return command(kSpindleSpeed, spee
 LoopCommand open_clutch() { return command(kOpenClutch); }
 LoopCommand close_clutch() { return command(kCloseClutch); }
 LoopCommand set_scale(double scale) { return command(kScale, scale); }
+LoopCommand set_undo_mark() { return command(kUndoMark); }
+LoopCommand undo() { return command(kUndo); }
 
 }  // namespace model_commands
 
@@ -53,6 +59,8 @@ ToolSnapshot tool_of(const LoopSnapshot& snapshot) {
   tool.status = StepStatus(std::uint32_t(values[kStatus]));
   tool.seen = StepStatus(std::uint32_t(values[kSeen]));
   tool.steps = std::uint64_t(values[kSteps]);
+  tool.undo_marks = std::size_t(values[kUndoMarks]);
+  tool.undoing = values[kUndoing] != 0;
   return tool;
 }
 
@@ -64,15 +72,20 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
       map_(options.map),
       region_(simulation.workpiece().bounds()),
       spindle_needs_force_(options.spindle_needs_force),
+      undo_blocks_per_tick_(options.undo_blocks_per_tick),
       spindle_speed_(simulation.spindle_setting()) {
+  require_positive(double(options.undo_blocks_per_tick), "SimulationModelOptions::undo_blocks_per_tick");
   if (options.coupling) coupling_.emplace(simulation, *options.coupling);
+  if (options.undo_blocks > 0) simulation.reserve_undo(options.undo_blocks);
 }
 
 Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept {
-  stepped_ = false;
+  changed_ = {};
   Wrench wrench;
-  if (state.valid) {
-    X_BS_ = state.X_BS;
+  if (state.valid) X_BS_ = state.X_BS;
+  if (tool_.undoing) {
+    go_back();
+  } else if (state.valid) {
     turn_spindle(device_->last_arming());
     wrench = move_tool(state, dt);
   } else if (coupling_) {
@@ -80,6 +93,15 @@ Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& 
   }
   show(snapshot);
   return wrench;
+}
+
+/// A part of the way back to the last mark.
+void SimulationModel::go_back() noexcept {
+  tool_.undoing = !simulation_->undo(undo_blocks_per_tick_);
+  changed_ = simulation_->changed_blocks();
+  // Whatever the tool is in now, nobody shall feel it at once.
+  device_->interrupt(SafetyEvent::model_swapped);
+  may_cut_ = false;
 }
 
 void SimulationModel::turn_spindle(ArmingState arming) noexcept {
@@ -92,37 +114,40 @@ void SimulationModel::turn_spindle(ArmingState arming) noexcept {
 }
 
 /// Steps, with the coupling or without.  @return what the hand feels, about Ho of the hand, in W
-Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept {
+Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, double dt,
+                                    const DeviceTick& tick) noexcept {
   if (coupling_) {
-    const CoupledResult& result = coupling_->step(pose, velocity, dt);
+    const CoupledResult& result = coupling_->step(pose, velocity, dt, recorder_, &tick);
+    if (result.parts == 0) return {};  // it refused the input
     X_WH_ = result.X_WH;
+    changed_ = result.changed_blocks;
+    tool_.removed_volume += result.removed_volume;
+    tool_.status = result.status;
     return result.hand;
   }
+  if (recorder_ != nullptr) recorder_->before_step();
   const StepResult& result = simulation_->step(pose, velocity, dt);
+  if (recorder_ != nullptr) recorder_->after_step(&tick);
   X_WH_ = pose;
+  changed_ = simulation_->changed_blocks();
+  tool_.removed_volume += result.removed_volume;
+  tool_.status = result.status;
   return {result.force, result.torque};
 }
 
 Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept {
   const std::uint64_t steps = simulation_->steps();
-  if (recorder_ != nullptr) recorder_->before_step();
-  const Wrench felt = follow_hand(map_.to_world(state.X_BS), map_.to_world(state.X_BS, state.velocity), dt);
-  if (recorder_ != nullptr) {
-    const DeviceTick tick{state, device_->last_output(), device_->last_arming()};
-    recorder_->after_step(&tick);
-  }
-  stepped_ = simulation_->steps() != steps;
-  if (!stepped_) return {};  // the coupling refused the input
+  const DeviceTick tick{state, device_->last_output(), device_->last_arming()};
+  const Wrench felt = follow_hand(map_.to_world(state.X_BS), map_.to_world(state.X_BS, state.velocity), dt, tick);
+  if (simulation_->steps() == steps) return {};  // the coupling refused the input
   const StepResult& result = simulation_->last_result();
   ++tool_.steps;
   tool_.force = felt.force;
   tool_.torque = felt.torque;
-  tool_.removed_volume += result.removed_volume;
   tool_.contact_depth = result.contact.depth;
   tool_.contact_voxels = result.contact.voxels;
   tool_.spindle_speed = result.spindle.speed;
-  tool_.status = result.status;
-  tool_.seen |= result.status;
+  tool_.seen |= tool_.status;
   return map_.to_device(state.X_BS, felt);
 }
 
@@ -140,6 +165,8 @@ void SimulationModel::show(LoopSnapshot& snapshot) const noexcept {
   values[kStatus] = double(std::uint32_t(tool_.status));
   values[kSeen] = double(std::uint32_t(tool_.seen));
   values[kSteps] = double(tool_.steps);
+  values[kUndoMarks] = double(simulation_->undo_marks());
+  values[kUndoing] = tool_.undoing ? 1 : 0;
 }
 
 void SimulationModel::obey(const LoopCommand& given) noexcept {
@@ -158,16 +185,23 @@ void SimulationModel::obey(const LoopCommand& given) noexcept {
     case kScale:
       if (map_.set_scale(value, X_BS_)) device_->interrupt(SafetyEvent::reclutched);
       break;
+    case kUndoMark:
+      if (!tool_.undoing) simulation_->set_undo_mark();
+      break;
+    case kUndo:
+      if (tool_.undoing || simulation_->undo_marks() == 0) break;
+      tool_.undoing = true;
+      tool_.force = tool_.torque = Vec3::Zero();
+      if (coupling_) coupling_->release();
+      break;
     default:
       break;
   }
 }
 
 void SimulationModel::mark_changes(BlockOutbox& outbox) noexcept {
-  if (!stepped_) return;
-  const ChangedBlocks changed = simulation_->changed_blocks();
-  for (const VoxelIndex& origin : changed.origins) outbox.mark(origin);
-  if (changed.complete) return;
+  for (const VoxelIndex& origin : changed_.origins) outbox.mark(origin);
+  if (changed_.complete) return;
   for (int i = block_start(region_.min[0]); i <= region_.max[0]; i += kBlockEdge)
     for (int j = block_start(region_.min[1]); j <= region_.max[1]; j += kBlockEdge)
       for (int k = block_start(region_.min[2]); k <= region_.max[2]; k += kBlockEdge) outbox.mark({i, j, k});

@@ -59,11 +59,6 @@ ContactStages::ContactStages(const Workpiece& workpiece, const ToolHead& head, c
   if (law_ != nullptr && voxel_budget_ != 0)
     throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
                 " was given with a law of your own; only the default law has a level of detail. Leave it at 0.");
-  if (law_ != nullptr && config.contact_time != ContactTime::middle)
-    throw Error(
-        "SimulationConfig::contact_time = end was given with a law of your own; only the default law keeps its "
-        "energies "
-        "there. Leave it at middle.");
   reserve_touched(blocks_, most_blocks_);
   reserve_touched(emptied_, most_blocks_);
   reserve_touched(changed_, most_blocks_ * std::size_t(std::min(config.longest_sweep, kListedSubSteps)));
@@ -146,6 +141,7 @@ void ContactStages::press_blocks(Workpiece& workpiece, const ToolHead& head, con
       const BlockView& block = *next++;
       const bool writable = cuts && can_cut(block, workpiece);
       encounter.blocks_exhausted |= cuts && !writable;
+      if (writable && block.fill != nullptr) workpiece.remember(block);
       tasks_[count++] = {block, fill_target(block), writable, {}};
       if (cuts && block.fill == nullptr) break;  // its new fills must be kept before another block needs their place
     }
@@ -191,7 +187,12 @@ void ContactStages::take_sums(const kernels::ContactJob& job, const kernels::Con
 
 Encounter ContactStages::probe_contact(const Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
                                        Stiffness& stiffness_T) noexcept {
-  HAPTICUT_ASSERT(law_ == nullptr);
+  if (law_ != nullptr) {
+    stiffness_T.setZero();
+    Encounter encounter;
+    feel_law(workpiece, head, at, encounter, [](const BlockView&, bool) {});
+    return encounter;
+  }
   const kernels::ContactJob job = job_at(workpiece, head, at);
   kernels::ContactSums sums;
   kernels::StiffnessSums stiffness;
@@ -209,8 +210,10 @@ Encounter ContactStages::probe_contact(const Workpiece& workpiece, const ToolHea
 }
 
 /// Any other law, stage by stage on the samples of one block.
-void ContactStages::ask_law(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, RemovalRecord& removal,
-                            Encounter& encounter) noexcept {
+/// @param leave  called with what was sampled and left in `contact_`, and whether the law may remove any of it
+template <class Leave>
+void ContactStages::feel_law(const Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
+                             Encounter& encounter, const Leave& leave) noexcept {
   const GridInHead grid(at.X_VT.inverse(), workpiece.voxel_size());
   HeadMotion motion = at.motion;
   WholeContact whole;
@@ -225,7 +228,6 @@ void ContactStages::ask_law(Workpiece& workpiece, const ToolHead& head, const He
   }
   HeadMotion without_removal = motion;
   without_removal.removal = RemovalLaw::none;
-  std::array<double, 256> taken = {};
   for (const BlockView& block : blocks_) {
     kernels::sample_contact(head, block, grid, quadrature_, contact_);
     if (contact_.samples == 0) continue;
@@ -234,10 +236,20 @@ void ContactStages::ask_law(Workpiece& workpiece, const ToolHead& head, const He
     const LawTotals totals = law_->evaluate(writable ? motion : without_removal, materials_, contact_);
     encounter.add(totals);
     kernels::sum_resultant(contact_, encounter.resultant);
-    if (!totals.may_remove || !writable) continue;
+    leave(block, totals.may_remove && writable);
+  }
+}
+
+/// The same, and takes away what the law removes.
+void ContactStages::ask_law(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, RemovalRecord& removal,
+                            Encounter& encounter) noexcept {
+  std::array<double, 256> taken = {};
+  feel_law(workpiece, head, at, encounter, [&](const BlockView& block, bool may_remove) {
+    if (!may_remove) return;
+    if (block.fill != nullptr) workpiece.remember(block);
     float* fill_after = fill_target(block);
     keep_change({block, fill_after, true, find_changes(contact_, block, fill_after, taken)}, workpiece);
-  }
+  });
   for (int id = 1; id <= workpiece.materials().size(); ++id)
     removal.add_volume(MaterialId(id), taken[std::size_t(id)] * voxel_volume_);
 }
@@ -289,6 +301,17 @@ void ContactStages::remove_material(Workpiece& workpiece, RemovalRecord& removal
   for (const EmptiedBlock& entry : emptied_) empty_voxels(entry.block, entry.emptied, workpiece, removal);
   emptied_.clear();
   ++turn_;
+}
+
+std::size_t ContactStages::undo(Workpiece& workpiece, std::size_t most) noexcept {
+  std::size_t undone = 0;
+  for (; undone < most; ++undone) {
+    const auto origin = workpiece.undo_block();
+    if (!origin) break;
+    list_change(*origin);
+  }
+  turn_ = 0;
+  return undone;
 }
 
 void ContactStages::start_afresh(const Workpiece& workpiece) {

@@ -61,10 +61,13 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   [[nodiscard]] Encounter evaluate_contact(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
                                            RemovalRecord& removal) noexcept;
 
-  /// What `evaluate_contact` would return for the blocks found, without a change to anything; only FoundationLaw.
-  /// @param stiffness_T  of the contact about To, in T
+  /// What `evaluate_contact` would return for the blocks found, without a change to anything.
+  /// @param stiffness_T  of the contact about To, in T; zero where the law has none: see `knows_stiffness`
   [[nodiscard]] Encounter probe_contact(const Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
                                         Stiffness& stiffness_T) noexcept;
+
+  /// Whether `probe_contact` gives a stiffness: FoundationLaw does.
+  [[nodiscard]] bool knows_stiffness() const noexcept { return law_ == nullptr; }
 
   /// Stage `remove_material`: takes voxels that became empty out of the workpiece and lists them. Ends a turn of the
   /// level of detail.
@@ -74,6 +77,9 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
 
   /// For a workpiece that was put back to what it once was.
   void start_afresh(const Workpiece& workpiece);
+
+  /// Puts up to `most` blocks back to what they were at the last mark, and lists them as changed.  @return how many
+  std::size_t undo(Workpiece& workpiece, std::size_t most) noexcept;
 
   /// Forgets which blocks have changed, at the beginning of a step.
   void forget_changes() noexcept;
@@ -95,6 +101,9 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   void take_sums(const kernels::ContactJob& job, const kernels::ContactSums& sums, Encounter& encounter) const noexcept;
   void press_blocks(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, RemovalRecord& removal,
                     Encounter& encounter) noexcept;
+  template <class Leave>
+  void feel_law(const Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, Encounter& encounter,
+                const Leave& leave) noexcept;
   void ask_law(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, RemovalRecord& removal,
                Encounter& encounter) noexcept;
   [[nodiscard]] int level_of_detail() const noexcept;

@@ -104,6 +104,23 @@ void Simulation::restore(const WorkpieceSnapshot& snapshot) {
   ++state_->workpiece_exchanges;
 }
 
+void Simulation::reserve_undo(std::size_t blocks) { state_->workpiece.reserve_undo(blocks); }
+
+void Simulation::set_undo_mark() noexcept { state_->workpiece.set_mark(); }
+
+std::size_t Simulation::undo_marks() const noexcept { return state_->workpiece.marks(); }
+
+bool Simulation::undo(std::size_t most) noexcept {
+  State& s = *state_;
+  s.contact_stages.forget_changes();
+  const std::size_t marks = s.workpiece.marks();
+  if (marks == 0) return true;
+  s.has_pose = false;
+  ++s.workpiece_exchanges;
+  s.contact_stages.undo(s.workpiece, most);
+  return s.workpiece.marks() < marks;
+}
+
 void Simulation::reset(Workpiece workpiece) {
   validate_pair(workpiece, state_->tool);
   const std::uint64_t exchanges = state_->workpiece_exchanges;

@@ -39,6 +39,9 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   [[nodiscard]] StageTimer timed(double StageTimes::*stage) const noexcept {
     return StageTimer(config.stage_times ? &(times.*stage) : nullptr);
   }
+  [[nodiscard]] ContactProbe probe_way(const Pose& from, const Pose& pose, const Twist& velocity, double dt) noexcept;
+  [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& pose, const Twist& velocity, double dt,
+                                            ProbedMotions motions, const Wrench& felt) noexcept;
   [[nodiscard]] ContactProbe probe_sub_step(const SubStep& sub_step, DeepContact& deep, StickSlip& anchor) noexcept;
   void begin_step() noexcept;
   [[nodiscard]] StepStatus check_step_input(const Pose& pose, const Twist& velocity, double dt) const noexcept {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The step, stage by stage.
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -46,19 +47,28 @@ const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, doub
   return s.finish_step(pose, dt, sub_steps);
 }
 
-ContactProbe Simulation::probe(const Pose& pose, const Twist& velocity, double dt) noexcept {
+ContactProbe Simulation::probe(const Pose& pose, const Twist& velocity, double dt, ProbedMotions motions) noexcept {
   State& s = *state_;
-  ContactProbe probed;
-  if (check_input(s.config, pose, velocity, dt) != StepStatus::ok) return probed;
+  if (check_input(s.config, pose, velocity, dt) != StepStatus::ok) return {};
   const Pose from = s.has_pose ? s.X_WH : advance(pose, velocity, -dt);
-  const int sub_steps = s.plan_sweep(from, pose);
-  if (sub_steps > s.config.longest_sweep) return probed;
+  if (s.plan_sweep(from, pose) > s.config.longest_sweep) return {};
+  ContactProbe probed = s.probe_way(from, pose, velocity, dt);
+  if (!s.contact_stages.knows_stiffness() && probed.contact.voxels > 0)
+    probed.stiffness = s.measure_stiffness(from, pose, velocity, dt, motions, probed.wrench);
+  return probed;
+}
+
+/// What is felt from one pose to another.
+ContactProbe Simulation::State::probe_way(const Pose& from, const Pose& pose, const Twist& velocity,
+                                          double dt) noexcept {
+  ContactProbe probed;
+  const int sub_steps = plan_sweep(from, pose);
   const Twist path = twist_between(from, pose, dt);
-  DeepContact deep = s.deep_contact;
-  StickSlip anchor = s.friction;
+  DeepContact deep = deep_contact;
+  StickSlip anchor = friction;
   for (int i = 0; i < sub_steps; ++i) {
-    const SubStep sub_step = s.plan_sub_step(from, i, dt / sub_steps, path, velocity);
-    const ContactProbe part = s.probe_sub_step(sub_step, deep, anchor);
+    const SubStep sub_step = plan_sub_step(from, i, dt / sub_steps, path, velocity);
+    const ContactProbe part = probe_sub_step(sub_step, deep, anchor);
     const double share = 1.0 / sub_steps, moves = (i + 1) * share;  // with the end of the way
     probed.wrench.force += share * part.wrench.force;
     probed.wrench.torque += share * part.wrench.torque;
@@ -67,6 +77,37 @@ ContactProbe Simulation::probe(const Pose& pose, const Twist& velocity, double d
     probed.sliding = part.sliding;
   }
   return probed;
+}
+
+/// The stiffness of a law that gives none, by a small motion along each axis; its symmetric, never negative part.
+Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& pose, const Twist& velocity, double dt,
+                                               ProbedMotions motions, const Wrench& felt) noexcept {
+  constexpr double kShift = 0.01;  // [voxels]; the forces are sums of single-precision numbers
+  const double reach = tool.head().reach() + tool.X_HT().translation.norm(), shift = kShift * workpiece.voxel_size();
+  Stiffness scaled = Stiffness::Zero();  // a turn counts as the shift of the farthest point
+  const int axes = motions == ProbedMotions::all ? 6 : 3;
+  for (int axis = 0; axis < axes; ++axis) {
+    Pose moved = pose;
+    Twist faster = velocity;
+    const Vec3 along = Vec3::Unit(axis % 3);
+    if (axis < 3) {
+      moved.translation += shift * along;
+      faster.linear += shift / dt * along;
+    } else {
+      moved.rotation = rotation_from_vector(Vec3(shift / reach * along)) * pose.rotation;
+      faster.angular += shift / reach / dt * along;
+    }
+    const Wrench there = probe_way(from, moved, faster, dt).wrench;
+    scaled.col(axis) << (felt.force - there.force) / shift, (felt.torque - there.torque) / (shift * reach);
+  }
+  if (axes == 3) scaled.bottomRows<3>().setZero();
+  const Stiffness symmetric = 0.5 * (scaled + scaled.transpose());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> modes(symmetric);
+  const Stiffness bounded =
+      modes.eigenvectors() * modes.eigenvalues().cwiseMax(0).asDiagonal() * modes.eigenvectors().transpose();
+  Eigen::Matrix<double, 6, 1> scale;
+  scale << 1, 1, 1, reach, reach, reach;
+  return scale.asDiagonal() * bounded * scale.asDiagonal();
 }
 
 ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepContact& deep, StickSlip& anchor) noexcept {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hapticut/workpiece/workpiece.hpp"
+#include "workpiece/undo.hpp"
 
 /// @file
 /// What a workpiece is made of inside: three OpenVDB trees and the pool of nodes that cutting draws from.
@@ -57,6 +58,7 @@ struct Workpiece::State {
   MaterialTable materials;
   std::unique_ptr<VoxelTrees> trees;  ///< never null
   BlockPool pool;
+  std::unique_ptr<UndoJournal> journal;  ///< null: no undo
 
   /// The branch nodes around the last block that was asked for: neighbouring blocks need no search from the root.
   struct BranchCache {

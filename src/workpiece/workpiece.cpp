@@ -189,6 +189,7 @@ void Workpiece::restore(const WorkpieceSnapshot& snapshot) {
     throw Error("Workpiece::restore was given an empty snapshot; take one with Workpiece::snapshot first.");
   state_->trees = std::make_unique<VoxelTrees>(*static_cast<const VoxelTrees*>(snapshot.state_.get()));
   state_->cache = {};
+  if (state_->journal) reserve_undo(state_->journal->capacity());
   reserve_blocks(state_->pool.target);
 }
 
@@ -281,6 +282,7 @@ bool Workpiece::has_reserve_for(const VoxelIndex& origin) const noexcept {
 float* Workpiece::writable_fill(const VoxelIndex& origin) noexcept {
   if (!has_reserve_for(origin)) return nullptr;
   State& state = *state_;
+  if (state.journal) state.journal->save(block(origin));
   BlockPool& pool = state.pool;
   const Coord at = to_coord(origin);
   const State::BranchCache& branches = state.branches_at(at);

@@ -65,7 +65,8 @@ struct SafetyLogEntry {
 
 /// Events on their way out of the loop: counted every tick, and entered in a bounded list when they begin.
 ///
-/// One thread reports, any thread reads. A full list drops the entry and counts it; counters are never lost.
+/// One thread reports, any thread reads; others that have something to say, a watchdog for one, use `note`. A full list
+/// drops the entry and counts it; counters are never lost.
 class SafetyLog {
  public:
   SafetyLog();
@@ -80,6 +81,9 @@ class SafetyLog {
   /// @realtime no allocation, no lock
   void report(SafetyEvent event, double value = 0) noexcept;
 
+  /// Counts and enters an event that another thread has seen, at the time of the last tick. May wait for readers.
+  void note(SafetyEvent event, double value = 0);
+
   /// How many ticks reported the event.
   [[nodiscard]] std::uint64_t count(SafetyEvent event) const noexcept;
 
@@ -93,12 +97,13 @@ class SafetyLog {
   struct Ring;
   std::unique_ptr<Ring> ring_;
   std::mutex readers_;
+  std::vector<SafetyLogEntry> noted_;  // by other threads
   std::array<std::atomic<std::uint64_t>, kSafetyEvents> counts_{};
   std::atomic<std::uint64_t> dropped_{0};
   std::array<std::uint64_t, kSafetyEvents> last_tick_{};
   std::uint64_t tick_ = 1;
-  double time_ = 0;
-  std::uint64_t sequence_ = 0;
+  std::atomic<double> time_{0};
+  std::atomic<std::uint64_t> sequence_{0};
 };
 
 /// An entry in words: time, name and value.

@@ -20,6 +20,13 @@ namespace model_commands {
 [[nodiscard]] LoopCommand close_clutch();                   ///< the tool follows again, from where it is
 [[nodiscard]] LoopCommand set_scale(double scale);          ///< [1] world over hand; what is not > 0 is ignored
 
+/// Marks the workpiece as it is in this tick: see SimulationModelOptions::undo_blocks.
+[[nodiscard]] LoopCommand set_undo_mark();
+
+/// Puts the workpiece back to the last mark, over as many ticks as it takes and without a force; the guard then waits
+/// until the tool is free. Without a mark it is ignored. A recording ends there.
+[[nodiscard]] LoopCommand undo();
+
 }  // namespace model_commands
 
 /// What a SimulationModel shows of its last tick, in LoopSnapshot::values.
@@ -33,6 +40,8 @@ struct ToolSnapshot {
   StepStatus status = StepStatus::ok;  ///< of the last step
   StepStatus seen = StepStatus::ok;    ///< of all steps since the loop began
   std::uint64_t steps = 0;             ///< since the loop began
+  std::size_t undo_marks = 0;          ///< that can be returned to
+  bool undoing = false;                ///< on the way back to one: nothing is felt or cut
 };
 [[nodiscard]] ToolSnapshot tool_of(const LoopSnapshot& snapshot);
 
@@ -47,6 +56,10 @@ struct SimulationModelOptions {
   /// While the guard holds the force back, and from then on until the tool has touched nothing, the spindle stands:
   /// nothing is cut that the hand cannot feel, and a tool that begins inside the material does not eat its way out.
   bool spindle_needs_force = true;
+
+  /// Blocks that may be cut after the undo marks, together; 2.7 kB each. 0: no undo.
+  std::size_t undo_blocks = 0;
+  std::size_t undo_blocks_per_tick = 64;  ///< > 0, put back at most; 0.3 us each
 };
 
 /// A simulation as the model of a loop: the device moves its tool, its force goes to the device, and the blocks that it
@@ -58,7 +71,8 @@ class SimulationModel final : public LoopModel {
  public:
   /// @param device    whose guard must know of clutch and scale; the one that the loop runs
   /// @param recorder  of this simulation; null: nothing is recorded
-  /// @throws Error when the map is none, or the coupling does not suit the simulation
+  /// @throws Error when the map is none, the coupling does not suit the simulation, or the workpiece is too large for
+  ///         undo
   SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options = {},
                   StepRecorder* recorder = nullptr);
 
@@ -71,9 +85,10 @@ class SimulationModel final : public LoopModel {
   void copy(ChangedBlock& block) noexcept override;
 
  private:
-  [[nodiscard]] Wrench follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept;
+  [[nodiscard]] Wrench follow_hand(const Pose& pose, const Twist& velocity, double dt, const DeviceTick& tick) noexcept;
   [[nodiscard]] Wrench move_tool(const DeviceState& state, double dt) noexcept;
   void turn_spindle(ArmingState arming) noexcept;
+  void go_back() noexcept;
   void show(LoopSnapshot& snapshot) const noexcept;
 
   Simulation* simulation_;
@@ -83,13 +98,14 @@ class SimulationModel final : public LoopModel {
   std::optional<VirtualCoupling> coupling_;
   IndexBox region_;
   bool spindle_needs_force_;
+  std::size_t undo_blocks_per_tick_;
 
   double spindle_speed_;  // [rad/s] while there is a force
   Pose X_BS_;             // of the last valid reading
   Pose X_WH_;             // of the tool's handle
   ToolSnapshot tool_;
-  bool may_cut_ = false;  // there is a force, and the tool was free since it came back
-  bool stepped_ = false;  // in this tick
+  bool may_cut_ = false;   // there is a force, and the tool was free since it came back
+  ChangedBlocks changed_;  // in this tick
 };
 
 /// Content of a block of a workpiece, for pictures and copies.

@@ -19,7 +19,8 @@ struct DeviceTick {
 ///
 ///     recorder.before_step();  simulation.step(pose, velocity, dt);  recorder.after_step(nullptr);
 ///
-/// In between anybody may make the step, a VirtualCoupling for one; none, or more than one, is no step to be recorded.
+/// In between anybody may make the step; none, or more than one, is no step to be recorded. A VirtualCoupling is given
+/// the recorder, for it may make more than one step a tick.
 class StepRecorder {
  public:
   virtual ~StepRecorder() = default;

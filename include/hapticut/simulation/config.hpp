@@ -29,7 +29,8 @@ struct SimulationConfig {
   Quadrature quadrature = Quadrature::centroid;
 
   /// With `end`, springs that are being pressed push harder than what they store in the sub-step; the difference is
-  /// booked as damping. Only with the default law.
+  /// booked as damping. Laws of one's own that do not read HeadMotion::lead store what they would half a sub-step
+  /// later, and the difference is booked as EnergyLedger::entered.
   ContactTime contact_time = ContactTime::middle;
 
   /// The force law; null: FoundationLaw.

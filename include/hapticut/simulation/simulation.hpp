@@ -51,9 +51,13 @@ class Simulation {
   /// be cut into sub-steps, each is probed on the material as it is now. For implicit integrators: `VirtualCoupling`
   /// (device/coupling.hpp) is one.
   ///
-  /// Only with the default law. An input that `step` would reject gives no force and no stiffness.
+  /// The default law knows its stiffness. That of a law of one's own is measured by small motions, so a probe evaluates
+  /// the contact 7 times, or 4 times for translations. An input that `step` would reject gives no force and no
+  /// stiffness.
+  /// @param motions  the rest of the stiffness may be zero
   /// @realtime as `step`
-  [[nodiscard]] ContactProbe probe(const Pose& pose, const Twist& velocity, double dt) noexcept;
+  [[nodiscard]] ContactProbe probe(const Pose& pose, const Twist& velocity, double dt,
+                                   ProbedMotions motions = ProbedMotions::all) noexcept;
 
   [[nodiscard]] const Workpiece& workpiece() const;
   [[nodiscard]] const Tool& tool() const;
@@ -72,7 +76,7 @@ class Simulation {
   /// Calls of `step` since construction or `reset`.
   [[nodiscard]] std::uint64_t steps() const noexcept;
 
-  /// How often `restore` and `reset` have exchanged the workpiece.
+  /// How often `restore`, `reset` and `undo` have exchanged the workpiece.
   [[nodiscard]] std::uint64_t workpiece_exchanges() const noexcept;
 
   /// [m^3] taken away since construction or reset, by MaterialId.
@@ -98,6 +102,22 @@ class Simulation {
 
   [[nodiscard]] WorkpieceSnapshot snapshot() const;  ///< of the workpiece, to undo to
   void restore(const WorkpieceSnapshot& snapshot);   ///< puts the workpiece back; the tool starts afresh
+
+  /// Memory for `set_undo_mark` and `undo`: see Workpiece::reserve_undo.
+  void reserve_undo(std::size_t blocks);
+
+  // --- undo while a loop goes on, between steps ----------------------------------------------------------------------
+  /// Marks the present state of the workpiece.  @realtime no allocation, no lock; O(1)
+  void set_undo_mark() noexcept;
+
+  [[nodiscard]] std::size_t undo_marks() const noexcept;  ///< that `undo` can return to
+
+  /// Goes back towards the last mark by up to `most` blocks, 0.3 us each; `changed_blocks` then names them. To be
+  /// called until it says that the workpiece is that of the mark, which is then gone; the tool starts afresh. What was
+  /// removed stays counted.
+  /// @return true when it is done, or there is no mark
+  /// @realtime no allocation, no lock; O(most)
+  bool undo(std::size_t most) noexcept;
 
   /// Starts again with another workpiece: tool position, energies and removed volumes are forgotten.
   /// @throws Error when the workpiece is empty, or the head thinner than a voxel

@@ -79,6 +79,10 @@ struct Contact {
   int turns = 1;      ///< n: an n-th of the voxels was evaluated; see SimulationConfig::voxel_budget
 };
 
+/// Along which motions a probe shall know the stiffness. Only laws of one's own ask for it, as every motion costs them
+/// one more evaluation of the contact.
+enum class ProbedMotions { all, translations };
+
 /// What a step would feel, without taking it.
 struct ContactProbe {
   Wrench wrench;                            ///< about Ho, in W, on the tool; without effects and limits

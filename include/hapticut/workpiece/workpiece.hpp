@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "hapticut/workpiece/block.hpp"
@@ -84,6 +85,23 @@ class Workpiece {
   /// @throws Error when the snapshot is empty
   void restore(const WorkpieceSnapshot& snapshot);
 
+  // --- undo without an allocation, for a loop that goes on ----------------------------------------------------------
+  /// Set-up only: memory for marks and for `blocks` blocks that are cut after them, 2.7 kB each; 0: none. Forgets all
+  /// marks, as `restore` does.
+  /// @throws Error when the workpiece spans too many blocks
+  void reserve_undo(std::size_t blocks);
+
+  /// Marks the present state, to return to it. Nothing happens without `reserve_undo`; with more than 64 marks, or
+  /// where the memory is full, the oldest is forgotten.  @realtime no allocation, no lock; O(1)
+  void set_mark() noexcept;
+
+  [[nodiscard]] std::size_t marks() const noexcept;  ///< that can be returned to
+
+  /// Puts one block back to what it was at the last mark.
+  /// @return its origin; none when the state is that of the mark, which is then gone
+  /// @realtime no allocation, no lock; O(512)
+  std::optional<VoxelIndex> undo_block() noexcept;
+
   // --- cutting: what the step calls ---------------------------------------------------------------------------------
   /// Set-up only: holds memory ready for `count` blocks to become partly cut.
   void reserve_blocks(std::size_t count);
@@ -91,6 +109,10 @@ class Workpiece {
 
   /// The block that starts at `origin` (a multiple of 8 along each axis).  @realtime no allocation, no lock; O(1)
   [[nodiscard]] BlockView block(const VoxelIndex& origin) const noexcept;
+
+  /// Must be called before fills are written into `block.fill`: keeps it for `undo_block`.
+  /// @realtime no allocation, no lock; O(512) once a mark, then O(1)
+  void remember(const BlockView& block) noexcept;
 
   /// Whether `writable_fill` would return memory for a block.
   /// @realtime no allocation, no lock

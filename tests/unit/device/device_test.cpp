@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -282,15 +283,27 @@ TEST(Device, AWatchdogFadesTheForceOfADeviceWhoseLoopHangs) {
   WrittenDevice device;
   double least = 1;
   std::atomic<bool> hung{false};
-  device.run(
+  const RunReport report = device.run(
       [&](const DeviceState& state) {
         if (state.sequence == 20 && !hung.exchange(true))
-          for (int n = 0; n < 2000 && (least = device.share.load()) > 0; ++n)
+          for (int n = 0; n < 2000 && (least = device.share.load(), device.count(SafetyEvent::watchdog_fault) == 0);
+               ++n)
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         return DeviceCommand{{}, state.sequence > 60};
       },
       real(0));
   EXPECT_EQ(least, 0);
+  // The other thread has said so, in the order of what it saw; on a busy machine it may have woken up too late for
+  // some.
+  std::vector<SafetyEvent> said;
+  for (const SafetyLogEntry& entry : report.log)
+    if (entry.event >= SafetyEvent::watchdog_late && entry.event <= SafetyEvent::watchdog_fault)
+      said.push_back(entry.event);
+  ASSERT_FALSE(said.empty());
+  EXPECT_TRUE(std::find(said.begin(), said.end(), SafetyEvent::watchdog_fault) != said.end());
+  EXPECT_GE(report.events[std::size_t(SafetyEvent::watchdog_fault)], 1U);
+  // The loop that comes back late waits until the tool is free, whatever it hung in.
+  EXPECT_GE(report.events[std::size_t(SafetyEvent::armed)], 1U);
 }
 
 /// What a child process leaves behind of the last force it wrote.

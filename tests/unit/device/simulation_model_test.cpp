@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <thread>
@@ -18,8 +19,9 @@ namespace {
 constexpr double kRadius = 1.5e-3;  // [m] of the ball
 
 /// A block whose upper face is touched when the stylus is at the origin of its base.
-Simulation block_under_the_ball(double spindle_speed = 3000) {
+Simulation block_under_the_ball(double spindle_speed = 3000, ContactTime contact_time = ContactTime::middle) {
   SimulationConfig config;
+  config.contact_time = contact_time;
   config.reference_stiffness = 1e13;
   config.reserved_blocks = 4096;
   return {build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
@@ -228,6 +230,103 @@ TEST(SimulationModel, ObeysClutchAndScale) {
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::reclutched)], 2U);
   EXPECT_EQ(report.fault, DeviceFault::none);
   EXPECT_EQ(simulation.spindle_setting(), 0);
+}
+
+// A mark, twenty simulated seconds of cutting, and back while the loop goes on: a slow reader who knows changed blocks
+// only ends up with the workpiece as it was at the mark.
+TEST(SimulationModel, UndoesACutWhileTheLoopGoesOnAndTheReaderSeesIt) {
+  for (const bool coupled : {false, true}) {
+    const auto device = open_device("mock:spiral");
+    Simulation simulation = block_under_the_ball(3000, coupled ? ContactTime::end : ContactTime::middle);
+    const Picture at_mark = picture_of(simulation.workpiece());
+    Picture picture = at_mark;
+    SimulationModelOptions options = ball_above_the_block();
+    options.undo_blocks = 4096;
+    options.undo_blocks_per_tick = 5;
+    if (coupled) options.coupling = coupling_gains(device->capabilities());
+    SimulationModel model(simulation, *device, options);
+    RealtimeLoop loop(*device, model, options_for(model, 0));
+    const auto look = [&] {
+      const LoopSnapshot& snapshot = loop.latest();
+      for (ChangedBlock block; loop.receive(block);) picture[block.origin] = block;
+      return snapshot;
+    };
+    loop.send(model_commands::set_undo_mark());
+    loop.start();
+    while (look().tick < 20000) std::this_thread::sleep_for(std::chrono::milliseconds(16));
+    EXPECT_GT(tool_of(loop.latest()).removed_volume, 10e-9);
+    EXPECT_EQ(tool_of(loop.latest()).undo_marks, 1U);
+    loop.send(model_commands::set_spindle_speed(0));
+    loop.send(model_commands::undo());
+    loop.send(model_commands::undo());           // no second one is begun
+    loop.send(model_commands::set_undo_mark());  // nor is there a mark on the way
+    for (int calm = 0; calm < 20;) {
+      const LoopSnapshot snapshot = look();
+      const ToolSnapshot tool = tool_of(snapshot);
+      calm = tool.undo_marks == 0 && !tool.undoing && snapshot.blocks_waiting == 0 ? calm + 1 : 0;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const RunReport report = loop.stop();
+    (void)look();
+
+    EXPECT_EQ(report.fault, DeviceFault::none);
+    EXPECT_GT(report.events[std::size_t(SafetyEvent::model_swapped)], 10U) << "in small parts, all of them guarded";
+    const Picture now = picture_of(simulation.workpiece());
+    ASSERT_EQ(now.size(), at_mark.size());
+    for (const auto& [origin, content] : at_mark) {
+      ASSERT_EQ(picture.at(origin).fill, content.fill);
+      ASSERT_EQ(picture.at(origin).material, content.material);
+      ASSERT_EQ(now.at(origin).fill, content.fill);
+    }
+  }
+}
+
+TEST(SimulationModel, GivesNoForceFromAnUndoUntilTheToolWasFree) {
+  // The hand stays in the hole that it has drilled, and the undo fills the hole around it.
+  const auto device = open_device("mock:rest");
+  Simulation simulation = block_under_the_ball();
+  const double whole = simulation.workpiece().amounts()[0].volume;
+  SimulationModelOptions options = ball_above_the_block();
+  options.map.X_WB.translation.z() += 1e-3;
+  options.undo_blocks = 4096;
+  options.undo_blocks_per_tick = 1;
+  SimulationModel model(simulation, *device, options);
+  LoopSnapshot snapshot;
+  int ticks = 0, without_force = 0;
+  RunOptions run;
+  run.simulated_time = true;
+  run.stop_on_signals = false;
+  run.guard.arming.ramp = run.guard.arming.short_ramp = 0.05;
+  model.obey(model_commands::set_undo_mark());
+  (void)device->run(
+      [&](const DeviceState& reading) {
+        DeviceState state = reading;
+        // Down by 1.6 mm in 0.4 s, where it stays.
+        state.X_BS.translation.z() -= 4e-6 * std::clamp(ticks - 200, 0, 400);
+        if (ticks == 700) {
+          EXPECT_GT(tool_of(snapshot).removed_volume, 0);
+          EXPECT_EQ(device->last_arming(), ArmingState::on);
+          model.obey(model_commands::undo());
+        }
+        DeviceCommand command{model.step(state, 1e-3, snapshot), false};
+        if (ticks > 700 && tool_of(snapshot).undoing) {
+          EXPECT_TRUE(command.wrench.force.isZero(0));
+          ++without_force;
+        }
+        if (ticks > 702) {
+          EXPECT_EQ(device->last_arming(), ArmingState::wait_free) << ticks;
+          EXPECT_TRUE(device->last_output().applied.force.isZero(0)) << ticks;
+          if (ticks > 760) {  // it is done
+            EXPECT_EQ(tool_of(snapshot).spindle_speed, 0);
+          }
+        }
+        command.stop = ++ticks > 1500;
+        return command;
+      },
+      run);
+  EXPECT_GT(without_force, 1);
+  EXPECT_GT(tool_of(snapshot).contact_voxels, 100) << "it is in the material again";
+  EXPECT_EQ(simulation.workpiece().amounts()[0].volume, whole);
 }
 
 TEST(SimulationModel, IgnoresReadingsThatMeanNothing) {

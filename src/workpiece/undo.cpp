@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// Marks of a workpiece and the way back to them, block by block, without an allocation.
+#include "workpiece/undo.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "hapticut/core/errors.hpp"
+#include "workpiece/state.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr double kMostBlocks = 1 << 27;  // of the table
+
+}  // namespace
+
+UndoJournal::UndoJournal(const IndexBox& bounds, std::size_t capacity) {
+  double count = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    first_[axis] = block_start(bounds.min[axis]);
+    blocks_[axis] = (block_start(bounds.max[axis]) - first_[axis]) / kBlockEdge + 1;
+    count *= blocks_[axis];
+  }
+  if (count > kMostBlocks)
+    throw Error("the workpiece spans " + format_number(count) + " blocks, more than " + format_number(kMostBlocks) +
+                " that can be watched for undo; crop it.");
+  saved_.assign(std::size_t(count), 0);
+  ring_.resize(capacity);
+  marks_.reserve(kMarks);
+}
+
+std::size_t UndoJournal::number_of(const VoxelIndex& origin) const noexcept {
+  std::size_t number = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int n = (origin[axis] - first_[axis]) / kBlockEdge;
+    HAPTICUT_ASSERT(n >= 0 && n < blocks_[axis]);
+    number = number * std::size_t(blocks_[axis]) + std::size_t(n);
+  }
+  return number;
+}
+
+void UndoJournal::drop_oldest_mark() noexcept {
+  oldest_ = (oldest_ + marks_.front().blocks) % ring_.size();
+  count_ -= marks_.front().blocks;
+  marks_.erase(marks_.begin());
+}
+
+void UndoJournal::set_mark() noexcept {
+  if (marks_.size() == kMarks) drop_oldest_mark();
+  marks_.push_back({++last_number_, 0});
+}
+
+void UndoJournal::save(const BlockView& block) noexcept {
+  if (marks_.empty()) return;
+  std::uint32_t& saved = saved_[number_of(block.origin)];
+  if (saved == marks_.back().number) return;
+  while (count_ == ring_.size() && !marks_.empty()) drop_oldest_mark();
+  if (marks_.empty()) return;
+  SavedBlock& entry = ring_[(oldest_ + count_++) % ring_.size()];
+  ++marks_.back().blocks;
+  entry.origin = block.origin;
+  entry.saved_before = std::exchange(saved, marks_.back().number);
+  entry.has_voxels = block.material != nullptr;
+  entry.has_fill = block.fill != nullptr;
+  entry.uniform_material = block.uniform_material;
+  if (entry.has_voxels) {
+    std::copy_n(block.solid, entry.solid.size(), entry.solid.begin());
+    std::copy_n(block.material, kBlockVoxels, entry.material.begin());
+  }
+  if (entry.has_fill) std::copy_n(block.fill, kBlockVoxels, entry.fill.begin());
+}
+
+const SavedBlock* UndoJournal::take() noexcept {
+  if (marks_.empty()) return nullptr;
+  if (marks_.back().blocks == 0) {
+    marks_.pop_back();
+    return nullptr;
+  }
+  --marks_.back().blocks;
+  const SavedBlock& entry = ring_[(oldest_ + --count_) % ring_.size()];
+  saved_[number_of(entry.origin)] = entry.saved_before;
+  return &entry;
+}
+
+// --- the workpiece's side -------------------------------------------------------------------------------------------
+
+void Workpiece::reserve_undo(std::size_t blocks) {
+  state_->journal = blocks == 0 || empty() ? nullptr : std::make_unique<UndoJournal>(bounds(), blocks);
+}
+
+void Workpiece::set_mark() noexcept {
+  if (state_->journal) state_->journal->set_mark();
+}
+
+std::size_t Workpiece::marks() const noexcept { return state_->journal ? state_->journal->marks() : 0; }
+
+void Workpiece::remember(const BlockView& block) noexcept {
+  if (state_->journal) state_->journal->save(block);
+}
+
+std::optional<VoxelIndex> Workpiece::undo_block() noexcept {
+  const SavedBlock* saved = state_->journal ? state_->journal->take() : nullptr;
+  if (saved == nullptr) return std::nullopt;
+  State& state = *state_;
+  BlockPool& pool = state.pool;
+  const openvdb::Coord at = to_coord(saved->origin);
+  const State::BranchCache& branches = state.branches_at(at);
+  auto* materials = const_cast<Branch<MaterialTree>*>(branches.material);
+  auto* fills = const_cast<Branch<FillTree>*>(branches.fill);
+  HAPTICUT_ASSERT(materials != nullptr && fills != nullptr);  // the block has been cut
+  const openvdb::Index n = Branch<MaterialTree>::coordToOffset(at);
+
+  // What cutting took from the pool goes back to it before anything is taken; undone in the reverse order of the cuts,
+  // the pool has at least what it had then.
+  if (!saved->has_fill && fills->isChildMaskOn(n))
+    pool.fill_leaves.emplace_back(fills->stealNode<Leaf<FillTree>>(at, 1.0F, false));
+  if (!saved->has_voxels) {
+    if (materials->isChildMaskOn(n))
+      pool.material_leaves.emplace_back(
+          materials->stealNode<Leaf<MaterialTree>>(at, saved->uniform_material, saved->uniform_material != kEmpty));
+    else
+      materials->addTile(Branch<MaterialTree>::LEVEL, at, saved->uniform_material, saved->uniform_material != kEmpty);
+    return saved->origin;
+  }
+  if (!materials->isChildMaskOn(n)) {
+    HAPTICUT_ASSERT(!pool.material_leaves.empty());
+    auto* leaf = pool.material_leaves.back().release();
+    pool.material_leaves.pop_back();
+    leaf->setOrigin(at);
+    materials->addLeaf(leaf);
+  }
+  auto* leaf = materials->probeLeaf(at);
+  std::copy(saved->material.begin(), saved->material.end(), leaf->buffer().data());
+  auto mask = leaf->getValueMask();
+  for (std::size_t word = 0; word < saved->solid.size(); ++word)
+    mask.getWord<openvdb::Index64>(openvdb::Index(word)) = saved->solid[word];
+  leaf->setValueMask(mask);
+  if (!saved->has_fill) return saved->origin;
+  if (!fills->isChildMaskOn(n)) {
+    HAPTICUT_ASSERT(!pool.fill_leaves.empty());
+    auto* fill_leaf = pool.fill_leaves.back().release();
+    pool.fill_leaves.pop_back();
+    fill_leaf->setOrigin(at);
+    fills->addLeaf(fill_leaf);
+  }
+  std::copy(saved->fill.begin(), saved->fill.end(), fills->probeLeaf(at)->buffer().data());
+  return saved->origin;
+}
+
+}  // namespace hapticut

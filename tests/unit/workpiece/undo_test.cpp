@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Marks and the way back to them, without an allocation, while a simulation goes on.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "hapticut/simulation/simulation.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "support/cutting.hpp"
+
+namespace hapticut {
+namespace {
+
+/// A slab whose faces lie within voxels, so that it has uniform, mixed, and partly filled blocks.
+Simulation slab(std::size_t undo_blocks) {
+  SimulationConfig config;
+  config.reference_stiffness = 1e14;
+  config.reserved_blocks = 2000;
+  Material below = test::plain_material();
+  below.name = "below";
+  Simulation simulation(build_layered_slab({Vec3(-4e-3, -4e-3, -4e-3), Vec3(4e-3, 4e-3, 0.3e-4)}, 1e-4,
+                                           {{test::plain_material(), 1.23e-3}, {below, 2.8e-3}}),
+                        Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{3000}), config);
+  simulation.reserve_undo(undo_blocks);
+  return simulation;
+}
+
+/// Steps of a ball that wanders about in the slab, from a place of one's own.
+class Wandering {
+ public:
+  explicit Wandering(unsigned seed) : random_(seed) { begin_anew(); }
+  void cut(Simulation& simulation, int steps) {
+    for (int n = 0; n < steps; ++n) {
+      position_ += 2e-5 * direction_;
+      if (position_.head<2>().norm() > 3e-3 || position_.z() < -2.5e-3) begin_anew();
+      last_force = simulation.step(Pose::from_translation(position_), {}, 1e-3).force;
+    }
+  }
+  Vec3 last_force = Vec3::Zero();
+
+ private:
+  void begin_anew() {
+    std::uniform_real_distribution<double> number(-1, 1);
+    position_ = Vec3(2e-3 * number(random_), 2e-3 * number(random_), 1e-3);
+    direction_ = Vec3(number(random_), number(random_), -1).normalized();
+  }
+  std::mt19937 random_;
+  Vec3 position_, direction_;
+};
+
+int undo_by(Simulation& simulation, std::size_t most) {
+  int calls = 1;
+  while (!simulation.undo(most)) {
+    EXPECT_LE(simulation.changed_blocks().origins.size(), most);
+    ++calls;
+  }
+  return calls;
+}
+
+TEST(Undo, PutsEveryBlockBackBitByBitWhateverWasCut) {
+  struct Mark {
+    std::uint64_t hash;
+    std::size_t free_blocks;
+    std::int64_t solid;
+  };
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    Simulation simulation = slab(4000);
+    Wandering tool(seed);
+    std::mt19937 random(seed);
+    std::vector<Mark> marks;
+    int undone = 0;
+    for (int n = 0; n < 60; ++n) {
+      const Workpiece& workpiece = simulation.workpiece();
+      if (marks.empty() || random() % 2 == 0) {
+        simulation.set_undo_mark();
+        marks.push_back({workpiece.hash(), workpiece.reserved_blocks(), workpiece.solid_voxels()});
+      } else {
+        undo_by(simulation, 1 + random() % 20);
+        ASSERT_EQ(workpiece.hash(), marks.back().hash) << seed << ", " << n;
+        ASSERT_EQ(workpiece.reserved_blocks(), marks.back().free_blocks);
+        ASSERT_EQ(workpiece.solid_voxels(), marks.back().solid);
+        marks.pop_back();
+        ++undone;
+      }
+      ASSERT_EQ(simulation.undo_marks(), marks.size());
+      tool.cut(simulation, int(random() % 200));
+    }
+    EXPECT_GT(undone, 10);
+  }
+}
+
+TEST(Undo, MakesTheSameCutFeelTheSameAgain) {
+  Simulation simulation = slab(4000);
+  Wandering(3).cut(simulation, 400);
+  simulation.set_undo_mark();
+  EXPECT_TRUE(simulation.undo(1)) << "nothing was cut, but the tool starts afresh, as it will the second time";
+  simulation.set_undo_mark();
+  Wandering tool(4);
+  tool.cut(simulation, 300);
+  const Vec3 first = tool.last_force;
+  const std::uint64_t cut = simulation.workpiece().hash();
+  undo_by(simulation, 16);
+  Wandering again(4);
+  again.cut(simulation, 300);
+  EXPECT_EQ(again.last_force, first);
+  EXPECT_EQ(simulation.workpiece().hash(), cut);
+  EXPECT_TRUE(simulation.undo(1)) << "there is no mark left";
+}
+
+TEST(Undo, NamesEveryBlockThatItPutsBack) {
+  Simulation simulation = slab(4000);
+  std::set<VoxelIndex> cut, named;
+  simulation.set_undo_mark();
+  Wandering tool(5);
+  for (int n = 0; n < 500; ++n) {
+    tool.cut(simulation, 1);
+    const ChangedBlocks changed = simulation.changed_blocks();
+    cut.insert(changed.origins.begin(), changed.origins.end());
+  }
+  for (bool done = false; !done;) {
+    done = simulation.undo(7);
+    const ChangedBlocks changed = simulation.changed_blocks();
+    EXPECT_TRUE(changed.complete);
+    named.insert(changed.origins.begin(), changed.origins.end());
+  }
+  EXPECT_TRUE(std::includes(named.begin(), named.end(), cut.begin(), cut.end()));
+}
+
+TEST(Undo, ForgetsTheOldestMarkWhereTheMemoryIsFull) {
+  Simulation simulation = slab(100);
+  Wandering tool(6);
+  std::vector<std::uint64_t> hashes;
+  for (int n = 0; n < 10; ++n) {
+    hashes.push_back(simulation.workpiece().hash());
+    simulation.set_undo_mark();
+    tool.cut(simulation, 60);
+  }
+  const std::size_t kept = simulation.undo_marks();
+  EXPECT_GT(kept, 0U);
+  EXPECT_LT(kept, 10U);
+  for (std::size_t n = 0; n < kept; ++n) {
+    undo_by(simulation, 8);
+    EXPECT_EQ(simulation.workpiece().hash(), hashes[9 - n]);
+  }
+
+  Simulation tiny = slab(1);
+  tiny.set_undo_mark();
+  tool.cut(tiny, 100);
+  EXPECT_EQ(tiny.undo_marks(), 0U) << "one block is no way back";
+  EXPECT_TRUE(tiny.undo(1));
+}
+
+TEST(Undo, IsNothingWithoutMemoryForItAndBeginsAnewAfterARestore) {
+  Simulation without = slab(0);
+  without.set_undo_mark();
+  EXPECT_EQ(without.undo_marks(), 0U);
+  EXPECT_TRUE(without.undo(10));
+
+  Simulation simulation = slab(1000);
+  const WorkpieceSnapshot fresh = simulation.snapshot();
+  const std::uint64_t hash = simulation.workpiece().hash();
+  simulation.set_undo_mark();
+  Wandering tool(7);
+  tool.cut(simulation, 200);
+  simulation.restore(fresh);
+  EXPECT_EQ(simulation.undo_marks(), 0U);
+  simulation.set_undo_mark();
+  tool.cut(simulation, 200);
+  EXPECT_NE(simulation.workpiece().hash(), hash);
+  undo_by(simulation, 10);
+  EXPECT_EQ(simulation.workpiece().hash(), hash);
+}
+
+TEST(Undo, KeepsNoMoreThan64Marks) {
+  Simulation simulation = slab(1000);
+  for (int n = 0; n < 100; ++n) simulation.set_undo_mark();
+  EXPECT_EQ(simulation.undo_marks(), 64U);
+}
+
+}  // namespace
+}  // namespace hapticut
