@@ -49,6 +49,12 @@ inline Wrench committed(int device) {
   return w;
 }
 
+inline Vec3 rendered(int device) {
+  Vec3 force;
+  hdsim_get_rendered_force(device, force.data());
+  return force;
+}
+
 class OpenHapticsTest : public testing::Test {
  protected:
   void SetUp() override { hdsim_reset(); }

@@ -152,6 +152,9 @@ void hdsim_get_committed_force(int device, double force[3], double torque[3]) {
     copy(n >= 0 ? d.history[std::size_t(n)] : hdsim::Output{}, force, torque);
   });
 }
+void hdsim_get_rendered_force(int device, double force[3]) {
+  with(device, [&](Device& d) { copy(d.rendered, force, nullptr); });
+}
 long hdsim_committed_count(int device) {
   return with(device, [](Device& d) { return long(d.history.size()); });
 }

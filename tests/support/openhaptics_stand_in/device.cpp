@@ -41,9 +41,34 @@ void sample(Device& device) {
 
 namespace {
 
+double length(const Vec& v) { return std::hypot(v[0], v[1], v[2]); }
+
 bool is_zero(const Output& output) { return output.force == Vec{} && output.torque == Vec{}; }
 
 }  // namespace
+
+void render(Device& device, HHD handle) {
+  constexpr double kTick = 1e-3;  // [s]
+  const Vec &force = device.committed.force, &before = device.previous.force;
+  const auto on = [&](HDenum capability) { return device.enabled.count(capability) > 0; };
+  const auto exceeded = [&](HDerror code) {
+    push(code, 0, handle);
+    ++device.counters.amplifier_toggles;
+    device.ramp = 0;
+  };
+  if (on(HD_SOFTWARE_FORCE_LIMIT) && length(force) > device.spec.force * (1 + 1e-9)) exceeded(HD_EXCEEDED_MAX_FORCE);
+  if (on(HD_SOFTWARE_FORCE_IMPULSE_LIMIT) &&
+      length({force[0] - before[0], force[1] - before[1], force[2] - before[2]}) > device.impulse_limit)
+    exceeded(HD_EXCEEDED_MAX_FORCE_IMPULSE);
+  if (on(HD_SOFTWARE_VELOCITY_LIMIT) && length(force) > 0 && length(device.current.velocity) > device.velocity_limit)
+    exceeded(HD_EXCEEDED_MAX_VELOCITY);
+  device.rendered = device.committed;
+  if (!on(HD_FORCE_RAMPING)) return;
+  if (length(force) > device.ramp)
+    for (double& part : device.rendered.force) part *= device.ramp / length(force);
+  device.ramp += device.ramping_rate * kTick;
+}
+
 }  // namespace hdsim
 
 using hdsim::Device;

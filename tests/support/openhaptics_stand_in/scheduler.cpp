@@ -45,6 +45,7 @@ int run_tick() {
   for (std::size_t n = 0; n < s.devices.size(); ++n) {
     Device& device = s.devices[n];
     ++device.counters.ticks;
+    if (device.initialised) render(device, HHD(n));
     if (device.frame_depth > 0) ++device.counters.open_frames;
     if (device.initialised && called > 0 && !device.frame_this_tick) ++device.counters.ticks_without_frame;
   }
@@ -69,6 +70,7 @@ void hdStartScheduler(void) {
     if (s.running) return hdsim::push(HD_INVALID_OPERATION);
     s.running = true;
     s.stop_thread = false;
+    for (hdsim::Device& device : s.devices) device.ramp = 0;
     if (!s.use_thread) return;
   }
   s.thread = std::thread([&s] {

@@ -36,11 +36,14 @@ struct Device {
   bool initialised = false;
   Reading actual, current, last;
   Output set, committed, previous;  // being set in a frame, of the last frame, of the one before
+  Output rendered;                  // by the motors in the last tick
+  double ramp = 0;                  // [N] that the amplifiers let through
   std::vector<Output> history;
   int delay = 0;
   int frame_depth = 0;
   bool frame_done = false, frame_this_tick = false;
-  std::set<HDenum> enabled{HD_MAX_FORCE_CLAMPING, HD_FORCE_RAMPING, HD_SOFTWARE_FORCE_LIMIT, HD_ONE_FRAME_LIMIT};
+  std::set<HDenum> enabled{HD_MAX_FORCE_CLAMPING,      HD_FORCE_RAMPING,   HD_SOFTWARE_FORCE_LIMIT,
+                           HD_SOFTWARE_VELOCITY_LIMIT, HD_ONE_FRAME_LIMIT, HD_SOFTWARE_FORCE_IMPULSE_LIMIT};
   double temperature = 0;
   HDenum calibration = HD_CALIBRATION_OK;
   Vec calibration_jump{}, calibration_offset{};
@@ -96,6 +99,10 @@ Device* needed();
 
 void push(HDerror code, int internal = 0, HHD handle = 0);
 void sample(Device& device);
+
+/// What the motors make of the committed force: nothing in the tick in which a limit is exceeded, and a ramp after that
+/// and after the start.
+void render(Device& device, HHD handle);
 int run_tick();
 
 }  // namespace hdsim

@@ -129,6 +129,55 @@ TEST_F(OpenHapticsFaults, ComesBackThroughTheFadeInAfterTheDriverRefusedAForce) 
   }
 }
 
+TEST_F(OpenHapticsFaults, NeverMakesTheDriverToggleItsAmplifiersHoweverGreatAForceIsAskedFor) {
+  add_touch();
+  const auto device = open_open_haptics(options_for());
+  double fading_in = 0, in_the_end = 0;
+  run(
+      *device,
+      [&, n = 0](const DeviceState&) mutable {
+        DeviceCommand command;
+        ++n;
+        if (n > 50) command.wrench.force.x() = n % 100 < 50 ? 1000 : -1000;
+        command.stop = n >= 2000;
+        return command;
+      },
+      quick(),
+      [&](long tick) {
+        fading_in = std::max(fading_in, tick < 200 ? test::rendered(0).norm() : 0.0);
+        in_the_end = std::max(in_the_end, tick > 1000 ? test::rendered(0).norm() : 0.0);
+      });
+  EXPECT_EQ(hdsim_get_counters(0).amplifier_toggles, 0);
+  EXPECT_NEAR(in_the_end, 3.3, 1e-9);
+  EXPECT_LE(fading_in, 2.0) << "the driver's own ramp, 10 N/s";
+}
+
+TEST_F(OpenHapticsFaults, ComesBackThroughBothFadeInsAfterTheHandWasTooFastForTheDriver) {
+  add_touch();
+  const auto device = open_open_haptics(options_for());
+  std::vector<double> motors;
+  const Outcome outcome = run(
+      *device,
+      [n = 0](const DeviceState&) mutable {
+        DeviceCommand command;
+        ++n;
+        if (n > 50 && (n < 500 || n > 550)) command.wrench.force.x() = 1;
+        command.stop = n >= 1000;
+        return command;
+      },
+      quick(),
+      [&](long tick) {
+        place(0, Pose{}, Vec3(tick >= 480 && tick < 483 ? 1.3 : 0, 0, 0));  // 1.2 m/s are the driver's limit
+        motors.push_back(test::rendered(0).x());
+      });
+  EXPECT_EQ(outcome.report.fault, DeviceFault::none);
+  EXPECT_GE(hdsim_get_counters(0).amplifier_toggles, 1);
+  EXPECT_GE(outcome.report.events[std::size_t(SafetyEvent::device_fault)], 1U);
+  EXPECT_EQ(motors[479], 1);
+  for (std::size_t n = 482; n < 550; ++n) EXPECT_LT(motors[n], 0.05) << n;
+  EXPECT_EQ(motors[950], 1);
+}
+
 TEST_F(OpenHapticsFaults, TakesErrorsOfTheProgrammerAsFatal) {
   add_touch();
   const auto device = open_open_haptics(options_for());

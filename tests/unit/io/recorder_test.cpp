@@ -18,8 +18,10 @@
 #include <thread>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/device/coupling.hpp"
 #include "hapticut/io/replay.hpp"
 #include "hapticut/realtime/realtime.hpp"
+#include "hapticut/workpiece/builders.hpp"
 #include "support/no_disk_space.hpp"
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
@@ -167,6 +169,34 @@ TEST(Recorder, EndsTheRecordingWhereTheWorkpieceIsExchanged) {
     EXPECT_EQ(recording.info().lost, 200U);
     EXPECT_TRUE(replay(recording).identical);
   }
+}
+
+TEST(Recorder, RecordsEveryStepOfAFastToolBehindACoupling) {
+  const TemporaryFolder folder;
+  SimulationConfig config;
+  config.reference_stiffness = 1e15;
+  config.contact_time = ContactTime::end;
+  Simulation simulation(build_block({Vec3(-3e-3, -3e-3, -3e-3), Vec3(3e-3, 3e-3, 0)}, 1e-4,
+                                    find_scene("axial_flat").make().workpiece().materials()[1]),
+                        Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{2000}), config);
+  VirtualCoupling coupling(simulation, {});
+  Recorder recorder(folder / "a.h5", simulation, patient());
+  std::uint64_t parts = 0;
+  constexpr int kTicks = 300;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    const double z = std::max(5e-3 - 2e-4 * tick, 0.0);  // 0.2 m/s: 4 voxels and more in a tick
+    parts += std::uint64_t(
+        coupling.step(Pose::from_translation(Vec3(1e-5, 0, z)), {Vec3(0, 0, -0.2), Vec3::Zero()}, 1e-3, &recorder)
+            .parts);
+  }
+  recorder.close();
+  EXPECT_GT(parts, std::uint64_t(kTicks)) << "some ticks were cut into parts";
+  EXPECT_EQ(recorder.recorded(), parts);
+  EXPECT_EQ(recorder.lost(), 0U);
+  EXPECT_GT(simulation.removed_volume_by_material()[1], 0);
+  const ReplayReport report = replay(read_recording(folder / "a.h5"));
+  EXPECT_TRUE(report.identical);
+  EXPECT_EQ(report.steps, parts);
 }
 
 TEST(Recorder, EndsTheRecordingWhereSomebodyElseMakesAStep) {

@@ -65,6 +65,9 @@ int hdsim_scheduled_callbacks(void);
 /* What the motors get now. N and mNm. A committed force is delayed by this many ticks before it acts (default 0). */
 void hdsim_delay_ticks(int device, int ticks);
 void hdsim_get_committed_force(int device, double force[3], double torque[3]);
+/* What the motors rendered in the last tick: the committed force, but for the ramp after the start and after a limit was
+   exceeded (speed, step of the force, force without clamping), at HD_FORCE_RAMPING_RATE. */
+void hdsim_get_rendered_force(int device, double force[3]);
 /* The n-th committed force of the run, n < hdsim_committed_count. */
 long hdsim_committed_count(int device);
 void hdsim_get_committed(int device, long n, double force[3], double torque[3]);
@@ -79,6 +82,7 @@ typedef struct {
   long sets_outside_frame, gets_outside_frame;
   long torque_sets_on_3dof;
   long joint_space_sets;         /* of joint or gimbal torques */
+  long amplifier_toggles;        /* a limit was exceeded: the force was away, and came back on a ramp */
   int force_output_enabled;
   int initialised;
   int callbacks_at_disable;      /* still scheduled when hdDisableDevice was called; -1: never called */
