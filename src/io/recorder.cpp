@@ -2,11 +2,7 @@
 #include "hapticut/io/recorder.hpp"
 
 #include <atomic>
-#include <boost/lockfree/spsc_queue.hpp>
-#include <chrono>
-#include <condition_variable>
 #include <ctime>
-#include <mutex>
 #include <thread>
 
 #include "hapticut/core/build_info.hpp"
@@ -15,13 +11,12 @@
 #include "io/recording_file.hpp"
 #include "io/recording_settings.hpp"
 #include "io/room_on_disk.hpp"
+#include "realtime/background_writer.hpp"
 
 namespace hapticut {
 namespace {
 
-constexpr auto kPoll = std::chrono::milliseconds(5);  // between looks at the ring
-constexpr std::size_t kBatch = 1024;                  // steps written at once
-constexpr std::uint64_t kHeadroom = 4 << 20;          // [bytes] more than a batch and the end of the recording need
+constexpr std::uint64_t kHeadroom = 4 << 20;  // [bytes] more than a batch and the end of the recording need
 
 /// A step on its way to the writer, with the effects that were in force: the writer notes their changes.
 struct Message {
@@ -78,23 +73,18 @@ std::string now_as_text() {
 
 struct Recorder::State {
   State(std::filesystem::path a_path, Simulation& a_simulation, const RecorderOptions& some_options)
-      : path(std::move(a_path)), simulation(a_simulation), options(some_options), ring(options.steps) {
-    // The first touch of a page would cost the loop time: go once round the ring.
-    while (ring.push(message)) {
-    }
-    ring.consume_all([](const Message&) {});
-  }
+      : path(std::move(a_path)), simulation(a_simulation), options(some_options) {}
 
   void note(const DeviceTick* device) noexcept;
-  void write_until_stopped();
-  void write_batch(std::vector<Message>& batch);
+  void write_batch(const std::vector<Message>& batch);
+  void flush();
+  std::string end_writing();
 
   std::filesystem::path path;
   Simulation& simulation;
   RecorderOptions options;
 
   // The loop's side.
-  boost::lockfree::spsc_queue<Message> ring;
   Message message;  // being filled
   std::uint64_t steps_seen = 0, exchanges_seen = 0, free_blocks = 0;
   bool over = false;  // nothing can be recorded any more
@@ -111,12 +101,7 @@ struct Recorder::State {
   std::vector<std::byte> rows;
   std::uint64_t unflushed = 0;  // [bytes] that HDF5 may still hold
 
-  std::mutex mutex;
-  std::condition_variable wake;
-  bool stopping = false;
-  std::atomic<bool> failed{false};
-  std::string failure;
-  std::thread writer;
+  std::unique_ptr<BackgroundWriter<Message>> writer;  // between the two; the last to be made, the first to go
 };
 
 Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, const RecorderOptions& options) {
@@ -164,17 +149,14 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
   } catch (const RoomOnDisk::Lacking& lacking) {
     fail(path, lacking.what());
   }
-  s.writer = std::thread([&s] { s.write_until_stopped(); });
+  s.writer = std::make_unique<BackgroundWriter<Message>>(
+      options.steps, s.message, options.flush_period,
+      BackgroundWriter<Message>::Sink{[&s](const std::vector<Message>& batch) { s.write_batch(batch); },
+                                      [&s] { s.flush(); }});
 }
 
 Recorder::~Recorder() {
-  if (!state_->writer.joinable()) return;
-  {
-    const std::lock_guard lock(state_->mutex);
-    state_->stopping = true;
-  }
-  state_->wake.notify_one();
-  state_->writer.join();
+  if (state_->writer->running()) (void)state_->end_writing();
 }
 
 // --- the loop's side ------------------------------------------------------------------------------------------------
@@ -206,8 +188,8 @@ void Recorder::after_step(const DeviceTick* device) noexcept {
   }
   ++s.steps_seen;
   s.note(device);
-  while (!s.ring.push(s.message)) {
-    if (!s.options.wait_when_full || s.failed.load(std::memory_order_relaxed)) {
+  while (!s.writer->push(s.message)) {
+    if (!s.options.wait_when_full || s.writer->failed()) {
       s.lost.fetch_add(1, std::memory_order_relaxed);
       return;
     }
@@ -232,50 +214,28 @@ void Recorder::State::note(const DeviceTick* device) noexcept {
 
 std::uint64_t Recorder::recorded() const noexcept { return state_->recorded.load(std::memory_order_relaxed); }
 std::uint64_t Recorder::lost() const noexcept { return state_->lost.load(std::memory_order_relaxed); }
-bool Recorder::failed() const noexcept { return state_->failed.load(std::memory_order_relaxed); }
+bool Recorder::failed() const noexcept { return state_->writer->failed(); }
 
 // --- the writer's side ----------------------------------------------------------------------------------------------
 
-void Recorder::State::write_until_stopped() {
-  using Clock = std::chrono::steady_clock;
+void Recorder::State::flush() {
   const hdf5::Quiet quiet;
-  try {
-    const auto period =
-        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.flush_period));
-    Clock::time_point next_flush = Clock::now() + period;
-    std::vector<Message> batch;
-    batch.reserve(kBatch);
-    for (bool last = false, empty = true; !last || !empty;) {
-      if (empty) {
-        std::unique_lock lock(mutex);
-        if (ring.read_available() == 0) wake.wait_for(lock, kPoll, [this] { return stopping; });
-        last = stopping;
-      }
-      batch.clear();
-      while (batch.size() < kBatch && ring.consume_one([&](const Message& m) { batch.push_back(m); })) {
-      }
-      write_batch(batch);
-      empty = batch.empty();
-      if ((last && empty) || Clock::now() >= next_flush) {
-        hdf5::checked(H5Fflush(file.get(), H5F_SCOPE_GLOBAL), "flushing");
-        unflushed = 0;
-        next_flush = Clock::now() + period;
-      }
-    }
-  } catch (const std::exception& error) {
-    failure = error.what();
-    failed.store(true, std::memory_order_release);
-  }
-  appenders.clear();
-  effects_appenders.clear();
-  if (file.reset() < 0 && failure.empty()) {
-    failure = "closing failed";
-    failed.store(true, std::memory_order_release);
-  }
+  hdf5::checked(H5Fflush(file.get(), H5F_SCOPE_GLOBAL), "flushing");
+  unflushed = 0;
 }
 
-void Recorder::State::write_batch(std::vector<Message>& batch) {
-  if (batch.empty()) return;
+/// Ends the writer's thread and closes the file.  @return what went wrong, or nothing
+std::string Recorder::State::end_writing() {
+  std::string failure = writer->stop();
+  const hdf5::Quiet quiet;
+  appenders.clear();
+  effects_appenders.clear();
+  if (file.reset() < 0 && failure.empty()) failure = "closing failed";
+  return failure;
+}
+
+void Recorder::State::write_batch(const std::vector<Message>& batch) {
+  const hdf5::Quiet quiet;
   hsize_t length = 0;
   hdf5::checked(H5Fget_filesize(file.get(), &length), "looking at its size");
   unflushed += batch.size() * sizeof(RecordedStep);  // more than what comes of them
@@ -297,21 +257,16 @@ void Recorder::State::write_batch(std::vector<Message>& batch) {
 
 void Recorder::close() {
   State& s = *state_;
-  if (!s.writer.joinable()) throw Error("the recorder of '" + s.path.string() + "' is closed already.");
-  {
-    const std::lock_guard lock(s.mutex);
-    s.stopping = true;
-  }
-  s.wake.notify_one();
-  s.writer.join();
-  if (!s.failure.empty()) fail(s.path, s.failure);
+  if (!s.writer->running()) throw Error("the recorder of '" + s.path.string() + "' is closed already.");
+  const std::string failure = s.end_writing();
+  if (!failure.empty()) fail(s.path, failure);
   const hdf5::Quiet quiet;
   try {
     hdf5::File file(H5Fopen(s.path.c_str(), H5F_ACC_RDWR, newest_format().get()), "opening it");
     write_recording_end(file.get(), s.lost.load(), s.simulation.workpiece().hash());
     if (file.reset() < 0) hdf5::fail("closing it");
-  } catch (const hdf5::Failure& failure) {
-    fail(s.path, failure.what());
+  } catch (const hdf5::Failure& error) {
+    fail(s.path, error.what());
   }
 }
 
