@@ -96,8 +96,12 @@ void bind_friction(py::module_& m) {
       .def_readonly("force", &StickSlip::Outcome::force, doc("StickSlip::Outcome::force"))
       .def_readonly("dissipated", &StickSlip::Outcome::dissipated, doc("StickSlip::Outcome::dissipated"));
   stick_slip.def(py::init<>())
-      .def("move", &StickSlip::move, py::arg("normal_force"), py::arg("displacement"), py::arg("friction"),
-           py::arg("share") = 1.0, doc("StickSlip::move"))
+      .def(
+          "move",
+          [](StickSlip& self, const Vec3& normal_force, const Vec3& displacement, const DryFriction& friction,
+             double share) { return self.move(normal_force, displacement, friction, share); },
+          py::arg("normal_force"), py::arg("displacement"), py::arg("friction"), py::arg("share") = 1.0,
+          doc("StickSlip::move"))
       .def_property_readonly("stored", &StickSlip::stored, doc("StickSlip::stored"))
       .def_property_readonly("anchored", &StickSlip::anchored, doc("StickSlip::anchored"))
       .def_property_readonly("sliding", &StickSlip::sliding, "It slides.")
