@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/open_haptics/scheduler.hpp"
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "device/open_haptics/errors.hpp"
 #include "hapticut/core/errors.hpp"
@@ -45,7 +47,13 @@ HDSchedulerHandle Scheduler::join(HDSchedulerCallback callback, void* data, doub
 }
 
 void Scheduler::leave(HDSchedulerHandle handle, bool finished) {
-  const std::lock_guard lock(mutex_);
+  std::unique_lock lock(mutex_);
+  // What waits for a tick must get it before the ticks end; a driver that calls nobody back cannot be waited for.
+  while (users_ == 1 && waiting_ > 0 && finished) {
+    lock.unlock();
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+    lock.lock();
+  }
   if (--users_ == 0) hdStopScheduler();
   if (!finished) {
     hdUnschedule(handle);
@@ -54,7 +62,13 @@ void Scheduler::leave(HDSchedulerHandle handle, bool finished) {
 }
 
 void Scheduler::between_ticks(const std::function<void()>& work) {
+  {
+    const std::lock_guard lock(mutex_);
+    ++waiting_;
+  }
   hdScheduleSynchronous(hapticut_between_ticks, const_cast<std::function<void()>*>(&work), HD_MIN_SCHEDULER_PRIORITY);
+  const std::lock_guard lock(mutex_);
+  --waiting_;
 }
 
 }  // namespace hapticut::open_haptics

@@ -31,6 +31,7 @@ class Scheduler {
  private:
   std::mutex mutex_;
   std::atomic<int> users_{0};
+  int waiting_ = 0;  // calls of between_ticks under way
 };
 
 }  // namespace hapticut::open_haptics

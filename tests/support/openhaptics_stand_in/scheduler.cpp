@@ -116,7 +116,13 @@ void hdScheduleSynchronous(HDSchedulerCallback callback, void* data, HDushort pr
     return;
   }
   const HDSchedulerHandle handle = hdScheduleAsynchronous(callback, data, priority);
-  (void)hdWaitForCompletion(handle, HD_WAIT_INFINITE);
+  if (hdWaitForCompletion(handle, HD_WAIT_INFINITE) == HD_TRUE) return;
+  {
+    const std::lock_guard lock(s.mutex);  // the scheduler was stopped first
+    if (s.callbacks.erase(handle) == 0) return;
+  }
+  while (callback(data) == HD_CALLBACK_CONTINUE) {
+  }
 }
 
 HDSchedulerHandle hdScheduleAsynchronous(HDSchedulerCallback callback, void* data, HDushort priority) {
