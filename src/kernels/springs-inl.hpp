@@ -28,15 +28,16 @@ struct SpringVectors {
   V depth, normal_x, normal_y, normal_z;
 };
 
-/// Each shape answers two questions: `at(x, y, z)`, the springs at a vector of points, and `misses(x, y, z)`, whether
-/// it is certain, without a square root, that no point of the vector is inside the head.
+/// Each shape answers two questions: `at(x, y, z)`, the springs at a vector of points, and `hits(x, y, z, margin)`,
+/// which of them may be inside the head grown by a margin [m], as far as can be told without a square root.
 struct SphereVectors {
   float radius;
   explicit SphereVectors(const SphereHead& head) : radius(float(head.radius)) {}
   template <class V>
-  HWY_INLINE bool misses(V x, V y, V z) const {
+  HWY_INLINE auto hits(V x, V y, V z, float margin) const {
     const V squared = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
-    return hn::AllTrue(hn::DFromV<V>(), hn::Ge(squared, same(x, radius * radius)));
+    const float grown = std::max(0.0F, radius + margin);
+    return hn::Lt(squared, same(x, grown * grown));
   }
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
@@ -51,12 +52,11 @@ struct ConeVectors {
   explicit ConeVectors(const ConeHead& head)
       : sine(float(std::sin(head.half_angle))), cosine(float(std::cos(head.half_angle))), height(float(head.height)) {}
   template <class V>
-  HWY_INLINE bool misses(V x, V y, V z) const {
-    const V edge = hn::Mul(z, same(x, sine / cosine));
+  HWY_INLINE auto hits(V x, V y, V z, float margin) const {
+    const V edge = hn::MulAdd(z, same(x, sine / cosine), same(x, margin / cosine));
     const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
-    const auto hit = hn::And(hn::Lt(squared, hn::Mul(edge, edge)),
-                             hn::And(hn::Gt(z, hn::Zero(hn::DFromV<V>())), hn::Lt(z, same(x, height))));
-    return hn::AllFalse(hn::DFromV<V>(), hit);
+    return hn::And(hn::Lt(squared, hn::Mul(edge, edge)),
+                   hn::And(hn::Gt(edge, hn::Zero(hn::DFromV<V>())), hn::Lt(z, same(x, height + margin))));
   }
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
@@ -73,11 +73,11 @@ struct FlatVectors {
   float radius, height;
   explicit FlatVectors(const FlatHead& head) : radius(float(head.radius)), height(float(head.height)) {}
   template <class V>
-  HWY_INLINE bool misses(V x, V y, V z) const {
+  HWY_INLINE auto hits(V x, V y, V z, float margin) const {
     const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
-    const auto hit = hn::And(hn::Lt(squared, same(x, radius * radius)),
-                             hn::And(hn::Gt(z, hn::Zero(hn::DFromV<V>())), hn::Lt(z, same(x, height))));
-    return hn::AllFalse(hn::DFromV<V>(), hit);
+    const float grown = std::max(0.0F, radius + margin);
+    return hn::And(hn::Lt(squared, same(x, grown * grown)),
+                   hn::And(hn::Gt(z, same(x, -margin)), hn::Lt(z, same(x, height + margin))));
   }
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
@@ -111,11 +111,11 @@ struct ProfileVectors {
   explicit ProfileVectors(const ProfileHead& head) : table(head.table()) {}
 
   template <class V>
-  HWY_INLINE bool misses(V x, V y, V z) const {
+  HWY_INLINE auto hits(V x, V y, V z, float margin) const {
     const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
-    const auto hit = hn::And(hn::Lt(squared, same(x, table.radius * table.radius)),
-                             hn::And(hn::Gt(z, same(x, table.bottom)), hn::Lt(z, same(x, table.top))));
-    return hn::AllFalse(hn::DFromV<V>(), hit);
+    const float grown = margin < 0 ? 0.0F : table.radius + margin;  // the inside of its cylinder is not its own
+    return hn::And(hn::Lt(squared, same(x, grown * grown)),
+                   hn::And(hn::Gt(z, same(x, table.bottom - margin)), hn::Lt(z, same(x, table.top + margin))));
   }
 
   template <class V>

@@ -14,13 +14,11 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-/// StiffnessSums of one vector of lanes over the strips of a few blocks.
+/// StiffnessSums of one vector of lanes over the voxels of a few blocks; begins with `clear`.
 class StiffnessVectors {
  public:
-  /// @param wanted  false: nothing will be added, and nothing is set up for it
-  HWY_INLINE explicit StiffnessVectors(bool wanted) {
-    if (wanted)
-      for (Vec& term : terms_) term = broadcast(0.0F);
+  HWY_INLINE void clear() {
+    for (Vec& term : terms_) term = broadcast(0.0F);
   }
 
   /// @param slope  [N/m^4] of the springs; zero in lanes without one

@@ -35,13 +35,19 @@ constexpr unsigned kAllLanes = (1U << kWidth) - 1;
 
 HWY_INLINE Vec broadcast(float value) { return hn::Set(Floats(), value); }
 HWY_INLINE Mask mask_of(unsigned bits) {
-  const std::uint8_t bytes[8] = {std::uint8_t(bits), std::uint8_t(bits >> 8)};  // Highway may read eight bytes
-  return hn::LoadMaskBits(Floats(), bytes);
+  const hn::RebindToSigned<Floats> ints;
+  alignas(64) static constexpr std::int32_t kLaneBits[16] = {1,       1 << 1,  1 << 2,  1 << 3, 1 << 4,  1 << 5,
+                                                             1 << 6,  1 << 7,  1 << 8,  1 << 9, 1 << 10, 1 << 11,
+                                                             1 << 12, 1 << 13, 1 << 14, 1 << 15};
+  return hn::RebindMask(Floats(), hn::TestBit(hn::Set(ints, int(bits)), hn::Load(ints, kLaneBits)));
 }
-HWY_INLINE std::uint64_t bits_of(Mask mask) {
-  std::uint8_t bytes[8] = {};
+HWY_INLINE unsigned bits_of(Mask mask) {
+  std::uint8_t bytes[8];
   hn::StoreMaskBits(Floats(), mask, bytes);
-  return std::uint64_t(bytes[0]) | std::uint64_t(bytes[1]) << 8;
+  if constexpr (kWidth <= 8) return bytes[0] & kAllLanes;
+  std::uint16_t bits = 0;
+  std::memcpy(&bits, bytes, sizeof(bits));
+  return bits;
 }
 
 /// c0 - c1 x + c2 x^2 - ... - c7 x^7 in pairs: the shortest chain of dependent operations.
@@ -121,14 +127,15 @@ HWY_INLINE Vectors velocity_at(const Vectors& r, const Eigen::Vector3f& v, const
           hn::NegMulAdd(oy, r.x, hn::MulAdd(ox, r.y, broadcast(v.z())))};
 }
 
-/// Where the strips of any block are, from the block's first voxel.
+/// Where the strips of any block are, from the block's first voxel; more exactly, where some place of theirs is.
 struct StripOffsets {
   float x[kStrips], y[kStrips], z[kStrips];  // [m]
 
-  explicit StripOffsets(const Eigen::Matrix3f& steps) {
+  /// @param place  [m] from a strip's first voxel
+  StripOffsets(const Eigen::Matrix3f& steps, const Eigen::Vector3f& place) {
     for (int n = 0; n < kStrips; ++n) {
       const int slab = n / kStripsPerSlab, row = 2 * (n % kStripsPerSlab);
-      const Eigen::Vector3f offset = steps.col(0) * float(slab) + steps.col(1) * float(row);
+      const Eigen::Vector3f offset = steps.col(0) * float(slab) + steps.col(1) * float(row) + place;
       x[n] = offset.x(), y[n] = offset.y(), z[n] = offset.z();
     }
   }
@@ -144,6 +151,35 @@ HWY_INLINE bool all_are(const MaterialId* ids, MaterialId one) {
     difference |= word ^ Word(~Word(0) / 255 * one);
   }
   return difference == 0;
+}
+
+/// For each byte, which of the values that follow each other goes to each lane whose bit is set.
+struct SpreadTable {
+  alignas(64) std::uint8_t from[256][8] = {};
+  constexpr SpreadTable() {
+    for (unsigned lanes = 0; lanes < 256; ++lanes)
+      for (unsigned lane = 0, next = 0; lane < 8; ++lane)
+        if ((lanes >> lane & 1U) != 0) from[lanes][lane] = std::uint8_t(next++);
+  }
+};
+
+/// Values that follow each other, to the lanes of a vector whose bits are set; the other lanes stay as they are.
+HWY_INLINE void spread(const float* values, unsigned lanes, float* to) {
+  if constexpr (kWidth < 8) {
+    for (; lanes != 0; lanes &= lanes - 1) to[std::countr_zero(lanes)] = *values++;
+  } else {
+    static constexpr SpreadTable kTable;
+    const hn::CappedTag<float, 8> row;
+    const hn::RebindToSigned<decltype(row)> ints;
+    for (std::size_t first = 0; first < kWidth; first += 8, lanes >>= 8, to += 8) {
+      const unsigned in_row = lanes & 0xff;
+      const auto order = hn::PromoteTo(ints, hn::LoadU(hn::Rebind<std::uint8_t, decltype(row)>(), kTable.from[in_row]));
+      const std::uint8_t bytes[8] = {std::uint8_t(in_row)};
+      const auto spread = hn::TableLookupLanes(hn::LoadU(row, values), hn::IndicesFromVec(row, order));
+      hn::StoreU(hn::IfThenElse(hn::LoadMaskBits(row, bytes), spread, hn::LoadU(row, to)), row, to);
+      values += std::popcount(in_row);
+    }
+  }
 }
 
 }  // namespace strips

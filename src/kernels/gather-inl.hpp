@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+// The voxels of a block inside the head, gathered without gaps; included once per instruction set.
+#if defined(HAPTICUT_KERNELS_GATHER_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAPTICUT_KERNELS_GATHER_INL_HPP
+#undef HAPTICUT_KERNELS_GATHER_INL_HPP
+#else
+#define HAPTICUT_KERNELS_GATHER_INL_HPP
+#endif
+
+#include "kernels/springs-inl.hpp"
+#include "kernels/strips-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hapticut::kernels::HWY_NAMESPACE {
+
+namespace strips {
+
+/// Voxels of one block, one after the other in the order of the block. What follows the last one repeats the first, so
+/// that every lane of a vector can be computed.
+struct VoxelList {
+  static constexpr int kRoom = kBlockVoxels + 2 * kStripLanes;
+  alignas(64) float x[kRoom], y[kRoom], z[kRoom];  // [m] quadrature points in T
+  alignas(64) float fill[kRoom];                   // before the sub-step; not set where the block has none
+  alignas(64) float fill_after[kRoom];             // the sub-step
+  alignas(64) std::int32_t index[kRoom];           // in the block
+  std::uint16_t run_first[kBlockVoxels / kWidth];  // where the voxels come from: vector by vector of the block,
+  std::uint16_t run_lanes[kBlockVoxels / kWidth];  // those of these lanes
+  int runs;
+  int count;
+  std::uint32_t strips;  // bit n: some of the voxels are of strip n
+  MaterialId material;   // of all of them; kEmpty: their materials may differ
+};
+
+/// Looks through the solid voxels of blocks for those that may be inside the head.
+template <class Springs>
+class Gather {
+ public:
+  HWY_INLINE Gather(const Springs& springs, const ContactJob& job)
+      : springs_(springs),
+        job_(job),
+        steps_(job.grid.voxel_steps.template cast<float>()),
+        firsts_(steps_, Eigen::Vector3f::Zero()),
+        middles_(steps_, steps_ * Eigen::Vector3f(0, 0.5F, 3.5F)),
+        lane_numbers_(hn::Iota(kInts, 0)) {
+    for (std::size_t part = 0; part < kParts; ++part) {
+      const Vec lane = hn::Iota(Floats(), float(part * kWidth));
+      const Vec j = hn::IfThenElseZero(hn::Ge(lane, broadcast(8.0F)), broadcast(1.0F));
+      const Vec k = hn::NegMulAdd(j, broadcast(8.0F), lane);
+      const auto offset = [&](int axis) HWY_ATTR {
+        return hn::MulAdd(j, broadcast(steps_(axis, 1)), hn::Mul(k, broadcast(steps_(axis, 2))));
+      };
+      lane_offsets_[part] = {offset(0), offset(1), offset(2)};
+    }
+  }
+
+  /// Calls `found(voxel, r, hit, lanes)` for each vector of voxels of which some may be inside the head: the first of
+  /// them in the block, their places [m] in T, and which lanes, as a mask and as bits.
+  template <class Found>
+  HWY_INLINE void for_each(const BlockView& block, const Found& found) const {
+    const Eigen::Vector3f base = first_voxel(block);
+    // From a strip's middle to its farthest voxel, and from a voxel's middle to its centroid.
+    const float half = (3.6F + 0.9F) * job_.motion.voxel_size;
+    const std::uint32_t near = strips_within(base, half) & solid_strips(block) & strips_on_turn(block);
+    const std::uint32_t inner = strips_within(base, -half);
+    const bool at_centroid = block.centroid != nullptr && job_.quadrature == Quadrature::centroid;
+    const Mask all = hn::FirstN(Floats(), kWidth);
+    Vectors lanes[kParts];
+    for (std::size_t part = 0; part < kParts; ++part)
+      lanes[part] = {hn::Add(lane_offsets_[part].x, broadcast(base.x())),
+                     hn::Add(lane_offsets_[part].y, broadcast(base.y())),
+                     hn::Add(lane_offsets_[part].z, broadcast(base.z()))};
+    for (std::uint32_t rest = near; rest != 0; rest &= rest - 1) {
+      const int strip = std::countr_zero(rest);
+      const auto solid =
+          block.solid == nullptr ? 0xffffU : unsigned(block.solid[strip >> 2] >> (16 * (strip & 3)) & 0xffff);
+      for (std::size_t part = 0; part < kParts; ++part) {
+        const unsigned bits = solid >> (part * kWidth) & kAllLanes;
+        const int voxel = strip * kStripLanes + int(part * kWidth);
+        Vectors r = {hn::Add(lanes[part].x, broadcast(firsts_.x[strip])),
+                     hn::Add(lanes[part].y, broadcast(firsts_.y[strip])),
+                     hn::Add(lanes[part].z, broadcast(firsts_.z[strip]))};
+        if (at_centroid) shift_to_centroids(block.centroid + voxel, r);
+        Mask hit = all;
+        unsigned hit_bits = kAllLanes;
+        if (bits != kAllLanes || (inner >> strip & 1U) == 0) {
+          hit = hn::And(springs_.hits(r.x, r.y, r.z, 0.0F), mask_of(bits));
+          hit_bits = bits_of(hit);
+          if (hit_bits == 0) continue;
+        }
+        found(voxel, r, hit, hit_bits);
+      }
+    }
+  }
+
+  HWY_INLINE void list(const BlockView& block, VoxelList& list) const {
+    int count = 0, runs = 0;
+    std::uint32_t strips = 0;
+    bool one_material = true;
+    MaterialId material = block.uniform_material;
+    for_each(
+        block, [&](int voxel, const Vectors& r, Mask hit, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
+          if (lanes == kAllLanes)
+            keep(block, voxel, r, list, count);
+          else
+            keep(block, voxel, r, hit, list, count);
+          if (block.material != nullptr) {
+            if (count == 0) material = block.material[voxel + std::countr_zero(lanes)];
+            one_material &= all_are(block.material + voxel, material);
+          }
+          list.run_first[runs] = std::uint16_t(voxel);
+          list.run_lanes[runs++] = std::uint16_t(lanes);
+          count += std::popcount(lanes);
+          strips |= 1U << (voxel / kStripLanes);
+        });
+    list.count = count;
+    list.runs = runs;
+    list.strips = strips;
+    list.material = one_material ? material : kEmpty;
+    if (count != 0) repeat_first(list);
+  }
+
+  /// Whether a block reaches into the zone about the spindle's axis where voxels cut by their mean slip.
+  [[nodiscard]] HWY_INLINE bool near_axis(const BlockView& block) const {
+    const Eigen::Vector3f middle = first_voxel(block) + steps_ * Eigen::Vector3f::Constant(3.5F);
+    return middle.head<2>().squaredNorm() < 56.25F * job_.motion.voxel_size * job_.motion.voxel_size;
+  }
+
+ private:
+  static constexpr hn::RebindToSigned<Floats> kInts = {};
+
+  [[nodiscard]] HWY_INLINE Eigen::Vector3f first_voxel(const BlockView& block) const {
+    return job_.grid.position(block.origin).template cast<float>();
+  }
+
+  /// Bit n: the middle of strip n is inside the head grown by `margin` [m], as far as `hits` can tell.
+  [[nodiscard]] HWY_INLINE std::uint32_t strips_within(const Eigen::Vector3f& base, float margin) const {
+    const Floats d;
+    std::uint32_t strips = 0;
+    for (int n = 0; n < kStrips; n += int(kWidth)) {
+      const Mask hit = springs_.hits(hn::Add(hn::LoadU(d, middles_.x + n), broadcast(base.x())),
+                                     hn::Add(hn::LoadU(d, middles_.y + n), broadcast(base.y())),
+                                     hn::Add(hn::LoadU(d, middles_.z + n), broadcast(base.z())), margin);
+      strips |= bits_of(hit) << n;
+    }
+    return strips;
+  }
+
+  /// Bit n: strip n has solid voxels.
+  [[nodiscard]] HWY_INLINE static std::uint32_t solid_strips(const BlockView& block) {
+    if (block.solid == nullptr) return ~0U;
+    std::uint32_t strips = 0;
+    for (int slab = 0; slab < kBlockEdge; ++slab) {
+      // Sixteen bits fold into their lowest.
+      std::uint64_t any = block.solid[slab];
+      any |= any >> 8 & 0x00ff00ff00ff00ffU;
+      any |= any >> 4 & 0x000f000f000f000fU;
+      any |= any >> 2 & 0x0003000300030003U;
+      any |= any >> 1;
+      any &= 0x0001000100010001U;
+      strips |= std::uint32_t((any | any >> 15 | any >> 30 | any >> 45) & 0xf) << (kStripsPerSlab * slab);
+    }
+    return strips;
+  }
+
+  [[nodiscard]] HWY_INLINE std::uint32_t strips_on_turn(const BlockView& block) const {
+    if (job_.level_of_detail <= 1) return ~0U;
+    std::uint32_t strips = 0;
+    for (int strip = 0; strip < kStrips; ++strip)
+      strips |= std::uint32_t(job_.has_turn(block.origin, strip / kStripsPerSlab, strip % kStripsPerSlab)) << strip;
+    return strips;
+  }
+
+  /// Appends all lanes of a vector.
+  HWY_INLINE void keep(const BlockView& block, int voxel, const Vectors& r, VoxelList& list, int at) const {
+    const Floats d;
+    hn::StoreU(r.x, d, list.x + at);
+    hn::StoreU(r.y, d, list.y + at);
+    hn::StoreU(r.z, d, list.z + at);
+    if (block.fill != nullptr) hn::StoreU(hn::LoadU(d, block.fill + voxel), d, list.fill + at);
+    hn::StoreU(hn::Add(lane_numbers_, hn::Set(kInts, voxel)), kInts, list.index + at);
+  }
+
+  /// Appends the lanes that are hit.
+  HWY_INLINE void keep(const BlockView& block, int voxel, const Vectors& r, Mask hit, VoxelList& list, int at) const {
+    const Floats d;
+    const auto lanes = hn::Compress(lane_numbers_, hn::RebindMask(kInts, hit));
+    const auto order = hn::IndicesFromVec(d, lanes);
+    hn::StoreU(hn::TableLookupLanes(r.x, order), d, list.x + at);
+    hn::StoreU(hn::TableLookupLanes(r.y, order), d, list.y + at);
+    hn::StoreU(hn::TableLookupLanes(r.z, order), d, list.z + at);
+    if (block.fill != nullptr)
+      hn::StoreU(hn::TableLookupLanes(hn::LoadU(d, block.fill + voxel), order), d, list.fill + at);
+    hn::StoreU(hn::Add(lanes, hn::Set(kInts, voxel)), kInts, list.index + at);
+  }
+
+  HWY_INLINE static void repeat_first(VoxelList& list) {
+    const Floats d;
+    for (int at = list.count; at < list.count + kStripLanes; at += int(kWidth)) {
+      hn::StoreU(broadcast(list.x[0]), d, list.x + at);
+      hn::StoreU(broadcast(list.y[0]), d, list.y + at);
+      hn::StoreU(broadcast(list.z[0]), d, list.z + at);
+      hn::StoreU(hn::Set(kInts, list.index[0]), kInts, list.index + at);
+    }
+  }
+
+  HWY_INLINE void shift_to_centroids(const std::int32_t* centroids, Vectors& r) const {
+    const auto packed = hn::LoadU(kInts, centroids);
+    if (hn::AllTrue(kInts, hn::Eq(packed, hn::Zero(kInts)))) return;
+    const Vec di = centroid_component<0>(packed), dj = centroid_component<10>(packed),
+              dk = centroid_component<20>(packed);
+    const auto shifted = [&](Vec p, int axis) HWY_ATTR {
+      return hn::MulAdd(di, broadcast(steps_(axis, 0)),
+                        hn::MulAdd(dj, broadcast(steps_(axis, 1)), hn::MulAdd(dk, broadcast(steps_(axis, 2)), p)));
+    };
+    r = {shifted(r.x, 0), shifted(r.y, 1), shifted(r.z, 2)};
+  }
+
+  const Springs springs_;
+  const ContactJob& job_;
+  const Eigen::Matrix3f steps_;
+  const StripOffsets firsts_, middles_;
+  const hn::Vec<hn::RebindToSigned<Floats>> lane_numbers_;
+  Vectors lane_offsets_[kParts];  // [m] of the lanes of a strip, from the strip's first voxel
+};
+
+}  // namespace strips
+
+}  // namespace hapticut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
