@@ -243,6 +243,8 @@ def test_a_loop_drives_a_simulation_in_a_thread_of_its_own(coupled):
     assert snapshot.output.applied.force.any() and snapshot.blocks_waiting >= 0
     assert coupled.last_input.dt > 0  # ours again
     assert blocks
+    for block in blocks.values():
+        assert block.version > 0 and block.material.shape == block.fill.shape == (8, 8, 8)
     if snapshot.blocks_waiting == 0:  # what was received last is what is there
         for block in blocks.values():
             box = h.IndexBox(block.origin, [i + 7 for i in block.origin])
