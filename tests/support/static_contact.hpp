@@ -120,13 +120,13 @@ inline const StepResult& hold(Simulation& simulation, const Vec3& p_WHo, const T
   return hold(simulation, Pose::from_translation(p_WHo), velocity);
 }
 
-/// Errors at three voxel sizes, each half of the one before.
+/// Errors at three sizes, each half of the one before: of voxels, or of whatever else is refined.
 struct Convergence {
-  std::array<double, 3> voxel_size;  // [m]
-  std::array<double, 3> error;       // [1] relative, root mean square over the grid phases
+  std::array<double, 3> size;   // [m]
+  std::array<double, 3> error;  // [1] relative, root mean square over the grid phases
 
-  /// p of error ~ voxel_size^p, from the coarsest to the finest.
-  [[nodiscard]] double order() const { return std::log(error[0] / error[2]) / std::log(voxel_size[0] / voxel_size[2]); }
+  /// p of error ~ size^p, from the coarsest to the finest.
+  [[nodiscard]] double order() const { return std::log(error[0] / error[2]) / std::log(size[0] / size[2]); }
 };
 
 /// Number of grid phases over which errors are averaged: the error of one phase oscillates with the voxel size, and
@@ -150,18 +150,18 @@ inline Convergence converge(double coarsest, const std::function<double(double, 
       const double e = relative_error(voxel_size, phase(n));
       sum += e * e;
     }
-    c.voxel_size[level] = voxel_size;
+    c.size[level] = voxel_size;
     c.error[level] = std::sqrt(sum / kPhases);
   }
   return c;
 }
 
 /// Checks that the error falls at least with an order, and is below a bound everywhere.
-/// @param bound  [1] of the relative error, for a voxel size [m]
+/// @param bound  [1] of the relative error, for a size [m]
 inline void expect_convergence(const Convergence& c, double least_order, const std::function<double(double)>& bound) {
   EXPECT_GE(c.order(), least_order) << "errors " << c.error[0] << ", " << c.error[1] << ", " << c.error[2];
   for (std::size_t level = 0; level < 3; ++level)
-    EXPECT_LE(c.error[level], bound(c.voxel_size[level])) << "at l = " << c.voxel_size[level] / units::mm << " mm";
+    EXPECT_LE(c.error[level], bound(c.size[level])) << "at " << c.size[level] / units::mm << " mm";
   testing::Test::RecordProperty("order", std::to_string(c.order()));
   testing::Test::RecordProperty("relative_error_at_finest", std::to_string(c.error[2]));
 }

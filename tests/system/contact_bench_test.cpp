@@ -6,6 +6,9 @@
 #include "hapticut/device/fault_bench.hpp"
 
 namespace hapticut {
+
+void PrintTo(const DeviceModel& model, std::ostream* out) { *out << model.name; }
+
 namespace {
 
 constexpr double kHard = 1e16;  // [N/m^4] a ball of 1 mm under 5 N sinks in by 0.09 mm

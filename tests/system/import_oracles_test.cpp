@@ -56,6 +56,8 @@ struct LabelledTooth {
   double decay, enamel, dentin, pulp;  // [mm^3] as printed, so rounded to the last digit
 };
 
+void PrintTo(const LabelledTooth& tooth, std::ostream* out) { *out << tooth.file; }
+
 class LabelledToothVolumes : public testing::TestWithParam<LabelledTooth> {};
 
 TEST_P(LabelledToothVolumes, AgreeWithItsDescription) {
@@ -65,20 +67,22 @@ TEST_P(LabelledToothVolumes, AgreeWithItsDescription) {
   const Workpiece tooth =
       build_from_labels(volume, {{{1}, named("decay")}, {{2}, named("enamel")}, {{3}, named("dentin")}});
   const auto amounts = tooth.amounts();
-  const double expected[] = {GetParam().decay, GetParam().enamel, GetParam().dentin};
-  const double rounding[] = {0.05, 0.5, 0.5};
-  for (std::size_t n = 0; n < 3; ++n)
-    EXPECT_NEAR(amounts[n].volume / mm3, expected[n], std::max(0.005 * expected[n], rounding[n])) << n;
+  // Samples are counted, so nothing but the printed digits is uncertain: half of the last one, which is 0.3 % of the
+  // enamel and 0.1 % of the dentin at most, and up to 1.4 % of the little decay.
+  EXPECT_NEAR(amounts[0].volume / mm3, GetParam().decay, 0.05);
+  EXPECT_NEAR(amounts[1].volume / mm3, GetParam().enamel, 0.5);
+  EXPECT_NEAR(amounts[2].volume / mm3, GetParam().dentin, 0.5);
 
   // The pulp is not labelled: it is what closing by a ball of 0.8 mm across and filling cavities add inside. Where the
   // chamber ends in the root canals is a matter of the procedure, so its volume is known to a fifth only.
+  constexpr double kProcedure = 0.2;
   LabelVolume solid = keep_largest_component(resample(crop(volume, box_around(volume)), 0.068 * mm));
   constexpr std::uint16_t kPulp = 4;
   LabelVolume pulp = fill_cavities(close_gaps(std::move(solid), 0.4 * mm, kPulp), kPulp);
   for (std::uint16_t& label : pulp.values) label = label == kPulp ? kPulp : 0;
   pulp = keep_largest_component(std::move(pulp));
   const auto samples = std::count(pulp.values.begin(), pulp.values.end(), kPulp);
-  EXPECT_NEAR(double(samples) * pulp.spacing.prod() / mm3 / GetParam().pulp, 1, 0.2);
+  EXPECT_NEAR(double(samples) * pulp.spacing.prod() / mm3 / GetParam().pulp, 1, kProcedure);
 }
 
 INSTANTIATE_TEST_SUITE_P(ImportOracle, LabelledToothVolumes,
@@ -94,9 +98,10 @@ TEST(ImportOracle, TheSkullHas475759VoxelsOfBone) {
   EXPECT_EQ(std::count_if(skull.values.begin(), skull.values.end(), [](float v) { return v >= 226; }), 475759);
 
   // Antialiased voxels of another size hold the same bone: interpolation rounds thin walls by a few per cent.
+  constexpr double kThinWalls = 0.03;
   const double threshold_volume = 475759 * skull.spacing.prod();
   const Workpiece bone = build_from_grey(skull, {{226, 1e9, named("bone")}}, {.voxel_size = 1 * mm});
-  EXPECT_NEAR(bone.amounts()[0].volume / threshold_volume, 1, 0.03);
+  EXPECT_NEAR(bone.amounts()[0].volume / threshold_volume, 1, kThinWalls);
 }
 
 TEST(ImportOracle, DicomSpacingComesFromThePositionsOfTheSlices) {

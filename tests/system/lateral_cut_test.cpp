@@ -23,17 +23,18 @@ double kappa() { return plain_material().cutting_ratio; }
 /// k_v for an engaged layer `delta` at the rim.
 double stiffness_for_layer(double delta) { return 2 * u() * kFeed / (kappa() * kSpin * kRadius * delta * delta); }
 
+// Measured for the layer of R/40 on voxels of half of it: 0.4 % against the feed, 1.2 % across, 0.2 % of the torque.
 TEST(LateralCut, C24SlottingWithACylinder) {
   const double height = 0.5 * mm;
   SimulationConfig config;
-  config.reference_stiffness = stiffness_for_layer(0.05 * mm);
+  config.reference_stiffness = stiffness_for_layer(kRadius / 40);
   Simulation simulation(
-      build_block({Vec3(0, -1.3, -height / mm) * mm, Vec3(3.5, 1.3, 0) * mm}, 0.05 * mm, plain_material()),
+      build_block({Vec3(0, -1.3, -height / mm) * mm, Vec3(3.5, 1.3, 0) * mm}, kRadius / 80, plain_material()),
       Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{}, Spindle{kSpin}), config);
   const SteadyState s = feed(simulation, Vec3(-1.023, 0.011, -1.5) * mm, Vec3(kFeed, 0, 0), 3.3 * mm, 1e-3, 0.7);
   const double expected = kPi / 2 * u() * kFeed * height / kSpin;
-  EXPECT_NEAR(s.force.x() / (-expected / kappa()), 1, 0.03);
-  EXPECT_NEAR(s.force.y() / -expected, 1, 0.03);
+  EXPECT_NEAR(s.force.x() / (-expected / kappa()), 1, 0.02);
+  EXPECT_NEAR(s.force.y() / -expected, 1, 0.02);
   EXPECT_NEAR(s.torque.z() / (-2 * u() * kFeed * kRadius * height / kSpin), 1, 0.02);
 }
 

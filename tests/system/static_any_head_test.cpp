@@ -99,11 +99,11 @@ struct PathWork {
 };
 
 /// Around the edge of a quarter space, in and out and tilting, and back to the start.
-PathWork work_around_an_edge(const ToolHead& head, double l, int steps) {
+PathWork work_around_an_edge(const ToolHead& head, double l, int steps, const Vec3& phase) {
   const Box quarter = {Vec3(-2.4 * mm, -2.4 * mm, -2 * mm), Vec3(0, 2.4 * mm, 0)};
   SimulationConfig config = static_config();
   config.longest_sweep = 64;
-  Simulation simulation(box_at_phase(quarter, l, test::phase(3)), Tool(head, LHandle{3 * mm, 1 * mm, 0.7}), config);
+  Simulation simulation(box_at_phase(quarter, l, phase), Tool(head, LHandle{3 * mm, 1 * mm, 0.7}), config);
   const Pose X_TH = simulation.tool().X_HT().inverse();
   PathWork work = {0, 0};
   double start = 0, before = 0;
@@ -122,12 +122,29 @@ PathWork work_around_an_edge(const ToolHead& head, double l, int steps) {
   return work;
 }
 
-// Every voxel's spring is conservative, so no work is left but that of the midpoint rule in time: where springs start
-// and end, second order in the step, plus the single precision of 10^6 forces.
-TEST_P(ClosedPath, C13CostsNoWork) {
-  const PathWork work = work_around_an_edge(GetParam().head, 0.05 * mm, 2000);
-  EXPECT_GT(work.total, 1e-7);
-  EXPECT_LT(std::abs(work.net), 1e-4 * work.total);
+// Every voxel's spring is conservative, so no work is left but that of the midpoint rule in time, and the single
+// precision of 10^6 forces, which 1e-7 of the work allows for.
+TEST_P(ClosedPath, C13CostsNoWorkAndWhatIsLeftFallsWithTheStepAtThreeLengths) {
+  constexpr std::array kSteps = {500, 1000, 2000};
+  std::array<double, 3> left{};  // [1] of the work to and fro, root mean square over the grid phases
+  for (std::size_t n = 0; n < 3; ++n) {
+    double squares = 0;
+    for (int m = 0; m < test::kPhases; ++m) {
+      const PathWork work = work_around_an_edge(GetParam().head, 0.05 * mm, kSteps[n], test::phase(m));
+      ASSERT_GT(work.total, 1e-7);
+      squares += std::pow(work.net / work.total, 2);
+    }
+    left[n] = std::sqrt(squares / test::kPhases);
+  }
+  // Second order where springs start and end, as forces are continuous there. Where their direction jumps inside the
+  // material, on a cone's axis and between wall and bottom of a flat head, every voxel that passes leaves up to half a
+  // step of the jump's work, with either sign: first order.
+  const bool jumps = std::holds_alternative<ConeHead>(GetParam().head.shape()) ||
+                     std::holds_alternative<FlatHead>(GetParam().head.shape());
+  const double order = std::log(left[0] / left[2]) / std::log(double(kSteps[2]) / kSteps[0]);
+  EXPECT_GE(order, jumps ? 1.0 : 1.9) << "left " << left[0] << ", " << left[1] << ", " << left[2];
+  EXPECT_LT(left[2], jumps ? 5e-5 : 5e-6);  // measured: 1.9e-5 and 3.5e-6 at most
+  RecordProperty("order", std::to_string(order));
 }
 
 INSTANTIATE_TEST_SUITE_P(Heads, ClosedPath, testing::Values(ball(), cone(), flat(), round_end()), kName);
@@ -136,73 +153,80 @@ INSTANTIATE_TEST_SUITE_P(Heads, ClosedPath, testing::Values(ball(), cone(), flat
 
 class HandleTransport : public testing::TestWithParam<HeadCase> {};
 
-TEST_P(HandleTransport, C19PowerIsTheSameAtEveryReferencePoint) {
-  test::RandomPoses random(20);
-  const double l = 0.08 * mm;
-  const Box block = {Vec3(-3, -3, -3) * mm, Vec3(3, 3, 0) * mm};
-  const Workpiece workpiece = box_at_phase(block, l, test::phase(4));
-  Simulation at_head(workpiece.clone(), Tool(GetParam().head), static_config());
-  for (int n = 0; n < 20; ++n) {
-    const Handle handle =
-        n % 2 == 0 ? Handle(RayHandle{random.between(0, 20 * mm)})
-                   : Handle(LHandle{random.between(0, 20 * mm), random.between(0, 10 * mm), random.between(-kPi, kPi)});
-    Simulation at_hand(workpiece.clone(), Tool(GetParam().head, handle), static_config());
-    const HeadBox box = GetParam().head.bounding_box();
-    const Mat3 R_WT = random.rotation();
-    const Pose X_WT = {R_WT, Vec3(0, 0, random.between(-0.5, 0.2)) * mm - R_WT * Vec3(0.5 * (box.min + box.max))};
-    const Pose X_WH = X_WT * at_hand.tool().X_HT().inverse();
-    const StepResult felt = hold(at_hand, X_WH);
-    const StepResult direct = hold(at_head, X_WT);
-    ASSERT_GT(direct.force.norm(), 0);
+/// C19 is an identity of what is computed, not of its limit: it holds to rounding on every grid.
+constexpr std::array kGrids = {0.16 * mm, 0.08 * mm, 0.04 * mm};
 
-    const Vec3 p_HoTo_W = X_WT.translation - X_WH.translation;
-    const double lever = p_HoTo_W.norm() + 1 * mm;
-    const Wrench at_hand_by_transport = transport(Wrench{direct.force, direct.torque}, p_HoTo_W);
-    // The two poses of the head agree to double precision; the samples are single.
-    const double tolerance = 2e-6 * direct.force.norm();
-    EXPECT_LT((felt.force - direct.force).norm(), tolerance);
-    EXPECT_LT((felt.torque - at_hand_by_transport.torque).norm(), tolerance * lever);
+TEST_P(HandleTransport, C19PowerIsTheSameAtEveryReferencePointOnThreeGrids) {
+  for (const double l : kGrids) {
+    test::RandomPoses random(20);
+    const Box block = {Vec3(-3, -3, -3) * mm, Vec3(3, 3, 0) * mm};
+    const Workpiece workpiece = box_at_phase(block, l, test::phase(4));
+    Simulation at_head(workpiece.clone(), Tool(GetParam().head), static_config());
+    for (int n = 0; n < 20; ++n) {
+      const Handle handle =
+          n % 2 == 0
+              ? Handle(RayHandle{random.between(0, 20 * mm)})
+              : Handle(LHandle{random.between(0, 20 * mm), random.between(0, 10 * mm), random.between(-kPi, kPi)});
+      Simulation at_hand(workpiece.clone(), Tool(GetParam().head, handle), static_config());
+      const HeadBox box = GetParam().head.bounding_box();
+      const Mat3 R_WT = random.rotation();
+      const Pose X_WT = {R_WT, Vec3(0, 0, random.between(-0.5, 0.2)) * mm - R_WT * Vec3(0.5 * (box.min + box.max))};
+      const Pose X_WH = X_WT * at_hand.tool().X_HT().inverse();
+      const StepResult felt = hold(at_hand, X_WH);
+      const StepResult direct = hold(at_head, X_WT);
+      ASSERT_GT(direct.force.norm(), 0);
 
-    const Twist hand = {random.vector(0.1), random.vector(5)};
-    const double power_of_hand = felt.force.dot(hand.linear) + felt.torque.dot(hand.angular);
-    const Twist head = transport(hand, p_HoTo_W);
-    const double power_of_head = direct.force.dot(head.linear) + direct.torque.dot(head.angular);
-    const double scale = direct.force.norm() * (head.linear.norm() + hand.angular.norm() * lever);
-    EXPECT_NEAR(power_of_hand, power_of_head, 2e-6 * scale);
+      const Vec3 p_HoTo_W = X_WT.translation - X_WH.translation;
+      const double lever = p_HoTo_W.norm() + 1 * mm;
+      const Wrench at_hand_by_transport = transport(Wrench{direct.force, direct.torque}, p_HoTo_W);
+      // The two poses of the head agree to double precision; the samples are single.
+      const double tolerance = 2e-6 * direct.force.norm();
+      EXPECT_LT((felt.force - direct.force).norm(), tolerance);
+      EXPECT_LT((felt.torque - at_hand_by_transport.torque).norm(), tolerance * lever);
 
-    const Vec3 p_HoP_W = random.vector(20 * mm);
-    const Wrench at_p = transport(Wrench{felt.force, felt.torque}, -p_HoP_W);
-    const Twist of_p = transport(hand, p_HoP_W);
-    EXPECT_NEAR(at_p.force.dot(of_p.linear) + at_p.torque.dot(of_p.angular), power_of_hand, 1e-12 * (1 + scale));
+      const Twist hand = {random.vector(0.1), random.vector(5)};
+      const double power_of_hand = felt.force.dot(hand.linear) + felt.torque.dot(hand.angular);
+      const Twist head = transport(hand, p_HoTo_W);
+      const double power_of_head = direct.force.dot(head.linear) + direct.torque.dot(head.angular);
+      const double scale = direct.force.norm() * (head.linear.norm() + hand.angular.norm() * lever);
+      EXPECT_NEAR(power_of_hand, power_of_head, 2e-6 * scale);
+
+      const Vec3 p_HoP_W = random.vector(20 * mm);
+      const Wrench at_p = transport(Wrench{felt.force, felt.torque}, -p_HoP_W);
+      const Twist of_p = transport(hand, p_HoP_W);
+      EXPECT_NEAR(at_p.force.dot(of_p.linear) + at_p.torque.dot(of_p.angular), power_of_hand, 1e-12 * (1 + scale));
+    }
   }
 }
 
-TEST_P(HandleTransport, C19TheLedgerCountsTheSameWorkAtHeadAndHandle) {
+TEST_P(HandleTransport, C19TheLedgerCountsTheSameWorkAtHeadAndHandleOnThreeGrids) {
   // The ledger books at the head; here the same work is summed from what the hand feels and how it moves.
-  const Box block = {Vec3(-3, -3, -3) * mm, Vec3(3, 3, 0) * mm};
-  SimulationConfig config = static_config();
-  config.longest_sweep = 64;
-  Simulation simulation(box_at_phase(block, 0.08 * mm, test::phase(5)),
-                        Tool(GetParam().head, LHandle{8 * mm, 3 * mm, 1.2}), config);
-  const Pose X_TH = simulation.tool().X_HT().inverse();
-  const auto pose = [&](double t) {
-    return Pose{rotation_from_vector(Vec3(0.3 * t, -0.2 * t, 0.8 * t)),
-                origin_at(GetParam().head, 0) + Vec3(0.2 * t, 0.1 * t, -0.5 * t) * mm} *
-           X_TH;
-  };
-  constexpr int kSteps = 400;
-  constexpr double kDt = 1e-3;
-  double work = 0;
-  Pose before = pose(0);
-  for (int i = 0; i <= kSteps; ++i) {
-    const Pose now = pose(double(i) / kSteps);
-    const StepResult& result = simulation.step(now, {}, kDt);
-    ASSERT_EQ(result.status, StepStatus::ok);
-    const Twist path = twist_between(before, now, kDt);
-    work -= (result.force.dot(path.linear) + result.torque.dot(path.angular)) * kDt;
-    before = now;
+  for (const double l : kGrids) {
+    const Box block = {Vec3(-3, -3, -3) * mm, Vec3(3, 3, 0) * mm};
+    SimulationConfig config = static_config();
+    config.longest_sweep = 64;
+    Simulation simulation(box_at_phase(block, l, test::phase(5)), Tool(GetParam().head, LHandle{8 * mm, 3 * mm, 1.2}),
+                          config);
+    const Pose X_TH = simulation.tool().X_HT().inverse();
+    const auto pose = [&](double t) {
+      return Pose{rotation_from_vector(Vec3(0.3 * t, -0.2 * t, 0.8 * t)),
+                  origin_at(GetParam().head, 0) + Vec3(0.2 * t, 0.1 * t, -0.5 * t) * mm} *
+             X_TH;
+    };
+    constexpr int kSteps = 400;
+    constexpr double kDt = 1e-3;
+    double work = 0;
+    Pose before = pose(0);
+    for (int i = 0; i <= kSteps; ++i) {
+      const Pose now = pose(double(i) / kSteps);
+      const StepResult& result = simulation.step(now, {}, kDt);
+      ASSERT_EQ(result.status, StepStatus::ok);
+      const Twist path = twist_between(before, now, kDt);
+      work -= (result.force.dot(path.linear) + result.torque.dot(path.angular)) * kDt;
+      before = now;
+    }
+    EXPECT_NEAR(simulation.last_result().energy.hand_work / work, 1, 1e-6) << "l = " << l / mm << " mm";
   }
-  EXPECT_NEAR(simulation.last_result().energy.hand_work / work, 1, 1e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Heads, HandleTransport, testing::Values(ball(), cone(), flat(), round_end()), kName);

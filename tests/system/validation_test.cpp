@@ -14,6 +14,11 @@
 #include "validation/measurements.hpp"
 
 namespace hapticut {
+
+namespace validation {
+void PrintTo(const Experiment& experiment, std::ostream* out) { *out << experiment.name; }
+}  // namespace validation
+
 namespace {
 
 using validation::Check;

@@ -39,9 +39,8 @@ class Simulation {
   /// it comes from `pose - velocity * dt`.
   ///
   /// @param pose      X_WH, pose of the handle at the end of the step
-  /// @param velocity  [m/s] of Ho and [rad/s], in W, as the device estimates it; it drives the damping only, cutting
-  /// and
-  ///                  energies follow the poses
+  /// @param velocity  [m/s] of Ho and [rad/s], in W, as the device estimates it; it drives the damping only;
+  ///                  cutting and energies follow the poses
   /// @param dt        [s] since the last call
   /// @return a reference that stays valid; its contents are those of the last call
   /// @realtime no allocation, no lock, no exception, no printing; same input, same bits. O(voxels inside the head)

@@ -144,6 +144,8 @@ std::vector<Cause> causes() {
   };
 }
 
+void PrintTo(const Cause& cause, std::ostream* out) { *out << name(cause.event); }
+
 class EveryEvent : public Events, public testing::WithParamInterface<Cause> {};
 
 TEST_P(EveryEvent, HasANameACounterAndOneEntryInTheLog) {

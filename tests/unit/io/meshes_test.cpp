@@ -162,13 +162,18 @@ TEST(Meshes, FilesThatAreCutOffOrRandomNeverCrash) {
 TEST(Meshes, TheIncisorsDentinHasItsVolume) {
   HAPTICUT_NEEDS_DATA("teeth/URI1_tooth_mesh2.ply");
   const Workpiece dentin = build_from_mesh(only_mesh("teeth/URI1_tooth_mesh2.ply"), named("dentin"), {0.1 * mm, 4});
-  EXPECT_NEAR(volume_mm3(dentin), 549.3, 0.005 * 549.3);
+  // The mesh has holes of 30 edges in all: the cap that a winding number puts over a hole is not the one that the
+  // published volume has. Measured: 0.16 %.
+  constexpr double kCapsOfHoles = 0.005;
+  EXPECT_NEAR(volume_mm3(dentin), 549.3, kCapsOfHoles * 549.3);
 }
 
 TEST(Meshes, TheIncisorsPulpHasItsVolume) {
   HAPTICUT_NEEDS_DATA("teeth/URI1_tooth_mesh3.ply");
   const Workpiece pulp = build_from_mesh(only_mesh("teeth/URI1_tooth_mesh3.ply"), named("pulp"), {0.1 * mm, 4});
-  EXPECT_NEAR(volume_mm3(pulp), 19.59, 0.002 * 19.59);
+  // Watertight: four digits of the published volume, and the 4^3 points of a cut voxel. Measured: 0.004 %.
+  constexpr double kSubsamples = 0.001;
+  EXPECT_NEAR(volume_mm3(pulp), 19.59, kSubsamples * 19.59);
 }
 
 TEST(Meshes, TheIncisorNestsEnamelDentinAndPulp) {
@@ -179,10 +184,13 @@ TEST(Meshes, TheIncisorNestsEnamelDentinAndPulp) {
   const Workpiece tooth =
       build_from_shells(shells, MaterialTable({named("enamel"), named("dentin"), named("pulp")}), {0.2 * mm, 4});
   const auto amounts = tooth.amounts();
-  EXPECT_GT(amounts[0].volume, 60 * mm3);  // a cap of about a millimetre
+  // A voxel with two materials counts for the larger share, at 0.2 mm and along a surface that is thinner by far
+  // around the pulp. The cap of enamel is about a millimetre thick; its mesh is open, so no more is known of it.
+  constexpr double kSharedByDentin = 0.01, kSharedByPulp = 0.05;
+  EXPECT_GT(amounts[0].volume, 60 * mm3);
   EXPECT_LT(amounts[0].volume, 200 * mm3);
-  EXPECT_NEAR(amounts[1].volume, (549.3 - 19.59) * mm3, 0.01 * 549.3 * mm3);  // voxels with two materials
-  EXPECT_NEAR(amounts[2].volume, 19.59 * mm3, 0.05 * 19.59 * mm3);
+  EXPECT_NEAR(amounts[1].volume, (549.3 - 19.59) * mm3, kSharedByDentin * 549.3 * mm3);
+  EXPECT_NEAR(amounts[2].volume, 19.59 * mm3, kSharedByPulp * 19.59 * mm3);
 }
 
 TEST(Meshes, TheMolarHasTwoNamedShells) {
@@ -195,8 +203,10 @@ TEST(Meshes, TheMolarHasTwoNamedShells) {
   const double nerve = test::signed_volume(meshes[0].mesh), whole = test::signed_volume(meshes[1].mesh);
   const Workpiece molar = build_from_shells({{meshes[1].mesh, 1}, {meshes[0].mesh, 2}},
                                             MaterialTable({named("tooth"), named("pulp")}), {0.2 * mm, 4});
-  EXPECT_NEAR(molar.amounts()[0].volume + molar.amounts()[1].volume, whole, 0.005 * whole);
-  EXPECT_NEAR(molar.amounts()[1].volume, nerve, 0.025 * nerve);  // thin canals; voxels count for the larger share
+  // Points of cut voxels for the sum; for the nerve, voxels of its thin canals count for the larger share.
+  constexpr double kSubsamples = 0.005, kShared = 0.025;
+  EXPECT_NEAR(molar.amounts()[0].volume + molar.amounts()[1].volume, whole, kSubsamples * whole);
+  EXPECT_NEAR(molar.amounts()[1].volume, nerve, kShared * nerve);
 }
 
 TEST(Meshes, TheBurHasItsVolume) {
@@ -213,6 +223,8 @@ struct Hostile {
   double volume_mm3;  ///< of what it encloses; 0: must be refused
   double tolerance;   ///< [1]
 };
+
+void PrintTo(const Hostile& hostile, std::ostream* out) { *out << hostile.name; }
 
 class HostileMesh : public testing::TestWithParam<Hostile> {};
 
