@@ -33,7 +33,8 @@ void bind_laws(py::module_& m) {
       "A force law: from the samples inside the head to the force on the tool and to what is left of each voxel.\n\n"
       "It works in the 1 kHz loop, so a law of one's own is a class in C++; Python chooses one and its constants.")
       .def("require_head", &ForceLaw::require_head, py::arg("head"), doc("ForceLaw::require_head"))
-      .def("needs_moments", &ForceLaw::needs_moments, doc("ForceLaw::needs_moments"));
+      .def("needs_moments", &ForceLaw::needs_moments, doc("ForceLaw::needs_moments"))
+      .def("holds_deep_contact", &ForceLaw::holds_deep_contact, doc("ForceLaw::holds_deep_contact"));
   using Foundation = FoundationLaw;
   LawBinding<Foundation>(m, "FoundationLaw", doc("FoundationLaw"))
       .def(py::init<>())
@@ -122,6 +123,7 @@ void bind_friction(py::module_& m) {
            py::arg("radius"), doc("DeepContact::move"))
       .def_readonly_static("kDeep", &DeepContact::kDeep, doc("DeepContact::kDeep"))
       .def_readonly_static("kFree", &DeepContact::kFree, doc("DeepContact::kFree"))
+      .def_readonly_static("kNear", &DeepContact::kNear, doc("DeepContact::kNear"))
       .def_property_readonly("held", &DeepContact::held, doc("DeepContact::held"))
       .def_property_readonly("stiffness", &DeepContact::stiffness, doc("DeepContact::stiffness"))
       .def_property_readonly(

@@ -57,7 +57,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void remove_material() noexcept;
   void hold_deep_contact(const SubStep& sub_step, Encounter& encounter) noexcept;
   [[nodiscard]] DeepContact::Outcome hold(const SubStep& sub_step, const Encounter& encounter,
-                                          DeepContact& deep) const noexcept;
+                                          DeepContact& deep) noexcept;
   void add_friction(const SubStep& sub_step, Encounter& encounter) noexcept;
   [[nodiscard]] AnchorForce pull_of_anchor(const SubStep& sub_step, const Encounter& encounter,
                                            StickSlip& anchor) noexcept;

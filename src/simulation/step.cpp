@@ -226,15 +226,22 @@ void Simulation::State::hold_deep_contact(const SubStep& sub_step, Encounter& en
 }
 
 DeepContact::Outcome Simulation::State::hold(const SubStep& sub_step, const Encounter& encounter,
-                                             DeepContact& deep) const noexcept {
+                                             DeepContact& deep) noexcept {
   const auto* ball = std::get_if<SphereHead>(&tool.head().shape());
-  if (ball == nullptr || !config.deep_contact) return {};
+  const bool law_holds = config.law == nullptr || config.law->holds_deep_contact();
+  if (ball == nullptr || !config.deep_contact || !law_holds) return {};
   const double filled = encounter.resultant.volume * voxel_volume / tool.head().volume();
   const Mat3& R_WT = sub_step.X_WT.rotation;
+  // The force of a spinning ball also has a part along its surface; the normal one is computed where it may be needed.
+  Vec3 normal_T = Vec3::Zero();
+  if (motor.speed() == 0)
+    normal_T = encounter.resultant.wrench_T.force;
+  else if (!deep.held() && filled >= DeepContact::kNear)
+    normal_T = normal_wrench(sub_step).force;
   const Vec3 way = sub_step.duration * (R_WT * sub_step.path_T.linear);
   const double lead = double(sub_step.head.motion.lead);
   const Vec3 from = sub_step.X_WT.translation - (0.5 + lead) * way;
-  return deep.move(from, from + way, filled, R_WT * encounter.resultant.wrench_T.force, ball->radius);
+  return deep.move(from, from + way, filled, R_WT * normal_T, ball->radius);
 }
 
 void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept {

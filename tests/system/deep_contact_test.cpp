@@ -5,6 +5,7 @@
 
 #include "hapticut/force/deep_contact.hpp"
 #include "support/generators.hpp"
+#include "support/laws.hpp"
 #include "support/static_contact.hpp"
 
 namespace hapticut {
@@ -77,6 +78,50 @@ TEST(DeepContact, YieldsWhereAWallBreaks) {
   const EnergyLedger& energy = simulation.last_result().energy;
   EXPECT_GT(energy.released, 0);
   EXPECT_GT(energy.hand_work, -1e-9) << "pushing through never gives the hand energy";
+}
+
+// The other laws' forces are those of their formulas, however deep the ball is.
+TEST(DeepContact, ActsUnderNoLawButTheOneThatClaimsIt) {
+  int others = 0;
+  for (const test::NamedLaw& named : test::all_laws()) {
+    if (!std::holds_alternative<SphereHead>(named.head.shape()) || named.law->holds_deep_contact()) continue;
+    ++others;
+    const auto pushed = [&](bool deep_contact) {
+      SimulationConfig config = test::static_config();
+      config.longest_sweep = 64;
+      config.law = named.law;
+      config.deep_contact = deep_contact;
+      Simulation simulation(test::box_at_phase(kBlock, 0.05 * mm, Vec3(0.3, 0.6, 0.2)), Tool(SphereHead{kRadius}),
+                            config);
+      double z = kRadius + 0.01 * mm;
+      return push_to(simulation, z, 1.4 * kRadius);
+    };
+    EXPECT_EQ(pushed(true), pushed(false)) << named.name;
+  }
+  EXPECT_GE(others, 5);
+  EXPECT_TRUE(FoundationLaw().holds_deep_contact());
+}
+
+// Spinning about a level axis, the ball is dragged along the surface by kappa f: the spring that holds it is along the
+// push of the springs alone.
+TEST(DeepContact, HoldsASpinningBallAlongItsNormalForceAndNotAlongItsDrag) {
+  SimulationConfig config = test::static_config();
+  config.longest_sweep = 64;
+  const auto pushed = [&](bool deep_contact) {
+    config.deep_contact = deep_contact;
+    Simulation simulation(test::box_at_phase(kBlock, 0.05 * mm, Vec3(0.3, 0.6, 0.2)),
+                          Tool(SphereHead{kRadius}, RayHandle{}, Spindle{2000}), config);
+    Pose pose = {rotation_from_vector(Vec3(0, 0.5 * units::kPi, 0)), Vec3(0, 0, kRadius)};
+    for (; pose.translation.z() > -0.4 * kRadius; pose.translation.z() -= 0.005 * mm)
+      (void)simulation.step(pose, {}, 1e-3);
+    return simulation.last_result().force;
+  };
+  const Vec3 springs = pushed(false), held = pushed(true) - springs;
+  EXPECT_GT(springs.head<2>().norm(), 0.2 * springs.z()) << "there is a drag to be told from the normal force";
+  EXPECT_GT(held.z(), 0.2 * springs.z());
+  // The normal force of a grid is off by its quadrature error.
+  constexpr double kQuadrature = 0.01;
+  EXPECT_LT(held.head<2>().norm(), kQuadrature * held.z());
 }
 
 TEST(DeepContact, LetsACuttingBallGoWhereItCuts) {

@@ -24,6 +24,9 @@ class DeepContact {
  public:
   static constexpr double kDeep = 0.52;  ///< [1] filled share of the ball from which on it is held; 1/2 at depth R
   static constexpr double kFree = 0.25;  ///< [1] at which nothing is left of the spring
+  /// [1] filled share from which on the direction of the last push is wanted: a ball of one voxel's radius gains 3/8 of
+  /// its volume in half a voxel, the longest way between two looks, so none comes past this unseen on its way to kDeep.
+  static constexpr double kNear = 0.125;
 
   struct Outcome {
     Vec3 force = Vec3::Zero();  ///< [N] on the ball at its centre
@@ -35,7 +38,8 @@ class DeepContact {
   /// The ball has moved on a straight way.
   /// @param from, to      [m] its centre, in W
   /// @param filled        [1] share of the ball that is filled, in the middle of the way
-  /// @param normal_force  [N] of the springs on the ball, there, in W
+  /// @param normal_force  [N] of the springs on the ball, there, in W, without what rubs or cuts along its surface;
+  ///                      not looked at while the ball is held
   /// @param radius        [m]
   /// @realtime no allocation, no lock; O(1)
   Outcome move(const Vec3& from, const Vec3& to, double filled, const Vec3& normal_force, double radius) noexcept {

@@ -39,7 +39,9 @@ struct SimulationConfig {
   /// Dry friction of the standing head, the same everywhere; empty: each material's own.
   std::optional<DryFriction> friction;
 
-  bool deep_contact = true;  ///< a ball pushed beyond its radius keeps pushing back; see force/deep_contact.hpp
+  /// A ball pushed beyond its radius keeps pushing back (force/deep_contact.hpp), under a law that
+  /// `holds_deep_contact`: the default one. The others' forces stay as their formulas give them.
+  bool deep_contact = true;
 
   HandleTorque handle_torque = HandleTorque::full_wrench;
   double handle_torque_scale = 1;  ///< [1] finite: zeta of HandleTorque::thesis; no part of the full wrench

@@ -36,6 +36,8 @@ class FoundationLaw final : public ForceLaw {
     return evaluate_samples<false>(motion, materials, spinning, cutting, block);
   }
 
+  [[nodiscard]] bool holds_deep_contact() const noexcept override { return true; }
+
   static constexpr float kSlipRegularization = 1e-3F;  ///< [m/s] v_eps
   static constexpr float kLargestExponent = 1e30F;     ///< keeps the arithmetic finite; e^-80 is already nothing left
   static constexpr float kLeastEnergyShare = 1e-6F;    ///< [1] of u that law G always has to pay
