@@ -15,8 +15,16 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
+/// [voxels] From the middle of a strip to its farthest voxel: half of seven along k and of one along j, rounded up.
+constexpr float kHalfStrip = 3.6F;
+/// [voxels] From the middle of a voxel to the farthest centroid of what is left of it: half its diagonal, rounded up.
+constexpr float kToCentroid = 0.9F;
+/// [voxels] From the middle of a block to the farthest place of it that lies in the zone about the axis: half the
+/// diagonal of the 7 x 7 x 7 edges between its voxels, the way to a centroid, and the zone, rounded up.
+constexpr float kNearAxis = 7.5F;
+
 /// Voxels of one block, one after the other in the order of the block. What follows the last one repeats the first, so
-/// that every lane of a vector can be computed.
+/// that every lane of a vector can be computed. Only vectors of a whole strip gather.
 struct VoxelList {
   static constexpr int kRoom = kBlockVoxels + 2 * kStripLanes;
   alignas(64) float x[kRoom], y[kRoom], z[kRoom];  // [m] quadrature points in T
@@ -58,8 +66,7 @@ class Gather {
   template <class Found>
   HWY_INLINE void for_each(const BlockView& block, const Found& found) const {
     const Eigen::Vector3f base = first_voxel(block);
-    // From a strip's middle to its farthest voxel, and from a voxel's middle to its centroid.
-    const float half = (3.6F + 0.9F) * job_.motion.voxel_size;
+    const float half = (kHalfStrip + kToCentroid) * job_.motion.voxel_size;
     const std::uint32_t near = strips_within(base, half) & solid_strips(block) & strips_on_turn(block);
     const std::uint32_t inner = strips_within(base, -half);
     const bool at_centroid = block.centroid != nullptr && job_.quadrature == Quadrature::centroid;
@@ -122,7 +129,8 @@ class Gather {
   /// Whether a block reaches into the zone about the spindle's axis where voxels cut by their mean slip.
   [[nodiscard]] HWY_INLINE bool near_axis(const BlockView& block) const {
     const Eigen::Vector3f middle = first_voxel(block) + steps_ * Eigen::Vector3f::Constant(3.5F);
-    return middle.head<2>().squaredNorm() < 56.25F * job_.motion.voxel_size * job_.motion.voxel_size;
+    return middle.head<2>().squaredNorm() <
+           kNearAxis * kNearAxis * job_.motion.voxel_size * job_.motion.voxel_size;
   }
 
  private:
@@ -195,12 +203,10 @@ class Gather {
 
   HWY_INLINE static void repeat_first(VoxelList& list) {
     const Floats d;
-    for (int at = list.count; at < list.count + kStripLanes; at += int(kWidth)) {
-      hn::StoreU(broadcast(list.x[0]), d, list.x + at);
-      hn::StoreU(broadcast(list.y[0]), d, list.y + at);
-      hn::StoreU(broadcast(list.z[0]), d, list.z + at);
-      hn::StoreU(hn::Set(kInts, list.index[0]), kInts, list.index + at);
-    }
+    hn::StoreU(broadcast(list.x[0]), d, list.x + list.count);
+    hn::StoreU(broadcast(list.y[0]), d, list.y + list.count);
+    hn::StoreU(broadcast(list.z[0]), d, list.z + list.count);
+    hn::StoreU(hn::Set(kInts, list.index[0]), kInts, list.index + list.count);
   }
 
   HWY_INLINE void shift_to_centroids(const std::int32_t* centroids, Vectors& r) const {

@@ -45,8 +45,9 @@ struct ContactJob {
   }
 };
 
-/// What the blocks of a sub-step add up to, lane by lane: the voxels of a strip always meet the same lane, so that the
-/// order of summation does not depend on the vectors of the machine.
+/// What the blocks of a sub-step add up to, lane by lane, in sixteen lanes whatever the vectors of the machine. A voxel
+/// meets the lane of its place in its strip, or, where voxels are gathered, of its place in the list: always the same
+/// on one kind of processor, not on all.
 struct ContactSums {
   enum Term {  // the first six in units of [N/m^3], the energies in [J/m^3], to be multiplied by a voxel's volume
     kForceX,   // of the reaction of the material, that is minus the force on the tool

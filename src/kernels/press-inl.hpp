@@ -78,17 +78,14 @@ class Press {
     gather_.list(block, voxels_);
     if (voxels_.count == 0) return;
     if (voxels_.material != kEmpty) take_material(voxels_.material);
-    for (int at = 0; at < voxels_.count; at += kStripLanes)
-      for (std::size_t part = 0; part < kParts; ++part) {
-        const int first = at + int(part * kWidth), left_over = voxels_.count - first;
-        if (left_over <= 0) break;
-        if (voxels_.material == kEmpty) take_listed_materials(block.material, first);
-        const Vectors r = {hn::Load(d, voxels_.x + first), hn::Load(d, voxels_.y + first),
-                           hn::Load(d, voxels_.z + first)};
-        const Vec fill = block.fill == nullptr ? broadcast(1.0F) : hn::Load(d, voxels_.fill + first);
-        const Mask listed = hn::FirstN(d, std::size_t(std::min(left_over, int(kWidth))));
-        press_voxels(task, first, part, r, fill, listed, sums[part]);
-      }
+    for (int first = 0; first < voxels_.count; first += kStripLanes) {
+      if (voxels_.material == kEmpty) take_listed_materials(block.material, first);
+      const Vectors r = {hn::Load(d, voxels_.x + first), hn::Load(d, voxels_.y + first),
+                         hn::Load(d, voxels_.z + first)};
+      const Vec fill = block.fill == nullptr ? broadcast(1.0F) : hn::Load(d, voxels_.fill + first);
+      const Mask listed = hn::FirstN(d, std::size_t(std::min(voxels_.count - first, kStripLanes)));
+      press_voxels(task, first, 0, r, fill, listed, sums[0]);
+    }
     if (kMode == Mode::cutting && task.may_cut) write_fills(task);
   }
 
@@ -305,7 +302,7 @@ class Press {
     material_ = MaterialVectors(job_.materials, ids);
   }
   HWY_INLINE void take_listed_materials(const MaterialId* materials, int first) {
-    MaterialId ids[kWidth < 8 ? 8 : kWidth];
+    MaterialId ids[kWidth];
     for (std::size_t lane = 0; lane < kWidth; ++lane) ids[lane] = materials[voxels_.index[std::size_t(first) + lane]];
     take_materials(ids, kAllLanes);
   }

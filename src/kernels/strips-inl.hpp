@@ -19,8 +19,8 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A strip: the sixteen voxels of two neighbouring rows, which follow each other in memory. Vectors hold a strip or an
-// equal part of one, so that sums have the same order everywhere.
+// A strip: the sixteen voxels of two neighbouring rows, which follow each other in memory. A vector holds a strip or an
+// equal part of one.
 namespace strips {
 
 constexpr int kStripLanes = ContactSums::kLanes;
@@ -163,22 +163,19 @@ struct SpreadTable {
   }
 };
 
-/// Values that follow each other, to the lanes of a vector whose bits are set; the other lanes stay as they are.
+/// Values that follow each other, to the lanes of a strip whose bits are set; the other lanes stay as they are. Only for
+/// vectors of at least a row: shorter ones do not gather.
 HWY_INLINE void spread(const float* values, unsigned lanes, float* to) {
-  if constexpr (kWidth < 8) {
-    for (; lanes != 0; lanes &= lanes - 1) to[std::countr_zero(lanes)] = *values++;
-  } else {
-    static constexpr SpreadTable kTable;
-    const hn::CappedTag<float, 8> row;
-    const hn::RebindToSigned<decltype(row)> ints;
-    for (std::size_t first = 0; first < kWidth; first += 8, lanes >>= 8, to += 8) {
-      const unsigned in_row = lanes & 0xff;
-      const auto order = hn::PromoteTo(ints, hn::LoadU(hn::Rebind<std::uint8_t, decltype(row)>(), kTable.from[in_row]));
-      const std::uint8_t bytes[8] = {std::uint8_t(in_row)};
-      const auto spread = hn::TableLookupLanes(hn::LoadU(row, values), hn::IndicesFromVec(row, order));
-      hn::StoreU(hn::IfThenElse(hn::LoadMaskBits(row, bytes), spread, hn::LoadU(row, to)), row, to);
-      values += std::popcount(in_row);
-    }
+  static constexpr SpreadTable kTable;
+  const hn::CappedTag<float, kBlockEdge> row;
+  const hn::RebindToSigned<decltype(row)> ints;
+  for (int first = 0; first < kStripLanes; first += kBlockEdge, lanes >>= kBlockEdge, to += kBlockEdge) {
+    const unsigned in_row = lanes & 0xff;
+    const auto order = hn::PromoteTo(ints, hn::LoadU(hn::Rebind<std::uint8_t, decltype(row)>(), kTable.from[in_row]));
+    const std::uint8_t bytes[8] = {std::uint8_t(in_row)};
+    const auto spread = hn::TableLookupLanes(hn::LoadU(row, values), hn::IndicesFromVec(row, order));
+    hn::StoreU(hn::IfThenElse(hn::LoadMaskBits(row, bytes), spread, hn::LoadU(row, to)), row, to);
+    values += std::popcount(in_row);
   }
 }
 
