@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <memory>
-#include <sstream>
+#include <optional>
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/csv_file.hpp"
 #include "cli/json_file.hpp"
 #include "cli/table.hpp"
-#include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/force/calibration.hpp"
 
@@ -20,39 +21,40 @@ struct CalibrateSettings {
   std::string file, json;
 };
 
-constexpr const char* kColumns = "radius_mm,spindle_rpm,feed_mm_per_s,thrust_N,torque_Nmm";
-constexpr std::size_t kCount = 5;
+constexpr std::array kColumns = {"radius_mm", "spindle_rpm", "feed_mm_per_s", "thrust_N", "torque_Nmm"};
 
-/// @throws Error naming the file and the line
+std::string joined_columns() {
+  std::string all;
+  for (const char* name : kColumns) all += (all.empty() ? "" : ", ") + std::string(name);
+  return all;
+}
+
+/// The number of a column.
+/// @throws Error naming file, line, column and value
+double number_at(const CsvFile& file, const std::vector<std::string>& cells, std::size_t column) {
+  const std::optional<double> value = parse_number(cells[column]);
+  // A spindle may turn either way.
+  const bool may_be_negative = column == 1;
+  if (!value || !std::isfinite(*value) || *value == 0 || (*value < 0 && !may_be_negative))
+    file.fail(std::string(kColumns[column]) + " = \"" + cells[column] + "\"; must be a number " +
+              (may_be_negative ? "other than 0." : "> 0."));
+  return *value;
+}
+
+/// @throws Error naming the file, the line and the column
 std::vector<DrillingTest> read_tests(const std::string& path) {
-  std::ifstream in(path);
-  if (!in) throw Error(path + " cannot be read. Give a CSV file with the columns " + kColumns + ".");
-  std::string line;
-  std::getline(in, line);
-  if (!line.empty() && line.back() == '\r') line.pop_back();
-  if (line != kColumns) throw Error(path + ":1: the first line is '" + line + "'; it must be " + kColumns + ".");
+  CsvFile file(path, "file of drilling tests", "hapticut calibrate");
+  std::vector<std::string> cells;
+  if (!file.next(cells)) file.fail("the file is empty; its first line must be " + joined_columns() + ".");
+  if (!std::equal(cells.begin(), cells.end(), kColumns.begin(), kColumns.end()))
+    file.fail("the first line must name the columns " + joined_columns() + ", in this order.");
   std::vector<DrillingTest> tests;
-  for (int number = 2; std::getline(in, line); ++number) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    std::array<double, kCount> values{};
-    std::istringstream cells(line);
-    std::string cell;
-    std::size_t n = 0;
-    for (; std::getline(cells, cell, ','); ++n) {
-      std::istringstream text(cell);
-      double value = 0;
-      std::string rest;
-      if (n >= kCount || !(text >> value) || (text >> rest))
-        throw Error(path + ":" + std::to_string(number) + ": '" + cell +
-                    "' is not one of five numbers. The columns are " + kColumns + ".");
-      values[n] = value;
-    }
-    if (n != kCount)
-      throw Error(path + ":" + std::to_string(number) + ": " + std::to_string(n) +
-                  " numbers; there must be five. The columns are " + kColumns + ".");
-    tests.push_back({values[0] * units::mm, values[1] * units::rpm, values[2] * units::mm_per_s, values[3],
-                     values[4] * units::N_mm});
+  while (file.next(cells)) {
+    const auto value = [&](std::size_t column) { return number_at(file, cells, column); };
+    tests.push_back(
+        {value(0) * units::mm, value(1) * units::rpm, value(2) * units::mm_per_s, value(3), value(4) * units::N_mm});
   }
+  if (tests.empty()) file.fail("there is no drilling test; give one in a line, under the names of the columns.");
   return tests;
 }
 

@@ -29,8 +29,8 @@ std::array<bool, 3> switches(const std::vector<double>& given) {
 
 std::optional<Gravity> make_gravity(const EffectsSettings& s) {
   if (!s.mass_kg) {
-    refuse(s.center_of_mass_mm, "effects.center_of_mass_mm", "a tool without effects.mass_kg");
-    refuse(s.gravity_m_per_s2, "effects.gravity_m_per_s2", "a tool without effects.mass_kg");
+    refuse(s.center_of_mass_mm, "effects.center_of_mass_mm", "a tool without effects.mass_kg", "set --mass_kg");
+    refuse(s.gravity_m_per_s2, "effects.gravity_m_per_s2", "a tool without effects.mass_kg", "set --mass_kg");
     return std::nullopt;
   }
   Gravity gravity;
@@ -42,9 +42,11 @@ std::optional<Gravity> make_gravity(const EffectsSettings& s) {
 
 std::optional<Vibration> make_vibration(const EffectsSettings& s, double update_rate) {
   if (!s.vibration_Hz) {
-    refuse(s.vibration_N, "effects.vibration_N", "a tool without effects.vibration_Hz");
-    refuse(s.vibration_N_per_W, "effects.vibration_N_per_W", "a tool without effects.vibration_Hz");
-    refuse(s.vibration_largest_N, "effects.vibration_largest_N", "a tool without effects.vibration_Hz");
+    refuse(s.vibration_N, "effects.vibration_N", "a tool without effects.vibration_Hz", "set --vibration_Hz");
+    refuse(s.vibration_N_per_W, "effects.vibration_N_per_W", "a tool without effects.vibration_Hz",
+           "set --vibration_Hz");
+    refuse(s.vibration_largest_N, "effects.vibration_largest_N", "a tool without effects.vibration_Hz",
+           "set --vibration_Hz");
     return std::nullopt;
   }
   Vibration vibration;
@@ -66,8 +68,10 @@ std::optional<Vibration> make_vibration(const EffectsSettings& s, double update_
 
 std::optional<DeltaFilter> make_filter(const EffectsSettings& s) {
   if (!s.thesis_filter) {
-    refuse(s.filter_delta_N, "effects.filter_delta_N", "an output without effects.thesis_filter");
-    refuse(s.filter_epsilon_N, "effects.filter_epsilon_N", "an output without effects.thesis_filter");
+    refuse(s.filter_delta_N, "effects.filter_delta_N", "an output without effects.thesis_filter",
+           "set --thesis_filter");
+    refuse(s.filter_epsilon_N, "effects.filter_epsilon_N", "an output without effects.thesis_filter",
+           "set --thesis_filter");
     return std::nullopt;
   }
   DeltaFilter filter;
@@ -96,7 +100,7 @@ std::vector<Setting> settings_of(EffectsSettings& s) {
              "its largest amplitude [0.5, or vibration_N where that is more]"),
       boolean("effects.thesis_filter", "--thesis_filter", s.thesis_filter,
               "the force filter of the thesis, Table 6.1 [false]"),
-      number("effects.filter_delta_N", "--filter_delta_N", s.filter_delta_N, Range::not_negative(),
+      number("effects.filter_delta_N", "--filter_delta_N", s.filter_delta_N, Range::positive(),
              "thesis_filter: largest change of a step that passes [0.5]"),
       number("effects.filter_epsilon_N", "--filter_epsilon_N", s.filter_epsilon_N, Range::positive(),
              "thesis_filter: change of a step otherwise [0.005]"),

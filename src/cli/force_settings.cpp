@@ -129,7 +129,8 @@ std::shared_ptr<const ForceLaw> make_law(const S& s) {
       *std::find_if(law_kinds().begin(), law_kinds().end(), [&](const LawKind& kind) { return kind.law == law; });
   for (const LawKind& kind : law_kinds())
     for (const Constant& constant : kind.constants) {
-      if (&kind != &chosen) refuse(s.*constant.value, key_of(constant), chosen.owner);
+      if (&kind != &chosen)
+        refuse(s.*constant.value, key_of(constant), chosen.owner, std::string("choose --law ") + kind.name);
       if (&kind == &chosen && constant.needed) (void)required(s.*constant.value, key_of(constant), chosen.owner);
     }
   return chosen.make(s);
@@ -173,7 +174,7 @@ void apply(const ForceSettings& s, SimulationConfig& config) {
   config.deep_contact = s.deep_contact;
   config.handle_torque = s.handle_torque.value_or(config.handle_torque);
   if (config.handle_torque != HandleTorque::thesis)
-    refuse(s.handle_torque_scale, "force.handle_torque_scale", "the full wrench");
+    refuse(s.handle_torque_scale, "force.handle_torque_scale", "the full wrench", "choose --handle_torque thesis");
   config.handle_torque_scale = s.handle_torque_scale.value_or(config.handle_torque_scale);
 }
 

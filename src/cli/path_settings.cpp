@@ -6,6 +6,7 @@
 
 #include "cli/curves.hpp"
 #include "cli/pose_file.hpp"
+#include "cli/required.hpp"
 #include "hapticut/core/units.hpp"
 
 namespace hapticut::cli {
@@ -84,13 +85,17 @@ const std::vector<Field<Vec3>>& vector_fields() {
   return kFields;
 }
 
+std::string joined(const std::vector<Kind>& some, const std::string& separator) {
+  std::string list;
+  for (const Kind kind : some) list += (list.empty() ? "" : separator) + name_of(kind);
+  return list;
+}
+
 /// "circle, spiral: radius", or without the kinds when only poses are left out.
 template <class Value>
 std::string meaning_of(const Field<Value>& field) {
   if (field.kinds.size() + 1 == kinds().size()) return field.meaning;
-  std::string list;
-  for (const Kind kind : field.kinds) list += (list.empty() ? "" : ", ") + name_of(kind);
-  return list + ": " + field.meaning;
+  return joined(field.kinds, ", ") + ": " + field.meaning;
 }
 
 template <class Value>
@@ -105,16 +110,18 @@ template <class Value>
 void refuse_what_does_not_belong(const PathSettings& s, const std::vector<Field<Value>>& fields) {
   for (const Field<Value>& field : fields)
     if (s.*field.member && std::find(field.kinds.begin(), field.kinds.end(), *s.kind) == field.kinds.end())
-      throw Error(
-          "path." + field.name + " is set, but a path of kind " + name_of(*s.kind) + " has none. " +
-          (*s.kind == Kind::poses ? "Put it into the file of poses." : "Leave it out, or choose another kind."));
+      throw Error("path." + field.name + equals(*(s.*field.member)) + "; must be left out, because a path of kind " +
+                  name_of(*s.kind) + " has none. " +
+                  (*s.kind == Kind::poses ? "Put it into the file of poses."
+                                          : "Leave it out, or choose --path " + joined(field.kinds, " or ") + "."));
 }
 
 void refuse_what_does_not_belong(const PathSettings& s) {
   refuse_what_does_not_belong(s, number_fields());
   refuse_what_does_not_belong(s, vector_fields());
   if (!s.file.empty() && *s.kind != Kind::poses)
-    throw Error("path.file is set, but a path of kind " + name_of(*s.kind) + " has none. Leave it out.");
+    throw Error("path.file = \"" + s.file + "\"; must be left out, because a path of kind " + name_of(*s.kind) +
+                " has none. Leave it out, or choose --path poses.");
 }
 
 std::vector<Vec3> curve_of(const PathSettings& s, const Vec3& tool_axis) {

@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/core/spatial.hpp"
 
 /// @file
 /// Settings that one kind of thing needs and another does not have.
@@ -25,10 +27,28 @@ inline double required(const std::optional<double>& value, const std::string& ke
   return *value;
 }
 
+/// What messages print of a setting: " = 3", " = 1 2 3", or nothing of a choice.
+template <class Value>
+std::string equals(const Value& value) {
+  if constexpr (std::is_convertible_v<Value, double> && !std::is_enum_v<Value>)
+    return " = " + format_number(double(value));
+  else if constexpr (std::is_same_v<Value, Vec3>)
+    return " = " + format_number(value.x()) + " " + format_number(value.y()) + " " + format_number(value.z());
+  else if constexpr (std::is_same_v<Value, std::string>)
+    return " = \"" + value + "\"";
+  else
+    return " is set";
+}
+
+/// @param owner   what has no such setting: "a sphere"
+/// @param instead  completes "Leave it out, or ...": "choose a cone"
 /// @throws Error when there is a value
 template <class Value>
-void refuse(const std::optional<Value>& value, const std::string& key, const std::string& owner) {
-  if (value) throw Error(key + " is set, but " + owner + " has none. Leave it out, or choose another.");
+void refuse(const std::optional<Value>& value, const std::string& key, const std::string& owner,
+            const std::string& instead) {
+  if (value)
+    throw Error(key + equals(*value) + "; must be left out, because " + owner + " has none. Leave it out, or " +
+                instead + ".");
 }
 
 /// @throws Error when a setting exceeds another one; both are named

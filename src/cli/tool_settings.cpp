@@ -163,6 +163,15 @@ bool holds(const std::vector<Dimension>& dimensions, const Dimension& d) {
                      [&](const Dimension& other) { return other.value == d.value; });
 }
 
+/// The heads that have a dimension: "choose --head cone or flat".
+std::string heads_with(const Dimension& d) {
+  std::string names;
+  for (const HeadKind& kind : head_kinds())
+    if (holds(kind.needs, d) || holds(kind.may_have, d))
+      names += (names.empty() ? "" : " or ") + std::string(kind.name);
+  return "choose --head " + names;
+}
+
 ToolHead make_head(const ToolSettings& s) {
   if (!s.head)
     throw Error(
@@ -172,14 +181,15 @@ ToolHead make_head(const ToolSettings& s) {
   const HeadKind& kind =
       *std::find_if(head_kinds().begin(), head_kinds().end(), [&](const HeadKind& k) { return k.head == *s.head; });
   for (const Dimension& d : kDimensions)
-    if (!holds(kind.needs, d) && !holds(kind.may_have, d)) refuse(s.*d.value, d.key, kind.owner);
+    if (!holds(kind.needs, d) && !holds(kind.may_have, d)) refuse(s.*d.value, d.key, kind.owner, heads_with(d));
   for (const Dimension& d : kind.needs) (void)required(s.*d.value, d.key, kind.owner);
   const auto tiers = s.tiers > 0 ? std::optional(double(s.tiers)) : std::nullopt;
   if (kind.head == Head::christmas_tree) (void)required(tiers, "tool.tiers", kind.owner);
-  if (kind.head != Head::christmas_tree) refuse(tiers, "tool.tiers", kind.owner);
-  if (kind.head != Head::flat) refuse(s.flat_rule, "tool.flat_rule", kind.owner);
+  if (kind.head != Head::christmas_tree) refuse(tiers, "tool.tiers", kind.owner, "choose --head christmas_tree");
+  if (kind.head != Head::flat) refuse(s.flat_rule, "tool.flat_rule", kind.owner, "choose --head flat");
   if (kind.head == Head::profile && s.profile.empty()) fail_missing("tool.profile", kind.owner);
-  if (kind.head != Head::profile && !s.profile.empty()) refuse(std::optional(s.profile), "tool.profile", kind.owner);
+  if (kind.head != Head::profile && !s.profile.empty())
+    refuse(std::optional(s.profile), "tool.profile", kind.owner, "choose --head profile");
   return kind.make(s);
 }
 
@@ -191,8 +201,8 @@ std::vector<std::pair<std::string, Head>> names_of_heads() {
 
 Handle make_handle(const ToolSettings& s) {
   if (s.handle.value_or(HandleKind::ray) == HandleKind::ray) {
-    refuse(s.handle_neck_mm, "tool.handle_neck_mm", "a ray handle");
-    refuse(s.handle_bend_deg, "tool.handle_bend_deg", "a ray handle");
+    refuse(s.handle_neck_mm, "tool.handle_neck_mm", "a ray handle", "choose --handle L");
+    refuse(s.handle_bend_deg, "tool.handle_bend_deg", "a ray handle", "choose --handle L");
     return RayHandle{s.handle_length_mm.value_or(0) * units::mm};
   }
   return LHandle{required(s.handle_length_mm, "tool.handle_length_mm", "an L handle") * units::mm,

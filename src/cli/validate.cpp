@@ -32,6 +32,13 @@ void write_page(const std::string& path, const std::string& text) {
   if (!out) throw Error("cannot write " + path + ". Choose a folder that exists and can be written to.");
 }
 
+/// Two lines, so that none is wider than a terminal.
+void print(const Check& c) {
+  std::printf("%-4s %-24s %s\n     expected %s, computed %s, off by %s of %s\n", c.pass() ? "ok" : "FAIL", c.id.c_str(),
+              c.what.c_str(), c.with_unit(rounded(c.expected, 5)).c_str(), c.with_unit(rounded(c.computed, 5)).c_str(),
+              percent(c.relative_error()).c_str(), percent(c.tolerance).c_str());
+}
+
 /// The table as a page of the documentation. No times and no machine in it: it changes only when a result does.
 std::string page_of(const std::vector<Check>& checks) {
   std::string page =
@@ -40,9 +47,9 @@ std::string page_of(const std::vector<Check>& checks) {
       "[forces.md](forces.md).\n\n| id | case | expected | computed | error | tolerance "
       "|\n|---|---|---|---|---|---|\n";
   for (const Check& c : checks)
-    page += "| " + c.id + " | " + c.what + " | " + rounded(c.expected, 4) + " " + c.unit + " | " +
-            rounded(c.computed, 4) + " " + c.unit + " | " + percent(c.relative_error()) +
-            (c.pass() ? "" : " **FAIL**") + " | " + percent(c.tolerance) + " |\n";
+    page += "| " + c.id + " | " + c.what + " | " + c.with_unit(rounded(c.expected, 4)) + " | " +
+            c.with_unit(rounded(c.computed, 4)) + " | " + percent(c.relative_error()) + (c.pass() ? "" : " **FAIL**") +
+            " | " + percent(c.tolerance) + " |\n";
   return page;
 }
 
@@ -55,9 +62,7 @@ void run(const ValidateSettings& s) {
     if (!s.only.empty() && experiment.name.find(s.only) == std::string::npos) continue;
     for (Check& c : experiment.run()) {
       c.tolerance *= s.tolerance_factor;
-      std::printf("%-4s %-22s %12s %12s %-6s %8s of %-7s %s\n", c.pass() ? "ok" : "FAIL", c.id.c_str(),
-                  rounded(c.expected, 5).c_str(), rounded(c.computed, 5).c_str(), c.unit.c_str(),
-                  percent(c.relative_error()).c_str(), percent(c.tolerance).c_str(), c.what.c_str());
+      print(c);
       std::fflush(stdout);
       cases.push_back({{"id", c.id},
                        {"case", c.what},
@@ -94,8 +99,8 @@ Command validate_command() {
           "Hold the library against its closed forms and say how far it is off",
           {text("validate.only", "--only", settings->only, "run only the experiments with this in their name"),
            text("output.json", "--json", settings->json, "report for machines"),
-           number("validate.tolerance_factor", "--tolerance_factor", settings->tolerance_factor, Range::not_negative(),
-                  "all tolerances times this [1]"),
+           number("validate.tolerance_factor", "--tolerance_factor", settings->tolerance_factor, Range::between(0, 1),
+                  "all tolerances times this, to see how near the cases are to them [1]"),
            text("output.markdown", "--markdown", settings->markdown, "the same as a page of the documentation"),
            text("output.measurements", "--measurements", settings->measurements,
                 "what published measurements predict, as a page of the documentation")},

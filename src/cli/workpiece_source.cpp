@@ -55,7 +55,8 @@ std::set<std::string> given_settings(const Source& s) {
 void refuse_all_but(const Source& s, const std::set<std::string>& used) {
   for (const std::string& name : given_settings(s))
     if (!used.contains(name))
-      throw Error("workpiece." + name + " is set, but " + s.source + " does not use it. Leave it out.");
+      throw Error("workpiece." + name + " is set; must be left out, because " + s.source +
+                  " does not use it. Leave it out, or choose a workpiece that does: docs/command-line.md lists them.");
 }
 
 [[noreturn]] void fail_missing(const Source& s, const std::string& name) {

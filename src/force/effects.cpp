@@ -41,7 +41,7 @@ void validate(const Vibration& vibration, double update_rate) {
 }
 
 void validate(const DeltaFilter& filter) {
-  require_not_negative(filter.delta, "DeltaFilter::delta [N]");
+  require_positive(filter.delta, "DeltaFilter::delta [N]");
   require_positive(filter.epsilon, "DeltaFilter::epsilon [N]");
   if (filter.epsilon > filter.delta)
     throw Error("DeltaFilter::epsilon = " + format_number(filter.epsilon) + " N; must not exceed delta = " +

@@ -80,10 +80,15 @@ TEST_F(Flags, ThatAreMissingAreNamed) {
 }
 
 TEST_F(Flags, ThatDoNotBelongTogetherAreRefused) {
-  expect("drill " + kBlock + kBall + kLine + "--height_mm 3", kFailed, "tool.height_mm is set, but a sphere has none");
+  expect(
+      "drill " + kBlock + kBall + kLine + "--height_mm 3", kFailed,
+      "tool.height_mm = 3; must be left out, because a sphere has none. Leave it out, or choose --head cone or flat.");
   expect("drill " + kBlock + kBall + kLine + "--handle_neck_mm 3", kFailed, "tool.handle_neck_mm is set");
-  expect("drill " + kBlock + kBall + kLine + "--turns 2", kFailed, "path.turns is set, but a path of kind line");
-  expect("drill " + kBlock + "--layer enamel=1 " + kBall + kLine, kFailed, "workpiece.layers is set, but block");
+  expect(
+      "drill " + kBlock + kBall + kLine + "--turns 2", kFailed,
+      "path.turns = 2; must be left out, because a path of kind line has none. Leave it out, or choose --path circle.");
+  expect("drill " + kBlock + "--layer enamel=1 " + kBall + kLine, kFailed,
+         "workpiece.layers is set; must be left out, because block");
   expect("drill " + kBlock + kBall + kLine + "--point handle", kFailed, "path.point");
 }
 

@@ -92,7 +92,8 @@ TEST_F(HeadSettings, AProfileFromAMeshIsThatHead) {
 TEST_F(HeadSettings, ThatAreMissingOrDoNotBelongAreNamed) {
   expect_failure("--head flame --diameter_mm 1", {"tool.length_mm is missing", "a flame needs it"});
   expect_failure("--head christmas_tree --diameter_mm 1 --length_mm 2", {"tool.tiers is missing"});
-  expect_failure("--head round --diameter_mm 1 --radius_mm 1", {"tool.radius_mm is set, but a round head has none"});
+  expect_failure("--head round --diameter_mm 1 --radius_mm 1",
+                 {"tool.radius_mm = 1; must be left out, because a round head has none", "--head sphere or flat"});
   expect_failure("--head round --diameter_mm 1 --tiers 2", {"tool.tiers is set"});
   expect_failure("--head round --diameter_mm 1 --flat_rule both", {"tool.flat_rule is set"});
   expect_failure("--head round --diameter_mm 1 --profile x.csv", {"tool.profile is set"});

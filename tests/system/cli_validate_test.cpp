@@ -63,6 +63,14 @@ TEST_F(Validate, RefusesAnExperimentThatDoesNotExist) {
   EXPECT_NE(outcome.errors.find("no experiment has 'nonsense' in its name"), std::string::npos);
 }
 
+// A factor above 1 would make anything pass.
+TEST_F(Validate, RefusesToLoosenItsTolerances) {
+  const Outcome outcome = run("validate --only effects --tolerance_factor 2");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.errors.find("--tolerance_factor 2: must be a number from 0 to 1."), std::string::npos)
+      << outcome.errors;
+}
+
 void write(const std::string& name, const std::string& content) { std::ofstream(name) << content; }
 
 constexpr const char* kHeader = "radius_mm,spindle_rpm,feed_mm_per_s,thrust_N,torque_Nmm\n";
@@ -79,16 +87,21 @@ TEST_F(Calibrate, FitsThePublishedDrillingTestAndSaysWhatItDoesNotIdentify) {
 
 TEST_F(Calibrate, RefusesAFileThatIsWrongWithItsLine) {
   write(path("t.csv"), "radius,feed\n1,2\n");
-  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("t.csv:1: the first line is"), std::string::npos);
+  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("t.csv:1: the first line must name"), std::string::npos);
   write(path("t.csv"), std::string(kHeader) + "1.25,1000,1,20.07,41.2\n1.25,1000,fast,20,41\n");
-  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("t.csv:3: 'fast' is not one of five numbers"),
+  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("t.csv:3: feed_mm_per_s = \"fast\"; must be a number > 0."),
             std::string::npos);
   write(path("t.csv"), std::string(kHeader) + "1.25,1000,1,20.07\n");
-  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("t.csv:2: 4 numbers; there must be five"), std::string::npos);
+  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("t.csv:2: 4 values; there must be 5"), std::string::npos);
   write(path("t.csv"), std::string(kHeader) + "1.25,1000,1,-3,41\n");
-  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("DrillingTest::thrust [N] = -3"), std::string::npos);
+  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("t.csv:2: thrust_N = \"-3\"; must be a number > 0."),
+            std::string::npos);
+  write(path("t.csv"), std::string(kHeader) + "# slower\n\n1.25,0,1,20,41\n");
+  EXPECT_NE(
+      run("calibrate " + path("t.csv")).errors.find("t.csv:4: spindle_rpm = \"0\"; must be a number other than 0."),
+      std::string::npos);
   write(path("t.csv"), kHeader);
-  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("there is no drilling test"), std::string::npos);
+  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("t.csv:1: there is no drilling test"), std::string::npos);
   EXPECT_NE(run("calibrate " + path("none.csv")).errors.find("cannot be read"), std::string::npos);
 }
 

@@ -12,7 +12,7 @@ namespace hapticut {
 /// The table adds the number epsilon to a vector; read as a step along the difference vector it keeps its direction and
 /// does not run away when the force is released. It still lags: epsilon a step whatever the rate, 3 N in half a second.
 struct DeltaFilter {
-  double delta = 0.5;      ///< [N] >= 0, largest change that passes unfiltered
+  double delta = 0.5;      ///< [N] > 0, largest change that passes unfiltered
   double epsilon = 0.005;  ///< [N] > 0, change per step otherwise; not more than delta
 };
 

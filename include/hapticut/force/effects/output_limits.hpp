@@ -8,7 +8,9 @@
 
 namespace hapticut {
 
-/// What the output may be and how fast it may grow. All unlimited by default: set them to what the device can do.
+/// What the output may be and how fast it may grow. All unlimited by default, because a simulation by itself has no
+/// device: what it returns is what the model gives. Where a hand feels it, in RealtimeLoop, SafetyGuard limits size and
+/// growth to what the device can do, whatever is set here (docs/decisions/0006-thesis-mode-and-output-limits.md).
 struct OutputLimits {
   double largest_force = std::numeric_limits<double>::infinity();   ///< [N] > 0
   double largest_torque = std::numeric_limits<double>::infinity();  ///< [N·m] > 0
