@@ -58,6 +58,7 @@ void bind_heads(py::module_& m) {
       .def("reach", &ToolHead::reach, doc("ToolHead::reach"))
       .def("volume", &ToolHead::volume, doc("ToolHead::volume"))
       .def("largest_radius", &ToolHead::largest_radius, doc("ToolHead::largest_radius"))
+      .def("description", &ToolHead::description, doc("ToolHead::description"))
       .def("profile", &ToolHead::profile, doc("ToolHead::profile"))
       .def("depth_at", &ToolHead::depth_at, py::arg("p_TQ"), doc("ToolHead::DepthAndDirection"))
       .def("__repr__",

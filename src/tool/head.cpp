@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/tool/head.hpp"
 
+#include <string>
 #include <type_traits>
 
 #include "hapticut/core/errors.hpp"
@@ -86,6 +87,24 @@ Profile ToolHead::profile() const {
                    return Profile{0, {{base_radius(h), h.height, 0, kCutting}, {0, h.height, 0, kSmooth}}};
                  },
                  flat, [](const ProfileHead& h) { return h.profile(); }},
+      shape_);
+}
+
+std::string ToolHead::description() const {
+  const auto in_mm = [](double length) { return format_number(length / units::mm) + " mm"; };
+  return std::visit(
+      Overloaded{[&](const SphereHead& h) { return "a sphere of radius " + in_mm(h.radius); },
+                 [&](const ConeHead& h) {
+                   return "a cone of half angle " + format_number(h.half_angle / units::deg) + " deg and height " +
+                          in_mm(h.height);
+                 },
+                 [&](const FlatHead& h) {
+                   return "a flat head of radius " + in_mm(h.radius) + " and height " + in_mm(h.height);
+                 },
+                 [&](const ProfileHead& h) {
+                   return "a profile of radius " + in_mm(h.table().radius) + " and height " +
+                          in_mm(double(h.table().top) - double(h.table().bottom));
+                 }},
       shape_);
 }
 

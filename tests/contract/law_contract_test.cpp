@@ -262,10 +262,13 @@ TEST(LawInput, AHeadWithoutAFormulaIsRefusedNamingThoseThatHaveOne) {
               with(std::make_shared<HertzianBurrLaw>(1e6), ConeHead{0.5, 1 * mm});
             }).find("round burr only"),
             std::string::npos);
-  EXPECT_NE(refusal([] {
-              with(std::make_shared<TwistDrillLaw>(TwistDrillLaw::Constants{}), SphereHead{1 * mm});
-            }).find("a cone, a flat head and a profile"),
-            std::string::npos);
+  const std::string drill =
+      refusal([] { with(std::make_shared<TwistDrillLaw>(TwistDrillLaw::Constants{}), SphereHead{1 * mm}); });
+  EXPECT_NE(drill.find("was given a sphere of radius 1 mm"), std::string::npos) << drill;
+  EXPECT_NE(drill.find("a cone, a flat head and a profile"), std::string::npos) << drill;
+  const std::string mechanics =
+      refusal([] { with(std::make_shared<ContactMechanicsLaw>(1e6), round_end_cylinder_head(1 * mm, 2 * mm)); });
+  EXPECT_NE(mechanics.find("was given a profile of radius 0.5 mm and height 2 mm"), std::string::npos) << mechanics;
   EXPECT_EQ(refusal([] { with(std::make_shared<ContactMechanicsLaw>(1e6), SphereHead{1 * mm}); }), "");
 }
 

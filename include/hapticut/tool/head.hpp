@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <variant>
 
 #include "hapticut/tool/profile.hpp"
@@ -39,6 +40,9 @@ class ToolHead {
 
   /// [m] largest radius of the head about its axis: sphere and flat R, cone the base radius, profile the largest rho.
   [[nodiscard]] double largest_radius() const;
+
+  /// Shape and size as messages print them: "a cone of half angle 30 deg and height 2 mm".
+  [[nodiscard]] std::string description() const;
 
   /// The outline as a meridian of lines and arcs. The two surfaces of a flat head are drawn as its rule uses them.
   [[nodiscard]] Profile profile() const;

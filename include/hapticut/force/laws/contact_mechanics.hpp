@@ -29,9 +29,8 @@ class ContactMechanicsLaw final : public LumpedLaw {
 
   void require_head(const ToolHead& head) const override {
     if (std::holds_alternative<ProfileHead>(head.shape()))
-      throw Error(
-          "ContactMechanicsLaw was given a profile head; it has formulas for a sphere, a cone and a flat head. Choose "
-          "one of these, or FoundationLaw.");
+      throw Error("ContactMechanicsLaw was given " + head.description() +
+                  "; it has formulas for a sphere, a cone and a flat head. Choose one of these, or FoundationLaw.");
   }
 
   [[nodiscard]] LumpedForce lump(const ToolHead& head, const HeadMotion& m,

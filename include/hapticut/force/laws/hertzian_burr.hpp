@@ -32,9 +32,8 @@ class HertzianBurrLaw final : public LumpedLaw {
 
   void require_head(const ToolHead& head) const override {
     if (!std::holds_alternative<SphereHead>(head.shape()))
-      throw Error(
-          "HertzianBurrLaw was given a head that is no sphere; it has a formula for a round burr only. Choose "
-          "SphereHead, or FoundationLaw for other heads.");
+      throw Error("HertzianBurrLaw was given " + head.description() +
+                  "; it has a formula for a round burr only. Choose SphereHead, or FoundationLaw for other heads.");
   }
 
   [[nodiscard]] LumpedForce lump(const ToolHead& head, const HeadMotion& m,

@@ -34,6 +34,7 @@ inline void add_moments(const ContactBlock& b, const HeadMotion& m, const Contac
     moments.rubbing.torque += dV * w * kappa * r.cross(t);
     moments.rubbing_speed += dV * w * kappa * t.dot(slip);
     moments.depth = std::max(moments.depth, w);
+    // Of the sample, not of its voxel's rim: with half an edge more a drill of whole voxels would be too wide.
     moments.radius = std::max(moments.radius, r.head<2>().norm());
   }
 }

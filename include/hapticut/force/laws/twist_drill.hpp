@@ -21,7 +21,8 @@ namespace hapticut {
 /// with kappa = 1/sin(beta/2) and p_e = 0 (C31).
 ///
 /// A cone is a drill of point angle twice its half angle, a flat head one of 180 degrees; a profile is one where only
-/// a straight edge at its tip cuts, as that of `twist_drill_head`.
+/// a straight edge at its tip cuts, as that of `twist_drill_head`. A hollow tip, whose rim leads, has a point angle
+/// above 180 degrees.
 class TwistDrillLaw final : public LumpedLaw {
  public:
   struct Constants {
@@ -38,8 +39,9 @@ class TwistDrillLaw final : public LumpedLaw {
   void require_head(const ToolHead& head) const override {
     if (!(point_angle(head) > 0))
       throw Error(
-          "TwistDrillLaw was given a head without a point angle; it has formulas for a cone, a flat head and a profile "
-          "of which only a straight edge at the tip cuts. Choose one of these, or FoundationLaw.");
+          "TwistDrillLaw was given " + head.description() +
+          ", which has no point angle; it has formulas for a cone, a flat head and a profile of which only a straight "
+          "edge at the tip cuts. Choose one of these, such as twist_drill_head, or FoundationLaw.");
   }
 
   [[nodiscard]] LumpedForce lump(const ToolHead& head, const HeadMotion& m,
