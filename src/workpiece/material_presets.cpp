@@ -17,6 +17,7 @@ struct Preset {
 
 constexpr std::array kPresets = {
     Preset{"enamel", presets::enamel, {240, 236, 222}},
+    Preset{"enamel_with_diamond", presets::enamel_with_diamond, {200, 214, 236}},
     Preset{"dentin", presets::dentin, {224, 196, 138}},
     Preset{"pulp", presets::pulp, {196, 72, 72}},
     Preset{"caries", presets::caries, {92, 58, 34}},
@@ -55,6 +56,14 @@ Material enamel() {
           .dynamic_friction = 0.3,
           .tangential_stiffness = 1000,
           .density = 2950};
+}
+
+Material enamel_with_diamond() {
+  Material material = enamel();
+  material.name = "enamel_with_diamond";
+  material.specific_cutting_energy = 1.14e11;
+  material.edge_pressure = 0;
+  return material;
 }
 
 Material dentin() {

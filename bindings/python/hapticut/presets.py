@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Ready-made materials. ``docs/materials.md`` names the source of every number.
 
-They hold for a carbide round or fissure burr of 1 ... 4 mm that takes chips from a few micrometres to some tens of
+All but ``enamel_with_diamond`` hold for a carbide round or fissure burr of 1 ... 4 mm that takes chips from a few micrometres to some tens of
 micrometres; for a tool of another kind set ``specific_cutting_energy``, ``cutting_ratio`` and ``edge_pressure`` again.
 """
 from ._hapticut import Material, find_preset
@@ -10,6 +10,11 @@ from ._hapticut import Material, find_preset
 def enamel() -> Material:
     """Human enamel."""
     return find_preset("enamel")
+
+
+def enamel_with_diamond() -> Material:
+    """Human enamel under a diamond bur."""
+    return find_preset("enamel_with_diamond")
 
 
 def dentin() -> Material:
