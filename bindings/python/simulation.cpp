@@ -7,6 +7,7 @@
 
 #include "bindings.hpp"
 #include "hapticut/simulation/scenes.hpp"
+#include "hapticut/simulation/thesis_mode.hpp"
 #include "steps.hpp"
 #include "structs.hpp"
 #include "tool_head.hpp"
@@ -38,6 +39,13 @@ void bind_config(py::module_& m) {
                  field("stage_times", &C::stage_times), field("shortest_dt", &C::shortest_dt),
                  field("longest_dt", &C::longest_dt), field("longest_sweep", &C::longest_sweep));
   m.def("validate", py::overload_cast<const C&>(&validate), py::arg("config"), doc("validate"));
+  using M = ThesisMode;
+  bind_struct<M>(m, "ThesisMode", field("law", &M::law), field("update_rate", &M::update_rate),
+                 field("tool_mass", &M::tool_mass), field("center_of_mass", &M::center_of_mass),
+                 field("handle_torque_scale", &M::handle_torque_scale));
+  m.def(
+      "thesis_mode", [](const std::optional<M>& mode) { return thesis_mode(mode.value_or(M{})); },
+      py::arg("mode") = std::nullopt, doc("thesis_mode"));
   m.def(
       "check_input",
       [](const C& config, const FewNumbers& pose, const FewNumbers& velocity, double dt) {

@@ -64,6 +64,7 @@
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/simulation/stage_times.hpp"
 #include "hapticut/simulation/step.hpp"
+#include "hapticut/simulation/thesis_mode.hpp"
 #include "hapticut/simulation/worst_case.hpp"
 //
 #include "hapticut/realtime/block_outbox.hpp"

@@ -1,13 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/simulation_settings.hpp"
 
+#include "hapticut/simulation/thesis_mode.hpp"
+
 namespace hapticut::cli {
+namespace {
+
+/// The model of the thesis, where nothing else was set.
+void fill_in_thesis_mode(SimulationSettings& s) {
+  ThesisMode mode;
+  mode.update_rate = s.rate_Hz;
+  const SimulationConfig thesis = thesis_mode(mode);
+  ForceSettings& force = s.force;
+  if (!force.law) force.law = ForceSettings::Law::thesis;
+  if (!force.static_friction && !force.dynamic_friction) {
+    force.static_friction = thesis.friction->static_friction;
+    force.dynamic_friction = thesis.friction->dynamic_friction;
+  }
+  if (!force.handle_torque) force.handle_torque = thesis.handle_torque;
+  if (!s.quadrature) s.quadrature = thesis.quadrature;
+  s.effects.thesis_filter = true;
+  if (const auto& vibration = thesis.effects.vibration; vibration && !s.effects.vibration_Hz) {
+    s.effects.vibration_Hz = vibration->frequency;
+    if (!s.effects.vibration_N) s.effects.vibration_N = vibration->amplitude;
+  }
+}
+
+}  // namespace
 
 std::vector<Setting> settings_of(SimulationSettings& s) {
   const SimulationConfig limits;
   std::vector<Setting> all = {
       number("simulation.rate_Hz", "--rate", s.rate_Hz, Range::between(1 / limits.longest_dt, 1 / limits.shortest_dt),
              "steps per second [1000]"),
+      boolean("simulation.thesis_mode", "--thesis_mode", s.thesis_mode,
+              "the whole model of the thesis: its law, friction, handle torque and filter, and from 1112 Hz on its "
+              "vibration; what is set on its own counts [false]"),
       number("simulation.reference_stiffness_N_per_m4", "--reference_stiffness", s.config.reference_stiffness,
              Range::positive(), "foundation stiffness, N/m^4, of a material of relative stiffness 1 [1e13]"),
       choice("simulation.removal", "--removal", s.removal,
@@ -28,7 +56,9 @@ std::vector<Setting> settings_of(SimulationSettings& s) {
   return all;
 }
 
-SimulationConfig make_config(const SimulationSettings& settings) {
+SimulationConfig make_config(const SimulationSettings& given) {
+  SimulationSettings settings = given;
+  if (settings.thesis_mode) fill_in_thesis_mode(settings);
   SimulationConfig config = settings.config;
   config.removal = settings.removal.value_or(config.removal);
   config.quadrature = settings.quadrature.value_or(config.quadrature);

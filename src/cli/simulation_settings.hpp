@@ -14,6 +14,7 @@ namespace hapticut::cli {
 /// How it is computed, as the user writes it: `[simulation]`, `[force]` and `[effects]` in a settings file.
 struct SimulationSettings {
   double rate_Hz = 1000;
+  bool thesis_mode = false;
   std::optional<RemovalLaw> removal;
   std::optional<Quadrature> quadrature;
   SimulationConfig config;

@@ -84,6 +84,7 @@ def test_heads_have_an_extent_a_profile_and_a_depth(name):
     head = HEADS[name]
     box = head.bounding_box()
     assert (box.max > box.min).all() and 0 < head.largest_radius() <= head.reach() and head.volume() > 0
+    assert "mm" in head.description()
     inside: h.ToolHead.DepthAndDirection = head.depth_at([0.1 * head.largest_radius(), 0, 0.45 * box.min[2] + 0.55 * box.max[2]])
     assert inside.depth > 0 and np.linalg.norm(inside.direction) == pytest.approx(1)
     assert head.depth_at(box.max + 1 * mm).depth <= 0
@@ -236,6 +237,7 @@ def test_laws_by_themselves():
     burr = h.HertzianBurrLaw(1e6)
     assert burr.energy(1e-3, 1e-4) == pytest.approx(burr.force(1e-3, 1e-4) * 1e-4 / 2.5)
     assert burr.needs_moments() and not h.FoundationLaw().needs_moments()
+    assert h.FoundationLaw().holds_deep_contact() and not burr.holds_deep_contact()
     with pytest.raises(h.Error, match="sphere"):
         burr.require_head(h.ConeHead(0.5, 1e-3))
     drill = h.TwistDrillLaw(h.TwistDrillLaw.Constants(specific_energy=2e8))
@@ -243,6 +245,9 @@ def test_laws_by_themselves():
     assert drill.torque(2e-3, 1e-4) == pytest.approx(2e8 * 1e-4 * 4e-6 / 8)
     assert h.TwistDrillLaw.point_angle(h.ConeHead(0.5, 1e-3)) == pytest.approx(1.0)
     assert h.ThesisLaw(h.ThesisLaw.Constants(damping=2.0)).constants.damping == 2.0
+    mode = h.thesis_mode(h.ThesisMode(h.ThesisLaw.Constants(damping=2.0), tool_mass=0.1, update_rate=2000.0))
+    assert mode.law.constants.damping == 2.0 and mode.effects.gravity.mass == 0.1 and mode.effects.vibration.frequency == 500
+    assert h.thesis_mode().effects.vibration is None and mode.handle_torque == h.HandleTorque.thesis
     with pytest.raises(h.Error, match="resistance"):
         h.DampingMatrixLaw(h.DampingMatrixLaw.Constants(resistance=-1.0))
 
@@ -336,7 +341,7 @@ def test_constants_are_those_of_cpp():
     histogram = h.LatencyHistogram
     assert (histogram.kBuckets, histogram.kBucketWidth) == (2000, 1e-6)
     deep, law = h.DeepContact, h.FoundationLaw
-    assert (deep.kDeep, deep.kFree) == (0.52, 0.25) and h.RealtimeLoop.kCommands == 256
+    assert (deep.kDeep, deep.kFree, deep.kNear) == (0.52, 0.25, 0.125) and h.RealtimeLoop.kCommands == 256
     assert law.kSlipRegularization == pytest.approx(1e-3) and law.kLargestExponent == pytest.approx(1e30)
     assert law.kLeastEnergyShare == pytest.approx(1e-6) and law.kAxisZone == 0.25
     assert law.kAxisSlip == pytest.approx(1 / (4 * math.asinh(1)), rel=1e-3)

@@ -107,15 +107,19 @@ TEST_F(ForceSettings, TheTorqueAtTheHandMayBeThatOfTheThesis) {
   const auto one = steps("--handle_torque thesis", bent, side),
              two = steps("--handle_torque thesis --handle_torque_scale 2", bent, side);
   EXPECT_NEAR(two.at("torque_y_Nmm").back() / one.at("torque_y_Nmm").back(), 2, kDigits);
-  expect_failure("--handle_torque_scale 2", {"force.handle_torque_scale is set, but the full wrench has none"});
+  expect_failure("--handle_torque_scale 2",
+                 {"force.handle_torque_scale = 2; must be left out, because the full wrench has none",
+                  "choose --handle_torque thesis"});
 }
 
 TEST_F(ForceSettings, AHeadWithoutAFormulaAndConstantsOfAnotherLawAreRefused) {
-  expect_failure("--law twist_drill", {"a head without a point angle", "a cone, a flat head"});
+  expect_failure("--law twist_drill", {"was given a sphere of radius 1 mm", "no point angle", "a cone, a flat head"});
   expect_failure("--law contact_mechanics", {"force.effective_modulus_Pa is missing", "--effective_modulus_Pa"});
   expect_failure("--law thesis --effective_modulus_Pa 1e6",
-                 {"force.effective_modulus_Pa is set", "the thesis has none"});
-  expect_failure("--burr_stiffness_Pa 1e6", {"force.burr_stiffness_Pa is set, but the foundation law has none"});
+                 {"force.effective_modulus_Pa = 1e+06", "the thesis has none", "choose --law contact_mechanics"});
+  expect_failure("--burr_stiffness_Pa 1e6",
+                 {"force.burr_stiffness_Pa = 1e+06; must be left out, because the foundation law has none",
+                  "choose --law hertzian_burr"});
   expect_failure("--law springs", {"--law springs: must be one of foundation, thesis,"});
   expect_failure("--static_friction 0.2 --dynamic_friction 0.3",
                  {"force.dynamic_friction = 0.3; must be at most force.static_friction = 0.2"});
@@ -134,6 +138,27 @@ TEST_F(ForceSettings, InAFileAreRefusedWithLineKeyAndRange) {
                          "effects.force_axes: must be 3 numbers, each 0 or 1");
   expect_failure_in_file("[effects]\nlargest_force_N = \"3 N\"\n", 2,
                          "effects.largest_force_N: must be a number > 0, not the text \"3 N\".");
+}
+
+// The flag is the library's thesis_mode: law, handle torque, friction, quadrature, filter.
+TEST_F(ForceSettings, ThesisModeIsAllOfItsPartsTogether) {
+  const std::string bent = test::kSpinningBall + "--handle L --handle_length_mm 50 --handle_neck_mm 10 ";
+  const auto mode = steps("--thesis_mode", bent);
+  const auto parts = steps(
+      "--law thesis --handle_torque thesis --quadrature voxel_center --static_friction 0.3 --dynamic_friction 0.3 "
+      "--thesis_filter",
+      bent);
+  ASSERT_EQ(mode.size(), parts.size());
+  for (const auto& [name, column] : parts) EXPECT_EQ(mode.at(name), column) << name;
+  EXPECT_NE(mode.at("force_z_N"), steps("", bent).at("force_z_N"));
+  // What is set on its own counts, and from 1112 Hz on it shakes.
+  const auto exact = steps("--thesis_mode --handle_torque full_wrench", bent);
+  EXPECT_EQ(exact.at("force_z_N"), mode.at("force_z_N"));
+  EXPECT_NE(exact.at("torque_y_Nmm"), mode.at("torque_y_Nmm"));
+  const auto shaken = steps("--thesis_mode --rate 2000", bent), still = steps("--thesis_mode --rate 1100", bent);
+  EXPECT_EQ(steps("--thesis_mode --rate 2000 --vibration_Hz 500 --vibration_N 0.3", bent), shaken);
+  EXPECT_NE(steps("--thesis_mode --rate 2000 --vibration_N 0", bent), shaken);
+  EXPECT_FALSE(still.empty());
 }
 
 TEST_F(EffectsSettings, ArriveInTheForceThatTheHandFeels) {
@@ -164,7 +189,9 @@ TEST_F(EffectsSettings, VibrationShakesWhileItCuts) {
   EXPECT_EQ(run("drill " + test::kBlock + test::kBall + kDown + "--rate 2000 --vibration_Hz 500").code, 0);
   expect_failure("--vibration_Hz 100 --vibration_N 1 --vibration_largest_N 0.5",
                  {"effects.vibration_N = 1", "effects.vibration_largest_N = 0.5"});
-  expect_failure("--vibration_N 1", {"effects.vibration_N is set, but a tool without effects.vibration_Hz has none"});
+  expect_failure("--vibration_N 1",
+                 {"effects.vibration_N = 1; must be left out, because a tool without effects.vibration_Hz has none",
+                  "set --vibration_Hz"});
 }
 
 TEST_F(EffectsSettings, FilterAxesAndLimitsShapeTheOutput) {
@@ -191,7 +218,8 @@ TEST_F(EffectsSettings, FilterAxesAndLimitsShapeTheOutput) {
             *std::max_element(plain.at("force_z_N").begin(), plain.at("force_z_N").end()));
   expect_failure("--thesis_filter --filter_delta_N 0.01 --filter_epsilon_N 0.02",
                  {"effects.filter_epsilon_N = 0.02", "effects.filter_delta_N = 0.01"});
-  expect_failure("--filter_delta_N 1", {"effects.filter_delta_N is set"});
+  expect_failure("--filter_delta_N 1", {"effects.filter_delta_N = 1; must be left out", "set --thesis_filter"});
+  expect_failure("--thesis_filter --filter_delta_N 0", {"--filter_delta_N 0: must be a number > 0."});
 }
 
 TEST_F(ForceSettings, ArriveBehindTheCouplingToo) {

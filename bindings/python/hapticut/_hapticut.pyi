@@ -572,6 +572,9 @@ class ToolHead:
     def depth_at(self, p_TQ: numpy.typing.ArrayLike) -> ToolHead.DepthAndDirection:
         ...
 
+    def description(self) -> str:
+        ...
+
     def largest_radius(self) -> float:
         ...
 
@@ -1920,6 +1923,9 @@ class RemovalLaw:
 
 class ForceLaw:
 
+    def holds_deep_contact(self) -> bool:
+        ...
+
     def needs_moments(self) -> bool:
         ...
 
@@ -2229,6 +2235,7 @@ class DeepContact:
             ...
     kDeep: typing.ClassVar[float] = 0.52
     kFree: typing.ClassVar[float] = 0.25
+    kNear: typing.ClassVar[float] = 0.125
 
     def __init__(self) -> None:
         ...
