@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Figures 7.1-7.3 of the thesis: three heads step into a cube, and whatever they touch goes. Voxels removed, force and
-// torque per step, by the model of the thesis and by the default model; writes three CSV files and their plots.
+// torque per step, by the model of the thesis and by the default model; writes three CSV files and
+// the plots side by side.
 // Usage: 03_figures_of_the_thesis [folder]
+#include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <hapticut/hapticut.hpp>
 #include <iostream>
 
@@ -17,9 +18,12 @@ constexpr double kSize = 0.3 * mm;   // radius and height of the heads: 0.3 in t
 constexpr double kStep = 0.02 * mm;  // the thesis does not say how large its steps are
 constexpr int kSteps = 14;
 
+constexpr std::array kFiles = {"figure_7_1_voxels", "figure_7_2_force", "figure_7_3_torque"};
+constexpr std::array kTitles = {"voxels removed in a step", "force of a step [N]", "torque of a step [N mm]"};
+
 struct Series {
   std::string name;
-  std::vector<double> voxels, force, torque;  // per step: [1], [N], [N·mm]
+  std::array<std::vector<double>, 3> values;  // per step: voxels [1], force [N], torque [N·mm]
 };
 
 Series step_down(const std::string& name, const ToolHead& head, bool thesis) {
@@ -35,7 +39,7 @@ Series step_down(const std::string& name, const ToolHead& head, bool thesis) {
   const double voxel = 0.01 * mm, lowest = head.bounding_box().min.z();
   Simulation simulation(build_block({Vec3(-0.36, -0.36, -0.4) * mm, Vec3(0.36, 0.36, 0) * mm}, voxel, material),
                         Tool(head, RayHandle{}, Spindle{thesis ? 1000.0 : 20000.0}), config);
-  Series series{name, {}, {}, {}};
+  Series series{name, {}};
   (void)simulation.step(Pose::from_translation(Vec3(0, 0, -lowest)), {}, 1 * ms);  // touching, not yet in
   for (int i = 0; i < kSteps; ++i) {
     const int ticks = thesis ? 1 : 20;  // the default model has no force for a jump: it is fed a step in 20 ms
@@ -50,9 +54,9 @@ Series step_down(const std::string& name, const ToolHead& head, bool thesis) {
       mean.force += result.force / ticks;
       mean.torque += result.torque / ticks;
     }
-    series.voxels.push_back(volume / std::pow(voxel, 3));
-    series.force.push_back(mean.force.z());
-    series.torque.push_back(-mean.torque.z() / N_mm);
+    series.values[0].push_back(volume / std::pow(voxel, 3));
+    series.values[1].push_back(mean.force.z());
+    series.values[2].push_back(-mean.torque.z() / N_mm);
   }
   return series;
 }
@@ -60,23 +64,24 @@ Series step_down(const std::string& name, const ToolHead& head, bool thesis) {
 int main(int argc, char** argv) {
   const std::filesystem::path folder = argc > 1 ? argv[1] : ".";
   std::filesystem::create_directories(folder);
-  std::vector<Series> all;
+  std::array<std::vector<Line>, 3> tables;
+  std::vector<Panel> panels;
   for (const bool thesis : {true, false}) {
-    const std::string mode = thesis ? " (thesis)" : " (energy)";
-    all.push_back(step_down("sphere" + mode, SphereHead{kSize}, thesis));
-    all.push_back(step_down("cone" + mode, ConeHead{45 * deg, kSize}, thesis));
-    all.push_back(step_down("flat" + mode, FlatHead{kSize, kSize, FlatRule::bottom_only}, thesis));
+    const std::string mode = thesis ? "thesis: " : "energy: ";
+    const std::array<Series, 3> heads = {step_down("sphere", SphereHead{kSize}, thesis),
+                                         step_down("cone", ConeHead{45 * deg, kSize}, thesis),
+                                         step_down("flat", FlatHead{kSize, kSize, FlatRule::bottom_only}, thesis)};
+    for (std::size_t n = 0; n < tables.size(); ++n) {
+      panels.push_back({mode + kTitles[n], {}});
+      for (const Series& head : heads) {
+        panels.back().lines.push_back({head.name, head.values[n]});
+        tables[n].push_back({mode + head.name, head.values[n]});
+        std::cout << mode << head.name << ", " << kTitles[n] << ": " << shortened(head.values[n][5]) << " in the 6th, "
+                  << shortened(head.values[n].back()) << " in the last\n";
+      }
+    }
   }
-  const auto write = [&](const std::string& name, const std::string& title, std::vector<double> Series::*values) {
-    std::vector<LinePlot::Line> lines;
-    for (const Series& series : all) lines.push_back({series.name, series.*values});
-    std::ofstream csv(folder / (name + ".csv")), svg(folder / (name + ".svg"));
-    write_csv(csv, "step", lines);
-    write_svg(svg, LinePlot{title, "step", lines, 3});
-    if (!csv || !svg) throw Error("cannot write to " + folder.string() + ". Choose a folder that can be written to.");
-  };
-  write("figure_7_1_voxels", "Voxels removed in a step", &Series::voxels);
-  write("figure_7_2_force", "Cutting force of a step [N]", &Series::force);
-  write("figure_7_3_torque", "Cutting torque of a step [N mm]", &Series::torque);
-  std::cout << "wrote figures 7.1, 7.2 and 7.3 to " << std::filesystem::absolute(folder).string() << "\n";
+  for (std::size_t n = 0; n < tables.size(); ++n)
+    write_to(folder / (std::string(kFiles[n]) + ".csv"), [&](auto& out) { write_csv(out, "step", tables[n]); });
+  write_to(folder / "figures_7_1_to_7_3.svg", [&](auto& out) { write_svg(out, "step", panels, 3); });
 }
