@@ -25,6 +25,10 @@ struct Check {
     const double size = scale != 0 ? std::abs(scale) : std::abs(expected);
     return std::abs(computed - expected) / size;
   }
+  /// A number with the unit, as it is shown: "3.77 N", "0.5".
+  [[nodiscard]] std::string with_unit(const std::string& number) const {
+    return unit == "1" ? number : number + " " + unit;
+  }
   [[nodiscard]] bool pass() const { return relative_error() <= tolerance; }  // not a number does not pass
 };
 
@@ -42,7 +46,7 @@ struct Experiment {
 [[nodiscard]] std::vector<Experiment> term_experiments();         ///< friction, effects, spindle: C17, C18
 [[nodiscard]] std::vector<Experiment> cutting_experiments();      ///< C20-C32, C34
 [[nodiscard]] std::vector<Experiment> law_experiments();          ///< the alternative laws, the thesis: C33
-[[nodiscard]] std::vector<Experiment> measurement_experiments();  ///< rows B1 of published measurements
+[[nodiscard]] std::vector<Experiment> measurement_experiments();  ///< rows B1 and DC4 of published measurements
 [[nodiscard]] std::vector<Experiment> defect_experiments();  ///< of the thesis, in its model and in the default one
 
 }  // namespace hapticut::validation

@@ -5,6 +5,7 @@
 
 #include "validation/bench.hpp"
 #include "validation/checks.hpp"
+#include "validation/tolerances.hpp"
 
 namespace hapticut::validation {
 namespace {
@@ -18,7 +19,7 @@ constexpr double kU = 3e8, kKappa = 0.5;  // of plain_material
 constexpr double kLayer = kR / 40;        // engaged layer of C20-C22 and C24, on voxels of half of it
 constexpr double kThinnest = 0.01;        // [1] with such a layer, fed axially
 constexpr double kSlot = 0.02;            // [1] with such a layer, fed sideways
-constexpr double kThin = 0.03;            // [1] engaged layer of a tenth of the radius or less
+constexpr double kThrustOfBall = 0.1;     // [1] its layer is thickest at the bottom, where the thrust is
 constexpr double kBall = 0.06;            // [1] the same where depths meet the surface at all angles
 
 // --- axial: a flat head into a half space ----------------------------------------------------------------------------
@@ -67,17 +68,17 @@ const double kTorque = -kU * kPi * kR * kR * kAxialFeed / kAxialSpin;
 
 std::vector<Check> axial_constant_energy() {
   const Steady s = axial(axial_with_thin_layer());
-  return {
-      {"C20 thrust", "flat head fed axially, law A", "N", kThrust, s.force.z(), kThinnest},
-      {"C20 torque", "its torque", "N m", kTorque, s.torque.z(), kThinnest},
-      {"C30", "power of motor and hand over the cutting energy of the removed volume", "J",
-       s.energy.cutting + s.energy.elastic + s.energy.released + s.energy.rubbing - s.energy.credited,
-       s.energy.motor_work + s.energy.hand_work, 1e-3},
-      {"C32", "torque over thrust of a flat head: kappa R/2", "m", kKappa * kR / 2, -s.torque.z() / s.force.z(), kThin},
-      {"C34", "filled volume under a flat head: (2 pi^1.5/3) R^2 delta(R)", "m^3",
-       2 * std::pow(kPi, 1.5) / 3 * kR * kR * kLayer, s.engaged_volume, 0.05},
-      {"ledger", "energy balance of the whole cut", "J", 0, s.energy.imbalance(), 1e-4,
-       s.energy.motor_work + s.energy.hand_work}};
+  return {{"C20 thrust", "flat head fed axially, law A", "N", kThrust, s.force.z(), kThinnest},
+          {"C20 torque", "its torque", "N m", kTorque, s.torque.z(), kThinnest},
+          {"C30", "power of motor and hand over the cutting energy of the removed volume", "J",
+           s.energy.cutting + s.energy.elastic + s.energy.released + s.energy.rubbing - s.energy.credited,
+           s.energy.motor_work + s.energy.hand_work, kInvariant},
+          {"C32", "torque over thrust of a flat head: kappa R/2", "m", kKappa * kR / 2, -s.torque.z() / s.force.z(),
+           kThinLayer},
+          {"C34", "filled volume under a flat head: (2 pi^1.5/3) R^2 delta(R)", "m^3",
+           2 * std::pow(kPi, 1.5) / 3 * kR * kR * kLayer, s.engaged_volume, kThickLayer},
+          {"ledger", "energy balance of the whole cut", "J", 0, s.energy.imbalance(), kSinglePrecision,
+           s.energy.motor_work + s.energy.hand_work}};
 }
 
 std::vector<Check> axial_invariance() {
@@ -87,8 +88,9 @@ std::vector<Check> axial_invariance() {
   quick.dt = 1e-4;
   const Steady a = axial(coarse), b = axial(fine), c = axial(quick);
   return {
-      {"invariance l", "thrust of C20 with voxels of 0.025 instead of 0.05 mm", "N", a.force.z(), b.force.z(), 0.01},
-      {"invariance dt", "thrust of C20 with steps of 0.1 instead of 1 ms", "N", a.force.z(), c.force.z(), 1e-3}};
+      {"invariance l", "thrust of C20 with voxels of 0.025 instead of 0.05 mm", "N", a.force.z(), b.force.z(),
+       kPartialVoxels},
+      {"invariance dt", "thrust of C20 with steps of 0.1 instead of 1 ms", "N", a.force.z(), c.force.z(), kInvariant}};
 }
 
 std::vector<Check> axial_elastic_release() {
@@ -120,7 +122,7 @@ std::vector<Check> axial_edge_dominated() {
   cut.feed_speed = 0.1 * kAxialFeed;
   const Steady s = axial(cut);
   return {{"C32 edge", "torque over thrust of a flat head whose edge rubs: 2 kappa R/3", "m", 2.0 / 3 * kKappa * kR,
-           -s.torque.z() / s.force.z(), kThin}};
+           -s.torque.z() / s.force.z(), kThinLayer}};
 }
 
 /// A hand that pushes with a constant force: its speed adapts until the cut pushes back as much.
@@ -141,7 +143,7 @@ std::vector<Check> constant_hand_force() {
     if (i >= kSteps / 2) mean += speed / (kSteps - kSteps / 2.0);
   }
   return {{"C23", "feed speed under a constant force of the hand", "m/s",
-           kKappa * kAxialSpin * (hand - edge) / (2 * kPi * kR * kU), mean, kThin}};
+           kKappa * kAxialSpin * (hand - edge) / (2 * kPi * kR * kU), mean, kThinLayer}};
 }
 
 std::vector<Check> twist_drill() {
@@ -150,8 +152,8 @@ std::vector<Check> twist_drill() {
   const Steady s = axial(cut);
   const double a = 2 * kPi * kAxialFeed / kAxialSpin;
   return {{"C31 thrust", "default law with kappa = 1/sin(beta/2): the twist drill's thrust", "N", kU * a * kR,
-           s.force.z(), kThin},
-          {"C31 torque", "and torque, K_s a D^2/8", "N m", -kU * a * kR * kR / 2, s.torque.z(), 0.01}};
+           s.force.z(), kThinLayer},
+          {"C31 torque", "and torque, K_s a D^2/8", "N m", -kU * a * kR * kR / 2, s.torque.z(), kPartialVoxels}};
 }
 
 // --- lateral ---------------------------------------------------------------------------------------------------------
@@ -183,9 +185,9 @@ std::vector<Check> milling() {
           {"C24 across", "its side force", "N", -kPi / 2 * unit, slot.force.y(), kSlot},
           {"C24 torque", "its torque", "N m", -2 * unit * kR, slot.torque.z(), kSlot},
           {"C25 against the feed", "side milling, engaged over a quarter turn", "N",
-           -unit / kKappa * kPi / 4 + unit / 2, side.force.x(), 0.05},
+           -unit / kKappa * kPi / 4 + unit / 2, side.force.x(), kThickLayer},
           {"C25 across", "its side force", "N", -unit / kKappa / 2 - unit * kPi / 4, side.force.y(), kBall},
-          {"C25 torque", "its torque", "N m", -unit * kR, side.torque.z(), kThin}};
+          {"C25 torque", "its torque", "N m", -unit * kR, side.torque.z(), kThinLayer}};
 }
 
 std::vector<Check> balls() {
@@ -195,15 +197,16 @@ std::vector<Check> balls() {
                              Vec3(-1.023 * mm, 0.011 * mm, kR - d), 0.03 * mm, 3.2 * mm, 0.03 * mm);
   const Steady buried = mill(SphereHead{kR}, {Vec3(0, -1.3, -1.3) * mm, Vec3(3.4, 1.3, 1.3) * mm},
                              Vec3(-1.023, 0.011, 0.017) * mm, 0.05 * mm, 3.2 * mm);
-  return {{"C26 against the feed", "ball in a groove of depth 0.6 R", "N", -kPi / 4 * unit * g / kKappa,
-           groove.force.x(), kBall},
-          {"C26 across", "its side force", "N", -kPi / 2 * unit * (1 - std::cos(theta)), groove.force.y(), kBall},
-          {"C26 thrust", "its thrust", "N", unit / kKappa * std::pow(std::sin(theta), 2), groove.force.z(), 0.1},
-          {"C26 torque", "its torque", "N m", -unit * kR * g, groove.torque.z(), kBall},
-          {"C27 against the feed", "buried ball fed sideways", "N", -kPi * kPi / 4 * unit / kKappa, buried.force.x(),
-           kBall},
-          {"C27 across", "its side force", "N", -kPi * unit, buried.force.y(), kBall},
-          {"C27 torque", "its torque", "N m", -kPi * unit * kR, buried.torque.z(), kBall}};
+  return {
+      {"C26 against the feed", "ball in a groove of depth 0.6 R", "N", -kPi / 4 * unit * g / kKappa, groove.force.x(),
+       kBall},
+      {"C26 across", "its side force", "N", -kPi / 2 * unit * (1 - std::cos(theta)), groove.force.y(), kBall},
+      {"C26 thrust", "its thrust", "N", unit / kKappa * std::pow(std::sin(theta), 2), groove.force.z(), kThrustOfBall},
+      {"C26 torque", "its torque", "N m", -unit * kR * g, groove.torque.z(), kBall},
+      {"C27 against the feed", "buried ball fed sideways", "N", -kPi * kPi / 4 * unit / kKappa, buried.force.x(),
+       kBall},
+      {"C27 across", "its side force", "N", -kPi * unit, buried.force.y(), kBall},
+      {"C27 torque", "its torque", "N m", -kPi * unit * kR, buried.torque.z(), kBall}};
 }
 
 std::vector<Check> plunges() {

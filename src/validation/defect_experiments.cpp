@@ -4,10 +4,11 @@
 #include <cmath>
 #include <memory>
 
-#include "hapticut/force/effects/output_limits.hpp"
 #include "hapticut/force/laws/thesis.hpp"
+#include "hapticut/simulation/thesis_mode.hpp"
 #include "validation/bench.hpp"
 #include "validation/checks.hpp"
+#include "validation/tolerances.hpp"
 
 namespace hapticut::validation {
 namespace {
@@ -52,9 +53,9 @@ std::vector<Check> refinement() {
   PressedBall coarse, fine;
   fine.voxel = coarse.voxel / 2;
   const auto ratio = [&](Model model) { return fine.force(model) / coarse.force(model); };
-  return {
-      {"D1 thesis", "force of a ball when voxels halve: four times", "1", 32.690 / 8.148, ratio(Model::thesis), 0.01},
-      {"D1 cured", "the same", "1", 1, ratio(Model::cured), 0.01}};
+  return {{"D1 thesis", "force of a ball when voxels halve: four times", "1", 32.690 / 8.148, ratio(Model::thesis),
+           kPartialVoxels},
+          {"D1 cured", "the same", "1", 1, ratio(Model::cured), kPartialVoxels}};
 }
 
 std::vector<Check> damper() {
@@ -75,11 +76,11 @@ std::vector<Check> damper() {
   PressedBall still;
   const double pull = 1 - 0.01 * 0.1 * 656 / still.force(Model::thesis);  // b V of each of the 656 voxels inside
   return {{"D2 thesis", "damping force of a ball when voxels halve: the number of voxels", "1", 5252.0 / 656,
-           ratio(Model::thesis), 0.01},
-          {"D2 cured", "the same", "1", 1, ratio(Model::cured), 0.01},
+           ratio(Model::thesis), kPartialVoxels},
+          {"D2 cured", "the same", "1", 1, ratio(Model::cured), kPartialVoxels},
           {"D2 thesis, retreat", "force over that at rest, 0.1 m/s outwards: it pulls the tool in", "1", pull,
-           on_retreat(Model::thesis), 0.01},
-          {"D2 cured, retreat", "the same: nothing", "1", 0, on_retreat(Model::cured), 1e-6, 1}};
+           on_retreat(Model::thesis), kPartialVoxels},
+          {"D2 cured, retreat", "the same: nothing", "1", 0, on_retreat(Model::cured), kDoublePrecision, 1}};
 }
 
 // --- a flat head fed along its axis ----------------------------------------------------------------------------------
@@ -115,8 +116,8 @@ std::vector<Check> threshold() {
   slow.removed_at = fast.removed_at = 0.1 * mm;
   slow.speed = 0.5e-3;
   const auto ratio = [&](Model model) { return fast.run(model).force.z() / slow.run(model).force.z(); };
-  return {{"D5 thesis", "thrust at four times the feed: the same", "1", 1, ratio(Model::thesis), 0.05},
-          {"D5 cured", "the same: proportional to the feed", "1", 4, ratio(Model::cured), 0.05}};
+  return {{"D5 thesis", "thrust at four times the feed: the same", "1", 1, ratio(Model::thesis), kThickLayer},
+          {"D5 cured", "the same: proportional to the feed", "1", 4, ratio(Model::cured), kThickLayer}};
 }
 
 std::vector<Check> step_size() {
@@ -125,8 +126,8 @@ std::vector<Check> step_size() {
   half.dt = whole.dt / 2;
   const auto ratio = [&](Model model) { return whole.run(model).force.z() / half.run(model).force.z(); };
   return {{"D6 thesis", "thrust over that at half the step, whatever is touched goes: its square", "1", 4,
-           ratio(Model::thesis), 0.1},
-          {"D6 cured", "the same", "1", 1, ratio(Model::cured), 1e-3}};
+           ratio(Model::thesis), kWholeVoxels},
+          {"D6 cured", "the same", "1", 1, ratio(Model::cured), kInvariant}};
 }
 
 std::vector<Check> energy() {
@@ -135,34 +136,54 @@ std::vector<Check> energy() {
   twice.spin = 2 * once.spin;
   const auto ratio = [&](Model model) { return twice.energy_of_a_volume(model) / once.energy_of_a_volume(model); };
   return {{"D7 thesis", "energy to cut a volume at twice the spindle speed: half, by no law of the material", "1", 0.5,
-           ratio(Model::thesis), 0.05},
-          {"D7 cured", "the same: u", "1", 1, ratio(Model::cured), 0.02}};
+           ratio(Model::thesis), kThickLayer},
+          {"D7 cured", "the same: u", "1", 1, ratio(Model::cured), kRim}};
 }
 
 // --- output ----------------------------------------------------------------------------------------------------------
 
-/// Table 6.1 by its letters: adds the number epsilon to the force wherever it changes by more than delta.
-double by_letters(double previous, double calculated) {
-  return std::abs(previous - calculated) > 0.5 ? previous + 0.005 : calculated;
-}
+constexpr double kTick = 1e-3;   // [s]
+constexpr double kGrowth = 500;  // [N/s] of the default model's limit
+constexpr int kTouched = 1000;   // [ticks] until the ball is taken away
+constexpr int kReleased = 250;   // [ticks] after that
+
+/// What the hand feels of a standing ball that touches a block with about 3 N, and is taken away again.
+struct Touch {
+  double pressed = 0;  // [N] of the model
+  double rise = 0;     // [s] until all of it is felt
+  double left = 0;     // [N] that is felt after it was taken away
+
+  explicit Touch(Model model) {
+    SimulationConfig config;
+    if (model == Model::thesis) config = thesis_mode();
+    if (model == Model::cured) config.effects.limits.force_growth = kGrowth;
+    config.reference_stiffness = 3.67e13;
+    Simulation simulation(
+        build_block({Vec3(-1.2, -1.2, -0.8) * mm, Vec3(1.2, 1.2, 0) * mm}, 0.1 * mm, plain_material()),
+        Tool(SphereHead{kR}), config);
+    const auto step_at = [&](double depth) -> const StepResult& {
+      return simulation.step(Pose::from_translation(Vec3(0, 0, kR - depth)), {}, kTick);
+    };
+    (void)step_at(-0.1 * mm);
+    for (int tick = 1; tick <= kTouched; ++tick) {
+      const StepResult& result = step_at(0.5 * kR);
+      pressed = result.model.force.z();
+      if (rise == 0 && tick > 1 && result.force.z() >= (1 - 1e-9) * pressed) rise = tick * kTick;
+    }
+    for (int tick = 0; tick < kReleased; ++tick) left = step_at(-0.1 * mm).force.z();
+  }
+};
 
 std::vector<Check> filter() {
-  constexpr double kForce = 3, kRate = 500, kTick = 1e-3;  // [N], [N/s], [s]
-  double thesis = 0, cured = 0, thesis_rise = 0, cured_rise = 0;
-  for (int i = 1; i <= 1000; ++i) {
-    thesis = by_letters(thesis, kForce);
-    cured = growth_limited(Vec3(cured, 0, 0), Vec3(kForce, 0, 0), kRate * kTick).x();
-    if (thesis < kForce) thesis_rise = (i + 1) * kTick;
-    if (cured < kForce) cured_rise = (i + 1) * kTick;
-  }
-  for (int i = 0; i < 2000; ++i) {
-    thesis = by_letters(thesis, 0);
-    cured = growth_limited(Vec3(cured, 0, 0), Vec3::Zero(), kRate * kTick).x();
-  }
-  return {{"D8 thesis", "force 2 s after 3 N were released: it runs away", "N", kForce + 2000 * 0.005, thesis, 1e-6},
-          {"D8 cured", "the same: nothing", "N", 0, cured, 1e-9, kForce},
-          {"D8 thesis, rise", "time until a force of 3 N is felt", "s", 0.501, thesis_rise, 0.01},
-          {"D8 cured, rise", "the same, growth limit of 500 N/s", "s", kForce / kRate, cured_rise, 1e-6}};
+  const Touch thesis(Model::thesis), cured(Model::cured);
+  const DeltaFilter constants;
+  return {{"D8 thesis", "force 0.25 s after 3 N were released: felt still", "N",
+           thesis.pressed - kReleased * constants.epsilon, thesis.left, kInvariant},
+          {"D8 cured", "the same: nothing", "N", 0, cured.left, kDoublePrecision, cured.pressed},
+          {"D8 thesis, rise", "time until a force of 3 N is felt", "s",
+           (thesis.pressed - constants.delta) / constants.epsilon * kTick, thesis.rise, kPartialVoxels},
+          {"D8 cured, rise", "the same, growth limit of 500 N/s; within a tick", "s", cured.pressed / kGrowth,
+           cured.rise, kTick * kGrowth / cured.pressed}};
 }
 
 // --- static ----------------------------------------------------------------------------------------------------------
@@ -184,10 +205,10 @@ std::vector<Check> binary_voxels() {
     const std::string of = ", l = R/" + std::to_string(parts);
     checks.push_back({"D11 thesis" + of, "ball, d = 0.2 R, over the force of C1: half a voxel too deep", "1",
                       cap(ball.depth + ball.voxel / 2) / cap(ball.depth),
-                      ball.force(Model::thesis) / (k_v * cap(ball.depth)), 0.02});
+                      ball.force(Model::thesis) / (k_v * cap(ball.depth)), kRim});
     ball.quadrature = Quadrature::centroid;
-    checks.push_back(
-        {"D11 cured" + of, "the same", "1", 1, ball.force(Model::cured) / (kStiffness * cap(ball.depth)), 0.01});
+    checks.push_back({"D11 cured" + of, "the same", "1", 1, ball.force(Model::cured) / (kStiffness * cap(ball.depth)),
+                      kPartialVoxels});
   }
   return checks;
 }
@@ -202,17 +223,18 @@ std::vector<Check> pop_through() {
         build_block({Vec3(-1.2, -1.2, -2.2) * mm, Vec3(1.2, 1.2, 0) * mm}, 0.1 * mm, plain_material()),
         Tool(SphereHead{kR}), config);
     double at_radius = 0, least = 1e9, last = 0;
-    for (int step = 0; step < 160; ++step) {
-      const double depth = 0.01 * kR * step;
-      last = simulation.step(Pose::from_translation(Vec3(0.013 * mm, 0.021 * mm, kR - depth)), {}, 1e-3).force.z();
-      if (depth < kR) at_radius = last;
-      if (depth >= kR) least = std::min(least, last);
+    for (int step = 0; step <= 160; ++step) {
+      const double height = kR - 0.01 * kR * step;
+      last = hold(simulation, Pose::from_translation(Vec3(0.013 * mm, 0.021 * mm, height))).force.z();
+      if (step == 100) at_radius = last;
+      if (step >= 100) least = std::min(least, last);
     }
     return std::pair(last / at_radius, least / at_radius);
   };
-  return {{"D15 thesis", "ball pushed to 1.6 R, force over that at R: C1, it falls", "1", cap(0.4 * kR) / cap(kR),
-           pushed(Model::thesis).first, 0.1},
-          {"D15 cured", "least force from R to 1.6 R over that at R", "1", 1, pushed(Model::cured).second, 0.01}};
+  return {
+      {"D15 thesis", "ball pushed to 1.6 R, force over that at R: C1, it falls", "1", cap(0.4 * kR) / cap(kR),
+       pushed(Model::thesis).first, kRim},
+      {"D15 cured", "least force from R to 1.6 R over that at R", "1", 1, pushed(Model::cured).second, kPartialVoxels}};
 }
 
 }  // namespace

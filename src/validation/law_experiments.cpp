@@ -10,6 +10,7 @@
 #include "hapticut/force/laws/twist_drill.hpp"
 #include "validation/bench.hpp"
 #include "validation/checks.hpp"
+#include "validation/tolerances.hpp"
 
 namespace hapticut::validation {
 namespace {
@@ -60,11 +61,11 @@ std::vector<Check> drill_and_damping() {
   pose.translation.x() += 5e-6;
   const StepResult& result = block.step(pose, {}, 1e-3);
   return {{"twist drill thrust", "its own law, point angle 118 deg", "N", u * a * kR * std::sin(half_angle),
-           s.force.z(), 0.05},
-          {"twist drill torque", "K_s a D^2/8", "N m", -u * a * kR * kR / 2, s.torque.z(), 0.1},
+           s.force.z(), kThickLayer},
+          {"twist drill torque", "K_s a D^2/8", "N m", -u * a * kR * kR / 2, s.torque.z(), kWholeVoxels},
           {"damping matrix", "m V along the motion", "N", -2e8 * result.contact.volume / result.contact.depth * 5e-3,
-           result.force.x(), 1e-3},
-          {"damping matrix across", "mu of it across", "1", mu, result.force.y() / result.force.x(), 1e-5}};
+           result.force.x(), kInvariant},
+          {"damping matrix across", "mu of it across", "1", mu, result.force.y() / result.force.x(), kSinglePrecision}};
 }
 
 /// Thesis mode: the head jumps to a depth, rests for a tick, and whatever it touches goes.
@@ -102,14 +103,15 @@ std::vector<Check> figures_of_the_thesis() {
   };
   const double d = 14 * D, k_v = 1e13 * std::pow(0.1 / 0.01, 2);  // springs of the thesis at its voxels
   return {
-      {"C33 flat volume", "thesis 7.1: volume per step of the flat head", "m^3", kPi * R * R * D, flat.volume[7], 0.02},
-      {"C33 flat force", "its force per step", "N", k_v * kPi * R * R * D * D / 2, flat.force[7], 0.02},
-      {"C33 flat is constant", "force of the last step over the first", "1", 1, flat.force[13] / flat.force[0], 1e-3},
+      {"C33 flat volume", "thesis 7.1: volume per step of the flat head", "m^3", kPi * R * R * D, flat.volume[7], kRim},
+      {"C33 flat force", "its force per step", "N", k_v * kPi * R * R * D * D / 2, flat.force[7], kRim},
+      {"C33 flat is constant", "force of the last step over the first", "1", 1, flat.force[13] / flat.force[0],
+       kInvariant},
       {"C33 cone volume", "all steps of the cone", "m^3", kPi * std::pow(d, 3) / 3, total(cone), kCoarse},
       {"C33 cone force", "its thirteenth step", "N", k_v / 2 * kPi * std::pow(12.5 * D, 2) * 0.5 * D * D,
-       cone.force[12], 0.1},
+       cone.force[12], kWholeVoxels},
       {"C33 sphere force", "its seventh step", "N",
-       k_v * kPi / 4 * R * R * D * D * (1 - std::pow((R - 6.5 * D) / R, 4)), ball.force[6], 0.1},
+       k_v * kPi / 4 * R * R * D * D * (1 - std::pow((R - 6.5 * D) / R, 4)), ball.force[6], kWholeVoxels},
       {"C33 sphere volume", "all steps of the sphere", "m^3", kPi * d * d * (R - d / 3), total(ball), kCoarse}};
 }
 

@@ -6,6 +6,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/force/calibration.hpp"
+#include "hapticut/simulation/simulation.hpp"
 
 /// @file
 /// Measurements that others published: constants calibrated on them, and what the model then predicts elsewhere.
@@ -51,10 +52,38 @@ struct DiamondBur {
   [[nodiscard]] static constexpr double power(double load) { return kCuttingRatio * load * kSpeed * kRadius; }
   /// [J/m^3] u of enamel with this bur.
   [[nodiscard]] static constexpr double energy() { return power(kLoad) / kRemoval; }
-  /// [N] that the bur needs to remove a volume in a second, with its side.
-  [[nodiscard]] static constexpr double load(double removal, double u) {
+  /// [N] for the chips alone, to remove a volume in a second with its side.
+  [[nodiscard]] static constexpr double chip_load(double removal, double u) {
     return u * removal / (kCuttingRatio * kSpeed * kRadius);
   }
+  static constexpr double kContactArea = 1e-6;  ///< [m^2] of the side in contact, on which the edges rub: assumption
+  /// [N] that a hand feels: chips and edges.
+  [[nodiscard]] static constexpr double load(double removal, double u, double edge_pressure, double area) {
+    return edge_pressure * area + chip_load(removal, u);
+  }
+  /// [m^3/s] that a load removes; 0 where the edges carry all of it.
+  [[nodiscard]] static constexpr double removal(double load, double u, double edge_pressure, double area) {
+    const double on_chips = load - edge_pressure * area;
+    return on_chips > 0 ? power(on_chips) / u : 0.0;
+  }
+
+  /// A plate of enamel whose edge the side of the bur wears down, in the library: 0.3 mm thick, 1 mm of the bur long.
+  class Plate {
+   public:
+    static constexpr double kArea = 0.3 * 1e-6;  ///< [m^2] of contact
+
+    /// @param layer  [m] of material that is engaged at the removal of DC4
+    Plate(const Material& material, double layer);
+    /// [N] against the feed.
+    [[nodiscard]] double load_at(double removal);
+    /// [m^3/s] under a constant load of the hand.
+    [[nodiscard]] double removal_under(double load);
+
+   private:
+    const StepResult& feed_to(double depth);
+
+    Simulation simulation_;
+  };
 };
 
 /// The page docs/measurements.md.

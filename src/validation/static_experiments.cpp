@@ -5,6 +5,7 @@
 
 #include "validation/bench.hpp"
 #include "validation/checks.hpp"
+#include "validation/tolerances.hpp"
 
 namespace hapticut::validation {
 namespace {
@@ -54,7 +55,7 @@ std::vector<Check> ball_stiffness_and_energy() {
           {"C3", "ball, work of the hand down to R/2", "J", kStiffness * cap_energy(0.5 * kR),
            slow.last_result().energy.hand_work, kFine},
           {"C3 stored", "ball, what is stored is what the hand paid", "J", slow.last_result().energy.hand_work,
-           slow.last_result().energy.elastic, 1e-4}};
+           slow.last_result().energy.elastic, kSinglePrecision}};
 }
 
 std::vector<Check> cone() {
@@ -65,7 +66,7 @@ std::vector<Check> cone() {
     Simulation simulation = pressed(ConeHead{a, 1.5 * kR}, d);
     checks.push_back({"C4 " + std::to_string(angle) + " deg", "cone, half-apex angle " + std::to_string(angle) + " deg",
                       "N", kStiffness * kPi / 12 * std::pow(std::sin(a) * std::tan(a), 2) * std::pow(d, 4),
-                      hold(simulation, Pose::from_translation(Vec3(0, 0, -d))).force.z(), 0.02});
+                      hold(simulation, Pose::from_translation(Vec3(0, 0, -d))).force.z(), kRim});
   }
   return checks;
 }
@@ -81,16 +82,16 @@ std::vector<Check> flat() {
        press(FlatRule::bottom_only), kFine},
       {"C6", "flat head on its bottom, rule nearest", "N",
        kPi * kStiffness * (kR * kR * d * d / 2 - 2 * kR * std::pow(d, 3) / 3 + std::pow(d, 4) / 4),
-       press(FlatRule::nearest), 0.02}};
+       press(FlatRule::nearest), kRim}};
   // The side of the cylinder in the wall x > c, over a height in the middle of it; the hand is at the bottom's centre.
   const double z0 = 0.9 * kR, z1 = z0 + height;
   Simulation side(build_block({Vec3(c, -1.11 * kR, z0), Vec3(1.2 * kR, 1.13 * kR, z1)}, kVoxel, plain_material()),
                   Tool(FlatHead{kR, 3 * kR, FlatRule::side_only}), static_config());
   const StepResult& result = hold(side, Pose{});
   const double area = c * c * a + a * a * a / 3 - kR * c * c * std::log((kR + a) / c);
-  checks.push_back({"C7", "side of a cylinder in a wall", "N", -kStiffness * height * area, result.force.x(), 0.02});
+  checks.push_back({"C7", "side of a cylinder in a wall", "N", -kStiffness * height * area, result.force.x(), kRim});
   checks.push_back({"C8", "its torque about the bottom's centre", "N m", -kStiffness * area * (z1 * z1 - z0 * z0) / 2,
-                    result.torque.y(), 0.02});
+                    result.torque.y(), kRim});
   const double x0 = 0.4 * kR, root = std::sqrt(kR * kR - x0 * x0);
   Simulation edge(
       build_block({Vec3(-1.17 * kR, -1.11 * kR, -0.9 * kR), Vec3(x0, 1.13 * kR, 0)}, kVoxel, plain_material()),
@@ -99,7 +100,7 @@ std::vector<Check> flat() {
   checks.push_back({"C9 force", "flat bottom over a straight edge", "N",
                     kStiffness * d * d / 2 * (kR * kR * std::acos(-x0 / kR) + x0 * root), over_edge.force.z(), kFine});
   checks.push_back(
-      {"C9 torque", "its torque", "N m", kStiffness * d * d / 3 * std::pow(root, 3), over_edge.torque.y(), 0.02});
+      {"C9 torque", "its torque", "N m", kStiffness * d * d / 3 * std::pow(root, 3), over_edge.torque.y(), kRim});
   return checks;
 }
 
@@ -134,7 +135,7 @@ std::vector<Check> layers() {
   return {{"C10", "ball through a layer into a softer one", "N", kStiffness * (cap(d) - cap(d - t) + 0.3 * cap(d - t)),
            force({{material("hard", 1), t}, {material("soft", 0.3), 1.2 * mm}}, kVoxel), kFine},
           {"C10 breakthrough", "ball through a plate", "N", kStiffness * (cap(d) - cap(d - t)),
-           force({{material("hard", 1), t}}, kVoxel), 0.02},
+           force({{material("hard", 1), t}}, kVoxel), kRim},
           {"C12", "stiffness that grows with depth", "N", kStiffness * cap(d) + slope * integral, force(graded, kVoxel),
            kFine}};
 }
@@ -183,8 +184,8 @@ std::vector<Check> closed_path() {
     torque = std::max(torque, result.torque.norm() / (kR * std::max(result.force.norm(), 1e-3)));
     before = work;
   }
-  return {{"C13", "closed path without removal: work", "J", 0, work, 1e-3, turnover},
-          {"C14", "ball: torque about its centre", "N m", 0, torque, 1e-5, 1}};
+  return {{"C13", "closed path without removal: work", "J", 0, work, kInvariant, turnover},
+          {"C14", "ball: torque about its centre", "N m", 0, torque, kSinglePrecision, 1}};
 }
 
 std::vector<Check> handle_and_damping() {
@@ -219,10 +220,10 @@ std::vector<Check> handle_and_damping() {
     const double rho = radius * (i + 0.5) / kPoints, w = depth * std::sin(50 * deg) - rho * std::cos(50 * deg);
     section += w * w * 2 * kPi * rho * radius / kPoints;
   }
-  return {{"C15", "Hunt-Crossley damping of a ball that enters", "N", expected, moving - spring, 0.02},
+  return {{"C15", "Hunt-Crossley damping of a ball that enters", "N", expected, moving - spring, kRim},
           {"C16", "axial force is the pressure on the section, cone", "N", kStiffness / 2 * section,
-           hold(axial, Pose::from_translation(Vec3(0, 0, -depth))).force.z(), 0.02},
-          {"C19", "power at the handle is power at the head", "W", at_head, at_handle, 1e-4}};
+           hold(axial, Pose::from_translation(Vec3(0, 0, -depth))).force.z(), kRim},
+          {"C19", "power at the handle is power at the head", "W", at_head, at_handle, kSinglePrecision}};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "validation/bench.hpp"
 #include "validation/checks.hpp"
+#include "validation/tolerances.hpp"
 
 namespace hapticut::validation {
 namespace {
@@ -25,9 +26,9 @@ std::vector<Check> stick_slip() {
   }
   const double stuck = 0.45 * normal;
   return {{"C17 work", "drag from rest over 10 mm: work", "J",
-           stuck * stuck / (2 * 500) + 0.3 * normal * (length - stuck / 500), work, 1e-4},
-          {"C17 peak", "greatest force before it slips", "N", stuck, peak, 1e-3},
-          {"C17 plateau", "force while it slides", "N", 0.3 * normal, last, 1e-9}};
+           stuck * stuck / (2 * 500) + 0.3 * normal * (length - stuck / 500), work, kFineSteps},
+          {"C17 peak", "greatest force before it slips", "N", stuck, peak, kInvariant},
+          {"C17 plateau", "force while it slides", "N", 0.3 * normal, last, kDoublePrecision}};
 }
 
 std::vector<Check> friction_in_the_step() {
@@ -45,8 +46,8 @@ std::vector<Check> friction_in_the_step() {
   }
   const StepResult& result = simulation.last_result();
   return {{"friction ratio", "standing ball dragged over a half space: tangential over normal force", "1", 0.3,
-           -result.force.x() / result.force.z(), 0.01},
-          {"friction ledger", "energy balance of the drag", "J", 0, result.energy.imbalance(), 1e-3,
+           -result.force.x() / result.force.z(), kPartialVoxels},
+          {"friction ledger", "energy balance of the drag", "J", 0, result.energy.imbalance(), kInvariant,
            result.energy.hand_work}};
 }
 
@@ -70,13 +71,13 @@ std::vector<Check> effects() {
   for (int i = 0; i < 10000; ++i) squares += std::pow(phase.advance(vibration, true, 0, 1e-3), 2) / 10000;
   const Gravity tool{0.1, Vec3(0, 0, -0.05)};
   const Mat3 level = rotation_from_vector(Vec3(0, kPi / 2, 0));
-  return {
-      {"C18 at 1 kHz", "growth limit: time to grow by 5 N at 500 N/s", "s", size / rate, slow, 1e-6},
-      {"C18 at 10 kHz", "the same with a tenth of the step", "s", size / rate, fast, 1e-6},
-      {"C18 direction", "largest part across the way", "N^2", 0, across, 1e-12, size},
-      {"vibration", "root mean square of 0.3 N at 150 Hz, 1 kHz", "N", 0.3 / std::sqrt(2.0), std::sqrt(squares), 1e-3},
-      {"gravity", "torque of 0.1 kg, 50 mm from the hand, level", "N m", 0.1 * 9.80665 * 0.05,
-       gravity_wrench(tool, level).torque.norm(), 1e-9}};
+  return {{"C18 at 1 kHz", "growth limit: time to grow by 5 N at 500 N/s", "s", size / rate, slow, kDoublePrecision},
+          {"C18 at 10 kHz", "the same with a tenth of the step", "s", size / rate, fast, kDoublePrecision},
+          {"C18 direction", "largest part across the way", "N^2", 0, across, kDoublePrecision, size},
+          {"vibration", "root mean square of 0.3 N at 150 Hz, 1 kHz", "N", 0.3 / std::sqrt(2.0), std::sqrt(squares),
+           kInvariant},
+          {"gravity", "torque of 0.1 kg, 50 mm from the hand, level", "N m", 0.1 * 9.80665 * 0.05,
+           gravity_wrench(tool, level).torque.norm(), kDoublePrecision}};
 }
 
 std::vector<Check> droop() {
@@ -95,7 +96,7 @@ std::vector<Check> droop() {
     if (i > 400) mean += result.spindle.speed / 400;
   }
   return {{"droop", "speed of a spindle that loses speed with its torque, flat head fed axially", "rad/s",
-           0.5 * (setting + std::sqrt(setting * setting - 4 * spindle.droop * power)), mean, 0.01}};
+           0.5 * (setting + std::sqrt(setting * setting - 4 * spindle.droop * power)), mean, kPartialVoxels}};
 }
 
 }  // namespace
