@@ -65,7 +65,7 @@ CutScene a_drill() {
     scene.X_VT.rotation = rotation_from_vector(Vec3(*number_between(-0.5, 0.5), *number_between(-0.5, 0.5), 0));
   }
   scene.X_VT.translation =
-      Vec3(*number_between(-0.5, 0.5), *number_between(-0.5, 0.5), -*number_between(0.1, 0.3)) * mm;
+      Vec3(*number_between(-0.5, 0.5), *number_between(-0.5, 0.5), -*number_between(0.35, 0.5)) * mm;
   const Vec3 down(0, 0, -*number_between(1, 10) * units::mm_per_s);
   scene.feed_V = scene.X_VT.rotation * down + *arbitrary_vector(1 * units::mm_per_s);
   return scene;
@@ -128,7 +128,8 @@ TEST_P(LawProperty, ClosesItsLedgerAndLosesNoLessThanNothingInAnyMotion) {
     scene.spin *= *rc::gen::element(-1.0, 0.0, 1.0);
     scene.turn_V = *arbitrary_vector(2);
     const CutOutcome outcome = run(scene);
-    RC_PRE(outcome.turnover > 0);
+    const bool drills = std::dynamic_pointer_cast<const TwistDrillLaw>(scene.law) != nullptr;
+    RC_ASSERT(outcome.turnover > 0 || (drills && scene.spin == 0));  // a drill that stands has no force
     RC_CLASSIFY(outcome.removed_volume > 0, "cuts");
     RC_LOG() << "imbalance " << outcome.energy.imbalance() << " of " << outcome.turnover << ", least loss "
              << outcome.least_loss << ", spin " << scene.spin << ", head " << scene.head.shape().index();
@@ -201,7 +202,7 @@ constexpr double kMidpointRule = 3e-3;
 TEST(ClosedPathOfALaw, CostsNoWorkForTheFoundationOnAnyBody) {
   EXPECT_TRUE(rc::check([] {
     const PathWork path = closed_path(head_upright(), foundation(), *rc::gen::arbitrary<bool>(), true);
-    RC_PRE(path.turnover > 0);
+    RC_ASSERT(path.turnover > 0);
     RC_ASSERT(std::abs(path.net) < kMidpointRule * path.turnover);
   }));
 }
@@ -209,7 +210,7 @@ TEST(ClosedPathOfALaw, CostsNoWorkForTheFoundationOnAnyBody) {
 TEST(ClosedPathOfALaw, CostsNoWorkForTheThesisWithoutItsDamper) {
   EXPECT_TRUE(rc::check([] {
     const PathWork path = closed_path(head_upright(), thesis_without_damper(), *rc::gen::arbitrary<bool>(), true);
-    RC_PRE(path.turnover > 0);
+    RC_ASSERT(path.turnover > 0);
     RC_ASSERT(std::abs(path.net) < kMidpointRule * path.turnover);
   }));
 }
@@ -222,7 +223,7 @@ constexpr double kVolumeOfVoxels = 1e-2;
 TEST(ClosedPathOfALaw, CostsNoWorkForContactMechanicsOnAHalfSpaceAtARightAngle) {
   EXPECT_TRUE(rc::check([] {
     const PathWork path = closed_path(head_upright(), contact_mechanics(), false, false);
-    RC_PRE(path.turnover > 0);
+    RC_ASSERT(path.turnover > 0);
     RC_ASSERT(std::abs(path.net) < kVolumeOfVoxels * path.turnover);
   }));
 }
@@ -230,7 +231,7 @@ TEST(ClosedPathOfALaw, CostsNoWorkForContactMechanicsOnAHalfSpaceAtARightAngle) 
 TEST(ClosedPathOfALaw, CostsNoWorkForTheHertzianBurrOnAHalfSpace) {
   EXPECT_TRUE(rc::check([] {
     const PathWork path = closed_path(ball(), hertzian_burr(), false, true);
-    RC_PRE(path.turnover > 0);
+    RC_ASSERT(path.turnover > 0);
     RC_ASSERT(std::abs(path.net) < kVolumeOfVoxels * path.turnover);
   }));
 }
@@ -242,7 +243,7 @@ TEST(ClosedPathOfALaw, AtAnEdgeContactMechanicsMayGiveEnergyAndTheLedgerNamesIt)
   EXPECT_TRUE(rc::check([] {
     const Law law = *rc::gen::arbitrary<bool>() ? hertzian_burr() : contact_mechanics();
     const PathWork path = closed_path(ball(), law, true, false);
-    RC_PRE(path.turnover > 0);
+    RC_ASSERT(path.turnover > 0);
     RC_ASSERT(std::abs(path.net) < kWithoutPotential * path.turnover);
     RC_ASSERT(std::abs(path.net + path.entered - path.stored) < 1e-4 * path.turnover);
   }));
@@ -252,7 +253,7 @@ TEST(ClosedPathOfALaw, AtAnEdgeContactMechanicsMayGiveEnergyAndTheLedgerNamesIt)
 TEST(ClosedPathOfALaw, CostsWhatTheDampingMatrixLoses) {
   EXPECT_TRUE(rc::check([] {
     const PathWork path = closed_path(head_upright(), damping_matrix(), *rc::gen::arbitrary<bool>(), true);
-    RC_PRE(path.turnover > 0);
+    RC_ASSERT(path.turnover > 0);
     RC_ASSERT(path.net > 0);
     RC_ASSERT(std::abs(path.net / path.lost - 1) < 1e-6);
   }));

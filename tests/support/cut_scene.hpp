@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
+#include <optional>
 
 #include "support/generators.hpp"
 #include "support/static_contact.hpp"
@@ -20,10 +22,13 @@ struct CutScene {
   VoxelIndex shift = {0, 0, 0};  // the same voxels under other indices
   bool mirrored = false;         // at x = 0 of the grid
   ToolHead head = SphereHead{0.8 * units::mm};
+  Handle handle;                        // a ray without length: the hand feels at To
   std::shared_ptr<const ForceLaw> law;  // null: the default one
   RemovalLaw removal = RemovalLaw::constant_energy;
-  double spin = 2000;  // [rad/s]
-  Pose X_VT;           // where the head starts, in the grid's frame
+  double spin = 2000;                                                   // [rad/s]
+  std::optional<double> later_spin;                                     // [rad/s] asked for half-way
+  double acceleration_limit = std::numeric_limits<double>::infinity();  // [rad/s^2]
+  Pose X_VT;                                                            // where the head starts, in the grid's frame
   Vec3 feed_V = Vec3(3, 1, -5) * units::mm_per_s;
   Vec3 turn_V = Vec3::Zero();  // [rad/s] of the head about its origin
   Material soft, hard;
@@ -40,8 +45,9 @@ struct CutOutcome {
   std::vector<Wrench> wrenches_V;  // about To, in the frame of the grid
   double removed_volume = 0;
   EnergyLedger energy;
-  double turnover = 0;    // [J] of both works, to and fro
-  double least_loss = 0;  // [J] the most negative change of a dissipation in a step
+  double turnover = 0;         // [J] of both works, to and fro
+  double least_loss = 0;       // [J] the most negative change of a dissipation in a step
+  double largest_sliding = 0;  // [J] that dry friction took in a step
 };
 
 /// The irreversible terms of a ledger.
@@ -66,8 +72,12 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
   config.reference_stiffness = 1e13;
   config.law = scene.law;
   config.removal = scene.removal;
-  Simulation simulation(std::move(workpiece),
-                        Tool(scene.head, RayHandle{}, {scene.mirrored ? -scene.spin : scene.spin}), config);
+  const double hand = scene.mirrored ? -1 : 1;
+  Spindle spindle{hand * scene.spin};
+  spindle.acceleration_limit = scene.acceleration_limit;
+  const Tool tool(scene.head, scene.handle, spindle);
+  const Pose X_TH = tool.X_HT().inverse();
+  Simulation simulation(std::move(workpiece), tool, config);
   CutOutcome outcome;
   const Mat3 R_WV = scene.frame.X_WV.rotation;
   EnergyLedger before;
@@ -82,15 +92,20 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
       X_VT = {M * X_VT.rotation * S, M * X_VT.translation};
       turn_V.tail<2>() *= -1;
     }
-    const StepResult& result =
-        simulation.step(scene.frame.X_WV * X_VT, {R_WV * mirror(scene.feed_V), R_WV * turn_V}, 1e-3);
+    if (scene.later_spin && i == steps / 2) simulation.set_spindle_speed(hand * *scene.later_spin);
+    const Pose X_WT = scene.frame.X_WV * X_VT, X_WH = X_WT * X_TH;
+    const Vec3 p_HoTo_W = X_WT.translation - X_WH.translation;
+    const Twist of_head{R_WV * mirror(scene.feed_V), R_WV * turn_V};
+    const StepResult& result = simulation.step(X_WH, transport(of_head, -p_HoTo_W), 1e-3);
     RC_ASSERT(!has(result.status, kRejected));
-    outcome.wrenches_V.push_back({R_WV.transpose() * result.force, R_WV.transpose() * result.torque});
+    const Wrench at_head = transport(Wrench{result.force, result.torque}, -p_HoTo_W);
+    outcome.wrenches_V.push_back({R_WV.transpose() * at_head.force, R_WV.transpose() * at_head.torque});
     outcome.removed_volume += result.removed_volume;
     const EnergyLedger& after = result.energy;
     outcome.turnover += std::abs(after.hand_work - before.hand_work) + std::abs(after.motor_work - before.motor_work);
     const auto a = losses(before), b = losses(after);
     for (std::size_t n = 0; n < a.size(); ++n) outcome.least_loss = std::min(outcome.least_loss, b[n] - a[n]);
+    outcome.largest_sliding = std::max(outcome.largest_sliding, after.sliding - before.sliding);
     before = after;
   }
   outcome.energy = before;
@@ -105,7 +120,7 @@ inline double difference(const CutOutcome& a, const CutOutcome& b) {
     worst = std::max(worst, (a.wrenches_V[n].force - b.wrenches_V[n].force).norm());
     worst = std::max(worst, (a.wrenches_V[n].torque - b.wrenches_V[n].torque).norm() / (1 * units::mm));
   }
-  RC_PRE(force > 0);
+  RC_ASSERT(force > 0);  // a scene without a force compares nothing
   return worst / force;
 }
 
@@ -135,6 +150,7 @@ inline CutScene arbitrary_cut_scene(const ToolHead& head) {
 
 /// A scene whose springs are conservative: their depth vanishes wherever material can get in. That is any ball, and a
 /// cone or a flat head of rule `nearest` as long as its upper end stays outside.
+/// It is in the material from the first step on, whichever way it goes.
 /// @param kinds  1: balls; 3: cones and flat heads too
 inline CutScene arbitrary_conservative_scene(int kinds = 3) {
   using units::mm;
@@ -148,7 +164,7 @@ inline CutScene arbitrary_conservative_scene(int kinds = 3) {
     scene.head = FlatHead{*number_between(0.4 * mm, 1.2 * mm), height};
   const Vec3 tilt_axis(*number_between(-0.5, 0.5), *number_between(-0.5, 0.5), 0);
   scene.X_VT = {rotation_from_vector(tilt_axis),
-                Vec3(*number_between(-0.5, 0.5), *number_between(-0.5, 0.5), *number_between(-0.2, 0.3)) * mm};
+                Vec3(*number_between(-0.5, 0.5), *number_between(-0.5, 0.5), -*number_between(0.35, 0.5)) * mm};
   return scene;
 }
 
@@ -159,6 +175,20 @@ inline void make_arbitrary(Material& m) {
   m.specific_cutting_energy = std::pow(10, *number_between(7, 10));
   m.edge_pressure = *rc::gen::element(0.0, 1e4, 1e6);
   m.damping = *number_between(0, 50);
+}
+
+/// Any dry friction that a material may have.
+inline void make_rough(Material& m) {
+  m.static_friction = *number_between(0, 1);
+  m.dynamic_friction = *number_between(0, m.static_friction);
+  m.tangential_stiffness = std::pow(10, *number_between(2, 4));
+}
+
+/// A straight or bent handle of up to a few centimetres.
+inline Handle arbitrary_handle() {
+  using units::mm;
+  if (*rc::gen::arbitrary<bool>()) return RayHandle{*number_between(0, 30 * mm)};
+  return LHandle{*number_between(0, 30 * mm), *number_between(0, 15 * mm), *number_between(-units::kPi, units::kPi)};
 }
 
 }  // namespace hapticut::test

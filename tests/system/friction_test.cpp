@@ -16,6 +16,12 @@ constexpr double kRadius = 1 * mm;
 constexpr double kDepth = 0.3 * mm;
 constexpr double kTick = 1e-3;
 
+constexpr double kNormal = 3e-3;        // [1] what a grid of a third of the depth turns the normal force by
+constexpr double kTwoMaterials = 5e-3;  // [1] the same where a softer half is near
+constexpr double kArm = 1e-2;           // [1] where the line of a force turned so leaves the ball
+constexpr double kClosure = 1e-4;       // [1] of the ledger
+constexpr double kPressedOnce = 1e-3;   // [1] the step that presses is not part of the path
+
 Material rough(const char* name, double ratio) {
   Material material = test::plain_material();
   material.name = name;
@@ -52,11 +58,11 @@ TEST(Friction, OfAStandingBallIsTheDynamicRatioOfItsNormalForceAndActsAtTheConta
   const StepResult& result = press_and_drag(simulation, 1 * mm, 5 * units::mm_per_s);
   const double normal = result.force.z();
   // The grid's normal force is vertical up to its quadrature error.
-  EXPECT_NEAR(result.force.x() / normal, -0.3, 2e-3);
-  EXPECT_NEAR(result.force.y() / normal, 0, 2e-3);
-  EXPECT_NEAR(result.torque.y() / (-kRadius * result.force.x()), 1, 1e-2) << "arm: from the centre to the contact";
+  EXPECT_NEAR(result.force.x() / normal, -0.3, kNormal);
+  EXPECT_NEAR(result.force.y() / normal, 0, kNormal);
+  EXPECT_NEAR(result.torque.y() / (-kRadius * result.force.x()), 1, kArm) << "arm: from the centre to the contact";
   EXPECT_EQ(result.removed_volume, 0);
-  EXPECT_LT(std::abs(result.energy.closure()), 1e-4);
+  EXPECT_LT(std::abs(result.energy.closure()), kClosure);
   EXPECT_GT(result.energy.sliding, 0);
   EXPECT_GT(result.energy.anchored, 0);
 }
@@ -74,7 +80,7 @@ TEST(Friction, SticksAndReturnsItsEnergyWhenThePathDoes) {
     (void)simulation.step(pose, {}, kTick);
   }
   const EnergyLedger& energy = simulation.last_result().energy;
-  EXPECT_LT(std::abs(energy.hand_work - before), 1e-3 * energy.elastic);
+  EXPECT_LT(std::abs(energy.hand_work - before), kPressedOnce * energy.elastic);
   EXPECT_LT(energy.sliding, 1e-6 * energy.elastic);
 }
 
@@ -96,7 +102,7 @@ TEST(Friction, IsThatOfTheMaterialUnderTheContact) {
       (void)simulation.step(pose, {}, kTick);
     }
     const Vec3& force = simulation.last_result().force;
-    EXPECT_NEAR(-force.y() / force.z(), side < 0 ? 0.2 : 0.5, 5e-3);
+    EXPECT_NEAR(-force.y() / force.z(), side < 0 ? 0.2 : 0.5, kTwoMaterials);
   }
 }
 
@@ -105,7 +111,7 @@ TEST(Friction, OfTheConfigurationReplacesThatOfTheMaterials) {
   config.friction = DryFriction{0.7, 0.6, 3000};
   Simulation simulation = ball_on_block(config);
   const StepResult& result = press_and_drag(simulation, 1 * mm, 5 * units::mm_per_s);
-  EXPECT_NEAR(-result.force.x() / result.force.z(), 0.6, 2e-3);
+  EXPECT_NEAR(-result.force.x() / result.force.z(), 0.6, kNormal);
 }
 
 TEST(Friction, HandsOverToTheCuttingRatioAndBackWithoutAStep) {
@@ -137,9 +143,9 @@ TEST(Friction, HandsOverToTheCuttingRatioAndBackWithoutAStep) {
       EXPECT_EQ(result.spindle.speed, 2 * full);
     }
   }
-  EXPECT_NEAR(ratio[0], 0.3, 3e-3);
+  EXPECT_NEAR(ratio[0], 0.3, kNormal);
   EXPECT_EQ(simulation.last_result().spindle.speed, 0);
-  EXPECT_NEAR(ratio[2], 0.3, 3e-3);
+  EXPECT_NEAR(ratio[2], 0.3, kNormal);
   // A step would be the whole friction, 0.3 N, in one tick; a hand-over of a quarter of a second takes 250.
   EXPECT_LT(largest, 0.03 * normal);
   EXPECT_LT(std::abs(simulation.last_result().energy.closure()), 1e-3);

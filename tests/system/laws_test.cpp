@@ -19,6 +19,14 @@ constexpr double kRadius = 1 * mm;
 constexpr double kFeed = 2 * mm;  // [m/s]
 constexpr double kSpin = 2000;    // [rad/s]
 
+constexpr double kQuadrature = 1e-6;       // [1] of the midpoint rule with thousands of points
+constexpr double kMidpointWork = 1e-4;     // [1] of a work over thousands of steps
+constexpr double kEighthOfDepth = 0.03;    // [1] of a force on voxels an eighth of the depth
+constexpr double kFineVoxels = 0.02;       // [1] the same for a fifth of it or less, with a form that is steeper
+constexpr double kSinglePrecision = 1e-6;  // [1] of forces
+constexpr double kVolumeSum = 1e-3;        // [1] of a volume and a depth that are reported in single precision
+constexpr double kThinLayer = 0.03;        // [1] of an engaged layer of a tenth of the radius
+
 Simulation over_half_space(const std::shared_ptr<const ForceLaw>& law, const ToolHead& head, double depth,
                            double voxel = 0.05 * mm) {
   SimulationConfig config = test::static_config();
@@ -56,16 +64,16 @@ TEST(ContactMechanics, FormulasAreThoseOfSneddonsIntegrals) {
   const double E = 3e6, d = 0.05 * mm;
   const ContactMechanicsLaw law(E);
   // A paraboloid of curvature 1/R stands for the sphere, as in Hertz's theory.
-  EXPECT_NEAR(law.force(SphereHead{kRadius}, d) / sneddon([](double r) { return r / kRadius; }, d, E), 1, 1e-6);
+  EXPECT_NEAR(law.force(SphereHead{kRadius}, d) / sneddon([](double r) { return r / kRadius; }, d, E), 1, kQuadrature);
   for (const double angle : {30 * deg, 60 * deg, 80 * deg})
     EXPECT_NEAR(law.force(ConeHead{angle, 3 * mm}, d) / sneddon([=](double) { return 1 / std::tan(angle); }, d, E), 1,
-                1e-6);
+                kQuadrature);
   // Boussinesq: pressure E* d / (pi sqrt(R^2 - r^2)) over the disk.
   double flat = 0;
   constexpr int kPoints = 1000;
   for (int i = 0; i < kPoints; ++i)
     flat += 2 * kPi * kRadius * std::sin((i + 0.5) / kPoints * kPi / 2) * E * d / kPi * kPi / 2 / kPoints;
-  EXPECT_NEAR(law.force(FlatHead{kRadius, 1 * mm}, d) / flat, 1, 1e-6);
+  EXPECT_NEAR(law.force(FlatHead{kRadius, 1 * mm}, d) / flat, 1, kQuadrature);
 }
 
 TEST(ContactMechanics, EnergyIsTheWorkOfTheForce) {
@@ -75,7 +83,7 @@ TEST(ContactMechanics, EnergyIsTheWorkOfTheForce) {
     double work = 0;
     constexpr int kSteps = 2000;
     for (int i = 0; i < kSteps; ++i) work += law.force(head, 0.3 * mm * (i + 0.5) / kSteps) * 0.3 * mm / kSteps;
-    EXPECT_NEAR(law.energy(head, 0.3 * mm) / work, 1, 1e-4);
+    EXPECT_NEAR(law.energy(head, 0.3 * mm) / work, 1, kMidpointWork);
   }
 }
 
@@ -83,7 +91,7 @@ TEST(ContactMechanics, DepthIsThatOfTheHalfSpaceThatFillsTheSameVolume) {
   const SphereHead ball{kRadius};
   for (const double d : {0.01, 0.3, 1.0, 1.7, 1.99}) {
     const double h = d * mm, volume = kPi * h * h * (kRadius - h / 3);
-    EXPECT_NEAR(ContactMechanicsLaw::depth_of(ball, volume) / h, 1, 1e-6);
+    EXPECT_NEAR(ContactMechanicsLaw::depth_of(ball, volume) / h, 1, kQuadrature);
   }
   EXPECT_NEAR(ContactMechanicsLaw::depth_of(ConeHead{45 * deg, 2 * mm}, kPi / 3 * std::pow(0.5 * mm, 3)), 0.5 * mm,
               1e-12);
@@ -99,7 +107,7 @@ TEST(ContactMechanics, OfTheStepIsTable51) {
        {ToolHead(SphereHead{kRadius}), ToolHead(ConeHead{50 * deg, 2 * mm}), ToolHead(FlatHead{kRadius, 2 * mm})}) {
     Simulation simulation = over_half_space(std::make_shared<ContactMechanicsLaw>(law), head, d);
     const StepResult& result = test::hold(simulation, at_depth(head, d));
-    EXPECT_NEAR(result.force.z() / law.force(head, d), 1, 0.03);
+    EXPECT_NEAR(result.force.z() / law.force(head, d), 1, kEighthOfDepth);
     EXPECT_LT(result.force.head<2>().norm(), 0.02 * result.force.z());
   }
 }
@@ -111,7 +119,7 @@ TEST(HertzianBurr, ForceOfTheStepIsThatOfItsDepth) {
   for (const double d : {0.2 * mm, 0.5 * mm}) {
     Simulation simulation = over_half_space(std::make_shared<HertzianBurrLaw>(law), SphereHead{kRadius}, d);
     const StepResult& result = test::hold(simulation, at_depth(SphereHead{kRadius}, d));
-    EXPECT_NEAR(result.force.z() / (2e6 * kRadius * kRadius * std::pow(d / kRadius, 1.5)), 1, 0.02);
+    EXPECT_NEAR(result.force.z() / (2e6 * kRadius * kRadius * std::pow(d / kRadius, 1.5)), 1, kFineVoxels);
     EXPECT_LT(result.torque.norm(), 0.01 * kRadius * result.force.z()) << "normal to a ball: no arm";
   }
 }
@@ -133,7 +141,8 @@ TEST(HertzianBurr, ErodesThePowerOfItsFrictionOverTheCuttingEnergy) {
     expected += kappa * result.force.z() * spin * kRadius * 1e-3 / u;
   }
   const EnergyLedger& e = simulation.last_result().energy;
-  EXPECT_NEAR((removed * u - e.credited) / (e.motor_work + e.hand_work - e.elastic - e.rubbing - e.released), 1, 1e-2);
+  EXPECT_NEAR((removed * u - e.credited) / (e.motor_work + e.hand_work - e.elastic - e.rubbing - e.released), 1,
+              kFineVoxels);
   EXPECT_LT(e.rubbing, 0.1 * e.cutting);
   EXPECT_NEAR(removed / expected, 1, 0.1) << "the contact is 0.4 R wide, so the mean omega r is a little smaller";
 }
@@ -153,8 +162,9 @@ TEST(DampingMatrix, ResistsAlongTheMotionAndTurnsAPartOfItAcrossWithTheSpin) {
     pose.translation.x() += 5e-6;
     const StepResult& result = simulation.step(pose, {}, 1e-3);
     const double area = result.contact.volume / result.contact.depth;
-    EXPECT_NEAR(result.force.x() / (-2e8 * area * 5e-3), 1, 1e-3);
-    EXPECT_NEAR(result.force.y() / result.force.x(), std::copysign(mu, spin), 1e-6) << "-m mu omega_hat x V";
+    EXPECT_NEAR(result.force.x() / (-2e8 * area * 5e-3), 1, kVolumeSum);
+    EXPECT_NEAR(result.force.y() / result.force.x(), std::copysign(mu, spin), kSinglePrecision)
+        << "-m mu omega_hat x V";
     EXPECT_NEAR(result.force.z(), 0, 1e-9);
     EXPECT_EQ(simulation.step(pose, {}, 1e-3).force, Vec3(0, 0, 0)) << "no motion, no force";
   }
@@ -192,14 +202,14 @@ TEST(TwistDrill, C31IsTheSteadyStateOfTheDefaultLaw) {
   const double a = 2 * kPi * kFeed / kSpin, u = 3e8;
   const TwistDrillLaw law({u});
   const auto flat = drill(nullptr, FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 1, 2 * mm);
-  EXPECT_NEAR(flat.force.z() / law.thrust(2 * kRadius, a, kPi), 1, 0.02);
-  EXPECT_NEAR(-flat.torque.z() / law.torque(2 * kRadius, a), 1, 0.02);
+  EXPECT_NEAR(flat.force.z() / law.thrust(2 * kRadius, a, kPi), 1, kThinLayer);
+  EXPECT_NEAR(-flat.torque.z() / law.torque(2 * kRadius, a), 1, kThinLayer);
 }
 
 // C32: the ratio of torque and thrust of a flat head is kappa R/2 without edge pressure.
 TEST(TwistDrill, C32TheRatioOfTorqueToThrustIsKappaRHalf) {
   const auto flat = drill(nullptr, FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 0.7, 2 * mm);
-  EXPECT_NEAR(-flat.torque.z() / flat.force.z() / (0.7 * kRadius / 2), 1, 0.03);
+  EXPECT_NEAR(-flat.torque.z() / flat.force.z() / (0.7 * kRadius / 2), 1, kThinLayer);
 }
 
 }  // namespace

@@ -15,6 +15,17 @@ using units::deg;
 using units::kPi;
 using units::mm;
 
+constexpr double kPrinted = 1e-3;            // [1] the oracle's numbers have four digits
+constexpr double kPartialVoxels = 0.01;      // [1] of partly filled voxels a fifth of the depth
+constexpr double kSinglePrecision = 1e-4;    // [1] of sums of some thousand forces
+constexpr double kMeetingLayers = 0.1;       // [1] of a mean over steps that meet layers of voxels at ever new places
+constexpr double kTwoAndAHalfLayers = 0.25;  // [1] an engaged depth of 2.7 layers, of which 2 or 3 are met
+constexpr double kSame = 1e-3;               // [1] of forces that only single precision may tell apart
+constexpr double kRim = 0.02;                // [1] of whole voxels in a disk of thirty across its radius
+constexpr double kSlope = 0.1;               // [1] of whole voxels along a slope, two to a layer
+constexpr double kRound = 0.05;              // [1] the same along a ball
+constexpr double kThinLayer = 0.05;          // [1] of an engaged layer of a twentieth of the radius
+
 /// A ball of radius 1 mm half a radius deep in a half space on its grid: [N] vertical force.
 double pressed_ball(double voxel, double damping, double speed, bool thesis) {
   SimulationConfig config = test::static_config();
@@ -33,9 +44,9 @@ double pressed_ball(double voxel, double damping, double speed, bool thesis) {
 TEST(ThesisDefects, D1TheForceGrowsFourfoldWhenTheVoxelsHalve) {
   const double k = 1e12 * std::pow(0.1 * mm, 2);  // [N/m^2]
   const double unit = k * mm * mm;                // of F = k l w with lengths in radii
-  EXPECT_NEAR(pressed_ball(0.1 * mm, 0, 0, true) / unit, 8.148, 0.01);
-  EXPECT_NEAR(pressed_ball(0.05 * mm, 0, 0, true) / unit, 32.690, 0.03);
-  EXPECT_NEAR(pressed_ball(0.1 * mm, 0, 0, false) / pressed_ball(0.05 * mm, 0, 0, false), 1, 0.01);
+  EXPECT_NEAR(pressed_ball(0.1 * mm, 0, 0, true) / unit, 8.148, 8 * kPrinted);
+  EXPECT_NEAR(pressed_ball(0.05 * mm, 0, 0, true) / unit, 32.690, 32 * kPrinted);
+  EXPECT_NEAR(pressed_ball(0.1 * mm, 0, 0, false) / pressed_ball(0.05 * mm, 0, 0, false), 1, kPartialVoxels);
 }
 
 TEST(ThesisDefects, D2TheDamperCountsVoxelsAndHoldsTheToolBack) {
@@ -60,12 +71,13 @@ double thrust(double feed_speed, bool thesis, double voxel = 0.05 * mm, double s
 // The engaged depth w* = c/(lambda R l |omega|) does not know the feed: it follows from the threshold alone.
 TEST(ThesisDefects, D5ThrustDoesNotKnowTheFeedAndTheDefaultModelIsProportionalToIt) {
   const double slow = thrust(0.5e-3, true), fast = thrust(2e-3, true);
-  EXPECT_NEAR(fast / slow, 1, 0.1);
+  EXPECT_NEAR(fast / slow, 1, kMeetingLayers);
   const double slow_default = thrust(0.5e-3, false), fast_default = thrust(2e-3, false);
-  EXPECT_NEAR(fast_default / slow_default, 4, 0.4);
+  EXPECT_NEAR(fast_default / slow_default, 4, 4 * kMeetingLayers);
   const double depth = 4e-9 / (0.3 * 0.5 * mm * 0.05 * mm * 2000);
   const double k = 1e13 * std::pow(0.1 * mm, 2);
-  EXPECT_NEAR(slow / (kPi * std::pow(0.5 * mm, 2) * k * depth * depth / (2 * std::pow(0.05 * mm, 2))), 1, 0.25);
+  EXPECT_NEAR(slow / (kPi * std::pow(0.5 * mm, 2) * k * depth * depth / (2 * std::pow(0.05 * mm, 2))), 1,
+              kTwoAndAHalfLayers);
 }
 
 TEST(ThesisDefects, D7TheWorkOfHandAndMotorDoesNotPayForTheRemovedVolume) {
@@ -94,7 +106,7 @@ TEST(ThesisLaw, SpinTorqueIsLambdaTimesTheNormalForcesAndTheRadius) {
         Tool(FlatHead{1 * mm, 2 * mm, FlatRule::bottom_only}, RayHandle{}, Spindle{spin}), config);
     const StepResult& result = test::hold(simulation, Vec3(0, 0, -0.5 * mm));
     // All normal forces of the bottom are along the axis, so their sum is the force.
-    EXPECT_NEAR(result.torque.z() / (-std::copysign(0.2 * 10 * 1 * mm * result.force.z(), spin)), 1, 1e-4);
+    EXPECT_NEAR(result.torque.z() / (-std::copysign(0.2 * 10 * 1 * mm * result.force.z(), spin)), 1, kSinglePrecision);
   }
 }
 
@@ -109,9 +121,9 @@ TEST(ThesisLaw, ForceFollowsTheStiffnessOfEachVoxel) {
     return test::hold(simulation, Vec3(0, 0, 0.6 * mm)).force;
   };
   const Vec3 equal = layered(0.5, 0.5), unequal = layered(0.3, 0.7);
-  EXPECT_NEAR(unequal.z() / equal.z(), 1, 1e-5) << "the halves weigh alike";
+  EXPECT_NEAR(unequal.z() / equal.z(), 1, kSinglePrecision) << "the halves weigh alike";
   EXPECT_LT(unequal.x(), -0.01 * equal.z()) << "the stiffer half pushes the tool away";
-  EXPECT_NEAR(equal.x(), 0, 1e-5 * equal.z());
+  EXPECT_NEAR(equal.x(), 0, kSinglePrecision * equal.z());
 }
 
 // --- figures 7.1-7.3: stepping into a cube, everything engaged is removed in each step (C33) -------------------------
@@ -187,13 +199,13 @@ TEST(ThesisFigures, C33FlatIsConstantAndConeRisesEveryStep) {
   double total_cone = 0, total_ball = 0;
   for (std::size_t i = 0; i < flat.volume.size(); ++i) {
     const double d = D * double(i + 1);
-    EXPECT_NEAR(flat.volume[i] / (kPi * R * R * D), 1, 0.02);
-    EXPECT_NEAR(flat.force[i] / flat.force[0], 1, 1e-3);
-    EXPECT_NEAR(flat.torque[i] / flat.torque[0], 1, 1e-3);
+    EXPECT_NEAR(flat.volume[i] / (kPi * R * R * D), 1, kRim);
+    EXPECT_NEAR(flat.force[i] / flat.force[0], 1, kSame);
+    EXPECT_NEAR(flat.torque[i] / flat.torque[0], 1, kSame);
     total_cone += cone.volume[i], total_ball += ball.volume[i];
     if (i >= 3) {
-      EXPECT_NEAR(total_cone / (kPi / 3 * d * d * d), 1, 0.1);
-      EXPECT_NEAR(total_ball / cap(d), 1, 0.05);
+      EXPECT_NEAR(total_cone / (kPi / 3 * d * d * d), 1, kSlope);
+      EXPECT_NEAR(total_ball / cap(d), 1, kRound);
     }
     if (i == 0) continue;
     EXPECT_GT(cone.volume[i], cone.volume[i - 1]);
@@ -209,10 +221,10 @@ TEST(ThesisFigures, C33ForceOfAStepIsThatOfTheLayerItRemoves) {
   const double k_v = 0.4 * 1e13 * std::pow(0.1 * mm / l, 2);
   const Stepping flat = step_down(FlatHead{R, 0.3 * mm, FlatRule::bottom_only}, l);
   const Stepping cone = step_down(ConeHead{45 * deg, 0.3 * mm}, l);
-  EXPECT_NEAR(flat.force[5] / (k_v * kPi * R * R * D * D / 2), 1, 0.02);
+  EXPECT_NEAR(flat.force[5] / (k_v * kPi * R * R * D * D / 2), 1, kRim);
   const double d = 12.5 * D;  // middle of the thirteenth layer
   // A layer two voxels thick: the sum over whole voxels is off by a few percent.
-  EXPECT_NEAR(cone.force[12] / (k_v / 2 * kPi * d * d * 0.5 * D * D), 1, 0.1);
+  EXPECT_NEAR(cone.force[12] / (k_v / 2 * kPi * d * d * 0.5 * D * D), 1, kSlope);
 }
 
 // In energy mode the force of a step is the steady one of C20 for the flat head, and grows with the radius of the hole
@@ -224,9 +236,9 @@ TEST(ThesisFigures, C33HoldsInEnergyModeToo) {
   const Stepping ball = feed_down(SphereHead{R}, l);
   const double steady = 2 * kPi * R * u * feed / (kappa * spin), couple = u * kPi * R * R * feed / spin;
   for (std::size_t i = 5; i < flat.force.size(); ++i) {
-    EXPECT_NEAR(flat.volume[i] / (kPi * R * R * kStep), 1, 0.02);
-    EXPECT_NEAR(flat.force[i] / steady, 1, 0.05);
-    EXPECT_NEAR(flat.torque[i] / couple, 1, 0.02);
+    EXPECT_NEAR(flat.volume[i] / (kPi * R * R * kStep), 1, kRim);
+    EXPECT_NEAR(flat.force[i] / steady, 1, kThinLayer);
+    EXPECT_NEAR(flat.torque[i] / couple, 1, kRim);
     EXPECT_GT(cone.volume[i], cone.volume[i - 1]);
     EXPECT_GT(cone.force[i], cone.force[i - 1]);
     EXPECT_GT(cone.torque[i], cone.torque[i - 1]);

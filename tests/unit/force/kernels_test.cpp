@@ -23,6 +23,10 @@ constexpr double kVoxel = 0.1 * mm;
 /// multiply-add rounds once where the reference rounds twice, over some twenty operations of 6e-8 each.
 constexpr double kRounding = 5e-6;
 
+/// [1] of the blocks in which a voxel may lie on the surface of the head within rounding: places are rounded to 1e-7
+/// mm, and the surface passes by some fifty points a tenth of a millimetre apart, which makes 5e-5; twenty times that.
+constexpr double kAtTheRim = 1e-3;
+
 /// One block's content, as a workpiece would hand it out.
 struct RandomBlock {
   std::array<MaterialId, kBlockVoxels> material;
@@ -101,6 +105,7 @@ TEST_P(KernelTarget, AgreesWithTheScalarReferenceInSamplingAndSumming) {
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto vector = [&] { return Vec3(unit(random), unit(random), unit(random)); };
   long samples = 0;
+  int blocks = 0, at_the_rim = 0;
   for (const ToolHead& head : all_heads())
     for (int trial = 0; trial < 60; ++trial) {
       const RandomBlock block(random, trial % 2 == 0, trial % 4 == 0, trial % 3 == 0);
@@ -123,8 +128,12 @@ TEST_P(KernelTarget, AgreesWithTheScalarReferenceInSamplingAndSumming) {
       head.visit_springs<float>(
           [&](const auto& springs) { sample_contact(springs, block.view, grid, quadrature, expected); });
       kernels::sample_contact(head, block.view, grid, quadrature, got);
+      ++blocks;
       // A voxel whose depth is 0 within rounding may be a sample in one and not in the other; skip the rare block.
-      if (got.rows != expected.rows || got.inside != expected.inside) continue;
+      if (got.rows != expected.rows || got.inside != expected.inside) {
+        ++at_the_rim;
+        continue;
+      }
       ASSERT_EQ(got.samples, expected.samples);
       ASSERT_EQ(got.uniform, expected.uniform);
       const int lanes = expected.lanes();
@@ -149,6 +158,7 @@ TEST_P(KernelTarget, AgreesWithTheScalarReferenceInSamplingAndSumming) {
       EXPECT_EQ(scalar.depth, vector_sum.depth);
     }
   EXPECT_GT(samples, 10000) << "the heads must meet the blocks, or the test says nothing";
+  EXPECT_LE(at_the_rim, kAtTheRim * blocks);
 }
 
 /// The three stages of the scalar reference on one block, in the terms of the kernel that does them in one pass.
@@ -185,6 +195,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto vector = [&] { return Vec3(unit(random), unit(random), unit(random)); };
   long samples = 0, emptied = 0, stiff = 0;
+  int blocks = 0, at_the_rim = 0;
   for (const ToolHead& head : all_heads())
     for (int trial = 0; trial < 60; ++trial) {
       const RandomBlock block(random, trial % 2 == 0, trial % 4 == 0, trial % 3 == 0);
@@ -219,8 +230,12 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       kernels::ContactSums sums;
       kernels::StiffnessSums stiffness;
       kernels::press_blocks(job, std::span(&task, 1), sums, &stiffness);
+      ++blocks;
       // A voxel whose depth is 0 within rounding may be a sample in one and not in the other; skip the rare block.
-      if (sums.voxels != expected.resultant.voxels) continue;
+      if (sums.voxels != expected.resultant.voxels) {
+        ++at_the_rim;
+        continue;
+      }
       samples += sums.voxels;
 
       const double volume = kVoxel * kVoxel * kVoxel;
@@ -271,6 +286,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       EXPECT_LE(differently_finished, 1);
     }
   EXPECT_GT(samples, 10000) << "the heads must meet the blocks, or the test says nothing";
+  EXPECT_LE(at_the_rim, kAtTheRim * blocks);
   EXPECT_GT(stiff, 100);
   EXPECT_GT(emptied, 20) << "some voxels must be cut out, or the test says nothing";
 }
