@@ -41,7 +41,8 @@ std::optional<ReplayDifference> compare(const RecordedStep& recorded, const Reco
 Simulation simulation_of(const Recording& recording, std::shared_ptr<const ForceLaw> law) {
   if (!recording.default_law() && !law)
     throw Error("the recording '" + recording.path().string() +
-                "' was made with a force law of its own, which no file can hold; pass the same law to the replay.");
+                "' was made with a force law of its own, which no file can hold; pass the same law to the replay "
+                "(ReplayOptions::law; hapticut replay --law).");
   SimulationConfig config = recording.config();
   config.law = std::move(law);
   return Simulation(recording.workpiece(), recording.tool(), std::move(config));

@@ -85,6 +85,12 @@ TEST_F(Calibrate, FitsThePublishedDrillingTestAndSaysWhatItDoesNotIdentify) {
   EXPECT_NE(outcome.out.find("do not identify it"), std::string::npos);
 }
 
+TEST_F(Calibrate, AsksForItsFile) {
+  const Outcome outcome = run("calibrate");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.errors.find("Use: hapticut calibrate TESTS.csv."), std::string::npos) << outcome.errors;
+}
+
 TEST_F(Calibrate, RefusesAFileThatIsWrongWithItsLine) {
   write(path("t.csv"), "radius,feed\n1,2\n");
   EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("t.csv:1: the first line must name"), std::string::npos);
