@@ -18,6 +18,9 @@ using units::mm;
 using units::N_mm;
 using units::rpm;
 
+constexpr double kSearched = 1e-6;  // [1] kappa is searched to 1e-12 of its logarithm, where squares are flat to 1e-8
+constexpr double kNoNoise = 1e-4;   // [1] what a search among all kappa leaves of tests that fit exactly
+
 DrillingTest made_by(const Calibration& constants, double radius, double speed, double feed) {
   const AxialCutForce force = axial_cut_force(constants, radius, speed, feed);
   return {radius, speed, feed, force.thrust, force.torque};
@@ -33,14 +36,14 @@ RC_GTEST_PROP(Calibration, ReturnsTheConstantsThatMadeTheTests, ()) {
     tests.push_back(
         made_by(made, *number_between(0.5, 2) * mm, *number_between(50, 5000), *number_between(0.2, 5) * mm * (n + 1)));
   const Calibration found = calibrate(tests);
-  RC_PRE(found.edge_identified);
-  RC_ASSERT(found.thrust_residual < 1e-4);
-  RC_ASSERT(found.torque_residual < 1e-4);
+  RC_PRE(found.edge_identified);  // six random feeds per turn hardly ever agree within a twentieth
+  RC_ASSERT(found.thrust_residual < kNoNoise);
+  RC_ASSERT(found.torque_residual < kNoNoise);
   // Where edge or chip are a small part of every test, the other is what the tests fix.
   for (const DrillingTest& t : tests) {
     const AxialCutForce again = axial_cut_force(found, t.radius, t.spindle_speed, t.feed_speed);
-    RC_ASSERT(std::abs(again.thrust / t.thrust - 1) < 1e-3);
-    RC_ASSERT(std::abs(again.torque / t.torque - 1) < 1e-3);
+    RC_ASSERT(std::abs(again.thrust / t.thrust - 1) < 10 * kNoNoise);
+    RC_ASSERT(std::abs(again.torque / t.torque - 1) < 10 * kNoNoise);
   }
 }
 
@@ -52,10 +55,10 @@ TEST(Calibration, OfOneTestIsItsClosedFormAndSaysThatTheEdgeIsNotIdentified) {
   const Calibration c = calibrate({&bovine, 1});
   EXPECT_FALSE(c.edge_identified);
   EXPECT_EQ(c.edge_pressure, 0);
-  EXPECT_NEAR(c.cutting_ratio / (2 * torque / (R * thrust)), 1, 1e-6);
-  EXPECT_NEAR(c.cutting_ratio, 3.28, 0.01) << "flutes rub: 2.5 to 5, not 1/sin(59 deg)";
-  EXPECT_NEAR(c.specific_cutting_energy / (torque * speed / (units::kPi * R * R * feed)), 1, 1e-6);
-  EXPECT_LT(c.thrust_residual + c.torque_residual, 1e-6);
+  EXPECT_NEAR(c.cutting_ratio / (2 * torque / (R * thrust)), 1, kSearched);
+  EXPECT_NEAR(c.cutting_ratio, 3.28, 0.5 * 0.01) << "flutes rub: 2.5 to 5, not 1/sin(59 deg)";
+  EXPECT_NEAR(c.specific_cutting_energy / (torque * speed / (units::kPi * R * R * feed)), 1, kSearched);
+  EXPECT_LT(c.thrust_residual + c.torque_residual, kSearched);
 }
 
 // B8, B15, DC8: thrust and torque rise with feed and diameter; force falls with speed.

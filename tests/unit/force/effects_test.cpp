@@ -72,6 +72,9 @@ Shake shake(const Vibration& vibration, double rate) {
   return s;
 }
 
+constexpr double kPartOfAPeriod = 0.01;  // [1] of a mean over a second that does not hold whole periods
+constexpr double kSampledPeak = 1e-3;    // [N] that sixty samples of a period may miss its top by
+
 TEST(Vibration, ShakesAtItsFrequencyWithItsAmplitudeAtEveryAllowedRate) {
   for (const double rate : {1000.0, 2000.0, 4000.0})
     for (const double frequency : {31.0, 147.0, 443.0}) {
@@ -79,7 +82,7 @@ TEST(Vibration, ShakesAtItsFrequencyWithItsAmplitudeAtEveryAllowedRate) {
       vibration.frequency = frequency;
       ASSERT_EQ(refusal(vibration, rate), "");
       const Shake s = shake(vibration, rate);
-      EXPECT_NEAR(s.rms, 0.3 / std::sqrt(2.0), 0.01 * 0.3);
+      EXPECT_NEAR(s.rms, 0.3 / std::sqrt(2.0), kPartOfAPeriod * 0.3);
       EXPECT_LE(s.peak, 0.3);
       EXPECT_NEAR(s.crossings, 2 * frequency, 2);
     }
@@ -112,8 +115,8 @@ TEST(Vibration, GrowsWithTheCuttingPowerUpToItsLargest) {
     return largest;
   };
   EXPECT_EQ(peak(0), 0);
-  EXPECT_NEAR(peak(2), 0.2, 1e-3);
-  EXPECT_NEAR(peak(100), vibration.largest_amplitude, 1e-3);
+  EXPECT_NEAR(peak(2), 0.2, kSampledPeak);
+  EXPECT_NEAR(peak(100), vibration.largest_amplitude, kSampledPeak);
 }
 
 // --- the thesis's filter (Table 6.1) ---------------------------------------------------------------------------------
