@@ -133,9 +133,9 @@ TEST_P(LawProperty, ClosesItsLedgerAndLosesNoLessThanNothingInAnyMotion) {
     RC_CLASSIFY(outcome.removed_volume > 0, "cuts");
     RC_LOG() << "imbalance " << outcome.energy.imbalance() << " of " << outcome.turnover << ", least loss "
              << outcome.least_loss << ", spin " << scene.spin << ", head " << scene.head.shape().index();
-    RC_ASSERT(std::abs(outcome.energy.imbalance()) < 5e-3 * outcome.turnover + GetParam().light_touch);
+    RC_ASSERT(std::abs(outcome.energy.imbalance()) <= 5e-3 * outcome.turnover + GetParam().light_touch);
     // The damper of the thesis follows the hand and not the slip: at a turning head it may give energy (D10).
-    if (GetParam().always_loses) RC_ASSERT(outcome.least_loss > -1e-6 * outcome.turnover);
+    if (GetParam().always_loses) RC_ASSERT(outcome.least_loss >= -1e-6 * outcome.turnover);
   }));
 }
 

@@ -83,7 +83,9 @@ TEST_F(Flags, ThatDoNotBelongTogetherAreRefused) {
   expect(
       "drill " + kBlock + kBall + kLine + "--height_mm 3", kFailed,
       "tool.height_mm = 3; must be left out, because a sphere has none. Leave it out, or choose --head cone or flat.");
-  expect("drill " + kBlock + kBall + kLine + "--handle_neck_mm 3", kFailed, "tool.handle_neck_mm is set");
+  expect(
+      "drill " + kBlock + kBall + kLine + "--handle_neck_mm 3", kFailed,
+      "tool.handle_neck_mm = 3; must be left out, because a ray handle has none. Leave it out, or choose --handle L.");
   expect(
       "drill " + kBlock + kBall + kLine + "--turns 2", kFailed,
       "path.turns = 2; must be left out, because a path of kind line has none. Leave it out, or choose --path circle.");

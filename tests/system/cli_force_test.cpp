@@ -154,7 +154,7 @@ TEST_F(ForceSettings, ThesisModeIsAllOfItsPartsTogether) {
   // What is set on its own counts, and from 1112 Hz on it shakes.
   const auto exact = steps("--thesis_mode --handle_torque full_wrench", bent);
   EXPECT_EQ(exact.at("force_z_N"), mode.at("force_z_N"));
-  EXPECT_NE(exact.at("torque_y_Nmm"), mode.at("torque_y_Nmm"));
+  EXPECT_NE(exact.at("torque_z_Nmm"), mode.at("torque_z_Nmm"));
   const auto shaken = steps("--thesis_mode --rate 2000", bent), still = steps("--thesis_mode --rate 1100", bent);
   EXPECT_EQ(steps("--thesis_mode --rate 2000 --vibration_Hz 500 --vibration_N 0.3", bent), shaken);
   EXPECT_NE(steps("--thesis_mode --rate 2000 --vibration_N 0", bent), shaken);

@@ -94,9 +94,12 @@ TEST_F(HeadSettings, ThatAreMissingOrDoNotBelongAreNamed) {
   expect_failure("--head christmas_tree --diameter_mm 1 --length_mm 2", {"tool.tiers is missing"});
   expect_failure("--head round --diameter_mm 1 --radius_mm 1",
                  {"tool.radius_mm = 1; must be left out, because a round head has none", "--head sphere or flat"});
-  expect_failure("--head round --diameter_mm 1 --tiers 2", {"tool.tiers is set"});
-  expect_failure("--head round --diameter_mm 1 --flat_rule both", {"tool.flat_rule is set"});
-  expect_failure("--head round --diameter_mm 1 --profile x.csv", {"tool.profile is set"});
+  expect_failure("--head round --diameter_mm 1 --tiers 2",
+                 {"tool.tiers = 2; must be left out", "--head christmas_tree"});
+  expect_failure("--head round --diameter_mm 1 --flat_rule both",
+                 {"tool.flat_rule is set; must be left out", "--head flat"});
+  expect_failure("--head round --diameter_mm 1 --profile x.csv",
+                 {"tool.profile = \"x.csv\"; must be left out", "--head profile"});
   expect_failure("--head profile", {"tool.profile is missing"});
   expect_failure("--head tapered --tip_diameter_mm 2 --diameter_mm 1 --length_mm 3", {"tip_diameter = 2 mm", "less"});
 }
