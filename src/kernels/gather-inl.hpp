@@ -129,8 +129,7 @@ class Gather {
   /// Whether a block reaches into the zone about the spindle's axis where voxels cut by their mean slip.
   [[nodiscard]] HWY_INLINE bool near_axis(const BlockView& block) const {
     const Eigen::Vector3f middle = first_voxel(block) + steps_ * Eigen::Vector3f::Constant(3.5F);
-    return middle.head<2>().squaredNorm() <
-           kNearAxis * kNearAxis * job_.motion.voxel_size * job_.motion.voxel_size;
+    return middle.head<2>().squaredNorm() < kNearAxis * kNearAxis * job_.motion.voxel_size * job_.motion.voxel_size;
   }
 
  private:

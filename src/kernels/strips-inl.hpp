@@ -163,8 +163,8 @@ struct SpreadTable {
   }
 };
 
-/// Values that follow each other, to the lanes of a strip whose bits are set; the other lanes stay as they are. Only for
-/// vectors of at least a row: shorter ones do not gather.
+/// Values that follow each other, to the lanes of a strip whose bits are set; the other lanes stay as they are. Only
+/// for vectors of at least a row: shorter ones do not gather.
 HWY_INLINE void spread(const float* values, unsigned lanes, float* to) {
   static constexpr SpreadTable kTable;
   const hn::CappedTag<float, kBlockEdge> row;

@@ -92,20 +92,19 @@ Profile ToolHead::profile() const {
 
 std::string ToolHead::description() const {
   const auto in_mm = [](double length) { return format_number(length / units::mm) + " mm"; };
-  return std::visit(
-      Overloaded{[&](const SphereHead& h) { return "a sphere of radius " + in_mm(h.radius); },
-                 [&](const ConeHead& h) {
-                   return "a cone of half angle " + format_number(h.half_angle / units::deg) + " deg and height " +
-                          in_mm(h.height);
-                 },
-                 [&](const FlatHead& h) {
-                   return "a flat head of radius " + in_mm(h.radius) + " and height " + in_mm(h.height);
-                 },
-                 [&](const ProfileHead& h) {
-                   return "a profile of radius " + in_mm(h.table().radius) + " and height " +
-                          in_mm(double(h.table().top) - double(h.table().bottom));
-                 }},
-      shape_);
+  return std::visit(Overloaded{[&](const SphereHead& h) { return "a sphere of radius " + in_mm(h.radius); },
+                               [&](const ConeHead& h) {
+                                 return "a cone of half angle " + format_number(h.half_angle / units::deg) +
+                                        " deg and height " + in_mm(h.height);
+                               },
+                               [&](const FlatHead& h) {
+                                 return "a flat head of radius " + in_mm(h.radius) + " and height " + in_mm(h.height);
+                               },
+                               [&](const ProfileHead& h) {
+                                 return "a profile of radius " + in_mm(h.table().radius) + " and height " +
+                                        in_mm(double(h.table().top) - double(h.table().bottom));
+                               }},
+                    shape_);
 }
 
 double ToolHead::largest_radius() const { return bounding_box().max.x(); }

@@ -96,8 +96,8 @@ class ForceLaw {
     return {};
   }
 
-  /// Whether a ball pushed beyond its radius is held by DeepContact: only where the law's own force of a ball falls with
-  /// depth beyond the radius, as that of springs that push from the centre, and the law claims to be right there.
+  /// Whether a ball pushed beyond its radius is held by DeepContact: only where the law's own force of a ball falls
+  /// with depth beyond the radius, as that of springs that push from the centre, and the law claims to be right there.
   [[nodiscard]] virtual bool holds_deep_contact() const noexcept { return false; }
 
   /// Writes `force_x/y/z` and `fill_after` of all `lanes()` entries. An entry of no fill must get no force and stay

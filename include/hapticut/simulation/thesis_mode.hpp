@@ -30,9 +30,9 @@ struct ThesisMode {
 ///
 /// Stiffness per voxel, 0 ... 1, is `Material::relative_stiffness`. Forces are taken at the voxels' centres, whatever
 /// is left of them, and a ball is let through (D15). What is no longer legible in the thesis is a reading; each header
-/// says which. Two things are not as printed, because they cannot be computed so: friction hands over to the spin torque
-/// while the spindle turns (friction.hpp), and the vibration is left out below 500 Hz / 0.45 = 1111 Hz. At the 1 kHz of
-/// the thesis it is zero at every sample (D9), so there it makes no difference.
+/// says which. Two things are not as printed, because they cannot be computed so: friction hands over to the spin
+/// torque while the spindle turns (friction.hpp), and the vibration is left out below 500 Hz / 0.45 = 1111 Hz. At the 1
+/// kHz of the thesis it is zero at every sample (D9), so there it makes no difference.
 /// @throws Error naming the field, its value and the allowed range
 [[nodiscard]] SimulationConfig thesis_mode(const ThesisMode& mode = {});
 

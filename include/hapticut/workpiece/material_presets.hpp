@@ -52,9 +52,9 @@ namespace presets {
 /// textbook value, assumption.
 [[nodiscard]] Material enamel();
 
-/// Human enamel under a diamond bur, as `enamel` but u = 1.14e11 J/m^3: the measurement of Fais et al. above (DC4), with
-/// kappa = 0.5 and a bur of 1.2 mm at 300 000 rpm. One measurement cannot tell edge from chip, so edge_pressure = 0 and
-/// u holds for loads about 0.6 N. The engaged layer is eight times as thick as with `enamel`: raise
+/// Human enamel under a diamond bur, as `enamel` but u = 1.14e11 J/m^3: the measurement of Fais et al. above (DC4),
+/// with kappa = 0.5 and a bur of 1.2 mm at 300 000 rpm. One measurement cannot tell edge from chip, so edge_pressure =
+/// 0 and u holds for loads about 0.6 N. The engaged layer is eight times as thick as with `enamel`: raise
 /// SimulationConfig::reference_stiffness, by 65 for the same layer (`stiffness_for_accuracy`).
 [[nodiscard]] Material enamel_with_diamond();
 
@@ -95,8 +95,8 @@ namespace presets {
 
 }  // namespace presets
 
-/// The names that `find_preset` knows: "enamel", "enamel_with_diamond", "dentin", "pulp", "caries", "amalgam", "cortical_bone",
-/// "trabecular_bone", "clay".
+/// The names that `find_preset` knows: "enamel", "enamel_with_diamond", "dentin", "pulp", "caries", "amalgam",
+/// "cortical_bone", "trabecular_bone", "clay".
 [[nodiscard]] std::span<const std::string_view> preset_names();
 
 /// A preset by its name, as it is written on a command line or in a settings file.
