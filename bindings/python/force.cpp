@@ -123,7 +123,8 @@ void bind_friction(py::module_& m) {
            py::arg("radius"), doc("DeepContact::move"))
       .def_readonly_static("kDeep", &DeepContact::kDeep, doc("DeepContact::kDeep"))
       .def_readonly_static("kFree", &DeepContact::kFree, doc("DeepContact::kFree"))
-      .def_readonly_static("kNear", &DeepContact::kNear, doc("DeepContact::kNear"))
+      .def("wants_normal_force", &DeepContact::wants_normal_force, py::arg("filled"),
+           doc("DeepContact::wants_normal_force"))
       .def_property_readonly("held", &DeepContact::held, doc("DeepContact::held"))
       .def_property_readonly("stiffness", &DeepContact::stiffness, doc("DeepContact::stiffness"))
       .def_property_readonly(

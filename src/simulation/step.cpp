@@ -232,12 +232,9 @@ DeepContact::Outcome Simulation::State::hold(const SubStep& sub_step, const Enco
   if (ball == nullptr || !config.deep_contact || !law_holds) return {};
   const double filled = encounter.resultant.volume * voxel_volume / tool.head().volume();
   const Mat3& R_WT = sub_step.X_WT.rotation;
-  // The force of a spinning ball also has a part along its surface; the normal one is computed where it may be needed.
-  Vec3 normal_T = Vec3::Zero();
-  if (motor.speed() == 0)
-    normal_T = encounter.resultant.wrench_T.force;
-  else if (!deep.held() && filled >= DeepContact::kNear)
-    normal_T = normal_wrench(sub_step).force;
+  // The force of a spinning ball also has a part along its surface; the normal one alone costs a second look.
+  const bool look = motor.speed() != 0 && deep.wants_normal_force(filled);
+  const Vec3 normal_T = look ? normal_wrench(sub_step).force : encounter.resultant.wrench_T.force;
   const Vec3 way = sub_step.duration * (R_WT * sub_step.path_T.linear);
   const double lead = double(sub_step.head.motion.lead);
   const Vec3 from = sub_step.X_WT.translation - (0.5 + lead) * way;

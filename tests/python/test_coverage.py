@@ -220,6 +220,7 @@ def test_friction_and_deep_contact_by_themselves():
     assert h.standing_share(0.0, 1e-3) == 1 and h.standing_share(1e3, 1e-3) == 0 and h.kFullSpinSpeed == 0.01
     deep = h.DeepContact()
     deep.move([0, 0, 1e-3], [0, 0, 0], 0.3, [0, 0, 2.0], 1e-3)
+    assert deep.wants_normal_force(0.9) and not deep.wants_normal_force(0.3)
     out = deep.move([0, 0, 0], [0, 0, -1e-3], 0.9, [0, 0, 1.0], 1e-3)
     assert deep.stiffness > 0 and np.allclose(abs(deep.normal), [0, 0, 1])
     assert deep.held and out.force[2] > 0 and out.stored == deep.stored > 0 and out.stored_before == out.released == 0
@@ -341,7 +342,7 @@ def test_constants_are_those_of_cpp():
     histogram = h.LatencyHistogram
     assert (histogram.kBuckets, histogram.kBucketWidth) == (2000, 1e-6)
     deep, law = h.DeepContact, h.FoundationLaw
-    assert (deep.kDeep, deep.kFree, deep.kNear) == (0.52, 0.25, 0.125) and h.RealtimeLoop.kCommands == 256
+    assert (deep.kDeep, deep.kFree) == (0.52, 0.25) and h.RealtimeLoop.kCommands == 256
     assert law.kSlipRegularization == pytest.approx(1e-3) and law.kLargestExponent == pytest.approx(1e30)
     assert law.kLeastEnergyShare == pytest.approx(1e-6) and law.kAxisZone == 0.25
     assert law.kAxisSlip == pytest.approx(1 / (4 * math.asinh(1)), rel=1e-3)

@@ -2235,7 +2235,6 @@ class DeepContact:
             ...
     kDeep: typing.ClassVar[float] = 0.52
     kFree: typing.ClassVar[float] = 0.25
-    kNear: typing.ClassVar[float] = 0.125
 
     def __init__(self) -> None:
         ...
@@ -2244,6 +2243,9 @@ class DeepContact:
         ...
 
     def release(self) -> None:
+        ...
+
+    def wants_normal_force(self, filled: typing.SupportsFloat | typing.SupportsIndex) -> bool:
         ...
 
     @property

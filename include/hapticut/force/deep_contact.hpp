@@ -11,22 +11,19 @@ namespace hapticut {
 ///
 /// The springs of a ball push away from its centre, so those beyond the centre help it in: the force of a half space
 /// peaks at depth R, falls, and vanishes when the ball is buried. Once more than half of the ball is filled, the
-/// direction n that it last pushed in is frozen, and the ball is tied to that place by a spring along n:
+/// direction n that it pushes in is frozen, and the ball is tied to that place by a spring along n:
 ///
 ///     F = -K s n,   s = (To - p) . n > 0        p: where To was then
 ///
-/// with K = 1.05 * 16/9 |F_last|/R, a little more than the steepest fall of the springs' force (C2), so that the sum
-/// never falls as the ball goes deeper. The spring has an energy, K s^2/2, and does no work on a closed path. It lets
-/// go where the ball comes back to p, and yields where material leaves the ball (it is cut, or a wall breaks): K then
-/// falls with the filled share of the ball, to nothing at a quarter. A ball that never touched a surface before it was
-/// buried has no direction to be pushed in, and feels the springs alone.
+/// with K = 1.05 * 16/9 |F|/R, F the normal force then, a little more than the steepest fall of the springs' force
+/// (C2), so that the sum never falls as the ball goes deeper. The spring has an energy, K s^2/2, and does no work on a
+/// closed path. It lets go where the ball comes back to p, and yields where material leaves the ball (it is cut, or a
+/// wall breaks): K then falls with the filled share of the ball, to nothing at a quarter. A ball that never touched a
+/// surface before it was buried has no direction to be pushed in, and feels the springs alone.
 class DeepContact {
  public:
   static constexpr double kDeep = 0.52;  ///< [1] filled share of the ball from which on it is held; 1/2 at depth R
   static constexpr double kFree = 0.25;  ///< [1] at which nothing is left of the spring
-  /// [1] filled share from which on the direction of the last push is wanted: a ball of one voxel's radius gains 3/8 of
-  /// its volume in half a voxel, the longest way between two looks, so none comes past this unseen on its way to kDeep.
-  static constexpr double kNear = 0.125;
 
   struct Outcome {
     Vec3 force = Vec3::Zero();  ///< [N] on the ball at its centre
@@ -38,22 +35,19 @@ class DeepContact {
   /// The ball has moved on a straight way.
   /// @param from, to      [m] its centre, in W
   /// @param filled        [1] share of the ball that is filled, in the middle of the way
-  /// @param normal_force  [N] of the springs on the ball, there, in W, without what rubs or cuts along its surface;
-  ///                      not looked at while the ball is held
+  /// @param normal_force  [N] of the springs on the ball, there, in W. Where `wants_normal_force` says no, only whether
+  ///                      there is any counts
   /// @param radius        [m]
   /// @realtime no allocation, no lock; O(1)
   Outcome move(const Vec3& from, const Vec3& to, double filled, const Vec3& normal_force, double radius) noexcept {
     if (!held_) {
       const double force = normal_force.norm();
-      if (filled < kDeep) {
-        touched_ = force > 0;
-        if (touched_) normal_ = -normal_force / force, last_force_ = force;
-        return {};
-      }
-      if (!touched_) return {};
+      if (filled < kDeep) touched_ = force > 0;
+      if (!wants_normal_force(filled) || !(force > 0)) return {};
       held_ = true;
+      normal_ = -normal_force / force;
       place_ = from;
-      full_stiffness_ = stiffness_ = 1.05 * 16 / 9 * last_force_ / radius;
+      full_stiffness_ = stiffness_ = 1.05 * 16 / 9 * force / radius;
       stored_ = 0;
     }
     Outcome outcome;
@@ -70,6 +64,10 @@ class DeepContact {
     return outcome;
   }
 
+  /// Whether the next `move` begins to hold the ball, and needs the normal force without what rubs or cuts along the
+  /// ball's surface.
+  [[nodiscard]] bool wants_normal_force(double filled) const { return !held_ && touched_ && filled >= kDeep; }
+
   [[nodiscard]] bool held() const { return held_; }                          ///< the spring acts
   [[nodiscard]] double stiffness() const { return held_ ? stiffness_ : 0; }  ///< [N/m] of the spring
   [[nodiscard]] const Vec3& normal() const { return normal_; }  ///< [1] that it is along, into the material, in W
@@ -81,7 +79,6 @@ class DeepContact {
   bool touched_ = false, held_ = false;
   Vec3 normal_ = Vec3::Zero();                 // [1] from the ball into the material
   Vec3 place_ = Vec3::Zero();                  // [m]
-  double last_force_ = 0;                      // [N]
   double full_stiffness_ = 0, stiffness_ = 0;  // [N/m]
   double stored_ = 0;                          // [J]
 };
