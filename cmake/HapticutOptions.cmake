@@ -24,7 +24,7 @@ target_compile_options(hapticut_build_flags INTERFACE -Wall -Wextra -Wpedantic -
 
 # What each component needs: a list of `package to find|target or variable that proves it|Debian package`.
 set(HAPTICUT_NEEDS_SIMD "hwy|hwy_FOUND|libhwy-dev")
-set(HAPTICUT_NEEDS_IO "ITK|ITK_FOUND|libinsighttoolkit5-dev" "assimp|assimp_FOUND|libassimp-dev" "HDF5|HDF5_FOUND|libhdf5-dev" "PNG|PNG_FOUND|libpng-dev"
+set(HAPTICUT_NEEDS_IO "ITK|ITK_FOUND|libinsighttoolkit5-dev" "assimp|assimp_FOUND|libassimp-dev" "HDF5|HDF5_FOUND|libhdf5-dev" "PNG|PNG_FOUND|libpng-dev" "TIFF|TIFF_FOUND|libtiff-dev"
     "LibArchive|LibArchive_FOUND|libarchive-dev" "EXPAT|EXPAT_FOUND|libexpat1-dev" "ZLIB|ZLIB_FOUND|zlib1g-dev")
 set(HAPTICUT_NEEDS_CLI "CLI11|CLI11_FOUND|libcli11-dev" "tomlplusplus|tomlplusplus_FOUND|libtomlplusplus-dev"
     "nlohmann_json|nlohmann_json_FOUND|nlohmann-json3-dev")
@@ -33,7 +33,7 @@ set(HAPTICUT_NEEDS_BENCHMARKS "benchmark|benchmark_FOUND|libbenchmark-dev")
 set(HAPTICUT_NEEDS_EXAMPLES "")
 set(HAPTICUT_NEEDS_PYTHON "Python|Python_FOUND|python3-dev" "pybind11|pybind11_FOUND|pybind11-dev")
 
-set(HAPTICUT_ITK_MODULES ITKCommon ITKIOImageBase ITKIONRRD ITKIONIFTI ITKIOGDCM ITKIOPNG ITKIOTIFF
+set(HAPTICUT_ITK_MODULES ITKCommon ITKIOImageBase ITKIONRRD ITKIONIFTI ITKIOGDCM
     ITKImageFunction ITKImageGrid ITKConnectedComponents ITKDistanceMap)
 
 # hapticut_component(NAME "what it is"): AUTO (default) switches it on when all it needs is found, ON insists, OFF skips.

@@ -15,7 +15,7 @@
 set -eu
 
 core='g++ cmake ninja-build git ca-certificates libopenvdb-dev libtbb-dev libimath-dev libboost-dev libeigen3-dev libhwy-dev'
-build="$core libinsighttoolkit5-dev libassimp-dev libhdf5-dev libpng-dev libarchive-dev libexpat1-dev zlib1g-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev"
+build="$core libinsighttoolkit5-dev libassimp-dev libhdf5-dev libpng-dev libtiff-dev libarchive-dev libexpat1-dev zlib1g-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev"
 bench="$build ccache libbenchmark-dev"
 test="$bench valgrind libgtest-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev
   libopenvdb-tools python3-openvdb python3-venv python3-dev pybind11-dev"

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gdcmSerieHelper.h>
 #include <gdcmTrace.h>
 #include <itkGDCMImageIO.h>
-#include <itkGDCMSeriesFileNames.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "io/dicom_check.hpp"
 #include "io/file_errors.hpp"
 #include "io/formats.hpp"
 #include "io/itk_image.hpp"
@@ -35,22 +37,50 @@ class QuietGdcm {
   bool warned_, failed_;
 };
 
+/// The files of a folder by series. GDCM's own search would read whatever else lies there.
+class SeriesFinder : public gdcm::SerieHelper {
+ public:
+  explicit SeriesFinder(const fs::path& folder) {
+    SetUseSeriesDetails(true);  // images of another size, spacing or direction are another series
+    CreateDefaultUniqueSeriesIdentifier();
+    std::vector<fs::path> files;
+    std::error_code code;
+    for (const auto& entry : fs::directory_iterator(folder, code))
+      if (entry.is_regular_file(code) && looks_like_dicom(entry.path())) files.push_back(entry.path());
+    if (code) cannot_read(folder, code.message() + ".");
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+      require_sound_dicom(file);
+      AddFileName(file.string());
+    }
+    for (gdcm::FileList* list = GetFirstSingleSerieUIDFileSet(); list != nullptr;
+         list = GetNextSingleSerieUIDFileSet()) {
+      if (list->empty()) continue;
+      std::vector<std::string>& names = series_[CreateUniqueSeriesIdentifier(list->front())];
+      for (const auto& file : *list) names.push_back(file->filename);
+    }
+  }
+
+  [[nodiscard]] const std::map<std::string, std::vector<std::string>>& series() const { return series_; }
+
+ private:
+  std::map<std::string, std::vector<std::string>> series_;
+};
+
 std::vector<std::string> files_of_series(const fs::path& folder, const std::string& wanted) {
   return with_itk(folder, [&] {
-    const auto names = itk::GDCMSeriesFileNames::New();
-    names->SetInputDirectory(folder.string());
-    const std::vector<std::string> series = names->GetSeriesUIDs();
-    if (series.empty()) cannot_read(folder, "the folder has neither a DICOM series nor PNG or TIFF slices.");
+    const SeriesFinder finder(folder);
+    if (finder.series().empty()) cannot_read(folder, "the folder has neither a DICOM series nor PNG or TIFF slices.");
     std::string list;
-    for (const std::string& uid : series) {
+    for (const auto& [uid, names] : finder.series()) {
       list += (list.empty() ? "'" : ", '") + uid + "'";
       // Names of series may carry more than their UID, to tell apart images that do not belong together.
-      if (!wanted.empty() && uid.rfind(wanted, 0) == 0) return names->GetFileNames(uid);
+      if (!wanted.empty() && uid.rfind(wanted, 0) == 0) return names;
     }
     if (!wanted.empty()) cannot_read(folder, "it has no DICOM series '" + wanted + "'; it has " + list + ".");
-    if (series.size() > 1)
+    if (finder.series().size() > 1)
       cannot_read(folder, "it has several DICOM series: " + list + ". Choose one by VolumeReadOptions::dicom_series.");
-    return names->GetFileNames(series.front());
+    return finder.series().begin()->second;
   });
 }
 
@@ -75,22 +105,30 @@ double slice_distance_mm(const fs::path& folder, const std::vector<Slice>& slice
       cannot_read(folder, "slice '" + name + "' differs from the first one in size, spacing, direction or type.");
     const Vec3 expected = first.origin_mm + double(n) * distance * first.direction.col(2);
     const Vec3 error = geometry.origin_mm - expected;
-    if (!(distance > 0) || std::abs(error.dot(first.direction.col(2))) > tolerance)
+    if (!(distance > 0) || !(std::abs(error.dot(first.direction.col(2))) <= tolerance))
       cannot_read(folder, "its slices are not evenly spaced at '" + name +
                               "'; one is missing or there twice. Resample the series first.");
-    if (error.norm() > tolerance * 2)
+    if (!(error.norm() <= tolerance * 2))
       cannot_read(folder, "its slices are shifted against each other (a tilted gantry). Resample the series first.");
   }
   return distance;
 }
 
+/// The values of a file whose header does not claim more of them than it can hold.
+RawImage read_dicom_values(const fs::path& path) {
+  const auto available = double(readable_size(path));
+  const auto io = itk::GDCMImageIO::New();
+  (void)read_itk_header(*io, path);
+  require_bytes(path, double(io->GetImageSizeInBytes()), available, kAnyCompression);
+  return read_itk_image(*io, path);
+}
+
 }  // namespace
 
 RawImage read_dicom_file(const fs::path& path) {
-  (void)readable_size(path);
+  require_sound_dicom(path);
   const QuietGdcm quiet;
-  const auto io = itk::GDCMImageIO::New();
-  RawImage image = read_itk_image(*io, path);
+  RawImage image = read_dicom_values(path);
   if (image.geometry.dims[2] == 1) cannot_read(path, "it is a single slice; pass the folder of its series.");
   return image;
 }
@@ -118,8 +156,7 @@ RawImage read_dicom_series(const fs::path& folder, const std::string& series) {
   image.geometry.dims[2] = int(slices.size());
   require_sane_dims(folder, {double(image.geometry.dims[0]), double(image.geometry.dims[1]), double(slices.size())});
   for (const Slice& slice : slices) {
-    const auto io = itk::GDCMImageIO::New();
-    const RawImage one = read_itk_image(*io, slice.file);
+    const RawImage one = read_dicom_values(slice.file);
     image.bytes.insert(image.bytes.end(), one.bytes.begin(), one.bytes.end());
   }
   return image;

@@ -28,7 +28,13 @@ namespace hapticut {
 /// Whether a folder has PNG or TIFF files.
 [[nodiscard]] bool has_slices(const std::filesystem::path& folder);
 
+/// How many times smaller a compression can make data at best.
+inline constexpr double kNotCompressed = 1;
+inline constexpr double kDeflate = 1032;
+inline constexpr double kAnyCompression = 1e5;  ///< of runs of one value by Zstandard: 2^15; JPEG 2000 stays below
+
+/// @param best_ratio  [1] of needed to available bytes
 /// @throws Error when a file is too small to hold what its header claims, even at the best ratio of its compression
-void require_bytes(const std::filesystem::path& path, double needed, double available, bool deflated);
+void require_bytes(const std::filesystem::path& path, double needed, double available, double best_ratio);
 
 }  // namespace hapticut

@@ -137,6 +137,7 @@ RawImage read_invesalius(const fs::path& path) {
   image.type = ValueType::int16;
   const Vec3 shape = list.three_numbers("matrix/shape");  // slices, rows, columns
   require_sane_dims(path, {shape[2], shape[1], shape[0]});
+  if (shape != shape.array().floor().matrix()) cannot_read(path, "its shape is not of whole numbers.");
   image.geometry.dims = {int(shape[2]), int(shape[1]), int(shape[0])};
   image.geometry.spacing_mm = list.three_numbers("spacing");
   const double needed = 2 * shape.prod();

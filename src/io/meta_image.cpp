@@ -144,7 +144,7 @@ void read_values(const fs::path& path, const MetaHeader& header, RawImage& image
   const double needed =
       double(image.geometry.dims[0]) * image.geometry.dims[1] * image.geometry.dims[2] * double(size_of(image.type));
   const bool compressed = header.is_true("CompressedData");
-  require_bytes(path, needed, available, compressed);
+  require_bytes(path, needed, available, compressed ? kDeflate : kNotCompressed);
 
   std::ifstream file(data_path, std::ios::binary);
   file.seekg(std::streamoff(local ? header.end : 0));

@@ -16,7 +16,7 @@ namespace {
 /// The fields of a NIfTI-1 or NIfTI-2 header that say how large it is.
 struct NiftiSize {
   std::array<double, 8> dim{};  ///< number of dimensions, then their sizes
-  double bits_per_value = 0;
+  double bytes_per_value = 0;
   double data_offset = 0;
 };
 
@@ -30,6 +30,28 @@ Number number_at(const std::array<char, 540>& header, std::size_t offset, bool s
   return number;
 }
 
+/// 0: not a type that is read.
+double bytes_of_datatype(int code) {
+  switch (code) {
+    case 2:    // uint8
+    case 256:  // int8
+      return 1;
+    case 4:    // int16
+    case 512:  // uint16
+      return 2;
+    case 8:    // int32
+    case 16:   // float32
+    case 768:  // uint32
+      return 4;
+    case 64:    // float64
+    case 1024:  // int64
+    case 1280:  // uint64
+      return 8;
+    default:
+      return 0;
+  }
+}
+
 NiftiSize size_in_header(const std::filesystem::path& path) {
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
   if (!file) cannot_read(path, "it cannot be opened.");
@@ -41,12 +63,12 @@ NiftiSize size_in_header(const std::filesystem::path& path) {
     const auto magic = number_at<std::int32_t>(header, 0, swapped);
     if (magic == 348) {
       for (std::size_t n = 0; n < 8; ++n) size.dim[n] = number_at<std::int16_t>(header, 40 + 2 * n, swapped);
-      size.bits_per_value = number_at<std::int16_t>(header, 72, swapped);
+      size.bytes_per_value = bytes_of_datatype(number_at<std::int16_t>(header, 70, swapped));
       size.data_offset = double(number_at<float>(header, 108, swapped));
       return size;
     }
     if (magic == 540 && count == 540) {
-      size.bits_per_value = number_at<std::int16_t>(header, 14, swapped);
+      size.bytes_per_value = bytes_of_datatype(number_at<std::int16_t>(header, 12, swapped));
       for (std::size_t n = 0; n < 8; ++n) size.dim[n] = double(number_at<std::int64_t>(header, 16 + 8 * n, swapped));
       size.data_offset = double(number_at<std::int64_t>(header, 168, swapped));
       return size;
@@ -72,11 +94,11 @@ void require_complete(const std::filesystem::path& path, double needed) {
 
 }  // namespace
 
-void require_bytes(const std::filesystem::path& path, double needed, double available, bool deflated) {
-  // Deflate cannot make data more than 1032 times smaller.
-  if (needed > available * (deflated ? 1032 : 1) + (deflated ? 1024 : 0))
+void require_bytes(const std::filesystem::path& path, double needed, double available, double best_ratio) {
+  const bool compressed = best_ratio > kNotCompressed;
+  if (needed > available * best_ratio + (compressed ? 1024 : 0))
     cannot_read(path, "its header claims " + format_number(needed) + " bytes of data, but there are only " +
-                          format_number(available) + (deflated ? " compressed ones." : ".") + " Is it cut short?");
+                          format_number(available) + (compressed ? " compressed ones." : ".") + " Is it cut short?");
 }
 
 RawImage read_nifti(const std::filesystem::path& path) {
@@ -89,9 +111,11 @@ RawImage read_nifti(const std::filesystem::path& path) {
     if (size.dim[n] > 1)
       cannot_read(path, "it has " + format_number(size.dim[n]) +
                             " volumes or values per sample; take one volume out of it first.");
-  const double needed = size.data_offset + size.dim[1] * size.dim[2] * size.dim[3] * size.bits_per_value / 8;
+  if (size.bytes_per_value == 0)
+    cannot_read(path, "its values are of a type that is not read; save it as grey values or labels.");
+  const double needed = size.data_offset + size.dim[1] * size.dim[2] * size.dim[3] * size.bytes_per_value;
   const bool deflated = is_deflated(path);
-  require_bytes(path, needed, file_size, deflated);
+  require_bytes(path, needed, file_size, deflated ? kDeflate : kNotCompressed);
   const auto io = itk::NiftiImageIO::New();
   RawImage image = read_itk_image(*io, path);
   if (deflated) require_complete(path, needed);

@@ -124,7 +124,7 @@ void write_plain_copy(const fs::path& path, const NrrdHeader& header, std::uint6
     if (total > 2 * needed + (1U << 20U)) cannot_read(path, "it holds far more data than its header says.");
   }
   const std::uint64_t offset = values_offset(header, first, total, needed);
-  require_bytes(path, double(offset) + double(needed), double(total), false);
+  require_bytes(path, double(offset) + double(needed), double(total), kNotCompressed);
   std::ofstream plain(folder / "plain.nhdr");
   plain << header.fields << "encoding: raw\nbyte skip: " << offset << "\ndata file: data.raw\n";
   plain.close();
@@ -157,9 +157,9 @@ RawImage read_nrrd(const fs::path& path) {
     if (code) cannot_read(path, "its data file '" + header.data_file.string() + "' cannot be opened.");
     const auto available = double(size) - double(header.data_offset);
     if (header.encoding == "raw")
-      require_bytes(path, needed + double(std::max<std::int64_t>(header.byte_skip, 0)), available, false);
-    if (header.encoding == "gzip") require_bytes(path, needed, available, true);
-    if (header.encoding == "ascii" || header.encoding == "hex") require_bytes(path, samples, available, false);
+      require_bytes(path, needed + double(std::max<std::int64_t>(header.byte_skip, 0)), available, kNotCompressed);
+    if (header.encoding == "gzip") require_bytes(path, needed, available, kDeflate);
+    if (header.encoding == "ascii" || header.encoding == "hex") require_bytes(path, samples, available, kNotCompressed);
   }
 
   const auto io = itk::NrrdImageIO::New();

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <itkPNGImageIO.h>
-#include <itkTIFFImageIO.h>
-
 #include <algorithm>
 #include <cctype>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
 #include "io/formats.hpp"
-#include "io/itk_image.hpp"
+#include "io/picture_file.hpp"
 
 namespace hapticut {
 namespace {
@@ -66,34 +64,8 @@ std::vector<SliceFile> ordered_slices(const fs::path& folder) {
   return files;
 }
 
-struct Picture {
-  std::array<int, 2> dims;
-  unsigned channels;
-  itk::IOComponentEnum type;
-  std::vector<std::byte> bytes;
-};
-
-Picture read_picture(const SliceFile& file) {
-  itk::ImageIOBase::Pointer io;
-  if (file.format == SliceFormat::kPng) {
-    io = itk::PNGImageIO::New().GetPointer();
-  } else {
-    io = itk::TIFFImageIO::New().GetPointer();
-  }
-  (void)readable_size(file.path);
-  return with_itk(file.path, [&] {
-    if (!io->CanReadFile(file.path.c_str()))
-      cannot_read(file.path, "it is not a picture of the format that its name says.");
-    io->SetFileName(file.path.string());
-    io->ReadImageInformation();
-    for (unsigned d = 2; d < io->GetNumberOfDimensions(); ++d)
-      if (io->GetDimensions(d) != 1) cannot_read(file.path, "it has several pages; save one slice per file.");
-    require_sane_dims(file.path, {double(io->GetDimensions(0)), double(io->GetDimensions(1)), 1});
-    return Picture{{int(io->GetDimensions(0)), int(io->GetDimensions(1))},
-                   io->GetNumberOfComponents(),
-                   io->GetComponentType(),
-                   read_itk_values(*io)};
-  });
+PictureFile read_picture(const SliceFile& file) {
+  return file.format == SliceFormat::kPng ? read_png(file.path) : read_tiff(file.path);
 }
 
 /// Reads the slices one by one and checks that they are alike.
@@ -101,11 +73,11 @@ template <class Use>
 std::array<int, 3> for_each_slice(const fs::path& folder, const Use& use) {
   const std::vector<SliceFile> files = ordered_slices(folder);
   std::array<int, 3> dims{};
-  std::optional<Picture> first;
+  std::optional<PictureFile> first;
   for (const SliceFile& file : files) {
-    Picture picture = read_picture(file);
+    PictureFile picture = read_picture(file);
     if (!first) {
-      first = Picture{picture.dims, picture.channels, picture.type, {}};
+      first = PictureFile{picture.dims, picture.channels, picture.type, {}};
       dims = {picture.dims[0], picture.dims[1], int(files.size())};
       require_sane_dims(folder, {double(dims[0]), double(dims[1]), double(dims[2])});
     }
@@ -129,25 +101,10 @@ bool has_slices(const fs::path& folder) {
 RawImage read_slices(const fs::path& folder) {
   RawImage image;
   image.geometry.spacing_mm.setZero();
-  image.geometry.dims = for_each_slice(folder, [&](const SliceFile& file, const Picture& picture) {
+  image.geometry.dims = for_each_slice(folder, [&](const SliceFile& file, const PictureFile& picture) {
     if (picture.channels != 1)
       cannot_read(file.path, "it is in colour; save grey values, or read labels with read_colour_slices.");
-    switch (picture.type) {
-      case itk::IOComponentEnum::UCHAR:
-        image.type = ValueType::uint8;
-        break;
-      case itk::IOComponentEnum::USHORT:
-        image.type = ValueType::uint16;
-        break;
-      case itk::IOComponentEnum::SHORT:
-        image.type = ValueType::int16;
-        break;
-      case itk::IOComponentEnum::FLOAT:
-        image.type = ValueType::float32;
-        break;
-      default:
-        cannot_read(file.path, "its values are of a type that is not read; save 8 or 16 bits per pixel.");
-    }
+    image.type = picture.type;
     image.bytes.insert(image.bytes.end(), picture.bytes.begin(), picture.bytes.end());
   });
   return image;
@@ -158,9 +115,9 @@ LabelVolume read_colour_slices(const fs::path& folder, const std::map<Colour, st
   for (int axis = 0; axis < 3; ++axis) require_positive(spacing[axis], "spacing of colour slices [m]");
   LabelVolume volume;
   bool found = false;
-  volume.dims = for_each_slice(folder, [&](const SliceFile& file, const Picture& picture) {
+  volume.dims = for_each_slice(folder, [&](const SliceFile& file, const PictureFile& picture) {
     const std::size_t channels = picture.channels;
-    if ((channels != 3 && channels != 4) || picture.type != itk::IOComponentEnum::UCHAR)
+    if ((channels != 3 && channels != 4) || picture.type != ValueType::uint8)
       cannot_read(file.path, "it is not a colour picture with 8 bits per channel.");
     Colour last{};
     std::uint16_t label = 0;
