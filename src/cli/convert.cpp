@@ -4,8 +4,8 @@
 
 #include "cli/command.hpp"
 #include "cli/outputs.hpp"
+#include "cli/progress.hpp"
 #include "cli/workpiece_settings.hpp"
-#include "io/atomic_file.hpp"
 
 namespace hapticut::cli {
 namespace {
@@ -17,9 +17,12 @@ struct ConvertSettings {
 
 void run(const ConvertSettings& s) {
   if (s.target.empty()) throw UsageError("the file to write is missing. Use: hapticut convert SOURCE TARGET.");
-  const AtomicFile writable(s.target);  // says so before the work when it is not
+  check_workpiece_file(s.target);
   const Workpiece workpiece = make_workpiece(s.workpiece);
-  write_workpiece(s.target, workpiece);
+  {
+    const ProgressBar progress("writing " + s.target);
+    write_workpiece(s.target, workpiece);
+  }
   std::printf("%s: %lld voxels\n", s.target.c_str(), (long long)workpiece.solid_voxels());
 }
 

@@ -5,6 +5,7 @@
 #include "cli/command.hpp"
 #include "cli/outputs.hpp"
 #include "cli/path_settings.hpp"
+#include "cli/progress.hpp"
 #include "cli/recording_source.hpp"
 #include "cli/report.hpp"
 #include "cli/simulation_settings.hpp"
@@ -32,6 +33,7 @@ std::vector<Setting> settings_of(DrillSettings& s) {
 
 void write_files(const OutputSettings& output, const Json& report, const DrillResult& result,
                  const Workpiece& workpiece) {
+  const ProgressBar progress("writing the results");
   if (!output.steps_csv.empty()) write_steps(output.steps_csv, result.rows);
   if (!output.workpiece.empty()) write_workpiece(output.workpiece, workpiece);
   if (!output.surface.empty()) write_surface(output.surface, workpiece);

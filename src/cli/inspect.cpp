@@ -4,6 +4,7 @@
 
 #include "cli/command.hpp"
 #include "cli/json_file.hpp"
+#include "cli/progress.hpp"
 #include "cli/report.hpp"
 #include "cli/table.hpp"
 #include "cli/workpiece_settings.hpp"
@@ -28,7 +29,10 @@ bool has_materials(const WorkpieceSettings& s) {
 
 #ifdef HAPTICUT_HAS_IO
 void inspect_volume(const InspectSettings& s) {
-  const VolumeSummary v = summarize_volume(s.workpiece, s.threshold);
+  const VolumeSummary v = [&] {
+    const ProgressBar progress("reading " + s.workpiece.source);
+    return summarize_volume(s.workpiece, s.threshold);
+  }();
   const Vec3 spacing = v.spacing / units::mm;
   const double voxel = spacing.prod();
   Json report = {
@@ -84,6 +88,7 @@ void inspect_workpiece(const InspectSettings& s) {
 
 void run(const InspectSettings& s) {
   const bool as_volume = is_volume(s.workpiece) && !has_materials(s.workpiece);
+  require_writable(s.json);
   if (s.threshold && !as_volume)
     throw Error("--threshold counts the grey values of a volume, and " + s.workpiece.source +
                 " is inspected as a workpiece. Leave it out.");

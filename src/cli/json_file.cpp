@@ -5,6 +5,10 @@
 
 namespace hapticut::cli {
 
+void require_writable(const std::filesystem::path& path) {
+  if (!path.empty()) const AtomicFile unused(path);
+}
+
 void write_json(const std::filesystem::path& path, const Json& report) {
   if (path.empty()) return;
   write_atomically(path, [&](std::ostream& stream) { stream << report.dump(2) << '\n'; });

@@ -14,7 +14,6 @@
 #include "cli/workpiece_settings.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/device/simulation_model.hpp"
-#include "io/atomic_file.hpp"
 
 namespace hapticut::cli {
 namespace {
@@ -126,8 +125,7 @@ LoopWatch watch(RealtimeLoop& loop) {
 
 void run(LoopSettings s) {
   if (s.device.empty()) throw UsageError("the device is missing. Use: hapticut loop mock:spiral --seconds 60.");
-  for (const std::string& path : {s.json, s.record})
-    if (!path.empty()) AtomicFile unused(path);
+  for (const std::string& path : {s.json, s.record}) require_writable(path);
   complete(s);
   use_recordings_if_possible();
   const std::unique_ptr<Device> device = open_device(s.device);

@@ -55,14 +55,16 @@ void run(const Registered& entry) {
 
 std::string unknown_argument(const std::deque<Registered>& entries, const std::string& argument) {
   std::vector<std::string> known = {"--settings", "--help"};
+  std::string help = "hapticut --help";
   for (const Registered& entry : entries) {
     if (!entry.app->parsed()) {
       if (argument.front() != '-') known.push_back(entry.command.name);
       continue;
     }
     for (const Setting& setting : entry.command.settings) known.push_back(setting.flag);
+    help = "hapticut " + entry.command.name + " --help";
   }
-  return "there is no " + argument + "." + suggestion(argument, known) + " See hapticut --help.";
+  return "there is no " + argument + "." + suggestion(argument, known) + " See " + help + ".";
 }
 
 int complain(const std::string& message, int code) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cli/json_file.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/vdb.hpp"
 #include "hapticut/workpiece/surface.hpp"
@@ -38,6 +39,16 @@ void require_extension(const std::string& path, const std::vector<std::string>& 
   throw Error("cannot write '" + path + "': its name must end in one of " + list + ".");
 }
 
+/// Whether this program has what it takes to write such a file.
+void require_writer([[maybe_unused]] const std::string& path) {
+#ifndef HAPTICUT_HAS_IO
+  if (path.empty() || has_extension(path, {".vdb"})) return;
+  throw Error("cannot write '" + path +
+              "', because this program was built without its io component; only .vdb files can be written. Build it "
+              "with HAPTICUT_WITH_IO=ON.");
+#endif
+}
+
 }  // namespace
 
 std::vector<Setting> settings_of(OutputSettings& o) {
@@ -57,16 +68,22 @@ void check_outputs(const OutputSettings& outputs) {
   require_extension(outputs.workpiece, {".vdb", ".nrrd"});
   require_extension(outputs.surface, {".stl", ".ply"});
   require_extension(outputs.picture, {".png"});
+  for (const std::string& path : {outputs.workpiece, outputs.surface, outputs.picture}) require_writer(path);
   for (const std::string& path :
        {outputs.json, outputs.steps_csv, outputs.workpiece, outputs.surface, outputs.picture, outputs.record})
-    if (!path.empty()) AtomicFile unused(path);
+    require_writable(path);
+}
+
+void check_workpiece_file(const std::string& path) {
+  require_extension(path, {".vdb", ".nrrd", ".stl", ".ply"});
+  require_writer(path);
+  require_writable(path);
 }
 
 #ifdef HAPTICUT_HAS_IO
 void write_workpiece(const std::string& path, const Workpiece& workpiece) {
   if (has_extension(path, {".nrrd"})) return write_nrrd(path, workpiece);
   if (has_extension(path, {".stl", ".ply"})) return write_surface(path, workpiece);
-  require_extension(path, {".vdb", ".nrrd", ".stl", ".ply"});
   save_vdb(workpiece, path);
 }
 
@@ -82,24 +99,10 @@ void write_picture_of(const OutputSettings& outputs, const Workpiece& workpiece)
   write_picture({colored(extract_surface(workpiece), workpiece.materials())}, options, outputs.picture);
 }
 #else
-namespace {
-
-[[noreturn]] void fail_without_io(const std::string& path) {
-  throw Error("cannot write '" + path +
-              "', because this program was built without its io component; only .vdb files "
-              "can be written. Build it with HAPTICUT_WITH_IO=ON.");
-}
-
-}  // namespace
-
-void write_workpiece(const std::string& path, const Workpiece& workpiece) {
-  if (!has_extension(path, {".vdb"})) fail_without_io(path);
-  save_vdb(workpiece, path);
-}
-
-void write_surface(const std::string& path, const Workpiece&) { fail_without_io(path); }
-
-void write_picture_of(const OutputSettings& outputs, const Workpiece&) { fail_without_io(outputs.picture); }
+// `require_writer` has refused all that would need io.
+void write_workpiece(const std::string& path, const Workpiece& workpiece) { save_vdb(workpiece, path); }
+void write_surface(const std::string&, const Workpiece&) {}
+void write_picture_of(const OutputSettings&, const Workpiece&) {}
 #endif
 
 void write_steps(const std::string& path, const std::vector<StepRow>& rows) {

@@ -22,8 +22,12 @@ struct OutputSettings {
 /// @throws Error naming the file
 void check_outputs(const OutputSettings& outputs);
 
-/// Writes what is left of the workpiece, in the format that the extension names.
-/// @throws Error when the format is unknown or the file cannot be written
+/// The same for a file that a workpiece is written to.
+/// @throws Error also when its extension names no format that this program writes
+void check_workpiece_file(const std::string& path);
+
+/// Writes what is left of the workpiece, in the format that the extension names: see `check_workpiece_file`.
+/// @throws Error when the file cannot be written
 void write_workpiece(const std::string& path, const Workpiece& workpiece);
 
 /// Writes the surface of what is left: .stl, or .ply with colours.

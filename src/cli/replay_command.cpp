@@ -48,6 +48,7 @@ std::string text_of(const ReplayDifference& d) {
 }
 
 void run_replay(const ReplaySettings& s) {
+  require_writable(s.json);
   const Recording recording = read_recording(s.recording);
   ProgressBar progress("replaying", std::size_t(recording.size()));
   ReplayOptions options;

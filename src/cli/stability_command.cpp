@@ -13,6 +13,7 @@
 
 #include "cli/command.hpp"
 #include "cli/json_file.hpp"
+#include "cli/progress.hpp"
 #include "cli/table.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/device/contact_bench.hpp"
@@ -67,6 +68,7 @@ ModelFactory linear_walls() {
 struct Findings {
   Json wall = Json::array(), contact = Json::array(), faults = Json::array();
   std::vector<std::string> complaints;
+  ProgressBar* progress = nullptr;  // lines are printed between its drawings
 };
 
 /// The textbook's wall, against the table and against K = 2 b/T.
@@ -76,6 +78,7 @@ void bench_wall(const DeviceModel& device, Findings& findings) {
     for (int delay = 0; delay < kDelays; ++delay) {
       const double limit = largest_stable_stiffness(loop_of(device, row.hand, delay), linear_walls());
       const double expected = row.expected[std::size_t(delay)], error = limit / expected - 1;
+      const auto paused = findings.progress->pause();
       std::printf("%-12s %-9s delay %d  wall     %8s N/m, table %s (%+.1f %%)\n", device.name.data(), row.hand.data(),
                   delay, rounded(limit).c_str(), rounded(expected).c_str(), 100 * error);
       findings.wall.push_back({{"device", device.name},
@@ -117,6 +120,7 @@ void bench_contact(const DeviceModel& device, std::string_view hand, Findings& f
     const Bounce bounce_coupled = bounce(config, contact_models(coupled), kPressedStiffness, bounced);
     const Buzz buzz = press(config, contact_models(coupled), kPressedStiffness, pressed);
     const bool at_end = k_coupled >= pressed_search(coupled).high;
+    const auto paused = findings.progress->pause();
     std::printf(
         "%-12s %-9s delay %d  contact  direct k_v %s, coupled %s%s N/m^4; restitution %.2f, energy %.2g mJ, buzz %.2g "
         "um\n",
@@ -179,6 +183,7 @@ void bench_faults(const DeviceModel& device, std::string_view hand, Findings& fi
         findings.complaints.push_back("the fault " + std::string(name(fault)) + " on " + std::string(device.name) +
                                       ", delay " + std::to_string(delay) + " breaks a rule");
     }
+    const auto paused = findings.progress->pause();
     std::printf(
         "%-12s %-9s delay %d  faults   %zu injected, %d against the rules, no force at the latest after %.3g ms\n",
         device.name.data(), std::string(hand).c_str(), delay, injected_faults().size(), broken, 1e3 * slowest);
@@ -188,7 +193,10 @@ void bench_faults(const DeviceModel& device, std::string_view hand, Findings& fi
 
 void run(const StabilitySettings& s) {
   const std::string hand = s.hand.value_or("nominal"), which = s.device.value_or("all");
+  require_writable(s.json);
+  ProgressBar progress("simulating devices");
   Findings findings;
+  findings.progress = &progress;
   for (const DeviceModel& device : device_models()) {
     if (which != "all" && which != device.name) continue;
     bench_wall(device, findings);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 
 #include "cli/command.hpp"
 #include "cli/json_file.hpp"
+#include "cli/progress.hpp"
 #include "cli/table.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/core/errors.hpp"
+#include "io/atomic_file.hpp"
 #include "validation/checks.hpp"
 #include "validation/measurements.hpp"
 
@@ -25,11 +26,7 @@ struct ValidateSettings {
 std::string percent(double share) { return rounded(100 * share, 2) + " %"; }
 
 void write_page(const std::string& path, const std::string& text) {
-  if (path.empty()) return;
-  std::ofstream out(path);
-  out << text;
-  out.flush();
-  if (!out) throw Error("cannot write " + path + ". Choose a folder that exists and can be written to.");
+  if (!path.empty()) write_atomically(path, [&](std::ostream& stream) { stream << text; });
 }
 
 /// Two lines, so that none is wider than a terminal.
@@ -54,13 +51,23 @@ std::string page_of(const std::vector<Check>& checks) {
 }
 
 void run(const ValidateSettings& s) {
+  for (const std::string& path : {s.json, s.markdown, s.measurements}) require_writable(path);
+  std::vector<validation::Experiment> experiments;
+  for (validation::Experiment& experiment : validation::all_experiments())
+    if (experiment.name.find(s.only) != std::string::npos) experiments.push_back(std::move(experiment));
+  if (experiments.empty())
+    throw Error("no experiment has '" + s.only + "' in its name. Leave --only out to run all of them.");
+
   std::vector<Check> checks;
   Json cases = Json::array();
+  ProgressBar progress("validating", experiments.size());
   int failed = 0;
   const auto start = std::chrono::steady_clock::now();
-  for (const validation::Experiment& experiment : validation::all_experiments()) {
-    if (!s.only.empty() && experiment.name.find(s.only) == std::string::npos) continue;
-    for (Check& c : experiment.run()) {
+  for (std::size_t n = 0; n < experiments.size(); ++n) {
+    std::vector<Check> results = experiments[n].run();
+    progress.advance_to(n + 1);
+    const auto paused = progress.pause();
+    for (Check& c : results) {
       c.tolerance *= s.tolerance_factor;
       print(c);
       std::fflush(stdout);
@@ -76,8 +83,6 @@ void run(const ValidateSettings& s) {
       checks.push_back(c);
     }
   }
-  if (checks.empty())
-    throw Error("no experiment has '" + s.only + "' in its name. Leave --only out to run all of them.");
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::printf("%zu cases, %d failed, %s s\n", checks.size(), failed, rounded(seconds, 3).c_str());
   write_json(s.json, {{"cases", cases},

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "cli/progress.hpp"
 #include "cli/workpiece_settings.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/vdb.hpp"
@@ -140,6 +141,7 @@ Workpiece make_workpiece(const WorkpieceSettings& s) {
     throw Error(
         "the workpiece is missing. Set --workpiece to block, slab, molar or a file, or source under [workpiece] in "
         "the settings file.");
+  const ProgressBar progress("making the workpiece of " + s.source);
   if (s.source == "block") return make_block(s);
   if (s.source == "slab") return make_slab(s);
   if (s.source == "molar") return make_molar(s);

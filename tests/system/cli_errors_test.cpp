@@ -205,6 +205,12 @@ TEST_F(Files, ThatAreRandomAreRefused) {
 }
 
 TEST_F(Files, ThatCannotBeWrittenAreRefusedBeforeTheWork) {
+  const std::string nowhere = path("no/such/folder/x.json");
+  expect("inspect molar --json " + nowhere, kFailed, "cannot write");
+  for (const char* flag : {"--json", "--markdown", "--measurements"})
+    expect(std::string("validate ") + flag + " " + nowhere, kFailed, "cannot write");
+  expect("stability --json " + nowhere, kFailed, "cannot write");
+  expect("convert molar " + path("x.doc"), kFailed, "must end in");
   for (const char* flag : {"--json", "--save", "--steps_csv"})
     expect("drill " + kBlock + kBall + kLine + flag + " " + path("no/such/folder/x.vdb"), kFailed, "cannot write");
   expect("drill " + kBlock + kBall + kLine + "--json " + path(""), kFailed, "cannot write");
@@ -215,6 +221,46 @@ TEST_F(Files, ThatCannotBeWrittenAreRefusedBeforeTheWork) {
     expect("drill " + kBlock + kBall + kLine + "--json " + path("closed/x.json"), kFailed, "cannot write");
     std::filesystem::permissions(folder / "closed", std::filesystem::perms::owner_all);
   }
+}
+
+// A real file system without a free byte: every kind of output keeps the old file, leaves nothing else, and says why.
+TEST_F(Files, OnAFullDiskStayWhatTheyWere) {
+  if (std::system("unshare -rm mount -t tmpfs none /tmp 2>/dev/null") != 0)
+    GTEST_SKIP() << "this user may not mount a small disk of its own";
+  std::vector<std::string> outputs = {"--json x.json", "--steps_csv x.csv", "--save x.vdb"};
+#ifdef HAPTICUT_HAS_IO
+  for (const char* more : {"--save x.nrrd", "--surface x.stl", "--surface x.ply", "--picture x.png", "--record x.h5"})
+    outputs.emplace_back(more);
+#endif
+  std::filesystem::create_directory(folder / "disk");
+  for (const std::string& output : outputs) {
+    const std::string name = output.substr(output.find(' ') + 1);
+    const std::string script =
+        "mount -t tmpfs -o size=32k none " + path("disk") + " && cd " + path("disk") + " && printf old >" + name +
+        " && cat /dev/zero >filler 2>/dev/null; " HAPTICUT_PROGRAM " drill " + kBlock + kBall + kLine + output + " >" +
+        path("stdout") + "; printf \"%s \" $? $(cat " + name + ") $(ls -A)";
+    write_bytes(folder / "script", script);
+    const std::string command = "unshare -rm sh " + path("script") + " >" + path("result") + " 2>" + path("stderr");
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(test::read_bytes(folder / "result"), "1 old filler " + name + " ") << output;
+    const std::string errors = test::read_bytes(folder / "stderr");
+    EXPECT_TRUE(errors.starts_with("hapticut: ")) << output << errors;
+    EXPECT_EQ(errors.find('\n'), errors.size() - 1) << errors;
+    EXPECT_NE(errors.find("space"), std::string::npos) << output << errors;
+  }
+}
+
+TEST_F(Files, ThatAreDevicesAreNotWrittenTo) {
+  std::filesystem::create_symlink("/dev/full", folder / "x.vdb");
+  std::filesystem::create_symlink("/dev/full", folder / "x.png");
+  std::filesystem::create_symlink("/dev/full", folder / "x.stl");
+  expect("drill " + kBlock + kBall + kLine + "--json /dev/full", kFailed, "not a regular file");
+  expect("drill " + kBlock + kBall + kLine + "--save " + path("x.vdb"), kFailed, "not a regular file");
+  expect("convert block " + path("x.vdb") + " --size_mm 1,1,1 --material dentin", kFailed, "not a regular file");
+#ifdef HAPTICUT_HAS_IO
+  expect("drill " + kBlock + kBall + kLine + "--picture " + path("x.png"), kFailed, "not a regular file");
+  expect("drill " + kBlock + kBall + kLine + "--surface " + path("x.stl"), kFailed, "not a regular file");
+#endif
 }
 
 TEST_F(Files, AreNotLeftHalfWritten) {
