@@ -26,3 +26,5 @@ hapticut_package_test(Package.NamesTheDebianPackageOfAMissingOpenVDB no_openvdb)
 add_test(NAME Package.EveryOptionalPackageIsInstalledByTheScript COMMAND "${CMAKE_COMMAND}"
   "-DOPTIONS=${PROJECT_SOURCE_DIR}/cmake/HapticutOptions.cmake" "-DSCRIPT=${PROJECT_SOURCE_DIR}/scripts/install-deps.sh"
   -P "${PROJECT_SOURCE_DIR}/tests/consumer/compare_package_lists.cmake")
+add_test(NAME Package.EveryOptionIsInTheReadme COMMAND "${CMAKE_COMMAND}" "-DSOURCE=${PROJECT_SOURCE_DIR}"
+  -P "${PROJECT_SOURCE_DIR}/tests/consumer/compare_options_with_readme.cmake")

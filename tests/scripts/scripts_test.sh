@@ -1,0 +1,181 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# What the scripts do with their options, on a machine that the test makes up: copies of them in a folder of their own,
+# with programs of our own in the place of apt-get, dpkg-query, cmake and hapticut. Nothing is installed or built.
+#
+#   scripts_test.sh SOURCE CASE
+set -uo pipefail
+source_folder=$1
+case_name=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+project=$work/project
+calls=$work/calls
+mkdir -p "$project" "$work/bin"
+cp -r "$source_folder/scripts" "$source_folder/examples" "$project/"
+: >"$calls"
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# Only these programs exist for a script under test.
+for tool in bash sh sed mktemp rm grep tail env dirname mkdir nproc cat id git sort uniq; do
+  ln -s "$(command -v "$tool")" "$work/bin/$tool"
+done
+
+# stand_in NAME BODY: a program of the made-up machine; what it is called with is written down.
+stand_in() {
+  rm -f "$work/bin/$1"
+  printf '#!/bin/sh\necho "%s $*" >>"%s"\n%s\n' "$1" "$calls" "$2" >"$work/bin/$1"
+  chmod +x "$work/bin/$1"
+}
+
+# run SCRIPT ARGUMENTS...: its exit code in $code, what it prints in $out and $errors.
+run() {
+  out=$(cd "$project" && PATH=$work/bin "scripts/$1" "${@:2}" 2>"$work/errors" </dev/null)
+  code=$?
+  errors=$(cat "$work/errors")
+}
+
+expect_code() { [ "$code" -eq "$1" ] || fail "exit code $code instead of $1; $out $errors"; }
+expect_quiet() { [ -z "$out$errors" ] || fail "it says: $out $errors"; }
+expect_out() { case $out in *"$1"*) ;; *) fail "stdout is '$out'; no '$1' in it" ;; esac; }
+expect_one_line_error() {
+  case $errors in *"$1"*) ;; *) fail "stderr is '$errors'; no '$1' in it" ;; esac
+  [ "$(printf '%s\n' "$errors" | grep -c '')" -eq 1 ] || fail "more than one line: $errors"
+}
+expect_call() { grep -qF -- "$1" "$calls" || fail "no call '$1' among: $(cat "$calls")"; }
+expect_no_call() { ! grep -qF -- "$1" "$calls" || fail "unexpected call '$1'"; }
+
+all_installed='echo installed'
+none_installed='exit 1'
+
+case $case_name in
+  help)
+    for script in install-deps.sh demo.sh test.sh bench.sh; do
+      run "$script" --help
+      expect_code 0
+      expect_out "scripts/$script"
+      # Every option that the script's code knows is in its help, and so is what it is for.
+      for option in $(grep -oE -- '^ +(-h \| )?--[a-z-]+( \| --[a-z-]+)*\)' "$project/scripts/$script" | grep -oE -- '--[a-z-]+'); do
+        [ "$option" = --help ] || expect_out "$option"
+      done
+    done
+    ;;
+  unknown)
+    for script in install-deps.sh demo.sh test.sh bench.sh; do
+      for option in --nonsense extra; do
+        run "$script" "$option"
+        [ "$code" -ne 0 ] || fail "$script takes $option"
+        expect_one_line_error "unknown option $option; see scripts/$script --help."
+      done
+    done
+    for script in demo.sh test.sh; do
+      for number in "" 0 -1 two; do
+        run "$script" --jobs $number
+        expect_code 2
+        expect_one_line_error "--jobs needs a number"
+      done
+    done
+    run install-deps.sh --for
+    expect_code 1
+    expect_one_line_error "--for needs a group"
+    run install-deps.sh --for everything
+    expect_code 1
+    expect_one_line_error "unknown group everything"
+    [ ! -s "$calls" ] || fail "something was run: $(cat "$calls")"
+    ;;
+  list)
+    for group in core build test demo bench; do
+      run install-deps.sh --for $group --list
+      expect_code 0
+      [ "$(printf '%s\n' "$out" | grep -vcE '^[a-z0-9.+-]+$')" -eq 0 ] || fail "not one package a line: $out"
+      [ -z "$(printf '%s\n' "$out" | sort | uniq -d)" ] || fail "$group names a package twice"
+    done
+    run install-deps.sh --for demo --list
+    expect_out invesalius-examples
+    ;;
+  nothing_missing)
+    stand_in dpkg-query "$all_installed"
+    stand_in apt-get 'exit 1'
+    for group in core build test demo bench; do
+      run install-deps.sh --for $group
+      expect_code 0
+      expect_quiet
+    done
+    run install-deps.sh --check
+    expect_code 0
+    expect_quiet
+    expect_no_call apt-get
+    ;;
+  check)
+    stand_in dpkg-query 'case $* in *libeigen3-dev*) exit 1 ;; *) echo installed ;; esac'
+    stand_in apt-get 'exit 0'
+    run install-deps.sh --check
+    expect_code 1
+    expect_one_line_error "missing: libeigen3-dev; run scripts/install-deps.sh --for build."
+    expect_no_call apt-get
+    ;;
+  install)
+    stand_in dpkg-query 'case $* in *libeigen3-dev*) exit 1 ;; *) echo installed ;; esac'
+    stand_in id 'echo 0'
+    stand_in apt-get 'exit 0'
+    run install-deps.sh
+    expect_code 0
+    expect_call "apt-get install -y -q --no-install-recommends libeigen3-dev"
+    expect_no_call "apt-get update"
+    # Lists that are stale are refreshed once.
+    : >"$calls"
+    stand_in apt-get 'case $* in update*) : >"'"$work"'/fresh" ;; *) [ -e "'"$work"'/fresh" ] ;; esac'
+    run install-deps.sh
+    expect_code 0
+    expect_call "apt-get update"
+    ;;
+  cannot_install)
+    stand_in dpkg-query "$none_installed"
+    stand_in id 'echo 0'
+    stand_in apt-get 'echo "E: Unable to locate package libopenvdb-dev"; exit 100'
+    run install-deps.sh --for core
+    expect_code 1
+    expect_one_line_error "E: Unable to locate package libopenvdb-dev"
+    stand_in id 'echo 1000'
+    run install-deps.sh --for core
+    expect_code 1
+    expect_one_line_error "neither root nor sudo"
+    rm "$work/bin/apt-get" "$work/bin/dpkg-query"
+    run install-deps.sh --for core
+    expect_code 1
+    expect_one_line_error "not a Debian system"
+    ;;
+  demo)
+    stand_in cmake 'mkdir -p build/release/src/cli
+cp "'"$work"'/bin/hapticut" build/release/src/cli/hapticut'
+    stand_in hapticut ':'
+    ln -s "$(command -v cp)" "$(command -v chmod)" "$work/bin/"
+    printf '#!/bin/sh\necho "install-deps.sh $*" >>"%s"\n' "$calls" >"$project/scripts/install-deps.sh"
+    run demo.sh --jobs 3
+    expect_code 0
+    expect_call "install-deps.sh --for demo"
+    expect_call "cmake --build --preset release -j 3 -t hapticut_cli"
+    for name in skull molar; do
+      expect_call "hapticut drill --settings examples/demo/$name.toml --json out/demo/$name.json --steps-csv out/demo/$name.csv --save out/demo/$name.vdb --surface out/demo/$name.stl --picture out/demo/$name.png"
+      [ -f "$project/examples/demo/$name.toml" ] || fail "there is no examples/demo/$name.toml"
+    done
+    : >"$calls"
+    run demo.sh --no-install
+    expect_code 0
+    expect_no_call install-deps.sh
+    stand_in hapticut 'exit 1'
+    run demo.sh --no-install
+    [ "$code" -ne 0 ] || fail "a failed run goes unnoticed"
+    stand_in cmake 'echo "error: no such thing"; exit 1'
+    run demo.sh --no-install
+    expect_code 1
+    case $errors in *"error: no such thing"*"the build failed; the whole output is in out/demo/build.log."*) ;; *) fail "$errors" ;; esac
+    ;;
+  *) fail "no case $case_name" ;;
+esac
+[ "$failures" -eq 0 ]
