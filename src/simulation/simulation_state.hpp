@@ -39,10 +39,6 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   [[nodiscard]] StageTimer timed(double StageTimes::*stage) const noexcept {
     return StageTimer(config.stage_times ? &(times.*stage) : nullptr);
   }
-  [[nodiscard]] ContactProbe probe_way(const Pose& from, const Pose& pose, const Twist& velocity, double dt) noexcept;
-  [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& pose, const Twist& velocity, double dt,
-                                            ProbedMotions motions, const Wrench& felt) noexcept;
-  [[nodiscard]] ContactProbe probe_sub_step(const SubStep& sub_step, DeepContact& deep, StickSlip& anchor) noexcept;
   void begin_step() noexcept;
   [[nodiscard]] StepStatus check_step_input(const Pose& pose, const Twist& velocity, double dt) const noexcept {
     const StageTimer timer = timed(&StageTimes::check_input);
@@ -72,6 +68,12 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void add_effects(const Pose& pose, double dt) noexcept;
   const StepResult& finish_step(const Pose& pose, double dt, int sub_steps) noexcept;
   const StepResult& reject(StepStatus status) noexcept;
+
+  // The same without a change: `Simulation::probe`.
+  [[nodiscard]] ContactProbe probe_way(const Pose& from, const Pose& pose, const Twist& velocity, double dt) noexcept;
+  [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& pose, const Twist& velocity, double dt,
+                                            ProbedMotions motions, const Wrench& felt) noexcept;
+  [[nodiscard]] ContactProbe probe_sub_step(const SubStep& sub_step, DeepContact& deep, StickSlip& anchor) noexcept;
 
   Workpiece workpiece;
   Tool tool;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The step, stage by stage.
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -45,93 +44,6 @@ const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, doub
   }
   s.add_effects(pose, dt);
   return s.finish_step(pose, dt, sub_steps);
-}
-
-ContactProbe Simulation::probe(const Pose& pose, const Twist& velocity, double dt, ProbedMotions motions) noexcept {
-  State& s = *state_;
-  if (check_input(s.config, pose, velocity, dt) != StepStatus::ok) return {};
-  const Pose from = s.has_pose ? s.X_WH : advance(pose, velocity, -dt);
-  if (s.plan_sweep(from, pose) > s.config.longest_sweep) return {};
-  ContactProbe probed = s.probe_way(from, pose, velocity, dt);
-  if (!s.contact_stages.knows_stiffness() && probed.contact.voxels > 0)
-    probed.stiffness = s.measure_stiffness(from, pose, velocity, dt, motions, probed.wrench);
-  return probed;
-}
-
-/// What is felt from one pose to another.
-ContactProbe Simulation::State::probe_way(const Pose& from, const Pose& pose, const Twist& velocity,
-                                          double dt) noexcept {
-  ContactProbe probed;
-  const int sub_steps = plan_sweep(from, pose);
-  const Twist path = twist_between(from, pose, dt);
-  DeepContact deep = deep_contact;
-  StickSlip anchor = friction;
-  for (int i = 0; i < sub_steps; ++i) {
-    const SubStep sub_step = plan_sub_step(from, i, dt / sub_steps, path, velocity);
-    const ContactProbe part = probe_sub_step(sub_step, deep, anchor);
-    const double share = 1.0 / sub_steps, moves = (i + 1) * share;  // with the end of the way
-    probed.wrench.force += share * part.wrench.force;
-    probed.wrench.torque += share * part.wrench.torque;
-    probed.stiffness += share * moves * part.stiffness;
-    probed.contact = part.contact;
-    probed.sliding = part.sliding;
-  }
-  return probed;
-}
-
-/// The stiffness of a law that gives none, by a small motion along each axis; its symmetric, never negative part.
-Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& pose, const Twist& velocity, double dt,
-                                               ProbedMotions motions, const Wrench& felt) noexcept {
-  constexpr double kShift = 0.01;  // [voxels]; the forces are sums of single-precision numbers
-  const double reach = tool.head().reach() + tool.X_HT().translation.norm(), shift = kShift * workpiece.voxel_size();
-  Stiffness scaled = Stiffness::Zero();  // a turn counts as the shift of the farthest point
-  const int axes = motions == ProbedMotions::all ? 6 : 3;
-  for (int axis = 0; axis < axes; ++axis) {
-    Pose moved = pose;
-    Twist faster = velocity;
-    const Vec3 along = Vec3::Unit(axis % 3);
-    if (axis < 3) {
-      moved.translation += shift * along;
-      faster.linear += shift / dt * along;
-    } else {
-      moved.rotation = rotation_from_vector(Vec3(shift / reach * along)) * pose.rotation;
-      faster.angular += shift / reach / dt * along;
-    }
-    const Wrench there = probe_way(from, moved, faster, dt).wrench;
-    scaled.col(axis) << (felt.force - there.force) / shift, (felt.torque - there.torque) / (shift * reach);
-  }
-  if (axes == 3) scaled.bottomRows<3>().setZero();
-  const Stiffness symmetric = 0.5 * (scaled + scaled.transpose());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> modes(symmetric);
-  const Stiffness bounded =
-      modes.eigenvectors() * modes.eigenvalues().cwiseMax(0).asDiagonal() * modes.eigenvectors().transpose();
-  Eigen::Matrix<double, 6, 1> scale;
-  scale << 1, 1, 1, reach, reach, reach;
-  return scale.asDiagonal() * bounded * scale.asDiagonal();
-}
-
-ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepContact& deep, StickSlip& anchor) noexcept {
-  find_blocks(sub_step);
-  Stiffness stiffness_T;
-  Encounter encounter = contact_stages.probe_contact(workpiece, tool.head(), sub_step.head, stiffness_T);
-  Wrench& wrench_T = encounter.resultant.wrench_T;
-  const Mat3& R_WT = sub_step.X_WT.rotation;
-
-  wrench_T.force += R_WT.transpose() * hold(sub_step, encounter, deep).force;
-  const Vec3 along = R_WT.transpose() * deep.normal();
-  stiffness_T.topLeftCorner<3, 3>() += deep.stiffness() * along * along.transpose();
-
-  const AnchorForce pull = pull_of_anchor(sub_step, encounter, anchor);
-  wrench_T.force += pull.wrench_T.force;
-  wrench_T.torque += pull.wrench_T.torque;
-  Stiffness at_anchor = Stiffness::Zero();
-  at_anchor.topLeftCorner<3, 3>() = pull.stiffness_T;
-  // The anchor pulls at Q: about To that is the stiffness of a body point p_TQ away.
-  stiffness_T += transport(at_anchor, Mat3::Identity(), pull.p_TQ);
-
-  const Vec3 p_HoTo_W = sub_step.X_WT.translation - sub_step.X_WH.translation;
-  return {transport(Wrench{R_WT * wrench_T.force, R_WT * wrench_T.torque}, p_HoTo_W),
-          transport(stiffness_T, R_WT, p_HoTo_W), contact_of(encounter), anchor.sliding()};
 }
 
 void Simulation::State::begin_step() noexcept {
