@@ -88,12 +88,12 @@ double DiamondBur::Plate::load_at(double removal) {
 /// As a hand would find it: the speed adapts until the cut pushes back as much as the hand does.
 double DiamondBur::Plate::removal_under(double load) {
   const double inertia = 0.1 * load * kArea / kRemoval;  // [N s/m] settles in a few tenths of a second
-  constexpr int kSteps = 3000;
+  constexpr int kSteps = 3000, kCounted = kSteps / 2;
   double depth = 0, speed = 0, mean = 0;
   for (int i = 0; i < kSteps && depth < 0.7 * mm; ++i) {
     depth += speed * kTick;
     speed = std::max(0.0, speed + (load + feed_to(depth).force.x()) / inertia * kTick);
-    if (i >= kSteps / 2) mean += speed / (kSteps - kSteps / 2);
+    if (i >= kSteps - kCounted) mean += speed / kCounted;
   }
   return mean * kArea;
 }
