@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -42,6 +44,36 @@ constexpr NumberElement kNumbers[] = {
     {tag(0x28, 0x102), 0, 31},    // high bit
     {tag(0x28, 0x103), 0, 1},     // pixel representation
 };
+
+/// Where the values lie and what they mean: decimal numbers as text, so many of them. GDCM goes on with whatever lies
+/// in its memory where it cannot read them.
+struct TextElement {
+  std::uint32_t tag;
+  int count;
+};
+constexpr TextElement kTexts[] = {
+    {tag(0x18, 0x50), 1},    // slice thickness
+    {tag(0x18, 0x88), 1},    // spacing between slices
+    {tag(0x20, 0x32), 3},    // position
+    {tag(0x20, 0x37), 6},    // orientation
+    {tag(0x28, 0x30), 2},    // pixel spacing
+    {tag(0x28, 0x1052), 1},  // rescale intercept
+    {tag(0x28, 0x1053), 1},  // rescale slope
+};
+
+/// Whether a text is `count` numbers between backslashes.
+bool is_numbers(std::string_view text, int count) {
+  std::istringstream parts{std::string(text)};
+  int found = 0;
+  for (std::string part; std::getline(parts, part, '\\'); ++found) {
+    std::istringstream words(part.substr(0, part.find_last_not_of(std::string_view(" \0", 2)) + 1));
+    words.imbue(std::locale::classic());
+    double number = 0;
+    if (!(words >> number) || !std::isfinite(number) || words.peek() != std::istringstream::traits_type::eof())
+      return false;
+  }
+  return found == count;
+}
 
 class Walker {
  public:
@@ -131,7 +163,7 @@ class Walker {
       else if (sequence)
         walk_items(e.length, depth);
       else
-        check_number(e, take(e.length));
+        check_value(e, take(e.length));
     }
     if (delimited || at_ != end) fail("it is damaged or cut short");
   }
@@ -172,7 +204,11 @@ class Walker {
       fail("an element of it is of another kind than it must be");
   }
 
-  void check_number(const Element& e, std::string_view value) const {
+  void check_value(const Element& e, std::string_view value) const {
+    for (const TextElement& expected : kTexts)
+      if (e.tag == expected.tag && value.find_first_not_of(std::string_view(" \0", 2)) != std::string_view::npos &&
+          !is_numbers(value, expected.count))
+        fail("its place, spacing or scale is not in numbers");
     for (const NumberElement& expected : kNumbers) {
       if (e.tag != expected.tag) continue;
       if (value.size() != 2 || (!e.kind.empty() && e.kind != "US")) fail("its size or depth is not a number");
