@@ -286,14 +286,14 @@ void ContactStages::forget_changes() noexcept {
 }
 
 void ContactStages::list_change(const VoxelIndex& origin) noexcept {
-  if (changed_.size() == changed_.capacity()) {  // only in sweeps of very many sub-steps
+  if (!changed_blocks_.complete) return;
+  if (changed_.size() == changed_.capacity()) {  // only in sweeps of very many sub-steps, and in great undos
     std::sort(changed_.begin(), changed_.end());
     changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+    // Sorting again for a few more would take the longer, the fuller the list is.
+    changed_blocks_.complete = 4 * changed_.size() <= 3 * changed_.capacity();
   }
-  if (changed_.size() < changed_.capacity())
-    changed_.push_back(origin);
-  else
-    changed_blocks_.complete = false;
+  if (changed_blocks_.complete) changed_.push_back(origin);
   changed_blocks_.origins = changed_;
 }
 
@@ -305,11 +305,11 @@ void ContactStages::remove_material(Workpiece& workpiece, RemovalRecord& removal
 
 std::size_t ContactStages::undo(Workpiece& workpiece, std::size_t most) noexcept {
   std::size_t undone = 0;
-  for (; undone < most; ++undone) {
+  do {  // one at least, or who asks for none would never arrive
     const auto origin = workpiece.undo_block();
     if (!origin) break;
     list_change(*origin);
-  }
+  } while (++undone < most);
   turn_ = 0;
   return undone;
 }

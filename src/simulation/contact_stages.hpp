@@ -78,7 +78,8 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   /// For a workpiece that was put back to what it once was.
   void start_afresh(const Workpiece& workpiece);
 
-  /// Puts up to `most` blocks back to what they were at the last mark, and lists them as changed.  @return how many
+  /// Puts up to `most` blocks, and at least one, back to what they were at the last mark, and lists them as changed.
+  /// @return how many
   std::size_t undo(Workpiece& workpiece, std::size_t most) noexcept;
 
   /// Forgets which blocks have changed, at the beginning of a step.

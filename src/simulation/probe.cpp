@@ -10,18 +10,18 @@ ContactProbe Simulation::probe(const Pose& pose, const Twist& velocity, double d
   State& s = *state_;
   if (check_input(s.config, pose, velocity, dt) != StepStatus::ok) return {};
   const Pose from = s.has_pose ? s.X_WH : advance(pose, velocity, -dt);
-  if (s.plan_sweep(from, pose) > s.config.longest_sweep) return {};
-  ContactProbe probed = s.probe_way(from, pose, velocity, dt);
+  const int sub_steps = s.plan_sweep(from, pose);
+  if (sub_steps > s.config.longest_sweep) return {};
+  ContactProbe probed = s.probe_way(from, pose, sub_steps, velocity, dt);
   if (!s.contact_stages.knows_stiffness() && probed.contact.voxels > 0)
-    probed.stiffness = s.measure_stiffness(from, pose, velocity, dt, motions, probed.wrench);
+    probed.stiffness = s.measure_stiffness(from, pose, sub_steps, velocity, dt, motions, probed.wrench);
   return probed;
 }
 
 /// What is felt from one pose to another.
-ContactProbe Simulation::State::probe_way(const Pose& from, const Pose& pose, const Twist& velocity,
+ContactProbe Simulation::State::probe_way(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
                                           double dt) noexcept {
   ContactProbe probed;
-  const int sub_steps = plan_sweep(from, pose);
   const Twist path = twist_between(from, pose, dt);
   DeepContact deep = deep_contact;
   StickSlip anchor = friction;
@@ -38,9 +38,10 @@ ContactProbe Simulation::State::probe_way(const Pose& from, const Pose& pose, co
   return probed;
 }
 
-/// The stiffness of a law that gives none, by a small motion along each axis; its symmetric, never negative part.
-Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& pose, const Twist& velocity, double dt,
-                                               ProbedMotions motions, const Wrench& felt) noexcept {
+/// The stiffness of a law that gives none, by a small motion along each axis; its symmetric, never negative part. The
+/// moved ways have as many sub-steps as the one that was felt: another number would be another force.
+Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
+                                               double dt, ProbedMotions motions, const Wrench& felt) noexcept {
   constexpr double kShift = 0.01;  // [voxels]; the forces are sums of single-precision numbers
   const double reach = tool.head().reach() + tool.X_HT().translation.norm(), shift = kShift * workpiece.voxel_size();
   Stiffness scaled = Stiffness::Zero();  // a turn counts as the shift of the farthest point
@@ -56,7 +57,7 @@ Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& pos
       moved.rotation = rotation_from_vector(Vec3(shift / reach * along)) * pose.rotation;
       faster.angular += shift / reach / dt * along;
     }
-    const Wrench there = probe_way(from, moved, faster, dt).wrench;
+    const Wrench there = probe_way(from, moved, sub_steps, faster, dt).wrench;
     scaled.col(axis) << (felt.force - there.force) / shift, (felt.torque - there.torque) / (shift * reach);
   }
   if (axes == 3) scaled.bottomRows<3>().setZero();

@@ -123,9 +123,10 @@ bool Simulation::undo(std::size_t most) noexcept {
 
 void Simulation::reset(Workpiece workpiece) {
   validate_pair(workpiece, state_->tool);
-  const std::uint64_t exchanges = state_->workpiece_exchanges;
-  state_ = std::make_unique<State>(std::move(workpiece), state_->tool, state_->config);
-  state_->workpiece_exchanges = exchanges + 1;
+  auto fresh = std::make_unique<State>(std::move(workpiece), state_->tool, state_->config);
+  if (const std::size_t blocks = state_->workpiece.undo_blocks(); blocks > 0) fresh->workpiece.reserve_undo(blocks);
+  fresh->workpiece_exchanges = state_->workpiece_exchanges + 1;
+  state_ = std::move(fresh);
 }
 
 }  // namespace hapticut

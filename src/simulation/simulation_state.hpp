@@ -70,9 +70,10 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   const StepResult& reject(StepStatus status) noexcept;
 
   // The same without a change: `Simulation::probe`.
-  [[nodiscard]] ContactProbe probe_way(const Pose& from, const Pose& pose, const Twist& velocity, double dt) noexcept;
-  [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& pose, const Twist& velocity, double dt,
-                                            ProbedMotions motions, const Wrench& felt) noexcept;
+  [[nodiscard]] ContactProbe probe_way(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
+                                       double dt) noexcept;
+  [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
+                                            double dt, ProbedMotions motions, const Wrench& felt) noexcept;
   [[nodiscard]] ContactProbe probe_sub_step(const SubStep& sub_step, DeepContact& deep, StickSlip& anchor) noexcept;
 
   Workpiece workpiece;

@@ -3,6 +3,8 @@
 #include "workpiece/undo.hpp"
 
 #include <algorithm>
+#include <new>
+#include <string>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
@@ -25,9 +27,19 @@ UndoJournal::UndoJournal(const IndexBox& bounds, std::size_t capacity) {
   if (count > kMostBlocks)
     throw Error("the workpiece spans " + format_number(count) + " blocks, more than " + format_number(kMostBlocks) +
                 " that can be watched for undo; crop it.");
-  saved_.assign(std::size_t(count), 0);
-  ring_.resize(capacity);
-  marks_.reserve(kMarks);
+  const auto refuse = [&](const char* why) {
+    throw Error("undo memory of " + std::to_string(capacity) + " blocks, " +
+                format_number(double(capacity) * sizeof(SavedBlock) * 1e-9) + " GB, was asked for; " + why +
+                ". Reserve as many blocks as are cut between the marks, some thousands.");
+  };
+  if (capacity > kMostCapacity) refuse(("at most " + std::to_string(kMostCapacity) + " blocks are allowed").c_str());
+  try {
+    saved_.assign(std::size_t(count), 0);
+    ring_.resize(capacity);
+    marks_.reserve(kMarks);
+  } catch (const std::bad_alloc&) {
+    refuse("the system has no such memory");
+  }
 }
 
 std::size_t UndoJournal::number_of(const VoxelIndex& origin) const noexcept {
@@ -88,6 +100,8 @@ const SavedBlock* UndoJournal::take() noexcept {
 void Workpiece::reserve_undo(std::size_t blocks) {
   state_->journal = blocks == 0 || empty() ? nullptr : std::make_unique<UndoJournal>(bounds(), blocks);
 }
+
+std::size_t Workpiece::undo_blocks() const noexcept { return state_->journal ? state_->journal->capacity() : 0; }
 
 void Workpiece::set_mark() noexcept {
   if (state_->journal) state_->journal->set_mark();

@@ -24,13 +24,17 @@ struct SavedBlock {
 
 /// Marks, and the blocks that were cut since each: every block once a mark, before its first cut. Bounded: when there
 /// is no room, the oldest mark goes with its blocks.
+///
+/// Its memory: sizeof(SavedBlock) for each block of its capacity, and a table of 4 bytes for each block of the bounds.
 class UndoJournal {
  public:
   static constexpr std::size_t kMarks = 64;
+  static constexpr std::size_t kMostCapacity = std::size_t(1) << 22;  ///< [blocks], 11 GB
 
   /// @param bounds    voxels that may be cut
   /// @param capacity  [blocks] > 0
-  /// @throws Error when the bounds are too large for a table of their blocks
+  /// @throws Error when the bounds are too large for a table of their blocks, the capacity is above kMostCapacity, or
+  ///         there is no such memory
   UndoJournal(const IndexBox& bounds, std::size_t capacity);
 
   void set_mark() noexcept;

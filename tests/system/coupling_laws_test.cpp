@@ -70,12 +70,35 @@ TEST(CouplingLaws, AMeasuredStiffnessIsTheSlopeOfTheForceAndNeverNegative) {
   }
 }
 
-/// What of the work may stay unexplained: laws whose force jumps where the contact begins, or where its direction does,
-/// have ticks without a solution, and five steps end beside it.
+// A small motion must not change into how many sub-steps the way is cut: the mean force over one sub-step and over two
+// differ by far more than what the motion does.
+TEST(CouplingLaws, AMeasuredStiffnessIsThatOfTheWayAlsoWhereOneMoreSubStepIsNear) {
+  constexpr double kVoxel = 0.1 * mm, kPart = 0.5 * kVoxel;  // [m]
+  for (const double parts : {0.7, 0.9999, 1.0001, 1.9999, 2.0001, 2.5}) {
+    Simulation known(half_space(), ball(0), implicit(1e14));
+    Simulation measured(half_space(), ball(0), with_law(std::make_shared<Disguised>(), 1e14));
+    const Pose from = Pose::from_translation(kAside + Vec3(0, 0, kRadius - 1.5 * kVoxel));
+    const Pose to = Pose::from_translation(from.translation - Vec3(0, 0, parts * kPart));
+    known.step(from, {}, kTick);
+    measured.step(from, {}, kTick);
+    const ContactProbe a = known.probe(to, {}, kTick), b = measured.probe(to, {}, kTick);
+    EXPECT_NEAR(b.wrench.force.z(), a.wrench.force.z(), 1e-3 * a.wrench.force.z());
+    EXPECT_NEAR(b.stiffness(2, 2), a.stiffness(2, 2), 0.05 * a.stiffness(2, 2)) << parts;
+    for (int axis = 0; axis < 2; ++axis) {  // where the law's own stiffness leaves out how the normals turn
+      EXPECT_LT(b.stiffness(axis, axis), a.stiffness(axis, axis)) << parts;
+      EXPECT_GT(b.stiffness(axis, axis), 0.3 * a.stiffness(axis, axis)) << parts;
+    }
+  }
+}
+
+/// What of the work may stay unexplained, relative to what was turned over: docs/forces.md says why, and how much it
+/// is.
 double tolerated_imbalance(const NamedLaw& named) {
-  const bool jumps = named.name == "ContactMechanicsOnAFlat" || named.name == "HertzianBurr" ||
-                     named.name == "DampingMatrix" || named.name == "TwistDrillOnAFlat";
-  return jumps ? 0.15 : 1e-3;
+  constexpr double kMargin = 1.5;  // [1] over what was measured
+  if (named.name == "DampingMatrix") return kMargin * 0.044;
+  if (named.name == "ContactMechanicsOnAFlat") return kMargin * 0.012;
+  if (named.name == "TwistDrillOnAFlat") return kMargin * 0.0027;
+  return 1e-3;
 }
 
 /// Each law of the library, standing and cutting, under a hand that presses 3 N, rubs and leaves.

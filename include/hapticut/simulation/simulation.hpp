@@ -102,7 +102,7 @@ class Simulation {
   [[nodiscard]] WorkpieceSnapshot snapshot() const;  ///< of the workpiece, to undo to
   void restore(const WorkpieceSnapshot& snapshot);   ///< puts the workpiece back; the tool starts afresh
 
-  /// Memory for `set_undo_mark` and `undo`: see Workpiece::reserve_undo.
+  /// Memory for `set_undo_mark` and `undo`, also after `reset`: see Workpiece::reserve_undo.
   void reserve_undo(std::size_t blocks);
 
   // --- undo while a loop goes on, between steps ----------------------------------------------------------------------
@@ -111,15 +111,16 @@ class Simulation {
 
   [[nodiscard]] std::size_t undo_marks() const noexcept;  ///< that `undo` can return to
 
-  /// Goes back towards the last mark by up to `most` blocks, 0.3 us each; `changed_blocks` then names them. To be
-  /// called until it says that the workpiece is that of the mark, which is then gone; the tool starts afresh. What was
-  /// removed stays counted.
+  /// Goes back towards the last mark by up to `most` blocks (and at least one), 0.3 us each; `changed_blocks` then
+  /// names them. To be called until it says that the workpiece is that of the mark, which is then gone; the tool starts
+  /// afresh. What was removed stays counted.
   /// @return true when it is done, or there is no mark
   /// @realtime no allocation, no lock; O(most)
   bool undo(std::size_t most) noexcept;
 
-  /// Starts again with another workpiece: tool position, energies and removed volumes are forgotten.
-  /// @throws Error when the workpiece is empty, or the head thinner than a voxel
+  /// Starts again with another workpiece: tool position, energies, removed volumes and undo marks are forgotten. It
+  /// gets as much memory for undo as the old one had.
+  /// @throws Error when the workpiece is empty, or the head thinner than a voxel; then nothing has changed
   void reset(Workpiece workpiece);
 
  private:

@@ -86,10 +86,12 @@ class Workpiece {
   void restore(const WorkpieceSnapshot& snapshot);
 
   // --- undo without an allocation, for a loop that goes on ----------------------------------------------------------
-  /// Set-up only: memory for marks and for `blocks` blocks that are cut after them, 2.7 kB each; 0: none. Forgets all
-  /// marks, as `restore` does.
-  /// @throws Error when the workpiece spans too many blocks
+  /// Set-up only: memory for marks and for `blocks` blocks that are cut after them, 2.7 kB each, and 4 bytes for every
+  /// block that the workpiece's bounds span; 0: none. Forgets all marks, as `restore` does.
+  /// @throws Error when the workpiece spans too many blocks, or there is no such memory; then nothing has changed
   void reserve_undo(std::size_t blocks);
+
+  [[nodiscard]] std::size_t undo_blocks() const noexcept;  ///< that `reserve_undo` asked for
 
   /// Marks the present state, to return to it. Nothing happens without `reserve_undo`; with more than 64 marks, or
   /// where the memory is full, the oldest is forgotten.  @realtime no allocation, no lock; O(1)

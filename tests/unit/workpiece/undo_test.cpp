@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <random>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "hapticut/core/errors.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/cutting.hpp"
@@ -55,6 +58,7 @@ int undo_by(Simulation& simulation, std::size_t most) {
   int calls = 1;
   while (!simulation.undo(most)) {
     EXPECT_LE(simulation.changed_blocks().origins.size(), most);
+    EXPECT_TRUE(simulation.changed_blocks().complete);
     ++calls;
   }
   return calls;
@@ -172,6 +176,65 @@ TEST(Undo, IsNothingWithoutMemoryForItAndBeginsAnewAfterARestore) {
   EXPECT_NE(simulation.workpiece().hash(), hash);
   undo_by(simulation, 10);
   EXPECT_EQ(simulation.workpiece().hash(), hash);
+}
+
+TEST(Undo, ArrivesAlsoWhereNoBlocksOrAllBlocksAreAllowedACall) {
+  for (const std::size_t most : {std::size_t(0), ~std::size_t(0)}) {
+    Simulation simulation = slab(4000);
+    const std::uint64_t hash = simulation.workpiece().hash();
+    simulation.set_undo_mark();
+    Wandering tool(8);
+    tool.cut(simulation, 2000);
+    EXPECT_NE(simulation.workpiece().hash(), hash);
+    int calls = 1;
+    while (!simulation.undo(most) && calls < 10000) ++calls;
+    EXPECT_EQ(simulation.workpiece().hash(), hash) << most;
+    if (most == 0) {
+      EXPECT_GT(calls, 100) << "one block a call";
+    } else {
+      EXPECT_EQ(calls, 1);
+    }
+  }
+}
+
+TEST(Undo, KeepsItsMemoryWhenTheSimulationIsReset) {
+  Simulation simulation = slab(1000);
+  const Workpiece fresh = simulation.workpiece().clone();
+  Wandering(9).cut(simulation, 100);
+  simulation.set_undo_mark();
+  simulation.reset(fresh.clone());
+  EXPECT_EQ(simulation.undo_marks(), 0U) << "of another workpiece";
+  EXPECT_EQ(simulation.workpiece().undo_blocks(), 1000U);
+  const std::uint64_t hash = simulation.workpiece().hash();
+  simulation.set_undo_mark();
+  EXPECT_EQ(simulation.undo_marks(), 1U);
+  Wandering(10).cut(simulation, 200);
+  EXPECT_NE(simulation.workpiece().hash(), hash);
+  undo_by(simulation, 10);
+  EXPECT_EQ(simulation.workpiece().hash(), hash);
+
+  // A workpiece that brings its own memory keeps it where the simulation had none.
+  Simulation without = slab(0);
+  Workpiece own = fresh.clone();
+  own.reserve_undo(7);
+  without.reset(std::move(own));
+  EXPECT_EQ(without.workpiece().undo_blocks(), 7U);
+}
+
+TEST(Undo, RefusesMoreMemoryThanThereCanBeAndChangesNothingThen) {
+  Simulation simulation = slab(100);
+  simulation.set_undo_mark();
+  for (const std::size_t blocks : {~std::size_t(0), std::size_t(1) << 40, (std::size_t(1) << 22) + 1}) {
+    try {
+      simulation.reserve_undo(blocks);
+      FAIL() << blocks;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(std::to_string(blocks)), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("Reserve"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_EQ(simulation.undo_marks(), 1U);
+  EXPECT_EQ(simulation.workpiece().undo_blocks(), 100U);
 }
 
 TEST(Undo, KeepsNoMoreThan64Marks) {
