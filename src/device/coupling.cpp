@@ -65,8 +65,6 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
   const Pose pose = hand_pose;           // NOLINT(performance-unnecessary-copy-initialization)
   const Twist velocity = hand_velocity;  // NOLINT(performance-unnecessary-copy-initialization)
   begin_tick();
-  recorder_ = recorder;
-  device_ = device;
   const StepStatus refused = check_input(simulation_->config(), pose, velocity, dt);
   if (refused != StepStatus::ok) return let_go(refused);
   if (!std::exchange(held_, true)) {
@@ -81,7 +79,7 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
   result_.parts = plan_parts(dt);
   for (int part = 1; part <= result_.parts; ++part) {
     const Pose X_WD = part == result_.parts ? pose : advance(X_WD_before, hand_path, dt * part / result_.parts);
-    const StepStatus status = move(X_WD, hand_path, velocity, dt / result_.parts);
+    const StepStatus status = move(X_WD, hand_path, velocity, dt / result_.parts, {recorder, device});
     if (has(status, kRejected)) return let_go(status);
     result_.status |= status;
   }
@@ -117,14 +115,15 @@ int VirtualCoupling::plan_parts(double dt) const noexcept {
 }
 
 /// The hand moves on, the tool after it.
-StepStatus VirtualCoupling::move(const Pose& pose, const Twist& hand_path, const Twist& hand, double dt) noexcept {
+StepStatus VirtualCoupling::move(const Pose& pose, const Twist& hand_path, const Twist& hand, double dt,
+                                 const Recording& recording) noexcept {
   const Twist tool_before = result_.velocity;
   const Pull before = pull(result_.X_WH, tool_before, X_WD_, hand);
   const Twist tool = solve(pose, hand, dt);
   Pose X_WH = advance(result_.X_WH, tool, dt);
   if (!turns()) X_WH.rotation = pose.rotation;
   const double work_before = simulation_->last_result().energy.hand_work;
-  const StepResult& stepped = step_simulation(X_WH, tool, dt);
+  const StepResult& stepped = step_simulation(X_WH, tool, dt, recording);
   if (has(stepped.status, kRejected)) return stepped.status;
   keep_lists(stepped);
 
@@ -137,10 +136,11 @@ StepStatus VirtualCoupling::move(const Pose& pose, const Twist& hand_path, const
   return stepped.status;
 }
 
-const StepResult& VirtualCoupling::step_simulation(const Pose& X_WH, const Twist& tool, double dt) noexcept {
-  if (recorder_ != nullptr) recorder_->before_step();
+const StepResult& VirtualCoupling::step_simulation(const Pose& X_WH, const Twist& tool, double dt,
+                                                   const Recording& recording) noexcept {
+  if (recording.recorder != nullptr) recording.recorder->before_step();
   const StepResult& stepped = simulation_->step(X_WH, tool, dt);
-  if (recorder_ != nullptr) recorder_->after_step(device_);
+  if (recording.recorder != nullptr) recording.recorder->after_step(recording.device);
   return stepped;
 }
 

@@ -104,16 +104,11 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& options)
     // Time that is simulated does not pass by itself, so nobody can be late in it.
     std::unique_ptr<WatchdogThread> watchdog;
     if (!options.simulated_time)
-      watchdog = std::make_unique<WatchdogThread>(
-          options.guard.watchdog, guard_->heartbeat(),
-          [this, last = Watchdog::Verdict::alive](Watchdog::Verdict verdict, double share) mutable {
-            scale_output(share);
-            if (std::exchange(last, verdict) == verdict || verdict == Watchdog::Verdict::alive) return;
-            guard_->log().note(verdict == Watchdog::Verdict::late     ? SafetyEvent::watchdog_late
-                               : verdict == Watchdog::Verdict::fading ? SafetyEvent::watchdog_fading
-                                                                      : SafetyEvent::watchdog_fault,
-                               share);
-          });
+      watchdog = std::make_unique<WatchdogThread>(options.guard.watchdog, guard_->heartbeat(),
+                                                  [this](Watchdog::Verdict verdict, double share) {
+                                                    scale_output(share);
+                                                    guard_->report_silence(verdict, share);
+                                                  });
     servo.report_.end = drive(servo, options);
   }
   RunReport report = std::move(servo.report_);

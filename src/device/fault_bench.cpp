@@ -120,7 +120,9 @@ FaultResponse respond(const ClosedLoopConfig& config, const ModelFactory& factor
     if (n == fault_tick && fault == InjectedFault::reclutch) guard.interrupt(SafetyEvent::reclutched);
     if (n == fault_tick && fault == InjectedFault::emergency_stop) guard.emergency_stop();
     if (faulty && n < fault_tick + missed) {
-      loop.miss_tick(watchdog.scale(double(n - fault_tick + 1) * period));
+      const double silent = double(n - fault_tick + 1) * period;
+      guard.report_silence(watchdog.verdict(silent), watchdog.scale(silent));
+      loop.miss_tick(watchdog.scale(silent));
     } else {
       const DeviceState& admitted = guard.admit(faulty ? spoiled(reading, at_fault, fault) : reading);
       DeviceState seen = admitted;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/effects/output_limits.hpp"
@@ -90,6 +91,24 @@ void SafetyGuard::stop() noexcept {
   published_state_.store(arming_.state(), std::memory_order_release);
 }
 
+void SafetyGuard::report_silence(Watchdog::Verdict verdict, double share) {
+  if (std::exchange(silence_, verdict) == verdict) return;
+  switch (verdict) {
+    case Watchdog::Verdict::alive:
+      break;
+    case Watchdog::Verdict::late:
+      log_.note(SafetyEvent::watchdog_late, share);
+      break;
+    case Watchdog::Verdict::fading:
+      log_.note(SafetyEvent::watchdog_fading, share);
+      break;
+    case Watchdog::Verdict::dead:
+      log_.note(SafetyEvent::watchdog_fault, share);
+      if (options_.watchdog.latch) was_dead_.store(true, std::memory_order_release);
+      break;
+  }
+}
+
 void SafetyGuard::interrupt(SafetyEvent reason) noexcept {
   interruption_.store(std::uint8_t(reason), std::memory_order_release);
 }
@@ -113,6 +132,7 @@ void SafetyGuard::keep_time(const DeviceState& reading) noexcept {
 
 // What other threads asked for since the last tick.
 void SafetyGuard::obey() noexcept {
+  if (was_dead_.exchange(false, std::memory_order_acq_rel)) arming_.fail(log_);
   if (reset_.exchange(false, std::memory_order_acq_rel) && arming_.state() == ArmingState::fault) {
     emergency_.store(false, std::memory_order_release);
     gate_.restart();

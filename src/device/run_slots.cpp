@@ -89,7 +89,10 @@ void catch_signals() {
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
   action.sa_handler = hapticut_on_ending_signal;
-  for (std::size_t n = 0; n < kEnding.size(); ++n) sigaction(kEnding[n], &action, &old_ending[n]);
+  for (std::size_t n = 0; n < kEnding.size(); ++n) {
+    sigaction(kEnding[n], nullptr, &old_ending[n]);
+    if (old_ending[n].sa_handler != SIG_IGN) sigaction(kEnding[n], &action, nullptr);  // as nohup wants it
+  }
   action.sa_flags = 0;
   action.sa_handler = hapticut_on_crash;
   for (std::size_t n = 0; n < kCrashing.size(); ++n) sigaction(kCrashing[n], &action, &old_crashing[n]);

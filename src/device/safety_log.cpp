@@ -48,7 +48,7 @@ constexpr std::array<std::string_view, kSafetyEvents> kNames = {"pose_not_finite
 }  // namespace
 
 struct SafetyLog::Ring {
-  boost::lockfree::spsc_queue<SafetyLogEntry, boost::lockfree::capacity<kCapacity>> entries;
+  boost::lockfree::spsc_queue<Dated, boost::lockfree::capacity<kCapacity>> entries;
 };
 
 std::string_view name(SafetyEvent event) {
@@ -59,7 +59,7 @@ SafetyLog::SafetyLog() : ring_(std::make_unique<Ring>()) {}
 SafetyLog::~SafetyLog() = default;
 
 void SafetyLog::begin_tick(double time, std::uint64_t sequence) noexcept {
-  ++tick_;
+  tick_.fetch_add(1, std::memory_order_relaxed);
   time_.store(time, std::memory_order_relaxed);
   sequence_.store(sequence, std::memory_order_relaxed);
 }
@@ -67,21 +67,24 @@ void SafetyLog::begin_tick(double time, std::uint64_t sequence) noexcept {
 void SafetyLog::report(SafetyEvent event, double value) noexcept {
   const auto n = std::size_t(event);
   counts_[n].fetch_add(1, std::memory_order_relaxed);
-  const bool began = last_tick_[n] + 1 < tick_;
-  last_tick_[n] = tick_;
-  if (!began) return;
-  const SafetyLogEntry entry = {time_.load(std::memory_order_relaxed), sequence_.load(std::memory_order_relaxed), event,
-                                value};
-  if (!ring_->entries.push(entry)) dropped_.fetch_add(1, std::memory_order_relaxed);
+  const std::uint64_t tick = tick_.load(std::memory_order_relaxed);
+  const bool began = last_tick_[n] + 1 < tick;
+  last_tick_[n] = tick;
+  if (began && !ring_->entries.push(dated(event, value))) dropped_.fetch_add(1, std::memory_order_relaxed);
 }
 
 void SafetyLog::note(SafetyEvent event, double value) {
   counts_[std::size_t(event)].fetch_add(1, std::memory_order_relaxed);
   const std::lock_guard lock(readers_);
   if (noted_.size() < kCapacity)
-    noted_.push_back({time_.load(std::memory_order_relaxed), sequence_.load(std::memory_order_relaxed), event, value});
+    noted_.push_back(dated(event, value));
   else
     dropped_.fetch_add(1, std::memory_order_relaxed);
+}
+
+SafetyLog::Dated SafetyLog::dated(SafetyEvent event, double value) const noexcept {
+  constexpr auto kOrder = std::memory_order_relaxed;
+  return {tick_.load(kOrder), {time_.load(kOrder), sequence_.load(kOrder), event, value}};
 }
 
 std::uint64_t SafetyLog::count(SafetyEvent event) const noexcept {
@@ -90,12 +93,15 @@ std::uint64_t SafetyLog::count(SafetyEvent event) const noexcept {
 
 std::vector<SafetyLogEntry> SafetyLog::drain() {
   const std::lock_guard lock(readers_);
-  std::vector<SafetyLogEntry> entries;
-  ring_->entries.consume_all([&](const SafetyLogEntry& entry) { entries.push_back(entry); });
-  entries.insert(entries.end(), noted_.begin(), noted_.end());
+  std::vector<Dated> all;
+  ring_->entries.consume_all([&](const Dated& entry) { all.push_back(entry); });
+  all.insert(all.end(), noted_.begin(), noted_.end());
   noted_.clear();
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const SafetyLogEntry& a, const SafetyLogEntry& b) { return a.sequence < b.sequence; });
+  // Not by the device's own numbers, which stand still with a stale reading and begin anew with a new connection.
+  std::stable_sort(all.begin(), all.end(), [](const Dated& a, const Dated& b) { return a.tick < b.tick; });
+  std::vector<SafetyLogEntry> entries;
+  entries.reserve(all.size());
+  for (const Dated& one : all) entries.push_back(one.entry);
   return entries;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <tuple>
 
 #include "hapticut/core/errors.hpp"
 
@@ -14,10 +15,11 @@ enum Code : std::int32_t { kSpindleSpeed, kOpenClutch, kCloseClutch, kScale, kUn
 
 LoopCommand command(Code code, double value = 0) { return {LoopCommand::Kind::model, code, {value}}; }
 
+// Where the numbers of a ToolSnapshot are in LoopSnapshot::values; a vector takes three places.
 enum Place : std::size_t {
   kForce = 0,
-  kTorque = 3,
-  kRemovedVolume = 6,
+  kTorque = kForce + 3,
+  kRemovedVolume = kTorque + 3,
   kContactDepth,
   kContactVoxels,
   kSpindle,
@@ -25,8 +27,10 @@ enum Place : std::size_t {
   kSeen,
   kSteps,
   kUndoMarks,
-  kUndoing
+  kUndoing,
+  kPlaces
 };
+static_assert(kPlaces <= std::tuple_size_v<decltype(LoopSnapshot::values)>);
 
 Vec3 vector_at(const LoopSnapshot& snapshot, std::size_t place) {
   return {snapshot.values[place], snapshot.values[place + 1], snapshot.values[place + 2]};
@@ -84,7 +88,7 @@ Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& 
   Wrench wrench;
   if (state.valid) X_BS_ = state.X_BS;
   if (tool_.undoing) {
-    go_back();
+    go_back(state);
   } else if (state.valid) {
     turn_spindle(device_->last_arming());
     wrench = move_tool(state, dt);
@@ -95,8 +99,9 @@ Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& 
   return wrench;
 }
 
-/// A part of the way back to the last mark.
-void SimulationModel::go_back() noexcept {
+/// A part of the way back to the last mark. The tool is with the hand, as it will be when it can feel again.
+void SimulationModel::go_back(const DeviceState& state) noexcept {
+  if (state.valid) X_WH_ = map_.to_world(state.X_BS);
   tool_.undoing = !simulation_->undo(undo_blocks_per_tick_);
   changed_ = simulation_->changed_blocks();
   // Whatever the tool is in now, nobody shall feel it at once.
@@ -192,6 +197,9 @@ void SimulationModel::obey(const LoopCommand& given) noexcept {
       if (tool_.undoing || simulation_->undo_marks() == 0) break;
       tool_.undoing = true;
       tool_.force = tool_.torque = Vec3::Zero();
+      tool_.contact_depth = tool_.spindle_speed = 0;
+      tool_.contact_voxels = 0;
+      tool_.status = StepStatus::ok;
       if (coupling_) coupling_->release();
       break;
     default:

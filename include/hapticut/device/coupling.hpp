@@ -125,12 +125,20 @@ class VirtualCoupling {
     Wrench wrench;       // on the tool
   };
 
+  /// Who is given the steps of a tick.
+  struct Recording {
+    StepRecorder* recorder;
+    const DeviceTick* device;
+  };
+
   static constexpr int kMostParts = 8;
 
   [[nodiscard]] int plan_parts(double dt) const noexcept;
   void begin_tick() noexcept;
-  StepStatus move(const Pose& pose, const Twist& hand_path, const Twist& hand, double dt) noexcept;
-  const StepResult& step_simulation(const Pose& X_WH, const Twist& tool, double dt) noexcept;
+  StepStatus move(const Pose& pose, const Twist& hand_path, const Twist& hand, double dt,
+                  const Recording& recording) noexcept;
+  const StepResult& step_simulation(const Pose& X_WH, const Twist& tool, double dt,
+                                    const Recording& recording) noexcept;
   void keep_lists(const StepResult& stepped) noexcept;
   [[nodiscard]] Pull pull(const Pose& X_WH, const Twist& tool, const Pose& X_WD, const Twist& hand) const noexcept;
   [[nodiscard]] Twist solve(const Pose& pose, const Twist& hand, double dt) noexcept;
@@ -144,8 +152,6 @@ class VirtualCoupling {
   Simulation* simulation_;
   CouplingGains gains_;
   Output output_;
-  StepRecorder* recorder_ = nullptr;    // of this tick
-  const DeviceTick* device_ = nullptr;  // of this tick, for the recorder
   bool held_ = false;
   Pose X_WD_;  // of the hand, at the end of the last part
   std::vector<RemovedVoxel> removed_;

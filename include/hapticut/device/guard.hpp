@@ -62,6 +62,10 @@ class SafetyGuard {
   /// @realtime no allocation, no lock
   Wrench release(const Wrench& commanded) noexcept;
 
+  /// What a watchdog in another thread, or a bench, sees of a loop that does not answer: enters each verdict once in a
+  /// silence, and latches the fault where WatchdogOptions::latch says so. One thread at a time; `alive` ends a silence.
+  void report_silence(Watchdog::Verdict verdict, double share);
+
   /// What the device did render, when that is something else than `release` returned.
   void applied(const Wrench& wrench) noexcept;
 
@@ -109,10 +113,11 @@ class SafetyGuard {
   PassivityController passivity_, turning_passivity_;
   ThermalBudget thermal_;
 
-  std::atomic<bool> emergency_{false}, reset_{false};
+  std::atomic<bool> emergency_{false}, reset_{false}, was_dead_{false};
   std::atomic<std::uint8_t> interruption_{std::uint8_t(SafetyEvent::count)};
   std::atomic<ArmingState> published_state_{ArmingState::off};
   std::atomic<std::uint64_t> heartbeat_{0};
+  Watchdog::Verdict silence_ = Watchdog::Verdict::alive;  // of the watchdog's thread
 
   bool started_ = false, reading_ok_ = false;
   double last_time_ = 0, dt_ = 0, gate_time_ = 0;

@@ -90,18 +90,24 @@ class SafetyLog {
   /// Entries that found the list full.
   [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_.load(std::memory_order_relaxed); }
 
-  /// Takes the entries out of the list, oldest first.
+  /// Takes the entries out of the list, in the order of the ticks that they belong to.
   [[nodiscard]] std::vector<SafetyLogEntry> drain();
 
  private:
   struct Ring;
+  struct Dated {
+    std::uint64_t tick;  // of this log
+    SafetyLogEntry entry;
+  };
+  [[nodiscard]] Dated dated(SafetyEvent event, double value) const noexcept;
+
   std::unique_ptr<Ring> ring_;
   std::mutex readers_;
-  std::vector<SafetyLogEntry> noted_;  // by other threads
+  std::vector<Dated> noted_;  // by other threads
   std::array<std::atomic<std::uint64_t>, kSafetyEvents> counts_{};
   std::atomic<std::uint64_t> dropped_{0};
   std::array<std::uint64_t, kSafetyEvents> last_tick_{};
-  std::uint64_t tick_ = 1;
+  std::atomic<std::uint64_t> tick_{1};
   std::atomic<double> time_{0};
   std::atomic<std::uint64_t> sequence_{0};
 };

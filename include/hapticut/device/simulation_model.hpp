@@ -41,7 +41,7 @@ struct ToolSnapshot {
   StepStatus seen = StepStatus::ok;    ///< of all steps since the loop began
   std::uint64_t steps = 0;             ///< since the loop began
   std::size_t undo_marks = 0;          ///< that can be returned to
-  bool undoing = false;                ///< on the way back to one: nothing is felt or cut
+  bool undoing = false;                ///< on the way back to one: nothing is felt or cut, and what is of a step is 0
 };
 [[nodiscard]] ToolSnapshot tool_of(const LoopSnapshot& snapshot);
 
@@ -57,7 +57,8 @@ struct SimulationModelOptions {
   /// nothing is cut that the hand cannot feel, and a tool that begins inside the material does not eat its way out.
   bool spindle_needs_force = true;
 
-  /// Blocks that may be cut after the undo marks, together; 2.7 kB each. 0: no undo.
+  /// Blocks that may be cut after the undo marks, together; 2.7 kB each: see Workpiece::reserve_undo. 0: none are
+  /// reserved here.
   std::size_t undo_blocks = 0;
   std::size_t undo_blocks_per_tick = 64;  ///< > 0, put back at most; 0.3 us each
 };
@@ -88,7 +89,7 @@ class SimulationModel final : public LoopModel {
   [[nodiscard]] Wrench follow_hand(const Pose& pose, const Twist& velocity, double dt, const DeviceTick& tick) noexcept;
   [[nodiscard]] Wrench move_tool(const DeviceState& state, double dt) noexcept;
   void turn_spindle(ArmingState arming) noexcept;
-  void go_back() noexcept;
+  void go_back(const DeviceState& state) noexcept;
   void show(LoopSnapshot& snapshot) const noexcept;
 
   Simulation* simulation_;

@@ -16,7 +16,11 @@ struct WatchdogOptions {
   int late_ticks = 3;    ///< after which it is reported
   int fade_ticks = 10;   ///< after which the last force is faded out
   double fade = 0.03;    ///< [s] of the fading
-  int fault_ticks = 50;  ///< after which it is a fault
+  int fault_ticks = 50;  ///< after which it is reported as a fault
+
+  /// What a loop finds that comes back after fault_ticks. false: what it finds after any pause: no force until the tool
+  /// was free, and then the long fade-in. true: the fault state, which lasts until `reset_fault`.
+  bool latch = false;
 };
 
 /// What to do about a model that has not answered for a while. Pure logic; somebody else brings the time.

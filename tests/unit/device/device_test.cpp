@@ -280,30 +280,35 @@ TEST(Device, EmergencyStopLastsUntilReset) {
 }
 
 TEST(Device, AWatchdogFadesTheForceOfADeviceWhoseLoopHangs) {
-  WrittenDevice device;
-  double least = 1;
-  std::atomic<bool> hung{false};
-  const RunReport report = device.run(
-      [&](const DeviceState& state) {
-        if (state.sequence == 20 && !hung.exchange(true))
-          for (int n = 0; n < 2000 && (least = device.share.load(), device.count(SafetyEvent::watchdog_fault) == 0);
-               ++n)
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        return DeviceCommand{{}, state.sequence > 60};
-      },
-      real(0));
-  EXPECT_EQ(least, 0);
-  // The other thread has said so, in the order of what it saw; on a busy machine it may have woken up too late for
-  // some.
-  std::vector<SafetyEvent> said;
-  for (const SafetyLogEntry& entry : report.log)
-    if (entry.event >= SafetyEvent::watchdog_late && entry.event <= SafetyEvent::watchdog_fault)
-      said.push_back(entry.event);
-  ASSERT_FALSE(said.empty());
-  EXPECT_TRUE(std::find(said.begin(), said.end(), SafetyEvent::watchdog_fault) != said.end());
-  EXPECT_GE(report.events[std::size_t(SafetyEvent::watchdog_fault)], 1U);
-  // The loop that comes back late waits until the tool is free, whatever it hung in.
-  EXPECT_GE(report.events[std::size_t(SafetyEvent::armed)], 1U);
+  for (const bool latch : {false, true}) {
+    WrittenDevice device;
+    device.next = [](DeviceState& state) {
+      state.time = monotonic_time();
+      return true;
+    };
+    double least = 1;
+    bool hung = false;
+    RunOptions options = real(0);
+    options.guard.watchdog.latch = latch;
+    const RunReport report = device.run(
+        [&](const DeviceState& state) {
+          if (state.sequence == 20 && !std::exchange(hung, true))
+            while (least = device.share.load(), device.count(SafetyEvent::watchdog_fault) == 0)
+              std::this_thread::sleep_for(std::chrono::milliseconds(1));
+          return DeviceCommand{{Vec3(0, 0, state.sequence > 20 ? 1 : 0), Vec3::Zero()}, state.sequence > 60};
+        },
+        options);
+    EXPECT_EQ(least, 0);
+    // The other thread has said so, in the order of what it saw; on a busy machine it may have woken up too late for
+    // some.
+    EXPECT_TRUE(std::any_of(report.log.begin(), report.log.end(), [](const SafetyLogEntry& entry) {
+      return entry.event == SafetyEvent::watchdog_fault && entry.value == 0;
+    }));
+    // The loop that comes back late gives no force: it waits until the tool is free, or fails where it is told to.
+    EXPECT_GE(report.events[std::size_t(SafetyEvent::paused)], 1U);
+    EXPECT_EQ(report.guard, latch ? ArmingState::fault : ArmingState::wait_free);
+    EXPECT_TRUE(device.forces.back().isZero(0));
+  }
 }
 
 /// What a child process leaves behind of the last force it wrote.
@@ -345,6 +350,18 @@ TEST(Device, LeavesNoForceWhenASignalEndsTheProcess) {
     EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
     EXPECT_EQ(last.value->load(), 0);
   }
+}
+
+TEST(Device, DoesNotMindASignalThatTheProcessIgnores) {
+  SharedForce last;
+  const int status = end_of_child(
+      last,
+      [](WrittenDevice& device) {
+        std::signal(SIGHUP, SIG_IGN);  // as nohup does
+        if (device.run(pushing(), real(1)).ticks < 900) throw std::runtime_error("ended early");
+      },
+      SIGHUP);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 99) << status;
 }
 
 /// Runs a device whose force another thread ends, with the whole process, by `end`.

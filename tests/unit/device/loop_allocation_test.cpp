@@ -8,7 +8,11 @@
 
 #include "hapticut/device/mock.hpp"
 #include "hapticut/device/open_haptics.hpp"
+#include "hapticut/device/simulation_model.hpp"
+#include "hapticut/realtime/block_outbox.hpp"
+#include "hapticut/workpiece/builders.hpp"
 #include "support/allocation_count.hpp"
+#include "support/cutting.hpp"
 
 namespace hapticut {
 namespace {
@@ -49,6 +53,68 @@ TEST(LoopOfAMock, AllocatesNothingAndTakesNoLock) {
   EXPECT_EQ(counts.deallocations, 0);
   EXPECT_EQ(counts.locks, 0);
   EXPECT_GT(report.events[std::size_t(SafetyEvent::saturated)], 0U);
+}
+
+/// A simulation in the loop that cuts, is marked, and goes back again and again; changed blocks on their way out.
+struct UndoingLoop {
+  explicit UndoingLoop(bool coupled)
+      : simulation(build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
+                   Tool(SphereHead{kRadius}, RayHandle{}, Spindle{3000}), config(coupled)),
+        model(simulation, *device, options(coupled)),
+        outbox(model.region(), 64) {}
+
+  static SimulationConfig config(bool coupled) {
+    SimulationConfig config;
+    config.reference_stiffness = 1e13;
+    config.reserved_blocks = 4096;
+    config.contact_time = coupled ? ContactTime::end : ContactTime::middle;
+    return config;
+  }
+  SimulationModelOptions options(bool coupled) const {
+    SimulationModelOptions options;
+    options.map.X_WB = Pose::from_translation(Vec3(0, 0, kRadius));
+    options.undo_blocks = 500;  // less than is cut: marks are forgotten on the way
+    options.undo_blocks_per_tick = 1;
+    if (coupled) options.coupling = coupling_gains(device->capabilities());
+    return options;
+  }
+  DeviceCommand tick(const DeviceState& state) {
+    ++ticks;
+    if (ticks == 100) test::arm_call_counts();
+    if (ticks % 500 == 1 && ticks % 2000 > 1000) model.obey(model_commands::set_undo_mark());
+    if (ticks % 2000 == 1999) model.obey(model_commands::undo());
+    const DeviceCommand command{model.step(state, 1e-3, snapshot), ticks >= 9000};
+    model.mark_changes(outbox);
+    outbox.send(copy, 16);
+    if (tool_of(snapshot).undoing) ++ticks_back;
+    if (ticks == 8990) counts = test::disarm_call_counts();
+    return command;
+  }
+
+  static constexpr double kRadius = 1.5e-3;  // [m]
+  std::unique_ptr<Device> device = open_device("mock:spiral");
+  Simulation simulation;
+  SimulationModel model;
+  BlockOutbox outbox;
+  BlockOutbox::Copy copy = [this](ChangedBlock& block) { model.copy(block); };
+  LoopSnapshot snapshot;
+  test::CallCounts counts;
+  int ticks = 0, ticks_back = 0;
+};
+
+TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockAlsoOnTheWayBackToAMark) {
+  for (const bool coupled : {false, true}) {
+    UndoingLoop loop(coupled);
+    RunOptions options = quick();
+    options.simulated_time = true;
+    (void)loop.device->run([&](const DeviceState& state) { return loop.tick(state); }, options);
+    EXPECT_EQ(loop.ticks, 9000);
+    EXPECT_EQ(loop.counts.allocations, 0);
+    EXPECT_EQ(loop.counts.deallocations, 0);
+    EXPECT_EQ(loop.counts.locks, 0);
+    EXPECT_GT(loop.ticks_back, 10) << "it must go back, or the test says nothing";
+    EXPECT_GT(tool_of(loop.snapshot).removed_volume, 1e-9);
+  }
 }
 
 TEST(LoopOfOpenHaptics, AllocatesNothing) {

@@ -40,6 +40,13 @@ class Events : public testing::Test {
   DeviceState reading;
 };
 
+/// What the watchdog's thread does while the loop is silent, in simulated time.
+void stay_silent(SafetyGuard& guard, int ticks, const WatchdogOptions& options = {}) {
+  const Watchdog watchdog(options);
+  for (int n = 1; n <= ticks; ++n) guard.report_silence(watchdog.verdict(n * kPeriod), watchdog.scale(n * kPeriod));
+  guard.report_silence(Watchdog::Verdict::alive, 1);
+}
+
 /// Brings an event about, from a guard that is engaged.
 struct Cause {
   SafetyEvent event;
@@ -134,10 +141,9 @@ std::vector<Cause> causes() {
       pushed(SafetyEvent::continuous_limited, 3.3, kPeriod, 20000),
       faulty(SafetyEvent::motors_warm, DeviceFault::motors_warm),
       faulty(SafetyEvent::device_fault, DeviceFault::speed_limit),
-      told(SafetyEvent::watchdog_late, [](SafetyGuard& guard) { guard.log().note(SafetyEvent::watchdog_late, 1); }),
-      told(SafetyEvent::watchdog_fading,
-           [](SafetyGuard& guard) { guard.log().note(SafetyEvent::watchdog_fading, 0.5); }),
-      told(SafetyEvent::watchdog_fault, [](SafetyGuard& guard) { guard.log().note(SafetyEvent::watchdog_fault, 0); }),
+      told(SafetyEvent::watchdog_late, [](SafetyGuard& guard) { stay_silent(guard, 5); }),
+      told(SafetyEvent::watchdog_fading, [](SafetyGuard& guard) { stay_silent(guard, 20); }),
+      told(SafetyEvent::watchdog_fault, [](SafetyGuard& guard) { stay_silent(guard, 60); }),
       told(SafetyEvent::exception, [](SafetyGuard& guard) { guard.report_exception(); }),
       told(SafetyEvent::emergency_stop,
            [](SafetyGuard& guard) { std::thread([&] { guard.emergency_stop(); }).join(); }),
@@ -243,6 +249,88 @@ TEST_F(StateMachine, DebuggerPauseGivesNoForceUntilTheToolIsOut) {
   EXPECT_TRUE(tick({0, 0, 30}, 5.0).force.isZero(0));
   EXPECT_EQ(guard.log().count(SafetyEvent::paused), 1U);
   expect_no_force_until_free();
+}
+
+// --- the watchdog
+// ------------------------------------------------------------------------------------------------
+
+class Silence : public Events {};
+
+TEST_F(Silence, IsReportedStageByStageOnceEachAndInTheirOrder) {
+  engage();
+  (void)guard.log().drain();
+  for (const int again : {1, 2}) {
+    stay_silent(guard, 200);
+    tick();
+    std::vector<SafetyEvent> said;
+    for (const SafetyLogEntry& entry : guard.log().drain()) said.push_back(entry.event);
+    const std::vector<SafetyEvent> expected = {SafetyEvent::watchdog_late, SafetyEvent::watchdog_fading,
+                                               SafetyEvent::watchdog_fault};
+    EXPECT_EQ(said, expected);
+    EXPECT_EQ(guard.log().count(SafetyEvent::watchdog_fault), std::uint64_t(again));
+  }
+}
+
+TEST_F(Silence, OfThreeTicksIsNotWorthAWord) {
+  engage();
+  stay_silent(guard, 3);
+  EXPECT_EQ(guard.log().count(SafetyEvent::watchdog_late), 0U);
+}
+
+TEST_F(Silence, IsAPauseAndNoFaultUnlessTheWatchdogLatches) {
+  engage();
+  stay_silent(guard, 100);
+  tick({0, 0, 1}, 0.1);
+  EXPECT_EQ(guard.state(), ArmingState::wait_free);
+  EXPECT_EQ(guard.log().count(SafetyEvent::paused), 1U);
+  EXPECT_EQ(guard.log().count(SafetyEvent::fault), 0U);
+}
+
+class LatchedSilence : public Events {
+ protected:
+  static GuardOptions latching() {
+    GuardOptions options;
+    options.watchdog.latch = true;
+    return options;
+  }
+  LatchedSilence() : Events(latching()) {}
+};
+
+TEST_F(LatchedSilence, IsAFaultAfterFiftyTicksUntilItIsReset) {
+  engage();
+  stay_silent(guard, 50, latching().watchdog);
+  tick();
+  EXPECT_EQ(guard.state(), ArmingState::on) << "fifty are not more than fifty";
+  stay_silent(guard, 51, latching().watchdog);
+  tick();
+  EXPECT_EQ(guard.state(), ArmingState::fault);
+  for (int n = 0; n < 3000; ++n) EXPECT_TRUE(tick().force.isZero(0));
+  EXPECT_EQ(guard.state(), ArmingState::fault) << "it latches";
+  guard.reset();
+  engage();
+}
+
+// --- the log
+// ------------------------------------------------------------------------------------------------
+
+TEST(SafetyLog, IsInTheOrderOfItsTicksWhateverTheDeviceCallsThem) {
+  SafetyLog log;
+  log.begin_tick(0.1, 100);
+  log.report(SafetyEvent::engaged);
+  log.begin_tick(0.2, 100);  // the same reading again
+  log.note(SafetyEvent::watchdog_late, 1);
+  log.begin_tick(0.0, 1);  // a new connection counts from one
+  log.report(SafetyEvent::recalibrated);
+  log.begin_tick(0.1, 2);
+  log.note(SafetyEvent::watchdog_fading, 1);
+  log.begin_tick(0.2, 3);
+  log.report(SafetyEvent::fading_in);
+  std::vector<SafetyEvent> order;
+  for (const SafetyLogEntry& entry : log.drain()) order.push_back(entry.event);
+  const std::vector<SafetyEvent> expected = {SafetyEvent::engaged, SafetyEvent::watchdog_late,
+                                             SafetyEvent::recalibrated, SafetyEvent::watchdog_fading,
+                                             SafetyEvent::fading_in};
+  EXPECT_EQ(order, expected);
 }
 
 }  // namespace

@@ -309,8 +309,15 @@ TEST(SimulationModel, GivesNoForceFromAnUndoUntilTheToolWasFree) {
           model.obey(model_commands::undo());
         }
         DeviceCommand command{model.step(state, 1e-3, snapshot), false};
-        if (ticks > 700 && tool_of(snapshot).undoing) {
+        if (const ToolSnapshot tool = tool_of(snapshot); ticks > 700 && tool.undoing) {
           EXPECT_TRUE(command.wrench.force.isZero(0));
+          EXPECT_TRUE(tool.force.isZero(0) && tool.torque.isZero(0));
+          EXPECT_EQ(tool.contact_voxels + tool.contact_depth + tool.spindle_speed, 0);
+          EXPECT_EQ(tool.status, StepStatus::ok);
+          EXPECT_EQ(tool.undo_marks, 1U);
+          EXPECT_GT(tool.removed_volume, 0) << "what was removed stays counted";
+          EXPECT_TRUE(snapshot.X_WT.translation.isApprox(options.map.X_WB.translation + state.X_BS.translation))
+              << "the tool is shown with the hand";
           ++without_force;
         }
         if (ticks > 702) {
