@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/io/playback.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include "hapticut/core/errors.hpp"
 #include "hapticut/io/recording.hpp"
 
@@ -28,16 +31,26 @@ DeviceCapabilities of_poses() {
 
 }  // namespace
 
-std::unique_ptr<PlaybackDevice> open_playback(const std::filesystem::path& path) {
+std::unique_ptr<PlaybackDevice> open_playback(const std::filesystem::path& path, const PlaybackRange& range) {
   const Recording recording = read_recording(path);
-  if (recording.size() == 0) throw Error("the recording '" + path.string() + "' has no steps to play back.");
+  const std::uint64_t size = recording.size(), begin = std::min(range.first, size);
+  const std::uint64_t count = std::min(range.count, size - begin), end = begin + count;
+  if (count == 0)
+    throw Error("the recording '" + path.string() + "' has " + std::to_string(size) +
+                " steps, and none to play back from number " + std::to_string(range.first) + " on.");
+  if (count > PlaybackRange::kMost)
+    throw Error("the recording '" + path.string() + "' has " + std::to_string(count) +
+                " steps to play back, and at most " + std::to_string(PlaybackRange::kMost) +
+                " are held in memory; open a part of it with open_playback and a PlaybackRange.");
   std::vector<DeviceState> readings;
-  readings.reserve(recording.size());
-  for (std::uint64_t first = 0; first < recording.size(); first += kAtOnce)
-    for (const RecordedStep& step : recording.read(first, kAtOnce)) {
+  readings.reserve(count);
+  for (std::uint64_t first = begin; first < end; first += kAtOnce)
+    for (const RecordedStep& step : recording.read(first, std::min(kAtOnce, end - first))) {
       const DeviceState reading = recording.has_device() ? step.device.state : reading_of(step);
-      // Behind a coupling a fast tick makes several steps of one reading.
-      if (!readings.empty() && readings.back().sequence == reading.sequence) continue;
+      // Behind a coupling a fast tick makes several steps of one reading. A reading that came again in a later tick has
+      // a time of its own.
+      if (!readings.empty() && readings.back().sequence == reading.sequence && readings.back().time == reading.time)
+        continue;
       readings.push_back(reading);
     }
   return std::make_unique<PlaybackDevice>(

@@ -90,6 +90,7 @@ struct Recorder::State {
   bool over = false;  // nothing can be recorded any more
   double time = 0;
   std::atomic<std::uint64_t> recorded{0}, lost{0};
+  std::atomic<bool> ending_failed{false};
 
   // The writer's side.
   std::unique_ptr<RoomOnDisk> room;
@@ -214,7 +215,9 @@ void Recorder::State::note(const DeviceTick* device) noexcept {
 
 std::uint64_t Recorder::recorded() const noexcept { return state_->recorded.load(std::memory_order_relaxed); }
 std::uint64_t Recorder::lost() const noexcept { return state_->lost.load(std::memory_order_relaxed); }
-bool Recorder::failed() const noexcept { return state_->writer->failed(); }
+bool Recorder::failed() const noexcept {
+  return state_->writer->failed() || state_->ending_failed.load(std::memory_order_acquire);
+}
 
 // --- the writer's side ----------------------------------------------------------------------------------------------
 
@@ -231,6 +234,7 @@ std::string Recorder::State::end_writing() {
   appenders.clear();
   effects_appenders.clear();
   if (file.reset() < 0 && failure.empty()) failure = "closing failed";
+  if (!failure.empty()) ending_failed.store(true, std::memory_order_release);
   return failure;
 }
 
@@ -266,6 +270,7 @@ void Recorder::close() {
     write_recording_end(file.get(), s.lost.load(), s.simulation.workpiece().hash());
     if (file.reset() < 0) hdf5::fail("closing it");
   } catch (const hdf5::Failure& error) {
+    s.ending_failed.store(true, std::memory_order_release);
     fail(s.path, error.what());
   }
 }

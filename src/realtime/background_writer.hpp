@@ -87,9 +87,15 @@ class BackgroundWriter {
         }
       }
     } catch (const std::exception& error) {
-      failure_ = error.what();
-      failed_.store(true, std::memory_order_release);
+      fail(error.what());
+    } catch (...) {
+      fail("something unknown was thrown");
     }
+  }
+
+  void fail(std::string why) {
+    failure_ = std::move(why);
+    failed_.store(true, std::memory_order_release);
   }
 
   boost::lockfree::spsc_queue<Message> ring_;

@@ -59,7 +59,7 @@ class Recorder final : public StepRecorder {
 
   [[nodiscard]] std::uint64_t recorded() const noexcept;  ///< steps that were taken over
   [[nodiscard]] std::uint64_t lost() const noexcept;      ///< steps that found the memory full or came after the end
-  [[nodiscard]] bool failed() const noexcept;             ///< the disk is full, or the like: `close` says what
+  [[nodiscard]] bool failed() const noexcept;  ///< the disk is full, or the like, or `close` failed, and says what
 
   /// Writes what is left, and the hash of the workpiece, and ends the recording.
   /// @throws Error when something could not be written, also earlier

@@ -66,6 +66,58 @@ TEST(Playback, GivesTheReadingsOfARecordedDeviceAgain) {
   }
 }
 
+TEST(Playback, RepeatsAReadingThatCameAgainButNotThePartsOfATick) {
+  const TemporaryFolder folder;
+  Simulation simulation = find_scene("axial_flat").make();
+  RecorderOptions options = test::patient();
+  options.device = "a device";
+  options.capabilities.model = "of the tests";
+  Recorder recorder(folder / "a.h5", simulation, options);
+  const StepInput in_the_air{Pose::from_translation(Vec3(0, 0, 50e-3)), {}, 1e-3};
+  DeviceTick tick;
+  const auto record = [&](double time, std::uint64_t sequence) {
+    tick.state.time = time;
+    tick.state.sequence = sequence;
+    recorder.step(in_the_air, &tick);
+  };
+  record(0.001, 1);
+  record(0.002, 2);
+  for (int part = 0; part < 3; ++part) record(0.003, 3);  // a fast tick behind a coupling
+  record(0.004, 3);                                       // the driver said the same again
+  record(0.005, 3);
+  record(0.006, 4);
+  recorder.close();
+  const auto playback = open_playback(folder / "a.h5");
+  std::vector<double> times;
+  const RunReport report = playback->run(
+      [&](const DeviceState& state) {
+        times.push_back(state.time);
+        return DeviceCommand{};
+      },
+      in_simulated_time());
+  EXPECT_EQ(times, (std::vector<double>{0.001, 0.002, 0.003, 0.004, 0.005, 0.006}));
+  EXPECT_EQ(report.events[std::size_t(SafetyEvent::reading_stale)], 2U) << "the guard sees what it saw then";
+}
+
+TEST(Playback, PlaysAPartOfARecording) {
+  const TemporaryFolder folder;
+  test::record_scene(folder / "a.h5", "axial_flat", 200);
+  EXPECT_EQ(open_playback(folder / "a.h5", {50, 20})->size(), 20U);
+  EXPECT_EQ(open_playback(folder / "a.h5", {150})->size(), 50U);
+  EXPECT_EQ(open_playback(folder / "a.h5", {150, 1000})->size(), 50U);
+  EXPECT_THROW((void)open_playback(folder / "a.h5", {200}), Error);
+  EXPECT_THROW((void)open_playback(folder / "a.h5", {0, 0}), Error);
+  double first = 0;
+  (void)open_playback(folder / "a.h5", {50, 1})
+      ->run(
+          [&](const DeviceState& state) {
+            first = state.X_BS.translation.z();
+            return DeviceCommand{};
+          },
+          in_simulated_time());
+  EXPECT_EQ(first, find_scene("axial_flat").input(50).pose.translation.z());
+}
+
 TEST(Playback, OfARecordingWithoutADeviceGivesThePosesOfTheHandle) {
   const TemporaryFolder folder;
   test::record_scene(folder / "a.h5", "axial_flat", 200);

@@ -234,6 +234,18 @@ TEST(Recorder, GoesOnSteppingWhenTheDiskIsFullAndSaysSoAtTheEnd) {
   EXPECT_TRUE(replay(recording).identical);
 }
 
+TEST(Recorder, HasFailedWhereItsEndCannotBeWritten) {
+  const TemporaryFolder folder;
+  Simulation simulation = find_scene("axial_flat").make();
+  Recorder recorder(folder / "a.h5", simulation, patient());
+  step_in_the_air(recorder, 10);
+  EXPECT_FALSE(recorder.failed());
+  std::filesystem::remove(folder / "a.h5");  // the hash of the workpiece comes after the file was opened again
+  EXPECT_THROW(recorder.close(), Error);
+  EXPECT_TRUE(recorder.failed());
+  EXPECT_EQ(recorder.lost(), 0U);
+}
+
 TEST(Recorder, RefusesPlacesAndOptionsThatCannotBe) {
   const TemporaryFolder folder;
   Simulation simulation = find_scene("axial_flat").make();
