@@ -95,7 +95,8 @@ void bind_friction(py::module_& m) {
   py::class_<StickSlip> stick_slip(m, "StickSlip", doc("StickSlip"));
   py::class_<StickSlip::Outcome>(stick_slip, "Outcome", "What a motion of the contact point gave.")
       .def_readonly("force", &StickSlip::Outcome::force, doc("StickSlip::Outcome::force"))
-      .def_readonly("dissipated", &StickSlip::Outcome::dissipated, doc("StickSlip::Outcome::dissipated"));
+      .def_readonly("dissipated", &StickSlip::Outcome::dissipated, doc("StickSlip::Outcome::dissipated"))
+      .def_readonly("stiffness", &StickSlip::Outcome::stiffness, doc("StickSlip::Outcome::stiffness"));
   stick_slip.def(py::init<>())
       .def(
           "move",

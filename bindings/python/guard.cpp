@@ -93,6 +93,7 @@ void bind_log(py::module_& m) {
       .def("begin_tick", &SafetyLog::begin_tick, py::arg("time"), py::arg("sequence"),
            "What is reported from here on belongs to this reading.")
       .def("report", &SafetyLog::report, py::arg("event"), py::arg("value") = 0.0, doc("SafetyLog::report"))
+      .def("note", &SafetyLog::note, py::arg("event"), py::arg("value") = 0.0, doc("SafetyLog::note"))
       .def("count", &SafetyLog::count, py::arg("event"), doc("SafetyLog::count"))
       .def_property_readonly("dropped", &SafetyLog::dropped, doc("SafetyLog::dropped"))
       .def("drain", &SafetyLog::drain, doc("SafetyLog::drain"));
@@ -118,7 +119,8 @@ void bind_options(py::module_& m) {
                  field("cool", &T::cool), field("hot", &T::hot), field("cold", &T::cold), field("rate", &T::rate));
   using W = WatchdogOptions;
   bind_struct<W>(m, "WatchdogOptions", field("period", &W::period), field("late_ticks", &W::late_ticks),
-                 field("fade_ticks", &W::fade_ticks), field("fade", &W::fade), field("fault_ticks", &W::fault_ticks));
+                 field("fade_ticks", &W::fade_ticks), field("fade", &W::fade), field("fault_ticks", &W::fault_ticks),
+                 field("latch", &W::latch));
   using O = GuardOptions;
   bind_struct<O>(m, "GuardOptions", field("gate", &O::gate), field("arming", &O::arming),
                  field("passivity", &O::passivity), field("thermal", &O::thermal), field("watchdog", &O::watchdog),

@@ -2,6 +2,7 @@
 // include/hapticut/device: the stages of the safety pipeline, each by itself
 #include "bindings.hpp"
 #include "hapticut/device/arming.hpp"
+#include "hapticut/device/guard.hpp"
 #include "hapticut/device/passivity.hpp"
 #include "hapticut/device/pose_gate.hpp"
 #include "hapticut/device/thermal_budget.hpp"
@@ -65,6 +66,9 @@ void bind_guard_stages(py::module_& m) {
       .def("verdict", &W::verdict, py::arg("seconds_without"), "What that long a silence means.")
       .def("scale", &W::scale, py::arg("seconds_without"), doc("Watchdog::scale"))
       .def_property_readonly("options", &W::options, py::return_value_policy::copy, "As given.");
+  py::class_<SafetyGuard>(m.attr("SafetyGuard"))
+      .def("report_silence", &SafetyGuard::report_silence, py::arg("verdict"), py::arg("share"),
+           doc("SafetyGuard::report_silence"));
 }
 
 }  // namespace hapticut::python

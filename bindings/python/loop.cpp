@@ -110,7 +110,9 @@ void bind_messages(py::module_& m) {
                   doc("model_commands::set_spindle_speed"))
       .def_static("open_clutch", &model_commands::open_clutch, doc("model_commands::open_clutch"))
       .def_static("close_clutch", &model_commands::close_clutch, doc("model_commands::close_clutch"))
-      .def_static("set_scale", &model_commands::set_scale, py::arg("scale"), doc("model_commands::set_scale"));
+      .def_static("set_scale", &model_commands::set_scale, py::arg("scale"), doc("model_commands::set_scale"))
+      .def_static("set_undo_mark", &model_commands::set_undo_mark, doc("model_commands::set_undo_mark"))
+      .def_static("undo", &model_commands::undo, doc("model_commands::undo"));
 
   using S = LoopSnapshot;
   bind_result<S>(m, "LoopSnapshot", member("tick", &S::tick), member("device", &S::device),
@@ -124,7 +126,7 @@ void bind_messages(py::module_& m) {
   bind_result<T>(m, "ToolSnapshot", member("force", &T::force), member("torque", &T::torque),
                  member("removed_volume", &T::removed_volume), member("contact_depth", &T::contact_depth),
                  member("contact_voxels", &T::contact_voxels), member("spindle_speed", &T::spindle_speed),
-                 member("steps", &T::steps))
+                 member("steps", &T::steps), member("undo_marks", &T::undo_marks), member("undoing", &T::undoing))
       .def_property_readonly("status", bits(&T::status), doc("ToolSnapshot::status"))
       .def_property_readonly("seen", bits(&T::seen), doc("ToolSnapshot::seen"));
   m.def("tool_of", &tool_of, py::arg("snapshot"), "What a SimulationModel has put into a snapshot.");
@@ -152,7 +154,8 @@ void bind_messages(py::module_& m) {
 void bind_model(py::module_& m) {
   using O = SimulationModelOptions;
   bind_struct<O>(m, "SimulationModelOptions", field("map", &O::map), field("coupling", &O::coupling),
-                 field("spindle_needs_force", &O::spindle_needs_force));
+                 field("spindle_needs_force", &O::spindle_needs_force), field("undo_blocks", &O::undo_blocks),
+                 field("undo_blocks_per_tick", &O::undo_blocks_per_tick));
   using M = PythonModel;
   py::class_<M>(m, "SimulationModel", doc("SimulationModel"))
 #ifdef HAPTICUT_PYTHON_WITH_IO

@@ -186,7 +186,10 @@ void bind_replay(py::module_& m) {
 
 void bind_recordings(py::module_& m) {
   use_recordings();  // open_device("replay:FILE")
-  m.def("open_playback", &open_playback, py::arg("recording"), doc("open_playback"),
+  bind_struct<PlaybackRange>(m, "PlaybackRange", field("first", &PlaybackRange::first),
+                             field("count", &PlaybackRange::count))
+      .def_readonly_static("kMost", &PlaybackRange::kMost, doc("PlaybackRange::kMost"));
+  m.def("open_playback", &open_playback, py::arg("recording"), py::arg("range") = PlaybackRange{}, doc("open_playback"),
         py::call_guard<py::gil_scoped_release>());
   bind_recorder(m);
   bind_recording(m);

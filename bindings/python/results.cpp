@@ -75,7 +75,8 @@ void bind_result_of_step(py::module_& m) {
       });
 
   bind_result<ContactProbe>(m, "ContactProbe", member("wrench", &ContactProbe::wrench),
-                            member("stiffness", &ContactProbe::stiffness), member("contact", &ContactProbe::contact));
+                            member("stiffness", &ContactProbe::stiffness), member("contact", &ContactProbe::contact),
+                            member("sliding", &ContactProbe::sliding));
 }
 
 }  // namespace

@@ -29,6 +29,8 @@ void bind_config(py::module_& m) {
       "law", [](const C& c) { return c.law ? Law(std::const_pointer_cast<ForceLaw>(c.law)) : std::nullopt; },
       [](C& c, const Law& given) { c.law = given.value_or(nullptr); });
   bind_enum<ContactTime>(m, "ContactTime", {{"middle", ContactTime::middle}, {"end", ContactTime::end}});
+  bind_enum<ProbedMotions>(m, "ProbedMotions",
+                           {{"all", ProbedMotions::all}, {"translations", ProbedMotions::translations}});
   bind_struct<C>(m, "SimulationConfig", field("reference_stiffness", &C::reference_stiffness),
                  field("removal", &C::removal), field("quadrature", &C::quadrature),
                  field("contact_time", &C::contact_time), law, field("friction", &C::friction),
@@ -110,12 +112,13 @@ void bind_the_simulation(py::module_& m) {
           "does.")
       .def(
           "probe",
-          [](S& self, const FewNumbers& pose, const FewNumbers& velocity, double dt) {
+          [](S& self, const FewNumbers& pose, const FewNumbers& velocity, double dt, ProbedMotions motions) {
             self.occupancy.require_writable("The simulation");  // it works in the simulation's own memory
             const StepInput input = step_input(pose, velocity, dt);
-            return self.simulation.probe(input.pose, input.velocity, input.dt);
+            return self.simulation.probe(input.pose, input.velocity, input.dt, motions);
           },
-          py::arg("pose"), py::arg("velocity"), py::arg("dt"), doc("Simulation::probe"))
+          py::arg("pose"), py::arg("velocity"), py::arg("dt"),
+          py::arg_v("motions", ProbedMotions::all, "ProbedMotions.all"), doc("Simulation::probe"))
       .def_property_readonly(
           "last_input",
           [](S& self) {
@@ -213,14 +216,43 @@ void bind_the_simulation(py::module_& m) {
           },
           py::arg("snapshot"), doc("Simulation::restore"))
       .def(
+          "reserve_undo",
+          [](S& self, std::size_t blocks) {
+            self.occupancy.require_writable("The simulation");
+            self.simulation.reserve_undo(blocks);
+          },
+          py::arg("blocks"), doc("Simulation::reserve_undo"))
+      .def(
+          "set_undo_mark",
+          [](S& self) {
+            self.occupancy.require_writable("The simulation");
+            self.simulation.set_undo_mark();
+          },
+          doc("Simulation::set_undo_mark"))
+      .def_property_readonly(
+          "undo_marks",
+          [](S& self) {
+            self.occupancy.require_readable("The simulation");
+            return self.simulation.undo_marks();
+          },
+          "How many marks `undo` can return to.")
+      .def(
+          "undo",
+          [](S& self, std::size_t most) {
+            self.occupancy.require_writable("The simulation");
+            return self.simulation.undo(most);
+          },
+          py::arg("most"), doc("Simulation::undo"))
+      .def(
           "reset",
           [](S& self, const PythonWorkpiece& workpiece) {
             self.occupancy.require_writable("The simulation");
             self.simulation.reset(workpiece.read().clone());
           },
           py::arg("workpiece"),
-          "Starts again with a copy of another workpiece: tool position, energies and removed volumes are "
-          "forgotten.\n\nRaises\n------\nError\n    When the workpiece is empty, or the head thinner than a voxel.");
+          "Starts again with a copy of another workpiece: tool position, energies, removed volumes and undo marks are "
+          "forgotten.\nIt gets as much memory for undo as the old one had.\n\nRaises\n------\nError\n    When the "
+          "workpiece is empty, or the head thinner than a voxel.");
 }
 
 /// What Simulation.run would be in C++: the same steps, nothing kept but their sum.

@@ -312,6 +312,17 @@ void bind_state(py::class_<PythonWorkpiece>& binding) {
           "restore", [](W& w, const WorkpieceSnapshot& snapshot) { w.write().restore(snapshot); }, py::arg("snapshot"),
           doc("Workpiece::restore"))
       .def(
+          "reserve_undo", [](W& w, std::size_t blocks) { w.write().reserve_undo(blocks); }, py::arg("blocks"),
+          doc("Workpiece::reserve_undo"))
+      .def_property_readonly(
+          "undo_blocks", [](const W& w) { return w.read().undo_blocks(); }, "How many `reserve_undo` asked for.")
+      .def(
+          "set_mark", [](W& w) { w.write().set_mark(); }, doc("Workpiece::set_mark"))
+      .def_property_readonly(
+          "marks", [](const W& w) { return w.read().marks(); }, "How many marks can be returned to.")
+      .def(
+          "undo_block", [](W& w) { return w.write().undo_block(); }, doc("Workpiece::undo_block"))
+      .def(
           "reserve_blocks", [](W& w, std::size_t count) { w.write().reserve_blocks(count); }, py::arg("count"),
           doc("Workpiece::reserve_blocks"))
       .def(

@@ -39,6 +39,13 @@ def test_a_probe_feels_what_a_step_would_and_changes_nothing(block):
     assert there.contact.voxels > 100 and there.contact.turns == 1 and simulation.steps == 0
     felt = simulation.step(h.Pose.from_translation(place), np.zeros(6), 1e-3)
     assert np.allclose(there.wrench.force, felt.model.force, rtol=1e-5)
+    assert there.sliding is False  # nothing rubs
+    still, pose = np.zeros(6), h.Pose.from_translation(place)
+    for law, turns in ((None, True), (h.ContactMechanicsLaw(2e6), False)):  # a law of one's own is asked for no more
+        own = h.Simulation(block, h.Tool(h.SphereHead(1.5 * mm)), h.SimulationConfig(law=law))
+        straight = own.probe(pose, still, 1e-3, h.ProbedMotions.translations)
+        assert straight.stiffness[2, 2] > 0 and straight.stiffness[3:].any() == turns
+        assert own.probe(pose, still, 1e-3, motions=h.ProbedMotions.all).wrench.force[2] == straight.wrench.force[2]
 
 
 def test_an_input_is_checked_before_the_step():
@@ -175,6 +182,13 @@ def test_the_stages_of_the_guard_by_themselves():
     guard.release(h.Wrench())
     guard.report_exception()
     assert guard.heartbeat == before + 1 and guard.log.count(h.SafetyEvent.exception) == 1
+    for seconds in (1e-3, 5e-3, 20e-3, 100e-3):
+        guard.report_silence(watchdog.verdict(seconds), watchdog.scale(seconds))
+    guard.log.note(h.SafetyEvent.motors_warm, 0.8)
+    said = [entry.event for entry in guard.drain_log()][-4:]
+    assert said == [h.SafetyEvent.watchdog_late, h.SafetyEvent.watchdog_fading, h.SafetyEvent.watchdog_fault,
+                    h.SafetyEvent.motors_warm]
+    assert not h.WatchdogOptions().latch and h.WatchdogOptions(latch=True).latch
 
 
 def test_a_device_plays_readings_again():
@@ -191,14 +205,14 @@ def test_a_device_plays_readings_again():
     assert mock.plant.device.name == h.MockOptions().device.name or mock.plant.options.period == 1e-3
 
 
-def driven(simulation, device, recorder=None):
+def driven(simulation, device, recorder=None, **undo):
     """The device above the block, its y axis up."""
     X_WB, X_SH = np.eye(4), np.eye(4)
     X_WB[:3, :3] = FACING
     X_WB[2, 3] = (1.5 + 20) * mm + 8 * mm
     X_SH[:3, :3] = np.transpose(FACING)  # the tool stands upright
     options = h.SimulationModelOptions(map=h.WorkspaceMapOptions(X_WB=X_WB, X_SH=X_SH),
-                                       coupling=h.coupling_gains(h.capabilities(h.device_model("touch"))))
+                                       coupling=h.coupling_gains(h.capabilities(h.device_model("touch"))), **undo)
     more = {"recorder": recorder} if recorder else {}
     return h.SimulationModel(simulation, device, options, **more)
 
@@ -252,6 +266,33 @@ def test_a_loop_drives_a_simulation_in_a_thread_of_its_own(coupled):
             assert np.array_equal(block.fill, coupled.workpiece.fill_array(box))
 
 
+def test_a_cut_is_undone_while_the_loop_goes_on(coupled):
+    whole = coupled.workpiece.hash()
+    device = h.MockDevice(h.MockOptions(path=down_and_up, device=h.device_model("touch")))
+    model = driven(coupled, device, undo_blocks=4000, undo_blocks_per_tick=1)
+    h.SimulationModel(coupled, device)  # reserves nothing, and takes nothing away
+    assert coupled.workpiece.undo_blocks == 4000
+    loop = h.RealtimeLoop(model, h.RealtimeLoopOptions(run=h.RunOptions(simulated_time=True)))
+    assert loop.send(h.model_commands.set_undo_mark())
+    loop.start()
+
+    def wait_for(condition):
+        deadline = time.monotonic() + 60
+        while not condition(h.tool_of(loop.latest())) and time.monotonic() < deadline:
+            time.sleep(1e-3)
+        tool = h.tool_of(loop.latest())
+        assert condition(tool)
+        return tool
+
+    assert wait_for(lambda tool: tool.removed_volume > 1e-9).undo_marks == 1
+    loop.send(h.model_commands.set_spindle_speed(0.0))
+    loop.send(h.model_commands.undo())
+    assert wait_for(lambda tool: tool.undo_marks == 0 and not tool.undoing).removed_volume > 1e-9
+    report = loop.stop()
+    assert report.events["model_swapped"] > 1 and report.fault == h.DeviceFault.none
+    assert coupled.workpiece.hash() == whole
+
+
 def test_a_loop_may_be_stopped_and_told_that_something_is_wrong(coupled):
     device = h.MockDevice(h.MockOptions(path=h.scripted_path("rest"), device=h.device_model("touch")))
     loop = h.RealtimeLoop(driven(coupled, device))
@@ -296,6 +337,10 @@ def test_a_recorded_loop_is_replayed_and_played_back(coupled, tmp_path):
     assert isinstance(again, h.PlaybackDevice) and len(again) == len(recording) <= report.ticks
     assert again.run(lambda s: h.DeviceCommand(), h.RunOptions(simulated_time=True)).ticks == len(again)
     assert h.open_playback(tmp_path / "loop.h5").size() == len(again)
+    assert len(h.open_playback(tmp_path / "loop.h5", h.PlaybackRange(100, 50))) == 50
+    assert h.PlaybackRange().first == 0 and h.PlaybackRange().count >= h.PlaybackRange.kMost >= 3_600_000  # an hour
+    with pytest.raises(h.Error, match="none to play back"):
+        h.open_playback(tmp_path / "loop.h5", h.PlaybackRange(first=len(recording)))
     with pytest.raises(h.Error, match="gone.h5"):
         h.open_device(f"replay:{tmp_path / 'gone.h5'}")
 

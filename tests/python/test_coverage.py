@@ -198,6 +198,11 @@ def test_a_workpiece_tells_what_it_is(block):
     assert np.allclose(block.centroid_at(bounds.min), 0) and block.material_at([-5, 0, 0]) == 0
     snapshot = block.snapshot()
     block.restore(snapshot)
+    assert block.undo_blocks == 0
+    block.reserve_undo(10)
+    block.set_mark()
+    assert block.undo_blocks == 10 and block.marks == 1
+    assert block.undo_block() is None and block.marks == 0  # nothing was cut since
     [amount] = block.amounts()
     assert amount.material == 1 and amount.mass == pytest.approx(amount.volume * block.materials[1].density)
     assert np.allclose(block.frame.center([0, 0, 0]), block.frame.X_WV[:3, 3])
@@ -212,6 +217,7 @@ def test_friction_and_deep_contact_by_themselves():
     anchor = h.StickSlip()
     stuck = anchor.move([0, 0, 1], [1e-4, 0, 0], friction)
     assert anchor.anchored and not anchor.sliding and stuck.dissipated == 0 and stuck.force[0] < 0
+    assert np.allclose(stuck.stiffness, np.diag([1000, 1000, 0]))
     slid = anchor.move([0, 0, 1], [1e-2, 0, 0], friction)
     assert anchor.sliding and np.linalg.norm(slid.force) == pytest.approx(0.2) and anchor.stretch.shape == (3,)
     assert anchor.stored > 0 and anchor.stiffness == 1000

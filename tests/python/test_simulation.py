@@ -152,6 +152,33 @@ def test_snapshots_bring_back_every_voxel(simulation, plunge):
     assert simulation.workpiece.hash() == before
 
 
+def test_undo_goes_back_to_a_mark_in_small_parts(simulation, plunge):
+    simulation.set_undo_mark()
+    assert simulation.undo_marks == 0  # there is no memory for it yet
+    simulation.reserve_undo(2000)
+    assert simulation.workpiece.undo_blocks == 2000
+    states = []
+    for half in (slice(0, 300), slice(300, 600)):
+        states.append(simulation.workpiece.hash())
+        simulation.set_undo_mark()
+        simulation.run(plunge[0][half], plunge[1][half], 1e-3)
+    assert simulation.undo_marks == 2 and len({*states, simulation.workpiece.hash()}) == 3
+    for state in reversed(states):
+        calls, done = 0, False
+        while not done:
+            done = simulation.undo(5)
+            origins, complete = simulation.changed_blocks()
+            assert len(origins) <= 5 and complete
+            calls += 1
+        assert calls > 1 and simulation.workpiece.hash() == state
+    assert simulation.undo_marks == 0 and simulation.undo(5)
+    simulation.set_undo_mark()
+    simulation.reset(simulation.workpiece)
+    assert simulation.undo_marks == 0 and simulation.workpiece.undo_blocks == 2000
+    with pytest.raises(hapticut.Error, match="Reserve"):
+        simulation.reserve_undo(10**12)
+
+
 def test_a_run_releases_the_interpreter_lock_and_no_other_thread_can_step_meanwhile(simulation, plunge):
     poses = np.repeat(plunge[0], 200, axis=0)
     velocities = np.zeros((len(poses), 6))
