@@ -6,12 +6,15 @@
 #include <thread>
 
 #include "cli/command.hpp"
+#include "cli/devices.hpp"
 #include "cli/loop_report.hpp"
 #include "cli/recording_source.hpp"
 #include "cli/report.hpp"
 #include "cli/simulation_settings.hpp"
+#include "cli/stop_signals.hpp"
 #include "cli/tool_settings.hpp"
 #include "cli/workpiece_settings.hpp"
+#include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/device/simulation_model.hpp"
 
@@ -22,6 +25,7 @@ enum class Up { y, z };
 enum class Coupling { virtual_tool, none };
 
 constexpr std::size_t kReservedBlocks = 16384;  // there is no time to refill them between steps
+constexpr double kCoupledStiffness = 1e16;      // [N/m^4] that bone has behind a coupling: a ball sinks in by 0.1 mm
 
 struct LoopSettings {
   std::string device;
@@ -102,7 +106,7 @@ CouplingGains gains_of(const DeviceCapabilities& device, double scale) {
 }
 
 /// What a screen would do: looks sixty times a second, and takes what has changed.
-LoopWatch watch(RealtimeLoop& loop) {
+LoopWatch watch(RealtimeLoop& loop, Device& device) {
   constexpr auto kFrame = std::chrono::microseconds(16667);
   LoopWatch seen;
   ChangedBlock block;
@@ -116,6 +120,7 @@ LoopWatch watch(RealtimeLoop& loop) {
   };
   while (loop.is_running()) {
     look();
+    if (StopSignals::came() != 0) device.stop();
     std::this_thread::sleep_for(kFrame);
   }
   look();
@@ -127,7 +132,7 @@ void run(LoopSettings s) {
   if (s.device.empty()) throw UsageError("the device is missing. Use: hapticut loop mock:spiral --seconds 60.");
   for (const std::string& path : {s.json, s.record}) require_writable(path);
   complete(s);
-  use_recordings_if_possible();
+  use_all_devices();
   const std::unique_ptr<Device> device = open_device(s.device);
   const bool coupled =
       s.coupling.value_or(device->capabilities().stiffness > 0 ? Coupling::virtual_tool : Coupling::none) ==
@@ -135,9 +140,12 @@ void run(LoopSettings s) {
   const Tool tool = make_tool(s.tool);
   Workpiece workpiece = make_workpiece(s.workpiece);
   const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
+  if (s.simulation.config.reference_stiffness == 0)  // nobody chose it
+    s.simulation.config.reference_stiffness = coupled ? kCoupledStiffness : SimulationConfig().reference_stiffness;
   SimulationConfig config = make_config(s.simulation);
   if (coupled) config.contact_time = ContactTime::end;
   Simulation simulation(std::move(workpiece), tool, std::move(config));
+  const StopSignals signals;  // what was done until they come is reported
   RunRecorder recorder(s.record, simulation, s.simulated_time ? Pace::own : Pace::of_a_hand, device.get());
   SimulationModelOptions model_options;
   model_options.map = map_of(s, device->capabilities(), summary.box, tool);
@@ -153,7 +161,7 @@ void run(LoopSettings s) {
   {
     RealtimeLoop loop(*device, model, options);
     loop.start();
-    report.seen = watch(loop);
+    report.seen = watch(loop, *device);
     report.run = loop.wait();
   }
   report.steps_lost = recorder.close();
@@ -161,6 +169,9 @@ void run(LoopSettings s) {
   write_json(s.json, to_json(report));
   if (report.run.fault != DeviceFault::none)
     throw Error("the run ended because of the device: " + describe(report.run.fault) + ".");
+  if (s.seconds > 0 && StopSignals::came() != 0)
+    throw Error("the run was ended by signal " + std::to_string(StopSignals::came()) + " before " +
+                format_number(s.seconds) + " s were over; the report tells what was done until then.");
 }
 
 }  // namespace
@@ -168,6 +179,7 @@ void run(LoopSettings s) {
 Command loop_command() {
   auto settings = std::make_shared<LoopSettings>();
   settings->simulation.config.reserved_blocks = kReservedBlocks;
+  settings->simulation.config.reference_stiffness = 0;
   return {"loop", "Cut with a device in real time, or with one that stands for a device", settings_of(*settings),
           [settings] { run(*settings); }};
 }

@@ -52,6 +52,9 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
                          "simulation.reference_stiffness_N_per_m4 to " +
                          rounded(most, 3) + ".");
   }
+  if (r.device.name() == "mouse")
+    warnings.emplace_back(
+        "this program has no window, so nobody moved the mouse; MouseDevice is for the windows of other programs.");
   if (has(r.seen.tool.seen, StepStatus::engaged_layer_thick))
     warnings.emplace_back(
         "the engaged layer was thicker than a tenth of the head, so forces came out low: the material is too soft for "

@@ -38,14 +38,20 @@ struct WallRow {
   std::string_view device, hand;
   std::array<double, kDelays> expected;
 };
-constexpr std::array<WallRow, 8> kWallTable = {{{"touch", "released", {400, 133, 80}},
-                                                {"touch", "nominal", {8442, 2825, 1705}},
-                                                {"premium15", "released", {100, 33, 20}},
-                                                {"premium15", "nominal", {8131, 2718, 1638}},
-                                                {"premium6dof", "released", {200, 67, 40}},
-                                                {"premium6dof", "nominal", {8225, 2748, 1654}},
-                                                {"omega", "released", {1000, 334, 200}},
-                                                {"omega", "nominal", {9020, 3012, 1812}}}};
+constexpr std::array<WallRow, 14> kWallTable = {{{"touch", "released", {400, 133, 80}},
+                                                 {"touch", "light", {3415, 1142, 689}},
+                                                 {"touch", "nominal", {8442, 2825, 1705}},
+                                                 {"touch", "nominal-pad", {7194, 2774, 1873}},
+                                                 {"touch", "light-pad", {3934, 1583, 1090}},
+                                                 {"premium15", "released", {100, 33, 20}},
+                                                 {"premium15", "nominal", {8131, 2718, 1638}},
+                                                 {"premium15", "nominal-pad", {7504, 3158, 2221}},
+                                                 {"premium6dof", "released", {200, 67, 40}},
+                                                 {"premium6dof", "nominal", {8225, 2748, 1654}},
+                                                 {"premium6dof", "nominal-pad", {8379, 3829, 2806}},
+                                                 {"omega", "released", {1000, 334, 200}},
+                                                 {"omega", "nominal", {9020, 3012, 1812}},
+                                                 {"omega", "nominal-pad", {10710, 5442, 4218}}}};
 
 ClosedLoopConfig loop_of(const DeviceModel& device, std::string_view hand, int delay) {
   ClosedLoopConfig config;
@@ -79,7 +85,7 @@ void bench_wall(const DeviceModel& device, Findings& findings) {
       const double limit = largest_stable_stiffness(loop_of(device, row.hand, delay), linear_walls());
       const double expected = row.expected[std::size_t(delay)], error = limit / expected - 1;
       const auto paused = findings.progress->pause();
-      std::printf("%-12s %-9s delay %d  wall     %8s N/m, table %s (%+.1f %%)\n", device.name.data(), row.hand.data(),
+      std::printf("%-12s %-11s delay %d  wall     %8s N/m, table %s (%+.1f %%)\n", device.name.data(), row.hand.data(),
                   delay, rounded(limit).c_str(), rounded(expected).c_str(), 100 * error);
       findings.wall.push_back({{"device", device.name},
                                {"hand", row.hand},
@@ -122,7 +128,7 @@ void bench_contact(const DeviceModel& device, std::string_view hand, Findings& f
     const bool at_end = k_coupled >= pressed_search(coupled).high;
     const auto paused = findings.progress->pause();
     std::printf(
-        "%-12s %-9s delay %d  contact  direct k_v %s, coupled %s%s N/m^4; restitution %.2f, energy %.2g mJ, buzz %.2g "
+        "%-12s %-11s delay %d  contact  direct k_v %s, coupled %s%s N/m^4; restitution %.2f, energy %.2g mJ, buzz %.2g "
         "um\n",
         device.name.data(), std::string(hand).c_str(), delay, rounded(k_direct, 3).c_str(), at_end ? ">= " : "",
         rounded(k_coupled, 3).c_str(), bounce_coupled.restitution, 1e3 * bounce_coupled.generated_energy,
@@ -185,7 +191,7 @@ void bench_faults(const DeviceModel& device, std::string_view hand, Findings& fi
     }
     const auto paused = findings.progress->pause();
     std::printf(
-        "%-12s %-9s delay %d  faults   %zu injected, %d against the rules, no force at the latest after %.3g ms\n",
+        "%-12s %-11s delay %d  faults   %zu injected, %d against the rules, no force at the latest after %.3g ms\n",
         device.name.data(), std::string(hand).c_str(), delay, injected_faults().size(), broken, 1e3 * slowest);
     std::fflush(stdout);
   }

@@ -25,10 +25,10 @@ struct Outcome {
 };
 
 /// Runs `hapticut <arguments>` with the folder's files `stdout` and `stderr`.
-inline Outcome run_program(const TemporaryFolder& folder, const std::string& arguments) {
+inline Outcome run_program(const TemporaryFolder& folder, const std::string& arguments,
+                           const std::string& program = HAPTICUT_PROGRAM) {
   const std::string out = (folder / "stdout").string(), errors = (folder / "stderr").string();
-  const std::string command =
-      std::string(HAPTICUT_PROGRAM) + " " + arguments + " >" + out + " 2>" + errors + " </dev/null";
+  const std::string command = program + " " + arguments + " >" + out + " 2>" + errors + " </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_bytes(out), read_bytes(errors)};
 }

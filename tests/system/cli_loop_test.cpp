@@ -34,6 +34,7 @@ TEST_F(Loop, CutsWithAMockDeviceAndReportsEveryField) {
   EXPECT_LE(report["force_N"]["largest_applied"], report["device"]["peak_force_N"]);
   EXPECT_EQ(report["safety_events"]["engaged"], 1);
   EXPECT_GT(report["graphics"]["blocks"], 10);
+  EXPECT_EQ(report["warnings"].dump().find("too soft"), std::string::npos) << "behind a coupling bone may be hard";
   std::uint64_t counted = 0;
   for (const auto& bucket : report["compute_us"]["buckets"]) counted += bucket[1].get<std::uint64_t>();
   EXPECT_EQ(counted + report["compute_us"]["longer_than_2_ms"].get<std::uint64_t>(), report["compute_us"]["count"]);
@@ -45,6 +46,47 @@ TEST_F(Loop, RunsInRealTimeAndReportsHowLateItWokeUp) {
   EXPECT_GT(report["ticks"], 0);
   EXPECT_GT(report["wake_up_us"]["max"], 0);
 }
+
+TEST_F(Loop, DrivesATouchWhereTheProgramWasBuiltWithItsSdk) {
+  const Outcome outcome =
+      run_program(folder, "loop openhaptics --seconds 0.3 --json " + path("loop.json") + " " + kCoarse,
+                  HAPTICUT_PROGRAM_WITH_TOUCH);
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json report = read_json(folder / "loop.json");
+  EXPECT_EQ(report["device"]["peak_force_N"], 3.3);
+  EXPECT_GT(report["ticks"], 0);
+  EXPECT_EQ(report["safety_events"]["armed"], 1);
+  EXPECT_EQ(report["coupling"], "virtual");
+  const Outcome absent = run_program(folder, "loop openhaptics:Nobody", HAPTICUT_PROGRAM_WITH_TOUCH);
+  EXPECT_EQ(absent.code, 1);
+  EXPECT_NE(absent.errors.find("Nobody"), std::string::npos) << absent.errors;
+  const Outcome without = run("loop openhaptics");
+  EXPECT_EQ(without.code, 1);
+  EXPECT_NE(without.errors.find("install 3D Systems OpenHaptics"), std::string::npos) << without.errors;
+}
+
+#ifdef HAPTICUT_HAS_IO
+// As Ctrl-C does: the signal comes while the loop runs, for its recording has steps.
+TEST_F(Loop, ReportsAndClosesItsRecordingWhenASignalEndsIt) {
+  const std::string program = HAPTICUT_PROGRAM, recording = path("a.h5");
+  for (const bool has_an_end : {false, true}) {
+    const std::string script = program + " loop mock:spiral --simulated-time --seconds " + (has_an_end ? "1e6" : "0") +
+                               " --record " + recording + " --json " + path("loop.json") + " " + kCoarse +
+                               " & p=$!; while ! " + program + " replay " + recording +
+                               " >/dev/null 2>&1 && kill -0 $p; do sleep 0.05; done; kill -TERM $p; wait $p";
+    std::ofstream(folder / "run.sh") << script;
+    const Outcome outcome = run_program(folder, path("run.sh"), "sh");
+    EXPECT_EQ(outcome.code, has_an_end ? 1 : 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors.find("ended by signal 15") != std::string::npos, has_an_end) << outcome.errors;
+    EXPECT_GT(read_json(folder / "loop.json")["ticks"], 0);
+    EXPECT_NE(outcome.out.find("stopped"), std::string::npos) << outcome.out;
+    const Outcome replayed = run("replay " + recording);
+    EXPECT_EQ(replayed.code, 0) << replayed.errors;
+    EXPECT_EQ(replayed.out.find("has no end"), std::string::npos) << replayed.out;
+    std::filesystem::remove(recording);
+  }
+}
+#endif
 
 TEST_F(Loop, RefusesWhatItCannotDo) {
   EXPECT_EQ(run("loop").code, 2);

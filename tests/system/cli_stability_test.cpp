@@ -14,7 +14,7 @@ TEST_F(Stability, ReproducesTheTableAndFindsNoRuleBroken) {
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const nlohmann::json report = read_json(folder / "s.json");
   EXPECT_TRUE(report["complaints"].empty());
-  ASSERT_EQ(report["wall"].size(), 6U);
+  ASSERT_EQ(report["wall"].size(), 15U);
   for (const nlohmann::json& row : report["wall"]) EXPECT_LT(std::abs(row["relative_error"].get<double>()), 0.05);
   EXPECT_NEAR(report["wall"][0]["k_max"].get<double>(), 2 * 0.2 / 1e-3, 8) << "2 b/T";
   ASSERT_EQ(report["contact"].size(), 3U);
