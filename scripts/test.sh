@@ -143,7 +143,8 @@ if ! $quick; then
   # Only what threads exchange: the rest of the library is built for it without its optional parts.
   if check "configure: thread sanitizer" cmake --preset tsan -DHAPTICUT_WITH_IO=OFF -DHAPTICUT_WITH_CLI=OFF \
       -DHAPTICUT_WITH_TESTS=ON &&
-    check "build: thread sanitizer" build tsan -t test_realtime test_realtime_loop test_simulation_model; then
+    check "build: thread sanitizer" build tsan -t test_realtime test_realtime_loop test_simulation_model test_device \
+      test_device_guard test_open_haptics; then
     run_tests tsan
   fi
 fi
