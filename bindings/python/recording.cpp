@@ -187,8 +187,8 @@ void bind_replay(py::module_& m) {
 void bind_recordings(py::module_& m) {
   use_recordings();  // open_device("replay:FILE")
   bind_struct<PlaybackRange>(m, "PlaybackRange", field("first", &PlaybackRange::first),
-                             field("count", &PlaybackRange::count))
-      .def_readonly_static("kMost", &PlaybackRange::kMost, doc("PlaybackRange::kMost"));
+                             field("count", &PlaybackRange::count));
+  m.attr("kMostPlayedSteps") = kMostPlayedSteps;
   m.def("open_playback", &open_playback, py::arg("recording"), py::arg("range") = PlaybackRange{}, doc("open_playback"),
         py::call_guard<py::gil_scoped_release>());
   bind_recorder(m);

@@ -338,7 +338,7 @@ def test_a_recorded_loop_is_replayed_and_played_back(coupled, tmp_path):
     assert again.run(lambda s: h.DeviceCommand(), h.RunOptions(simulated_time=True)).ticks == len(again)
     assert h.open_playback(tmp_path / "loop.h5").size() == len(again)
     assert len(h.open_playback(tmp_path / "loop.h5", h.PlaybackRange(100, 50))) == 50
-    assert h.PlaybackRange().first == 0 and h.PlaybackRange().count >= h.PlaybackRange.kMost >= 3_600_000  # an hour
+    assert h.PlaybackRange().first == 0 and h.PlaybackRange().count >= h.kMostPlayedSteps >= 3_600_000  # an hour
     with pytest.raises(h.Error, match="none to play back"):
         h.open_playback(tmp_path / "loop.h5", h.PlaybackRange(first=len(recording)))
     with pytest.raises(h.Error, match="gone.h5"):

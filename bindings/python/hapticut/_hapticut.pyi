@@ -7,7 +7,7 @@ import numpy.typing
 import os
 import pathlib
 import typing
-__all__: list = ['Arming', 'ArmingOptions', 'ArmingState', 'AxialCutForce', 'AxisMask', 'BodyDescription', 'Bounce', 'BounceTest', 'Box', 'BuildInfo', 'Buzz', 'Calibration', 'ChangedBlock', 'ClosedLoop', 'ClosedLoopConfig', 'Color', 'ColoredMesh', 'ConeHead', 'Contact', 'ContactBench', 'ContactMechanicsLaw', 'ContactProbe', 'ContactTime', 'CoupledResult', 'CouplingEnergy', 'CouplingGains', 'DampingMatrixLaw', 'DeepContact', 'DeltaFilter', 'Device', 'DeviceCapabilities', 'DeviceCommand', 'DeviceFault', 'DeviceModel', 'DeviceOutput', 'DeviceState', 'DeviceTick', 'DrillingTest', 'DryFriction', 'EdgeKind', 'Effects', 'EffectsInput', 'EnergyLedger', 'Error', 'FaultResponse', 'FlatHead', 'FlatRule', 'ForceLaw', 'ForceModel', 'FoundationLaw', 'Grade', 'Gravity', 'GreyRange', 'GreyVolume', 'GridFrame', 'GuardOptions', 'HandModel', 'HandleTorque', 'HeadBox', 'HertzianBurrLaw', 'IndexBox', 'InjectedFault', 'LHandle', 'LabelInterpolation', 'LabelMaterial', 'LabelVolume', 'LatencyHistogram', 'Layer', 'LinearWall', 'LoopCommand', 'LoopSnapshot', 'Material', 'MaterialAmount', 'MaterialTable', 'MeshImport', 'MeshShell', 'MockDevice', 'MockOptions', 'ModelFactory', 'MolarParameters', 'MouseDevice', 'MouseOptions', 'MoveKey', 'NamedMesh', 'Output', 'OutputLimit', 'OutputLimits', 'PassivityController', 'PassivityOptions', 'PictureOptions', 'Plant', 'PlantOptions', 'PlaybackDevice', 'PoseGate', 'PoseGateOptions', 'PressTest', 'Profile', 'ProfileEdge', 'ProfileHead', 'Quadrature', 'RawLayout', 'RayHandle', 'RealtimeLoop', 'RealtimeLoopOptions', 'RealtimeOptions', 'RecognizedProfile', 'RecordedEffects', 'Recorder', 'RecorderOptions', 'Recording', 'RecordingInfo', 'RemovalLaw', 'ReplayDifference', 'ReplayReport', 'RunOptions', 'RunReport', 'SafetyEvent', 'SafetyGuard', 'SafetyLog', 'SafetyLogEntry', 'Scene', 'Simulation', 'SimulationConfig', 'SimulationModel', 'SimulationModelOptions', 'SphereHead', 'Spindle', 'SpindleMotor', 'SpindleState', 'Spring', 'StabilitySearch', 'StageTimes', 'StepInput', 'StepResult', 'StepStatus', 'StickSlip', 'ThermalBudget', 'ThermalOptions', 'ThesisLaw', 'ThesisMode', 'Tool', 'ToolHead', 'ToolSnapshot', 'TriangleMesh', 'TwistDrillLaw', 'UnclaimedLabels', 'ValueType', 'VdbImport', 'Vibration', 'VibrationPhase', 'VirtualCoupling', 'VolumeBuildOptions', 'VolumeReadOptions', 'Watchdog', 'WatchdogOptions', 'Workpiece', 'WorkpieceSnapshot', 'WorkpieceSurface', 'WorkspaceMap', 'WorkspaceMapOptions', 'WorstCase', 'Wrench', 'advance', 'axial_cut_force', 'bounce', 'box_around', 'build_block', 'build_body', 'build_from_grey', 'build_from_labels', 'build_from_mesh', 'build_from_shells', 'build_info', 'build_layered_slab', 'build_molar', 'build_sphere', 'calibrate', 'capabilities', 'check_input', 'christmas_tree_head', 'close_gaps', 'colored', 'contact_models', 'contact_point', 'coupling_gains', 'crop', 'cylinder_head', 'describe', 'describe_molar', 'device_drivers', 'device_model', 'device_models', 'extract_surface', 'fill_cavities', 'filtered', 'find_preset', 'find_scene', 'flame_head', 'gravity_wrench', 'growth_limited', 'hand_model', 'hand_models', 'has', 'head_in_handle', 'injected_faults', 'inverted_cone_head', 'is_rotation', 'is_stable', 'kBlockEdge', 'kBlockVoxels', 'kEmpty', 'kFastestVibration', 'kFullSpinSpeed', 'kMaxMaterials', 'kMaxVolumeSamples', 'kMolarCaries', 'kMolarDentin', 'kMolarEnamel', 'kMolarPulp', 'kRecordingFormat', 'kRejected', 'kSafetyEvents', 'kSmallestFill', 'kTreeWaist', 'kWithIo', 'keep_largest_component', 'label_range', 'largest_contact_stiffness', 'largest_stable_stiffness', 'least_force_growth', 'load_vdb', 'masked', 'material_color', 'materials_of', 'mesh_of_revolution', 'model_commands', 'most_blocks', 'most_voxels', 'needle_head', 'obeys_the_rules', 'open_device', 'open_mock', 'open_playback', 'orthonormalized', 'pear_head', 'preset_color', 'preset_names', 'press', 'pressed_search', 'profile_from_mesh', 'read_colour_slices', 'read_grey_volume', 'read_invesalius_project', 'read_label_volume', 'read_mesh', 'read_raw_grey_volume', 'read_raw_label_volume', 'read_recording', 'replay', 'resample', 'respond', 'rotation_from_vector', 'round_end_cylinder_head', 'round_end_tapered_head', 'round_head', 'saturated', 'save_vdb', 'scenes', 'scripted_path', 'simulation_of', 'standing_share', 'stiffness_for_accuracy', 'stiffness_for_device', 'tapered_head', 'thesis_handle_torque', 'thesis_mode', 'tool_of', 'transport', 'twist_between', 'twist_drill_head', 'validate', 'vector_from_rotation', 'wheel_head', 'with_spacing', 'write_csv', 'write_npz', 'write_nrrd', 'write_picture', 'write_ply', 'write_stl']
+__all__: list = ['Arming', 'ArmingOptions', 'ArmingState', 'AxialCutForce', 'AxisMask', 'BodyDescription', 'Bounce', 'BounceTest', 'Box', 'BuildInfo', 'Buzz', 'Calibration', 'ChangedBlock', 'ClosedLoop', 'ClosedLoopConfig', 'Color', 'ColoredMesh', 'ConeHead', 'Contact', 'ContactBench', 'ContactMechanicsLaw', 'ContactProbe', 'ContactTime', 'CoupledResult', 'CouplingEnergy', 'CouplingGains', 'DampingMatrixLaw', 'DeepContact', 'DeltaFilter', 'Device', 'DeviceCapabilities', 'DeviceCommand', 'DeviceFault', 'DeviceModel', 'DeviceOutput', 'DeviceState', 'DeviceTick', 'DrillingTest', 'DryFriction', 'EdgeKind', 'Effects', 'EffectsInput', 'EnergyLedger', 'Error', 'FaultResponse', 'FlatHead', 'FlatRule', 'ForceLaw', 'ForceModel', 'FoundationLaw', 'Grade', 'Gravity', 'GreyRange', 'GreyVolume', 'GridFrame', 'GuardOptions', 'HandModel', 'HandleTorque', 'HeadBox', 'HertzianBurrLaw', 'IndexBox', 'InjectedFault', 'LHandle', 'LabelInterpolation', 'LabelMaterial', 'LabelVolume', 'LatencyHistogram', 'Layer', 'LinearWall', 'LoopCommand', 'LoopSnapshot', 'Material', 'MaterialAmount', 'MaterialTable', 'MeshImport', 'MeshShell', 'MockDevice', 'MockOptions', 'ModelFactory', 'MolarParameters', 'MouseDevice', 'MouseOptions', 'MoveKey', 'NamedMesh', 'Output', 'OutputLimit', 'OutputLimits', 'PassivityController', 'PassivityOptions', 'PictureOptions', 'Plant', 'PlantOptions', 'PlaybackDevice', 'PlaybackRange', 'PoseGate', 'PoseGateOptions', 'PressTest', 'ProbedMotions', 'Profile', 'ProfileEdge', 'ProfileHead', 'Quadrature', 'RawLayout', 'RayHandle', 'RealtimeLoop', 'RealtimeLoopOptions', 'RealtimeOptions', 'RecognizedProfile', 'RecordedEffects', 'Recorder', 'RecorderOptions', 'Recording', 'RecordingInfo', 'RemovalLaw', 'ReplayDifference', 'ReplayReport', 'RunOptions', 'RunReport', 'SafetyEvent', 'SafetyGuard', 'SafetyLog', 'SafetyLogEntry', 'Scene', 'Simulation', 'SimulationConfig', 'SimulationModel', 'SimulationModelOptions', 'SphereHead', 'Spindle', 'SpindleMotor', 'SpindleState', 'Spring', 'StabilitySearch', 'StageTimes', 'StepInput', 'StepResult', 'StepStatus', 'StickSlip', 'ThermalBudget', 'ThermalOptions', 'ThesisLaw', 'ThesisMode', 'Tool', 'ToolHead', 'ToolSnapshot', 'TriangleMesh', 'TwistDrillLaw', 'UnclaimedLabels', 'ValueType', 'VdbImport', 'Vibration', 'VibrationPhase', 'VirtualCoupling', 'VolumeBuildOptions', 'VolumeReadOptions', 'Watchdog', 'WatchdogOptions', 'Workpiece', 'WorkpieceSnapshot', 'WorkpieceSurface', 'WorkspaceMap', 'WorkspaceMapOptions', 'WorstCase', 'Wrench', 'advance', 'axial_cut_force', 'bounce', 'box_around', 'build_block', 'build_body', 'build_from_grey', 'build_from_labels', 'build_from_mesh', 'build_from_shells', 'build_info', 'build_layered_slab', 'build_molar', 'build_sphere', 'calibrate', 'capabilities', 'check_input', 'christmas_tree_head', 'close_gaps', 'colored', 'contact_models', 'contact_point', 'coupling_gains', 'crop', 'cylinder_head', 'describe', 'describe_molar', 'device_drivers', 'device_model', 'device_models', 'extract_surface', 'fill_cavities', 'filtered', 'find_preset', 'find_scene', 'flame_head', 'gravity_wrench', 'growth_limited', 'hand_model', 'hand_models', 'has', 'head_in_handle', 'injected_faults', 'inverted_cone_head', 'is_rotation', 'is_stable', 'kBlockEdge', 'kBlockVoxels', 'kEmpty', 'kFastestVibration', 'kFullSpinSpeed', 'kMaxMaterials', 'kMaxVolumeSamples', 'kMolarCaries', 'kMolarDentin', 'kMolarEnamel', 'kMolarPulp', 'kMostPlayedSteps', 'kRecordingFormat', 'kRejected', 'kSafetyEvents', 'kSmallestFill', 'kTreeWaist', 'kWithIo', 'keep_largest_component', 'label_range', 'largest_contact_stiffness', 'largest_stable_stiffness', 'least_force_growth', 'load_vdb', 'masked', 'material_color', 'materials_of', 'mesh_of_revolution', 'model_commands', 'most_blocks', 'most_voxels', 'needle_head', 'obeys_the_rules', 'open_device', 'open_mock', 'open_playback', 'orthonormalized', 'pear_head', 'preset_color', 'preset_names', 'press', 'pressed_search', 'profile_from_mesh', 'read_colour_slices', 'read_grey_volume', 'read_invesalius_project', 'read_label_volume', 'read_mesh', 'read_raw_grey_volume', 'read_raw_label_volume', 'read_recording', 'replay', 'resample', 'respond', 'rotation_from_vector', 'round_end_cylinder_head', 'round_end_tapered_head', 'round_head', 'saturated', 'save_vdb', 'scenes', 'scripted_path', 'simulation_of', 'standing_share', 'stiffness_for_accuracy', 'stiffness_for_device', 'tapered_head', 'thesis_handle_torque', 'thesis_mode', 'tool_of', 'transport', 'twist_between', 'twist_drill_head', 'validate', 'vector_from_rotation', 'wheel_head', 'with_spacing', 'write_csv', 'write_npz', 'write_nrrd', 'write_picture', 'write_ply', 'write_stl']
 
 class Error(RuntimeError):
     ...
@@ -1447,10 +1447,16 @@ class Workpiece:
     def reserve_blocks(self, count: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
 
+    def reserve_undo(self, blocks: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
     def reserved_blocks(self) -> int:
         ...
 
     def restore(self, snapshot: WorkpieceSnapshot) -> None:
+        ...
+
+    def set_mark(self) -> None:
         ...
 
     def set_materials(self, materials: MaterialTable) -> None:
@@ -1462,12 +1468,23 @@ class Workpiece:
     def solid_voxels(self) -> int:
         ...
 
+    def undo_block(self) -> typing.Annotated[list[int], 'FixedSize(3)'] | None:
+        ...
+
     @property
     def frame(self) -> GridFrame:
         ...
 
     @property
+    def marks(self) -> int:
+        ...
+
+    @property
     def materials(self) -> MaterialTable:
+        ...
+
+    @property
+    def undo_blocks(self) -> int:
         ...
 
     @property
@@ -2183,6 +2200,10 @@ class StickSlip:
 
         @property
         def force(self) -> numpy.typing.NDArray[numpy.float64]:
+            ...
+
+        @property
+        def stiffness(self) -> numpy.typing.NDArray[numpy.float64]:
             ...
 
     def __init__(self) -> None:
@@ -3017,6 +3038,10 @@ class ContactProbe:
         ...
 
     @property
+    def sliding(self) -> bool:
+        ...
+
+    @property
     def stiffness(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
 
@@ -3054,6 +3079,59 @@ class ContactTime:
 
     @typing.overload
     def __ne__(self, other: ContactTime) -> bool:
+        ...
+
+    @typing.overload
+    def __ne__(self, other: typing.Any) -> bool:
+        ...
+
+    def __repr__(self) -> str:
+        ...
+
+    def __setstate__(self, state: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    def __str__(self) -> str:
+        ...
+
+    @property
+    def name(self) -> str:
+        ...
+
+    @property
+    def value(self) -> int:
+        ...
+
+class ProbedMotions:
+    __members__: typing.ClassVar[dict[str, ProbedMotions]]
+    all: typing.ClassVar[ProbedMotions]
+    translations: typing.ClassVar[ProbedMotions]
+
+    @typing.overload
+    def __eq__(self, other: ProbedMotions) -> bool:
+        ...
+
+    @typing.overload
+    def __eq__(self, other: typing.Any) -> bool:
+        ...
+
+    def __getstate__(self) -> int:
+        ...
+
+    def __hash__(self) -> int:
+        ...
+
+    def __index__(self) -> int:
+        ...
+
+    def __init__(self, value: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    def __int__(self) -> int:
+        ...
+
+    @typing.overload
+    def __ne__(self, other: ProbedMotions) -> bool:
         ...
 
     @typing.overload
@@ -3358,10 +3436,13 @@ class Simulation:
     def changed_blocks(self) -> tuple[numpy.ndarray, bool]:
         ...
 
-    def probe(self, pose: numpy.typing.ArrayLike, velocity: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex) -> ContactProbe:
+    def probe(self, pose: numpy.typing.ArrayLike, velocity: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex, motions: ProbedMotions=...) -> ContactProbe:
         ...
 
     def reserve_blocks(self, count: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    def reserve_undo(self, blocks: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
 
     def reset(self, workpiece: Workpiece) -> None:
@@ -3379,10 +3460,16 @@ class Simulation:
     def set_spindle_speed(self, speed: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 
+    def set_undo_mark(self) -> None:
+        ...
+
     def snapshot(self) -> WorkpieceSnapshot:
         ...
 
     def step(self, pose: numpy.typing.ArrayLike, velocity: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex) -> StepResult:
+        ...
+
+    def undo(self, most: typing.SupportsInt | typing.SupportsIndex) -> bool:
         ...
 
     def worst_case(self) -> WorstCase:
@@ -3422,6 +3509,10 @@ class Simulation:
 
     @property
     def tool(self) -> Tool:
+        ...
+
+    @property
+    def undo_marks(self) -> int:
         ...
 
     @property
@@ -4450,6 +4541,9 @@ class SafetyLog:
     def drain(self) -> list[SafetyLogEntry]:
         ...
 
+    def note(self, event: SafetyEvent, value: typing.SupportsFloat | typing.SupportsIndex=0.0) -> None:
+        ...
+
     def report(self, event: SafetyEvent, value: typing.SupportsFloat | typing.SupportsIndex=0.0) -> None:
         ...
 
@@ -4773,7 +4867,7 @@ class WatchdogOptions:
     def __getstate__(self) -> tuple:
         ...
 
-    def __init__(self, period: typing.SupportsFloat | typing.SupportsIndex=0.001, *, late_ticks: typing.SupportsInt | typing.SupportsIndex=3, fade_ticks: typing.SupportsInt | typing.SupportsIndex=10, fade: typing.SupportsFloat | typing.SupportsIndex=0.03, fault_ticks: typing.SupportsInt | typing.SupportsIndex=50) -> None:
+    def __init__(self, period: typing.SupportsFloat | typing.SupportsIndex=0.001, *, late_ticks: typing.SupportsInt | typing.SupportsIndex=3, fade_ticks: typing.SupportsInt | typing.SupportsIndex=10, fade: typing.SupportsFloat | typing.SupportsIndex=0.03, fault_ticks: typing.SupportsInt | typing.SupportsIndex=50, latch: bool=False) -> None:
         ...
 
     def __repr__(self) -> str:
@@ -4804,6 +4898,14 @@ class WatchdogOptions:
 
     @fault_ticks.setter
     def fault_ticks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def latch(self) -> bool:
+        ...
+
+    @latch.setter
+    def latch(self, arg0: bool) -> None:
         ...
 
     @property
@@ -4962,6 +5064,9 @@ class SafetyGuard:
         ...
 
     def report_exception(self) -> None:
+        ...
+
+    def report_silence(self, verdict: Watchdog.Verdict, share: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 
     def reset(self) -> None:
@@ -6959,6 +7064,42 @@ class FaultResponse:
     def time_to_zero(self) -> float:
         ...
 
+class PlaybackRange:
+
+    def __copy__(self) -> PlaybackRange:
+        ...
+
+    def __deepcopy__(self, memo: dict) -> PlaybackRange:
+        ...
+
+    def __getstate__(self) -> tuple:
+        ...
+
+    def __init__(self, first: typing.SupportsInt | typing.SupportsIndex=0, count: typing.SupportsInt | typing.SupportsIndex=18446744073709551615) -> None:
+        ...
+
+    def __repr__(self) -> str:
+        ...
+
+    def __setstate__(self, arg0: tuple) -> None:
+        ...
+
+    @property
+    def count(self) -> int:
+        ...
+
+    @count.setter
+    def count(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def first(self) -> int:
+        ...
+
+    @first.setter
+    def first(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
 class DeviceTick:
 
     def __copy__(self) -> DeviceTick:
@@ -7382,6 +7523,14 @@ class model_commands:
     def set_spindle_speed(speed: typing.SupportsFloat | typing.SupportsIndex) -> LoopCommand:
         ...
 
+    @staticmethod
+    def set_undo_mark() -> LoopCommand:
+        ...
+
+    @staticmethod
+    def undo() -> LoopCommand:
+        ...
+
 class LoopSnapshot:
 
     def __repr__(self) -> str:
@@ -7460,6 +7609,14 @@ class ToolSnapshot:
     def torque(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
 
+    @property
+    def undo_marks(self) -> int:
+        ...
+
+    @property
+    def undoing(self) -> bool:
+        ...
+
 class ChangedBlock:
 
     @property
@@ -7489,7 +7646,7 @@ class SimulationModelOptions:
     def __getstate__(self) -> tuple:
         ...
 
-    def __init__(self, map: WorkspaceMapOptions=..., coupling: CouplingGains | None=None, spindle_needs_force: bool=True) -> None:
+    def __init__(self, map: WorkspaceMapOptions=..., *, coupling: CouplingGains | None=None, spindle_needs_force: bool=True, undo_blocks: typing.SupportsInt | typing.SupportsIndex=0, undo_blocks_per_tick: typing.SupportsInt | typing.SupportsIndex=64) -> None:
         ...
 
     def __repr__(self) -> str:
@@ -7520,6 +7677,22 @@ class SimulationModelOptions:
 
     @spindle_needs_force.setter
     def spindle_needs_force(self, arg0: bool) -> None:
+        ...
+
+    @property
+    def undo_blocks(self) -> int:
+        ...
+
+    @undo_blocks.setter
+    def undo_blocks(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def undo_blocks_per_tick(self) -> int:
+        ...
+
+    @undo_blocks_per_tick.setter
+    def undo_blocks_per_tick(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
 
 class SimulationModel:
@@ -7835,7 +8008,7 @@ def open_device(name: str) -> Device:
 def open_mock(text: str) -> MockDevice:
     ...
 
-def open_playback(recording: os.PathLike | str | bytes) -> PlaybackDevice:
+def open_playback(recording: os.PathLike | str | bytes, range: PlaybackRange=...) -> PlaybackDevice:
     ...
 
 def orthonormalized(m: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
@@ -8064,6 +8237,7 @@ kMolarCaries: int = 4
 kMolarDentin: int = 2
 kMolarEnamel: int = 1
 kMolarPulp: int = 3
+kMostPlayedSteps: int = 10000000
 kRecordingFormat: int = 1
 kRejected: int = 15
 kSafetyEvents: int = 33
