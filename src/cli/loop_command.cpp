@@ -141,7 +141,8 @@ void run(LoopSettings s) {
   Workpiece workpiece = make_workpiece(s.workpiece);
   const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
   if (s.simulation.config.reference_stiffness == 0)  // nobody chose it
-    s.simulation.config.reference_stiffness = coupled ? kCoupledStiffness : SimulationConfig().reference_stiffness;
+    s.simulation.config.reference_stiffness =
+        coupled && !s.simulation.thesis_mode ? kCoupledStiffness : SimulationConfig().reference_stiffness;
   SimulationConfig config = make_config(s.simulation);
   if (coupled) config.contact_time = ContactTime::end;
   Simulation simulation(std::move(workpiece), tool, std::move(config));

@@ -322,6 +322,20 @@ struct SharedForce {
   std::atomic<double>* value;
 };
 
+/// The thread sanitizer cannot follow threads that a forked process begins.
+#if defined(__SANITIZE_THREAD__)
+constexpr bool kForksMayHaveThreads = false;
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+constexpr bool kForksMayHaveThreads = false;
+#else
+constexpr bool kForksMayHaveThreads = true;
+#endif
+#else
+constexpr bool kForksMayHaveThreads = true;
+#endif
+constexpr const char* kNoForks = "the thread sanitizer cannot follow a process that was forked";
+
 /// Runs `child` in a process of its own, sends it a signal once it renders a force, and returns how it ended.
 int end_of_child(SharedForce& last, const std::function<void(WrittenDevice&)>& child, int signal) {
   const pid_t pid = fork();
@@ -343,6 +357,7 @@ int end_of_child(SharedForce& last, const std::function<void(WrittenDevice&)>& c
 }
 
 TEST(Device, LeavesNoForceWhenASignalEndsTheProcess) {
+  if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
     SharedForce last;
     const int status = end_of_child(
@@ -353,6 +368,7 @@ TEST(Device, LeavesNoForceWhenASignalEndsTheProcess) {
 }
 
 TEST(Device, DoesNotMindASignalThatTheProcessIgnores) {
+  if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;
   SharedForce last;
   const int status = end_of_child(
       last,
@@ -376,6 +392,7 @@ TEST(Device, DoesNotMindASignalThatTheProcessIgnores) {
 }
 
 TEST(Device, LeavesNoForceWhenAnotherThreadCrashes) {
+  if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;
   SharedForce last;
   const int status = end_of_child(
       last, [&](WrittenDevice& device) { run_until_another_thread(device, *last.value, [] { std::abort(); }); }, 0);
