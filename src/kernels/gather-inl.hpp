@@ -23,21 +23,40 @@ constexpr float kToCentroid = 0.9F;
 /// diagonal of the 7 x 7 x 7 edges between its voxels, the way to a centroid, and the zone, rounded up.
 constexpr float kNearAxis = 7.5F;
 
-/// Voxels of one block, one after the other in the order of the block. What follows the last one repeats the first, so
-/// that every lane of a vector can be computed. Only vectors of a whole strip gather.
+/// Voxels of a few blocks, one after the other in the order of the blocks. What follows the last one repeats the first,
+/// so that every lane of a vector can be computed. Only vectors of a whole strip gather.
 struct VoxelList {
-  static constexpr int kRoom = kBlockVoxels + 2 * kStripLanes;
+  static constexpr int kEnough = 256;  // to be pressed: fewer do not fill their vectors
+  static constexpr int kRoom = kEnough + kBlockVoxels + kStripLanes;
   alignas(64) float x[kRoom], y[kRoom], z[kRoom];  // [m] quadrature points in T
-  alignas(64) float fill[kRoom];                   // before the sub-step; not set where the block has none
+  alignas(64) float fill[kRoom];                   // before the sub-step
   alignas(64) float fill_after[kRoom];             // the sub-step
-  alignas(64) std::int32_t index[kRoom];           // in the block
-  std::uint16_t run_first[kBlockVoxels / kWidth];  // where the voxels come from: vector by vector of the block,
-  std::uint16_t run_lanes[kBlockVoxels / kWidth];  // those of these lanes
-  int runs;
-  int count;
-  std::uint32_t strips;  // bit n: some of the voxels are of strip n
-  MaterialId material;   // of all of them; kEmpty: their materials may differ
+  alignas(64) std::int32_t index[kRoom];           // 512 times the number of its block, plus its place in the block
+  std::int32_t run_first[kRoom];                   // where the voxels come from: vector by vector, its first index,
+  std::uint16_t run_lanes[kRoom];                  // and which of its lanes
+  int runs = 0;
+  int count = 0;
+  MaterialId material = kEmpty;  // of all of them; kEmpty: their materials may differ
+
+  [[nodiscard]] HWY_INLINE Vectors place(int first) const {
+    return {hn::Load(Floats(), x + first), hn::Load(Floats(), y + first), hn::Load(Floats(), z + first)};
+  }
+
+  HWY_INLINE void repeat_first() {
+    const Floats d;
+    const hn::RebindToSigned<Floats> ints;
+    hn::StoreU(broadcast(x[0]), d, x + count);
+    hn::StoreU(broadcast(y[0]), d, y + count);
+    hn::StoreU(broadcast(z[0]), d, z + count);
+    hn::StoreU(hn::Set(ints, index[0]), ints, index + count);
+  }
+  HWY_INLINE void clear() { runs = count = 0; }
 };
+
+/// All voxels of a block are full, of one material and at their centres.
+HWY_INLINE bool is_whole(const BlockView& block) {
+  return block.material == nullptr && block.solid == nullptr && block.fill == nullptr && block.centroid == nullptr;
+}
 
 /// Looks through the solid voxels of blocks for those that may be inside the head.
 template <class Springs>
@@ -63,13 +82,14 @@ class Gather {
 
   /// Calls `found(voxel, r, hit, lanes)` for each vector of voxels of which some may be inside the head: the first of
   /// them in the block, their places [m] in T, and which lanes, as a mask and as bits.
-  template <class Found>
+  /// @tparam kWhole  the block is_whole
+  template <bool kWhole, class Found>
   HWY_INLINE void for_each(const BlockView& block, const Found& found) const {
     const Eigen::Vector3f base = first_voxel(block);
-    const float half = (kHalfStrip + kToCentroid) * job_.motion.voxel_size;
+    const bool at_centroid = !kWhole && block.centroid != nullptr && job_.quadrature == Quadrature::centroid;
+    const float half = (at_centroid ? kHalfStrip + kToCentroid : kHalfStrip) * job_.motion.voxel_size;
     const std::uint32_t near = strips_within(base, half) & solid_strips(block) & strips_on_turn(block);
     const std::uint32_t inner = strips_within(base, -half);
-    const bool at_centroid = block.centroid != nullptr && job_.quadrature == Quadrature::centroid;
     const Mask all = hn::FirstN(Floats(), kWidth);
     Vectors lanes[kParts];
     for (std::size_t part = 0; part < kParts; ++part)
@@ -79,7 +99,7 @@ class Gather {
     for (std::uint32_t rest = near; rest != 0; rest &= rest - 1) {
       const int strip = std::countr_zero(rest);
       const auto solid =
-          block.solid == nullptr ? 0xffffU : unsigned(block.solid[strip >> 2] >> (16 * (strip & 3)) & 0xffff);
+          kWhole || block.solid == nullptr ? 0xffffU : unsigned(block.solid[strip >> 2] >> (16 * (strip & 3)) & 0xffff);
       for (std::size_t part = 0; part < kParts; ++part) {
         const unsigned bits = solid >> (part * kWidth) & kAllLanes;
         const int voxel = strip * kStripLanes + int(part * kWidth);
@@ -99,31 +119,36 @@ class Gather {
     }
   }
 
-  HWY_INLINE void list(const BlockView& block, VoxelList& list) const {
-    int count = 0, runs = 0;
-    std::uint32_t strips = 0;
-    bool one_material = true;
+  /// Appends the voxels of a block.
+  /// @param number  of the block
+  /// @return bit n: some of them are of strip n
+  HWY_INLINE std::uint32_t append(const BlockView& block, int number, VoxelList& list) const {
+    const hn::CappedTag<MaterialId, kWidth> ids;
+    auto others = hn::Zero(ids);
     MaterialId material = block.uniform_material;
-    for_each(
+    int count = list.count, runs = list.runs;
+    std::uint32_t strips = 0;
+    for_each<false>(
         block, [&](int voxel, const Vectors& r, Mask hit, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
-          if (lanes == kAllLanes)
-            keep(block, voxel, r, list, count);
-          else
-            keep(block, voxel, r, hit, list, count);
+          const Vec fill = block.fill == nullptr ? broadcast(1.0F) : hn::LoadU(Floats(), block.fill + voxel);
+          const int first = number * kBlockVoxels + voxel;
+          keep(first, r, fill, hit, list, count);
           if (block.material != nullptr) {
-            if (count == 0) material = block.material[voxel + std::countr_zero(lanes)];
-            one_material &= all_are(block.material + voxel, material);
+            if (strips == 0) material = block.material[voxel + std::countr_zero(lanes)];
+            others = hn::Or(others, hn::Xor(hn::LoadU(ids, block.material + voxel), hn::Set(ids, material)));
           }
-          list.run_first[runs] = std::uint16_t(voxel);
+          list.run_first[runs] = first;
           list.run_lanes[runs++] = std::uint16_t(lanes);
           count += std::popcount(lanes);
           strips |= 1U << (voxel / kStripLanes);
         });
+    if (strips == 0) return strips;
+    const bool alike =
+        hn::AllTrue(ids, hn::Eq(others, hn::Zero(ids))) && (list.count == 0 || list.material == material);
+    list.material = alike ? material : kEmpty;
     list.count = count;
     list.runs = runs;
-    list.strips = strips;
-    list.material = one_material ? material : kEmpty;
-    if (count != 0) repeat_first(list);
+    return strips;
   }
 
   /// Whether a block reaches into the zone about the spindle's axis where voxels cut by their mean slip.
@@ -155,16 +180,16 @@ class Gather {
   /// Bit n: strip n has solid voxels.
   [[nodiscard]] HWY_INLINE static std::uint32_t solid_strips(const BlockView& block) {
     if (block.solid == nullptr) return ~0U;
+    const hn::CappedTag<std::uint16_t, kStrips> d;
     std::uint32_t strips = 0;
-    for (int slab = 0; slab < kBlockEdge; ++slab) {
-      // Sixteen bits fold into their lowest.
-      std::uint64_t any = block.solid[slab];
-      any |= any >> 8 & 0x00ff00ff00ff00ffU;
-      any |= any >> 4 & 0x000f000f000f000fU;
-      any |= any >> 2 & 0x0003000300030003U;
-      any |= any >> 1;
-      any &= 0x0001000100010001U;
-      strips |= std::uint32_t((any | any >> 15 | any >> 30 | any >> 45) & 0xf) << (kStripsPerSlab * slab);
+    for (int n = 0; n < kStrips; n += int(hn::MaxLanes(d))) {
+      std::uint16_t words[hn::MaxLanes(d)];
+      std::memcpy(words, reinterpret_cast<const char*>(block.solid) + 2 * n, sizeof(words));
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(d, hn::Ne(hn::LoadU(d, words), hn::Zero(d)), bits);
+      std::uint32_t some = 0;
+      std::memcpy(&some, bits, sizeof(some));
+      strips |= some << n;
     }
     return strips;
   }
@@ -177,35 +202,15 @@ class Gather {
     return strips;
   }
 
-  /// Appends all lanes of a vector.
-  HWY_INLINE void keep(const BlockView& block, int voxel, const Vectors& r, VoxelList& list, int at) const {
-    const Floats d;
-    hn::StoreU(r.x, d, list.x + at);
-    hn::StoreU(r.y, d, list.y + at);
-    hn::StoreU(r.z, d, list.z + at);
-    if (block.fill != nullptr) hn::StoreU(hn::LoadU(d, block.fill + voxel), d, list.fill + at);
-    hn::StoreU(hn::Add(lane_numbers_, hn::Set(kInts, voxel)), kInts, list.index + at);
-  }
-
-  /// Appends the lanes that are hit.
-  HWY_INLINE void keep(const BlockView& block, int voxel, const Vectors& r, Mask hit, VoxelList& list, int at) const {
+  HWY_INLINE void keep(int first, const Vectors& r, Vec fill, Mask hit, VoxelList& list, int at) const {
     const Floats d;
     const auto lanes = hn::Compress(lane_numbers_, hn::RebindMask(kInts, hit));
     const auto order = hn::IndicesFromVec(d, lanes);
     hn::StoreU(hn::TableLookupLanes(r.x, order), d, list.x + at);
     hn::StoreU(hn::TableLookupLanes(r.y, order), d, list.y + at);
     hn::StoreU(hn::TableLookupLanes(r.z, order), d, list.z + at);
-    if (block.fill != nullptr)
-      hn::StoreU(hn::TableLookupLanes(hn::LoadU(d, block.fill + voxel), order), d, list.fill + at);
-    hn::StoreU(hn::Add(lanes, hn::Set(kInts, voxel)), kInts, list.index + at);
-  }
-
-  HWY_INLINE static void repeat_first(VoxelList& list) {
-    const Floats d;
-    hn::StoreU(broadcast(list.x[0]), d, list.x + list.count);
-    hn::StoreU(broadcast(list.y[0]), d, list.y + list.count);
-    hn::StoreU(broadcast(list.z[0]), d, list.z + list.count);
-    hn::StoreU(hn::Set(kInts, list.index[0]), kInts, list.index + list.count);
+    hn::StoreU(hn::TableLookupLanes(fill, order), d, list.fill + at);
+    hn::StoreU(hn::Add(lanes, hn::Set(kInts, first)), kInts, list.index + at);
   }
 
   HWY_INLINE void shift_to_centroids(const std::int32_t* centroids, Vectors& r) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// FoundationLaw on one block, from its voxels to the sums, in vectors; included once per instruction set.
+// FoundationLaw on a few blocks, from their voxels to the sums, in vectors; included once per instruction set.
 #if defined(HAPTICUT_KERNELS_PRESS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAPTICUT_KERNELS_PRESS_INL_HPP
 #undef HAPTICUT_KERNELS_PRESS_INL_HPP
@@ -23,17 +23,18 @@ namespace strips {
 /// standing head, gathering would cost more than the empty lanes do (measured: decision 4).
 template <class Springs, Mode kMode>
 class Press {
-  static constexpr bool kGathers = kMode != Mode::standing && kWidth == kStripLanes;
+  static constexpr bool kGathers = kWidth == kStripLanes && (kMode != Mode::standing || Springs::kCostly);
 
  public:
-  /// @param voxels  room for those of one block
-  HWY_INLINE Press(const Springs& springs, const ContactJob& job, VoxelList& voxels, ContactSums& totals,
-                   StiffnessVectors* stiffness)
+  /// @param voxels, samples  room for those of a few blocks
+  HWY_INLINE Press(const Springs& springs, const ContactJob& job, VoxelList& voxels, SampleList& samples,
+                   ContactSums& totals, StiffnessVectors* stiffness)
       : springs_(springs),
         gather_(springs, job),
         job_(job),
         m_(job.motion),
         voxels_(voxels),
+        samples_(samples),
         totals_(totals),
         stiffness_(stiffness),
         damped_(job.damped),
@@ -42,114 +43,134 @@ class Press {
         material_(job.materials[kEmpty]),
         taken_(broadcast(0.0F)) {}
 
-  HWY_INLINE void press_block(PressTask& task) {
-    if constexpr (kMode != Mode::standing) near_axis_ = gather_.near_axis(task.block);
+  HWY_INLINE void press(std::span<PressTask> tasks) {
     PressSums sums[kParts];  // close at hand in the loop
-    if constexpr (kGathers)
-      press_gathered(task, sums);
-    else
-      press_where_they_are(task, sums);
-    for (std::size_t part = 0; part < kParts; ++part) sums_[part].add(sums[part]);
-  }
-
-  /// Adds the sums of these blocks to those of the sub-step, in double precision.
-  HWY_INLINE void flush() {
+    tasks_ = tasks.data();
+    for (std::size_t n = 0; n < tasks.size(); ++n) {
+      if constexpr (kGathers) {
+        gather(int(n), sums[0]);
+      } else {
+        tasks_ = &tasks[n];
+        may_cut_ = tasks_->may_cut;
+        near_axis_ = kMode != Mode::standing && gather_.near_axis(tasks_->block);
+        if (is_whole(tasks_->block))
+          press_where_they_are<true>(sums);
+        else
+          press_where_they_are<false>(sums);
+      }
+    }
+    if constexpr (kGathers) press_listed(sums[0]);
     flush_taken();
     for (std::size_t part = 0; part < kParts; ++part)
-      sums_[part].template flush<kMode>(part, damped_ || m_.lead > 0, totals_);
+      sums[part].template flush<kMode>(part, damped_ || m_.lead > 0, totals_);
   }
 
  private:
-  HWY_INLINE void press_where_they_are(PressTask& task, PressSums (&sums)[kParts]) {
-    const BlockView& block = task.block;
+  template <bool kWhole>
+  HWY_INLINE void press_where_they_are(PressSums (&sums)[kParts]) {
+    const BlockView& block = tasks_->block;
     if (block.material == nullptr) take_material(block.uniform_material);
-    gather_.for_each(
+    gather_.template for_each<kWhole>(
         block, [&](int voxel, const Vectors& r, Mask hit, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
-          if (block.material != nullptr) take_materials(block.material + voxel, lanes);
-          const Vec fill = block.fill == nullptr ? broadcast(1.0F) : hn::LoadU(Floats(), block.fill + voxel);
+          if (!kWhole && block.material != nullptr) take_materials(block.material + voxel, lanes);
+          const Vec fill = kWhole || block.fill == nullptr ? broadcast(1.0F) : hn::LoadU(Floats(), block.fill + voxel);
           const std::size_t part = std::size_t(voxel) / kWidth % kParts;
-          press_voxels(task, voxel, part, r, fill, hit, sums[part]);
+          press_voxels(voxel, part, r, fill, sample(r, hit, sums[part]), sums[part]);
         });
   }
 
-  HWY_INLINE void press_gathered(PressTask& task, PressSums (&sums)[kParts]) {
-    const Floats d;
-    const BlockView& block = task.block;
-    gather_.list(block, voxels_);
-    if (voxels_.count == 0) return;
-    if (voxels_.material != kEmpty) take_material(voxels_.material);
-    for (int first = 0; first < voxels_.count; first += kStripLanes) {
-      if (voxels_.material == kEmpty) take_listed_materials(block.material, first);
-      const Vectors r = {hn::Load(d, voxels_.x + first), hn::Load(d, voxels_.y + first),
-                         hn::Load(d, voxels_.z + first)};
-      const Vec fill = block.fill == nullptr ? broadcast(1.0F) : hn::Load(d, voxels_.fill + first);
-      const Mask listed = hn::FirstN(d, std::size_t(std::min(voxels_.count - first, kStripLanes)));
-      press_voxels(task, first, 0, r, fill, listed, sums[0]);
-    }
-    if (kMode == Mode::cutting && task.may_cut) write_fills(task);
+  /// Appends the voxels of a block to the list, and presses those listed when they are enough.
+  HWY_INLINE void gather(int number, PressSums& sums) {
+    PressTask& task = tasks_[number];
+    if (task.may_cut != may_cut_) press_listed(sums);
+    may_cut_ = task.may_cut;
+    const std::uint32_t strips = gather_.append(task.block, number, voxels_);
+    if (strips == 0) return;
+    near_axis_ |= kMode != Mode::standing && gather_.near_axis(task.block);
+    if (kMode == Mode::cutting && may_cut_) begin_strips(task, strips);
+    if (voxels_.count >= VoxelList::kEnough) press_listed(sums);
   }
 
-  /// @param first   of the list, or of the block where there is none
+  /// Samples all voxels of the list before the law is evaluated on any: in one loop for both, the processor would wait
+  /// for one long chain of results after the other.
+  HWY_INLINE void press_listed(PressSums& sums) {
+    const Floats d;
+    const int count = voxels_.count;
+    if (count == 0) return;
+    voxels_.repeat_first();
+    for (int first = 0; first < count; first += kStripLanes) {
+      const Mask listed = hn::FirstN(d, std::size_t(std::min(count - first, kStripLanes)));
+      samples_.store(first, sample(voxels_.place(first), listed, sums));
+    }
+    if (voxels_.material != kEmpty) take_material(voxels_.material);
+    for (int first = 0; first < count; first += kStripLanes) {
+      if (voxels_.material == kEmpty) take_listed_materials(first);
+      press_voxels(first, 0, voxels_.place(first), hn::Load(d, voxels_.fill + first), samples_.load(first), sums);
+    }
+    if (kMode == Mode::cutting && may_cut_) write_fills();
+    voxels_.clear();
+    near_axis_ = false;
+  }
+
+  /// Stage sample_contact.
+  /// @param r       [m] places of voxels, in T
   /// @param listed  the lanes that count, if they are inside the head
-  HWY_INLINE void press_voxels(PressTask& task, int first, std::size_t part, const Vectors& r, Vec old_fill,
-                               Mask listed, PressSums& sums) {
+  HWY_INLINE Sample sample(const Vectors& r, Mask listed, PressSums& sums) const {
+    const Floats d;
+    const SpringVectors<Vec> spring = springs_.at(r.x, r.y, r.z);
+    const Mask inside = hn::And(hn::Gt(spring.depth, hn::Zero(d)), listed);
+    sums.voxels += int(hn::CountTrue(d, inside));
+    Sample s;
+    s.felt_rate = s.inverse_slip = s.slip_path = hn::Zero(d);
+    s.depth = hn::IfThenElseZero(inside, spring.depth);
+    s.radial = spring.radial;
+    s.axial = spring.axial;
+    if constexpr (kMode == Mode::standing) {
+      s.rate = rate_of_depth(r, s, m_.velocity, m_.angular_velocity);
+    } else {
+      const Vectors v = surface_velocity(r);
+      s.rate = hn::MulAdd(s.radial, hn::MulAdd(r.x, v.x, hn::Mul(r.y, v.y)), hn::Mul(s.axial, v.z));
+      // What is not along the normal is slip.
+      Vec slip_squared = hn::Max(hn::Zero(d), hn::NegMulAdd(s.rate, s.rate, dot(v, v)));
+      if (near_axis_) slip_squared = hn::Add(slip_squared, axis_slip_squared(r));
+      constexpr float kRegular = FoundationLaw::kSlipRegularization * FoundationLaw::kSlipRegularization;
+      s.inverse_slip = inverse_root(hn::Add(slip_squared, broadcast(kRegular)));
+      s.slip_path = hn::Mul(hn::Mul(slip_squared, s.inverse_slip), broadcast(m_.duration * m_.turns));
+    }
+    if (damped_) s.felt_rate = rate_of_depth(r, s, m_.felt_velocity, m_.felt_angular_velocity);
+    return s;
+  }
+
+  /// Stages evaluate_law and sum_resultant.
+  /// @param first  of the list, or of the block where there is none
+  HWY_INLINE void press_voxels(int first, std::size_t part, const Vectors& r, Vec old_fill, const Sample& s,
+                               PressSums& sums) {
     const Floats d;
     const Vec zero = hn::Zero(d), one = broadcast(1.0F), half = broadcast(0.5F);
-    const BlockView& block = task.block;
-
-    // Stage sample_contact.
-    const SpringVectors<Vec> spring = springs_.at(r.x, r.y, r.z);
-    const Mask inside = hn::And(hn::Gt(spring.depth, zero), listed);
-    totals_.voxels += int(hn::CountTrue(d, inside));
-    const Vectors n = {spring.normal_x, spring.normal_y, spring.normal_z};
-    const Vec w = hn::IfThenElseZero(inside, spring.depth);
-    const Vec phi = hn::IfThenElseZero(inside, old_fill);
     const MaterialVectors& material = material_;
-
-    // Stage evaluate_law.
-    const Vec dt = broadcast(m_.duration);
-    const Vectors p = velocity_at(r, m_.velocity, m_.angular_velocity);
-    const Vec w_dot = dot(p, n);
-    const Vec advance = hn::Mul(w_dot, dt);
+    const Vec w = s.depth;
+    const Mask inside = hn::Gt(w, zero);
+    const Vec phi = hn::IfThenElseZero(inside, old_fill);
+    const Vec half_advance = hn::Mul(s.rate, broadcast(0.5F * m_.duration));
     const Vec stiff_depth = hn::Mul(material.stiffness, w);
     Vec damped = one;
-    if (damped_) {
-      const Vec felt = dot(velocity_at(r, m_.felt_velocity, m_.felt_angular_velocity), n);
-      damped = hn::Max(zero, hn::MulAdd(material.damping, felt, one));
-    }
-    Vec mean_fill = phi, gone = zero;
+    if (damped_) damped = hn::Max(zero, hn::MulAdd(material.damping, s.felt_rate, one));
 
     // Stored energy k phi (w -+ advance/2)^2 / 2 at the beginning and the end, in terms that both share.
-    const Vec half_stiffness = hn::Mul(half, material.stiffness);
-    const Vec squares = hn::MulAdd(w, w, hn::Mul(broadcast(0.25F), hn::Mul(advance, advance)));
-    const Vec product = hn::Mul(w, advance);
-    const Vec pressed = hn::Mul(half_stiffness, product);
-    sums.elastic_middle = hn::MulAdd(hn::Mul(half_stiffness, squares), phi, sums.elastic_middle);
-    sums.elastic_change = hn::MulAdd(pressed, phi, sums.elastic_change);
-    Vectors reaction = n;
+    const Vec spring = hn::Mul(stiff_depth, phi);
+    const Vec stiff_advance = hn::Mul(hn::Mul(material.stiffness, phi), half_advance);
+    sums.twice_middle = hn::MulAdd(spring, w, hn::MulAdd(stiff_advance, half_advance, sums.twice_middle));
+    sums.elastic_change = hn::MulAdd(spring, half_advance, sums.elastic_change);
 
+    Vec mean_fill = phi, gone = zero;
     if constexpr (kMode == Mode::standing) {
-      const Vec normal = normal_force(sums, stiff_depth, phi, damped, advance);
-      reaction = {hn::Mul(normal, n.x), hn::Mul(normal, n.y), hn::Mul(normal, n.z)};
+      sums.add_normal(r, s, normal_force(sums, spring, damped, half_advance), Springs::kCentral);
     } else {
-      const Vec spin = broadcast(m_.spin), kappa = material.cutting_ratio;
-      const Vectors t = {hn::NegMulAdd(spin, r.y, hn::NegMulAdd(w_dot, n.x, p.x)),
-                         hn::MulAdd(spin, r.x, hn::NegMulAdd(w_dot, n.y, p.y)), hn::NegMulAdd(w_dot, n.z, p.z)};
-      Vec slip_squared = dot(t, t), extra = zero;
-      if (near_axis_) {
-        const Vec rho_squared = hn::MulAdd(r.x, r.x, hn::Mul(r.y, r.y));
-        const Vec zone = hn::Max(zero, hn::NegMulAdd(rho_squared, broadcast(FoundationLaw::axis_zone_factor(m_)), one));
-        extra = hn::Mul(broadcast(FoundationLaw::axis_slip_squared(m_)), hn::Mul(zone, zone));
-        slip_squared = hn::Add(slip_squared, extra);
-      }
-      constexpr float kRegular = FoundationLaw::kSlipRegularization * FoundationLaw::kSlipRegularization;
-      const Vec inverse_slip = hn::Div(one, hn::Sqrt(hn::Add(slip_squared, broadcast(kRegular))));
-      const Vec slip_path = hn::Mul(hn::Mul(slip_squared, inverse_slip), broadcast(m_.duration * m_.turns));  // [m]
-
+      const Vec kappa = material.cutting_ratio;
       Mask is_cut = hn::MaskFromVec(zero);
-      if (kMode == Mode::cutting && task.may_cut) {
+      if (kMode == Mode::cutting && may_cut_) {
         is_cut = hn::Gt(w, material.cutting_depth);
-        Vec work = hn::Mul(hn::Mul(kappa, stiff_depth), slip_path);  // [J/m^3] tangential, per filled volume
+        Vec work = hn::Mul(hn::Mul(kappa, stiff_depth), s.slip_path);  // [J/m^3] tangential, per filled volume
         if (damped_) work = hn::Mul(work, damped);
         work = hn::IfThenElseZero(is_cut, work);
         const Vec u = material.energy;
@@ -163,60 +184,89 @@ class Press {
         }
         exponent = hn::Min(exponent, broadcast(FoundationLaw::kLargestExponent));
         mean_fill = hn::Mul(phi, mean_of_decay(exponent));
-        Vec taken = hn::Mul(mean_fill, exponent);
-        Vec left = hn::Sub(phi, taken);
+        gone = hn::Mul(mean_fill, exponent);
+        Vec left = hn::Sub(phi, gone);
         const Mask finished = hn::And(hn::And(inside, hn::Gt(exponent, zero)), hn::Lt(left, broadcast(kSmallestFill)));
         if (!hn::AllFalse(d, finished)) {
           const Vec credit = hn::IfThenElseZero(finished, left);
           left = hn::IfThenZeroElse(finished, left);
-          taken = hn::Add(taken, credit);
+          gone = hn::Add(gone, credit);
           sums.credited = hn::MulAdd(price, credit, sums.credited);
-          task.change.any_emptied = true;
-          for (unsigned bits = bits_of(finished); bits != 0; bits &= bits - 1) {
-            const int voxel = voxel_at(first + std::countr_zero(bits));
-            task.change.emptied[std::size_t(voxel >> 6)] |= std::uint64_t(1) << (voxel & 63);
-          }
+          mark_emptied(first, bits_of(finished));
         }
         // Elastic energy of what was taken, less what of it helped cutting (law G).
-        const Vec half_taken = hn::Mul(half_stiffness, taken);
-        sums.taken_elastic = hn::MulAdd(half_taken, hn::Add(squares, product), sums.taken_elastic);
-        sums.lag = hn::MulAdd(pressed, hn::Sub(phi, mean_fill), sums.lag);
-        if (release_) sums.helped = hn::MulAdd(hn::Sub(u, price), taken, sums.helped);
-
-        gone = taken;
-        take(taken, block, first, inside);
+        const Vec end = hn::Add(w, half_advance);
+        const Vec taken_stiffness = hn::Mul(material.stiffness, gone);
+        sums.twice_taken = hn::MulAdd(hn::Mul(taken_stiffness, end), end, sums.twice_taken);
+        if (release_) sums.helped = hn::MulAdd(hn::Sub(u, price), gone, sums.helped);
+        take(gone, first, inside);
         if constexpr (kGathers) {
           hn::Store(hn::IfThenElse(inside, left, old_fill), d, voxels_.fill_after + first);
         } else {
-          begin_strips(task, 1U << (first / kStripLanes));
-          hn::BlendedStore(left, inside, d, task.fill_after + first);
+          begin_strips(*tasks_, 1U << (first / kStripLanes));
+          hn::BlendedStore(left, inside, d, tasks_->fill_after + first);
         }
       }
-      const Vec normal = normal_force(sums, stiff_depth, mean_fill, damped, advance);
-      const Vec tangential = hn::Mul(kappa, hn::Mul(normal, inverse_slip));
-      reaction = {hn::MulAdd(normal, n.x, hn::Mul(tangential, t.x)), hn::MulAdd(normal, n.y, hn::Mul(tangential, t.y)),
-                  hn::MulAdd(normal, n.z, hn::Mul(tangential, t.z))};
+      const Vec spring_left = hn::Mul(stiff_depth, mean_fill);
+      if constexpr (kMode == Mode::cutting) sums.lag = hn::MulAdd(hn::Sub(spring, spring_left), half_advance, sums.lag);
+      const Vec normal = normal_force(sums, spring_left, damped, half_advance);
+      const Vec rubbed = hn::Mul(kappa, normal), tangential = hn::Mul(rubbed, s.inverse_slip);
+      // Along the normal and, of the surface's velocity, what is not along it.
+      sums.add_reaction(r, s, hn::NegMulAdd(tangential, s.rate, normal), tangential, surface_velocity(r));
       const Mask rubs = hn::AndNot(is_cut, inside);
-      if (!hn::AllFalse(d, rubs)) {
-        const Vec rubbed = hn::Mul(hn::Mul(kappa, normal), slip_path);
-        sums.rubbing = hn::Add(sums.rubbing, hn::IfThenElseZero(rubs, rubbed));
-      }
-      if (near_axis_) sums.couple = hn::MulAdd(tangential, extra, sums.couple);
+      if (!hn::AllFalse(d, rubs))
+        sums.rubbing = hn::Add(sums.rubbing, hn::IfThenElseZero(rubs, hn::Mul(rubbed, s.slip_path)));
+      if (near_axis_) sums.couple = hn::MulAdd(tangential, axis_slip_squared(r), sums.couple);
     }
-
     if (implicit_) [[unlikely]] {
-      if (m_.lead > 0) add_lead(sums, half_stiffness, w, phi, mean_fill, gone, advance);
-      if (stiffness_ != nullptr)
-        add_stiffness(stiffness_[part], hn::Mul(material.stiffness, mean_fill), w, damped, r, n);
+      if (m_.lead > 0) add_lead(sums, w, phi, mean_fill, gone, half_advance);
+      if (stiffness_ != nullptr) add_stiffness(stiffness_[part], hn::Mul(material.stiffness, mean_fill), damped, r, s);
     }
-
-    // Stage sum_resultant.
-    sums.add_reaction(r, reaction);
     sums.fill = hn::Add(sums.fill, phi);
     sums.depth = hn::Max(sums.depth, w);
   }
 
-  [[nodiscard]] HWY_INLINE int voxel_at(int place) const { return kGathers ? voxels_.index[place] : place; }
+  /// [m/s] v + omega x r of the head's turning surface, in T
+  [[nodiscard]] HWY_INLINE Vectors surface_velocity(const Vectors& r) const {
+    return velocity_at(r, m_.velocity, m_.angular_velocity + Eigen::Vector3f(0, 0, m_.spin));
+  }
+
+  /// [m/s] how fast voxels come nearer along the normal: n (v + omega x r) = v n + omega (r x n)
+  [[nodiscard]] HWY_INLINE static Vec rate_of_depth(const Vectors& r, const Sample& s, const Eigen::Vector3f& v,
+                                                    const Eigen::Vector3f& omega) {
+    const Vec across = hn::MulAdd(r.x, broadcast(v.x()), hn::Mul(r.y, broadcast(v.y())));
+    const Vec rate = hn::MulAdd(s.radial, across, hn::Mul(s.axial, broadcast(v.z())));
+    if constexpr (Springs::kCentral) return rate;
+    const Vec turning = hn::MulSub(r.y, broadcast(omega.x()), hn::Mul(r.x, broadcast(omega.y())));
+    return hn::MulAdd(s.lever(r), turning, rate);
+  }
+
+  /// [m^2/s^2] square of the mean slip that a voxel near the axis has beyond that of its centre
+  [[nodiscard]] HWY_INLINE Vec axis_slip_squared(const Vectors& r) const {
+    const Vec rho_squared = hn::MulAdd(r.x, r.x, hn::Mul(r.y, r.y));
+    const Vec zone = hn::NegMulAdd(rho_squared, broadcast(FoundationLaw::axis_zone_factor(m_)), broadcast(1.0F));
+    const Vec inner = hn::Max(hn::Zero(Floats()), zone);
+    return hn::Mul(broadcast(FoundationLaw::axis_slip_squared(m_)), hn::Mul(inner, inner));
+  }
+
+  HWY_INLINE void mark_emptied(int first, unsigned lanes) const {
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const int n = first + std::countr_zero(lanes), voxel = voxel_of(n);
+      BlockChange& change = task_of(n).change;
+      change.any_emptied = true;
+      change.emptied[std::size_t(voxel >> 6)] |= std::uint64_t(1) << (voxel & 63);
+    }
+  }
+
+  /// Of voxel n of the list, or of the block where there is none: the block's task and the place in the block.
+  [[nodiscard]] HWY_INLINE PressTask& task_of(int n) const {
+    return kGathers ? tasks_[unsigned(voxels_.index[n]) / kBlockVoxels] : *tasks_;
+  }
+  [[nodiscard]] HWY_INLINE int voxel_of(int n) const { return kGathers ? voxels_.index[n] % kBlockVoxels : n; }
+  [[nodiscard]] HWY_INLINE MaterialId material_of(int n) const {
+    const BlockView& block = task_of(n).block;
+    return block.material == nullptr ? block.uniform_material : block.material[voxel_of(n)];
+  }
 
   /// Strips that are written for the first time, voxel by voxel: the others of theirs keep their fills.
   HWY_INLINE static void begin_strips(PressTask& task, std::uint32_t strips) {
@@ -230,16 +280,11 @@ class Press {
   }
 
   /// What the sub-step left of the listed voxels goes back to where they came from.
-  HWY_INLINE void write_fills(PressTask& task) const {
-    begin_strips(task, voxels_.strips);
+  HWY_INLINE void write_fills() const {
     const float* after = voxels_.fill_after;
     for (int n = 0; n < voxels_.runs; ++n) {
-      const unsigned lanes = voxels_.run_lanes[n];
-      float* to = task.fill_after + voxels_.run_first[n];
-      if (lanes == kAllLanes)
-        hn::StoreU(hn::LoadU(Floats(), after), Floats(), to);
-      else
-        spread(after, lanes, to);
+      const unsigned first = unsigned(voxels_.run_first[n]), lanes = voxels_.run_lanes[n];
+      spread(after, lanes, tasks_[first / kBlockVoxels].fill_after + first % kBlockVoxels);
       after += std::popcount(lanes);
     }
   }
@@ -247,39 +292,37 @@ class Press {
   /// The energies of a sub-step whose contact is evaluated after its middle: corrects the sums from the depth w there
   /// to that in the middle, and books what the springs push harder than what they store as a damper's work. Those that
   /// were not touched at the beginning stored nothing there.
-  HWY_INLINE void add_lead(PressSums& sums, Vec half_stiffness, Vec w, Vec fill, Vec mean_fill, Vec taken,
-                           Vec advance) const {
-    const Vec half = broadcast(0.5F), lead = hn::Mul(broadcast(m_.lead), advance);
-    const Vec middle = hn::Sub(w, lead);
-    const Vec squares = hn::Mul(half_stiffness, hn::MulSub(middle, middle, hn::Mul(w, w)));
-    const Vec product = hn::Mul(half_stiffness, hn::Mul(hn::Neg(lead), advance));
-    const Vec not_yet = hn::Max(hn::Zero(Floats()), hn::MulSub(half, advance, middle));
-    const Vec before_touch = hn::Mul(hn::Mul(half_stiffness, fill), hn::Mul(not_yet, not_yet));
-    const Vec half_before = hn::Mul(half, before_touch);
-    sums.elastic_middle = hn::Add(sums.elastic_middle, hn::MulSub(squares, fill, half_before));
-    sums.elastic_change = hn::Add(sums.elastic_change, hn::MulAdd(product, fill, half_before));
-    sums.taken_elastic = hn::MulAdd(taken, hn::Add(squares, product), sums.taken_elastic);
+  HWY_INLINE void add_lead(PressSums& sums, Vec w, Vec fill, Vec mean_fill, Vec taken, Vec half_advance) const {
+    const Vec stiffness = material_.stiffness, zero = hn::Zero(Floats());
+    const Vec lead = hn::Mul(broadcast(2 * m_.lead), half_advance), middle = hn::Sub(w, lead);
+    const Vec squares = hn::Mul(stiffness, hn::MulSub(middle, middle, hn::Mul(w, w)));  // twice the energy, from here
+    const Vec product = hn::Neg(hn::Mul(stiffness, hn::Mul(lead, half_advance)));
+    const Vec not_yet = hn::Max(zero, hn::Sub(half_advance, middle));
+    const Vec before_touch = hn::Mul(hn::Mul(stiffness, fill), hn::Mul(not_yet, not_yet));
+    const Vec half_before = hn::Mul(broadcast(0.5F), before_touch);
+    sums.twice_middle = hn::Add(sums.twice_middle, hn::MulSub(squares, fill, half_before));
+    sums.elastic_change =
+        hn::Add(sums.elastic_change, hn::MulAdd(product, fill, hn::Mul(broadcast(0.5F), half_before)));
+    sums.twice_taken = hn::MulAdd(taken, hn::Add(squares, hn::Add(product, product)), sums.twice_taken);
     sums.lag = hn::MulAdd(product, hn::Sub(fill, mean_fill), sums.lag);
-    const Vec pushed = hn::Mul(hn::Mul(half_stiffness, mean_fill), hn::Mul(hn::Add(lead, lead), advance));
-    sums.damping = hn::Add(sums.damping, hn::Sub(pushed, before_touch));
+    const Vec pushed = hn::Mul(hn::Mul(stiffness, mean_fill), hn::Mul(hn::Add(lead, lead), half_advance));
+    sums.damping = hn::Add(sums.damping, hn::Sub(pushed, half_before));
   }
 
-  HWY_INLINE void add_stiffness(StiffnessVectors& sums, Vec spring, Vec w, Vec damped, const Vectors& r,
-                                const Vectors& n) {
+  HWY_INLINE void add_stiffness(StiffnessVectors& sums, Vec spring, Vec damped, const Vectors& r, const Sample& s) {
     if (damped_) {
-      const Vec damper = hn::Mul(hn::Mul(material_.damping, w), broadcast(1.0F / m_.duration));
+      const Vec damper = hn::Mul(hn::Mul(material_.damping, s.depth), broadcast(1.0F / m_.duration));
       const Vec slope = hn::IfThenElseZero(hn::Gt(damped, hn::Zero(Floats())), hn::Add(damped, damper));
       spring = hn::Mul(spring, slope);
     }
-    sums.add(spring, r, n);
+    sums.add(spring, r, {hn::Mul(r.x, s.radial), hn::Mul(r.y, s.radial), s.axial});
   }
 
-  /// [N/m^3] of filled and empty volume alike; books what the damping takes.
-  HWY_INLINE Vec normal_force(PressSums& sums, Vec stiff_depth, Vec fill, Vec damped, Vec advance) {
-    const Vec spring = hn::Mul(stiff_depth, fill);
+  /// [N/m^3] of filled and empty volume alike, from that of the springs; books what the damping takes.
+  HWY_INLINE Vec normal_force(PressSums& sums, Vec spring, Vec damped, Vec half_advance) {
     if (!damped_) return spring;
     const Vec normal = hn::Mul(spring, damped);
-    sums.damping = hn::MulAdd(hn::Sub(normal, spring), advance, sums.damping);
+    sums.damping = hn::MulAdd(hn::Sub(normal, spring), hn::Add(half_advance, half_advance), sums.damping);
     return normal;
   }
 
@@ -301,13 +344,13 @@ class Press {
     material_id_ = kEmpty;
     material_ = MaterialVectors(job_.materials, ids);
   }
-  HWY_INLINE void take_listed_materials(const MaterialId* materials, int first) {
-    MaterialId ids[kWidth];
-    for (std::size_t lane = 0; lane < kWidth; ++lane) ids[lane] = materials[voxels_.index[std::size_t(first) + lane]];
+  HWY_INLINE void take_listed_materials(int first) {
+    MaterialId ids[kStripLanes];
+    for (int lane = 0; lane < kStripLanes; ++lane) ids[lane] = material_of(first + lane);
     take_materials(ids, kAllLanes);
   }
   /// Books what went, by material.
-  HWY_INLINE void take(Vec taken, const BlockView& block, int first, Mask inside) {
+  HWY_INLINE void take(Vec taken, int first, Mask inside) {
     if (material_id_ != kEmpty) {
       taken_ = hn::Add(taken_, taken);
       return;
@@ -316,7 +359,7 @@ class Press {
     hn::Store(taken, Floats(), lanes);
     for (unsigned bits = bits_of(inside); bits != 0; bits &= bits - 1) {
       const int lane = std::countr_zero(bits);
-      totals_.taken[block.material[voxel_at(first + lane)]] += double(lanes[lane]);
+      totals_.taken[material_of(first + lane)] += double(lanes[lane]);
     }
   }
   HWY_INLINE void flush_taken() {
@@ -335,43 +378,19 @@ class Press {
   const ContactJob& job_;
   const HeadMotion& m_;
   VoxelList& voxels_;
+  SampleList& samples_;
   ContactSums& totals_;
   StiffnessVectors* const stiffness_;  // [kParts]; null: not wanted
   const bool damped_, release_, implicit_;
-  bool near_axis_ = false;
+  PressTask* tasks_ = nullptr;  // all of them where voxels are listed, the present one where they are not
+  bool may_cut_ = true;         // of the voxels listed, or of the block where there is no list
+  bool near_axis_ = false;      // some of them are near the spindle's axis
   MaterialVectors material_;
   MaterialId material_id_ = kEmpty;  // kEmpty: the lanes of material_ differ
   Vec taken_;                        // [voxels] of material_id_
-  PressSums sums_[kParts];
 };
 
-template <class Springs, Mode kMode>
-HWY_INLINE void PressAll(const Springs& springs, const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
-                         StiffnessSums* stiffness) {
-  VoxelList voxels;
-  StiffnessVectors by_part[kParts];
-  if (stiffness != nullptr)
-    for (StiffnessVectors& part : by_part) part.clear();
-  Press<Springs, kMode> press(springs, job, voxels, sums, stiffness == nullptr ? nullptr : by_part);
-  for (PressTask& task : tasks) press.press_block(task);
-  press.flush();
-  if (stiffness != nullptr)
-    for (std::size_t part = 0; part < kParts; ++part) by_part[part].flush(part, *stiffness);
-}
-
 }  // namespace strips
-
-inline HWY_ATTR void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
-                                 StiffnessSums* stiffness) {
-  using strips::Mode;
-  visit_springs(job.head, [&](const auto& springs) HWY_ATTR {
-    using Springs = std::decay_t<decltype(springs)>;
-    if (job.motion.spin == 0) return strips::PressAll<Springs, Mode::standing>(springs, job, tasks, sums, stiffness);
-    if (job.motion.removal == RemovalLaw::none)
-      return strips::PressAll<Springs, Mode::rubbing>(springs, job, tasks, sums, stiffness);
-    return strips::PressAll<Springs, Mode::cutting>(springs, job, tasks, sums, stiffness);
-  });
-}
 
 }  // namespace hapticut::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

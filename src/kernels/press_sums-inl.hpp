@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "kernels/gather-inl.hpp"
 #include "kernels/strips-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,44 +19,72 @@ namespace strips {
 
 enum class Mode { standing, rubbing, cutting };  // spindle stands; turns with removal off; turns and cuts
 
+/// What stage sample_contact finds of a vector of voxels.
+struct Sample {
+  Vec depth;          // [m] w; zero in lanes that do not count
+  Vec radial, axial;  // of the outward normal, as in SpringVectors
+  Vec rate;           // [m/s] of the depth
+  Vec felt_rate;      // [m/s] as the damping feels it; set where some material has damping
+  Vec inverse_slip;   // [s/m] set where the head turns
+  Vec slip_path;      // [m] in the sub-step, likewise
+
+  /// [m] r x n = (y lever, -x lever, 0)
+  [[nodiscard]] HWY_INLINE Vec lever(const Vectors& r) const { return hn::NegMulAdd(r.z, radial, axial); }
+};
+
+/// Samples of the voxels of a VoxelList.
+class SampleList {
+ public:
+  HWY_INLINE void store(int first, const Sample& s) {
+    const Vec values[kVectors] = {s.depth, s.radial, s.axial, s.rate, s.felt_rate, s.inverse_slip, s.slip_path};
+    for (int n = 0; n < kVectors; ++n) hn::Store(values[n], Floats(), values_[n] + first);
+  }
+  [[nodiscard]] HWY_INLINE Sample load(int first) const {
+    const auto value = [&](int n) HWY_ATTR { return hn::Load(Floats(), values_[n] + first); };
+    return {value(0), value(1), value(2), value(3), value(4), value(5), value(6)};
+  }
+
+ private:
+  static constexpr int kVectors = 7;
+  alignas(64) float values_[kVectors][VoxelList::kRoom];
+};
+
 /// Running sums of one vector of lanes.
 struct PressSums {
   Vec force_x, force_y, force_z, torque_x, torque_y, torque_z;
-  Vec elastic_middle, elastic_change, taken_elastic, lag, helped, damping, rubbing, credited, couple, fill, depth;
+  Vec twice_middle, elastic_change, twice_taken, lag, helped, damping, rubbing, credited, couple, fill, depth;
+  int voxels = 0;
 
   HWY_INLINE PressSums() {
     const Vec zero = broadcast(0.0F);
     force_x = force_y = force_z = torque_x = torque_y = torque_z = zero;
-    elastic_middle = elastic_change = taken_elastic = lag = helped = zero;
+    twice_middle = elastic_change = twice_taken = lag = helped = zero;
     damping = rubbing = credited = couple = fill = depth = zero;
   }
-  HWY_INLINE void add(const PressSums& other) {
-    const auto add_to = [](Vec& sum, Vec more) HWY_ATTR { sum = hn::Add(sum, more); };
-    add_to(force_x, other.force_x);
-    add_to(force_y, other.force_y);
-    add_to(force_z, other.force_z);
-    add_to(torque_x, other.torque_x);
-    add_to(torque_y, other.torque_y);
-    add_to(torque_z, other.torque_z);
-    add_to(elastic_middle, other.elastic_middle);
-    add_to(elastic_change, other.elastic_change);
-    add_to(taken_elastic, other.taken_elastic);
-    add_to(lag, other.lag);
-    add_to(helped, other.helped);
-    add_to(damping, other.damping);
-    add_to(rubbing, other.rubbing);
-    add_to(credited, other.credited);
-    add_to(couple, other.couple);
-    add_to(fill, other.fill);
-    depth = hn::Max(depth, other.depth);
+  /// @param normal   [N/m^3] along the normal
+  /// @param central  it has no torque
+  HWY_INLINE void add_normal(const Vectors& r, const Sample& s, Vec normal, bool central) {
+    const Vec across = hn::Mul(normal, s.radial);
+    force_x = hn::MulAdd(across, r.x, force_x);
+    force_y = hn::MulAdd(across, r.y, force_y);
+    force_z = hn::MulAdd(normal, s.axial, force_z);
+    if (central) return;
+    const Vec levered = hn::Mul(normal, s.lever(r));
+    torque_x = hn::MulAdd(levered, r.y, torque_x);
+    torque_y = hn::NegMulAdd(levered, r.x, torque_y);
   }
-  HWY_INLINE void add_reaction(const Vectors& r, const Vectors& g) {
-    force_x = hn::Add(force_x, g.x);
-    force_y = hn::Add(force_y, g.y);
-    force_z = hn::Add(force_z, g.z);
-    torque_x = hn::MulAdd(r.y, g.z, hn::NegMulAdd(r.z, g.y, torque_x));
-    torque_y = hn::MulAdd(r.z, g.x, hn::NegMulAdd(r.x, g.z, torque_y));
-    torque_z = hn::MulAdd(r.x, g.y, hn::NegMulAdd(r.y, g.x, torque_z));
+  /// @param normal  [N/m^3] along the normal
+  /// @param drag    [N s/m^4] and against the velocity v
+  HWY_INLINE void add_reaction(const Vectors& r, const Sample& s, Vec normal, Vec drag, const Vectors& v) {
+    const Vec across = hn::Mul(normal, s.radial);
+    const Vec x = hn::MulAdd(across, r.x, hn::Mul(drag, v.x)), y = hn::MulAdd(across, r.y, hn::Mul(drag, v.y)),
+              z = hn::MulAdd(normal, s.axial, hn::Mul(drag, v.z));
+    force_x = hn::Add(force_x, x);
+    force_y = hn::Add(force_y, y);
+    force_z = hn::Add(force_z, z);
+    torque_x = hn::MulAdd(r.y, z, hn::NegMulAdd(r.z, y, torque_x));
+    torque_y = hn::MulAdd(r.z, x, hn::NegMulAdd(r.x, z, torque_y));
+    torque_z = hn::MulAdd(r.x, y, hn::NegMulAdd(r.y, x, torque_z));
   }
 
   /// Adds the lanes to those of the sub-step, in double precision.
@@ -73,7 +102,8 @@ struct PressSums {
     add(ContactSums::kTorqueX, torque_x);
     add(ContactSums::kTorqueY, torque_y);
     add(ContactSums::kTorqueZ, torque_z);
-    add(ContactSums::kElasticMiddle, elastic_middle);
+    const Vec half = broadcast(0.5F);
+    add(ContactSums::kElasticMiddle, hn::Mul(half, twice_middle));
     add(ContactSums::kElasticChange, elastic_change);
     add(ContactSums::kFill, fill);
     if (damped) add(ContactSums::kDamping, damping);
@@ -82,11 +112,12 @@ struct PressSums {
       add(ContactSums::kCouple, couple);
     }
     if constexpr (kMode == Mode::cutting) {
-      add(ContactSums::kTakenElastic, taken_elastic);
+      add(ContactSums::kTakenElastic, hn::Mul(half, twice_taken));
       add(ContactSums::kLag, lag);
       add(ContactSums::kHelped, helped);
       add(ContactSums::kCredited, credited);
     }
+    totals.voxels += voxels;
     totals.depth = std::max(totals.depth, hn::GetLane(hn::MaxOfLanes(Floats(), depth)));
   }
 };

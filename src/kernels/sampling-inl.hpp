@@ -56,9 +56,9 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
       hn::Store(y, d, &out.y[n]);
       hn::Store(z, d, &out.z[n]);
       hn::Store(hn::IfThenElseZero(is_inside, spring.depth), d, &out.depth[n]);
-      hn::Store(spring.normal_x, d, &out.normal_x[n]);
-      hn::Store(spring.normal_y, d, &out.normal_y[n]);
-      hn::Store(spring.normal_z, d, &out.normal_z[n]);
+      hn::Store(hn::Mul(x, spring.radial), d, &out.normal_x[n]);
+      hn::Store(hn::Mul(y, spring.radial), d, &out.normal_y[n]);
+      hn::Store(spring.axial, d, &out.normal_z[n]);
       hn::Store(hn::IfThenElseZero(is_inside, fill), d, &out.fill[n]);
     }
     if (inside != 0) keep_row(block, row, inside, out);

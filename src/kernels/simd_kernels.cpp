@@ -9,7 +9,7 @@
 //
 #include <hwy/highway.h>
 
-#include "kernels/press-inl.hpp"
+#include "kernels/press_blocks-inl.hpp"
 #include "kernels/resultant-inl.hpp"
 #include "kernels/sampling-inl.hpp"
 

@@ -35,6 +35,9 @@ constexpr unsigned kAllLanes = (1U << kWidth) - 1;
 
 HWY_INLINE Vec broadcast(float value) { return hn::Set(Floats(), value); }
 HWY_INLINE Mask mask_of(unsigned bits) {
+#if HWY_TARGET <= HWY_AVX3
+  if constexpr (kWidth == kStripLanes) return Mask{__mmask16(bits)};
+#endif
   const hn::RebindToSigned<Floats> ints;
   alignas(64) static constexpr std::int32_t kLaneBits[16] = {1,       1 << 1,  1 << 2,  1 << 3, 1 << 4,  1 << 5,
                                                              1 << 6,  1 << 7,  1 << 8,  1 << 9, 1 << 10, 1 << 11,
@@ -153,30 +156,14 @@ HWY_INLINE bool all_are(const MaterialId* ids, MaterialId one) {
   return difference == 0;
 }
 
-/// For each byte, which of the values that follow each other goes to each lane whose bit is set.
-struct SpreadTable {
-  alignas(64) std::uint8_t from[256][8] = {};
-  constexpr SpreadTable() {
-    for (unsigned lanes = 0; lanes < 256; ++lanes)
-      for (unsigned lane = 0, next = 0; lane < 8; ++lane)
-        if ((lanes >> lane & 1U) != 0) from[lanes][lane] = std::uint8_t(next++);
-  }
-};
-
-/// Values that follow each other, to the lanes of a strip whose bits are set; the other lanes stay as they are. Only
-/// for vectors of at least a row: shorter ones do not gather.
+/// Values that follow each other, to the lanes of a vector whose bits are set; the other lanes stay as they are.
 HWY_INLINE void spread(const float* values, unsigned lanes, float* to) {
-  static constexpr SpreadTable kTable;
-  const hn::CappedTag<float, kBlockEdge> row;
-  const hn::RebindToSigned<decltype(row)> ints;
-  for (int first = 0; first < kStripLanes; first += kBlockEdge, lanes >>= kBlockEdge, to += kBlockEdge) {
-    const unsigned in_row = lanes & 0xff;
-    const auto order = hn::PromoteTo(ints, hn::LoadU(hn::Rebind<std::uint8_t, decltype(row)>(), kTable.from[in_row]));
-    const std::uint8_t bytes[8] = {std::uint8_t(in_row)};
-    const auto spread = hn::TableLookupLanes(hn::LoadU(row, values), hn::IndicesFromVec(row, order));
-    hn::StoreU(hn::IfThenElse(hn::LoadMaskBits(row, bytes), spread, hn::LoadU(row, to)), row, to);
-    values += std::popcount(in_row);
-  }
+#if HWY_TARGET <= HWY_AVX3
+  const auto mask = __mmask16(lanes);
+  _mm512_mask_storeu_ps(to, mask, _mm512_maskz_expand_ps(mask, _mm512_loadu_ps(values)));
+#else
+  for (; lanes != 0; lanes &= lanes - 1) to[std::countr_zero(lanes)] = *values++;
+#endif
 }
 
 }  // namespace strips

@@ -82,7 +82,8 @@ class TableBuilder {
         gate_edges_.push_back(&e);
         add_curve(e.from, left_of(e.start_tangent), e.curvature);
       }
-    while (t_.exact_curves.rho.size() % 8 != 0) add_curve(Vec2::Zero(), Vec2::Zero(), 0);
+    t_.curve_count = t_.exact_curves.rho.size();
+    while (t_.exact_curves.rho.size() % 16 != 0) add_curve(Vec2::Zero(), Vec2::Zero(), 0);
   }
 
   void copy_to_single() {

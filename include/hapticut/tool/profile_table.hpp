@@ -41,7 +41,7 @@ struct ProfileCell {
   [[nodiscard]] static constexpr CellRule rule(std::uint32_t cell) { return CellRule(cell >> 28U); }
 };
 
-/// Curves as a structure of arrays, each padded with zeros to a multiple of eight. A curve is a circle of signed
+/// Curves as a structure of arrays, each padded with zeros to a multiple of sixteen. A curve is a circle of signed
 /// curvature k through a point p with the unit normal m that points into the head; k > 0 bulges outwards, k = 0 is a
 /// straight line, k < 0 is hollow, and a hollow corner is a circle of a millionth of the head's size. With q = x - p,
 ///
@@ -68,6 +68,7 @@ struct ProfilePiece {
 /// Everything that the step asks of a profile. Immutable once built; tools share it.
 struct ProfileTable {
   ProfileCurves<float> curves;
+  std::size_t curve_count = 0;         ///< without the padding
   ProfileCurves<double> exact_curves;  ///< the same in double precision
   std::vector<ProfilePiece<float>> pieces;
   std::vector<ProfilePiece<double>> exact_pieces;
@@ -94,7 +95,7 @@ struct ProfileSprings {
   const Real *rho, *z, *normal_rho, *normal_z, *curvature;
   const std::uint32_t* cells;
   const ProfilePiece<Real>* pieces;
-  std::size_t piece_count;
+  std::size_t piece_count, curve_count;
   int columns, rows;
   Real cells_per_length;  ///< [1/m]
   Real radius, bottom, top;
@@ -171,6 +172,7 @@ struct ProfileSprings {
         cells(t.cells.data()),
         pieces(p.data()),
         piece_count(p.size()),
+        curve_count(t.curve_count),
         columns(t.columns),
         rows(t.rows),
         cells_per_length(Real(1 / t.cell_size)),

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kernel press_blocks: which Press for which head and motion; included once per instruction set.
+#if defined(HAPTICUT_KERNELS_PRESS_BLOCKS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAPTICUT_KERNELS_PRESS_BLOCKS_INL_HPP
+#undef HAPTICUT_KERNELS_PRESS_BLOCKS_INL_HPP
+#else
+#define HAPTICUT_KERNELS_PRESS_BLOCKS_INL_HPP
+#endif
+
+#include "kernels/press-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hapticut::kernels::HWY_NAMESPACE {
+
+namespace strips {
+
+template <class Springs, Mode kMode>
+HWY_INLINE void PressAll(const Springs& springs, const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
+                         StiffnessSums* stiffness) {
+  VoxelList voxels;  // empty
+  SampleList samples;
+  StiffnessVectors by_part[kParts];
+  if (stiffness != nullptr)
+    for (StiffnessVectors& part : by_part) part.clear();
+  Press<Springs, kMode> press(springs, job, voxels, samples, sums, stiffness == nullptr ? nullptr : by_part);
+  press.press(tasks);
+  if (stiffness != nullptr)
+    for (std::size_t part = 0; part < kParts; ++part) by_part[part].flush(part, *stiffness);
+}
+
+}  // namespace strips
+
+inline HWY_ATTR void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
+                                 StiffnessSums* stiffness) {
+  using strips::Mode;
+  visit_springs(job.head, [&](const auto& springs) HWY_ATTR {
+    using Springs = std::decay_t<decltype(springs)>;
+    if (job.motion.spin == 0) return strips::PressAll<Springs, Mode::standing>(springs, job, tasks, sums, stiffness);
+    if (job.motion.removal == RemovalLaw::none)
+      return strips::PressAll<Springs, Mode::rubbing>(springs, job, tasks, sums, stiffness);
+    return strips::PressAll<Springs, Mode::cutting>(springs, job, tasks, sums, stiffness);
+  });
+}
+
+}  // namespace hapticut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
