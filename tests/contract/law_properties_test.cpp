@@ -132,10 +132,14 @@ TEST_P(LawProperty, ClosesItsLedgerAndLosesNoLessThanNothingInAnyMotion) {
     RC_ASSERT(outcome.turnover > 0 || (drills && scene.spin == 0));  // a drill that stands has no force
     RC_CLASSIFY(outcome.removed_volume > 0, "cuts");
     RC_LOG() << "imbalance " << outcome.energy.imbalance() << " of " << outcome.turnover << ", least loss "
-             << outcome.least_loss << ", spin " << scene.spin << ", head " << scene.head.shape().index();
+             << outcome.least_loss << ", spin " << scene.spin << ", head " << scene.head.shape().index() << ", removal "
+             << int(scene.removal);
     RC_ASSERT(std::abs(outcome.energy.imbalance()) <= 5e-3 * outcome.turnover + GetParam().light_touch);
     // The damper of the thesis follows the hand and not the slip: at a turning head it may give energy (D10).
-    if (GetParam().always_loses) RC_ASSERT(outcome.least_loss >= -1e-6 * outcome.turnover);
+    // Law G takes what the depth in the middle of a sub-step stores for what helps to cut; the rest, `released`, is
+    // then known to the second order of the way in a sub-step only.
+    const double slack = scene.removal == RemovalLaw::elastic_release ? 1e-4 : 1e-6;
+    if (GetParam().always_loses) RC_ASSERT(outcome.least_loss >= -slack * outcome.turnover);
   }));
 }
 
