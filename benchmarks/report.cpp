@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the JSON of the benchmarks to a Markdown table: `bench_report step.json scenarios.json`.
+// From the JSON of the benchmarks to a Markdown table: `bench_report step.json scenarios.json [--loop loop.json]`, the
+// last one from `hapticut loop ... --json loop.json`.
 // Ratios are those of one repetition of one run, and their median is what counts.
 #include <algorithm>
 #include <cstdio>
@@ -130,14 +131,38 @@ void print_all(const Results& r) {
   }
 }
 
+/// How late the ticks of the loop began, how long they computed, and what that did.
+void print_loop(const std::string& file) {
+  std::ifstream stream(file);
+  if (!stream) throw std::runtime_error(file + " cannot be read; `hapticut loop` writes it.");
+  const json loop = json::parse(stream);
+  std::printf("\n| loop at %.0f Hz, %.0f ticks | p50 us | p99 us | p99.9 us | max us |\n|---|---|---|---|---|\n",
+              loop.at("rate_Hz").get<double>(), loop.at("ticks").get<double>());
+  for (const auto& [what, key] :
+       {std::pair("woke up late by", "wake_up_us"), std::pair("computed for", "compute_us")}) {
+    const json& times = loop.at(key);
+    const auto v = [&](const char* name) { return times.at(name).get<double>(); };
+    std::printf("| %s | %.1f | %.1f | %.1f | %.0f |\n", what, v("p50"), v("p99"), v("p999"), v("max"));
+  }
+  std::printf("\n%.0f ticks missed, %.0f computed for longer than a period.\n", loop.at("missed_ticks").get<double>(),
+              loop.at("deadline_misses").get<double>());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
   Results results;
-  for (int i = 1; i < argc; ++i) results.read(argv[i]);
-  if (results.names().empty()) throw std::runtime_error("usage: bench_report RESULTS.json ...");
+  std::string loop;
+  for (int i = 1; i < argc; ++i) {
+    if (std::string(argv[i]) == "--loop" && i + 1 < argc)
+      loop = argv[++i];
+    else
+      results.read(argv[i]);
+  }
+  if (results.names().empty()) throw std::runtime_error("usage: bench_report RESULTS.json ... [--loop LOOP.json]");
   print_targets(results);
   print_all(results);
+  if (!loop.empty()) print_loop(loop);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "bench_report: %s\n", error.what());

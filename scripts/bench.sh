@@ -40,7 +40,7 @@ export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
 out=out/bench
 mkdir -p "$out"
 cmake --preset release -DHAPTICUT_WITH_BENCHMARKS=ON >"$out/build.log" 2>&1 &&
-  cmake --build --preset release -t bench_step bench_scenarios bench_report >>"$out/build.log" 2>&1 ||
+  cmake --build --preset release -t bench_step bench_scenarios bench_report hapticut_cli >>"$out/build.log" 2>&1 ||
   { tail -n 40 "$out/build.log" >&2; echo "bench.sh: the build failed; see $out/build.log." >&2; exit 1; }
 
 run() {
@@ -53,10 +53,13 @@ run() {
 }
 run step --benchmark_filter="$filter" --benchmark_repetitions="$repetitions" --benchmark_enable_random_interleaving=true
 run scenarios --benchmark_repetitions="$repetitions" --benchmark_enable_random_interleaving=true
+echo "measuring: loop" >&2
+build/release/src/cli/hapticut loop mock:spiral --seconds 60 --json "$out/loop.json" >"$out/loop.log" 2>&1 ||
+  { tail -n 20 "$out/loop.log" >&2; exit 1; }
 
 {
   echo "commit $(git rev-parse --short HEAD 2>/dev/null || echo unknown), $(date -u +%Y-%m-%d), $(nproc) processors:" \
     "$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)"
   echo
-  build/release/benchmarks/bench_report "$out/step.json" "$out/scenarios.json"
+  build/release/benchmarks/bench_report "$out/step.json" "$out/scenarios.json" --loop "$out/loop.json"
 } | tee "$out/table.md"
