@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // hapticut stability: the closed loop of device, hand and library in simulated time.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -15,6 +14,7 @@
 #include "cli/json_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/table.hpp"
+#include "device/wall_table.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/device/contact_bench.hpp"
 #include "hapticut/device/fault_bench.hpp"
@@ -23,7 +23,6 @@
 namespace hapticut::cli {
 namespace {
 
-constexpr int kDelays = 3;                  // 0, 1, 2 ticks
 constexpr double kWallTolerance = 0.05;     // [1] the table is rounded, and comes from another program
 constexpr double kLeastGain = 10;           // [1] that a coupling must win over a device driven directly
 constexpr double kPressedStiffness = 1e16;  // [N/m^4] k_v of bounces, presses and faults with a coupling
@@ -32,26 +31,6 @@ struct StabilitySettings {
   std::optional<std::string> device, hand;
   std::string json;
 };
-
-/// Largest stable stiffness of a linear wall [N/m] by ticks of delay, from an independent program.
-struct WallRow {
-  std::string_view device, hand;
-  std::array<double, kDelays> expected;
-};
-constexpr std::array<WallRow, 14> kWallTable = {{{"touch", "released", {400, 133, 80}},
-                                                 {"touch", "light", {3415, 1142, 689}},
-                                                 {"touch", "nominal", {8442, 2825, 1705}},
-                                                 {"touch", "nominal-pad", {7194, 2774, 1873}},
-                                                 {"touch", "light-pad", {3934, 1583, 1090}},
-                                                 {"premium15", "released", {100, 33, 20}},
-                                                 {"premium15", "nominal", {8131, 2718, 1638}},
-                                                 {"premium15", "nominal-pad", {7504, 3158, 2221}},
-                                                 {"premium6dof", "released", {200, 67, 40}},
-                                                 {"premium6dof", "nominal", {8225, 2748, 1654}},
-                                                 {"premium6dof", "nominal-pad", {8379, 3829, 2806}},
-                                                 {"omega", "released", {1000, 334, 200}},
-                                                 {"omega", "nominal", {9020, 3012, 1812}},
-                                                 {"omega", "nominal-pad", {10710, 5442, 4218}}}};
 
 ClosedLoopConfig loop_of(const DeviceModel& device, std::string_view hand, int delay) {
   ClosedLoopConfig config;
@@ -81,9 +60,9 @@ struct Findings {
 void bench_wall(const DeviceModel& device, Findings& findings) {
   for (const WallRow& row : kWallTable) {
     if (row.device != device.name) continue;
-    for (int delay = 0; delay < kDelays; ++delay) {
+    for (int delay = 0; delay < kWallDelays; ++delay) {
       const double limit = largest_stable_stiffness(loop_of(device, row.hand, delay), linear_walls());
-      const double expected = row.expected[std::size_t(delay)], error = limit / expected - 1;
+      const double expected = row.stiffest[std::size_t(delay)], error = limit / expected - 1;
       const auto paused = findings.progress->pause();
       std::printf("%-12s %-11s delay %d  wall     %8s N/m, table %s (%+.1f %%)\n", device.name.data(), row.hand.data(),
                   delay, rounded(limit).c_str(), rounded(expected).c_str(), 100 * error);
@@ -108,7 +87,7 @@ CouplingGains gains_of(const DeviceModel& device) {
 
 /// The real model, felt directly and through the coupling.
 void bench_contact(const DeviceModel& device, std::string_view hand, Findings& findings) {
-  for (int delay = 0; delay < kDelays; ++delay) {
+  for (int delay = 0; delay < kWallDelays; ++delay) {
     ClosedLoopConfig config = loop_of(device, hand, delay);
     config.velocity_filter = 100;
     const ContactBench direct, coupled{.coupling = gains_of(device)};
@@ -162,7 +141,7 @@ void bench_faults(const DeviceModel& device, std::string_view hand, Findings& fi
   GuardOptions options;
   options.stiffness = bench.coupling->stiffness;
   const SafetyGuard guard(capabilities(device), options);
-  for (int delay = 0; delay < kDelays; ++delay) {
+  for (int delay = 0; delay < kWallDelays; ++delay) {
     double slowest = 0;
     int broken = 0;
     for (const InjectedFault fault : injected_faults()) {

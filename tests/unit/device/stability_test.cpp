@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "device/wall_table.hpp"
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut {
@@ -59,31 +60,11 @@ TEST(StabilityLimit, OfAReleasedDeviceWithoutDelayIsTwiceItsDampingByThePeriod) 
 }
 
 TEST(StabilityLimit, OfDevicesInHandsIsThatOfTheTable) {
-  struct Row {
-    const char* device;
-    const char* hand;
-    std::array<double, 3> by_delay;
-  };
-  for (const Row& row : std::initializer_list<Row>{
-           {"touch", "released", {400, 133, 80}},
-           {"touch", "light", {3415, 1142, 689}},
-           {"touch", "nominal", {8442, 2825, 1705}},
-           {"touch", "nominal-pad", {7194, 2774, 1873}},
-           {"touch", "light-pad", {3934, 1583, 1090}},
-           {"premium15", "released", {100, 33, 20}},
-           {"premium15", "nominal", {8131, 2718, 1638}},
-           {"premium15", "nominal-pad", {7504, 3158, 2221}},
-           {"premium6dof", "released", {200, 67, 40}},
-           {"premium6dof", "nominal", {8225, 2748, 1654}},
-           {"premium6dof", "nominal-pad", {8379, 3829, 2806}},
-           {"omega", "released", {1000, 334, 200}},
-           {"omega", "nominal", {9020, 3012, 1812}},
-           {"omega", "nominal-pad", {10710, 5442, 4218}},
-       })
-    for (int delay = 0; delay < 3; ++delay)
+  for (const WallRow& row : kWallTable)
+    for (int delay = 0; delay < kWallDelays; ++delay)
       expect_near_relative(largest_stable_stiffness(loop_of(row.device, row.hand, delay), linear_wall()),
-                           row.by_delay[std::size_t(delay)], kTable,
-                           std::string(row.device) + ", " + row.hand + ", delay " + std::to_string(delay));
+                           row.stiffest[std::size_t(delay)], kTable,
+                           std::string(row.device) + ", " + std::string(row.hand) + ", delay " + std::to_string(delay));
 }
 
 TEST(StabilityLimit, WithSoftwareDampingIsThatOfTheTable) {
