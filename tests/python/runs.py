@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import time
 from pathlib import Path
 
@@ -36,6 +37,25 @@ def sometimes_raises(parameters, rng):
 
 def returns_nonsense(parameters, rng):
     return [{"x": 1}, 7, {"y": None}, {3: 1}, {"error": 1}][parameters["x"]]
+
+
+def returns_what_cannot_be_kept(parameters, rng):
+    if parameters["x"] == 0:
+        sys.exit(3)
+    return [{}, {"o": np.array([None, 1])}, {3: 1}, {"text": "\ud800"}, {"n": 10**30}, {"x": 1}, {}][parameters["x"]]
+
+
+def returns_more_and_more(parameters, rng):
+    """Arrays of 4 bytes a number, up to 38 kB."""
+    return {"values": np.zeros(500 * parameters["x"], dtype=np.float32)}
+
+
+def returns_traces_of_odd_names(parameters, rng):
+    return {name: np.array([parameters["x"], 4]) for name in ("file", "allow_pickle", "a/b", "force.npy")}
+
+
+def counts(parameters, rng):
+    return {"one": 1}
 
 
 def kills_its_worker_once(parameters, rng):

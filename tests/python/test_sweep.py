@@ -277,29 +277,12 @@ def test_the_folder_of_another_study_is_refused_and_left_alone(tmp_path, change)
     assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
 
 
-def test_a_folder_that_cannot_be_written_is_said_before_the_first_run(tmp_path):
-    (tmp_path / "file").write_text("in the way")
-    for out in (tmp_path / "file", tmp_path / "file" / "below", Path("/proc/hapticut")):
-        with pytest.raises(hapticut.Error, match=f"cannot write.*{re.escape(str(out))}.*Choose another"):
-            hapticut.sweep({"x": [1]}, runs.sometimes_raises, sweep.SerialExecutor(), out)
-
-
 def test_a_damaged_chunk_is_named(tmp_path):
     hapticut.sweep({"x": [1, 2]}, runs.sometimes_raises, sweep.SerialExecutor(), tmp_path)
     chunk = sorted((tmp_path / "chunks").glob("*.jsonl"))[0]
     chunk.write_text(chunk.read_text()[:5])
     with pytest.raises(hapticut.Error, match=f"{chunk.name} is damaged"):
         hapticut.sweep({"x": [1, 2]}, runs.sometimes_raises, sweep.SerialExecutor(), tmp_path)
-
-
-@pytest.mark.parametrize("space, message", [
-    ([], "no runs"), ({}, "without axes"), ({"x": []}, "axis x"), ({"x": "abc"}, "axis x"),
-    ([{"x": 1}, {"y": 1}], "run 1 has the parameters"), ([{"x": [1]}], "parameter x of run 0"), (3, "over int"),
-    ([1, 2], "one dict"),
-])
-def test_spaces_that_make_no_sense_are_refused(space, message, tmp_path):
-    with pytest.raises(hapticut.Error, match=message):
-        hapticut.sweep(space, runs.sometimes_raises, sweep.SerialExecutor(), tmp_path)
 
 
 def test_designs_fill_their_bounds_evenly():
@@ -348,16 +331,3 @@ peak_force = "N"
     run = FunctionOf(f"{HERE.as_posix()}/runs.py", "drill", "", {})
     table = hapticut.sweep(SPACE, run, sweep.SerialExecutor(), tmp_path / "out", units=reference[0].attrs["units"])
     assert_same_bits(table, tmp_path / "out", reference)
-
-
-@pytest.mark.parametrize("text, message", [
-    ("run = 'a", "not TOML"), ("runn = 'a:b'", "unknown keys"), ("run = 'nowhere.py:f'\n[grid]\nx=[1]", "nowhere.py"),
-    ("run = 'math:nothing'\n[grid]\nx=[1]", "no function"), ("run = 'math:sqrt'", "no space"),
-    ("run = 'no.such:f'\n[grid]\nx=[1]", "no.such|'no'"), ("run = 'math:sqrt'\n[sobol]\nn=4", "bounds"),
-])
-def test_the_command_line_says_what_is_wrong_with_a_study(text, message, tmp_path, capsys):
-    study = tmp_path / "study.toml"
-    study.write_text(text)
-    assert sweep.main([str(study), "--executor", "serial", "--out", str(tmp_path / "out")]) == 1
-    assert re.search(message, capsys.readouterr().err)
-    assert sweep.main([str(tmp_path / "none.toml")]) == 1

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 from .._hapticut import Error
 from .chunks import Run, generator
 from .scheduler import Scheduler, SerialExecutor
-from .spaces import Parameters, Space, design, grid, latin_hypercube, sobol, space_from
+from .spaces import Parameters, Space, design, grid, latin_hypercube, sobol, space_from, whole
 from .study import Study, load_traces
 
 if TYPE_CHECKING:
@@ -73,6 +73,11 @@ def sweep(space: Union[Space, Mapping[str, Sequence[Any]], Sequence[Mapping[str,
     Error
         When the space is empty, the folder cannot be written or holds another study, or the executor dies. What was
         finished is kept.
+
+    Warns
+    -----
+    UserWarning
+        When a column mixes texts and numbers, so that the table is written as CSV, not Parquet.
     """
     try:
         import pandas  # noqa: F401
@@ -80,8 +85,14 @@ def sweep(space: Union[Space, Mapping[str, Sequence[Any]], Sequence[Mapping[str,
         raise Error("sweeps need pandas: pip install 'hapticut[sweep]'.") from None
     if not callable(run):
         raise Error(f"run is {run!r}; it must be a function of a dict of parameters and a generator.")
-    if workers is not None and workers < 1:
-        raise Error(f"workers = {workers}; must be at least 1.")
+    if executor is not None and not isinstance(executor, Executor):
+        hint = " (a Client of dask has one: get_executor())" if hasattr(executor, "get_executor") else ""
+        raise Error(f"executor is {executor!r}; it must be a concurrent.futures.Executor{hint}.")
+    if units is not None and not isinstance(units, Mapping):
+        raise Error(f"units are {units!r}; needed is a dict from a column to its unit.")
+    if workers is not None:
+        workers = whole(workers, "workers", 1)
+    seed = whole(seed, "seed", 0)
     points = space_from(space)
     study = Study(out, points, name_of(run), seed, units or {}, resume)
     missing = study.missing()

@@ -12,7 +12,7 @@ from typing import Any, Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from .spaces import Parameters, plain
+from .spaces import RESERVED, Parameters, plain
 
 Run = Callable[[Parameters, np.random.Generator], Mapping[str, Any]]
 
@@ -53,9 +53,13 @@ def _outcome(row: Row, result: Any, taken: frozenset[str]) -> None:
     if not isinstance(result, Mapping):
         raise TypeError(f"run returned {type(result).__name__}; it must return a dict of its summary")
     for name, value in result.items():
-        if not isinstance(name, str) or name in taken:
-            raise ValueError(f"run returned a column named {name!r}, which is no text or the name of something else")
+        if not isinstance(name, str):
+            raise TypeError(f"run returned a column named {name!r}; names must be texts")
+        if name in taken:
+            raise ValueError(f"run returned a column named {name!r}, but there is a parameter or column of that name")
         if isinstance(value, np.ndarray) and value.ndim > 0:
+            if value.dtype.hasobject:
+                raise TypeError(f"run returned an array {name!r} of dtype {value.dtype}; it must hold plain numbers")
             row.traces[name] = value
         else:
             row.summary[name] = plain(value.item() if isinstance(value, np.ndarray) else value, f"column {name}")
@@ -64,15 +68,16 @@ def _outcome(row: Row, result: Any, taken: frozenset[str]) -> None:
 def run_chunk(pickled: bytes, seed: int, first: Sequence[int], parameters: Sequence[Parameters]) -> Chunk:
     """The runs of some indices. A run that raises becomes a row with its error; the others go on."""
     function = _function(pickled)
-    taken = frozenset(parameters[0]) | {"run", "error"} if parameters else frozenset()
+    taken = frozenset(parameters[0]) | frozenset(RESERVED) if parameters else frozenset()
     rows = []
     begin = time.perf_counter()
     for index, row_parameters in zip(first, parameters):
         row = Row(index)
         try:
             _outcome(row, function(dict(row_parameters), generator(seed, index)), taken)
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             row = Row(index)
-            row.error = traceback.format_exception_only(type(error), error)[-1].strip().replace("\n", " ")
+            text = traceback.format_exception_only(type(error), error)[-1].strip().replace("\n", " ")
+            row.error = text.encode("utf-8", "backslashreplace").decode()
         rows.append(row)
     return Chunk(rows, time.perf_counter() - begin)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import importlib
 import importlib.util
+import json
 import sys
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
@@ -17,7 +18,7 @@ from .._hapticut import Error
 from . import sweep
 from .chunks import Run
 from .scheduler import SerialExecutor
-from .spaces import Parameters, Space, grid, latin_hypercube, sobol
+from .spaces import Parameters, Space, latin_hypercube, sobol, space_from
 
 EXAMPLE = """\
 A study:
@@ -40,7 +41,10 @@ A study:
   [units]
   feed = "m/s"
 """
-KEYS = {"run", "out", "seed", "grid", "latin_hypercube", "sobol", "runs", "constants", "units"}
+TABLE = (dict, "a table")
+KINDS = {"run": (str, 'a text, "file.py:function" or "module:function"'), "out": (str, "a text, the folder"),
+         "seed": (int, "a whole number"), "grid": TABLE, "latin_hypercube": TABLE, "sobol": TABLE,
+         "runs": (list, "a list of tables"), "constants": TABLE, "units": TABLE}
 
 
 class FunctionOf:
@@ -51,7 +55,8 @@ class FunctionOf:
         self.name = name
         self.folder = folder
         self.constants = dict(constants)
-        self.__qualname__ = f"{place}:{name}"
+        # Other constants are another study.
+        self.__qualname__ = f"{place}:{name}" + (json.dumps(self.constants, default=str) if constants else "")
         self._function: Optional[Run] = None
 
     def __getstate__(self) -> dict[str, Any]:
@@ -80,11 +85,16 @@ class FunctionOf:
             except ModuleNotFoundError as error:
                 raise Error(f"run: {error}. Give a module that can be imported, or a file ending in .py.") from None
         path = Path(self.folder, self.place)
-        specification = importlib.util.spec_from_file_location(path.stem, path)
+        specification = importlib.util.spec_from_file_location(f"hapticut_study_{path.stem}", path)
         if not path.is_file() or specification is None or specification.loader is None:
             raise Error(f"run: {path} does not exist.")
         module = importlib.util.module_from_spec(specification)
-        specification.loader.exec_module(module)
+        sys.modules[module.__name__] = module  # where dataclasses look for their own
+        try:
+            specification.loader.exec_module(module)
+        except Exception as error:
+            del sys.modules[module.__name__]
+            raise Error(f"run: {path} cannot be imported ({type(error).__name__}: {error}).") from error
         return module
 
     def __call__(self, parameters: Parameters, rng: np.random.Generator) -> Mapping[str, Any]:
@@ -102,8 +112,21 @@ def read_toml(path: Path) -> dict[str, Any]:
             return dict(tomllib.load(file))
     except OSError as error:
         raise Error(f"cannot read {path}: {error.strerror}.") from None
-    except tomllib.TOMLDecodeError as error:
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise Error(f"{path} is not TOML: {error}.") from None
+
+
+def read_study(path: Path) -> dict[str, Any]:
+    """The settings of a study, each of the kind that it must be."""
+    settings = read_toml(path)
+    unknown = set(settings) - set(KINDS)
+    if unknown:
+        raise Error(f"{path} has the unknown keys {sorted(unknown)}; known are {sorted(KINDS)}.")
+    for key, value in settings.items():
+        kind, words = KINDS[key]
+        if not isinstance(value, kind):
+            raise Error(f"{key} = {value!r} in {path}; it must be {words}.")
+    return settings
 
 
 def space_of(settings: Mapping[str, Any], path: Path) -> Space:
@@ -113,10 +136,8 @@ def space_of(settings: Mapping[str, Any], path: Path) -> Space:
         found = " and ".join(kinds) or "no space"
         raise Error(f"{path} has {found}; give one of grid, latin_hypercube, sobol and runs.")
     given = settings[kinds[0]]
-    if kinds[0] == "grid":
-        return grid(**given)
-    if kinds[0] == "runs":
-        return Space(given)
+    if kinds[0] in ("grid", "runs"):
+        return space_from(given)
     unknown = set(given) - {"n", "bounds", "seed"}
     if unknown or not {"n", "bounds"} <= set(given):
         raise Error(f"[{kinds[0]}] of {path} has {sorted(given)}; it needs n and bounds, and may have seed.")
@@ -138,7 +159,7 @@ def executor_of(name: str) -> tuple[Optional[Executor], Any]:
         try:
             make_client: Any = distributed.Client
             client = make_client("tcp://" + name[len("dask://"):] if name != "dask" else None)
-        except OSError as error:
+        except (OSError, ValueError) as error:
             raise Error(f"no dask scheduler answers at {name}: {error}.") from None
         return client.get_executor(), client
     raise Error(f"there is no executor {name!r}; choose processes, serial, dask or dask://HOST:PORT.")
@@ -156,23 +177,22 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     options = parser.parse_args(arguments)
     try:
-        settings = read_toml(options.study)
-        unknown = set(settings) - KEYS
-        if unknown:
-            raise Error(f"{options.study} has the unknown keys {sorted(unknown)}; known are {sorted(KEYS)}.")
-        place, _, name = str(settings.get("run", "")).rpartition(":")
+        settings = read_study(options.study)
+        place, _, name = settings.get("run", "").rpartition(":")
         if not place or not name:
             raise Error(f"run = {settings.get('run')!r} in {options.study}; give \"file.py:function\" or "
                         "\"module:function\".")
-        folder = str(options.study.resolve().parent)
-        run = FunctionOf(place, name, folder, settings.get("constants", {}))
+        space, constants = space_of(settings, options.study), settings.get("constants", {})
+        shared = set(space.names) & set(constants)
+        if shared:
+            raise Error(f"{options.study} has {sorted(shared)} both in [constants] and among the parameters.")
+        run = FunctionOf(place, name, str(options.study.resolve().parent), constants)
         run.find()
         out = options.out or Path(settings.get("out", options.study.with_suffix("").name))
         executor, client = executor_of(options.executor)
         try:
-            table = sweep(space_of(settings, options.study), run, executor, out, resume=not options.no_resume,
-                          seed=settings.get("seed", 0), units=settings.get("units"), workers=options.workers,
-                          progress=not options.quiet)
+            table = sweep(space, run, executor, out, resume=not options.no_resume, seed=settings.get("seed", 0),
+                          units=settings.get("units"), workers=options.workers, progress=not options.quiet)
         finally:
             if client is not None:
                 client.close()

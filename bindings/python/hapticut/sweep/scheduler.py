@@ -139,7 +139,7 @@ class Scheduler:
             parameters = [self.space[index] for index in piece.indices]
             try:
                 future = executor.submit(run_chunk, self.pickled, self.seed, piece.indices, parameters)
-            except (BrokenExecutor, RuntimeError) as error:
+            except Exception as error:  # every executor has its own for having died
                 self._died(error, piece)
                 continue
             self.on_their_way[future] = piece

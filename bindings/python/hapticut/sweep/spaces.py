@@ -6,8 +6,9 @@ import hashlib
 import itertools
 import json
 import math
+import operator
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, Protocol, Union
+from typing import Any, Optional, Protocol, Union
 
 import numpy as np
 
@@ -16,15 +17,32 @@ from .._hapticut import Error
 Scalar = Union[bool, int, float, str]
 Parameters = dict[str, Scalar]
 Bounds = Mapping[str, Sequence[Any]]
+RESERVED = ("run", "error")  # columns of every table
+LARGEST_INTEGER = 2**63 - 1  # that a column can hold
 
 
 def plain(value: Any, what: str) -> Scalar:
     """A number, text or truth value, without NumPy around it."""
     if isinstance(value, np.generic):
         value = value.item()
+    if isinstance(value, int) and not -LARGEST_INTEGER <= value <= LARGEST_INTEGER:
+        raise Error(f"{what} is {value!r}; whole numbers must fit in 64 bits. Give a float.")
+    if isinstance(value, str) and value != value.encode("utf-8", "replace").decode():
+        raise Error(f"{what} is {value!r}, a text that UTF-8 cannot hold.")
     if isinstance(value, (bool, int, float, str)):
         return value
     raise Error(f"{what} is {value!r}; it must be a number, a text or True or False.")
+
+
+def whole(value: Any, what: str, least: int) -> int:
+    """A whole number, which NumPy's are as well."""
+    try:
+        number: Optional[int] = operator.index(value)
+    except TypeError:
+        number = None
+    if number is None or number < least:
+        raise Error(f"{what} = {value!r}; it must be a whole number, at least {least}.")
+    return number
 
 
 class Space(Sequence[Parameters]):
@@ -33,9 +51,12 @@ class Space(Sequence[Parameters]):
     def __init__(self, rows: Sequence[Mapping[str, Any]]):
         if len(rows) == 0:
             raise Error("a sweep over no runs was asked for; give at least one set of parameters.")
+        if not all(isinstance(row, Mapping) for row in rows):
+            raise Error("a sweep's list must hold one dict of parameters for each run.")
         names = list(rows[0])
-        if not all(isinstance(name, str) and name for name in names):
-            raise Error(f"the parameters are named {names!r}; names must be texts that are not empty.")
+        if not all(isinstance(name, str) and name and name not in RESERVED for name in names):
+            raise Error(f"the parameters are named {names!r}; names must be texts that are not empty, and neither "
+                        f"{' nor '.join(RESERVED)}, which are columns of every table.")
         self._rows: list[Parameters] = []
         for index, row in enumerate(rows):
             if list(row) != names:
@@ -91,17 +112,26 @@ def design(sampler: Sampler, n: int, bounds: Bounds) -> Space:
     bounds
         dict from a parameter's name to (low, high), or to (low, high, "log") for even steps of the logarithm.
     """
+    n = whole(n, "n", 1)
+    if not isinstance(bounds, Mapping):
+        raise Error(f"bounds are {bounds!r}; needed is a dict from a parameter's name to (low, high).")
     scales = []
     for name, bound in bounds.items():
-        logarithmic = len(bound) == 3 and bound[2] == "log"
-        if not logarithmic and len(bound) != 2:
+        try:
+            low, high = (float(end) for end in bound[:2])
+            logarithmic = tuple(bound[2:]) == ("log",)
+            known = logarithmic or len(bound) == 2
+        except (KeyError, TypeError, ValueError):
+            known = False
+        if not known:
             raise Error(f"bounds of {name} are {bound!r}; needed is (low, high) or (low, high, 'log').")
-        low, high = (float(end) for end in bound[:2])
         if not (math.isfinite(low) and math.isfinite(high) and low < high and (low > 0 or not logarithmic)):
             raise Error(f"bounds of {name} are {bound!r}; needed is low < high{', both > 0' if logarithmic else ''}.")
         scales.append((name, low, high, logarithmic))
     if not scales:
         raise Error("a design without bounds was asked for; give at least one parameter.")
+    if not callable(getattr(sampler, "random", None)):
+        raise Error(f"the sampler is {sampler!r}; needed is one of scipy.stats.qmc, e.g. Halton(d=2).")
     points = np.asarray(sampler.random(n), dtype=float)
     if points.shape != (n, len(scales)):
         raise Error(f"the sampler gave an array of shape {points.shape} for {n} runs of {len(scales)} parameters.")
@@ -114,22 +144,23 @@ def design(sampler: Sampler, n: int, bounds: Bounds) -> Space:
     return Space(rows)
 
 
-def _qmc() -> Any:
+def _design_of(engine: str, n: int, bounds: Bounds, seed: int) -> Space:
     try:
         from scipy.stats import qmc
     except ImportError:
         raise Error("designs need scipy: pip install 'hapticut[sweep]'.") from None
-    return qmc
+    dimensions = len(bounds) if isinstance(bounds, Mapping) and bounds else 1  # design refuses the others
+    return design(getattr(qmc, engine)(d=dimensions, seed=whole(seed, "seed", 0)), n, bounds)
 
 
 def latin_hypercube(n: int, bounds: Bounds, seed: int = 0) -> Space:
     """A Latin hypercube: one point in each of n slices of every parameter. See `design` for the bounds."""
-    return design(_qmc().LatinHypercube(d=len(bounds), seed=seed), n, bounds)
+    return _design_of("LatinHypercube", n, bounds, seed)
 
 
 def sobol(n: int, bounds: Bounds, seed: int = 0) -> Space:
     """A scrambled Sobol sequence; n should be a power of two. See `design` for the bounds."""
-    return design(_qmc().Sobol(d=len(bounds), seed=seed), n, bounds)
+    return _design_of("Sobol", n, bounds, seed)
 
 
 def space_from(given: Space | Mapping[str, Sequence[Any]] | Sequence[Mapping[str, Any]]) -> Space:
@@ -137,9 +168,9 @@ def space_from(given: Space | Mapping[str, Sequence[Any]] | Sequence[Mapping[str
     if isinstance(given, Space):
         return given
     if isinstance(given, Mapping):
+        if not all(isinstance(name, str) for name in given):
+            raise Error(f"the axes of a grid are named {list(given)!r}; names must be texts.")
         return grid(**given)
     if isinstance(given, Sequence) and not isinstance(given, str):
-        if not all(isinstance(row, Mapping) for row in given):
-            raise Error("a sweep's list must hold one dict of parameters for each run.")
         return Space(given)
     raise Error(f"a sweep over {type(given).__name__} was asked for; give a grid, a list of dicts or a design.")

@@ -5,9 +5,12 @@ from __future__ import annotations
 import importlib.util
 import json
 import os
-from collections.abc import Iterable, Mapping
+import warnings
+import zipfile
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,14 +25,26 @@ if TYPE_CHECKING:
 FORMAT = 1
 
 
-def write_whole(path: Path, data: bytes) -> None:
-    """Writes a file that is either complete or not there."""
+@contextmanager
+def whole_file(path: Path, on_disk: bool = True) -> Iterator[BinaryIO]:
+    """A file to write to that in the end is either complete or not there; on the disk even if the power fails then."""
     part = path.with_name(path.name + ".part")
-    with open(part, "wb") as file:
+    try:
+        with open(part, "wb") as file:
+            yield file
+            file.flush()
+            if on_disk:
+                os.fsync(file.fileno())
+        os.replace(part, path)
+    except BaseException:
+        part.unlink(missing_ok=True)
+        raise
+
+
+def write_whole(path: Path, data: bytes) -> None:
+    """Writes such a file at once."""
+    with whole_file(path) as file:
         file.write(data)
-        file.flush()
-        os.fsync(file.fileno())
-    os.replace(part, path)
 
 
 class Study:
@@ -94,26 +109,32 @@ class Study:
         """Indices of the runs that are still to be made."""
         return [index for index in range(len(self.space)) if index not in self.done]
 
-    def keep(self, rows: Iterable[Row]) -> None:
+    def keep(self, rows: Sequence[Row]) -> None:
         """Writes a chunk: first its traces, then the file that says that it is done."""
-        lines = []
-        for row in rows:
-            if row.traces:
-                self._write_traces(row)
-            entry = row.as_json()
-            lines.append(json.dumps(entry))
-            self.done[row.index] = entry
-        first = json.loads(lines[0])["run"]
-        write_whole(self.out / "chunks" / f"run-{first:09d}.jsonl", ("\n".join(lines) + "\n").encode())
+        entries = [row.as_json() for row in rows]
+        text = "".join(json.dumps(entry) + "\n" for entry in entries)
+        try:
+            for row in rows:
+                if row.traces:
+                    self._write_traces(row)
+            write_whole(self.out / "chunks" / f"run-{rows[0].index:09d}.jsonl", text.encode())
+        except OSError as error:
+            raise self._cannot_write(error) from error
+        self.done.update({entry["run"]: entry for entry in entries})
 
     def _write_traces(self, row: Row) -> None:
         folder = self.out / "traces"
         folder.mkdir(exist_ok=True)
-        part = folder / f"run-{row.index:09d}.npz.part"
-        with open(part, "wb") as file:
-            arrays: dict[str, Any] = dict(row.traces)
-            np.savez(file, **arrays)
-        os.replace(part, folder / f"run-{row.index:09d}.npz")
+        # Not numpy.savez, whose own arguments are names that no array can have.
+        path = folder / f"run-{row.index:09d}.npz"  # one for each run: too many to wait for the disk
+        with whole_file(path, on_disk=False) as file, zipfile.ZipFile(file, "w") as archive:
+            for name, values in row.traces.items():
+                with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
+                    np.lib.format.write_array(member, values, allow_pickle=False)
+
+    def _cannot_write(self, error: OSError) -> Error:
+        return Error(f"cannot write to the study's folder {self.out}: {error}. What was finished is kept: call sweep "
+                     "again to go on when that is mended.")
 
     def table(self) -> pd.DataFrame:
         """One row per run, in the order of the space: run, parameters, summary and error."""
@@ -133,17 +154,31 @@ class Study:
         return table
 
     def write_table(self) -> tuple[pd.DataFrame, Path]:
-        """The table, and the file it is in: Parquet where pyarrow is there, else CSV."""
+        """The table, and the file it is in: Parquet where pyarrow is there and every column has one type, else CSV."""
         table = self.table()
-        if importlib.util.find_spec("pyarrow") is not None:
-            path = self.out / "table.parquet"
-            part = path.with_name(path.name + ".part")
-            table.to_parquet(part, engine="pyarrow", index=False)
-            os.replace(part, path)
-        else:
-            path = self.out / "table.csv"
-            write_whole(path, table.to_csv(index=False).encode())
+        parquet = importlib.util.find_spec("pyarrow") is not None
+        mixed = [str(name) for name in table.columns if _mixes_types(table[name])]
+        if parquet and mixed:
+            warnings.warn(f"column {', '.join(mixed)} holds texts and numbers, which Parquet cannot; the table is "
+                          "written as table.csv.", stacklevel=4)
+        parquet = parquet and not mixed
+        path = self.out / ("table.parquet" if parquet else "table.csv")
+        try:
+            with whole_file(path) as file:
+                if parquet:
+                    table.to_parquet(file, engine="pyarrow", index=False)
+                else:
+                    file.write(table.to_csv(index=False).encode())
+        except OSError as error:
+            raise self._cannot_write(error) from error
         return table, path
+
+
+def _mixes_types(column: pd.Series) -> bool:
+    """Whether there are texts beside numbers, or truth values beside others."""
+    kinds = {float if isinstance(value, int) and not isinstance(value, bool) else type(value)
+             for value in column if value is not None} if column.dtype == object else set()
+    return len(kinds) > 1
 
 
 def load_traces(out: str | os.PathLike[str], run: int) -> dict[str, NDArray[Any]]:
