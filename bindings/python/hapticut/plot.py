@@ -42,13 +42,21 @@ def _finish(ax: Axes, x: str, y: str, title: str = "") -> None:
     ax.grid(alpha=0.25, linewidth=0.6)
 
 
-def _three_components(ax: Axes, trace: NDArray[Any], field: str, factor: float, label: str) -> Axes:
+def _three_components(ax: Optional[Axes], trace: NDArray[Any], field: str, factor: float, label: str) -> Axes:
+    names = getattr(getattr(trace, "dtype", None), "names", None) or ()
+    if "time" not in names or field not in names:
+        raise core.Error(f"the trace has no fields time and {field}; give what Simulation.run returned.")
+    if len(trace) == 0:
+        raise core.Error("the trace holds no step, so there is nothing to draw.")
+    ax = _axes(ax, figsize=(7, 3.2))
     time = trace["time"]
     values = trace[field] * factor
+    marker = "o" if len(trace) == 1 else None  # a line of one point would not be seen
     for axis, (name, color) in enumerate(zip("xyz", AXIS_COLORS)):
-        ax.plot(time, values[:, axis], color=color, linewidth=1.1, label=name)
+        ax.plot(time, values[:, axis], color=color, linewidth=1.1, marker=marker, label=name)
     # Behind the others and wider: it often coincides with one of them.
-    ax.plot(time, np.linalg.norm(values, axis=1), color=INK, linewidth=3.5, alpha=0.3, zorder=1.5, label="length")
+    ax.plot(time, np.linalg.norm(values, axis=1), color=INK, linewidth=3.5, marker=marker, markersize=10, alpha=0.3,
+            zorder=1.5, label="length")
     _finish(ax, "time [s]", label)
     ax.legend(ncols=4, frameon=False, loc="best")
     return ax
@@ -62,23 +70,22 @@ def force(trace: NDArray[Any], ax: Optional[Axes] = None) -> Axes:
     trace
         From `Simulation.run`.
     """
-    return _three_components(_axes(ax, figsize=(7, 3.2)), trace, "force", 1.0, "force on the tool [N]")
+    return _three_components(ax, trace, "force", 1.0, "force on the tool [N]")
 
 
 def torque(trace: NDArray[Any], ax: Optional[Axes] = None) -> Axes:
     """The torque about the handle's point over time, by axis of W."""
-    return _three_components(_axes(ax, figsize=(7, 3.2)), trace, "torque", 1e3, "torque about Ho [N mm]")
+    return _three_components(ax, trace, "torque", 1e3, "torque about Ho [N mm]")
 
 
-def color_of(name: str) -> tuple[float, float, float]:
-    """A colour for a material by its name: that of the preset, or one of a fixed palette."""
-    if name in core.preset_names():
-        r, g, b = core.preset_color(name)
-    else:
-        palette = ("#4e79a7", "#f28e2b", "#59a14f", "#b07aa1", "#edc948", "#76b7b2", "#9c755f", "#ff9da7")
-        text = palette[sum(name.encode()) % len(palette)]
-        r, g, b = (int(text[i : i + 2], 16) for i in (1, 3, 5))
-    return r / 255, g / 255, b / 255
+def colors_of(names: Sequence[str]) -> list[tuple[float, ...]]:
+    """A colour for each material of a table: that of the preset, or the next one of a palette of 20."""
+    known = core.preset_names()
+    pairs = plt.get_cmap("tab20")  # of a dark colour and a pale one
+    palette = [pairs(n)[:3] for n in (*range(0, 20, 2), *range(1, 20, 2))]
+    others = [name for name in names if name not in known]
+    return [tuple(c / 255 for c in core.preset_color(name)) if name in known
+            else palette[others.index(name) % len(palette)] for name in names]
 
 
 def removed_volume(simulation: core.Simulation, ax: Optional[Axes] = None) -> Axes:
@@ -86,10 +93,10 @@ def removed_volume(simulation: core.Simulation, ax: Optional[Axes] = None) -> Ax
     ax = _axes(ax, figsize=(6, 3.2))
     names = [material.name for material in simulation.workpiece.materials.all()]
     volumes = simulation.removed_volume_by_material[1 : len(names) + 1] * 1e9
-    bars = ax.barh(names, volumes, color=[color_of(name) for name in names], edgecolor=INK, linewidth=0.6)
+    bars = ax.barh(names, volumes, color=colors_of(names), edgecolor=INK, linewidth=0.6)
     ax.bar_label(bars, fmt=" %.3g", color=INK)
     ax.invert_yaxis()
-    ax.margins(x=0.15)
+    ax.set_xlim(0, 1.15 * volumes.max() or 1)
     _finish(ax, "removed volume [mm³]", "")
     ax.grid(axis="y", visible=False)
     return ax
@@ -106,26 +113,30 @@ def latency(times: Union[core.LatencyHistogram, NDArray[np.float64]], ax: Option
     deadline
         [s] drawn as a line; what lies beyond it is counted in the legend.
     """
-    ax = _axes(ax, figsize=(7, 3.2))
+    if not 0 < deadline < np.inf:
+        raise core.Error(f"deadline = {deadline} s; must be > 0 and finite.")
     if isinstance(times, core.LatencyHistogram):
         if times.count == 0:
             raise core.Error("the histogram is empty; nothing was measured.")
-        edges = 0.5 + np.arange(len(times.buckets))
-        weights = times.buckets.astype(float)
-        largest, typical = times.max, times.quantile(0.5)
-        p99 = times.quantile(0.99)
-        misses = int(weights[edges > deadline * 1e6].sum()) + (times.longer if deadline <= 2e-3 else 0)
-        total = times.count
+        width = core.LatencyHistogram.kBucketWidth
+        reach = width * len(times.buckets)
+        if times.longer > 0 and reach < deadline <= times.max:
+            raise core.Error(f"deadline = {deadline} s; the histogram does not tell apart what is longer than {reach} s.")
+        # What is longer than all buckets is drawn where the longest was.
+        values = np.append(width * (0.5 + np.arange(len(times.buckets))), times.max)
+        weights = np.append(times.buckets, times.longer).astype(float)
+        typical, p99 = times.quantile(0.5), times.quantile(0.99)
     else:
-        values = np.asarray(times, dtype=float)
-        if values.size == 0 or not np.isfinite(values).all():
-            raise core.Error("times must hold at least one number, and only finite ones.")
-        edges, weights = values * 1e6, np.ones(values.size)
-        largest, typical, p99 = values.max(), float(np.median(values)), float(np.quantile(values, 0.99))
-        misses, total = int((values > deadline).sum()), values.size
-    low = max(float(edges[weights > 0].min()), 0.1)
-    bins = np.geomspace(low * 0.9, max(largest * 1e6, deadline * 1e6) * 1.2, 80)
-    ax.hist(edges, bins=bins.tolist(), weights=weights, color="#5d8aa8")
+        values = np.ravel(np.asarray(times, dtype=float))
+        if values.size == 0 or not (np.isfinite(values) & (values >= 0)).all():
+            raise core.Error("times must hold at least one number, and only finite ones that are not negative.")
+        weights = np.ones(values.size)
+        typical, p99 = float(np.median(values)), float(np.quantile(values, 0.99))
+    ax = _axes(ax, figsize=(7, 3.2))
+    misses, total = int(weights[values > deadline].sum()), int(weights.sum())
+    shown = np.maximum(values[weights > 0] * 1e6, 0.1)  # the axis is logarithmic
+    bins = np.geomspace(shown.min() * 0.9, max(shown.max(), deadline * 1e6) * 1.2, 80)
+    ax.hist(shown, bins=bins.tolist(), weights=weights[weights > 0], color="#5d8aa8")
     ax.set_xscale("log")
     ax.set_yscale("log")
     ax.set_ylim(bottom=0.7)
@@ -149,26 +160,35 @@ def sweep_matrix(table: pd.DataFrame, x: str, y: str, value: str, ax: Optional[A
     x, y, value
         Names of columns.
     """
-    ax = _axes(ax, figsize=(6, 4))
     for name in (x, y, value):
         if name not in table.columns:
             raise core.Error(f"the table has no column {name!r}; it has {list(table.columns)}.")
-    good = table[table["error"] == ""] if "error" in table.columns else table
+    if x == y:
+        raise core.Error(f"x and y are both {x!r}; a matrix needs two columns.")
+    if table[value].dtype.kind not in "biuf":
+        raise core.Error(f"column {value!r} does not hold numbers.")
+    good = table[table["error"].fillna("") == ""] if "error" in table.columns else table  # read back, "" is NaN
     cells = good.pivot_table(index=y, columns=x, values=value, aggfunc="mean")
     if cells.size == 0:
         raise core.Error("there is no run without an error to draw.")
+    ax = _axes(ax, figsize=(6, 4))
     image = ax.pcolormesh(np.arange(cells.shape[1] + 1), np.arange(cells.shape[0] + 1), cells.to_numpy(dtype=float),
-                          cmap="viridis", edgecolors="white", linewidth=0.5)
+                          cmap="viridis", edgecolors="white" if cells.size <= 100 else "face", linewidth=0.5)
     known = {**table.attrs.get("units", {}), **(units or {})}
 
     def label(name: str) -> str:
         return f"{name} [{known[name]}]" if name in known else name
 
-    def ticks(values: Sequence[Any]) -> list[str]:
-        return [f"{v:.4g}" if isinstance(v, (int, float)) else str(v) for v in values]
+    def ticks(values: Sequence[Any], most: int) -> tuple[list[float], list[str]]:
+        numbers = all(isinstance(v, (int, float)) for v in values)
+        every = -(-len(values) // most) if numbers else 1  # so few that they do not touch
+        return ([at + 0.5 for at in range(0, len(values), every)],
+                [f"{v:.4g}" if numbers else str(v) for v in values[::every]])
 
-    ax.set_xticks(np.arange(cells.shape[1]) + 0.5, ticks(cells.columns.tolist()))
-    ax.set_yticks(np.arange(cells.shape[0]) + 0.5, ticks(cells.index.tolist()))
+    ax.set_xticks(*ticks(cells.columns.tolist(), 5))
+    ax.set_yticks(*ticks(cells.index.tolist(), 16))
+    if sum(len(label.get_text()) for label in ax.get_xticklabels()) > 48:
+        ax.tick_params(axis="x", rotation=30)
     ax.set_xlabel(label(x))
     ax.set_ylabel(label(y))
     if cells.size <= 100:
@@ -194,6 +214,8 @@ def slice_through(workpiece: core.Workpiece, axis: int = 1, index: Optional[int]
     """
     if axis not in (0, 1, 2):
         raise core.Error(f"axis = {axis}; must be 0, 1 or 2.")
+    if workpiece.empty():
+        raise core.Error("nothing is left of the workpiece, so there is no layer to draw.")
     ax = _axes(ax, figsize=(6, 4.5))
     bounds = workpiece.bounds()
     if index is None:
@@ -204,9 +226,7 @@ def slice_through(workpiece: core.Workpiece, axis: int = 1, index: Optional[int]
     material = workpiece.material_array(box).squeeze(axis)
     fill = workpiece.fill_array(box).squeeze(axis)
     table = workpiece.materials.all()
-    colors = np.ones((len(table) + 1, 3))
-    for number, entry in enumerate(table, start=1):
-        colors[number] = color_of(entry.name)
+    colors = np.array([(1.0, 1.0, 1.0), *colors_of([entry.name for entry in table])])
     picture = 1 + fill[..., None] * (colors[material] - 1)
     across, up = [a for a in range(3) if a != axis]
     mm = workpiece.voxel_size * 1e3
@@ -236,8 +256,7 @@ def surface(workpiece: core.Workpiece, ax: Optional[Axes] = None, elevation: flo
     if len(triangles) == 0:
         raise core.Error("nothing is left of the workpiece, so there is no surface to draw.")
     vertices = found.mesh.vertices * 1e3
-    names = [entry.name for entry in workpiece.materials.all()]
-    colors = np.array([(0.8, 0.8, 0.8), *(color_of(name) for name in names)])
+    colors = np.array([(0.8, 0.8, 0.8), *colors_of([entry.name for entry in workpiece.materials.all()])])
     el, az = np.radians([elevation, azimuth])
     towards = np.array([np.cos(el) * np.cos(az), np.cos(el) * np.sin(az), np.sin(el)])  # the camera
     right = np.array([-np.sin(az), np.cos(az), 0.0])
