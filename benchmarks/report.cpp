@@ -107,6 +107,8 @@ void print_targets(const Results& r) {
   print_row("deadline misses in 60 s, 0.05 mm, R 2", 0, r.value("deadline/h0.05/R2", "misses"));
   print_row("p99.9 [us] in 60 s, 0.05 mm, R 2", 700, r.value("deadline/h0.05/R2", "p999_us"));
   print_row("p99.9 [us] in 60 s, 0.1 mm, R 3", 500, r.value("deadline/h0.1/R3", "p999_us"));
+  if (const auto late = r.value("deadline/arithmetic", "misses"))
+    std::printf("| the same ticks of arithmetic alone: late by the machine | | %.3g | |\n", *late);
   print_row("ten times larger workpiece, p50", 1.05, r.ratio("sizes/x10", "sizes/x1", "p50_us"));
   print_row("head from a profile / sphere, p50", 2,
             r.ratio("heads/profile_sphere/static", "heads/sphere/static", "p50_us"));

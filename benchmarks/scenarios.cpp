@@ -192,7 +192,29 @@ void run_minute(benchmark::State& state, double voxel_size, double radius) {
   }
 }
 
+/// As many ticks of arithmetic in registers, which needs no memory, no lock and no system call: how many are late because
+/// of the machine.
+void run_arithmetic(benchmark::State& state) {
+  constexpr int kTicks = 60000, kOperations = 50000;
+  for (auto _ : state) {
+    TickTimes times(kTicks);
+    for (int t = 0; t < kTicks; ++t)
+      times.time([&] {
+        double x = t;
+        for (int n = 0; n < kOperations; ++n) x = 0.999 * x + 1;
+        benchmark::DoNotOptimize(x);
+        return 0;
+      });
+    state.SetIterationTime(times.total());
+    times.report(state);
+  }
+}
+
 void add_minutes() {
+  benchmark::RegisterBenchmark("deadline/arithmetic", run_arithmetic)
+      ->UseManualTime()
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
   for (const auto& [name, voxel, radius] :
        {std::tuple("deadline/h0.05/R2", 0.05 * mm, 2 * mm), std::tuple("deadline/h0.1/R3", 0.1 * mm, 3 * mm)})
     benchmark::RegisterBenchmark(
