@@ -192,8 +192,8 @@ void run_minute(benchmark::State& state, double voxel_size, double radius) {
   }
 }
 
-/// As many ticks of arithmetic in registers, which needs no memory, no lock and no system call: how many are late because
-/// of the machine.
+/// As many ticks of arithmetic in registers, which needs no memory, no lock and no system call: how many are late
+/// because of the machine.
 void run_arithmetic(benchmark::State& state) {
   constexpr int kTicks = 60000, kOperations = 50000;
   for (auto _ : state) {
