@@ -20,7 +20,8 @@ void bind_states(py::module_& m) {
                           {"force_limit", DeviceFault::force_limit},
                           {"speed_limit", DeviceFault::speed_limit},
                           {"overloaded", DeviceFault::overloaded},
-                          {"driver_error", DeviceFault::driver_error}});
+                          {"driver_error", DeviceFault::driver_error},
+                          {"switched_off", DeviceFault::switched_off}});
   using C = DeviceCapabilities;
   bind_struct<C>(m, "DeviceCapabilities", field("model", &C::model), field("vendor", &C::vendor),
                  field("serial_number", &C::serial_number), field("driver_version", &C::driver_version),

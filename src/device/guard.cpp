@@ -181,7 +181,8 @@ const DeviceState& SafetyGuard::admit(const DeviceState& reading) noexcept {
       break;
     case DeviceFault::force_limit:
     case DeviceFault::speed_limit:
-    case DeviceFault::overloaded:  // the driver fades its own output in again, and so do we
+    case DeviceFault::overloaded:    // the driver fades its own output in again, and so do we
+    case DeviceFault::switched_off:  // the motors may come back at any moment, at full strength
       log_.report(SafetyEvent::device_fault, double(state.fault));
       arming_.interrupt(SafetyEvent::device_fault, true, log_, double(state.fault));
       break;

@@ -3906,6 +3906,7 @@ class DeviceFault:
     none: typing.ClassVar[DeviceFault]
     overloaded: typing.ClassVar[DeviceFault]
     speed_limit: typing.ClassVar[DeviceFault]
+    switched_off: typing.ClassVar[DeviceFault]
     uncalibrated: typing.ClassVar[DeviceFault]
 
     @typing.overload

@@ -50,6 +50,7 @@ enum class DeviceFault : std::uint8_t {
   speed_limit,   ///< the driver saw a motion that is too fast, and restarts its output gently
   overloaded,    ///< the servo loop took longer than its period
   driver_error,  ///< the driver refused a call that it should not refuse. Ends the run
+  switched_off,  ///< somebody switched the motors off: a button or dead man's switch of the device, another program
 };
 
 /// A fault in words, and what to do about it.

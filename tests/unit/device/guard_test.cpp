@@ -233,7 +233,8 @@ TEST(Guard, StopsWhenTheDeviceSaysThatItCannotBeTrusted) {
     EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0)) << describe(fault);
     EXPECT_EQ(loop.guard.state(), ArmingState::fault) << describe(fault);
   }
-  for (const DeviceFault fault : {DeviceFault::force_limit, DeviceFault::speed_limit, DeviceFault::overloaded}) {
+  for (const DeviceFault fault :
+       {DeviceFault::force_limit, DeviceFault::speed_limit, DeviceFault::overloaded, DeviceFault::switched_off}) {
     GuardedLoop loop;
     loop.engage();
     loop.reading.fault = fault;
