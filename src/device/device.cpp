@@ -186,14 +186,19 @@ std::string PolledDevice::drive(Servo& servo, const RunOptions& options) {
   const bool simulated = options.simulated_time && is_simulated();
   if (options.simulated_time && !simulated)
     throw Error("The device \"" + name() + "\" cannot run in simulated time; leave RunOptions::simulated_time false.");
+  // First, because locking the memory takes longer than a device that has begun may wait for its first command.
+  std::unique_ptr<RealtimeScope> scope;
+  if (!simulated) {
+    scope = std::make_unique<RealtimeScope>(options.realtime);
+    for (const std::string& warning : scope->warnings()) servo.warn(warning);
+  }
   begin_run(options);
   std::string end = "stopped";
   {
-    std::unique_ptr<RealtimeScope> scope;
-    if (!simulated) {
-      scope = std::make_unique<RealtimeScope>(options.realtime);
-      for (const std::string& warning : scope->warnings()) servo.warn(warning);
-    }
+    struct End {
+      PolledDevice& device;
+      ~End() { device.end_run(); }
+    } const the_run{*this};
     PeriodicClock clock(options.guard.period);
     const auto wait = [&] {
       if (simulated) return;
@@ -219,7 +224,7 @@ std::string PolledDevice::drive(Servo& servo, const RunOptions& options) {
       wait();
     }
   }
-  end_run();
+  for (std::string& warning : warnings()) servo.warn(std::move(warning));
   return end;
 }
 

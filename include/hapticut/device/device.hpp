@@ -191,8 +191,11 @@ class PolledDevice : public Device {
   /// Renders a wrench.  @return what was rendered
   virtual Wrench write(const Wrench& wrench) noexcept = 0;
 
-  /// After the last tick; the last wrench written was zero.
+  /// After the last tick; the last wrench written was zero. Comes after every `begin_run` that did not throw.
   virtual void end_run() noexcept {}
+
+  /// What the report of the run shall say in words, asked after `end_run`.
+  [[nodiscard]] virtual std::vector<std::string> warnings() { return {}; }
 
   /// Whether the device can be run in simulated time.
   [[nodiscard]] virtual bool is_simulated() const { return false; }
