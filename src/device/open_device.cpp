@@ -32,6 +32,10 @@ Registry& registry() {
           absent("openhaptics", "openhaptics[:NAME], NAME as in the maker's setup program",
                  "3D Systems OpenHaptics 3.0 or later and the device's driver, then build hapticut with "
                  "-DHAPTICUT_WITH_OPENHAPTICS=ON and call hapticut::use_open_haptics()"),
+          absent(
+              "forcedimension", "forcedimension[:NAME], NAME a serial number or a model, e.g. omega.7 or sigma.7-left",
+              "the Force Dimension SDK 3.17 or later, then build hapticut with -DHAPTICUT_WITH_FORCEDIMENSION=ON and "
+              "call hapticut::use_force_dimension()"),
       }};
   return all;
 }

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "hapticut/device/open_haptics.hpp"
+#include "support/device_runs.hpp"
 
 /// @file
 /// Runs of OpenHaptics devices against the stand-in, with the test as the clock.
@@ -21,14 +22,6 @@ inline OpenHapticsOptions options_for(const char* name = "") {
   options.device_name = name;
   options.clock = hdsim_time;
   options.start_timeout = options.silence = 60;  // this machine may be busy
-  return options;
-}
-
-/// Quickly armed, no signals, no privileges: the clock is that of the stand-in.
-inline RunOptions quick() {
-  RunOptions options;
-  options.stop_on_signals = false;
-  options.guard.arming.ramp = options.guard.arming.short_ramp = 0.02;
   return options;
 }
 
@@ -101,15 +94,5 @@ class OpenHapticsTest : public testing::Test {
     return outcome;
   }
 };
-
-/// No force until the guard lets go, then 1 N to the right, for `ticks` ticks.
-inline DeviceCallback push_for(long ticks, Wrench wrench = {Vec3(1, 0, 0), Vec3::Zero()}) {
-  return [=, n = 0L](const DeviceState&) mutable {
-    DeviceCommand command;
-    if (++n > 50) command.wrench = wrench;
-    command.stop = n >= ticks;
-    return command;
-  };
-}
 
 }  // namespace hapticut::test

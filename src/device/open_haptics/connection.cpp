@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 
+#include "device/careful_limits.hpp"
 #include "device/open_haptics/errors.hpp"
 #include "device/open_haptics/scheduler.hpp"
 #include "hapticut/core/errors.hpp"
@@ -14,9 +15,7 @@
 namespace hapticut::open_haptics {
 namespace {
 
-constexpr double kPerMillimetre = 1000;   // [1/m] N/mm to N/m
-constexpr double kCarefulForce = 1;       // [N] for a device that does not say how much it can
-constexpr double kCarefulTorque = 0.048;  // [N·m] the weakest axis of a Phantom Premium 6-DOF
+constexpr double kPerMillimetre = 1000;  // [1/m] N/mm to N/m
 constexpr int kTriesToReopen = 10;
 
 std::atomic<int> open_connections{0};

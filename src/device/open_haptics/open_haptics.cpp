@@ -13,6 +13,7 @@
 #include "device/open_haptics/connection.hpp"
 #include "device/open_haptics/errors.hpp"
 #include "device/open_haptics/scheduler.hpp"
+#include "device/turning_estimate.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 
@@ -26,7 +27,6 @@ using open_haptics::Scheduler;
 constexpr int kTemperatureTicks = 100;   // between two readings of it
 constexpr int kCalibrationTicks = 1000;  // the same, while the device is calibrated
 constexpr int kUncalibratedTicks = 100;  // the same, while it is not
-constexpr double kAngularFilter = 30;    // [Hz] of the difference of orientations
 constexpr double kTooWarm = 1;           // [1] a temperature that the guard reduces the force at
 constexpr double kCooled = 0.5;          // [1] measured, at which a driver that complained of heat is satisfied
 
@@ -88,8 +88,7 @@ class OpenHapticsDevice final : public Device {
   double temperature_ = 0;
   DeviceFault fault_ = DeviceFault::none;
   open_haptics::Errors fatal_;
-  Mat3 R_BS_last_ = Mat3::Identity();
-  Vec3 angular_velocity_ = Vec3::Zero();
+  TurningEstimate turning_;
 };
 
 void OpenHapticsDevice::read(DeviceState& state) noexcept {
@@ -114,13 +113,8 @@ void OpenHapticsDevice::read(DeviceState& state) noexcept {
     if (temperature_ < kCooled) warm_ = false;
   }
   state.X_BS = {rotation_of(transform), Vec3(transform[12], transform[13], transform[14]) * units::mm};
-  if (n == 0 || !R_BS_last_.allFinite()) R_BS_last_ = state.X_BS.rotation;
-  const Vec3 turn = vector_from_rotation(state.X_BS.rotation * R_BS_last_.transpose());
-  R_BS_last_ = state.X_BS.rotation;
-  const double memory = std::exp(-2 * units::kPi * kAngularFilter * period_);
-  angular_velocity_ = memory * angular_velocity_ + (1 - memory) / period_ * turn;
-  if (!angular_velocity_.allFinite()) angular_velocity_.setZero();
-  state.velocity = {Vec3(velocity[0], velocity[1], velocity[2]) * units::mm, angular_velocity_};
+  state.velocity = {Vec3(velocity[0], velocity[1], velocity[2]) * units::mm,
+                    turning_.update(state.X_BS.rotation, period_)};
   state.buttons = std::uint32_t(buttons);
   state.time = now - begin_;
   state.sequence = n + 1;
@@ -218,7 +212,7 @@ std::string OpenHapticsDevice::drive(Servo& servo, const RunOptions& options) {
   fault_ = DeviceFault::none;
   fatal_ = {};
   must_calibrate_ = warm_ = false;
-  angular_velocity_.setZero();
+  turning_.restart();
   Scheduler& scheduler = Scheduler::instance();
   scheduler.between_ticks([this] {
     hdMakeCurrentDevice(connection_.handle());

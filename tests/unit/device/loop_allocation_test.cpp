@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <dhdsim.h>
 #include <gtest/gtest.h>
 #include <hdsim.h>
 
@@ -6,6 +7,7 @@
 #include <limits>
 #include <thread>
 
+#include "hapticut/device/force_dimension.hpp"
 #include "hapticut/device/mock.hpp"
 #include "hapticut/device/open_haptics.hpp"
 #include "hapticut/device/simulation_model.hpp"
@@ -136,6 +138,27 @@ TEST(LoopOfOpenHaptics, AllocatesNothing) {
   runner.join();
   EXPECT_EQ(counts.allocations, 0);
   EXPECT_EQ(counts.deallocations, 0);
+}
+
+TEST(LoopOfForceDimension, AllocatesNothingAlsoWhenTheDeviceSwitchesItsForcesOffAndOn) {
+  dhdsim_reset();
+  const dhdsim_device sigma = dhdsim_device_of(104, 1);
+  dhdsim_add_device(&sigma);
+  ForceDimensionOptions options;
+  options.clock = [tick = 0]() mutable {
+    dhdsim_advance(++tick % 1000 == 0 ? 30e-3 : 1e-3);  // its watchdog trips
+    return dhdsim_time();
+  };
+  const auto device = open_force_dimension(options);
+  test::CallCounts counts;
+  RunOptions run = quick();
+  run.simulated_time = true;
+  const RunReport report = device->run(CountingCallback{10, 9000, 0, &counts}, run);
+  EXPECT_EQ(report.ticks, 9000U);
+  EXPECT_EQ(counts.allocations, 0);
+  EXPECT_EQ(counts.deallocations, 0);
+  EXPECT_GT(dhdsim_get_counters(0).enables, 5) << "it must be switched on again, or the test says nothing";
+  dhdsim_reset();
 }
 
 }  // namespace

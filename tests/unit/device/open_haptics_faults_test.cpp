@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/device/plant.hpp"
 #include "support/open_haptics.hpp"
 
 namespace hapticut {
@@ -331,29 +330,12 @@ TEST_F(OpenHapticsFaults, AddsNoDelayToTheClosedLoop) {
     for (int n = 0; n < 6; ++n) spec.workspace[n] = n < 3 ? -500 : 500;
     hdsim_add_device(&spec);
     const auto device = open_open_haptics(options_for());
-    RunOptions options = quick();
-    options.guard.passivity.enabled = false;  // the bare loop is measured
-    options.guard.ramp_damping = 0;
-    options.guard.gate.fastest = 100;
-    Plant plant(device_model("touch"), hand_model("released"), {});
-    double first = 0, last = 0;
-    const auto clock = [&](long tick) {
-      if (tick == 200) plant.set_velocity({0, 0, -1e-3});
-      const double z = std::abs(plant.pose().translation.z());
-      if (tick > 200 && tick <= 1200) first = std::max(first, z);
-      if (tick > 5200 && tick <= 6200) last = std::max(last, z);
-      // The force of the frame that has just ended acts during the tick that begins now.
-      if (tick > 0) plant.advance(committed(0));
-      place(0, plant.pose(), plant.velocity().linear);
-    };
-    const auto wall = [&, n = 0](const DeviceState& state) mutable {
-      DeviceCommand command;
-      command.wrench.force.z() = -stiffness * state.X_BS.translation.z();
-      command.stop = ++n >= 6300;
-      return command;
-    };
-    run(*device, wall, options, clock);
-    return last / first;
+    test::NudgedPlant plant("touch");
+    run(*device, test::NudgedPlant::wall(stiffness), test::NudgedPlant::options(), [&](long tick) {
+      plant.before_reading(tick, committed(0));  // the force of the frame that has just ended
+      place(0, plant.pose(), plant.velocity());
+    });
+    return plant.growth();
   };
   const double limit = 2 * 0.20 / 1e-3;  // 2 b / T = 400 N/m
   EXPECT_LT(swing(0.98 * limit), 1);

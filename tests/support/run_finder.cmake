@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DSOURCE=... -DBINARY=... -DSDK=... -DFLAGS=... -DMODULES=... -DCOMPILER=... -DGENERATOR=... -P run.cmake
+# A project that looks for a vendor's SDK with our module finds the stand-in, and is told what to do where it is absent:
+#   cmake -DPACKAGE=OpenHaptics -DLIBRARY=OpenHaptics_HD_LIBRARY -DSOURCE=... -DBINARY=... -DSDK=... -DFLAGS=... -DMODULES=...
+#         -DCOMPILER=... -DGENERATOR=... -P run_finder.cmake
 file(REMOVE_RECURSE "${BINARY}")
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -9,14 +11,14 @@ function(run)
 endfunction()
 set(configure ${CMAKE_COMMAND} -G ${GENERATOR} -S "${SOURCE}" -B "${BINARY}" -DMODULES=${MODULES} -DCMAKE_CXX_COMPILER=${COMPILER}
   "-DCMAKE_CXX_FLAGS=${FLAGS}")
-run(${configure} -DOpenHaptics_ROOT=${SDK})
+run(${configure} -D${PACKAGE}_ROOT=${SDK})
 run(${CMAKE_COMMAND} --build "${BINARY}")
 run("${BINARY}/finder")
 
 file(REMOVE_RECURSE "${BINARY}")
 # As on a machine without the SDK, also where there is one.
-execute_process(COMMAND ${configure} -DOpenHaptics_HD_LIBRARY=OFF
+execute_process(COMMAND ${configure} -D${LIBRARY}=OFF
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-if(result EQUAL 0 OR NOT output MATCHES "OpenHaptics_ROOT")
+if(result EQUAL 0 OR NOT output MATCHES "${PACKAGE}_ROOT")
   message(FATAL_ERROR "an absent SDK was not reported with what to do:\n${output}")
 endif()

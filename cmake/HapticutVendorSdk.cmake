@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+# Parts that need the SDK of a maker of devices: not in Debian, and not to be installed by a script.
+
+# hapticut_vendor_sdk(NAME "whose devices" package variable_with_its_library "what to install"): decides HAPTICUT_<NAME> from
+# HAPTICUT_WITH_<NAME>, which is AUTO, ON or OFF.
+macro(hapticut_vendor_sdk name purpose package library install)
+  set_property(CACHE HAPTICUT_WITH_${name} PROPERTY STRINGS AUTO ON OFF)
+  set(HAPTICUT_${name} FALSE)
+  if(HAPTICUT_WITH_${name})
+    find_package(${package} QUIET MODULE)
+    if(${package}_FOUND)
+      set(HAPTICUT_${name} TRUE)
+      list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: on  (${purpose}, ${${library}})")
+    elseif(NOT HAPTICUT_WITH_${name} STREQUAL "AUTO")
+      message(FATAL_ERROR "HAPTICUT_WITH_${name}=ON, but the SDK was not found: install ${install}, or set ${package}_ROOT.")
+    else()
+      list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: off (${purpose}, to turn it on: docs/devices.md)")
+    endif()
+  else()
+    list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: off (${purpose}, HAPTICUT_WITH_${name}=OFF)")
+  endif()
+endmacro()
+
+# hapticut_device_adapter(component NAME SDK_TARGET sources...): the component's own library, because only those who have the
+# SDK can build and link it. The tests build the same sources, HAPTICUT_<NAME>_SOURCES, against a stand-in.
+function(hapticut_device_adapter component name sdk)
+  list(TRANSFORM ARGN PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" OUTPUT_VARIABLE sources)
+  set_property(GLOBAL PROPERTY HAPTICUT_${name}_SOURCES "${sources}")
+  if(HAPTICUT_${name})
+    add_library(hapticut_${component} ${sources})
+    add_library(hapticut::${component} ALIAS hapticut_${component})
+    target_include_directories(hapticut_${component} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(hapticut_${component} PUBLIC hapticut PRIVATE ${sdk} $<BUILD_INTERFACE:hapticut_build_flags>)
+    set_target_properties(hapticut_${component} PROPERTIES POSITION_INDEPENDENT_CODE ON VERSION ${PROJECT_VERSION}
+      SOVERSION 0)
+  endif()
+endfunction()

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "hapticut/device/device.hpp"
+
+/// @file
+/// Devices of Force Dimension (omega, delta, sigma, lambda), and the Falcon, through the library DHD. Part of the
+/// component `forcedimension`, which is built where the SDK is found.
+namespace hapticut {
+
+/// How a device of Force Dimension is opened.
+struct ForceDimensionOptions {
+  /// A serial number ("1234"), or a model: "omega.7" is one of either hand, "omega.7-left" and "omega.7-right" one of
+  /// that hand. Empty: the first that is free.
+  std::string device_name;
+
+  /// Lets the device calibrate itself by moving, where it is not calibrated: nobody may hold it. false: somebody does
+  /// so by hand before there is a force.
+  bool calibrate = false;
+
+  double effector_mass = 0;  ///< [kg] that gravity compensation carries at the tip; 0: what the device knows of itself
+
+  /// [s] without a command after which the device itself switches its forces off, 2 to 31.875 ms, in steps of 125 us.
+  double watchdog = 20e-3;
+
+  /// [s] the clock of the readings; null: the monotonic clock. With a clock of one's own a run may be in simulated
+  /// time: it is asked once per tick.
+  std::function<double()> clock;
+};
+
+/// Opens a device.
+///
+/// Base frame of the device: +x to the right, +y up, +z towards the user, the origin where the library has its own, in
+/// the middle of the workspace. (The library's own frame has x towards the user, y to the right, z up.) The stylus
+/// frame is that of the base when the library calls the orientation the identity.
+///
+/// The loop is ours: one reading and one force command per tick, also when the force is zero, because the weight of the
+/// arm is compensated with each command. Forces that the device itself switched off (too fast a motion, its watchdog)
+/// are switched on again after a tenth of a second, and faded in when the tool is free; those that a button, a dead
+/// man's switch or another program switched off come back only from there.
+/// @throws Error with the library's own words and what to do
+[[nodiscard]] std::unique_ptr<Device> open_force_dimension(const ForceDimensionOptions& options = {});
+
+/// Makes `open_device("forcedimension")` and `open_device("forcedimension:NAME")` work.
+void use_force_dimension();
+
+}  // namespace hapticut

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/device/force_dimension.hpp"
+
+#include <array>
+#include <atomic>
+#include <cmath>
+
+#include "device/force_dimension/connection.hpp"
+#include "device/turning_estimate.hpp"
+#include "hapticut/core/errors.hpp"
+#include "hapticut/realtime/realtime.hpp"
+
+namespace hapticut {
+namespace {
+
+using force_dimension::Answer;
+using force_dimension::Connection;
+using force_dimension::ForceOff;
+using force_dimension::Status;
+
+constexpr std::uint64_t kStatusTicks = 10;     // between two looks at the status, and ...
+constexpr std::uint64_t kRecoveryTicks = 100;  // ... between two tries to switch the forces on again
+constexpr int kMostFailures = 100;             // calls in a row after which a device that does not answer is lost
+
+class ForceDimensionDevice final : public PolledDevice {
+ public:
+  ForceDimensionDevice(const ForceDimensionOptions& options, const std::string& name)
+      : PolledDevice(name, {}), options_(options), connection_(options) {
+    set_capabilities(connection_.capabilities());
+    if (!options_.clock) options_.clock = monotonic_time;
+  }
+
+ protected:
+  void begin_run(const RunOptions& options) override;
+  bool read(DeviceState& state) noexcept override;
+  Wrench write(const Wrench& wrench) noexcept override;
+  void end_run() noexcept override;
+  [[nodiscard]] std::vector<std::string> warnings() override;
+  [[nodiscard]] bool is_simulated() const override { return simulated_; }
+  void scale_output(double share) noexcept override;
+
+ private:
+  void look_at_status() noexcept;
+  void note(const Answer& answer) noexcept;
+
+  ForceDimensionOptions options_;
+  bool simulated_ = bool(options_.clock);  // by whoever gave us a clock
+  Connection connection_;
+  TurningEstimate turning_;
+
+  // Of a run.
+  double period_ = 1e-3, begin_ = 0, last_read_ = 0;
+  std::uint64_t tick_ = 0, next_try_ = 0;
+  std::uint32_t epoch_ = 0;
+  bool on_ = true, calibrated_ = true;  // at the last look
+  bool ours_ = false;                   // its forces are off because nobody has switched them on yet
+  ForceOff cause_ = ForceOff::none;     // why they are off
+  bool answered_ = true;                // the last reading
+  int failures_ = 0;                    // calls in a row
+  std::uint64_t saturated_ = 0;
+  std::array<std::uint64_t, std::size_t(ForceOff::count)> switched_off_{};
+  DeviceFault fatal_ = DeviceFault::none;
+  int fatal_error_ = 0;
+  std::array<char, 128> fatal_words_{};
+  std::array<std::atomic<double>, 6> written_{};  // for the watchdog's thread
+};
+
+void ForceDimensionDevice::begin_run(const RunOptions& options) {
+  connection_.begin();
+  turning_.restart();
+  period_ = options.guard.period;
+  tick_ = next_try_ = saturated_ = 0;
+  on_ = calibrated_ = answered_ = true;
+  ours_ = false;
+  cause_ = ForceOff::none;
+  failures_ = fatal_error_ = 0;
+  fatal_ = DeviceFault::none;
+  fatal_words_.fill('\0');
+  switched_off_.fill(0);
+  for (std::atomic<double>& part : written_) part.store(0, std::memory_order_relaxed);
+}
+
+// What went wrong, and whether the run can go on.
+void ForceDimensionDevice::note(const Answer& answer) noexcept {
+  if (answer.saturated) ++saturated_;
+  if (answer.ok || fatal_ != DeviceFault::none) return;
+  fatal_ = answer.fault;
+  if (fatal_ == DeviceFault::none && ++failures_ > kMostFailures) fatal_ = DeviceFault::disconnected;
+  if (fatal_ == DeviceFault::none) return;
+  fatal_error_ = answer.error;
+  Connection::copy_last_error(fatal_words_);
+}
+
+// The device switches its forces off by itself, and is calibrated or not.
+void ForceDimensionDevice::look_at_status() noexcept {
+  Status status;
+  const Answer asked = connection_.ask(status);
+  note(asked);
+  if (!asked.ok) return;
+  if (!status.calibrated) {
+    calibrated_ = on_ = false;
+    ours_ = true;  // to switch on when it is
+    return;
+  }
+  if (!calibrated_) ++epoch_;  // poses before and after do not compare
+  calibrated_ = true;
+  if (status.force) {
+    on_ = true;
+    ours_ = false;
+    return;
+  }
+  if (!ours_ && (on_ || status.cause != cause_)) {
+    ++switched_off_[std::size_t(status.cause)];
+    next_try_ = tick_ + kRecoveryTicks;
+  }
+  on_ = false;
+  cause_ = status.cause;
+  if (cause_ == ForceOff::usb) fatal_ = DeviceFault::disconnected;
+  if ((!ours_ && !comes_back(cause_)) || tick_ < next_try_) return;
+  next_try_ = tick_ + kRecoveryTicks;
+  (void)connection_.switch_on();  // the next look tells whether it did
+}
+
+bool ForceDimensionDevice::read(DeviceState& state) noexcept {
+  const double now = options_.clock();
+  if (tick_ == 0) begin_ = last_read_ = now;
+  const bool too_late = now - last_read_ > options_.watchdog;  // for the device's watchdog
+  last_read_ = now;
+
+  const Answer pose = connection_.read(state);
+  note(pose);
+  answered_ = pose.ok;
+  if (tick_ % kStatusTicks == 0 || too_late) look_at_status();
+  ++tick_;
+  if (pose.ok && !connection_.reports_turning()) state.velocity.angular = turning_.update(state.X_BS.rotation, period_);
+  state.time = now - begin_;
+  state.sequence = tick_;
+  state.epoch = epoch_;
+  state.valid = pose.ok && calibrated_;
+  state.fault = DeviceFault::none;
+  if (!calibrated_)
+    state.fault = DeviceFault::uncalibrated;
+  else if (!on_)
+    state.fault = fault_of(cause_);
+  if (fatal_ != DeviceFault::none) state.fault = fatal_;
+  return true;
+}
+
+Wrench ForceDimensionDevice::write(const Wrench& wrench) noexcept {
+  for (Eigen::Index n = 0; n < 3; ++n) {
+    written_[std::size_t(n)].store(wrench.force[n], std::memory_order_relaxed);
+    written_[std::size_t(3 + n)].store(wrench.torque[n], std::memory_order_relaxed);
+  }
+  const Answer written = connection_.write(wrench);
+  // Where a person or a missing calibration keeps the forces off, a refused command means nothing.
+  const bool counts = on_ || (calibrated_ && !ours_ && comes_back(cause_));
+  if (counts) note(written);
+  if (answered_ && (written.ok || !counts)) failures_ = 0;
+  return on_ ? wrench : Wrench{};
+}
+
+// While the loop does not answer: a smaller share of its last force, which also feeds the device's watchdog and carries
+// the arm.
+void ForceDimensionDevice::scale_output(double share) noexcept {
+  const auto part = [&](std::size_t n) { return share * written_[n].load(std::memory_order_relaxed); };
+  (void)connection_.write({Vec3(part(0), part(1), part(2)), Vec3(part(3), part(4), part(5))});
+}
+
+void ForceDimensionDevice::end_run() noexcept { connection_.end(); }
+
+std::vector<std::string> ForceDimensionDevice::warnings() {
+  std::vector<std::string> words = connection_.warnings();
+  for (std::size_t n = 0; n < switched_off_.size(); ++n)
+    if (switched_off_[n] > 0)
+      words.push_back("The device switched its forces off " +
+                      (switched_off_[n] == 1 ? "once" : std::to_string(switched_off_[n]) + " times") + ": " +
+                      describe(ForceOff(n)) + ".");
+  if (saturated_ > 0)
+    words.push_back("The motors could not render all of the command in " + std::to_string(saturated_) + " ticks.");
+  if (fatal_error_ != 0)
+    words.push_back("Force Dimension: " + std::string(fatal_words_.data()) + " (error " + std::to_string(fatal_error_) +
+                    ").");
+  return words;
+}
+
+}  // namespace
+
+std::unique_ptr<Device> open_force_dimension(const ForceDimensionOptions& options) {
+  return std::make_unique<ForceDimensionDevice>(
+      options, options.device_name.empty() ? "forcedimension" : "forcedimension:" + options.device_name);
+}
+
+void use_force_dimension() {
+  register_device_driver({"forcedimension",
+                          "forcedimension[:NAME], NAME a serial number or a model, e.g. omega.7 or sigma.7-left", "",
+                          [](const std::string& rest) {
+                            ForceDimensionOptions options;
+                            options.device_name = rest;
+                            return open_force_dimension(options);
+                          }});
+}
+
+}  // namespace hapticut

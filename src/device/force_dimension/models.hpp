@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace hapticut::force_dimension {
+
+/// What is known of a kind of device, by the number that the library calls it.
+struct Model {
+  std::string_view name;  ///< "omega.7", "omega.7-left"
+  int type;
+  double force;                      ///< [N]
+  double torque;                     ///< [N·m] 0: none, or unknown
+  double stiffness;                  ///< [N/m]
+  double rotational_stiffness;       ///< [N·m/rad]
+  double damping;                    ///< [N·s/m]
+  std::array<double, 3> half_width;  ///< [m] of the workspace along x, y, z of the library
+};
+
+[[nodiscard]] std::span<const Model> models();
+
+/// The model of a type, or null.
+[[nodiscard]] const Model* find_model(int type);
+
+/// Whether a model answers to a name: "omega.7" for both hands, "omega.7-left" and "omega.7-right" for one.
+[[nodiscard]] bool answers_to(const Model& model, std::string_view name);
+
+}  // namespace hapticut::force_dimension

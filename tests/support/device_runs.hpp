@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/device/device.hpp"
+#include "hapticut/device/plant.hpp"
+
+/// @file
+/// Runs of vendors' devices against a stand-in of their SDK.
+namespace hapticut::test {
+
+/// Quickly armed, no signals: the clock is that of the stand-in.
+inline RunOptions quick() {
+  RunOptions options;
+  options.stop_on_signals = false;
+  options.guard.arming.ramp = options.guard.arming.short_ramp = 0.02;
+  return options;
+}
+
+/// No force until the guard lets go, then 1 N to the right, for `ticks` ticks.
+inline DeviceCallback push_for(long ticks, Wrench wrench = {Vec3(1, 0, 0), Vec3::Zero()}) {
+  return [=, n = 0L](const DeviceState&) mutable {
+    DeviceCommand command;
+    if (++n > 50) command.wrench = wrench;
+    command.stop = n >= ticks;
+    return command;
+  };
+}
+
+/// A released device that is nudged against a linear wall, and how it swings in it.
+class NudgedPlant {
+ public:
+  explicit NudgedPlant(const char* device) : plant_(device_model(device), hand_model("released"), {}) {}
+
+  /// To be called before each reading.
+  /// @param acted  the force on the device since the last
+  void before_reading(long tick, const Wrench& acted) {
+    if (tick == 200) plant_.set_velocity({0, 0, -1e-3});
+    const double z = std::abs(plant_.pose().translation.z());
+    if (tick > 200 && tick <= 1200) first_ = std::max(first_, z);
+    if (tick > 5200 && tick <= 6200) last_ = std::max(last_, z);
+    if (tick > 0) plant_.advance(acted);
+  }
+  [[nodiscard]] Pose pose() const { return plant_.pose(); }
+  [[nodiscard]] Vec3 velocity() const { return plant_.velocity().linear; }
+
+  [[nodiscard]] static DeviceCallback wall(double stiffness) {
+    return [=, n = 0](const DeviceState& state) mutable {
+      DeviceCommand command;
+      command.wrench.force.z() = -stiffness * state.X_BS.translation.z();
+      command.stop = ++n >= 6300;
+      return command;
+    };
+  }
+
+  /// The bare loop is measured.
+  [[nodiscard]] static RunOptions options() {
+    RunOptions options = quick();
+    options.guard.passivity.enabled = false;
+    options.guard.ramp_damping = 0;
+    options.guard.gate.fastest = 100;
+    return options;
+  }
+
+  /// [1] how much farther it swings five seconds later.
+  [[nodiscard]] double growth() const { return last_ / first_; }
+
+ private:
+  Plant plant_;
+  double first_ = 0, last_ = 0;
+};
+
+}  // namespace hapticut::test
