@@ -144,7 +144,7 @@ if ! $quick; then
   if check "configure: thread sanitizer" cmake --preset tsan -DHAPTICUT_WITH_IO=OFF -DHAPTICUT_WITH_CLI=OFF \
       -DHAPTICUT_WITH_TESTS=ON &&
     check "build: thread sanitizer" build tsan -t test_realtime test_realtime_loop test_simulation_model test_device \
-      test_device_guard test_open_haptics; then
+      test_device_guard test_open_haptics test_force_dimension; then
     run_tests tsan
   fi
 fi

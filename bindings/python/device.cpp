@@ -12,6 +12,9 @@
 #include "hapticut/device/playback.hpp"
 #include "hapticut/device/workspace_map.hpp"
 #include "structs.hpp"
+#ifdef HAPTICUT_PYTHON_WITH_FORCEDIMENSION
+#include "hapticut/device/force_dimension.hpp"
+#endif
 #ifdef HAPTICUT_PYTHON_WITH_OPENHAPTICS
 #include "hapticut/device/open_haptics.hpp"
 #endif
@@ -204,6 +207,9 @@ void bind_map(py::module_& m) {
 }  // namespace
 
 void bind_device(py::module_& m) {
+#ifdef HAPTICUT_PYTHON_WITH_FORCEDIMENSION
+  use_force_dimension();  // open_device("forcedimension")
+#endif
 #ifdef HAPTICUT_PYTHON_WITH_OPENHAPTICS
   use_open_haptics();  // open_device("openhaptics")
 #endif

@@ -2,6 +2,9 @@
 #include "cli/devices.hpp"
 
 #include "cli/recording_source.hpp"
+#ifdef HAPTICUT_HAS_FORCEDIMENSION
+#include "hapticut/device/force_dimension.hpp"
+#endif
 #ifdef HAPTICUT_HAS_OPENHAPTICS
 #include "hapticut/device/open_haptics.hpp"
 #endif
@@ -10,6 +13,9 @@ namespace hapticut::cli {
 
 void use_all_devices() {
   use_recordings_if_possible();
+#ifdef HAPTICUT_HAS_FORCEDIMENSION
+  use_force_dimension();
+#endif
 #ifdef HAPTICUT_HAS_OPENHAPTICS
   use_open_haptics();
 #endif

@@ -61,6 +61,21 @@ TEST_F(Loop, DrivesATouchWhereTheProgramWasBuiltWithItsSdk) {
   EXPECT_NE(without.errors.find("install 3D Systems OpenHaptics"), std::string::npos) << without.errors;
 }
 
+TEST_F(Loop, DrivesAnOmegaWhereTheProgramWasBuiltWithItsSdk) {
+  const Outcome outcome =
+      run_program(folder, "loop forcedimension:omega.6 --seconds 0.3 --json " + path("loop.json") + " " + kCoarse,
+                  HAPTICUT_PROGRAM_WITH_OMEGA);
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json report = read_json(folder / "loop.json");
+  EXPECT_EQ(report["device"]["peak_force_N"], 12);
+  EXPECT_GT(report["ticks"], 0);
+  EXPECT_EQ(report["safety_events"]["armed"], 1);
+  EXPECT_EQ(report["coupling"], "virtual");
+  const Outcome without = run("loop forcedimension");
+  EXPECT_EQ(without.code, 1);
+  EXPECT_NE(without.errors.find("install the Force Dimension SDK"), std::string::npos) << without.errors;
+}
+
 TEST_F(Loop, CutsHardBoneBehindItsCouplingUnlessItIsToldOtherwise) {
   const auto is_too_soft = [&](const std::string& more) {
     const nlohmann::json report = loop("mock:spiral,hand=nominal --seconds 5 --simulated-time" + more);
