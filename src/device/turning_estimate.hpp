@@ -18,12 +18,12 @@ class TurningEstimate {
   }
 
   /// @param period [s] > 0 since the last orientation
-  /// @return [rad/s] in the frame that the orientation is given in
-  const Vec3& update(const Mat3& R, double period) noexcept {
-    if (!started_ || !R_last_.allFinite()) R_last_ = R;
+  /// @return [rad/s] in B
+  const Vec3& update(const Mat3& R_BS, double period) noexcept {
+    if (!started_ || !R_BS_last_.allFinite()) R_BS_last_ = R_BS;
     started_ = true;
-    const Vec3 turn = vector_from_rotation(R * R_last_.transpose());
-    R_last_ = R;
+    const Vec3 turn = vector_from_rotation(R_BS * R_BS_last_.transpose());
+    R_BS_last_ = R_BS;
     const double memory = std::exp(-2 * units::kPi * kFilter * period);
     angular_velocity_ = memory * angular_velocity_ + (1 - memory) / period * turn;
     if (!angular_velocity_.allFinite()) angular_velocity_.setZero();
@@ -34,7 +34,7 @@ class TurningEstimate {
   static constexpr double kFilter = 30;  // [Hz]
 
   bool started_ = false;
-  Mat3 R_last_ = Mat3::Identity();
+  Mat3 R_BS_last_ = Mat3::Identity();
   Vec3 angular_velocity_ = Vec3::Zero();
 };
 

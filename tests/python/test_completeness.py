@@ -90,8 +90,7 @@ def test_the_list_of_what_is_not_bound_names_nothing_that_is_gone():
     unused = [pattern for pattern in excluded_patterns()
               if not any(fnmatch.fnmatchcase(name, pattern) for name in names)]
     assert not unused, f"tests/python/not_bound.txt names what C++ does not have: {unused}"
-    sdks = {"OpenHapticsOptions", "ForceDimensionOptions"}  # of devices; bound or not by what is installed
-    bound = [pattern for pattern in excluded_patterns() if "*" not in pattern and pattern not in sdks
+    bound = [pattern for pattern in excluded_patterns() if "*" not in pattern
              and hasattr(hapticut._hapticut, pattern)]
     assert not bound, f"tests/python/not_bound.txt names what is bound by now: {bound}"
 

@@ -26,6 +26,10 @@ constexpr double kShortestWatchdog = 2e-3, kLongestWatchdog = 255 * kWatchdogUni
 constexpr double kCarefulStiffness = 400;  // [N/m]
 constexpr double kCarefulDamping = 2;      // [N·s/m]
 
+// An arm reaches farther than the ball that programs are told to stay in, nobody says how far: a pose that is farther
+// away than this is not believed.
+constexpr double kReach = 1.4;  // [1] of the table's workspace
+
 // Entries of the status, by number for the same reason as errors. A newer library may have more of them.
 constexpr std::size_t kReset = 3, kForce = 5, kWristDetected = 8, kWristInitialised = 12, kCause = 14;
 constexpr std::size_t kStatusEntries = DHD_MAX_STATUS < 64 ? 64 : DHD_MAX_STATUS;
@@ -105,7 +109,7 @@ Connection::Connection(const ForceDimensionOptions& options) : options_(options)
     if (options.calibrate) calibrate();
   } catch (...) {
     dhdClose(id_);
-    open_devices[std::size_t(id_)] = false;
+    open_devices[number_] = false;
     throw;
   }
   of_opening_ = warnings_.size();
@@ -114,7 +118,7 @@ Connection::Connection(const ForceDimensionOptions& options) : options_(options)
 Connection::~Connection() {
   end();
   dhdClose(id_);
-  open_devices[std::size_t(id_)] = false;
+  open_devices[number_] = false;
 }
 
 void Connection::open(const std::string& name) {
@@ -127,7 +131,8 @@ void Connection::open(const std::string& name) {
                 " of them free; check cable, power, the permission to use its USB device (a udev rule, "
                 "docs/devices.md), and that no other program uses it.");
   }
-  if (std::size_t(id) >= open_devices.size() || open_devices[std::size_t(id)].exchange(true))
+  number_ = std::size_t(id);
+  if (number_ >= open_devices.size() || open_devices[number_].exchange(true))
     throw Error("The device" + (name.empty() ? "" : " \"" + name + "\"") +
                 " of Force Dimension is open in this program already; close it first, or name another one.");
   id_ = char(id);
@@ -162,7 +167,7 @@ void Connection::describe_device() {
     c.stiffness = model->stiffness;
     c.damping = model->damping;
     const auto& half = model->half_width;
-    c.workspace_high = to_base(Vec3(half[0], half[1], half[2]));
+    c.workspace_high = kReach * to_base(Vec3(half[0], half[1], half[2]));
     c.workspace_low = -c.workspace_high;
   } else {
     c.peak_force = kCarefulForce;

@@ -68,6 +68,7 @@ class Connection {
   void complain(const std::string& what);
 
   char id_ = -1;
+  std::size_t number_ = 0;  // the same
   ForceDimensionOptions options_;
   DeviceCapabilities capabilities_;
   bool has_wrist_ = false, active_wrist_ = false, reports_turning_ = false, begun_ = false;

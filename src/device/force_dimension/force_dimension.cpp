@@ -3,7 +3,7 @@
 
 #include <array>
 #include <atomic>
-#include <cmath>
+#include <thread>
 
 #include "device/force_dimension/connection.hpp"
 #include "device/turning_estimate.hpp"
@@ -62,10 +62,17 @@ class ForceDimensionDevice final : public PolledDevice {
   DeviceFault fatal_ = DeviceFault::none;
   int fatal_error_ = 0;
   std::array<char, 128> fatal_words_{};
-  std::array<std::atomic<double>, 6> written_{};  // for the watchdog's thread
+
+  // Between the loop and the watchdog's thread.
+  std::array<std::atomic<double>, 6> written_{};
+  std::atomic<bool> rendering_{false}, scaling_{false};
 };
 
 void ForceDimensionDevice::begin_run(const RunOptions& options) {
+  if (options_.watchdog < 2 * options.guard.period)
+    throw Error("ForceDimensionOptions::watchdog = " + format_number(options_.watchdog) +
+                " s is shorter than two ticks of " + format_number(options.guard.period) +
+                " s, so the device would switch its forces off all the time; shorten GuardOptions::period.");
   connection_.begin();
   turning_.restart();
   period_ = options.guard.period;
@@ -78,6 +85,7 @@ void ForceDimensionDevice::begin_run(const RunOptions& options) {
   fatal_words_.fill('\0');
   switched_off_.fill(0);
   for (std::atomic<double>& part : written_) part.store(0, std::memory_order_relaxed);
+  rendering_ = true;
 }
 
 // What went wrong, and whether the run can go on.
@@ -160,13 +168,19 @@ Wrench ForceDimensionDevice::write(const Wrench& wrench) noexcept {
 }
 
 // While the loop does not answer: a smaller share of its last force, which also feeds the device's watchdog and carries
-// the arm.
+// the arm. A loop that comes back at this very moment overwrites it one tick later.
 void ForceDimensionDevice::scale_output(double share) noexcept {
   const auto part = [&](std::size_t n) { return share * written_[n].load(std::memory_order_relaxed); };
-  (void)connection_.write({Vec3(part(0), part(1), part(2)), Vec3(part(3), part(4), part(5))});
+  scaling_ = true;
+  if (rendering_) (void)connection_.write({Vec3(part(0), part(1), part(2)), Vec3(part(3), part(4), part(5))});
+  scaling_ = false;
 }
 
-void ForceDimensionDevice::end_run() noexcept { connection_.end(); }
+void ForceDimensionDevice::end_run() noexcept {
+  rendering_ = false;
+  while (scaling_) std::this_thread::yield();  // nothing comes after the zero force
+  connection_.end();
+}
 
 std::vector<std::string> ForceDimensionDevice::warnings() {
   std::vector<std::string> words = connection_.warnings();
