@@ -26,7 +26,8 @@ std::string describe(DeviceFault fault) {
     case DeviceFault::driver_error:
       return "the driver refused a call; its message is in the run's report";
     case DeviceFault::switched_off:
-      return "somebody switched the motors off; switch them on again at the device, with its button or dead man's switch";
+      return "somebody switched the motors off; switch them on again at the device, with its button or dead man's "
+             "switch";
   }
   return "an unknown fault";
 }
