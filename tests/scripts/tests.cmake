@@ -5,7 +5,7 @@ mark_as_advanced(HAPTICUT_BASH)
 function(hapticut_script_test name case)
   add_test(NAME Scripts.${name}
     COMMAND "${HAPTICUT_BASH}" "${PROJECT_SOURCE_DIR}/tests/scripts/scripts_test.sh" "${PROJECT_SOURCE_DIR}" ${case})
-  set_tests_properties(Scripts.${name} PROPERTIES LABELS scripts TIMEOUT 60)
+  set_tests_properties(Scripts.${name} PROPERTIES LABELS scripts TIMEOUT 300)
 endfunction()
 hapticut_script_test(ExplainEveryOption help)
 hapticut_script_test(RefuseUnknownOptionsInOneLine unknown)
