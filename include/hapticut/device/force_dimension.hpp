@@ -25,6 +25,8 @@ struct ForceDimensionOptions {
   double effector_mass = 0;  ///< [kg] that gravity compensation carries at the tip; 0: what the device knows of itself
 
   /// [s] without a command after which the device itself switches its forces off, 2 to 31.875 ms, in steps of 125 us.
+  /// While a callback hangs, our own watchdog fades the force out from 10 ms on and goes on commanding; a shorter time
+  /// here lets the device be faster than that.
   double watchdog = 20e-3;
 
   /// [s] the clock of the readings; null: the monotonic clock. With a clock of one's own a run may be in simulated

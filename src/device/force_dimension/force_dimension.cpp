@@ -170,6 +170,7 @@ Wrench ForceDimensionDevice::write(const Wrench& wrench) noexcept {
 // While the loop does not answer: a smaller share of its last force, which also feeds the device's watchdog and carries
 // the arm. A loop that comes back at this very moment overwrites it one tick later.
 void ForceDimensionDevice::scale_output(double share) noexcept {
+  if (share >= 1) return;  // late, but not yet fading: the device still renders that force
   const auto part = [&](std::size_t n) { return share * written_[n].load(std::memory_order_relaxed); };
   scaling_ = true;
   if (rendering_) (void)connection_.write({Vec3(part(0), part(1), part(2)), Vec3(part(3), part(4), part(5))});

@@ -33,9 +33,11 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItsWatchdogHasTripped
   const auto device = open_force_dimension(options_for());
   std::vector<double> forces;
   DeviceFault fault = DeviceFault::none;
+  double noticed = 0;  // [s]
   const RunReport report = run(
       *device,
       [&, press = press_and_let_go(1000)](const DeviceState& state) mutable {
+        if (fault == DeviceFault::none && state.fault != fault) noticed = state.time;
         if (state.fault != DeviceFault::none) fault = state.fault;
         return press(state);
       },
@@ -47,17 +49,18 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItsWatchdogHasTripped
         if (tick == 199 || tick == 201) {
           EXPECT_EQ(dhdsim_get_counters(0).force_on, 1);
         }
-        if (tick == 400) dhdsim_advance(20e-3);
-        if (tick == 400) {
+        if (tick == 403) dhdsim_advance(20e-3);
+        if (tick == 403) {
           EXPECT_EQ(dhdsim_get_counters(0).force_on, 0) << "nobody commands, so nothing pushes";
         }
       });
   EXPECT_EQ(report.ticks, 1000U);
   EXPECT_EQ(report.fault, DeviceFault::none);
   EXPECT_EQ(fault, DeviceFault::overloaded);
+  EXPECT_NEAR(noticed, 0.403 + 0.015 + 0.020, 1e-6) << "in the very tick, not at the next look at the status";
   EXPECT_GE(report.events[std::size_t(SafetyEvent::device_fault)], 1U);
   EXPECT_TRUE(says(report.warnings, "forces off once: its watchdog waited too long"));
-  for (std::size_t n = 401; n <= 606; ++n) EXPECT_EQ(forces[n], 0) << n;
+  for (std::size_t n = 404; n <= 606; ++n) EXPECT_EQ(forces[n], 0) << n;
   EXPECT_GT(forces[612], 0) << "faded in";
   EXPECT_LT(forces[612], 0.9);
   EXPECT_EQ(forces[900], 1);
@@ -230,6 +233,33 @@ TEST_F(ForceDimensionFaults, GivesNoForceUntilItIsCalibrated) {
     EXPECT_EQ(let_through(0, dhdsim_committed_count(0) - 40).force.x(), 1) << wrist;
     expect_safe(0);
   }
+}
+
+TEST_F(ForceDimensionFaults, FailsWhenItLosesItsCalibrationAndComesBackWhenSomebodyHasLooked) {
+  add(kOmega6);
+  const auto device = open_force_dimension(options_for());
+  std::vector<double> forces;
+  std::uint32_t epoch = 0;
+  const RunReport report = run(
+      *device,
+      [&, n = 0](const DeviceState& state) mutable {
+        DeviceCommand command;
+        epoch = state.epoch;
+        if (++n == 600) device->reset_fault();
+        if (n > 50 && (n < 600 || n > 900)) command.wrench.force.x() = 1;
+        command.stop = n >= 1200;
+        return command;
+      },
+      quick(),
+      [&](long tick) {
+        if (tick == 300) dhdsim_set_calibrated(0, 0);
+        if (tick == 400) dhdsim_set_calibrated(0, 1);
+        forces.push_back(let_through(0).force.x());
+      });
+  EXPECT_GE(report.events[std::size_t(SafetyEvent::fault)], 1U);
+  EXPECT_EQ(epoch, 1U) << "poses before and after do not compare";
+  for (std::size_t n = 300; n <= 900; ++n) EXPECT_EQ(forces[n], 0) << n;
+  EXPECT_EQ(forces[1100], 1);
 }
 
 TEST_F(ForceDimensionFaults, CalibratesItselfWhenItIsAsked) {
