@@ -123,7 +123,6 @@ void ForceDimensionDevice::look_at_status() noexcept {
   }
   on_ = false;
   cause_ = status.cause;
-  if (cause_ == ForceOff::usb) fatal_ = DeviceFault::disconnected;
   if ((!ours_ && !comes_back(cause_)) || tick_ < next_try_) return;
   next_try_ = tick_ + kRecoveryTicks;
   (void)connection_.switch_on();  // the next look tells whether it did

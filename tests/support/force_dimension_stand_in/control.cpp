@@ -135,6 +135,9 @@ void dhdsim_unplug(int device) {
 void dhdsim_set_in_use(int device, int in_use) {
   with(device, [&](Device& d) { d.in_use = in_use != 0; });
 }
+void dhdsim_share(int device, int shared) {
+  with(device, [&](Device& d) { d.shared = shared != 0; });
+}
 
 void dhdsim_fail(int device, enum dhdsim_call call, int error, int times) {
   with(device, [&](Device& d) { d.failures.at(std::size_t(call)) = {error, times}; });

@@ -25,7 +25,7 @@ int open_first(const Wanted& wanted) {
     Device& device = s.devices[n];
     if (!wanted(int(n), device) || device.unplugged) continue;
     error = DHD_ERROR_DEVICE_IN_USE;
-    if (device.in_use || device.open) continue;
+    if (device.in_use || (device.open && !device.shared)) continue;
     error = injected(device, DHDSIM_OPEN);
     if (error != DHD_NO_ERROR) continue;
     device.open = true;

@@ -26,7 +26,7 @@ struct Failure {
 struct Device {
   dhdsim_device spec{};
   std::string name;
-  bool open = false, in_use = false, unplugged = false, nan = false;
+  bool open = false, in_use = false, shared = false, unplugged = false, nan = false;
   bool calibrated = true, wrist_initialised = true;
   Vec position{}, velocity{}, turning{};
   std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};

@@ -90,6 +90,16 @@ TEST_F(ForceDimension, SaysWhyNothingCouldBeOpened) {
   EXPECT_NE(refusal(options_for()).find("communication error (stand-in) (error 2)"), std::string::npos);
 }
 
+TEST_F(ForceDimension, RefusesADeviceThatThisProgramHasOpen) {
+  add(kOmega3);
+  const auto device = open_force_dimension(options_for());
+  EXPECT_NE(refusal(options_for()).find("device in use"), std::string::npos);
+  dhdsim_share(0, 1);  // should the library not refuse it
+  EXPECT_NE(refusal(options_for()).find("open in this program already"), std::string::npos);
+  EXPECT_EQ(dhdsim_get_counters(0).closes, 0);
+  EXPECT_EQ(run(*device, push_for(5)).ticks, 5U);
+}
+
 TEST_F(ForceDimension, RefusesOptionsOutOfRange) {
   add(kOmega3);
   ForceDimensionOptions options = options_for();

@@ -55,6 +55,8 @@ void dhdsim_set_wrist_initialised(int device, int initialised);
 void dhdsim_unplug(int device);
 /* Somebody else has it open. */
 void dhdsim_set_in_use(int device, int in_use);
+/* 1: a device that this process has open is opened again, instead of an error. */
+void dhdsim_share(int device, int shared);
 
 /* The next `times` calls of that kind fail with this error. */
 void dhdsim_fail(int device, enum dhdsim_call call, int error, int times);
