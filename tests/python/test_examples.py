@@ -9,6 +9,8 @@ import sys
 import pytest
 from conftest import REPOSITORY
 
+import hapticut
+
 FOLDER = REPOSITORY / "examples" / "python"
 EXPECTED = {
     "01_first_force": (r"\[[\d. ]+\] N; \d+ voxels gone", [], []),
@@ -17,7 +19,7 @@ EXPECTED = {
                                  ["figure_7_1_voxels.png", "figure_7_2_force.png", "figure_7_3_torque.png"], []),
     "04_cut_a_groove": (r"removed [\d.]+ mm\^3; the energy ledger is off by -?[\d.]+e-0[4-9]", ["groove.png"], []),
     "05_tooth_from_ct": (r"enamel: \d+ mm\^3.*greatest force [\d.]+ N", ["tooth.png", "tooth_section.png"], []),
-    "06_record_and_replay": (r"400\d ticks .*identical, bit by bit", ["replay.png"], []),
+    "06_record_and_replay": (r"(400\d) ticks .* MB; the replay of \1 steps is identical, bit by bit", ["replay.png"], []),
     "07_sweep_and_response_surface": (r"enamel: thrust ~ feed\^[\d.]+ speed\^-[\d.]+, R\^2 = (0\.9\d+|1\.0+)",
                                       ["response_surface.png", "sweep_matrix.png"], ["48"]),
     "09_device_in_the_loop": (r"600\d ticks \(stopped\), guard on, removed [\d.]+ mm.*undone: 9000 mm", [], []),
@@ -32,6 +34,8 @@ def test_every_example_is_known_here():
 @pytest.mark.parametrize("name", EXPECTED)
 def test_example(name, tmp_path):
     words, pictures, arguments = EXPECTED[name]
+    if "Recorder" in (FOLDER / f"{name}.py").read_text(encoding="utf-8") and not hapticut.kWithIo:
+        pytest.skip("hapticut was built without file formats (HAPTICUT_WITH_IO)")
     for module in ("matplotlib", "pandas", "scipy"):
         if module in (FOLDER / f"{name}.py").read_text(encoding="utf-8") or (module == "matplotlib" and pictures):
             pytest.importorskip(module, reason=f"{module} is not installed")
