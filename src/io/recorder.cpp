@@ -262,6 +262,7 @@ void Recorder::State::write_batch(const std::vector<Message>& batch) {
 void Recorder::close() {
   State& s = *state_;
   if (!s.writer->running()) throw Error("the recorder of '" + s.path.string() + "' is closed already.");
+  s.over = true;  // later steps are lost, and wait for nobody
   const std::string failure = s.end_writing();
   if (!failure.empty()) fail(s.path, failure);
   const hdf5::Quiet quiet;

@@ -148,6 +148,20 @@ TEST(Recorder, LosesNothingWhereItMayWait) {
   EXPECT_EQ(read_recording(folder / "a.h5").size(), 5000U);
 }
 
+TEST(Recorder, CountsTheStepsAfterItsEndAsLostAndDoesNotWaitForRoom) {
+  const TemporaryFolder folder;
+  Simulation simulation = find_scene("axial_flat").make();
+  RecorderOptions options = patient();
+  options.steps = 16;
+  Recorder recorder(folder / "a.h5", simulation, options);
+  step_in_the_air(recorder, 10);
+  recorder.close();
+  step_in_the_air(recorder, 100);
+  EXPECT_EQ(recorder.recorded(), 10U);
+  EXPECT_EQ(recorder.lost(), 100U);
+  EXPECT_EQ(read_recording(folder / "a.h5").size(), 10U);
+}
+
 TEST(Recorder, EndsTheRecordingWhereTheWorkpieceIsExchanged) {
   const TemporaryFolder folder;
   const Scene& scene = find_scene("axial_flat");
