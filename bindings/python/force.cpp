@@ -153,8 +153,8 @@ void bind_force(py::module_& m) {
   bind_struct<Calibration>(
       m, "Calibration", field("specific_cutting_energy", &Calibration::specific_cutting_energy),
       field("cutting_ratio", &Calibration::cutting_ratio), field("edge_pressure", &Calibration::edge_pressure),
-      field("edge_identified", &Calibration::edge_identified), field("thrust_residual", &Calibration::thrust_residual),
-      field("torque_residual", &Calibration::torque_residual));
+      field("edge_identified", &Calibration::edge_identified), field("chip_identified", &Calibration::chip_identified),
+      field("thrust_residual", &Calibration::thrust_residual), field("torque_residual", &Calibration::torque_residual));
   bind_result<AxialCutForce>(m, "AxialCutForce", member("thrust", &AxialCutForce::thrust),
                              member("torque", &AxialCutForce::torque));
   m.def("axial_cut_force", &axial_cut_force, py::arg("constants"), py::arg("radius"), py::arg("spindle_speed"),

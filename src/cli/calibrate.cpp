@@ -64,7 +64,8 @@ void run(const CalibrateSettings& s) {
   const Calibration c = calibrate(tests);
   Table table("hapticut calibrate: " + s.file + ", " + std::to_string(tests.size()) +
               (tests.size() == 1 ? " test" : " tests"));
-  table.add("specific_cutting_energy", rounded(c.specific_cutting_energy, 4) + " J/m^3");
+  table.add("specific_cutting_energy", rounded(c.specific_cutting_energy, 4) + " J/m^3" +
+                                           (c.chip_identified ? "" : ": the tests do not identify it"));
   table.add("cutting_ratio", rounded(c.cutting_ratio, 4));
   table.add("edge_pressure", rounded(c.edge_pressure, 4) + " Pa" +
                                  (c.edge_identified ? "" : ", taken as 0: the tests do not identify it"));
@@ -80,12 +81,21 @@ void run(const CalibrateSettings& s) {
   }
   std::fputs(table.text().c_str(), stdout);
   if (!c.edge_identified)
-    std::fputs("To tell edge from chip, add tests at another feed per turn: u, kappa and p_e are one equation short.\n",
+    std::fputs(tests.size() == 1
+                   ? "To tell edge from chip, add tests at another feed per turn: u, kappa and p_e are one equation "
+                     "short.\n"
+                   : "To tell edge from chip, add tests whose feeds per turn differ more than they scatter.\n",
                stdout);
+  if (!c.chip_identified)
+    std::fputs(
+        "The edge carries nearly all of thrust and torque; to know the chip, add tests at a larger feed per "
+        "turn.\n",
+        stdout);
   write_json(s.json, {{"specific_cutting_energy", c.specific_cutting_energy},
                       {"cutting_ratio", c.cutting_ratio},
                       {"edge_pressure", c.edge_pressure},
                       {"edge_identified", c.edge_identified},
+                      {"chip_identified", c.chip_identified},
                       {"thrust_residual", c.thrust_residual},
                       {"torque_residual", c.torque_residual},
                       {"tests", rows}});

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/setting.hpp"
@@ -12,7 +13,8 @@
 namespace hapticut::cli {
 
 /// The lines of a CSV file that a user wrote: a line of column names, then lines of as many cells. Empty lines and
-/// those that begin with # are skipped, as are spaces around a cell.
+/// those that begin with # are skipped, as are spaces around a cell and the mark that some programs put before the
+/// first line of a file in UTF-8.
 class CsvFile {
  public:
   /// @param what  what the file is, and where its name was given: "file of poses", "--poses"
@@ -28,7 +30,7 @@ class CsvFile {
   /// @throws Error when they are not as many as in the first line
   bool next(std::vector<std::string>& cells) {
     for (std::string line; std::getline(stream_, line);) {
-      ++line_;
+      if (++line_ == 1 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
       line = trimmed(line);
       if (line.empty() || line.front() == '#') continue;
       cells = split(line, ',');
@@ -48,6 +50,8 @@ class CsvFile {
   }
 
  private:
+  static constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
   static std::string trimmed(const std::string& text) {
     constexpr const char* kSpace = " \t\r";
     const std::size_t first = text.find_first_not_of(kSpace);

@@ -269,7 +269,8 @@ def test_stiffness_and_calibration():
         force = h.axial_cut_force(known, 1.25 * mm, 100.0, feed)
         tests.append(h.DrillingTest(1.25 * mm, 100.0, feed, force.thrust, force.torque))
     found = h.calibrate(tests)
-    assert found.edge_identified and found.specific_cutting_energy == pytest.approx(3e8, rel=1e-4)
+    assert found.edge_identified and found.chip_identified
+    assert found.specific_cutting_energy == pytest.approx(3e8, rel=1e-4)
     assert found.cutting_ratio == pytest.approx(0.6, rel=1e-4) and found.thrust_residual < 1e-4
 
 

@@ -85,6 +85,20 @@ TEST_F(Calibrate, FitsThePublishedDrillingTestAndSaysWhatItDoesNotIdentify) {
   EXPECT_NE(outcome.out.find("do not identify it"), std::string::npos);
 }
 
+TEST_F(Calibrate, ReadsAFileAsASpreadsheetWritesIt) {
+  write(path("t.csv"),
+        "\xEF\xBB\xBFradius_mm,spindle_rpm,feed_mm_per_s,thrust_N,torque_Nmm\r\n1.25,1000,1,20.07,41.2\r\n");
+  EXPECT_EQ(run("calibrate " + path("t.csv")).code, 0);
+}
+
+TEST_F(Calibrate, SaysThatTheChipIsNotIdentifiedWhereTheEdgeCarriesAll) {
+  write(path("t.csv"), std::string(kHeader) + "1.25,1000,0.001,10.07,20.2\n1.25,1000,0.003,9.5,20.0\n");
+  const Outcome outcome = run("calibrate " + path("t.csv") + " --json " + path("c.json"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_FALSE(read_json(folder / "c.json")["chip_identified"]);
+  EXPECT_NE(outcome.out.find("add tests at a larger feed per turn"), std::string::npos) << outcome.out;
+}
+
 TEST_F(Calibrate, AsksForItsFile) {
   const Outcome outcome = run("calibrate");
   EXPECT_EQ(outcome.code, 2);
@@ -108,6 +122,8 @@ TEST_F(Calibrate, RefusesAFileThatIsWrongWithItsLine) {
       std::string::npos);
   write(path("t.csv"), kHeader);
   EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("t.csv:1: there is no drilling test"), std::string::npos);
+  write(path("t.csv"), std::string(kHeader) + "1.25,1000,1,20,0.00001\n");
+  EXPECT_NE(run("calibrate " + path("t.csv")).errors.find("Check the units"), std::string::npos);
   EXPECT_NE(run("calibrate " + path("none.csv")).errors.find("cannot be read"), std::string::npos);
 }
 

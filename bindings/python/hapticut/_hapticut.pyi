@@ -2356,13 +2356,21 @@ class Calibration:
     def __getstate__(self) -> tuple:
         ...
 
-    def __init__(self, specific_cutting_energy: typing.SupportsFloat | typing.SupportsIndex=0.0, *, cutting_ratio: typing.SupportsFloat | typing.SupportsIndex=0.0, edge_pressure: typing.SupportsFloat | typing.SupportsIndex=0.0, edge_identified: bool=False, thrust_residual: typing.SupportsFloat | typing.SupportsIndex=0.0, torque_residual: typing.SupportsFloat | typing.SupportsIndex=0.0) -> None:
+    def __init__(self, specific_cutting_energy: typing.SupportsFloat | typing.SupportsIndex=0.0, *, cutting_ratio: typing.SupportsFloat | typing.SupportsIndex=0.0, edge_pressure: typing.SupportsFloat | typing.SupportsIndex=0.0, edge_identified: bool=False, chip_identified: bool=True, thrust_residual: typing.SupportsFloat | typing.SupportsIndex=0.0, torque_residual: typing.SupportsFloat | typing.SupportsIndex=0.0) -> None:
         ...
 
     def __repr__(self) -> str:
         ...
 
     def __setstate__(self, arg0: tuple) -> None:
+        ...
+
+    @property
+    def chip_identified(self) -> bool:
+        ...
+
+    @chip_identified.setter
+    def chip_identified(self, arg0: bool) -> None:
         ...
 
     @property

@@ -61,6 +61,43 @@ TEST(Calibration, OfOneTestIsItsClosedFormAndSaysThatTheEdgeIsNotIdentified) {
   EXPECT_LT(c.thrust_residual + c.torque_residual, kSearched);
 }
 
+/// Tests at these feeds of a drill in a material of u = 5e8 J/m^3, kappa = 3 and p_e = 1 MPa, whose thrust and torque
+/// scatter by shares of them.
+struct Scattered {
+  double feed, of_thrust, of_torque;
+};
+std::vector<DrillingTest> scattered(const std::vector<Scattered>& all) {
+  Calibration made;
+  made.specific_cutting_energy = 5e8;
+  made.cutting_ratio = 3;
+  made.edge_pressure = 1e6;
+  std::vector<DrillingTest> tests;
+  for (const Scattered& one : all) {
+    tests.push_back(made_by(made, 1.25 * mm, 1000 * rpm, one.feed));
+    tests.back().thrust *= 1 + one.of_thrust;
+    tests.back().torque *= 1 + one.of_torque;
+  }
+  return tests;
+}
+
+TEST(Calibration, ClaimsAnEdgeOnlyWhereTheTestsDifferMoreThanTheyScatter) {
+  const Calibration near = calibrate(scattered({{1 * mm, -0.02, -0.02}, {1.06 * mm, 0.02, 0.02}}));
+  EXPECT_FALSE(near.edge_identified) << "feeds that differ by 6 %, tests that scatter by 2 %";
+  EXPECT_EQ(near.edge_pressure, 0);
+  const Calibration far = calibrate(scattered({{0.2 * mm, 0.02, -0.02}, {1 * mm, -0.02, 0.02}, {2 * mm, 0.01, 0.01}}));
+  EXPECT_TRUE(far.edge_identified);
+  EXPECT_TRUE(far.chip_identified);
+  EXPECT_NEAR(far.edge_pressure / 1e6, 1, 0.05) << "about what the tests scatter by";
+}
+
+TEST(Calibration, SaysThatTheChipIsNotKnownWhereTheEdgeCarriesAll) {
+  const Calibration c =
+      calibrate(scattered({{0.001 * mm, 0.02, 0.01}, {0.003 * mm, -0.02, -0.01}, {0.002 * mm, 0.01, 0}}));
+  EXPECT_TRUE(c.edge_identified);
+  EXPECT_FALSE(c.chip_identified);
+  EXPECT_NEAR(c.edge_pressure / 1e6, 1, 0.05);
+}
+
 // B8, B15, DC8: thrust and torque rise with feed and diameter; force falls with speed.
 TEST(Calibration, PredictsTheTrendsThatOthersMeasured) {
   const DrillingTest bovine{1.25 * mm, 1000 * rpm, 1 * mm, 20.07, 41.2 * N_mm};
@@ -91,6 +128,21 @@ TEST(CalibrationInput, OutOfRangeIsRefusedByName) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("DrillingTest::torque [N m]"), std::string::npos);
   }
+}
+
+TEST(CalibrationInput, ThatNoCuttingRatioExplainsIsRefused) {
+  const auto message = [](const DrillingTest& test) {
+    try {
+      (void)calibrate({&test, 1});
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  for (const DrillingTest& wrong : {DrillingTest{1.25 * mm, 1000 * rpm, 1 * mm, 20, 41.2 * N_mm * 1e6},
+                                    DrillingTest{1.25 * mm, 1000 * rpm, 1e-300, 20, 41.2 * N_mm},
+                                    DrillingTest{1e200, 1000 * rpm, 1 * mm, 20, 41.2 * N_mm}})
+    EXPECT_NE(message(wrong).find("no cutting ratio between 0.001 and 1000 explains"), std::string::npos);
 }
 
 }  // namespace
