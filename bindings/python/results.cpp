@@ -22,7 +22,8 @@ void bind_result_of_step(py::module_& m) {
                          {"power_limited", StepStatus::power_limited},
                          {"engaged_layer_thick", StepStatus::engaged_layer_thick},
                          {"vibration_left_out", StepStatus::vibration_left_out},
-                         {"detail_reduced", StepStatus::detail_reduced}});
+                         {"detail_reduced", StepStatus::detail_reduced},
+                         {"force_not_finite", StepStatus::force_not_finite}});
   m.attr("kRejected") = std::uint32_t(kRejected);
   m.def(
       "has", [](std::uint32_t bits, StepStatus wanted) { return has(StepStatus(bits), wanted); }, py::arg("status"),

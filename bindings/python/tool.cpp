@@ -112,6 +112,7 @@ void bind_tool(py::module_& m) {
   bind_shapes(m);
   bind_heads(m);
   bind_handles(m);
+  m.attr("kFastestSpindle") = kFastestSpindle;
   bind_struct<Spindle>(m, "Spindle", field("speed", &Spindle::speed), field("power_limit", &Spindle::power_limit),
                        field("acceleration_limit", &Spindle::acceleration_limit), field("droop", &Spindle::droop));
   m.def("validate", py::overload_cast<const Spindle&>(&validate), py::arg("spindle"), doc("validate"));

@@ -70,6 +70,7 @@ const std::vector<std::pair<StepStatus, std::string>>& status_names() {
       {StepStatus::engaged_layer_thick, "engaged_layer_thick"},
       {StepStatus::vibration_left_out, "vibration_left_out"},
       {StepStatus::detail_reduced, "detail_reduced"},
+      {StepStatus::force_not_finite, "force_not_finite"},
   };
   return names;
 }

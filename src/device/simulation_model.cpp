@@ -178,7 +178,7 @@ void SimulationModel::obey(const LoopCommand& given) noexcept {
   const double value = given.values[0];
   switch (given.code) {
     case kSpindleSpeed:
-      if (std::isfinite(value)) spindle_speed_ = value;
+      if (std::abs(value) <= kFastestSpindle) spindle_speed_ = value;
       break;
     case kOpenClutch:
       map_.release(X_BS_);

@@ -16,12 +16,19 @@ namespace {
 
 constexpr int kListedSubSteps = 64;  // whose changed blocks are listed one by one before repetitions are dropped
 
+/// What the contact is computed with in single precision: far beyond any material, and squares of it are still finite.
+constexpr double kSoftest = 1, kStiffest = 1e25;  // [N/m^4]
+
+/// @throws Error when a stiffness is outside of that range
 ContactMaterials contact_materials(const MaterialTable& table, double reference_stiffness) {
   ContactMaterials constants = {};
   constants[kEmpty].cutting_energy = 1;  // empty lanes are computed like others and must not divide by zero
   for (int id = 1; id <= table.size(); ++id) {
     const Material& m = table[MaterialId(id)];
     const double stiffness = m.relative_stiffness * reference_stiffness;
+    require_between(
+        stiffness, kSoftest, kStiffest,
+        ("SimulationConfig::reference_stiffness times relative_stiffness of '" + m.name + "' [N/m^4]").c_str());
     constants[std::size_t(id)] = {float(stiffness), float(m.damping), float(m.cutting_ratio),
                                   float(m.specific_cutting_energy), float(std::sqrt(2 * m.edge_pressure / stiffness))};
   }
@@ -111,6 +118,7 @@ Encounter ContactStages::evaluate_contact(Workpiece& workpiece, const ToolHead& 
     press_blocks(workpiece, head, at, removal, encounter);
   else
     ask_law(workpiece, head, at, removal, encounter);
+  encounter.drop_what_is_not_finite();
   return encounter;
 }
 
@@ -191,6 +199,7 @@ Encounter ContactStages::probe_contact(const Workpiece& workpiece, const ToolHea
     stiffness_T.setZero();
     Encounter encounter;
     feel_law(workpiece, head, at, encounter, [](const BlockView&, bool) {});
+    encounter.drop_what_is_not_finite();
     return encounter;
   }
   const kernels::ContactJob job = job_at(workpiece, head, at);

@@ -26,6 +26,7 @@ struct Encounter {
   Resultant resultant;
   LawEnergies energies;
   bool blocks_exhausted = false;
+  bool force_not_finite = false;
   int level_of_detail = 1;  // an n-th of the voxels was evaluated
 
   void add(const LawTotals& block) {
@@ -38,6 +39,14 @@ struct Encounter {
     energies.elastic_before += lumped.elastic_before;
     energies.elastic += lumped.elastic;
     energies.damping += lumped.damped;
+  }
+  /// A law of one's own that gave what is no number gives nothing.
+  void drop_what_is_not_finite() noexcept {
+    if (is_finite(resultant.wrench_T.force) && is_finite(resultant.wrench_T.torque) && std::isfinite(energies.sum()))
+      return;
+    resultant.wrench_T = {};
+    energies = {};
+    force_not_finite = true;
   }
 };
 

@@ -11,6 +11,9 @@
 namespace hapticut {
 namespace {
 
+// Memory for all voxels that a head may reach is taken at set-up: 2 GB for as many.
+constexpr double kMostVoxels = 1e8, kLongestDiagonal = 2000;  // [voxels]
+
 void validate_pair(const Workpiece& workpiece, const Tool& tool) {
   if (workpiece.empty())
     throw Error("the workpiece is empty; check the threshold, crop box or labels that it was built from.");
@@ -20,6 +23,12 @@ void validate_pair(const Workpiece& workpiece, const Tool& tool) {
     throw Error("the head is " + format_number(thinnest * 1e3) + " mm thin, less than a voxel of " +
                 format_number(workpiece.voxel_size() * 1e3) +
                 " mm; it would slip between voxels. Choose smaller voxels.");
+  const Vec3 spans = (box.max - box.min) / workpiece.voxel_size();
+  if (!(spans.prod() <= kMostVoxels && spans.norm() <= kLongestDiagonal))
+    throw Error("the head spans " + format_number(spans.x()) + " x " + format_number(spans.y()) + " x " +
+                format_number(spans.z()) + " voxels; must be at most " + format_number(kMostVoxels) + " in all and " +
+                format_number(kLongestDiagonal) +
+                " along its diagonal. Give its dimensions in metres, or choose larger voxels.");
 }
 
 }  // namespace
@@ -79,7 +88,7 @@ WorstCase Simulation::worst_case() const { return state_->contact_stages.worst_c
 const StageTimes& Simulation::stage_times() const { return state_->times; }
 
 void Simulation::set_spindle_speed(double speed) {
-  if (!std::isfinite(speed)) throw Error("spindle speed = " + format_number(speed) + " rad/s; must be finite.");
+  validate(Spindle{speed});
   state_->motor.set(speed);
   state_->contact_stages.set_cutting_share(1 -
                                            standing_share(state_->motor.speed(), state_->tool.head().largest_radius()));

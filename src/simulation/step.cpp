@@ -10,6 +10,7 @@ namespace hapticut {
 namespace {
 
 constexpr double kRotationTolerance = 1e-3;  // [1] what device matrices are off by is below this
+constexpr double kFastestMotion = 1e6;       // [m/s], [rad/s] no estimate of a hand's velocity
 constexpr double kThickLayer = 0.1;          // [1] of the head's radius
 
 Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
@@ -64,7 +65,8 @@ void Simulation::State::begin_step() noexcept {
 StepStatus check_input(const SimulationConfig& config, const Pose& pose, const Twist& velocity, double dt) noexcept {
   StepStatus status = StepStatus::ok;
   if (!is_finite(pose) || !is_rotation(pose.rotation, kRotationTolerance)) status |= StepStatus::pose_rejected;
-  if (!is_finite(velocity.linear) || !is_finite(velocity.angular)) status |= StepStatus::velocity_rejected;
+  if (!(velocity.linear.norm() <= kFastestMotion && velocity.angular.norm() <= kFastestMotion))
+    status |= StepStatus::velocity_rejected;
   if (!(dt >= config.shortest_dt && dt <= config.longest_dt)) status |= StepStatus::dt_rejected;
   return status;
 }
@@ -190,6 +192,7 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   result.spindle.torque += share * motor_torque;
   result.contact = contact_of(encounter);
   if (encounter.blocks_exhausted) result.status |= StepStatus::blocks_exhausted;
+  if (encounter.force_not_finite) result.status |= StepStatus::force_not_finite;
   if (encounter.level_of_detail > 1) result.status |= StepStatus::detail_reduced;
 }
 

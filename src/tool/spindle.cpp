@@ -9,7 +9,8 @@ void validate(const Spindle& spindle) {
   const auto refuse = [](const char* field, double value, const char* unit, const char* rule) {
     throw Error("Spindle::" + std::string(field) + " = " + format_number(value) + " " + unit + "; must be " + rule);
   };
-  if (!std::isfinite(spindle.speed)) refuse("speed", spindle.speed, "rad/s", "finite. Give 0 for a standing spindle.");
+  if (!(std::abs(spindle.speed) <= kFastestSpindle))
+    refuse("speed", spindle.speed, "rad/s", "between -1e+06 and 1e+06. Give 0 for a standing spindle.");
   if (!(spindle.power_limit > 0))
     refuse("power_limit", spindle.power_limit, "W", "> 0. Leave it at infinity for a motor without a limit.");
   if (!(spindle.acceleration_limit > 0))

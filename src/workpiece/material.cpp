@@ -20,6 +20,10 @@ void validate(const Material& material) {
   require_not_negative(material.dynamic_friction, field("dynamic_friction [1]").c_str());
   require_positive(material.tangential_stiffness, field("tangential_stiffness [N/m]").c_str());
   require_positive(material.density, field("density [kg/m^3]").c_str());
+  // The contact is computed in single precision: far beyond any material, and what follows from them is still finite.
+  require_between(material.damping, 0, 1e6, field("damping [s/m]").c_str());
+  require_between(material.cutting_ratio, 0, 1e6, field("cutting_ratio [1]").c_str());
+  require_between(material.specific_cutting_energy, 1e-3, 1e18, field("specific_cutting_energy [J/m^3]").c_str());
   if (material.dynamic_friction > material.static_friction)
     throw Error(field("dynamic_friction") + " = " + format_number(material.dynamic_friction) +
                 "; must not exceed static_friction = " + format_number(material.static_friction) +

@@ -86,6 +86,56 @@ TEST(BadForceInput, NegativeConstantsAreRefusedByName) {
   expect_refusal([] { Tool(SphereHead{1 * mm}, RayHandle{}, Spindle{1, -1}); }, {"power_limit", "-1", "must be"});
 }
 
+// What the contact computes with in single precision would be infinite, and a force of it no number.
+TEST(BadForceInput, ConstantsBeyondSinglePrecisionAreRefused) {
+  const auto with = [](double Material::*member, double value) {
+    return [member, value] {
+      Material material = test::plain_material();
+      material.*member = value;
+      (void)Simulation(block(material), Tool(SphereHead{1 * mm}));
+    };
+  };
+  expect_refusal(with(&Material::damping, 1e50), {"damping", "= 1e+50", "must be between 0 and 1e+06"});
+  expect_refusal(with(&Material::cutting_ratio, 1e50), {"cutting_ratio", "= 1e+50", "must be between 0 and 1e+06"});
+  for (const double u : {1e-50, 1e50})
+    expect_refusal(with(&Material::specific_cutting_energy, u), {"specific_cutting_energy", "between 0.001 and 1e+18"});
+  for (const double share : {1e-50, 1e50})
+    expect_refusal(with(&Material::relative_stiffness, share),
+                   {"reference_stiffness times relative_stiffness of 'plain'", "must be between 1 and 1e+25"});
+  for (const double speed : {1e39, -1e39}) {
+    expect_refusal([&] { Tool(SphereHead{1 * mm}, RayHandle{}, Spindle{speed}); },
+                   {"Spindle::speed", "must be between -1e+06 and 1e+06"});
+    Simulation simulation(block(), Tool(SphereHead{1 * mm}));
+    expect_refusal([&] { simulation.set_spindle_speed(speed); }, {"Spindle::speed", "must be between"});
+    EXPECT_EQ(simulation.spindle_setting(), 0);
+  }
+}
+
+TEST(BadForceInput, ALawThatGivesNoNumberGivesNoForceAndTheStatusSaysSo) {
+  class Broken final : public ForceLaw {
+    LawTotals evaluate(const HeadMotion&, const ContactMaterials&, ContactBlock& b) const noexcept override {
+      for (int n = 0; n < b.lanes(); ++n) {
+        b.force_x[std::size_t(n)] = b.force_y[std::size_t(n)] = b.force_z[std::size_t(n)] = std::nanf("");
+        b.fill_after[std::size_t(n)] = b.fill[std::size_t(n)];
+      }
+      return {};
+    }
+  };
+  SimulationConfig config;
+  config.law = std::make_shared<Broken>();
+  Simulation simulation(block(), Tool(SphereHead{1 * mm}, RayHandle{}, Spindle{2000}), config);
+  EXPECT_EQ(simulation.step(Pose::from_translation(Vec3(0, 0, 2 * mm)), {}, 1e-3).status, StepStatus::ok);
+  const Pose pressed = Pose::from_translation(Vec3(0, 0, 0.8 * mm));
+  for (int tick = 0; tick < 2; ++tick) {
+    const StepResult& result = simulation.step(pressed, {}, 0.1);
+    EXPECT_TRUE(has(result.status, StepStatus::force_not_finite));
+    EXPECT_EQ(result.force, Vec3::Zero());
+    EXPECT_EQ(result.torque, Vec3::Zero());
+    EXPECT_EQ(result.energy.imbalance(), 0);
+  }
+  EXPECT_EQ(simulation.probe(pressed, {}, 0.1).wrench.force, Vec3::Zero());
+}
+
 TEST(BadForceInput, AProfileThatCrossesItsAxisOrItselfIsRefused) {
   expect_refusal(
       [] {

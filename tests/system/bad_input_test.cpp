@@ -68,9 +68,13 @@ TEST_F(BadInput, AMatrixThatIsNoRotationIsRejected) {
   expect_works_again();
 }
 
-TEST_F(BadInput, AVelocityThatIsNotFiniteIsRejected) {
+TEST_F(BadInput, AVelocityThatIsNotFiniteOrOfNoHandIsRejected) {
   expect_rejected(at(150), {Vec3(kNan, 0, 0), Vec3::Zero()}, 1e-3, StepStatus::velocity_rejected);
   expect_rejected(at(150), {Vec3::Zero(), Vec3(0, kInfinity, 0)}, 1e-3, StepStatus::velocity_rejected);
+  for (const double speed : {1e7, 1e39, 1e300}) {
+    expect_rejected(at(150), {Vec3(0, 0, -speed), Vec3::Zero()}, 1e-3, StepStatus::velocity_rejected);
+    expect_rejected(at(150), {Vec3::Zero(), Vec3(speed, 0, 0)}, 1e-3, StepStatus::velocity_rejected);
+  }
   expect_works_again();
 }
 
@@ -121,6 +125,22 @@ TEST(ToolAndWorkpiece, AToolThinnerThanAVoxelIsRefused) {
   EXPECT_THROW(Simulation(build_block({Vec3::Zero(), Vec3(1, 1, 1) * mm}, 0.1 * mm, plain_material()),
                           Tool(SphereHead{0.04 * mm})),
                Error);
+}
+
+TEST(ToolAndWorkpiece, AToolOfMoreVoxelsThanMemoryHasIsRefused) {
+  const auto with = [](const ToolHead& head) {
+    Simulation(build_block({Vec3::Zero(), Vec3(1, 1, 1) * mm}, 0.1 * mm, plain_material()), Tool(head));
+  };
+  EXPECT_NO_THROW(with(SphereHead{5 * mm}));
+  for (const double radius : {1.0, 1e10, 1e300}) EXPECT_THROW(with(SphereHead{radius}), Error);
+  EXPECT_THROW(with(FlatHead{1 * mm, 1.0}), Error);
+  try {
+    with(SphereHead{1});  // a millimetre, meant
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("spans 20000 x 20000 x 20000 voxels; must be at most 1e+08"), std::string::npos) << message;
+    EXPECT_NE(message.find("in metres"), std::string::npos) << message;
+  }
 }
 
 TEST(ToolAndWorkpiece, AnEmptyWorkpieceIsRefused) {

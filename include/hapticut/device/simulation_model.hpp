@@ -15,7 +15,7 @@ namespace hapticut {
 /// What a SimulationModel can be told while the loop runs.
 namespace model_commands {
 
-[[nodiscard]] LoopCommand set_spindle_speed(double speed);  ///< [rad/s]; what is not finite is ignored
+[[nodiscard]] LoopCommand set_spindle_speed(double speed);  ///< [rad/s]; what no spindle does is ignored
 [[nodiscard]] LoopCommand open_clutch();                    ///< the hand moves, the tool stays
 [[nodiscard]] LoopCommand close_clutch();                   ///< the tool follows again, from where it is
 [[nodiscard]] LoopCommand set_scale(double scale);          ///< [1] world over hand; what is not > 0 is ignored

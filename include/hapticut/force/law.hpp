@@ -61,6 +61,11 @@ struct LawEnergies {
     credited += other.credited;
     return *this;
   }
+
+  /// Of all; finite only where each of them is.
+  [[nodiscard]] double sum() const {
+    return elastic_before + elastic + cutting + released + damping + rubbing + credited;
+  }
 };
 
 /// What a law delivers for a block beside the arrays it writes.
@@ -101,7 +106,8 @@ class ForceLaw {
   [[nodiscard]] virtual bool holds_deep_contact() const noexcept { return false; }
 
   /// Writes `force_x/y/z` and `fill_after` of all `lanes()` entries. An entry of no fill must get no force and stay
-  /// empty.
+  /// empty. Where the sum of forces or energies is no finite number there is no force, and
+  /// StepStatus::force_not_finite says so.
   /// @realtime no allocation, no lock, no exception
   virtual LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,
                              ContactBlock& block) const noexcept = 0;

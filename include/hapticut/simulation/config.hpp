@@ -20,9 +20,9 @@ enum class ContactTime {
 
 /// How a simulation computes. Every field has a default that works; all are checked when the simulation is made.
 struct SimulationConfig {
-  /// [N/m^4] > 0, k_v of a material of relative stiffness 1. A regularisation, not a material constant: cutting forces
-  /// do not depend on it while the engaged layer is thin. See force/stiffness.hpp for the bounds that accuracy and a
-  /// directly driven device put on it.
+  /// [N/m^4] > 0, k_v of a material of relative stiffness 1; that of each material must be within 1 ... 1e25. A
+  /// regularisation, not a material constant: cutting forces do not depend on it while the engaged layer is thin. See
+  /// force/stiffness.hpp for the bounds that accuracy and a directly driven device put on it.
   double reference_stiffness = 1e13;
 
   RemovalLaw removal = RemovalLaw::constant_energy;

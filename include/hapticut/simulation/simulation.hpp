@@ -25,7 +25,8 @@ namespace hapticut {
 class Simulation {
  public:
   /// Takes the workpiece over and reserves all memory that cutting will need.
-  /// @throws Error when the configuration is invalid, the workpiece is empty, or the head thinner than a voxel
+  /// @throws Error when the configuration is invalid, the workpiece is empty, or the head is thinner than a voxel or
+  ///         spans more than 1e8 of them
   Simulation(Workpiece workpiece, Tool tool, SimulationConfig config = {});
 
   Simulation(Simulation&&) noexcept;
@@ -89,7 +90,7 @@ class Simulation {
 
   // --- set-up calls, between steps ----------------------------------------------------------------------------------
   /// Sets the spindle's speed for the following steps; with Spindle::acceleration_limit it is reached on a ramp.
-  /// @throws Error when it is not finite
+  /// @throws Error when it is faster than kFastestSpindle or not finite
   void set_spindle_speed(double speed);
 
   /// Sets what is added to the model's force and what limits it, for the following steps.

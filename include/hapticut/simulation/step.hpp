@@ -25,7 +25,8 @@ enum class StepStatus : std::uint32_t {
   /// The pose held a number that is not finite, or no rotation. No force, workpiece untouched.
   /// Cure: check the device's matrix; re-orthonormalise it (`orthonormalized`) when it is only inexact.
   pose_rejected = 1U << 0,
-  /// The velocity held a number that is not finite. No force, workpiece untouched. Cure: check the velocity estimate.
+  /// The velocity held a number that is not finite, or was above 1e6 m/s or rad/s. No force, workpiece untouched.
+  /// Cure: check the velocity estimate.
   velocity_rejected = 1U << 1,
   /// dt was not within SimulationConfig::shortest_dt ... longest_dt. No force, workpiece untouched.
   /// Cure: pass the seconds since the last call; after a pause call with a fresh pose and the nominal period.
@@ -55,6 +56,9 @@ enum class StepStatus : std::uint32_t {
   /// The head touched more voxels than SimulationConfig::voxel_budget: only a part of them was evaluated, in turn with
   /// the others. Cure: larger voxels, a smaller head, or a larger budget.
   detail_reduced = 1U << 11,
+  /// The force law gave a force or an energy that is not a finite number. No force from it; what it has cut stays cut.
+  /// Cure: check the law of your own.
+  force_not_finite = 1U << 12,
 };
 
 [[nodiscard]] constexpr StepStatus operator|(StepStatus a, StepStatus b) {

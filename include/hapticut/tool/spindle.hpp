@@ -7,9 +7,12 @@
 
 namespace hapticut {
 
+/// [rad/s] ten million turns a minute: beyond any spindle, and well within the single precision of the contact.
+inline constexpr double kFastestSpindle = 1e6;
+
 /// The motor that turns the head.
 struct Spindle {
-  double speed = 0;  ///< [rad/s] signed about +z of T; 0: the spindle stands and nothing is cut
+  double speed = 0;  ///< [rad/s] signed about +z of T, up to kFastestSpindle; 0: it stands and nothing is cut
   double power_limit = std::numeric_limits<double>::infinity();  ///< [W] > 0; above it the spindle slows down
   double acceleration_limit =
       std::numeric_limits<double>::infinity();  ///< [rad/s^2] > 0; a new speed is reached on a ramp of this slope

@@ -17,9 +17,9 @@ inline constexpr int kMaxMaterials = 255;
 struct Material {
   std::string name;                      ///< unique within a workpiece, not empty
   double relative_stiffness = 1;         ///< [1] > 0; the foundation stiffness is this times the simulation's reference
-  double damping = 0;                    ///< [s/m] >= 0 Hunt-Crossley factor chi
-  double cutting_ratio = 0.5;            ///< [1] >= 0 kappa, tangential over normal force of the spinning head
-  double specific_cutting_energy = 3e8;  ///< [J/m^3] > 0 u
+  double damping = 0;                    ///< [s/m] 0 ... 1e6 Hunt-Crossley factor chi
+  double cutting_ratio = 0.5;            ///< [1] 0 ... 1e6 kappa, tangential over normal force of the spinning head
+  double specific_cutting_energy = 3e8;  ///< [J/m^3] 1e-3 ... 1e18 u
   double edge_pressure = 0;              ///< [Pa] >= 0 p_e, below which nothing is cut
   double static_friction = 0.3;          ///< [1] >= dynamic_friction; of the standing spindle
   double dynamic_friction = 0.3;         ///< [1] >= 0
