@@ -138,6 +138,7 @@ void bind_guard(py::module_& m) {
   bind_states(m);
   bind_log(m);
   bind_options(m);
+  m.def("output_limits", &output_limits, py::arg("device"), py::arg("fastest_contact") = 0.5, doc("output_limits"));
   py::class_<SafetyGuard>(m, "SafetyGuard", doc("SafetyGuard"))
       .def(py::init<const DeviceCapabilities&, const GuardOptions&>(), py::arg("capabilities"),
            py::arg("options") = GuardOptions{}, doc("SafetyGuard::SafetyGuard"))

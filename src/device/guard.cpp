@@ -6,12 +6,10 @@
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/force/effects/output_limits.hpp"
 
 namespace hapticut {
 namespace {
 
-constexpr double kSlewMargin = 1.25;   // [1] over K v: a slower limit makes a wall active (docs/devices.md)
 constexpr double kShortestStep = 0.2;  // [ticks] bounds of dt in derivatives
 constexpr double kLongestStep = 5;     // [ticks]
 constexpr double kRampDampingShare = 0.2;
@@ -27,11 +25,33 @@ PassivityOptions with_damping(PassivityOptions options, double damping) {
   return options;
 }
 
+/// [N/s] by which the force of a device may grow where nobody says it: no slower than its stiffest wall needs. One of
+/// unknown stiffness may reach its peak within 10 ms.
+double default_growth(double stiffness, double fastest_contact, double greatest_force) {
+  const double needed = least_force_growth(stiffness, fastest_contact);
+  return needed > 0 ? needed : greatest_force / 10e-3;
+}
+
 double or_default(double value, double fallback) { return value > 0 ? value : fallback; }
 
 bool is_finite(const Wrench& w) { return w.force.allFinite() && w.torque.allFinite(); }
 
 }  // namespace
+
+OutputLimits output_limits(const DeviceCapabilities& device, double fastest_contact) {
+  require_positive(fastest_contact, "fastest contact [m/s]");
+  if (!(device.peak_force > 0) || device.output_degrees_of_freedom < 3)
+    throw Error("the device '" + device.model +
+                "' says that it renders no force, so it has no limits to take over; "
+                "set DeviceCapabilities::peak_force and output_degrees_of_freedom, or the OutputLimits yourself.");
+  OutputLimits limits;
+  limits.largest_force = device.peak_force;
+  limits.force_growth = default_growth(device.stiffness, fastest_contact, device.peak_force);
+  if (device.output_degrees_of_freedom < 6 || !(device.peak_torque > 0)) return limits;
+  limits.largest_torque = device.peak_torque;
+  limits.torque_growth = limits.force_growth * device.peak_torque / device.peak_force;
+  return limits;
+}
 
 SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOptions& options)
     : capabilities_(capabilities),
@@ -62,9 +82,8 @@ SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOpti
   if (capabilities.output_degrees_of_freedom < 6) greatest_torque_ = 0;
 
   const double stiffness = or_default(options.stiffness, capabilities.stiffness);
-  const double needed = kSlewMargin * stiffness * options.fastest_contact;
-  // A device of unknown stiffness may reach its peak within 10 ms.
-  slew_ = or_default(options.slew, needed > 0 ? needed : greatest_force_ / 10e-3);
+  const double needed = least_force_growth(stiffness, options.fastest_contact);
+  slew_ = or_default(options.slew, default_growth(stiffness, options.fastest_contact, greatest_force_));
   if (slew_ < needed)
     throw Error("GuardOptions::slew [N/s] = " + format_number(options.slew) + "; must be >= " + format_number(needed) +
                 " = 1.25 x stiffness x fastest_contact, or a wall of that stiffness gains energy; raise it or lower "

@@ -191,6 +191,8 @@ def test_models_maps_and_the_guard():
     mapped.engage(X)
     assert mapped.set_scale(3.0, X) and not mapped.set_scale(-1.0, X)
 
+    limits = h.output_limits(h.capabilities(h.device_model("touch")), fastest_contact=0.5)
+    assert limits.largest_force == 3.3 and limits.force_growth == 437.5 and np.isinf(limits.largest_torque)
     guard = h.SafetyGuard(h.capabilities(h.device_model("touch")))
     guard.start()
     for n in range(40):

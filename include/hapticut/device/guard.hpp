@@ -11,8 +11,17 @@
 #include "hapticut/device/state.hpp"
 #include "hapticut/device/thermal_budget.hpp"
 #include "hapticut/device/watchdog.hpp"
+#include "hapticut/force/effects/output_limits.hpp"
 
 namespace hapticut {
+
+/// The limits of a device's output, for SimulationConfig::effects in a loop of your own: its peak force and torque, and
+/// the least growth that leaves the stiffest wall it promises passive (least_force_growth). A RealtimeLoop does not
+/// need them: SafetyGuard holds to the same, and to more. A device without motors for torque renders none, so torque is
+/// not limited there.
+/// @param fastest_contact  [m/s] > 0 at which a surface is met
+/// @throws Error when the device renders no force
+[[nodiscard]] OutputLimits output_limits(const DeviceCapabilities& device, double fastest_contact = 0.5);
 
 /// The settings of every stage of the safety pipeline. The defaults suit a device of its capabilities.
 struct GuardOptions {

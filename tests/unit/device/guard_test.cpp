@@ -143,6 +143,30 @@ TEST(Guard, LimitsTheGrowthOfAForceButNotItsRelease) {
   EXPECT_TRUE(loop.tick(Vec3::Zero()).force.isZero(0));
 }
 
+TEST(OutputLimitsOfADevice, AreThoseThatTheGuardHoldsTo) {
+  for (const DeviceModel& model : device_models()) {
+    const DeviceCapabilities device = capabilities(model);
+    const SafetyGuard guard(device, {});
+    const OutputLimits limits = output_limits(device);
+    EXPECT_EQ(limits.largest_force, guard.greatest_force());
+    EXPECT_EQ(limits.force_growth, guard.slew());
+    EXPECT_EQ(limits.force_growth, least_force_growth(model.rendered_stiffness, 0.5));
+    EXPECT_EQ(std::isinf(limits.largest_torque), device.output_degrees_of_freedom < 6);
+    EXPECT_NO_THROW(validate(limits));
+  }
+  const OutputLimits six = output_limits(capabilities(device_model("premium6dof")));
+  EXPECT_EQ(six.largest_torque, 0.048);
+  EXPECT_NEAR(six.largest_torque / six.torque_growth, six.largest_force / six.force_growth, 1e-12)
+      << "as long to the peak as for the force";
+}
+
+TEST(OutputLimitsOfADevice, ThatRendersNoForceAreRefused) {
+  DeviceCapabilities mouse;
+  mouse.model = "mouse";
+  EXPECT_THROW((void)output_limits(mouse), Error);
+  EXPECT_THROW((void)output_limits(capabilities(device_model("touch")), 0), Error);
+}
+
 TEST(Guard, RefusesASlewLimitThatWouldMakeAWallActive) {
   GuardOptions options;
   options.slew = 100;

@@ -10,7 +10,8 @@ namespace hapticut {
 
 /// What the output may be and how fast it may grow. All unlimited by default, because a simulation by itself has no
 /// device: what it returns is what the model gives. Where a hand feels it, in RealtimeLoop, SafetyGuard limits size and
-/// growth to what the device can do, whatever is set here (docs/decisions/0006-thesis-mode-and-output-limits.md).
+/// growth to what the device can do, whatever is set here; in a loop of your own take those of `output_limits(device)`
+/// (docs/decisions/0006-thesis-mode-and-output-limits.md).
 struct OutputLimits {
   double largest_force = std::numeric_limits<double>::infinity();   ///< [N] > 0
   double largest_torque = std::numeric_limits<double>::infinity();  ///< [N·m] > 0
