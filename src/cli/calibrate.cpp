@@ -60,6 +60,7 @@ std::vector<DrillingTest> read_tests(const std::string& path) {
 
 void run(const CalibrateSettings& s) {
   if (s.file.empty()) throw UsageError("the file of drilling tests is missing. Use: hapticut calibrate TESTS.csv.");
+  require_writable(s.json);
   const std::vector<DrillingTest> tests = read_tests(s.file);
   const Calibration c = calibrate(tests);
   Table table("hapticut calibrate: " + s.file + ", " + std::to_string(tests.size()) +

@@ -91,13 +91,13 @@ void run_replay(const ReplaySettings& s) {
 void run_export(const ExportSettings& s) {
   const Recording recording = read_recording(s.recording);
   const std::string extension = std::filesystem::path(s.target).extension().string();
-  if (extension == ".csv") {
-    write_csv(recording, s.target);
-  } else if (extension == ".npz") {
-    write_npz(recording, s.target);
-  } else {
+  if (extension != ".csv" && extension != ".npz")
     throw Error("cannot write '" + s.target + "': its name must end in one of .csv, .npz.");
-  }
+  require_writable(s.target);
+  if (extension == ".csv")
+    write_csv(recording, s.target);
+  else
+    write_npz(recording, s.target);
   std::printf("%s: %llu steps\n", s.target.c_str(), (unsigned long long)recording.size());
 }
 #else

@@ -205,14 +205,16 @@ TEST_F(Files, ThatAreRandomAreRefused) {
 }
 
 TEST_F(Files, ThatCannotBeWrittenAreRefusedBeforeTheWork) {
-  const std::string nowhere = path("no/such/folder/x.json");
+  write_bytes(folder / "file", "");
+  const std::string nowhere = path("file/no/folder/x.json");
   expect("inspect molar --json " + nowhere, kFailed, "cannot write");
   for (const char* flag : {"--json", "--markdown", "--measurements"})
     expect(std::string("validate ") + flag + " " + nowhere, kFailed, "cannot write");
   expect("stability --json " + nowhere, kFailed, "cannot write");
+  expect("calibrate tests.csv --json " + nowhere, kFailed, "cannot write");
   expect("convert molar " + path("x.doc"), kFailed, "must end in");
   for (const char* flag : {"--json", "--save", "--steps_csv"})
-    expect("drill " + kBlock + kBall + kLine + flag + " " + path("no/such/folder/x.vdb"), kFailed, "cannot write");
+    expect("drill " + kBlock + kBall + kLine + flag + " " + path("file/no/folder/x.vdb"), kFailed, "cannot write");
   expect("drill " + kBlock + kBall + kLine + "--json " + path(""), kFailed, "cannot write");
   expect("drill " + kBlock + kBall + kLine + "--save " + path("x.doc"), kFailed, "must end in");
   if (::geteuid() != 0) {  // nothing is forbidden to root

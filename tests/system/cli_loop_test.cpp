@@ -113,7 +113,8 @@ TEST_F(Loop, RefusesWhatItCannotDo) {
   const Outcome unknown = run("loop falcon --seconds 1");
   EXPECT_EQ(unknown.code, 1);
   EXPECT_NE(unknown.errors.find("mock:PATH"), std::string::npos) << unknown.errors;
-  EXPECT_EQ(run("loop mock:spiral --seconds 1 --record " + path("no/such/folder.h5")).code, 1);
+  std::ofstream(folder / "file") << "no folder";
+  EXPECT_EQ(run("loop mock:spiral --seconds 1 --record " + path("file/folder.h5")).code, 1);
 }
 
 TEST_F(Loop, HasACouplingWhereTheDeviceNeedsOne) {

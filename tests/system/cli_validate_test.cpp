@@ -12,9 +12,10 @@ using Validate = Program;
 using Calibrate = Program;
 
 TEST_F(Validate, ReportsEveryFieldOfEveryCaseAndThatAllPass) {
-  const Outcome outcome = run("validate --only effects --json " + path("v.json") + " --markdown " + path("v.md"));
+  const Outcome outcome =
+      run("validate --only effects --json " + path("new/out/v.json") + " --markdown " + path("v.md"));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
-  const nlohmann::json report = read_json(folder / "v.json");
+  const nlohmann::json report = read_json(folder / "new/out/v.json");
   EXPECT_EQ(report["failed"], 0);
   ASSERT_GE(report["cases"].size(), 5U);
   for (const nlohmann::json& one : report["cases"]) {
