@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Figures 7.1-7.3 of the thesis: three heads step into a cube, and whatever they touch goes. Voxels removed, force and
-// torque per step, by the model of the thesis and by the default model; writes three CSV files and
-// the plots side by side.
+// torque per step, by the model of the thesis and by the default model; three CSV files and the plots side by side.
 // Usage: 03_figures_of_the_thesis [folder]
 #include <array>
 #include <cmath>
@@ -31,7 +30,7 @@ Series step_down(const std::string& name, const ToolHead& head, bool thesis) {
   material.name = "cube";
   material.relative_stiffness = 0.4;
   SimulationConfig config;
-  config.reference_stiffness = thesis ? 1e13 : 1e15;
+  config.reference_stiffness = thesis ? 1e13 : 1e17;  // the default model cuts in a layer of 2 um
   ThesisLaw::Constants constants;
   constants.required_power = 0;  // whatever is touched goes
   if (thesis) config.law = std::make_shared<ThesisLaw>(constants);

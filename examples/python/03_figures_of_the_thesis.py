@@ -18,7 +18,7 @@ CUBE = hapticut.build_block(BOX, VOXEL, hapticut.Material("cube", relative_stiff
 
 def step_down(head, thesis):
     """(steps, 3): voxels removed, force [N] and torque [N mm] of every step."""
-    config = hapticut.SimulationConfig(reference_stiffness=1e13 if thesis else 1e15)
+    config = hapticut.SimulationConfig(reference_stiffness=1e13 if thesis else 1e17)  # a layer of 2 um
     if thesis:
         config.law = hapticut.ThesisLaw(hapticut.ThesisLaw.Constants(required_power=0))  # whatever is touched goes
         config.longest_sweep = 1  # its tool jumps from step to step; the first call takes it there

@@ -92,6 +92,22 @@ Stepping step_down(const ToolHead& head) {
   return stepping;
 }
 
+/// Energy mode: the head is fed the same steps in 20 ms each, with an engaged layer of 2 um.
+std::vector<double> feed_down(const ToolHead& head) {
+  SimulationConfig config;
+  config.reference_stiffness = 4e16;
+  Simulation simulation(
+      build_block({Vec3(-0.36, -0.36, -0.4) * mm, Vec3(0.36, 0.36, 0) * mm}, 0.01 * mm, plain_material()),
+      Tool(head, RayHandle{}, Spindle{20000}), config);
+  std::vector<double> volume(14);
+  for (int tick = 1; tick <= 20 * 14; ++tick) {
+    const double z = -head.bounding_box().min.z() - 0.001 * mm * tick;
+    volume[std::size_t((tick - 1) / 20)] +=
+        simulation.step(Pose::from_translation(Vec3(0.0013 * mm, 0.0021 * mm, z)), {}, 1e-3).removed_volume;
+  }
+  return volume;
+}
+
 std::vector<Check> figures_of_the_thesis() {
   const double R = 0.3 * mm, D = 0.02 * mm;
   const Stepping flat = step_down(FlatHead{R, R, FlatRule::bottom_only}), cone = step_down(ConeHead{45 * deg, R}),
@@ -101,6 +117,9 @@ std::vector<Check> figures_of_the_thesis() {
     for (const double v : s.volume) sum += v;
     return sum;
   };
+  const std::vector<double> fed_flat = feed_down(FlatHead{R, R, FlatRule::bottom_only}),
+                            fed_cone = feed_down(ConeHead{45 * deg, R}), fed_ball = feed_down(SphereHead{R});
+  const auto cap = [&](double depth) { return kPi * depth * depth * (R - depth / 3); };
   const double d = 14 * D, k_v = 1e13 * std::pow(0.1 / 0.01, 2);  // springs of the thesis at its voxels
   return {
       {"C33 flat volume", "thesis 7.1: volume per step of the flat head", "m^3", kPi * R * R * D, flat.volume[7], kRim},
@@ -112,7 +131,15 @@ std::vector<Check> figures_of_the_thesis() {
        cone.force[12], kWholeVoxels},
       {"C33 sphere force", "its seventh step", "N",
        k_v * kPi / 4 * R * R * D * D * (1 - std::pow((R - 6.5 * D) / R, 4)), ball.force[6], kWholeVoxels},
-      {"C33 sphere volume", "all steps of the sphere", "m^3", kPi * d * d * (R - d / 3), total(ball), kCoarse}};
+      {"C33 sphere volume", "all steps of the sphere", "m^3", cap(d), total(ball), kCoarse},
+      {"C33 energy flat", "the same by the default model: volume of the flat head's seventh step", "m^3",
+       kPi * R * R * D, fed_flat[6], kRim},
+      {"C33 energy flat is constant", "volume of the last step over the second", "1", 1, fed_flat[13] / fed_flat[1],
+       kInvariant},
+      {"C33 energy cone", "volume of the cone's last step", "m^3", kPi / 3 * (std::pow(d, 3) - std::pow(d - D, 3)),
+       fed_cone[13], kCoarse},
+      {"C33 energy sphere", "volume of the sphere's seventh step", "m^3", cap(7 * D) - cap(6 * D), fed_ball[6],
+       kCoarse}};
 }
 
 }  // namespace

@@ -169,7 +169,7 @@ Stepping step_down(const ToolHead& head, double voxel) {
 /// Energy mode: the tool is fed a step in 20 ms, with a thin engaged layer; means over the step.
 Stepping feed_down(const ToolHead& head, double voxel) {
   SimulationConfig config;
-  config.reference_stiffness = 1e15;
+  config.reference_stiffness = 1e17;  // 2 um, a tenth of a step
   Simulation simulation = cube(head, config, voxel, 20000);
   const double lowest = head.bounding_box().min.z();
   Stepping stepping;
@@ -227,18 +227,27 @@ TEST(ThesisFigures, C33ForceOfAStepIsThatOfTheLayerItRemoves) {
   EXPECT_NEAR(cone.force[12] / (k_v / 2 * kPi * d * d * 0.5 * D * D), 1, kSlope);
 }
 
-// In energy mode the force of a step is the steady one of C20 for the flat head, and grows with the radius of the hole
-// for the cone (C29) and with the contact angle for the ball (C28). The first steps build up the engaged layer.
+// In energy mode the volume of a step is the same, and its force the steady one: of C20 for the flat head, of C29 for
+// the cone and of C28 for the ball in the middle of the step. The first step builds up the engaged layer; where the
+// surface is a slope it lags behind.
 TEST(ThesisFigures, C33HoldsInEnergyModeToo) {
   const double R = kHeadSize, l = 0.01 * mm, feed = kStep / 0.02, u = 3e8, kappa = 0.5, spin = 20000;
   const Stepping flat = feed_down(FlatHead{R, 0.3 * mm, FlatRule::bottom_only}, l);
   const Stepping cone = feed_down(ConeHead{45 * deg, 0.3 * mm}, l);
   const Stepping ball = feed_down(SphereHead{R}, l);
   const double steady = 2 * kPi * R * u * feed / (kappa * spin), couple = u * kPi * R * R * feed / spin;
-  for (std::size_t i = 5; i < flat.force.size(); ++i) {
+  const auto cap = [&](double d) { return kPi * d * d * (R - d / 3); };
+  for (std::size_t i = 1; i < flat.force.size(); ++i) {
     EXPECT_NEAR(flat.volume[i] / (kPi * R * R * kStep), 1, kRim);
     EXPECT_NEAR(flat.force[i] / steady, 1, kThinLayer);
     EXPECT_NEAR(flat.torque[i] / couple, 1, kRim);
+    const double d = kStep * double(i + 1), middle = d - kStep / 2, theta = std::acos(1 - middle / R);
+    if (i >= 5) {
+      EXPECT_NEAR(cone.volume[i] / (kPi / 3 * (std::pow(d, 3) - std::pow(d - kStep, 3))), 1, kSlope);
+      EXPECT_NEAR(ball.volume[i] / (cap(d) - cap(d - kStep)), 1, kRound);
+      EXPECT_NEAR(cone.force[i] / (steady * std::sin(45 * deg) * middle / R), 1, kSlope);
+      EXPECT_NEAR(ball.force[i] / (steady / 2 * (theta + std::sin(theta) * std::cos(theta))), 1, kRound);
+    }
     EXPECT_GT(cone.volume[i], cone.volume[i - 1]);
     EXPECT_GT(cone.force[i], cone.force[i - 1]);
     EXPECT_GT(cone.torque[i], cone.torque[i - 1]);
