@@ -11,8 +11,8 @@
 namespace hapticut {
 namespace {
 
-// Memory for all voxels that a head may reach is taken at set-up: 2 GB for as many.
-constexpr double kMostVoxels = 1e8, kLongestDiagonal = 2000;  // [voxels]
+// Memory for all voxels that a head may reach is taken at set-up; more than this is a mistake in the unit.
+constexpr double kMostVoxels = 1e9, kLongestDiagonal = 4000;  // [voxels]
 
 void validate_pair(const Workpiece& workpiece, const Tool& tool) {
   if (workpiece.empty())

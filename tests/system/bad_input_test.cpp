@@ -138,7 +138,7 @@ TEST(ToolAndWorkpiece, AToolOfMoreVoxelsThanMemoryHasIsRefused) {
     with(SphereHead{1});  // a millimetre, meant
   } catch (const Error& error) {
     const std::string message = error.what();
-    EXPECT_NE(message.find("spans 20000 x 20000 x 20000 voxels; must be at most 1e+08"), std::string::npos) << message;
+    EXPECT_NE(message.find("spans 20000 x 20000 x 20000 voxels; must be at most 1e+09"), std::string::npos) << message;
     EXPECT_NE(message.find("in metres"), std::string::npos) << message;
   }
 }

@@ -26,7 +26,7 @@ class Simulation {
  public:
   /// Takes the workpiece over and reserves all memory that cutting will need.
   /// @throws Error when the configuration is invalid, the workpiece is empty, or the head is thinner than a voxel or
-  ///         spans more than 1e8 of them
+  ///         spans more than 1e9 of them
   Simulation(Workpiece workpiece, Tool tool, SimulationConfig config = {});
 
   Simulation(Simulation&&) noexcept;
