@@ -6,11 +6,13 @@
 
 Every declaration with a ``///`` comment becomes an entry ``{"Scope::name", "text"}`` of OUTPUT, sorted by key; further
 overloads are ``name#2``, ``name#3``. Doxygen's commands become the sections of NumPy's style, so that there is one
-description of a thing, and it stands in the header.
+description of a thing, and it stands in the header. What is an array in Python gets its shape from the type in C++.
 """
+import keyword
 import re
 import sys
 from pathlib import Path
+from typing import Optional
 
 SECTIONS = {"param": "Parameters", "return": "Returns", "throws": "Raises", "realtime": "Notes", "pre": "Notes"}
 SCOPE = re.compile(r"^\s*(?:struct|class|enum(?: class)?|namespace)\s+(?:alignas\(\d+\)\s+)?(\w+)[^;(]*\{")
@@ -18,10 +20,54 @@ ENUMERATOR = re.compile(r"^\s*(\w+)\s*(?:=[^,]*)?,?\s*(?:///<.*)?$")
 FUNCTION = re.compile(r"(\w+|operator\S+)\s*\(")
 PREAMBLE = re.compile(r"^\s*(?:template|requires)\b[^{;]*$")
 NO_DECLARATION = re.compile(r"^\s*(?:public|private|protected|using|friend)\b")
+SHAPES = {"Vec3": "(3,)", "VoxelIndex": "(3,)", "Mat3": "(3, 3)", "Pose": "(4, 4)", "Twist": "(6,)",
+          "Stiffness": "(6, 6)", "std::vector<Vec3>": "(n, 3)", "std::span<const Vec3>": "(n, 3)",
+          "std::optional<Vec3>": "(3,) or None;",
+          "ScriptedPath": "function from time [s] to (4, 4);",
+          "std::function<double(const Vec3& p_WQ)>": "function from (3,) to a number;",
+          "std::function<MaterialId(const Vec3& p_WQ)>": "function from (3,) to a whole number;"}
+# Said of references, which Python does not have: its results own what they hold.
+LIFETIME = re.compile(r"a reference that stays valid; its contents are those of the last call"
+                      r"|[;,] valid until the next (?:call|one|step)|valid until the next call\. ")
 
 
-def numpy_style(comment: list[str]) -> str:
-    """The lines of one Doxygen comment as the text of a docstring."""
+def shape_of(cpp_type: str) -> Optional[str]:
+    """The shape in Python of what is of a type in C++, or None where that is no array."""
+    words = r"\b(?:static|inline|constexpr|virtual|explicit|mutable)\b|\[\[\w+\]\]"
+    plain = re.sub(r"^const\b|&$", "", re.sub(words, "", cpp_type).strip()).strip()
+    return SHAPES.get(plain)
+
+
+def shapes_of_parameters(declaration: str) -> dict[str, str]:
+    """The shapes of a function's parameters that are arrays, by their names."""
+    depth, parts = 0, [""]
+    for character in declaration[declaration.index("(") + 1 :]:
+        depth += {"(": 1, "<": 1, "{": 1, ")": -1, ">": -1, "}": -1}.get(character, 0)
+        if depth < 0:
+            break
+        if character == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += character
+    shapes = {}
+    for part in parts:
+        found = re.match(r"(.*[\s&])(\w+)\s*$", part.split("=")[0].split("{")[0].strip())
+        shape = shape_of(found[1].strip()) if found else None
+        if found and shape:
+            shapes[found[2]] = shape
+    return shapes
+
+
+def after_the_unit(text: str, shape: str) -> str:
+    """A description with the shape put after its unit in brackets."""
+    unit = re.match(r"(?:\[[^\]]*\])?", text)[0]
+    return " ".join(filter(None, [unit, shape, text[len(unit) :].lstrip(", ")]))
+
+
+def numpy_style(comment: list[str], shapes: dict[str, str], result: Optional[str]) -> str:
+    """The lines of one Doxygen comment as the text of a docstring; the shapes are those of the parameters and of what is
+    returned."""
+    comment = [LIFETIME.sub("", line) for line in comment]
     text: list[str] = []
     sections: dict[str, list[list[str]]] = {}
     target = text
@@ -41,8 +87,16 @@ def numpy_style(comment: list[str]) -> str:
             sections.setdefault(SECTIONS[command[1]], []).append(entry)
             target = entry
     lines = "\n".join(text).strip("\n").split("\n") if any(text) else []
+    parameters = sections.setdefault("Parameters", [])
+    described = " ".join(entry[0] for entry in parameters)
+    parameters += [[name] for name in shapes if not re.search(rf"\b{name}\b", described)]
+    if result is not None and not parameters and "Returns" not in sections and lines and lines[0].startswith("["):
+        lines[0] = after_the_unit(lines[0], result)  # of an accessor, which is a property in Python
+    elif result is not None:
+        returned = sections.setdefault("Returns", [[""]])
+        returned[0][0] = after_the_unit(returned[0][0], result)
     for title in ("Parameters", "Returns", "Raises", "Notes"):
-        if title not in sections:
+        if not any(map(any, sections.get(title, []))):
             continue
         if lines:
             lines.append("")
@@ -54,7 +108,9 @@ def numpy_style(comment: list[str]) -> str:
                 while rest and name.endswith(","):  # "@param from, to  text"
                     more, _, rest = rest.partition(" ")
                     name += " " + more
-                lines.append(name)
+                shape = shapes.get(re.split(r"\W+", name)[0])
+                name = re.sub(r"\w+", lambda word: word[0] + "_" * keyword.iskeyword(word[0]), name)
+                lines.append(f"{name} : {shape}" if shape else name)
                 lines += ["    " + part.strip() for part in [rest, *body[1:]] if part.strip()]
             elif title == "Raises":
                 sentence = " ".join(body)
@@ -80,6 +136,9 @@ class Header:
         self.last: list[str] = []  # keys that a following ///< line continues
         self.trailing: list[str] = []
         self.open_parentheses = 0
+        self.below: list[str] = []  # the line that is read and those that follow
+        self.shapes: dict[str, str] = {}  # of the last declaration's parameters
+        self.result: Optional[str] = None  # and of what it returns
 
     def key(self, name: str) -> str:
         return "::".join([scope for scope, _, _ in self.scopes if scope != "hapticut"] + [name])
@@ -93,11 +152,16 @@ class Header:
                 while f"{key}#{number}" in self.entries:
                     number += 1
                 key = f"{key}#{number}"
-            self.entries[key] = numpy_style(comment)
+            self.entries[key] = self.docstring(comment)
             self.last.append(key)
 
+    def docstring(self, comment: list[str]) -> str:
+        return numpy_style(comment, self.shapes, self.result)
+
     def read(self, path: Path) -> None:
-        for line in path.read_text(encoding="utf-8").splitlines():
+        lines = path.read_text(encoding="utf-8").splitlines()
+        for number, line in enumerate(lines):
+            self.below = lines[number:]
             self.read_line(line)
 
     def read_line(self, line: str) -> None:
@@ -106,7 +170,7 @@ class Header:
             if self.last:
                 self.trailing.append(stripped[4:].strip())
                 for key in self.last:
-                    self.entries[key] = numpy_style(self.trailing)
+                    self.entries[key] = self.docstring(self.trailing)
             return
         if stripped.startswith("///"):
             self.pending.append(re.sub(r"^///\s?", "", stripped) if stripped != "///" else "")
@@ -130,6 +194,7 @@ class Header:
 
     def read_declaration(self, line: str, code: str) -> None:
         comment = self.pending
+        self.shapes, self.result = {}, None
         if comment and comment[0].startswith("@file"):
             comment = []
         found = re.search(r"///<\s?(.*)", line)
@@ -152,16 +217,27 @@ class Header:
         assigned = head.find("=")
         if function and (assigned < 0 or function.start() < assigned):
             # a field such as std::function<double(int)> f; is no function
-            field = re.match(r"^\s*(?:std::)\w+<.*>\s+(\w+)\s*(?:=.*|\{.*)?;", head)
-            self.add([field[1] if field else function[1]], comment or trailing, overloads=field is None)
+            field = re.match(r"^\s*((?:std::)\w+<.*>)\s+(\w+)\s*(?:=.*|\{.*)?;", head)
+            if field:
+                self.add_field(field[1], [field[2]], comment or trailing)
+                return
+            whole = " ".join(map(without_comments_and_strings, self.below[:20]))
+            self.shapes = shapes_of_parameters(whole[function.start() :] if head == code else whole)
+            self.result = shape_of(head[: function.start()])
+            self.add([function[1]], comment or trailing, overloads=True)
             return
+        cpp_type = re.match(r"\s*((?:(?:static|inline|constexpr|const|mutable)\s+)*[\w:]+(?:<.*>)?)", head)
         declaration = re.sub(r"<[^<>]*(?:<[^<>]*>[^<>]*)*>", "", head.strip()).rstrip(";")
         declaration = re.sub(r"^(?:(?:static|inline|constexpr|const|mutable)\s+)*[\w:]+[*&]*\s+", "", declaration)
         declaration = re.sub(r"\{[^}]*\}|\([^)]*\)", "", declaration)
         names = [part.split("=")[0].strip(" *&") for part in declaration.split(",")]
         names = [name for name in names if re.fullmatch(r"\w+", name)]
         if names:
-            self.add(names, comment or trailing)
+            self.add_field(cpp_type[1] if cpp_type else "", names, comment or trailing)
+
+    def add_field(self, cpp_type: str, names: list[str], comment: list[str]) -> None:
+        shape = shape_of(cpp_type)
+        self.add(names, [after_the_unit(comment[0], shape), *comment[1:]] if shape else comment)
 
 
 def main() -> None:

@@ -42,15 +42,16 @@ void bind_recorder(py::module_& m) {
             return make_step(*self.simulation, pose, velocity, dt, self.stepper(device ? &*device : nullptr));
           },
           py::arg("pose"), py::arg("velocity"), py::arg("dt"), py::arg("device") = py::none(),
-          "Makes a step of the simulation and records it.")
+          "Makes a step of the simulation, from a pose (4, 4), a velocity (6,) and dt [s], and records it.")
       .def(
           "run",
           [](R& self, const Float64Array& poses, const Float64Array& velocities, const Durations& dt) {
             return make_steps(*self.simulation, poses, velocities, dt, self.stepper());
           },
           py::arg("poses"), py::arg("velocities"), py::arg("dt"),
-          "Makes a step for every row and records it; see Simulation.run. A run is quicker than the disk: set\n"
-          "RecorderOptions.wait_when_full, or steps will be lost.")
+          "Makes a step for every row of poses (n, 4, 4) and velocities (n, 6) and records it; see Simulation.run. A "
+          "run\n"
+          "is quicker than the disk: set RecorderOptions.wait_when_full, or steps will be lost.")
       .def(
           "before_step",
           [](const R& self) {

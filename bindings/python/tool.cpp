@@ -60,7 +60,8 @@ void bind_heads(py::module_& m) {
       .def("largest_radius", &ToolHead::largest_radius, doc("ToolHead::largest_radius"))
       .def("description", &ToolHead::description, doc("ToolHead::description"))
       .def("profile", &ToolHead::profile, doc("ToolHead::profile"))
-      .def("depth_at", &ToolHead::depth_at, py::arg("p_TQ"), doc("ToolHead::DepthAndDirection"))
+      .def("depth_at", &ToolHead::depth_at, py::arg("p_TQ"),
+           "How deep a point (3,) [m] in T lies in the head, and the direction of its spring; see DepthAndDirection.")
       .def("__repr__",
            [](const py::object& self) { return "ToolHead(" + std::string(py::repr(self.attr("shape"))) + ")"; });
 

@@ -56,6 +56,40 @@ def test_every_public_name_has_a_docstring_and_says_no_cpp_type():
     assert set(undocumented) <= {"VolumeBuildOptions", "VolumeReadOptions", "LabelInterpolation"}
 
 
+SHAPE = re.compile(r"\((?:n|m|nx|\d+)(?:, ?(?:n|m|ny|nz|\d+))*,?\)")
+
+
+def test_every_docstring_of_what_takes_or_gives_arrays_says_their_shape():
+    import hapticut._hapticut as core
+
+    missing, found = [], 0
+
+    def look(name, thing):
+        nonlocal found
+        text = inspect.getdoc(thing) or ""
+        lines = [line for line in text.splitlines() if re.match(r"(\d+\. )?\w+\(.*\) ->", line)]
+        signature = (thing.fget.__doc__ or "") if isinstance(thing, property) else "\n".join(lines)
+        if "ArrayLike" in signature or "NDArray" in signature:
+            found += 1
+            if not SHAPE.search("\n".join(line for line in text.splitlines() if line not in lines)):
+                missing.append(name)
+
+    def look_at_class(prefix, cls):
+        for name, thing in vars(cls).items():
+            if isinstance(thing, type) and thing.__module__ == core.__name__:
+                look_at_class(f"{prefix}.{name}", thing)
+            elif not name.startswith("_") and (isinstance(thing, (property, staticmethod)) or callable(thing)):
+                look(f"{prefix}.{name}", getattr(thing, "__func__", thing))
+
+    for name, thing in vars(core).items():
+        if isinstance(thing, type):
+            look_at_class(name, thing)
+        elif callable(thing) and not name.startswith("_"):
+            look(name, thing)
+    assert found > 80 and not missing
+    assert "valid until" not in str([thing.__doc__ for thing in vars(core.Simulation).values()])
+
+
 def test_importing_is_quick_and_leaves_the_large_libraries_alone():
     code = ("import numpy, sys, time; t = time.process_time(); import hapticut; print(time.process_time() - t); "
             "print([m for m in ('matplotlib', 'pandas', 'scipy', 'dask', 'tqdm') if m in sys.modules])")
