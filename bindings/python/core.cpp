@@ -20,10 +20,11 @@ std::vector<Vec3> points_from(py::handle array, const char* what) {
 
 TriangleMesh mesh_from(const Float64Array& vertices, const RealArray& triangles) {
   TriangleMesh mesh{points_from(vertices, "vertices"), {}};
-  const auto given = py::array_t<std::int64_t, py::array::c_style>::ensure(triangles);
-  const bool whole = given && py::array(triangles).dtype().kind() != 'f';
-  if (!whole || given.ndim() != 2 || given.shape(1) != 3) {
-    PyErr_Clear();
+  const py::array any = py::array::ensure(triangles);
+  const bool whole = any && (any.dtype().kind() == 'i' || any.dtype().kind() == 'u');
+  using Indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+  const Indices given = whole ? Indices::ensure(any) : Indices();  // what uint64 has beyond int64 becomes negative
+  if (!whole || !given || given.ndim() != 2 || given.shape(1) != 3) {
     throw Error("triangles: " + describe_given(triangles) +
                 " was given; needed is an array of shape (n, 3) and a whole-number dtype.");
   }

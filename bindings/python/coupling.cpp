@@ -72,10 +72,10 @@ CoupledRow coupled_row(const CoupledResult& result, double time) {
 
 py::array run(PythonCoupling& self, const Float64Array& poses, const Float64Array& velocities, const Durations& dt) {
   PythonSimulation& simulation = *self.simulation;
-  simulation.occupancy.require_writable("The simulation");
   const RunInput input(poses, velocities, dt);
   py::array_t<CoupledRow> trace{py::ssize_t(input.steps)};
   CoupledRow* rows = trace.mutable_data();
+  simulation.occupancy.require_writable("The simulation");  // last: what is above may let other threads run
   simulation.removed.clear();
   {
     const ReleasedWriting released(simulation.occupancy);
@@ -162,8 +162,8 @@ void bind_coupling(py::module_& m) {
       .def(
           "step",
           [](C& self, const FewNumbers& pose, const FewNumbers& velocity, double dt) {
-            self.simulation->occupancy.require_writable("The simulation");
             const StepInput input = step_input(pose, velocity, dt);
+            self.simulation->occupancy.require_writable("The simulation");
             return PythonCoupledResult(self.coupling.step(input.pose, input.velocity, input.dt));
           },
           py::arg("pose"), py::arg("velocity"), py::arg("dt"), doc("VirtualCoupling::step"))

@@ -16,6 +16,12 @@ namespace hapticut::python {
 
 namespace {
 
+/// @throws Error while another thread is at work on it
+const Simulation& read(const PythonSimulation& self) {
+  self.occupancy.require_readable("The simulation");
+  return self.simulation;
+}
+
 Stepper stepper_of(PythonSimulation& self) {
   return [&self](const StepInput& input) -> const StepResult& {
     return self.simulation.step(input.pose, input.velocity, input.dt);
@@ -113,19 +119,14 @@ void bind_the_simulation(py::module_& m) {
       .def(
           "probe",
           [](S& self, const FewNumbers& pose, const FewNumbers& velocity, double dt, ProbedMotions motions) {
-            self.occupancy.require_writable("The simulation");  // it works in the simulation's own memory
             const StepInput input = step_input(pose, velocity, dt);
+            self.occupancy.require_writable("The simulation");  // it works in the simulation's own memory
             return self.simulation.probe(input.pose, input.velocity, input.dt, motions);
           },
           py::arg("pose"), py::arg("velocity"), py::arg("dt"),
           py::arg_v("motions", ProbedMotions::all, "ProbedMotions.all"), doc("Simulation::probe"))
       .def_property_readonly(
-          "last_input",
-          [](S& self) {
-            self.occupancy.require_readable("The simulation");
-            return self.simulation.last_input();
-          },
-          doc("Simulation::last_input"))
+          "last_input", [](const S& self) { return read(self).last_input(); }, doc("Simulation::last_input"))
       .def_property_readonly(
           "removed_in_run",
           [](S& self) -> py::array {
@@ -139,40 +140,34 @@ void bind_the_simulation(py::module_& m) {
       .def_property_readonly(
           "tool", [](const S& self) { return self.simulation.tool(); }, "As given.")
       .def_property_readonly(
-          "config", [](const S& self) { return self.simulation.config(); }, "As given; a copy.")
+          "config", [](const S& self) { return read(self).config(); }, "As given; a copy.")
       .def_property_readonly(
-          "last_result",
-          [](S& self) {
-            self.occupancy.require_readable("The simulation");
-            return PythonStepResult(self.simulation.last_result());
-          },
+          "last_result", [](const S& self) { return PythonStepResult(read(self).last_result()); },
           "The result of the last step.")
       .def_property_readonly(
           "removed_volume_by_material",
-          [](S& self) {
-            self.occupancy.require_readable("The simulation");
-            const auto& volumes = self.simulation.removed_volume_by_material();
+          [](const S& self) {
+            const auto& volumes = read(self).removed_volume_by_material();
             return py::array_t<double>(py::ssize_t(volumes.size()), volumes.data());
           },
           "[m^3] (256,) taken away since construction or reset, by material id.")
       .def_property_readonly(
-          "spindle_setting", [](const S& self) { return self.simulation.spindle_setting(); },
+          "spindle_setting", [](const S& self) { return read(self).spindle_setting(); },
           doc("Simulation::spindle_setting"))
       .def_property_readonly(
-          "steps", [](const S& self) { return self.simulation.steps(); }, doc("Simulation::steps"))
+          "steps", [](const S& self) { return read(self).steps(); }, doc("Simulation::steps"))
       .def_property_readonly(
-          "workpiece_exchanges", [](const S& self) { return self.simulation.workpiece_exchanges(); },
+          "workpiece_exchanges", [](const S& self) { return read(self).workpiece_exchanges(); },
           doc("Simulation::workpiece_exchanges"))
       .def(
           "changed_blocks",
-          [](S& self) {
-            self.occupancy.require_readable("The simulation");
-            const ChangedBlocks changed = self.simulation.changed_blocks();
+          [](const S& self) {
+            const ChangedBlocks changed = read(self).changed_blocks();
             return py::make_tuple(block_origins(changed.origins), changed.complete);
           },
           "What the last step has changed: (n, 3) int32 first voxels of blocks, and whether that is all of them.")
       .def(
-          "worst_case", [](const S& self) { return self.simulation.worst_case(); }, doc("Simulation::worst_case"))
+          "worst_case", [](const S& self) { return read(self).worst_case(); }, doc("Simulation::worst_case"))
       .def_property_readonly(
           "stage_times",
           [](const S& self) {
@@ -202,12 +197,7 @@ void bind_the_simulation(py::module_& m) {
           },
           py::arg("count"), doc("Simulation::reserve_blocks"))
       .def(
-          "snapshot",
-          [](S& self) {
-            self.occupancy.require_readable("The simulation");
-            return self.simulation.snapshot();
-          },
-          doc("Simulation::snapshot"))
+          "snapshot", [](const S& self) { return read(self).snapshot(); }, doc("Simulation::snapshot"))
       .def(
           "restore",
           [](S& self, const WorkpieceSnapshot& snapshot) {
@@ -230,12 +220,7 @@ void bind_the_simulation(py::module_& m) {
           },
           doc("Simulation::set_undo_mark"))
       .def_property_readonly(
-          "undo_marks",
-          [](S& self) {
-            self.occupancy.require_readable("The simulation");
-            return self.simulation.undo_marks();
-          },
-          "How many marks `undo` can return to.")
+          "undo_marks", [](const S& self) { return read(self).undo_marks(); }, "How many marks `undo` can return to.")
       .def(
           "undo",
           [](S& self, std::size_t most) {
@@ -258,8 +243,8 @@ void bind_the_simulation(py::module_& m) {
 /// What Simulation.run would be in C++: the same steps, nothing kept but their sum.
 double loop_in_cpp(PythonSimulation& self, const Float64Array& poses, const Float64Array& velocities,
                    const Durations& dt) {
-  self.occupancy.require_writable("The simulation");
   const RunInput input(poses, velocities, dt);
+  self.occupancy.require_writable("The simulation");
   const ReleasedWriting released(self.occupancy);
   double sum = 0;
   for (std::size_t i = 0; i < input.steps; ++i) {

@@ -103,16 +103,17 @@ py::array block_origins(std::span<const VoxelIndex> origins) {
 
 PythonStepResult make_step(PythonSimulation& simulation, const FewNumbers& pose, const FewNumbers& velocity, double dt,
                            const Stepper& step) {
-  simulation.occupancy.require_writable("The simulation");
-  return PythonStepResult(step(step_input(pose, velocity, dt)));
+  const StepInput input = step_input(pose, velocity, dt);
+  simulation.occupancy.require_writable("The simulation");  // last: reading the input may let other threads run
+  return PythonStepResult(step(input));
 }
 
 py::array make_steps(PythonSimulation& simulation, const Float64Array& poses, const Float64Array& velocities,
                      const Durations& dt, const Stepper& step) {
-  simulation.occupancy.require_writable("The simulation");
   const RunInput input(poses, velocities, dt);
   py::array_t<TraceRow> trace{py::ssize_t(input.steps)};
   TraceRow* rows = trace.mutable_data();
+  simulation.occupancy.require_writable("The simulation");  // last: what is above may let other threads run
   simulation.removed.clear();
   {
     const ReleasedWriting released(simulation.occupancy);

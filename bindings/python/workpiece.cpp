@@ -3,7 +3,9 @@
 #include "workpiece.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "bindings.hpp"
 #include "core.hpp"
@@ -36,40 +38,55 @@ Occupancy& PythonWorkpiece::occupancy() const {
 namespace {
 
 /// An array larger than this, 4 GiB of bytes, is a mistake more often than a wish.
-constexpr std::int64_t kMostVoxelsOfAnArray = std::int64_t(1) << 32;
+constexpr double kMostVoxelsOfAnArray = 4294967296.0;
 
 IndexBox box_or_bounds(const Workpiece& workpiece, const std::optional<IndexBox>& box) {
   const IndexBox wanted = box ? *box : workpiece.bounds();
   if (wanted.empty())
     throw Error(box ? "IndexBox is empty; each max must be at least its min." : "the workpiece is empty; give a box.");
+  double voxels = 1;  // IndexBox::voxels cannot count those of any box
+  for (std::size_t axis = 0; axis < 3; ++axis) voxels *= double(wanted.max[axis]) - wanted.min[axis] + 1;
+  if (voxels > kMostVoxelsOfAnArray)
+    throw Error("an array of " + format_number(voxels) + " voxels is too large; ask for a smaller box.");
   return wanted;
 }
 
-/// Calls `function(block, voxel in the block, place in the array)` for every voxel of a box.
+std::array<std::size_t, 3> extent_of(const IndexBox& box) {
+  std::array<std::size_t, 3> extent;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    extent[axis] = std::size_t(std::int64_t(box.max[axis]) - box.min[axis] + 1);
+  return extent;
+}
+
+/// Calls `function(block, voxel in the block, place in the array)` for every voxel of a box that the workpiece may
+/// fill.
 template <class Function>
 void for_each_voxel(const Workpiece& workpiece, const IndexBox& box, const Function& function) {
-  const auto ny = std::size_t(box.max[1] - box.min[1] + 1), nz = std::size_t(box.max[2] - box.min[2] + 1);
-  for (int bi = block_start(box.min[0]); bi <= box.max[0]; bi += kBlockEdge)
-    for (int bj = block_start(box.min[1]); bj <= box.max[1]; bj += kBlockEdge)
-      for (int bk = block_start(box.min[2]); bk <= box.max[2]; bk += kBlockEdge) {
+  const std::array<std::size_t, 3> extent = extent_of(box);
+  IndexBox both = workpiece.bounds();  // within +-2^30, so that the loops below end
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    both.min[axis] = std::max(both.min[axis], box.min[axis]);
+    both.max[axis] = std::min(both.max[axis], box.max[axis]);
+  }
+  if (both.empty()) return;
+  const auto place = [&box](int index, std::size_t axis) { return std::size_t(std::int64_t(index) - box.min[axis]); };
+  for (int bi = block_start(both.min[0]); bi <= both.max[0]; bi += kBlockEdge)
+    for (int bj = block_start(both.min[1]); bj <= both.max[1]; bj += kBlockEdge)
+      for (int bk = block_start(both.min[2]); bk <= both.max[2]; bk += kBlockEdge) {
         const BlockView block = workpiece.block({bi, bj, bk});
         if (block.empty()) continue;
-        for (int i = std::max(bi, box.min[0]); i <= std::min(bi + kBlockEdge - 1, box.max[0]); ++i)
-          for (int j = std::max(bj, box.min[1]); j <= std::min(bj + kBlockEdge - 1, box.max[1]); ++j)
-            for (int k = std::max(bk, box.min[2]); k <= std::min(bk + kBlockEdge - 1, box.max[2]); ++k)
-              function(
-                  block, block_offset(i - bi, j - bj, k - bk),
-                  (std::size_t(i - box.min[0]) * ny + std::size_t(j - box.min[1])) * nz + std::size_t(k - box.min[2]));
+        for (int i = std::max(bi, both.min[0]); i <= std::min(bi + kBlockEdge - 1, both.max[0]); ++i)
+          for (int j = std::max(bj, both.min[1]); j <= std::min(bj + kBlockEdge - 1, both.max[1]); ++j)
+            for (int k = std::max(bk, both.min[2]); k <= std::min(bk + kBlockEdge - 1, both.max[2]); ++k)
+              function(block, block_offset(i - bi, j - bj, k - bk),
+                       (place(i, 0) * extent[1] + place(j, 1)) * extent[2] + place(k, 2));
       }
 }
 
 template <class Value, class Function>
 py::array dense(const PythonWorkpiece& workpiece, const std::optional<IndexBox>& box, const Function& value_of) {
   const IndexBox wanted = box_or_bounds(workpiece.read(), box);
-  if (wanted.voxels() > kMostVoxelsOfAnArray)
-    throw Error("an array of " + std::to_string(wanted.voxels()) + " voxels is too large; ask for a smaller box.");
-  py::array_t<Value> array(
-      {wanted.max[0] - wanted.min[0] + 1, wanted.max[1] - wanted.min[1] + 1, wanted.max[2] - wanted.min[2] + 1});
+  py::array_t<Value> array(extent_of(wanted));
   Value* values = array.mutable_data();
   std::fill_n(values, array.size(), Value(0));
   workpiece.read_released([&](const Workpiece& w) {
@@ -103,6 +120,10 @@ PythonWorkpiece from_arrays(const py::array& material, const std::optional<py::a
                   std::string(py::str(material.attr("shape"))) + ".");
   }
   if (material.size() == 0) throw Error("material has no voxels; every axis must have at least one.");
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (std::int64_t(origin[axis]) + ids.shape(py::ssize_t(axis)) > std::numeric_limits<int>::max())
+      throw Error("origin = " + std::to_string(origin[axis]) + " along axis " + std::to_string(axis) + " and " +
+                  std::to_string(ids.shape(py::ssize_t(axis))) + " voxels from there are beyond what an index can be.");
   const int nx = int(ids.shape(0)), ny = int(ids.shape(1)), nz = int(ids.shape(2));
   const IndexBox domain{origin, {origin[0] + nx - 1, origin[1] + ny - 1, origin[2] + nz - 1}};
   const std::uint8_t* id = ids.data();

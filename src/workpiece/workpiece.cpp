@@ -11,6 +11,8 @@
 namespace hapticut {
 namespace {
 
+constexpr double kMostReservedBlocks = 1e8;  // as of SimulationConfig::reserved_blocks
+
 using openvdb::Coord;
 
 /// The child of a branch node at a block's place, or null where the branch holds a tile there.
@@ -194,6 +196,7 @@ void Workpiece::restore(const WorkpieceSnapshot& snapshot) {
 }
 
 void Workpiece::reserve_blocks(std::size_t count) {
+  require_between(double(count), 0, kMostReservedBlocks, "Workpiece::reserve_blocks: count");
   State& state = *state_;
   BlockPool& pool = state.pool;
   pool.target = count;

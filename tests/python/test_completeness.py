@@ -5,6 +5,8 @@ from __future__ import annotations
 import fnmatch
 import inspect
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -93,6 +95,35 @@ def test_the_list_of_what_is_not_bound_names_nothing_that_is_gone():
     bound = [pattern for pattern in excluded_patterns() if "*" not in pattern
              and hasattr(hapticut._hapticut, pattern)]
     assert not bound, f"tests/python/not_bound.txt names what is bound by now: {bound}"
+
+
+CALL_ALL_WITH_NONE = """
+import hapticut._hapticut as core
+
+def look(scope):
+    calls = 0
+    for name, value in list(vars(scope).items()):
+        if isinstance(value, type):
+            calls += look(value) if value.__module__ == core.__name__ else 0
+            continue
+        functions = [value.fget, value.fset] if isinstance(value, property) else [getattr(value, "__func__", value)]
+        for function in filter(callable, functions):
+            for given in ((None,), (None, None)):
+                try:
+                    function(*given)
+                except Exception:
+                    calls += 1
+    return calls
+
+print(look(core))
+"""
+
+
+def test_nothing_that_is_given_none_ends_the_interpreter():
+    done = subprocess.run([sys.executable, "-X", "faulthandler", "-c", CALL_ALL_WITH_NONE], capture_output=True,
+                          text=True)
+    assert done.returncode == 0, done.stderr
+    assert int(done.stdout) > 2000  # calls that were refused
 
 
 @pytest.mark.last

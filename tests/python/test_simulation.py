@@ -203,6 +203,34 @@ def test_a_run_releases_the_interpreter_lock_and_no_other_thread_can_step_meanwh
     assert counted > 1 and refused > 0
 
 
+class StartsARun:
+    """A number that lets another thread begin a run while it is read."""
+
+    def __init__(self, simulation, *run):
+        self.simulation, self.run, self.thread, self.has_begun = simulation, run, None, False
+
+    def __float__(self):
+        self.thread = threading.Thread(target=self.simulation.run, args=self.run)
+        self.thread.start()
+        while not self.has_begun and self.thread.is_alive():
+            try:
+                self.simulation.steps
+            except hapticut.Error:
+                self.has_begun = True
+            time.sleep(0)
+        return 1e-3
+
+
+def test_a_run_that_begins_while_the_arguments_of_another_are_read_comes_first(simulation, plunge):
+    poses = np.repeat(plunge[0], 200, axis=0)
+    long_run = (poses, np.zeros((len(poses), 6)), 1e-3)
+    dt = StartsARun(simulation, *long_run)
+    with pytest.raises(hapticut.Error, match="another thread"):
+        simulation.run(*plunge, dt)
+    dt.thread.join()
+    assert dt.has_begun and simulation.steps == len(poses)
+
+
 def test_effects_and_spindle_speed_change_between_steps(simulation, plunge):
     poses, velocities = plunge
     simulation.run(poses, velocities, 1e-3)

@@ -80,6 +80,27 @@ def test_arrays_of_voxels_go_in_and_out_exactly(block):
         hapticut.Workpiece.from_arrays(material + np.uint8(4), fill, block.frame, block.materials)
 
 
+def test_boxes_and_indices_at_the_end_of_all_numbers_are_safe(block):
+    low, high = -(2**31), 2**31 - 1
+    for box in (hapticut.IndexBox([low] * 3, [high] * 3), hapticut.IndexBox([low, 0, 0], [high, 0, 1])):
+        for array in (block.material_array, block.fill_array):
+            with pytest.raises(hapticut.Error, match="too large"):
+                array(box)
+    for corner in (low, high):
+        assert block.material_array(hapticut.IndexBox([corner] * 3, [corner] * 3)).tolist() == [[[0]]]
+        assert block.material_at([corner] * 3) == 0
+    bounds = block.bounds()
+    wider = hapticut.IndexBox([n - 1 for n in bounds.min], [n + 2 for n in bounds.max])
+    assert np.array_equal(block.material_array(wider), np.pad(block.material_array(), [(1, 2)] * 3))
+    two = np.ones((2, 2, 2), dtype=np.uint8)
+    with pytest.raises(hapticut.Error, match="origin = 2147483647.*beyond what an index can be"):
+        hapticut.Workpiece.from_arrays(two, None, block.frame, block.materials, [high] * 3)
+    with pytest.raises(hapticut.Error, match=r"2\^30"):
+        hapticut.Workpiece.from_arrays(two, None, block.frame, block.materials, [low] * 3)
+    with pytest.raises(hapticut.Error, match="reserve_blocks.*1e"):
+        block.reserve_blocks(2**62)
+
+
 def test_a_body_may_be_described_in_python():
     body = hapticut.BodyDescription(hapticut.Box([-1 * mm] * 3, [1 * mm] * 3),
                                     lambda p: float(np.linalg.norm(p) - 0.8 * mm), lambda p: 1 if p[2] > 0 else 2)
@@ -116,6 +137,8 @@ def test_a_mesh_becomes_a_workpiece():
     assert workpiece.amounts()[0].volume == pytest.approx(4 / 3 * np.pi * mm**3, rel=0.02)  # 48 facets around
     again = hapticut.TriangleMesh(np.array(mesh.vertices), np.array(mesh.triangles))
     assert np.array_equal(again.triangles, mesh.triangles)
+    for dtype in (np.uint64, np.int16):
+        assert len(hapticut.TriangleMesh(np.array(mesh.vertices), mesh.triangles.astype(dtype)).triangles) > 100
     with pytest.raises(hapticut.Error, match="names vertex 9999"):
         hapticut.TriangleMesh(np.array(mesh.vertices), np.array([[0, 1, 9999]]))
     with pytest.raises(hapticut.Error, match=r"vertices.*float32.*\(n, 3\)"):
