@@ -74,11 +74,6 @@ def always_kills_its_worker(parameters, rng):
     return {"draw": rng.random()}
 
 
-def busy(parameters, rng):
-    """Some milliseconds of work of one processor."""
-    return {"sum": float(np.sort(rng.random(60_000)).sum())}
-
-
 def sleeps(parameters, rng):
     time.sleep(parameters["seconds"])
     return {"y": parameters["x"]}
