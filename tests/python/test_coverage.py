@@ -259,6 +259,12 @@ def test_laws_by_themselves():
         h.DampingMatrixLaw(h.DampingMatrixLaw.Constants(resistance=-1.0))
 
 
+def test_a_spindle_that_no_motor_turns_is_refused():
+    assert h.Tool(h.SphereHead(1 * mm), spindle=h.Spindle(-h.kFastestSpindle)).spindle.speed == -1e6
+    with pytest.raises(h.Error, match="between"):
+        h.Tool(h.SphereHead(1 * mm), spindle=h.Spindle(2 * h.kFastestSpindle))
+
+
 def test_stiffness_and_calibration():
     head, bone = h.SphereHead(1 * mm), h.presets.cortical_bone()
     assert h.stiffness_for_accuracy(head, bone, 2000.0, 2e-3) == pytest.approx(200 * 3e8 * 2e-3 / (0.5 * 2000 * 1e-9))
