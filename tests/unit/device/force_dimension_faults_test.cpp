@@ -115,7 +115,7 @@ TEST_F(ForceDimensionFaults, StaysOffUntilSomebodySwitchesItsForcesOnAgain) {
           return press(state);
         },
         quick(),
-        [&](long tick) {
+        [&, cause = cause](long tick) {
           if (tick == 200) dhdsim_switch_off(0, cause);
           if (tick == 500) dhdsim_switch_on(0);  // while the hand still presses
           forces.push_back(let_through(0).force.x());
