@@ -19,6 +19,7 @@ build="$core libinsighttoolkit5-dev libassimp-dev libhdf5-dev libpng-dev libtiff
 bench="$build ccache libbenchmark-dev"
 test="$bench valgrind libgtest-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev
   libopenvdb-tools python3-openvdb python3-venv python3-dev pybind11-dev"
+[ "$(uname -m 2>/dev/null)" = aarch64 ] || test="$test g++-aarch64-linux-gnu"
 demo="$build ccache invesalius-examples"
 
 complain() {
