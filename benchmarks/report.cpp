@@ -112,6 +112,9 @@ void print_targets(const Results& r) {
   print_row("ten times larger workpiece, p50", 1.05, r.ratio("sizes/x10", "sizes/x1", "p50_us"));
   print_row("head from a profile / sphere, p50", 2,
             r.ratio("heads/profile_sphere/static", "heads/sphere/static", "p50_us"));
+  for (const char* kind : {"pear", "tree"})
+    print_row("a " + std::string(kind) + " / sphere, per contact voxel", 2,
+              r.ratio("heads/profile_" + std::string(kind) + "/static", "heads/sphere/static", "ns_per_contact_voxel"));
   print_row("page faults in 60 s", 0, r.value("deadline/h0.05/R2", "page_faults"));
   print_row("allocations in 60 s", 0, r.value("deadline/h0.05/R2", "allocations"));
   print_row("load 256 M voxels in layers [ms]", 5000, r.value("load/layers", "real_time"));

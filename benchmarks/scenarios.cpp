@@ -86,11 +86,13 @@ void add_heads() {
   const auto ball_profile = [](double radius) {
     return Profile{-radius, {{radius, 0, radius, EdgeKind::cutting}, {0, radius, radius, EdgeKind::cutting}}};
   };
-  const std::vector<std::pair<std::string, ToolHead>> heads = {{"sphere", SphereHead{2 * mm}},
-                                                               {"cone", ConeHead{30 * deg, 4 * mm}},
-                                                               {"flat", FlatHead{1.6 * mm, 4 * mm}},
-                                                               {"profile_sphere", ProfileHead(ball_profile(2 * mm))},
-                                                               {"profile_pear", pear_head(3.2 * mm, 4 * mm, 1.2 * mm)}};
+  const std::vector<std::pair<std::string, ToolHead>> heads = {
+      {"sphere", SphereHead{2 * mm}},
+      {"cone", ConeHead{30 * deg, 4 * mm}},
+      {"flat", FlatHead{1.6 * mm, 4 * mm}},
+      {"profile_sphere", ProfileHead(ball_profile(2 * mm))},
+      {"profile_pear", pear_head(3.2 * mm, 4 * mm, 1.2 * mm)},
+      {"profile_tree", christmas_tree_head(4 * mm, 4 * mm, 3)}};
   for (const auto& [name, head] : heads)
     for (const bool cutting : {false, true})
       add("heads/" + name + (cutting ? "/cutting" : "/static"), 500, [head = head, cutting] {

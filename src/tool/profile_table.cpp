@@ -15,10 +15,13 @@ namespace {
 
 constexpr double kCornerRadius = 1e-7;  // [1] of the size: the circle that stands for a hollow corner
 constexpr double kExact = 4e-7;         // [1] of the size: what counts as no error
+constexpr double kFlattest = 8;         // [1] of the size: largest radius of an arc in ProfileTable::everywhere
+constexpr double kSlabRounding = 1e-5;  // [1] of the size: more than single precision loses
 constexpr std::size_t kMostCells = 1U << 20U;
-constexpr int kTile = 8;          // cells along the edge of a tile, for which curves are preselected
-constexpr int kSamples = 5;       // along the edge of a cell, to choose
-constexpr int kFineSamples = 17;  // along the edge of a cell, to bound the error
+constexpr int kTile = 8;            // cells along the edge of a tile, for which curves are preselected
+constexpr int kSamples = 5;         // along the edge of a cell, to choose
+constexpr int kFineSamples = 17;    // along the edge of a cell, to bound the error
+constexpr int kEdgeSamples = 1000;  // along a smooth edge
 // Two depths, each changing by at most one per unit of length, between a point and the nearest sample.
 constexpr double kBetweenFineSamples = 2 * 0.70710678 / (kFineSamples - 1);  // [1] of the cell size
 
@@ -52,7 +55,11 @@ class TableBuilder {
       for (int column = 0; column < t_.columns; column += kTile) fill_tile(column, row);
   }
 
-  [[nodiscard]] ProfileTable take() { return std::move(t_); }
+  [[nodiscard]] ProfileTable take() {
+    find_rule();
+    write_slabs();
+    return std::move(t_);
+  }
   [[nodiscard]] double error() const { return t_.error; }
 
  private:
@@ -100,6 +107,83 @@ class TableBuilder {
                            float(p.center_z), float(p.radius), float(p.turn), float(p.side)});
   }
 
+  /// Sets ProfileTable::everywhere.
+  void find_rule() {
+    Curves used;
+    const auto use = [&](std::uint32_t curve) {
+      if (curve != 0 && std::find(used.begin(), used.end(), curve) == used.end()) used.push_back(curve);
+    };
+    for (const std::uint32_t cell : t_.cells) {
+      if (ProfileCell::rule(cell) == CellRule::gate) return;
+      use(ProfileCell::first(cell));
+      if (ProfileCell::rule(cell) != CellRule::first) use(ProfileCell::second(cell));
+      if (used.size() > 2) return;
+    }
+    for (const std::uint32_t a : used) {
+      const double k = std::abs(t_.exact_curves.curvature[a]);
+      if (k > 0 && k * kFlattest * meridian_.size() < 1) return;
+    }
+    for (const std::uint32_t a : used)
+      if (decides_everywhere(ProfileCell::pack(a, a, CellRule::first))) return;
+    for (const CellRule rule : {CellRule::sides, CellRule::nearer, CellRule::farther})
+      for (const std::uint32_t a : used)
+        for (const std::uint32_t b : used)
+          if (a != b && decides_everywhere(ProfileCell::pack(a, b, rule))) return;
+  }
+
+  [[nodiscard]] bool decides_everywhere(std::uint32_t rule) {
+    const ProfileSprings<double> springs(t_);
+    const Curves all = all_curves();
+    // The samples of a cell can miss where a smooth edge cuts a little off.
+    for (const MeridianEdge* e : gate_edges_)
+      for (int n = 0; n <= kEdgeSamples; ++n) {
+        const double share = double(n) / kEdgeSamples;
+        const Vec2 x =
+            e->straight() ? Vec2(e->from + share * (e->to - e->from)) : e->at_angle(share * std::abs(e->sweep));
+        if (is_bounded(x) && springs.decide(rule, x.x(), x.y()).depth > kExact * meridian_.size()) return false;
+      }
+    for (int row = 0; row < t_.rows; ++row)
+      for (int column = 0; column < t_.columns; ++column) {
+        Curves nearest;
+        const std::vector<Sample> samples = take_samples(corner_of(column, row), kSamples, all, true, nearest);
+        if (error_of(springs, samples, rule) > kExact * meridian_.size()) return false;
+      }
+    t_.everywhere = rule;
+    return true;
+  }
+
+  /// Each piece is monotone in z and in rho: its largest rho in a slab is at one of the slab's or its own ends.
+  void write_slabs() {
+    constexpr int n = ProfileTable::kSlabs;
+    const double height = (t_.top - t_.bottom) / n;
+    const double slack = t_.error + kSlabRounding * meridian_.size();
+    std::array<float, n> radius;
+    for (int slab = 0; slab < n; ++slab) {
+      const double from = t_.bottom + slab * height - slack, to = t_.bottom + (slab + 1) * height + slack;
+      double most = 0;
+      for (const ProfilePiece<double>& p : t_.exact_pieces) {
+        const double low = std::max(from, std::min(p.z_0, p.z_1)), high = std::min(to, std::max(p.z_0, p.z_1));
+        if (low > high) continue;
+        if (p.z_0 == p.z_1)
+          most = std::max({most, p.rho_0, p.rho_1});
+        else
+          most = std::max({most, ProfileSprings<double>::crossing(p, low), ProfileSprings<double>::crossing(p, high)});
+      }
+      radius[std::size_t(slab)] = float(std::min(t_.radius, most + slack));
+    }
+    for (int slab = 0; slab < n; ++slab) {
+      const float own = radius[std::size_t(slab)];
+      const auto first = radius.begin() + std::max(slab - 1, 0), last = radius.begin() + std::min(slab + 2, n);
+      t_.slab_radius_squared[std::size_t(slab)] = own * own;
+      t_.near_slab_radius[std::size_t(slab)] = *std::max_element(first, last);
+    }
+  }
+
+  /// Other points have no spring, whatever the table says.
+  [[nodiscard]] bool is_bounded(const Vec2& x) const {
+    return x.x() < t_.radius && x.y() > t_.bottom && x.y() < t_.top;
+  }
+
   [[nodiscard]] Vec2 corner_of(int column, int row) const {
     return {column * t_.cell_size, t_.bottom + row * t_.cell_size};
   }
@@ -121,9 +205,14 @@ class TableBuilder {
     return kept;
   }
 
-  void fill_tile(int column, int row) {
+  [[nodiscard]] Curves all_curves() const {
     Curves all(meridian_.curves().size());
     for (std::size_t n = 0; n < all.size(); ++n) all[n] = std::uint32_t(n + 1);
+    return all;
+  }
+
+  void fill_tile(int column, int row) {
+    const Curves all = all_curves();
     const double half = kTile * t_.cell_size / 2;
     const Curves near = may_be_nearest(all, corner_of(column, row) + Vec2::Constant(half), std::sqrt(2.0) * half);
     for (int j = row; j < std::min(row + kTile, t_.rows); ++j)
@@ -191,7 +280,7 @@ class TableBuilder {
     std::vector<Sample> samples;
     for (int n = 0; n < count * count; ++n) {
       const Vec2 x = corner + t_.cell_size / (count - 1) * Vec2(n % count, n / count);
-      if (!(x.x() < t_.radius && x.y() > t_.bottom && x.y() < t_.top)) continue;  // decided without the table
+      if (!is_bounded(x)) continue;
       Sample s{x, -1, std::numeric_limits<double>::infinity()};
       if (on_surface) s.margin = springs.margin(x.x(), x.y());
       if (!on_surface || s.margin > 0) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -87,6 +88,16 @@ struct ProfileTable {
   /// [m] Bound on the error of depths: the depth given at a point is the exact one within this, or the exact one of a
   /// point within this distance. From 289 points of each cell that may have an error, and what can lie between them.
   double error = 0;
+
+  /// The cell that is right about all points within `radius`, `bottom` and `top`, or 0: most burs cut with one curve or
+  /// two, and need no table. Its arcs have at most eight times the head's size as their radius.
+  std::uint32_t everywhere = 0;
+
+  /// Largest rho in each of a few slabs of equal height between `bottom` and `top`, rounded up: who asks which points
+  /// may be inside needs no more. `near`: in a slab and its two neighbours.
+  static constexpr int kSlabs = 16;
+  std::array<float, kSlabs> slab_radius_squared = {};  ///< [m^2]
+  std::array<float, kSlabs> near_slab_radius = {};     ///< [m]
 };
 
 /// The part of a profile that the hot loop needs. Points into the table of its head, which must outlive it.
@@ -156,6 +167,13 @@ struct ProfileSprings {
     return inside ? nearest : -nearest;
   }
 
+  /// rho at which a piece crosses a height between its ends.
+  [[nodiscard]] static Real crossing(const ProfilePiece<Real>& p, Real at_z) {
+    if (p.radius == 0) return p.rho_0 + (at_z - p.z_0) * (p.rho_1 - p.rho_0) / (p.z_1 - p.z_0);
+    const Real up = at_z - p.center_z;
+    return p.center_rho + p.side * std::sqrt(std::max(Real(0), p.radius * p.radius - up * up));
+  }
+
  private:
   static const auto& pick(const auto& single, const auto& exact) {
     if constexpr (sizeof(Real) == sizeof(float))
@@ -194,13 +212,6 @@ struct ProfileSprings {
     const Real before = v_rho * (p.z_1 - p.center_z) - v_z * (p.rho_1 - p.center_rho);
     if (p.turn * after >= 0 && p.turn * before >= 0) return std::abs(std::sqrt(v_rho * v_rho + v_z * v_z) - p.radius);
     return std::sqrt(std::min(to_0 * to_0 + up_0 * up_0, to_1 * to_1 + up_1 * up_1));
-  }
-
-  /// rho at which a piece crosses a height between its ends.
-  [[nodiscard]] static Real crossing(const ProfilePiece<Real>& p, Real at_z) {
-    if (p.radius == 0) return p.rho_0 + (at_z - p.z_0) * (p.rho_1 - p.rho_0) / (p.z_1 - p.z_0);
-    const Real up = at_z - p.center_z;
-    return p.center_rho + p.side * std::sqrt(std::max(Real(0), p.radius * p.radius - up * up));
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/head.hpp"
 #include "support/profiles.hpp"
 #include "support/random_pose.hpp"
@@ -276,6 +277,56 @@ TEST(ProfileHead, VolumeIsThatOfPappusBodies) {
 
   const ProfileHead grooved({0, {{R, 0}, {R, r}, {R, 3 * r, -r}, {R, 4 * r}, {0, 4 * r, 0, kSmooth}}});
   EXPECT_NEAR(grooved.volume() / (kPi * R * R * 4 * r - 2 * kPi * (R - centroid) * half_disc), 1, 1e-12);
+}
+
+TEST_P(AnyProfile, TheRuleForEverywhereIsRightEverywhere) {
+  const ProfileHead head(GetParam().profile);
+  const ProfileTable& table = head.table();
+  if (table.everywhere == 0) return;  // WhichHeadsNeedNoTable says which
+  const ProfileSprings<double> springs(table);
+  for_points(head, 100000, [&](double rho, double z) {
+    if (!(rho < table.radius && z > table.bottom && z < table.top)) return;
+    if (std::abs(springs.margin(rho, z)) < kRounding * mm) return;
+    const Spring<double> got = springs.decide(table.everywhere, rho, z), want = head.exact_spring(rho, z);
+    ASSERT_NEAR(std::max(0.0, got.depth), std::max(0.0, want.depth), kRounding * mm) << rho << " " << z;
+  });
+}
+
+TEST_P(AnyProfile, SlabsHoldTheHeadAndLittleMore) {
+  const ProfileHead head(GetParam().profile);
+  const ProfileTable& t = head.table();
+  const ProfileSprings<double> springs(t);
+  const double height = (t.top - t.bottom) / ProfileTable::kSlabs;
+  std::array<double, ProfileTable::kSlabs> most = {};
+  for_points(head, 200000, [&](double rho, double z) {
+    if (springs.margin(rho, z) <= 0) return;
+    const std::size_t slab = std::min<std::size_t>(std::size_t((z - t.bottom) / height), ProfileTable::kSlabs - 1);
+    most[slab] = std::max(most[slab], rho);
+    ASSERT_LT(rho * rho, t.slab_radius_squared[slab]);
+    for (std::size_t n = slab == 0 ? 0 : slab - 1; n <= std::min<std::size_t>(slab + 1, ProfileTable::kSlabs - 1); ++n)
+      ASSERT_LT(rho, t.near_slab_radius[n]);
+  });
+  for (std::size_t slab = 0; slab < ProfileTable::kSlabs; ++slab)
+    EXPECT_NEAR(std::sqrt(double(t.slab_radius_squared[slab])), most[slab], t.error + 0.03 * t.radius) << slab;
+}
+
+TEST(ProfileHead, WhichHeadsNeedNoTable) {
+  const auto rule_of = [](const ToolHead& head) {
+    const std::uint32_t cell = ProfileHead(head.profile()).table().everywhere;
+    return cell == 0 ? std::string("table") : std::to_string(int(ProfileCell::rule(cell)));
+  };
+  const auto number = [](CellRule rule) { return std::to_string(int(rule)); };
+  EXPECT_EQ(rule_of(round_head(2 * mm)), number(CellRule::first));
+  EXPECT_EQ(rule_of(pear_head(1.4 * mm, 2.6 * mm, 0.8 * mm)), number(CellRule::sides));
+  EXPECT_EQ(rule_of(christmas_tree_head(2 * mm, 2 * mm, 3)), "table");
+  const auto rule_of_profile = [](const Profile& profile) { return ProfileHead(profile).table().everywhere; };
+  const std::uint32_t two_arcs_of_a_ball = rule_of_profile({-1 * mm, {{1 * mm, 0, 1 * mm}, {0, 1 * mm, 1 * mm}}});
+  EXPECT_EQ(ProfileCell::rule(two_arcs_of_a_ball), CellRule::first);
+  EXPECT_NE(two_arcs_of_a_ball, 0U);
+  EXPECT_EQ(ProfileCell::rule(rule_of_profile(test::flat_profile(1 * mm, 2 * mm))), CellRule::nearer);
+  EXPECT_NE(rule_of_profile(test::flat_profile(1 * mm, 2 * mm)), 0U);
+  // Nearly straight: an arc of thirty times the head's size.
+  EXPECT_EQ(rule_of_profile({0, {{1 * mm, 2 * mm, 60 * mm}, {0, 2 * mm, 0, kSmooth}}}), 0U);
 }
 
 TEST(ProfileHead, CopiesShareOneTable) {

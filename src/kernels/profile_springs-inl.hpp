@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// Springs of a ProfileHead in vectors; included once per instruction set.
+#if defined(HAPTICUT_KERNELS_PROFILE_SPRINGS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAPTICUT_KERNELS_PROFILE_SPRINGS_INL_HPP
+#undef HAPTICUT_KERNELS_PROFILE_SPRINGS_INL_HPP
+#else
+#define HAPTICUT_KERNELS_PROFILE_SPRINGS_INL_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include "kernels/spring_vectors-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hapticut::kernels::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// What all profiles have in common: which points may be inside.
+struct ProfileBounds {
+  static constexpr bool kCentral = false;
+  ProfileSprings<float> table;
+  const float *slab_radius_squared, *near_slab_radius;
+  float slabs_per_length;  // [1/m]
+  explicit ProfileBounds(const ProfileHead& head)
+      : table(head.table()),
+        slab_radius_squared(head.table().slab_radius_squared.data()),
+        near_slab_radius(head.table().near_slab_radius.data()),
+        slabs_per_length(ProfileTable::kSlabs / (table.top - table.bottom)) {}
+
+  template <class V>
+  HWY_INLINE auto hits(V x, V y, V z, float margin) const {
+    const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
+    const auto between = hn::And(hn::Gt(z, same(z, table.bottom - margin)), hn::Lt(z, same(z, table.top + margin)));
+    V bound;  // [m^2]
+    if (margin == 0) {
+      bound = of_slab(slab_radius_squared, z);
+    } else {
+      const float grown = margin < 0 ? 0.0F : table.radius + margin;  // the inside of its slabs is not its own
+      bound = same(x, grown * grown);
+      if (margin > 0 && margin * slabs_per_length <= 1) {
+        const V radius = hn::Add(of_slab(near_slab_radius, z), same(x, margin));
+        bound = hn::Mul(radius, radius);
+      }
+    }
+    return hn::And(hn::Lt(squared, bound), between);
+  }
+
+  /// Whole part of 0 <= v < 2^22; of a whole number that, or one less. From 2^23 on the last bit is the unit.
+  template <class V>
+  HWY_INLINE static auto floor_of(V v) {
+    const hn::RebindToSigned<hn::DFromV<V>> ints;
+    constexpr float kUnit = 12582912.0F;  // 2^23 + 2^22: room for v - 0.5 < 0
+    const V sum = hn::Add(hn::Sub(v, same(v, 0.5F)), same(v, kUnit));
+    return hn::Sub(hn::BitCast(ints, sum), hn::BitCast(ints, same(v, kUnit)));
+  }
+
+ private:
+  /// What an array says of the slabs at heights z; beyond the head, of the first and the last.
+  template <class V>
+  HWY_INLINE V of_slab(const float* of_slabs, V z) const {
+    const hn::DFromV<V> d;
+    constexpr float kLast = ProfileTable::kSlabs - 1;
+    const V height = hn::Mul(hn::Sub(z, same(z, table.bottom)), same(z, slabs_per_length));
+    const auto slab = floor_of(hn::Min(hn::Max(height, hn::Zero(d)), same(z, kLast + 0.5F)));
+    if constexpr (hn::MaxLanes(hn::DFromV<V>()) == ProfileTable::kSlabs)
+      return hn::TableLookupLanes(hn::LoadU(d, of_slabs), hn::IndicesFromVec(d, slab));
+    else
+      return hn::GatherIndex(d, of_slabs, slab);
+  }
+};
+
+/// One line or arc for all points of a vector: in other terms than ProfileCurves, which need fewer operations and are
+/// exact enough where an arc is not much flatter than the head (see ProfileTable::everywhere).
+class CurveSprings {
+ public:
+  CurveSprings(const ProfileCurves<double>& c, std::uint32_t n)
+      : start_rho_(float(c.rho[n])),
+        start_z_(float(c.z[n])),
+        normal_rho_(float(c.normal_rho[n])),
+        normal_z_(float(c.normal_z[n])) {
+    const double k = c.curvature[n];
+    if (k == 0) {
+      kind_ = Kind::line;
+      size_ = float(c.normal_rho[n] * c.rho[n] + c.normal_z[n] * c.z[n]);
+      return;
+    }
+    const double center = c.rho[n] + c.normal_rho[n] / k;
+    kind_ = std::abs(center * k) < kOnAxis ? Kind::arc_about_axis : Kind::arc;
+    center_rho_ = float(center);
+    center_z_ = float(c.z[n] + c.normal_z[n] / k);
+    size_ = float(1 / k);
+    turn_ = k > 0 ? 1.0F : -1.0F;
+  }
+
+  [[nodiscard]] bool needs_rho() const { return kind_ != Kind::arc_about_axis; }
+
+  /// Where points are beyond the curve's starting point, towards the shank.
+  template <class V>
+  HWY_INLINE auto begins_before(V rho, V z) const {
+    return hn::Ge(hn::Mul(same(z, normal_z_), hn::Sub(rho, same(z, start_rho_))),
+                  hn::Mul(same(z, normal_rho_), hn::Sub(z, same(z, start_z_))));
+  }
+
+  /// @param squared      [m^2] rho^2
+  /// @param inverse_rho  [1/m] read, like `rho`, only if needs_rho()
+  template <class V>
+  HWY_INLINE SpringVectors<V> at(V squared, V inverse_rho, V rho, V z) const {
+    if (kind_ == Kind::line) {
+      const V m_rho = same(z, normal_rho_), m_z = same(z, normal_z_);
+      return {hn::MulAdd(m_rho, rho, hn::MulSub(m_z, z, same(z, size_))), hn::Neg(hn::Mul(m_rho, inverse_rho)),
+              hn::Neg(m_z)};
+    }
+    const bool about_axis = kind_ == Kind::arc_about_axis;
+    const V v_rho = hn::Sub(rho, same(z, center_rho_)), v_z = hn::Sub(z, same(z, center_z_));
+    const V distance_squared = hn::MulAdd(v_z, v_z, about_axis ? squared : hn::Mul(v_rho, v_rho));
+    const V turned = hn::Mul(same(z, turn_), inverse_root(hn::Max(distance_squared, same(z, kLeastSquare))));
+    return {hn::NegMulAdd(distance_squared, turned, same(z, size_)),
+            about_axis ? turned : hn::Mul(hn::Mul(turned, inverse_rho), v_rho), hn::Mul(turned, v_z)};
+  }
+
+ private:
+  enum class Kind { line, arc, arc_about_axis };
+  static constexpr double kOnAxis = 1e-7;  // [1] of the radius
+
+  float start_rho_, start_z_, normal_rho_, normal_z_;
+  float center_rho_ = 0, center_z_ = 0;  // [m] of an arc
+  float size_;      // [m] of a line: its distance from the origin; of an arc: its radius, negative where it is hollow
+  float turn_ = 1;  // [1] sign of the radius
+  Kind kind_;
+};
+
+/// A profile of which one rule decides everywhere: ProfileTable::everywhere.
+struct PlainProfileVectors : ProfileBounds {
+  static constexpr bool kCostly = false;
+  CellRule rule;
+  CurveSprings first, second;
+  explicit PlainProfileVectors(const ProfileHead& head)
+      : ProfileBounds(head),
+        rule(ProfileCell::rule(head.table().everywhere)),
+        first(head.table().exact_curves, ProfileCell::first(head.table().everywhere)),
+        second(head.table().exact_curves, ProfileCell::second(head.table().everywhere)) {}
+
+  template <class V>
+  HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
+    const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
+    V inverse_rho = squared, rho = squared;
+    if (rule != CellRule::first || first.needs_rho()) {
+      inverse_rho = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
+      rho = hn::Mul(squared, inverse_rho);
+    }
+    const SpringVectors<V> one = first.at(squared, inverse_rho, rho, z);
+    if (rule == CellRule::first) return one;
+    const SpringVectors<V> other = second.at(squared, inverse_rho, rho, z);
+    const auto take = rule == CellRule::sides    ? second.begins_before(rho, z)
+                      : rule == CellRule::nearer ? hn::Lt(other.depth, one.depth)
+                                                 : hn::Gt(other.depth, one.depth);
+    return {hn::IfThenElse(take, other.depth, one.depth), hn::IfThenElse(take, other.radial, one.radial),
+            hn::IfThenElse(take, other.axial, one.axial)};
+  }
+};
+
+/// Curves of a profile for a vector of points: see ProfileCurves.
+template <class V>
+struct CurveVectors {
+  V rho, z, normal_rho, normal_z, curvature;
+
+  /// Where points are beyond the curve's starting point, towards the shank.
+  HWY_INLINE auto begins_before(V at_rho, V at_z) const {
+    return hn::Ge(hn::Mul(normal_z, hn::Sub(at_rho, rho)), hn::Mul(normal_rho, hn::Sub(at_z, z)));
+  }
+  template <class M>
+  HWY_INLINE CurveVectors unless(M mask, const CurveVectors& other) const {
+    return {hn::IfThenElse(mask, other.rho, rho), hn::IfThenElse(mask, other.z, z),
+            hn::IfThenElse(mask, other.normal_rho, normal_rho), hn::IfThenElse(mask, other.normal_z, normal_z),
+            hn::IfThenElse(mask, other.curvature, curvature)};
+  }
+};
+
+/// Springs in the (rho, z) half-plane, before the last divisions: `ProfileSprings::below` for a vector of curves.
+template <class V>
+struct MeridianVectors {
+  V twice, root;  // depth = twice / (1 + root)
+  V g_rho, g_z;   // direction = g / root
+  V inverse_root;
+
+  HWY_INLINE MeridianVectors(const CurveVectors<V>& c, V rho, V z) {
+    const V q_rho = hn::Sub(rho, c.rho), q_z = hn::Sub(z, c.z);
+    const V inward = hn::MulAdd(c.normal_rho, q_rho, hn::Mul(c.normal_z, q_z));
+    twice = hn::NegMulAdd(c.curvature, hn::MulAdd(q_rho, q_rho, hn::Mul(q_z, q_z)), hn::Add(inward, inward));
+    g_rho = hn::MulSub(c.curvature, q_rho, c.normal_rho), g_z = hn::MulSub(c.curvature, q_z, c.normal_z);
+    const V squared = hn::MulAdd(g_rho, g_rho, hn::Mul(g_z, g_z));
+    inverse_root = kernels::HWY_NAMESPACE::inverse_root(hn::Max(squared, same(z, kLeastSquare)));
+    root = hn::Mul(squared, inverse_root);
+  }
+  /// Positive where the other depth is larger, negative where it is smaller.
+  HWY_INLINE V deeper(const MeridianVectors& other) const {
+    return hn::MulSub(other.twice, hn::Add(same(root, 1.0F), root), hn::MulAdd(twice, other.root, twice));
+  }
+  template <class M>
+  HWY_INLINE void take(M mask, const MeridianVectors& other) {
+    twice = hn::IfThenElse(mask, other.twice, twice), root = hn::IfThenElse(mask, other.root, root);
+    g_rho = hn::IfThenElse(mask, other.g_rho, g_rho), g_z = hn::IfThenElse(mask, other.g_z, g_z);
+    inverse_root = hn::IfThenElse(mask, other.inverse_root, inverse_root);
+  }
+  HWY_INLINE SpringVectors<V> spring(V inverse_rho) const {
+    return {hn::Div(twice, hn::Add(same(root, 1.0F), root)), hn::Mul(hn::Mul(g_rho, inverse_root), inverse_rho),
+            hn::Mul(g_z, inverse_root)};
+  }
+};
+
+/// The curve of its cell for every point: see ProfileSprings.
+struct ProfileVectors : ProfileBounds {
+  static constexpr bool kCostly = true;
+  using ProfileBounds::ProfileBounds;
+
+  template <class V>
+  HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
+    const hn::DFromV<V> d;
+    const hn::RebindToSigned<hn::DFromV<V>> ints;
+    const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
+    const V inverse_rho = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
+    const V rho = hn::Mul(squared, inverse_rho);
+    const auto zero = hn::Zero(ints);
+    const V scale = same(x, table.cells_per_length);
+    const auto column = hn::Min(floor_of(hn::Mul(rho, scale)), hn::Set(ints, table.columns - 1));
+    const auto row =
+        hn::Min(floor_of(hn::Mul(hn::Sub(z, same(x, table.bottom)), scale)), hn::Set(ints, table.rows - 1));
+    const auto bounds = hn::And(hn::Lt(rho, same(rho, table.radius)),
+                                hn::And(hn::Gt(z, same(z, table.bottom)), hn::Lt(z, same(z, table.top))));
+    const auto within = hn::RebindMask(ints, bounds);
+    const auto index = hn::IfThenElseZero(within, hn::Add(hn::Mul(row, hn::Set(ints, table.columns)), column));
+    const auto cell =
+        hn::IfThenElseZero(within, hn::GatherIndex(ints, reinterpret_cast<const std::int32_t*>(table.cells), index));
+    const auto curve_bits = hn::Set(ints, std::int32_t(ProfileCell::kMostCurves - 1));
+    const auto rule = hn::ShiftRight<28>(cell);
+
+    CurveVectors<V> curve = of_curves(hn::And(cell, curve_bits), d);
+    if (hn::AllTrue(ints, hn::Eq(rule, zero))) return MeridianVectors<V>(curve, rho, z).spring(inverse_rho);
+    const CurveVectors<V> other = of_curves(hn::And(hn::ShiftRight<14>(cell), curve_bits), d);
+    const auto is = [&](CellRule r) HWY_ATTR { return hn::RebindMask(d, hn::Eq(rule, hn::Set(ints, int(r)))); };
+    curve = curve.unless(hn::And(is(CellRule::sides), other.begins_before(rho, z)), other);
+    MeridianVectors<V> meridian(curve, rho, z);
+    const MeridianVectors<V> second(other, rho, z);
+    const V deeper = meridian.deeper(second);
+    const auto nearer = hn::And(is(CellRule::nearer), hn::Lt(deeper, hn::Zero(d)));
+    const auto farther = hn::And(is(CellRule::farther), hn::Gt(deeper, hn::Zero(d)));
+    const auto shut = hn::And(is(CellRule::gate), hn::Le(second.twice, hn::Zero(d)));
+    meridian.take(hn::Or(nearer, farther), second);
+    meridian.twice = hn::IfThenZeroElse(shut, meridian.twice);
+    return meridian.spring(inverse_rho);
+  }
+
+ private:
+  template <class I, class D>
+  HWY_INLINE CurveVectors<hn::Vec<D>> of_curves(I curve, D d) const {
+    const hn::DFromV<I> ints;
+    const std::int32_t one = hn::GetLane(curve);
+    if (table.curve_count <= hn::MaxLanes(d)) {
+      // The numbers of all curves fit into a vector each: no need to gather them from memory.
+      const auto order = hn::IndicesFromVec(d, curve);
+      const auto of = [&](const float* all) HWY_ATTR { return hn::TableLookupLanes(hn::LoadU(d, all), order); };
+      return {of(table.rho), of(table.z), of(table.normal_rho), of(table.normal_z), of(table.curvature)};
+    }
+    if (hn::AllTrue(ints, hn::Eq(curve, hn::Set(ints, one)))) {
+      const auto of = [&](const float* all) HWY_ATTR { return hn::Set(d, all[one]); };
+      return {of(table.rho), of(table.z), of(table.normal_rho), of(table.normal_z), of(table.curvature)};
+    }
+    const auto of = [&](const float* all) HWY_ATTR { return hn::GatherIndex(d, all, curve); };
+    return {of(table.rho), of(table.z), of(table.normal_rho), of(table.normal_z), of(table.curvature)};
+  }
+};
+
+}  // namespace hapticut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
