@@ -88,6 +88,7 @@ bool MeridianCurve::in_charge(const Vec2& x) const {
     const double along = edge.start_tangent.dot(x - point);
     return along >= low - slack && along <= high + slack;
   }
+  if ((x - edge.center).norm() < kRounding * edge.radius()) return true;  // the centre lies in no direction
   const double angle = edge.angle_of(x);
   const auto within = [&](double a) { return a >= low - kRounding && a <= high + kRounding; };
   return within(angle) || within(angle - 2 * kPi);

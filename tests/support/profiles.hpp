@@ -72,6 +72,7 @@ inline std::vector<NamedProfile> profiles_with_smooth_edges() {
       {"RoundedRim",
        {0,
         {{0.9 * mm, 0}, {1.1 * mm, 0.2 * mm, 0.2 * mm}, {0.9 * mm, 0.4 * mm, 0.2 * mm}, {0, 0.4 * mm, 0, kSmooth}}}});
+  profiles.push_back({"CutOffBall", {-0.8 * mm, {{0.48 * mm, 0.64 * mm, 0.8 * mm}, {0, 0.64 * mm, 0, kSmooth}}}});
   profiles.push_back({"Neck",
                       {-0.8 * mm,
                        {{0.8 * mm, 0, 0.8 * mm},
