@@ -19,30 +19,23 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// What all profiles have in common: which points may be inside.
 struct ProfileBounds {
   static constexpr bool kCentral = false;
-  ProfileSprings<float> table;
-  const float *slab_radius_squared, *near_slab_radius;
-  float slabs_per_length;  // [1/m]
-  explicit ProfileBounds(const ProfileHead& head)
-      : table(head.table()),
-        slab_radius_squared(head.table().slab_radius_squared.data()),
-        near_slab_radius(head.table().near_slab_radius.data()),
-        slabs_per_length(ProfileTable::kSlabs / (table.top - table.bottom)) {}
+  float radius, bottom, top;         // [m] see ProfileTable
+  const float* slab_radius_squared;  // [m^2]
+  float slabs_per_length;            // [1/m]
+  explicit ProfileBounds(const ProfileTable& t)
+      : radius(float(t.radius)),
+        bottom(float(t.bottom)),
+        top(float(t.top)),
+        slab_radius_squared(t.slab_radius_squared.data()),
+        slabs_per_length(ProfileTable::kSlabs / (top - bottom)) {}
 
   template <class V>
   HWY_INLINE auto hits(V x, V y, V z, float margin) const {
     const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
-    const auto between = hn::And(hn::Gt(z, same(z, table.bottom - margin)), hn::Lt(z, same(z, table.top + margin)));
-    V bound;  // [m^2]
-    if (margin == 0) {
-      bound = of_slab(slab_radius_squared, z);
-    } else {
-      const float grown = margin < 0 ? 0.0F : table.radius + margin;  // the inside of its slabs is not its own
-      bound = same(x, grown * grown);
-      if (margin > 0 && margin * slabs_per_length <= 1) {
-        const V radius = hn::Add(of_slab(near_slab_radius, z), same(x, margin));
-        bound = hn::Mul(radius, radius);
-      }
-    }
+    const auto between = hn::And(hn::Gt(z, same(z, bottom - margin)), hn::Lt(z, same(z, top + margin)));
+    // Of points far inside the cylinder none is known to be far inside the head: none at all hit with margin < 0.
+    const float grown = margin < 0 ? 0.0F : radius + margin;
+    const V bound = margin == 0 ? of_slab(z) : same(x, grown * grown);
     return hn::And(hn::Lt(squared, bound), between);
   }
 
@@ -56,40 +49,42 @@ struct ProfileBounds {
   }
 
  private:
-  /// What an array says of the slabs at heights z; beyond the head, of the first and the last.
+  /// [m^2] of the slabs at heights z; beyond the head, of the first and the last.
   template <class V>
-  HWY_INLINE V of_slab(const float* of_slabs, V z) const {
+  HWY_INLINE V of_slab(V z) const {
     const hn::DFromV<V> d;
     constexpr float kLast = ProfileTable::kSlabs - 1;
-    const V height = hn::Mul(hn::Sub(z, same(z, table.bottom)), same(z, slabs_per_length));
+    const V height = hn::Mul(hn::Sub(z, same(z, bottom)), same(z, slabs_per_length));
     const auto slab = floor_of(hn::Min(hn::Max(height, hn::Zero(d)), same(z, kLast + 0.5F)));
     if constexpr (hn::MaxLanes(hn::DFromV<V>()) == ProfileTable::kSlabs)
-      return hn::TableLookupLanes(hn::LoadU(d, of_slabs), hn::IndicesFromVec(d, slab));
+      return hn::TableLookupLanes(hn::LoadU(d, slab_radius_squared), hn::IndicesFromVec(d, slab));
     else
-      return hn::GatherIndex(d, of_slabs, slab);
+      return hn::GatherIndex(d, slab_radius_squared, slab);
   }
 };
 
-/// One line or arc for all points of a vector: in other terms than ProfileCurves, which need fewer operations and are
-/// exact enough where an arc is not much flatter than the head (see ProfileTable::everywhere).
+/// One line or arc for all points of a vector, by as few operations as its kind needs; see ProfileCurves.
 class CurveSprings {
  public:
-  CurveSprings(const ProfileCurves<double>& c, std::uint32_t n)
-      : start_rho_(float(c.rho[n])),
-        start_z_(float(c.z[n])),
-        normal_rho_(float(c.normal_rho[n])),
-        normal_z_(float(c.normal_z[n])) {
+  CurveSprings(const ProfileTable& t, std::uint32_t n)
+      : start_rho_(float(t.exact_curves.rho[n])),
+        start_z_(float(t.exact_curves.z[n])),
+        normal_rho_(float(t.exact_curves.normal_rho[n])),
+        normal_z_(float(t.exact_curves.normal_z[n])) {
+    const ProfileCurves<double>& c = t.exact_curves;
     const double k = c.curvature[n];
     if (k == 0) {
       kind_ = Kind::line;
-      size_ = float(c.normal_rho[n] * c.rho[n] + c.normal_z[n] * c.z[n]);
+      offset_ = float(c.normal_rho[n] * c.rho[n] + c.normal_z[n] * c.z[n]);
       return;
     }
-    const double center = c.rho[n] + c.normal_rho[n] / k;
-    kind_ = std::abs(center * k) < kOnAxis ? Kind::arc_about_axis : Kind::arc;
-    center_rho_ = float(center);
+    const double center_rho = c.rho[n] + c.normal_rho[n] / k, size = std::max(t.radius, t.top - t.bottom);
+    const bool about_axis = std::abs(center_rho * k) < kOnAxis && std::abs(k) * size >= 1;
+    kind_ = about_axis ? Kind::arc_about_axis : Kind::arc;
+    center_rho_ = float(center_rho);
     center_z_ = float(c.z[n] + c.normal_z[n] / k);
-    size_ = float(1 / k);
+    curvature_ = float(k);
+    radius_ = float(1 / k);
     turn_ = k > 0 ? 1.0F : -1.0F;
   }
 
@@ -106,27 +101,38 @@ class CurveSprings {
   /// @param inverse_rho  [1/m] read, like `rho`, only if needs_rho()
   template <class V>
   HWY_INLINE SpringVectors<V> at(V squared, V inverse_rho, V rho, V z) const {
-    if (kind_ == Kind::line) {
-      const V m_rho = same(z, normal_rho_), m_z = same(z, normal_z_);
-      return {hn::MulAdd(m_rho, rho, hn::MulSub(m_z, z, same(z, size_))), hn::Neg(hn::Mul(m_rho, inverse_rho)),
+    const V m_rho = same(z, normal_rho_), m_z = same(z, normal_z_);
+    if (kind_ == Kind::line)
+      return {hn::MulAdd(m_rho, rho, hn::MulSub(m_z, z, same(z, offset_))), hn::Neg(hn::Mul(m_rho, inverse_rho)),
               hn::Neg(m_z)};
+    const V v_z = hn::Sub(z, same(z, center_z_)), turn = same(z, turn_);
+    if (kind_ == Kind::arc_about_axis) {
+      const V distance_squared = hn::MulAdd(v_z, v_z, squared);
+      const V turned = hn::Mul(turn, inverse_root(hn::Max(distance_squared, same(z, kLeastSquare))));
+      return {hn::NegMulAdd(distance_squared, turned, same(z, radius_)), turned, hn::Mul(turned, v_z)};
     }
-    const bool about_axis = kind_ == Kind::arc_about_axis;
-    const V v_rho = hn::Sub(rho, same(z, center_rho_)), v_z = hn::Sub(z, same(z, center_z_));
-    const V distance_squared = hn::MulAdd(v_z, v_z, about_axis ? squared : hn::Mul(v_rho, v_rho));
-    const V turned = hn::Mul(same(z, turn_), inverse_root(hn::Max(distance_squared, same(z, kLeastSquare))));
-    return {hn::NegMulAdd(distance_squared, turned, same(z, size_)),
-            about_axis ? turned : hn::Mul(hn::Mul(turned, inverse_rho), v_rho), hn::Mul(turned, v_z)};
+    // R - |x - c| without its cancellation, because the arc may be flat.
+    const V v_rho = hn::Sub(rho, same(z, center_rho_));
+    const V q_rho = hn::Sub(rho, same(z, start_rho_)), q_z = hn::Sub(z, same(z, start_z_));
+    const V distance_squared = hn::MulAdd(v_rho, v_rho, hn::Mul(v_z, v_z));
+    const V inverse = inverse_root(hn::Max(distance_squared, same(z, kLeastSquare)));
+    const V curvature = same(z, curvature_), turned = hn::Mul(turn, inverse);
+    const V inward = hn::MulAdd(m_rho, q_rho, hn::Mul(m_z, q_z));
+    const V twice = hn::NegMulAdd(curvature, hn::MulAdd(q_rho, q_rho, hn::Mul(q_z, q_z)), hn::Add(inward, inward));
+    const V root = hn::Mul(curvature, hn::Mul(distance_squared, turned));
+    return {hn::Div(twice, hn::Add(same(z, 1.0F), root)), hn::Mul(hn::Mul(turned, inverse_rho), v_rho),
+            hn::Mul(turned, v_z)};
   }
 
  private:
-  enum class Kind { line, arc, arc_about_axis };
-  static constexpr double kOnAxis = 1e-7;  // [1] of the radius
+  enum class Kind { line, arc, arc_about_axis };  // the latter no flatter than the head
+  static constexpr double kOnAxis = 1e-7;         // [1] of the radius
 
   float start_rho_, start_z_, normal_rho_, normal_z_;
+  float offset_ = 0;                     // [m] of a line: from the origin, along its normal
   float center_rho_ = 0, center_z_ = 0;  // [m] of an arc
-  float size_;      // [m] of a line: its distance from the origin; of an arc: its radius, negative where it is hollow
-  float turn_ = 1;  // [1] sign of the radius
+  float radius_ = 0, curvature_ = 0;     // [m], [1/m] of an arc; negative where it is hollow
+  float turn_ = 1;                       // [1] their sign
   Kind kind_;
 };
 
@@ -135,11 +141,11 @@ struct PlainProfileVectors : ProfileBounds {
   static constexpr bool kCostly = false;
   CellRule rule;
   CurveSprings first, second;
-  explicit PlainProfileVectors(const ProfileHead& head)
-      : ProfileBounds(head),
-        rule(ProfileCell::rule(head.table().everywhere)),
-        first(head.table().exact_curves, ProfileCell::first(head.table().everywhere)),
-        second(head.table().exact_curves, ProfileCell::second(head.table().everywhere)) {}
+  explicit PlainProfileVectors(const ProfileTable& t)
+      : ProfileBounds(t),
+        rule(ProfileCell::rule(t.everywhere)),
+        first(t, ProfileCell::first(t.everywhere)),
+        second(t, ProfileCell::second(t.everywhere)) {}
 
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
@@ -169,6 +175,7 @@ struct CurveVectors {
   HWY_INLINE auto begins_before(V at_rho, V at_z) const {
     return hn::Ge(hn::Mul(normal_z, hn::Sub(at_rho, rho)), hn::Mul(normal_rho, hn::Sub(at_z, z)));
   }
+  /// These, but the other ones where the mask is set.
   template <class M>
   HWY_INLINE CurveVectors unless(M mask, const CurveVectors& other) const {
     return {hn::IfThenElse(mask, other.rho, rho), hn::IfThenElse(mask, other.z, z),
@@ -212,7 +219,8 @@ struct MeridianVectors {
 /// The curve of its cell for every point: see ProfileSprings.
 struct ProfileVectors : ProfileBounds {
   static constexpr bool kCostly = true;
-  using ProfileBounds::ProfileBounds;
+  ProfileSprings<float> table;
+  explicit ProfileVectors(const ProfileTable& t) : ProfileBounds(t), table(t) {}
 
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
@@ -224,10 +232,9 @@ struct ProfileVectors : ProfileBounds {
     const auto zero = hn::Zero(ints);
     const V scale = same(x, table.cells_per_length);
     const auto column = hn::Min(floor_of(hn::Mul(rho, scale)), hn::Set(ints, table.columns - 1));
-    const auto row =
-        hn::Min(floor_of(hn::Mul(hn::Sub(z, same(x, table.bottom)), scale)), hn::Set(ints, table.rows - 1));
-    const auto bounds = hn::And(hn::Lt(rho, same(rho, table.radius)),
-                                hn::And(hn::Gt(z, same(z, table.bottom)), hn::Lt(z, same(z, table.top))));
+    const auto row = hn::Min(floor_of(hn::Mul(hn::Sub(z, same(x, bottom)), scale)), hn::Set(ints, table.rows - 1));
+    const auto bounds =
+        hn::And(hn::Lt(rho, same(rho, radius)), hn::And(hn::Gt(z, same(z, bottom)), hn::Lt(z, same(z, top))));
     const auto within = hn::RebindMask(ints, bounds);
     const auto index = hn::IfThenElseZero(within, hn::Add(hn::Mul(row, hn::Set(ints, table.columns)), column));
     const auto cell =

@@ -49,6 +49,7 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
         z = shifted(z, 2);
       }
       const SpringVectors<Vec> spring = springs.at(x, y, z);
+      // Springs mean something only where `hits` says so.
       const Mask may_be_inside = hn::And(springs.hits(x, y, z, 0.0F), mask_of(solid, part));
       const Mask is_inside = hn::And(hn::Gt(spring.depth, hn::Zero(d)), may_be_inside);
       inside |= bits_of(is_inside, part);

@@ -104,8 +104,8 @@ HWY_INLINE auto visit_springs(const ToolHead& head, const Function& function) {
   if (const auto* sphere = std::get_if<SphereHead>(&shape)) return function(SphereVectors(*sphere));
   if (const auto* cone = std::get_if<ConeHead>(&shape)) return function(ConeVectors(*cone));
   if (const auto* profile = std::get_if<ProfileHead>(&shape))
-    return profile->table().everywhere != 0 ? function(PlainProfileVectors(*profile))
-                                            : function(ProfileVectors(*profile));
+    return profile->table().everywhere != 0 ? function(PlainProfileVectors(profile->table()))
+                                            : function(ProfileVectors(profile->table()));
   const FlatHead& flat = *std::get_if<FlatHead>(&shape);
   switch (flat.rule) {
     case FlatRule::bottom_only:

@@ -297,7 +297,7 @@ std::vector<ProfilePiece<double>> Meridian::pieces() const {
       pieces.push_back({e.from.x(), e.from.y(), e.to.x(), e.to.y(), 0, 0, 0, 1, 1});
       continue;
     }
-    // Cut at the highest and lowest points, so that each piece is monotone in z.
+    // Cut at the extreme points, so that each piece is monotone in z and in rho.
     std::vector<double> cuts = {0};
     for (const double angle : extreme_angles(e)) cuts.push_back(angle);
     cuts.push_back(std::abs(e.sweep));

@@ -15,13 +15,12 @@ namespace {
 
 constexpr double kCornerRadius = 1e-7;  // [1] of the size: the circle that stands for a hollow corner
 constexpr double kExact = 4e-7;         // [1] of the size: what counts as no error
-constexpr double kFlattest = 8;         // [1] of the size: largest radius of an arc in ProfileTable::everywhere
-constexpr double kSlabRounding = 1e-5;  // [1] of the size: more than single precision loses
+constexpr double kSlabRounding = 1e-5;  // [1] of the size: more than single precision loses in the height of a slab
 constexpr std::size_t kMostCells = 1U << 20U;
 constexpr int kTile = 8;            // cells along the edge of a tile, for which curves are preselected
 constexpr int kSamples = 5;         // along the edge of a cell, to choose
 constexpr int kFineSamples = 17;    // along the edge of a cell, to bound the error
-constexpr int kEdgeSamples = 1000;  // along a smooth edge
+constexpr int kEdgeSamples = 1000;  // along an edge
 // Two depths, each changing by at most one per unit of length, between a point and the nearest sample.
 constexpr double kBetweenFineSamples = 2 * 0.70710678 / (kFineSamples - 1);  // [1] of the cell size
 
@@ -119,27 +118,24 @@ class TableBuilder {
       if (ProfileCell::rule(cell) != CellRule::first) use(ProfileCell::second(cell));
       if (used.size() > 2) return;
     }
-    for (const std::uint32_t a : used) {
-      const double k = std::abs(t_.exact_curves.curvature[a]);
-      if (k > 0 && k * kFlattest * meridian_.size() < 1) return;
-    }
-    for (const std::uint32_t a : used)
-      if (decides_everywhere(ProfileCell::pack(a, a, CellRule::first))) return;
+    Curves rules;
+    for (const std::uint32_t a : used) rules.push_back(ProfileCell::pack(a, a, CellRule::first));
     for (const CellRule rule : {CellRule::sides, CellRule::nearer, CellRule::farther})
       for (const std::uint32_t a : used)
         for (const std::uint32_t b : used)
-          if (a != b && decides_everywhere(ProfileCell::pack(a, b, rule))) return;
+          if (a != b) rules.push_back(ProfileCell::pack(a, b, rule));
+    const auto right = std::find_if(rules.begin(), rules.end(), [&](auto rule) { return decides_everywhere(rule); });
+    if (right != rules.end()) t_.everywhere = *right;
   }
 
-  [[nodiscard]] bool decides_everywhere(std::uint32_t rule) {
+  [[nodiscard]] bool decides_everywhere(std::uint32_t rule) const {
     const ProfileSprings<double> springs(t_);
     const Curves all = all_curves();
-    // The samples of a cell can miss where a smooth edge cuts a little off.
-    for (const MeridianEdge* e : gate_edges_)
+    // The samples of a cell can miss where an edge cuts a little off: on its edges a head is not deep.
+    for (const MeridianEdge& e : meridian_.edges())
       for (int n = 0; n <= kEdgeSamples; ++n) {
         const double share = double(n) / kEdgeSamples;
-        const Vec2 x =
-            e->straight() ? Vec2(e->from + share * (e->to - e->from)) : e->at_angle(share * std::abs(e->sweep));
+        const Vec2 x = e.straight() ? Vec2(e.from + share * (e.to - e.from)) : e.at_angle(share * std::abs(e.sweep));
         if (is_bounded(x) && springs.decide(rule, x.x(), x.y()).depth > kExact * meridian_.size()) return false;
       }
     for (int row = 0; row < t_.rows; ++row)
@@ -148,16 +144,14 @@ class TableBuilder {
         const std::vector<Sample> samples = take_samples(corner_of(column, row), kSamples, all, true, nearest);
         if (error_of(springs, samples, rule) > kExact * meridian_.size()) return false;
       }
-    t_.everywhere = rule;
     return true;
   }
 
-  /// Each piece is monotone in z and in rho: its largest rho in a slab is at one of the slab's or its own ends.
+  /// A piece has its largest rho in a slab at one of the slab's or its own ends.
   void write_slabs() {
     constexpr int n = ProfileTable::kSlabs;
     const double height = (t_.top - t_.bottom) / n;
     const double slack = t_.error + kSlabRounding * meridian_.size();
-    std::array<float, n> radius;
     for (int slab = 0; slab < n; ++slab) {
       const double from = t_.bottom + slab * height - slack, to = t_.bottom + (slab + 1) * height + slack;
       double most = 0;
@@ -169,13 +163,8 @@ class TableBuilder {
         else
           most = std::max({most, ProfileSprings<double>::crossing(p, low), ProfileSprings<double>::crossing(p, high)});
       }
-      radius[std::size_t(slab)] = float(std::min(t_.radius, most + slack));
-    }
-    for (int slab = 0; slab < n; ++slab) {
-      const float own = radius[std::size_t(slab)];
-      const auto first = radius.begin() + std::max(slab - 1, 0), last = radius.begin() + std::min(slab + 2, n);
-      t_.slab_radius_squared[std::size_t(slab)] = own * own;
-      t_.near_slab_radius[std::size_t(slab)] = *std::max_element(first, last);
+      const double radius = std::min(t_.radius, most + slack);
+      t_.slab_radius_squared[std::size_t(slab)] = float(radius * radius);
     }
   }
 

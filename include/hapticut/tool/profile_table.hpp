@@ -56,7 +56,8 @@ struct ProfileCurves {
   std::vector<Real> curvature;             ///< [1/m] k
 };
 
-/// A piece of the whole meridian, monotone in z, to ask whether a point is inside and how far from the surface.
+/// A piece of the whole meridian, monotone in z and in rho, to ask whether a point is inside and how far from the
+/// surface.
 template <class Real>
 struct ProfilePiece {
   Real rho_0, z_0, rho_1, z_1;  ///< [m] ends
@@ -90,14 +91,14 @@ struct ProfileTable {
   double error = 0;
 
   /// The cell that is right about all points within `radius`, `bottom` and `top`, or 0: most burs cut with one curve or
-  /// two, and need no table. Its arcs have at most eight times the head's size as their radius.
+  /// two, and need no table.
   std::uint32_t everywhere = 0;
 
-  /// Largest rho in each of a few slabs of equal height between `bottom` and `top`, rounded up: who asks which points
-  /// may be inside needs no more. `near`: in a slab and its two neighbours.
+  /// [m^2] Square of the largest rho in each of a few slabs of equal height between `bottom` and `top`: who asks which
+  /// points may have a spring needs no more. Each slab is grown on all sides by `error`, because that far outside the
+  /// table may have springs, and by 1e-5 of the head's size, because its number is found in single precision.
   static constexpr int kSlabs = 16;
-  std::array<float, kSlabs> slab_radius_squared = {};  ///< [m^2]
-  std::array<float, kSlabs> near_slab_radius = {};     ///< [m]
+  std::array<float, kSlabs> slab_radius_squared = {};
 };
 
 /// The part of a profile that the hot loop needs. Points into the table of its head, which must outlive it.

@@ -9,6 +9,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/force/laws/foundation.hpp"
+#include "hapticut/tool/catalogue.hpp"
 #include "support/profiles.hpp"
 
 namespace hapticut {
@@ -67,6 +68,24 @@ ContactMaterials three_materials(float damping) {
   return materials;
 }
 
+/// Of lines and arcs that all_profiles() have only in heads that need their table: two lines of which the nearer
+/// counts; a hollow arc; two arcs about points off the axis; a nearly straight arc; a nearly flat one about the axis.
+std::vector<Profile> plain_profiles() {
+  constexpr EdgeKind kSmooth = EdgeKind::smooth;
+  return {test::flat_profile(0.5 * mm, 1 * mm),
+          {0, {{0.6 * mm, 1.2 * mm, -2 * mm}, {0, 1.2 * mm, 0, kSmooth}}},
+          flame_head(1.4 * mm, 4 * mm, 0.9 * mm, 2 * mm).profile(),
+          {0, {{0.5 * mm, 1 * mm, 60 * mm}, {0, 1 * mm, 0, kSmooth}}},
+          {0,
+           {{0.5 * mm, (60 - std::sqrt(60 * 60 - 0.25)) * mm, 60 * mm},
+            {0.5 * mm, 1 * mm, 0, kSmooth},
+            {0, 1 * mm, 0, kSmooth}}}};
+}
+
+TEST(Kernels, KnowTheRuleOfPlainProfiles) {
+  for (const Profile& profile : plain_profiles()) EXPECT_NE(ProfileHead(profile).table().everywhere, 0U);
+}
+
 std::vector<ToolHead> all_heads() {
   std::vector<ToolHead> heads = {SphereHead{0.6 * mm},
                                  ConeHead{30 * deg, 1 * mm},
@@ -75,6 +94,7 @@ std::vector<ToolHead> all_heads() {
                                  FlatHead{0.5 * mm, 1 * mm, FlatRule::side_only},
                                  FlatHead{0.5 * mm, 1 * mm, FlatRule::both}};
   for (const test::NamedProfile& p : test::all_profiles()) heads.emplace_back(ProfileHead(p.profile));
+  for (const Profile& profile : plain_profiles()) heads.emplace_back(ProfileHead(profile));
   return heads;
 }
 
