@@ -128,7 +128,8 @@ class CurveSprings {
   enum class Kind { line, arc, arc_about_axis };  // the latter no flatter than the head
   static constexpr double kOnAxis = 1e-7;         // [1] of the radius
 
-  float start_rho_, start_z_, normal_rho_, normal_z_;
+  float start_rho_, start_z_;            // [m] see ProfileCurves
+  float normal_rho_, normal_z_;          // [1]
   float offset_ = 0;                     // [m] of a line: from the origin, along its normal
   float center_rho_ = 0, center_z_ = 0;  // [m] of an arc
   float radius_ = 0, curvature_ = 0;     // [m], [1/m] of an arc; negative where it is hollow
