@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "hapticut/bench/scenes.hpp"
 #include "hapticut/core/units.hpp"
-#include "hapticut/simulation/scenes.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "workloads.hpp"
 

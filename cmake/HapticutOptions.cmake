@@ -16,10 +16,30 @@ endif()
 option(HAPTICUT_INSTALL "Install hapticut together with this project" ${PROJECT_IS_TOP_LEVEL})
 option(HAPTICUT_WARNINGS_AS_ERRORS "Treat warnings in hapticut's own code as errors" ${PROJECT_IS_TOP_LEVEL})
 
+# hapticut_rooms(target [BATCH n]): with CMAKE_UNITY_BUILD the files of a folder are compiled as one, for most of the time
+# goes into reading the same headers again and again (docs/decisions/0008-time-to-build.md). BATCH: at most n at a time.
+function(hapticut_rooms target)
+  cmake_parse_arguments(ARG "" "BATCH" "" ${ARGN})
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_filename_component(room "${source}" DIRECTORY)
+    string(MAKE_C_IDENTIFIER "room_${room}" room)
+    if(ARG_BATCH)
+      math(EXPR count_${room} "0${count_${room}} + 1")
+      math(EXPR batch "(${count_${room}} - 1) / ${ARG_BATCH}")
+      string(APPEND room "_${batch}")
+    endif()
+    set_property(SOURCE "${source}" PROPERTY UNITY_GROUP "${room}")
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # What every target of ours is compiled with. Nothing of it reaches a user's code.
 add_library(hapticut_build_flags INTERFACE)
 target_compile_features(hapticut_build_flags INTERFACE cxx_std_20)
 target_compile_options(hapticut_build_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+  # Where several files are compiled as one, each of them looks like a header to this warning.
+  $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
   $<$<BOOL:${HAPTICUT_WARNINGS_AS_ERRORS}>:-Werror>)
 
 # What each component needs: a list of `package to find|target or variable that proves it|Debian package`.

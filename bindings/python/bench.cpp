@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // include/hapticut/device: the closed loop in simulated time, what it measures, and injected faults
 #include "bindings.hpp"
-#include "hapticut/device/closed_loop.hpp"
-#include "hapticut/device/contact_bench.hpp"
-#include "hapticut/device/fault_bench.hpp"
-#include "hapticut/device/mock.hpp"
-#include "hapticut/device/stability.hpp"
+#include "hapticut/bench/closed_loop.hpp"
+#include "hapticut/bench/contact_bench.hpp"
+#include "hapticut/bench/fault_bench.hpp"
+#include "hapticut/bench/stability.hpp"
+#include "hapticut/device/simulated/mock.hpp"
 #include "models.hpp"
 #include "structs.hpp"
 

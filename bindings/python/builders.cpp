@@ -14,7 +14,7 @@ namespace hapticut::python {
 
 namespace {
 
-void bind_shapes(py::module_& m) {
+void bind_built_shapes(py::module_& m) {
   bind_struct<BodyDescription>(m, "BodyDescription", required("box", &BodyDescription::box),
                                required("distance", &BodyDescription::distance),
                                required("material", &BodyDescription::material));
@@ -131,7 +131,7 @@ void bind_volumes(py::module_& m) {
 }  // namespace
 
 void bind_builders(py::module_& m) {
-  bind_shapes(m);
+  bind_built_shapes(m);
   bind_molar(m);
   bind_meshes(m);
   bind_volumes(m);

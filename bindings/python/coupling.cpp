@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // include/hapticut/device: the virtual coupling between hand and tool
-#include "hapticut/device/coupling.hpp"
+#include "hapticut/simulation/coupling.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "bindings.hpp"
-#include "hapticut/device/mock.hpp"
-#include "hapticut/device/mouse.hpp"
-#include "hapticut/device/playback.hpp"
-#include "hapticut/device/workspace_map.hpp"
+#include "hapticut/device/simulated/mock.hpp"
+#include "hapticut/device/simulated/mouse.hpp"
+#include "hapticut/device/simulated/playback.hpp"
+#include "hapticut/loop/workspace_map.hpp"
 #include "structs.hpp"
 #ifdef HAPTICUT_PYTHON_WITH_FORCEDIMENSION
 #include "hapticut/device/force_dimension.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // include/hapticut/force/effects
 #include "bindings.hpp"
-#include "hapticut/force/effects/output.hpp"
+#include "hapticut/simulation/output.hpp"
 #include "structs.hpp"
 
 namespace hapticut::python {

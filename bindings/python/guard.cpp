@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // include/hapticut/device: the safety pipeline and its settings
-#include "hapticut/device/guard.hpp"
+#include "hapticut/safety/guard.hpp"
 
 #include "bindings.hpp"
 #include "hapticut/realtime/histogram.hpp"

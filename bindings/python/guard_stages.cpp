@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // include/hapticut/device: the stages of the safety pipeline, each by itself
 #include "bindings.hpp"
-#include "hapticut/device/arming.hpp"
-#include "hapticut/device/guard.hpp"
-#include "hapticut/device/passivity.hpp"
-#include "hapticut/device/pose_gate.hpp"
-#include "hapticut/device/thermal_budget.hpp"
-#include "hapticut/device/watchdog.hpp"
+#include "hapticut/safety/arming.hpp"
+#include "hapticut/safety/guard.hpp"
+#include "hapticut/safety/passivity.hpp"
+#include "hapticut/safety/pose_gate.hpp"
+#include "hapticut/safety/thermal_budget.hpp"
+#include "hapticut/safety/watchdog.hpp"
 #include "structs.hpp"
 
 namespace hapticut::python {

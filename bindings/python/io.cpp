@@ -4,14 +4,14 @@
 #include <string>
 
 #include "bindings.hpp"
-#include "hapticut/io/vdb.hpp"
+#include "hapticut/io/vdb/vdb.hpp"
 #include "structs.hpp"
 #include "workpiece.hpp"
 #ifdef HAPTICUT_PYTHON_WITH_IO
-#include "hapticut/io/meshes.hpp"
-#include "hapticut/io/picture.hpp"
-#include "hapticut/io/volume_operations.hpp"
-#include "hapticut/io/volumes.hpp"
+#include "hapticut/io/mesh/meshes.hpp"
+#include "hapticut/io/picture/picture.hpp"
+#include "hapticut/io/volume/volume_operations.hpp"
+#include "hapticut/io/volume/volumes.hpp"
 #endif
 
 namespace hapticut::python {

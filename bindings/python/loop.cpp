@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "bindings.hpp"
-#include "hapticut/device/realtime_loop.hpp"
-#include "hapticut/device/simulation_model.hpp"
+#include "hapticut/loop/realtime_loop.hpp"
+#include "hapticut/loop/simulation_model.hpp"
 #include "simulation.hpp"
 #include "structs.hpp"
 #ifdef HAPTICUT_PYTHON_WITH_IO

@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
+#include "hapticut/bench/closed_loop.hpp"
 #include "hapticut/core/errors.hpp"
-#include "hapticut/device/closed_loop.hpp"
 
 namespace hapticut::python {
 

@@ -4,7 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include "arrays.hpp"
-#include "hapticut/device/stability.hpp"
+#include "hapticut/bench/stability.hpp"
 
 namespace hapticut::python {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "hapticut/io/recorder.hpp"
+#include "hapticut/io/recording/recorder.hpp"
 #include "simulation.hpp"
 #include "steps.hpp"
 

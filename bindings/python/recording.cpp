@@ -4,9 +4,9 @@
 #include "steps.hpp"
 #include "structs.hpp"
 #ifdef HAPTICUT_PYTHON_WITH_IO
-#include "hapticut/io/playback.hpp"
-#include "hapticut/io/recording.hpp"
-#include "hapticut/io/replay.hpp"
+#include "hapticut/io/recording/playback.hpp"
+#include "hapticut/io/recording/recording.hpp"
+#include "hapticut/io/recording/replay.hpp"
 #include "recorder.hpp"
 #endif
 

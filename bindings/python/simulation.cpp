@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "bindings.hpp"
-#include "hapticut/simulation/scenes.hpp"
+#include "hapticut/bench/scenes.hpp"
 #include "hapticut/simulation/thesis_mode.hpp"
 #include "steps.hpp"
 #include "structs.hpp"

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "cli/command.hpp"
-#include "cli/settings_file.hpp"
+#include "cli/commands/command.hpp"
 #include "hapticut/core/build_info.hpp"
+#include "settings/settings_file.hpp"
 
 namespace hapticut::cli {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/device.hpp"
-#include "hapticut/device/mock.hpp"
-#include "hapticut/device/mouse.hpp"
+#include "hapticut/device/simulated/mock.hpp"
+#include "hapticut/device/simulated/mouse.hpp"
 
 namespace hapticut {
 namespace {

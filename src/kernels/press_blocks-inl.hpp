@@ -30,8 +30,8 @@ HWY_INLINE void PressAll(const Springs& springs, const ContactJob& job, std::spa
 
 }  // namespace strips
 
-inline HWY_ATTR void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
-                                 StiffnessSums* stiffness) {
+HWY_ATTR void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
+                          StiffnessSums* stiffness) {
   using strips::Mode;
   visit_springs(job.head, [&](const auto& springs) HWY_ATTR {
     using Springs = std::decay_t<decltype(springs)>;

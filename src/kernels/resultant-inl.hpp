@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace hapticut::kernels::HWY_NAMESPACE {
 
-inline HWY_ATTR void SumResultant(const ContactBlock& b, Resultant& total) {
+HWY_ATTR void SumResultant(const ContactBlock& b, Resultant& total) {
   const Floats d;
   LaneSum force_x, force_y, force_z, torque_x, torque_y, torque_z, fill, deepest;
   for (int row = 0; row < b.rows; ++row)

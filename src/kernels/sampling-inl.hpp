@@ -67,8 +67,8 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
   }
 }
 
-inline HWY_ATTR void SampleContact(const ToolHead& head, const BlockView& block, const GridInHead& grid,
-                                   Quadrature quadrature, ContactBlock& out) {
+HWY_ATTR void SampleContact(const ToolHead& head, const BlockView& block, const GridInHead& grid, Quadrature quadrature,
+                            ContactBlock& out) {
   const bool at_centroid = block.centroid != nullptr && quadrature == Quadrature::centroid;
   visit_springs(head, [&](const auto& springs) HWY_ATTR { SampleRows(springs, block, grid, at_centroid, out); });
 }

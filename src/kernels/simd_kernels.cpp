@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled once per instruction set by Highway; the set is chosen at run time. Formulas and their reasons: the scalar
-// functions of the same names in workpiece/contact.hpp, force/laws/foundation.hpp and force/resultant.hpp.
-// The sets between baseline and AVX2 are left out: they gain little and cost compile time. So are those whose vectors
-// have no fixed length, because no class can hold them: what is left for ARM is NEON, for RISC-V plain code.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+// The kernels of the best instruction set of this machine, chosen by Highway at run time. Each set is compiled in a
+// file of its own, kernels/targets/, so that they compile side by side.
+#include "kernels/targets/which.hpp"
+//
+#define HWY_DISABLED_TARGETS HAPTICUT_LEFT_OUT
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/simd_kernels.cpp"
 #include <hwy/foreach_target.h>
 //
 #include <hwy/highway.h>
 
-#include "kernels/press_blocks-inl.hpp"
-#include "kernels/resultant-inl.hpp"
-#include "kernels/sampling-inl.hpp"
-
-#if HWY_ONCE
 #include "kernels/kernels.hpp"
 
+HWY_BEFORE_NAMESPACE();
+namespace hapticut::kernels::HWY_NAMESPACE {
+
+void SampleContact(const ToolHead& head, const BlockView& block, const GridInHead& grid, Quadrature quadrature,
+                   ContactBlock& out);
+void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums, StiffnessSums* stiffness);
+void SumResultant(const ContactBlock& block, Resultant& total);
+
+}  // namespace hapticut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace hapticut::kernels {
 
 HWY_EXPORT(SampleContact);

@@ -136,8 +136,8 @@ class GridSampler {
   float scale_;
 };
 
-Workpiece build(const openvdb::FloatGrid& grid, const openvdb::Int32Grid* ids, MaterialTable materials,
-                const GridImport& options) {
+Workpiece build_from(const openvdb::FloatGrid& grid, const openvdb::Int32Grid* ids, MaterialTable materials,
+                     const GridImport& options) {
   require_between(options.subsamples, 1, 32, "GridImport::subsamples");
   const GridFrame frame = frame_of(grid.transform(), options.unit);
   const bool level_set = is_level_set(grid, options.kind);
@@ -158,7 +158,7 @@ Workpiece build(const openvdb::FloatGrid& grid, const openvdb::Int32Grid* ids, M
 }  // namespace
 
 Workpiece workpiece_from_grid(const openvdb::FloatGrid& grid, Material material, const GridImport& options) {
-  return build(grid, nullptr, MaterialTable({std::move(material)}), options);
+  return build_from(grid, nullptr, MaterialTable({std::move(material)}), options);
 }
 
 Workpiece workpiece_from_grids(const openvdb::FloatGrid& grid, const openvdb::Int32Grid& ids, MaterialTable materials,
@@ -167,7 +167,7 @@ Workpiece workpiece_from_grids(const openvdb::FloatGrid& grid, const openvdb::In
     throw Error(
         "the grid of filled fractions and the grid of materials have different transforms; they must share one "
         "index space.");
-  return build(grid, &ids, std::move(materials), options);
+  return build_from(grid, &ids, std::move(materials), options);
 }
 
 }  // namespace hapticut

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "hapticut/core/errors.hpp"
+#include "workpiece/volume_sampling.hpp"  // kMaxSubsamples
 #include "workpiece/winding_number.hpp"
 
 namespace hapticut {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes and reads through every library that hapticut::io stands on: what its package leaves out does not link.
 #include <hapticut/hapticut.hpp>
-#include <hapticut/io/meshes.hpp>
-#include <hapticut/io/picture.hpp>
-#include <hapticut/io/recorder.hpp>
-#include <hapticut/io/replay.hpp>
-#include <hapticut/io/volumes.hpp>
+#include <hapticut/io/mesh/meshes.hpp>
+#include <hapticut/io/picture/picture.hpp>
+#include <hapticut/io/recording/recorder.hpp>
+#include <hapticut/io/recording/replay.hpp>
+#include <hapticut/io/volume/volumes.hpp>
 
 bool use_io() {
   using namespace hapticut;

@@ -45,12 +45,13 @@ elseif(CASE STREQUAL "no_io")
   endif()
 elseif(CASE STREQUAL "subdirectory")
   # Compiling the whole library once more is long, so whoever has a ccache gives it to this project as well.
-  build_consumer(subdirectory "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_WITH_IO=OFF "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
+  build_consumer(subdirectory "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_WITH_IO=OFF -DCMAKE_UNITY_BUILD=ON "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
 elseif(CASE STREQUAL "program_without_io")
   set(folder "${BUILD}/consumer/subdirectory/subdirectory")
   must("${CMAKE_COMMAND}" -S "${SOURCE}/tests/consumer" -B "${folder}" -G Ninja -DCMAKE_BUILD_TYPE=Release
        "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
-       "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_WITH_IO=OFF -DHAPTICUT_WITH_CLI=ON -DWANTED=CLI)
+       "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_WITH_IO=OFF -DHAPTICUT_WITH_CLI=ON -DWANTED=CLI
+       -DCMAKE_UNITY_BUILD=ON)
   if(NOT output MATCHES "IO: off \\([^\n]*HAPTICUT_WITH_IO=OFF")
     message(FATAL_ERROR "the configuration does not say that IO is off:\n${output}")
   endif()

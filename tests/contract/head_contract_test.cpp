@@ -12,7 +12,7 @@
 #include "support/profiles.hpp"
 #include "support/random_pose.hpp"
 
-namespace hapticut {
+namespace hapticut::head_contract_test {
 namespace {
 
 using test::RandomPoses;
@@ -176,4 +176,4 @@ INSTANTIATE_TEST_SUITE_P(Heads, HeadContract, testing::ValuesIn(heads()),
                          [](const auto& named) { return named.param.name; });
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::head_contract_test

@@ -9,7 +9,7 @@
 #include "support/laws.hpp"
 #include "support/random_pose.hpp"
 
-namespace hapticut {
+namespace hapticut::law_contract_test {
 namespace {
 
 using test::NamedLaw;
@@ -287,4 +287,4 @@ TEST(LawInput, ConstantsOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::law_contract_test

@@ -6,7 +6,7 @@
 #include "support/cut_scene.hpp"
 #include "support/laws.hpp"
 
-namespace hapticut {
+namespace hapticut::law_properties_test {
 namespace {
 
 using namespace test;
@@ -270,4 +270,4 @@ TEST(ClosedPathOfALaw, CostsNoWorkForTheTwistDrillWhichHasNoForceAtRest) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::law_properties_test

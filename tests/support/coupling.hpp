@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hapticut/device/coupling.hpp"
+#include "hapticut/simulation/coupling.hpp"
 #include "support/cutting.hpp"
 
 /// @file

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hapticut/device/device.hpp"
-#include "hapticut/device/plant.hpp"
+#include "hapticut/device/simulated/plant.hpp"
 
 /// @file
 /// Runs of vendors' devices against a stand-in of their SDK.

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "hapticut/io/recorder.hpp"
-#include "hapticut/io/recording.hpp"
-#include "hapticut/simulation/scenes.hpp"
+#include "hapticut/bench/scenes.hpp"
+#include "hapticut/io/recording/recorder.hpp"
+#include "hapticut/io/recording/recording.hpp"
 
 /// @file
 /// Recordings for tests.

@@ -12,10 +12,10 @@
 #include <string_view>
 #include <vector>
 
-#include "hapticut/device/guard.hpp"
-#include "hapticut/device/state.hpp"
+#include "hapticut/core/device_state.hpp"
 #include "hapticut/realtime/histogram.hpp"
 #include "hapticut/realtime/realtime.hpp"
+#include "hapticut/safety/guard.hpp"
 
 namespace hapticut {
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
-#include "hapticut/force/effects/output.hpp"
 #include "hapticut/force/friction.hpp"
 #include "hapticut/force/law.hpp"
+#include "hapticut/simulation/output.hpp"
 #include "hapticut/tool/handle.hpp"
 
 namespace hapticut {

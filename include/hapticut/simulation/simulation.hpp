@@ -49,7 +49,7 @@ class Simulation {
 
   /// What a step to `pose` would feel, and how stiff the contact would be there; changes nothing. Where the step would
   /// be cut into sub-steps, each is probed on the material as it is now. For implicit integrators: `VirtualCoupling`
-  /// (device/coupling.hpp) is one.
+  /// (simulation/coupling.hpp) is one.
   ///
   /// The default law knows its stiffness. That of a law of one's own is measured by small motions, so a probe evaluates
   /// the contact 7 times, or 4 times for translations. An input that `step` would reject gives no force and no

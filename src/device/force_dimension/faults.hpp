@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "hapticut/device/state.hpp"
+#include "hapticut/core/device_state.hpp"
 
 namespace hapticut::force_dimension {
 

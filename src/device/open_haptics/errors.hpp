@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "hapticut/device/state.hpp"
+#include "hapticut/core/device_state.hpp"
 
 namespace hapticut::open_haptics {
 

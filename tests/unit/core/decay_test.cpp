@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace hapticut {
+namespace hapticut::decay_test {
 namespace {
 
 constexpr double kClaimed = 4e-7;  // relative error that decay.hpp promises
@@ -58,4 +58,4 @@ TEST(MeanOfDecay, LossStaysWithinTheFill) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::decay_test

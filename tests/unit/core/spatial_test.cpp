@@ -8,7 +8,7 @@
 #include "hapticut/core/units.hpp"
 #include "support/random_pose.hpp"
 
-namespace hapticut {
+namespace hapticut::spatial_test {
 namespace {
 
 using test::RandomPoses;
@@ -135,4 +135,4 @@ TEST(IsRotation, KnowsRotationsFromOtherMatrices) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::spatial_test

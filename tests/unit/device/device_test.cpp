@@ -17,11 +17,11 @@
 #include <thread>
 #include <vector>
 
+#include "hapticut/bench/closed_loop.hpp"
 #include "hapticut/core/errors.hpp"
-#include "hapticut/device/closed_loop.hpp"
-#include "hapticut/device/mock.hpp"
+#include "hapticut/device/simulated/mock.hpp"
 
-namespace hapticut {
+namespace hapticut::device_test {
 namespace {
 
 /// Exact periods, no wall clock.
@@ -414,4 +414,4 @@ TEST(Device, LeavesNoForceWhenAnotherThreadExits) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::device_test

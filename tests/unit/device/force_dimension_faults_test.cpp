@@ -9,7 +9,7 @@
 #include "hapticut/core/errors.hpp"
 #include "support/force_dimension.hpp"
 
-namespace hapticut {
+namespace hapticut::force_dimension_faults_test {
 namespace {
 
 using namespace test;
@@ -381,4 +381,4 @@ TEST_F(ForceDimensionFaults, AddsNoDelayToTheClosedLoop) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::force_dimension_faults_test

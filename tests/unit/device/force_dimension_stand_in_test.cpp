@@ -13,6 +13,7 @@
 #include "device/force_dimension/faults.hpp"
 #include "device/force_dimension/models.hpp"
 
+namespace hapticut::force_dimension_stand_in_test {
 namespace {
 
 namespace fd = hapticut::force_dimension;
@@ -212,3 +213,4 @@ TEST_F(DhdStandIn, AnswersWithPositiveNumbersThatAreNoErrors) {
 }
 
 }  // namespace
+}  // namespace hapticut::force_dimension_stand_in_test

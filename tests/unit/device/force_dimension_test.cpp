@@ -12,7 +12,7 @@
 // The library's header has a type of this name at global scope: were it to come with ours, this would not compile.
 enum class uchar { red, green, blue };
 
-namespace hapticut {
+namespace hapticut::force_dimension_test {
 namespace {
 
 using namespace test;
@@ -343,4 +343,4 @@ TEST_F(ForceDimension, RunsTwoDevicesAtOnce) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::force_dimension_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/device/mouse.hpp"
+#include "hapticut/device/simulated/mouse.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "hapticut/core/errors.hpp"
 
-namespace hapticut {
+namespace hapticut::mouse_test {
 namespace {
 
 RunOptions simulated() {
@@ -101,4 +101,4 @@ TEST(MouseDevice, IsOpenedByNameAndPromisesNoRate) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::mouse_test

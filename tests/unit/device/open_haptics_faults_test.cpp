@@ -15,7 +15,7 @@
 #include "hapticut/core/errors.hpp"
 #include "support/open_haptics.hpp"
 
-namespace hapticut {
+namespace hapticut::open_haptics_faults_test {
 namespace {
 
 using test::committed;
@@ -343,4 +343,4 @@ TEST_F(OpenHapticsFaults, AddsNoDelayToTheClosedLoop) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::open_haptics_faults_test

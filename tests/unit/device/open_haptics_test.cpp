@@ -13,7 +13,7 @@
 #include "hapticut/core/errors.hpp"
 #include "support/open_haptics.hpp"
 
-namespace hapticut {
+namespace hapticut::open_haptics_test {
 namespace {
 
 using test::committed;
@@ -249,4 +249,4 @@ TEST_F(OpenHaptics, RefusesToOpenADeviceWhileAnotherRuns) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::open_haptics_test

@@ -10,6 +10,7 @@
 #include <functional>
 #include <vector>
 
+namespace hapticut::stand_in_test {
 namespace {
 
 class StandIn : public testing::Test {
@@ -202,3 +203,4 @@ TEST_F(StandIn, RampsForcesAndTogglesItsAmplifiers) {
 }
 
 }  // namespace
+}  // namespace hapticut::stand_in_test

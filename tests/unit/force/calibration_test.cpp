@@ -10,7 +10,7 @@
 #include "hapticut/force/calibration.hpp"
 #include "support/generators.hpp"
 
-namespace hapticut {
+namespace hapticut::calibration_test {
 namespace {
 
 using test::number_between;
@@ -146,4 +146,4 @@ TEST(CalibrationInput, ThatNoCuttingRatioExplainsIsRefused) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::calibration_test

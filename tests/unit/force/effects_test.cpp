@@ -4,10 +4,10 @@
 #include <rapidcheck/gtest.h>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/force/effects/output.hpp"
+#include "hapticut/simulation/output.hpp"
 #include "support/generators.hpp"
 
-namespace hapticut {
+namespace hapticut::effects_test {
 namespace {
 
 using test::arbitrary_vector;
@@ -255,4 +255,4 @@ TEST(EffectsInput, IsRefusedWithItsValueAndTheCure) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::effects_test

@@ -9,7 +9,7 @@
 #include "hapticut/force/friction.hpp"
 #include "support/generators.hpp"
 
-namespace hapticut {
+namespace hapticut::friction_test {
 namespace {
 
 using test::arbitrary_vector;
@@ -173,4 +173,4 @@ TEST(ContactPoint, IsWhereTheLineOfActionLeavesTheHeadTowardsTheMaterial) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::friction_test

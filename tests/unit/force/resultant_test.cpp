@@ -7,7 +7,7 @@
 
 #include "support/random_pose.hpp"
 
-namespace hapticut {
+namespace hapticut::resultant_test {
 namespace {
 
 /// A block of random samples; every third lane is outside the head and feels nothing.
@@ -94,4 +94,4 @@ TEST(SumResultant, AForceThroughTheOriginHasNoTorque) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::resultant_test

@@ -6,7 +6,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 
-namespace hapticut {
+namespace hapticut::stiffness_test {
 namespace {
 
 using units::kPi;
@@ -52,4 +52,4 @@ TEST(Stiffness, RefusesAStandingSpindleAndAZeroFeed) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::stiffness_test

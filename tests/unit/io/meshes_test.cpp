@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/io/meshes.hpp"
+#include "hapticut/io/mesh/meshes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
 
-namespace hapticut {
+namespace hapticut::meshes_test {
 namespace {
 
 using test::data_path;
@@ -265,4 +265,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::meshes_test

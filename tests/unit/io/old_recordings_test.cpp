@@ -5,11 +5,11 @@
 #include <cstdlib>
 
 #include "hapticut/core/units.hpp"
-#include "hapticut/io/recorder.hpp"
-#include "hapticut/io/replay.hpp"
+#include "hapticut/io/recording/recorder.hpp"
+#include "hapticut/io/recording/replay.hpp"
 #include "hapticut/workpiece/builders.hpp"
 
-namespace hapticut {
+namespace hapticut::old_recordings_test {
 namespace {
 
 constexpr int kSteps = 240;
@@ -121,4 +121,4 @@ TEST(OldRecordings, OfEveryFormatAreReadAndReplayed) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::old_recordings_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/io/picture.hpp"
+#include "hapticut/io/picture/picture.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -13,7 +13,7 @@
 #include "support/no_disk_space.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace hapticut {
+namespace hapticut::picture_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -162,4 +162,4 @@ TEST(Picture, WhatCannotBeShownOrWrittenIsRefused) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::picture_test

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/io/playback.hpp"
+#include "hapticut/io/recording/playback.hpp"
 
 #include <gtest/gtest.h>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/device/mock.hpp"
+#include "hapticut/device/simulated/mock.hpp"
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace hapticut {
+namespace hapticut::playback_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -148,4 +148,4 @@ TEST(Playback, NeedsARecordingWithSteps) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::playback_test

@@ -5,7 +5,7 @@
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace hapticut {
+namespace hapticut::recorder_allocation_test {
 namespace {
 
 TEST(RecorderStep, AllocatesNothingAndTakesNoLock) {
@@ -33,4 +33,4 @@ TEST(RecorderStep, AllocatesNothingAndTakesNoLock) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::recorder_allocation_test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The recorder when something goes wrong: killed, without memory, without disk; and files that are no recordings.
-#include "hapticut/io/recorder.hpp"
+#include "hapticut/io/recording/recorder.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -18,9 +18,9 @@
 #include <thread>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/device/coupling.hpp"
-#include "hapticut/io/replay.hpp"
+#include "hapticut/io/recording/replay.hpp"
 #include "hapticut/realtime/realtime.hpp"
+#include "hapticut/simulation/coupling.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/no_disk_space.hpp"
 #include "support/recordings.hpp"
@@ -28,7 +28,7 @@
 
 extern char** environ;
 
-namespace hapticut {
+namespace hapticut::recorder_test {
 namespace {
 
 using test::patient;
@@ -366,4 +366,4 @@ TEST(BadRecording, ThatIsCutShortIsRefusedAtEveryLength) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::recorder_test

@@ -10,7 +10,7 @@
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace hapticut {
+namespace hapticut::recording_export_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -101,4 +101,4 @@ TEST(RecordingExport, SaysWhatCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::recording_export_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/io/recording.hpp"
+#include "hapticut/io/recording/recording.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,15 +12,15 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/laws/contact_mechanics.hpp"
 #include "hapticut/force/laws/foundation.hpp"
-#include "hapticut/io/replay.hpp"
-#include "hapticut/io/vdb.hpp"
+#include "hapticut/io/recording/replay.hpp"
+#include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/cutting.hpp"
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace hapticut {
+namespace hapticut::recording_test {
 namespace {
 
 using test::patient;
@@ -302,4 +302,4 @@ TEST(Effects, SurviveTheWayThroughNumbers) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::recording_test

@@ -10,12 +10,12 @@
 #include <random>
 
 #include "hapticut/core/units.hpp"
-#include "hapticut/io/volumes.hpp"
+#include "hapticut/io/volume/volumes.hpp"
 #include "support/memory_growth.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/volume_files.hpp"
 
-namespace hapticut {
+namespace hapticut::self_written_volumes_test {
 namespace {
 
 using test::NiftiFile;
@@ -334,4 +334,4 @@ INSTANTIATE_TEST_SUITE_P(Formats, DamagedVolume, testing::ValuesIn(formats()),
                          [](const auto& format) { return std::string(format.param.name); });
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::self_written_volumes_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/io/volume_operations.hpp"
+#include "hapticut/io/volume/volume_operations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "hapticut/core/units.hpp"
 
-namespace hapticut {
+namespace hapticut::volume_operations_test {
 namespace {
 
 using units::mm;
@@ -190,4 +190,4 @@ TEST(CloseGaps, RefusesWhatIsNoRadius) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::volume_operations_test

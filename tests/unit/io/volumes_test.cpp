@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/io/volumes.hpp"
+#include "hapticut/io/volume/volumes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "support/no_disk_space.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace hapticut {
+namespace hapticut::volumes_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -294,4 +294,4 @@ TEST(ReadRaw, RefusesAFileOfAnotherLength) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::volumes_test

@@ -8,7 +8,7 @@
 #include <atomic>
 #include <stdexcept>
 
-namespace hapticut {
+namespace hapticut::background_writer_test {
 namespace {
 
 /// As large as a recorded step, and whole only if all of it is the same.
@@ -89,4 +89,4 @@ TEST(BackgroundWriter, WritesWhatIsLeftWhenItGoesAway) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::background_writer_test

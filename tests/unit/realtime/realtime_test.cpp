@@ -13,7 +13,7 @@
 #include "hapticut/realtime/histogram.hpp"
 #include "hapticut/realtime/triple_buffer.hpp"
 
-namespace hapticut {
+namespace hapticut::realtime_test {
 namespace {
 
 TEST(LatencyHistogram, KnowsItsQuantilesWithinABucket) {
@@ -115,4 +115,4 @@ TEST(RealtimeScope, SaysWhatIsNotPermittedAndRefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::realtime_test

@@ -11,7 +11,7 @@
 #include "hapticut/core/errors.hpp"
 #include "support/catalogue_heads.hpp"
 
-namespace hapticut {
+namespace hapticut::catalogue_test {
 namespace {
 
 using test::CatalogueHead;
@@ -205,4 +205,4 @@ TEST(Catalogue, IsDrawnInTheDocs) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::catalogue_test

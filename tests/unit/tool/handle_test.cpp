@@ -8,7 +8,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 
-namespace hapticut {
+namespace hapticut::handle_test {
 namespace {
 
 using units::kPi;
@@ -79,4 +79,4 @@ TEST(ThesisHandleTorque, AgreesWithTheFullWrenchInPitchAndRollForAScaleOfOne) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::handle_test

@@ -11,7 +11,7 @@
 #include "support/profiles.hpp"
 #include "support/random_pose.hpp"
 
-namespace hapticut {
+namespace hapticut::head_test {
 namespace {
 
 using units::deg;
@@ -133,4 +133,4 @@ TEST(ToolHead, TheMessageNamesTheFieldAndItsValue) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::head_test

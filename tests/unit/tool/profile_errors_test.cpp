@@ -8,7 +8,7 @@
 #include "hapticut/tool/profile.hpp"
 #include "support/profiles.hpp"
 
-namespace hapticut {
+namespace hapticut::profile_errors_test {
 namespace {
 
 using units::mm;
@@ -86,4 +86,4 @@ TEST(ProfileHead, RefusesMoreEdgesThanAreAllowed) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::profile_errors_test

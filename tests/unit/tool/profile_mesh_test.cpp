@@ -12,11 +12,11 @@
 #include "support/random_pose.hpp"
 #include "support/static_contact.hpp"
 #ifdef HAPTICUT_HAS_IO
-#include "hapticut/io/meshes.hpp"
+#include "hapticut/io/mesh/meshes.hpp"
 #include "support/test_data.hpp"
 #endif
 
-namespace hapticut {
+namespace hapticut::profile_mesh_test {
 namespace {
 
 using test::NamedProfile;
@@ -246,4 +246,4 @@ TEST(RecognizedProfile, TheBurOfTheHandpieceFeelsTheForcesOfItsRingsWithinOnePer
 #endif
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::profile_mesh_test

@@ -9,7 +9,7 @@
 #include "support/profiles.hpp"
 #include "support/random_pose.hpp"
 
-namespace hapticut {
+namespace hapticut::profile_test {
 namespace {
 
 using test::NamedProfile;
@@ -343,4 +343,4 @@ TEST(ProfileHead, CopiesShareOneTable) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::profile_test

@@ -6,7 +6,7 @@
 
 #include "support/generators.hpp"
 
-namespace hapticut {
+namespace hapticut::shapes_test {
 namespace {
 
 using test::arbitrary_head;
@@ -100,4 +100,4 @@ RC_GTEST_PROP(Shapes, NearestIsTheShallowerOfBottomAndSide, ()) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::shapes_test

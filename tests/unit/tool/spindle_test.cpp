@@ -6,7 +6,7 @@
 
 #include "hapticut/core/errors.hpp"
 
-namespace hapticut {
+namespace hapticut::spindle_test {
 namespace {
 
 class SpindleDirection : public testing::TestWithParam<double> {};
@@ -106,4 +106,4 @@ TEST(SpindleInput, IsRefusedWithItsValueAndTheCure) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::spindle_test

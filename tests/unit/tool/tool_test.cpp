@@ -6,7 +6,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 
-namespace hapticut {
+namespace hapticut::tool_test {
 namespace {
 
 using units::mm;
@@ -47,4 +47,4 @@ TEST(Tool, RefusesABadHeadOrHandle) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::tool_test

@@ -7,7 +7,7 @@
 
 #include "hapticut/core/units.hpp"
 
-namespace hapticut {
+namespace hapticut::builders_test {
 namespace {
 
 using units::kPi;
@@ -156,4 +156,4 @@ TEST(CentroidOffset, SurvivesPacking) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::builders_test

@@ -12,7 +12,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 
-namespace hapticut {
+namespace hapticut::material_presets_test {
 namespace {
 
 std::vector<double> fields_of(const Material& m) {
@@ -122,4 +122,4 @@ TEST(MaterialPresets, HaveColorsThatCanBeToldApart) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::material_presets_test

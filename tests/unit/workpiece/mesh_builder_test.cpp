@@ -10,7 +10,7 @@
 #include "support/mesh_measures.hpp"
 #include "support/meshes.hpp"
 
-namespace hapticut {
+namespace hapticut::mesh_builder_test {
 namespace {
 
 using test::ball_mesh;
@@ -157,4 +157,4 @@ TEST(MeshBuilder, BadInputIsRefused) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::mesh_builder_test

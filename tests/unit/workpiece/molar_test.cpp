@@ -11,7 +11,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 
-namespace hapticut {
+namespace hapticut::molar_test {
 namespace {
 
 using units::mm;
@@ -335,4 +335,4 @@ TEST(Molar, RefusesSizesThatNoMolarHasAndNamesThem) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::molar_test

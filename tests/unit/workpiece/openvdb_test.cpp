@@ -11,7 +11,7 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
 
-namespace hapticut {
+namespace hapticut::openvdb_test {
 namespace {
 
 using openvdb::FloatGrid;
@@ -159,4 +159,4 @@ TEST(WorkpieceFromGrid, RefusesWhatDescribesNoSolid) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::openvdb_test

@@ -8,7 +8,7 @@
 #include "hapticut/workpiece/builders.hpp"
 #include "support/mesh_measures.hpp"
 
-namespace hapticut {
+namespace hapticut::surface_test {
 namespace {
 
 using test::is_closed;
@@ -107,4 +107,4 @@ TEST(Surface, OfNothingIsEmpty) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::surface_test

@@ -15,7 +15,7 @@
 #include "support/memory_growth.hpp"
 #include "support/meshes.hpp"
 
-namespace hapticut {
+namespace hapticut::too_many_voxels_test {
 namespace {
 
 using units::mm;
@@ -103,4 +103,4 @@ INSTANTIATE_TEST_SUITE_P(Builders, TooManyVoxels, testing::ValuesIn(requests()),
                          [](const auto& request) { return std::string(request.param.name); });
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::too_many_voxels_test

@@ -14,7 +14,7 @@
 #include "hapticut/workpiece/builders.hpp"
 #include "support/cutting.hpp"
 
-namespace hapticut {
+namespace hapticut::undo_test {
 namespace {
 
 /// A slab whose faces lie within voxels, so that it has uniform, mixed, and partly filled blocks.
@@ -244,4 +244,4 @@ TEST(Undo, KeepsNoMoreThan64Marks) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::undo_test

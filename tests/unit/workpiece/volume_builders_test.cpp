@@ -9,7 +9,7 @@
 
 #include "hapticut/core/units.hpp"
 
-namespace hapticut {
+namespace hapticut::volume_builders_test {
 namespace {
 
 using units::kPi;
@@ -292,4 +292,4 @@ TEST(Grade, RefusesWhatIsNoGrade) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::volume_builders_test

@@ -7,7 +7,7 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
 
-namespace hapticut {
+namespace hapticut::workpiece_test {
 namespace {
 
 using units::mm;
@@ -128,4 +128,4 @@ TEST(Workpiece, RefusesATrillionVoxels) {
 }
 
 }  // namespace
-}  // namespace hapticut
+}  // namespace hapticut::workpiece_test

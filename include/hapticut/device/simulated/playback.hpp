@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hapticut/device/device.hpp"
+
+namespace hapticut {
+
+/// A device that is not there: it says again what another one said, one reading a tick, whatever force it gets. Its
+/// readings keep their own times and numbers, so that the guard sees the same late ticks.
+///
+/// `open_device("replay:FILE")` makes one of a recording: see hapticut/io/recording/playback.hpp.
+class PlaybackDevice : public PolledDevice {
+ public:
+  /// @throws Error when there are no readings
+  PlaybackDevice(std::vector<DeviceState> readings, const DeviceCapabilities& capabilities,
+                 std::string name = "playback");
+
+  [[nodiscard]] std::size_t size() const { return readings_.size(); }  ///< readings
+
+ protected:
+  void begin_run(const RunOptions& options) override;
+  bool read(DeviceState& state) noexcept override;
+  Wrench write(const Wrench& wrench) noexcept override;
+  [[nodiscard]] bool is_simulated() const override { return true; }
+
+ private:
+  std::vector<DeviceState> readings_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace hapticut

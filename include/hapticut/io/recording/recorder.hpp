@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "hapticut/loop/step_recorder.hpp"
+#include "hapticut/simulation/simulation.hpp"
+
+namespace hapticut {
+
+/// How a recording is made.
+struct RecorderOptions {
+  std::string device;               ///< name of the device that the steps come from; empty: none, and no columns for it
+  std::string note;                 ///< anything
+  DeviceCapabilities capabilities;  ///< of that device, so that it can be played back
+  std::size_t steps = 8192;         ///< that the memory between loop and disk holds, about 1.3 kB each
+  double flush_period = 0.2;  ///< [s] in 0.01 ... 0.5; a process that is killed loses this, and what it takes to write
+
+  /// Where the memory is full: true waits for the disk, for simulations that nobody feels; false loses the step and
+  /// says so in the recording, for loops.
+  bool wait_when_full = false;
+
+  /// File that the initial workpiece was loaded from, by `load_vdb`. The recording then holds its name and a hash
+  /// instead of its content. Empty: the recording holds the workpiece.
+  std::filesystem::path workpiece_file;
+};
+
+/// Records the steps of a simulation: the loop puts each into a bounded memory without lock, and a thread of the
+/// recorder's own writes it to an HDF5 file. The file is in order at any moment: a process that is killed loses the
+/// last fraction of a second, not the recording.
+///
+/// `step` belongs to one thread; the rest may be called from any.
+class Recorder final : public StepRecorder {
+ public:
+  /// Writes what there is before the first step, and replaces what was at `path`.
+  /// @param simulation  that has made no step yet, or was just reset; it must stay where it is until the end
+  /// @throws Error when the simulation has made steps, an option is out of range, or the file cannot be written
+  Recorder(const std::filesystem::path& path, Simulation& simulation, const RecorderOptions& options = {});
+
+  /// Ends without the hash at the end, when `close` was not called.
+  ~Recorder() override;
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  /// Makes a step and records it: `before_step`, Simulation::step, `after_step`.
+  const StepResult& step(const StepInput& input, const DeviceTick* device = nullptr) noexcept;
+
+  void before_step() noexcept override;
+
+  /// Records the step that was made since `before_step`, with what was set since the last one (spindle speed, effects,
+  /// reserved blocks). When the workpiece was exchanged, or there was another step in between, the recording is over:
+  /// the steps go on, unrecorded.
+  /// @realtime no allocation, no lock, unless RecorderOptions::wait_when_full
+  void after_step(const DeviceTick* device) noexcept override;
+
+  [[nodiscard]] std::uint64_t recorded() const noexcept;  ///< steps that were taken over
+  [[nodiscard]] std::uint64_t lost() const noexcept;      ///< steps that found the memory full or came after the end
+  [[nodiscard]] bool failed() const noexcept;  ///< the disk is full, or the like, or `close` failed, and says what
+
+  /// Writes what is left, and the hash of the workpiece, and ends the recording.
+  /// @throws Error when something could not be written, also earlier
+  void close();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hapticut

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "hapticut/core/device_state.hpp"
+#include "hapticut/safety/arming.hpp"
+#include "hapticut/safety/passivity.hpp"
+#include "hapticut/safety/pose_gate.hpp"
+#include "hapticut/safety/safety_log.hpp"
+#include "hapticut/safety/thermal_budget.hpp"
+#include "hapticut/safety/watchdog.hpp"
+#include "hapticut/simulation/output_limits.hpp"
+
+namespace hapticut {
+
+/// The limits of a device's output, for SimulationConfig::effects in a loop of your own: its peak force and torque, and
+/// the least growth that leaves the stiffest wall it promises passive (least_force_growth). A RealtimeLoop does not
+/// need them: SafetyGuard holds to the same, and to more. A device without motors for torque renders none, so torque is
+/// not limited there.
+/// @param fastest_contact  [m/s] > 0 at which a surface is met
+/// @throws Error when the device renders no force
+[[nodiscard]] OutputLimits output_limits(const DeviceCapabilities& device, double fastest_contact = 0.5);
+
+/// The settings of every stage of the safety pipeline. The defaults suit a device of its capabilities.
+struct GuardOptions {
+  PoseGateOptions gate;
+  ArmingOptions arming;
+  PassivityOptions passivity;
+  ThermalOptions thermal;
+  WatchdogOptions watchdog;
+
+  double period = 1e-3;          ///< [s] > 0 of a tick
+  double greatest_force = 0;     ///< [N] of the output; 0: the device's peak; never more than it
+  double greatest_torque = 0;    ///< [N·m] of the output; 0: the device's peak; never more than it
+  double slew = 0;               ///< [N/s] by which the force may grow; 0: 1.25 x stiffness x fastest_contact
+  double torque_slew = 0;        ///< [N·m/s]; 0: as long to the peak as for the force
+  double stiffness = 0;          ///< [N/m] that the device feels, scales included; 0: what the device promises
+  double fastest_contact = 0.5;  ///< [m/s] at which a surface is met
+  double ramp_damping = -1;      ///< [N·s/m] while the force fades in; < 0: a fifth of what the device promises
+  double late = 5e-3;            ///< [s] a tick that comes later than this needs a free tool again
+  double pause = 20e-3;          ///< [s] ... and, later than this, the long fade-in
+  int not_finite_ticks = 3;      ///< [ticks] in a row of a wrench that is not finite before the fault
+};
+
+/// The safety pipeline between a device and whatever computes its force. Always on; every stage can only take force
+/// away (or, damping, oppose the motion).
+///
+/// Per tick: `admit` the reading, compute with what it returns, `release` the wrench. Its stages, in order: time and
+/// missed ticks, pose gate, arming, finite check, passivity, saturation, thermal budget, growth-only slew limit,
+/// fade-in, last finite check.
+///
+/// `admit`, `release` and `applied` belong to the thread of the loop; the rest may be called from any thread.
+class SafetyGuard {
+ public:
+  /// @throws Error when an option is out of range, or the slew limit would make the contact active
+  SafetyGuard(const DeviceCapabilities& capabilities, const GuardOptions& options);
+
+  /// Begins a run: armed, nothing remembered.
+  void start() noexcept;
+
+  /// Ends a run: no force from here on.
+  void stop() noexcept;
+
+  /// Judges a reading and returns the one to compute with: `valid` is false when there is none, its velocity zero when
+  /// the pose is held.  @realtime no allocation, no lock
+  const DeviceState& admit(const DeviceState& reading) noexcept;
+
+  /// Turns the wrench that the model asks for into the one that the device may render.
+  /// @realtime no allocation, no lock
+  Wrench release(const Wrench& commanded) noexcept;
+
+  /// What a watchdog in another thread, or a bench, sees of a loop that does not answer: enters each verdict once in a
+  /// silence, and latches the fault where WatchdogOptions::latch says so. One thread at a time; `alive` ends a silence.
+  void report_silence(Watchdog::Verdict verdict, double share);
+
+  /// What the device did render, when that is something else than `release` returned.
+  void applied(const Wrench& wrench) noexcept;
+
+  /// Counts an exception of the user's code, and fails.
+  void report_exception() noexcept;
+
+  /// No force from the next tick on, until `reset`.
+  void emergency_stop() noexcept { emergency_.store(true, std::memory_order_release); }
+
+  /// Asks to leave the fault state; the tool must then be free before there is a force again.
+  void reset() noexcept { reset_.store(true, std::memory_order_release); }
+
+  /// Asks to wait until the tool is free: to be called when the mapping from hand to tool has changed (`reclutched`) or
+  /// another workpiece or tool is in place (`model_swapped`).
+  void interrupt(SafetyEvent reason) noexcept;
+
+  [[nodiscard]] ArmingState state() const noexcept { return published_state_.load(std::memory_order_acquire); }
+
+  /// Grows with every released wrench, for a watchdog in another thread.
+  [[nodiscard]] const std::atomic<std::uint64_t>& heartbeat() const noexcept { return heartbeat_; }
+
+  [[nodiscard]] SafetyLog& log() noexcept { return log_; }
+  [[nodiscard]] const SafetyLog& log() const noexcept { return log_; }
+
+  /// Both sides of the last tick; for the thread of the loop.
+  [[nodiscard]] const DeviceOutput& output() const noexcept { return output_; }
+
+  [[nodiscard]] double slew() const noexcept { return slew_; }                      ///< [N/s] in force
+  [[nodiscard]] double greatest_force() const noexcept { return greatest_force_; }  ///< [N] in force
+
+ private:
+  void keep_time(const DeviceState& reading) noexcept;
+  void obey() noexcept;
+  void watch_units(const DeviceState& reading) noexcept;
+  [[nodiscard]] Wrench finite_or_none(const Wrench& commanded) noexcept;
+  [[nodiscard]] Wrench make_passive(const Wrench& wrench) noexcept;
+  [[nodiscard]] Wrench bound(const Wrench& wrench) noexcept;
+
+  DeviceCapabilities capabilities_;
+  GuardOptions options_;
+  double greatest_force_, greatest_torque_, slew_, torque_slew_, ramp_damping_;
+  SafetyLog log_;
+  PoseGate gate_;
+  Arming arming_;
+  PassivityController passivity_, turning_passivity_;
+  ThermalBudget thermal_;
+
+  std::atomic<bool> emergency_{false}, reset_{false}, was_dead_{false};
+  std::atomic<std::uint8_t> interruption_{std::uint8_t(SafetyEvent::count)};
+  std::atomic<ArmingState> published_state_{ArmingState::off};
+  std::atomic<std::uint64_t> heartbeat_{0};
+  Watchdog::Verdict silence_ = Watchdog::Verdict::alive;  // of the watchdog's thread
+
+  bool started_ = false, reading_ok_ = false;
+  double last_time_ = 0, dt_ = 0, gate_time_ = 0;
+  int not_finite_ = 0;
+  Pose X_BS_last_;      // of the last admitted reading
+  Vec3 motion_, turn_;  // since then
+  Vec3 low_seen_, high_seen_;
+  double watched_ = 0;  // [s] of the check of units
+  Wrench before_ramp_;  // of the last tick, what the slew limit starts from
+  DeviceOutput output_;
+};
+
+}  // namespace hapticut

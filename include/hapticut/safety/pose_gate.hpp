@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "hapticut/core/device_state.hpp"
+#include "hapticut/safety/safety_log.hpp"
+
+namespace hapticut {
+
+/// What a reading must be to be believed.
+struct PoseGateOptions {
+  double fastest = 2.0;              ///< [m/s] > 0; a hand with a stylus reaches 1 to 2
+  double fastest_turn = 30;          ///< [rad/s] > 0
+  double workspace_margin = 0.05;    ///< [m] beyond the device's own box that is still believed
+  double rotation_tolerance = 1e-3;  ///< [1] of the entries of R R^T - 1; inexact ones are made exact
+  int hold_ticks = 20;               ///< bad readings in a row after which the gate gives up
+  int frozen_ticks = 30;             ///< ticks of a position that stands still bit by bit while others move
+  double frozen_turn = 0.1;          ///< [rad] within 0.1 s that contradict a position that stands still
+  double frozen_speed = 5e-3;        ///< [m/s] reported speed that contradicts a position that stands still
+};
+
+/// The first stage of the safety pipeline: lets plausible readings through, holds the last good one in place of others.
+/// @realtime no allocation, no lock
+class PoseGate {
+ public:
+  enum class Verdict : std::uint8_t {
+    accepted,  ///< the reading is good
+    held,      ///< the last good pose stands in for it
+    lost,      ///< too many bad ones in a row, or a frozen position: nothing can be said about the pose
+  };
+
+  /// @throws Error when an option is out of range
+  PoseGate(const DeviceCapabilities& capabilities, const PoseGateOptions& options);
+
+  /// Judges a reading.
+  /// @param dt  [s] since the last reading, that a hand had for its way
+  Verdict check(const DeviceState& reading, double dt, SafetyLog& log) noexcept;
+
+  /// The reading to go on with: the last accepted one, its velocity zero when held, `valid` false when lost.
+  [[nodiscard]] const DeviceState& state() const { return state_; }
+
+  /// Forgets the past: the next plausible pose is taken wherever it is.
+  void restart() noexcept;
+
+ private:
+  [[nodiscard]] std::optional<SafetyEvent> objection(const DeviceState& reading, double& value) noexcept;
+  [[nodiscard]] bool is_frozen(const DeviceState& reading) noexcept;
+
+  PoseGateOptions options_;
+  Vec3 low_, high_;
+  bool bounded_;
+  DeviceState state_;
+  bool started_ = false;
+  double elapsed_ = 0;  // [s] that a hand had for the way from the last good pose
+  int bad_ = 0;
+  int resting_ = 0, contradicted_ = 0;
+  Pose X_BS_still_;
+};
+
+}  // namespace hapticut

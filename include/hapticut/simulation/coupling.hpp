@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "hapticut/core/device_state.hpp"
+#include "hapticut/loop/step_recorder.hpp"
+#include "hapticut/simulation/output.hpp"
+#include "hapticut/simulation/simulation.hpp"
+
+/// @file
+/// The virtual coupling: the hand feels hard bone although its device renders only a soft spring.
+namespace hapticut {
+
+/// The spring and damper between the hand's handle and that of the simulated tool, and the mass of the latter.
+struct CouplingGains {
+  double mass = 0.05;      ///< [kg] > 0 of the simulated tool, at its handle point
+  double stiffness = 700;  ///< [N/m] > 0, k_T
+  double damping = 12;     ///< [N·s/m] >= 0, b_T
+  double largest_force = std::numeric_limits<double>::infinity();  ///< [N] > 0 of the spring
+
+  /// [N·m/rad] >= 0, k_R. 0: the tool has the orientation of the hand, as it must where the device has no motors for
+  /// torque; the torque of the contact is then passed through.
+  double angular_stiffness = 0;
+  double angular_damping = 0;  ///< [N·m·s/rad] >= 0, b_R
+  double inertia = 2e-5;       ///< [kg·m^2] > 0 of the simulated tool about its handle point, the same about all axes
+
+  int newton_steps = 5;  ///< 1 ... 10, at most in one tick; one is enough where the tool moves steadily
+};
+
+/// @throws Error naming the field, its value and the allowed range
+void validate(const CouplingGains& gains);
+
+/// Gains that respect what the device says it renders: its stiffness, the damping that just keeps the tool from
+/// swinging but no more than the device's, and no more force than its peak.
+/// @param mass  [kg] of the simulated tool
+/// @throws Error when the device promises no stiffness
+[[nodiscard]] CouplingGains coupling_gains(const DeviceCapabilities& device, double mass = 0.05);
+
+/// Where the work of the hand went on its way to the tool, since it took the tool; accumulated, but `spring` and
+/// `kinetic`, which are stored at the end of the last tick. All in [J].
+struct CouplingEnergy {
+  double hand_work = 0;  ///< work done by the hand on the coupling
+  double tool_work = 0;  ///< what of it reached the simulation: EnergyLedger::hand_work
+  double spring = 0;     ///< stored in the coupling
+  double damper = 0;     ///< dissipated in it
+  double kinetic = 0;    ///< of the simulated tool
+  double implicit = 0;   ///< what the implicit steps of spring and mass dissipate, never negative
+
+  /// [J] hand_work less everything else; 0 when the ledger closes. Left over: what is not solved to the last digit.
+  [[nodiscard]] double imbalance() const { return hand_work - tool_work - spring - damper - kinetic - implicit; }
+
+  /// [1] relative to what was turned over.
+  [[nodiscard]] double closure() const {
+    const double turnover = std::abs(hand_work) + std::abs(tool_work) + damper + implicit;
+    return turnover > 0 ? imbalance() / turnover : 0.0;
+  }
+};
+
+/// What one tick of the coupling gives.
+struct CoupledResult {
+  Wrench hand;      ///< about Ho of the hand, in W: what the hand feels, with effects and limits
+  Wrench coupling;  ///< the same without them
+  Pose X_WH;        ///< of the simulated tool's handle: what is to be shown
+  Twist velocity;   ///< of its Ho, in W
+  std::span<const RemovedVoxel> removed_voxels;  ///< emptied in this tick; valid until the next one
+  double removed_volume = 0;                     ///< [m^3] taken away in this tick
+  ChangedBlocks changed_blocks;                  ///< in this tick
+  int parts = 0;                                 ///< steps of the simulation: more than one where the tool is fast
+  int newton_steps = 0;                          ///< in all of them
+  StepStatus status = StepStatus::ok;            ///< of the simulation's steps
+  CouplingEnergy energy;
+};
+
+/// A simulation behind a virtual coupling.
+///
+/// The simulated tool of mass m hangs on a spring and a damper between it and the hand (thesis 5.4), and is pushed by
+/// the material. Each tick solves for its twist V at the end, all forces taken there (backward Euler):
+///
+///     M (V - V_before)/dt = F_contact(X) + k_T (x_hand - x) + b_T (v_hand - v),   X = X_before moved by V dt
+///
+/// by Newton's method with the contact's stiffness from `Simulation::probe`, starting from the twist of the last tick.
+/// Then the simulation takes its step to X. Where the tool would move by more than half a voxel, the tick is cut into
+/// up to eight equal parts. So the contact is stable however stiff the material is, the tool stays on the surface, and
+/// the hand feels at most the coupling.
+///
+/// Gains: k_T and b_T must be what the device renders stably at its rate; see docs/devices.md.
+class VirtualCoupling {
+ public:
+  /// @param simulation  with SimulationConfig::contact_time = end; it must outlive the coupling, which steps it
+  /// @throws Error when a gain is out of range, or the simulation evaluates contact elsewhere
+  VirtualCoupling(Simulation& simulation, const CouplingGains& gains);
+
+  /// The hand has moved: moves the tool after it, through the material.
+  ///
+  /// In the first tick, and after `release`, the tool is put where the hand is.
+  /// @param pose      X_WD of the hand's handle at the end of the tick
+  /// @param velocity  [m/s] of its Ho and [rad/s], in W, as the device estimates it; drives the damper
+  /// @param dt        [s] since the last call
+  /// @param recorder  is given every step that the simulation makes, more than one in a fast tick; null: none
+  /// @param device    for the recorder
+  /// @return valid until the next call. An input that is refused gives no force; then the tool starts afresh.
+  /// @realtime no allocation, no lock, no exception; in each part at most newton_steps + 1 contacts are evaluated; with
+  /// a law of one's own 4 newton_steps + 1, or 7 newton_steps + 1 where the coupling turns the tool
+  const CoupledResult& step(const Pose& pose, const Twist& velocity, double dt, StepRecorder* recorder = nullptr,
+                            const DeviceTick* device = nullptr) noexcept;
+
+  /// Lets go: the next tick puts the tool where the hand is.
+  void release() noexcept { held_ = false; }
+
+  [[nodiscard]] const CouplingGains& gains() const { return gains_; }
+  [[nodiscard]] const CoupledResult& last_result() const { return result_; }
+  [[nodiscard]] Simulation& simulation() { return *simulation_; }
+
+ private:
+  using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
+
+  /// The coupling with the tool at a pose.
+  struct Pull {
+    Vec3 stretch, turn;  // [m], [rad] from the tool to the hand
+    double stiffness;    // [N/m] secant of the spring
+    Wrench wrench;       // on the tool
+  };
+
+  /// Who is given the steps of a tick.
+  struct Recording {
+    StepRecorder* recorder;
+    const DeviceTick* device;
+  };
+
+  static constexpr int kMostParts = 8;
+
+  [[nodiscard]] int plan_parts(double dt) const noexcept;
+  void begin_tick() noexcept;
+  StepStatus move(const Pose& pose, const Twist& hand_path, const Twist& hand, double dt,
+                  const Recording& recording) noexcept;
+  const StepResult& step_simulation(const Pose& X_WH, const Twist& tool, double dt,
+                                    const Recording& recording) noexcept;
+  void keep_lists(const StepResult& stepped) noexcept;
+  [[nodiscard]] Pull pull(const Pose& X_WH, const Twist& tool, const Pose& X_WD, const Twist& hand) const noexcept;
+  [[nodiscard]] Twist solve(const Pose& pose, const Twist& hand, double dt) noexcept;
+  [[nodiscard]] double kinetic_energy(const Twist& tool) const noexcept;
+  [[nodiscard]] double spring_energy(const Pull& pull) const noexcept;
+  void book(const Pull& before, const Pull& after, const Twist& tool_before, const Twist& hand_path, const Twist& hand,
+            double tool_work, double dt) noexcept;
+  const CoupledResult& let_go(StepStatus status) noexcept;
+  [[nodiscard]] bool turns() const { return gains_.angular_stiffness > 0; }
+
+  Simulation* simulation_;
+  CouplingGains gains_;
+  Output output_;
+  bool held_ = false;
+  Pose X_WD_;  // of the hand, at the end of the last part
+  std::vector<RemovedVoxel> removed_;
+  std::vector<VoxelIndex> changed_;
+  CoupledResult result_;
+};
+
+}  // namespace hapticut

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "hapticut/force/effects/axis_mask.hpp"
+#include "hapticut/force/effects/delta_filter.hpp"
+#include "hapticut/force/effects/gravity.hpp"
+#include "hapticut/force/effects/vibration.hpp"
+#include "hapticut/simulation/output_limits.hpp"
+
+/// @file
+/// What is added to the force of the model before the hand feels it, and what it is limited to. Nothing here enters the
+/// energy ledger: that is about the model.
+namespace hapticut {
+
+/// All effects, off by default.
+struct Effects {
+  std::optional<Gravity> gravity;
+  std::optional<Vibration> vibration;
+  std::optional<DeltaFilter> delta_filter;
+  AxisMask enabled;
+  OutputLimits limits;
+};
+
+/// @param update_rate  [Hz] of the step
+/// @throws Error naming the field, its value and the allowed range
+void validate(const Effects& effects, double update_rate);
+
+/// What the effects need to know of a step.
+struct EffectsInput {
+  Pose X_WH;              ///< of the handle
+  Pose X_WT;              ///< of the head
+  bool touching = false;  ///< the head spins in material
+  double power = 0;       ///< [W] of the spindle
+  double dt = 0;          ///< [s]
+};
+
+/// The effects from step to step, in their order: gravity, vibration, delta filter and mask; then, always last,
+/// saturation, growth limit and start-up ramp. What must come between, such as passivity control, acts on what
+/// `add_effects` returns.
+class Output {
+ public:
+  /// @param wrench  about Ho, in W: force and torque of the model
+  /// @return about Ho, in W
+  /// @realtime no allocation, no lock; O(1)
+  [[nodiscard]] Wrench add_effects(const Effects& effects, const EffectsInput& at, Wrench wrench) noexcept {
+    if (effects.gravity) {
+      const Wrench weight = gravity_wrench(*effects.gravity, at.X_WH.rotation);
+      wrench.force += weight.force;
+      wrench.torque += weight.torque;
+    }
+    if (effects.vibration) {
+      const double shake = vibration_.advance(*effects.vibration, at.touching, at.power, at.dt);
+      const Vec3 force = shake * at.X_WT.rotation.col(2);
+      wrench.force += force;
+      wrench.torque += (at.X_WT.translation - at.X_WH.translation).cross(force);
+    }
+    if (effects.delta_filter) wrench.force = filtered(*effects.delta_filter, unlimited_force_, wrench.force);
+    unlimited_force_ = wrench.force;
+    return masked(effects.enabled, wrench);
+  }
+
+  /// @realtime no allocation, no lock; O(1)
+  [[nodiscard]] Wrench limit(const OutputLimits& limits, Wrench wrench, double dt) noexcept {
+    running_ += dt;
+    const double share = limits.ramp_time > 0 ? std::min(1.0, running_ / limits.ramp_time) : 1.0;
+    wrench.force = saturated(wrench.force, limits.largest_force);
+    wrench.torque = saturated(wrench.torque, limits.largest_torque);
+    const auto grown = [dt](const Vec3& from, const Vec3& to, double rate) {
+      return std::isinf(rate) ? to : growth_limited(from, to, rate * dt);
+    };
+    full_.force = grown(full_.force, wrench.force, limits.force_growth);
+    full_.torque = grown(full_.torque, wrench.torque, limits.torque_growth);
+    return {share * full_.force, share * full_.torque};
+  }
+
+  /// No output in this step: growth starts from zero again.
+  void drop() noexcept {
+    full_ = {};
+    unlimited_force_ = Vec3::Zero();
+  }
+
+  /// The ramp starts again.
+  void restart() noexcept { *this = {}; }
+
+ private:
+  VibrationPhase vibration_;
+  Vec3 unlimited_force_ = Vec3::Zero();  // [N] that add_effects returned last, before the mask
+  Wrench full_;                          // that limit returned last, before the ramp
+  double running_ = 0;                   // [s]
+};
+
+}  // namespace hapticut

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cli/commands/command.hpp"
+#include "cli/reports/json_file.hpp"
+#include "cli/reports/table.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/force/calibration.hpp"
+#include "settings/csv_file.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+struct CalibrateSettings {
+  std::string file, json;
+};
+
+constexpr std::array kColumns = {"radius_mm", "spindle_rpm", "feed_mm_per_s", "thrust_N", "torque_Nmm"};
+
+std::string joined_columns() {
+  std::string all;
+  for (const char* name : kColumns) all += (all.empty() ? "" : ", ") + std::string(name);
+  return all;
+}
+
+/// The number of a column.
+/// @throws Error naming file, line, column and value
+double number_at(const CsvFile& file, const std::vector<std::string>& cells, std::size_t column) {
+  const std::optional<double> value = parse_number(cells[column]);
+  // A spindle may turn either way.
+  const bool may_be_negative = column == 1;
+  if (!value || !std::isfinite(*value) || *value == 0 || (*value < 0 && !may_be_negative))
+    file.fail(std::string(kColumns[column]) + " = \"" + cells[column] + "\"; must be a number " +
+              (may_be_negative ? "other than 0." : "> 0."));
+  return *value;
+}
+
+/// @throws Error naming the file, the line and the column
+std::vector<DrillingTest> read_tests(const std::string& path) {
+  CsvFile file(path, "file of drilling tests", "hapticut calibrate");
+  std::vector<std::string> cells;
+  if (!file.next(cells)) file.fail("the file is empty; its first line must be " + joined_columns() + ".");
+  if (!std::equal(cells.begin(), cells.end(), kColumns.begin(), kColumns.end()))
+    file.fail("the first line must name the columns " + joined_columns() + ", in this order.");
+  std::vector<DrillingTest> tests;
+  while (file.next(cells)) {
+    const auto value = [&](std::size_t column) { return number_at(file, cells, column); };
+    tests.push_back(
+        {value(0) * units::mm, value(1) * units::rpm, value(2) * units::mm_per_s, value(3), value(4) * units::N_mm});
+  }
+  if (tests.empty()) file.fail("there is no drilling test; give one in a line, under the names of the columns.");
+  return tests;
+}
+
+void run_calibrate(const CalibrateSettings& s) {
+  if (s.file.empty()) throw UsageError("the file of drilling tests is missing. Use: hapticut calibrate TESTS.csv.");
+  require_writable(s.json);
+  const std::vector<DrillingTest> tests = read_tests(s.file);
+  const Calibration c = calibrate(tests);
+  Table table("hapticut calibrate: " + s.file + ", " + std::to_string(tests.size()) +
+              (tests.size() == 1 ? " test" : " tests"));
+  table.add("specific_cutting_energy", rounded(c.specific_cutting_energy, 4) + " J/m^3" +
+                                           (c.chip_identified ? "" : ": the tests do not identify it"));
+  table.add("cutting_ratio", rounded(c.cutting_ratio, 4));
+  table.add("edge_pressure", rounded(c.edge_pressure, 4) + " Pa" +
+                                 (c.edge_identified ? "" : ", taken as 0: the tests do not identify it"));
+  table.add("residuals", "thrust " + rounded(100 * c.thrust_residual, 3) + " %, torque " +
+                             rounded(100 * c.torque_residual, 3) + " % (root mean square)");
+  Json rows = Json::array();
+  for (const DrillingTest& t : tests) {
+    const AxialCutForce model = axial_cut_force(c, t.radius, t.spindle_speed, t.feed_speed);
+    rows.push_back({{"thrust_N", t.thrust},
+                    {"model_thrust_N", model.thrust},
+                    {"torque_Nmm", t.torque / units::N_mm},
+                    {"model_torque_Nmm", model.torque / units::N_mm}});
+  }
+  std::fputs(table.text().c_str(), stdout);
+  if (!c.edge_identified)
+    std::fputs(tests.size() == 1
+                   ? "To tell edge from chip, add tests at another feed per turn: u, kappa and p_e are one equation "
+                     "short.\n"
+                   : "To tell edge from chip, add tests whose feeds per turn differ more than they scatter.\n",
+               stdout);
+  if (!c.chip_identified)
+    std::fputs(
+        "The edge carries nearly all of thrust and torque; to know the chip, add tests at a larger feed per "
+        "turn.\n",
+        stdout);
+  write_json(s.json, {{"specific_cutting_energy", c.specific_cutting_energy},
+                      {"cutting_ratio", c.cutting_ratio},
+                      {"edge_pressure", c.edge_pressure},
+                      {"edge_identified", c.edge_identified},
+                      {"chip_identified", c.chip_identified},
+                      {"thrust_residual", c.thrust_residual},
+                      {"torque_residual", c.torque_residual},
+                      {"tests", rows}});
+}
+
+}  // namespace
+
+Command calibrate_command() {
+  auto settings = std::make_shared<CalibrateSettings>();
+  return {"calibrate",
+          "Fit cutting energy, cutting ratio and edge pressure to drilling tests",
+          {text("calibrate.tests", "TESTS", settings->file, "CSV file of drilling tests"),
+           text("output.json", "--json", settings->json, "report for machines")},
+          [settings] { run_calibrate(*settings); }};
+}
+
+}  // namespace hapticut::cli

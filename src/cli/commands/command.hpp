@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "settings/setting.hpp"
+
+namespace hapticut::cli {
+
+/// A subcommand of the program.
+struct Command {
+  std::string name;
+  std::string summary;            ///< one line for the help
+  std::vector<Setting> settings;  ///< what it can be told; a flag without dashes is given by its place
+  std::function<void()> run;      ///< does the work, once the settings are set; @throws Error when it was not done
+};
+
+[[nodiscard]] Command drill_command();
+[[nodiscard]] Command inspect_command();
+[[nodiscard]] Command convert_command();
+[[nodiscard]] Command validate_command();
+[[nodiscard]] Command calibrate_command();
+[[nodiscard]] Command loop_command();
+[[nodiscard]] Command replay_command();
+[[nodiscard]] Command export_command();
+[[nodiscard]] Command stability_command();
+
+/// All of them, in the order of the help.
+[[nodiscard]] inline std::vector<Command> all_commands() {
+  return {drill_command(), inspect_command(), convert_command(), validate_command(), calibrate_command(),
+          loop_command(),  replay_command(),  export_command(),  stability_command()};
+}
+
+}  // namespace hapticut::cli

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <memory>
+
+#include "cli/commands/command.hpp"
+#include "cli/reports/outputs.hpp"
+#include "settings/progress.hpp"
+#include "settings/workpiece_settings.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+struct ConvertSettings {
+  WorkpieceSettings workpiece;
+  std::string target;
+};
+
+void run_convert(const ConvertSettings& s) {
+  if (s.target.empty()) throw UsageError("the file to write is missing. Use: hapticut convert SOURCE TARGET.");
+  check_workpiece_file(s.target);
+  const Workpiece workpiece = make_workpiece(s.workpiece);
+  {
+    const ProgressBar progress("writing " + s.target);
+    write_workpiece(s.target, workpiece);
+  }
+  std::printf("%s: %lld voxels\n", s.target.c_str(), (long long)workpiece.solid_voxels());
+}
+
+}  // namespace
+
+Command convert_command() {
+  auto settings = std::make_shared<ConvertSettings>();
+  std::vector<Setting> all = settings_of(settings->workpiece);
+  all.front().flag = "SOURCE";
+  all.push_back(text("output.target", "TARGET", settings->target, "file to write"));
+  return {"convert", "Turn a file or a built-in workpiece into another file", std::move(all),
+          [settings] { run_convert(*settings); }};
+}
+
+}  // namespace hapticut::cli

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/commands/devices.hpp"
+
+#include "cli/commands/recording_source.hpp"
+#ifdef HAPTICUT_HAS_FORCEDIMENSION
+#include "hapticut/device/force_dimension.hpp"
+#endif
+#ifdef HAPTICUT_HAS_OPENHAPTICS
+#include "hapticut/device/open_haptics.hpp"
+#endif
+
+namespace hapticut::cli {
+
+void use_all_devices() {
+  use_recordings_if_possible();
+#ifdef HAPTICUT_HAS_FORCEDIMENSION
+  use_force_dimension();
+#endif
+#ifdef HAPTICUT_HAS_OPENHAPTICS
+  use_open_haptics();
+#endif
+}
+
+}  // namespace hapticut::cli

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/commands/drill.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <ctime>
+
+#include "hapticut/core/errors.hpp"
+#include "settings/progress.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+constexpr double kMostSteps = 1e7;
+constexpr float kDeadline = 1000;  // [us]
+
+/// [us] processor time of this thread.
+double thread_time() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return double(now.tv_sec) * 1e6 + double(now.tv_nsec) * 1e-3;
+}
+
+/// The smallest value that a share `p` of them does not exceed.
+float percentile(const std::vector<float>& sorted, double p) {
+  const auto rank = std::size_t(std::ceil(p * double(sorted.size())));
+  return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
+}
+
+StepTimes times_of(std::vector<float> times) {
+  std::sort(times.begin(), times.end());
+  const auto misses = times.end() - std::upper_bound(times.begin(), times.end(), kDeadline);
+  return {double(percentile(times, 0.5)), double(percentile(times, 0.99)), double(percentile(times, 0.999)),
+          double(times.back()), std::size_t(misses)};
+}
+
+void add(const StepResult& step, DrillResult& result) {
+  result.removed_voxels += step.removed_voxels.size();
+  result.removed_volume += step.removed_volume;
+  if (step.removed_volume > 0) ++result.steps_cutting;
+  if (step.contact.voxels > 0) {
+    ++result.steps_in_contact;
+    const double force = step.force.norm(), torque = step.torque.norm();
+    result.mean_force += force;
+    result.mean_torque += torque;
+    result.max_force = std::max(result.max_force, force);
+    result.max_torque = std::max(result.max_torque, torque);
+  }
+  for (auto bits = std::uint32_t(step.status); bits != 0; bits &= bits - 1)
+    ++result.status_counts[std::size_t(std::countr_zero(bits))];
+}
+
+}  // namespace
+
+std::size_t DrillResult::count(StepStatus bit) const {
+  return status_counts[std::size_t(std::countr_zero(std::uint32_t(bit)))];
+}
+
+const std::vector<std::pair<StepStatus, std::string>>& status_names() {
+  static const std::vector<std::pair<StepStatus, std::string>> names = {
+      {StepStatus::pose_rejected, "pose_rejected"},
+      {StepStatus::velocity_rejected, "velocity_rejected"},
+      {StepStatus::dt_rejected, "dt_rejected"},
+      {StepStatus::jump_rejected, "jump_rejected"},
+      {StepStatus::blocks_low, "blocks_low"},
+      {StepStatus::blocks_exhausted, "blocks_exhausted"},
+      {StepStatus::removed_list_full, "removed_list_full"},
+      {StepStatus::power_limited, "power_limited"},
+      {StepStatus::engaged_layer_thick, "engaged_layer_thick"},
+      {StepStatus::vibration_left_out, "vibration_left_out"},
+      {StepStatus::detail_reduced, "detail_reduced"},
+      {StepStatus::force_not_finite, "force_not_finite"},
+  };
+  return names;
+}
+
+DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows, StepRecorder* recorder) {
+  const double dt = 1 / rate;
+  const double count = std::max(1.0, std::ceil(motion.duration() * rate - 1e-6));
+  if (count > kMostSteps)
+    throw Error("the path takes " + format_number(motion.duration()) + " s, which is " + format_number(count) +
+                " steps; at most 1e+07 are possible. Feed faster, or lower the rate.");
+  const auto steps = std::size_t(count);
+  const Pose X_TH = simulation.tool().X_HT().inverse();
+
+  DrillResult result;
+  std::vector<float> times(steps);
+  if (keep_rows) result.rows.reserve(steps);
+  ProgressBar progress("drilling", steps);
+
+  Pose before = motion.pose_at(0) * X_TH;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double t = double(i + 1) * dt;
+    const Pose X_WT = motion.pose_at(t);
+    const Pose pose = X_WT * X_TH;
+    const Twist velocity = twist_between(before, pose, dt);
+    before = pose;
+
+    if (recorder != nullptr) recorder->before_step();
+    const double start = thread_time();
+    const StepResult& step = simulation.step(pose, velocity, dt);
+    times[i] = float(thread_time() - start);
+
+    if (recorder != nullptr) recorder->after_step(nullptr);
+
+    add(step, result);
+    if (i == 0) result.starts_in_contact = step.contact.voxels > 0;
+    if (keep_rows)
+      result.rows.push_back({t, X_WT, step.force, step.torque, step.removed_volume, step.contact.voxels, step.status});
+    if (has(step.status, StepStatus::blocks_low)) {
+      simulation.reserve_blocks(simulation.config().reserved_blocks);
+      result.blocks_refilled = true;
+    }
+    progress.advance_to(i + 1);
+  }
+
+  result.steps = steps;
+  if (result.steps_in_contact > 0) {
+    result.mean_force /= double(result.steps_in_contact);
+    result.mean_torque /= double(result.steps_in_contact);
+  }
+  result.energy = simulation.last_result().energy;
+  result.times = times_of(std::move(times));
+  return result;
+}
+
+}  // namespace hapticut::cli

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hapticut/loop/step_recorder.hpp"
+#include "hapticut/simulation/simulation.hpp"
+#include "settings/motion.hpp"
+
+namespace hapticut::cli {
+
+/// One line of the per-step file.
+struct StepRow {
+  double t;        ///< [s] at the end of the step
+  Pose X_WT;       ///< of the head
+  Vec3 force;      ///< [N] on the tool, in W
+  Vec3 torque;     ///< [N·m] about Ho, in W
+  double removed;  ///< [m^3]
+  int contact_voxels;
+  StepStatus status;
+};
+
+/// Processor time of the steps, in microseconds.
+struct StepTimes {
+  double p50 = 0, p99 = 0, p999 = 0, max = 0;
+  std::size_t deadline_misses = 0;  ///< longer than a millisecond
+};
+
+/// What came of moving a tool through a workpiece.
+struct DrillResult {
+  std::size_t steps = 0;
+  std::size_t steps_in_contact = 0;
+  std::size_t steps_cutting = 0;
+  std::size_t removed_voxels = 0;
+  double removed_volume = 0;               ///< [m^3]
+  double max_force = 0, mean_force = 0;    ///< [N]; mean over the steps in contact
+  double max_torque = 0, mean_torque = 0;  ///< [N·m] about Ho; mean over the steps in contact
+  bool starts_in_contact = false;
+  bool blocks_refilled = false;
+  EnergyLedger energy;
+  StepTimes times;
+  std::array<std::size_t, 32> status_counts = {};  ///< steps, by bit of StepStatus
+  std::vector<StepRow> rows;                       ///< empty unless asked for
+
+  [[nodiscard]] std::size_t count(StepStatus bit) const;
+};
+
+/// The bits of StepStatus by name.
+[[nodiscard]] const std::vector<std::pair<StepStatus, std::string>>& status_names();
+
+/// Moves the head of the simulation's tool along `motion`, one step every 1/rate seconds.
+/// @param rate       [Hz]
+/// @param keep_rows  whether to keep every step for the per-step file
+/// @param recorder   keeps the steps; may be null
+/// @throws Error when there would be more than ten million steps
+[[nodiscard]] DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows,
+                                StepRecorder* recorder = nullptr);
+
+}  // namespace hapticut::cli

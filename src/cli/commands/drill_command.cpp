@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <memory>
+
+#include "cli/commands/command.hpp"
+#include "cli/commands/recording_source.hpp"
+#include "cli/reports/outputs.hpp"
+#include "cli/reports/report.hpp"
+#include "settings/path_settings.hpp"
+#include "settings/progress.hpp"
+#include "settings/simulation_settings.hpp"
+#include "settings/tool_settings.hpp"
+#include "settings/workpiece_settings.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+struct DrillSettings {
+  WorkpieceSettings workpiece;
+  ToolSettings tool;
+  PathSettings path;
+  SimulationSettings simulation;
+  OutputSettings output;
+};
+
+std::vector<Setting> settings_of(DrillSettings& s) {
+  std::vector<Setting> all = settings_of(s.workpiece);
+  for (std::vector<Setting> more :
+       {settings_of(s.tool), settings_of(s.path), settings_of(s.simulation), settings_of(s.output)})
+    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  return all;
+}
+
+void write_files(const OutputSettings& output, const Json& report, const DrillResult& result,
+                 const Workpiece& workpiece) {
+  const ProgressBar progress("writing the results");
+  if (!output.steps_csv.empty()) write_steps(output.steps_csv, result.rows);
+  if (!output.workpiece.empty()) write_workpiece(output.workpiece, workpiece);
+  if (!output.surface.empty()) write_surface(output.surface, workpiece);
+  if (!output.picture.empty()) write_picture_of(output, workpiece);
+  write_json(output.json, report);
+}
+
+void run_drill(const DrillSettings& s) {
+  check_outputs(s.output);
+  const Tool tool = make_tool(s.tool);
+  const Motion motion = make_motion(s.path, tool);
+  Workpiece workpiece = make_workpiece(s.workpiece);
+  DrillReport report{summarize(s.workpiece.source, workpiece), s.simulation.rate_Hz, {}};
+  Simulation simulation(std::move(workpiece), tool, make_config(s.simulation));
+
+  RunRecorder recorder(s.output.record, simulation, Pace::own, nullptr);
+  const DrillResult result = drill(simulation, motion, report.rate, !s.output.steps_csv.empty(), recorder.get());
+  recorder.close();
+  report.warnings = warnings_of(result, simulation);
+  std::fputs(to_table(report, result, simulation).c_str(), stdout);
+  write_files(s.output, to_json(report, result, simulation), result, simulation.workpiece());
+
+  std::size_t rejected = 0;
+  for (const auto& [bit, name] : status_names())
+    if (has(kRejected, bit)) rejected += result.count(bit);
+  if (rejected > 0)
+    throw Error(std::to_string(rejected) + " of " + std::to_string(result.steps) +
+                " steps were rejected, so the path was not drilled as asked; see the status bits in the report.");
+}
+
+}  // namespace
+
+Command drill_command() {
+  auto settings = std::make_shared<DrillSettings>();
+  return {"drill", "Move a tool along a path through a workpiece at a fixed rate and report forces and removal",
+          settings_of(*settings), [settings] { run_drill(*settings); }};
+}
+
+}  // namespace hapticut::cli

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <memory>
+
+#include "cli/commands/command.hpp"
+#include "cli/reports/json_file.hpp"
+#include "cli/reports/report.hpp"
+#include "cli/reports/table.hpp"
+#include "hapticut/core/units.hpp"
+#include "settings/progress.hpp"
+#include "settings/workpiece_settings.hpp"
+#ifdef HAPTICUT_HAS_IO
+#include "settings/volume_source.hpp"
+#endif
+
+namespace hapticut::cli {
+namespace {
+
+struct InspectSettings {
+  WorkpieceSettings workpiece;
+  std::string json;
+  std::optional<double> threshold;
+};
+
+bool has_materials(const WorkpieceSettings& s) {
+  return !s.labels.empty() || !s.fill_cavities.empty() || !s.grey.empty() || s.grade_low || s.grade_high ||
+         !s.grade_at_low.empty() || !s.grade_at_high.empty();
+}
+
+#ifdef HAPTICUT_HAS_IO
+void inspect_volume(const InspectSettings& s) {
+  const VolumeSummary v = [&] {
+    const ProgressBar progress("reading " + s.workpiece.source);
+    return summarize_volume(s.workpiece, s.threshold);
+  }();
+  const Vec3 spacing = v.spacing / units::mm;
+  const double voxel = spacing.prod();
+  Json report = {
+      {"source", s.workpiece.source}, {"dims", v.dims},        {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}},
+      {"pose", to_json(v.X_WG)},      {"box", to_json(v.box)}, {"lowest", v.lowest},
+      {"highest", v.highest}};
+  Table table("hapticut inspect: " + s.workpiece.source);
+  table.add("samples",
+            std::to_string(v.dims[0]) + " x " + std::to_string(v.dims[1]) + " x " + std::to_string(v.dims[2]));
+  table.add("spacing", rounded(spacing.x()) + " x " + rounded(spacing.y()) + " x " + rounded(spacing.z()) + " mm");
+  table.add("box", box_text(v.box) + (v.X_WG.rotation.isIdentity(1e-9) ? "" : ", axes turned"));
+  table.add("values", rounded(v.lowest, 6) + " to " + rounded(v.highest, 6));
+  Json voxels = Json::object(), volumes = Json::object();
+  for (const auto& [label, count] : v.voxels_by_label) {
+    const std::string name = "label " + std::to_string(label);
+    voxels[name] = count;
+    volumes[name] = double(count) * voxel;
+    table.add(name, std::to_string(count) + " voxels, " + rounded(double(count) * voxel, 6) + " mm^3");
+  }
+  report["voxels"] = voxels;
+  report["volume_mm3"] = volumes;
+  if (v.voxels_at_or_above) {
+    report["voxels_at_or_above"] = *v.voxels_at_or_above;
+    table.add("at or above " + rounded(*s.threshold), std::to_string(*v.voxels_at_or_above) + " voxels");
+  }
+  report["memory_bytes"] = v.memory_bytes;
+  table.add("memory", bytes(v.memory_bytes));
+  std::fputs(table.text().c_str(), stdout);
+  write_json(s.json, report);
+}
+#endif
+
+void inspect_workpiece(const InspectSettings& s) {
+  const Workpiece workpiece = make_workpiece(s.workpiece);
+  const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
+  Json report = to_json(summary, workpiece.materials());
+  const double size = summary.voxel_size / units::mm;
+  report["spacing_mm"] = {size, size, size};
+
+  Table table("hapticut inspect: " + summary.source);
+  table.add("voxels", std::to_string(summary.dims[0]) + " x " + std::to_string(summary.dims[1]) + " x " +
+                          std::to_string(summary.dims[2]) + " of " + rounded(size) + " mm");
+  table.add("box", box_text(summary.box) + (summary.X_WV.rotation.isIdentity(1e-9) ? "" : ", axes turned"));
+  for (const MaterialAmount& amount : summary.amounts)
+    if (amount.voxels > 0)
+      table.add(workpiece.materials()[amount.material].name, std::to_string(amount.voxels) + " voxels, " +
+                                                                 rounded(amount.volume / units::mm3, 6) + " mm^3, " +
+                                                                 rounded(1e3 * amount.mass) + " g");
+  table.add("memory", bytes(summary.memory_bytes));
+  std::fputs(table.text().c_str(), stdout);
+  write_json(s.json, report);
+}
+
+void run_inspect(const InspectSettings& s) {
+  const bool as_volume = is_volume(s.workpiece) && !has_materials(s.workpiece);
+  require_writable(s.json);
+  if (s.threshold && !as_volume)
+    throw Error("--threshold counts the grey values of a volume, and " + s.workpiece.source +
+                " is inspected as a workpiece. Leave it out.");
+#ifdef HAPTICUT_HAS_IO
+  if (as_volume) return inspect_volume(s);
+#endif
+  inspect_workpiece(s);
+}
+
+}  // namespace
+
+Command inspect_command() {
+  auto settings = std::make_shared<InspectSettings>();
+  std::vector<Setting> all = settings_of(settings->workpiece);
+  all.front().flag = "SOURCE";
+  all.push_back(text("output.json", "--json", settings->json, "report for machines"));
+  all.push_back(number("inspect.threshold", "--threshold", settings->threshold, Range::any(),
+                       "volume: count the voxels at or above this grey value"));
+  return {"inspect", "Say what a file or a built-in workpiece contains", std::move(all),
+          [settings] { run_inspect(*settings); }};
+}
+
+}  // namespace hapticut::cli

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// hapticut loop: a device moves the tool, in real time.
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include "cli/commands/command.hpp"
+#include "cli/commands/devices.hpp"
+#include "cli/commands/recording_source.hpp"
+#include "cli/commands/stop_signals.hpp"
+#include "cli/reports/loop_report.hpp"
+#include "cli/reports/report.hpp"
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/loop/simulation_model.hpp"
+#include "settings/simulation_settings.hpp"
+#include "settings/tool_settings.hpp"
+#include "settings/workpiece_settings.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+enum class Up { y, z };
+enum class Coupling { virtual_tool, none };
+
+constexpr std::size_t kReservedBlocks = 16384;  // there is no time to refill them between steps
+constexpr double kCoupledStiffness = 1e16;      // [N/m^4] that bone has behind a coupling: a ball sinks in by 0.1 mm
+
+struct LoopSettings {
+  std::string device;
+  double seconds = 0;
+  bool simulated_time = false;
+  std::optional<Vec3> origin_mm;
+  std::optional<Up> up;
+  double scale = 1;
+  std::optional<Coupling> coupling;
+  std::string record, json;
+  WorkpieceSettings workpiece;
+  ToolSettings tool;
+  SimulationSettings simulation;
+};
+
+std::vector<Setting> settings_of(LoopSettings& s) {
+  std::vector<Setting> all = {
+      text("loop.device", "DEVICE", s.device, "name of the device: mock:spiral, replay:FILE, openhaptics, ..."),
+      number("loop.seconds", "--seconds", s.seconds, Range::not_negative(), "how long; 0: until it is stopped [0]"),
+      boolean("loop.simulated_time", "--simulated_time", s.simulated_time,
+              "devices that are simulated: as fast as possible, with exact periods"),
+      vector("loop.origin_mm", "--origin_mm", s.origin_mm, Range::any(),
+             "where the origin of the device's base lies in the world [where the tool stands on the middle of the "
+             "workpiece's top]"),
+      choice("loop.up", "--up", s.up, {{"y", Up::y}, {"z", Up::z}},
+             "axis of the device's base that points up, along z of the world [z of mock and replay, y of others]"),
+      number("loop.scale", "--scale", s.scale, Range::positive(), "metres in the world per metre of the hand [1]"),
+      choice(
+          "loop.coupling", "--coupling", s.coupling, {{"virtual", Coupling::virtual_tool}, {"none", Coupling::none}},
+          "between hand and tool: a spring that the device renders, or nothing [virtual, where the device promises a "
+          "stiffness]"),
+      text("output.record", "--record", s.record, "recording of every step, for replay and export"),
+      text("output.json", "--json", s.json, "report for machines"),
+  };
+  for (std::vector<Setting> more : {settings_of(s.workpiece), settings_of(s.tool), settings_of(s.simulation)})
+    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  return all;
+}
+
+/// What is cut with what where nothing else is said: a block of bone with a ball.
+void complete(LoopSettings& s) {
+  if (s.workpiece.source.empty()) {
+    s.workpiece.source = "block";
+    if (!s.workpiece.size_mm) s.workpiece.size_mm = Vec3(30, 30, 15);
+    if (s.workpiece.material.empty()) s.workpiece.material = "cortical_bone";
+  }
+  if (!s.tool.head) {
+    s.tool.head = ToolSettings::Head::sphere;
+    if (!s.tool.radius_mm) s.tool.radius_mm = 1.5;
+  }
+  if (!s.tool.spindle_rpm) s.tool.spindle_rpm = 30000;
+}
+
+bool is_scripted(const std::string& device) { return device.starts_with("mock:") || device.starts_with("replay:"); }
+
+WorkspaceMapOptions map_of(const LoopSettings& s, const DeviceCapabilities& capabilities, const Box& box,
+                           const Tool& tool) {
+  WorkspaceMapOptions map;
+  map.scale = s.scale;
+  if (s.up.value_or(is_scripted(s.device) ? Up::z : Up::y) == Up::y)
+    map.X_WB.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // to the right stays, up becomes z, to the user becomes -y
+  const double tip_above_hand = tool.X_HT().translation.z() + tool.head().bounding_box().min.z();
+  const Vec3 top(0.5 * (box.min.x() + box.max.x()), 0.5 * (box.min.y() + box.max.y()), box.max.z() - tip_above_hand);
+  map.X_WB.translation = s.origin_mm ? Vec3(*s.origin_mm * units::mm) : top;
+  if (capabilities.input_degrees_of_freedom < 6) {
+    map.orientation = false;
+    map.X_SH.rotation = map.X_WB.rotation.transpose();  // the tool stands upright
+  }
+  return map;
+}
+
+/// Gains with which the device feels what it can render, whatever the scale of the world.
+CouplingGains gains_of(const DeviceCapabilities& device, double scale) {
+  CouplingGains gains = coupling_gains(device);
+  gains.stiffness /= scale;
+  gains.damping /= scale;
+  return gains;
+}
+
+/// What a screen would do: looks sixty times a second, and takes what has changed.
+LoopWatch watch(RealtimeLoop& loop, Device& device) {
+  constexpr auto kFrame = std::chrono::microseconds(16667);
+  LoopWatch seen;
+  ChangedBlock block;
+  const auto look = [&] {
+    const LoopSnapshot& snapshot = loop.latest();
+    seen.most_blocks_waiting = std::max(seen.most_blocks_waiting, snapshot.blocks_waiting);
+    seen.largest_commanded = std::max(seen.largest_commanded, snapshot.output.commanded.force.norm());
+    seen.largest_applied = std::max(seen.largest_applied, snapshot.output.applied.force.norm());
+    while (loop.receive(block)) ++seen.blocks;
+    ++seen.frames;
+  };
+  while (loop.is_running()) {
+    look();
+    if (StopSignals::came() != 0) device.stop();
+    std::this_thread::sleep_for(kFrame);
+  }
+  look();
+  seen.tool = tool_of(loop.latest());
+  return seen;
+}
+
+void run_loop(LoopSettings s) {
+  if (s.device.empty()) throw UsageError("the device is missing. Use: hapticut loop mock:spiral --seconds 60.");
+  for (const std::string& path : {s.json, s.record}) require_writable(path);
+  complete(s);
+  use_all_devices();
+  const std::unique_ptr<Device> device = open_device(s.device);
+  const bool coupled =
+      s.coupling.value_or(device->capabilities().stiffness > 0 ? Coupling::virtual_tool : Coupling::none) ==
+      Coupling::virtual_tool;
+  const Tool tool = make_tool(s.tool);
+  Workpiece workpiece = make_workpiece(s.workpiece);
+  const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
+  if (s.simulation.config.reference_stiffness == 0)  // nobody chose it
+    s.simulation.config.reference_stiffness =
+        coupled && !s.simulation.thesis_mode ? kCoupledStiffness : SimulationConfig().reference_stiffness;
+  SimulationConfig config = make_config(s.simulation);
+  if (coupled) config.contact_time = ContactTime::end;
+  Simulation simulation(std::move(workpiece), tool, std::move(config));
+  const StopSignals signals;  // what was done until they come is reported
+  RunRecorder recorder(s.record, simulation, s.simulated_time ? Pace::own : Pace::of_a_hand, device.get());
+  SimulationModelOptions model_options;
+  model_options.map = map_of(s, device->capabilities(), summary.box, tool);
+  if (coupled) model_options.coupling = gains_of(device->capabilities(), s.scale);
+  SimulationModel model(simulation, *device, model_options, recorder.get());
+  RealtimeLoopOptions options;
+  options.run.seconds = s.seconds;
+  options.run.simulated_time = s.simulated_time;
+  options.run.guard.period = options.run.guard.watchdog.period = 1 / s.simulation.rate_Hz;
+  options.region = model.region();
+
+  LoopReport report{summary, *device, simulation, coupled, s.simulation.rate_Hz, {}, {}, 0};
+  {
+    RealtimeLoop loop(*device, model, options);
+    loop.start();
+    report.seen = watch(loop, *device);
+    report.run = loop.wait();
+  }
+  report.steps_lost = recorder.close();
+  std::fputs(to_table(report).c_str(), stdout);
+  write_json(s.json, to_json(report));
+  if (report.run.fault != DeviceFault::none)
+    throw Error("the run ended because of the device: " + describe(report.run.fault) + ".");
+  if (s.seconds > 0 && StopSignals::came() != 0)
+    throw Error("the run was ended by signal " + std::to_string(StopSignals::came()) + " before " +
+                format_number(s.seconds) + " s were over; the report tells what was done until then.");
+}
+
+}  // namespace
+
+Command loop_command() {
+  auto settings = std::make_shared<LoopSettings>();
+  settings->simulation.config.reserved_blocks = kReservedBlocks;
+  settings->simulation.config.reference_stiffness = 0;
+  return {"loop", "Cut with a device in real time, or with one that stands for a device", settings_of(*settings),
+          [settings] { run_loop(*settings); }};
+}
+
+}  // namespace hapticut::cli

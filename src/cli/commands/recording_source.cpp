@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/commands/recording_source.hpp"
+
+#include "hapticut/core/errors.hpp"
+#ifdef HAPTICUT_HAS_IO
+#include "hapticut/io/recording/playback.hpp"
+#include "hapticut/io/recording/recorder.hpp"
+#endif
+
+namespace hapticut::cli {
+
+#ifdef HAPTICUT_HAS_IO
+namespace {
+
+RecorderOptions options_for(Pace pace, const Device* device) {
+  RecorderOptions options;
+  options.wait_when_full = pace == Pace::own;
+  if (device != nullptr) {
+    options.device = device->name();
+    options.capabilities = device->capabilities();
+  }
+  return options;
+}
+
+}  // namespace
+
+struct RunRecorder::State {
+  State(const std::string& path, Simulation& simulation, const RecorderOptions& options)
+      : recorder(path, simulation, options) {}
+  Recorder recorder;
+};
+
+RunRecorder::RunRecorder(const std::string& path, Simulation& simulation, Pace pace, const Device* device) {
+  if (!path.empty()) state_ = std::make_unique<State>(path, simulation, options_for(pace, device));
+}
+
+StepRecorder* RunRecorder::get() const { return state_ ? &state_->recorder : nullptr; }
+
+std::uint64_t RunRecorder::close() {
+  if (!state_) return 0;
+  state_->recorder.close();
+  return state_->recorder.lost();
+}
+
+void use_recordings_if_possible() { use_recordings(); }
+#else
+struct RunRecorder::State {};
+
+RunRecorder::RunRecorder(const std::string& path, Simulation&, Pace, const Device*) {
+  if (!path.empty())
+    throw Error("cannot write the recording '" + path +
+                "', because this program was built without its io component. Build it with HAPTICUT_WITH_IO=ON.");
+}
+
+StepRecorder* RunRecorder::get() const { return nullptr; }
+std::uint64_t RunRecorder::close() { return 0; }
+void use_recordings_if_possible() {}
+#endif
+
+RunRecorder::~RunRecorder() = default;
+
+}  // namespace hapticut::cli

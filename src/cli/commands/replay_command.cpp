@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// hapticut replay and hapticut export: what can be done with a recording.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands/command.hpp"
+#include "cli/reports/json_file.hpp"
+#include "cli/reports/table.hpp"
+#include "hapticut/core/build_info.hpp"
+#include "settings/force_settings.hpp"
+#include "settings/progress.hpp"
+#ifdef HAPTICUT_HAS_IO
+#include "hapticut/io/recording/replay.hpp"
+#endif
+
+namespace hapticut::cli {
+namespace {
+
+struct ReplaySettings {
+  std::string recording, json;
+  ForceSettings force;
+};
+
+struct ExportSettings {
+  std::string recording, target;
+};
+
+#ifdef HAPTICUT_HAS_IO
+Json to_json(const RecordingInfo& info) {
+  return {{"format", info.format}, {"version", info.version}, {"commit", info.commit},  {"compiler", info.compiler},
+          {"cpu", info.cpu},       {"begun", info.begun},     {"device", info.device},  {"note", info.note},
+          {"closed", info.closed}, {"lost_steps", info.lost}, {"remarks", info.remarks}};
+}
+
+Json to_json(const std::optional<ReplayDifference>& difference) {
+  if (!difference) return nullptr;
+  return {{"step", difference->step},
+          {"column", difference->column},
+          {"element", difference->element},
+          {"recorded", difference->recorded},
+          {"replayed", difference->replayed}};
+}
+
+std::string text_of(const ReplayDifference& d) {
+  return "step " + std::to_string(d.step) + ", " + d.column + "[" + std::to_string(d.element) + "]: recorded " +
+         rounded(d.recorded, 17) + ", replayed " + rounded(d.replayed, 17);
+}
+
+void run_replay(const ReplaySettings& s) {
+  require_writable(s.json);
+  const Recording recording = read_recording(s.recording);
+  ProgressBar progress("replaying", std::size_t(recording.size()));
+  ReplayOptions options;
+  const std::shared_ptr<const ForceLaw> law = make_law(s.force);  // refuses constants of another law
+  if (s.force.law) options.law = law;
+  options.progress = [&](std::uint64_t steps) { progress.advance_to(std::size_t(steps)); };
+  const ReplayReport report = replay(recording, options);
+  const RecordingInfo& info = recording.info();
+
+  Table table("hapticut replay: " + s.recording);
+  table.add("recorded", info.begun + " by hapticut " + info.version + (info.commit.empty() ? "" : " " + info.commit) +
+                            ", " + info.compiler + ", " + info.cpu);
+  table.add("steps", std::to_string(report.steps) + " of " + std::to_string(recording.size()));
+  table.add("identical", report.identical ? "yes, every bit" : "no");
+  if (report.first_difference) table.add("difference", text_of(*report.first_difference));
+  if (!report.identical) table.add("force", "at most " + rounded(report.largest_force_difference) + " N off");
+  for (const std::string& remark : info.remarks) table.add("remark", remark);
+  std::fputs(table.text().c_str(), stdout);
+
+  const BuildInfo build = build_info();
+  write_json(
+      s.json,
+      {{"steps", report.steps},
+       {"identical", report.identical},
+       {"first_difference", to_json(report.first_difference)},
+       {"largest_force_difference_N", report.largest_force_difference},
+       {"recorded_steps", recording.size()},
+       {"left_out", report.left_out},
+       {"recording", to_json(info)},
+       {"build",
+        {{"version", build.version}, {"commit", build.commit}, {"compiler", build.compiler}, {"cpu", build.cpu}}}});
+  if (!report.identical)
+    throw Error("the replay of '" + s.recording + "' leaves the recording at " + text_of(*report.first_difference) +
+                ". docs/recording.md says when bits are promised.");
+  if (report.left_out > 0)
+    throw Error(std::to_string(report.left_out) + " of " + std::to_string(recording.size()) + " steps of '" +
+                s.recording + "' follow a lost one, so they could not be made again.");
+}
+
+void run_export(const ExportSettings& s) {
+  const Recording recording = read_recording(s.recording);
+  const std::string extension = std::filesystem::path(s.target).extension().string();
+  if (extension != ".csv" && extension != ".npz")
+    throw Error("cannot write '" + s.target + "': its name must end in one of .csv, .npz.");
+  require_writable(s.target);
+  if (extension == ".csv")
+    write_csv(recording, s.target);
+  else
+    write_npz(recording, s.target);
+  std::printf("%s: %llu steps\n", s.target.c_str(), (unsigned long long)recording.size());
+}
+#else
+void run_replay(const ReplaySettings& s) {
+  throw Error("'" + s.recording +
+              "' cannot be read, because this program was built without its io component. Build it with "
+              "HAPTICUT_WITH_IO=ON.");
+}
+
+void run_export(const ExportSettings& s) { run_replay({s.recording, "", {}}); }
+#endif
+
+}  // namespace
+
+Command replay_command() {
+  auto settings = std::make_shared<ReplaySettings>();
+  std::vector<Setting> all = law_settings_of(settings->force);
+  all.insert(all.begin(),
+             {text("replay.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
+              text("output.json", "--json", settings->json, "report for machines")});
+  return {"replay", "Run a recording again and compare bit by bit", std::move(all), [settings] {
+            if (settings->recording.empty()) throw UsageError("the recording is missing. Use: hapticut replay FILE.");
+            run_replay(*settings);
+          }};
+}
+
+Command export_command() {
+  auto settings = std::make_shared<ExportSettings>();
+  return {"export",
+          "Write the steps of a recording as CSV or NumPy",
+          {text("export.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
+           text("export.target", "TARGET", settings->target, "file to write, .csv or .npz")},
+          [settings] {
+            if (settings->recording.empty() || settings->target.empty())
+              throw UsageError("a file is missing. Use: hapticut export RECORDING TARGET.");
+            run_export(*settings);
+          }};
+}
+
+}  // namespace hapticut::cli

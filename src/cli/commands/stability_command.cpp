@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+// hapticut stability: the closed loop of device, hand and library in simulated time.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bench/wall_table.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/reports/json_file.hpp"
+#include "cli/reports/table.hpp"
+#include "hapticut/bench/contact_bench.hpp"
+#include "hapticut/bench/fault_bench.hpp"
+#include "hapticut/core/build_info.hpp"
+#include "hapticut/force/stiffness.hpp"
+#include "settings/progress.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+constexpr double kWallTolerance = 0.05;     // [1] the table is rounded, and comes from another program
+constexpr double kLeastGain = 10;           // [1] that a coupling must win over a device driven directly
+constexpr double kPressedStiffness = 1e16;  // [N/m^4] k_v of bounces, presses and faults with a coupling
+
+struct StabilitySettings {
+  std::optional<std::string> device, hand;
+  std::string json;
+};
+
+ClosedLoopConfig loop_of(const DeviceModel& device, std::string_view hand, int delay) {
+  ClosedLoopConfig config;
+  config.device = device;
+  config.hand = hand_model(hand);
+  config.delay = delay;
+  return config;
+}
+
+ModelFactory linear_walls() {
+  return [](double stiffness) {
+    LinearWall wall;
+    wall.stiffness = stiffness;
+    wall.one_sided = false;
+    return ForceModel(wall);
+  };
+}
+
+/// What the bench found, for people, for machines and for the exit code.
+struct Findings {
+  Json wall = Json::array(), contact = Json::array(), faults = Json::array();
+  std::vector<std::string> complaints;
+  ProgressBar* progress = nullptr;  // lines are printed between its drawings
+};
+
+/// The textbook's wall, against the table and against K = 2 b/T.
+void bench_wall(const DeviceModel& device, Findings& findings) {
+  for (const WallRow& row : kWallTable) {
+    if (row.device != device.name) continue;
+    for (int delay = 0; delay < kWallDelays; ++delay) {
+      const double limit = largest_stable_stiffness(loop_of(device, row.hand, delay), linear_walls());
+      const double expected = row.stiffest[std::size_t(delay)], error = limit / expected - 1;
+      const auto paused = findings.progress->pause();
+      std::printf("%-12s %-11s delay %d  wall     %8s N/m, table %s (%+.1f %%)\n", device.name.data(), row.hand.data(),
+                  delay, rounded(limit).c_str(), rounded(expected).c_str(), 100 * error);
+      findings.wall.push_back({{"device", device.name},
+                               {"hand", row.hand},
+                               {"delay_ticks", delay},
+                               {"k_max", limit},
+                               {"expected", expected},
+                               {"relative_error", error}});
+      if (std::abs(error) > kWallTolerance)
+        findings.complaints.push_back("the wall of " + std::string(device.name) + ", " + std::string(row.hand) +
+                                      ", delay " + std::to_string(delay) + " is off by more than 5 %");
+    }
+  }
+}
+
+CouplingGains gains_of(const DeviceModel& device) {
+  CouplingGains gains = coupling_gains(capabilities(device));
+  gains.angular_stiffness = 0;  // the ball has no lever arm
+  return gains;
+}
+
+/// The real model, felt directly and through the coupling.
+void bench_contact(const DeviceModel& device, std::string_view hand, Findings& findings) {
+  for (int delay = 0; delay < kWallDelays; ++delay) {
+    ClosedLoopConfig config = loop_of(device, hand, delay);
+    config.velocity_filter = 100;
+    const ContactBench direct, coupled{.coupling = gains_of(device)};
+    const double slope = largest_contact_stiffness(SphereHead{direct.radius});
+    const double k_direct = largest_stable_stiffness(config, contact_models(direct), pressed_search(direct));
+    const double k_coupled = largest_stable_stiffness(config, contact_models(coupled), pressed_search(coupled));
+    BounceTest bounced;
+    bounced.height = direct.radius;
+    bounced.phases = 10;
+    PressTest pressed;
+    pressed.height = direct.radius;
+    pressed.depth = 5e-3;
+    pressed.seconds = 2;
+    pressed.measured = 0.5;
+    const Bounce bounce_coupled = bounce(config, contact_models(coupled), kPressedStiffness, bounced);
+    const Buzz buzz = press(config, contact_models(coupled), kPressedStiffness, pressed);
+    const bool at_end = k_coupled >= pressed_search(coupled).high;
+    const auto paused = findings.progress->pause();
+    std::printf(
+        "%-12s %-11s delay %d  contact  direct k_v %s, coupled %s%s N/m^4; restitution %.2f, energy %.2g mJ, buzz %.2g "
+        "um\n",
+        device.name.data(), std::string(hand).c_str(), delay, rounded(k_direct, 3).c_str(), at_end ? ">= " : "",
+        rounded(k_coupled, 3).c_str(), bounce_coupled.restitution, 1e3 * bounce_coupled.generated_energy,
+        1e6 * buzz.position_rms);
+    std::fflush(stdout);
+    findings.contact.push_back({{"device", device.name},
+                                {"hand", hand},
+                                {"delay_ticks", delay},
+                                {"coupling_stiffness_N_per_m", coupled.coupling->stiffness},
+                                {"k_max_direct", k_direct},
+                                {"k_max_direct_N_per_m", k_direct * slope},
+                                {"k_max", k_coupled},
+                                {"k_max_N_per_m", k_coupled * slope},
+                                {"k_max_is_the_end_of_the_search", at_end},
+                                {"restitution", bounce_coupled.restitution},
+                                {"generated_energy_J", bounce_coupled.generated_energy},
+                                {"buzz_um", 1e6 * buzz.position_rms},
+                                {"buzz_N", buzz.force_peak_to_peak}});
+    if (!(k_coupled >= kLeastGain * k_direct))
+      findings.complaints.push_back("the coupling of " + std::string(device.name) + ", delay " + std::to_string(delay) +
+                                    " wins less than ten times");
+    if (bounce_coupled.restitution > 1)
+      findings.complaints.push_back("the coupling of " + std::string(device.name) + ", delay " + std::to_string(delay) +
+                                    " throws the hand back faster than it came");
+  }
+}
+
+/// Every fault that the bench can inject, with the real model behind guard and coupling.
+void bench_faults(const DeviceModel& device, std::string_view hand, Findings& findings) {
+  const ContactBench bench{.coupling = gains_of(device)};
+  GuardOptions options;
+  options.stiffness = bench.coupling->stiffness;
+  const SafetyGuard guard(capabilities(device), options);
+  for (int delay = 0; delay < kWallDelays; ++delay) {
+    double slowest = 0;
+    int broken = 0;
+    for (const InjectedFault fault : injected_faults()) {
+      ClosedLoopConfig config = loop_of(device, hand, delay);
+      config.dry_friction = config.encoder = config.saturation = true;
+      config.velocity_filter = 100;
+      const FaultResponse response =
+          respond(config, contact_models(bench), kPressedStiffness, options, fault, bench.radius);
+      const bool obeyed = obeys_the_rules(response, guard, config.period);
+      findings.faults.push_back(
+          {{"device", device.name},
+           {"hand", hand},
+           {"delay_ticks", delay},
+           {"fault", name(fault)},
+           {"time_to_zero_ms", response.time_to_zero < 0 ? Json() : Json(1e3 * response.time_to_zero)},
+           {"greatest_force_N", response.greatest_force},
+           {"greatest_growth_N", response.greatest_growth},
+           {"oldest_force_ms", 1e3 * response.oldest_force},
+           {"end", name(response.end)},
+           {"rules_obeyed", obeyed}});
+      slowest = std::max(slowest, response.time_to_zero);
+      broken += obeyed ? 0 : 1;
+      if (!obeyed)
+        findings.complaints.push_back("the fault " + std::string(name(fault)) + " on " + std::string(device.name) +
+                                      ", delay " + std::to_string(delay) + " breaks a rule");
+    }
+    const auto paused = findings.progress->pause();
+    std::printf(
+        "%-12s %-11s delay %d  faults   %zu injected, %d against the rules, no force at the latest after %.3g ms\n",
+        device.name.data(), std::string(hand).c_str(), delay, injected_faults().size(), broken, 1e3 * slowest);
+    std::fflush(stdout);
+  }
+}
+
+void run_stability(const StabilitySettings& s) {
+  const std::string hand = s.hand.value_or("nominal"), which = s.device.value_or("all");
+  require_writable(s.json);
+  ProgressBar progress("simulating devices");
+  Findings findings;
+  findings.progress = &progress;
+  for (const DeviceModel& device : device_models()) {
+    if (which != "all" && which != device.name) continue;
+    bench_wall(device, findings);
+    bench_contact(device, hand, findings);
+    bench_faults(device, hand, findings);
+  }
+  const BuildInfo build = build_info();
+  write_json(s.json, {{"wall", findings.wall},
+                      {"contact", findings.contact},
+                      {"faults", findings.faults},
+                      {"complaints", findings.complaints},
+                      {"build", {{"version", build.version}, {"commit", build.commit}}}});
+  if (findings.complaints.empty()) return;
+  throw Error(std::to_string(findings.complaints.size()) + " of the bench's rules are broken; the first: " +
+              findings.complaints.front() + ". Look at the report for the rest.");
+}
+
+/// The names of the presets, each meaning itself.
+template <typename Models>
+std::vector<std::pair<std::string, std::string>> names_of(const Models& models) {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const auto& model : models) names.emplace_back(model.name, model.name);
+  return names;
+}
+
+}  // namespace
+
+Command stability_command() {
+  auto settings = std::make_shared<StabilitySettings>();
+  auto devices = names_of(device_models());
+  devices.insert(devices.begin(), {"all", "all"});
+  return {"stability",
+          "The closed loop of device, hand and library in simulated time",
+          {choice("stability.device", "--device", settings->device, devices, "the simulated device [all]"),
+           choice("stability.hand", "--hand", settings->hand, names_of(hand_models()),
+                  "the hand that presses the real model [nominal]"),
+           text("output.json", "--json", settings->json, "report for machines")},
+          [settings] { run_stability(*settings); }};
+}
+
+}  // namespace hapticut::cli

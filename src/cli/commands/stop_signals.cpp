@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/commands/stop_signals.hpp"
+
+#include <atomic>
+
+namespace hapticut::cli {
+namespace {
+
+std::atomic<int> last_signal{0};
+static_assert(std::atomic<int>::is_always_lock_free);  // or a signal handler may not touch it
+
+extern "C" void hapticut_remember_signal(int signal) { last_signal.store(signal); }
+
+}  // namespace
+
+StopSignals::StopSignals() {
+  last_signal.store(0);
+  struct sigaction action {};
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  action.sa_handler = hapticut_remember_signal;
+  for (std::size_t n = 0; n < kSignals.size(); ++n) {
+    sigaction(kSignals[n], nullptr, &before_[n]);
+    // What the shell has set to be ignored, as nohup does, stays ignored.
+    if (before_[n].sa_handler != SIG_IGN) sigaction(kSignals[n], &action, nullptr);
+  }
+}
+
+StopSignals::~StopSignals() {
+  for (std::size_t n = 0; n < kSignals.size(); ++n) sigaction(kSignals[n], &before_[n], nullptr);
+}
+
+int StopSignals::came() noexcept { return last_signal.load(); }
+
+}  // namespace hapticut::cli

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include "bench/validation/checks.hpp"
+#include "bench/validation/measurements.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/reports/json_file.hpp"
+#include "cli/reports/table.hpp"
+#include "hapticut/core/build_info.hpp"
+#include "hapticut/core/errors.hpp"
+#include "io/atomic_file.hpp"
+#include "settings/progress.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+using validation::Check;
+
+struct ValidateSettings {
+  std::string only, json, markdown, measurements;
+  double tolerance_factor = 1;
+};
+
+std::string percent(double share) { return rounded(100 * share, 2) + " %"; }
+
+void write_page(const std::string& path, const std::string& text) {
+  if (!path.empty()) write_atomically(path, [&](std::ostream& stream) { stream << text; });
+}
+
+/// Two lines, so that none is wider than a terminal.
+void print(const Check& c) {
+  std::printf("%-4s %-24s %s\n     expected %s, computed %s, off by %s of %s\n", c.pass() ? "ok" : "FAIL", c.id.c_str(),
+              c.what.c_str(), c.with_unit(rounded(c.expected, 5)).c_str(), c.with_unit(rounded(c.computed, 5)).c_str(),
+              percent(c.relative_error()).c_str(), percent(c.tolerance).c_str());
+}
+
+/// The table as a page of the documentation. No times and no machine in it: it changes only when a result does.
+std::string page_of(const std::vector<Check>& checks) {
+  std::string page =
+      "<!-- SPDX-License-Identifier: Apache-2.0 -->\n# Validation\n\nWhat each closed form gives, and what the "
+      "library gives. Written by `hapticut validate --markdown docs/validation.md`;\nthe formulas are in "
+      "[forces.md](forces.md).\n\n| id | case | expected | computed | error | tolerance "
+      "|\n|---|---|---|---|---|---|\n";
+  for (const Check& c : checks)
+    page += "| " + c.id + " | " + c.what + " | " + c.with_unit(rounded(c.expected, 4)) + " | " +
+            c.with_unit(rounded(c.computed, 4)) + " | " + percent(c.relative_error()) + (c.pass() ? "" : " **FAIL**") +
+            " | " + percent(c.tolerance) + " |\n";
+  return page;
+}
+
+void run_validate(const ValidateSettings& s) {
+  for (const std::string& path : {s.json, s.markdown, s.measurements}) require_writable(path);
+  std::vector<validation::Experiment> experiments;
+  for (validation::Experiment& experiment : validation::all_experiments())
+    if (experiment.name.find(s.only) != std::string::npos) experiments.push_back(std::move(experiment));
+  if (experiments.empty())
+    throw Error("no experiment has '" + s.only + "' in its name. Leave --only out to run all of them.");
+
+  std::vector<Check> checks;
+  Json cases = Json::array();
+  ProgressBar progress("validating", experiments.size());
+  int failed = 0;
+  const auto start = std::chrono::steady_clock::now();
+  for (std::size_t n = 0; n < experiments.size(); ++n) {
+    std::vector<Check> results = experiments[n].run();
+    progress.advance_to(n + 1);
+    const auto paused = progress.pause();
+    for (Check& c : results) {
+      c.tolerance *= s.tolerance_factor;
+      print(c);
+      std::fflush(stdout);
+      cases.push_back({{"id", c.id},
+                       {"case", c.what},
+                       {"unit", c.unit},
+                       {"expected", c.expected},
+                       {"computed", c.computed},
+                       {"relative_error", c.relative_error()},
+                       {"tolerance", c.tolerance},
+                       {"pass", c.pass()}});
+      failed += c.pass() ? 0 : 1;
+      checks.push_back(c);
+    }
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::printf("%zu cases, %d failed, %s s\n", checks.size(), failed, rounded(seconds, 3).c_str());
+  write_json(s.json, {{"cases", cases},
+                      {"failed", failed},
+                      {"seconds", seconds},
+                      {"build", {{"version", build_info().version}, {"commit", build_info().commit}}}});
+  write_page(s.markdown, page_of(checks));
+  write_page(s.measurements, validation::measurements_page());
+  if (failed > 0)
+    throw Error(std::to_string(failed) + " of " + std::to_string(checks.size()) +
+                " cases are off by more than their tolerance: this build does not compute what it should.");
+}
+
+}  // namespace
+
+Command validate_command() {
+  auto settings = std::make_shared<ValidateSettings>();
+  return {"validate",
+          "Hold the library against its closed forms and say how far it is off",
+          {text("validate.only", "--only", settings->only, "run only the experiments with this in their name"),
+           text("output.json", "--json", settings->json, "report for machines"),
+           number("validate.tolerance_factor", "--tolerance_factor", settings->tolerance_factor, Range::between(0, 1),
+                  "all tolerances times this, to see how near the cases are to them [1]"),
+           text("output.markdown", "--markdown", settings->markdown, "the same as a page of the documentation"),
+           text("output.measurements", "--measurements", settings->measurements,
+                "what published measurements predict, as a page of the documentation")},
+          [settings] { run_validate(*settings); }};
+}
+
+}  // namespace hapticut::cli

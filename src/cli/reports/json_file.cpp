@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/reports/json_file.hpp"
+
+#include <system_error>
+
+#include "io/atomic_file.hpp"
+
+namespace hapticut::cli {
+
+void require_writable(const std::filesystem::path& path) {
+  if (path.empty()) return;
+  std::error_code refused;  // then the file cannot be written either, and says why
+  std::filesystem::create_directories(path.parent_path(), refused);
+  const AtomicFile unused(path);
+}
+
+void write_json(const std::filesystem::path& path, const Json& report) {
+  if (path.empty()) return;
+  write_atomically(path, [&](std::ostream& stream) { stream << report.dump(2) << '\n'; });
+}
+
+}  // namespace hapticut::cli

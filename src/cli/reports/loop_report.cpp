@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/reports/loop_report.hpp"
+
+#include <cmath>
+
+#include "cli/reports/table.hpp"
+#include "hapticut/core/build_info.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/force/stiffness.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+constexpr double kMicrosecond = 1e-6;
+
+Json to_json(const LatencyHistogram& h) {
+  Json buckets = Json::array();  // [lower edge in us, how often], without those that were never seen
+  for (std::size_t n = 0; n < LatencyHistogram::kBuckets; ++n)
+    if (h.buckets()[n] > 0) buckets.push_back({n, h.buckets()[n]});
+  const auto us = [](double seconds) { return seconds / kMicrosecond; };
+  return {{"count", h.count()},          {"min", us(h.min())},
+          {"mean", us(h.mean())},        {"p50", us(h.quantile(0.5))},
+          {"p99", us(h.quantile(0.99))}, {"p999", us(h.quantile(0.999))},
+          {"max", us(h.max())},          {"longer_than_2_ms", h.longer()},
+          {"buckets", buckets}};
+}
+
+std::string text_of(const LatencyHistogram& h) {
+  const auto us = [](double seconds) { return rounded(seconds / kMicrosecond, 3) + " us"; };
+  return "p50 " + us(h.quantile(0.5)) + ", p99 " + us(h.quantile(0.99)) + ", p99.9 " + us(h.quantile(0.999)) +
+         ", max " + us(h.max());
+}
+
+}  // namespace
+
+std::uint64_t deadline_misses(const LatencyHistogram& compute, double period) {
+  std::uint64_t misses = compute.longer();
+  const auto first = std::size_t(std::ceil(period / LatencyHistogram::kBucketWidth - 1e-9));
+  for (std::size_t n = first; n < LatencyHistogram::kBuckets; ++n) misses += compute.buckets()[n];
+  return misses;
+}
+
+std::vector<std::string> warnings_of(const LoopReport& r) {
+  std::vector<std::string> warnings = r.run.warnings;
+  const DeviceCapabilities& device = r.device.capabilities();
+  if (device.stiffness > 0 && !r.coupled) {
+    const double most = stiffness_for_device(r.simulation.tool().head(), device.stiffness);
+    if (r.simulation.config().reference_stiffness > most)
+      warnings.push_back("the device is driven directly, and a flat face of this material is stiffer than the " +
+                         rounded(device.stiffness) +
+                         " N/m that it renders: the hand may feel it buzz, and the guard brakes it; lower "
+                         "simulation.reference_stiffness_N_per_m4 to " +
+                         rounded(most, 3) + ".");
+  }
+  if (r.device.name() == "mouse")
+    warnings.emplace_back(
+        "this program has no window, so nobody moved the mouse; MouseDevice is for the windows of other programs.");
+  if (has(r.seen.tool.seen, StepStatus::engaged_layer_thick))
+    warnings.emplace_back(
+        "the engaged layer was thicker than a tenth of the head, so forces came out low: the material is too soft for "
+        "the feed.");
+  if (has(r.seen.tool.seen, StepStatus::blocks_exhausted))
+    warnings.emplace_back("some material was not cut for want of blocks; raise simulation.reserved_blocks.");
+  if (r.steps_lost > 0)
+    warnings.push_back("the disk did not keep up: " + std::to_string(r.steps_lost) +
+                       " steps are missing in the recording.");
+  return warnings;
+}
+
+Json to_json(const LoopReport& r) {
+  Json events = Json::object(), log = Json::array();
+  for (std::size_t n = 0; n < kSafetyEvents; ++n)
+    if (r.run.events[n] > 0) events[std::string(name(SafetyEvent(n)))] = r.run.events[n];
+  for (const SafetyLogEntry& entry : r.run.log)
+    log.push_back({{"time_s", entry.time}, {"event", std::string(name(entry.event))}, {"value", entry.value}});
+  const DeviceCapabilities& device = r.device.capabilities();
+  const BuildInfo build = build_info();
+  return {
+      {"device",
+       {{"name", r.device.name()},
+        {"model", device.model},
+        {"peak_force_N", device.peak_force},
+        {"stiffness_N_per_m", device.stiffness}}},
+      {"coupling", r.coupled ? "virtual" : "none"},
+      {"rate_Hz", r.rate},
+      {"ticks", r.run.ticks},
+      {"missed_ticks", r.run.missed},
+      {"end", r.run.end},
+      {"guard", name(r.run.guard)},
+      {"wake_up_us", to_json(r.run.wake_up)},
+      {"compute_us", to_json(r.run.compute)},
+      {"deadline_misses", deadline_misses(r.run.compute, 1 / r.rate)},
+      {"safety_events", events},
+      {"safety_log", log},
+      {"steps", r.seen.tool.steps},
+      {"removed_volume_mm3", r.seen.tool.removed_volume / units::mm3},
+      {"force_N", {{"largest_commanded", r.seen.largest_commanded}, {"largest_applied", r.seen.largest_applied}}},
+      {"energy_closure", std::abs(r.simulation.last_result().energy.closure())},
+      {"graphics",
+       {{"frames", r.seen.frames}, {"blocks", r.seen.blocks}, {"most_blocks_waiting", r.seen.most_blocks_waiting}}},
+      {"steps_lost_by_recorder", r.steps_lost},
+      {"workpiece", to_json(r.workpiece, r.simulation.workpiece().materials())},
+      {"build",
+       {{"version", build.version}, {"commit", build.commit}, {"compiler", build.compiler}, {"cpu", build.cpu}}},
+      {"warnings", warnings_of(r)},
+  };
+}
+
+std::string to_table(const LoopReport& r) {
+  Table table("hapticut loop: " + r.device.name());
+  const DeviceCapabilities& device = r.device.capabilities();
+  table.add("device", (device.model.empty() ? "unknown" : device.model) + ", " + rounded(device.peak_force) + " N, " +
+                          rounded(device.stiffness) + " N/m, " +
+                          (r.coupled ? "behind a virtual coupling" : "driven directly"));
+  table.add("workpiece", r.workpiece.source + ", voxels of " + rounded(r.workpiece.voxel_size / units::mm) + " mm");
+  table.add("ticks", std::to_string(r.run.ticks) + " at " + rounded(r.rate, 6) + " Hz, " +
+                         std::to_string(r.run.missed) + " missed; " + r.run.end);
+  if (r.run.wake_up.count() > 0) table.add("wake-up", text_of(r.run.wake_up) + " late");
+  table.add("compute", text_of(r.run.compute) + ", " + std::to_string(deadline_misses(r.run.compute, 1 / r.rate)) +
+                           " over the period");
+  table.add("removed", rounded(r.seen.tool.removed_volume / units::mm3) + " mm^3 in " +
+                           std::to_string(r.seen.tool.steps) + " steps");
+  table.add("force", "largest seen: " + rounded(r.seen.largest_commanded) + " N commanded, " +
+                         rounded(r.seen.largest_applied) + " N applied");
+  table.add("graphics", std::to_string(r.seen.frames) + " frames, " + std::to_string(r.seen.blocks) +
+                            " changed blocks, at most " + std::to_string(r.seen.most_blocks_waiting) + " waiting");
+  for (std::size_t n = 0; n < kSafetyEvents; ++n)
+    if (r.run.events[n] > 0)
+      table.add("safety", std::string(name(SafetyEvent(n))) + " in " + std::to_string(r.run.events[n]) + " ticks");
+  for (const std::string& warning : warnings_of(r)) table.add("warning", warning);
+  return table.text();
+}
+
+}  // namespace hapticut::cli

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/reports/outputs.hpp"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "cli/reports/json_file.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/io/vdb/vdb.hpp"
+#include "hapticut/workpiece/surface.hpp"
+#include "io/atomic_file.hpp"
+#ifdef HAPTICUT_HAS_IO
+#include "hapticut/io/mesh/meshes.hpp"
+#include "hapticut/io/picture/picture.hpp"
+#include "hapticut/io/volume/volumes.hpp"
+#endif
+
+namespace hapticut::cli {
+namespace {
+
+std::string names_of(StepStatus status) {
+  std::string names;
+  for (const auto& [bit, name] : status_names())
+    if (has(status, bit)) names += (names.empty() ? "" : "|") + name;
+  return names.empty() ? "ok" : names;
+}
+
+bool has_extension(const std::string& path, const std::vector<std::string>& extensions) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  for (const std::string& allowed : extensions)
+    if (extension == allowed) return true;
+  return false;
+}
+
+void require_extension(const std::string& path, const std::vector<std::string>& extensions) {
+  if (path.empty() || has_extension(path, extensions)) return;
+  std::string list;
+  for (const std::string& allowed : extensions) list += (list.empty() ? "" : ", ") + allowed;
+  throw Error("cannot write '" + path + "': its name must end in one of " + list + ".");
+}
+
+/// Whether this program has what it takes to write such a file.
+void require_writer([[maybe_unused]] const std::string& path) {
+#ifndef HAPTICUT_HAS_IO
+  if (path.empty() || has_extension(path, {".vdb"})) return;
+  throw Error("cannot write '" + path +
+              "', because this program was built without its io component; only .vdb files can be written. Build it "
+              "with HAPTICUT_WITH_IO=ON.");
+#endif
+}
+
+}  // namespace
+
+std::vector<Setting> settings_of(OutputSettings& o) {
+  return {
+      text("output.json", "--json", o.json, "report for machines"),
+      text("output.steps_csv", "--steps_csv", o.steps_csv, "a line for every step"),
+      text("output.record", "--record", o.record, "recording of every step, for replay and export"),
+      text("output.save", "--save", o.workpiece, "what is left of the workpiece, .vdb or .nrrd"),
+      text("output.surface", "--surface", o.surface, "surface of what is left, .stl or .ply"),
+      text("output.picture", "--picture", o.picture, "picture of what is left, .png"),
+      vector("output.picture_view", "--picture_view", o.picture_view, Range::any(),
+             "direction from the camera into the scene"),
+  };
+}
+
+void check_outputs(const OutputSettings& outputs) {
+  require_extension(outputs.workpiece, {".vdb", ".nrrd"});
+  require_extension(outputs.surface, {".stl", ".ply"});
+  require_extension(outputs.picture, {".png"});
+  for (const std::string& path : {outputs.workpiece, outputs.surface, outputs.picture}) require_writer(path);
+  for (const std::string& path :
+       {outputs.json, outputs.steps_csv, outputs.workpiece, outputs.surface, outputs.picture, outputs.record})
+    require_writable(path);
+}
+
+void check_workpiece_file(const std::string& path) {
+  require_extension(path, {".vdb", ".nrrd", ".stl", ".ply"});
+  require_writer(path);
+  require_writable(path);
+}
+
+#ifdef HAPTICUT_HAS_IO
+void write_workpiece(const std::string& path, const Workpiece& workpiece) {
+  if (has_extension(path, {".nrrd"})) return write_nrrd(path, workpiece);
+  if (has_extension(path, {".stl", ".ply"})) return write_surface(path, workpiece);
+  save_vdb(workpiece, path);
+}
+
+void write_surface(const std::string& path, const Workpiece& workpiece) {
+  const WorkpieceSurface surface = extract_surface(workpiece);
+  if (has_extension(path, {".ply"})) return write_ply(colored(surface, workpiece.materials()), path);
+  write_stl(surface.mesh, path);
+}
+
+void write_picture_of(const OutputSettings& outputs, const Workpiece& workpiece) {
+  PictureOptions options;
+  options.view_direction = outputs.picture_view.value_or(options.view_direction);
+  write_picture({colored(extract_surface(workpiece), workpiece.materials())}, options, outputs.picture);
+}
+#else
+// `require_writer` has refused all that would need io.
+void write_workpiece(const std::string& path, const Workpiece& workpiece) { save_vdb(workpiece, path); }
+void write_surface(const std::string&, const Workpiece&) {}
+void write_picture_of(const OutputSettings&, const Workpiece&) {}
+#endif
+
+void write_steps(const std::string& path, const std::vector<StepRow>& rows) {
+  write_atomically(path, [&](std::ostream& stream) {
+    stream << "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz,force_x_N,force_y_N,force_z_N,torque_x_Nmm,torque_y_Nmm,torque_z_Nmm,"
+              "removed_mm3,contact_voxels,status\n";
+    char line[512];
+    for (const StepRow& row : rows) {
+      const Eigen::Quaterniond q(row.X_WT.rotation);
+      const Vec3 p = row.X_WT.translation / units::mm, torque = row.torque / units::N_mm;
+      std::snprintf(line, sizeof line, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%d,",
+                    row.t, p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z(), row.force.x(), row.force.y(), row.force.z(),
+                    torque.x(), torque.y(), torque.z(), row.removed / units::mm3, row.contact_voxels);
+      stream << line << names_of(row.status) << '\n';
+    }
+  });
+}
+
+}  // namespace hapticut::cli

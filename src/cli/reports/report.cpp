@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/reports/report.hpp"
+
+#include "cli/reports/table.hpp"
+#include "hapticut/core/build_info.hpp"
+#include "hapticut/core/units.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+constexpr int kFewMaterials = 16;  // up to here materials that were not cut are listed too
+
+Json by_material(const MaterialTable& materials, const std::array<double, 256>& volumes) {
+  Json json = Json::object();
+  for (int id = 1; id <= materials.size(); ++id) {
+    const double volume = volumes[std::size_t(id)] / units::mm3;
+    if (volume > 0 || materials.size() <= kFewMaterials) json[materials[MaterialId(id)].name] = volume;
+  }
+  return json;
+}
+
+Json to_json(const EnergyLedger& e) {
+  return {{"hand_work", e.hand_work}, {"motor_work", e.motor_work}, {"elastic", e.elastic}, {"cutting", e.cutting},
+          {"released", e.released},   {"damping", e.damping},       {"rubbing", e.rubbing}, {"anchored", e.anchored},
+          {"sliding", e.sliding},     {"credited", e.credited},     {"entered", e.entered}};
+}
+
+Json status_json(const DrillResult& result) {
+  Json json = Json::object();
+  for (const auto& [bit, name] : status_names()) json[name] = result.count(bit);
+  return json;
+}
+
+Json to_json(const BuildInfo& build) {
+  return {{"version", build.version}, {"commit", build.commit}, {"compiler", build.compiler}, {"cpu", build.cpu}};
+}
+
+Json in_mm(const Vec3& p) { return {p.x() / units::mm, p.y() / units::mm, p.z() / units::mm}; }
+
+std::string dims_text(const std::array<int, 3>& dims) {
+  return std::to_string(dims[0]) + " x " + std::to_string(dims[1]) + " x " + std::to_string(dims[2]);
+}
+
+}  // namespace
+
+WorkpieceSummary summarize(const std::string& source, const Workpiece& workpiece) {
+  const IndexBox box = workpiece.bounds();
+  WorkpieceSummary summary;
+  summary.source = source;
+  for (std::size_t axis = 0; axis < 3; ++axis) summary.dims[axis] = box.empty() ? 0 : box.max[axis] - box.min[axis] + 1;
+  summary.voxel_size = workpiece.voxel_size();
+  summary.X_WV = workpiece.frame().X_WV;
+  summary.box = {Vec3::Zero(), Vec3::Zero()};
+  for (int corner = 0; corner < 8 && !box.empty(); ++corner) {
+    Vec3 index;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      index[int(axis)] = (corner >> axis & 1) != 0 ? box.max[axis] + 0.5 : box.min[axis] - 0.5;
+    const Vec3 p = summary.X_WV * (summary.voxel_size * index);
+    summary.box.min = corner == 0 ? p : summary.box.min.cwiseMin(p).eval();
+    summary.box.max = corner == 0 ? p : summary.box.max.cwiseMax(p).eval();
+  }
+  summary.memory_bytes = workpiece.memory_bytes();
+  summary.amounts = workpiece.amounts();
+  return summary;
+}
+
+Json to_json(const Pose& pose) {
+  Json rotation = Json::array();
+  for (int row = 0; row < 3; ++row)
+    rotation.push_back({pose.rotation(row, 0), pose.rotation(row, 1), pose.rotation(row, 2)});
+  return {{"position_mm", in_mm(pose.translation)}, {"rotation", rotation}};
+}
+
+Json to_json(const Box& box) { return {{"min_mm", in_mm(box.min)}, {"max_mm", in_mm(box.max)}}; }
+
+std::string box_text(const Box& box) {
+  const auto corner = [](const Vec3& p) {
+    return rounded(p.x() / units::mm) + " " + rounded(p.y() / units::mm) + " " + rounded(p.z() / units::mm);
+  };
+  return corner(box.min) + " to " + corner(box.max) + " mm";
+}
+
+Json to_json(const WorkpieceSummary& s, const MaterialTable& materials) {
+  Json voxels = Json::object(), volumes = Json::object();
+  for (const MaterialAmount& amount : s.amounts) {
+    if (amount.voxels == 0 && materials.size() > kFewMaterials) continue;
+    voxels[materials[amount.material].name] = amount.voxels;
+    volumes[materials[amount.material].name] = amount.volume / units::mm3;
+  }
+  return {{"source", s.source},      {"dims", s.dims},        {"voxel_size_mm", s.voxel_size / units::mm},
+          {"pose", to_json(s.X_WV)}, {"box", to_json(s.box)}, {"memory_bytes", s.memory_bytes},
+          {"voxels", voxels},        {"volume_mm3", volumes}};
+}
+
+Json to_json(const DrillReport& report, const DrillResult& r, const Simulation& simulation) {
+  const MaterialTable& materials = simulation.workpiece().materials();
+  return {
+      {"steps", r.steps},
+      {"rate_Hz", report.rate},
+      {"steps_in_contact", r.steps_in_contact},
+      {"steps_cutting", r.steps_cutting},
+      {"removed_volume_mm3",
+       {{"total", r.removed_volume / units::mm3},
+        {"by_material", by_material(materials, simulation.removed_volume_by_material())}}},
+      {"removed_voxels", r.removed_voxels},
+      {"force_N", {{"max", r.max_force}, {"mean", r.mean_force}}},
+      {"torque_Nmm", {{"max", r.max_torque / units::N_mm}, {"mean", r.mean_torque / units::N_mm}}},
+      {"energy_closure", std::abs(r.energy.closure())},
+      {"energy_J", to_json(r.energy)},
+      {"step_time_us", {{"p50", r.times.p50}, {"p99", r.times.p99}, {"p999", r.times.p999}, {"max", r.times.max}}},
+      {"deadline_misses", r.times.deadline_misses},
+      {"workpiece", to_json(report.workpiece, materials)},
+      {"build", to_json(build_info())},
+      {"status", status_json(r)},
+      {"warnings", report.warnings},
+  };
+}
+
+std::string to_table(const DrillReport& report, const DrillResult& r, const Simulation& simulation) {
+  const MaterialTable& materials = simulation.workpiece().materials();
+  const auto share = [&](std::size_t count) { return rounded(100.0 * double(count) / double(r.steps), 3) + " %"; };
+  Table table("hapticut drill: " + report.workpiece.source);
+  table.add("workpiece", dims_text(report.workpiece.dims) + " voxels of " +
+                             rounded(report.workpiece.voxel_size / units::mm) + " mm, " +
+                             bytes(report.workpiece.memory_bytes));
+  table.add("steps", std::to_string(r.steps) + " at " + rounded(report.rate, 6) + " Hz, " + share(r.steps_in_contact) +
+                         " in contact, " + share(r.steps_cutting) + " cutting");
+  table.add("removed",
+            rounded(r.removed_volume / units::mm3) + " mm^3, " + std::to_string(r.removed_voxels) + " voxels");
+  const auto& volumes = simulation.removed_volume_by_material();
+  for (int id = 1; id <= materials.size() && materials.size() <= kFewMaterials; ++id)
+    table.add("  " + materials[MaterialId(id)].name, rounded(volumes[std::size_t(id)] / units::mm3) + " mm^3");
+  table.add("force", "max " + rounded(r.max_force) + " N, mean " + rounded(r.mean_force) + " N in contact");
+  table.add("torque", "max " + rounded(r.max_torque / units::N_mm) + " Nmm, mean " +
+                          rounded(r.mean_torque / units::N_mm) + " Nmm about the hand");
+  table.add("energy", "hand " + rounded(r.energy.hand_work) + " J, motor " + rounded(r.energy.motor_work) +
+                          " J, cutting " + rounded(r.energy.cutting) + " J, unaccounted for " +
+                          rounded(std::abs(r.energy.closure()), 2) + " of the work");
+  table.add("step time", "p50 " + rounded(r.times.p50, 3) + " us, p99 " + rounded(r.times.p99, 3) + " us, p99.9 " +
+                             rounded(r.times.p999, 3) + " us, max " + rounded(r.times.max, 3) + " us, " +
+                             std::to_string(r.times.deadline_misses) + " over 1 ms (processor time)");
+  for (const auto& [bit, name] : status_names())
+    if (r.count(bit) > 0) table.add("status", name + " in " + std::to_string(r.count(bit)) + " steps");
+  for (const std::string& warning : report.warnings) table.add("warning", warning);
+  return table.text();
+}
+
+}  // namespace hapticut::cli

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/core/device_state.hpp"
+
+#include <array>
+#include <utility>
+
+namespace hapticut {
+
+std::string describe(DeviceFault fault) {
+  switch (fault) {
+    case DeviceFault::none:
+      return "no fault";
+    case DeviceFault::disconnected:
+      return "the device stopped answering; check its cable, its power and the permission to use it, then run again";
+    case DeviceFault::uncalibrated:
+      return "the device is not calibrated, so its position means nothing; dock the stylus or run the maker's "
+             "calibration";
+    case DeviceFault::motors_warm:
+      return "the motors are too warm; let go until they have cooled";
+    case DeviceFault::force_limit:
+      return "the driver refused a force or its change as too large; soften the contact or lower the slew limit";
+    case DeviceFault::speed_limit:
+      return "the stylus moved faster than the driver allows; move it more slowly";
+    case DeviceFault::overloaded:
+      return "the servo loop took longer than its period; simulate less per tick";
+    case DeviceFault::driver_error:
+      return "the driver refused a call; its message is in the run's report";
+    case DeviceFault::switched_off:
+      return "somebody switched the motors off; switch them on again at the device, with its button or dead man's "
+             "switch";
+  }
+  return "an unknown fault";
+}
+
+std::string describe(OutputLimit limits) {
+  static constexpr std::array<std::pair<OutputLimit, const char*>, 9> kWords = {{
+      {OutputLimit::held_back, "held back"},
+      {OutputLimit::ramped, "faded in"},
+      {OutputLimit::saturated, "saturated"},
+      {OutputLimit::slew_limited, "growth limited"},
+      {OutputLimit::cooled, "reduced to cool the motors"},
+      {OutputLimit::damped, "damped by the passivity controller"},
+      {OutputLimit::not_finite, "not finite"},
+      {OutputLimit::no_actuator, "no motors for it"},
+      {OutputLimit::by_driver, "changed by the driver"},
+  }};
+  std::string words;
+  for (const auto& [bit, word] : kWords)
+    if (has(limits, bit)) words += (words.empty() ? "" : ", ") + std::string(word);
+  return words.empty() ? "none" : words;
+}
+
+}  // namespace hapticut

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/recording/hdf5.hpp"
+
+namespace hapticut::hdf5 {
+namespace {
+
+constexpr hsize_t kLongestText = 1 << 20;  // [bytes]
+
+/// The innermost entry of HDF5's error stack is the reason; the others repeat who called whom.
+herr_t keep_first(unsigned n, const H5E_error2_t* entry, void* reason) {
+  if (n == 0 && entry->desc != nullptr) *static_cast<std::string*>(reason) = entry->desc;
+  return 0;
+}
+
+DataType text_type(std::size_t length) {
+  DataType type(H5Tcopy(H5T_C_S1), "making a text type");
+  checked(H5Tset_size(type.get(), std::max<std::size_t>(1, length)), "making a text type");
+  checked(H5Tset_cset(type.get(), H5T_CSET_UTF8), "making a text type");
+  checked(H5Tset_strpad(type.get(), H5T_STR_NULLPAD), "making a text type");
+  return type;
+}
+
+/// A buffer for a text of fixed length of this type.
+std::string buffer_for(const DataType& type, const std::string& name) {
+  const std::size_t length = H5Tget_size(type.get());
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0 || length > kLongestText)
+    throw Failure("its '" + name + "' is no text");
+  return std::string(length, '\0');
+}
+
+std::string until_null(const std::string& text) { return text.substr(0, text.find('\0')); }
+
+}  // namespace
+
+Quiet::Quiet() {
+  H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+Quiet::~Quiet() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+
+void fail(const std::string& what) {
+  std::string reason;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &reason);
+  H5Eclear2(H5E_DEFAULT);
+  throw Failure(what + " failed (HDF5: " + (reason.empty() ? "no reason given" : reason) + ")");
+}
+
+NumberType type_of(double) { return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}; }
+NumberType type_of(std::uint8_t) { return {H5T_NATIVE_UINT8, H5T_STD_U8LE}; }
+NumberType type_of(std::int32_t) { return {H5T_NATIVE_INT32, H5T_STD_I32LE}; }
+NumberType type_of(std::uint32_t) { return {H5T_NATIVE_UINT32, H5T_STD_U32LE}; }
+NumberType type_of(std::uint64_t) { return {H5T_NATIVE_UINT64, H5T_STD_U64LE}; }
+
+Group create_group(hid_t parent, const std::string& name) {
+  return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "creating " + name};
+}
+
+Group open_group(hid_t parent, const std::string& name) {
+  return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), "opening " + name};
+}
+
+bool exists(hid_t parent, const std::string& name) { return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0; }
+
+void write_attribute(hid_t object, const std::string& name, const std::string& text) {
+  const DataType type = text_type(text.size());
+  const DataSpace space(H5Screate(H5S_SCALAR), "making room for " + name);
+  const Attribute attribute(H5Acreate2(object, name.c_str(), type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT),
+                            "creating " + name);
+  checked(H5Awrite(attribute.get(), type.get(), text.c_str()), "writing " + name);
+}
+
+void write_attribute(hid_t object, const std::string& name, std::uint64_t number) {
+  const DataSpace space(H5Screate(H5S_SCALAR), "making room for " + name);
+  const Attribute attribute(H5Acreate2(object, name.c_str(), H5T_STD_U64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT),
+                            "creating " + name);
+  checked(H5Awrite(attribute.get(), H5T_NATIVE_UINT64, &number), "writing " + name);
+}
+
+std::string read_text_attribute(hid_t object, const std::string& name) {
+  const Attribute attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), "opening " + name);
+  const DataType type(H5Aget_type(attribute.get()), "looking at " + name);
+  std::string text = buffer_for(type, name);
+  checked(H5Aread(attribute.get(), type.get(), text.data()), "reading " + name);
+  return until_null(text);
+}
+
+std::uint64_t read_number_attribute(hid_t object, const std::string& name) {
+  const Attribute attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), "opening " + name);
+  const DataType type(H5Aget_type(attribute.get()), "looking at " + name);
+  const DataSpace space(H5Aget_space(attribute.get()), "looking at " + name);
+  if (H5Tget_class(type.get()) != H5T_INTEGER || H5Sget_simple_extent_npoints(space.get()) != 1)
+    throw Failure("its '" + name + "' is no whole number");
+  std::uint64_t number = 0;
+  checked(H5Aread(attribute.get(), H5T_NATIVE_UINT64, &number), "reading " + name);
+  return number;
+}
+
+bool has_attribute(hid_t object, const std::string& name) { return H5Aexists(object, name.c_str()) > 0; }
+
+std::vector<hsize_t> shape_of(hid_t data_set) {
+  const DataSpace space(H5Dget_space(data_set), "looking at a data set");
+  std::vector<hsize_t> shape(std::size_t(checked(H5Sget_simple_extent_ndims(space.get()), "looking at a data set")));
+  checked(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr), "looking at a data set");
+  return shape;
+}
+
+DataSet write_text(hid_t parent, const std::string& name, const std::string& text) {
+  const DataType type = text_type(text.size());
+  const DataSpace space(H5Screate(H5S_SCALAR), "making room for " + name);
+  DataSet set(H5Dcreate2(parent, name.c_str(), type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+              "creating " + name);
+  checked(H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), "writing " + name);
+  return set;
+}
+
+std::string read_text(hid_t parent, const std::string& name) {
+  const DataSet set(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), "opening " + name);
+  const DataType type(H5Dget_type(set.get()), "looking at " + name);
+  const DataSpace space(H5Dget_space(set.get()), "looking at " + name);
+  if (H5Sget_simple_extent_npoints(space.get()) != 1) throw Failure("its '" + name + "' is no text");
+  std::string text = buffer_for(type, name);
+  checked(H5Dread(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), "reading " + name);
+  return until_null(text);
+}
+
+}  // namespace hapticut::hdf5

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/io/recording/recorder.hpp"
+
+#include <atomic>
+#include <ctime>
+#include <thread>
+
+#include "hapticut/core/build_info.hpp"
+#include "io/atomic_file.hpp"
+#include "io/recording/recording_columns.hpp"
+#include "io/recording/recording_file.hpp"
+#include "io/recording/recording_settings.hpp"
+#include "io/recording/room_on_disk.hpp"
+#include "realtime/background_writer.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr std::uint64_t kHeadroom = 4 << 20;  // [bytes] more than a batch and the end of the recording need
+
+/// A step on its way to the writer, with the effects that were in force: the writer notes their changes.
+struct Message {
+  RecordedStep step;
+  EffectNumbers effects;
+};
+
+/// Appends rows to a data set whose first dimension has no end.
+class Appender {
+ public:
+  Appender(hid_t group, const std::string& name, hid_t memory_type, std::vector<hsize_t> row_shape)
+      : name_(name),
+        set_(H5Dopen2(group, name.c_str(), H5P_DEFAULT), "opening " + name),
+        type_(memory_type),
+        shape_(std::move(row_shape)) {
+    shape_.insert(shape_.begin(), hdf5::shape_of(set_.get()).at(0));
+  }
+
+  void append(const void* rows, std::size_t count) {
+    std::vector<hsize_t> from(shape_.size(), 0), length = shape_;
+    from[0] = shape_[0];
+    length[0] = count;
+    shape_[0] += count;
+    hdf5::checked(H5Dset_extent(set_.get(), shape_.data()), "writing " + name_);
+    const hdf5::DataSpace target(H5Dget_space(set_.get()), "writing " + name_);
+    hdf5::checked(H5Sselect_hyperslab(target.get(), H5S_SELECT_SET, from.data(), nullptr, length.data(), nullptr),
+                  "writing " + name_);
+    const hdf5::DataSpace source(H5Screate_simple(int(length.size()), length.data(), nullptr), "writing " + name_);
+    hdf5::checked(H5Dwrite(set_.get(), type_, source.get(), target.get(), H5P_DEFAULT, rows), "writing " + name_);
+  }
+
+ private:
+  std::string name_;
+  hdf5::DataSet set_;
+  hid_t type_;
+  std::vector<hsize_t> shape_;
+};
+
+std::string now_as_text() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  ::gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
+  throw Error("cannot write the recording '" + path.string() + "': " + reason +
+              ". Check the folder, its permissions and the free disk space.");
+}
+
+}  // namespace
+
+struct Recorder::State {
+  State(std::filesystem::path a_path, Simulation& a_simulation, const RecorderOptions& some_options)
+      : path(std::move(a_path)), simulation(a_simulation), options(some_options) {}
+
+  void note(const DeviceTick* device) noexcept;
+  void write_batch(const std::vector<Message>& batch);
+  void flush();
+  std::string end_writing();
+
+  std::filesystem::path path;
+  Simulation& simulation;
+  RecorderOptions options;
+
+  // The loop's side.
+  Message message;  // being filled
+  std::uint64_t steps_seen = 0, exchanges_seen = 0, free_blocks = 0;
+  bool over = false;  // nothing can be recorded any more
+  double time = 0;
+  std::atomic<std::uint64_t> recorded{0}, lost{0};
+  std::atomic<bool> ending_failed{false};
+
+  // The writer's side.
+  std::unique_ptr<RoomOnDisk> room;
+  hdf5::File file;
+  std::vector<const Column*> columns;
+  std::vector<Appender> appenders;
+  std::vector<Appender> effects_appenders;  // numbers of the first steps, and the effects
+  EffectNumbers last_effects{};
+  std::vector<std::byte> rows;
+  std::uint64_t unflushed = 0;  // [bytes] that HDF5 may still hold
+
+  std::unique_ptr<BackgroundWriter<Message>> writer;  // between the two; the last to be made, the first to go
+};
+
+Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, const RecorderOptions& options) {
+  require_between(double(options.steps), 16, 1e7, "RecorderOptions::steps");
+  require_between(options.flush_period, 0.01, 0.5, "RecorderOptions::flush_period [s]");
+  if (simulation.steps() > 0)
+    throw Error("the simulation to be recorded has made " + std::to_string(simulation.steps()) +
+                " steps, so a replay could not begin where it does; record from its first step, or reset it to a clone "
+                "of its workpiece first.");
+  const hdf5::Quiet quiet;
+  state_ = std::make_unique<State>(path, simulation, options);
+  State& s = *state_;
+  s.exchanges_seen = simulation.workpiece_exchanges();
+  s.last_effects = pack(simulation.config().effects);
+  try {
+    AtomicFile target(path);
+    RecordingInfo info;
+    const BuildInfo build = build_info();
+    info.version = build.version;
+    info.commit = build.commit;
+    info.compiler = build.compiler;
+    info.cpu = build.cpu;
+    info.begun = now_as_text();
+    info.device = options.device;
+    info.note = options.note;
+    write_recording_header(target.temporary_path(), info, simulation, options);
+    target.commit();
+    s.room = std::make_unique<RoomOnDisk>(path);
+    s.room->require(std::filesystem::file_size(path) + kHeadroom);
+
+    // From here on the file is in order at any moment: single writer, multiple readers.
+    s.file = hdf5::File(H5Fopen(path.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, newest_format().get()), "opening it");
+    const hdf5::Group steps = hdf5::open_group(s.file.get(), kStepsGroup);
+    for (const Column& column : recording_columns()) {
+      if (column.side == Column::Side::device && options.device.empty()) continue;
+      s.columns.push_back(&column);
+      s.appenders.emplace_back(steps.get(), column.name, type_of(column.kind).memory, column.shape);
+    }
+    const hdf5::Group effects = hdf5::open_group(s.file.get(), kEffectsGroup);
+    s.effects_appenders.emplace_back(effects.get(), kFirstSteps, H5T_NATIVE_UINT64, std::vector<hsize_t>{});
+    s.effects_appenders.emplace_back(effects.get(), kEffectValues, H5T_NATIVE_DOUBLE,
+                                     std::vector<hsize_t>{kEffectNumbers});
+  } catch (const hdf5::Failure& failure) {
+    fail(path, failure.what());
+  } catch (const RoomOnDisk::Lacking& lacking) {
+    fail(path, lacking.what());
+  }
+  s.writer = std::make_unique<BackgroundWriter<Message>>(
+      options.steps, s.message, options.flush_period,
+      BackgroundWriter<Message>::Sink{[&s](const std::vector<Message>& batch) { s.write_batch(batch); },
+                                      [&s] { s.flush(); }});
+}
+
+Recorder::~Recorder() {
+  if (state_->writer->running()) (void)state_->end_writing();
+}
+
+// --- the loop's side ------------------------------------------------------------------------------------------------
+
+const StepResult& Recorder::step(const StepInput& input, const DeviceTick* device) noexcept {
+  before_step();
+  const StepResult& result = state_->simulation.step(input.pose, input.velocity, input.dt);
+  after_step(device);
+  return result;
+}
+
+void Recorder::before_step() noexcept {
+  State& s = *state_;
+  s.over = s.over || s.simulation.steps() != s.steps_seen || s.simulation.workpiece_exchanges() != s.exchanges_seen;
+  s.free_blocks = s.simulation.workpiece().reserved_blocks();
+}
+
+void Recorder::after_step(const DeviceTick* device) noexcept {
+  State& s = *state_;
+  if (s.over) {
+    s.lost.fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
+  if (s.simulation.steps() == s.steps_seen) return;  // none was made
+  s.over = s.simulation.steps() != s.steps_seen + 1 || s.simulation.workpiece_exchanges() != s.exchanges_seen;
+  if (s.over) {
+    s.lost.fetch_add(s.simulation.steps() - s.steps_seen, std::memory_order_relaxed);
+    return;
+  }
+  ++s.steps_seen;
+  s.note(device);
+  while (!s.writer->push(s.message)) {
+    if (!s.options.wait_when_full || s.writer->failed()) {
+      s.lost.fetch_add(1, std::memory_order_relaxed);
+      return;
+    }
+    std::this_thread::yield();
+  }
+  s.recorded.fetch_add(1, std::memory_order_relaxed);
+}
+
+void Recorder::State::note(const DeviceTick* device) noexcept {
+  RecordedStep& row = message.step;
+  row.number = steps_seen - 1;
+  row.input = simulation.last_input();
+  time += row.input.dt;
+  row.time = device != nullptr ? device->state.time : time;
+  row.spindle_setting = simulation.spindle_setting();
+  row.reserved_blocks = simulation.config().reserved_blocks;
+  row.free_blocks = free_blocks;
+  note_result(simulation.last_result(), row);
+  row.device = device != nullptr ? *device : DeviceTick{};
+  message.effects = pack(simulation.config().effects);
+}
+
+std::uint64_t Recorder::recorded() const noexcept { return state_->recorded.load(std::memory_order_relaxed); }
+std::uint64_t Recorder::lost() const noexcept { return state_->lost.load(std::memory_order_relaxed); }
+bool Recorder::failed() const noexcept {
+  return state_->writer->failed() || state_->ending_failed.load(std::memory_order_acquire);
+}
+
+// --- the writer's side ----------------------------------------------------------------------------------------------
+
+void Recorder::State::flush() {
+  const hdf5::Quiet quiet;
+  hdf5::checked(H5Fflush(file.get(), H5F_SCOPE_GLOBAL), "flushing");
+  unflushed = 0;
+}
+
+/// Ends the writer's thread and closes the file.  @return what went wrong, or nothing
+std::string Recorder::State::end_writing() {
+  std::string failure = writer->stop();
+  const hdf5::Quiet quiet;
+  appenders.clear();
+  effects_appenders.clear();
+  if (file.reset() < 0 && failure.empty()) failure = "closing failed";
+  if (!failure.empty()) ending_failed.store(true, std::memory_order_release);
+  return failure;
+}
+
+void Recorder::State::write_batch(const std::vector<Message>& batch) {
+  const hdf5::Quiet quiet;
+  hsize_t length = 0;
+  hdf5::checked(H5Fget_filesize(file.get(), &length), "looking at its size");
+  unflushed += batch.size() * sizeof(RecordedStep);  // more than what comes of them
+  room->require(length + unflushed + kHeadroom);
+  // Effects first: who reads a step finds the effects that belong to it.
+  for (const Message& one : batch) {
+    if (one.effects == last_effects) continue;  // no effect holds a number that is not one
+    last_effects = one.effects;
+    effects_appenders[1].append(last_effects.data(), 1);
+    effects_appenders[0].append(&one.step.number, 1);
+  }
+  for (std::size_t n = 0; n < columns.size(); ++n) {
+    const Column& column = *columns[n];
+    rows.resize(batch.size() * column.bytes);
+    for (std::size_t row = 0; row < batch.size(); ++row) column.pack(batch[row].step, rows.data() + row * column.bytes);
+    appenders[n].append(rows.data(), batch.size());
+  }
+}
+
+void Recorder::close() {
+  State& s = *state_;
+  if (!s.writer->running()) throw Error("the recorder of '" + s.path.string() + "' is closed already.");
+  s.over = true;  // later steps are lost, and wait for nobody
+  const std::string failure = s.end_writing();
+  if (!failure.empty()) fail(s.path, failure);
+  const hdf5::Quiet quiet;
+  try {
+    hdf5::File file(H5Fopen(s.path.c_str(), H5F_ACC_RDWR, newest_format().get()), "opening it");
+    write_recording_end(file.get(), s.lost.load(), s.simulation.workpiece().hash());
+    if (file.reset() < 0) hdf5::fail("closing it");
+  } catch (const hdf5::Failure& error) {
+    s.ending_failed.store(true, std::memory_order_release);
+    fail(s.path, error.what());
+  }
+}
+
+}  // namespace hapticut

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/io/recording/recording.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include "hapticut/io/vdb/vdb.hpp"
+#include "io/file_errors.hpp"
+#include "io/recording/recording_access.hpp"
+#include "io/recording/recording_file.hpp"
+#include "io/recording/recording_settings.hpp"
+#include "io/recording/scratch_file.hpp"
+
+namespace hapticut {
+namespace {
+
+/// Runs a part of the reading.
+/// @throws Error  with the name of the file in front of whatever went wrong
+template <class Function>
+auto reading(const std::filesystem::path& path, const Function& function) {
+  const hdf5::Quiet quiet;
+  try {
+    return function();
+  } catch (const std::exception& error) {
+    cannot_read(path, std::string(error.what()) + ".");
+  }
+}
+
+/// Whether a writer has the file open, or was killed while it had: a bit in the head of the file (HDF5 File Format
+/// Specification, superblock version 3).
+bool has_writer(const std::filesystem::path& path) {
+  constexpr std::size_t kVersion = 8, kFlags = 11;
+  constexpr unsigned kWriterWithReaders = 4;
+  const std::string head = first_bytes(path, kFlags + 1);
+  return head.size() > kFlags && head[kVersion] == 3 && (unsigned(head[kFlags]) & kWriterWithReaders) != 0;
+}
+
+hdf5::File open_file(const std::filesystem::path& path) {
+  const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS), "preparing");
+  constexpr unsigned kAttempts = 12;  // to read what the writer is just changing; HDF5's own 100 take minutes
+  unsigned mode = H5F_ACC_RDONLY;
+  if (has_writer(path)) {
+    mode |= H5F_ACC_SWMR_READ;
+    hdf5::checked(H5Pset_metadata_read_attempts(access.get(), kAttempts), "preparing");
+  }
+  hdf5::File file(H5Fopen(path.c_str(), mode, access.get()));
+  if (file.valid()) return file;
+  if (first_bytes(path, 4) != "\x89HDF") throw Error("it is no HDF5 file, so no recording of hapticut");
+  hdf5::fail("it is a damaged HDF5 file; opening it");
+}
+
+RecordingInfo read_info(hid_t file) {
+  if (!hdf5::has_attribute(file, "content") || hdf5::read_text_attribute(file, "content") != kMagic)
+    throw Error("it is an HDF5 file, but no recording of hapticut");
+  RecordingInfo info;
+  info.format = hdf5::read_number_attribute(file, "format");
+  if (info.format < 1 || info.format > kRecordingFormat)
+    throw Error("it has format " + std::to_string(info.format) + ", and this version of hapticut reads formats 1 to " +
+                std::to_string(kRecordingFormat) + "; use a newer version");
+  info.version = hdf5::read_text_attribute(file, "version");
+  info.commit = hdf5::read_text_attribute(file, "commit");
+  info.compiler = hdf5::read_text_attribute(file, "compiler");
+  info.cpu = hdf5::read_text_attribute(file, "cpu");
+  info.begun = hdf5::read_text_attribute(file, "begun");
+  info.device = hdf5::read_text_attribute(file, "device");
+  info.note = hdf5::read_text_attribute(file, "note");
+  info.closed = hdf5::has_attribute(file, "closed");
+  if (info.closed) info.workpiece_hash_at_end = hdf5::read_number_attribute(file, "workpiece_hash_at_end");
+  return info;
+}
+
+std::vector<RecordedEffects> read_effects(hid_t file, double update_rate) {
+  if (!hdf5::exists(file, kEffectsGroup)) throw Error("it lacks the group 'effects'");
+  const hdf5::Group group = hdf5::open_group(file, kEffectsGroup);
+  const auto first = hdf5::read_array<std::uint64_t>(group.get(), kFirstSteps);
+  const auto values = hdf5::read_array<double>(group.get(), kEffectValues);
+  // The writer may have been killed between the two.
+  const std::size_t count = std::min(first.size(), values.size() / kEffectNumbers);
+  if (count == 0 || first[0] != 0) throw Error("its group 'effects' does not say what was in force at the first step");
+  std::vector<RecordedEffects> effects(count);
+  for (std::size_t n = 0; n < count; ++n) {
+    EffectNumbers numbers;
+    std::copy_n(values.data() + n * kEffectNumbers, kEffectNumbers, numbers.data());
+    effects[n] = {first[n], unpack(numbers)};
+    validate(effects[n].effects, update_rate);
+  }
+  return effects;
+}
+
+/// Opens the columns, and checks that they are what this format says.
+void open_columns(OpenRecording& s) {
+  if (!hdf5::exists(s.file.get(), kStepsGroup)) throw Error("it lacks the group 'steps'");
+  const hdf5::Group group = hdf5::open_group(s.file.get(), kStepsGroup);
+  s.size = std::numeric_limits<std::uint64_t>::max();
+  for (const Column& column : recording_columns()) {
+    if (column.side == Column::Side::device && s.info.device.empty()) continue;
+    const std::string name = std::string(kStepsGroup) + "/" + column.name;
+    if (!hdf5::exists(group.get(), column.name)) throw Error("it lacks the column '" + name + "'");
+    hdf5::DataSet set(H5Dopen2(group.get(), column.name.c_str(), H5P_DEFAULT), "opening " + name);
+    const std::vector<hsize_t> shape = hdf5::shape_of(set.get());
+    const hdf5::DataType type(H5Dget_type(set.get()), "looking at " + name);
+    const bool real = H5Tget_class(type.get()) == H5T_FLOAT, whole = H5Tget_class(type.get()) == H5T_INTEGER;
+    if (shape.size() != column.shape.size() + 1 ||
+        !std::equal(column.shape.begin(), column.shape.end(), shape.begin() + 1) ||
+        !(column.kind == ColumnKind::real ? real : whole))
+      throw Error("its column '" + name + "' has another shape or type than a recording's");
+    // A writer that was killed may have left some columns longer than others.
+    s.size = std::min<std::uint64_t>(s.size, shape[0]);
+    s.columns.push_back({&column, std::move(set)});
+  }
+}
+
+/// Finds the first gap in the numbers of the steps.
+void find_gaps(OpenRecording& s) {
+  constexpr std::uint64_t kStatusesAtOnce = 1 << 16;
+  const OpenColumn& numbers = s.columns.front();
+  std::uint64_t expected = 0;
+  std::vector<std::byte> rows;
+  s.before_first_gap = s.size;
+  for (std::uint64_t first = 0; first < s.size; first += kStatusesAtOnce) {
+    const std::uint64_t count = std::min(kStatusesAtOnce, s.size - first);
+    read_rows(numbers, first, count, rows);
+    for (std::uint64_t n = 0; n < count; ++n) {
+      const auto number = std::uint64_t(number_at(*numbers.column, rows.data() + n * numbers.column->bytes, 0));
+      if (number < expected) throw Error("the numbers of its steps do not increase");
+      if (number > expected && s.before_first_gap == s.size) s.before_first_gap = first + n;
+      s.info.lost += number - expected;
+      expected = number + 1;
+    }
+  }
+  if (s.info.closed) s.info.lost = std::max(s.info.lost, hdf5::read_number_attribute(s.file.get(), "lost"));
+}
+
+void remark(RecordingInfo& info, std::uint64_t size) {
+  if (!info.closed)
+    info.remarks.push_back("The recording has no end: it is still being written, or its program was killed after " +
+                           std::to_string(size) + " steps.");
+  if (info.lost > 0)
+    info.remarks.push_back(std::to_string(info.lost) +
+                           " steps are missing, because the disk did not keep up or the workpiece was exchanged; a "
+                           "replay ends before the first of them.");
+}
+
+}  // namespace
+
+void read_rows(const OpenColumn& open, std::uint64_t first, std::uint64_t count, std::vector<std::byte>& rows) {
+  const Column& column = *open.column;
+  rows.resize(count * column.bytes);
+  if (count == 0) return;
+  std::vector<hsize_t> from(column.shape.size() + 1, 0), length = {count};
+  from[0] = first;
+  length.insert(length.end(), column.shape.begin(), column.shape.end());
+  const std::string what = "reading " + column.name;
+  const hdf5::DataSpace source(H5Dget_space(open.set.get()), what);
+  hdf5::checked(H5Sselect_hyperslab(source.get(), H5S_SELECT_SET, from.data(), nullptr, length.data(), nullptr), what);
+  const hdf5::DataSpace target(H5Screate_simple(int(length.size()), length.data(), nullptr), what);
+  hdf5::checked(
+      H5Dread(open.set.get(), type_of(column.kind).memory, target.get(), source.get(), H5P_DEFAULT, rows.data()), what);
+}
+
+Recording::Recording(std::unique_ptr<OpenRecording> state) : state_(std::move(state)) {}
+Recording::Recording(Recording&&) noexcept = default;
+Recording& Recording::operator=(Recording&&) noexcept = default;
+Recording::~Recording() = default;
+
+const std::filesystem::path& Recording::path() const { return state_->path; }
+const RecordingInfo& Recording::info() const { return state_->info; }
+bool Recording::has_device() const { return !state_->info.device.empty(); }
+const DeviceCapabilities& Recording::capabilities() const { return state_->capabilities; }
+std::uint64_t Recording::size() const { return state_->size; }
+bool Recording::default_law() const { return state_->default_law; }
+const Tool& Recording::tool() const { return *state_->tool; }
+const SimulationConfig& Recording::config() const { return state_->config; }
+const std::vector<RecordedEffects>& Recording::effects() const { return state_->effects; }
+
+std::vector<RecordedStep> Recording::read(std::uint64_t first, std::uint64_t count) const {
+  const std::uint64_t begin = std::min(first, state_->size);
+  std::vector<RecordedStep> steps(std::min(count, state_->size - begin));
+  reading(state_->path, [&] {
+    std::vector<std::byte> rows;
+    for (const OpenColumn& open : state_->columns) {
+      read_rows(open, begin, steps.size(), rows);
+      for (std::size_t n = 0; n < steps.size(); ++n)
+        open.column->unpack(steps[n], rows.data() + n * open.column->bytes);
+    }
+  });
+  return steps;
+}
+
+Workpiece Recording::workpiece() const {
+  return reading(state_->path, [&] {
+    const hdf5::Group group = hdf5::open_group(state_->file.get(), kWorkpieceGroup);
+    const std::uint64_t expected = hdf5::read_number_attribute(group.get(), "full_hash");
+    const bool elsewhere = hdf5::has_attribute(group.get(), "file");
+    std::filesystem::path source;
+    Workpiece workpiece = [&] {
+      if (elsewhere) {
+        source = hdf5::read_text_attribute(group.get(), "file");
+        // The file may have been moved together with the recording.
+        if (!std::filesystem::exists(source)) source = state_->path.parent_path() / source.filename();
+        return load_vdb(source);
+      }
+      const auto bytes = hdf5::read_array<std::uint8_t>(group.get(), kWorkpieceBytes);
+      const ScratchFile scratch(".vdb");
+      std::ofstream stream(scratch.path(), std::ios_base::binary);
+      stream.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+      stream.close();
+      if (!stream) throw Error("the temporary file '" + scratch.path().string() + "' cannot be written");
+      return load_vdb(scratch.path());
+    }();
+    workpiece.set_materials(state_->materials);
+    if (full_hash(workpiece) != expected)
+      throw Error(elsewhere ? "the workpiece file '" + source.string() + "' is not the one that was recorded"
+                            : std::string("its workpiece is damaged"));
+    return workpiece;
+  });
+}
+
+Recording read_recording(const std::filesystem::path& path) {
+  (void)readable_size(path);
+  auto state = std::make_unique<OpenRecording>();
+  reading(path, [&] {
+    OpenRecording& s = *state;
+    s.path = path;
+    s.file = open_file(path);
+    s.info = read_info(s.file.get());
+    s.config = read_config(s.file.get());
+    s.default_law = read_default_law(s.file.get());
+    s.tool.emplace(read_tool(s.file.get()));
+    s.materials = read_materials(s.file.get());
+    if (!s.info.device.empty()) s.capabilities = read_capabilities(s.file.get());
+    s.effects = read_effects(s.file.get(), s.config.update_rate);
+    s.config.effects = s.effects.front().effects;
+    validate(s.config);
+    if (!hdf5::exists(s.file.get(), kWorkpieceGroup)) throw Error("it lacks the group 'workpiece'");
+    open_columns(s);
+    find_gaps(s);
+    remark(s.info, s.size);
+  });
+  return Recording(std::move(state));
+}
+
+}  // namespace hapticut

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "io/recording/recording_columns.hpp"
+
+/// @file
+/// What a Recording is made of inside.
+namespace hapticut {
+
+struct OpenColumn {
+  const Column* column;
+  hdf5::DataSet set;
+};
+
+struct OpenRecording {
+  std::filesystem::path path;
+  hdf5::File file;
+  RecordingInfo info;
+  SimulationConfig config;
+  bool default_law = true;
+  std::optional<Tool> tool;
+  MaterialTable materials;
+  DeviceCapabilities capabilities;
+  std::vector<RecordedEffects> effects;
+  std::vector<OpenColumn> columns;
+  std::uint64_t size = 0;              ///< rows that all columns have
+  std::uint64_t before_first_gap = 0;  ///< rows that can be made again
+};
+
+/// The door from export and replay to the columns.
+struct RecordingAccess {
+  static const OpenRecording& state(const Recording& recording) { return *recording.state_; }
+};
+
+/// Packed rows of one column.
+/// @throws Failure
+void read_rows(const OpenColumn& column, std::uint64_t first, std::uint64_t count, std::vector<std::byte>& rows);
+
+}  // namespace hapticut

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/recording/recording_columns.hpp"
+
+namespace hapticut {
+namespace {
+
+template <class T>
+constexpr ColumnKind kind_of() {
+  if constexpr (std::is_same_v<T, double>) return ColumnKind::real;
+  if constexpr (std::is_same_v<T, std::uint8_t>) return ColumnKind::flag;
+  if constexpr (std::is_same_v<T, std::int32_t>) return ColumnKind::int32;
+  if constexpr (std::is_same_v<T, std::uint32_t>) return ColumnKind::uint32;
+  if constexpr (std::is_same_v<T, std::uint64_t>) return ColumnKind::uint64;
+}
+
+/// A matrix row by row, as everybody but Eigen expects.
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor | Eigen::DontAlign>;
+
+/// The number that a scalar is stored as.
+template <class T>
+struct StoredType {
+  using type = T;
+};
+template <>
+struct StoredType<bool> {
+  using type = std::uint8_t;
+};
+template <>
+struct StoredType<int> {
+  using type = std::int32_t;
+};
+template <class T>
+requires std::is_enum_v<T>
+struct StoredType<T> {
+  using type = std::underlying_type_t<T>;
+};
+
+/// @param access  from a step to the member that the column holds
+template <class Access>
+Column column(Column::Side side, const char* name, const char* unit, const char* frame, const char* meaning,
+              Access access) {
+  using Member = std::remove_cvref_t<decltype(access(std::declval<RecordedStep&>()))>;
+  Column c{name, unit, frame, meaning, side, ColumnKind::real, {}, 1, 0, {}, {}};
+  if constexpr (std::is_same_v<Member, Vec3>) {
+    c.shape = {3};
+    c.numbers = 3;
+    c.pack = [access](const RecordedStep& s, std::byte* row) { std::memcpy(row, access(s).data(), sizeof(Vec3)); };
+    c.unpack = [access](RecordedStep& s, const std::byte* row) { std::memcpy(access(s).data(), row, sizeof(Vec3)); };
+  } else if constexpr (std::is_same_v<Member, Mat3>) {
+    c.shape = {3, 3};
+    c.numbers = 9;
+    c.pack = [access](const RecordedStep& s, std::byte* row) {
+      const RowMajor rows = access(s);
+      std::memcpy(row, rows.data(), sizeof(RowMajor));
+    };
+    c.unpack = [access](RecordedStep& s, const std::byte* row) {
+      RowMajor rows = RowMajor::Zero();
+      std::memcpy(rows.data(), row, sizeof(RowMajor));
+      access(s) = rows;
+    };
+  } else {
+    using Stored = typename StoredType<Member>::type;
+    c.kind = kind_of<Stored>();
+    c.bytes = sizeof(Stored);
+    c.pack = [access](const RecordedStep& s, std::byte* row) {
+      const auto number = Stored(access(s));
+      std::memcpy(row, &number, sizeof number);
+    };
+    c.unpack = [access](RecordedStep& s, const std::byte* row) {
+      Stored number;
+      std::memcpy(&number, row, sizeof number);
+      access(s) = Member(number);
+    };
+  }
+  if (c.bytes == 0) c.bytes = c.numbers * sizeof(double);
+  return c;
+}
+
+// The member of a step, for reading and for writing.
+// NOLINTBEGIN(bugprone-macro-parentheses): the path to a member cannot stand in parentheses
+#define HAPTICUT_MEMBER(path) \
+  [](auto& s) -> auto& { return s.path; }
+// NOLINTEND(bugprone-macro-parentheses)
+
+std::vector<Column> make_columns() {
+  using enum Column::Side;
+  const char *const W = "W", *const B = "B", *const none = "";
+  const char* const about_handle = "on the tool about Ho, in W";
+  const char* const about_stylus = "on the stylus about its point, in B";
+  return {
+      column(input, "number", "1", none, "steps since the recording began", HAPTICUT_MEMBER(number)),
+      column(input, "time", "s", none, "at the end of the step", HAPTICUT_MEMBER(time)),
+      column(input, "pose_rotation", "1", "X_WH", "of the handle, row by row", HAPTICUT_MEMBER(input.pose.rotation)),
+      column(input, "pose_translation", "m", "X_WH", "of the handle", HAPTICUT_MEMBER(input.pose.translation)),
+      column(input, "velocity_linear", "m/s", W, "of Ho", HAPTICUT_MEMBER(input.velocity.linear)),
+      column(input, "velocity_angular", "rad/s", W, "of the handle", HAPTICUT_MEMBER(input.velocity.angular)),
+      column(input, "dt", "s", none, "since the last step", HAPTICUT_MEMBER(input.dt)),
+      column(input, "spindle_setting", "rad/s", "about +z of T", "asked of the spindle",
+             HAPTICUT_MEMBER(spindle_setting)),
+      column(input, "reserved_blocks", "1", none, "blocks for cutting that were asked for",
+             HAPTICUT_MEMBER(reserved_blocks)),
+      column(input, "free_blocks", "1", none, "blocks for cutting left before the step", HAPTICUT_MEMBER(free_blocks)),
+      column(result, "force", "N", about_handle, "what the hand feels", HAPTICUT_MEMBER(force)),
+      column(result, "torque", "N m", about_handle, "what the hand feels", HAPTICUT_MEMBER(torque)),
+      column(result, "model_force", "N", about_handle, "before effects and limits", HAPTICUT_MEMBER(model.force)),
+      column(result, "model_torque", "N m", about_handle, "before effects and limits", HAPTICUT_MEMBER(model.torque)),
+      column(result, "removed_volume", "m^3", none, "taken away by the step", HAPTICUT_MEMBER(removed_volume)),
+      column(result, "removed_voxels", "1", none, "emptied by the step", HAPTICUT_MEMBER(removed_voxels)),
+      column(result, "removed_voxels_hash", "1", none, "of their indices and materials",
+             HAPTICUT_MEMBER(removed_voxels_hash)),
+      column(result, "contact_voxels", "1", none, "inside the head", HAPTICUT_MEMBER(contact.voxels)),
+      column(result, "contact_volume", "m^3", none, "inside the head", HAPTICUT_MEMBER(contact.volume)),
+      column(result, "contact_depth", "m", none, "greatest", HAPTICUT_MEMBER(contact.depth)),
+      column(result, "energy_hand_work", "J", none, "since the first step", HAPTICUT_MEMBER(energy.hand_work)),
+      column(result, "energy_motor_work", "J", none, "since the first step", HAPTICUT_MEMBER(energy.motor_work)),
+      column(result, "energy_elastic", "J", none, "stored now", HAPTICUT_MEMBER(energy.elastic)),
+      column(result, "energy_cutting", "J", none, "since the first step", HAPTICUT_MEMBER(energy.cutting)),
+      column(result, "energy_released", "J", none, "since the first step", HAPTICUT_MEMBER(energy.released)),
+      column(result, "energy_damping", "J", none, "since the first step", HAPTICUT_MEMBER(energy.damping)),
+      column(result, "energy_rubbing", "J", none, "since the first step", HAPTICUT_MEMBER(energy.rubbing)),
+      column(result, "energy_anchored", "J", none, "stored now", HAPTICUT_MEMBER(energy.anchored)),
+      column(result, "energy_sliding", "J", none, "since the first step", HAPTICUT_MEMBER(energy.sliding)),
+      column(result, "energy_credited", "J", none, "since the first step", HAPTICUT_MEMBER(energy.credited)),
+      column(result, "energy_entered", "J", none, "since the first step", HAPTICUT_MEMBER(energy.entered)),
+      column(result, "spindle_speed", "rad/s", "about +z of T", "during the step", HAPTICUT_MEMBER(spindle.speed)),
+      column(result, "spindle_torque", "N m", "about +z of T", "of the motor", HAPTICUT_MEMBER(spindle.torque)),
+      column(result, "sub_steps", "1", none, "0: the input was rejected", HAPTICUT_MEMBER(sub_steps)),
+      column(result, "status", "1", none, "bits of StepStatus", HAPTICUT_MEMBER(status)),
+      column(device, "device_rotation", "1", "X_BS", "of the stylus, row by row",
+             HAPTICUT_MEMBER(device.state.X_BS.rotation)),
+      column(device, "device_translation", "m", "X_BS", "of the stylus",
+             HAPTICUT_MEMBER(device.state.X_BS.translation)),
+      column(device, "device_velocity_linear", "m/s", B, "of the stylus point",
+             HAPTICUT_MEMBER(device.state.velocity.linear)),
+      column(device, "device_velocity_angular", "rad/s", B, "of the stylus",
+             HAPTICUT_MEMBER(device.state.velocity.angular)),
+      column(device, "device_buttons", "1", none, "bit n: button n", HAPTICUT_MEMBER(device.state.buttons)),
+      column(device, "device_time", "s", none, "of the device's clock", HAPTICUT_MEMBER(device.state.time)),
+      column(device, "device_sequence", "1", none, "of the reading", HAPTICUT_MEMBER(device.state.sequence)),
+      column(device, "device_epoch", "1", none, "of the calibration", HAPTICUT_MEMBER(device.state.epoch)),
+      column(device, "device_temperature", "1", none, "of the hottest motor",
+             HAPTICUT_MEMBER(device.state.temperature)),
+      column(device, "device_valid", "1", none, "0: the pose means nothing", HAPTICUT_MEMBER(device.state.valid)),
+      column(device, "device_fault", "1", none, "DeviceFault", HAPTICUT_MEMBER(device.state.fault)),
+      column(device, "commanded_force", "N", about_stylus, "until the step",
+             HAPTICUT_MEMBER(device.output.commanded.force)),
+      column(device, "commanded_torque", "N m", about_stylus, "until the step",
+             HAPTICUT_MEMBER(device.output.commanded.torque)),
+      column(device, "applied_force", "N", about_stylus, "until the step",
+             HAPTICUT_MEMBER(device.output.applied.force)),
+      column(device, "applied_torque", "N m", about_stylus, "until the step",
+             HAPTICUT_MEMBER(device.output.applied.torque)),
+      column(device, "output_limits", "1", none, "bits of OutputLimit", HAPTICUT_MEMBER(device.output.limits)),
+      column(device, "arming", "1", none, "ArmingState", HAPTICUT_MEMBER(device.arming)),
+  };
+}
+
+#undef HAPTICUT_MEMBER
+
+// A new term of the ledger needs a column, and the format a new number.
+static_assert(sizeof(EnergyLedger) == 11 * sizeof(double));
+
+template <class Number>
+double number_in(const std::byte* row, std::size_t element) {
+  Number number;
+  std::memcpy(&number, row + element * sizeof number, sizeof number);
+  return double(number);
+}
+
+}  // namespace
+
+const std::vector<Column>& recording_columns() {
+  static const std::vector<Column> columns = make_columns();
+  return columns;
+}
+
+hdf5::NumberType type_of(ColumnKind kind) {
+  switch (kind) {
+    case ColumnKind::flag:
+      return hdf5::type_of(std::uint8_t());
+    case ColumnKind::int32:
+      return hdf5::type_of(std::int32_t());
+    case ColumnKind::uint32:
+      return hdf5::type_of(std::uint32_t());
+    case ColumnKind::uint64:
+      return hdf5::type_of(std::uint64_t());
+    case ColumnKind::real:
+      break;
+  }
+  return hdf5::type_of(double());
+}
+
+double number_at(const Column& column, const std::byte* row, std::size_t element) {
+  switch (column.kind) {
+    case ColumnKind::flag:
+      return number_in<std::uint8_t>(row, element);
+    case ColumnKind::int32:
+      return number_in<std::int32_t>(row, element);
+    case ColumnKind::uint32:
+      return number_in<std::uint32_t>(row, element);
+    case ColumnKind::uint64:
+      return number_in<std::uint64_t>(row, element);
+    case ColumnKind::real:
+      break;
+  }
+  return number_in<double>(row, element);
+}
+
+}  // namespace hapticut

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "hapticut/io/recording/recording.hpp"
+#include "io/recording/hdf5.hpp"
+
+/// @file
+/// The columns of a recording: one data set each, with its unit and frame.
+namespace hapticut {
+
+/// How a column's numbers are stored.
+enum class ColumnKind { real, flag, int32, uint32, uint64 };
+
+/// One column: a name, what it means, and how a row of it is taken from a step and put back.
+struct Column {
+  enum class Side { input, result, device };
+
+  std::string name, unit, frame, meaning;
+  Side side;
+  ColumnKind kind = ColumnKind::real;
+  std::vector<hsize_t> shape;  ///< of one row; empty: one number
+  std::size_t numbers = 1;     ///< in one row
+  std::size_t bytes = 0;       ///< of one row
+  std::function<void(const RecordedStep&, std::byte*)> pack;
+  std::function<void(RecordedStep&, const std::byte*)> unpack;
+};
+
+/// All columns of the present format, in the order of the file.
+[[nodiscard]] const std::vector<Column>& recording_columns();
+
+/// The group of the columns.
+inline constexpr char kStepsGroup[] = "steps";
+
+[[nodiscard]] hdf5::NumberType type_of(ColumnKind kind);
+
+/// A number of a packed row.
+[[nodiscard]] double number_at(const Column& column, const std::byte* row, std::size_t element);
+
+}  // namespace hapticut

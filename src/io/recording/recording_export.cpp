@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings for other programs: CSV and NumPy.
+#include <archive.h>
+#include <archive_entry.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+
+#include "io/atomic_file.hpp"
+#include "io/recording/recording_access.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr std::uint64_t kRowsAtOnce = 4096;  // rows
+
+/// Names of the numbers of a column: `force_0`, `pose_rotation_21`.
+std::vector<std::string> names_of(const Column& column) {
+  if (column.numbers == 1) return {column.name};
+  std::vector<std::string> names;
+  for (std::size_t n = 0; n < column.numbers; ++n)
+    names.push_back(column.name + "_" +
+                    (column.numbers == 9 ? std::to_string(n / 3) + std::to_string(n % 3) : std::to_string(n)));
+  return names;
+}
+
+/// The shortest text that reads back as the same number.
+template <class Number>
+void append(std::string& line, Number number) {
+  char text[32];
+  line.append(text, std::to_chars(text, text + sizeof text, number).ptr);
+}
+
+void append_number(std::string& line, const Column& column, const std::byte* row, std::size_t element) {
+  if (column.kind != ColumnKind::uint64) return append(line, number_at(column, row, element));
+  std::uint64_t whole;  // does not fit into the digits of a double
+  std::memcpy(&whole, row + element * sizeof whole, sizeof whole);
+  append(line, whole);
+}
+
+// --- NumPy ----------------------------------------------------------------------------------------------------------
+
+const char* dtype_of(ColumnKind kind) {
+  switch (kind) {
+    case ColumnKind::flag:
+      return "|u1";
+    case ColumnKind::int32:
+      return "<i4";
+    case ColumnKind::uint32:
+      return "<u4";
+    case ColumnKind::uint64:
+      return "<u8";
+    case ColumnKind::real:
+      break;
+  }
+  return "<f8";
+}
+
+/// The head of a .npy file, format 1.0: magic, length, and a Python dictionary that ends on a multiple of 64 bytes.
+std::string npy_head(const Column& column, std::uint64_t rows) {
+  std::string shape = std::to_string(rows) + ",";
+  for (const hsize_t length : column.shape) shape += std::to_string(length) + ",";
+  std::string dictionary =
+      std::string("{'descr': '") + dtype_of(column.kind) + "', 'fortran_order': False, 'shape': (" + shape + "), }";
+  constexpr std::size_t kBefore = 10;
+  dictionary.append((64 - (kBefore + dictionary.size() + 1) % 64) % 64, ' ');
+  dictionary += '\n';
+  std::string head = "\x93NUMPY";
+  head += '\x01';
+  head += '\0';
+  head += char(dictionary.size() & 0xff);
+  head += char(dictionary.size() >> 8);
+  return head + dictionary;
+}
+
+/// An uncompressed .zip file: what NumPy calls .npz.
+class ZipWriter {
+ public:
+  explicit ZipWriter(const std::filesystem::path& path) : archive_(archive_write_new(), archive_write_free) {
+    check(archive_write_set_format_zip(archive_.get()));
+    check(archive_write_zip_set_compression_store(archive_.get()));
+    check(archive_write_open_filename(archive_.get(), path.c_str()));
+  }
+  void begin(const std::string& name, std::uint64_t bytes) {
+    const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(), archive_entry_free);
+    archive_entry_set_pathname(entry.get(), name.c_str());
+    archive_entry_set_size(entry.get(), la_int64_t(bytes));
+    archive_entry_set_filetype(entry.get(), AE_IFREG);
+    archive_entry_set_perm(entry.get(), 0644);
+    check(archive_write_header(archive_.get(), entry.get()));
+  }
+  void write(const void* bytes, std::size_t count) {
+    if (archive_write_data(archive_.get(), bytes, count) != la_ssize_t(count)) check(ARCHIVE_FATAL);
+  }
+  void close() { check(archive_write_close(archive_.get())); }
+
+ private:
+  void check(int code) {
+    if (code == ARCHIVE_OK) return;
+    const char* reason = archive_error_string(archive_.get());
+    throw Error(reason != nullptr ? reason : "writing failed");
+  }
+  std::unique_ptr<archive, int (*)(archive*)> archive_;
+};
+
+}  // namespace
+
+void write_csv(const Recording& recording, const std::filesystem::path& path) {
+  const hdf5::Quiet quiet;
+  const std::vector<OpenColumn>& columns = RecordingAccess::state(recording).columns;
+  write_atomically(path, [&](std::ostream& stream) {
+    std::string line;
+    for (const OpenColumn& open : columns)
+      for (const std::string& name : names_of(*open.column)) line += (line.empty() ? "" : ",") + name;
+    stream << line << '\n';
+    std::vector<std::vector<std::byte>> rows(columns.size());
+    for (std::uint64_t first = 0; first < recording.size(); first += kRowsAtOnce) {
+      const std::uint64_t count = std::min(kRowsAtOnce, recording.size() - first);
+      for (std::size_t n = 0; n < columns.size(); ++n) read_rows(columns[n], first, count, rows[n]);
+      for (std::uint64_t row = 0; row < count; ++row) {
+        line.clear();
+        for (std::size_t n = 0; n < columns.size(); ++n) {
+          const Column& column = *columns[n].column;
+          for (std::size_t element = 0; element < column.numbers; ++element) {
+            if (!line.empty()) line += ',';
+            append_number(line, column, rows[n].data() + row * column.bytes, element);
+          }
+        }
+        stream << line << '\n';
+      }
+    }
+  });
+}
+
+void write_npz(const Recording& recording, const std::filesystem::path& path) {
+  const hdf5::Quiet quiet;
+  AtomicFile target(path);
+  try {
+    ZipWriter zip(target.temporary_path());
+    std::vector<std::byte> rows;
+    for (const OpenColumn& open : RecordingAccess::state(recording).columns) {
+      const Column& column = *open.column;
+      const std::string head = npy_head(column, recording.size());
+      zip.begin(column.name + ".npy", head.size() + recording.size() * column.bytes);
+      zip.write(head.data(), head.size());
+      for (std::uint64_t first = 0; first < recording.size(); first += kRowsAtOnce) {
+        read_rows(open, first, std::min(kRowsAtOnce, recording.size() - first), rows);
+        zip.write(rows.data(), rows.size());
+      }
+    }
+    zip.close();
+  } catch (const hdf5::Failure&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error("cannot write '" + path.string() + "': " + error.what() +
+                ". Check the folder, its permissions and the free disk space.");
+  }
+  target.commit();
+}
+
+}  // namespace hapticut

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "hapticut/core/device_state.hpp"
+#include "hapticut/simulation/config.hpp"
+#include "hapticut/tool/tool.hpp"
+#include "hapticut/workpiece/material.hpp"
+#include "io/recording/hdf5.hpp"
+
+/// @file
+/// Settings as data sets of their own, each with its unit: what a simulation was made of.
+namespace hapticut {
+
+/// Writes the groups `simulation`, `tool` and `materials`.
+void write_settings(hid_t file, const SimulationConfig& config, const Tool& tool, const MaterialTable& materials);
+
+/// @throws Error when something is missing or out of range
+[[nodiscard]] SimulationConfig read_config(hid_t file);  ///< without law and effects
+[[nodiscard]] bool read_default_law(hid_t file);         ///< whether the law was FoundationLaw
+[[nodiscard]] Tool read_tool(hid_t file);
+[[nodiscard]] MaterialTable read_materials(hid_t file);
+
+/// The group `device`.
+void write_capabilities(hid_t file, const DeviceCapabilities& capabilities);
+[[nodiscard]] DeviceCapabilities read_capabilities(hid_t file);
+
+/// Effects as a row of numbers, so that a change of them is one more row. What is absent is written with its
+/// defaults.
+inline constexpr std::size_t kEffectNumbers = 27;
+using EffectNumbers = std::array<double, kEffectNumbers>;
+[[nodiscard]] EffectNumbers pack(const Effects& effects) noexcept;
+[[nodiscard]] Effects unpack(const EffectNumbers& numbers);
+
+/// What the numbers are, separated by commas.
+[[nodiscard]] std::string effect_names();
+
+}  // namespace hapticut

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/io/recording/replay.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "io/recording/recording_access.hpp"
+#include "io/recording/recording_file.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr std::uint64_t kReplayedAtOnce = 1024;  // steps
+
+/// Sets what was set between the steps of the recording.
+void prepare(Simulation& simulation, const RecordedStep& step) {
+  if (simulation.spindle_setting() != step.spindle_setting) simulation.set_spindle_speed(step.spindle_setting);
+  if (simulation.config().reserved_blocks != step.reserved_blocks ||
+      simulation.workpiece().reserved_blocks() != step.free_blocks)
+    simulation.reserve_blocks(std::size_t(step.reserved_blocks));
+}
+
+/// The first bit of a step's result that is not what was recorded.
+std::optional<ReplayDifference> compare(const RecordedStep& recorded, const RecordedStep& replayed) {
+  std::array<std::byte, 9 * sizeof(double)> before, now;
+  for (const Column& column : recording_columns()) {
+    if (column.side != Column::Side::result && column.name != "free_blocks") continue;
+    column.pack(recorded, before.data());
+    column.pack(replayed, now.data());
+    const std::size_t width = column.bytes / column.numbers;
+    for (std::size_t element = 0; element < column.numbers; ++element)
+      if (std::memcmp(before.data() + element * width, now.data() + element * width, width) != 0)
+        return ReplayDifference{recorded.number, column.name, element, number_at(column, before.data(), element),
+                                number_at(column, now.data(), element)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Simulation simulation_of(const Recording& recording, std::shared_ptr<const ForceLaw> law) {
+  if (!recording.default_law() && !law)
+    throw Error("the recording '" + recording.path().string() +
+                "' was made with a force law of its own, which no file can hold; pass the same law to the replay "
+                "(ReplayOptions::law; hapticut replay --law).");
+  SimulationConfig config = recording.config();
+  config.law = std::move(law);
+  return Simulation(recording.workpiece(), recording.tool(), std::move(config));
+}
+
+ReplayReport replay(const Recording& recording, const ReplayOptions& options) {
+  const std::uint64_t steps = RecordingAccess::state(recording).before_first_gap;
+  Simulation simulation = simulation_of(recording, options.law);
+  ReplayReport report;
+  report.left_out = recording.size() - steps;
+  auto next_effects = recording.effects().begin() + 1;
+  for (std::uint64_t first = 0; first < steps; first += kReplayedAtOnce) {
+    for (const RecordedStep& recorded : recording.read(first, std::min(kReplayedAtOnce, steps - first))) {
+      if (next_effects != recording.effects().end() && next_effects->first_step == recorded.number)
+        simulation.set_effects((next_effects++)->effects);
+      prepare(simulation, recorded);
+      RecordedStep replayed = recorded;
+      replayed.free_blocks = simulation.workpiece().reserved_blocks();
+      const StepInput& input = recorded.input;
+      note_result(simulation.step(input.pose, input.velocity, input.dt), replayed);
+      if (!report.first_difference) report.first_difference = compare(recorded, replayed);
+      report.largest_force_difference =
+          std::max(report.largest_force_difference, (replayed.force - recorded.force).norm());
+      ++report.steps;
+    }
+    if (options.progress) options.progress(report.steps);
+  }
+  report.workpiece_hash = simulation.workpiece().hash();
+  const RecordingInfo& info = recording.info();
+  if (!report.first_difference && report.left_out == 0 && info.lost == 0 && info.workpiece_hash_at_end &&
+      *info.workpiece_hash_at_end != report.workpiece_hash)
+    report.first_difference = ReplayDifference{report.steps, "workpiece", 0, double(*info.workpiece_hash_at_end),
+                                               double(report.workpiece_hash)};
+  report.identical = !report.first_difference;
+  return report;
+}
+
+}  // namespace hapticut

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/recording/room_on_disk.hpp"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+namespace hapticut {
+namespace {
+
+constexpr std::uint64_t kBytesAtOnce = 8 << 20;  // [bytes] asked for, so that it is not asked often
+
+[[noreturn]] void fail(int error_number) { throw RoomOnDisk::Lacking(std::generic_category().message(error_number)); }
+
+std::uint64_t length_of(int file) {
+  struct stat status {};
+  if (::fstat(file, &status) != 0) fail(errno);
+  return std::uint64_t(status.st_size);
+}
+
+}  // namespace
+
+RoomOnDisk::RoomOnDisk(const std::filesystem::path& path) : file_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
+  if (file_ < 0) fail(errno);
+}
+
+RoomOnDisk::~RoomOnDisk() {
+  struct stat status {};
+  // Setting the length that it has frees what lies beyond; where that is refused, the file is a little larger on disk.
+  if (::fstat(file_, &status) == 0) (void)!::ftruncate(file_, status.st_size);
+  ::close(file_);
+}
+
+void RoomOnDisk::require(std::uint64_t length) {
+  if (length <= safe_) return;
+  rlimit limit{};
+  ::getrlimit(RLIMIT_FSIZE, &limit);
+  const std::uint64_t longest = limit.rlim_cur == RLIM_INFINITY ? length + kBytesAtOnce : std::uint64_t(limit.rlim_cur);
+  if (length > longest) fail(EFBIG);
+  const std::uint64_t wanted = std::min(longest, length + kBytesAtOnce);
+  if (::fallocate(file_, FALLOC_FL_KEEP_SIZE, 0, off_t(wanted)) != 0) {
+    if (errno != EOPNOTSUPP && errno != ENOSYS) fail(errno);
+    struct statvfs disk {};  // this file system reserves nothing: see what is free
+    if (::fstatvfs(file_, &disk) != 0) fail(errno);
+    const std::uint64_t now = length_of(file_), growth = wanted - std::min(wanted, now);
+    if (std::uint64_t(disk.f_bavail) * disk.f_frsize < growth) fail(ENOSPC);
+  }
+  safe_ = wanted;
+}
+
+}  // namespace hapticut

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/io/vdb/vdb.hpp"
+
+#include <openvdb/io/Stream.h>
+#include <openvdb/openvdb.h>
+
+#include <cerrno>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/workpiece/openvdb.hpp"
+#include "io/atomic_file.hpp"
+#include "io/vdb/vdb_check.hpp"
+#include "workpiece/grids.hpp"
+#include "workpiece/state.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr double kUnit = 1e-3;  // [m] the world unit of the files: OpenVDB refuses voxels below 14 um in metres
+constexpr int kFormat = 1;      // raised when an older hapticut could misread a file
+constexpr char kFormatKey[] = "hapticut_format";
+constexpr char kUnitKey[] = "hapticut_unit_m";
+constexpr char kVoxelSizeKey[] = "hapticut_voxel_size_m";
+constexpr char kPoseKey[] = "hapticut_X_WV_m";
+constexpr char kMaterialsKey[] = "hapticut_materials";
+
+/// The numbers of a Material by the name under which they are stored.
+constexpr struct {
+  const char* name;
+  double Material::*member;
+} kFields[] = {
+    {"relative_stiffness", &Material::relative_stiffness},
+    {"damping", &Material::damping},
+    {"cutting_ratio", &Material::cutting_ratio},
+    {"specific_cutting_energy", &Material::specific_cutting_energy},
+    {"edge_pressure", &Material::edge_pressure},
+    {"static_friction", &Material::static_friction},
+    {"dynamic_friction", &Material::dynamic_friction},
+    {"tangential_stiffness", &Material::tangential_stiffness},
+    {"density", &Material::density},
+};
+// A new field of Material must be added to the table above (and an older file then lacks it: raise kFormat).
+static_assert(sizeof(Material) == sizeof(std::string) + std::size(kFields) * sizeof(double));
+
+std::string key_of(int id, const char* field) { return "hapticut_material_" + std::to_string(id) + "_" + field; }
+
+openvdb::Mat4d matrix_of(const Pose& pose) {
+  openvdb::Mat4d matrix = openvdb::Mat4d::identity();
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) {
+      matrix(row, column) = pose.rotation(column, row);
+      matrix(3, column) = pose.translation[column];
+    }
+  return matrix;
+}
+
+Pose pose_of(const openvdb::Mat4d& matrix) {
+  Pose pose;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) {
+      pose.rotation(column, row) = matrix(row, column);
+      pose.translation[column] = matrix(3, column);
+    }
+  return pose;
+}
+
+void describe(const Workpiece& workpiece, openvdb::MetaMap& meta) {
+  meta.insertMeta(kFormatKey, openvdb::Int32Metadata(kFormat));
+  meta.insertMeta(kUnitKey, openvdb::DoubleMetadata(kUnit));
+  meta.insertMeta(kVoxelSizeKey, openvdb::DoubleMetadata(workpiece.voxel_size()));
+  meta.insertMeta(kPoseKey, openvdb::Mat4DMetadata(matrix_of(workpiece.frame().X_WV)));
+  meta.insertMeta(kMaterialsKey, openvdb::Int32Metadata(workpiece.materials().size()));
+  int id = 0;
+  for (const Material& material : workpiece.materials().all()) {
+    meta.insertMeta(key_of(++id, "name"), openvdb::StringMetadata(material.name));
+    for (const auto& field : kFields)
+      meta.insertMeta(key_of(id, field.name), openvdb::DoubleMetadata(material.*field.member));
+  }
+}
+
+/// Writes with the table of offsets that lets other programs load grids one by one, through a checked stream of ours.
+class FileWriter : public openvdb::io::Stream {
+ public:
+  void write_file(std::ostream& stream, const openvdb::GridCPtrVec& grids) const {
+    openvdb::MetaMap meta;
+    meta.insertMeta("creator", openvdb::StringMetadata("hapticut"));
+    openvdb::io::Archive::write(stream, grids, /*seekable=*/true, meta);
+  }
+};
+
+/// Runs a part of the reading.
+/// @throws Error  with the name of the file in front of whatever went wrong
+template <class Function>
+auto reading(const std::filesystem::path& path, const Function& function) {
+  const std::string cannot_read = "cannot read '" + path.string() + "': ";
+  try {
+    return function();
+  } catch (const Error& error) {
+    throw Error(cannot_read + error.what());
+  } catch (const std::exception& error) {
+    throw Error(cannot_read + "it is not a readable .vdb file (OpenVDB: " + error.what() + ").");
+  }
+}
+
+/// What was read from a file: the grids that a workpiece can be made of, and the names of all.
+struct VdbFile {
+  openvdb::GridPtrVec grids;
+  std::vector<VdbEntry> entries;
+};
+
+std::string read_file(const std::filesystem::path& path) {
+  std::error_code code;
+  if (std::filesystem::is_directory(path, code)) throw Error("it is a folder; give a .vdb file.");
+  errno = 0;
+  std::ifstream stream(path, std::ios_base::binary);
+  if (!stream) throw Error(std::generic_category().message(errno) + "; check the path and its permissions.");
+  std::ostringstream bytes;
+  if (stream.peek() != std::ifstream::traits_type::eof()) bytes << stream.rdbuf();
+  if (stream.bad() || bytes.fail()) throw Error("reading failed; check the disk.");
+  return std::move(bytes).str();
+}
+
+VdbFile read_grids(const std::filesystem::path& path) {
+  openvdb::initialize();
+  std::string bytes = read_file(path);
+  VdbFile file;
+  file.entries = check_vdb(bytes);
+  std::istringstream stream(std::move(bytes), std::ios_base::binary);
+  // OpenVDB itself does not look at the state of the stream after reading.
+  stream.exceptions(std::ios_base::failbit | std::ios_base::badbit | std::ios_base::eofbit);
+  openvdb::io::Stream archive(stream, /*delayLoad=*/false);
+  if (const auto grids = archive.getGrids()) file.grids = *grids;
+  return file;
+}
+
+std::string list_of(const VdbFile& file) {
+  std::string list;
+  for (const VdbEntry& entry : file.entries)
+    list += (list.empty() ? "" : ", ") + ("'" + entry.name + "' (" + entry.type + ")");
+  return list.empty() ? "no grid at all" : list;
+}
+
+template <class Grid>
+typename Grid::Ptr require_grid(const VdbFile& file, const char* name) {
+  for (const auto& grid : file.grids)
+    if (grid && grid->getName() == name && grid->isType<Grid>()) return openvdb::gridPtrCast<Grid>(grid);
+  throw Error(std::string("there is no grid '") + name + "' (" + Grid().valueType() + ") in it; it has " +
+              list_of(file) + ". A file of another program needs VdbImport, which says what it is made of.");
+}
+
+template <class Value>
+Value require_meta(const openvdb::MetaMap& meta, const std::string& key) {
+  const auto entry = meta.getMetadata<openvdb::TypedMetadata<Value>>(key);
+  if (!entry)
+    throw Error("its grid 'material' lacks the metadata '" + key +
+                "'; hapticut did not write it, or another program dropped it.");
+  return entry->value();
+}
+
+MaterialTable read_materials(const openvdb::MetaMap& meta) {
+  const auto count = require_meta<std::int32_t>(meta, kMaterialsKey);
+  if (count < 1 || count > kMaxMaterials)
+    throw Error("it names " + std::to_string(count) + " materials; 1 to 255 are possible.");
+  MaterialTable materials;
+  for (int id = 1; id <= count; ++id) {
+    Material material;
+    material.name = require_meta<std::string>(meta, key_of(id, "name"));
+    for (const auto& field : kFields) material.*field.member = require_meta<double>(meta, key_of(id, field.name));
+    materials.add(std::move(material));
+  }
+  return materials;
+}
+
+/// The exact frame as it was saved, unless the grid was moved or scaled since.
+GridFrame read_frame(const openvdb::GridBase& grid) {
+  GridFrame saved;
+  saved.voxel_size = require_meta<double>(grid, kVoxelSizeKey);
+  saved.X_WV = pose_of(require_meta<openvdb::Mat4d>(grid, kPoseKey));
+  const double unit = require_meta<double>(grid, kUnitKey);
+  const GridFrame now = frame_of(grid.transform(), unit);
+  const double tolerance = 1e-9;  // of rounding in the transform
+  const bool same = std::abs(now.voxel_size - saved.voxel_size) <= tolerance * saved.voxel_size &&
+                    (now.X_WV.rotation - saved.X_WV.rotation).cwiseAbs().maxCoeff() <= tolerance &&
+                    (now.X_WV.translation - saved.X_WV.translation).norm() <=
+                        tolerance * (saved.X_WV.translation.norm() + saved.voxel_size);
+  return same ? saved : now;
+}
+
+void check_values(const openvdb::FloatTree& density, const openvdb::Int32Tree& ids, const MaterialTable& materials) {
+  if (!density.hasSameTopology(ids))
+    throw Error(
+        "its grids 'density' and 'material' do not cover the same voxels; another program changed one of them.");
+  for (auto tile = ids.root().cbeginValueOn(); tile; ++tile)
+    throw Error("its grid 'material' has a solid region of more than 4096^3 voxels.");
+  for (auto value = ids.cbeginValueOn(); value; ++value)
+    if (*value < 1 || *value > materials.size())
+      throw Error("a voxel has material id " + std::to_string(*value) + ", but the file names only " +
+                  std::to_string(materials.size()) + " materials.");
+  for (auto value = density.cbeginValueOn(); value; ++value)
+    if (!(*value >= 0 && *value <= 1) || (value.isTileValue() && *value != 1))
+      throw Error("a voxel has density " + format_number(double(*value)) +
+                  "; a filled fraction must be within 0 ... 1, and 1 in uniform regions.");
+}
+
+void copy_fill(const openvdb::FloatTree& density, FillTree& fill) {
+  for (auto leaf = density.cbeginLeaf(); leaf; ++leaf) {
+    bool full = true;
+    for (auto voxel = leaf->cbeginValueOn(); voxel; ++voxel) full &= *voxel == 1;
+    if (full) continue;
+    auto copy = std::make_unique<Leaf<FillTree>>(leaf->origin(), 0.0F, true);
+    for (auto voxel = leaf->cbeginValueOn(); voxel; ++voxel) copy->setValueOnly(voxel.pos(), *voxel);
+    fill.addLeaf(copy.release());
+  }
+}
+
+Workpiece parse(const std::filesystem::path& path) {
+  const VdbFile file = read_grids(path);
+  const auto density = require_grid<openvdb::FloatGrid>(file, "density");
+  const auto material = require_grid<openvdb::Int32Grid>(file, "material");
+  const auto centroid = require_grid<openvdb::Int32Grid>(file, "centroid");
+  const auto format = require_meta<std::int32_t>(*material, kFormatKey);
+  if (format != kFormat)
+    throw Error("it has format " + std::to_string(format) + "; this version of hapticut reads format " +
+                std::to_string(kFormat) + ". Use the version that wrote it.");
+  MaterialTable materials = read_materials(*material);
+  const GridFrame frame = read_frame(*material);
+  check_values(density->tree(), material->tree(), materials);
+  std::unique_ptr<VoxelTrees> trees(
+      new VoxelTrees{MaterialTree(material->tree()), FillTree(1.0F), CentroidTree(centroid->tree())});
+  copy_fill(density->tree(), trees->fill);
+  return WorkpieceAccess::make(frame, std::move(materials), std::move(trees));
+}
+
+Workpiece parse_foreign(const std::filesystem::path& path, const VdbImport& options) {
+  const VdbFile file = read_grids(path);
+  openvdb::FloatGrid::Ptr chosen;
+  int candidates = 0;
+  for (const auto& grid : file.grids) {
+    if (!grid || !grid->isType<openvdb::FloatGrid>()) continue;
+    if (!options.grid.empty() && grid->getName() != options.grid) continue;
+    chosen = openvdb::gridPtrCast<openvdb::FloatGrid>(grid);
+    ++candidates;
+  }
+  if (candidates != 1)
+    throw Error((candidates == 0 ? std::string("there is no ") : "there is more than one ") + "float grid" +
+                (options.grid.empty() ? "" : " '" + options.grid + "'") + " in it; it has " + list_of(file) +
+                ". Name a float grid (level set or fog volume) with VdbImport::grid.");
+  GridImport import;
+  import.unit = options.unit_mm * 1e-3;
+  if (options.kind == VdbImport::Kind::level_set) import.kind = GridKind::level_set;
+  if (options.kind == VdbImport::Kind::fog_volume) import.kind = GridKind::fog_volume;
+  return workpiece_from_grid(*chosen, options.material, import);
+}
+
+}  // namespace
+
+void save_vdb(const Workpiece& workpiece, const std::filesystem::path& path) {
+  openvdb::initialize();
+  const auto material = material_grid(workpiece, kUnit);
+  describe(workpiece, *material);
+  const auto density = density_grid(workpiece, kUnit);
+  auto centroid =
+      openvdb::Int32Grid::create(std::make_shared<openvdb::Int32Tree>(WorkpieceAccess::trees(workpiece).centroid));
+  centroid->setTransform(material->transformPtr());
+  centroid->setName("centroid");
+  write_atomically(path, [&](std::ostream& stream) { FileWriter().write_file(stream, {density, material, centroid}); });
+}
+
+Workpiece load_vdb(const std::filesystem::path& path) {
+  return reading(path, [&] { return parse(path); });
+}
+
+Workpiece load_vdb(const std::filesystem::path& path, const VdbImport& options) {
+  require_positive(options.unit_mm, "VdbImport::unit_mm [mm]");
+  return reading(path, [&] { return parse_foreign(path, options); });
+}
+
+}  // namespace hapticut

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/vdb/vdb_check.hpp"
+
+#include <openvdb/Grid.h>
+#include <openvdb/version.h>
+
+#include <utility>
+
+namespace hapticut {
+namespace {
+
+constexpr std::uint32_t kOldestFormat = 222;  // of 2012; before it, a node was stored in another way
+constexpr char kDelayedLoading[] = "__delayedload";
+constexpr char kHalf[] = "_HalfFloat";
+
+[[noreturn]] void damaged(const std::string& what) {
+  throw Error("its " + what + ": it is damaged. Get a complete copy.");
+}
+
+std::string_view take_string(ByteReader& in) { return in.take(in.take<std::uint32_t>()); }
+
+/// @return whether the file has a table of offsets
+bool check_header(ByteReader& in) {
+  if (in.take<std::int64_t>() != openvdb::OPENVDB_MAGIC) throw Error("it is not a .vdb file.");
+  const auto format = in.take<std::uint32_t>();
+  // OpenVDB only prints a warning about a format that it does not know, and then reads on.
+  if (format < kOldestFormat || format > openvdb::OPENVDB_FILE_VERSION)
+    throw Error("it has version " + std::to_string(format) + " of the OpenVDB format; " +
+                std::to_string(kOldestFormat) + " to " + std::to_string(openvdb::OPENVDB_FILE_VERSION) +
+                " can be read. Save it again with another version of the program that wrote it.");
+  in.take(8);  // version of the library
+  const auto offsets = in.take<std::uint8_t>();
+  if (offsets > 1) damaged("header is unreadable");
+  in.take(36);  // unique id
+  return offsets == 1;
+}
+
+/// A list of metadata.
+/// @param[in,out] bytes  the file; hints for delayed loading get a type that OpenVDB does not know, and skips
+/// @return whether it says that real numbers are stored with 16 bits
+bool check_metadata(ByteReader& in, std::string& bytes) {
+  bool half = false;
+  const auto count = in.take<std::uint32_t>();
+  for (std::uint32_t n = 0; n < count; ++n) {
+    const std::string_view name = take_string(in);
+    const std::string type(take_string(in));
+    const std::size_t end_of_type = in.position();
+    const std::string_view value = take_string(in);
+    if (name == openvdb::GridBase::META_SAVE_HALF_FLOAT) {
+      if (type != "bool") damaged("metadata have an entry of the wrong type");
+      half = !value.empty() && value[0] != 0;
+    }
+    if (type == kDelayedLoading) {
+      // Lengths inside this entry are not checked by OpenVDB either, and its hints are of no use here.
+      bytes[end_of_type - 1] = '_';
+    } else if (type != "string" && openvdb::Metadata::isRegisteredType(type)) {
+      if (value.size() != openvdb::Metadata::createMetadata(type)->size())
+        damaged("metadata have an entry of the wrong length");
+      if (type == "bool" && std::uint8_t(value[0]) > 1)
+        damaged("metadata have an entry that is neither true nor false");
+    }
+  }
+  return half;
+}
+
+/// @param nested  whether it is a part of another one
+void check_transform(ByteReader& in, bool nested = false) {
+  constexpr std::uint64_t kVector = 24, kMatrix = 128;  // [bytes]
+  const std::string_view type = take_string(in);
+  if (type == "AffineMap" || type == "UnitaryMap")
+    in.take(kMatrix);
+  else if (type == "ScaleMap" || type == "UniformScaleMap")
+    in.take(5 * kVector);
+  else if (type == "TranslationMap")
+    in.take(kVector);
+  else if (type == "ScaleTranslateMap" || type == "UniformScaleTranslateMap")
+    in.take(6 * kVector);
+  else if (type == "NonlinearFrustumMap" && !nested) {
+    in.take(2 * kVector + 2 * sizeof(double));
+    check_transform(in, true);
+  } else
+    damaged("transform is of an unknown kind");
+}
+
+/// "Tree_float_5_4_3_HalfFloat" -> "float".
+std::string type_of_value(std::string_view type) {
+  if (type.rfind("Tree_", 0) != 0) return std::string(type);
+  type.remove_prefix(5);
+  return std::string(type.substr(0, type.find('_')));
+}
+
+bool is_usable(std::string_view type) {
+  const bool half = type.size() > std::size(kHalf) - 1 && type.substr(type.size() - (std::size(kHalf) - 1)) == kHalf;
+  if (half) type.remove_suffix(std::size(kHalf) - 1);
+  return type == "Tree_float_5_4_3" || type == "Tree_int32_5_4_3";
+}
+
+}  // namespace
+
+std::vector<VdbEntry> check_vdb(std::string& bytes) {
+  ByteReader in(bytes);
+  const bool has_offsets = check_header(in);
+  check_metadata(in, bytes);
+  const std::size_t at_count = in.position();
+  const auto count = in.take<std::int32_t>();
+  if (count < 0) damaged("number of grids is negative");
+
+  std::vector<VdbEntry> entries;
+  std::vector<std::pair<std::size_t, std::size_t>> unusable;  // first and last + 1 byte of grids to take out
+  for (std::int32_t n = 0; n < count; ++n) {
+    const std::size_t begin = in.position();
+    const std::string_view name = take_string(in);
+    const std::string_view type = take_string(in);
+    const bool is_instance = !take_string(in).empty();
+    in.take(2 * sizeof(std::int64_t));  // where its data begin
+    const auto end = in.take<std::uint64_t>();
+    // A grid whose name is taken has a number behind a separator.
+    entries.push_back({std::string(name.substr(0, name.find('\x1e'))), type_of_value(type)});
+    if (is_usable(type)) {
+      VdbStorage storage;
+      storage.compression = in.take<std::uint32_t>();
+      storage.half = check_metadata(in, bytes) && entries.back().type == "float";
+      check_transform(in);
+      if (!is_instance) check_vdb_tree(in, storage);
+    } else {
+      if (!has_offsets)
+        throw Error("it has the grid '" + entries.back().name + "' of type '" + entries.back().type +
+                    "' and no table of offsets to skip it with; save it without that grid.");
+      in.advance_to(end);
+      unusable.emplace_back(begin, in.position());
+    }
+  }
+  const auto left = std::int32_t(std::size_t(count) - unusable.size());
+  std::memcpy(bytes.data() + at_count, &left, sizeof left);
+  for (; !unusable.empty(); unusable.pop_back())  // from behind, so that places before it stay
+    bytes.erase(unusable.back().first, unusable.back().second - unusable.back().first);
+  return entries;
+}
+
+}  // namespace hapticut

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <archive.h>
+#include <archive_entry.h>
+#include <expat.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <memory>
+
+#include "io/file_errors.hpp"
+#include "io/volume/formats.hpp"
+
+namespace hapticut {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What an InVesalius project says of its grey values, by path of keys: `matrix/shape` -> "108 256 256 ".
+class PropertyList {
+ public:
+  explicit PropertyList(const fs::path& path, const std::string& xml) : path_(path) {
+    const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr), XML_ParserFree);
+    XML_SetUserData(parser.get(), this);
+    XML_SetElementHandler(parser.get(), &PropertyList::start, &PropertyList::end);
+    XML_SetCharacterDataHandler(parser.get(), &PropertyList::text);
+    if (XML_Parse(parser.get(), xml.data(), int(xml.size()), 1) == XML_STATUS_ERROR)
+      cannot_read(path,
+                  std::string("its main.plist is damaged (") + XML_ErrorString(XML_GetErrorCode(parser.get())) + ").");
+  }
+
+  [[nodiscard]] const std::string& get(const std::string& key) const {
+    const auto found = values_.find(key);
+    if (found == values_.end()) cannot_read(path_, "its main.plist has no '" + key + "'.");
+    return found->second;
+  }
+
+  [[nodiscard]] Vec3 three_numbers(const std::string& key) const {
+    Vec3 numbers = Vec3::Zero();
+    const char* at = get(key).c_str();
+    for (double& number : numbers) {
+      char* next = nullptr;
+      number = std::strtod(at, &next);
+      if (next == at) cannot_read(path_, "'" + key + "' in its main.plist is not three numbers.");
+      at = next;
+    }
+    return numbers;
+  }
+
+ private:
+  static void start(void* self, const char* name, const char** /*attributes*/) {
+    auto& list = *static_cast<PropertyList*>(self);
+    list.text_.clear();
+    if (std::strcmp(name, "dict") == 0 && ++list.depth_ > 1) list.prefix_ += list.key_ + "/";
+  }
+  static void end(void* self, const char* name) {
+    auto& list = *static_cast<PropertyList*>(self);
+    if (std::strcmp(name, "dict") == 0) {
+      if (list.depth_-- > 1) list.prefix_.erase(list.prefix_.find_last_of('/', list.prefix_.size() - 2) + 1);
+    } else if (std::strcmp(name, "key") == 0) {
+      list.key_ = list.text_;
+    } else if (std::strcmp(name, "string") == 0 || std::strcmp(name, "integer") == 0 ||
+               std::strcmp(name, "real") == 0) {
+      std::string& value = list.values_[list.prefix_ + list.key_];
+      value += value.empty() ? list.text_ : " " + list.text_;
+    }
+    list.text_.clear();
+  }
+  static void text(void* self, const char* characters, int count) {
+    static_cast<PropertyList*>(self)->text_.append(characters, std::size_t(count));
+  }
+
+  const fs::path& path_;
+  std::map<std::string, std::string> values_;
+  std::string prefix_, key_, text_;
+  int depth_ = 0;
+};
+
+/// The tar.gz that a project is.
+class ProjectArchive {
+ public:
+  explicit ProjectArchive(const fs::path& path) : path_(path), archive_(archive_read_new(), archive_read_free) {
+    archive_read_support_format_tar(archive_.get());
+    archive_read_support_filter_gzip(archive_.get());
+    if (archive_read_open_filename(archive_.get(), path.c_str(), 1U << 16U) != ARCHIVE_OK) fail();
+  }
+
+  /// Reads the file of that name, in whatever folder of the archive it is.
+  /// @param largest  [bytes] a larger one is refused
+  std::vector<std::byte> read(const std::string& name, double largest) {
+    archive_entry* entry = nullptr;
+    for (;;) {
+      const int status = archive_read_next_header(archive_.get(), &entry);
+      if (status == ARCHIVE_EOF) cannot_read(path_, "it holds no file '" + name + "'; is it an InVesalius project?");
+      if (status != ARCHIVE_OK) fail();
+      if (const char* at = archive_entry_pathname(entry); at != nullptr && fs::path(at).filename() == name) break;
+    }
+    const auto size = double(archive_entry_size(entry));
+    if (!(size >= 0 && size <= largest))
+      cannot_read(path_, "its file '" + name + "' has " + format_number(size) + " bytes; at most " +
+                             format_number(largest) + " are read.");
+    // The archive may claim more than it holds: grow as data arrive.
+    std::vector<std::byte> bytes;
+    std::vector<std::byte> buffer(1U << 20U);
+    for (;;) {
+      const auto count = archive_read_data(archive_.get(), buffer.data(), buffer.size());
+      if (count < 0) fail();
+      if (count == 0) break;
+      bytes.insert(bytes.end(), buffer.begin(), buffer.begin() + count);
+    }
+    if (double(bytes.size()) != size) cannot_read(path_, "its file '" + name + "' is cut short.");
+    return bytes;
+  }
+
+ private:
+  [[noreturn]] void fail() {
+    const char* reason = archive_error_string(archive_.get());
+    cannot_read(path_, "it is not an InVesalius project, or it is damaged (" +
+                           std::string(reason != nullptr ? reason : "unknown format") + ").");
+  }
+
+  const fs::path& path_;
+  std::unique_ptr<archive, int (*)(archive*)> archive_;
+};
+
+}  // namespace
+
+RawImage read_invesalius(const fs::path& path) {
+  (void)readable_size(path);
+  constexpr double kLargestList = 1e6;  // [bytes]
+  const std::vector<std::byte> xml = ProjectArchive(path).read("main.plist", kLargestList);
+  const PropertyList list(path, std::string(reinterpret_cast<const char*>(xml.data()), xml.size()));
+  if (list.get("matrix/dtype") != "int16")
+    cannot_read(path, "its values are of type '" + list.get("matrix/dtype") + "'; only int16 is read.");
+
+  RawImage image;
+  image.type = ValueType::int16;
+  const Vec3 shape = list.three_numbers("matrix/shape");  // slices, rows, columns
+  require_sane_dims(path, {shape[2], shape[1], shape[0]});
+  if (shape != shape.array().floor().matrix()) cannot_read(path, "its shape is not of whole numbers.");
+  image.geometry.dims = {int(shape[2]), int(shape[1]), int(shape[0])};
+  image.geometry.spacing_mm = list.three_numbers("spacing");
+  const double needed = 2 * shape.prod();
+  image.bytes = ProjectArchive(path).read(list.get("matrix/filename"), needed);
+  if (double(image.bytes.size()) != needed)
+    cannot_read(path, "it has " + std::to_string(image.bytes.size()) + " bytes of values, but its shape needs " +
+                          format_number(needed) + ".");
+  return image;
+}
+
+}  // namespace hapticut

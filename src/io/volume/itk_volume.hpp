@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <itkImage.h>
+
+#include <string>
+
+#include "hapticut/core/volume.hpp"
+#include "io/volume/itk_image.hpp"
+
+/// @file
+/// Volumes as images of ITK's filters, and back. Filters see the grid's own axes; the pose stays outside.
+namespace hapticut {
+
+/// An image that reads the values of a volume in place; the volume must outlive it.
+template <class Value>
+typename itk::Image<Value, 3>::Pointer image_view(const Volume<Value>& volume) {
+  using Image = itk::Image<Value, 3>;
+  const auto image = Image::New();
+  typename Image::SizeType size;
+  typename Image::SpacingType spacing;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    size[axis] = itk::SizeValueType(volume.dims[axis]);
+    spacing[axis] = volume.spacing[axis];
+  }
+  image->SetRegions(size);
+  image->SetSpacing(spacing);
+  // Filters only read their input; ITK has no type for that.
+  image->GetPixelContainer()->SetImportPointer(const_cast<Value*>(volume.values.data()), volume.values.size(), false);
+  return image;
+}
+
+/// Runs filters with ITK quiet; what they throw becomes an Error that says what was being done.
+template <class Work>
+auto with_filters(const std::string& doing, const Work& work) {
+  try {
+    const QuietItk quiet;
+    return work();
+  } catch (const itk::ExceptionObject& exception) {
+    throw Error(doing + " failed: " + reason_of(exception));
+  } catch (const std::bad_alloc&) {
+    throw Error(doing + " failed: there is not enough memory. Crop the volume first.");
+  }
+}
+
+}  // namespace hapticut

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/volume/raw_image.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <type_traits>
+
+#include "hapticut/core/units.hpp"
+#include "io/file_errors.hpp"
+
+namespace hapticut {
+namespace {
+
+/// Calls `use(Type{})` with the C++ type of the values.
+template <class Use>
+void with_type(ValueType type, const Use& use) {
+  switch (type) {
+    case ValueType::uint8:
+      return use(std::uint8_t{});
+    case ValueType::int8:
+      return use(std::int8_t{});
+    case ValueType::uint16:
+      return use(std::uint16_t{});
+    case ValueType::int16:
+      return use(std::int16_t{});
+    case ValueType::uint32:
+      return use(std::uint32_t{});
+    case ValueType::int32:
+      return use(std::int32_t{});
+    case ValueType::uint64:
+      return use(std::uint64_t{});
+    case ValueType::int64:
+      return use(std::int64_t{});
+    case ValueType::float32:
+      return use(float{});
+    case ValueType::float64:
+      return use(double{});
+  }
+}
+
+/// Converts value by value; `convert` may throw.
+template <class Value, class Convert>
+void convert_values(const RawImage& image, std::vector<Value>& values, const Convert& convert) {
+  with_type(image.type, [&](auto zero) {
+    using Stored = decltype(zero);
+    const std::byte* from = image.bytes.data();
+    for (Value& value : values) {
+      Stored stored;
+      std::memcpy(&stored, from, sizeof stored);
+      from += sizeof stored;
+      value = convert(stored);
+    }
+  });
+}
+
+/// Turns a left-handed grid round along z: the last slice becomes the first, and nothing moves.
+template <class Value>
+void turn_round_z(Volume<Value>& volume, FileGeometry& geometry) {
+  const int last = volume.dims[2] - 1;
+  const auto slice = [&](int k) { return volume.values.begin() + std::ptrdiff_t(volume.offset(0, 0, k)); };
+  for (int k = 0; k < volume.dims[2] / 2; ++k) std::swap_ranges(slice(k), slice(k + 1), slice(last - k));
+  geometry.origin_mm += geometry.direction.col(2) * (last * geometry.spacing_mm.z());
+  geometry.direction.col(2) *= -1;
+}
+
+template <class Value, class Convert>
+Volume<Value> to_volume(const RawImage& image, const std::filesystem::path& path, const std::optional<Vec3>& spacing,
+                        const Convert& convert) {
+  FileGeometry geometry = image.geometry;
+  if (spacing) geometry.spacing_mm = *spacing / units::mm;
+  if (!is_finite(geometry.spacing_mm) || !(geometry.spacing_mm.minCoeff() > 0))
+    cannot_read(path, "its spacing is not positive along every axis. Give the spacing yourself.");
+  if (!is_finite(geometry.origin_mm) || !geometry.direction.allFinite())
+    cannot_read(path, "its origin or direction is not finite.");
+  // Headers round directions to some digits; more than this is not rounding.
+  constexpr double kRounding = 1e-3;
+  const Mat3 gram = geometry.direction.transpose() * geometry.direction;
+  if (!((gram - Mat3::Identity()).cwiseAbs().maxCoeff() < kRounding))
+    cannot_read(path, "its axes are not perpendicular; resample it to a regular grid first.");
+
+  Volume<Value> volume;
+  volume.dims = geometry.dims;
+  volume.values.resize(volume.size());
+  convert_values(image, volume.values, convert);
+  if (geometry.direction.determinant() < 0) turn_round_z(volume, geometry);
+  volume.spacing = geometry.spacing_mm * units::mm;
+  volume.X_WG = {orthonormalized(geometry.direction), geometry.origin_mm * units::mm};
+  return volume;
+}
+
+}  // namespace
+
+std::size_t size_of(ValueType type) {
+  std::size_t size = 0;
+  with_type(type, [&](auto zero) { size = sizeof zero; });
+  return size;
+}
+
+void require_sane_dims(const std::filesystem::path& path, const std::array<double, 3>& dims) {
+  const std::string claim = format_number(dims[0]) + " x " + format_number(dims[1]) + " x " + format_number(dims[2]);
+  for (const double n : dims)
+    if (!(n >= 1)) cannot_read(path, "it claims " + claim + " samples; there must be at least one along every axis.");
+  if (!(dims[0] * dims[1] * dims[2] <= double(kMaxVolumeSamples)))
+    cannot_read(path, "it claims " + claim + " samples; at most " + format_number(double(kMaxVolumeSamples)) +
+                          " are read. Crop or downsample it first.");
+}
+
+void swap_bytes(RawImage& image) {
+  const auto size = std::ptrdiff_t(size_of(image.type));
+  for (auto at = image.bytes.begin(); at != image.bytes.end(); at += size) std::reverse(at, at + size);
+}
+
+GreyVolume to_grey_volume(const RawImage& image, const std::filesystem::path& path,
+                          const std::optional<Vec3>& spacing) {
+  return to_volume<float>(image, path, spacing, [](auto value) { return float(value); });
+}
+
+LabelVolume to_label_volume(const RawImage& image, const std::filesystem::path& path,
+                            const std::optional<Vec3>& spacing) {
+  return to_volume<std::uint16_t>(image, path, spacing, [&](auto value) {
+    const auto label = double(value);
+    if (!(label >= 0 && label <= 65535 && label == std::floor(label)))
+      cannot_read(path, "it has the value " + format_number(label) +
+                            ", but labels are whole numbers from 0 to 65535. Read it as a grey volume instead.");
+    return std::uint16_t(value);
+  });
+}
+
+std::uint64_t readable_size(const std::filesystem::path& path) {
+  std::error_code code;
+  const auto status = std::filesystem::status(path, code);
+  if (!std::filesystem::exists(status)) cannot_read(path, "there is no such file.");
+  if (!std::filesystem::is_regular_file(status)) cannot_read(path, "it is not a regular file.");
+  if (!std::ifstream(path, std::ios::binary)) cannot_read(path, "it cannot be opened; check its permissions.");
+  const auto size = std::filesystem::file_size(path, code);
+  if (code) cannot_read(path, code.message() + ".");
+  return size;
+}
+
+std::string first_bytes(const std::filesystem::path& path, std::size_t count) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(count, '\0');
+  file.read(bytes.data(), std::streamsize(count));
+  bytes.resize(std::size_t(std::max<std::streamsize>(file.gcount(), 0)));
+  return bytes;
+}
+
+}  // namespace hapticut

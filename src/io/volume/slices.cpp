@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hapticut/core/units.hpp"
+#include "io/file_errors.hpp"
+#include "io/volume/formats.hpp"
+#include "io/volume/picture_file.hpp"
+
+namespace hapticut {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class SliceFormat : std::uint8_t { kPng, kTiff };
+
+std::optional<SliceFormat> format_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  if (ending == ".png") return SliceFormat::kPng;
+  if (ending == ".tif" || ending == ".tiff") return SliceFormat::kTiff;
+  return std::nullopt;
+}
+
+struct SliceFile {
+  fs::path path;
+  SliceFormat format;
+  std::string prefix;  ///< of the name, before its last number
+  std::uint64_t number = 0;
+};
+
+SliceFile slice_file(const fs::path& path, SliceFormat format) {
+  const std::string name = path.stem().string();
+  const auto digit = [&](std::size_t n) { return std::isdigit(static_cast<unsigned char>(name[n])) != 0; };
+  std::size_t end = name.size();
+  while (end > 0 && !digit(end - 1)) --end;
+  std::size_t begin = end;
+  while (begin > 0 && digit(begin - 1)) --begin;
+  if (begin == end || end - begin > 18)
+    cannot_read(path, "slices are ordered by the numbers in their names, and this one has none. Move it elsewhere.");
+  return {path, format, name.substr(0, begin), std::stoull(name.substr(begin, end - begin))};
+}
+
+/// The slices of a folder by the last number in their names, which need not be padded with zeros.
+std::vector<SliceFile> ordered_slices(const fs::path& folder) {
+  std::vector<SliceFile> files;
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder, code))
+    if (const auto format = format_of(entry.path())) files.push_back(slice_file(entry.path(), *format));
+  if (code) cannot_read(folder, code.message() + ".");
+  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
+  if (files.size() < 2) cannot_read(folder, "it has fewer than two PNG or TIFF slices; a volume needs two.");
+  for (std::size_t n = 1; n < files.size(); ++n)
+    if (files[n].prefix != files[0].prefix ||
+        files[n].number - files[n - 1].number != files[1].number - files[0].number ||
+        files[n].number == files[n - 1].number)
+      cannot_read(folder, "its slices '" + files[n - 1].path.filename().string() + "' and '" +
+                              files[n].path.filename().string() +
+                              "' do not follow each other; one is missing, there twice, or of another series.");
+  return files;
+}
+
+PictureFile read_picture(const SliceFile& file) {
+  return file.format == SliceFormat::kPng ? read_png(file.path) : read_tiff(file.path);
+}
+
+/// Reads the slices one by one and checks that they are alike.
+template <class Use>
+std::array<int, 3> for_each_slice(const fs::path& folder, const Use& use) {
+  const std::vector<SliceFile> files = ordered_slices(folder);
+  std::array<int, 3> dims{};
+  std::optional<PictureFile> first;
+  for (const SliceFile& file : files) {
+    PictureFile picture = read_picture(file);
+    if (!first) {
+      first = PictureFile{picture.dims, picture.channels, picture.type, {}};
+      dims = {picture.dims[0], picture.dims[1], int(files.size())};
+      require_sane_dims(folder, {double(dims[0]), double(dims[1]), double(dims[2])});
+    }
+    if (picture.dims != first->dims || picture.channels != first->channels || picture.type != first->type)
+      cannot_read(file.path, "it differs from the first slice in size, channels or depth.");
+    use(file, picture);
+  }
+  return dims;
+}
+
+}  // namespace
+
+bool has_slices(const fs::path& folder) {
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder, code))
+    if (format_of(entry.path())) return true;
+  if (code) cannot_read(folder, code.message() + ".");
+  return false;
+}
+
+RawImage read_slices(const fs::path& folder) {
+  RawImage image;
+  image.geometry.spacing_mm.setZero();
+  image.geometry.dims = for_each_slice(folder, [&](const SliceFile& file, const PictureFile& picture) {
+    if (picture.channels != 1)
+      cannot_read(file.path, "it is in colour; save grey values, or read labels with read_colour_slices.");
+    image.type = picture.type;
+    image.bytes.insert(image.bytes.end(), picture.bytes.begin(), picture.bytes.end());
+  });
+  return image;
+}
+
+LabelVolume read_colour_slices(const fs::path& folder, const std::map<Colour, std::uint16_t>& label_of,
+                               const Vec3& spacing) {
+  for (int axis = 0; axis < 3; ++axis) require_positive(spacing[axis], "spacing of colour slices [m]");
+  LabelVolume volume;
+  bool found = false;
+  volume.dims = for_each_slice(folder, [&](const SliceFile& file, const PictureFile& picture) {
+    const std::size_t channels = picture.channels;
+    if ((channels != 3 && channels != 4) || picture.type != ValueType::uint8)
+      cannot_read(file.path, "it is not a colour picture with 8 bits per channel.");
+    Colour last{};
+    std::uint16_t label = 0;
+    bool known = false;
+    for (std::size_t at = 0; at < picture.bytes.size(); at += channels) {
+      const auto channel = [&](std::size_t n) { return std::uint8_t(picture.bytes[at + n]); };
+      const Colour colour = {channel(0), channel(1), channel(2)};
+      if (!known || colour != last) {  // neighbours are mostly alike
+        const auto entry = label_of.find(colour);
+        label = entry == label_of.end() ? std::uint16_t(0) : entry->second;
+        last = colour;
+        known = true;
+      }
+      const bool opaque = channels == 3 || channel(3) == 255;
+      volume.values.push_back(opaque ? label : std::uint16_t(0));
+      found |= opaque && label != 0;
+    }
+  });
+  if (!found) cannot_read(folder, "none of the given colours occurs in its slices.");
+  volume.spacing = spacing;
+  return volume;
+}
+
+}  // namespace hapticut

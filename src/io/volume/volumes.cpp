@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/io/volume/volumes.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include "hapticut/core/units.hpp"
+#include "io/file_errors.hpp"
+#include "io/volume/formats.hpp"
+#include "io/volume/raw_image.hpp"
+
+namespace hapticut {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The name in lower case, for comparing its ending.
+std::string lower_name(const fs::path& path) {
+  std::string name = path.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return name;
+}
+
+RawImage read_folder(const fs::path& path, const VolumeReadOptions& options) {
+  if (!has_slices(path)) return read_dicom_series(path, options.dicom_series);
+  if (!options.spacing)
+    cannot_read(path, "PNG and TIFF slices do not say how far apart they are; set VolumeReadOptions::spacing.");
+  return read_slices(path);
+}
+
+RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
+  if (options.spacing)
+    for (int axis = 0; axis < 3; ++axis) require_positive((*options.spacing)[axis], "VolumeReadOptions::spacing [m]");
+  std::error_code code;
+  if (fs::is_directory(path, code)) return read_folder(path, options);
+  const std::string name = lower_name(path);
+  if (name.ends_with(".nrrd") || name.ends_with(".nhdr")) return read_nrrd(path);
+  if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return read_nifti(path);
+  if (name.ends_with(".mhd") || name.ends_with(".mha")) return read_meta_image(path);
+  if (name.ends_with(".inv3")) return read_invesalius(path);
+  if (name.ends_with(".dcm")) return read_dicom_file(path);
+  (void)readable_size(path);
+  if (name.ends_with(".raw"))
+    cannot_read(path, "a raw file does not say how large it is; use read_raw_grey_volume or read_raw_label_volume.");
+  cannot_read(
+      path,
+      "its ending is of no format that is read: .nrrd .nhdr .nii .nii.gz .mhd .mha .inv3 .dcm, or a folder with "
+      "a DICOM series or with PNG or TIFF slices.");
+}
+
+RawImage read_raw(const fs::path& path, const RawLayout& layout) {
+  for (int axis = 0; axis < 3; ++axis) require_positive(layout.spacing[axis], "RawLayout::spacing [m]");
+  require_sane_dims(path, {double(layout.dims[0]), double(layout.dims[1]), double(layout.dims[2])});
+  RawImage image;
+  image.type = layout.type;
+  image.geometry.dims = layout.dims;
+  image.geometry.spacing_mm = layout.spacing / units::mm;
+  const std::uint64_t needed = std::uint64_t(layout.dims[0]) * std::uint64_t(layout.dims[1]) *
+                               std::uint64_t(layout.dims[2]) * size_of(layout.type);
+  const std::uint64_t size = readable_size(path);
+  if (size < layout.skip || size - layout.skip != needed)
+    cannot_read(path, "it has " + std::to_string(size) + " bytes, but its layout asks for " +
+                          std::to_string(layout.skip + needed) + ". Check RawLayout::dims, type and skip.");
+  image.bytes.resize(needed);
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(std::streamoff(layout.skip));
+  file.read(reinterpret_cast<char*>(image.bytes.data()), std::streamsize(needed));
+  if (file.gcount() != std::streamsize(needed)) cannot_read(path, "it could not be read to its end.");
+  if (layout.big_endian) swap_bytes(image);
+  return image;
+}
+
+}  // namespace
+
+GreyVolume read_grey_volume(const fs::path& path, const VolumeReadOptions& options) {
+  return to_grey_volume(read_image(path, options), path, options.spacing);
+}
+
+LabelVolume read_label_volume(const fs::path& path, const VolumeReadOptions& options) {
+  return to_label_volume(read_image(path, options), path, options.spacing);
+}
+
+GreyVolume read_raw_grey_volume(const fs::path& path, const RawLayout& layout) {
+  return to_grey_volume(read_raw(path, layout), path, std::nullopt);
+}
+
+LabelVolume read_raw_label_volume(const fs::path& path, const RawLayout& layout) {
+  return to_label_volume(read_raw(path, layout), path, std::nullopt);
+}
+
+GreyVolume read_invesalius_project(const fs::path& path) {
+  return to_grey_volume(read_invesalius(path), path, std::nullopt);
+}
+
+}  // namespace hapticut

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernels for what the compiler may assume of every processor.
+#include "kernels/targets/which.hpp"
+//
+#define HAPTICUT_TARGET HWY_STATIC_TARGET
+#define HAPTICUT_TARGET_IS_BASELINE
+#define HWY_DISABLED_TARGETS HAPTICUT_LEFT_OUT
+#define HWY_COMPILE_ONLY_STATIC
+#include "kernels/targets/one_target-inl.hpp"

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/loop/block_outbox.hpp"
+
+#include <algorithm>
+#include <boost/lockfree/spsc_queue.hpp>
+
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr double kMostBlocks = 64e6;  // 8 bits of mark and 4 bytes of order each: 264 MB
+
+}  // namespace
+
+struct BlockOutbox::Queue {
+  explicit Queue(std::size_t capacity) : blocks(capacity) {}
+  boost::lockfree::spsc_queue<ChangedBlock> blocks;
+};
+
+BlockOutbox::BlockOutbox(const IndexBox& region, std::size_t capacity) {
+  if (region.empty()) throw Error("The region of a BlockOutbox is empty; give it the voxels that may be cut.");
+  require_between(double(capacity), 1, 1e6, "the capacity of a BlockOutbox [blocks]");
+  double blocks = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    first_[axis] = block_start(region.min[axis]);
+    blocks_[axis] = (block_start(region.max[axis]) - first_[axis]) / kBlockEdge + 1;
+    blocks *= blocks_[axis];
+  }
+  if (blocks > kMostBlocks)
+    throw Error("The region of a BlockOutbox has " + format_number(blocks) + " blocks; at most " +
+                format_number(kMostBlocks) + " are possible. Give it only the voxels that may be cut.");
+  is_marked_.resize(std::size_t(blocks), false);
+  order_.resize(std::size_t(blocks));
+  queue_ = std::make_unique<Queue>(capacity);
+}
+
+BlockOutbox::~BlockOutbox() = default;
+
+VoxelIndex BlockOutbox::origin_of(std::uint32_t number) const noexcept {
+  const int n = int(number);
+  return {first_[0] + kBlockEdge * (n / (blocks_[1] * blocks_[2])),
+          first_[1] + kBlockEdge * (n / blocks_[2] % blocks_[1]), first_[2] + kBlockEdge * (n % blocks_[2])};
+}
+
+bool BlockOutbox::mark(const VoxelIndex& origin) noexcept {
+  VoxelIndex at;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (origin[axis] < first_[axis]) return false;
+    at[axis] = (origin[axis] - first_[axis]) / kBlockEdge;
+    if (at[axis] >= blocks_[axis]) return false;
+  }
+  const std::size_t number =
+      (std::size_t(at[0]) * std::size_t(blocks_[1]) + std::size_t(at[1])) * std::size_t(blocks_[2]) +
+      std::size_t(at[2]);
+  if (is_marked_[number]) return true;
+  is_marked_[number] = true;
+  order_[(head_ + count_++) % order_.size()] = std::uint32_t(number);
+  return true;
+}
+
+std::size_t BlockOutbox::send(const Copy& copy, std::size_t most) noexcept {
+  const std::size_t sent = std::min({most, count_, queue_->blocks.write_available()});
+  for (std::size_t n = 0; n < sent; ++n) {
+    const std::uint32_t number = order_[head_];
+    scratch_.origin = origin_of(number);
+    scratch_.version = ++version_;
+    copy(scratch_);
+    // There is room: only this thread takes any.
+    (void)queue_->blocks.push(scratch_);
+    is_marked_[number] = false;
+    head_ = (head_ + 1) % order_.size();
+    --count_;
+  }
+  return sent;
+}
+
+bool BlockOutbox::receive(ChangedBlock& block) { return queue_->blocks.pop(block); }
+
+}  // namespace hapticut

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/loop/realtime_loop.hpp"
+
+#include <atomic>
+#include <boost/lockfree/spsc_queue.hpp>
+#include <exception>
+#include <thread>
+#include <utility>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/realtime/triple_buffer.hpp"
+
+namespace hapticut {
+
+struct RealtimeLoop::State {
+  State(Device& a_device, LoopModel& a_model, const RealtimeLoopOptions& some_options)
+      : device(a_device), model(a_model), options(some_options) {
+    if (!options.region.empty()) outbox = std::make_unique<BlockOutbox>(options.region, options.block_capacity);
+    copy = [this](ChangedBlock& block) { model.copy(block); };
+  }
+
+  DeviceCommand tick(const DeviceState& reading) noexcept;
+  void obey(DeviceCommand& command) noexcept;
+
+  Device& device;
+  LoopModel& model;
+  RealtimeLoopOptions options;
+
+  boost::lockfree::spsc_queue<LoopCommand, boost::lockfree::capacity<kCommands>> commands;
+  std::atomic<std::uint64_t> dropped{0};
+  TripleBuffer<LoopSnapshot> snapshots;
+  std::unique_ptr<BlockOutbox> outbox;
+  BlockOutbox::Copy copy;
+
+  std::uint64_t ticks = 0;
+  double last_time = 0;
+
+  std::thread thread;
+  std::atomic<bool> running{false};
+  RunReport report;
+  std::exception_ptr exception;
+};
+
+void RealtimeLoop::State::obey(DeviceCommand& command) noexcept {
+  LoopCommand message;
+  while (commands.pop(message)) switch (message.kind) {
+      case LoopCommand::Kind::stop:
+        command.stop = true;
+        break;
+      case LoopCommand::Kind::emergency_stop:
+        device.emergency_stop();
+        break;
+      case LoopCommand::Kind::reset_fault:
+        device.reset_fault();
+        break;
+      case LoopCommand::Kind::model:
+        model.obey(message);
+        break;
+    }
+}
+
+DeviceCommand RealtimeLoop::State::tick(const DeviceState& reading) noexcept {
+  DeviceCommand command;
+  obey(command);
+  const double nominal = options.run.guard.period;
+  const double dt = ticks == 0 ? nominal : reading.time - last_time;
+  last_time = reading.time;
+
+  LoopSnapshot& snapshot = snapshots.writing();
+  command.wrench = model.step(reading, dt > 0 ? dt : nominal, snapshot);
+  if (outbox) {
+    model.mark_changes(*outbox);
+    outbox->send(copy, options.blocks_per_tick);
+    snapshot.blocks_waiting = outbox->marked();
+  }
+  snapshot.tick = ++ticks;
+  snapshot.device = reading;
+  snapshot.output = device.last_output();
+  snapshot.arming = device.last_arming();
+  snapshot.commands_dropped = dropped.load(std::memory_order_relaxed);
+  snapshots.publish();
+  return command;
+}
+
+RealtimeLoop::RealtimeLoop(Device& device, LoopModel& model, const RealtimeLoopOptions& options)
+    : state_(std::make_unique<State>(device, model, options)) {}
+
+RealtimeLoop::~RealtimeLoop() {
+  if (!state_->thread.joinable()) return;
+  state_->device.stop();
+  while (state_->running.load()) {  // a stop before the run has begun is forgotten by it
+    state_->device.stop();
+    std::this_thread::yield();
+  }
+  state_->thread.join();
+}
+
+void RealtimeLoop::start() {
+  if (state_->thread.joinable()) throw Error("The loop runs already; call wait or stop before starting it again.");
+  state_->ticks = 0;
+  state_->exception = nullptr;
+  state_->running.store(true);
+  state_->thread = std::thread([state = state_.get()] {
+    try {
+      state->report =
+          state->device.run([state](const DeviceState& reading) { return state->tick(reading); }, state->options.run);
+    } catch (...) {
+      state->exception = std::current_exception();
+    }
+    state->running.store(false);
+  });
+}
+
+RunReport RealtimeLoop::wait() {
+  if (!state_->thread.joinable()) throw Error("The loop does not run; call start first.");
+  state_->thread.join();
+  if (state_->exception) std::rethrow_exception(std::exchange(state_->exception, nullptr));
+  return std::move(state_->report);
+}
+
+RunReport RealtimeLoop::stop() {
+  while (state_->running.load()) {
+    state_->device.stop();
+    std::this_thread::yield();
+  }
+  return wait();
+}
+
+bool RealtimeLoop::is_running() const noexcept { return state_->running.load(); }
+
+void RealtimeLoop::emergency_stop() noexcept { state_->device.emergency_stop(); }
+
+bool RealtimeLoop::send(const LoopCommand& command) noexcept {
+  if (state_->commands.push(command)) return true;
+  state_->dropped.fetch_add(1, std::memory_order_relaxed);
+  return false;
+}
+
+const LoopSnapshot& RealtimeLoop::latest() noexcept { return state_->snapshots.latest(); }
+
+bool RealtimeLoop::receive(ChangedBlock& block) { return state_->outbox && state_->outbox->receive(block); }
+
+}  // namespace hapticut

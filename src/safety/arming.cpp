@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/safety/arming.hpp"
+
+#include <algorithm>
+
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut {
+
+const char* name(ArmingState state) {
+  switch (state) {
+    case ArmingState::off:
+      return "off";
+    case ArmingState::armed:
+      return "armed";
+    case ArmingState::wait_free:
+      return "wait_free";
+    case ArmingState::ramp:
+      return "ramp";
+    case ArmingState::on:
+      return "on";
+    case ArmingState::fault:
+      return "fault";
+  }
+  return "unknown";
+}
+
+Arming::Arming(const ArmingOptions& options) : options_(options) {
+  require_between(options.valid_ticks, 1, 10000, "ArmingOptions::valid_ticks");
+  require_positive(options.free_force, "ArmingOptions::free_force [N]");
+  require_positive(options.free_torque, "ArmingOptions::free_torque [N·m]");
+  require_between(options.free_ticks, 1, 10000, "ArmingOptions::free_ticks");
+  require_between(options.ramp, 0.02, 60, "ArmingOptions::ramp [s]");
+  require_between(options.short_ramp, 0.02, 60, "ArmingOptions::short_ramp [s]");
+}
+
+void Arming::start(SafetyLog& log) noexcept {
+  state_ = ArmingState::armed;
+  ticks_ = 0;
+  first_ = true;
+  log.report(SafetyEvent::armed);
+}
+
+void Arming::wait_free(SafetyLog& log) noexcept {
+  state_ = ArmingState::wait_free;
+  ticks_ = 0;
+  looked_ = false;
+  log.report(SafetyEvent::waiting_free);
+}
+
+void Arming::interrupt(SafetyEvent reason, bool short_ramp, SafetyLog& log, double value) noexcept {
+  log.report(reason, value);
+  const bool waits = state_ == ArmingState::wait_free || state_ == ArmingState::ramp || state_ == ArmingState::on;
+  if (!waits) return;
+  // A long ramp that is due, or under way, is not cut short.
+  if (state_ == ArmingState::on)
+    short_ramp_ = short_ramp;
+  else
+    short_ramp_ = short_ramp_ && short_ramp;
+  wait_free(log);
+}
+
+void Arming::fail(SafetyLog& log, double value) noexcept {
+  if (state_ == ArmingState::off || state_ == ArmingState::fault) return;
+  state_ = ArmingState::fault;
+  log.report(SafetyEvent::fault, value);
+}
+
+void Arming::reset(SafetyLog& log) noexcept {
+  if (state_ != ArmingState::fault) return;
+  log.report(SafetyEvent::fault_reset);
+  start(log);
+}
+
+double Arming::tick(double dt, bool reading_ok, double force, double torque, SafetyLog& log) noexcept {
+  switch (state_) {
+    case ArmingState::off:
+    case ArmingState::fault:
+      return 0;
+
+    case ArmingState::armed:
+      ticks_ = reading_ok ? ticks_ + 1 : 0;
+      if (ticks_ >= options_.valid_ticks) {
+        short_ramp_ = !first_;
+        wait_free(log);
+      }
+      return 0;
+
+    case ArmingState::wait_free: {
+      const bool is_free = reading_ok && force < options_.free_force && torque < options_.free_torque;
+      if (reading_ok && !looked_) {
+        looked_ = true;
+        if (!is_free) log.report(SafetyEvent::start_inside, force);
+      }
+      ticks_ = is_free ? ticks_ + 1 : 0;
+      if (ticks_ >= options_.free_ticks) {
+        state_ = ArmingState::ramp;
+        progress_ = 0;
+        log.report(SafetyEvent::fading_in);
+      }
+      return 0;
+    }
+
+    case ArmingState::ramp: {
+      progress_ += dt / (short_ramp_ ? options_.short_ramp : options_.ramp);
+      if (progress_ >= 1) {
+        state_ = ArmingState::on;
+        first_ = false;
+        log.report(SafetyEvent::engaged);
+        return 1;
+      }
+      return progress_ * progress_ * (3 - 2 * progress_);  // smoothstep: begins and ends gently
+    }
+
+    case ArmingState::on:
+      return 1;
+  }
+  return 0;
+}
+
+}  // namespace hapticut

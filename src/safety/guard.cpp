@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/safety/guard.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr double kShortestStep = 0.2;  // [ticks] bounds of dt in derivatives
+constexpr double kLongestStep = 5;     // [ticks]
+constexpr double kRampDampingShare = 0.2;
+constexpr double kUnitsWatched = 1;         // [s]
+constexpr double kImplausiblyFar = 2;       // [m] no desktop device reaches farther
+constexpr double kImplausiblySmall = 1e-6;  // [m] of all motion within a second, while the stylus turns
+
+constexpr double kFastTurn = 10;  // [rad/s] at which damping may take all the torque there is
+
+/// The options with the damping that a device can render, where they name none.
+PassivityOptions with_damping(PassivityOptions options, double damping) {
+  if (options.greatest_damping == 0) options.greatest_damping = damping;
+  return options;
+}
+
+/// [N/s] by which the force of a device may grow where nobody says it: no slower than its stiffest wall needs. One of
+/// unknown stiffness may reach its peak within 10 ms.
+double default_growth(double stiffness, double fastest_contact, double greatest_force) {
+  const double needed = least_force_growth(stiffness, fastest_contact);
+  return needed > 0 ? needed : greatest_force / 10e-3;
+}
+
+double or_default(double value, double fallback) { return value > 0 ? value : fallback; }
+
+bool is_finite(const Wrench& w) { return w.force.allFinite() && w.torque.allFinite(); }
+
+}  // namespace
+
+OutputLimits output_limits(const DeviceCapabilities& device, double fastest_contact) {
+  require_positive(fastest_contact, "fastest contact [m/s]");
+  if (!(device.peak_force > 0) || device.output_degrees_of_freedom < 3)
+    throw Error("the device '" + device.model +
+                "' says that it renders no force, so it has no limits to take over; "
+                "set DeviceCapabilities::peak_force and output_degrees_of_freedom, or the OutputLimits yourself.");
+  OutputLimits limits;
+  limits.largest_force = device.peak_force;
+  limits.force_growth = default_growth(device.stiffness, fastest_contact, device.peak_force);
+  if (device.output_degrees_of_freedom < 6 || !(device.peak_torque > 0)) return limits;
+  limits.largest_torque = device.peak_torque;
+  limits.torque_growth = limits.force_growth * device.peak_torque / device.peak_force;
+  return limits;
+}
+
+SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOptions& options)
+    : capabilities_(capabilities),
+      options_(options),
+      greatest_force_(std::min(or_default(options.greatest_force, capabilities.peak_force), capabilities.peak_force)),
+      greatest_torque_(
+          std::min(or_default(options.greatest_torque, capabilities.peak_torque), capabilities.peak_torque)),
+      slew_(0),
+      torque_slew_(0),
+      ramp_damping_(options.ramp_damping < 0 ? kRampDampingShare * capabilities.damping : options.ramp_damping),
+      gate_(capabilities, options.gate),
+      arming_(options.arming),
+      passivity_(with_damping(options.passivity, capabilities.damping), greatest_force_),
+      turning_passivity_(with_damping(options.passivity, greatest_torque_ / kFastTurn), greatest_torque_),
+      thermal_(greatest_force_, capabilities.continuous_force, options.thermal) {
+  require_positive(options.period, "GuardOptions::period [s]");
+  require_not_negative(options.greatest_force, "GuardOptions::greatest_force [N]");
+  require_not_negative(options.greatest_torque, "GuardOptions::greatest_torque [N·m]");
+  require_not_negative(options.slew, "GuardOptions::slew [N/s]");
+  require_not_negative(options.torque_slew, "GuardOptions::torque_slew [N·m/s]");
+  require_not_negative(options.stiffness, "GuardOptions::stiffness [N/m]");
+  require_positive(options.fastest_contact, "GuardOptions::fastest_contact [m/s]");
+  require_between(options.late, options.period, 1, "GuardOptions::late [s]");
+  require_between(options.pause, options.late, 10, "GuardOptions::pause [s]");
+  require_between(options.not_finite_ticks, 1, 50, "GuardOptions::not_finite_ticks");
+  (void)Watchdog(options.watchdog);
+  if (capabilities.output_degrees_of_freedom < 3) greatest_force_ = 0;
+  if (capabilities.output_degrees_of_freedom < 6) greatest_torque_ = 0;
+
+  const double stiffness = or_default(options.stiffness, capabilities.stiffness);
+  const double needed = least_force_growth(stiffness, options.fastest_contact);
+  slew_ = or_default(options.slew, default_growth(stiffness, options.fastest_contact, greatest_force_));
+  if (slew_ < needed)
+    throw Error("GuardOptions::slew [N/s] = " + format_number(options.slew) + "; must be >= " + format_number(needed) +
+                " = 1.25 x stiffness x fastest_contact, or a wall of that stiffness gains energy; raise it or lower "
+                "GuardOptions::stiffness.");
+  torque_slew_ = or_default(
+      options.torque_slew, greatest_force_ > 0 ? slew_ * greatest_torque_ / greatest_force_ : greatest_torque_ / 10e-3);
+}
+
+void SafetyGuard::start() noexcept {
+  started_ = false;
+  gate_.restart();
+  passivity_.restart();
+  turning_passivity_.restart();
+  not_finite_ = 0;
+  before_ramp_ = {};
+  output_ = {};
+  watched_ = 0;
+  arming_.start(log_);
+  published_state_.store(arming_.state(), std::memory_order_release);
+}
+
+void SafetyGuard::stop() noexcept {
+  arming_.stop();
+  published_state_.store(arming_.state(), std::memory_order_release);
+}
+
+void SafetyGuard::report_silence(Watchdog::Verdict verdict, double share) {
+  if (std::exchange(silence_, verdict) == verdict) return;
+  switch (verdict) {
+    case Watchdog::Verdict::alive:
+      break;
+    case Watchdog::Verdict::late:
+      log_.note(SafetyEvent::watchdog_late, share);
+      break;
+    case Watchdog::Verdict::fading:
+      log_.note(SafetyEvent::watchdog_fading, share);
+      break;
+    case Watchdog::Verdict::dead:
+      log_.note(SafetyEvent::watchdog_fault, share);
+      if (options_.watchdog.latch) was_dead_.store(true, std::memory_order_release);
+      break;
+  }
+}
+
+void SafetyGuard::interrupt(SafetyEvent reason) noexcept {
+  interruption_.store(std::uint8_t(reason), std::memory_order_release);
+}
+
+// Stage 0: time stamps, missed ticks.
+void SafetyGuard::keep_time(const DeviceState& reading) noexcept {
+  const double elapsed = started_ ? reading.time - last_time_ : options_.period;
+  last_time_ = reading.time;
+  const bool known = std::isfinite(elapsed);
+  dt_ = known ? std::clamp(elapsed, kShortestStep * options_.period, kLongestStep * options_.period) : options_.period;
+  gate_time_ = known ? std::clamp(elapsed, dt_, options_.pause + options_.period) : options_.period;
+  if (!started_ || !known) return;
+  const double late = elapsed - options_.period;
+  if (late > options_.pause) {
+    arming_.interrupt(SafetyEvent::paused, false, log_, late);
+    gate_.restart();  // the hand may be anywhere by now
+  } else if (late > options_.late) {
+    arming_.interrupt(SafetyEvent::late_wake_up, true, log_, late);
+  }
+}
+
+// What other threads asked for since the last tick.
+void SafetyGuard::obey() noexcept {
+  if (was_dead_.exchange(false, std::memory_order_acq_rel)) arming_.fail(log_);
+  if (reset_.exchange(false, std::memory_order_acq_rel) && arming_.state() == ArmingState::fault) {
+    emergency_.store(false, std::memory_order_release);
+    gate_.restart();
+    not_finite_ = 0;
+    arming_.reset(log_);
+  }
+  const auto reason = SafetyEvent(interruption_.exchange(std::uint8_t(SafetyEvent::count), std::memory_order_acq_rel));
+  if (reason != SafetyEvent::count) arming_.interrupt(reason, true, log_);
+}
+
+// Positions in millimetres are outside of any workspace; positions in kilometres never seem to move.
+void SafetyGuard::watch_units(const DeviceState& reading) noexcept {
+  const Vec3& p = reading.X_BS.translation;
+  if (!p.allFinite()) return;
+  if (p.norm() > kImplausiblyFar) log_.report(SafetyEvent::pose_units, p.norm());
+  if (watched_ == 0) low_seen_ = high_seen_ = p;
+  low_seen_ = low_seen_.cwiseMin(p);
+  high_seen_ = high_seen_.cwiseMax(p);
+  watched_ += dt_;
+  if (watched_ < kUnitsWatched) return;
+  const double spread = (high_seen_ - low_seen_).norm();
+  if (spread > 0 && spread < kImplausiblySmall) log_.report(SafetyEvent::pose_units, spread);
+  watched_ = 0;
+}
+
+const DeviceState& SafetyGuard::admit(const DeviceState& reading) noexcept {
+  log_.begin_tick(reading.time, reading.sequence);
+  keep_time(reading);
+  obey();
+  watch_units(reading);
+
+  const std::uint32_t epoch = gate_.state().epoch;
+  const PoseGate::Verdict verdict = gate_.check(reading, gate_time_, log_);
+  const DeviceState& state = gate_.state();
+  reading_ok_ = verdict == PoseGate::Verdict::accepted;
+  if (started_ && reading_ok_ && state.epoch != epoch) {
+    arming_.interrupt(SafetyEvent::recalibrated, false, log_);
+    X_BS_last_ = state.X_BS;  // the way between two calibrations is no motion
+  }
+  if (verdict == PoseGate::Verdict::lost && arming_.state() > ArmingState::armed) arming_.fail(log_);
+  switch (state.fault) {
+    case DeviceFault::none:
+      break;
+    case DeviceFault::motors_warm:
+      log_.report(SafetyEvent::motors_warm, state.temperature);
+      break;
+    case DeviceFault::force_limit:
+    case DeviceFault::speed_limit:
+    case DeviceFault::overloaded:    // the driver fades its own output in again, and so do we
+    case DeviceFault::switched_off:  // the motors may come back at any moment, at full strength
+      log_.report(SafetyEvent::device_fault, double(state.fault));
+      arming_.interrupt(SafetyEvent::device_fault, true, log_, double(state.fault));
+      break;
+    case DeviceFault::disconnected:
+    case DeviceFault::uncalibrated:
+    case DeviceFault::driver_error:
+      log_.report(SafetyEvent::device_fault, double(state.fault));
+      if (arming_.state() > ArmingState::armed) arming_.fail(log_, double(state.fault));
+      reading_ok_ = false;
+      break;
+  }
+  if (!started_) X_BS_last_ = state.X_BS;
+  started_ = true;
+  motion_ = state.X_BS.translation - X_BS_last_.translation;
+  turn_ = vector_from_rotation(state.X_BS.rotation * X_BS_last_.rotation.transpose());
+  X_BS_last_ = state.X_BS;
+  published_state_.store(arming_.state(), std::memory_order_release);
+  return state;
+}
+
+Wrench SafetyGuard::finite_or_none(const Wrench& commanded) noexcept {
+  if (is_finite(commanded)) {
+    not_finite_ = 0;
+    return commanded;
+  }
+  output_.limits |= OutputLimit::not_finite;
+  log_.report(SafetyEvent::force_not_finite);
+  if (++not_finite_ >= options_.not_finite_ticks) arming_.fail(log_);
+  return {};
+}
+
+Wrench SafetyGuard::make_passive(const Wrench& wrench) noexcept {
+  Wrench w;
+  w.force = passivity_.control(wrench.force, output_.applied.force, motion_, dt_);
+  w.torque = turning_passivity_.control(wrench.torque, output_.applied.torque, turn_, dt_);
+  const double taken = std::max(passivity_.taken(), turning_passivity_.taken());
+  if (taken > 0) {
+    output_.limits |= OutputLimit::damped;
+    log_.report(SafetyEvent::passivity, taken);
+  }
+  return w;
+}
+
+// Saturation, thermal budget, growth.
+Wrench SafetyGuard::bound(const Wrench& wrench) noexcept {
+  const double force = wrench.force.norm(), torque = wrench.torque.norm();
+  if (force > greatest_force_ || torque > greatest_torque_) {
+    const bool no_motors = (force > 0 && greatest_force_ == 0) || (torque > 0 && greatest_torque_ == 0);
+    if (no_motors) output_.limits |= OutputLimit::no_actuator;
+    if (force > greatest_force_ && greatest_force_ > 0) {
+      output_.limits |= OutputLimit::saturated;
+      log_.report(SafetyEvent::saturated, force);
+    } else if (torque > greatest_torque_ && greatest_torque_ > 0) {
+      output_.limits |= OutputLimit::saturated;
+      log_.report(SafetyEvent::saturated, torque);
+    }
+  }
+  Wrench w{saturated(wrench.force, greatest_force_), saturated(wrench.torque, greatest_torque_)};
+  if (w.force.norm() > thermal_.limit()) {
+    w.force = saturated(w.force, thermal_.limit());
+    output_.limits |= OutputLimit::cooled;
+    log_.report(SafetyEvent::continuous_limited, thermal_.limit());
+  }
+  const double growth_time = std::min(dt_, options_.period);  // a late tick does not earn a bigger step
+  Wrench grown{growth_limited(before_ramp_.force, w.force, slew_ * growth_time),
+               growth_limited(before_ramp_.torque, w.torque, torque_slew_ * growth_time)};
+  // A rounding error is no limit.
+  if ((grown.force - w.force).norm() > 1e-9 * force || (grown.torque - w.torque).norm() > 1e-9 * torque) {
+    output_.limits |= OutputLimit::slew_limited;
+    log_.report(SafetyEvent::slew_limited, (grown.force - w.force).norm());
+  }
+  return grown;
+}
+
+Wrench SafetyGuard::release(const Wrench& commanded) noexcept {
+  output_.commanded = commanded;
+  output_.limits = OutputLimit::none;
+  const Wrench finite = finite_or_none(commanded);
+  if (emergency_.load(std::memory_order_acquire)) {
+    log_.report(SafetyEvent::emergency_stop);
+    arming_.fail(log_);
+  }
+  const double share = arming_.tick(dt_, reading_ok_, finite.force.norm(), finite.torque.norm(), log_);
+  Wrench wrench;
+  if (share > 0) {
+    before_ramp_ = bound(make_passive(finite));
+    wrench = {share * before_ramp_.force, share * before_ramp_.torque};
+    if (share < 1) {
+      output_.limits |= OutputLimit::ramped;
+      const Vec3 speed = motion_ / dt_;
+      const double growth_time = std::min(dt_, options_.period);
+      wrench.force = saturated(wrench.force - (1 - share) * ramp_damping_ * speed, greatest_force_);
+      wrench.force = growth_limited(output_.applied.force, wrench.force, slew_ * growth_time);
+    }
+    if (!is_finite(wrench)) wrench = {};
+  } else {
+    output_.limits |= OutputLimit::held_back;
+    before_ramp_ = {};
+    passivity_.restart();
+    turning_passivity_.restart();
+  }
+  thermal_.tick(wrench.force.norm(), gate_.state().temperature, dt_);
+  output_.applied = wrench;
+  published_state_.store(arming_.state(), std::memory_order_release);
+  heartbeat_.fetch_add(1, std::memory_order_acq_rel);
+  return wrench;
+}
+
+void SafetyGuard::applied(const Wrench& wrench) noexcept {
+  if (!is_finite(wrench)) return;
+  if (wrench.force != output_.applied.force || wrench.torque != output_.applied.torque)
+    output_.limits |= OutputLimit::by_driver;
+  output_.applied = wrench;
+}
+
+void SafetyGuard::report_exception() noexcept {
+  log_.report(SafetyEvent::exception);
+  arming_.fail(log_);
+  published_state_.store(arming_.state(), std::memory_order_release);
+}
+
+}  // namespace hapticut

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/safety/pose_gate.hpp"
+
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr int kRest = 100;  // [ticks] after which the orientation of a resting stylus is looked at anew
+
+}  // namespace
+
+PoseGate::PoseGate(const DeviceCapabilities& capabilities, const PoseGateOptions& options)
+    : options_(options),
+      low_(capabilities.workspace_low - Vec3::Constant(options.workspace_margin)),
+      high_(capabilities.workspace_high + Vec3::Constant(options.workspace_margin)),
+      bounded_((capabilities.workspace_high - capabilities.workspace_low).minCoeff() > 0) {
+  require_positive(options.fastest, "PoseGateOptions::fastest [m/s]");
+  require_positive(options.fastest_turn, "PoseGateOptions::fastest_turn [rad/s]");
+  require_not_negative(options.workspace_margin, "PoseGateOptions::workspace_margin [m]");
+  require_between(options.rotation_tolerance, 0, 0.1, "PoseGateOptions::rotation_tolerance");
+  require_between(options.hold_ticks, 1, 50, "PoseGateOptions::hold_ticks");
+  require_between(options.frozen_ticks, 2, 1000, "PoseGateOptions::frozen_ticks");
+}
+
+void PoseGate::restart() noexcept {
+  started_ = false;
+  elapsed_ = 0;
+  bad_ = resting_ = contradicted_ = 0;
+}
+
+std::optional<SafetyEvent> PoseGate::objection(const DeviceState& reading, double& value) noexcept {
+  const Pose& X = reading.X_BS;
+  if (!reading.valid) return SafetyEvent::reading_invalid;
+  if (!is_finite(X) || !is_finite(reading.velocity.linear) || !is_finite(reading.velocity.angular))
+    return SafetyEvent::pose_not_finite;
+  if (!is_rotation(X.rotation, options_.rotation_tolerance)) return SafetyEvent::pose_not_a_rotation;
+  if (bounded_ && ((X.translation.array() < low_.array()).any() || (X.translation.array() > high_.array()).any())) {
+    value = X.translation.norm();
+    return SafetyEvent::pose_outside_workspace;
+  }
+  if (!started_) return {};
+  value = (X.translation - state_.X_BS.translation).norm();
+  if (value > options_.fastest * elapsed_) return SafetyEvent::pose_jump;
+  value = vector_from_rotation(X.rotation * state_.X_BS.rotation.transpose()).norm();
+  if (value > options_.fastest_turn * elapsed_) return SafetyEvent::pose_turn_jump;
+  return {};
+}
+
+bool PoseGate::is_frozen(const DeviceState& reading) noexcept {
+  if (resting_ == 0 || reading.X_BS.translation != X_BS_still_.translation) {
+    X_BS_still_ = reading.X_BS;
+    resting_ = 1;
+    contradicted_ = 0;
+    return false;
+  }
+  const bool turned =
+      vector_from_rotation(reading.X_BS.rotation * X_BS_still_.rotation.transpose()).norm() > options_.frozen_turn;
+  const bool moves = reading.velocity.linear.norm() > options_.frozen_speed;
+  if (turned || moves) return ++contradicted_ >= options_.frozen_ticks;
+  contradicted_ = 0;
+  if (++resting_ > kRest) {  // a turn must happen soon after the last look to count
+    X_BS_still_ = reading.X_BS;
+    resting_ = 1;
+  }
+  return false;
+}
+
+PoseGate::Verdict PoseGate::check(const DeviceState& reading, double dt, SafetyLog& log) noexcept {
+  if (started_ && reading.epoch != state_.epoch) {
+    log.report(SafetyEvent::recalibrated, reading.epoch);
+    restart();
+  }
+  elapsed_ += dt;
+  double value = 0;
+  std::optional<SafetyEvent> bad;
+  if (started_ && reading.sequence == state_.sequence)
+    bad = SafetyEvent::reading_stale;
+  else
+    bad = objection(reading, value);
+
+  // What the driver says about itself is taken over in any case.
+  state_.time = reading.time;
+  state_.fault = reading.fault;
+  state_.temperature = reading.temperature;
+  if (bad) {
+    log.report(*bad, value);
+    // A jump does not become believable by waiting; a reading that is missing does give the hand time to move.
+    if (*bad == SafetyEvent::pose_jump || *bad == SafetyEvent::pose_turn_jump) elapsed_ -= dt;
+    state_.velocity = {};
+    const bool lost = !started_ || ++bad_ > options_.hold_ticks;
+    state_.valid = !lost;
+    return lost ? Verdict::lost : Verdict::held;
+  }
+  if (is_frozen(reading)) {
+    log.report(SafetyEvent::pose_frozen, contradicted_);
+    state_.velocity = {};
+    state_.valid = false;
+    return Verdict::lost;
+  }
+  state_ = reading;
+  state_.X_BS.rotation = orthonormalized(reading.X_BS.rotation);
+  started_ = true;
+  elapsed_ = 0;
+  bad_ = 0;
+  return Verdict::accepted;
+}
+
+}  // namespace hapticut

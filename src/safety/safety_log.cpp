@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/safety/safety_log.hpp"
+
+#include <algorithm>
+#include <boost/lockfree/spsc_queue.hpp>
+
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr std::size_t kCapacity = 1024;
+
+constexpr std::array<std::string_view, kSafetyEvents> kNames = {"pose_not_finite",
+                                                                "pose_not_a_rotation",
+                                                                "pose_outside_workspace",
+                                                                "pose_jump",
+                                                                "pose_turn_jump",
+                                                                "pose_frozen",
+                                                                "pose_units",
+                                                                "reading_invalid",
+                                                                "reading_stale",
+                                                                "armed",
+                                                                "waiting_free",
+                                                                "start_inside",
+                                                                "fading_in",
+                                                                "engaged",
+                                                                "fault",
+                                                                "fault_reset",
+                                                                "recalibrated",
+                                                                "reclutched",
+                                                                "model_swapped",
+                                                                "late_wake_up",
+                                                                "paused",
+                                                                "force_not_finite",
+                                                                "passivity",
+                                                                "saturated",
+                                                                "slew_limited",
+                                                                "continuous_limited",
+                                                                "motors_warm",
+                                                                "device_fault",
+                                                                "watchdog_late",
+                                                                "watchdog_fading",
+                                                                "watchdog_fault",
+                                                                "exception",
+                                                                "emergency_stop"};
+
+}  // namespace
+
+struct SafetyLog::Ring {
+  boost::lockfree::spsc_queue<Dated, boost::lockfree::capacity<kCapacity>> entries;
+};
+
+std::string_view name(SafetyEvent event) {
+  return event < SafetyEvent::count ? kNames[std::size_t(event)] : std::string_view("unknown");
+}
+
+SafetyLog::SafetyLog() : ring_(std::make_unique<Ring>()) {}
+SafetyLog::~SafetyLog() = default;
+
+void SafetyLog::begin_tick(double time, std::uint64_t sequence) noexcept {
+  tick_.fetch_add(1, std::memory_order_relaxed);
+  time_.store(time, std::memory_order_relaxed);
+  sequence_.store(sequence, std::memory_order_relaxed);
+}
+
+void SafetyLog::report(SafetyEvent event, double value) noexcept {
+  const auto n = std::size_t(event);
+  counts_[n].fetch_add(1, std::memory_order_relaxed);
+  const std::uint64_t tick = tick_.load(std::memory_order_relaxed);
+  const bool began = last_tick_[n] + 1 < tick;
+  last_tick_[n] = tick;
+  if (began && !ring_->entries.push(dated(event, value))) dropped_.fetch_add(1, std::memory_order_relaxed);
+}
+
+void SafetyLog::note(SafetyEvent event, double value) {
+  counts_[std::size_t(event)].fetch_add(1, std::memory_order_relaxed);
+  const std::lock_guard lock(readers_);
+  if (noted_.size() < kCapacity)
+    noted_.push_back(dated(event, value));
+  else
+    dropped_.fetch_add(1, std::memory_order_relaxed);
+}
+
+SafetyLog::Dated SafetyLog::dated(SafetyEvent event, double value) const noexcept {
+  constexpr auto kOrder = std::memory_order_relaxed;
+  return {tick_.load(kOrder), {time_.load(kOrder), sequence_.load(kOrder), event, value}};
+}
+
+std::uint64_t SafetyLog::count(SafetyEvent event) const noexcept {
+  return counts_[std::size_t(event)].load(std::memory_order_relaxed);
+}
+
+std::vector<SafetyLogEntry> SafetyLog::drain() {
+  const std::lock_guard lock(readers_);
+  std::vector<Dated> all;
+  ring_->entries.consume_all([&](const Dated& entry) { all.push_back(entry); });
+  all.insert(all.end(), noted_.begin(), noted_.end());
+  noted_.clear();
+  // Not by the device's own numbers, which stand still with a stale reading and begin anew with a new connection.
+  std::stable_sort(all.begin(), all.end(), [](const Dated& a, const Dated& b) { return a.tick < b.tick; });
+  std::vector<SafetyLogEntry> entries;
+  entries.reserve(all.size());
+  for (const Dated& one : all) entries.push_back(one.entry);
+  return entries;
+}
+
+std::string describe(const SafetyLogEntry& entry) {
+  return format_number(entry.time) + " s: " + std::string(name(entry.event)) + " (" + format_number(entry.value) + ")";
+}
+
+}  // namespace hapticut

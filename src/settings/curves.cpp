@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "settings/curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/core/units.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+constexpr double kAngleStep = 0.5 * units::deg;
+
+/// A point on the way round an axis.
+struct Station {
+  double angle;   // [rad]
+  double radius;  // [m]
+  double depth;   // [m]
+};
+
+/// Adds the way from one station to another, without the first.
+void wind(const Pose& frame, const Station& from, const Station& to, std::vector<Vec3>& points) {
+  const int steps = std::max(1, int(std::ceil(std::abs(to.angle - from.angle) / kAngleStep - 1e-9)));
+  for (int i = 1; i <= steps; ++i) {
+    const double s = double(i) / steps;
+    const double angle = std::lerp(from.angle, to.angle, s), radius = std::lerp(from.radius, to.radius, s);
+    points.push_back(frame *
+                     Vec3(radius * std::cos(angle), radius * std::sin(angle), -std::lerp(from.depth, to.depth, s)));
+  }
+}
+
+std::vector<Vec3> wind_all(const CurvePlane& plane, const std::vector<Station>& stations) {
+  const Pose frame = plane.frame();
+  std::vector<Vec3> points;
+  wind(frame, stations.front(), stations.front(), points);
+  for (std::size_t i = 1; i < stations.size(); ++i) wind(frame, stations[i - 1], stations[i], points);
+  return points;
+}
+
+}  // namespace
+
+Pose CurvePlane::frame() const {
+  const Vec3 z = axis.normalized();
+  const Vec3 hint = std::abs(z.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
+  const Vec3 x = (hint - hint.dot(z) * z).normalized();
+  Pose pose;
+  pose.rotation << x, z.cross(x), z;
+  pose.translation = center;
+  return pose;
+}
+
+std::vector<Vec3> circle(const CurvePlane& plane, double radius, double turns, double start_angle) {
+  return wind_all(plane, {{start_angle, radius, 0}, {start_angle + 2 * units::kPi * turns, radius, 0}});
+}
+
+std::vector<Vec3> spiral(const CurvePlane& plane, double start_radius, double end_radius, double pitch, double depth) {
+  const double turns = std::hypot(end_radius - start_radius, depth) / pitch;
+  return wind_all(plane, {{0, start_radius, 0}, {2 * units::kPi * turns, end_radius, depth}});
+}
+
+std::vector<Vec3> cavity(const CurvePlane& plane, const CavityShape& shape) {
+  const int layers = std::max(1, int(std::ceil(shape.depth / shape.layer - 1e-9)));
+  std::vector<Station> stations;
+  double angle = 0;
+  for (int i = 0; i < layers; ++i) {
+    const double depth = shape.depth * (i + 1) / layers;
+    const double radius =
+        layers == 1 ? shape.top_radius : std::lerp(shape.top_radius, shape.bottom_radius, double(i) / (layers - 1));
+    const double winding = 2 * units::kPi * std::ceil(radius / shape.pitch - 1e-9);
+    const double wall = 2 * units::kPi;
+    if (i % 2 == 0) {
+      stations.push_back({angle, 0, depth});
+      stations.push_back({angle += winding, radius, depth});
+      stations.push_back({angle += wall, radius, depth});
+    } else {
+      stations.push_back({angle, radius, depth});
+      stations.push_back({angle += wall, radius, depth});
+      stations.push_back({angle += winding, 0, depth});
+    }
+  }
+  return wind_all(plane, stations);
+}
+
+}  // namespace hapticut::cli

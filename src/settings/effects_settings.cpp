@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "settings/effects_settings.hpp"
+
+#include "hapticut/core/units.hpp"
+#include "settings/required.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+/// Three switches.
+Setting axes(std::string key, std::string flag, std::vector<double>& target, std::string meaning) {
+  Setting setting = numbers(std::move(key), std::move(flag), target, 3, Range::between(0, 1), std::move(meaning));
+  setting.allowed = "3 numbers, each 0 or 1";
+  setting.assign = [&target](const Value& value) {
+    const auto& given = std::get<std::vector<double>>(value);
+    if (given.size() != 3) return false;
+    for (const double one : given)
+      if (one != 0 && one != 1) return false;
+    target = given;
+    return true;
+  };
+  return setting;
+}
+
+std::array<bool, 3> switches(const std::vector<double>& given) {
+  if (given.empty()) return {true, true, true};
+  return {given[0] != 0, given[1] != 0, given[2] != 0};
+}
+
+std::optional<Gravity> make_gravity(const EffectsSettings& s) {
+  if (!s.mass_kg) {
+    refuse(s.center_of_mass_mm, "effects.center_of_mass_mm", "a tool without effects.mass_kg", "set --mass_kg");
+    refuse(s.gravity_m_per_s2, "effects.gravity_m_per_s2", "a tool without effects.mass_kg", "set --mass_kg");
+    return std::nullopt;
+  }
+  Gravity gravity;
+  gravity.mass = *s.mass_kg;
+  if (s.center_of_mass_mm) gravity.center_of_mass = *s.center_of_mass_mm * units::mm;
+  gravity.acceleration = s.gravity_m_per_s2.value_or(gravity.acceleration);
+  return gravity;
+}
+
+std::optional<Vibration> make_vibration(const EffectsSettings& s, double update_rate) {
+  if (!s.vibration_Hz) {
+    refuse(s.vibration_N, "effects.vibration_N", "a tool without effects.vibration_Hz", "set --vibration_Hz");
+    refuse(s.vibration_N_per_W, "effects.vibration_N_per_W", "a tool without effects.vibration_Hz",
+           "set --vibration_Hz");
+    refuse(s.vibration_largest_N, "effects.vibration_largest_N", "a tool without effects.vibration_Hz",
+           "set --vibration_Hz");
+    return std::nullopt;
+  }
+  Vibration vibration;
+  vibration.frequency = *s.vibration_Hz;
+  vibration.amplitude = s.vibration_N.value_or(vibration.amplitude);
+  vibration.amplitude_per_watt = s.vibration_N_per_W.value_or(vibration.amplitude_per_watt);
+  vibration.largest_amplitude =
+      s.vibration_largest_N.value_or(std::max(vibration.largest_amplitude, vibration.amplitude));
+  if (vibration.frequency >= kFastestVibration * update_rate)
+    throw Error("effects.vibration_Hz = " + format_number(vibration.frequency) + "; must be a number > 0 and below " +
+                format_number(kFastestVibration * update_rate) +
+                ", 0.45 of simulation.rate_Hz = " + format_number(update_rate) +
+                ": sampled more coarsely a sine beats, and at half the rate it may be zero at every sample. Lower it, "
+                "or raise simulation.rate_Hz.");
+  require_at_most(vibration.amplitude, "effects.vibration_N", vibration.largest_amplitude,
+                  "effects.vibration_largest_N");
+  return vibration;
+}
+
+std::optional<DeltaFilter> make_filter(const EffectsSettings& s) {
+  if (!s.thesis_filter) {
+    refuse(s.filter_delta_N, "effects.filter_delta_N", "an output without effects.thesis_filter",
+           "set --thesis_filter");
+    refuse(s.filter_epsilon_N, "effects.filter_epsilon_N", "an output without effects.thesis_filter",
+           "set --thesis_filter");
+    return std::nullopt;
+  }
+  DeltaFilter filter;
+  filter.delta = s.filter_delta_N.value_or(filter.delta);
+  filter.epsilon = s.filter_epsilon_N.value_or(filter.epsilon);
+  require_at_most(filter.epsilon, "effects.filter_epsilon_N", filter.delta, "effects.filter_delta_N");
+  return filter;
+}
+
+}  // namespace
+
+std::vector<Setting> settings_of(EffectsSettings& s) {
+  return {
+      number("effects.mass_kg", "--mass_kg", s.mass_kg, Range::not_negative(),
+             "weight of the tool, less that of the device's stylus [no weight]"),
+      vector("effects.center_of_mass_mm", "--center_of_mass_mm", s.center_of_mass_mm, Range::any(),
+             "where it acts, from the hand in the axes of the handle [0,0,0]"),
+      vector("effects.gravity_m_per_s2", "--gravity_m_per_s2", s.gravity_m_per_s2, Range::any(),
+             "which way is down, and how much [0,0,-9.80665]"),
+      number("effects.vibration_Hz", "--vibration_Hz", s.vibration_Hz, Range::positive(),
+             "frequency of a vibration along the spindle while it cuts; below 0.45 of the rate [none]"),
+      number("effects.vibration_N", "--vibration_N", s.vibration_N, Range::not_negative(), "its amplitude [0.3]"),
+      number("effects.vibration_N_per_W", "--vibration_N_per_W", s.vibration_N_per_W, Range::not_negative(),
+             "what its amplitude grows by with the power of the spindle [0]"),
+      number("effects.vibration_largest_N", "--vibration_largest_N", s.vibration_largest_N, Range::not_negative(),
+             "its largest amplitude [0.5, or vibration_N where that is more]"),
+      boolean("effects.thesis_filter", "--thesis_filter", s.thesis_filter,
+              "the force filter of the thesis, Table 6.1 [false]"),
+      number("effects.filter_delta_N", "--filter_delta_N", s.filter_delta_N, Range::positive(),
+             "thesis_filter: largest change of a step that passes [0.5]"),
+      number("effects.filter_epsilon_N", "--filter_epsilon_N", s.filter_epsilon_N, Range::positive(),
+             "thesis_filter: change of a step otherwise [0.005]"),
+      axes("effects.force_axes", "--force_axes", s.force_axes,
+           "force along x, y, z of the workpiece on or off [1,1,1]"),
+      axes("effects.torque_axes", "--torque_axes", s.torque_axes,
+           "torque about x, y, z of the workpiece on or off [1,1,1]"),
+      number("effects.largest_force_N", "--largest_force_N", s.largest_force_N, Range::positive(),
+             "longer forces are shortened to this [no limit]"),
+      number("effects.largest_torque_Nmm", "--largest_torque_Nmm", s.largest_torque_Nmm, Range::positive(),
+             "the same of torques [no limit]"),
+      number("effects.force_growth_N_per_s", "--force_growth_N_per_s", s.force_growth_N_per_s, Range::positive(),
+             "how fast the force may grow; it falls at once [no limit]"),
+      number("effects.torque_growth_Nmm_per_s", "--torque_growth_Nmm_per_s", s.torque_growth_Nmm_per_s,
+             Range::positive(), "the same of the torque [no limit]"),
+      number("effects.ramp_s", "--ramp_s", s.ramp_s, Range::not_negative(),
+             "in which the output grows to its full size after the start [0]"),
+  };
+}
+
+Effects make_effects(const EffectsSettings& s, double update_rate) {
+  Effects effects;
+  effects.gravity = make_gravity(s);
+  effects.vibration = make_vibration(s, update_rate);
+  effects.delta_filter = make_filter(s);
+  effects.enabled = {switches(s.force_axes), switches(s.torque_axes)};
+  OutputLimits& limits = effects.limits;
+  limits.largest_force = s.largest_force_N.value_or(limits.largest_force);
+  if (s.largest_torque_Nmm) limits.largest_torque = *s.largest_torque_Nmm * units::N_mm;
+  limits.force_growth = s.force_growth_N_per_s.value_or(limits.force_growth);
+  if (s.torque_growth_Nmm_per_s) limits.torque_growth = *s.torque_growth_Nmm_per_s * units::N_mm;
+  limits.ramp_time = s.ramp_s;
+  return effects;
+}
+
+}  // namespace hapticut::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hapticut/simulation/output.hpp"
+#include "settings/setting.hpp"
+
+namespace hapticut::cli {
+
+/// What is added to the force of the model, and what the output is limited to, as the user writes it: `[effects]` in a
+/// settings file.
+struct EffectsSettings {
+  std::optional<double> mass_kg;  ///< turns gravity on
+  std::optional<Vec3> center_of_mass_mm, gravity_m_per_s2;
+  std::optional<double> vibration_Hz;  ///< turns the vibration on
+  std::optional<double> vibration_N, vibration_N_per_W, vibration_largest_N;
+  bool thesis_filter = false;
+  std::optional<double> filter_delta_N, filter_epsilon_N;
+  std::vector<double> force_axes, torque_axes;  ///< 0 or 1 for x, y, z; empty: all on
+  std::optional<double> largest_force_N, largest_torque_Nmm, force_growth_N_per_s, torque_growth_Nmm_per_s;
+  double ramp_s = 0;
+};
+
+[[nodiscard]] std::vector<Setting> settings_of(EffectsSettings& effects);
+
+/// @param update_rate  [Hz] of the step
+/// @throws Error when something was set for an effect that is off, or does not fit the rate or another setting
+[[nodiscard]] Effects make_effects(const EffectsSettings& settings, double update_rate);
+
+}  // namespace hapticut::cli

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "settings/force_settings.hpp"
+
+#include <algorithm>
+
+#include "hapticut/core/units.hpp"
+#include "hapticut/force/laws/contact_mechanics.hpp"
+#include "hapticut/force/laws/damping_matrix.hpp"
+#include "hapticut/force/laws/foundation.hpp"
+#include "hapticut/force/laws/hertzian_burr.hpp"
+#include "hapticut/force/laws/thesis.hpp"
+#include "hapticut/force/laws/twist_drill.hpp"
+#include "settings/required.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+using Law = ForceSettings::Law;
+using S = ForceSettings;
+
+/// A constant of one law.
+struct Constant {
+  const char* name;  // of the key and of the flag
+  std::optional<double> S::*value;
+  Range range;
+  const char* meaning;
+  bool needed = false;
+};
+
+/// What a law is called, which constants it has, and how it is made.
+struct LawKind {
+  Law law;
+  const char* name;
+  const char* owner;  // in messages
+  std::vector<Constant> constants;
+  std::shared_ptr<const ForceLaw> (*make)(const S& s);
+};
+
+const std::vector<LawKind>& law_kinds() {
+  using Pointer = std::shared_ptr<const ForceLaw>;
+  static const std::vector<LawKind> kinds = {
+      {Law::foundation,
+       "foundation",
+       "the foundation law",
+       {},
+       [](const S&) -> Pointer { return std::make_shared<FoundationLaw>(); }},
+      {Law::thesis,
+       "thesis",
+       "the law of the thesis",
+       {{"thesis_voxel_mm", &S::thesis_voxel_mm, Range::positive(),
+         "law thesis: voxel size at which its force is that of the foundation law [0.1]"},
+        {"thesis_damping_Ns_per_m", &S::thesis_damping_Ns_per_m, Range::not_negative(),
+         "law thesis: damper of one voxel [0]"},
+        {"thesis_spin_torque", &S::thesis_spin_torque, Range::not_negative(),
+         "law thesis: lambda, torque of the spin over normal forces times radius [0.3]"},
+        {"thesis_spin_exponent", &S::thesis_spin_exponent, Range::between(-10, 10),
+         "law thesis: power of the spindle speed in that torque [0]"},
+        {"thesis_required_power", &S::thesis_required_power, Range::not_negative(),
+         "law thesis: power that takes a voxel away over its stiffness, W/(N/m^2) [1e-9]"}},
+       [](const S& s) -> Pointer {
+         ThesisLaw::Constants c;
+         if (s.thesis_voxel_mm) c.reference_voxel_size = *s.thesis_voxel_mm * units::mm;
+         c.damping = s.thesis_damping_Ns_per_m.value_or(c.damping);
+         c.spin_torque = s.thesis_spin_torque.value_or(c.spin_torque);
+         c.spin_exponent = s.thesis_spin_exponent.value_or(c.spin_exponent);
+         c.required_power = s.thesis_required_power.value_or(c.required_power);
+         return std::make_shared<ThesisLaw>(c);
+       }},
+      {Law::contact_mechanics,
+       "contact_mechanics",
+       "the law of contact mechanics",
+       {{"effective_modulus_Pa", &S::effective_modulus_Pa, Range::positive(),
+         "law contact_mechanics: E/(1 - nu^2) of the material", true}},
+       [](const S& s) -> Pointer { return std::make_shared<ContactMechanicsLaw>(*s.effective_modulus_Pa); }},
+      {Law::hertzian_burr,
+       "hertzian_burr",
+       "the law of the Hertzian burr",
+       {{"burr_stiffness_Pa", &S::burr_stiffness_Pa, Range::positive(),
+         "law hertzian_burr: C1 of the elastic force C1 R^2 (h/R)^1.5", true}},
+       [](const S& s) -> Pointer { return std::make_shared<HertzianBurrLaw>(*s.burr_stiffness_Pa); }},
+      {Law::damping_matrix,
+       "damping_matrix",
+       "the law of the damping matrix",
+       {{"resistance_Ns_per_m3", &S::resistance_Ns_per_m3, Range::positive(),
+         "law damping_matrix: product of its factors, over the contact area [1e8]"},
+        {"matrix_friction", &S::matrix_friction, Range::not_negative(),
+         "law damping_matrix: part of the force that the spin turns across [0.3]"}},
+       [](const S& s) -> Pointer {
+         DampingMatrixLaw::Constants c;
+         c.resistance = s.resistance_Ns_per_m3.value_or(c.resistance);
+         c.friction = s.matrix_friction.value_or(c.friction);
+         return std::make_shared<DampingMatrixLaw>(c);
+       }},
+      {Law::twist_drill,
+       "twist_drill",
+       "the law of the twist drill",
+       {{"chip_energy_J_per_m3", &S::chip_energy_J_per_m3, Range::positive(),
+         "law twist_drill: K_s, energy of the chips [1e8]"},
+        {"largest_feed_per_turn_mm", &S::largest_feed_per_turn_mm, Range::positive(),
+         "law twist_drill: feed per turn beyond which thrust and torque grow no more [1]"}},
+       [](const S& s) -> Pointer {
+         TwistDrillLaw::Constants c;
+         c.specific_energy = s.chip_energy_J_per_m3.value_or(c.specific_energy);
+         if (s.largest_feed_per_turn_mm) c.largest_feed_per_turn = *s.largest_feed_per_turn_mm * units::mm;
+         return std::make_shared<TwistDrillLaw>(c);
+       }}};
+  return kinds;
+}
+
+std::string key_of(const Constant& constant) { return std::string("force.") + constant.name; }
+
+/// Friction that is the same for all materials, if any of its constants is given.
+std::optional<DryFriction> make_friction(const S& s) {
+  if (!s.static_friction && !s.dynamic_friction && !s.tangential_stiffness_N_per_m) return std::nullopt;
+  DryFriction friction;
+  friction.static_friction = s.static_friction.value_or(s.dynamic_friction.value_or(friction.static_friction));
+  friction.dynamic_friction = s.dynamic_friction.value_or(friction.static_friction);
+  friction.tangential_stiffness = s.tangential_stiffness_N_per_m.value_or(friction.tangential_stiffness);
+  require_at_most(friction.dynamic_friction, "force.dynamic_friction", friction.static_friction,
+                  "force.static_friction");
+  return friction;
+}
+
+}  // namespace
+
+std::shared_ptr<const ForceLaw> make_law(const S& s) {
+  const Law law = s.law.value_or(Law::foundation);
+  const LawKind& chosen =
+      *std::find_if(law_kinds().begin(), law_kinds().end(), [&](const LawKind& kind) { return kind.law == law; });
+  for (const LawKind& kind : law_kinds())
+    for (const Constant& constant : kind.constants) {
+      if (&kind != &chosen)
+        refuse(s.*constant.value, key_of(constant), chosen.owner, std::string("choose --law ") + kind.name);
+      if (&kind == &chosen && constant.needed) (void)required(s.*constant.value, key_of(constant), chosen.owner);
+    }
+  return chosen.make(s);
+}
+
+std::vector<Setting> law_settings_of(ForceSettings& s) {
+  std::vector<std::pair<std::string, Law>> names;
+  for (const LawKind& kind : law_kinds()) names.emplace_back(kind.name, kind.law);
+  std::vector<Setting> all = {choice("force.law", "--law", s.law, std::move(names),
+                                     "force law; docs/forces.md has their formulas [foundation]")};
+  for (const LawKind& kind : law_kinds())
+    for (const Constant& c : kind.constants)
+      all.push_back(number(key_of(c), std::string("--") + c.name, s.*c.value, c.range, c.meaning));
+  return all;
+}
+
+std::vector<Setting> settings_of(ForceSettings& s) {
+  std::vector<Setting> all = law_settings_of(s);
+  for (Setting& setting : std::vector<Setting>{
+           number("force.static_friction", "--static_friction", s.static_friction, Range::not_negative(),
+                  "of the standing spindle, for all materials [each material's own]"),
+           number("force.dynamic_friction", "--dynamic_friction", s.dynamic_friction, Range::not_negative(),
+                  "of the standing spindle, for all materials, not above the static one [the static one]"),
+           number("force.tangential_stiffness_N_per_m", "--tangential_stiffness_N_per_m",
+                  s.tangential_stiffness_N_per_m, Range::positive(),
+                  "of the sticking anchor, for all materials [1000 where friction is given here]"),
+           boolean("force.deep_contact", "--deep_contact", s.deep_contact,
+                   "a ball pushed beyond its radius keeps pushing back [true]"),
+           choice("force.handle_torque", "--handle_torque", s.handle_torque,
+                  {{"full_wrench", HandleTorque::full_wrench}, {"thesis", HandleTorque::thesis}},
+                  "torque at the hand: exact, or by the formulas of the thesis [full_wrench]"),
+           number("force.handle_torque_scale", "--handle_torque_scale", s.handle_torque_scale, Range::any(),
+                  "handle_torque thesis: its constant zeta [1]")})
+    all.push_back(std::move(setting));
+  return all;
+}
+
+void apply(const ForceSettings& s, SimulationConfig& config) {
+  config.law = make_law(s);
+  config.friction = make_friction(s);
+  config.deep_contact = s.deep_contact;
+  config.handle_torque = s.handle_torque.value_or(config.handle_torque);
+  if (config.handle_torque != HandleTorque::thesis)
+    refuse(s.handle_torque_scale, "force.handle_torque_scale", "the full wrench", "choose --handle_torque thesis");
+  config.handle_torque_scale = s.handle_torque_scale.value_or(config.handle_torque_scale);
+}
+
+}  // namespace hapticut::cli

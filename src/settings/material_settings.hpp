@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hapticut/workpiece/material.hpp"
+#include "settings/setting.hpp"
+
+namespace hapticut::cli {
+
+/// What the user changes of a material: `[material.NAME]` in a settings file, in SI units like Material itself.
+struct MaterialChange {
+  std::string based_on;                          ///< a preset; empty: the preset of the same name
+  std::array<std::optional<double>, 9> numbers;  ///< in the order of the table of the .cpp file
+};
+
+/// The materials of a run: the presets, changed by the user, and the user's own.
+class MaterialChanges {
+ public:
+  /// The one setting that reads all tables of `[material]`.
+  [[nodiscard]] Setting setting();
+
+  /// A preset or a material of the user's, with its changes.
+  /// @throws Error when there is no such material, or its numbers are not allowed
+  [[nodiscard]] Material find(const std::string& name) const;
+
+  /// The material with the changes that were made to its name, if any.
+  [[nodiscard]] Material changed(Material material) const;
+
+  [[nodiscard]] bool empty() const { return changes_.empty(); }
+
+ private:
+  std::map<std::string, MaterialChange> changes_;
+};
+
+}  // namespace hapticut::cli

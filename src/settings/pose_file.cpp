@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "settings/pose_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "hapticut/core/units.hpp"
+#include "settings/csv_file.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+constexpr double kRotationTolerance = 1e-3;  // [1] what six printed digits are off by is well below this
+
+/// The places of some columns, or nothing when none of them is there.
+template <std::size_t kCount>
+using Columns = std::optional<std::array<std::size_t, kCount>>;
+
+class PoseFile {
+ public:
+  PoseFile(const std::filesystem::path& path, const Mat3& rotation)
+      : lines_(path, "file of poses", "--poses"), rotation_(rotation) {}
+
+  std::vector<TimedPose> read() {
+    std::vector<TimedPose> poses;
+    std::vector<std::string> cells;
+    if (!lines_.next(cells)) fail("the file is empty; its first line must name the columns t_s, x_mm, y_mm, z_mm ...");
+    read_names(cells);
+    while (lines_.next(cells)) {
+      poses.push_back(read_pose(cells));
+      if (poses.size() > 1 && !(poses.back().t > poses[poses.size() - 2].t))
+        fail("t_s = " + format_number(poses.back().t) + "; times must increase from line to line.");
+    }
+    if (poses.size() < 2) fail("there must be at least two poses.");
+    return poses;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const { lines_.fail(message); }
+
+  template <std::size_t kCount>
+  Columns<kCount> find(const std::array<const char*, kCount>& wanted) const {
+    std::array<std::size_t, kCount> places = {};
+    std::string missing;
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const auto at = std::find(names_.begin(), names_.end(), wanted[i]);
+      places[i] = std::size_t(at - names_.begin());
+      if (at != names_.end())
+        ++found;
+      else
+        missing += std::string(missing.empty() ? "" : ", ") + wanted[i];
+    }
+    if (found == 0) return std::nullopt;
+    if (found < kCount) fail("the column " + missing + " is missing.");
+    return places;
+  }
+
+  void read_names(const std::vector<std::string>& names) {
+    names_ = names;
+    const Columns<4> place = find<4>({"t_s", "x_mm", "y_mm", "z_mm"});
+    if (!place) fail("the columns t_s, x_mm, y_mm, z_mm are missing; the first line must name the columns.");
+    place_ = *place;
+    quaternion_ = find<4>({"qw", "qx", "qy", "qz"});
+    matrix_ = find<9>({"r00", "r01", "r02", "r10", "r11", "r12", "r20", "r21", "r22"});
+    if (quaternion_ && matrix_) fail("there is a quaternion and a matrix; leave one of them out.");
+  }
+
+  double number_at(const std::vector<std::string>& cells, std::size_t column) const {
+    const std::optional<double> value = parse_number(cells[column]);
+    if (!value || !std::isfinite(*value)) fail(names_[column] + " = \"" + cells[column] + "\"; must be a number.");
+    return *value;
+  }
+
+  TimedPose read_pose(const std::vector<std::string>& cells) const {
+    const auto number = [&](std::size_t column) { return number_at(cells, column); };
+    const double t = number(place_[0]);
+    const Vec3 position = Vec3(number(place_[1]), number(place_[2]), number(place_[3])) * units::mm;
+    return {t, {read_rotation(number), position}};
+  }
+
+  template <class Number>
+  Mat3 read_rotation(const Number& number) const {
+    if (quaternion_) {
+      const auto& q = *quaternion_;
+      const Eigen::Quaterniond given(number(q[0]), number(q[1]), number(q[2]), number(q[3]));
+      if (std::abs(given.norm() - 1) > kRotationTolerance)
+        fail("the quaternion has length " + format_number(given.norm()) + "; must be 1.");
+      return given.normalized().toRotationMatrix();
+    }
+    if (!matrix_) return rotation_;
+    Mat3 given;
+    for (std::size_t i = 0; i < 9; ++i) given(Eigen::Index(i / 3), Eigen::Index(i % 3)) = number((*matrix_)[i]);
+    if (!is_rotation(given, kRotationTolerance))
+      fail("r00 ... r22 is not a rotation; its rows must be orthonormal and right-handed.");
+    return orthonormalized(given);
+  }
+
+  CsvFile lines_;
+  Mat3 rotation_;
+  std::vector<std::string> names_;
+  std::array<std::size_t, 4> place_ = {};
+  Columns<4> quaternion_;
+  Columns<9> matrix_;
+};
+
+}  // namespace
+
+std::vector<TimedPose> read_poses(const std::filesystem::path& path, const Mat3& rotation) {
+  return PoseFile(path, rotation).read();
+}
+
+}  // namespace hapticut::cli

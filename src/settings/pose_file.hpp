@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "settings/motion.hpp"
+
+namespace hapticut::cli {
+
+/// Reads timed poses from a CSV file: a line of column names, then one pose a line, times increasing. Columns, in any
+/// order: `t_s`, `x_mm`, `y_mm`, `z_mm`, and for the rotation a unit quaternion `qw`, `qx`, `qy`, `qz`, or a matrix
+/// `r00`, `r01` ... `r22` (row, column), or neither. Other columns, empty lines and lines that begin with # are
+/// skipped.
+/// @param rotation  of every pose when the file has none
+/// @throws Error `file:line: ...`
+[[nodiscard]] std::vector<TimedPose> read_poses(const std::filesystem::path& path, const Mat3& rotation);
+
+}  // namespace hapticut::cli

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "settings/profile_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+
+#include "hapticut/core/units.hpp"
+#include "settings/csv_file.hpp"
+#ifdef HAPTICUT_HAS_IO
+#include "hapticut/io/mesh/meshes.hpp"
+#include "hapticut/tool/profile_mesh.hpp"
+#endif
+
+namespace hapticut::cli {
+namespace {
+
+class ProfileFile {
+ public:
+  explicit ProfileFile(const std::filesystem::path& path) : lines_(path, "profile", "--profile") {}
+
+  Profile read() {
+    std::vector<std::string> cells;
+    if (!lines_.next(cells)) fail("the file is empty; its first line must name the columns rho_mm, z_mm ...");
+    read_names(cells);
+    Profile profile;
+    std::size_t points = 0;
+    for (; lines_.next(cells); ++points) {
+      const ProfileEdge edge = read_edge(cells);
+      if (points > 0) {
+        profile.edges.push_back(edge);
+        continue;
+      }
+      if (edge.rho != 0)
+        fail("rho_mm = " + format_number(edge.rho / units::mm) + "; the first point is the tip, at 0.");
+      profile.tip = edge.z;
+    }
+    return profile;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const { lines_.fail(message); }
+
+  void read_names(const std::vector<std::string>& names) {
+    const std::vector<std::string> known = {"rho_mm", "z_mm", "radius_mm", "kind"};
+    for (std::size_t n = 0; n < names.size(); ++n) {
+      const auto place = std::find(known.begin(), known.end(), names[n]);
+      if (place == known.end())
+        fail("there is no column " + names[n] + "; must be one of rho_mm, z_mm, radius_mm, kind." +
+             suggestion(names[n], known));
+      place_[std::size_t(place - known.begin())] = n;
+    }
+    if (!place_[0] || !place_[1]) fail("the columns rho_mm and z_mm must be there.");
+  }
+
+  double length(const std::string& cell) const {
+    const std::optional<double> value = parse_number(cell);
+    if (!value) fail("'" + cell + "' is not a number.");
+    return *value * units::mm;
+  }
+
+  ProfileEdge read_edge(const std::vector<std::string>& cells) const {
+    ProfileEdge edge;
+    edge.rho = length(cells[*place_[0]]);
+    edge.z = length(cells[*place_[1]]);
+    if (place_[2]) edge.radius = length(cells[*place_[2]]);
+    if (!place_[3]) return edge;
+    const std::string& kind = cells[*place_[3]];
+    if (kind != "cutting" && kind != "smooth") fail("kind = " + kind + "; must be cutting or smooth.");
+    edge.kind = kind == "cutting" ? EdgeKind::cutting : EdgeKind::smooth;
+    return edge;
+  }
+
+  CsvFile lines_;
+  std::array<std::optional<std::size_t>, 4> place_ = {};
+};
+
+Profile profile_in(const std::filesystem::path& path) {
+  if (path.extension() == ".csv") return ProfileFile(path).read();
+#ifdef HAPTICUT_HAS_IO
+  const std::vector<NamedMesh> objects = read_mesh(path);
+  if (objects.size() != 1)
+    throw Error(path.string() + ": there are " + std::to_string(objects.size()) +
+                " objects; a head is one. Keep the one that cuts.");
+  return profile_from_mesh(objects.front().mesh).profile;
+#else
+  throw Error(
+      path.string() +
+      ": only profiles in CSV files can be read; this program was built without the component io, which reads meshes.");
+#endif
+}
+
+}  // namespace
+
+Profile read_profile(const std::filesystem::path& path) {
+  Profile profile = profile_in(path);
+  for (ProfileEdge& e : profile.edges) e.z -= profile.tip;
+  profile.tip = 0;
+  return profile;
+}
+
+}  // namespace hapticut::cli

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "settings/setting.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace hapticut::cli {
+namespace {
+
+using Kind = Setting::Kind;
+
+std::optional<std::vector<double>> parse_numbers(std::string_view text) {
+  std::vector<double> values;
+  for (const std::string& part : split(text, ',')) {
+    const std::optional<double> value = parse_number(part);
+    if (!value) return std::nullopt;
+    values.push_back(*value);
+  }
+  return values;
+}
+
+/// The value that a flag's text stands for, or nothing when it is not of the setting's kind.
+std::optional<Value> parse_value(Kind kind, const std::string& text) {
+  if (kind == Kind::text) return text;
+  if (kind == Kind::boolean && text == "true") return true;
+  if (kind == Kind::boolean && text == "false") return false;
+  if (kind == Kind::number || kind == Kind::integer) {
+    const std::optional<double> value = parse_number(text);
+    if (value) return *value;
+  }
+  if (kind == Kind::numbers) {
+    std::optional<std::vector<double>> values = parse_numbers(text);
+    if (values) return std::move(*values);
+  }
+  return std::nullopt;
+}
+
+bool all_within(const Range& range, const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [&](double value) { return range.contains(value); });
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t(0));
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] != b[j - 1]);
+      diagonal = row[j];
+      row[j] = std::min({substituted, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+  return std::isfinite(value) && value <= high && (low_open ? value > low : value >= low);
+}
+
+std::string Range::text() const {
+  const bool below = std::isfinite(low), above = std::isfinite(high);
+  if (below && above) return "a number from " + format_number(low) + " to " + format_number(high);
+  if (below) return "a number " + std::string(low_open ? "> " : ">= ") + format_number(low);
+  return "a number";
+}
+
+Setting integer(std::string key, std::string flag, std::size_t& target, double low, double high, std::string meaning) {
+  const Range range = Range::between(low, high);
+  return {std::move(key),
+          std::move(flag),
+          std::move(meaning),
+          "a whole number from " + format_number(low) + " to " + format_number(high),
+          Kind::integer,
+          [&target, range](const Value& value) {
+            const double given = std::get<double>(value);
+            if (!range.contains(given) || given != std::floor(given)) return false;
+            target = std::size_t(given);
+            return true;
+          }};
+}
+
+Setting numbers(std::string key, std::string flag, std::vector<double>& target, std::size_t count, Range range,
+                std::string meaning) {
+  std::string each = range.text();
+  each.erase(0, each.find("number") + 6);
+  return {std::move(key),
+          std::move(flag),
+          std::move(meaning),
+          std::to_string(count) + " numbers" + (each.empty() ? "" : ", each" + each),
+          Kind::numbers,
+          [&target, count, range](const Value& value) {
+            const auto& given = std::get<std::vector<double>>(value);
+            if (given.size() != count || !all_within(range, given)) return false;
+            target = given;
+            return true;
+          }};
+}
+
+Setting vector(std::string key, std::string flag, std::optional<Vec3>& target, Range range, std::string meaning) {
+  std::vector<double> unused;
+  Setting setting = numbers(std::move(key), std::move(flag), unused, 3, range, std::move(meaning));
+  setting.assign = [&target, range](const Value& value) {
+    const auto& given = std::get<std::vector<double>>(value);
+    if (given.size() != 3 || !all_within(range, given)) return false;
+    target = Vec3(given[0], given[1], given[2]);
+    return true;
+  };
+  return setting;
+}
+
+Setting text(std::string key, std::string flag, std::string& target, std::string meaning) {
+  return {std::move(key),
+          std::move(flag),
+          std::move(meaning),
+          "a text that is not empty",
+          Kind::text,
+          [&target](const Value& value) {
+            target = std::get<std::string>(value);
+            return !target.empty();
+          }};
+}
+
+Setting boolean(std::string key, std::string flag, bool& target, std::string meaning) {
+  return {std::move(key),
+          std::move(flag),
+          std::move(meaning),
+          "true or false",
+          Kind::boolean,
+          [&target](const Value& value) {
+            target = std::get<bool>(value);
+            return true;
+          }};
+}
+
+void apply_flag(const Setting& setting, const std::vector<std::string>& texts) {
+  const auto refuse = [&](const std::string& text) {
+    throw UsageError(setting.flag + " " + text + ": must be " + setting.allowed + ".");
+  };
+  if (setting.kind == Kind::tables) {
+    setting.clear();
+    for (const std::string& text : texts)
+      if (!setting.assign_short_form(text)) refuse(text);
+    return;
+  }
+  const std::string& text = texts.back();
+  const std::optional<Value> value = parse_value(setting.kind, text);
+  if (!value || !setting.assign(*value)) refuse(text);
+}
+
+std::string describe(const Value& value) {
+  if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "true" : "false";
+  if (const auto* one = std::get_if<double>(&value)) return format_number(*one);
+  if (const auto* words = std::get_if<std::string>(&value)) return '"' + *words + '"';
+  std::string list = "[";
+  for (const double each : std::get<std::vector<double>>(value))
+    list += (list.size() > 1 ? ", " : "") + format_number(each);
+  return list + "]";
+}
+
+std::optional<std::string> nearest_name(std::string_view misspelled, const std::vector<std::string>& candidates) {
+  std::optional<std::string> nearest;
+  std::size_t smallest = std::max<std::size_t>(3, misspelled.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edit_distance(misspelled, candidate);
+    if (distance < smallest) {
+      smallest = distance;
+      nearest = candidate;
+    }
+  }
+  return nearest;
+}
+
+std::string suggestion(std::string_view misspelled, const std::vector<std::string>& candidates) {
+  const std::optional<std::string> nearest = nearest_name(misspelled, candidates);
+  return nearest ? " Did you mean " + *nearest + "?" : "";
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0;
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  while (true) {
+    const std::size_t at = text.find(separator);
+    parts.emplace_back(text.substr(0, at));
+    if (at == std::string_view::npos) return parts;
+    text.remove_prefix(at + 1);
+  }
+}
+
+}  // namespace hapticut::cli

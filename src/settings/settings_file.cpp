@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "settings/settings_file.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+namespace hapticut::cli {
+namespace {
+
+using Kind = Setting::Kind;
+
+/// Applies one TOML file to settings, and knows how to say where something is wrong.
+class Reader {
+ public:
+  explicit Reader(std::string file) : file_(std::move(file)) {}
+
+  /// @param prefix  of the keys in messages, "" or "tool."
+  void read_table(const toml::table& table, const std::string& prefix, const std::vector<Setting>& settings) const {
+    read_entries(table, "", prefix, settings);
+  }
+
+ private:
+  [[noreturn]] void fail(const toml::source_region& where, const std::string& message) const {
+    throw Error(file_ + ":" + std::to_string(where.begin.line) + ": " + message);
+  }
+
+  void read_entries(const toml::table& table, const std::string& inner, const std::string& prefix,
+                    const std::vector<Setting>& settings) const {
+    for (const auto& [key_node, node] : table) {
+      const std::string key = inner + std::string(key_node.str());
+      const auto setting =
+          std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == key; });
+      if (setting != settings.end()) {
+        read_setting(node, prefix + key, *setting);
+      } else if (std::any_of(settings.begin(), settings.end(),
+                             [&](const Setting& s) { return s.key.starts_with(key + "."); })) {
+        if (!node.is_table()) fail(node.source(), prefix + key + ": must be a table, written [" + prefix + key + "].");
+        read_entries(*node.as_table(), key + ".", prefix, settings);
+      } else {
+        std::vector<std::string> known;
+        known.reserve(settings.size());
+        for (const Setting& s : settings) known.push_back(prefix + s.key);
+        fail(key_node.source(), prefix + key + ": there is no such setting." + suggestion(prefix + key, known));
+      }
+    }
+  }
+
+  void read_setting(const toml::node& node, const std::string& name, const Setting& setting) const {
+    if (setting.kind == Kind::tables) return read_tables(node, name, setting);
+    if (setting.kind == Kind::named_tables) return read_named_tables(node, name, setting);
+    const std::optional<Value> value = value_of(node, setting.kind);
+    if (!value) {
+      const Value given = node.is_string() ? Value(node.as_string()->get()) : Value(describe_type(node));
+      fail(node.source(), name + ": must be " + setting.allowed + ", not " +
+                              (node.is_string() ? "the text " + describe(given) : std::get<std::string>(given)) + ".");
+    }
+    if (!setting.assign(*value))
+      fail(node.source(), name + ": must be " + setting.allowed + ", not " + describe(*value) + ".");
+  }
+
+  void read_tables(const toml::node& node, const std::string& name, const Setting& setting) const {
+    const toml::array* elements = node.as_array();
+    if (elements == nullptr) fail(node.source(), name + ": must be a list of tables, each " + setting.allowed + ".");
+    setting.clear();
+    for (const toml::node& element : *elements) {
+      if (!element.is_table())
+        fail(element.source(), name + ": must be a list of tables, each " + setting.allowed + ".");
+      read_table(*element.as_table(), name + ".", setting.open_table(""));
+    }
+  }
+
+  void read_named_tables(const toml::node& node, const std::string& name, const Setting& setting) const {
+    if (!node.is_table()) fail(node.source(), name + ": must hold tables, written [" + name + ".NAME].");
+    for (const auto& [key_node, element] : *node.as_table()) {
+      const std::string key(key_node.str());
+      if (!element.is_table())
+        fail(key_node.source(), name + "." + key + ": must be a table, written [" + name + "." + key + "].");
+      std::vector<Setting> inner;
+      try {
+        inner = setting.open_table(key);
+      } catch (const Error& error) {
+        fail(key_node.source(), name + "." + key + ": " + error.what());
+      }
+      read_table(*element.as_table(), name + "." + key + ".", inner);
+    }
+  }
+
+  static std::string describe_type(const toml::node& node) {
+    if (node.is_number()) return "a number";
+    if (node.is_boolean()) return node.as_boolean()->get() ? "true" : "false";
+    if (node.is_array()) return "a list";
+    return node.is_table() ? "a table" : "a date or time";
+  }
+
+  static std::optional<double> number_of(const toml::node& node) {
+    if (node.is_integer()) return double(node.as_integer()->get());
+    if (node.is_floating_point()) return node.as_floating_point()->get();
+    return std::nullopt;
+  }
+
+  static std::optional<Value> value_of(const toml::node& node, Kind kind) {
+    if (kind == Kind::text && node.is_string()) return node.as_string()->get();
+    if (kind == Kind::boolean && node.is_boolean()) return node.as_boolean()->get();
+    if (kind == Kind::integer && node.is_integer()) return double(node.as_integer()->get());
+    if (kind == Kind::number) {
+      const std::optional<double> value = number_of(node);
+      if (value) return *value;
+    }
+    if (kind == Kind::numbers && node.is_array()) {
+      std::vector<double> values;
+      for (const toml::node& element : *node.as_array()) {
+        const std::optional<double> value = number_of(element);
+        if (!value) return std::nullopt;
+        values.push_back(*value);
+      }
+      return values;
+    }
+    return std::nullopt;
+  }
+
+  std::string file_;
+};
+
+}  // namespace
+
+void read_settings_file(const std::filesystem::path& path, const std::vector<Setting>& settings) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    throw Error(path.string() + ": there is no such settings file. Check the name given to --settings.");
+  toml::table table;
+  try {
+    table = toml::parse_file(path.string());
+  } catch (const toml::parse_error& problem) {
+    throw Error(path.string() + ":" + std::to_string(problem.source().begin.line) +
+                ": not valid TOML: " + std::string(problem.description()) + ".");
+  }
+  Reader(path.string()).read_table(table, "", settings);
+}
+
+}  // namespace hapticut::cli

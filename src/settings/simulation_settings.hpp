@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hapticut/simulation/config.hpp"
+#include "settings/effects_settings.hpp"
+#include "settings/force_settings.hpp"
+#include "settings/setting.hpp"
+
+namespace hapticut::cli {
+
+/// How it is computed, as the user writes it: `[simulation]`, `[force]` and `[effects]` in a settings file.
+struct SimulationSettings {
+  double rate_Hz = 1000;
+  bool thesis_mode = false;
+  std::optional<RemovalLaw> removal;
+  std::optional<Quadrature> quadrature;
+  SimulationConfig config;
+  ForceSettings force;
+  EffectsSettings effects;
+};
+
+[[nodiscard]] std::vector<Setting> settings_of(SimulationSettings& simulation);
+
+/// @throws Error when settings do not fit together
+[[nodiscard]] SimulationConfig make_config(const SimulationSettings& settings);
+
+}  // namespace hapticut::cli

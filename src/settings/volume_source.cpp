@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "settings/volume_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "hapticut/core/units.hpp"
+#include "hapticut/io/volume/volume_operations.hpp"
+#include "hapticut/io/volume/volumes.hpp"
+#include "hapticut/workpiece/volume_builders.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+using Source = WorkpieceSettings;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kMostLabels = 64;  // more different values than this are grey values
+
+VolumeReadOptions read_options(const Source& s) {
+  VolumeReadOptions options;
+  if (s.spacing_mm) options.spacing = *s.spacing_mm * units::mm;
+  options.dicom_series = s.dicom_series;
+  return options;
+}
+
+bool is_raw(const Source& s) {
+  return s.source.ends_with(".raw") || !s.raw.dims.empty() || !s.raw.type.empty() || s.raw.big_endian ||
+         s.raw.skip_bytes > 0;
+}
+
+RawLayout raw_layout(const Source& s) {
+  static const std::map<std::string, ValueType> kTypes = {
+      {"uint8", ValueType::uint8},    {"int8", ValueType::int8},     {"uint16", ValueType::uint16},
+      {"int16", ValueType::int16},    {"uint32", ValueType::uint32}, {"int32", ValueType::int32},
+      {"uint64", ValueType::uint64},  {"int64", ValueType::int64},   {"float32", ValueType::float32},
+      {"float64", ValueType::float64}};
+  if (s.raw.dims.empty() || s.raw.type.empty() || !s.spacing_mm)
+    throw Error(
+        "a file without a header needs all of workpiece.raw_dims, raw_type and spacing_mm; set --raw_dims, --raw_type "
+        "and --spacing_mm.");
+  const auto type = kTypes.find(s.raw.type);
+  if (type == kTypes.end())
+    throw Error("workpiece.raw_type = " + s.raw.type + "; must be uint8, int8, uint16, int16, uint32, int32, uint64, " +
+                "int64, float32 or float64.");
+  for (const double n : s.raw.dims)
+    if (n != std::floor(n)) throw Error("workpiece.raw_dims must be whole numbers: samples along x, y, z.");
+  return {{int(s.raw.dims[0]), int(s.raw.dims[1]), int(s.raw.dims[2])},
+          *s.spacing_mm * units::mm,
+          type->second,
+          s.raw.big_endian,
+          s.raw.skip_bytes};
+}
+
+GreyVolume read_grey(const Source& s) {
+  return is_raw(s) ? read_raw_grey_volume(s.source, raw_layout(s)) : read_grey_volume(s.source, read_options(s));
+}
+
+LabelVolume read_labels(const Source& s) {
+  return is_raw(s) ? read_raw_label_volume(s.source, raw_layout(s)) : read_label_volume(s.source, read_options(s));
+}
+
+std::optional<Box> crop_box(const Source& s) {
+  if (s.crop_mm.empty()) return std::nullopt;
+  const auto& c = s.crop_mm;
+  const Box box{Vec3(c[0], c[1], c[2]) * units::mm, Vec3(c[3], c[4], c[5]) * units::mm};
+  if (!(box.max.array() > box.min.array()).all())
+    throw Error(
+        "workpiece.crop_mm must be x, y, z of the lower corner and then x, y, z of the upper one; here an "
+        "upper value is not above the lower one.");
+  return box;
+}
+
+/// The samples that a box of W needs, and two more to each side for interpolation.
+template <class Value>
+IndexBox samples_around(const Volume<Value>& volume, const Box& box) {
+  IndexBox samples;
+  const Pose X_GW = volume.X_WG.inverse();
+  Vec3 low = Vec3::Constant(kInfinity), high = -low;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p((corner & 1) != 0 ? box.max.x() : box.min.x(), (corner & 2) != 0 ? box.max.y() : box.min.y(),
+                 (corner & 4) != 0 ? box.max.z() : box.min.z());
+    const Vec3 sample = (X_GW * p).cwiseQuotient(volume.spacing);
+    low = low.cwiseMin(sample);
+    high = high.cwiseMax(sample);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const double last = volume.dims[std::size_t(axis)] - 1;
+    if (!(high[axis] >= 0 && low[axis] <= last))
+      throw Error("workpiece.crop_mm lies outside the volume; see hapticut inspect for where it is.");
+    samples.min[std::size_t(axis)] = int(std::max(0.0, std::floor(low[axis]) - 2));
+    samples.max[std::size_t(axis)] = int(std::min(last, std::ceil(high[axis]) + 2));
+  }
+  return samples;
+}
+
+/// Around the samples, each of them a box as large as their spacing.
+Box box_of(const GreyVolume& volume) {
+  Box box{Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)};
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3 sample;
+    for (int axis = 0; axis < 3; ++axis)
+      sample[axis] = (corner >> axis & 1) != 0 ? volume.dims[std::size_t(axis)] - 0.5 : -0.5;
+    const Vec3 p = volume.X_WG * sample.cwiseProduct(volume.spacing);
+    box.min = box.min.cwiseMin(p);
+    box.max = box.max.cwiseMax(p);
+  }
+  return box;
+}
+
+VolumeBuildOptions build_options(const Source& s) {
+  VolumeBuildOptions options;
+  options.voxel_size = s.voxel_mm.value_or(0) * units::mm;
+  options.crop = crop_box(s);
+  return options;
+}
+
+template <class Value>
+Volume<Value> cropped(Volume<Value> volume, const std::optional<Box>& box) {
+  return box ? crop(volume, samples_around(volume, *box)) : volume;
+}
+
+/// Sets what is not part of the largest body of grey values from `lowest` on to what is outside.
+void keep_largest_body(GreyVolume& volume, double lowest) {
+  const LabelVolume body = keep_largest_component(label_range(volume, lowest, kInfinity));
+  const float outside = *std::min_element(volume.values.begin(), volume.values.end());
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+    if (double(volume.values[i]) >= lowest && body.values[i] == 0) volume.values[i] = outside;
+}
+
+/// Gives what the labels enclose a label of its own, and that label the material of `fill_cavities`.
+LabelVolume filled(const Source& s, LabelVolume volume, std::vector<LabelMaterial>& materials) {
+  const int label = *std::max_element(volume.values.begin(), volume.values.end()) + 1;
+  if (label > 65535) throw Error("the volume uses label 65535, so that none is left for its cavities; renumber them.");
+  if (s.close_gaps_mm) volume = close_gaps(std::move(volume), *s.close_gaps_mm * units::mm, std::uint16_t(label));
+  volume = fill_cavities(std::move(volume), std::uint16_t(label));
+  if (std::find(volume.values.begin(), volume.values.end(), label) == volume.values.end())
+    throw Error("the labels enclose nothing that workpiece.fill_cavities could fill. " +
+                std::string(s.close_gaps_mm ? "Raise close_gaps_mm, or leave both out."
+                                            : "Set close_gaps_mm where a canal leads outside, or leave it out."));
+  const auto same = std::find_if(materials.begin(), materials.end(),
+                                 [&](const LabelMaterial& known) { return known.material.name == s.fill_cavities; });
+  if (same != materials.end())
+    same->labels.push_back(std::uint16_t(label));
+  else
+    materials.push_back({{std::uint16_t(label)}, s.materials.find(s.fill_cavities)});
+  return volume;
+}
+
+Workpiece from_labels(const Source& s) {
+  LabelVolume volume = cropped(read_labels(s), crop_box(s));
+  if (s.largest_component) volume = keep_largest_component(std::move(volume));
+  std::vector<LabelMaterial> materials;
+  for (const Source::Labels& labels : s.labels)
+    materials.push_back({{labels.values.begin(), labels.values.end()}, s.materials.find(labels.material)});
+  if (!s.fill_cavities.empty()) volume = filled(s, std::move(volume), materials);
+  return build_from_labels(volume, materials, build_options(s));
+}
+
+GreyVolume read_body(const Source& s, double lowest) {
+  GreyVolume volume = cropped(read_grey(s), crop_box(s));
+  if (s.largest_component) keep_largest_body(volume, lowest);
+  return volume;
+}
+
+Workpiece from_ranges(const Source& s) {
+  std::vector<hapticut::GreyRange> ranges;
+  double lowest = kInfinity;
+  for (const Source::GreyRange& range : s.grey) {
+    ranges.push_back({range.from.value_or(-kInfinity), range.to.value_or(kInfinity), s.materials.find(range.material)});
+    lowest = std::min(lowest, ranges.back().from);
+  }
+  return build_from_grey(read_body(s, lowest), ranges, build_options(s));
+}
+
+Workpiece from_grade(const Source& s) {
+  if (!s.grade_low || !s.grade_high || s.grade_at_low.empty() || s.grade_at_high.empty())
+    throw Error(
+        "a grade needs all of workpiece.grade_low, grade_high, grade_at_low and grade_at_high; set the missing "
+        "ones.");
+  Grade grade;
+  grade.low = *s.grade_low;
+  grade.high = *s.grade_high;
+  grade.at_low = s.materials.find(s.grade_at_low);
+  grade.at_high = s.materials.find(s.grade_at_high);
+  return build_from_grey(read_body(s, grade.low), grade, build_options(s));
+}
+
+}  // namespace
+
+Workpiece make_workpiece_from_volume(const Source& s) {
+  const bool graded = s.grade_low || s.grade_high || !s.grade_at_low.empty() || !s.grade_at_high.empty();
+  const int ways = int(!s.labels.empty()) + int(!s.grey.empty()) + int(graded);
+  if (ways != 1)
+    throw Error(
+        "a volume becomes a workpiece by exactly one of workpiece.labels, workpiece.grey and "
+        "workpiece.grade_low ...; " +
+        std::to_string(ways) + " are set. Set --label, --grey or --grade_low.");
+  if (s.close_gaps_mm && s.fill_cavities.empty())
+    throw Error("workpiece.close_gaps_mm needs fill_cavities, which names what the gaps are filled with.");
+  if (!s.labels.empty()) return from_labels(s);
+  if (!s.fill_cavities.empty())
+    throw Error("workpiece.fill_cavities goes with labels; between grey values it is not clear what is enclosed.");
+  return graded ? from_grade(s) : from_ranges(s);
+}
+
+VolumeSummary summarize_volume(const Source& s, std::optional<double> threshold) {
+  const GreyVolume volume = cropped(read_grey(s), crop_box(s));
+  const auto [lowest, highest] = std::minmax_element(volume.values.begin(), volume.values.end());
+  VolumeSummary summary{volume.dims,
+                        volume.spacing,
+                        volume.X_WG,
+                        box_of(volume),
+                        double(*lowest),
+                        double(*highest),
+                        volume.values.size() * sizeof(float)};
+  if (threshold)
+    summary.voxels_at_or_above = std::size_t(std::count_if(volume.values.begin(), volume.values.end(),
+                                                           [&](float value) { return double(value) >= *threshold; }));
+  for (const float value : volume.values) {
+    if (value < 0 || value > 65535 || value != std::floor(value)) return summary.voxels_by_label.clear(), summary;
+    ++summary.voxels_by_label[int(value)];
+    if (summary.voxels_by_label.size() > kMostLabels) return summary.voxels_by_label.clear(), summary;
+  }
+  return summary;
+}
+
+}  // namespace hapticut::cli

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "settings/workpiece_settings.hpp"
+
+#include <cmath>
+
+namespace hapticut::cli {
+namespace {
+
+/// The parts of "material=rest", or nothing.
+std::optional<std::pair<std::string, std::string>> parse_assignment(const std::string& text) {
+  const std::size_t at = text.find('=');
+  if (at == 0 || at == std::string::npos || at + 1 == text.size()) return std::nullopt;
+  return std::pair(text.substr(0, at), text.substr(at + 1));
+}
+
+/// A setting that is a list of tables, each of them one `Element`.
+template <class Element>
+Setting table_list(std::string key, std::string flag, std::deque<Element>& elements, std::string allowed,
+                   std::string meaning, std::vector<Setting> (*settings_of_element)(Element&),
+                   bool (*parse)(const std::string& material, const std::string& rest, Element&)) {
+  Setting setting{std::move(key), std::move(flag), std::move(meaning), std::move(allowed), Setting::Kind::tables};
+  setting.clear = [&elements] { elements.clear(); };
+  setting.open_table = [&elements, settings_of_element](const std::string&) {
+    return settings_of_element(elements.emplace_back());
+  };
+  setting.assign_short_form = [&elements, parse](const std::string& text) {
+    const auto parts = parse_assignment(text);
+    if (!parts) return false;
+    Element& element = elements.emplace_back();
+    element.material = parts->first;
+    return parse(parts->first, parts->second, element);
+  };
+  return setting;
+}
+
+using Layer = WorkpieceSettings::Layer;
+using Labels = WorkpieceSettings::Labels;
+using GreyRange = WorkpieceSettings::GreyRange;
+
+std::vector<Setting> settings_of_layer(Layer& layer) {
+  return {text("material", "", layer.material, "a material"),
+          number("thickness_mm", "", layer.thickness_mm, Range::positive(), "its thickness")};
+}
+
+bool parse_layer(const std::string&, const std::string& rest, Layer& layer) {
+  layer.thickness_mm = parse_number(rest);
+  return layer.thickness_mm && *layer.thickness_mm > 0;
+}
+
+bool is_label(double value) { return value >= 0 && value <= 65535 && value == std::floor(value); }
+
+std::vector<Setting> settings_of_labels(Labels& labels) {
+  Setting values{"values", "", "the labels", "a list of whole numbers from 0 to 65535", Setting::Kind::numbers};
+  values.assign = [&labels](const Value& value) {
+    labels.values = std::get<std::vector<double>>(value);
+    bool good = !labels.values.empty();
+    for (const double label : labels.values) good = good && is_label(label);
+    return good;
+  };
+  return {text("material", "", labels.material, "a material"), std::move(values)};
+}
+
+bool parse_labels(const std::string&, const std::string& rest, Labels& labels) {
+  for (const std::string& part : split(rest, ',')) {
+    const std::optional<double> label = parse_number(part);
+    if (!label || !is_label(*label)) return false;
+    labels.values.push_back(*label);
+  }
+  return true;
+}
+
+std::vector<Setting> settings_of_grey(GreyRange& range) {
+  return {text("material", "", range.material, "a material"),
+          number("from", "", range.from, Range::any(), "lowest grey value"),
+          number("to", "", range.to, Range::any(), "grey value where the range ends")};
+}
+
+bool parse_grey(const std::string&, const std::string& rest, GreyRange& range) {
+  const std::vector<std::string> ends = split(rest, ':');
+  if (ends.size() != 2 || (ends[0].empty() && ends[1].empty())) return false;
+  if (!ends[0].empty() && !(range.from = parse_number(ends[0]))) return false;
+  return ends[1].empty() || (range.to = parse_number(ends[1]));
+}
+
+using Shell = WorkpieceSettings::Shell;
+
+std::vector<Setting> settings_of_shell(Shell& shell) {
+  return {text("material", "", shell.material, "a material, or empty"),
+          text("object", "", shell.object, "name of an object in the file")};
+}
+
+bool parse_shell(const std::string&, const std::string& rest, Shell& shell) {
+  shell.object = rest;
+  return true;
+}
+
+}  // namespace
+
+std::vector<Setting> settings_of(WorkpieceSettings& w) {
+  const Range any = Range::any(), positive = Range::positive();
+  std::vector<Setting> settings = {
+      text("workpiece.source", "--workpiece", w.source, "block, slab, molar, or a file or folder"),
+      number("workpiece.voxel_mm", "--voxel_mm", w.voxel_mm, positive,
+             "edge of a voxel [0.1; for a volume its smallest spacing]"),
+      vector("workpiece.size_mm", "--size_mm", w.size_mm, positive,
+             "block, slab: size along x, y, z; one corner lies at the origin"),
+      text("workpiece.material", "--material", w.material, "block, mesh, .vdb of another program: the material"),
+      table_list<Shell>("workpiece.shells", "--shell", w.shells, "MATERIAL=OBJECT, where MATERIAL may be empty",
+                        "mesh with several objects: what one of them encloses; repeat it", &settings_of_shell,
+                        &parse_shell),
+      table_list<Layer>("workpiece.layers", "--layer", w.layers, "MATERIAL=THICKNESS_MM",
+                        "slab: a layer, from the top down; repeat it", &settings_of_layer, &parse_layer),
+      table_list<Labels>("workpiece.labels", "--label", w.labels, "MATERIAL=LABEL,LABEL...",
+                         "volume: labels that are a material; repeat it", &settings_of_labels, &parse_labels),
+      table_list<GreyRange>("workpiece.grey", "--grey", w.grey, "MATERIAL=FROM:TO, where one end may be left out",
+                            "volume: grey values that are a material; repeat it", &settings_of_grey, &parse_grey),
+      number("workpiece.grade_low", "--grade_low", w.grade_low, any,
+             "volume: grey value from which there is material, graded over grey values"),
+      number("workpiece.grade_high", "--grade_high", w.grade_high, any, "volume: grey value where the grade ends"),
+      text("workpiece.grade_at_low", "--grade_at_low", w.grade_at_low, "volume: material at grade_low"),
+      text("workpiece.grade_at_high", "--grade_at_high", w.grade_at_high, "volume: material at grade_high"),
+      vector("workpiece.spacing_mm", "--spacing_mm", w.spacing_mm, positive,
+             "volume: distance of samples, instead of what the file says"),
+      numbers("workpiece.crop_mm", "--crop_mm", w.crop_mm, 6, any, "volume: keep only the box from x, y, z to x, y, z"),
+      boolean("workpiece.largest_component", "--largest_component", w.largest_component,
+              "volume: leave loose pieces out"),
+      text("workpiece.fill_cavities", "--fill_cavities", w.fill_cavities,
+           "volume of labels: the material of what they enclose"),
+      number("workpiece.close_gaps_mm", "--close_gaps_mm", w.close_gaps_mm, positive,
+             "with fill_cavities: holes and slits that a ball of this radius does not enter are filled too"),
+      text("workpiece.dicom_series", "--dicom_series", w.dicom_series,
+           "folder of DICOM files: the Series Instance UID of the one to read"),
+      numbers("workpiece.raw_dims", "--raw_dims", w.raw.dims, 3, Range::between(1, 65535),
+              "file without a header: samples along x (fastest), y, z"),
+      text("workpiece.raw_type", "--raw_type", w.raw.type,
+           "file without a header: uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32 or float64"),
+      boolean("workpiece.raw_big_endian", "--raw_big_endian", w.raw.big_endian,
+              "file without a header: the first byte of a value is the highest"),
+      integer("workpiece.raw_skip_bytes", "--raw_skip_bytes", w.raw.skip_bytes, 0, 1e12,
+              "file without a header: bytes before the first value [0]"),
+      number("workpiece.unit_mm", "--unit_mm", w.unit_mm, positive,
+             "mesh, .vdb of another program: length of one unit of the file [1]"),
+      text("workpiece.grid", "--grid", w.grid, ".vdb of another program: name of the grid"),
+  };
+  settings.push_back(w.materials.setting());
+  return settings;
+}
+
+}  // namespace hapticut::cli

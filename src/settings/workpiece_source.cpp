@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where workpieces come from: what is built in, and files.
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+
+#include "hapticut/core/units.hpp"
+#include "hapticut/io/vdb/vdb.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "hapticut/workpiece/molar.hpp"
+#include "settings/progress.hpp"
+#include "settings/workpiece_settings.hpp"
+#ifdef HAPTICUT_HAS_IO
+#include "settings/mesh_source.hpp"
+#include "settings/volume_source.hpp"
+#endif
+
+namespace hapticut::cli {
+namespace {
+
+using Source = WorkpieceSettings;
+
+/// Which settings were given, by name.
+std::set<std::string> given_settings(const Source& s) {
+  std::set<std::string> given;
+  const auto note = [&](const char* name, bool is_set) {
+    if (is_set) given.insert(name);
+  };
+  note("voxel_mm", s.voxel_mm.has_value());
+  note("size_mm", s.size_mm.has_value());
+  note("material", !s.material.empty());
+  note("shells", !s.shells.empty());
+  note("layers", !s.layers.empty());
+  note("labels", !s.labels.empty());
+  note("grey", !s.grey.empty());
+  note("grade_low", s.grade_low.has_value());
+  note("grade_high", s.grade_high.has_value());
+  note("grade_at_low", !s.grade_at_low.empty());
+  note("grade_at_high", !s.grade_at_high.empty());
+  note("spacing_mm", s.spacing_mm.has_value());
+  note("crop_mm", !s.crop_mm.empty());
+  note("largest_component", s.largest_component);
+  note("fill_cavities", !s.fill_cavities.empty());
+  note("close_gaps_mm", s.close_gaps_mm.has_value());
+  note("dicom_series", !s.dicom_series.empty());
+  note("raw_dims", !s.raw.dims.empty());
+  note("raw_type", !s.raw.type.empty());
+  note("raw_big_endian", s.raw.big_endian);
+  note("raw_skip_bytes", s.raw.skip_bytes > 0);
+  note("unit_mm", s.unit_mm.has_value());
+  note("grid", !s.grid.empty());
+  return given;
+}
+
+void refuse_all_but(const Source& s, const std::set<std::string>& used) {
+  for (const std::string& name : given_settings(s))
+    if (!used.contains(name))
+      throw Error("workpiece." + name + " is set; must be left out, because " + s.source +
+                  " does not use it. Leave it out, or choose a workpiece that does: docs/command-line.md lists them.");
+}
+
+[[noreturn]] void fail_missing(const Source& s, const std::string& name) {
+  throw Error("workpiece." + name + " is missing; " + s.source + " needs it. Set --" + name + ", or " + name +
+              " under [workpiece] in the settings file.");
+}
+
+double voxel_size(const Source& s) { return s.voxel_mm.value_or(0.1) * units::mm; }
+
+Box box_of(const Source& s) {
+  if (!s.size_mm) fail_missing(s, "size_mm");
+  return {Vec3::Zero(), *s.size_mm * units::mm};
+}
+
+Workpiece make_block(const Source& s) {
+  refuse_all_but(s, {"voxel_mm", "size_mm", "material"});
+  if (s.material.empty()) fail_missing(s, "material");
+  return build_block(box_of(s), voxel_size(s), s.materials.find(s.material));
+}
+
+Workpiece make_slab(const Source& s) {
+  refuse_all_but(s, {"voxel_mm", "size_mm", "layers"});
+  if (s.layers.empty())
+    throw Error("workpiece.layers is missing; a slab needs at least one. Set --layer MATERIAL=THICKNESS_MM.");
+  std::vector<hapticut::Layer> layers;
+  for (const Source::Layer& layer : s.layers) {
+    if (layer.material.empty() || !layer.thickness_mm)
+      throw Error("a layer of the slab has no material or no thickness_mm; it needs both.");
+    layers.push_back({s.materials.find(layer.material), *layer.thickness_mm * units::mm});
+  }
+  return build_layered_slab(box_of(s), voxel_size(s), layers);
+}
+
+/// Materials that the workpiece brought along, with the user's changes.
+Workpiece with_changed_materials(Workpiece workpiece, const MaterialChanges& changes) {
+  if (changes.empty()) return workpiece;
+  MaterialTable table;
+  for (const Material& material : workpiece.materials().all()) table.add(changes.changed(material));
+  workpiece.set_materials(std::move(table));
+  return workpiece;
+}
+
+Workpiece read_vdb(const Source& s) {
+  refuse_all_but(s, {"material", "unit_mm", "grid"});
+  if (s.material.empty()) {
+    refuse_all_but(s, {});
+    return with_changed_materials(load_vdb(s.source), s.materials);
+  }
+  VdbImport import;
+  import.material = s.materials.find(s.material);
+  import.grid = s.grid;
+  import.unit_mm = s.unit_mm.value_or(1);
+  return load_vdb(s.source, import);
+}
+
+Workpiece make_molar(const Source& s) {
+  refuse_all_but(s, {"voxel_mm"});
+  return with_changed_materials(build_molar(voxel_size(s)), s.materials);
+}
+
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
+}  // namespace
+
+bool is_volume(const WorkpieceSettings& s) {
+  for (const char* known : {"block", "slab", "molar"})
+    if (s.source == known) return false;
+  const std::string extension = extension_of(s.source);
+  for (const char* other : {".vdb", ".obj", ".stl", ".ply", ".off"})
+    if (extension == other) return false;
+  return std::filesystem::exists(s.source);
+}
+
+Workpiece make_workpiece(const WorkpieceSettings& s) {
+  if (s.source.empty())
+    throw Error(
+        "the workpiece is missing. Set --workpiece to block, slab, molar or a file, or source under [workpiece] in "
+        "the settings file.");
+  const ProgressBar progress("making the workpiece of " + s.source);
+  if (s.source == "block") return make_block(s);
+  if (s.source == "slab") return make_slab(s);
+  if (s.source == "molar") return make_molar(s);
+  if (!std::filesystem::exists(s.source))
+    throw Error("there is no file '" + s.source + "', and no built-in workpiece of that name." +
+                suggestion(s.source, {"block", "slab", "molar"}) + " Check the name.");
+  const std::string extension = extension_of(s.source);
+  if (extension == ".vdb") return read_vdb(s);
+#ifdef HAPTICUT_HAS_IO
+  for (const char* mesh : {".obj", ".stl", ".ply", ".off"})
+    if (extension == mesh) {
+      refuse_all_but(s, {"voxel_mm", "material", "shells", "unit_mm"});
+      return make_workpiece_from_mesh(s);
+    }
+  refuse_all_but(s, {"voxel_mm", "labels", "grey", "grade_low", "grade_high", "grade_at_low", "grade_at_high",
+                     "spacing_mm", "crop_mm", "largest_component", "fill_cavities", "close_gaps_mm", "dicom_series",
+                     "raw_dims", "raw_type", "raw_big_endian", "raw_skip_bytes"});
+  return make_workpiece_from_volume(s);
+#else
+  throw Error("'" + s.source +
+              "' cannot be read, because this program was built without its io component; only .vdb "
+              "files can. Build it with HAPTICUT_WITH_IO=ON.");
+#endif
+}
+
+}  // namespace hapticut::cli

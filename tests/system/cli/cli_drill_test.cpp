@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+// hapticut drill, run as a user runs it: what it computes, and what it leaves behind.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "hapticut/core/units.hpp"
+#include "support/program.hpp"
+#include "support/test_data.hpp"
+
+namespace hapticut::cli_drill_test {
+namespace {
+
+using namespace test;
+using Drill = Program;
+
+TEST_F(Drill, ReportsEveryField) {
+  const nlohmann::json report = drill(kBlock + kBall + kGroove);
+  for (const char* pointer : {"/steps",
+                              "/removed_volume_mm3/total",
+                              "/removed_volume_mm3/by_material/cortical_bone",
+                              "/removed_voxels",
+                              "/force_N/max",
+                              "/force_N/mean",
+                              "/torque_Nmm/max",
+                              "/torque_Nmm/mean",
+                              "/energy_closure",
+                              "/step_time_us/p50",
+                              "/step_time_us/p99",
+                              "/step_time_us/p999",
+                              "/step_time_us/max",
+                              "/deadline_misses",
+                              "/workpiece/dims/2",
+                              "/workpiece/voxel_size_mm",
+                              "/workpiece/memory_bytes",
+                              "/energy_J/cutting",
+                              "/status/engaged_layer_thick",
+                              "/warnings",
+                              "/build/version",
+                              "/build/commit",
+                              "/build/compiler",
+                              "/build/cpu"})
+    EXPECT_TRUE(report.contains(nlohmann::json::json_pointer(pointer))) << pointer;
+  EXPECT_EQ(report["steps"], 500);
+  EXPECT_EQ(report["workpiece"]["dims"], nlohmann::json({30, 30, 15}));
+  EXPECT_LT(report["energy_closure"], 1e-3);
+  EXPECT_GT(report["force_N"]["max"], report["force_N"]["mean"]);
+  const auto& time = report["step_time_us"];
+  EXPECT_GT(time["p50"], 0);
+  EXPECT_LE(time["p50"], time["p99"]);
+  EXPECT_LE(time["p99"], time["p999"]);
+  EXPECT_LE(time["p999"], time["max"]);
+}
+
+TEST_F(Drill, CutsTheVolumeThatABallSweeps) {
+  // The tip passes 0.5 mm below the face: a circular segment of that height, 6 mm long. The engaged layer stays behind
+  // the ball: 1 % here.
+  const nlohmann::json report =
+      drill("--workpiece block --size_mm 6,6,3 --material cortical_bone --voxel_mm 0.1 " + kSpinningBall +
+            "--reference_stiffness 3e16 --path line --from_mm -2,3,2.5 --to_mm 8,3,2.5 --feed_mm_per_s 4");
+  const double half_angle = std::acos(0.5);
+  const double segment = half_angle - std::sin(half_angle) * std::cos(half_angle);
+  EXPECT_NEAR(report["removed_volume_mm3"]["total"].get<double>() / (6 * segment), 1, 0.02);
+}
+
+TEST_F(Drill, WithoutSpindleTakesNothingAway) {
+  const nlohmann::json report = drill(kBlock + "--head sphere --radius_mm 1 --spindle_rpm 0 " + kGroove);
+  EXPECT_EQ(report["removed_volume_mm3"]["total"], 0);
+  EXPECT_GT(report["force_N"]["max"], 0);
+}
+
+TEST_F(Drill, WritesALineForEveryStep) {
+  const nlohmann::json report = drill(kBlock + kBall + kGroove + "--steps-csv " + path("steps.csv"));
+  const auto columns = read_csv(read_bytes(folder / "steps.csv"));
+  const std::size_t steps = report["steps"];
+  for (const char* name : {"t_s", "x_mm", "y_mm", "z_mm", "qw", "qx", "qy", "qz", "force_x_N", "force_y_N", "force_z_N",
+                           "torque_x_Nmm", "torque_y_Nmm", "torque_z_Nmm", "removed_mm3", "contact_voxels", "status"})
+    ASSERT_EQ(columns.at(name).size(), steps) << name;
+  double removed = 0, largest = 0;
+  for (std::size_t i = 0; i < steps; ++i) {
+    removed += columns.at("removed_mm3")[i];
+    largest = std::max(largest,
+                       std::hypot(columns.at("force_x_N")[i], columns.at("force_y_N")[i], columns.at("force_z_N")[i]));
+  }
+  EXPECT_NEAR(removed / report["removed_volume_mm3"]["total"].get<double>(), 1, 1e-4);  // six printed digits
+  EXPECT_NEAR(largest / report["force_N"]["max"].get<double>(), 1, 1e-4);
+  EXPECT_NEAR(columns.at("t_s").back(), 0.5, 1e-9);
+  EXPECT_NEAR(columns.at("z_mm").back(), 3.5, 1e-9);  // the centre of the ball
+}
+
+TEST_F(Drill, FollowsItsOwnStepsAsPoses) {
+  const nlohmann::json first = drill(kBlock + kBall + kGroove + "--steps_csv " + path("steps.csv"));
+  const nlohmann::json again = drill(kBlock + kBall + "--path poses --point head --poses " + path("steps.csv"));
+  EXPECT_EQ(again["steps"], 499);  // the first line of the file is where the path begins
+  EXPECT_NEAR(again["removed_volume_mm3"]["total"].get<double>() / first["removed_volume_mm3"]["total"].get<double>(),
+              1, 1e-4);
+}
+
+TEST_F(Drill, InterpolatesBetweenTimedPoses) {
+  // From upright to lying on the side (a quarter turn about y) in half a second, with the centre standing still.
+  write_bytes(folder / "poses.csv",
+              "# made by hand\n t_s , x_mm, y_mm, z_mm, qw, qx, qy, qz, note\n"
+              "0, 3, 3, 5, 1, 0, 0, 0, upright\n\n0.5, 3, 3, 5, 0.70710678, 0, 0.70710678, 0, lying\n");
+  (void)drill(kBlock + kBall + "--path poses --point head --poses " + path("poses.csv") + " --rate 100 --steps_csv " +
+              path("steps.csv"));
+  const auto columns = read_csv(read_bytes(folder / "steps.csv"));
+  ASSERT_EQ(columns.at("qw").size(), 50U);
+  EXPECT_NEAR(columns.at("qw")[24], std::cos(units::kPi / 16 * 2), 1e-6);  // halfway: an eighth of a turn
+  EXPECT_NEAR(columns.at("qy")[24], std::sin(units::kPi / 16 * 2), 1e-6);
+  EXPECT_NEAR(columns.at("z_mm")[24], 5, 1e-9);
+}
+
+TEST_F(Drill, ReadsRotationMatricesAndPosesOfTheHand) {
+  write_bytes(folder / "poses.csv",
+              "t_s,x_mm,y_mm,z_mm,r00,r01,r02,r10,r11,r12,r20,r21,r22\n"
+              "0,3,3,53,1,0,0,0,1,0,0,0,1\n1,3,3,52,1,0,0,0,1,0,0,0,1\n");
+  (void)drill(kBlock + kBall + "--handle_length_mm 50 --path poses --point handle --poses " + path("poses.csv") +
+              " --steps_csv " + path("steps.csv"));
+  EXPECT_NEAR(read_csv(read_bytes(folder / "steps.csv")).at("z_mm").back(), 2, 1e-9);
+}
+
+TEST_F(Drill, FollowsCirclesAtConstantFeed) {
+  (void)drill(kBlock + kBall +
+              "--path circle --center_mm 3,3,2.5 --circle_radius_mm 1.5 --turns 1 --feed_mm_per_s 10 " +
+              "--approach_mm 2 --steps_csv " + path("steps.csv"));
+  const auto columns = read_csv(read_bytes(folder / "steps.csv"));
+  const std::size_t steps = columns.at("t_s").size();
+  EXPECT_EQ(steps, std::size_t(std::ceil((2 + 2 * units::kPi * 1.5) / 10 * 1000)));
+  EXPECT_NEAR(columns.at("z_mm")[0], 5.49, 1e-6);
+  for (std::size_t i = 200; i < steps; ++i)
+    ASSERT_NEAR(std::hypot(columns.at("x_mm")[i] - 3, columns.at("y_mm")[i] - 3), 1.5, 1e-4);
+}
+
+TEST_F(Drill, WidensAndDeepensAlongASpiral) {
+  (void)drill(kBlock + kBall +
+              "--path spiral --center_mm 3,3,3 --start_radius_mm 0.2 --end_radius_mm 1.4 --depth_mm 0.9 " +
+              "--pitch_mm 0.5 --feed_mm_per_s 20 --approach_mm 1 --point head --steps_csv " + path("steps.csv"));
+  const auto columns = read_csv(read_bytes(folder / "steps.csv"));
+  EXPECT_NEAR(columns.at("z_mm").back(), 2.1, 1e-6);
+  EXPECT_NEAR(std::hypot(columns.at("x_mm").back() - 3, columns.at("y_mm").back() - 3), 1.4, 1e-6);
+  // sqrt(1.2^2 + 0.9^2) = 1.5 mm of cone at 0.5 mm per turn: three turns, so it ends where it began to turn.
+  EXPECT_NEAR(columns.at("y_mm").back(), 3, 1e-6);
+}
+
+TEST_F(Drill, ClearsACavityLayerByLayer) {
+  const nlohmann::json report =
+      drill(kBlock + "--head flat --radius_mm 0.6 --height_mm 4 --spindle_rpm 100000 --reference_stiffness 3e15 " +
+            "--path cavity --center_mm 3,3,3 --top_radius_mm 1.2 --bottom_radius_mm 1.2 --depth_mm 1 --layer_mm 0.5 " +
+            "--pitch_mm 0.5 --feed_mm_per_s 10 --approach_mm 1 --retract_mm 2");
+  // A cylinder of 1.2 + 0.6 mm radius, 1 mm deep; the first layer leaves what only the engaged layer would reach.
+  EXPECT_NEAR(report["removed_volume_mm3"]["total"].get<double>() / (units::kPi * 1.8 * 1.8), 1, 0.05);
+}
+
+TEST_F(Drill, EntersAndLeavesAlongTheToolAxis) {
+  (void)drill(kBlock + kBall + "--path line --from_mm 1,3,2.5 --to_mm 5,3,2.5 --feed_mm_per_s 10 --tool_axis 0,0,2 " +
+              "--approach_mm 3 --retract_mm 4 --approach_feed_mm_per_s 20 --steps_csv " + path("steps.csv"));
+  const auto columns = read_csv(read_bytes(folder / "steps.csv"));
+  const std::size_t steps = columns.at("t_s").size();
+  EXPECT_EQ(steps, 150U + 400 + 200);
+  const double kRadius = 1;  // the tip is below the centre
+  EXPECT_NEAR(columns.at("z_mm")[149], 2.5 + kRadius, 1e-6);
+  EXPECT_NEAR(columns.at("x_mm")[149], 1, 1e-6);
+  EXPECT_NEAR(columns.at("x_mm")[549], 5, 1e-6);
+  EXPECT_NEAR(columns.at("z_mm").back(), 2.5 + kRadius + 4, 1e-6);
+  EXPECT_NEAR(columns.at("z_mm")[649], 2.5 + kRadius + 2, 1e-6);
+}
+
+TEST_F(Drill, WarnsWhenThePathNeverTouches) {
+  const nlohmann::json report =
+      drill(kBlock + kBall + "--path line --from_mm 0,0,50 --to_mm 5,0,50 --feed_mm_per_s 20");
+  ASSERT_EQ(report["warnings"].size(), 1U);
+  EXPECT_NE(report["warnings"][0].get<std::string>().find("never touches"), std::string::npos);
+  EXPECT_NE(read_bytes(folder / "stdout").find("never touches"), std::string::npos);
+}
+
+TEST_F(Drill, WarnsWhenThePathStartsInside) {
+  const nlohmann::json report = drill(kBlock + kBall + "--path line --from_mm 3,3,1 --to_mm 3,3,2 --feed_mm_per_s 20");
+  ASSERT_GE(report["warnings"].size(), 1U);
+  EXPECT_NE(report["warnings"][0].get<std::string>().find("starts inside"), std::string::npos);
+}
+
+TEST_F(Drill, FailsWhenStepsAreRejected) {
+  const Outcome outcome = run("drill " + kBlock + kBall + "--path line --from_mm -20,3,2 --to_mm 20,3,2 " +
+                              "--feed_mm_per_s 10000 --json " + path("report.json"));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("rejected"), std::string::npos) << outcome.errors;
+  EXPECT_GT(read_json(folder / "report.json")["status"]["jump_rejected"], 0);
+}
+
+TEST_F(Drill, RefillsTheBlocksBetweenSteps) {
+  const nlohmann::json report = drill(kBlock + kBall + kGroove + "--reserved_blocks 64");
+  EXPECT_EQ(report["status"]["blocks_exhausted"], 0);
+}
+
+TEST_F(Drill, CutsTheLayersOfASlab) {
+  const nlohmann::json report =
+      drill("--workpiece slab --size_mm 6,6,3 --layer enamel=0.4 --layer dentin=2 --voxel_mm 0.2 " + kBall +
+            "--path line --from_mm 3,3,4 --to_mm 3,3,2 --feed_mm_per_s 5");
+  EXPECT_GT(report["removed_volume_mm3"]["by_material"]["enamel"], 0);
+  EXPECT_GT(report["removed_volume_mm3"]["by_material"]["dentin"], 0);
+}
+
+TEST_F(Drill, SavesWhatIsLeftAndGoesOnFromThere) {
+  const nlohmann::json first = drill(kBlock + kStiffBall + kGroove + "--save " + path("left.vdb"));
+  const nlohmann::json second = drill("--workpiece " + path("left.vdb") + " " + kStiffBall + kGroove);
+  EXPECT_LT(second["removed_volume_mm3"]["total"].get<double>(),
+            0.2 * first["removed_volume_mm3"]["total"].get<double>());
+  EXPECT_NEAR(second["workpiece"]["volume_mm3"]["cortical_bone"].get<double>(),
+              108 - first["removed_volume_mm3"]["total"].get<double>(), 1e-3);
+}
+
+TEST_F(Drill, TakesSettingsFromAFileAndFlagsOverride) {
+  write_bytes(folder / "settings.toml", R"(
+[workpiece]
+source = "block"
+size_mm = [6, 6, 3]
+voxel_mm = 0.2
+material = "hard"
+[material.hard]
+based_on = "cortical_bone"
+specific_cutting_energy_J_per_m3 = 3e9
+[tool]
+head = "sphere"
+radius_mm = 1           # a whole number is a number
+spindle_rpm = 30000
+[path]
+kind = "line"
+from_mm = [-2, 3, 2.5]
+to_mm = [8, 3, 2.5]
+feed_mm_per_s = 20
+[simulation]
+rate_Hz = 1000
+reference_stiffness_N_per_m4 = 3e15
+)");
+  const nlohmann::json hard = drill("--settings " + path("settings.toml"));
+  const nlohmann::json soft = drill("--settings " + path("settings.toml") + " --material cortical_bone --rate 500");
+  EXPECT_EQ(hard["steps"], 500);
+  EXPECT_EQ(soft["steps"], 250);
+  EXPECT_TRUE(hard["removed_volume_mm3"]["by_material"].contains("hard"));
+  EXPECT_GT(hard["force_N"]["mean"].get<double>(), 2 * soft["force_N"]["mean"].get<double>());
+}
+
+TEST_F(Drill, PreparesTheMolarOfTheDemo) {
+  const nlohmann::json report =
+      drill(std::string("--settings ") + HAPTICUT_DEMO + "/molar.toml --voxel_mm 0.2 --rate 200");
+  EXPECT_GT(report["removed_volume_mm3"]["by_material"]["enamel"], 1);
+  EXPECT_GT(report["removed_volume_mm3"]["by_material"]["dentin"], 1);
+  EXPECT_LT(report["energy_closure"], 0.01);
+}
+
+#ifdef HAPTICUT_HAS_IO
+TEST_F(Drill, ClearsTheMastoidOfTheDemo) {
+  const std::filesystem::path project = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
+  if (!std::filesystem::exists(project)) GTEST_SKIP() << "needs the Debian package invesalius-examples";
+  const nlohmann::json report =
+      drill(std::string("--settings ") + HAPTICUT_DEMO + "/skull.toml --voxel_mm 0.5 --rate 100");
+  EXPECT_GT(report["removed_volume_mm3"]["by_material"]["cortical_bone"], 10);
+  EXPECT_GT(report["removed_volume_mm3"]["by_material"]["trabecular_bone"], 10);
+  EXPECT_LT(report["energy_closure"], 0.01);
+}
+#endif
+
+}  // namespace
+}  // namespace hapticut::cli_drill_test

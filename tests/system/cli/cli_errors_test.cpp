@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the command line program says when it cannot do what is asked: one sentence, a code, and nothing half-written.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <random>
+
+#include "support/program.hpp"
+
+namespace hapticut::cli_errors_test {
+namespace {
+
+using test::Outcome;
+using test::write_bytes;
+
+constexpr int kFailed = 1;
+constexpr int kWrongUsage = 2;
+
+const std::string kBlock = "--workpiece block --size_mm 2,2,2 --material dentin --voxel_mm 0.2 ";
+const std::string kBall = "--head sphere --radius_mm 0.5 --spindle_rpm 30000 ";
+const std::string kLine = "--path line --from_mm 0,1,2 --to_mm 2,1,2 --feed_mm_per_s 20 ";
+
+class Complaint : public testing::Test {
+ protected:
+  /// Runs the program and expects one line on stderr that contains `part`.
+  void expect(const std::string& arguments, int code, const std::string& part) {
+    const Outcome outcome = test::run_program(folder, arguments);
+    EXPECT_EQ(outcome.code, code) << arguments << '\n' << outcome.errors;
+    EXPECT_NE(outcome.errors.find(part), std::string::npos) << arguments << '\n' << outcome.errors;
+    EXPECT_EQ(outcome.errors.find('\n'), outcome.errors.size() - 1) << outcome.errors;
+    EXPECT_TRUE(outcome.errors.starts_with("hapticut: "));
+  }
+  /// The same for a settings file; the message must begin with its name and the line.
+  void expect_in_file(const std::string& toml, int line, const std::string& part) {
+    write_bytes(folder / "s.toml", toml);
+    expect("drill --settings " + path("s.toml"), kFailed, path("s.toml") + ":" + std::to_string(line) + ": " + part);
+  }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+
+  test::TemporaryFolder folder;
+};
+
+using Flags = Complaint;
+using SettingsFile = Complaint;
+using PoseFile = Complaint;
+using Files = Complaint;
+
+TEST_F(Flags, ThatDoNotExistAreRefusedWithTheNearestOne) {
+  expect("drill --raduis_mm 1", kWrongUsage, "there is no --raduis_mm. Did you mean --radius_mm?");
+  expect("drill --json-file x", kWrongUsage, "there is no --json");
+  expect("dril", kWrongUsage, "there is no dril. Did you mean drill?");
+  expect("", kWrongUsage, "subcommand");
+}
+
+TEST_F(Flags, OfTheWrongTypeOrOutOfRangeAreRefused) {
+  expect("drill --radius_mm wide", kWrongUsage, "--radius_mm wide: must be a number > 0");
+  expect("drill --radius_mm 2mm", kWrongUsage, "--radius_mm 2mm: must be a number > 0");
+  expect("drill --radius_mm -2", kWrongUsage, "--radius_mm -2: must be a number > 0");
+  expect("drill --radius_mm nan", kWrongUsage, "must be a number > 0");
+  expect("drill --from_mm -1,2", kWrongUsage, "--from_mm -1,2: must be 3 numbers");
+  expect("drill --head ball", kWrongUsage, "--head ball: must be one of sphere, cone, flat");
+  expect("drill --rate 0", kWrongUsage, "--rate 0: must be a number from 10 to 1e+06");
+  expect("drill --rate 1e7", kWrongUsage, "must be a number from 10 to 1e+06");
+  expect("drill --layer enamel", kWrongUsage, "--layer enamel: must be MATERIAL=THICKNESS_MM");
+  expect("drill --grey bone=1", kWrongUsage, "--grey bone=1: must be MATERIAL=FROM:TO");
+  expect("drill --reserved_blocks 1.5", kWrongUsage, "must be a whole number");
+  expect("drill --radius_mm", kWrongUsage, "--radius_mm");
+}
+
+TEST_F(Flags, ThatAreMissingAreNamed) {
+  expect("drill " + kBall + kLine, kFailed, "the workpiece is missing");
+  expect("drill " + kBlock + kLine, kFailed, "--head");
+  expect("drill " + kBlock + kBall, kFailed, "--path");
+  expect("drill " + kBlock + "--head sphere --spindle_rpm 0 " + kLine, kFailed, "tool.radius_mm is missing");
+  expect("drill " + kBlock + "--head sphere --radius_mm 1 " + kLine, kFailed, "tool.spindle_rpm is missing");
+  expect("drill " + kBlock + kBall + "--path line --from_mm 0,0,0 --feed_mm_per_s 1", kFailed, "path.to_mm is missing");
+  expect("drill " + kBlock + kBall + "--path line --from_mm 0,0,0 --to_mm 1,0,0", kFailed, "feed_mm_per_s is missing");
+  expect("drill --workpiece block --material dentin " + kBall + kLine, kFailed, "workpiece.size_mm is missing");
+  expect("convert block", kWrongUsage, "file to write");
+}
+
+TEST_F(Flags, ThatDoNotBelongTogetherAreRefused) {
+  expect(
+      "drill " + kBlock + kBall + kLine + "--height_mm 3", kFailed,
+      "tool.height_mm = 3; must be left out, because a sphere has none. Leave it out, or choose --head cone or flat.");
+  expect(
+      "drill " + kBlock + kBall + kLine + "--handle_neck_mm 3", kFailed,
+      "tool.handle_neck_mm = 3; must be left out, because a ray handle has none. Leave it out, or choose --handle L.");
+  expect(
+      "drill " + kBlock + kBall + kLine + "--turns 2", kFailed,
+      "path.turns = 2; must be left out, because a path of kind line has none. Leave it out, or choose --path circle.");
+  expect("drill " + kBlock + "--layer enamel=1 " + kBall + kLine, kFailed,
+         "workpiece.layers is set; must be left out, because block");
+  expect("drill " + kBlock + kBall + kLine + "--point handle", kFailed, "path.point");
+}
+
+TEST_F(Flags, NameMaterialsThatExist) {
+  expect("drill --workpiece block --size_mm 2,2,2 --material dentine " + kBall + kLine, kFailed,
+         "there is no material dentine");
+}
+
+TEST_F(Flags, MustNotAskForTheImpossible) {
+  expect("drill --workpiece block --size_mm 1e6,1e6,1e6 --voxel_mm 1e-3 --material dentin " + kBall + kLine, kFailed,
+         "voxels");
+  expect("drill " + kBlock + kBall + "--path line --from_mm 0,0,3 --to_mm 1000,0,3 --feed_mm_per_s 1e-3", kFailed,
+         "at most 1e+07");
+  expect("drill " + kBlock + kBall + "--path line --from_mm 0,0,3 --to_mm 0,0,3 --feed_mm_per_s 1", kFailed,
+         "at least two");
+  expect("drill " + kBlock + kBall + kLine + "--tool_axis 0,0,0", kFailed, "path.tool_axis");
+}
+
+TEST_F(SettingsFile, WithAnUnknownKeyIsRefusedWithLineKeyAndTheNearestOne) {
+  expect_in_file("[tool]\nhead = \"sphere\"\nraduis_mm = 1\n", 3,
+                 "tool.raduis_mm: there is no such setting. Did you mean tool.radius_mm?");
+  expect_in_file("[tol]\nhead = \"sphere\"\n", 1, "tol: there is no such setting.");
+  expect_in_file("[material.dentin]\nhardness = 1\n", 2, "material.dentin.hardness: there is no such setting.");
+  expect_in_file("[workpiece]\nlayers = [{material = \"dentin\", thickness = 2}]\n", 2,
+                 "workpiece.layers.thickness: there is no such setting. Did you mean workpiece.layers.thickness_mm?");
+}
+
+TEST_F(SettingsFile, WithAnotherUnitIsRefusedWithTheRightOne) {
+  expect_in_file("[tool]\nradius_cm = 1\n", 2,
+                 "tool.radius_cm: there is no such setting. Did you mean tool.radius_mm?");
+  expect_in_file("[path]\n\nfeed_m_per_s = 1\n", 3,
+                 "path.feed_m_per_s: there is no such setting. Did you mean path.feed_mm_per_s?");
+  expect_in_file("[tool]\nradius_mm = \"2 mm\"\n", 2, "tool.radius_mm: must be a number > 0, not the text \"2 mm\".");
+}
+
+TEST_F(SettingsFile, WithTheWrongTypeIsRefused) {
+  expect_in_file("[tool]\nradius_mm = true\n", 2, "tool.radius_mm: must be a number > 0, not true.");
+  expect_in_file("[tool]\nhead = 3\n", 2, "tool.head: must be one of sphere, cone, flat, profile");
+  expect_in_file("[path]\nfrom_mm = 3\n", 2, "path.from_mm: must be 3 numbers, not a number.");
+  expect_in_file("[path]\nfrom_mm = [1, 2, \"x\"]\n", 2, "path.from_mm: must be 3 numbers, not a list.");
+  expect_in_file("tool = 3\n", 1, "tool: must be a table");
+  expect_in_file("[workpiece]\nlayers = 3\n", 2, "workpiece.layers: must be a list of tables");
+  expect_in_file("[simulation]\nreserved_blocks = 2.5\n", 2, "simulation.reserved_blocks: must be a whole number");
+}
+
+TEST_F(SettingsFile, WithAValueOutOfRangeIsRefused) {
+  expect_in_file("[tool]\nradius_mm = -1\n", 2, "tool.radius_mm: must be a number > 0, not -1.");
+  expect_in_file("[tool]\nradius_mm = inf\n", 2, "tool.radius_mm: must be a number > 0, not inf.");
+  expect_in_file("[simulation]\nrate_Hz = 5\n", 2, "simulation.rate_Hz: must be a number from 10 to 1e+06, not 5.");
+  expect_in_file("[path]\nfrom_mm = [1, 2]\n", 2, "path.from_mm: must be 3 numbers, not [1, 2].");
+  expect_in_file("[tool]\nhead = \"ball\"\n", 2, "tool.head: must be one of sphere, cone, flat, profile");
+}
+
+TEST_F(SettingsFile, ThatIsNoTomlOrIsNotThereIsRefused) {
+  expect_in_file("[tool]\nradius_mm = = 3\n", 2, "not valid TOML");
+  expect("drill --settings " + path("none.toml"), kFailed, "there is no such settings file");
+  expect("drill --settings /", kFailed, "there is no such settings file");
+}
+
+TEST_F(PoseFile, WithSomethingWrongIsRefusedWithItsLine) {
+  const auto expect_in_poses = [&](const std::string& csv, const std::string& part) {
+    write_bytes(folder / "p.csv", csv);
+    expect("drill " + kBlock + kBall + "--path poses --poses " + path("p.csv"), kFailed, path("p.csv") + ":" + part);
+  };
+  expect_in_poses("", "0: the file is empty");
+  expect_in_poses("a,b\n1,2\n", "1: the columns t_s, x_mm, y_mm, z_mm are missing");
+  expect_in_poses("t_s,x_mm,y_mm\n", "1: the column z_mm is missing");
+  expect_in_poses("t_s,x_mm,y_mm,z_mm,qw,qx,qy\n", "1: the column qz is missing");
+  expect_in_poses("t_s,x_mm,y_mm,z_mm\n0,0,0,0\n1,0,0\n", "3: 3 values; there must be 4");
+  expect_in_poses("t_s,x_mm,y_mm,z_mm\n0,0,zero,0\n", "2: y_mm = \"zero\"; must be a number");
+  expect_in_poses("t_s,x_mm,y_mm,z_mm\n0,0,nan,0\n", "2: y_mm = \"nan\"; must be a number");
+  expect_in_poses("t_s,x_mm,y_mm,z_mm\n1,0,0,0\n\n1,0,0,0\n", "4: t_s = 1; times must increase");
+  expect_in_poses("t_s,x_mm,y_mm,z_mm\n1,0,0,0\n", "2: there must be at least two poses");
+  expect_in_poses("t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n0,0,0,0,1,1,0,0\n", "2: the quaternion has length");
+  expect_in_poses("t_s,x_mm,y_mm,z_mm,r00,r01,r02,r10,r11,r12,r20,r21,r22\n0,0,0,0,1,0,0,0,1,0,0,0,-1\n",
+                  "2: r00 ... r22 is not a rotation");
+  expect("drill " + kBlock + kBall + "--path poses --poses " + path("none.csv"), kFailed, "cannot be read");
+}
+
+TEST_F(Files, ThatAreMissingOrOfNoKnownKindAreRefused) {
+  expect("inspect " + path("none.vdb"), kFailed, "there is no file");
+  expect("inspect blokc", kFailed, "Did you mean block?");
+  write_bytes(folder / "notes.docx", "hello");
+  expect("inspect " + path("notes.docx"), kFailed, "notes.docx");
+}
+
+#ifdef HAPTICUT_HAS_IO
+TEST_F(Files, OfSamplesNeedToBeToldWhatTheirValuesMean) {
+  std::string volume = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nspacings: 1 1 1\nencoding: raw\n\n";
+  write_bytes(folder / "v.nrrd", volume + std::string(64, '\1'));
+  const std::string source = "drill --workpiece " + path("v.nrrd") + " " + kBall + kLine;
+  expect(source, kFailed, "exactly one of workpiece.labels, workpiece.grey and workpiece.grade_low");
+  expect(source + "--label dentin=1 --grey dentin=1:", kFailed, "2 are set");
+  expect(source + "--grade_low 1", kFailed, "a grade needs all of");
+  expect(source + "--label dentin=2", kFailed, "label");
+  expect(source + "--grey dentin=1: --crop_mm 0,0,0,1,1,-1", kFailed, "workpiece.crop_mm");
+  expect(source + "--grey dentin=1: --crop_mm 50,50,50,60,60,60", kFailed, "lies outside the volume");
+  expect("inspect block --size_mm 1,1,1 --material dentin --threshold 3", kFailed, "--threshold");
+}
+#endif
+
+TEST_F(Files, ThatAreRandomAreRefused) {
+  std::mt19937 random(7);
+  std::string noise(4096, '\0');
+  for (char& c : noise) c = char(random());
+  for (const char* name : {"noise.vdb", "noise.nrrd", "noise.inv3", "noise.dcm", "noise.xyz"}) {
+    write_bytes(folder / name, noise);
+    expect("inspect " + path(name), kFailed, name);
+  }
+  write_bytes(folder / "noise.toml", noise);
+  expect("drill --settings " + path("noise.toml"), kFailed, "not valid TOML");
+}
+
+TEST_F(Files, ThatCannotBeWrittenAreRefusedBeforeTheWork) {
+  write_bytes(folder / "file", "");
+  const std::string nowhere = path("file/no/folder/x.json");
+  expect("inspect molar --json " + nowhere, kFailed, "cannot write");
+  for (const char* flag : {"--json", "--markdown", "--measurements"})
+    expect(std::string("validate ") + flag + " " + nowhere, kFailed, "cannot write");
+  expect("stability --json " + nowhere, kFailed, "cannot write");
+  expect("calibrate tests.csv --json " + nowhere, kFailed, "cannot write");
+  expect("convert molar " + path("x.doc"), kFailed, "must end in");
+  for (const char* flag : {"--json", "--save", "--steps_csv"})
+    expect("drill " + kBlock + kBall + kLine + flag + " " + path("file/no/folder/x.vdb"), kFailed, "cannot write");
+  expect("drill " + kBlock + kBall + kLine + "--json " + path(""), kFailed, "cannot write");
+  expect("drill " + kBlock + kBall + kLine + "--save " + path("x.doc"), kFailed, "must end in");
+  if (::geteuid() != 0) {  // nothing is forbidden to root
+    std::filesystem::create_directory(folder / "closed");
+    std::filesystem::permissions(folder / "closed", std::filesystem::perms::owner_read);
+    expect("drill " + kBlock + kBall + kLine + "--json " + path("closed/x.json"), kFailed, "cannot write");
+    std::filesystem::permissions(folder / "closed", std::filesystem::perms::owner_all);
+  }
+}
+
+// A real file system without a free byte: every kind of output keeps the old file, leaves nothing else, and says why.
+TEST_F(Files, OnAFullDiskStayWhatTheyWere) {
+  if (std::system("unshare -rm mount -t tmpfs none /tmp 2>/dev/null") != 0)
+    GTEST_SKIP() << "this user may not mount a small disk of its own";
+  std::vector<std::string> outputs = {"--json x.json", "--steps_csv x.csv", "--save x.vdb"};
+#ifdef HAPTICUT_HAS_IO
+  for (const char* more : {"--save x.nrrd", "--surface x.stl", "--surface x.ply", "--picture x.png", "--record x.h5"})
+    outputs.emplace_back(more);
+#endif
+  std::filesystem::create_directory(folder / "disk");
+  for (const std::string& output : outputs) {
+    const std::string name = output.substr(output.find(' ') + 1);
+    const std::string script =
+        "mount -t tmpfs -o size=32k none " + path("disk") + " && cd " + path("disk") + " && printf old >" + name +
+        " && cat /dev/zero >filler 2>/dev/null; " HAPTICUT_PROGRAM " drill " + kBlock + kBall + kLine + output + " >" +
+        path("stdout") + "; printf \"%s \" $? $(cat " + name + ") $(ls -A)";
+    write_bytes(folder / "script", script);
+    const std::string command = "unshare -rm sh " + path("script") + " >" + path("result") + " 2>" + path("stderr");
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(test::read_bytes(folder / "result"), "1 old filler " + name + " ") << output;
+    const std::string errors = test::read_bytes(folder / "stderr");
+    EXPECT_TRUE(errors.starts_with("hapticut: ")) << output << errors;
+    EXPECT_EQ(errors.find('\n'), errors.size() - 1) << errors;
+    EXPECT_NE(errors.find("space"), std::string::npos) << output << errors;
+  }
+}
+
+TEST_F(Files, ThatAreDevicesAreNotWrittenTo) {
+  std::filesystem::create_symlink("/dev/full", folder / "x.vdb");
+  std::filesystem::create_symlink("/dev/full", folder / "x.png");
+  std::filesystem::create_symlink("/dev/full", folder / "x.stl");
+  expect("drill " + kBlock + kBall + kLine + "--json /dev/full", kFailed, "not a regular file");
+  expect("drill " + kBlock + kBall + kLine + "--save " + path("x.vdb"), kFailed, "not a regular file");
+  expect("convert block " + path("x.vdb") + " --size_mm 1,1,1 --material dentin", kFailed, "not a regular file");
+#ifdef HAPTICUT_HAS_IO
+  expect("drill " + kBlock + kBall + kLine + "--picture " + path("x.png"), kFailed, "not a regular file");
+  expect("drill " + kBlock + kBall + kLine + "--surface " + path("x.stl"), kFailed, "not a regular file");
+#endif
+}
+
+TEST_F(Files, AreNotLeftHalfWritten) {
+  // On a full disk (no file may grow beyond a kilobyte): the old report stays, and no temporary file is left.
+  write_bytes(folder / "report.json", "old");
+  const std::string command = "drill " + kBlock + kBall + kLine + "--json " + path("report.json");
+  const std::string limited = "sh -c 'ulimit -f 1; trap \"\" XFSZ; exec " HAPTICUT_PROGRAM " " + command + "' >" +
+                              path("stdout") + " 2>" + path("stderr");
+  EXPECT_NE(std::system(limited.c_str()), 0);
+  EXPECT_EQ(test::read_bytes(folder / "report.json"), "old");
+  EXPECT_EQ(folder.file_count(), 3U);
+  EXPECT_NE(test::read_bytes(folder / "stderr").find("report.json"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hapticut::cli_errors_test

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program and files of other programs: volumes, meshes, pictures.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "hapticut/core/units.hpp"
+#include "support/program.hpp"
+#include "support/test_data.hpp"
+
+namespace hapticut::cli_files_test {
+namespace {
+
+using namespace test;
+using Drill = Program;
+using Inspect = Program;
+using Convert = Program;
+
+/// A volume of 12 x 10 x 8 samples, 0.5 mm apart: 0 but in the box 2 ... 9, 2 ... 7, 2 ... 5, where it is 500, and one
+/// loose sample of 900.
+void write_test_volume(const std::filesystem::path& path) {
+  std::string header =
+      "NRRD0004\ntype: short\ndimension: 3\nsizes: 12 10 8\nspacings: 0.5 0.5 0.5\n"
+      "encoding: raw\nendian: little\n\n";
+  for (int k = 0; k < 8; ++k)
+    for (int j = 0; j < 10; ++j)
+      for (int i = 0; i < 12; ++i) {
+        const bool inside = i >= 2 && i <= 9 && j >= 2 && j <= 7 && k >= 2 && k <= 5;
+        const int value = inside ? 500 : i == 11 && j == 9 && k == 7 ? 900 : 0;
+        header += char(value & 255);
+        header += char(value >> 8);
+      }
+  write_bytes(path, header);
+}
+
+TEST_F(Drill, LeavesASurfaceAndAPicture) {
+  (void)drill(kBlock + kBall + kGroove + "--save " + path("b.nrrd") + " --surface " + path("b.stl") + " --picture " +
+              path("b.png") + " --picture_view 0,1,-1");
+  EXPECT_TRUE(read_bytes(folder / "b.nrrd").starts_with("NRRD"));
+  EXPECT_TRUE(read_bytes(folder / "b.png").starts_with("\x89PNG"));
+  // The surface encloses what is left: a block of 108 mm^3 without the groove.
+  const Outcome outcome =
+      run("inspect " + path("b.stl") + " --material dentin --voxel_mm 0.2 --json " + path("i.json"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json left = read_json(folder / "report.json");
+  EXPECT_NEAR(read_json(folder / "i.json")["volume_mm3"]["dentin"].get<double>() /
+                  (108 - left["removed_volume_mm3"]["total"].get<double>()),
+              1, 0.02);  // edges are rounded over half a voxel
+}
+
+TEST_F(Convert, WritesSurfacesInColourOrNot) {
+  for (const char* name : {"m.stl", "m.ply"}) {
+    const Outcome outcome = run("convert molar " + path(name) + " --voxel_mm 0.5");
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_GT(std::filesystem::file_size(folder / name), 10000U);
+  }
+}
+
+TEST_F(Inspect, CountsTheGreyValuesOfAVolume) {
+  write_test_volume(folder / "v.nrrd");
+  const Outcome outcome = run("inspect " + path("v.nrrd") + " --threshold 500 --json " + path("i.json"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json report = read_json(folder / "i.json");
+  EXPECT_EQ(report["dims"], nlohmann::json({12, 10, 8}));
+  EXPECT_NEAR(report["spacing_mm"][2].get<double>(), 0.5, 1e-9);
+  EXPECT_EQ(report["voxels_at_or_above"], 8 * 6 * 4 + 1);
+  EXPECT_EQ(report["voxels"]["label 500"], 8 * 6 * 4);
+  EXPECT_EQ(report["memory_bytes"], 12 * 10 * 8 * 4);
+}
+
+TEST_F(Drill, CutsAVolumeOfGreyValues) {
+  write_test_volume(folder / "v.nrrd");
+  const std::string volume = "--workpiece " + path("v.nrrd") + " --voxel_mm 0.25 ";
+  const std::string plunge = "--path line --from_mm 2.75,2.25,4 --to_mm 2.75,2.25,2 --feed_mm_per_s 5 ";
+  const nlohmann::json all = drill(volume + "--grey cortical_bone=250: " + kBall + plunge);
+  const nlohmann::json largest = drill(volume + "--grey cortical_bone=250: --largest_component " + kBall + plunge);
+  const nlohmann::json cropped =
+      drill(volume + "--grey cortical_bone=250: --crop_mm 1.75,-1,-1,9,9,9 " + kBall + plunge);
+  const nlohmann::json graded = drill(volume + "--grade_low 250 --grade_high 900 --grade_at_low trabecular_bone " +
+                                      "--grade_at_high cortical_bone " + kBall + plunge);
+  const auto bone = [](const nlohmann::json& report) {
+    return report["workpiece"]["volume_mm3"]["cortical_bone"].get<double>();
+  };
+  EXPECT_GT(all["removed_volume_mm3"]["total"], 0);
+  EXPECT_GT(graded["removed_volume_mm3"]["total"], 0);
+  EXPECT_NEAR(bone(all) / 24, 1, 0.1);  // 8 x 6 x 4 samples of 0.125 mm^3; edges are rounded by interpolation
+  EXPECT_LT(bone(largest), bone(all));
+  EXPECT_LT(bone(cropped), 0.85 * bone(all));  // at x = 1.75 mm a quarter is cut off
+}
+
+TEST_F(Drill, CutsAVolumeOfLabels) {
+  write_test_volume(folder / "v.nrrd");
+  const nlohmann::json report =
+      drill("--workpiece " + path("v.nrrd") + " --label dentin=500 --label amalgam=900 " + kBall +
+            "--path line --from_mm 2.75,2.25,4 --to_mm 2.75,2.25,2 --feed_mm_per_s 5");
+  EXPECT_NEAR(report["workpiece"]["volume_mm3"]["dentin"].get<double>(), 24, 1e-9);
+  EXPECT_EQ(report["workpiece"]["voxels"]["amalgam"], 1);
+  EXPECT_GT(report["removed_volume_mm3"]["by_material"]["dentin"], 0);
+}
+/// A cube of 4 mm around the origin and one of 2 mm inside it, as two objects in millimetres.
+void write_nested_cubes(const std::filesystem::path& path) {
+  std::string text;
+  int first = 1;
+  for (const auto& [name, half] : {std::pair("Outer", 2), std::pair("Inner", 1)}) {
+    text += std::string("o ") + name + "\n";
+    for (int corner = 0; corner < 8; ++corner) {
+      text += "v";
+      for (int axis = 0; axis < 3; ++axis) text += ' ' + std::to_string((corner >> axis & 1) != 0 ? half : -half);
+      text += '\n';
+    }
+    for (const char* face : {"0264", "1573", "0451", "2376", "0132", "4675"}) {
+      text += "f";
+      for (int n = 0; n < 4; ++n) text += ' ' + std::to_string(first + face[n] - '0');
+      text += '\n';
+    }
+    first += 8;
+  }
+  write_bytes(path, text);
+}
+
+TEST_F(Inspect, FillsNestedShellsOfAMesh) {
+  write_nested_cubes(folder / "cubes.obj");
+  const std::string cubes = "inspect " + path("cubes.obj") + " --voxel_mm 0.25 --json " + path("i.json");
+  const double kRounding = 0.02;  // edges within half a voxel
+  Outcome outcome = run(cubes + " --shell dentin=Outer --shell pulp=Inner");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  nlohmann::json volumes = read_json(folder / "i.json")["volume_mm3"];
+  EXPECT_NEAR(volumes["dentin"].get<double>() / 56, 1, kRounding);
+  EXPECT_NEAR(volumes["pulp"].get<double>() / 8, 1, kRounding);
+
+  outcome = run(cubes + " --shell dentin=Outer --shell empty=Inner");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  volumes = read_json(folder / "i.json")["volume_mm3"];
+  EXPECT_NEAR(volumes["dentin"].get<double>() / 56, 1, kRounding);
+  EXPECT_EQ(volumes.size(), 1U);
+
+  outcome = run(cubes + " --shell dentin=Middle");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("there are Outer, Inner"), std::string::npos) << outcome.errors;
+  outcome = run(cubes + " --material dentin");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("several objects (Outer, Inner)"), std::string::npos) << outcome.errors;
+}
+
+/// A box of label 1 with a hole in its middle (label 0) that a canal, one sample wide, joins with the outside.
+void write_hollow_volume(const std::filesystem::path& path, bool with_canal) {
+  std::string bytes = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 14 14 14\nspacings: 0.5 0.5 0.5\nencoding: raw\n\n";
+  for (int k = 0; k < 14; ++k)
+    for (int j = 0; j < 14; ++j)
+      for (int i = 0; i < 14; ++i) {
+        const auto within = [&](int low, int high) {
+          return std::min({i, j, k}) >= low && std::max({i, j, k}) <= high;
+        };
+        const bool canal = with_canal && i == 6 && j == 6 && k > 6;
+        bytes += char(within(2, 11) && !within(5, 8) && !canal ? 1 : 0);
+      }
+  write_bytes(path, bytes);
+}
+
+TEST_F(Inspect, FillsTheCavitiesOfLabels) {
+  write_hollow_volume(folder / "closed.nrrd", false);
+  write_hollow_volume(folder / "open.nrrd", true);
+  const auto inspect = [&](const std::string& arguments) {
+    return run("inspect " + path(arguments.substr(0, arguments.find(' '))) + " --label dentin=1 --json " +
+               path("i.json") + arguments.substr(arguments.find(' ')));
+  };
+  Outcome outcome = inspect("closed.nrrd --fill_cavities pulp");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_EQ(read_json(folder / "i.json")["voxels"]["pulp"], 4 * 4 * 4);
+  EXPECT_EQ(read_json(folder / "i.json")["voxels"]["dentin"], 1000 - 64);
+
+  outcome = inspect("closed.nrrd --fill_cavities dentin");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_EQ(read_json(folder / "i.json")["voxels"]["dentin"], 1000);
+
+  outcome = inspect("open.nrrd --fill_cavities pulp");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("Set close_gaps_mm"), std::string::npos) << outcome.errors;
+
+  outcome = inspect("open.nrrd --fill_cavities pulp --close_gaps_mm 0.8");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_GE(read_json(folder / "i.json")["voxels"]["pulp"], 64);
+  EXPECT_EQ(read_json(folder / "i.json")["voxels"]["dentin"], 1000 - 64 - 3);
+
+  outcome = inspect("open.nrrd --close_gaps_mm 0.8");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("needs fill_cavities"), std::string::npos) << outcome.errors;
+}
+
+TEST_F(Inspect, ReadsAFileWithoutAHeader) {
+  std::string bytes = "head";
+  for (int n = 0; n < 4 * 3 * 2; ++n) bytes += {char(1), char(n)};  // 256 + n, highest byte first
+  write_bytes(folder / "v.raw", bytes);
+  const std::string raw = "inspect " + path("v.raw") + " --json " + path("i.json");
+  Outcome outcome = run(raw + " --raw_dims 4,3,2 --raw_type uint16 --raw_big_endian --raw_skip_bytes 4" +
+                        " --spacing_mm 0.5,0.6,0.7 --threshold 270");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json report = read_json(folder / "i.json");
+  EXPECT_EQ(report["dims"], nlohmann::json({4, 3, 2}));
+  EXPECT_EQ(report["lowest"], 256);
+  EXPECT_EQ(report["highest"], 256 + 23);
+  EXPECT_EQ(report["voxels_at_or_above"], 10);
+  EXPECT_NEAR(report["spacing_mm"][2].get<double>(), 0.7, 1e-9);
+  for (const auto& [arguments, part] :
+       {std::pair("", "needs all of workpiece.raw_dims"), std::pair("--raw_dims 4,3,2 --raw_type uint16", "spacing_mm"),
+        std::pair("--raw_dims 4,3,2 --raw_type short --spacing_mm 1,1,1", "must be uint8"),
+        std::pair("--raw_dims 4,3,2.5 --raw_type int8 --spacing_mm 1,1,1", "whole numbers"),
+        std::pair("--raw_dims 40,30,20 --raw_type int8 --spacing_mm 1,1,1", "v.raw")}) {
+    outcome = run(raw + " " + arguments);
+    EXPECT_EQ(outcome.code, 1) << arguments;
+    EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
+  }
+}
+
+TEST_F(Inspect, PicksASeriesOfADicomFolder) {
+  HAPTICUT_NEEDS_DATA("formats/example_ct_dicom");
+  const std::string folder_of_slices = "inspect " + data_path("formats/example_ct_dicom").string();
+  Outcome outcome = run(folder_of_slices + " --json " + path("i.json"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_EQ(read_json(folder / "i.json")["dims"][2], 20);
+  outcome = run(folder_of_slices + " --dicom_series 1.2.3");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("1.2.3"), std::string::npos) << outcome.errors;
+}
+
+TEST_F(Inspect, SaysWhereAVolumeIs) {
+  write_bytes(folder / "v.nrrd",
+              "NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 3 4\n"
+              "space directions: (0,1,0) (-2,0,0) (0,0,3)\nspace origin: (10,20,30)\nencoding: raw\n\n" +
+                  std::string(24, '\x05'));
+  const Outcome outcome = run("inspect " + path("v.nrrd") + " --json " + path("i.json"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json report = read_json(folder / "i.json");
+  EXPECT_EQ(report["pose"]["position_mm"], nlohmann::json({10, 20, 30}));
+  EXPECT_EQ(report["pose"]["rotation"], nlohmann::json({{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}));
+  // Along W's x lie three samples of 2 mm, backwards from 10; along y two of 1 mm, from 20.
+  EXPECT_NEAR(report["box"]["min_mm"][0].get<double>(), 10 - 5, 1e-9);
+  EXPECT_NEAR(report["box"]["max_mm"][0].get<double>(), 10 + 1, 1e-9);
+  EXPECT_NEAR(report["box"]["min_mm"][1].get<double>(), 20 - 0.5, 1e-9);
+  EXPECT_NEAR(report["box"]["max_mm"][1].get<double>(), 20 + 1.5, 1e-9);
+  EXPECT_NEAR(report["box"]["max_mm"][2].get<double>(), 30 + 10.5, 1e-9);
+  EXPECT_NE(outcome.out.find("axes turned"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Convert, TurnsAGridOfAnotherProgramIntoAWorkpiece) {
+  HAPTICUT_NEEDS_DATA("vdb/sphere.vdb");
+  const std::string sphere = data_path("vdb/sphere.vdb").string();
+  Outcome outcome = run("convert " + sphere + " " + path("ball.vdb") + " --material dentin --unit_mm 0.5");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  ASSERT_EQ(run("inspect " + path("ball.vdb") + " --json " + path("i.json")).code, 0);
+  const double ball = 4.0 / 3 * units::kPi * 1.5 * 1.5 * 1.5;  // a radius of 3 units
+  EXPECT_NEAR(read_json(folder / "i.json")["volume_mm3"]["dentin"].get<double>() / ball, 1, 1e-3);
+  outcome = run("convert " + sphere + " " + path("other.vdb") + " --material dentin --grid density");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.errors.find("'ls_sphere' (float)"), std::string::npos) << outcome.errors;
+  outcome = run("convert " + sphere + " " + path("other.vdb"));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder / "other.vdb"));
+}
+
+}  // namespace
+}  // namespace hapticut::cli_files_test

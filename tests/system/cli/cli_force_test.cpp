@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+// Force laws, friction, handle torque and effects on the command line: each setting arrives, and a wrong one is named.
+#include <cmath>
+
+#include "support/program.hpp"
+
+namespace hapticut::cli_force_test {
+namespace {
+
+using test::Outcome;
+using test::write_bytes;
+
+const std::string kDown = "--path line --from_mm 3,3,3.1 --to_mm 3,3,2.6 --feed_mm_per_s 5 ";
+constexpr double kDigits = 1e-5;  // of a file with six of them
+const std::string kStanding = "--head sphere --radius_mm 1 --spindle_rpm 0 ";
+
+class ForceSettings : public test::Program {
+ protected:
+  /// Largest force of a ball, cone or flat head that is driven into bone.
+  double pressed(const std::string& settings, const std::string& head = test::kSpinningBall) {
+    return drill(test::kBlock + head + kDown + settings)["force_N"]["max"];
+  }
+  std::map<std::string, std::vector<double>> steps(const std::string& settings, const std::string& head,
+                                                   const std::string& way = kDown) {
+    (void)drill(test::kBlock + head + way + settings + " --steps_csv " + path("s.csv"));
+    return test::read_csv(test::read_bytes(path("s.csv")));
+  }
+  void expect_failure(const std::string& settings, const std::vector<std::string>& words) {
+    const Outcome outcome = run("drill " + test::kBlock + test::kSpinningBall + kDown + settings);
+    EXPECT_NE(outcome.code, 0) << settings;
+    for (const std::string& word : words)
+      EXPECT_NE(outcome.errors.find(word), std::string::npos) << outcome.errors << " lacks: " << word;
+  }
+  /// The same of a settings file, whose message begins with file and line.
+  void expect_failure_in_file(const std::string& toml, int line, const std::string& words) {
+    write_bytes(folder / "s.toml", toml);
+    const Outcome outcome = run("drill --settings " + path("s.toml"));
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.errors.find(path("s.toml") + ":" + std::to_string(line) + ": " + words), std::string::npos)
+        << outcome.errors;
+  }
+};
+using EffectsSettings = ForceSettings;
+
+TEST_F(ForceSettings, EveryLawIsChosenAndTakesItsConstants) {
+  EXPECT_EQ(pressed("--law foundation"), pressed(""));
+  // Forces that are proportional to a constant say that it has arrived.
+  EXPECT_NEAR(pressed("--law contact_mechanics --effective_modulus_Pa 4e6 --removal none") /
+                  pressed("--law contact_mechanics --effective_modulus_Pa 2e6 --removal none"),
+              2, 1e-6);
+  EXPECT_NEAR(pressed("--law hertzian_burr --burr_stiffness_Pa 4e6 --removal none") /
+                  pressed("--law hertzian_burr --burr_stiffness_Pa 2e6 --removal none"),
+              2, 1e-6);
+  EXPECT_NEAR(pressed("--law damping_matrix --resistance_Ns_per_m3 4e8 --removal none") /
+                  pressed("--law damping_matrix --resistance_Ns_per_m3 2e8 --removal none"),
+              2, 1e-6);
+  const std::string drill = "--head twist_drill --diameter_mm 2 --length_mm 5 --spindle_rpm 3000 ";
+  EXPECT_NEAR(pressed("--law twist_drill --chip_energy_J_per_m3 4e8 --removal none", drill) /
+                  pressed("--law twist_drill --chip_energy_J_per_m3 2e8 --removal none", drill),
+              2, 1e-6);
+  // k_i = k_v l0^2
+  EXPECT_NEAR(pressed("--law thesis --thesis_voxel_mm 0.2 --removal none") /
+                  pressed("--law thesis --thesis_voxel_mm 0.1 --removal none"),
+              4, 1e-6);
+  EXPECT_GT(pressed("--law thesis --thesis_damping_Ns_per_m 1e-3 --removal none"),
+            pressed("--law thesis --removal none"));
+  EXPECT_GT(pressed("--law thesis --thesis_required_power 1"), pressed("--law thesis --thesis_required_power 0"));
+}
+
+TEST_F(ForceSettings, TheThesissSpinTorqueTakesItsConstants) {
+  const auto torque = [&](const std::string& settings) {
+    const auto columns = steps("--law thesis --removal none " + settings, test::kSpinningBall);
+    return -columns.at("torque_z_Nmm").back();
+  };
+  const double base = torque("--thesis_spin_torque 0.1");
+  EXPECT_NEAR(torque("--thesis_spin_torque 0.2") / base, 2, 1e-3);
+  EXPECT_NEAR(torque("--thesis_spin_torque 0.1 --thesis_spin_exponent 0.5") / base,
+              std::sqrt(30000 * std::acos(-1.0) / 30), 0.1);
+}
+
+TEST_F(ForceSettings, FrictionOfTheStandingSpindleIsThatGiven) {
+  const std::string drag = "--path line --from_mm 1.5,3,2.7 --to_mm 4.5,3,2.7 --feed_mm_per_s 20 ";
+  const auto ratio = [&](const std::string& settings) {
+    const auto columns = steps(settings, kStanding, drag);
+    return -columns.at("force_x_N").back() / columns.at("force_z_N").back();
+  };
+  EXPECT_NEAR(ratio(""), 0.3, 0.02) << "that of the material";
+  EXPECT_NEAR(ratio("--static_friction 0.6"), 0.6, 0.03);
+  EXPECT_NEAR(ratio("--static_friction 0.6 --dynamic_friction 0.2"), 0.2, 0.02);
+  EXPECT_NEAR(ratio("--dynamic_friction 0.5"), 0.5, 0.03);
+}
+
+TEST_F(ForceSettings, DeepContactMayBeSwitchedOff) {
+  const std::string deep = "--path line --from_mm 3,3,3.1 --to_mm 3,3,1.2 --feed_mm_per_s 20 --removal none ";
+  const double on = steps("", kStanding, deep).at("force_z_N").back();
+  const double off = steps("--deep_contact=false", kStanding, deep).at("force_z_N").back();
+  EXPECT_GT(on, 2 * off);
+}
+
+TEST_F(ForceSettings, TheTorqueAtTheHandMayBeThatOfTheThesis) {
+  const std::string handle = test::kSpinningBall + "--handle ray --handle_length_mm 100 ";
+  const std::string side = "--path line --from_mm -2,3,2.5 --to_mm 3,3,2.5 --feed_mm_per_s 20 ";
+  const auto full = steps("", handle, side), ray = steps("--handle_torque thesis", handle, side);
+  EXPECT_GT(std::abs(full.at("torque_y_Nmm").back()), 0.1);
+  EXPECT_NEAR(ray.at("torque_y_Nmm").back(), 0, 1e-9);
+  const std::string bent = test::kSpinningBall + "--handle L --handle_length_mm 50 --handle_neck_mm 10 ";
+  const auto one = steps("--handle_torque thesis", bent, side),
+             two = steps("--handle_torque thesis --handle_torque_scale 2", bent, side);
+  EXPECT_NEAR(two.at("torque_y_Nmm").back() / one.at("torque_y_Nmm").back(), 2, kDigits);
+  expect_failure("--handle_torque_scale 2",
+                 {"force.handle_torque_scale = 2; must be left out, because the full wrench has none",
+                  "choose --handle_torque thesis"});
+}
+
+TEST_F(ForceSettings, AHeadWithoutAFormulaAndConstantsOfAnotherLawAreRefused) {
+  expect_failure("--law twist_drill", {"was given a sphere of radius 1 mm", "no point angle", "a cone, a flat head"});
+  expect_failure("--law contact_mechanics", {"force.effective_modulus_Pa is missing", "--effective_modulus_Pa"});
+  expect_failure("--law thesis --effective_modulus_Pa 1e6",
+                 {"force.effective_modulus_Pa = 1e+06", "the thesis has none", "choose --law contact_mechanics"});
+  expect_failure("--burr_stiffness_Pa 1e6",
+                 {"force.burr_stiffness_Pa = 1e+06; must be left out, because the foundation law has none",
+                  "choose --law hertzian_burr"});
+  expect_failure("--law springs", {"--law springs: must be one of foundation, thesis,"});
+  expect_failure("--static_friction 0.2 --dynamic_friction 0.3",
+                 {"force.dynamic_friction = 0.3; must be at most force.static_friction = 0.2"});
+}
+
+TEST_F(ForceSettings, InAFileAreRefusedWithLineKeyAndRange) {
+  expect_failure_in_file("[force]\nlaw = \"springs\"\n", 2, "force.law: must be one of foundation, thesis,");
+  expect_failure_in_file("[force]\nlaw = \"thesis\"\nthesis_spin_exponent = 11\n", 3,
+                         "force.thesis_spin_exponent: must be a number from -10 to 10, not 11.");
+  expect_failure_in_file("[force]\nstatic_friction = -0.1\n", 2,
+                         "force.static_friction: must be a number >= 0, not -0.1.");
+  expect_failure_in_file("[force]\ndeep_contact = 1\n", 2, "force.deep_contact: must be true or false, not a number.");
+  expect_failure_in_file("[force]\nfriction = 1\n", 2, "force.friction: there is no such setting.");
+  expect_failure_in_file("[effects]\n\nvibration_Hz = 0\n", 3, "effects.vibration_Hz: must be a number > 0, not 0.");
+  expect_failure_in_file("[effects]\nforce_axes = [1, 2, 0]\n", 2,
+                         "effects.force_axes: must be 3 numbers, each 0 or 1");
+  expect_failure_in_file("[effects]\nlargest_force_N = \"3 N\"\n", 2,
+                         "effects.largest_force_N: must be a number > 0, not the text \"3 N\".");
+}
+
+// The flag is the library's thesis_mode: law, handle torque, friction, quadrature, filter.
+TEST_F(ForceSettings, ThesisModeIsAllOfItsPartsTogether) {
+  const std::string bent = test::kSpinningBall + "--handle L --handle_length_mm 50 --handle_neck_mm 10 ";
+  const auto mode = steps("--thesis_mode", bent);
+  const auto parts = steps(
+      "--law thesis --handle_torque thesis --quadrature voxel_center --static_friction 0.3 --dynamic_friction 0.3 "
+      "--thesis_filter",
+      bent);
+  ASSERT_EQ(mode.size(), parts.size());
+  for (const auto& [name, column] : parts) EXPECT_EQ(mode.at(name), column) << name;
+  EXPECT_NE(mode.at("force_z_N"), steps("", bent).at("force_z_N"));
+  // What is set on its own counts, and from 1112 Hz on it shakes.
+  const auto exact = steps("--thesis_mode --handle_torque full_wrench", bent);
+  EXPECT_EQ(exact.at("force_z_N"), mode.at("force_z_N"));
+  EXPECT_NE(exact.at("torque_z_Nmm"), mode.at("torque_z_Nmm"));
+  const auto shaken = steps("--thesis_mode --rate 2000", bent), still = steps("--thesis_mode --rate 1100", bent);
+  EXPECT_EQ(steps("--thesis_mode --rate 2000 --vibration_Hz 500 --vibration_N 0.3", bent), shaken);
+  EXPECT_NE(steps("--thesis_mode --rate 2000 --vibration_N 0", bent), shaken);
+  EXPECT_FALSE(still.empty());
+}
+
+TEST_F(EffectsSettings, ArriveInTheForceThatTheHandFeels) {
+  const auto columns = steps("--mass_kg 0.1 --center_of_mass_mm 0,0,-50 --tool_axis 1,0,0 --point head", kStanding,
+                             "--path line --from_mm 3,3,9 --to_mm 4,3,9 --feed_mm_per_s 20 ");
+  EXPECT_NEAR(columns.at("force_z_N").back(), -0.980665, 1e-9);
+  // The handle's z lies along x of the world: the weight acts 50 mm before it.
+  EXPECT_NEAR(std::abs(columns.at("torque_y_Nmm").back()), 0.980665 * 50, 50 * kDigits);
+  const auto up = steps("--mass_kg 0.1 --gravity_m_per_s2 0,2,0", kStanding,
+                        "--path line --from_mm 3,3,9 --to_mm 4,3,9 --feed_mm_per_s 20 ");
+  EXPECT_NEAR(up.at("force_y_N").back(), 0.2, 1e-9);
+}
+
+TEST_F(EffectsSettings, VibrationShakesWhileItCuts) {
+  const auto still = steps("", test::kBall), shaken = steps("--vibration_Hz 150 --vibration_N 0.4", test::kBall);
+  double largest = 0;
+  for (std::size_t i = 0; i < still.at("force_z_N").size(); ++i)
+    largest = std::max(largest, std::abs(shaken.at("force_z_N")[i] - still.at("force_z_N")[i]));
+  EXPECT_GT(largest, 0.38);
+  EXPECT_LE(largest, 0.4 + kDigits);
+  const auto grown =
+      steps("--vibration_Hz 150 --vibration_N 0 --vibration_N_per_W 1e9 --vibration_largest_N 0.1", test::kBall);
+  largest = 0;
+  for (std::size_t i = 0; i < still.at("force_z_N").size(); ++i)
+    largest = std::max(largest, std::abs(grown.at("force_z_N")[i] - still.at("force_z_N")[i]));
+  EXPECT_NEAR(largest, 0.1, 0.01);
+  expect_failure("--vibration_Hz 500", {"effects.vibration_Hz = 500", "below 450", "simulation.rate_Hz = 1000"});
+  EXPECT_EQ(run("drill " + test::kBlock + test::kBall + kDown + "--rate 2000 --vibration_Hz 500").code, 0);
+  expect_failure("--vibration_Hz 100 --vibration_N 1 --vibration_largest_N 0.5",
+                 {"effects.vibration_N = 1", "effects.vibration_largest_N = 0.5"});
+  expect_failure("--vibration_N 1",
+                 {"effects.vibration_N = 1; must be left out, because a tool without effects.vibration_Hz has none",
+                  "set --vibration_Hz"});
+}
+
+TEST_F(EffectsSettings, FilterAxesAndLimitsShapeTheOutput) {
+  const auto plain = steps("", test::kBall);
+  const auto axes = steps("--force_axes 1,1,0 --torque_axes 0,0,0", test::kBall);
+  for (const double force : axes.at("force_z_N")) EXPECT_EQ(force, 0);
+  for (const double torque : axes.at("torque_z_Nmm")) EXPECT_EQ(torque, 0);
+
+  const auto limited = steps("--largest_force_N 0.5 --largest_torque_Nmm 0.01", test::kBall);
+  EXPECT_GT(*std::max_element(plain.at("force_z_N").begin(), plain.at("force_z_N").end()), 0.6);
+  for (const double force : limited.at("force_z_N")) EXPECT_LE(force, 0.5 + 1e-9);
+  for (const double torque : limited.at("torque_z_Nmm")) EXPECT_LE(std::abs(torque), 0.01 + 1e-9);
+
+  const auto slow = steps("--force_growth_N_per_s 10 --torque_growth_Nmm_per_s 0.1", test::kBall);
+  for (std::size_t i = 1; i < slow.at("force_z_N").size(); ++i) {
+    EXPECT_LE(slow.at("force_z_N")[i] - slow.at("force_z_N")[i - 1], 0.01 + 1e-6);
+    EXPECT_LE(std::abs(slow.at("torque_z_Nmm")[i]) - std::abs(slow.at("torque_z_Nmm")[i - 1]), 1e-4 + 1e-9);
+  }
+  const auto ramp = steps("--ramp_s 100", test::kBall);
+  EXPECT_LT(ramp.at("force_z_N").back(), 0.01 * plain.at("force_z_N").back());
+
+  const auto lagging = steps("--thesis_filter --filter_delta_N 0.01 --filter_epsilon_N 0.002", test::kBall);
+  EXPECT_LT(*std::max_element(lagging.at("force_z_N").begin(), lagging.at("force_z_N").end()),
+            *std::max_element(plain.at("force_z_N").begin(), plain.at("force_z_N").end()));
+  expect_failure("--thesis_filter --filter_delta_N 0.01 --filter_epsilon_N 0.02",
+                 {"effects.filter_epsilon_N = 0.02", "effects.filter_delta_N = 0.01"});
+  expect_failure("--filter_delta_N 1", {"effects.filter_delta_N = 1; must be left out", "set --thesis_filter"});
+  expect_failure("--thesis_filter --filter_delta_N 0", {"--filter_delta_N 0: must be a number > 0."});
+}
+
+TEST_F(ForceSettings, ArriveBehindTheCouplingToo) {
+  const std::string press = "loop mock:press --simulated_time --seconds 2 --coupling virtual --removal none ";
+  const auto pressed = [&](const std::string& law) {
+    const Outcome outcome = run(press + law + " --json " + path("l.json"));
+    EXPECT_EQ(outcome.code, 0) << law << outcome.errors;
+    return test::read_json(folder / "l.json")["force_N"]["largest_commanded"].get<double>();
+  };
+  // The screen that looks at the loop sees only some ticks, but the last one always: still pressed, at three times the
+  // force.
+  EXPECT_GT(pressed("--law hertzian_burr --burr_stiffness_Pa 1e7"),
+            1.5 * pressed("--law hertzian_burr --burr_stiffness_Pa 1e5"));
+  EXPECT_EQ(run(press + "--law hertzian_burr").code, 1) << "a constant is missing";
+}
+
+#ifdef HAPTICUT_HAS_IO
+TEST_F(ForceSettings, ARecordingOfAnotherLawReplaysWithThatLaw) {
+  (void)drill(test::kBlock + test::kSpinningBall + kDown + "--law hertzian_burr --burr_stiffness_Pa 3e6 --record " +
+              path("r.h5"));
+  EXPECT_NE(run("replay " + path("r.h5")).errors.find("a force law of its own"), std::string::npos);
+  EXPECT_EQ(run("replay " + path("r.h5") + " --law hertzian_burr --burr_stiffness_Pa 3e6").code, 0);
+  EXPECT_EQ(run("replay " + path("r.h5") + " --law hertzian_burr --burr_stiffness_Pa 2e6").code, 1);
+}
+#endif
+
+}  // namespace
+}  // namespace hapticut::cli_force_test

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// hapticut loop, run as a user runs it.
+#include <gtest/gtest.h>
+
+#include "support/program.hpp"
+
+namespace hapticut::cli_loop_test {
+namespace {
+
+using namespace test;
+
+const std::string kCoarse = "--workpiece block --size_mm 24,24,8 --material cortical_bone --voxel_mm 0.3 ";
+
+class Loop : public Program {
+ protected:
+  nlohmann::json loop(const std::string& arguments) {
+    const Outcome outcome = run("loop " + arguments + " --json " + path("loop.json"));
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "");
+    return outcome.code == 0 ? read_json(folder / "loop.json") : nlohmann::json();
+  }
+};
+
+TEST_F(Loop, CutsWithAMockDeviceAndReportsEveryField) {
+  const nlohmann::json report = loop("mock:spiral --seconds 4 --simulated-time " + kCoarse);
+  for (const char* pointer :
+       {"/device/model", "/rate_Hz", "/missed_ticks", "/end", "/wake_up_us/p99", "/compute_us/p999",
+        "/compute_us/buckets", "/deadline_misses", "/safety_events/engaged", "/safety_log/0/event", "/graphics/frames",
+        "/force_N/largest_applied", "/workpiece/dims/2", "/build/version", "/warnings"})
+    EXPECT_TRUE(report.contains(nlohmann::json::json_pointer(pointer))) << pointer;
+  EXPECT_EQ(report["ticks"], 4001);
+  EXPECT_EQ(report["steps"], 4001);
+  EXPECT_GT(report["removed_volume_mm3"], 5);
+  EXPECT_LE(report["force_N"]["largest_applied"], report["device"]["peak_force_N"]);
+  EXPECT_EQ(report["safety_events"]["engaged"], 1);
+  EXPECT_GT(report["graphics"]["blocks"], 10);
+  std::uint64_t counted = 0;
+  for (const auto& bucket : report["compute_us"]["buckets"]) counted += bucket[1].get<std::uint64_t>();
+  EXPECT_EQ(counted + report["compute_us"]["longer_than_2_ms"].get<std::uint64_t>(), report["compute_us"]["count"]);
+}
+
+TEST_F(Loop, RunsInRealTimeAndReportsHowLateItWokeUp) {
+  const nlohmann::json report = loop("mock:circle --seconds 0.5 " + kCoarse);
+  EXPECT_EQ(report["wake_up_us"]["count"].get<std::uint64_t>() >= report["ticks"].get<std::uint64_t>(), true);
+  EXPECT_GT(report["ticks"], 0);
+  EXPECT_GT(report["wake_up_us"]["max"], 0);
+}
+
+TEST_F(Loop, DrivesATouchWhereTheProgramWasBuiltWithItsSdk) {
+  const Outcome outcome =
+      run_program(folder, "loop openhaptics --seconds 0.3 --json " + path("loop.json") + " " + kCoarse,
+                  HAPTICUT_PROGRAM_WITH_TOUCH);
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json report = read_json(folder / "loop.json");
+  EXPECT_EQ(report["device"]["peak_force_N"], 3.3);
+  EXPECT_GT(report["ticks"], 0);
+  EXPECT_EQ(report["safety_events"]["armed"], 1);
+  EXPECT_EQ(report["coupling"], "virtual");
+  const Outcome without = run("loop openhaptics");
+  EXPECT_EQ(without.code, 1);
+  EXPECT_NE(without.errors.find("install 3D Systems OpenHaptics"), std::string::npos) << without.errors;
+}
+
+TEST_F(Loop, DrivesAnOmegaWhereTheProgramWasBuiltWithItsSdk) {
+  const Outcome outcome =
+      run_program(folder, "loop forcedimension:omega.6 --seconds 0.3 --json " + path("loop.json") + " " + kCoarse,
+                  HAPTICUT_PROGRAM_WITH_OMEGA);
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json report = read_json(folder / "loop.json");
+  EXPECT_EQ(report["device"]["peak_force_N"], 12);
+  EXPECT_GT(report["ticks"], 0);
+  EXPECT_EQ(report["safety_events"]["armed"], 1);
+  EXPECT_EQ(report["coupling"], "virtual");
+  const Outcome without = run("loop forcedimension");
+  EXPECT_EQ(without.code, 1);
+  EXPECT_NE(without.errors.find("install the Force Dimension SDK"), std::string::npos) << without.errors;
+}
+
+TEST_F(Loop, CutsHardBoneBehindItsCouplingUnlessItIsToldOtherwise) {
+  const auto is_too_soft = [&](const std::string& more) {
+    const nlohmann::json report = loop("mock:spiral,hand=nominal --seconds 5 --simulated-time" + more);
+    return report["warnings"].dump().find("too soft") != std::string::npos;
+  };
+  EXPECT_FALSE(is_too_soft(""));
+  EXPECT_TRUE(is_too_soft(" --reference-stiffness 1e13"));
+}
+
+#ifdef HAPTICUT_HAS_IO
+// As Ctrl-C does: the signal comes while the loop runs, for its recording has steps.
+TEST_F(Loop, ReportsAndClosesItsRecordingWhenASignalEndsIt) {
+  const std::string program = HAPTICUT_PROGRAM, recording = path("a.h5");
+  for (const bool has_an_end : {false, true}) {
+    const std::string script = program + " loop mock:spiral --simulated-time --seconds " + (has_an_end ? "1e6" : "0") +
+                               " --record " + recording + " --json " + path("loop.json") + " " + kCoarse +
+                               " & p=$!; while ! " + program + " replay " + recording +
+                               " >/dev/null 2>&1 && kill -0 $p; do sleep 0.05; done; kill -TERM $p; wait $p";
+    std::ofstream(folder / "run.sh") << script;
+    const Outcome outcome = run_program(folder, path("run.sh"), "sh");
+    EXPECT_EQ(outcome.code, has_an_end ? 1 : 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors.find("ended by signal 15") != std::string::npos, has_an_end) << outcome.errors;
+    EXPECT_GT(read_json(folder / "loop.json")["ticks"], 0);
+    EXPECT_NE(outcome.out.find("stopped"), std::string::npos) << outcome.out;
+    const Outcome replayed = run("replay " + recording);
+    EXPECT_EQ(replayed.code, 0) << replayed.errors;
+    EXPECT_EQ(replayed.out.find("has no end"), std::string::npos) << replayed.out;
+    std::filesystem::remove(recording);
+  }
+}
+#endif
+
+TEST_F(Loop, RefusesWhatItCannotDo) {
+  EXPECT_EQ(run("loop").code, 2);
+  const Outcome unknown = run("loop falcon --seconds 1");
+  EXPECT_EQ(unknown.code, 1);
+  EXPECT_NE(unknown.errors.find("mock:PATH"), std::string::npos) << unknown.errors;
+  std::ofstream(folder / "file") << "no folder";
+  EXPECT_EQ(run("loop mock:spiral --seconds 1 --record " + path("file/folder.h5")).code, 1);
+}
+
+TEST_F(Loop, HasACouplingWhereTheDeviceNeedsOne) {
+  const std::string arguments =
+      "mock:press,hand=nominal --seconds 3 --simulated-time --reference-stiffness 1e15 " + kCoarse;
+  const nlohmann::json coupled = loop(arguments);
+  EXPECT_EQ(coupled["coupling"], "virtual");
+  const nlohmann::json direct = loop(arguments + "--coupling none");
+  EXPECT_EQ(direct["coupling"], "none");
+  const auto warns = [](const nlohmann::json& report) {
+    return report["warnings"].dump().find("driven directly") != std::string::npos;
+  };
+  EXPECT_FALSE(warns(coupled));
+  EXPECT_TRUE(warns(direct));
+}
+
+#ifdef HAPTICUT_HAS_IO
+TEST_F(Loop, RecordsWhatReplaysAndPlaysBackWithTheSameResult) {
+  const nlohmann::json first =
+      loop("mock:spiral,hand=nominal --seconds 4 --simulated-time --record " + path("a.h5") + " " + kCoarse);
+  ASSERT_EQ(first["steps_lost_by_recorder"], 0);
+  EXPECT_EQ(run("replay " + path("a.h5")).code, 0);
+  const nlohmann::json again =
+      loop("replay:" + path("a.h5") + " --simulated-time --record " + path("b.h5") + " " + kCoarse);
+  EXPECT_EQ(again["removed_volume_mm3"], first["removed_volume_mm3"]);
+  EXPECT_EQ(run("export " + path("a.h5") + " " + path("a.csv")).code, 0);
+  EXPECT_EQ(run("export " + path("b.h5") + " " + path("b.csv")).code, 0);
+  EXPECT_EQ(read_bytes(folder / "a.csv"), read_bytes(folder / "b.csv"));
+  EXPECT_GT(read_bytes(folder / "a.csv").size(), 1000000U);
+}
+#endif
+
+}  // namespace
+}  // namespace hapticut::cli_loop_test

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// hapticut inspect and convert, and what all subcommands share.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "hapticut/core/units.hpp"
+#include "support/program.hpp"
+
+namespace hapticut::cli_test {
+namespace {
+
+using namespace test;
+using Inspect = Program;
+using Convert = Program;
+
+TEST_F(Inspect, CountsWhatABlockHolds) {
+  const Outcome outcome =
+      run("inspect block --size_mm 2,3,4 --voxel_mm 0.1 --material dentin --json " + path("i.json"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json report = read_json(folder / "i.json");
+  EXPECT_EQ(report["dims"], nlohmann::json({20, 30, 40}));
+  EXPECT_NEAR(report["spacing_mm"][1].get<double>(), 0.1, 1e-12);
+  EXPECT_EQ(report["voxels"]["dentin"], 24000);
+  EXPECT_NEAR(report["volume_mm3"]["dentin"].get<double>(), 24, 1e-9);
+  EXPECT_GT(report["memory_bytes"], 0);
+}
+
+TEST_F(Inspect, SaysWhereAWorkpieceIs) {
+  ASSERT_EQ(run("inspect block --size_mm 2,3,4 --voxel_mm 0.1 --material dentin --json " + path("i.json")).code, 0);
+  const nlohmann::json report = read_json(folder / "i.json");
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(report["box"]["min_mm"][axis].get<double>(), 0, 1e-9);
+    EXPECT_NEAR(report["box"]["max_mm"][axis].get<double>(), 2 + axis, 1e-9);
+  }
+  EXPECT_EQ(report["pose"]["rotation"][1], nlohmann::json({0, 1, 0}));
+}
+
+TEST_F(Inspect, KnowsTheMolar) {
+  const Outcome outcome = run("inspect molar --voxel_mm 0.5 --json " + path("i.json"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json report = read_json(folder / "i.json");
+  for (const char* material : {"enamel", "dentin", "pulp"}) EXPECT_GT(report["volume_mm3"][material], 10) << material;
+}
+
+TEST_F(Convert, KeepsAWorkpieceInVdb) {
+  const Outcome outcome = run("convert block " + path("b.vdb") + " --size_mm 2,3,4 --voxel_mm 0.1 --material dentin");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  ASSERT_EQ(run("inspect " + path("b.vdb") + " --json " + path("i.json")).code, 0);
+  EXPECT_EQ(read_json(folder / "i.json")["voxels"]["dentin"], 24000);
+}
+
+TEST_F(Program, HelpsAndSaysItsVersion) {
+  for (const char* command : {"", "drill ", "inspect ", "convert ", "validate ", "calibrate "}) {
+    const Outcome outcome = run(std::string(command) + "--help");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.out.find("Usage: hapticut"), std::string::npos);
+  }
+  EXPECT_EQ(run("--version").out, HAPTICUT_PROGRAM_VERSION "\n");
+}
+
+}  // namespace
+}  // namespace hapticut::cli_test

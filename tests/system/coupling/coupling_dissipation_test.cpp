@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// The coupling where the contact itself dissipates: Hunt-Crossley damping, sticking and slipping, rubbing and cutting.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "support/coupling.hpp"
+
+namespace hapticut::coupling_dissipation_test {
+namespace {
+
+using namespace test;
+using units::mm;
+
+struct Stroke {
+  double least_hand_work = 0;     // [J] the lowest that the sum of the hand's work ever was
+  double greatest_imbalance = 0;  // [J] of the coupling's ledger
+  double rebound = 0;             // [m/s] greatest speed upwards while the hand comes down
+  double jitter = 0;              // [m] along x while the hand rests
+  double sideways = 0;            // [N] greatest on the hand
+  int changes = 0;                // between sticking and sliding
+};
+
+/// The hand comes down on the surface, rests, moves 3 mm sideways, rests, and goes up again.
+Stroke stroke(VirtualCoupling& coupling, double force) {
+  Stroke seen;
+  const double start = kRadius + 0.5 * mm, pressed = kRadius - force / coupling.gains().stiffness;
+  Vec3 hand(0, 0, start), last = hand;
+  double low = 1, high = -1;
+  bool was_moving = false;
+  for (int n = 0; n < 4000; ++n) {
+    if (n < 1000)
+      hand.z() = std::max(pressed, start - kApproach * n * kTick);
+    else if (n < 2500)
+      hand.x() = 2e-3 * (n - 1000) * kTick;
+    else if (n >= 3500)
+      hand.z() = std::min(start, hand.z() + kApproach * kTick);
+    const CoupledResult& result =
+        coupling.step(Pose::from_translation(kAside + hand), {(hand - last) / kTick, Vec3::Zero()}, kTick);
+    last = hand;
+    seen.least_hand_work = std::min(seen.least_hand_work, result.energy.hand_work);
+    seen.greatest_imbalance = std::max(seen.greatest_imbalance, std::abs(result.energy.imbalance()));
+    if (n < 1000) seen.rebound = std::max(seen.rebound, result.velocity.linear.z());
+    if (n >= 1000 && n < 2500) {
+      seen.sideways = std::max(seen.sideways, -result.coupling.force.x());
+      const bool moving = result.velocity.linear.x() > 1e-3;
+      seen.changes += moving != was_moving;
+      was_moving = moving;
+    }
+    if (n >= 3000 && n < 3400) {
+      low = std::min(low, result.X_WH.translation.x());
+      high = std::max(high, result.X_WH.translation.x());
+    }
+  }
+  seen.jitter = high - low;
+  return seen;
+}
+
+Material material(double damping, double friction_stiffness) {
+  Material m = plain_material();
+  m.damping = damping;
+  m.static_friction = 0.4;
+  m.dynamic_friction = 0.25;
+  m.tangential_stiffness = friction_stiffness;
+  return m;
+}
+
+/// k_v [N/m^4], chi [s/m]
+class DampedContact : public testing::TestWithParam<std::tuple<double, double>> {};
+
+TEST_P(DampedContact, IsStableAndPassiveUnderAHandThatStrikesRubsAndLeaves) {
+  const auto [k, chi] = GetParam();
+  for (const double friction_stiffness : {1e3, 1e6}) {
+    Simulation simulation(half_space(4 * mm, material(chi, friction_stiffness)), ball(), implicit(k));
+    VirtualCoupling coupling(simulation, {});
+    const Stroke seen = stroke(coupling, 3);
+    std::ostringstream at;
+    at << "k_v " << k << ", chi " << chi << ", k_t " << friction_stiffness;
+    EXPECT_GE(seen.least_hand_work, 0) << at.str() << ": the hand never gets back more than it gave";
+    EXPECT_LT(seen.rebound, 0.5 * kApproach) << at.str();
+    EXPECT_LT(seen.jitter, 1e-8) << at.str();
+    EXPECT_GT(seen.sideways, 0.25 * 2) << at.str() << ": friction is felt";
+    EXPECT_LT(seen.sideways, 0.45 * 3) << at.str() << ": and never beyond its cone";
+    const CouplingEnergy& energy = coupling.last_result().energy;
+    EXPECT_GE(energy.damper, 0);
+    EXPECT_GE(energy.implicit, 0);
+    EXPECT_GT(energy.tool_work, 0) << at.str() << ": what the contact took in it has kept";
+    EXPECT_LT(std::abs(energy.closure()), 1e-3) << at.str();
+    EXPECT_LT(seen.greatest_imbalance, 1e-3 * energy.hand_work) << at.str();
+    EXPECT_LT(std::abs(simulation.last_result().energy.closure()), 1e-5) << at.str();
+  }
+}
+
+TEST_P(DampedContact, CutsWithAClosedLedger) {
+  const auto [k, chi] = GetParam();
+  Simulation simulation(half_space(4 * mm, material(chi, 1e3)), ball(kSpin), implicit(k));
+  VirtualCoupling coupling(simulation, {});
+  const Stroke seen = stroke(coupling, 3);
+  EXPECT_GT(simulation.removed_volume_by_material()[1], 1e-9);
+  EXPECT_LT(seen.rebound, 0.5 * kApproach);
+  EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
+  EXPECT_LT(std::abs(simulation.last_result().energy.closure()), 1e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Coupling, DampedContact,
+                         testing::Combine(testing::Values(1e14, 1e16, 1e17), testing::Values(0.0, 10.0, 100.0)),
+                         [](const auto& p) {
+                           return "k1e" + std::to_string(int(std::lround(std::log10(std::get<0>(p.param))))) + "chi" +
+                                  std::to_string(int(std::get<1>(p.param)));
+                         });
+
+TEST(CouplingDamping, TakesTheSpeedOutOfAnImpact) {
+  double last = 1;
+  for (const double chi : {0.0, 3.0, 10.0, 30.0, 100.0}) {
+    Simulation simulation(half_space(4 * mm, material(chi, 1e3)), ball(), implicit(1e14));
+    VirtualCoupling coupling(simulation, {});
+    const double rebound = stroke(coupling, 3).rebound;
+    EXPECT_LT(rebound, last) << chi;
+    last = rebound;
+  }
+}
+
+TEST(CouplingFriction, SticksAndSlipsBehindALooseCoupling) {
+  Material grippy = material(0, 1e5);
+  grippy.static_friction = 0.6;
+  grippy.dynamic_friction = 0.2;
+  Simulation simulation(half_space(4 * mm, grippy), ball(), implicit(1e16));
+  CouplingGains loose;
+  loose.stiffness = 2000;
+  loose.damping = 2;
+  VirtualCoupling coupling(simulation, loose);
+  const Stroke seen = stroke(coupling, 2);
+  EXPECT_GE(seen.changes, 4) << "it stops and breaks loose again";
+  EXPECT_GE(seen.least_hand_work, 0);
+  EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
+  EXPECT_GT(simulation.last_result().energy.sliding, 0);
+}
+
+}  // namespace
+}  // namespace hapticut::coupling_dissipation_test

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/simulation/coupling.hpp"
+
+#include <gtest/gtest.h>
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
+#include "support/coupling.hpp"
+
+namespace hapticut::coupling_test {
+namespace {
+
+using units::mm;
+using namespace test;
+
+class AnyStiffness : public testing::TestWithParam<double> {};
+
+TEST_P(AnyStiffness, LetsTheToolRestOnTheSurfaceWithoutJitter) {
+  Simulation simulation(half_space(), ball(), implicit(GetParam()));
+  VirtualCoupling coupling(simulation, {});
+  const PressedTool pressed = press(coupling);
+  EXPECT_LT(pressed.jitter, 1e-9);
+  EXPECT_LT(pressed.rebound, 0.5 * kApproach);
+  EXPECT_LT(pressed.greatest_penetration, 1.25 * pressed.rest_penetration + 10e-6) << "no jump through the surface";
+  // The hand feels the spring of the coupling, no more.
+  EXPECT_NEAR(pressed.rest_force, kPress - coupling.gains().stiffness * pressed.rest_penetration, 1e-6);
+  EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
+  EXPECT_LT(std::abs(simulation.last_result().energy.closure()), 1e-6);
+}
+
+/// Stiffnesses of the contact at rest from 3e4 to 1e7 N/m.
+INSTANTIATE_TEST_SUITE_P(Foundations, AnyStiffness, testing::Values(1e14, 1e15, 1e16, 1e17, 1e18),
+                         [](const auto& k) { return "1e" + std::to_string(int(std::lround(std::log10(k.param)))); });
+
+TEST(Coupling, IsStableForContactStiffnessesFromAThousandToTenMillionNewtonsPerMetre) {
+  double softest = 1e300, stiffest = 0;
+  for (const double reference : {1e13, 1e15, 1e17, 1e19}) {
+    Simulation simulation(half_space(), ball(), implicit(reference));
+    VirtualCoupling coupling(simulation, {});
+    const PressedTool pressed = press(coupling, reference == 1e13 ? 1 : kPress);
+    EXPECT_LT(pressed.jitter, 1e-9) << reference;
+    const CoupledResult& rest = coupling.last_result();
+    const double stiffness = simulation.probe(rest.X_WH, {}, kTick).stiffness(2, 2);
+    softest = std::min(softest, stiffness);
+    stiffest = std::max(stiffest, stiffness);
+  }
+  EXPECT_LT(softest, 6e3);
+  EXPECT_GT(stiffest, 1e7);
+}
+
+TEST(Coupling, KeepsTheToolWithinATenthOfAMillimetreOfEnamelUnderFiveNewtons) {
+  Simulation simulation(half_space(4 * mm, presets::enamel()), ball(), implicit(1e16));
+  VirtualCoupling coupling(simulation, {});
+  const PressedTool pressed = press(coupling);
+  EXPECT_LT(pressed.rest_penetration, 0.1 * mm);
+  EXPECT_GT(pressed.rest_force, 0.95 * kPress);
+  EXPECT_LT(pressed.newton_steps, 1.3 * 2000) << "one Newton step is enough nearly always";
+}
+
+TEST(Coupling, IsHeldByAThinWallAndFeelsItBreak) {
+  Simulation simulation(half_space(0.5 * mm), ball(), implicit(1e16));
+  VirtualCoupling coupling(simulation, {});
+  const PressedTool pressed = press(coupling);
+  EXPECT_LT(pressed.rest_penetration, 0.15 * mm);
+  EXPECT_GT(pressed.rest_force, 0.95 * kPress);
+
+  // The same hand, at rest, with the spindle running: it sinks, then the wall is gone and so is the force.
+  simulation.set_spindle_speed(kSpin);
+  const Pose hand = Pose::from_translation(kAside + Vec3(0, 0, kRadius - kPress / coupling.gains().stiffness));
+  double before_break = 0;
+  int ticks = 0;
+  while (coupling.step(hand, {}, kTick).coupling.force.z() > 0.1 && ++ticks < 20000)
+    if (coupling.last_result().X_WH.translation.z() > kRadius - 0.4 * mm)
+      before_break = coupling.last_result().coupling.force.z();
+  EXPECT_GT(before_break, 4);
+  EXPECT_LT(coupling.last_result().coupling.force.z(), 0.1);
+  EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
+}
+
+TEST(Coupling, RestsInBalanceAlsoInTorque) {
+  const Tool tool(SphereHead{kRadius}, RayHandle{20 * mm});
+  Simulation simulation(half_space(), tool, implicit(1e16));
+  CouplingGains gains;
+  gains.angular_stiffness = 0.3;
+  gains.angular_damping = 2 * std::sqrt(gains.angular_stiffness * gains.inertia);
+  VirtualCoupling coupling(simulation, gains);
+  const Mat3 tilt = rotation_from_vector({0.3, -0.2, 0});
+  const Vec3 head = -(tilt * tool.X_HT().translation);  // handle point when the head's centre is at the origin
+  double last = 2 * mm;
+  for (int n = 0; n < 3000; ++n) {
+    const double z = std::max(2 * mm - 0.05 * n * kTick, kRadius - 2 / gains.stiffness);
+    coupling.step({tilt, head + kAside + Vec3(0, 0, z)}, {Vec3(0, 0, (z - last) / kTick), Vec3::Zero()}, kTick);
+    last = z;
+  }
+  const CoupledResult& result = coupling.last_result();
+  const Wrench& contact = simulation.last_result().model;
+  EXPECT_GT(contact.force.z(), 0.5);
+  EXPECT_GT(contact.torque.norm(), 1e-3);
+  // At rest the coupling carries the contact, and the tool has turned against its spring.
+  EXPECT_LT((result.coupling.force - contact.force).norm(), 1e-4);
+  EXPECT_LT((result.coupling.torque - contact.torque).norm(), 1e-5);
+  EXPECT_GT(vector_from_rotation(result.X_WH.rotation * tilt.transpose()).norm(), 1e-3);
+  EXPECT_LT(std::abs(result.energy.closure()), 1e-3);
+}
+
+TEST(Coupling, IsTheSameBitByBitEveryTime) {
+  const auto last_pose = [] {
+    Simulation simulation(half_space(), ball(kSpin), implicit(1e15));
+    VirtualCoupling coupling(simulation, {});
+    press(coupling, 2, 300);
+    return coupling.last_result().X_WH.translation;
+  };
+  EXPECT_EQ(last_pose(), last_pose());
+}
+
+TEST(Coupling, GivesNoForceForRubbishAndTakesTheToolAnew) {
+  Simulation simulation(half_space(), ball(), implicit(1e15));
+  VirtualCoupling coupling(simulation, {});
+  press(coupling, 2, 200);
+  const Pose hand = Pose::from_translation(kAside + Vec3(0, 0, kRadius - 0.002));
+  Pose rubbish = hand;
+  rubbish.translation.x() = NAN;
+  const CoupledResult& refused = coupling.step(rubbish, {}, kTick);
+  EXPECT_TRUE(has(refused.status, StepStatus::pose_rejected));
+  EXPECT_EQ(refused.hand.force, Vec3::Zero());
+  EXPECT_TRUE(has(coupling.step(hand, {Vec3(NAN, 0, 0), {}}, kTick).status, StepStatus::velocity_rejected));
+  EXPECT_TRUE(has(coupling.step(hand, {}, -1).status, StepStatus::dt_rejected));
+  const Pose far = Pose::from_translation({0, 0, 50 * mm});
+  EXPECT_EQ(coupling.step(far, {}, kTick).X_WH.translation, far.translation);
+  EXPECT_EQ(coupling.last_result().hand.force, Vec3::Zero());
+}
+
+TEST(Coupling, NeverPullsWithMoreThanTheDeviceCanRender) {
+  Simulation simulation(half_space(), ball(), implicit(1e16));
+  CouplingGains gains = coupling_gains(capabilities(device_model("touch")));
+  VirtualCoupling coupling(simulation, gains);
+  const PressedTool pressed = press(coupling, 20);
+  EXPECT_NEAR(pressed.rest_force, gains.largest_force, 1e-6);
+  EXPECT_LT(pressed.jitter, 1e-9);
+  EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
+}
+
+TEST(CouplingInput, IsRefusedWithItsValueAndTheCure) {
+  const auto message = [](const auto& call) {
+    try {
+      call();
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  CouplingGains gains;
+  gains.mass = -1;
+  EXPECT_NE(message([&] { validate(gains); }).find("CouplingGains::mass"), std::string::npos);
+  gains = {};
+  gains.largest_force = NAN;
+  EXPECT_NE(message([&] { validate(gains); }).find("CouplingGains::largest_force"), std::string::npos);
+  Simulation explicit_contact(half_space(), ball());
+  EXPECT_NE(message([&] { VirtualCoupling(explicit_contact, {}); }).find("ContactTime::end"), std::string::npos);
+  DeviceCapabilities silent;
+  silent.model = "silent";
+  EXPECT_NE(message([&] { (void)coupling_gains(silent); }).find("silent"), std::string::npos);
+}
+
+// --- Simulation::probe ----------------------------------------------------------------------------------------------
+
+TEST(Probe, SeesWhatTheStepWillFeelAndChangesNothing) {
+  for (const ContactTime time : {ContactTime::middle, ContactTime::end}) {
+    SimulationConfig config = implicit(1e14);
+    config.contact_time = time;
+    Simulation probed(half_space(), ball(kSpin), config), plain(half_space(), ball(kSpin), config);
+    for (int n = 0; n < 300; ++n) {
+      const Pose pose = Pose::from_translation(kAside + Vec3(3e-6 * n, 0, kRadius - 2e-6 * n));
+      const Twist velocity = {Vec3(3e-3, 0, -2e-3), Vec3::Zero()};
+      const ContactProbe probe = probed.probe(pose, velocity, kTick);
+      const StepResult &after_probe = probed.step(pose, velocity, kTick), &without = plain.step(pose, velocity, kTick);
+      ASSERT_EQ(after_probe.force, without.force);
+      ASSERT_EQ(after_probe.removed_volume, without.removed_volume);
+      ASSERT_LT((probe.wrench.force - after_probe.model.force).norm(), 1e-12 + 1e-6 * after_probe.model.force.norm());
+      ASSERT_LT((probe.wrench.torque - after_probe.model.torque).norm(), 1e-12 + 1e-6 * mm);
+      ASSERT_EQ(probe.contact.voxels, after_probe.contact.voxels);
+    }
+    EXPECT_GT(plain.last_result().removed_volume, 0);
+  }
+}
+
+/// The part that Gauss and Newton leave out turns the normals and makes every spring push less sideways: the sum is a
+/// little stiffer than the slope.
+TEST(Probe, StiffnessIsTheSlopeOfTheForce) {
+  Simulation simulation(half_space(), Tool(SphereHead{kRadius}, RayHandle{20 * mm}), implicit(1e14));
+  const Pose pose = Pose::from_translation(kAside + Vec3(0, 0, kRadius + 20 * mm - 0.3 * mm));
+  const ContactProbe at = simulation.probe(pose, {}, kTick);
+  const auto moved = [&](const Vec3& shift) {
+    Simulation fresh(half_space(), simulation.tool(), implicit(1e14));
+    return fresh.probe(Pose::from_translation(pose.translation + shift), {}, kTick).wrench;
+  };
+  const double step = 1e-7;
+  const Wrench up = moved({0, 0, step}), down = moved({0, 0, -step});
+  const double slope = (down.force.z() - up.force.z()) / (2 * step);
+  EXPECT_GT(at.stiffness(2, 2), slope);
+  EXPECT_LT(at.stiffness(2, 2), 1.05 * slope);
+  EXPECT_NEAR(slope, 1e14 * std::numbers::pi * 9e-8 * 0.7e-3, 0.02 * slope) << "C2";
+  EXPECT_LT((at.stiffness - at.stiffness.transpose()).norm(), 1e-9 * at.stiffness.norm());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(at.stiffness);
+  EXPECT_GT(solver.eigenvalues().minCoeff(), -1e-9 * solver.eigenvalues().maxCoeff());
+}
+
+TEST(Probe, OfRubbishFeelsNothing) {
+  Simulation simulation(half_space(), ball(), implicit(1e14));
+  const Pose inside = Pose::from_translation({0, 0, 0.5 * mm});
+  EXPECT_GT(simulation.probe(inside, {}, kTick).wrench.force.z(), 1);
+  EXPECT_EQ(simulation.probe(inside, {}, NAN).wrench.force, Vec3::Zero());
+  Pose rubbish = inside;
+  rubbish.rotation *= 2;
+  EXPECT_EQ(simulation.probe(rubbish, {}, kTick).wrench.force, Vec3::Zero());
+}
+
+}  // namespace
+}  // namespace hapticut::coupling_test

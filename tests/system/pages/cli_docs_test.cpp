@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// docs/command-line.md lists every setting of the program as the program itself describes it, and no other.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/commands/command.hpp"
+
+namespace hapticut::cli_docs_test {
+namespace {
+
+void add_rows(const cli::Setting& setting, const std::string& prefix, std::vector<std::string>& rows) {
+  const std::string key = prefix + setting.key;
+  const std::string flag = setting.flag.empty() ? "" : "`" + setting.flag + "`";
+  if (setting.kind != cli::Setting::Kind::named_tables)
+    rows.push_back("| `" + key + "` | " + flag + " | " + setting.meaning + " | " + setting.allowed + " |");
+  if (!setting.open_table) return;
+  const bool named = setting.kind == cli::Setting::Kind::named_tables;
+  for (const cli::Setting& inner : setting.open_table("name")) add_rows(inner, key + (named ? ".NAME." : "[]."), rows);
+}
+
+TEST(CommandLinePage, ListsEverySettingAsTheProgramDescribesIt) {
+  std::vector<std::string> expected;
+  for (const cli::Command& command : cli::all_commands())
+    for (const cli::Setting& setting : command.settings) add_rows(setting, "", expected);
+  ASSERT_GT(expected.size(), 80U);
+
+  std::ifstream page(HAPTICUT_DOCS "/command-line.md");
+  std::set<std::string> found;
+  for (std::string line; std::getline(page, line);)
+    if (line.starts_with("| `")) found.insert(line);
+  for (const std::string& row : expected)
+    EXPECT_TRUE(found.contains(row)) << "missing in docs/command-line.md:\n" << row;
+  for (const std::string& row : expected) found.erase(row);
+  for (const std::string& row : found) ADD_FAILURE() << "not so in the program:\n" << row;
+}
+
+}  // namespace
+}  // namespace hapticut::cli_docs_test

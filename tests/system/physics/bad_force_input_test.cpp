@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+// Constants, profiles and laws that do not fit: refused with value, range and cure, and nothing has changed.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/tool/catalogue.hpp"
+#include "support/cutting.hpp"
+#include "support/laws.hpp"
+#include "support/profiles.hpp"
+
+namespace hapticut::bad_force_input_test {
+namespace {
+
+using units::mm;
+
+/// Expects an Error whose message holds all of these: the value that was given, what is allowed, what to do.
+void expect_refusal(const std::function<void()>& action, const std::vector<std::string>& words) {
+  try {
+    action();
+    ADD_FAILURE() << "accepted; expected a message with: " << words.front();
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    for (const std::string& word : words)
+      EXPECT_NE(message.find(word), std::string::npos) << message << "\n lacks: " << word;
+    EXPECT_EQ(message.back(), '.');
+  }
+}
+
+Workpiece block(const Material& material = test::plain_material()) {
+  return build_block({Vec3(-1.5, -1.5, -1.5) * mm, Vec3(1.5, 1.5, 0) * mm}, 0.1 * mm, material);
+}
+
+void simulate(const SimulationConfig& config, const ToolHead& head = SphereHead{1 * mm}) {
+  Simulation simulation(block(), Tool(head, RayHandle{}, Spindle{2000}), config);
+}
+
+TEST(BadForceInput, ADynamicFrictionAboveTheStaticOneIsRefused) {
+  SimulationConfig config;
+  config.friction = DryFriction{0.2, 0.3, 1000};
+  expect_refusal([&] { simulate(config); },
+                 {"dynamic_friction = 0.3", "must not exceed static_friction = 0.2", "Lower it, or raise"});
+  Material material = test::plain_material();
+  material.static_friction = 0.2;
+  material.dynamic_friction = 0.3;
+  expect_refusal([&] { (void)block(material); }, {"dynamic_friction = 0.3", "static_friction = 0.2"});
+}
+
+TEST(BadForceInput, NegativeConstantsAreRefusedByName) {
+  const std::pair<const char*, double Material::*> fields[] = {
+      {"relative_stiffness", &Material::relative_stiffness},
+      {"damping", &Material::damping},
+      {"cutting_ratio", &Material::cutting_ratio},
+      {"specific_cutting_energy", &Material::specific_cutting_energy},
+      {"edge_pressure", &Material::edge_pressure},
+      {"static_friction", &Material::static_friction},
+      {"dynamic_friction", &Material::dynamic_friction},
+      {"tangential_stiffness", &Material::tangential_stiffness},
+      {"density", &Material::density}};
+  for (const auto& [name, member] : fields) {
+    Material material = test::plain_material();
+    material.*member = -1;
+    expect_refusal([&] { (void)block(material); }, {std::string(name), "= -1", "must be a finite number >"});
+  }
+
+  const auto with = [](const auto& change) {
+    SimulationConfig config;
+    change(config);
+    simulate(config);
+  };
+  expect_refusal([&] { with([](auto& c) { c.reference_stiffness = -1; }); }, {"reference_stiffness", "-1", "must be"});
+  expect_refusal([&] { with([](auto& c) { c.friction = DryFriction{0.3, -0.1, 1}; }); }, {"-0.1", "must be"});
+  expect_refusal([&] { with([](auto& c) { c.friction = DryFriction{0.3, 0.3, -1}; }); }, {"-1", "must be"});
+  expect_refusal([&] { with([](auto& c) { c.effects.gravity = Gravity{-1}; }); }, {"Gravity::mass", "-1", "must be"});
+  expect_refusal([&] { with([](auto& c) { c.effects.vibration = Vibration{-1}; }); }, {"frequency", "-1", "must be"});
+  expect_refusal([&] { with([](auto& c) { c.effects.vibration = Vibration{100, -1}; }); }, {"amplitude", "-1"});
+  expect_refusal([&] { with([](auto& c) { c.effects.delta_filter = DeltaFilter{-1}; }); }, {"delta", "-1"});
+  expect_refusal([&] { with([](auto& c) { c.effects.limits.force_growth = -1; }); }, {"force_growth", "-1", "must be"});
+
+  expect_refusal([] { ContactMechanicsLaw law(-1); }, {"effective_modulus", "-1", "must be a finite number > 0"});
+  expect_refusal([] { HertzianBurrLaw law(-1); }, {"stiffness", "-1", "must be a finite number > 0"});
+  expect_refusal([] { DampingMatrixLaw law({-1, 0}); }, {"resistance", "-1", "must be a finite number > 0"});
+  expect_refusal([] { TwistDrillLaw law({-1, 1e-3}); }, {"specific_energy", "-1", "must be a finite number > 0"});
+  expect_refusal([] { ThesisLaw law({-1}); }, {"reference_voxel_size", "-1", "must be a finite number > 0"});
+  expect_refusal([] { Tool(SphereHead{1 * mm}, RayHandle{}, Spindle{1, -1}); }, {"power_limit", "-1", "must be"});
+}
+
+// What the contact computes with in single precision would be infinite, and a force of it no number.
+TEST(BadForceInput, ConstantsBeyondSinglePrecisionAreRefused) {
+  const auto with = [](double Material::*member, double value) {
+    return [member, value] {
+      Material material = test::plain_material();
+      material.*member = value;
+      (void)Simulation(block(material), Tool(SphereHead{1 * mm}));
+    };
+  };
+  expect_refusal(with(&Material::damping, 1e50), {"damping", "= 1e+50", "must be between 0 and 1e+06"});
+  expect_refusal(with(&Material::cutting_ratio, 1e50), {"cutting_ratio", "= 1e+50", "must be between 0 and 1e+06"});
+  for (const double u : {1e-50, 1e50})
+    expect_refusal(with(&Material::specific_cutting_energy, u), {"specific_cutting_energy", "between 0.001 and 1e+18"});
+  for (const double share : {1e-50, 1e50})
+    expect_refusal(with(&Material::relative_stiffness, share),
+                   {"reference_stiffness times relative_stiffness of 'plain'", "must be between 1 and 1e+25"});
+  for (const double speed : {1e39, -1e39}) {
+    expect_refusal([&] { Tool(SphereHead{1 * mm}, RayHandle{}, Spindle{speed}); },
+                   {"Spindle::speed", "must be between -1e+06 and 1e+06"});
+    Simulation simulation(block(), Tool(SphereHead{1 * mm}));
+    expect_refusal([&] { simulation.set_spindle_speed(speed); }, {"Spindle::speed", "must be between"});
+    EXPECT_EQ(simulation.spindle_setting(), 0);
+  }
+}
+
+TEST(BadForceInput, ALawThatGivesNoNumberGivesNoForceAndTheStatusSaysSo) {
+  class Broken final : public ForceLaw {
+    LawTotals evaluate(const HeadMotion&, const ContactMaterials&, ContactBlock& b) const noexcept override {
+      for (int n = 0; n < b.lanes(); ++n) {
+        b.force_x[std::size_t(n)] = b.force_y[std::size_t(n)] = b.force_z[std::size_t(n)] = std::nanf("");
+        b.fill_after[std::size_t(n)] = b.fill[std::size_t(n)];
+      }
+      return {};
+    }
+  };
+  SimulationConfig config;
+  config.law = std::make_shared<Broken>();
+  Simulation simulation(block(), Tool(SphereHead{1 * mm}, RayHandle{}, Spindle{2000}), config);
+  EXPECT_EQ(simulation.step(Pose::from_translation(Vec3(0, 0, 2 * mm)), {}, 1e-3).status, StepStatus::ok);
+  const Pose pressed = Pose::from_translation(Vec3(0, 0, 0.8 * mm));
+  for (int tick = 0; tick < 2; ++tick) {
+    const StepResult& result = simulation.step(pressed, {}, 0.1);
+    EXPECT_TRUE(has(result.status, StepStatus::force_not_finite));
+    EXPECT_EQ(result.force, Vec3::Zero());
+    EXPECT_EQ(result.torque, Vec3::Zero());
+    EXPECT_EQ(result.energy.imbalance(), 0);
+  }
+  EXPECT_EQ(simulation.probe(pressed, {}, 0.1).wrench.force, Vec3::Zero());
+}
+
+TEST(BadForceInput, AProfileThatCrossesItsAxisOrItselfIsRefused) {
+  expect_refusal(
+      [] {
+        ProfileHead({0, {{1 * mm, 0}, {-0.5 * mm, 1 * mm}, {0, 2 * mm}}});
+      },
+      {"edge 2", "-0.5 mm", "must be >= 0"});
+  expect_refusal(
+      [] {
+        ProfileHead({0, {{1 * mm, 0}, {1 * mm, 1 * mm}, {0.5 * mm, -0.5 * mm}, {0.2 * mm, 2 * mm}, {0, 2 * mm}}});
+      },
+      {"crosses or touches itself", "edge 1", "edge 3"});
+}
+
+TEST(BadForceInput, AFrequencyAboveTheLimitIsRefused) {
+  SimulationConfig config;
+  config.effects.vibration = Vibration{500};
+  expect_refusal([&] { simulate(config); },
+                 {"frequency = 500 Hz", "must be below 450 Hz", "Lower it, or raise SimulationConfig::update_rate"});
+  config.update_rate = 2000;
+  EXPECT_NO_THROW(simulate(config));
+}
+
+TEST(BadForceInput, ALawAskedForAHeadThatItHasNoFormulaForIsRefused) {
+  const auto ask = [](std::shared_ptr<const ForceLaw> law, const ToolHead& head) {
+    SimulationConfig config;
+    config.law = std::move(law);
+    simulate(config, head);
+  };
+  const auto burr = std::make_shared<HertzianBurrLaw>(1e6);
+  const auto punch = std::make_shared<ContactMechanicsLaw>(1e6);
+  const auto drill = std::make_shared<TwistDrillLaw>(TwistDrillLaw::Constants{});
+  const ToolHead flame = flame_head(1.4 * mm, 4 * mm, 0.9 * mm, 2 * mm);
+  for (const ToolHead& head : {ToolHead(ConeHead{0.5, 1 * mm}), ToolHead(FlatHead{1 * mm, 1 * mm}), flame})
+    expect_refusal([&] { ask(burr, head); }, {"HertzianBurrLaw was given", "round burr only", "Choose"});
+  expect_refusal([&] { ask(punch, flame); }, {"ContactMechanicsLaw was given", "it has formulas for", "Choose"});
+  for (const ToolHead& head : {ToolHead(SphereHead{1 * mm}), flame, tapered_head(1 * mm, 2 * mm, 4 * mm)})
+    expect_refusal([&] { ask(drill, head); }, {"TwistDrillLaw was given", "it has formulas for", "Choose"});
+}
+
+/// Everything that a simulation shows of itself after a step.
+void expect_same(const StepResult& a, const StepResult& b) {
+  EXPECT_EQ(a.force, b.force);
+  EXPECT_EQ(a.torque, b.torque);
+  EXPECT_EQ(a.removed_volume, b.removed_volume);
+  EXPECT_EQ(a.energy.hand_work, b.energy.hand_work);
+  EXPECT_EQ(a.energy.cutting, b.energy.cutting);
+  EXPECT_EQ(a.spindle.speed, b.spindle.speed);
+  EXPECT_EQ(a.status, b.status);
+}
+
+TEST(BadForceInput, NothingHasChangedAfterACallThatThrew) {
+  SimulationConfig config;
+  config.effects.gravity = Gravity{0.1};
+  config.effects.vibration = Vibration{};
+  const auto make = [&] { return Simulation(block(), Tool(SphereHead{1 * mm}, RayHandle{}, Spindle{2000}), config); };
+  Simulation calm = make(), disturbed = make();
+  const auto nothing = [] {
+    return Workpiece::from_blocks({{0, 0, 0}, {15, 15, 15}}, GridFrame{0.1 * mm, {}},
+                                  MaterialTable({test::plain_material()}),
+                                  [](const VoxelIndex&, BlockContent&) { return BlockKind::empty(); });
+  };
+  for (int tick = 1; tick <= 150; ++tick) {
+    if (tick > 50 && tick % 10 == 0) {
+      Effects bad = config.effects;
+      bad.vibration->frequency = 500;
+      EXPECT_THROW(disturbed.set_effects(bad), Error);
+      EXPECT_THROW(disturbed.set_spindle_speed(std::nan("")), Error);
+      EXPECT_THROW(disturbed.reset(nothing()), Error);
+      EXPECT_THROW(disturbed.restore(WorkpieceSnapshot{}), Error);
+      EXPECT_EQ(disturbed.steps(), calm.steps());
+      EXPECT_EQ(disturbed.workpiece_exchanges(), 0U);
+    }
+    const Pose pose = Pose::from_translation(Vec3(0.03 * mm, 0.02 * mm, 1 * mm - 0.004 * mm * tick));
+    expect_same(calm.step(pose, {}, 1e-3), disturbed.step(pose, {}, 1e-3));
+  }
+  EXPECT_GT(calm.last_result().energy.cutting, 0);
+}
+
+TEST(BadForceInput, AMaterialTableThatRefusedAMaterialIsAsItWas) {
+  MaterialTable table({test::plain_material()});
+  Material bad = test::plain_material();
+  bad.edge_pressure = -1;
+  EXPECT_THROW(table.add(bad), Error);
+  EXPECT_EQ(table.size(), 1);
+  EXPECT_EQ(table[1].edge_pressure, test::plain_material().edge_pressure);
+}
+
+}  // namespace
+}  // namespace hapticut::bad_force_input_test

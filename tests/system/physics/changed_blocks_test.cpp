@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a step says it has changed, against every voxel of the workpiece before and after it.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <set>
+
+#include "hapticut/bench/scenes.hpp"
+#include "hapticut/core/units.hpp"
+#include "support/cutting.hpp"
+
+namespace hapticut::changed_blocks_test {
+namespace {
+
+using Fills = std::array<float, kBlockVoxels>;
+
+std::map<VoxelIndex, Fills> fills_of(const Workpiece& workpiece) {
+  std::map<VoxelIndex, Fills> fills;
+  workpiece.for_each_block([&](const BlockView& block) {
+    for (int n = 0; n < kBlockVoxels; ++n) fills[block.origin][std::size_t(n)] = block.fill_of(n);
+  });
+  return fills;
+}
+
+std::set<VoxelIndex> differences(const std::map<VoxelIndex, Fills>& before, const std::map<VoxelIndex, Fills>& after) {
+  std::set<VoxelIndex> origins;
+  for (const auto& [origin, fills] : before) {
+    const auto now = after.find(origin);
+    if (now == after.end() || now->second != fills) origins.insert(origin);
+  }
+  return origins;
+}
+
+std::set<VoxelIndex> listed(const ChangedBlocks& changed) { return {changed.origins.begin(), changed.origins.end()}; }
+
+TEST(ChangedBlocks, AreThoseWhoseVoxelsDiffer) {
+  for (const char* name : {"axial_flat", "cone_layers"}) {
+    const Scene& scene = find_scene(name);
+    Simulation simulation = scene.make();
+    std::map<VoxelIndex, Fills> before = fills_of(simulation.workpiece());
+    std::size_t changed = 0;
+    for (int tick = 0; tick < 120; ++tick) {
+      const StepInput input = scene.input(tick);
+      simulation.step(input.pose, input.velocity, input.dt);
+      std::map<VoxelIndex, Fills> after = fills_of(simulation.workpiece());
+      const std::set<VoxelIndex> origins = listed(simulation.changed_blocks());
+      // A fill that changed by less than its last bit is listed too, so the list may be longer.
+      for (const VoxelIndex& origin : differences(before, after)) ASSERT_TRUE(origins.contains(origin)) << name;
+      EXPECT_TRUE(simulation.changed_blocks().complete);
+      changed += origins.size();
+      before = std::move(after);
+    }
+    EXPECT_GT(changed, 20U) << name;
+  }
+}
+
+TEST(ChangedBlocks, AreNoneOfAStepThatIsRejectedOrCutsNothing) {
+  const Scene& scene = find_scene("axial_flat");
+  Simulation simulation = scene.make();
+  for (int tick = 0; tick < 60; ++tick) simulation.step(scene.input(tick).pose, scene.input(tick).velocity, 1e-3);
+  ASSERT_FALSE(simulation.changed_blocks().origins.empty());
+  simulation.step(scene.input(60).pose, scene.input(60).velocity, -1);
+  EXPECT_TRUE(simulation.changed_blocks().origins.empty());
+  simulation.set_spindle_speed(0);
+  simulation.step(scene.input(60).pose, scene.input(60).velocity, 1e-3);
+  EXPECT_TRUE(simulation.changed_blocks().origins.empty());
+}
+
+// A stroke of 30 mm in one step: 600 sub-steps, which list most blocks many times.
+TEST(ChangedBlocks, AreCompleteInALongSweepOrSaidNotToBe) {
+  SimulationConfig config;
+  config.longest_sweep = 1000;
+  config.reference_stiffness = 1e14;
+  config.reserved_blocks = 4096;
+  Simulation simulation(
+      build_block({Vec3(-1, -3, -3) * units::mm, Vec3(31, 3, 0) * units::mm}, 1e-4, test::plain_material()),
+      Tool(SphereHead{1e-3}, RayHandle{}, Spindle{3000}), config);
+  const std::map<VoxelIndex, Fills> before = fills_of(simulation.workpiece());
+  simulation.step(Pose::from_translation(Vec3(-3e-3, 0, 0)), {}, 1e-3);
+  simulation.step(Pose::from_translation(Vec3(27e-3, 0, 0)), {}, 1e-3);
+  ASSERT_GT(simulation.last_result().sub_steps, 500);
+  const std::set<VoxelIndex> origins = listed(simulation.changed_blocks());
+  const std::set<VoxelIndex> expected = differences(before, fills_of(simulation.workpiece()));
+  EXPECT_GT(expected.size(), 100U);
+  EXPECT_TRUE(simulation.changed_blocks().complete);
+  for (const VoxelIndex& origin : expected) EXPECT_TRUE(origins.contains(origin));
+}
+
+TEST(Simulation, CountsItsStepsAndTheExchangesOfItsWorkpiece) {
+  const Scene& scene = find_scene("axial_flat");
+  Simulation simulation = scene.make();
+  EXPECT_EQ(simulation.steps(), 0U);
+  const WorkpieceSnapshot fresh = simulation.snapshot();
+  for (int tick = 0; tick < 3; ++tick) simulation.step(scene.input(tick).pose, {}, 1e-3);
+  EXPECT_EQ(simulation.steps(), 3U);
+  EXPECT_EQ(simulation.workpiece_exchanges(), 0U);
+  simulation.restore(fresh);
+  EXPECT_EQ(simulation.steps(), 3U);
+  EXPECT_EQ(simulation.workpiece_exchanges(), 1U);
+  simulation.reset(simulation.workpiece().clone());
+  EXPECT_EQ(simulation.steps(), 0U);
+  EXPECT_EQ(simulation.workpiece_exchanges(), 2U);
+  simulation.set_spindle_speed(-7);
+  EXPECT_EQ(simulation.spindle_setting(), -7);
+}
+
+}  // namespace
+}  // namespace hapticut::changed_blocks_test

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Effects in the whole step: what the hand feels beside the model, and that the ledger does not see it.
+#include <gtest/gtest.h>
+
+#include "hapticut/bench/scenes.hpp"
+#include "hapticut/core/errors.hpp"
+#include "support/cutting.hpp"
+
+namespace hapticut::effects_test {
+namespace {
+
+using units::deg;
+using units::mm;
+
+constexpr double kTick = 1e-3;
+
+Effects all_effects() {
+  Effects effects;
+  effects.gravity = Gravity{0.05, Vec3(0, 0, -0.03)};
+  effects.vibration = Vibration{};
+  effects.limits = {3.3, 0.2, 2000, 100, 0.1};
+  return effects;
+}
+
+Simulation cut(const Effects& effects, HandleTorque torque = HandleTorque::full_wrench) {
+  SimulationConfig config;
+  config.effects = effects;
+  config.handle_torque = torque;
+  return Simulation(build_block({Vec3(-3, -3, -3) * mm, Vec3(3, 3, 0) * mm}, 0.1 * mm, test::plain_material()),
+                    Tool(SphereHead{1 * mm}, LHandle{80 * mm, 15 * mm, 60 * deg}, Spindle{3000}), config);
+}
+
+/// The head goes down at 2 mm/s from just above the surface.
+Pose head_at(int tick) { return Pose::from_translation(Vec3(0.03, 0.02, 1.1 - 0.002 * tick) * mm); }
+
+const StepResult& step(Simulation& simulation, int tick) {
+  return simulation.step(head_at(tick) * simulation.tool().X_HT().inverse(), {}, kTick);
+}
+
+TEST(EffectsInTheStep, ChangeWhatTheHandFeelsAndNeitherTheModelNorItsLedger) {
+  Simulation plain = cut({}), shaken = cut(all_effects());
+  double gravity = 0, difference = 0;
+  for (int tick = 0; tick < 300; ++tick) {
+    const StepResult& a = step(plain, tick);
+    const StepResult& b = step(shaken, tick);
+    ASSERT_EQ(a.force, a.model.force);
+    ASSERT_EQ(a.torque, a.model.torque);
+    ASSERT_EQ(a.model.force, b.model.force);
+    ASSERT_EQ(a.model.torque, b.model.torque);
+    ASSERT_EQ(a.energy.hand_work, b.energy.hand_work);
+    ASSERT_EQ(a.energy.cutting, b.energy.cutting);
+    if (tick == 40) gravity = b.force.z() / (-0.05 * 9.80665);
+    if (tick > 150) difference = std::max(difference, (a.force - b.force).norm());
+    ASSERT_LE(b.force.norm(), 3.3);
+  }
+  EXPECT_NEAR(gravity, 0.41, 1e-9) << "in the air only gravity, on the start-up ramp";
+  EXPECT_NEAR(difference, 0.3 + 0.05 * 9.80665, 0.1) << "gravity and vibration, not always along each other";
+}
+
+TEST(EffectsInTheStep, VibrateAlongTheSpindleOnlyWhileItSpinsInMaterial) {
+  Effects effects;
+  effects.vibration = Vibration{};
+  Simulation simulation = cut(effects);
+  for (int tick = 0; tick < 200; ++tick) {
+    const StepResult& result = step(simulation, tick);
+    const Vec3 extra = result.force - result.model.force;
+    if (result.contact.voxels == 0) {
+      ASSERT_EQ(extra, Vec3(0, 0, 0));
+    } else {
+      ASSERT_LT(extra.head<2>().norm(), 1e-12) << "the spindle's axis is vertical here";
+      ASSERT_LE(std::abs(extra.z()), 0.3 + 1e-12);
+    }
+  }
+  // Spinning in the air, and standing in material, nothing shakes.
+  simulation.set_spindle_speed(0);
+  for (int tick = 200; tick < 210; ++tick) {
+    const StepResult& result = step(simulation, tick);
+    ASSERT_GT(result.contact.voxels, 0);
+    ASSERT_EQ(result.force, result.model.force);
+  }
+}
+
+TEST(EffectsInTheStep, LeaveTheVibrationOutAndSayItWhenAStepIsTooLong) {
+  Effects effects;
+  effects.vibration = Vibration{};
+  Simulation simulation = cut(effects);
+  for (int tick = 0; tick < 100; ++tick) (void)step(simulation, tick);
+  const Pose next = head_at(101) * simulation.tool().X_HT().inverse();
+  const StepResult& result = simulation.step(next, {}, 4e-3);  // 150 Hz sampled at 250 Hz
+  EXPECT_TRUE(has(result.status, StepStatus::vibration_left_out));
+  EXPECT_EQ(result.force, result.model.force);
+}
+
+TEST(EffectsInTheStep, FallToZeroWithARejectedInputAndGrowAgainWithinTheLimit) {
+  Effects effects;
+  effects.gravity = Gravity{1};
+  effects.limits.force_growth = 100;
+  Simulation simulation = cut(effects);
+  for (int tick = 0; tick < 200; ++tick) (void)step(simulation, tick);
+  EXPECT_GT(simulation.last_result().force.norm(), 5);
+  Pose bad;
+  bad.translation.x() = std::nan("");
+  EXPECT_EQ(simulation.step(bad, {}, kTick).force, Vec3(0, 0, 0));
+  EXPECT_LE(step(simulation, 200).force.norm(), 100 * kTick * (1 + 1e-12));
+}
+
+TEST(EffectsInTheStep, AreRefusedWithoutChangingAnything) {
+  Effects bad;
+  bad.vibration = Vibration{500};
+  EXPECT_THROW(cut(bad), Error);
+  Simulation simulation = cut(all_effects());
+  EXPECT_THROW(simulation.set_effects(bad), Error);
+  EXPECT_EQ(simulation.config().effects.vibration->frequency, Vibration{}.frequency);
+  simulation.set_effects({});
+  EXPECT_FALSE(simulation.config().effects.gravity.has_value());
+}
+
+TEST(HandleTorqueInTheStep, OfTheThesisFollowsItsFormulasWithTheSameForce) {
+  Simulation exact = cut({}), thesis = cut({}, HandleTorque::thesis);
+  double work = 0;
+  for (int tick = 0; tick < 300; ++tick) {
+    const StepResult& a = step(exact, tick);
+    const StepResult& b = step(thesis, tick);
+    ASSERT_EQ(a.force, b.force);
+    ASSERT_EQ(a.energy.hand_work, b.energy.hand_work);
+    work = (a.torque - b.torque).norm();
+    if (tick != 299) continue;
+    const Mat3 R_WH = (head_at(299) * exact.tool().X_HT().inverse()).rotation;
+    const Vec3 expected =
+        R_WH * thesis_handle_torque(exact.tool().handle(), R_WH.transpose() * b.force, -b.spindle.torque, 1);
+    EXPECT_LT((b.torque - expected).norm(), 1e-12);
+  }
+  EXPECT_GT(work, 0) << "it drops the lateral torque of the head and turns the spin elsewhere";
+}
+
+}  // namespace
+}  // namespace hapticut::effects_test

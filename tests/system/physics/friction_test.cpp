@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dry friction of a standing head in the whole step: where it acts, whose constants it takes, what it costs, and how it
+// hands over to the cutting ratio when the spindle starts.
+#include <gtest/gtest.h>
+
+#include "hapticut/core/errors.hpp"
+#include "support/cutting.hpp"
+#include "support/static_contact.hpp"
+
+namespace hapticut::friction_test {
+namespace {
+
+using units::mm;
+
+constexpr double kRadius = 1 * mm;
+constexpr double kDepth = 0.3 * mm;
+constexpr double kTick = 1e-3;
+
+constexpr double kNormal = 3e-3;        // [1] what a grid of a third of the depth turns the normal force by
+constexpr double kTwoMaterials = 5e-3;  // [1] the same where a softer half is near
+constexpr double kArm = 1e-2;           // [1] where the line of a force turned so leaves the ball
+constexpr double kClosure = 1e-4;       // [1] of the ledger
+constexpr double kPressedOnce = 1e-3;   // [1] the step that presses is not part of the path
+
+Material rough(const char* name, double ratio) {
+  Material material = test::plain_material();
+  material.name = name;
+  material.static_friction = 1.5 * ratio;
+  material.dynamic_friction = ratio;
+  material.tangential_stiffness = 2000;
+  return material;
+}
+
+Simulation ball_on_block(SimulationConfig config = {}, Spindle spindle = {}, double half_width = 3 * mm) {
+  config.reference_stiffness = 1e12;
+  const Box box{Vec3(-half_width, -2 * mm, -2 * mm), Vec3(half_width, 2 * mm, 0)};
+  return Simulation(build_block(box, 0.1 * mm, rough("rough", 0.3)), Tool(SphereHead{kRadius}, RayHandle{}, spindle),
+                    config);
+}
+
+/// Presses down to kDepth in 100 steps, then drags along x.
+const StepResult& press_and_drag(Simulation& simulation, double to_x, double speed) {
+  Pose pose = Pose::from_translation(Vec3(0, 0, kRadius));
+  for (int i = 0; i < 100; ++i) {
+    pose.translation.z() -= kDepth / 100;
+    (void)simulation.step(pose, {}, kTick);
+  }
+  const int steps = int(to_x / (speed * kTick));
+  for (int i = 0; i < steps; ++i) {
+    pose.translation.x() += speed * kTick;
+    (void)simulation.step(pose, {}, kTick);
+  }
+  return simulation.last_result();
+}
+
+TEST(Friction, OfAStandingBallIsTheDynamicRatioOfItsNormalForceAndActsAtTheContact) {
+  Simulation simulation = ball_on_block();
+  const StepResult& result = press_and_drag(simulation, 1 * mm, 5 * units::mm_per_s);
+  const double normal = result.force.z();
+  // The grid's normal force is vertical up to its quadrature error.
+  EXPECT_NEAR(result.force.x() / normal, -0.3, kNormal);
+  EXPECT_NEAR(result.force.y() / normal, 0, kNormal);
+  EXPECT_NEAR(result.torque.y() / (-kRadius * result.force.x()), 1, kArm) << "arm: from the centre to the contact";
+  EXPECT_EQ(result.removed_volume, 0);
+  EXPECT_LT(std::abs(result.energy.closure()), kClosure);
+  EXPECT_GT(result.energy.sliding, 0);
+  EXPECT_GT(result.energy.anchored, 0);
+}
+
+TEST(Friction, SticksAndReturnsItsEnergyWhenThePathDoes) {
+  Simulation simulation = ball_on_block();
+  Pose pose = Pose::from_translation(Vec3(0, 0, kRadius - kDepth));
+  Pose above = pose;
+  above.translation.z() += kDepth;
+  (void)simulation.step(above, {}, kTick);
+  (void)simulation.step(pose, {}, 0.02);
+  const double before = simulation.last_result().energy.hand_work;
+  for (int i = 0; i < 40; ++i) {
+    pose.translation.x() += (i < 20 ? 1 : -1) * 1e-7;  // 2 um to and fro: below mu_s N / k_t = 5 um
+    (void)simulation.step(pose, {}, kTick);
+  }
+  const EnergyLedger& energy = simulation.last_result().energy;
+  EXPECT_LT(std::abs(energy.hand_work - before), kPressedOnce * energy.elastic);
+  EXPECT_LT(energy.sliding, 1e-6 * energy.elastic);
+}
+
+TEST(Friction, IsThatOfTheMaterialUnderTheContact) {
+  SimulationConfig config;
+  config.reference_stiffness = 1e12;
+  const Box box{Vec3(-3, -2, -2) * mm, Vec3(3, 2, 0) * mm};
+  const auto two =
+      test::box_at_phase(box, 0.1 * mm, Vec3::Zero(), MaterialTable({rough("left", 0.2), rough("right", 0.5)}),
+                         [](const Vec3& p) { return MaterialId(p.x() < 0 ? 1 : 2); });
+  for (const double side : {-1.0, 1.0}) {
+    Simulation simulation(two.clone(), Tool(SphereHead{kRadius}), config);
+    Pose pose = Pose::from_translation(Vec3(side * 1.5 * mm, 0, kRadius));
+    for (int i = 0; i < 300; ++i) {
+      if (i < 100)
+        pose.translation.z() -= kDepth / 100;
+      else
+        pose.translation.y() += 2e-6;
+      (void)simulation.step(pose, {}, kTick);
+    }
+    const Vec3& force = simulation.last_result().force;
+    EXPECT_NEAR(-force.y() / force.z(), side < 0 ? 0.2 : 0.5, kTwoMaterials);
+  }
+}
+
+TEST(Friction, OfTheConfigurationReplacesThatOfTheMaterials) {
+  SimulationConfig config;
+  config.friction = DryFriction{0.7, 0.6, 3000};
+  Simulation simulation = ball_on_block(config);
+  const StepResult& result = press_and_drag(simulation, 1 * mm, 5 * units::mm_per_s);
+  EXPECT_NEAR(-result.force.x() / result.force.z(), 0.6, kNormal);
+}
+
+TEST(Friction, HandsOverToTheCuttingRatioAndBackWithoutAStep) {
+  SimulationConfig config;
+  config.removal = RemovalLaw::none;  // so that only the friction changes
+  const double full = kFullSpinSpeed / kRadius;
+  const double ramp = 2 * full / 0.5;  // [rad/s^2] to twice the speed of the hand-over in half a second
+  Simulation simulation = ball_on_block(config, Spindle{0, std::numeric_limits<double>::infinity(), ramp}, 5 * mm);
+  Pose pose = Pose::from_translation(Vec3(-4 * mm, 0, kRadius));
+  const double speed = 2 * units::mm_per_s;
+  Vec3 before = Vec3::Zero();
+  double largest = 0, normal = 0;
+  std::array<double, 3> ratio = {};  // standing, spinning, standing again
+  for (int i = 0; i < 3300; ++i) {
+    if (i < 100)
+      pose.translation.z() -= kDepth / 100;
+    else
+      pose.translation.x() += speed * kTick;
+    if (i == 1000) simulation.set_spindle_speed(2 * full);
+    if (i == 2000) simulation.set_spindle_speed(0);
+    const StepResult& result = simulation.step(pose, {}, kTick);
+    const Vec3 tangential(result.force.x(), result.force.y(), 0);
+    normal = result.force.z();
+    if (i > 900) largest = std::max(largest, (tangential - before).norm());
+    before = tangential;
+    if (i == 999 || i == 1999 || i == 3299)
+      ratio[std::size_t(i / 1000 - (i == 3299 ? 1 : 0))] = tangential.norm() / normal;
+    if (i == 1999) {
+      EXPECT_EQ(result.spindle.speed, 2 * full);
+    }
+  }
+  EXPECT_NEAR(ratio[0], 0.3, kNormal);
+  EXPECT_EQ(simulation.last_result().spindle.speed, 0);
+  EXPECT_NEAR(ratio[2], 0.3, kNormal);
+  // A step would be the whole friction, 0.3 N, in one tick; a hand-over of a quarter of a second takes 250.
+  EXPECT_LT(largest, 0.03 * normal);
+  EXPECT_LT(std::abs(simulation.last_result().energy.closure()), 1e-3);
+}
+
+TEST(FrictionInput, IsRefusedWhenTheSimulationIsMade) {
+  SimulationConfig config;
+  config.friction = DryFriction{0.2, 0.3, 1000};
+  EXPECT_THROW(ball_on_block(config), Error);
+}
+
+}  // namespace
+}  // namespace hapticut::friction_test

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Closed forms of steady lateral cutting and of plunging: C24-C30.
+#include <gtest/gtest.h>
+
+#include "support/cutting.hpp"
+
+namespace hapticut::lateral_cut_test {
+namespace {
+
+using test::feed;
+using test::plain_material;
+using test::SteadyState;
+using units::kPi;
+using units::mm;
+
+constexpr double kRadius = 1 * mm;
+constexpr double kFeed = 5 * mm;  // [m/s]
+constexpr double kSpin = 1000;    // [rad/s]; the rim is 200 times faster than the feed
+
+constexpr double kThinLayer = 0.02;        // [1] of a layer of R/40 (model: what accuracy to expect)
+constexpr double kBall = 0.06;             // [1] an engaged layer that meets a ball at all angles
+constexpr double kNearTheEquator = 0.13;   // [1] plunges, near d = R (model: what accuracy to expect)
+constexpr double kSinglePrecision = 1e-4;  // [1] of sums of forces
+constexpr double kClosure = 1e-4;          // [1] of the ledger
+
+double u() { return plain_material().specific_cutting_energy; }
+double kappa() { return plain_material().cutting_ratio; }
+
+/// k_v for an engaged layer `delta` at the rim.
+double stiffness_for_layer(double delta) { return 2 * u() * kFeed / (kappa() * kSpin * kRadius * delta * delta); }
+
+// Measured for the layer of R/40 on voxels of half of it: 0.4 % against the feed, 1.2 % across, 0.2 % of the torque.
+TEST(LateralCut, C24SlottingWithACylinder) {
+  const double height = 0.5 * mm;
+  SimulationConfig config;
+  config.reference_stiffness = stiffness_for_layer(kRadius / 40);
+  Simulation simulation(
+      build_block({Vec3(0, -1.3, -height / mm) * mm, Vec3(3.5, 1.3, 0) * mm}, kRadius / 80, plain_material()),
+      Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{}, Spindle{kSpin}), config);
+  const SteadyState s = feed(simulation, Vec3(-1.023, 0.011, -1.5) * mm, Vec3(kFeed, 0, 0), 3.3 * mm, 1e-3, 0.7);
+  const double expected = kPi / 2 * u() * kFeed * height / kSpin;
+  EXPECT_NEAR(s.force.x() / (-expected / kappa()), 1, kThinLayer);
+  EXPECT_NEAR(s.force.y() / -expected, 1, kThinLayer);
+  EXPECT_NEAR(s.torque.z() / (-2 * u() * kFeed * kRadius * height / kSpin), 1, kThinLayer);
+}
+
+TEST(LateralCut, C24SpinTheOtherWayMirrorsTheSideForce) {
+  const auto run = [](double spin) {
+    SimulationConfig config;
+    config.reference_stiffness = stiffness_for_layer(0.1 * mm);
+    Simulation simulation(build_block({Vec3(0, -1.3, -0.5) * mm, Vec3(3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
+                          Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{}, Spindle{spin}), config);
+    return feed(simulation, Vec3(-1.023, 0, -1.5) * mm, Vec3(kFeed, 0, 0), 2.5 * mm, 1e-3, 0.7);
+  };
+  const SteadyState right = run(kSpin), left = run(-kSpin);
+  EXPECT_NEAR(right.force.x() / left.force.x(), 1, kSinglePrecision);
+  EXPECT_NEAR(right.force.y() / left.force.y(), -1, kSinglePrecision);
+  EXPECT_NEAR(right.torque.z() / left.torque.z(), -1, kSinglePrecision);
+}
+
+/// A buried ball fed sideways through a block: C27.
+SteadyState buried_sphere(double layer, double voxel) {
+  SimulationConfig config;
+  config.reference_stiffness = stiffness_for_layer(layer);
+  Simulation simulation(build_block({Vec3(0, -1.3, -1.3) * mm, Vec3(3.4, 1.3, 1.3) * mm}, voxel, plain_material()),
+                        Tool(SphereHead{kRadius}, RayHandle{}, Spindle{kSpin}), config);
+  return feed(simulation, Vec3(-1.023, 0.011, 0.017) * mm, Vec3(kFeed, 0, 0), 3.2 * mm, 1e-3, 0.75);
+}
+
+TEST(LateralCut, C27ABuriedSphereConvergesAsTheEngagedLayerThins) {
+  const double fx = -kPi * kPi / 4 * u() * kFeed * kRadius / (kappa() * kSpin);
+  const double fy = -kPi * u() * kFeed * kRadius / kSpin;
+  const double tz = -kPi * u() * kFeed * kRadius * kRadius / kSpin;
+  const SteadyState thick = buried_sphere(0.1 * mm, 0.1 * mm);
+  const SteadyState thin = buried_sphere(0.05 * mm, 0.05 * mm);
+  EXPECT_NEAR(thin.force.x() / fx, 1, kBall);
+  EXPECT_NEAR(thin.force.y() / fy, 1, kBall);
+  EXPECT_NEAR(thin.torque.z() / tz, 1, kBall);
+  EXPECT_LT(std::abs(thin.torque.z() / tz - 1), std::abs(thick.torque.z() / tz - 1));
+}
+
+TEST(LateralCut, C28C29PlungesApproachTheirClosedFormsAsTheLayerThins) {
+  struct Case {
+    const char* name;
+    ToolHead head;
+    double force, torque;  // closed forms at depth d
+  };
+  const double depth = 0.9 * mm;
+  const double theta = std::acos(1 - depth / kRadius);
+  const double alpha = 45 * units::deg;
+  const double a = depth * std::tan(alpha);
+  const double speed = 1 * mm;
+  const std::vector<Case> cases = {
+      {"C28", SphereHead{kRadius},
+       kPi * kRadius * u() * speed / (kappa() * kSpin) * (theta + std::sin(theta) * std::cos(theta)),
+       -u() * kPi * kRadius * kRadius * std::pow(std::sin(theta), 2) * speed / kSpin},
+      {"C29", ConeHead{alpha, 2 * mm}, 2 * kPi * u() * speed * std::sin(alpha) * a / (kappa() * kSpin),
+       -u() * kPi * a * a * speed / kSpin}};
+  for (const Case& c : cases) {
+    const auto error_of = [&](double stiffness, double voxel, double expected, bool torque) {
+      SimulationConfig config;
+      config.reference_stiffness = stiffness;
+      Simulation simulation(build_block({Vec3(-1.4, -1.4, -1.5) * mm, Vec3(1.4, 1.4, 0) * mm}, voxel, plain_material()),
+                            Tool(c.head, RayHandle{}, Spindle{kSpin}), config);
+      const double tip = c.name == std::string("C28") ? kRadius : 0;
+      // The last 0.06 mm before the depth, centred on it.
+      const SteadyState s = feed(simulation, Vec3(0.029 * mm, 0.013 * mm, tip), Vec3(0, 0, -speed), depth + 0.03 * mm,
+                                 1e-3, 1 - 0.06 * mm / (depth + 0.03 * mm));
+      return 1 - (torque ? s.torque.z() : s.force.z()) / expected;
+    };
+    const double stiffness = 2 * u() * speed / (kappa() * kSpin * kRadius * std::pow(0.1 * mm, 2));
+    const double thick = error_of(stiffness, 0.05 * mm, c.torque, true);
+    const double thin = error_of(4 * stiffness, 0.05 * mm, c.torque, true);
+    EXPECT_NEAR(thin, 0, kNearTheEquator) << c.name;
+    EXPECT_GT(thick / thin, 1.4) << c.name << ": half the layer, about half the error";
+    EXPECT_NEAR(error_of(4 * stiffness, 0.05 * mm, c.force, false), 0, kNearTheEquator) << c.name;
+  }
+}
+
+TEST(LateralCut, C30PowerPaysForTheRemovedVolumeAndTheLosses) {
+  const SteadyState s = buried_sphere(0.1 * mm, 0.1 * mm);
+  EXPECT_LT(std::abs(s.energy.closure()), kClosure);
+  EXPECT_NEAR(s.energy.cutting / (u() * s.removed_volume), 1, kSinglePrecision);
+}
+
+}  // namespace
+}  // namespace hapticut::lateral_cut_test

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "hapticut/bench/scenes.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/simulation/coupling.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "support/allocation_count.hpp"
+#include "support/laws.hpp"
+
+namespace hapticut::no_allocation_test {
+namespace {
+
+constexpr int kSteps = 10000;
+
+/// Keeps the compiler from optimising an allocation away.
+void escape(void* p) { asm volatile("" : : "g"(p) : "memory"); }
+
+TEST(CallCounts, SeeEveryKindOfAllocationAndLock) {
+  test::arm_call_counts();
+  auto integer = std::make_unique<int>(3);
+  std::vector<double> numbers(10);
+  auto* bytes = static_cast<char*>(std::malloc(10));
+  struct alignas(128) Wide {
+    char c[128];
+  };
+  auto wide = std::make_unique<Wide>();
+  for (void* p : {static_cast<void*>(integer.get()), static_cast<void*>(numbers.data()), static_cast<void*>(bytes),
+                  static_cast<void*>(wide.get())})
+    escape(p);
+  std::free(bytes);
+  std::mutex mutex;
+  mutex.lock();
+  const test::CallCounts counts = test::disarm_call_counts();
+  mutex.unlock();
+  EXPECT_GE(counts.allocations, 4);
+  EXPECT_GE(counts.deallocations, 1);
+  EXPECT_EQ(counts.locks, 1);
+}
+
+class NoAllocation : public testing::TestWithParam<std::string> {};
+
+TEST_P(NoAllocation, In10000StepsOfTheScene) {
+  const Scene& scene = find_scene(GetParam());
+  Simulation simulation = scene.make();
+  std::vector<StepInput> inputs;
+  for (int tick = 0; tick < kSteps; ++tick) inputs.push_back(scene.input(tick));
+
+  double removed = 0;
+  int contacts = 0;
+  StepStatus status = StepStatus::ok;
+  test::arm_call_counts();
+  for (const StepInput& input : inputs) {
+    const StepResult& result = simulation.step(input.pose, input.velocity, input.dt);
+    removed += result.removed_volume;
+    contacts += result.contact.voxels > 0 ? 1 : 0;
+    status |= result.status;
+  }
+  const test::CallCounts counts = test::disarm_call_counts();
+
+  EXPECT_EQ(counts.allocations, 0);
+  EXPECT_EQ(counts.deallocations, 0);
+  EXPECT_EQ(counts.locks, 0);
+  EXPECT_GT(contacts, kSteps / 10) << "the scene must be at work, or the test says nothing";
+  if (simulation.tool().spindle().speed != 0) {
+    EXPECT_GT(removed, 0);
+  }
+  EXPECT_FALSE(has(status, StepStatus::blocks_exhausted | StepStatus::removed_list_full));
+}
+
+TEST(NoAllocationOnBadInput, WhenTheInputIsRejectedOrThePoolIsExhausted) {
+  const Scene& scene = find_scene("deep_ball");
+  Simulation simulation = scene.make();
+  StepInput bad = scene.input(0);
+  bad.pose.translation.x() = std::nan("");
+  test::arm_call_counts();
+  (void)simulation.step(bad.pose, bad.velocity, bad.dt);
+  (void)simulation.step(scene.input(0).pose, {}, -1);
+  (void)simulation.step(Pose::from_translation(Vec3(1, 1, 1)), {}, 1e-3);
+  (void)simulation.step(Pose::from_translation(Vec3(-1, 1, 1)), {}, 1e-3);
+  const test::CallCounts counts = test::disarm_call_counts();
+  EXPECT_EQ(counts.allocations, 0);
+}
+
+TEST(NoAllocationWithEveryTerm, WhileTheSpindleStartsAndStops) {
+  Material material;
+  material.name = "bone";
+  SimulationConfig config;
+  config.effects.gravity = Gravity{0.05};
+  config.effects.vibration = Vibration{};
+  config.effects.delta_filter = DeltaFilter{};
+  config.effects.limits = {3, 0.1, 1000, 100, 0.1};
+  config.handle_torque = HandleTorque::thesis;
+  Spindle spindle{0, 5, 100, 1e3};
+  Simulation simulation(build_block({Vec3(-5, -5, -5) * units::mm, Vec3(5, 5, 0) * units::mm}, 1e-4, material),
+                        Tool(SphereHead{1e-3}, LHandle{0.1, 0.02, 1.2}, spindle), config);
+  const Pose X_TH = simulation.tool().X_HT().inverse();
+  int standing = 0, between = 0, spinning = 0;
+  test::arm_call_counts();
+  for (int tick = 0; tick < kSteps; ++tick) {
+    if (tick % 500 == 0) simulation.set_spindle_speed(tick % 1000 == 0 ? 0 : 20);
+    const double t = 1e-3 * tick;
+    const Vec3 head(2e-3 * std::sin(t), 2e-3 * std::cos(t), 0.9e-3);
+    const StepResult& result = simulation.step(Pose::from_translation(head) * X_TH, {}, 1e-3);
+    const double share = standing_share(result.spindle.speed, 1e-3);
+    ++(share == 1 ? standing : share == 0 ? spinning : between);
+  }
+  const test::CallCounts counts = test::disarm_call_counts();
+  EXPECT_EQ(counts.allocations, 0);
+  EXPECT_EQ(counts.deallocations, 0);
+  EXPECT_EQ(counts.locks, 0);
+  EXPECT_GT(std::min({standing, between, spinning}), kSteps / 20);
+  EXPECT_GT(simulation.last_result().energy.sliding, 0);
+}
+
+TEST(NoAllocationOfAnyLaw, WhileItCuts) {
+  for (const test::NamedLaw& named : test::all_laws()) {
+    Material material;
+    material.name = "bone";
+    SimulationConfig config;
+    config.law = named.law;
+    Simulation simulation(build_block({Vec3(-2, -2, -3) * units::mm, Vec3(2, 2, 0) * units::mm}, 1e-4, material),
+                          Tool(named.head, RayHandle{}, Spindle{2000}), config);
+    const double lowest = named.head.bounding_box().min.z();
+    double removed = 0;
+    test::arm_call_counts();
+    for (int tick = 0; tick < 1000; ++tick) {
+      const Vec3 head(1e-4 * std::sin(0.01 * tick), 0, -lowest - 1e-6 * tick);
+      removed += simulation.step(Pose::from_translation(head), {}, 1e-3).removed_volume;
+    }
+    const test::CallCounts counts = test::disarm_call_counts();
+    EXPECT_EQ(counts.allocations + counts.deallocations + counts.locks, 0) << named.name;
+    EXPECT_GT(removed, 0) << named.name;
+  }
+}
+
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  for (const Scene& scene : scenes()) names.push_back(scene.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, NoAllocation, testing::ValuesIn(scene_names()),
+                         [](const auto& scene) { return scene.param; });
+
+TEST(NoAllocation, InStepsOfAVirtualCoupling) {
+  SimulationConfig config;
+  config.reference_stiffness = 1e16;
+  config.contact_time = ContactTime::end;
+  Material material;
+  material.name = "plain";
+  material.cutting_ratio = 0.5;
+  material.specific_cutting_energy = 3e8;
+  const Box box{Vec3(-4e-3, -4e-3, -4e-3), Vec3(4e-3, 4e-3, 0)};
+  Simulation simulation(build_block(box, 1e-4, material), Tool(SphereHead{1e-3}, RayHandle{20e-3}, Spindle{2000}),
+                        config);
+  CouplingGains gains;
+  gains.angular_stiffness = 0.3;
+  VirtualCoupling coupling(simulation, gains);
+  double removed = 0;
+  test::arm_call_counts();
+  for (int n = 0; n < 2000; ++n) {
+    const double z = 22e-3 - 4e-6 * n;
+    removed += coupling.step(Pose::from_translation({1e-6 * n, 0, z}), {Vec3(1e-3, 0, -4e-3), Vec3::Zero()}, 1e-3)
+                   .removed_volume;
+  }
+  const test::CallCounts counts = test::disarm_call_counts();
+  EXPECT_EQ(counts.allocations, 0);
+  EXPECT_EQ(counts.deallocations, 0);
+  EXPECT_EQ(counts.locks, 0);
+  EXPECT_GT(removed, 1e-9);
+}
+
+}  // namespace
+}  // namespace hapticut::no_allocation_test

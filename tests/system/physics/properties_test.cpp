@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// Symmetries of the step with any head, and its energy balance for anything that a hand may do.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "support/catalogue_heads.hpp"
+#include "support/cut_scene.hpp"
+#include "support/profiles.hpp"
+
+namespace hapticut::properties_test {
+namespace {
+
+using namespace test;
+using units::mm;
+
+// Positions in single precision differ in their last bits from one frame to another, and a voxel then counts one step
+// earlier or later: where the spring does not vanish at the rim, or where cutting starts, that is one of hundreds.
+constexpr double kOneVoxel = 5e-3;
+
+/// Heads of profiles take a while to make.
+const std::vector<ToolHead>& heads_of_profiles() {
+  static const std::vector<ToolHead> kHeads = [] {
+    std::vector<ToolHead> heads;
+    for (const NamedProfile& p : all_profiles()) heads.emplace_back(ProfileHead(p.profile));
+    for (const CatalogueHead& c : catalogue_heads()) heads.push_back(c.make());
+    return heads;
+  }();
+  return kHeads;
+}
+
+/// Friction, a handle, and a spindle that starts, stops, turns round or keeps its speed.
+void add_anything(CutScene& scene) {
+  make_rough(scene.soft);
+  make_rough(scene.hard);
+  scene.handle = arbitrary_handle();
+  scene.spin *= *rc::gen::element(-1.0, 0.0, 1.0);
+  if (*rc::gen::arbitrary<bool>()) {
+    scene.later_spin = *rc::gen::element(-1.0, 0.0, 1.0) * *number_between(5, 5000);
+    // Ten steps take a fifth of the hand-over from friction to cutting, or all of it and more.
+    scene.acceleration_limit = std::pow(10, *number_between(3, 6));
+  }
+}
+
+/// Any head wide enough to meet voxels, with anything that a step may have: dry friction, a handle, a spindle that
+/// turns, stands, starts or stops.
+CutScene arbitrary_scene() {
+  const bool profile = *rc::gen::arbitrary<bool>();
+  const auto wide = [](const ToolHead& head) { return head.bounding_box().max.x() > 0.3 * mm; };
+  CutScene scene = arbitrary_cut_scene(profile ? *rc::gen::elementOf(heads_of_profiles())
+                                               : *rc::gen::suchThat(arbitrary_head(), wide));
+  add_anything(scene);
+  return scene;
+}
+
+RC_GTEST_PROP(Step, ARotatedSceneGivesTheRotatedWrench, ()) {
+  CutScene scene = arbitrary_scene();
+  const CutOutcome straight = run(scene, 10);
+  scene.frame.X_WV = {*arbitrary_rotation(), *arbitrary_vector(5 * mm)};
+  RC_ASSERT(difference(straight, run(scene, 10)) < kOneVoxel);
+}
+
+RC_GTEST_PROP(Step, AMirroredSceneGivesTheMirroredWrench, ()) {
+  CutScene scene = arbitrary_scene();
+  const CutOutcome straight = run(scene, 10);
+  scene.mirrored = true;
+  RC_ASSERT(difference(straight, mirrored_back(run(scene, 10))) < kOneVoxel);
+}
+
+RC_GTEST_PROP(Step, TheGridsOriginDoesNotMatter, ()) {
+  CutScene scene = arbitrary_scene();
+  const CutOutcome before = run(scene, 10);
+  for (int& i : scene.shift) i = *rc::gen::inRange(-1000, 1000);
+  RC_ASSERT(difference(before, run(scene, 10)) < kOneVoxel);
+}
+
+/// Heads of profiles all of whose edges cut: their depth vanishes wherever material can get in.
+const std::vector<ToolHead>& heads_with_potential() {
+  static const std::vector<ToolHead> kHeads = [] {
+    std::vector<ToolHead> heads;
+    for (const NamedProfile& p : closed_profiles()) heads.emplace_back(ProfileHead(p.profile));
+    return heads;
+  }();
+  return kHeads;
+}
+
+void expect_a_closed_ledger(const CutScene& scene, const CutOutcome& outcome) {
+  const EnergyLedger& e = outcome.energy;
+  RC_ASSERT(outcome.turnover > 0);
+  RC_CLASSIFY(outcome.removed_volume > 0, "cuts");
+  RC_CLASSIFY(outcome.largest_sliding > 0, "slides");
+  RC_LOG() << "imbalance " << e.imbalance() << " of " << outcome.turnover << " hand " << e.hand_work << " motor "
+           << e.motor_work << " elastic " << e.elastic << " cutting " << e.cutting << " released " << e.released
+           << " damping " << e.damping << " rubbing " << e.rubbing << " anchored " << e.anchored << " sliding "
+           << e.sliding << " credited " << e.credited << " least loss " << outcome.least_loss << " kind "
+           << scene.head.shape().index() << " R " << scene.head.largest_radius() << " spin " << scene.spin;
+  // A touch too light to fill the first voxel is booked to a few hundredths of that voxel's k_v l^5.
+  constexpr double kClosure = 5e-3;  // [1] what the issue of the whole model asks of every combination
+  RC_ASSERT(std::abs(e.imbalance()) < kClosure * outcome.turnover + 3e-2 * 1e13 * std::pow(kSceneVoxel, 5));
+  RC_ASSERT(outcome.least_loss >= -1e-6 * outcome.turnover);
+  RC_ASSERT(e.elastic >= 0 && e.anchored >= 0);
+  RC_ASSERT(outcome.removed_volume >= 0);
+}
+
+// Anything that a hand may do, with anything that a material may be: the ledger closes and nothing is gained.
+RC_GTEST_PROP(Step, TheLedgerClosesAndNoLossIsNegativeInAnyCut, ()) {
+  CutScene scene = arbitrary_conservative_scene();
+  if (*rc::gen::inRange(0, 3) == 0) scene = arbitrary_cut_scene(*rc::gen::elementOf(heads_with_potential()));
+  make_arbitrary(scene.soft);
+  make_arbitrary(scene.hard);
+  add_anything(scene);
+  scene.removal = *rc::gen::element(RemovalLaw::none, RemovalLaw::constant_energy, RemovalLaw::elastic_release);
+  scene.turn_V = *arbitrary_vector(2);
+  expect_a_closed_ledger(scene, run(scene));
+}
+
+// A ball that is pushed through its own depth, standing or cutting, and through the block.
+RC_GTEST_PROP(Step, TheLedgerClosesWhereABallIsPushedBeyondItsRadius, ()) {
+  CutScene scene;
+  const double R = *number_between(0.3 * mm, 0.6 * mm);
+  scene.head = SphereHead{R};
+  make_arbitrary(scene.soft);
+  make_arbitrary(scene.hard);
+  add_anything(scene);
+  scene.X_VT = {*arbitrary_rotation(), Vec3(*number_between(-0.3, 0.3) * mm, *number_between(-0.3, 0.3) * mm, 1.1 * R)};
+  scene.feed_V = *arbitrary_vector(5 * units::mm_per_s) - Vec3(0, 0, *number_between(30, 60) * units::mm_per_s);
+  expect_a_closed_ledger(scene, run(scene));
+}
+
+// Standing, the friction of any head on any body stays within mu_s of the normal force, and never helps the hand.
+RC_GTEST_PROP(Step, TheFrictionOfAStandingHeadStaysInItsCone, ()) {
+  CutScene scene = arbitrary_scene();
+  scene.spin = 0;
+  scene.later_spin.reset();
+  scene.hard.static_friction = scene.soft.static_friction;
+  scene.hard.dynamic_friction = scene.soft.dynamic_friction;
+  CutScene smooth = scene;
+  for (Material* m : {&smooth.soft, &smooth.hard}) m->static_friction = m->dynamic_friction = 0;
+  const CutOutcome rough = run(scene), normal = run(smooth);
+  RC_CLASSIFY(rough.largest_sliding > 0, "slides");
+  for (std::size_t n = 0; n < rough.wrenches_V.size(); ++n) {
+    const Vec3 along = rough.wrenches_V[n].force - normal.wrenches_V[n].force;
+    RC_ASSERT(along.norm() <= scene.soft.static_friction * normal.wrenches_V[n].force.norm() * (1 + kOneVoxel) + 1e-12);
+  }
+  RC_ASSERT(rough.least_loss >= -1e-9 * rough.turnover);
+}
+
+}  // namespace
+}  // namespace hapticut::properties_test

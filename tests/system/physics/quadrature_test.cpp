@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the force of a partly filled voxel is taken: how the three choices converge
+// (docs/decisions/0002-quadrature.md).
+#include <gtest/gtest.h>
+
+#include "support/static_contact.hpp"
+
+namespace hapticut::quadrature_test {
+namespace {
+
+using test::hold;
+using test::kStiffness;
+using units::kPi;
+using units::mm;
+
+constexpr double kRadius = 1 * mm;
+constexpr double kDepth = 0.3 * mm;
+const Vec3 kNormals[] = {Vec3::UnitZ(), Vec3(0.31, -0.52, 0.8).normalized()};
+const double kForce = kStiffness * kPi / 12 * kDepth * kDepth * kDepth * (4 * kRadius - 3 * kDepth);  // C1
+
+/// How a half space becomes voxels.
+enum class Surface {
+  centroid,  // partly filled voxels, force at the centroid of the filled part
+  center,    // partly filled voxels, force at the voxel's centre
+  binary     // whole voxels, where the centre is inside
+};
+
+/// Mean and spread over the grid phases of the relative error of the force along the normal, for a ball pressed into a
+/// half space; in units of (l/d)^2, or of l/d for binary voxels.
+struct ErrorConstants {
+  double mean, spread;
+};
+
+ErrorConstants press(Surface surface, const Vec3& normal, double l) {
+  double sum = 0, squares = 0;
+  for (int n = 0; n < test::kPhases; ++n) {
+    // The plane goes through a point of a voxel that depends on the phase; the ball goes down along its normal.
+    const Vec3 through = l * test::phase(n);
+    const double half_edge = kRadius + 4 * l;
+    const BodyDescription body = {{Vec3::Constant(-half_edge), Vec3::Constant(half_edge)},
+                                  [=](const Vec3& p) { return normal.dot(p - through); },
+                                  [](const Vec3&) { return MaterialId(1); }};
+    const Box box = {body.box.min, Vec3(half_edge, half_edge, 0)};
+    const bool upright = normal == Vec3::UnitZ() && surface != Surface::binary;
+    const Vec3 on_surface = upright ? Vec3::Zero() : through;
+    Simulation simulation(
+        upright ? test::box_at_phase(box, l, test::phase(n))
+                : build_body(body, l, test::materials_of_stiffness({1}), surface == Surface::binary ? 1 : 8),
+        Tool(SphereHead{kRadius}),
+        test::static_config(surface == Surface::centroid ? Quadrature::centroid : Quadrature::voxel_center));
+    const double force = hold(simulation, Vec3(on_surface + (kRadius - kDepth) * normal)).force.dot(normal);
+    const double error = (force / kForce - 1) / std::pow(l / kDepth, surface == Surface::binary ? 1 : 2);
+    sum += error;
+    squares += error * error;
+  }
+  const double mean = sum / test::kPhases;
+  return {mean, std::sqrt(squares / test::kPhases - mean * mean)};
+}
+
+// With F''(d) d^2 / F = 12 (2R-3d)/(4R-3d) = 4.26 at d = 0.3 R, the midpoint rule along the normal is off by -1/24 of
+// that: -0.177. The voxel's centre lies (1-f)/2 above the centroid of the filled fraction f, which adds f (1-f)/2 times
+// 4.26: in the mean over f 1/12, so that the error becomes +0.177, and with a spread of 0.037 * 4.26 = 0.159 where all
+// surface voxels have the same f. Where the surface is tilted against the grid, every f occurs at once.
+constexpr double kSlope = 12 * (2 * kRadius - 3 * kDepth) / (4 * kRadius - 3 * kDepth);
+constexpr double kMidpoint = -kSlope / 24;
+constexpr double kTolerance = 0.03;  // of 12 phases, of a lattice, and of subsampled fills
+
+class Resolution : public testing::TestWithParam<double> {};
+
+TEST_P(Resolution, TheCentroidHasTheErrorOfTheMidpointRuleOnAnySurface) {
+  for (const Vec3& normal : kNormals) {
+    const ErrorConstants c = press(Surface::centroid, normal, GetParam() * mm);
+    EXPECT_NEAR(c.mean, kMidpoint, kTolerance);
+    EXPECT_LT(c.spread, kTolerance);
+  }
+}
+
+TEST_P(Resolution, TheVoxelsCentreHasTheOppositeMeanErrorAndRipplesOnASurfaceAlongTheGrid) {
+  const ErrorConstants upright = press(Surface::center, Vec3::UnitZ(), GetParam() * mm);
+  EXPECT_NEAR(upright.mean, -kMidpoint, kTolerance);
+  EXPECT_NEAR(upright.spread, kSlope * std::sqrt(1.0 / 120 - 1.0 / 144), kTolerance);
+  const ErrorConstants tilted = press(Surface::center, kNormals[1], GetParam() * mm);
+  EXPECT_NEAR(tilted.mean, -kMidpoint, kTolerance);
+  EXPECT_LT(tilted.spread, kTolerance);
+}
+
+// Whole voxels put the surface up to half a voxel off: sqrt(1/12) l F'(d)/F = 0.289 * 12 (1-d/R)/(4-3d/R) l/d.
+TEST_P(Resolution, WholeVoxelsAreFirstOrderOnASurfaceAlongTheGrid) {
+  const ErrorConstants c = press(Surface::binary, Vec3::UnitZ(), GetParam() * mm);
+  const double slope = 12 * (1 - kDepth / kRadius) / (4 - 3 * kDepth / kRadius);
+  EXPECT_NEAR(std::hypot(c.mean, c.spread), slope / std::sqrt(12), 0.1 * slope);
+}
+
+INSTANTIATE_TEST_SUITE_P(Quadrature, Resolution, testing::Values(0.1, 0.05, 0.025), [](const auto& size) {
+  return std::to_string(int(size.param * 1000 + 0.5)) + "MicrometreVoxels";
+});
+
+}  // namespace
+}  // namespace hapticut::quadrature_test

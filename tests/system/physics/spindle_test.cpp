@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// The motor: its torque, its power, and what a limit of it does to the cut.
+#include <gtest/gtest.h>
+
+#include "hapticut/core/errors.hpp"
+#include "support/cutting.hpp"
+
+namespace hapticut::spindle_test {
+namespace {
+
+using test::plain_material;
+using units::kPi;
+using units::mm;
+
+constexpr double kRadius = 1 * mm;
+constexpr double kFeed = 2 * mm;  // [m/s]
+constexpr double kSpin = 2000;    // [rad/s]
+
+constexpr double kRipple = 0.02;       // [1] of a power that voxels of a layer make ripple
+constexpr double kSteadySpeed = 0.01;  // [1] the speed ripples half as much as the torque does
+constexpr double kClosure = 1e-4;      // [1] of the ledger (model: what accuracy to expect)
+
+/// A flat head fed axially needs u pi R^2 v_f in all, whatever its speed.
+double power_needed() { return plain_material().specific_cutting_energy * kPi * kRadius * kRadius * kFeed; }
+
+Simulation axial_cut(double power_limit) {
+  SimulationConfig config;
+  config.reference_stiffness = 1e14;
+  return Simulation(build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
+                    Tool(FlatHead{kRadius, 4 * mm}, RayHandle{}, Spindle{kSpin, power_limit}), config);
+}
+
+const StepResult& plunge(Simulation& simulation, int tick) {
+  const Vec3 tip(0.029 * mm, 0.011 * mm, -kFeed * 1e-3 * (tick + 1));
+  return simulation.step(Pose::from_translation(tip), {Vec3(0, 0, -kFeed), Vec3::Zero()}, 1e-3);
+}
+
+TEST(Spindle, WithoutALimitItKeepsItsSpeedAndDeliversThePowerOfTheCut) {
+  Simulation simulation = axial_cut(std::numeric_limits<double>::infinity());
+  double power = 0;
+  for (int tick = 0; tick < 800; ++tick) {
+    const StepResult& result = plunge(simulation, tick);
+    EXPECT_EQ(result.spindle.speed, kSpin);
+    EXPECT_FALSE(has(result.status, StepStatus::power_limited));
+    if (tick >= 400) power += result.spindle.torque * result.spindle.speed / 400;
+  }
+  EXPECT_NEAR(power / power_needed(), 1, kRipple);
+}
+
+TEST(Spindle, APowerLimitSlowsItDownAndTheWorkStaysWithinIt) {
+  const double limit = 0.5 * power_needed();
+  Simulation simulation = axial_cut(limit);
+  StepStatus status = StepStatus::ok;
+  double slowest = kSpin;
+  const int ticks = 500;
+  for (int tick = 0; tick < ticks; ++tick) {
+    const StepResult& result = plunge(simulation, tick);
+    status |= result.status;
+    slowest = std::min(slowest, result.spindle.speed);
+    EXPECT_GT(result.spindle.speed, 0);
+  }
+  EXPECT_TRUE(has(status, StepStatus::power_limited));
+  EXPECT_LT(slowest, 0.5 * kSpin);
+  // The limit is held against the torque of the tick before, so a rising torque overshoots it a little.
+  EXPECT_LT(simulation.last_result().energy.motor_work, 1.05 * limit * ticks * 1e-3);
+  EXPECT_LT(std::abs(simulation.last_result().energy.closure()), kClosure);
+}
+
+TEST(Spindle, RecoversItsSpeedWhenTheToolIsLifted) {
+  Simulation simulation = axial_cut(0.5 * power_needed());
+  for (int tick = 0; tick < 300; ++tick) (void)plunge(simulation, tick);
+  EXPECT_LT(simulation.last_result().spindle.speed, kSpin);
+  double z = -kFeed * 0.3;
+  for (int tick = 0; tick < 400; ++tick) {
+    z += 4 * mm * 1e-3;
+    (void)simulation.step(Pose::from_translation(Vec3(0.029 * mm, 0.011 * mm, z)), {Vec3(0, 0, 4 * mm), Vec3::Zero()},
+                          1e-3);
+  }
+  EXPECT_EQ(simulation.last_result().spindle.speed, kSpin);
+}
+
+TEST(Spindle, StandingItCutsNothingAndNeedsNoTorque) {
+  Simulation simulation = axial_cut(1.0);
+  simulation.set_spindle_speed(0);
+  for (int tick = 0; tick < 100; ++tick) (void)plunge(simulation, tick);
+  const StepResult& result = simulation.last_result();
+  EXPECT_GT(result.force.z(), 0);
+  EXPECT_EQ(result.energy.cutting, 0);
+  EXPECT_EQ(result.energy.motor_work, 0);
+}
+
+TEST(Spindle, TheHandFeelsTheMotorsReaction) {
+  Simulation simulation = axial_cut(std::numeric_limits<double>::infinity());
+  for (int tick = 0; tick < 400; ++tick) (void)plunge(simulation, tick);
+  const StepResult& result = simulation.last_result();
+  EXPECT_NEAR(result.torque.z(), -result.spindle.torque, 1e-12);
+}
+
+// A flat head needs the torque u pi R^2 v_f / omega; a spindle that loses c times it turns at the larger root of
+// omega = omega_0 - c u pi R^2 v_f / omega.
+TEST(Spindle, DroopsToTheSpeedAtWhichItsTorqueAndTheCutsAgree) {
+  const double power = power_needed(), droop = 0.15 * kSpin * kSpin / power;
+  const double expected = 0.5 * (kSpin + std::sqrt(kSpin * kSpin - 4 * droop * power));
+  for (const double sign : {1.0, -1.0}) {
+    SimulationConfig config;
+    config.reference_stiffness = 1e14;
+    Spindle spindle{sign * kSpin};
+    spindle.droop = droop;
+    Simulation simulation(build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
+                          Tool(FlatHead{kRadius, 4 * mm}, RayHandle{}, spindle), config);
+    double speed = 0;
+    for (int tick = 0; tick < 800; ++tick) {
+      const StepResult& result = plunge(simulation, tick);
+      if (tick >= 400) speed += result.spindle.speed / 400;
+    }
+    EXPECT_NEAR(speed / (sign * expected), 1, kSteadySpeed);
+  }
+}
+
+TEST(Spindle, RampsToANewSettingWhenItHasAnAccelerationLimit) {
+  Simulation simulation(
+      build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
+      Tool(FlatHead{kRadius, 4 * mm}, RayHandle{}, Spindle{0, std::numeric_limits<double>::infinity(), 1e5}));
+  simulation.set_spindle_speed(kSpin);
+  double before = 0;
+  for (int tick = 0; tick <= 20; ++tick) {
+    const StepResult& result = simulation.step(Pose::from_translation(Vec3(0, 0, 1 * mm)), {}, 1e-3);
+    EXPECT_NEAR(result.spindle.speed, 100.0 * tick, 1e-9);
+    EXPECT_FALSE(has(result.status, StepStatus::power_limited)) << "a ramp is no load";
+    EXPECT_GE(result.spindle.speed, before);
+    before = result.spindle.speed;
+  }
+  EXPECT_THROW(simulation.set_spindle_speed(std::nan("")), Error);
+  EXPECT_EQ(simulation.step(Pose::from_translation(Vec3(0, 0, 1 * mm)), {}, 1e-3).spindle.speed, kSpin);
+}
+
+}  // namespace
+}  // namespace hapticut::spindle_test

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a step may have to do is known before, can be bounded, and can be timed.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "hapticut/bench/scenes.hpp"
+#include "hapticut/core/errors.hpp"
+#include "hapticut/force/laws/thesis.hpp"
+#include "hapticut/tool/catalogue.hpp"
+#include "support/cutting.hpp"
+#include "support/random_pose.hpp"
+
+namespace hapticut::worst_case_test {
+namespace {
+
+using units::deg;
+using units::mm;
+
+constexpr double kVoxel = 0.1 * mm;
+
+/// A block in which every head of these tests is wholly buried.
+Workpiece deep_block() {
+  return build_block({Vec3::Constant(-4 * mm), Vec3::Constant(4 * mm)}, kVoxel, test::plain_material());
+}
+
+std::vector<ToolHead> heads() {
+  return {SphereHead{1 * mm}, SphereHead{0.12 * mm}, ConeHead{20 * deg, 2 * mm}, FlatHead{0.6 * mm, 1.5 * mm},
+          ConeHead{70 * deg, 0.5 * mm}};
+}
+
+TEST(WorstCase, IsNeverExceededAndNotMuchTooLarge) {
+  test::RandomPoses random(5);
+  for (const ToolHead& head : heads()) {
+    SimulationConfig config;
+    config.removal = RemovalLaw::none;
+    Simulation simulation(deep_block(), Tool(head), config);
+    const WorstCase worst = simulation.worst_case();
+    int most = 0;
+    for (int trial = 0; trial < 50; ++trial) {
+      simulation.restore(simulation.snapshot());
+      const Pose pose = {random.rotation(), random.vector(1 * mm)};
+      most = std::max(most, simulation.step(pose, {}, 1e-3).contact.voxels);
+    }
+    EXPECT_GT(most, 0);
+    EXPECT_LE(std::size_t(most), worst.voxels);
+    // Every voxel that the surface may touch counts whole: two layers of them around a cone of ten voxels across.
+    if (head.volume() > 500 * std::pow(kVoxel, 3)) {
+      EXPECT_LT(double(worst.voxels), 4.0 * most);
+    }
+    EXPECT_EQ(worst.level_of_detail, 1);
+    EXPECT_EQ(worst.sub_steps, config.longest_sweep);
+  }
+}
+
+/// Half buried, then sideways, cutting.
+struct Groove {
+  Vec3 force = Vec3::Zero();  // [N] mean over the steady part
+  double removed = 0;         // [m^3]
+  double closure = 0;
+  int most_evaluated = 0;
+  int most_turns = 0;
+  StepStatus status = StepStatus::ok;
+};
+
+Groove cut_groove(std::size_t budget) {
+  SimulationConfig config;
+  config.voxel_budget = budget;
+  config.reference_stiffness = 1e13;
+  Material hard = test::plain_material();
+  hard.specific_cutting_energy = 3e9;
+  Simulation simulation(build_block({Vec3(-4 * mm, -4 * mm, -3 * mm), Vec3(4 * mm, 4 * mm, 0)}, kVoxel, hard),
+                        Tool(SphereHead{1.5 * mm}, RayHandle{}, Spindle{3000}), config);
+  Groove groove;
+  constexpr int kSteps = 800;
+  for (int i = 0; i < kSteps; ++i) {
+    const Vec3 velocity = i < kSteps / 2 ? Vec3(0, 0, -4e-3) : Vec3(4e-3, 0, 0);
+    const Vec3 position = Vec3(-1 * mm, 0.03 * mm, 1.5 * mm) + std::min(i + 1, kSteps / 2) * Vec3(0, 0, -4e-6) +
+                          std::max(0, i + 1 - kSteps / 2) * Vec3(4e-6, 0, 0);
+    const StepResult& result = simulation.step(Pose::from_translation(position), {velocity, Vec3::Zero()}, 1e-3);
+    if (i > kSteps * 3 / 4) groove.force += result.force / (kSteps / 4.0);
+    groove.removed += result.removed_volume;
+    groove.most_evaluated = std::max(groove.most_evaluated, result.contact.voxels / result.contact.turns);
+    groove.most_turns = std::max(groove.most_turns, result.contact.turns);
+    groove.status |= result.status;
+  }
+  groove.closure = simulation.last_result().energy.closure();
+  return groove;
+}
+
+TEST(LevelOfDetail, KeepsTheBudgetTheForceAndTheCut) {
+  const Groove whole = cut_groove(0);
+  ASSERT_GT(whole.most_evaluated, 4500);
+  EXPECT_EQ(whole.most_turns, 1);
+  EXPECT_FALSE(has(whole.status, StepStatus::detail_reduced));
+  const Groove reduced = cut_groove(4096);
+  EXPECT_LE(reduced.most_evaluated, 4096);
+  EXPECT_EQ(reduced.most_turns, 5) << "two would do, but all solid voxels of the blocks touched are counted";
+  EXPECT_TRUE(has(reduced.status, StepStatus::detail_reduced));
+  EXPECT_LT((reduced.force - whole.force).norm(), 0.07 * whole.force.norm()) << "the just noticeable difference";
+  EXPECT_NEAR(reduced.removed, whole.removed, 0.02 * whole.removed);
+  EXPECT_LT(std::abs(reduced.closure), 0.02);
+}
+
+TEST(LevelOfDetail, IsOnlyReducedWhereTheHeadTouchesMoreThanTheBudget) {
+  SimulationConfig config;
+  config.voxel_budget = 4096;
+  config.removal = RemovalLaw::none;
+  Simulation simulation(deep_block(), Tool(SphereHead{1.5 * mm}), config);
+  EXPECT_GT(simulation.worst_case().level_of_detail, 1);
+  EXPECT_LE(simulation.worst_case().voxels, 4096U);
+  const StepResult& shallow = simulation.step(Pose::from_translation(Vec3(0, 0, 5.4 * mm)), {}, 1e-3);
+  EXPECT_GT(shallow.contact.voxels, 0);
+  EXPECT_FALSE(has(shallow.status, StepStatus::detail_reduced));
+  simulation.restore(simulation.snapshot());
+  const StepResult& deep = simulation.step(Pose::from_translation(Vec3(0, 0, 0)), {}, 1e-3);
+  EXPECT_TRUE(has(deep.status, StepStatus::detail_reduced));
+}
+
+TEST(LevelOfDetail, IsRefusedForALawOfOnesOwnAndForAnAbsurdBudget) {
+  SimulationConfig config;
+  config.voxel_budget = 10;
+  EXPECT_THROW(Simulation(deep_block(), Tool(SphereHead{1 * mm}), config), Error);
+  config.voxel_budget = 10000;
+  config.law = std::make_shared<ThesisLaw>(ThesisLaw::Constants{});
+  EXPECT_THROW(Simulation(deep_block(), Tool(SphereHead{1 * mm}), config), Error);
+}
+
+TEST(StageTimes, AreMeasuredOnlyWhenAskedFor) {
+  for (const bool asked : {false, true}) {
+    SimulationConfig config;
+    config.stage_times = asked;
+    Simulation simulation(deep_block(), Tool(SphereHead{1 * mm}, RayHandle{}, Spindle{2000}), config);
+    (void)simulation.step(Pose::from_translation(Vec3::Zero()), {}, 1e-3);
+    const StageTimes& times = simulation.stage_times();
+    for (const double time : {times.check_input, times.plan_sweep, times.plan_sub_step, times.find_blocks,
+                              times.evaluate_contact, times.remove_material, times.hold_deep_contact,
+                              times.add_friction, times.book_energy, times.transport_to_handle, times.add_effects}) {
+      if (asked) {
+        EXPECT_GT(time, 0);
+      } else {
+        EXPECT_EQ(time, 0);
+      }
+    }
+  }
+}
+
+TEST(PageFaults, DoNotHappenInTheStepAfterSetUp) {
+  for (const Scene& scene : scenes()) {
+    std::vector<StepInput> inputs;
+    for (int tick = 0; tick < 2000; ++tick) inputs.push_back(scene.input(tick));
+    // One simulation touches the pages of the program; it lives on, so that the other gets memory of its own.
+    Simulation first = scene.make(), simulation = scene.make();
+    for (const StepInput& input : inputs) (void)first.step(input.pose, input.velocity, input.dt);
+    rusage before{}, after{};
+    getrusage(RUSAGE_THREAD, &before);
+    for (const StepInput& input : inputs) (void)simulation.step(input.pose, input.velocity, input.dt);
+    getrusage(RUSAGE_THREAD, &after);
+    EXPECT_EQ(after.ru_majflt - before.ru_majflt, 0) << scene.name;
+    EXPECT_EQ(after.ru_minflt - before.ru_minflt, 0) << scene.name;
+  }
+}
+
+}  // namespace
+}  // namespace hapticut::worst_case_test

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every instruction set of this machine against the scalar reference, on random blocks, heads, poses and motions.
+#include "kernels/kernels.hpp"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <random>
+
+#include "hapticut/core/units.hpp"
+#include "hapticut/force/laws/foundation.hpp"
+#include "hapticut/tool/catalogue.hpp"
+#include "support/profiles.hpp"
+
+namespace hapticut::kernels_test {
+namespace {
+
+using units::deg;
+using units::mm;
+
+constexpr double kVoxel = 0.1 * mm;
+
+/// What the vectors may differ by from the scalar reference, relative to the largest value of the block: fused
+/// multiply-add rounds once where the reference rounds twice, over some twenty operations of 6e-8 each.
+constexpr double kRounding = 5e-6;
+
+/// [1] of the blocks in which a voxel may lie on the surface of the head within rounding: places are rounded to 1e-7
+/// mm, and the surface passes by some fifty points a tenth of a millimetre apart, which makes 5e-5; twenty times that.
+constexpr double kAtTheRim = 1e-3;
+
+/// One block's content, as a workpiece would hand it out.
+struct RandomBlock {
+  std::array<MaterialId, kBlockVoxels> material;
+  std::array<std::uint64_t, 8> solid;
+  std::array<float, kBlockVoxels> fill;
+  std::array<std::int32_t, kBlockVoxels> centroid;
+  BlockView view;
+
+  RandomBlock(std::mt19937& random, bool uniform, bool full, bool surface) {
+    std::uniform_real_distribution<float> unit(0, 1);
+    const auto first = MaterialId(1 + random() % 3);
+    for (int n = 0; n < kBlockVoxels; ++n) {
+      material[std::size_t(n)] = uniform ? first : MaterialId(1 + random() % 3);
+      fill[std::size_t(n)] = unit(random) < 0.5F ? 1.0F : unit(random);
+      const Vec3 offset(double(unit(random)) - 0.5, double(unit(random)) - 0.5, double(unit(random)) - 0.5);
+      centroid[std::size_t(n)] = std::int32_t(CentroidOffset::from_offset(offset).packed());
+    }
+    for (std::uint64_t& word : solid)
+      word = (std::uint64_t(random()) << 32 | random()) | (std::uint64_t(random()) << 7);
+    for (int n = 0; n < kBlockVoxels; ++n)
+      if ((solid[std::size_t(n >> 6)] >> (n & 63) & 1) == 0) fill[std::size_t(n)] = 0;
+    view.uniform_material = uniform && full ? first : kEmpty;
+    if (!uniform || !full) {
+      view.material = material.data();
+      view.solid = solid.data();
+      view.fill = fill.data();
+    }
+    if (surface) view.centroid = centroid.data();
+  }
+};
+
+ContactMaterials three_materials(float damping) {
+  ContactMaterials materials = {};
+  materials[0].cutting_energy = 1;
+  materials[1] = {1e13F, damping, 0.5F, 3e8F, 0.0F};
+  materials[2] = {4e12F, 2 * damping, 0.3F, 1e8F, 1e-5F};
+  materials[3] = {2e14F, 0.0F, 0.9F, 5e9F, 3e-6F};
+  return materials;
+}
+
+/// Of lines and arcs that all_profiles() have only in heads that need their table: two lines of which the nearer
+/// counts; a hollow arc; two arcs about points off the axis; a nearly straight arc; a nearly flat one about the axis.
+std::vector<Profile> plain_profiles() {
+  constexpr EdgeKind kSmooth = EdgeKind::smooth;
+  return {test::flat_profile(0.5 * mm, 1 * mm),
+          {0, {{0.6 * mm, 1.2 * mm, -2 * mm}, {0, 1.2 * mm, 0, kSmooth}}},
+          flame_head(1.4 * mm, 4 * mm, 0.9 * mm, 2 * mm).profile(),
+          {0, {{0.5 * mm, 1 * mm, 60 * mm}, {0, 1 * mm, 0, kSmooth}}},
+          {0,
+           {{0.5 * mm, (60 - std::sqrt(60 * 60 - 0.25)) * mm, 60 * mm},
+            {0.5 * mm, 1 * mm, 0, kSmooth},
+            {0, 1 * mm, 0, kSmooth}}}};
+}
+
+TEST(Kernels, KnowTheRuleOfPlainProfiles) {
+  for (const Profile& profile : plain_profiles()) EXPECT_NE(ProfileHead(profile).table().everywhere, 0U);
+}
+
+std::vector<ToolHead> all_heads() {
+  std::vector<ToolHead> heads = {SphereHead{0.6 * mm},
+                                 ConeHead{30 * deg, 1 * mm},
+                                 FlatHead{0.5 * mm, 1 * mm, FlatRule::nearest},
+                                 FlatHead{0.5 * mm, 1 * mm, FlatRule::bottom_only},
+                                 FlatHead{0.5 * mm, 1 * mm, FlatRule::side_only},
+                                 FlatHead{0.5 * mm, 1 * mm, FlatRule::both}};
+  for (const test::NamedProfile& p : test::all_profiles()) heads.emplace_back(ProfileHead(p.profile));
+  for (const Profile& profile : plain_profiles()) heads.emplace_back(ProfileHead(profile));
+  return heads;
+}
+
+class KernelTarget : public testing::TestWithParam<std::int64_t> {
+ protected:
+  void SetUp() override {
+    hwy::SetSupportedTargetsForTest(GetParam());
+    hwy::GetChosenTarget().Update(GetParam());
+  }
+  void TearDown() override {
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+void expect_close(const ContactBlock::Array<float>& a, const ContactBlock::Array<float>& b, int lanes, double scale) {
+  for (int n = 0; n < lanes; ++n) ASSERT_NEAR(a[std::size_t(n)], b[std::size_t(n)], kRounding * scale) << "lane " << n;
+}
+
+double largest(const ContactBlock::Array<float>& a, int lanes) {
+  double most = 1e-30;
+  for (int n = 0; n < lanes; ++n) most = std::max(most, std::abs(double(a[std::size_t(n)])));
+  return most;
+}
+
+TEST_P(KernelTarget, AgreesWithTheScalarReferenceInSamplingAndSumming) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto vector = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+  long samples = 0;
+  int blocks = 0, at_the_rim = 0;
+  for (const ToolHead& head : all_heads())
+    for (int trial = 0; trial < 60; ++trial) {
+      const RandomBlock block(random, trial % 2 == 0, trial % 4 == 0, trial % 3 == 0);
+      const Vec3 middle = 0.5 * (head.bounding_box().min + head.bounding_box().max);
+      const Mat3 rotation = rotation_from_vector(3 * vector());
+      const Vec3 block_middle = rotation * Vec3::Constant(3.5 * kVoxel);
+      const GridInHead grid({rotation, middle - block_middle + 0.4 * mm * vector()}, kVoxel);
+      const HeadMotion motion{(2e-2 * vector()).cast<float>(),
+                              (2.0 * vector()).cast<float>(),
+                              (2e-2 * vector()).cast<float>(),
+                              (2.0 * vector()).cast<float>(),
+                              trial % 5 == 0 ? 0.0F : 2000.0F,
+                              1e-3F,
+                              float(kVoxel),
+                              RemovalLaw(trial % 3)};
+      const ContactMaterials materials = three_materials(trial % 2 == 0 ? 0.0F : 20.0F);
+      const Quadrature quadrature = trial % 7 == 0 ? Quadrature::voxel_center : Quadrature::centroid;
+
+      ContactBlock expected, got;
+      head.visit_springs<float>(
+          [&](const auto& springs) { sample_contact(springs, block.view, grid, quadrature, expected); });
+      kernels::sample_contact(head, block.view, grid, quadrature, got);
+      ++blocks;
+      // A voxel whose depth is 0 within rounding may be a sample in one and not in the other; skip the rare block.
+      if (got.rows != expected.rows || got.inside != expected.inside) {
+        ++at_the_rim;
+        continue;
+      }
+      ASSERT_EQ(got.samples, expected.samples);
+      ASSERT_EQ(got.uniform, expected.uniform);
+      const int lanes = expected.lanes();
+      samples += expected.samples;
+      for (const auto array : {&ContactBlock::x, &ContactBlock::y, &ContactBlock::z, &ContactBlock::depth})
+        expect_close(got.*array, expected.*array, lanes, 1 * mm);
+      for (const auto array :
+           {&ContactBlock::normal_x, &ContactBlock::normal_y, &ContactBlock::normal_z, &ContactBlock::fill})
+        for (int n = 0; n < lanes; ++n)
+          if (expected.inside[std::size_t(n / kLanes)] >> (n % kLanes) & 1) {
+            ASSERT_NEAR((got.*array)[std::size_t(n)], (expected.*array)[std::size_t(n)], 1e-4);
+          }
+
+      FoundationLaw().evaluate(motion, materials, expected);
+      Resultant scalar, vector_sum;
+      sum_resultant(expected, scalar);
+      kernels::sum_resultant(expected, vector_sum);
+      const double force = largest(expected.force_x, lanes) * lanes + largest(expected.force_z, lanes) * lanes;
+      EXPECT_LT((scalar.wrench_T.force - vector_sum.wrench_T.force).norm(), kRounding * force);
+      EXPECT_LT((scalar.wrench_T.torque - vector_sum.wrench_T.torque).norm(), kRounding * force * mm);
+      EXPECT_EQ(scalar.voxels, vector_sum.voxels);
+      EXPECT_EQ(scalar.depth, vector_sum.depth);
+    }
+  EXPECT_GT(samples, 10000) << "the heads must meet the blocks, or the test says nothing";
+  EXPECT_LE(at_the_rim, kAtTheRim * blocks);
+}
+
+/// The three stages of the scalar reference on one block, in the terms of the kernel that does them in one pass.
+struct Reference {
+  Resultant resultant;
+  LawTotals totals;
+  std::array<double, 256> taken = {};
+  BlockChange change;
+  std::array<float, kBlockVoxels> fill_after = {};
+  kernels::StiffnessSums stiffness;
+
+  Reference(const kernels::ContactJob& job, const BlockView& block) {
+    ContactBlock contact;
+    std::array<std::uint64_t, kBlockEdge> with_turn = {};
+    for (int row = 0; row < kBlockRows; ++row) {
+      const int slab = row / kBlockEdge, in_slab = row % kBlockEdge;
+      const std::uint64_t bits = std::uint64_t(0xff) << (8 * in_slab);
+      const std::uint64_t solid = block.solid == nullptr ? ~std::uint64_t(0) : block.solid[slab];
+      if (job.has_turn(block.origin, slab, in_slab / 2)) with_turn[std::size_t(slab)] |= solid & bits;
+    }
+    BlockView evaluated = block;
+    evaluated.solid = with_turn.data();
+    job.head.visit_springs<float>(
+        [&](const auto& springs) { sample_contact(springs, evaluated, job.grid, job.quadrature, contact); });
+    totals = FoundationLaw().evaluate(job.motion, job.materials, contact);
+    sum_resultant(contact, resultant);
+    kernels::add_stiffness(contact, job.motion, job.materials, stiffness);
+    if (totals.may_remove) change = find_changes(contact, block, fill_after.data(), taken);
+  }
+};
+
+TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto vector = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+  long samples = 0, emptied = 0, stiff = 0;
+  int blocks = 0, at_the_rim = 0;
+  for (const ToolHead& head : all_heads())
+    for (int trial = 0; trial < 60; ++trial) {
+      const RandomBlock block(random, trial % 2 == 0, trial % 4 == 0, trial % 3 == 0);
+      const Vec3 middle = 0.5 * (head.bounding_box().min + head.bounding_box().max);
+      const Mat3 rotation = rotation_from_vector(3 * vector());
+      const GridInHead grid({rotation, middle - rotation * Vec3::Constant(3.5 * kVoxel) + 0.4 * mm * vector()}, kVoxel);
+      const HeadMotion motion{(2e-2 * vector()).cast<float>(),
+                              (2.0 * vector()).cast<float>(),
+                              (2e-2 * vector()).cast<float>(),
+                              (2.0 * vector()).cast<float>(),
+                              trial % 5 == 0 ? 0.0F : 2000.0F,
+                              5e-3F,
+                              float(kVoxel),
+                              RemovalLaw(trial % 3),
+                              0,
+                              trial % 8 < 4 ? 0.0F : 0.5F,
+                              float(1 + trial % 11 % 3)};
+      const bool damped = trial % 2 != 0;
+      const ContactMaterials materials = three_materials(damped ? 20.0F : 0.0F);
+      const kernels::ContactJob job = {head,
+                                       grid,
+                                       motion,
+                                       materials,
+                                       trial % 7 == 0 ? Quadrature::voxel_center : Quadrature::centroid,
+                                       damped,
+                                       unsigned(motion.turns),
+                                       unsigned(trial)};
+      const Reference expected(job, block.view);
+
+      std::array<float, kBlockVoxels> fill_after = {};
+      kernels::PressTask task{block.view, fill_after.data(), true, {}};
+      kernels::ContactSums sums;
+      kernels::StiffnessSums stiffness;
+      kernels::press_blocks(job, std::span(&task, 1), sums, &stiffness);
+      ++blocks;
+      // A voxel whose depth is 0 within rounding may be a sample in one and not in the other; skip the rare block.
+      if (sums.voxels != expected.resultant.voxels) {
+        ++at_the_rim;
+        continue;
+      }
+      samples += sums.voxels;
+
+      const double volume = kVoxel * kVoxel * kVoxel;
+      const auto total = [&](kernels::ContactSums::Term term) { return sums.total(term) * volume; };
+      using enum kernels::ContactSums::Term;
+      const Wrench& wrench = expected.resultant.wrench_T;
+      const Vec3 force = -Vec3(total(kForceX), total(kForceY), total(kForceZ));
+      Vec3 torque = -Vec3(total(kTorqueX), total(kTorqueY), total(kTorqueZ));
+      // The largest force that the samples could add up to.
+      const double scale = 1e-3 + 2e14 * volume * expected.resultant.depth * expected.resultant.volume;
+      EXPECT_LT((force - wrench.force).norm(), kRounding * scale);
+      EXPECT_LT((torque - wrench.torque).norm(), kRounding * scale * mm);
+      EXPECT_NEAR(sums.total(kFill), expected.resultant.volume, kRounding * 512);
+      EXPECT_NEAR(double(sums.depth), expected.resultant.depth, kRounding * mm);
+
+      const LawEnergies& energies = expected.totals.energies;
+      const double energy = energies.elastic_before + energies.cutting + energies.released + energies.rubbing +
+                            std::abs(energies.damping) + 1e-30;
+      const double middle_energy = total(kElasticMiddle), change = total(kElasticChange), taken = total(kTakenElastic);
+      EXPECT_NEAR(middle_energy - change, energies.elastic_before, 2 * kRounding * energy);
+      EXPECT_NEAR(middle_energy + change - taken, energies.elastic, 2 * kRounding * energy);
+      EXPECT_NEAR(taken - 2 * total(kLag) - total(kHelped), energies.released, 10 * kRounding * energy);
+      EXPECT_NEAR(total(kDamping), energies.damping, kRounding * energy);
+      EXPECT_NEAR(total(kRubbing), energies.rubbing, kRounding * energy);
+      EXPECT_NEAR(total(kCredited), energies.credited, 10 * kRounding * energy);
+      const Stiffness k = stiffness.total(volume), k_expected = expected.stiffness.total(volume);
+      EXPECT_LT((k - k_expected).norm(), 20 * kRounding * (k_expected.norm() + 1e-9));
+      stiff += k.norm() > 0 ? 1 : 0;
+      if (motion.spin != 0) {
+        // The couple fades out as 1 - (rho / zone)^2, where single precision cancels.
+        const double couple = -total(kCouple) / double(motion.spin);
+        EXPECT_NEAR(couple, expected.totals.spin_couple, 1e-3 * std::abs(couple) + 1e-15);
+      }
+      for (std::size_t id = 1; id <= 3; ++id) EXPECT_NEAR(sums.taken[id], expected.taken[id], kRounding * 512);
+
+      // A voxel may be finished in one and keep the last thousandth in the other; count those, compare the rest.
+      int differently_finished = 0;
+      for (int n = 0; n < kBlockVoxels; ++n) {
+        const auto gone = [n](const BlockChange& c) { return (c.emptied[std::size_t(n >> 6)] >> (n & 63) & 1) != 0; };
+        if (gone(task.change) != gone(expected.change)) ++differently_finished;
+        emptied += gone(task.change) ? 1 : 0;
+        if ((expected.change.strips >> (n / BlockChange::kStrip) & 1) == 0) continue;
+        ASSERT_NEAR(fill_after[std::size_t(n)], expected.fill_after[std::size_t(n)], 2 * double(kSmallestFill)) << n;
+        if (!gone(task.change) && !gone(expected.change)) {
+          ASSERT_NEAR(fill_after[std::size_t(n)], expected.fill_after[std::size_t(n)], kRounding) << n;
+        }
+      }
+      EXPECT_LE(differently_finished, 1);
+    }
+  EXPECT_GT(samples, 10000) << "the heads must meet the blocks, or the test says nothing";
+  EXPECT_LE(at_the_rim, kAtTheRim * blocks);
+  EXPECT_GT(stiff, 100);
+  EXPECT_GT(emptied, 20) << "some voxels must be cut out, or the test says nothing";
+}
+
+TEST_P(KernelTarget, FeelsButLeavesABlockThatMayNotBeCut) {
+  std::mt19937 random(13);
+  const RandomBlock block(random, false, false, false);
+  const ToolHead head = SphereHead{0.6 * mm};
+  const GridInHead grid(Pose::from_translation(Vec3::Constant(-3.5 * kVoxel)), kVoxel);
+  HeadMotion motion{{}, {}, {}, {}, 2000.0F, 1e-3F, float(kVoxel), RemovalLaw::constant_energy};
+  motion.velocity = motion.angular_velocity = motion.felt_velocity = motion.felt_angular_velocity =
+      Eigen::Vector3f::Zero();
+  const ContactMaterials materials = three_materials(0);
+  const kernels::ContactJob job = {head, grid, motion, materials, Quadrature::centroid, false};
+  std::array<float, kBlockVoxels> fill_after = {};
+  kernels::PressTask task{block.view, fill_after.data(), false, {}};
+  kernels::ContactSums sums;
+  kernels::press_blocks(job, std::span(&task, 1), sums);
+  EXPECT_GT(sums.voxels, 100);
+  EXPECT_EQ(task.change.strips, 0U);
+  EXPECT_EQ(sums.taken, (std::array<double, 256>{}));
+  EXPECT_GT(sums.total(kernels::ContactSums::kRubbing), 0);
+}
+
+std::vector<std::int64_t> targets_of_this_machine() {
+  std::vector<std::int64_t> targets;
+  for (std::int64_t all = hwy::SupportedTargets(); all != 0; all &= all - 1) targets.push_back(all & -all);
+  return targets;
+}
+
+INSTANTIATE_TEST_SUITE_P(Machine, KernelTarget, testing::ValuesIn(targets_of_this_machine()),
+                         [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
+
+}  // namespace
+}  // namespace hapticut::kernels_test

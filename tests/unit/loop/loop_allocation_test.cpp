@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <dhdsim.h>
+#include <gtest/gtest.h>
+#include <hdsim.h>
+
+#include <atomic>
+#include <limits>
+#include <thread>
+
+#include "hapticut/device/force_dimension.hpp"
+#include "hapticut/device/open_haptics.hpp"
+#include "hapticut/device/simulated/mock.hpp"
+#include "hapticut/loop/block_outbox.hpp"
+#include "hapticut/loop/simulation_model.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "support/allocation_count.hpp"
+#include "support/cutting.hpp"
+
+namespace hapticut::loop_allocation_test {
+namespace {
+
+/// A callback that counts what happens in its thread between two of its calls: the whole loop around it.
+struct CountingCallback {
+  long from, to, n = 0;
+  test::CallCounts* counts;
+  DeviceCommand operator()(const DeviceState& state) {
+    ++n;
+    if (n == to) *counts = test::disarm_call_counts();
+    DeviceCommand command;
+    // In and out of contact, saturated, not finite: every branch of the guard that does not end the run.
+    if (n > 50 && n % 400 > 100) command.wrench.force = Vec3(0.02 * double(n % 400), 0, 0);
+    if (n % 777 == 0) command.wrench.force.x() = std::numeric_limits<double>::quiet_NaN();
+    command.wrench.torque = Vec3(0, 0, 1e-3 * state.X_BS.translation.x());
+    command.stop = n >= to;
+    if (n == from) test::arm_call_counts();
+    return command;
+  }
+};
+
+RunOptions quick() {
+  RunOptions options;
+  options.stop_on_signals = false;
+  options.guard.arming.ramp = options.guard.arming.short_ramp = 0.05;
+  return options;
+}
+
+TEST(LoopOfAMock, AllocatesNothingAndTakesNoLock) {
+  test::CallCounts counts;
+  RunOptions options = quick();
+  options.simulated_time = true;
+  const RunReport report = open_device("mock:spiral,hand=nominal-pad,device=premium6dof")
+                               ->run(CountingCallback{10, 9000, 0, &counts}, options);
+  EXPECT_EQ(report.ticks, 9000U);
+  EXPECT_EQ(counts.allocations, 0);
+  EXPECT_EQ(counts.deallocations, 0);
+  EXPECT_EQ(counts.locks, 0);
+  EXPECT_GT(report.events[std::size_t(SafetyEvent::saturated)], 0U);
+}
+
+/// A simulation in the loop that cuts, is marked, and goes back again and again; changed blocks on their way out.
+struct UndoingLoop {
+  explicit UndoingLoop(bool coupled)
+      : simulation(build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
+                   Tool(SphereHead{kRadius}, RayHandle{}, Spindle{3000}), config(coupled)),
+        model(simulation, *device, options(coupled)),
+        outbox(model.region(), 64) {}
+
+  static SimulationConfig config(bool coupled) {
+    SimulationConfig config;
+    config.reference_stiffness = 1e13;
+    config.reserved_blocks = 4096;
+    config.contact_time = coupled ? ContactTime::end : ContactTime::middle;
+    return config;
+  }
+  SimulationModelOptions options(bool coupled) const {
+    SimulationModelOptions options;
+    options.map.X_WB = Pose::from_translation(Vec3(0, 0, kRadius));
+    options.undo_blocks = 500;  // less than is cut: marks are forgotten on the way
+    options.undo_blocks_per_tick = 1;
+    if (coupled) options.coupling = coupling_gains(device->capabilities());
+    return options;
+  }
+  DeviceCommand tick(const DeviceState& state) {
+    ++ticks;
+    if (ticks == 100) test::arm_call_counts();
+    if (ticks % 500 == 1 && ticks % 2000 > 1000) model.obey(model_commands::set_undo_mark());
+    if (ticks % 2000 == 1999) model.obey(model_commands::undo());
+    const DeviceCommand command{model.step(state, 1e-3, snapshot), ticks >= 9000};
+    model.mark_changes(outbox);
+    outbox.send(copy, 16);
+    if (tool_of(snapshot).undoing) ++ticks_back;
+    if (ticks == 8990) counts = test::disarm_call_counts();
+    return command;
+  }
+
+  static constexpr double kRadius = 1.5e-3;  // [m]
+  std::unique_ptr<Device> device = open_device("mock:spiral");
+  Simulation simulation;
+  SimulationModel model;
+  BlockOutbox outbox;
+  BlockOutbox::Copy copy = [this](ChangedBlock& block) { model.copy(block); };
+  LoopSnapshot snapshot;
+  test::CallCounts counts;
+  int ticks = 0, ticks_back = 0;
+};
+
+TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockAlsoOnTheWayBackToAMark) {
+  for (const bool coupled : {false, true}) {
+    UndoingLoop loop(coupled);
+    RunOptions options = quick();
+    options.simulated_time = true;
+    (void)loop.device->run([&](const DeviceState& state) { return loop.tick(state); }, options);
+    EXPECT_EQ(loop.ticks, 9000);
+    EXPECT_EQ(loop.counts.allocations, 0);
+    EXPECT_EQ(loop.counts.deallocations, 0);
+    EXPECT_EQ(loop.counts.locks, 0);
+    EXPECT_GT(loop.ticks_back, 10) << "it must go back, or the test says nothing";
+    EXPECT_GT(tool_of(loop.snapshot).removed_volume, 1e-9);
+  }
+}
+
+TEST(LoopOfOpenHaptics, AllocatesNothing) {
+  hdsim_reset();
+  const hdsim_device premium = hdsim_premium6dof("Default Device");
+  hdsim_add_device(&premium);
+  OpenHapticsOptions options;
+  options.clock = hdsim_time;
+  const auto device = open_open_haptics(options);
+  test::CallCounts counts;
+  std::atomic<bool> ended{false};
+  std::thread runner([&] {
+    device->run(CountingCallback{10, 9000, 0, &counts}, quick());
+    ended = true;
+  });
+  while (!ended) {
+    if (hdsim_run_ticks(1) == 0) std::this_thread::yield();
+  }
+  runner.join();
+  EXPECT_EQ(counts.allocations, 0);
+  EXPECT_EQ(counts.deallocations, 0);
+}
+
+TEST(LoopOfForceDimension, AllocatesNothingAlsoWhenTheDeviceSwitchesItsForcesOffAndOn) {
+  dhdsim_reset();
+  const dhdsim_device sigma = dhdsim_device_of(104, 1);
+  dhdsim_add_device(&sigma);
+  ForceDimensionOptions options;
+  options.clock = [tick = 0]() mutable {
+    dhdsim_advance(++tick % 1000 == 0 ? 30e-3 : 1e-3);  // its watchdog trips
+    return dhdsim_time();
+  };
+  const auto device = open_force_dimension(options);
+  test::CallCounts counts;
+  RunOptions run = quick();
+  run.simulated_time = true;
+  const RunReport report = device->run(CountingCallback{10, 9000, 0, &counts}, run);
+  EXPECT_EQ(report.ticks, 9000U);
+  EXPECT_EQ(counts.allocations, 0);
+  EXPECT_EQ(counts.deallocations, 0);
+  EXPECT_GT(dhdsim_get_counters(0).enables, 5) << "it must be switched on again, or the test says nothing";
+  dhdsim_reset();
+}
+
+}  // namespace
+}  // namespace hapticut::loop_allocation_test

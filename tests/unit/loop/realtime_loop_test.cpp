@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/loop/realtime_loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <thread>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/device/simulated/mock.hpp"
+
+namespace hapticut::realtime_loop_test {
+namespace {
+
+/// The number that a block's content shows: how often it has been changed.
+float& mark_of(ChangedBlock& block) { return block.fill[0]; }
+
+/// A model that changes blocks in a pattern, and shows what it has done.
+class ScribblingModel : public LoopModel {
+ public:
+  static constexpr int kEdge = 6;                      // blocks along each axis
+  std::array<float, kEdge * kEdge * kEdge> changes{};  // of every block; the loop's own
+  std::atomic<int> obeyed{0};
+  std::int32_t last_code = -1;
+  bool in_order = true;
+  long step_count = 0;
+
+  Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
+    ++step_count;
+    for (double& value : snapshot.values) value = double(step_count);  // all the same, or the reader saw half of it
+    snapshot.X_WT = state.X_BS;
+    Wrench wrench;
+    wrench.force.z() = state.X_BS.translation.z() < 0 ? 0.5 : 0;
+    in_order = in_order && dt > 0;
+    return wrench;
+  }
+  void obey(const LoopCommand& command) noexcept override {
+    in_order = in_order && command.code == last_code + 1;
+    last_code = command.code;
+    ++obeyed;
+  }
+  void mark_changes(BlockOutbox& outbox) noexcept override {
+    for (int n = 0; n < 7; ++n) {  // more than a slow reader takes
+      const int block = int((step_count * 31 + n * 17) % long(changes.size()));
+      ++changes[std::size_t(block)];
+      outbox.mark({8 * (block / (kEdge * kEdge)), 8 * (block / kEdge % kEdge), 8 * (block % kEdge)});
+    }
+  }
+  void copy(ChangedBlock& block) noexcept override {
+    const int n = (block.origin[0] * kEdge + block.origin[1]) * kEdge / 8 + block.origin[2] / 8;
+    block.fill.fill(changes[std::size_t(n)]);
+  }
+};
+
+RealtimeLoopOptions options_for(double seconds) {
+  RealtimeLoopOptions options;
+  options.run.seconds = seconds;
+  options.run.simulated_time = true;
+  options.run.stop_on_signals = false;
+  constexpr int kLast = 8 * ScribblingModel::kEdge - 1;
+  options.region = {{0, 0, 0}, {kLast, kLast, kLast}};
+  options.block_capacity = 8;
+  options.blocks_per_tick = 4;
+  return options;
+}
+
+// 200 simulated seconds at full speed against a reader that looks 60 times a second, or as often as it can: no half
+// snapshot, no command lost, no block lost for good. The sanitizers watch.
+TEST(RealtimeLoop, ExchangesWithASlowReaderWithoutLosingABlockForGood) {
+  const auto device = open_device("mock:spiral");
+  ScribblingModel model;
+  RealtimeLoop loop(*device, model, options_for(200));
+  std::map<VoxelIndex, float> seen;
+  std::uint64_t version = 0, tick = 0;
+  std::int32_t sent = 0;
+  ChangedBlock block;
+  const auto look = [&] {
+    const LoopSnapshot& snapshot = loop.latest();
+    EXPECT_GE(snapshot.tick, tick);
+    tick = snapshot.tick;
+    for (const double value : snapshot.values) EXPECT_EQ(value, snapshot.values[0]);
+    while (loop.receive(block)) {
+      EXPECT_GT(block.version, version);
+      version = block.version;
+      for (const float value : block.fill) ASSERT_EQ(value, mark_of(block));
+      EXPECT_GE(mark_of(block), seen[block.origin]);
+      seen[block.origin] = mark_of(block);
+    }
+    LoopCommand command;
+    command.code = sent;
+    if (loop.send(command)) ++sent;
+  };
+  loop.start();
+  while (loop.is_running()) {
+    look();
+    std::this_thread::sleep_for(std::chrono::milliseconds(16));
+  }
+  const RunReport report = loop.wait();
+  EXPECT_EQ(report.ticks, 200001U);
+  look();
+  EXPECT_EQ(tick, 200001U);
+  EXPECT_TRUE(model.in_order);
+  EXPECT_GE(model.obeyed, 1);
+  // The loop has ended with blocks that found no room: they are marked, and one more run with a reader sends them.
+  EXPECT_GT(loop.latest().blocks_waiting, 0U);
+}
+
+TEST(RealtimeLoop, SendsTheLastVersionOfEveryBlockInTheEnd) {
+  class QuietModel : public ScribblingModel {
+    void mark_changes(BlockOutbox& outbox) noexcept override {
+      if (step_count <= 2000) ScribblingModel::mark_changes(outbox);
+    }
+  };
+  const auto device = open_device("mock:rest");
+  QuietModel model;
+  RealtimeLoop loop(*device, model, options_for(0));
+  std::map<VoxelIndex, float> seen;
+  ChangedBlock block;
+  loop.start();
+  // Until all has been sent for a while.
+  for (int calm = 0; calm < 100;) {
+    bool any = false;
+    while (loop.receive(block)) {
+      seen[block.origin] = mark_of(block);
+      any = true;
+    }
+    const LoopSnapshot& snapshot = loop.latest();
+    calm = !any && snapshot.tick > 2000 && snapshot.blocks_waiting == 0 ? calm + 1 : 0;
+    std::this_thread::yield();
+  }
+  loop.stop();
+  while (loop.receive(block)) seen[block.origin] = mark_of(block);
+  ASSERT_EQ(seen.size(), model.changes.size());
+  for (auto& [origin, value] : seen) {
+    const int n = (origin[0] * ScribblingModel::kEdge + origin[1]) * ScribblingModel::kEdge / 8 + origin[2] / 8;
+    EXPECT_EQ(value, model.changes[std::size_t(n)]);
+  }
+}
+
+TEST(RealtimeLoop, CountsCommandsThatFindTheQueueFull) {
+  const auto device = open_device("mock:rest");
+  ScribblingModel model;
+  RealtimeLoop loop(*device, model, options_for(1));
+  LoopCommand command;
+  std::size_t taken = 0;
+  for (std::int32_t n = 0; n < 1000; ++n) {
+    command.code = n;
+    if (loop.send(command)) ++taken;
+  }
+  EXPECT_EQ(taken, RealtimeLoop::kCommands);
+  loop.start();
+  loop.wait();
+  EXPECT_EQ(std::size_t(model.obeyed), taken);
+  EXPECT_EQ(loop.latest().commands_dropped, 1000 - taken);
+}
+
+TEST(RealtimeLoop, StopsByCommandByCallAndWhenItGoesAway) {
+  const auto device = open_device("mock:circle");
+  ScribblingModel model;
+  {
+    RealtimeLoop loop(*device, model, options_for(0));
+    loop.start();
+    EXPECT_THROW(loop.start(), Error);
+    EXPECT_TRUE(loop.send({LoopCommand::Kind::stop, 0, {}}));
+    EXPECT_GT(loop.wait().ticks, 0U);
+    EXPECT_THROW((void)loop.wait(), Error);
+    loop.start();
+    loop.stop();
+    loop.start();
+  }
+  EXPECT_FALSE(device->is_running());
+}
+
+TEST(RealtimeLoop, TheEmergencyStopIsACommandToo) {
+  const auto device = open_device("mock:rest");
+  ScribblingModel model;
+  RealtimeLoop loop(*device, model, options_for(0));
+  loop.start();
+  loop.send({LoopCommand::Kind::emergency_stop, 0, {}});
+  while (loop.latest().arming != ArmingState::fault) std::this_thread::yield();
+  loop.send({LoopCommand::Kind::reset_fault, 0, {}});
+  while (loop.latest().arming == ArmingState::fault) std::this_thread::yield();
+  EXPECT_GE(loop.stop().events[std::size_t(SafetyEvent::emergency_stop)], 1U);
+}
+
+TEST(BlockOutbox, RefusesRegionsThatItCannotHold) {
+  EXPECT_THROW(BlockOutbox(IndexBox{}, 8), Error);
+  EXPECT_THROW(BlockOutbox(IndexBox{{0, 0, 0}, {99999, 99999, 99999}}, 8), Error);
+  BlockOutbox outbox(IndexBox{{-9, 0, 0}, {7, 7, 7}}, 2);
+  EXPECT_TRUE(outbox.mark({-16, 0, 0}));
+  EXPECT_TRUE(outbox.mark({0, 0, 0}));
+  EXPECT_TRUE(outbox.mark({0, 0, 0}));
+  EXPECT_EQ(outbox.marked(), 2U);
+  EXPECT_FALSE(outbox.mark({8, 0, 0}));
+  EXPECT_FALSE(outbox.mark({-24, 0, 0}));
+}
+
+}  // namespace
+}  // namespace hapticut::realtime_loop_test

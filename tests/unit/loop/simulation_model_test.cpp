@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/loop/simulation_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <thread>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/device/simulated/mock.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "support/cutting.hpp"
+
+namespace hapticut::simulation_model_test {
+namespace {
+
+constexpr double kRadius = 1.5e-3;  // [m] of the ball
+
+/// A block whose upper face is touched when the stylus is at the origin of its base.
+Simulation block_under_the_ball(double spindle_speed = 3000, ContactTime contact_time = ContactTime::middle) {
+  SimulationConfig config;
+  config.contact_time = contact_time;
+  config.reference_stiffness = 1e13;
+  config.reserved_blocks = 4096;
+  return {build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
+          Tool(SphereHead{kRadius}, RayHandle{}, Spindle{spindle_speed}), config};
+}
+
+SimulationModelOptions ball_above_the_block() {
+  SimulationModelOptions options;
+  options.map.X_WB = Pose::from_translation(Vec3(0, 0, kRadius));
+  return options;
+}
+
+RealtimeLoopOptions options_for(const SimulationModel& model, double seconds) {
+  RealtimeLoopOptions options;
+  options.run.seconds = seconds;
+  options.run.simulated_time = true;
+  options.run.stop_on_signals = false;
+  options.run.guard.arming.ramp = options.run.guard.arming.short_ramp = 0.05;
+  options.region = model.region();
+  options.block_capacity = 8;  // less than a slow reader needs
+  options.blocks_per_tick = 4;
+  return options;
+}
+
+using Picture = std::map<VoxelIndex, ChangedBlock>;
+
+Picture picture_of(const Workpiece& workpiece) {
+  Picture picture;
+  workpiece.for_each_block([&](const BlockView& view) {
+    ChangedBlock& block = picture[view.origin];
+    block.origin = view.origin;
+    copy_block(workpiece, block);
+  });
+  return picture;
+}
+
+bool is_empty(const ChangedBlock& block) {
+  return std::all_of(block.material.begin(), block.material.end(), [](MaterialId id) { return id == kEmpty; });
+}
+
+// The stress test: twenty simulated seconds of cutting at full speed, a reader that looks 60 times a second and keeps a
+// picture of the workpiece from changed blocks alone, and commands. The picture ends up as the workpiece itself.
+TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
+  const auto device = open_device("mock:spiral");
+  Simulation simulation = block_under_the_ball();
+  Picture picture = picture_of(simulation.workpiece());
+  SimulationModel model(simulation, *device, ball_above_the_block());
+  RealtimeLoop loop(*device, model, options_for(model, 0));
+  std::uint64_t version = 0, tick = 0;
+  double removed = 0;
+  std::size_t most_waiting = 0;
+  ChangedBlock block;
+  const auto look = [&] {
+    const LoopSnapshot& snapshot = loop.latest();
+    const ToolSnapshot tool = tool_of(snapshot);
+    EXPECT_GE(snapshot.tick, tick);
+    EXPECT_GE(tool.removed_volume, removed);
+    tick = snapshot.tick;
+    removed = tool.removed_volume;
+    most_waiting = std::max(most_waiting, snapshot.blocks_waiting);
+    while (loop.receive(block)) {
+      EXPECT_GT(block.version, version);
+      version = block.version;
+      picture[block.origin] = block;
+    }
+    return snapshot.blocks_waiting;
+  };
+  loop.start();
+  while (tick < 20000) {
+    look();
+    loop.send(model_commands::set_spindle_speed(3000));
+    std::this_thread::sleep_for(std::chrono::milliseconds(16));
+  }
+  // The hand is taken out: nothing more is cut, and what waits is sent.
+  loop.send(model_commands::set_spindle_speed(0));
+  for (int calm = 0; calm < 20;) {
+    calm = look() == 0 && tool_of(loop.latest()).spindle_speed == 0 ? calm + 1 : 0;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  const RunReport report = loop.stop();
+  while (loop.receive(block)) picture[block.origin] = block;
+
+  EXPECT_EQ(report.fault, DeviceFault::none);
+  EXPECT_GT(removed, 100e-9);   // [m^3]
+  EXPECT_GT(most_waiting, 0U);  // the reader was too slow, as it should be
+  std::erase_if(picture, [](const auto& entry) { return is_empty(entry.second); });
+  const Picture expected = picture_of(simulation.workpiece());
+  ASSERT_EQ(picture.size(), expected.size());
+  for (const auto& [origin, content] : expected) {
+    ASSERT_EQ(picture.at(origin).material, content.material);
+    ASSERT_EQ(picture.at(origin).fill, content.fill);
+  }
+}
+
+TEST(SimulationModel, FeelsOnTheDeviceWhatTheSimulationSays) {
+  const auto device = open_device("mock:press,seconds=2");
+  Simulation simulation = block_under_the_ball(0);
+  SimulationModel model(simulation, *device, ball_above_the_block());
+  RealtimeLoopOptions options = options_for(model, 0);
+  RealtimeLoop loop(*device, model, options);
+  loop.start();
+  const RunReport report = loop.wait();
+  const ToolSnapshot tool = tool_of(loop.latest());
+  EXPECT_EQ(tool.steps, report.ticks);
+  EXPECT_GT(tool.force.z(), 1);
+  EXPECT_EQ(tool.force, simulation.last_result().force);
+  EXPECT_EQ(device->output().commanded.force, tool.force);
+  EXPECT_LE(device->output().applied.force.norm(), device->capabilities().peak_force);
+  EXPECT_EQ(tool.removed_volume, 0);
+}
+
+TEST(SimulationModel, HoldsTheToolOnTheSurfaceWhileTheHandGoesOn) {
+  // The hand goes 5 mm below the face; the material is a thousand times stiffer than the device.
+  const auto device = open_device("mock:press,seconds=3");
+  SimulationConfig config;
+  config.reference_stiffness = 1e16;
+  config.contact_time = ContactTime::end;
+  Simulation simulation(build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
+                        Tool(SphereHead{kRadius}), config);
+  SimulationModelOptions options = ball_above_the_block();
+  options.coupling = coupling_gains(device->capabilities());
+  SimulationModel model(simulation, *device, options);
+  RealtimeLoop loop(*device, model, options_for(model, 0));
+  loop.start();
+  loop.wait();
+  EXPECT_LT(device->state().X_BS.translation.z(), -4.9e-3);
+  EXPECT_NEAR(loop.latest().X_WT.translation.z(), kRadius, 2e-4);  // a voxel
+  EXPECT_NEAR(tool_of(loop.latest()).force.norm(), options.coupling->largest_force, 0.01);
+  EXPECT_EQ(device->output().commanded.force, tool_of(loop.latest()).force);
+}
+
+TEST(SimulationModel, CutsNothingBeforeTheToolWasFree) {
+  // The ball begins half inside the block, or all of it, where its springs are in balance; and stays there.
+  for (const double height : {-0.5e-3, -3e-3})
+    for (const bool needs_force : {true, false}) {
+      const auto device = open_device("mock:rest,seconds=1");
+      Simulation simulation = block_under_the_ball();
+      SimulationModelOptions options;
+      options.map.X_WB = Pose::from_translation(Vec3(0, 0, height));
+      options.spindle_needs_force = needs_force;
+      SimulationModel model(simulation, *device, options);
+      RealtimeLoop loop(*device, model, options_for(model, 0));
+      loop.start();
+      const RunReport report = loop.wait();
+      const ToolSnapshot tool = tool_of(loop.latest());
+      EXPECT_GT(tool.contact_voxels, 0);
+      EXPECT_EQ(tool.removed_volume == 0, needs_force) << height;
+      EXPECT_EQ(tool.spindle_speed == 0, needs_force) << height;
+      if (needs_force && height > -1e-3) {
+        EXPECT_GT(report.events[std::size_t(SafetyEvent::start_inside)], 0U);
+      }
+    }
+}
+
+TEST(SimulationModel, StopsTheSpindleInAnEmergencyFromAnyThread) {
+  const auto device = open_device("mock:spiral");
+  Simulation simulation = block_under_the_ball();
+  SimulationModel model(simulation, *device, ball_above_the_block());
+  RealtimeLoop loop(*device, model, options_for(model, 0));
+  loop.start();
+  while (tool_of(loop.latest()).removed_volume == 0) std::this_thread::yield();
+  LoopCommand nothing;
+  nothing.code = 99;
+  while (loop.send(nothing)) {  // the queue is full, or nearly so
+  }
+  std::thread a([&] { loop.emergency_stop(); }), b([&] { loop.emergency_stop(); });
+  a.join();
+  b.join();
+  while (loop.latest().arming != ArmingState::fault) std::this_thread::yield();
+  while (tool_of(loop.latest()).spindle_speed != 0) std::this_thread::yield();
+  EXPECT_TRUE(device->output().applied.force.isZero(0));
+  const double removed = tool_of(loop.latest()).removed_volume;
+  const std::uint64_t tick = loop.latest().tick;
+  while (loop.latest().tick < tick + 500) std::this_thread::yield();
+  EXPECT_EQ(tool_of(loop.latest()).removed_volume, removed);
+  EXPECT_GE(loop.stop().events[std::size_t(SafetyEvent::emergency_stop)], 1U);
+}
+
+TEST(SimulationModel, ObeysClutchAndScale) {
+  const auto device = open_device("mock:line");
+  Simulation simulation = block_under_the_ball(0);
+  SimulationModelOptions options = ball_above_the_block();
+  options.map.X_WB.translation.z() += 20e-3;  // in the air
+  SimulationModel model(simulation, *device, options);
+  RealtimeLoop loop(*device, model, options_for(model, 0));
+  loop.start();
+  const auto ticks = [&](std::uint64_t count) {
+    const std::uint64_t begin = loop.latest().tick;
+    while (loop.latest().tick < begin + count) std::this_thread::yield();
+  };
+  ticks(3000);
+  loop.send(model_commands::open_clutch());
+  ticks(5);
+  const Vec3 held = loop.latest().X_WT.translation;
+  ticks(700);
+  EXPECT_EQ(loop.latest().X_WT.translation, held);
+  loop.send(model_commands::close_clutch());
+  ticks(700);
+  EXPECT_NE(loop.latest().X_WT.translation, held);
+  loop.send(model_commands::set_scale(-1));
+  loop.send(model_commands::set_scale(0.5));
+  ticks(10);
+  loop.send(model_commands::set_spindle_speed(std::nan("")));
+  ticks(10);
+  const RunReport report = loop.stop();
+  EXPECT_EQ(report.events[std::size_t(SafetyEvent::reclutched)], 2U);
+  EXPECT_EQ(report.fault, DeviceFault::none);
+  EXPECT_EQ(simulation.spindle_setting(), 0);
+}
+
+// A mark, five simulated seconds of cutting, and back while the loop goes on: a slow reader who knows changed blocks
+// only ends up with the workpiece as it was at the mark.
+TEST(SimulationModel, UndoesACutWhileTheLoopGoesOnAndTheReaderSeesIt) {
+  for (const bool coupled : {false, true}) {
+    const auto device = open_device("mock:spiral");
+    Simulation simulation = block_under_the_ball(3000, coupled ? ContactTime::end : ContactTime::middle);
+    const Picture at_mark = picture_of(simulation.workpiece());
+    Picture picture = at_mark;
+    SimulationModelOptions options = ball_above_the_block();
+    options.undo_blocks = 4096;
+    options.undo_blocks_per_tick = 1;
+    if (coupled) options.coupling = coupling_gains(device->capabilities());
+    SimulationModel model(simulation, *device, options);
+    RealtimeLoop loop(*device, model, options_for(model, 0));
+    const auto look = [&] {
+      const LoopSnapshot& snapshot = loop.latest();
+      for (ChangedBlock block; loop.receive(block);) picture[block.origin] = block;
+      return snapshot;
+    };
+    loop.send(model_commands::set_undo_mark());
+    loop.start();
+    while (look().tick < 5000) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    EXPECT_GT(tool_of(loop.latest()).removed_volume, 1e-9);
+    EXPECT_EQ(tool_of(loop.latest()).undo_marks, 1U);
+    loop.send(model_commands::set_spindle_speed(0));
+    loop.send(model_commands::undo());
+    loop.send(model_commands::undo());           // no second one is begun
+    loop.send(model_commands::set_undo_mark());  // nor is there a mark on the way
+    for (int calm = 0; calm < 20;) {
+      const LoopSnapshot snapshot = look();
+      const ToolSnapshot tool = tool_of(snapshot);
+      calm = tool.undo_marks == 0 && !tool.undoing && snapshot.blocks_waiting == 0 ? calm + 1 : 0;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const RunReport report = loop.stop();
+    (void)look();
+
+    EXPECT_EQ(report.fault, DeviceFault::none);
+    EXPECT_GT(report.events[std::size_t(SafetyEvent::model_swapped)], 10U) << "in small parts, all of them guarded";
+    const Picture now = picture_of(simulation.workpiece());
+    ASSERT_EQ(now.size(), at_mark.size());
+    for (const auto& [origin, content] : at_mark) {
+      ASSERT_EQ(picture.at(origin).fill, content.fill);
+      ASSERT_EQ(picture.at(origin).material, content.material);
+      ASSERT_EQ(now.at(origin).fill, content.fill);
+    }
+  }
+}
+
+TEST(SimulationModel, GivesNoForceFromAnUndoUntilTheToolWasFree) {
+  // The hand stays in the hole that it has drilled, and the undo fills the hole around it.
+  const auto device = open_device("mock:rest");
+  Simulation simulation = block_under_the_ball();
+  const double whole = simulation.workpiece().amounts()[0].volume;
+  SimulationModelOptions options = ball_above_the_block();
+  options.map.X_WB.translation.z() += 1e-3;
+  options.undo_blocks = 4096;
+  options.undo_blocks_per_tick = 1;
+  SimulationModel model(simulation, *device, options);
+  LoopSnapshot snapshot;
+  int ticks = 0, without_force = 0;
+  RunOptions run;
+  run.simulated_time = true;
+  run.stop_on_signals = false;
+  run.guard.arming.ramp = run.guard.arming.short_ramp = 0.05;
+  model.obey(model_commands::set_undo_mark());
+  (void)device->run(
+      [&](const DeviceState& reading) {
+        DeviceState state = reading;
+        // Down by 1.6 mm in 0.4 s, where it stays.
+        state.X_BS.translation.z() -= 4e-6 * std::clamp(ticks - 200, 0, 400);
+        if (ticks == 700) {
+          EXPECT_GT(tool_of(snapshot).removed_volume, 0);
+          EXPECT_EQ(device->last_arming(), ArmingState::on);
+          model.obey(model_commands::undo());
+        }
+        DeviceCommand command{model.step(state, 1e-3, snapshot), false};
+        if (const ToolSnapshot tool = tool_of(snapshot); ticks > 700 && tool.undoing) {
+          EXPECT_TRUE(command.wrench.force.isZero(0));
+          EXPECT_TRUE(tool.force.isZero(0) && tool.torque.isZero(0));
+          EXPECT_EQ(tool.contact_voxels + tool.contact_depth + tool.spindle_speed, 0);
+          EXPECT_EQ(tool.status, StepStatus::ok);
+          EXPECT_EQ(tool.undo_marks, 1U);
+          EXPECT_GT(tool.removed_volume, 0) << "what was removed stays counted";
+          EXPECT_TRUE(snapshot.X_WT.translation.isApprox(options.map.X_WB.translation + state.X_BS.translation))
+              << "the tool is shown with the hand";
+          ++without_force;
+        }
+        if (ticks > 702) {
+          EXPECT_EQ(device->last_arming(), ArmingState::wait_free) << ticks;
+          EXPECT_TRUE(device->last_output().applied.force.isZero(0)) << ticks;
+          if (ticks > 760) {  // it is done
+            EXPECT_EQ(tool_of(snapshot).spindle_speed, 0);
+          }
+        }
+        command.stop = ++ticks > 1500;
+        return command;
+      },
+      run);
+  EXPECT_GT(without_force, 1);
+  EXPECT_GT(tool_of(snapshot).contact_voxels, 100) << "it is in the material again";
+  EXPECT_EQ(simulation.workpiece().amounts()[0].volume, whole);
+}
+
+TEST(SimulationModel, IgnoresReadingsThatMeanNothing) {
+  const auto device = open_device("mock:rest");
+  Simulation simulation = block_under_the_ball();
+  SimulationModel model(simulation, *device, ball_above_the_block());
+  LoopSnapshot snapshot;
+  DeviceState state;
+  state.valid = false;
+  // Device::last_output may only be asked in a run, so this must not get that far.
+  EXPECT_TRUE(model.step(state, 1e-3, snapshot).force.isZero(0));
+  EXPECT_EQ(simulation.steps(), 0U);
+  BlockOutbox outbox(model.region(), 4);
+  model.mark_changes(outbox);
+  EXPECT_EQ(outbox.marked(), 0U);
+}
+
+}  // namespace
+}  // namespace hapticut::simulation_model_test

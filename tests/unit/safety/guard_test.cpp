@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/safety/guard.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <thread>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/device/simulated/device_models.hpp"
+
+namespace hapticut::guard_test {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kPeriod = 1e-3;
+
+/// A guard in a hand: readings with good time stamps, and forces through it.
+class GuardedLoop {
+ public:
+  explicit GuardedLoop(const GuardOptions& options = {}, const char* device = "touch")
+      : guard(capabilities(device_model(device)), options) {
+    guard.start();
+  }
+  Wrench tick(const Vec3& force, const Vec3& torque = Vec3::Zero(), double period = kPeriod) {
+    reading.time += period;
+    ++reading.sequence;
+    guard.admit(reading);
+    return guard.release({force, torque});
+  }
+  /// Until the full force is allowed.
+  void engage() {
+    for (int n = 0; n < 5000 && guard.state() != ArmingState::on; ++n) tick(Vec3::Zero());
+    ASSERT_EQ(guard.state(), ArmingState::on);
+  }
+  SafetyGuard guard;
+  DeviceState reading;
+};
+
+TEST(Guard, GivesNoForceUntilTheToolWasFreeAndThenFadesItIn) {
+  GuardedLoop loop;
+  const Vec3 push(0, 0, 1);
+  for (int n = 0; n < 500; ++n) EXPECT_TRUE(loop.tick(push).force.isZero(0));
+  EXPECT_EQ(loop.guard.state(), ArmingState::wait_free);
+  EXPECT_EQ(loop.guard.log().count(SafetyEvent::start_inside), 1U);
+  for (int n = 0; n < 10; ++n) loop.tick(Vec3::Zero());
+  EXPECT_EQ(loop.guard.state(), ArmingState::ramp);
+  double last = 0;
+  int ticks = 0;
+  for (; loop.guard.state() != ArmingState::on; ++ticks) {
+    const double force = loop.tick(push).force.z();
+    EXPECT_GE(force, last);
+    EXPECT_LT(force - last, 2e-3);  // 1.5 times the mean growth of 1 N in 1.5 s, at the steepest of the smoothstep
+    last = force;
+  }
+  EXPECT_NEAR(ticks, 1500, 10);
+  EXPECT_NEAR(loop.tick(push).force.z(), 1, 1e-12);
+}
+
+TEST(Guard, RejectsPosesThatNoHandMakesAndFailsWhenTheyStay) {
+  struct Case {
+    SafetyEvent event;
+    std::function<void(DeviceState&)> spoil;
+  };
+  for (const Case& bad : std::initializer_list<Case>{
+           {SafetyEvent::pose_not_finite, [](DeviceState& s) { s.X_BS.translation.x() = kNan; }},
+           {SafetyEvent::pose_not_finite, [](DeviceState& s) { s.X_BS.rotation(0, 1) = kNan; }},
+           {SafetyEvent::pose_not_a_rotation, [](DeviceState& s) { s.X_BS.rotation *= 1.01; }},
+           {SafetyEvent::pose_outside_workspace, [](DeviceState& s) { s.X_BS.translation.y() = 0.2; }},
+           {SafetyEvent::pose_jump, [](DeviceState& s) { s.X_BS.translation.x() += 0.03; }},
+           {SafetyEvent::pose_turn_jump,
+            [](DeviceState& s) { s.X_BS.rotation = rotation_from_vector(Vec3(0.5, 0, 0)); }},
+           {SafetyEvent::reading_invalid, [](DeviceState& s) { s.valid = false; }}}) {
+    GuardedLoop loop;
+    loop.engage();
+    bad.spoil(loop.reading);
+    // Held at first: the model computes with the last good pose.
+    for (int n = 0; n < 20; ++n) {
+      EXPECT_EQ(loop.tick(Vec3(0, 0, 0.1)).force.z(), 0.1) << name(bad.event);
+      EXPECT_EQ(loop.guard.state(), ArmingState::on);
+    }
+    EXPECT_TRUE(loop.tick(Vec3(0, 0, 0.1)).force.isZero(0)) << name(bad.event);
+    EXPECT_EQ(loop.guard.state(), ArmingState::fault) << name(bad.event);
+    EXPECT_EQ(loop.guard.log().count(bad.event), 21U) << name(bad.event);
+  }
+}
+
+TEST(Guard, HoldsThePoseWithoutAVelocityWhileAReadingIsBad) {
+  GuardedLoop loop;
+  loop.engage();
+  loop.reading.velocity.linear = {0.01, 0, 0};
+  loop.tick(Vec3::Zero());
+  const Vec3 good = loop.reading.X_BS.translation;
+  loop.reading.X_BS.translation.setConstant(kNan);
+  loop.reading.time += kPeriod;
+  ++loop.reading.sequence;
+  const DeviceState& held = loop.guard.admit(loop.reading);
+  EXPECT_EQ(held.X_BS.translation, good);
+  EXPECT_TRUE(held.velocity.linear.isZero(0));
+  EXPECT_TRUE(held.valid);
+}
+
+TEST(Guard, TakesAForceThatIsNotFiniteAsNoneAndFailsAtTheThird) {
+  GuardedLoop loop;
+  loop.engage();
+  const Vec3 bad(kNan, 0, 0);
+  EXPECT_TRUE(loop.tick(bad).force.isZero(0));
+  EXPECT_TRUE(has(loop.guard.output().limits, OutputLimit::not_finite));
+  EXPECT_EQ(loop.tick(Vec3(0.1, 0, 0)).force.x(), 0.1);
+  for (int n = 0; n < 2; ++n) loop.tick(bad);
+  EXPECT_EQ(loop.guard.state(), ArmingState::on);
+  loop.tick(Vec3(0, 0, std::numeric_limits<double>::infinity()));
+  EXPECT_EQ(loop.guard.state(), ArmingState::fault);
+  EXPECT_EQ(loop.guard.log().count(SafetyEvent::force_not_finite), 4U);
+}
+
+TEST(Guard, ShortensAForceWithoutTurningItAndTellsBothSides) {
+  GuardedLoop loop;
+  loop.engage();
+  const Vec3 asked(6, 0, 8);
+  Wrench given;
+  for (int n = 0; n < 50; ++n) given = loop.tick(asked);
+  EXPECT_NEAR(given.force.norm(), 3.3, 1e-9);
+  EXPECT_NEAR(given.force.normalized().dot(asked.normalized()), 1, 1e-12);
+  EXPECT_EQ(loop.guard.output().commanded.force, asked);
+  EXPECT_EQ(loop.guard.output().applied.force, given.force);
+  EXPECT_TRUE(has(loop.guard.output().limits, OutputLimit::saturated));
+}
+
+TEST(Guard, LimitsTheGrowthOfAForceButNotItsRelease) {
+  GuardedLoop loop;
+  loop.engage();
+  const double step = loop.guard.slew() * kPeriod;
+  EXPECT_NEAR(step, 1.25 * 700 * 0.5 * kPeriod, 1e-12);
+  EXPECT_NEAR(loop.tick(Vec3(0, 0, 3)).force.z(), step, 1e-12);
+  EXPECT_NEAR(loop.tick(Vec3(0, 0, 3)).force.z(), 2 * step, 1e-12);
+  EXPECT_TRUE(has(loop.guard.output().limits, OutputLimit::slew_limited));
+  EXPECT_EQ(loop.tick(Vec3(0, 0, 0.1)).force.z(), 0.1);
+  EXPECT_NEAR(loop.tick(Vec3(0, 0, -3)).force.z(), -step, 1e-12);
+  EXPECT_TRUE(loop.tick(Vec3::Zero()).force.isZero(0));
+}
+
+TEST(OutputLimitsOfADevice, AreThoseThatTheGuardHoldsTo) {
+  for (const DeviceModel& model : device_models()) {
+    const DeviceCapabilities device = capabilities(model);
+    const SafetyGuard guard(device, {});
+    const OutputLimits limits = output_limits(device);
+    EXPECT_EQ(limits.largest_force, guard.greatest_force());
+    EXPECT_EQ(limits.force_growth, guard.slew());
+    EXPECT_EQ(limits.force_growth, least_force_growth(model.rendered_stiffness, 0.5));
+    EXPECT_EQ(std::isinf(limits.largest_torque), device.output_degrees_of_freedom < 6);
+    EXPECT_NO_THROW(validate(limits));
+  }
+  const OutputLimits six = output_limits(capabilities(device_model("premium6dof")));
+  EXPECT_EQ(six.largest_torque, 0.048);
+  EXPECT_NEAR(six.largest_torque / six.torque_growth, six.largest_force / six.force_growth, 1e-12)
+      << "as long to the peak as for the force";
+}
+
+TEST(OutputLimitsOfADevice, ThatRendersNoForceAreRefused) {
+  DeviceCapabilities mouse;
+  mouse.model = "mouse";
+  EXPECT_THROW((void)output_limits(mouse), Error);
+  EXPECT_THROW((void)output_limits(capabilities(device_model("touch")), 0), Error);
+}
+
+TEST(Guard, RefusesASlewLimitThatWouldMakeAWallActive) {
+  GuardOptions options;
+  options.slew = 100;
+  try {
+    const SafetyGuard guard(capabilities(device_model("touch")), options);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("437.5"), std::string::npos) << e.what();
+  }
+}
+
+TEST(Guard, GivesATorqueOnlyToDevicesThatHaveMotorsForIt) {
+  GuardedLoop three;
+  three.engage();
+  EXPECT_TRUE(three.tick(Vec3::Zero(), Vec3(0, 0, 0.01)).torque.isZero(0));
+  EXPECT_TRUE(has(three.guard.output().limits, OutputLimit::no_actuator));
+
+  GuardedLoop six({}, "premium6dof");
+  six.engage();
+  Wrench given;
+  for (int n = 0; n < 100; ++n) given = six.tick(Vec3::Zero(), Vec3(0, 0, 0.01));
+  EXPECT_NEAR(given.torque.z(), 0.01, 1e-12);
+  for (int n = 0; n < 100; ++n) given = six.tick(Vec3::Zero(), Vec3(0, 0.3, 0.4));
+  EXPECT_NEAR(given.torque.norm(), 0.048, 1e-12);
+}
+
+TEST(Guard, WaitsUntilFreeAfterALateTickAndFadesInShortly) {
+  GuardedLoop loop;
+  loop.engage();
+  for (int n = 0; n < 10; ++n) loop.tick(Vec3(0, 0, 1));
+  EXPECT_GT(loop.tick(Vec3(0, 0, 1), Vec3::Zero(), 4e-3).force.z(), 0.9);
+  EXPECT_TRUE(loop.tick(Vec3(0, 0, 1), Vec3::Zero(), 8e-3).force.isZero(0));
+  EXPECT_EQ(loop.guard.state(), ArmingState::wait_free);
+  EXPECT_EQ(loop.guard.log().count(SafetyEvent::late_wake_up), 1U);
+  int ticks = 0;
+  for (; loop.guard.state() != ArmingState::on; ++ticks) loop.tick(Vec3::Zero());
+  EXPECT_NEAR(ticks, 255, 5);
+
+  EXPECT_TRUE(loop.tick(Vec3(0, 0, 1), Vec3::Zero(), 2.0).force.isZero(0));  // a debugger
+  EXPECT_EQ(loop.guard.log().count(SafetyEvent::paused), 1U);
+  for (ticks = 0; loop.guard.state() != ArmingState::on; ++ticks) loop.tick(Vec3::Zero());
+  EXPECT_NEAR(ticks, 1505, 5);
+}
+
+TEST(Guard, WaitsUntilFreeAfterACalibrationAClutchAndAnotherModel) {
+  for (const SafetyEvent event : {SafetyEvent::recalibrated, SafetyEvent::reclutched, SafetyEvent::model_swapped}) {
+    GuardedLoop loop;
+    loop.engage();
+    if (event == SafetyEvent::recalibrated) {
+      loop.reading.X_BS.translation.x() += 0.04;  // farther than a hand moves in a tick
+      ++loop.reading.epoch;
+    } else {
+      loop.guard.interrupt(event);
+    }
+    EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0)) << name(event);
+    EXPECT_EQ(loop.guard.state(), ArmingState::wait_free) << name(event);
+    EXPECT_GE(loop.guard.log().count(event), 1U) << name(event);
+  }
+}
+
+TEST(Guard, FaultsLatchUntilResetAndThenNeedAFreeTool) {
+  GuardedLoop loop;
+  loop.engage();
+  loop.guard.emergency_stop();
+  for (int n = 0; n < 100; ++n) EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0));
+  EXPECT_EQ(loop.guard.state(), ArmingState::fault);
+  loop.guard.reset();
+  for (int n = 0; n < 100; ++n) EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0));
+  EXPECT_EQ(loop.guard.state(), ArmingState::wait_free);
+  loop.engage();
+  EXPECT_EQ(loop.guard.log().count(SafetyEvent::fault_reset), 1U);
+}
+
+TEST(Guard, StopsWithinATickWhenAnotherThreadPullsTheEmergencyStop) {
+  GuardedLoop loop;
+  loop.engage();
+  loop.tick(Vec3(0, 0, 0.3));
+  std::thread([&] { loop.guard.emergency_stop(); }).join();
+  EXPECT_TRUE(loop.tick(Vec3(0, 0, 0.3)).force.isZero(0));
+  EXPECT_EQ(loop.guard.log().count(SafetyEvent::emergency_stop), 1U);
+}
+
+TEST(Guard, StopsWhenTheDeviceSaysThatItCannotBeTrusted) {
+  for (const DeviceFault fault : {DeviceFault::disconnected, DeviceFault::uncalibrated, DeviceFault::driver_error}) {
+    GuardedLoop loop;
+    loop.engage();
+    loop.reading.fault = fault;
+    EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0)) << describe(fault);
+    EXPECT_EQ(loop.guard.state(), ArmingState::fault) << describe(fault);
+  }
+  for (const DeviceFault fault :
+       {DeviceFault::force_limit, DeviceFault::speed_limit, DeviceFault::overloaded, DeviceFault::switched_off}) {
+    GuardedLoop loop;
+    loop.engage();
+    loop.reading.fault = fault;
+    EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0)) << describe(fault);
+    EXPECT_EQ(loop.guard.state(), ArmingState::wait_free) << describe(fault);
+  }
+}
+
+TEST(Guard, SeesAPositionThatStandsStillWhileTheStylusTurns) {
+  GuardedLoop loop;
+  loop.engage();
+  loop.reading.X_BS.translation = {0, -0.04, -0.035};
+  loop.guard.interrupt(SafetyEvent::reclutched);
+  ++loop.reading.epoch;
+  int ticks = 0;
+  for (; loop.guard.state() != ArmingState::fault && ticks < 1000; ++ticks) {
+    loop.reading.X_BS.rotation = rotation_from_vector(Vec3(0, 0, 0.2 * std::sin(0.03 * ticks)));
+    loop.tick(Vec3::Zero());
+  }
+  EXPECT_LT(ticks, 200);
+  EXPECT_GE(loop.guard.log().count(SafetyEvent::pose_frozen), 1U);
+}
+
+TEST(Guard, TakesAStylusAtRestForNothingElse) {
+  GuardedLoop loop;
+  loop.engage();
+  for (int n = 0; n < 5000; ++n) {
+    loop.reading.X_BS.rotation = rotation_from_vector(Vec3(0, 0, 1e-3 * std::sin(0.05 * n)));  // a calm hand's tremor
+    loop.tick(Vec3(0, 0, 0.1));
+  }
+  EXPECT_EQ(loop.guard.state(), ArmingState::on);
+  EXPECT_EQ(loop.guard.log().count(SafetyEvent::pose_units), 0U);
+}
+
+TEST(Guard, NoticesPositionsInOtherUnits) {
+  GuardedLoop loop;
+  loop.reading.X_BS.translation = {0, 110, 35};  // millimetres
+  for (int n = 0; n < 100; ++n) EXPECT_TRUE(loop.tick(Vec3::Zero()).force.isZero(0));
+  EXPECT_GE(loop.guard.log().count(SafetyEvent::pose_units), 1U);
+  EXPECT_EQ(loop.guard.state(), ArmingState::armed);
+}
+
+TEST(Guard, CountsEveryTickOfAnEventButEntersItOnce) {
+  GuardedLoop loop;
+  loop.engage();
+  (void)loop.guard.log().drain();
+  for (int n = 0; n < 30; ++n) loop.tick(Vec3(0, 0, 9));
+  for (int n = 0; n < 5; ++n) loop.tick(Vec3::Zero());
+  for (int n = 0; n < 30; ++n) loop.tick(Vec3(0, 0, 9));
+  EXPECT_EQ(loop.guard.log().count(SafetyEvent::saturated), 60U);
+  int entries = 0;
+  for (const SafetyLogEntry& entry : loop.guard.log().drain())
+    if (entry.event == SafetyEvent::saturated) {
+      ++entries;
+      EXPECT_NEAR(entry.value, 9, 1e-12);
+      EXPECT_NE(describe(entry).find("saturated (9)"), std::string::npos) << describe(entry);
+    }
+  EXPECT_EQ(entries, 2);
+}
+
+TEST(SafetyLog, NamesEveryEventAndCountsWhatItsListCannotHold) {
+  for (std::size_t n = 0; n < kSafetyEvents; ++n) EXPECT_FALSE(name(SafetyEvent(n)).empty()) << n;
+  EXPECT_EQ(name(SafetyEvent::emergency_stop), "emergency_stop");
+  SafetyLog log;
+  for (int n = 0; n < 3000; ++n) {
+    log.begin_tick(n * kPeriod, std::uint64_t(n));
+    if (n % 2 == 0) log.report(SafetyEvent::saturated, n);
+  }
+  EXPECT_EQ(log.count(SafetyEvent::saturated), 1500U);
+  const std::size_t kept = log.drain().size();
+  EXPECT_EQ(kept + log.dropped(), 1500U);
+  EXPECT_GT(log.dropped(), 0U);
+}
+
+TEST(ThermalBudget, LetsAPeakPassAndFallsToTheContinuousForceWhenItLasts) {
+  ThermalBudget budget(3.3, 0.88, {});
+  for (int n = 0; n < 4000; ++n) budget.tick(3.3, 0, kPeriod);
+  EXPECT_EQ(budget.limit(), 3.3);
+  for (int n = 0; n < 10000; ++n) budget.tick(std::min(3.3, budget.limit()), 0, kPeriod);
+  EXPECT_NEAR(budget.limit(), 0.88, 1e-12);
+  for (int n = 0; n < 120000; ++n) budget.tick(0, 0, kPeriod);
+  EXPECT_EQ(budget.limit(), 3.3);
+}
+
+TEST(ThermalBudget, ObeysTheTemperatureThatTheDeviceMeasures) {
+  ThermalBudget budget(3.3, 0.88, {});
+  budget.tick(2, 0.75, kPeriod);
+  EXPECT_NEAR(budget.limit(), 2 * (1 - 1e-3), 1e-12);  // the vendor's 0.999 a tick, from the force of the moment
+  for (int n = 0; n < 2000; ++n) budget.tick(0, 0.6, kPeriod);
+  EXPECT_TRUE(budget.is_limiting());
+  EXPECT_NEAR(budget.limit(), 0.88, 1e-12);
+  budget.tick(0, 0.4, kPeriod);
+  EXPECT_FALSE(budget.is_limiting());
+  EXPECT_NEAR(budget.limit(), 0.88 * (1 + 1e-3), 1e-12);
+}
+
+TEST(Watchdog, FadesAForceOutBeforeItIsFiftyMillisecondsOld) {
+  const Watchdog watchdog({});
+  EXPECT_EQ(watchdog.verdict(2e-3), Watchdog::Verdict::alive);
+  EXPECT_EQ(watchdog.verdict(5e-3), Watchdog::Verdict::late);
+  EXPECT_EQ(watchdog.scale(9e-3), 1);
+  EXPECT_EQ(watchdog.verdict(20e-3), Watchdog::Verdict::fading);
+  EXPECT_NEAR(watchdog.scale(25e-3), 0.5, 1e-12);
+  EXPECT_EQ(watchdog.scale(41e-3), 0);
+  EXPECT_EQ(watchdog.verdict(51e-3), Watchdog::Verdict::dead);
+  WatchdogOptions slow;
+  slow.fade = 0.1;
+  EXPECT_THROW(Watchdog{slow}, Error);
+}
+
+}  // namespace
+}  // namespace hapticut::guard_test
