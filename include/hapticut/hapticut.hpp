@@ -2,10 +2,11 @@
 #pragma once
 
 /// @file
-/// Everything of hapticut; the order is the order to read it in. `workpiece/openvdb.hpp`, the door to OpenVDB, and
-/// `io/`, which is an optional component, are included on their own.
+/// What a simulator needs, room by room in the order to read them. Included on their own: `workpiece/openvdb.hpp`, the
+/// door to OpenVDB; `bench.hpp` and `io/`, which are components of their own; the adapters of makers in `device/`.
 
 #include "hapticut/core/build_info.hpp"
+#include "hapticut/core/device_state.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/mesh.hpp"
 #include "hapticut/core/reserve.hpp"
@@ -55,38 +56,18 @@
 #include "hapticut/force/resultant.hpp"
 #include "hapticut/force/stiffness.hpp"
 #include "hapticut/force/whole_contact.hpp"
+//
+#include "hapticut/simulation/config.hpp"
+#include "hapticut/simulation/coupling.hpp"
+#include "hapticut/simulation/energy.hpp"
 #include "hapticut/simulation/output.hpp"
 #include "hapticut/simulation/output_limits.hpp"
-//
-#include "hapticut/bench/scenes.hpp"
-#include "hapticut/simulation/config.hpp"
-#include "hapticut/simulation/energy.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/simulation/stage_times.hpp"
 #include "hapticut/simulation/step.hpp"
 #include "hapticut/simulation/thesis_mode.hpp"
 #include "hapticut/simulation/worst_case.hpp"
 //
-#include "hapticut/loop/block_outbox.hpp"
-#include "hapticut/realtime/histogram.hpp"
-#include "hapticut/realtime/realtime.hpp"
-#include "hapticut/realtime/triple_buffer.hpp"
-//
-#include "hapticut/bench/closed_loop.hpp"
-#include "hapticut/bench/contact_bench.hpp"
-#include "hapticut/bench/fault_bench.hpp"
-#include "hapticut/bench/stability.hpp"
-#include "hapticut/core/device_state.hpp"
-#include "hapticut/device/device.hpp"
-#include "hapticut/device/simulated/device_models.hpp"
-#include "hapticut/device/simulated/mock.hpp"
-#include "hapticut/device/simulated/mouse.hpp"
-#include "hapticut/device/simulated/plant.hpp"
-#include "hapticut/device/simulated/playback.hpp"
-#include "hapticut/loop/realtime_loop.hpp"
-#include "hapticut/loop/simulation_model.hpp"
-#include "hapticut/loop/step_recorder.hpp"
-#include "hapticut/loop/workspace_map.hpp"
 #include "hapticut/safety/arming.hpp"
 #include "hapticut/safety/guard.hpp"
 #include "hapticut/safety/passivity.hpp"
@@ -94,4 +75,20 @@
 #include "hapticut/safety/safety_log.hpp"
 #include "hapticut/safety/thermal_budget.hpp"
 #include "hapticut/safety/watchdog.hpp"
-#include "hapticut/simulation/coupling.hpp"
+//
+#include "hapticut/realtime/histogram.hpp"
+#include "hapticut/realtime/realtime.hpp"
+#include "hapticut/realtime/triple_buffer.hpp"
+//
+#include "hapticut/device/device.hpp"
+#include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/device/simulated/mock.hpp"
+#include "hapticut/device/simulated/mouse.hpp"
+#include "hapticut/device/simulated/plant.hpp"
+#include "hapticut/device/simulated/playback.hpp"
+//
+#include "hapticut/loop/block_outbox.hpp"
+#include "hapticut/loop/realtime_loop.hpp"
+#include "hapticut/loop/simulation_model.hpp"
+#include "hapticut/loop/step_recorder.hpp"
+#include "hapticut/loop/workspace_map.hpp"
