@@ -78,6 +78,7 @@ py::array run(PythonCoupling& self, const Float64Array& poses, const Float64Arra
   simulation.occupancy.require_writable("The simulation");  // last: what is above may let other threads run
   simulation.removed.clear();
   {
+    const std::shared_ptr<void> recorder = simulation.recorder.lock();
     const ReleasedWriting released(simulation.occupancy);
     double time = 0;
     for (std::size_t i = 0; i < input.steps; ++i) {

@@ -49,10 +49,10 @@ void bind_effects(py::module_& m) {
                             field("dt", &EffectsInput::dt));
   py::class_<Output>(m, "Output", doc("Output"))
       .def(py::init<>())
-      .def("add_effects", &Output::add_effects, py::arg("effects"), py::arg("at"), py::arg("wrench"),
-           doc("Output::add_effects"))
-      .def("limit", &Output::limit, py::arg("limits"), py::arg("wrench"), py::arg("dt"),
-           "Saturation, growth limit and start-up ramp.")
+      .def("give", &Output::give, py::arg("effects"), py::arg("at"), py::arg("wrench"), py::return_value_policy::copy,
+           doc("Output::give"))
+      .def_property_readonly(
+          "given", [](const Output& output) { return output.given(); }, doc("Output::given"))
       .def("drop", &Output::drop, doc("Output::drop"))
       .def("restart", &Output::restart, doc("Output::restart"));
 }

@@ -9,9 +9,6 @@
 #include "hapticut/loop/simulation_model.hpp"
 #include "simulation.hpp"
 #include "structs.hpp"
-#ifdef HAPTICUT_PYTHON_WITH_IO
-#include "recorder.hpp"
-#endif
 
 namespace hapticut::python {
 
@@ -20,15 +17,15 @@ namespace {
 /// A model, and what it works on.
 struct PythonModel {
   std::shared_ptr<PythonSimulation> simulation;
-  py::object device, recorder;
+  py::object device;
   std::unique_ptr<SimulationModel> model;
 };
 
 PythonModel model_of(const std::shared_ptr<PythonSimulation>& simulation, const py::object& device,
-                     const SimulationModelOptions& options, py::object recorder, StepRecorder* writer) {
+                     const SimulationModelOptions& options) {
   simulation->occupancy.require_writable("The simulation");
-  auto model = std::make_unique<SimulationModel>(simulation->simulation, device.cast<Device&>(), options, writer);
-  return {simulation, device, std::move(recorder), std::move(model)};
+  auto model = std::make_unique<SimulationModel>(simulation->simulation, device.cast<Device&>(), options);
+  return {simulation, device, std::move(model)};
 }
 
 }  // namespace
@@ -57,6 +54,7 @@ class PythonLoop {
   void start() {
     if (!holds_) simulation_->occupancy.require_writable("The simulation");
     loop_->start();
+    recorder_ = simulation_->recorder.lock();
     holds_ = simulation_->occupancy.writing_ = true;
   }
 
@@ -75,11 +73,13 @@ class PythonLoop {
  private:
   void let_go() {
     if (std::exchange(holds_, false)) simulation_->occupancy.writing_ = false;
+    recorder_.reset();
   }
 
   py::object model_;
   std::shared_ptr<PythonSimulation> simulation_;
   std::unique_ptr<RealtimeLoop> loop_;
+  std::shared_ptr<void> recorder_;  // that observes the simulation must live as long as the loop runs
   bool holds_ = false;
 };
 
@@ -158,22 +158,10 @@ void bind_model(py::module_& m) {
                  field("undo_blocks_per_tick", &O::undo_blocks_per_tick));
   using M = PythonModel;
   py::class_<M>(m, "SimulationModel", doc("SimulationModel"))
-#ifdef HAPTICUT_PYTHON_WITH_IO
-      .def(py::init([](const std::shared_ptr<PythonSimulation>& simulation, Device& device, const O& options,
-                       const std::optional<std::shared_ptr<PythonRecorder>>& recorder) {
-             if (recorder && (*recorder)->simulation != simulation)
-               throw Error("the recorder belongs to another simulation; give one that was made for this one.");
-             return model_of(simulation, py::cast(&device), options, py::cast(recorder),
-                             recorder ? (*recorder)->recorder.get() : nullptr);
-           }),
-           py::arg("simulation"), py::arg("device"), py::arg("options") = O{}, py::arg("recorder") = py::none(),
-           doc("SimulationModel::SimulationModel"))
-#else
       .def(py::init([](const std::shared_ptr<PythonSimulation>& simulation, Device& device, const O& options) {
-             return model_of(simulation, py::cast(&device), options, py::none(), nullptr);
+             return model_of(simulation, py::cast(&device), options);
            }),
            py::arg("simulation"), py::arg("device"), py::arg("options") = O{}, doc("SimulationModel::SimulationModel"))
-#endif
       .def_property_readonly(
           "region", [](const M& self) { return self.model->region(); }, doc("SimulationModel::region"));
 }

@@ -12,6 +12,7 @@ namespace hapticut::python {
 /// A recorder and the simulation that it belongs to.
 struct PythonRecorder {
   std::shared_ptr<PythonSimulation> simulation;
+  py::object driven_by;  // kept alive
   std::unique_ptr<Recorder> recorder;
 
   [[nodiscard]] Stepper stepper(const DeviceTick* device = nullptr) const {

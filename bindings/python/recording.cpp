@@ -29,12 +29,23 @@ void bind_recorder(py::module_& m) {
   using R = PythonRecorder;
   py::class_<R, std::shared_ptr<R>>(m, "Recorder", doc("Recorder"))
       .def(py::init([](const std::filesystem::path& path, const std::shared_ptr<PythonSimulation>& simulation,
-                       const O& options) {
+                       const O& given, py::object driven_by) {
              simulation->occupancy.require_writable("The simulation");
-             const ReleasedWriting released(simulation->occupancy);
-             return R{simulation, std::make_unique<Recorder>(path, simulation->simulation, options)};
+             O options = given;
+             if (!driven_by.is_none()) options.driven_by = &driven_by.cast<const Device&>();
+             auto held = std::make_shared<R>(R{simulation, std::move(driven_by), nullptr});
+             {
+               const ReleasedWriting released(simulation->occupancy);
+               held->recorder = std::make_unique<Recorder>(path, simulation->simulation, options);
+             }
+             simulation->recorder = held;
+             return held;
            }),
-           py::arg("path"), py::arg("simulation"), py::arg("options") = O{}, doc("Recorder::Recorder"))
+           py::arg("path"), py::arg("simulation"), py::arg("options") = O{}, py::arg("driven_by") = py::none(),
+           "Records the steps of a simulation, whoever makes them, until it is closed.\n\n"
+           "driven_by is the device whose loop makes the steps: its name, its capabilities and its side of every step\n"
+           "are taken from it. Without it a loop of your own gives them: options.device, options.capabilities and\n"
+           "set_device_tick.")
       .def(
           "step",
           [](R& self, const FewNumbers& pose, const FewNumbers& velocity, double dt,
@@ -53,19 +64,12 @@ void bind_recorder(py::module_& m) {
           "run\n"
           "is quicker than the disk: set RecorderOptions.wait_when_full, or steps will be lost.")
       .def(
-          "before_step",
-          [](const R& self) {
+          "set_device_tick",
+          [](const R& self, const DeviceTick& tick) {
             self.simulation->occupancy.require_writable("The simulation");
-            self.recorder->before_step();
+            self.recorder->set_device_tick(tick);
           },
-          "To be called before somebody else makes a step, a VirtualCoupling for one.")
-      .def(
-          "after_step",
-          [](const R& self, const std::optional<DeviceTick>& device) {
-            self.simulation->occupancy.require_writable("The simulation");
-            self.recorder->after_step(device ? &*device : nullptr);
-          },
-          py::arg("device") = py::none(), doc("Recorder::after_step"))
+          py::arg("tick"), doc("Recorder::set_device_tick"))
       .def_property_readonly(
           "recorded", [](const R& r) { return r.recorder->recorded(); }, doc("Recorder::recorded"))
       .def_property_readonly(

@@ -70,7 +70,7 @@ void bind_limits(py::module_& m) {
                  member("evaluate_contact", &T::evaluate_contact), member("remove_material", &T::remove_material),
                  member("hold_deep_contact", &T::hold_deep_contact), member("add_friction", &T::add_friction),
                  member("book_energy", &T::book_energy), member("transport_to_handle", &T::transport_to_handle),
-                 member("add_effects", &T::add_effects));
+                 member("give_output", &T::give_output));
   bind_result<WorstCase>(m, "WorstCase", member("blocks", &WorstCase::blocks), member("voxels", &WorstCase::voxels),
                          member("sub_steps", &WorstCase::sub_steps),
                          member("level_of_detail", &WorstCase::level_of_detail));
@@ -156,9 +156,6 @@ void bind_the_simulation(py::module_& m) {
           doc("Simulation::spindle_setting"))
       .def_property_readonly(
           "steps", [](const S& self) { return read(self).steps(); }, doc("Simulation::steps"))
-      .def_property_readonly(
-          "workpiece_exchanges", [](const S& self) { return read(self).workpiece_exchanges(); },
-          doc("Simulation::workpiece_exchanges"))
       .def(
           "changed_blocks",
           [](const S& self) {

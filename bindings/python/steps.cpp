@@ -116,6 +116,7 @@ py::array make_steps(PythonSimulation& simulation, const Float64Array& poses, co
   simulation.occupancy.require_writable("The simulation");  // last: what is above may let other threads run
   simulation.removed.clear();
   {
+    const std::shared_ptr<void> recorder = simulation.recorder.lock();
     const ReleasedWriting released(simulation.occupancy);
     double time = 0;
     for (std::size_t i = 0; i < input.steps; ++i) {

@@ -88,7 +88,7 @@
 #include "hapticut/device/simulated/playback.hpp"
 //
 #include "hapticut/loop/block_outbox.hpp"
+#include "hapticut/loop/device_tick.hpp"
 #include "hapticut/loop/realtime_loop.hpp"
 #include "hapticut/loop/simulation_model.hpp"
-#include "hapticut/loop/step_recorder.hpp"
 #include "hapticut/loop/workspace_map.hpp"

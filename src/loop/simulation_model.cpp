@@ -68,11 +68,9 @@ ToolSnapshot tool_of(const LoopSnapshot& snapshot) {
   return tool;
 }
 
-SimulationModel::SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options,
-                                 StepRecorder* recorder)
+SimulationModel::SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options)
     : simulation_(&simulation),
       device_(&device),
-      recorder_(recorder),
       map_(options.map),
       region_(simulation.workpiece().bounds()),
       spindle_needs_force_(options.spindle_needs_force),
@@ -119,10 +117,9 @@ void SimulationModel::turn_spindle(ArmingState arming) noexcept {
 }
 
 /// Steps, with the coupling or without.  @return what the hand feels, about Ho of the hand, in W
-Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, double dt,
-                                    const DeviceTick& tick) noexcept {
+Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept {
   if (coupling_) {
-    const CoupledResult& result = coupling_->step(pose, velocity, dt, recorder_, &tick);
+    const CoupledResult& result = coupling_->step(pose, velocity, dt);
     if (result.parts == 0) return {};  // it refused the input
     X_WH_ = result.X_WH;
     changed_ = result.changed_blocks;
@@ -130,9 +127,7 @@ Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, dou
     tool_.status = result.status;
     return result.hand;
   }
-  if (recorder_ != nullptr) recorder_->before_step();
   const StepResult& result = simulation_->step(pose, velocity, dt);
-  if (recorder_ != nullptr) recorder_->after_step(&tick);
   X_WH_ = pose;
   changed_ = simulation_->changed_blocks();
   tool_.removed_volume += result.removed_volume;
@@ -142,8 +137,7 @@ Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, dou
 
 Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept {
   const std::uint64_t steps = simulation_->steps();
-  const DeviceTick tick{state, device_->last_output(), device_->last_arming()};
-  const Wrench felt = follow_hand(map_.to_world(state.X_BS), map_.to_world(state.X_BS, state.velocity), dt, tick);
+  const Wrench felt = follow_hand(map_.to_world(state.X_BS), map_.to_world(state.X_BS, state.velocity), dt);
   if (simulation_->steps() == steps) return {};  // the coupling refused the input
   const StepResult& result = simulation_->last_result();
   ++tool_.steps;

@@ -59,8 +59,28 @@ VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& ga
   reserve_touched(changed_, simulation.worst_case().blocks * kMostParts);
 }
 
-const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& hand_velocity, double dt,
-                                           StepRecorder* recorder, const DeviceTick* device) noexcept {
+/// What the hand is given for a part of a tick: the coupling's wrench at its end, after the last one.
+class VirtualCoupling::Answer final : public HandCoupling {
+ public:
+  Answer(VirtualCoupling& coupling, const Part& part, const Pose& X_WH, const Twist& tool, const Twist& hand)
+      : coupling_(coupling), part_(part), after_(coupling.pull(X_WH, tool, part.X_WD, hand)) {}
+
+  std::optional<HandOutput> answer(const StepResult& stepped) noexcept override {
+    Wrench& wrench = coupling_.result_.coupling;
+    wrench = {-after_.wrench.force, coupling_.turns() ? Vec3(-after_.wrench.torque) : stepped.model.torque};
+    if (!part_.last) return std::nullopt;
+    return HandOutput{part_.X_WD, wrench, part_.tick};
+  }
+
+  [[nodiscard]] const Pull& after() const { return after_; }
+
+ private:
+  VirtualCoupling& coupling_;
+  const Part& part_;
+  Pull after_;
+};
+
+const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& hand_velocity, double dt) noexcept {
   // Copies, because they may be parts of the last result, which changes.
   const Pose pose = hand_pose;           // NOLINT(performance-unnecessary-copy-initialization)
   const Twist velocity = hand_velocity;  // NOLINT(performance-unnecessary-copy-initialization)
@@ -72,24 +92,19 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
     result_.velocity = velocity;
     result_.energy = {};  // of this grip; the hand brought the tool to its speed before it
     result_.energy.hand_work = result_.energy.kinetic = kinetic_energy(velocity);
-    output_.restart();
+    simulation_->let_go();
   }
   const Twist hand_path = twist_between(X_WD_, pose, dt);
   const Pose X_WD_before = X_WD_;
   result_.parts = plan_parts(dt);
   for (int part = 1; part <= result_.parts; ++part) {
     const Pose X_WD = part == result_.parts ? pose : advance(X_WD_before, hand_path, dt * part / result_.parts);
-    const StepStatus status = move(X_WD, hand_path, velocity, dt / result_.parts, {recorder, device});
+    const bool last = part == result_.parts;
+    const StepStatus status = move({X_WD, dt / result_.parts, last, dt}, hand_path, velocity);
     if (has(status, kRejected)) return let_go(status);
     result_.status |= status;
   }
-
-  const Effects& effects = simulation_->config().effects;
-  const StepResult& stepped = simulation_->last_result();
-  const EffectsInput at = {pose, pose * simulation_->tool().X_HT(),
-                           stepped.spindle.speed != 0 && stepped.contact.voxels > 0,
-                           stepped.spindle.torque * stepped.spindle.speed, dt};
-  result_.hand = output_.limit(effects.limits, output_.add_effects(effects, at, result_.coupling), dt);
+  result_.hand = {simulation_->last_result().force, simulation_->last_result().torque};
   return result_;
 }
 
@@ -115,33 +130,23 @@ int VirtualCoupling::plan_parts(double dt) const noexcept {
 }
 
 /// The hand moves on, the tool after it.
-StepStatus VirtualCoupling::move(const Pose& pose, const Twist& hand_path, const Twist& hand, double dt,
-                                 const Recording& recording) noexcept {
+StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const Twist& hand) noexcept {
   const Twist tool_before = result_.velocity;
   const Pull before = pull(result_.X_WH, tool_before, X_WD_, hand);
-  const Twist tool = solve(pose, hand, dt);
-  Pose X_WH = advance(result_.X_WH, tool, dt);
-  if (!turns()) X_WH.rotation = pose.rotation;
+  const Twist tool = solve(part.X_WD, hand, part.dt);
+  Pose X_WH = advance(result_.X_WH, tool, part.dt);
+  if (!turns()) X_WH.rotation = part.X_WD.rotation;
   const double work_before = simulation_->last_result().energy.hand_work;
-  const StepResult& stepped = step_simulation(X_WH, tool, dt, recording);
+  Answer answer(*this, part, X_WH, tool, hand);
+  const StepResult& stepped = simulation_->step(X_WH, tool, part.dt, &answer);
   if (has(stepped.status, kRejected)) return stepped.status;
   keep_lists(stepped);
 
   result_.X_WH = X_WH;
   result_.velocity = tool;
-  const Pull after = pull(X_WH, tool, pose, hand);
-  result_.coupling = {-after.wrench.force, turns() ? Vec3(-after.wrench.torque) : stepped.model.torque};
-  book(before, after, tool_before, hand_path, hand, stepped.energy.hand_work - work_before, dt);
-  X_WD_ = pose;
+  book(before, answer.after(), tool_before, hand_path, hand, stepped.energy.hand_work - work_before, part.dt);
+  X_WD_ = part.X_WD;
   return stepped.status;
-}
-
-const StepResult& VirtualCoupling::step_simulation(const Pose& X_WH, const Twist& tool, double dt,
-                                                   const Recording& recording) noexcept {
-  if (recording.recorder != nullptr) recording.recorder->before_step();
-  const StepResult& stepped = simulation_->step(X_WH, tool, dt);
-  if (recording.recorder != nullptr) recording.recorder->after_step(recording.device);
-  return stepped;
 }
 
 /// What the parts of a tick have changed, together.
@@ -263,7 +268,7 @@ void VirtualCoupling::book(const Pull& before, const Pull& after, const Twist& t
 
 const CoupledResult& VirtualCoupling::let_go(StepStatus status) noexcept {
   held_ = false;
-  output_.drop();
+  simulation_->let_go();
   result_.hand = result_.coupling = {};
   result_.velocity = {};
   result_.status |= status;

@@ -77,7 +77,14 @@ ChangedBlocks Simulation::changed_blocks() const noexcept { return state_->conta
 double Simulation::spindle_setting() const noexcept { return state_->motor.setting(); }
 const StepInput& Simulation::last_input() const noexcept { return state_->input; }
 std::uint64_t Simulation::steps() const noexcept { return state_->steps; }
-std::uint64_t Simulation::workpiece_exchanges() const noexcept { return state_->workpiece_exchanges; }
+StepObserver* Simulation::observer() const noexcept { return state_->observer; }
+
+void Simulation::set_observer(StepObserver* observer) {
+  if (observer != nullptr && state_->observer != nullptr && observer != state_->observer)
+    throw Error(
+        "somebody else observes the simulation, a recorder perhaps; close it, or set its observer to null first.");
+  state_->observer = observer;
+}
 
 const std::array<double, 256>& Simulation::removed_volume_by_material() const {
   return state_->removal.total_by_material();
@@ -110,7 +117,7 @@ void Simulation::restore(const WorkpieceSnapshot& snapshot) {
   state_->workpiece.restore(snapshot);
   state_->contact_stages.start_afresh(state_->workpiece);
   state_->has_pose = false;
-  ++state_->workpiece_exchanges;
+  state_->tell_of_exchange();
 }
 
 void Simulation::reserve_undo(std::size_t blocks) { state_->workpiece.reserve_undo(blocks); }
@@ -125,7 +132,7 @@ bool Simulation::undo(std::size_t most) noexcept {
   const std::size_t marks = s.workpiece.marks();
   if (marks == 0) return true;
   s.has_pose = false;
-  ++s.workpiece_exchanges;
+  s.tell_of_exchange();
   s.contact_stages.undo(s.workpiece, most);
   return s.workpiece.marks() < marks;
 }
@@ -134,8 +141,9 @@ void Simulation::reset(Workpiece workpiece) {
   validate_pair(workpiece, state_->tool);
   auto fresh = std::make_unique<State>(std::move(workpiece), state_->tool, state_->config);
   if (const std::size_t blocks = state_->workpiece.undo_blocks(); blocks > 0) fresh->workpiece.reserve_undo(blocks);
-  fresh->workpiece_exchanges = state_->workpiece_exchanges + 1;
+  fresh->observer = state_->observer;
   state_ = std::move(fresh);
+  state_->tell_of_exchange();
 }
 
 }  // namespace hapticut

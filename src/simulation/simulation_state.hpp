@@ -39,10 +39,11 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   [[nodiscard]] StageTimer timed(double StageTimes::*stage) const noexcept {
     return StageTimer(config.stage_times ? &(times.*stage) : nullptr);
   }
-  void begin_step() noexcept;
-  [[nodiscard]] StepStatus check_step_input(const Pose& pose, const Twist& velocity, double dt) const noexcept {
+  void begin_step(const StepInput& given) noexcept;
+  void take_step(HandCoupling* coupling) noexcept;
+  [[nodiscard]] StepStatus check_step_input() const noexcept {
     const StageTimer timer = timed(&StageTimes::check_input);
-    return check_input(config, pose, velocity, dt);
+    return check_input(config, input.pose, input.velocity, input.dt);
   }
   void place_at(const Pose& pose) noexcept;
   [[nodiscard]] int plan_sweep(const Pose& from, const Pose& pose) const noexcept;
@@ -65,9 +66,16 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
     const Resultant& resultant = encounter.resultant;
     return {resultant.voxels, resultant.volume * voxel_volume, resultant.depth, encounter.level_of_detail};
   }
-  void add_effects(const Pose& pose, double dt) noexcept;
-  const StepResult& finish_step(const Pose& pose, double dt, int sub_steps) noexcept;
-  const StepResult& reject(StepStatus status) noexcept;
+  void give_output(HandCoupling* coupling) noexcept;
+  void finish_step(int sub_steps) noexcept;
+  void reject(StepStatus status) noexcept;
+  void tell_of_step(const Simulation& simulation) const noexcept {
+    if (observer != nullptr)
+      observer->on_step({simulation, steps - 1, input, free_blocks, after_letting_go, output_path, hand, result});
+  }
+  void tell_of_exchange() const noexcept {
+    if (observer != nullptr) observer->on_exchange();
+  }
 
   // The same without a change: `Simulation::probe`.
   [[nodiscard]] ContactProbe probe_way(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
@@ -98,7 +106,12 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
 
   StepInput input;  // of the last step
   std::uint64_t steps = 0;
-  std::uint64_t workpiece_exchanges = 0;
+  std::size_t free_blocks = 0;    // when the last step began
+  bool let_go_since = false;      // the last step
+  bool after_letting_go = false;  // the last step was
+  OutputPath output_path = OutputPath::direct;
+  HandOutput hand;  // of the coupling, in the last step
+  StepObserver* observer = nullptr;
 
   RemovalRecord removal;
   StepResult result;

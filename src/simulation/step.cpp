@@ -19,40 +19,49 @@ Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
 
 }  // namespace
 
-const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, double dt) noexcept {
+const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, double dt,
+                                   HandCoupling* coupling) noexcept {
   State& s = *state_;
-  s.begin_step();
-  s.input = {pose, velocity, dt};
-  const StepStatus refused = s.check_step_input(pose, velocity, dt);
-  if (refused != StepStatus::ok) return s.reject(refused);
-  if (!std::exchange(s.has_pose, true)) s.place_at(advance(pose, velocity, -dt));
-
-  const int sub_steps = s.plan_sweep(s.X_WH, pose);
-  if (sub_steps > s.config.longest_sweep) {
-    s.place_at(pose);
-    return s.reject(StepStatus::jump_rejected);
-  }
-  const Twist path = twist_between(s.X_WH, pose, dt);
-  for (int i = 0; i < sub_steps; ++i) {
-    const SubStep sub_step = s.plan_sub_step(s.X_WH, i, dt / sub_steps, path, velocity);
-    s.find_blocks(sub_step);
-    Encounter encounter = s.evaluate_contact(sub_step);
-    s.remove_material();
-    s.hold_deep_contact(sub_step, encounter);
-    s.add_friction(sub_step, encounter);
-    s.book_energy(sub_step, encounter);
-    s.transport_to_handle(sub_step, encounter, 1.0 / sub_steps);
-  }
-  s.add_effects(pose, dt);
-  return s.finish_step(pose, dt, sub_steps);
+  s.begin_step({pose, velocity, dt});
+  s.take_step(coupling);
+  s.tell_of_step(*this);
+  return s.result;
 }
 
-void Simulation::State::begin_step() noexcept {
+void Simulation::State::take_step(HandCoupling* coupling) noexcept {
+  const auto& [pose, velocity, dt] = input;
+  if (const StepStatus refused = check_step_input(); refused != StepStatus::ok) return reject(refused);
+  if (!std::exchange(has_pose, true)) place_at(advance(pose, velocity, -dt));
+  const int sub_steps = plan_sweep(X_WH, pose);
+  if (sub_steps > config.longest_sweep) {
+    place_at(pose);
+    return reject(StepStatus::jump_rejected);
+  }
+
+  const Twist path = twist_between(X_WH, pose, dt);
+  for (int i = 0; i < sub_steps; ++i) {
+    const SubStep sub_step = plan_sub_step(X_WH, i, dt / sub_steps, path, velocity);
+    find_blocks(sub_step);
+    Encounter encounter = evaluate_contact(sub_step);
+    remove_material();
+    hold_deep_contact(sub_step, encounter);
+    add_friction(sub_step, encounter);
+    book_energy(sub_step, encounter);
+    transport_to_handle(sub_step, encounter, 1.0 / sub_steps);
+  }
+  give_output(coupling);
+  finish_step(sub_steps);
+}
+
+void Simulation::State::begin_step(const StepInput& given) noexcept {
+  input = given;
   ++steps;
+  free_blocks = workpiece.reserved_blocks();
+  after_letting_go = std::exchange(let_go_since, false);
+  output_path = OutputPath::direct;
   removal.clear();
   contact_stages.forget_changes();
   times = {};
-  result.force = result.torque = Vec3::Zero();
   result.model = {};
   result.removed_voxels = {};
   result.removed_volume = 0;
@@ -196,22 +205,35 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   if (encounter.level_of_detail > 1) result.status |= StepStatus::detail_reduced;
 }
 
-/// What the hand feels: the force of the model with what is added to it, within its limits.
-void Simulation::State::add_effects(const Pose& pose, double dt) noexcept {
-  const StageTimer timer = timed(&StageTimes::add_effects);
-  const Effects& effects = config.effects;
-  const EffectsInput at = {pose, pose * tool.X_HT(), motor.speed() != 0 && result.contact.voxels > 0,
-                           result.spindle.torque * motor.speed(), dt};
-  const Wrench wanted = output.add_effects(effects, at, result.model);
-  const Wrench felt = output.limit(effects.limits, wanted, dt);
-  result.force = felt.force;
-  result.torque = felt.torque;
-  if (effects.vibration && at.touching && effects.vibration->frequency * dt >= kFastestVibration)
-    result.status |= StepStatus::vibration_left_out;
+/// What the hand is given: the force of the model, or of the coupling, with what is added to it, within its limits.
+void Simulation::State::give_output(HandCoupling* coupling) noexcept {
+  const StageTimer timer = timed(&StageTimes::give_output);
+  HandOutput from = {input.pose, result.model, input.dt};
+  if (coupling != nullptr) {
+    const std::optional<HandOutput> answer = coupling->answer(result);
+    output_path = answer ? OutputPath::coupled : OutputPath::kept;
+    if (answer) hand = from = *answer;
+  }
+  if (output_path != OutputPath::kept) {
+    const Effects& effects = config.effects;
+    const EffectsInput at = {from.X_WD, from.X_WD * tool.X_HT(), motor.speed() != 0 && result.contact.voxels > 0,
+                             result.spindle.torque * motor.speed(), from.dt};
+    (void)output.give(effects, at, from.wrench);
+    if (effects.vibration && at.touching && effects.vibration->frequency * from.dt >= kFastestVibration)
+      result.status |= StepStatus::vibration_left_out;
+  }
+  result.force = output.given().force;
+  result.torque = output.given().torque;
 }
 
-const StepResult& Simulation::State::finish_step(const Pose& pose, double dt, int sub_steps) noexcept {
-  X_WH = pose;
+void Simulation::let_go() noexcept {
+  state_->output.restart();
+  state_->let_go_since = true;
+  state_->result.force = state_->result.torque = Vec3::Zero();
+}
+
+void Simulation::State::finish_step(int sub_steps) noexcept {
+  X_WH = input.pose;
   result.sub_steps = sub_steps;
   result.spindle.speed = motor.speed();
   result.removed_voxels = removal.voxels();
@@ -222,15 +244,15 @@ const StepResult& Simulation::State::finish_step(const Pose& pose, double dt, in
     result.status |= StepStatus::engaged_layer_thick;
 
   if (motor.loaded()) result.status |= StepStatus::power_limited;
-  motor.advance(motor_torque, dt);
+  motor.advance(motor_torque, input.dt);
   contact_stages.set_cutting_share(1 - standing_share(motor.speed(), tool.head().largest_radius()));
-  return result;
 }
 
-const StepResult& Simulation::State::reject(StepStatus status) noexcept {
+/// A step that is not taken.
+void Simulation::State::reject(StepStatus status) noexcept {
   result.status = status;
   output.drop();
-  return result;
+  result.force = result.torque = Vec3::Zero();
 }
 
 }  // namespace hapticut

@@ -205,7 +205,7 @@ def test_a_device_plays_readings_again():
     assert mock.plant.device.name == h.MockOptions().device.name or mock.plant.options.period == 1e-3
 
 
-def driven(simulation, device, recorder=None, **undo):
+def driven(simulation, device, **undo):
     """The device above the block, its y axis up."""
     X_WB, X_SH = np.eye(4), np.eye(4)
     X_WB[:3, :3] = FACING
@@ -213,8 +213,7 @@ def driven(simulation, device, recorder=None, **undo):
     X_SH[:3, :3] = np.transpose(FACING)  # the tool stands upright
     options = h.SimulationModelOptions(map=h.WorkspaceMapOptions(X_WB=X_WB, X_SH=X_SH),
                                        coupling=h.coupling_gains(h.capabilities(h.device_model("touch"))), **undo)
-    more = {"recorder": recorder} if recorder else {}
-    return h.SimulationModel(simulation, device, options, **more)
+    return h.SimulationModel(simulation, device, options)
 
 
 def down_and_up(t):
@@ -319,10 +318,9 @@ def test_a_loop_may_be_stopped_and_told_that_something_is_wrong(coupled):
 def test_a_recorded_loop_is_replayed_and_played_back(coupled, tmp_path):
     capabilities = h.capabilities(h.device_model("touch"))
     device = h.MockDevice(h.MockOptions(path=down_and_up, device=h.device_model("touch")))
-    options = h.RecorderOptions(device="mock", capabilities=capabilities, wait_when_full=True)
-    with h.Recorder(tmp_path / "loop.h5", coupled, options) as recorder:
+    with h.Recorder(tmp_path / "loop.h5", coupled, h.RecorderOptions(wait_when_full=True), driven_by=device):
         run = h.RunOptions(seconds=1.5, simulated_time=True)
-        loop = h.RealtimeLoop(driven(coupled, device, recorder), h.RealtimeLoopOptions(run=run))
+        loop = h.RealtimeLoop(driven(coupled, device), h.RealtimeLoopOptions(run=run))
         loop.start()
         report = loop.wait()
     recording = h.read_recording(tmp_path / "loop.h5")
@@ -350,17 +348,27 @@ def test_a_coupled_tool_is_recorded_step_by_step(coupled, plunge, tmp_path):
     coupling = h.VirtualCoupling(coupled, h.CouplingGains())
     recorder = h.Recorder(tmp_path / "coupled.h5", coupled, h.RecorderOptions(wait_when_full=True))
     for pose, velocity in zip(*plunge):
-        recorder.before_step()
-        coupling.step(pose, velocity, 1e-3)
-        recorder.after_step()
+        felt = coupling.step(pose, velocity, 1e-3).hand
+    with pytest.raises(h.Error, match="observed already"):
+        h.Recorder(tmp_path / "second.h5", h.Simulation(coupled.workpiece, coupled.tool, coupled.config))
+        h.Recorder(tmp_path / "second.h5", coupled)
     recorder.close()
-    assert recorder.recorded == len(plunge[0]) and h.replay(h.read_recording(tmp_path / "coupled.h5")).identical
-    other = h.Simulation(coupled.workpiece, coupled.tool, coupled.config)
-    other.run(*plunge, 1e-3)
+    recording = h.read_recording(tmp_path / "coupled.h5")
+    assert recorder.recorded == len(plunge[0]) and h.replay(recording).identical
+    last = recording.read(len(recording) - 1)["trace"]
+    assert np.array_equal(last["force"][0], felt.force) and not np.array_equal(last["model"]["force"][0], felt.force)
     tick = h.DeviceTick(state=h.DeviceState(sequence=3), arming=h.ArmingState.on)
     assert tick.state.sequence == 3 and tick.output.limits == 0
-    with pytest.raises(h.Error, match="another simulation"):
-        driven(other, h.open_device("mock:rest"), recorder)
+
+
+@needs_io
+def test_a_loop_of_ones_own_says_what_the_device_did(simulation, plunge, tmp_path):
+    options = h.RecorderOptions(device="mine", wait_when_full=True)
+    with h.Recorder(tmp_path / "own.h5", simulation, options) as recorder:
+        recorder.set_device_tick(h.DeviceTick(state=h.DeviceState(sequence=3, time=7.0)))
+        simulation.step(plunge[0][0], plunge[1][0], 1e-3)
+    recording = h.read_recording(tmp_path / "own.h5")
+    assert recording.has_device and recording.read()["trace"]["time"][0] == 7.0
 
 
 @needs_io

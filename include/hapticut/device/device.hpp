@@ -98,6 +98,7 @@ class Device {
   /// The same without a lock, for code that runs in the loop: of the tick before the current one.
   /// @pre a run is under way, in this thread
   [[nodiscard]] const DeviceOutput& last_output() const noexcept { return guard_->output(); }
+  [[nodiscard]] const DeviceState& last_state() const noexcept { return guard_->admitted(); }  ///< of this tick
   [[nodiscard]] ArmingState last_arming() const noexcept { return guard_->state(); }
 
   /// Takes the entries of the safety log; empty before the first run.

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "hapticut/loop/realtime_loop.hpp"
-#include "hapticut/loop/step_recorder.hpp"
 #include "hapticut/loop/workspace_map.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "hapticut/simulation/simulation.hpp"
@@ -70,12 +69,10 @@ struct SimulationModelOptions {
 /// after `wait`, and send commands and receive snapshots in between.
 class SimulationModel final : public LoopModel {
  public:
-  /// @param device    whose guard must know of clutch and scale; the one that the loop runs
-  /// @param recorder  of this simulation; null: nothing is recorded
+  /// @param device  whose guard must know of clutch and scale; the one that the loop runs
   /// @throws Error when the map is none, the coupling does not suit the simulation, or the workpiece is too large for
   ///         undo
-  SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options = {},
-                  StepRecorder* recorder = nullptr);
+  SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options = {});
 
   /// The voxels whose blocks may change: RealtimeLoopOptions::region for pictures of the workpiece.
   [[nodiscard]] IndexBox region() const { return region_; }
@@ -86,7 +83,7 @@ class SimulationModel final : public LoopModel {
   void copy(ChangedBlock& block) noexcept override;
 
  private:
-  [[nodiscard]] Wrench follow_hand(const Pose& pose, const Twist& velocity, double dt, const DeviceTick& tick) noexcept;
+  [[nodiscard]] Wrench follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept;
   [[nodiscard]] Wrench move_tool(const DeviceState& state, double dt) noexcept;
   void turn_spindle(ArmingState arming) noexcept;
   void go_back(const DeviceState& state) noexcept;
@@ -94,7 +91,6 @@ class SimulationModel final : public LoopModel {
 
   Simulation* simulation_;
   Device* device_;
-  StepRecorder* recorder_;
   WorkspaceMap map_;
   std::optional<VirtualCoupling> coupling_;
   IndexBox region_;

@@ -67,6 +67,9 @@ class SafetyGuard {
   /// the pose is held.  @realtime no allocation, no lock
   const DeviceState& admit(const DeviceState& reading) noexcept;
 
+  /// The reading that `admit` returned last; for the thread of the loop.
+  [[nodiscard]] const DeviceState& admitted() const noexcept { return gate_.state(); }
+
   /// Turns the wrench that the model asks for into the one that the device may render.
   /// @realtime no allocation, no lock
   Wrench release(const Wrench& commanded) noexcept;

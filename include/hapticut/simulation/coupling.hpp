@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "hapticut/core/device_state.hpp"
-#include "hapticut/loop/step_recorder.hpp"
-#include "hapticut/simulation/output.hpp"
 #include "hapticut/simulation/simulation.hpp"
 
 /// @file
@@ -100,13 +98,10 @@ class VirtualCoupling {
   /// @param pose      X_WD of the hand's handle at the end of the tick
   /// @param velocity  [m/s] of its Ho and [rad/s], in W, as the device estimates it; drives the damper
   /// @param dt        [s] since the last call
-  /// @param recorder  is given every step that the simulation makes, more than one in a fast tick; null: none
-  /// @param device    for the recorder
   /// @return valid until the next call. An input that is refused gives no force; then the tool starts afresh.
   /// @realtime no allocation, no lock, no exception; in each part at most newton_steps + 1 contacts are evaluated; with
   /// a law of one's own 4 newton_steps + 1, or 7 newton_steps + 1 where the coupling turns the tool
-  const CoupledResult& step(const Pose& pose, const Twist& velocity, double dt, StepRecorder* recorder = nullptr,
-                            const DeviceTick* device = nullptr) noexcept;
+  const CoupledResult& step(const Pose& pose, const Twist& velocity, double dt) noexcept;
 
   /// Lets go: the next tick puts the tool where the hand is.
   void release() noexcept { held_ = false; }
@@ -125,20 +120,21 @@ class VirtualCoupling {
     Wrench wrench;       // on the tool
   };
 
-  /// Who is given the steps of a tick.
-  struct Recording {
-    StepRecorder* recorder;
-    const DeviceTick* device;
-  };
-
   static constexpr int kMostParts = 8;
 
   [[nodiscard]] int plan_parts(double dt) const noexcept;
   void begin_tick() noexcept;
-  StepStatus move(const Pose& pose, const Twist& hand_path, const Twist& hand, double dt,
-                  const Recording& recording) noexcept;
-  const StepResult& step_simulation(const Pose& X_WH, const Twist& tool, double dt,
-                                    const Recording& recording) noexcept;
+  class Answer;
+
+  /// A part of a tick.
+  struct Part {
+    Pose X_WD;    // of the hand, at its end
+    double dt;    // [s]
+    bool last;    // of the tick
+    double tick;  // [s] all of it
+  };
+
+  StepStatus move(const Part& part, const Twist& hand_path, const Twist& hand) noexcept;
   void keep_lists(const StepResult& stepped) noexcept;
   [[nodiscard]] Pull pull(const Pose& X_WH, const Twist& tool, const Pose& X_WD, const Twist& hand) const noexcept;
   [[nodiscard]] Twist solve(const Pose& pose, const Twist& hand, double dt) noexcept;
@@ -151,7 +147,6 @@ class VirtualCoupling {
 
   Simulation* simulation_;
   CouplingGains gains_;
-  Output output_;
   bool held_ = false;
   Pose X_WD_;  // of the hand, at the end of the last part
   std::vector<RemovedVoxel> removed_;

@@ -39,14 +39,32 @@ struct EffectsInput {
 };
 
 /// The effects from step to step, in their order: gravity, vibration, delta filter and mask; then, always last,
-/// saturation, growth limit and start-up ramp. What must come between, such as passivity control, acts on what
-/// `add_effects` returns.
+/// saturation, growth limit and start-up ramp.
 class Output {
  public:
-  /// @param wrench  about Ho, in W: force and torque of the model
+  /// What the hand is given until the next call.
+  /// @param wrench  about Ho, in W: force and torque of the model, or of the coupling behind which it stands
   /// @return about Ho, in W
   /// @realtime no allocation, no lock; O(1)
-  [[nodiscard]] Wrench add_effects(const Effects& effects, const EffectsInput& at, Wrench wrench) noexcept {
+  const Wrench& give(const Effects& effects, const EffectsInput& at, const Wrench& wrench) noexcept {
+    given_ = limited(effects.limits, with_effects(effects, at, wrench), at.dt);
+    return given_;
+  }
+
+  /// What the hand was given last.
+  [[nodiscard]] const Wrench& given() const noexcept { return given_; }
+
+  /// No output in this step: growth starts from zero again.
+  void drop() noexcept {
+    full_ = given_ = {};
+    unlimited_force_ = Vec3::Zero();
+  }
+
+  /// The ramp starts again.
+  void restart() noexcept { *this = {}; }
+
+ private:
+  [[nodiscard]] Wrench with_effects(const Effects& effects, const EffectsInput& at, Wrench wrench) noexcept {
     if (effects.gravity) {
       const Wrench weight = gravity_wrench(*effects.gravity, at.X_WH.rotation);
       wrench.force += weight.force;
@@ -63,8 +81,7 @@ class Output {
     return masked(effects.enabled, wrench);
   }
 
-  /// @realtime no allocation, no lock; O(1)
-  [[nodiscard]] Wrench limit(const OutputLimits& limits, Wrench wrench, double dt) noexcept {
+  [[nodiscard]] Wrench limited(const OutputLimits& limits, Wrench wrench, double dt) noexcept {
     running_ += dt;
     const double share = limits.ramp_time > 0 ? std::min(1.0, running_ / limits.ramp_time) : 1.0;
     wrench.force = saturated(wrench.force, limits.largest_force);
@@ -77,20 +94,11 @@ class Output {
     return {share * full_.force, share * full_.torque};
   }
 
-  /// No output in this step: growth starts from zero again.
-  void drop() noexcept {
-    full_ = {};
-    unlimited_force_ = Vec3::Zero();
-  }
-
-  /// The ramp starts again.
-  void restart() noexcept { *this = {}; }
-
- private:
   VibrationPhase vibration_;
-  Vec3 unlimited_force_ = Vec3::Zero();  // [N] that add_effects returned last, before the mask
-  Wrench full_;                          // that limit returned last, before the ramp
-  double running_ = 0;                   // [s]
+  Vec3 unlimited_force_ = Vec3::Zero();  // [N] with effects, before the mask
+  Wrench full_;                          // within the limits, before the ramp
+  Wrench given_;
+  double running_ = 0;  // [s]
 };
 
 }  // namespace hapticut

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "hapticut/simulation/config.hpp"
+#include "hapticut/simulation/observer.hpp"
 #include "hapticut/simulation/stage_times.hpp"
 #include "hapticut/simulation/step.hpp"
 #include "hapticut/simulation/worst_case.hpp"
@@ -44,8 +45,14 @@ class Simulation {
   ///                  cutting and energies follow the poses
   /// @param dt        [s] since the last call
   /// @return a reference that stays valid; its contents are those of the last call
+  /// @param coupling  what stands between the tool and the hand, for a pose that is not the hand's own; null: nothing,
+  ///                  the hand holds the tool. VirtualCoupling is one.
   /// @realtime no allocation, no lock, no exception, no printing; same input, same bits. O(voxels inside the head)
-  const StepResult& step(const Pose& pose, const Twist& velocity, double dt) noexcept;
+  const StepResult& step(const Pose& pose, const Twist& velocity, double dt, HandCoupling* coupling = nullptr) noexcept;
+
+  /// For couplings: the hand has let go. It is given nothing, and the start-up ramp begins again with the next step.
+  /// @realtime no allocation, no lock
+  void let_go() noexcept;
 
   /// What a step to `pose` would feel, and how stiff the contact would be there; changes nothing. Where the step would
   /// be cut into sub-steps, each is probed on the material as it is now. For implicit integrators: `VirtualCoupling`
@@ -76,8 +83,10 @@ class Simulation {
   /// Calls of `step` since construction or `reset`.
   [[nodiscard]] std::uint64_t steps() const noexcept;
 
-  /// How often `restore`, `reset` and `undo` have exchanged the workpiece.
-  [[nodiscard]] std::uint64_t workpiece_exchanges() const noexcept;
+  /// Has somebody told of every step from now on; null: nobody any more. It must stay until then.
+  /// @throws Error when somebody else is told already
+  void set_observer(StepObserver* observer);
+  [[nodiscard]] StepObserver* observer() const noexcept;
 
   /// [m^3] taken away since construction or reset, by MaterialId.
   [[nodiscard]] const std::array<double, 256>& removed_volume_by_material() const;

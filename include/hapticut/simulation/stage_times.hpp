@@ -16,7 +16,7 @@ struct StageTimes {
   double add_friction = 0;
   double book_energy = 0;
   double transport_to_handle = 0;
-  double add_effects = 0;
+  double give_output = 0;
 };
 
 }  // namespace hapticut

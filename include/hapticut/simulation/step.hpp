@@ -114,10 +114,10 @@ struct StepResult {
   std::span<const RemovedVoxel> removed_voxels;  ///< emptied by this call; valid until the next one
   double removed_volume = 0;                     ///< [m^3] taken away by this call, partly emptied voxels included
   Contact contact;                               ///< what the head touches
-  Wrench model;          ///< about Ho, in W: force and torque before effects and limits; mean over the step
-  EnergyLedger energy;   ///< accumulated since construction
-  SpindleState spindle;  ///< speed and torque of this step
-  int sub_steps = 0;     ///< 0 when the input was rejected
+  Wrench model;  ///< about Ho, in W: what the contact gives, before coupling, effects and limits; mean over the step
+  EnergyLedger energy;                 ///< accumulated since construction
+  SpindleState spindle;                ///< speed and torque of this step
+  int sub_steps = 0;                   ///< 0 when the input was rejected
   StepStatus status = StepStatus::ok;  ///< bits; ok = nothing to report
 };
 

@@ -75,7 +75,7 @@ const std::vector<std::pair<StepStatus, std::string>>& status_names() {
   return names;
 }
 
-DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows, StepRecorder* recorder) {
+DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows) {
   const double dt = 1 / rate;
   const double count = std::max(1.0, std::ceil(motion.duration() * rate - 1e-6));
   if (count > kMostSteps)
@@ -97,12 +97,9 @@ DrillResult drill(Simulation& simulation, const Motion& motion, double rate, boo
     const Twist velocity = twist_between(before, pose, dt);
     before = pose;
 
-    if (recorder != nullptr) recorder->before_step();
     const double start = thread_time();
     const StepResult& step = simulation.step(pose, velocity, dt);
     times[i] = float(thread_time() - start);
-
-    if (recorder != nullptr) recorder->after_step(nullptr);
 
     add(step, result);
     if (i == 0) result.starts_in_contact = step.contact.voxels > 0;

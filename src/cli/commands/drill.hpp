@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "hapticut/loop/step_recorder.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "settings/motion.hpp"
 
@@ -55,9 +54,7 @@ struct DrillResult {
 /// Moves the head of the simulation's tool along `motion`, one step every 1/rate seconds.
 /// @param rate       [Hz]
 /// @param keep_rows  whether to keep every step for the per-step file
-/// @param recorder   keeps the steps; may be null
 /// @throws Error when there would be more than ten million steps
-[[nodiscard]] DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows,
-                                StepRecorder* recorder = nullptr);
+[[nodiscard]] DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows);
 
 }  // namespace hapticut::cli

@@ -50,7 +50,7 @@ void run_drill(const DrillSettings& s) {
   Simulation simulation(std::move(workpiece), tool, make_config(s.simulation));
 
   RunRecorder recorder(s.output.record, simulation, Pace::own, nullptr);
-  const DrillResult result = drill(simulation, motion, report.rate, !s.output.steps_csv.empty(), recorder.get());
+  const DrillResult result = drill(simulation, motion, report.rate, !s.output.steps_csv.empty());
   recorder.close();
   report.warnings = warnings_of(result, simulation);
   std::fputs(to_table(report, result, simulation).c_str(), stdout);

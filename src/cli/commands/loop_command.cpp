@@ -151,7 +151,7 @@ void run_loop(LoopSettings s) {
   SimulationModelOptions model_options;
   model_options.map = map_of(s, device->capabilities(), summary.box, tool);
   if (coupled) model_options.coupling = gains_of(device->capabilities(), s.scale);
-  SimulationModel model(simulation, *device, model_options, recorder.get());
+  SimulationModel model(simulation, *device, model_options);
   RealtimeLoopOptions options;
   options.run.seconds = s.seconds;
   options.run.simulated_time = s.simulated_time;

@@ -15,10 +15,7 @@ namespace {
 RecorderOptions options_for(Pace pace, const Device* device) {
   RecorderOptions options;
   options.wait_when_full = pace == Pace::own;
-  if (device != nullptr) {
-    options.device = device->name();
-    options.capabilities = device->capabilities();
-  }
+  options.driven_by = device;
   return options;
 }
 
@@ -33,8 +30,6 @@ struct RunRecorder::State {
 RunRecorder::RunRecorder(const std::string& path, Simulation& simulation, Pace pace, const Device* device) {
   if (!path.empty()) state_ = std::make_unique<State>(path, simulation, options_for(pace, device));
 }
-
-StepRecorder* RunRecorder::get() const { return state_ ? &state_->recorder : nullptr; }
 
 std::uint64_t RunRecorder::close() {
   if (!state_) return 0;
@@ -52,7 +47,6 @@ RunRecorder::RunRecorder(const std::string& path, Simulation&, Pace, const Devic
                 "', because this program was built without its io component. Build it with HAPTICUT_WITH_IO=ON.");
 }
 
-StepRecorder* RunRecorder::get() const { return nullptr; }
 std::uint64_t RunRecorder::close() { return 0; }
 void use_recordings_if_possible() {}
 #endif

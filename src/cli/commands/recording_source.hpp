@@ -5,7 +5,6 @@
 #include <string>
 
 #include "hapticut/device/device.hpp"
-#include "hapticut/loop/step_recorder.hpp"
 #include "hapticut/simulation/simulation.hpp"
 
 /// @file
@@ -15,7 +14,7 @@ namespace hapticut::cli {
 /// Whether steps are made by a hand, which must not wait for the disk.
 enum class Pace { own, of_a_hand };
 
-/// The recorder of a run; made only where one was asked for.
+/// The recorder of a run, which observes the simulation; made only where one was asked for.
 class RunRecorder {
  public:
   /// @param path    empty: nothing is recorded
@@ -25,9 +24,6 @@ class RunRecorder {
   ~RunRecorder();
   RunRecorder(const RunRecorder&) = delete;
   RunRecorder& operator=(const RunRecorder&) = delete;
-
-  /// Null where nothing is recorded.
-  [[nodiscard]] StepRecorder* get() const;
 
   /// @return steps that were lost
   /// @throws Error when something could not be written

@@ -75,7 +75,7 @@ struct Recorder::State {
   State(std::filesystem::path a_path, Simulation& a_simulation, const RecorderOptions& some_options)
       : path(std::move(a_path)), simulation(a_simulation), options(some_options) {}
 
-  void note(const DeviceTick* device) noexcept;
+  void note(const ObservedStep& step) noexcept;
   void write_batch(const std::vector<Message>& batch);
   void flush();
   std::string end_writing();
@@ -85,9 +85,9 @@ struct Recorder::State {
   RecorderOptions options;
 
   // The loop's side.
-  Message message;  // being filled
-  std::uint64_t steps_seen = 0, exchanges_seen = 0, free_blocks = 0;
-  bool over = false;  // nothing can be recorded any more
+  Message message;               // being filled
+  bool has_device_tick = false;  // that the message holds
+  bool over = false;             // nothing can be recorded any more
   double time = 0;
   std::atomic<std::uint64_t> recorded{0}, lost{0};
   std::atomic<bool> ending_failed{false};
@@ -112,10 +112,15 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     throw Error("the simulation to be recorded has made " + std::to_string(simulation.steps()) +
                 " steps, so a replay could not begin where it does; record from its first step, or reset it to a clone "
                 "of its workpiece first.");
+  if (simulation.observer() != nullptr)
+    throw Error("the simulation to be recorded is observed already, by another recorder perhaps; close it first.");
   const hdf5::Quiet quiet;
   state_ = std::make_unique<State>(path, simulation, options);
   State& s = *state_;
-  s.exchanges_seen = simulation.workpiece_exchanges();
+  if (const Device* device = options.driven_by) {
+    s.options.device = device->name();
+    s.options.capabilities = device->capabilities();
+  }
   s.last_effects = pack(simulation.config().effects);
   try {
     AtomicFile target(path);
@@ -126,9 +131,9 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     info.compiler = build.compiler;
     info.cpu = build.cpu;
     info.begun = now_as_text();
-    info.device = options.device;
+    info.device = s.options.device;
     info.note = options.note;
-    write_recording_header(target.temporary_path(), info, simulation, options);
+    write_recording_header(target.temporary_path(), info, simulation, s.options);
     target.commit();
     s.room = std::make_unique<RoomOnDisk>(path);
     s.room->require(std::filesystem::file_size(path) + kHeadroom);
@@ -137,7 +142,7 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     s.file = hdf5::File(H5Fopen(path.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, newest_format().get()), "opening it");
     const hdf5::Group steps = hdf5::open_group(s.file.get(), kStepsGroup);
     for (const Column& column : recording_columns()) {
-      if (column.side == Column::Side::device && options.device.empty()) continue;
+      if (column.side == Column::Side::device && s.options.device.empty()) continue;
       s.columns.push_back(&column);
       s.appenders.emplace_back(steps.get(), column.name, type_of(column.kind).memory, column.shape);
     }
@@ -154,41 +159,36 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
       options.steps, s.message, options.flush_period,
       BackgroundWriter<Message>::Sink{[&s](const std::vector<Message>& batch) { s.write_batch(batch); },
                                       [&s] { s.flush(); }});
+  simulation.set_observer(this);
 }
 
 Recorder::~Recorder() {
+  if (state_->simulation.observer() == this) state_->simulation.set_observer(nullptr);
   if (state_->writer->running()) (void)state_->end_writing();
 }
 
 // --- the loop's side ------------------------------------------------------------------------------------------------
 
 const StepResult& Recorder::step(const StepInput& input, const DeviceTick* device) noexcept {
-  before_step();
-  const StepResult& result = state_->simulation.step(input.pose, input.velocity, input.dt);
-  after_step(device);
-  return result;
+  state_->message.step.device = device != nullptr ? *device : DeviceTick{};
+  state_->has_device_tick = device != nullptr;
+  return state_->simulation.step(input.pose, input.velocity, input.dt);
 }
 
-void Recorder::before_step() noexcept {
-  State& s = *state_;
-  s.over = s.over || s.simulation.steps() != s.steps_seen || s.simulation.workpiece_exchanges() != s.exchanges_seen;
-  s.free_blocks = s.simulation.workpiece().reserved_blocks();
+void Recorder::set_device_tick(const DeviceTick& tick) noexcept {
+  state_->message.step.device = tick;
+  state_->has_device_tick = true;
 }
 
-void Recorder::after_step(const DeviceTick* device) noexcept {
+void Recorder::on_exchange() noexcept { state_->over = true; }
+
+void Recorder::on_step(const ObservedStep& step) noexcept {
   State& s = *state_;
   if (s.over) {
     s.lost.fetch_add(1, std::memory_order_relaxed);
     return;
   }
-  if (s.simulation.steps() == s.steps_seen) return;  // none was made
-  s.over = s.simulation.steps() != s.steps_seen + 1 || s.simulation.workpiece_exchanges() != s.exchanges_seen;
-  if (s.over) {
-    s.lost.fetch_add(s.simulation.steps() - s.steps_seen, std::memory_order_relaxed);
-    return;
-  }
-  ++s.steps_seen;
-  s.note(device);
+  s.note(step);
   while (!s.writer->push(s.message)) {
     if (!s.options.wait_when_full || s.writer->failed()) {
       s.lost.fetch_add(1, std::memory_order_relaxed);
@@ -199,17 +199,23 @@ void Recorder::after_step(const DeviceTick* device) noexcept {
   s.recorded.fetch_add(1, std::memory_order_relaxed);
 }
 
-void Recorder::State::note(const DeviceTick* device) noexcept {
+void Recorder::State::note(const ObservedStep& step) noexcept {
   RecordedStep& row = message.step;
-  row.number = steps_seen - 1;
-  row.input = simulation.last_input();
+  row.number = step.number;
+  row.input = step.input;
+  if (const Device* device = options.driven_by) {
+    row.device = {device->last_state(), device->last_output(), device->last_arming()};
+    has_device_tick = true;
+  }
   time += row.input.dt;
-  row.time = device != nullptr ? device->state.time : time;
+  row.time = has_device_tick ? row.device.state.time : time;
   row.spindle_setting = simulation.spindle_setting();
   row.reserved_blocks = simulation.config().reserved_blocks;
-  row.free_blocks = free_blocks;
-  note_result(simulation.last_result(), row);
-  row.device = device != nullptr ? *device : DeviceTick{};
+  row.free_blocks = step.free_blocks;
+  row.let_go = step.let_go;
+  row.path = step.path;
+  row.hand = step.path == OutputPath::coupled ? step.hand : HandOutput{};
+  note_result(step.result, row);
   message.effects = pack(simulation.config().effects);
 }
 

@@ -95,6 +95,7 @@ void open_columns(OpenRecording& s) {
   s.size = std::numeric_limits<std::uint64_t>::max();
   for (const Column& column : recording_columns()) {
     if (column.side == Column::Side::device && s.info.device.empty()) continue;
+    if (column.since > s.info.format) continue;
     const std::string name = std::string(kStepsGroup) + "/" + column.name;
     if (!hdf5::exists(group.get(), column.name)) throw Error("it lacks the column '" + name + "'");
     hdf5::DataSet set(H5Dopen2(group.get(), column.name.c_str(), H5P_DEFAULT), "opening " + name);

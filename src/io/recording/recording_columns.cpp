@@ -38,9 +38,9 @@ struct StoredType<T> {
 /// @param access  from a step to the member that the column holds
 template <class Access>
 Column column(Column::Side side, const char* name, const char* unit, const char* frame, const char* meaning,
-              Access access) {
+              Access access, std::uint64_t since = 1) {
   using Member = std::remove_cvref_t<decltype(access(std::declval<RecordedStep&>()))>;
-  Column c{name, unit, frame, meaning, side, ColumnKind::real, {}, 1, 0, {}, {}};
+  Column c{name, unit, frame, meaning, side, ColumnKind::real, {}, 1, 0, since, {}, {}};
   if constexpr (std::is_same_v<Member, Vec3>) {
     c.shape = {3};
     c.numbers = 3;
@@ -100,6 +100,17 @@ std::vector<Column> make_columns() {
       column(input, "reserved_blocks", "1", none, "blocks for cutting that were asked for",
              HAPTICUT_MEMBER(reserved_blocks)),
       column(input, "free_blocks", "1", none, "blocks for cutting left before the step", HAPTICUT_MEMBER(free_blocks)),
+      column(input, "let_go", "1", none, "1: the hand had let go before the step", HAPTICUT_MEMBER(let_go), 2),
+      column(input, "output_path", "1", none, "OutputPath: direct, coupled, kept", HAPTICUT_MEMBER(path), 2),
+      column(input, "hand_rotation", "1", "X_WD", "of the hand behind a coupling, row by row",
+             HAPTICUT_MEMBER(hand.X_WD.rotation), 2),
+      column(input, "hand_translation", "m", "X_WD", "of the hand behind a coupling",
+             HAPTICUT_MEMBER(hand.X_WD.translation), 2),
+      column(input, "coupling_force", "N", "on the hand about its Ho, in W", "of the coupling",
+             HAPTICUT_MEMBER(hand.wrench.force), 2),
+      column(input, "coupling_torque", "N m", "on the hand about its Ho, in W", "of the coupling",
+             HAPTICUT_MEMBER(hand.wrench.torque), 2),
+      column(input, "coupling_dt", "s", none, "since the coupling last gave something", HAPTICUT_MEMBER(hand.dt), 2),
       column(result, "force", "N", about_handle, "what the hand feels", HAPTICUT_MEMBER(force)),
       column(result, "torque", "N m", about_handle, "what the hand feels", HAPTICUT_MEMBER(torque)),
       column(result, "model_force", "N", about_handle, "before effects and limits", HAPTICUT_MEMBER(model.force)),

@@ -20,6 +20,25 @@ void prepare(Simulation& simulation, const RecordedStep& step) {
     simulation.reserve_blocks(std::size_t(step.reserved_blocks));
 }
 
+/// Answers what the coupling of the recording answered.
+class RecordedCoupling final : public HandCoupling {
+ public:
+  explicit RecordedCoupling(const RecordedStep& step) : step_(step) {}
+  std::optional<HandOutput> answer(const StepResult& /*stepped*/) noexcept override {
+    return step_.path == OutputPath::coupled ? std::optional(step_.hand) : std::nullopt;
+  }
+
+ private:
+  const RecordedStep& step_;
+};
+
+const StepResult& step_again(Simulation& simulation, const RecordedStep& step) {
+  if (step.let_go) simulation.let_go();
+  RecordedCoupling coupling(step);
+  return simulation.step(step.input.pose, step.input.velocity, step.input.dt,
+                         step.path == OutputPath::direct ? nullptr : &coupling);
+}
+
 /// The first bit of a step's result that is not what was recorded.
 std::optional<ReplayDifference> compare(const RecordedStep& recorded, const RecordedStep& replayed) {
   std::array<std::byte, 9 * sizeof(double)> before, now;
@@ -61,8 +80,7 @@ ReplayReport replay(const Recording& recording, const ReplayOptions& options) {
       prepare(simulation, recorded);
       RecordedStep replayed = recorded;
       replayed.free_blocks = simulation.workpiece().reserved_blocks();
-      const StepInput& input = recorded.input;
-      note_result(simulation.step(input.pose, input.velocity, input.dt), replayed);
+      note_result(step_again(simulation, recorded), replayed);
       if (!report.first_difference) report.first_difference = compare(recorded, replayed);
       report.largest_force_difference =
           std::max(report.largest_force_difference, (replayed.force - recorded.force).norm());

@@ -206,7 +206,6 @@ TEST(BadForceInput, NothingHasChangedAfterACallThatThrew) {
       EXPECT_THROW(disturbed.reset(nothing()), Error);
       EXPECT_THROW(disturbed.restore(WorkpieceSnapshot{}), Error);
       EXPECT_EQ(disturbed.steps(), calm.steps());
-      EXPECT_EQ(disturbed.workpiece_exchanges(), 0U);
     }
     const Pose pose = Pose::from_translation(Vec3(0.03 * mm, 0.02 * mm, 1 * mm - 0.004 * mm * tick));
     expect_same(calm.step(pose, {}, 1e-3), disturbed.step(pose, {}, 1e-3));

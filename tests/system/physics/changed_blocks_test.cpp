@@ -87,20 +87,41 @@ TEST(ChangedBlocks, AreCompleteInALongSweepOrSaidNotToBe) {
   for (const VoxelIndex& origin : expected) EXPECT_TRUE(origins.contains(origin));
 }
 
-TEST(Simulation, CountsItsStepsAndTheExchangesOfItsWorkpiece) {
+/// Counts what it is told of.
+struct Counter final : StepObserver {
+  void on_step(const ObservedStep& step) noexcept override {
+    EXPECT_EQ(step.number, step.simulation.steps() - 1);
+    ++steps;
+  }
+  void on_exchange() noexcept override { ++exchanges; }
+  int steps = 0, exchanges = 0;
+};
+
+TEST(Simulation, CountsItsStepsAndTellsOfThemAndOfTheExchangesOfItsWorkpiece) {
   const Scene& scene = find_scene("axial_flat");
   Simulation simulation = scene.make();
+  Counter told;
+  simulation.set_observer(&told);
   EXPECT_EQ(simulation.steps(), 0U);
   const WorkpieceSnapshot fresh = simulation.snapshot();
   for (int tick = 0; tick < 3; ++tick) simulation.step(scene.input(tick).pose, {}, 1e-3);
   EXPECT_EQ(simulation.steps(), 3U);
-  EXPECT_EQ(simulation.workpiece_exchanges(), 0U);
+  EXPECT_EQ(told.exchanges, 0);
   simulation.restore(fresh);
   EXPECT_EQ(simulation.steps(), 3U);
-  EXPECT_EQ(simulation.workpiece_exchanges(), 1U);
+  EXPECT_EQ(told.exchanges, 1);
   simulation.reset(simulation.workpiece().clone());
   EXPECT_EQ(simulation.steps(), 0U);
-  EXPECT_EQ(simulation.workpiece_exchanges(), 2U);
+  EXPECT_EQ(told.exchanges, 2);
+  Pose nowhere;
+  nowhere.translation.x() = std::nan("");
+  simulation.step(nowhere, {}, 1e-3);
+  EXPECT_EQ(told.steps, 4) << "a step whose input was rejected is a step";
+  Counter another;
+  EXPECT_THROW(simulation.set_observer(&another), Error);
+  simulation.set_observer(nullptr);
+  simulation.step(scene.input(0).pose, {}, 1e-3);
+  EXPECT_EQ(told.steps, 4);
   simulation.set_spindle_speed(-7);
   EXPECT_EQ(simulation.spindle_setting(), -7);
 }

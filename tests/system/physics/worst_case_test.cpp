@@ -134,7 +134,7 @@ TEST(StageTimes, AreMeasuredOnlyWhenAskedFor) {
     const StageTimes& times = simulation.stage_times();
     for (const double time : {times.check_input, times.plan_sweep, times.plan_sub_step, times.find_blocks,
                               times.evaluate_contact, times.remove_material, times.hold_deep_contact,
-                              times.add_friction, times.book_energy, times.transport_to_handle, times.add_effects}) {
+                              times.add_friction, times.book_energy, times.transport_to_handle, times.give_output}) {
       if (asked) {
         EXPECT_GT(time, 0);
       } else {

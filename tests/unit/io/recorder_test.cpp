@@ -196,32 +196,56 @@ TEST(Recorder, RecordsEveryStepOfAFastToolBehindACoupling) {
   VirtualCoupling coupling(simulation, {});
   Recorder recorder(folder / "a.h5", simulation, patient());
   std::uint64_t parts = 0;
+  std::vector<std::pair<std::uint64_t, Vec3>> felt;  // after which step
   constexpr int kTicks = 300;
   for (int tick = 0; tick < kTicks; ++tick) {
     const double z = std::max(5e-3 - 2e-4 * tick, 0.0);  // 0.2 m/s: 4 voxels and more in a tick
-    parts += std::uint64_t(
-        coupling.step(Pose::from_translation(Vec3(1e-5, 0, z)), {Vec3(0, 0, -0.2), Vec3::Zero()}, 1e-3, &recorder)
-            .parts);
+    const Pose hand = Pose::from_translation(Vec3(tick == 200 ? std::nan("") : 1e-5, 0, z));
+    const CoupledResult& result = coupling.step(hand, {Vec3(0, 0, -0.2), Vec3::Zero()}, 1e-3);
+    parts += std::uint64_t(result.parts);
+    if (result.parts > 0) felt.emplace_back(parts - 1, result.hand.force);
   }
   recorder.close();
   EXPECT_GT(parts, std::uint64_t(kTicks)) << "some ticks were cut into parts";
   EXPECT_EQ(recorder.recorded(), parts);
   EXPECT_EQ(recorder.lost(), 0U);
   EXPECT_GT(simulation.removed_volume_by_material()[1], 0);
-  const ReplayReport report = replay(read_recording(folder / "a.h5"));
-  EXPECT_TRUE(report.identical);
+  const Recording recording = read_recording(folder / "a.h5");
+  const ReplayReport report = replay(recording);
+  EXPECT_TRUE(report.identical) << report.first_difference->column << " in step " << report.first_difference->step;
   EXPECT_EQ(report.steps, parts);
+
+  // The column `force` is what the hand felt, though the contact's own force is another.
+  const std::vector<RecordedStep> steps = recording.read(0, parts);
+  double largest_difference = 0;
+  for (const auto& [step, force] : felt) {
+    EXPECT_EQ(steps[step].force, force) << step;
+    EXPECT_EQ(steps[step].path, OutputPath::coupled);
+    largest_difference = std::max(largest_difference, (steps[step].model.force - force).norm());
+  }
+  EXPECT_GT(largest_difference, 0.1);
 }
 
-TEST(Recorder, EndsTheRecordingWhereSomebodyElseMakesAStep) {
+TEST(Recorder, RecordsTheStepsThatSomebodyElseMakes) {
   const TemporaryFolder folder;
   Simulation simulation = find_scene("axial_flat").make();
   Recorder recorder(folder / "a.h5", simulation, patient());
   step_in_the_air(recorder, 10);
   simulation.step({}, {}, 1e-3);
   step_in_the_air(recorder, 10);
-  EXPECT_EQ(recorder.recorded(), 10U);
-  EXPECT_EQ(recorder.lost(), 10U);
+  EXPECT_EQ(recorder.recorded(), 21U);
+  EXPECT_EQ(recorder.lost(), 0U);
+}
+
+TEST(Recorder, IsTheOnlyOneOfItsSimulation) {
+  const TemporaryFolder folder;
+  Simulation simulation = find_scene("axial_flat").make();
+  {
+    const Recorder recorder(folder / "a.h5", simulation, patient());
+    EXPECT_THROW(Recorder(folder / "b.h5", simulation, patient()), Error);
+  }
+  EXPECT_EQ(simulation.observer(), nullptr);
+  Recorder(folder / "b.h5", simulation, patient()).close();
 }
 
 TEST(Recorder, GoesOnSteppingWhenTheDiskIsFullAndSaysSoAtTheEnd) {

@@ -7,7 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "hapticut/loop/step_recorder.hpp"
+#include "hapticut/device/device.hpp"
+#include "hapticut/loop/device_tick.hpp"
 #include "hapticut/simulation/simulation.hpp"
 
 namespace hapticut {
@@ -17,7 +18,12 @@ struct RecorderOptions {
   std::string device;               ///< name of the device that the steps come from; empty: none, and no columns for it
   std::string note;                 ///< anything
   DeviceCapabilities capabilities;  ///< of that device, so that it can be played back
-  std::size_t steps = 8192;         ///< that the memory between loop and disk holds, about 1.3 kB each
+
+  /// The device whose loop makes the steps: then its name, its capabilities and its side of every step are taken from
+  /// it. Null: a loop of your own gives them, with `device`, `capabilities` and `Recorder::set_device_tick`.
+  const Device* driven_by = nullptr;
+
+  std::size_t steps = 8192;   ///< that the memory between loop and disk holds, about 1.5 kB each
   double flush_period = 0.2;  ///< [s] in 0.01 ... 0.5; a process that is killed loses this, and what it takes to write
 
   /// Where the memory is full: true waits for the disk, for simulations that nobody feels; false loses the step and
@@ -29,16 +35,19 @@ struct RecorderOptions {
   std::filesystem::path workpiece_file;
 };
 
-/// Records the steps of a simulation: the loop puts each into a bounded memory without lock, and a thread of the
-/// recorder's own writes it to an HDF5 file. The file is in order at any moment: a process that is killed loses the
-/// last fraction of a second, not the recording.
+/// Records the steps of a simulation, whoever makes them: it is the simulation's observer. Each step is put into a
+/// bounded memory without lock, and a thread of the recorder's own writes it to an HDF5 file. The file is in order at
+/// any moment: a process that is killed loses the last fraction of a second, not the recording.
 ///
-/// `step` belongs to one thread; the rest may be called from any.
-class Recorder final : public StepRecorder {
+/// When the workpiece is exchanged, or put back by `undo`, the recording is over: the steps go on, unrecorded.
+///
+/// `step` and `set_device_tick` belong to the thread that makes the steps; the rest may be called from any.
+class Recorder final : public StepObserver {
  public:
   /// Writes what there is before the first step, and replaces what was at `path`.
   /// @param simulation  that has made no step yet, or was just reset; it must stay where it is until the end
-  /// @throws Error when the simulation has made steps, an option is out of range, or the file cannot be written
+  /// @throws Error when the simulation has made steps or is observed already, an option is out of range, or the file
+  ///         cannot be written
   Recorder(const std::filesystem::path& path, Simulation& simulation, const RecorderOptions& options = {});
 
   /// Ends without the hash at the end, when `close` was not called.
@@ -46,16 +55,18 @@ class Recorder final : public StepRecorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Makes a step and records it: `before_step`, Simulation::step, `after_step`.
+  /// Makes a step of the simulation: `set_device_tick` and Simulation::step in one call.
+  /// @param device  null: no device leads to this step
   const StepResult& step(const StepInput& input, const DeviceTick* device = nullptr) noexcept;
 
-  void before_step() noexcept override;
+  /// The device's side of the steps that follow, for a loop of your own.
+  /// @realtime no allocation, no lock
+  void set_device_tick(const DeviceTick& tick) noexcept;
 
-  /// Records the step that was made since `before_step`, with what was set since the last one (spindle speed, effects,
-  /// reserved blocks). When the workpiece was exchanged, or there was another step in between, the recording is over:
-  /// the steps go on, unrecorded.
+  /// Records a step, with what was set since the last one (spindle speed, effects, reserved blocks).
   /// @realtime no allocation, no lock, unless RecorderOptions::wait_when_full
-  void after_step(const DeviceTick* device) noexcept override;
+  void on_step(const ObservedStep& step) noexcept override;
+  void on_exchange() noexcept override;
 
   [[nodiscard]] std::uint64_t recorded() const noexcept;  ///< steps that were taken over
   [[nodiscard]] std::uint64_t lost() const noexcept;      ///< steps that found the memory full or came after the end

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "hapticut/loop/step_recorder.hpp"
+#include "hapticut/loop/device_tick.hpp"
 #include "hapticut/simulation/simulation.hpp"
 
 /// @file
@@ -17,7 +17,7 @@
 namespace hapticut {
 
 /// The newest format that this library writes; it reads all from 1 on.
-inline constexpr std::uint64_t kRecordingFormat = 1;
+inline constexpr std::uint64_t kRecordingFormat = 2;
 
 /// One row of a recording: a step, what led to it and what came of it.
 struct RecordedStep {
@@ -29,10 +29,13 @@ struct RecordedStep {
   double spindle_setting = 0;         ///< [rad/s] asked of the spindle
   std::uint64_t reserved_blocks = 0;  ///< that were asked for
   std::uint64_t free_blocks = 0;      ///< left of them before the step
+  bool let_go = false;                ///< the hand had let go before the step: see Simulation::let_go
+  OutputPath path = OutputPath::direct;
+  HandOutput hand;  ///< of the coupling, where `path` is coupled
 
   // What came out.
-  Vec3 force = Vec3::Zero();   ///< [N]
-  Vec3 torque = Vec3::Zero();  ///< [N·m]
+  Vec3 force = Vec3::Zero();   ///< [N] what the hand felt, through a coupling or not
+  Vec3 torque = Vec3::Zero();  ///< [N·m] the same
   Wrench model;
   double removed_volume = 0;              ///< [m^3]
   std::uint64_t removed_voxels = 0;       ///< how many

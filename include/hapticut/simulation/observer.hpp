@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "hapticut/simulation/step.hpp"
+
+namespace hapticut {
+
+class Simulation;
+
+/// What the hand is given where a coupling stands between it and the tool.
+struct HandOutput {
+  Pose X_WD;      ///< of the hand's handle
+  Wrench wrench;  ///< about Ho of the hand, in W, on the hand; before effects and limits
+  double dt = 0;  ///< [s] since it was last given something
+};
+
+/// Stands between the tool and the hand. A step asks it, once the force of the model is known, what the hand is to be
+/// given instead of that force; the effects and limits then act on it.
+class HandCoupling {
+ public:
+  virtual ~HandCoupling() = default;
+
+  /// @param stepped  of this step; `force` and `torque` are still those of the last one
+  /// @return nothing: the hand keeps what it has, as in all parts of a tick but the last
+  /// @realtime no allocation, no lock
+  [[nodiscard]] virtual std::optional<HandOutput> answer(const StepResult& stepped) noexcept = 0;
+};
+
+/// Which way the force of a step took to the hand.
+enum class OutputPath : std::uint8_t {
+  direct,   ///< the hand holds the tool
+  coupled,  ///< through a coupling
+  kept,     ///< the coupling left the hand what it had
+};
+
+/// A step that is complete, as an observer sees it.
+struct ObservedStep {
+  const Simulation& simulation;  ///< that made it
+  std::uint64_t number;          ///< steps before it, since construction or `Simulation::reset`
+  const StepInput& input;        ///< what it was given
+  std::size_t free_blocks;       ///< reserved blocks that were left when it began
+  bool let_go;                   ///< the hand had let go before it: see Simulation::let_go
+  OutputPath path;               ///< of its force
+  const HandOutput& hand;        ///< of the coupling, where `path` is coupled
+  const StepResult& result;      ///< what came of it
+};
+
+/// Is told of every step of a simulation, whoever makes it: see Simulation::set_observer.
+class StepObserver {
+ public:
+  virtual ~StepObserver() = default;
+
+  /// At the end of a step, in its thread; also of one whose input was rejected.
+  /// @realtime no allocation, no lock beyond what the observer says
+  virtual void on_step(const ObservedStep& step) noexcept = 0;
+
+  /// Between two steps, when `restore`, `reset` or `undo` has exchanged the workpiece.
+  virtual void on_exchange() noexcept {}
+};
+
+}  // namespace hapticut
