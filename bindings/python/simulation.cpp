@@ -67,7 +67,7 @@ void bind_limits(py::module_& m) {
   using T = StageTimes;
   bind_result<T>(m, "StageTimes", member("check_input", &T::check_input), member("plan_sweep", &T::plan_sweep),
                  member("plan_sub_step", &T::plan_sub_step), member("find_blocks", &T::find_blocks),
-                 member("evaluate_contact", &T::evaluate_contact), member("remove_material", &T::remove_material),
+                 member("press_and_cut", &T::press_and_cut), member("remove_emptied", &T::remove_emptied),
                  member("hold_deep_contact", &T::hold_deep_contact), member("add_friction", &T::add_friction),
                  member("book_energy", &T::book_energy), member("transport_to_handle", &T::transport_to_handle),
                  member("give_output", &T::give_output));

@@ -45,42 +45,24 @@ struct ContactJob {
   }
 };
 
-/// What the blocks of a sub-step add up to, lane by lane, in sixteen lanes whatever the vectors of the machine. A voxel
-/// meets the lane of its place in its strip, or, where voxels are gathered, of its place in the list: always the same
-/// on one kind of processor, not on all.
-struct ContactSums {
-  enum Term {  // the first six in units of [N/m^3], the energies in [J/m^3], to be multiplied by a voxel's volume
-    kForceX,   // of the reaction of the material, that is minus the force on the tool
-    kForceY,
-    kForceZ,
-    kTorqueX,
-    kTorqueY,
-    kTorqueZ,
-    kElasticMiddle,  // k phi (w^2 + advance^2/4) / 2
-    kElasticChange,  // k phi w advance / 2: half of what is stored more at the end, where nothing is cut
-    kTakenElastic,   // k taken (w + advance/2)^2 / 2
-    kLag,            // k w advance (phi - mean fill) / 2
-    kHelped,         // elastic energy that helped cutting (law G)
-    kDamping,
-    kRubbing,
-    kCredited,
-    kCouple,
-    kFill,
-    kTerms
-  };
-  static constexpr int kLanes = BlockChange::kStrip;
-
-  alignas(64) std::array<std::array<double, kLanes>, kTerms> lanes = {};
+/// What the blocks of a sub-step give together.
+struct Pressed {
+  Resultant resultant;
+  LawEnergies energies;
   std::array<double, 256> taken = {};  ///< [voxels] filled volume taken away, by MaterialId
-  int voxels = 0;                      ///< samples
-  float depth = 0;                     ///< [m] greatest
-
-  [[nodiscard]] double total(Term term) const {
-    double sum = 0;
-    for (const double lane : lanes[term]) sum += lane;
-    return sum;
-  }
 };
+
+}  // namespace hapticut::kernels
+
+#ifdef HAPTICUT_SCALAR_KERNELS
+namespace hapticut::kernels {
+using ContactSums = Pressed;  // the scalar reference adds up what it finds
+}
+#else
+#include "kernels/contact_sums.hpp"
+#endif
+
+namespace hapticut::kernels {
 
 /// One block to be pressed: what it holds, where its fills go, and what became of them.
 struct PressTask {
@@ -92,8 +74,14 @@ struct PressTask {
 
 /// Stages `sample_contact`, `evaluate_law` of FoundationLaw and `sum_resultant` in one pass that never leaves the
 /// registers: what the step runs unless it was given another law.
+/// @param sums       of the sub-step, to add to; `pressed` says what they mean
 /// @param stiffness  sums to add to; null: not wanted
 void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
                   StiffnessSums* stiffness = nullptr) noexcept;
+
+/// What the blocks that were pressed give together. Voxels that waited for their turn are represented by those that had
+/// it; what was taken is exact. LawEnergies::cutting is left to who books `taken` by its materials.
+/// @param voxel_volume  [m^3]
+[[nodiscard]] Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept;
 
 }  // namespace hapticut::kernels

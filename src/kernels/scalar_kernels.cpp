@@ -32,27 +32,9 @@ void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, Stif
   HeadMotion motion = job.motion;
   if (!task.may_cut) motion.removal = RemovalLaw::none;
   const LawTotals totals = FoundationLaw().evaluate(motion, job.materials, contact);
-  Resultant resultant;
-  hapticut::sum_resultant(contact, resultant);
-  const double volume = std::pow(double(motion.voxel_size), 3);
-  const auto add = [&](ContactSums::Term term, double total) { sums.lanes[term][0] += total / volume; };
-  add(ContactSums::kForceX, -resultant.wrench_T.force.x());
-  add(ContactSums::kForceY, -resultant.wrench_T.force.y());
-  add(ContactSums::kForceZ, -resultant.wrench_T.force.z());
-  add(ContactSums::kTorqueX, -resultant.wrench_T.torque.x());
-  add(ContactSums::kTorqueY, -resultant.wrench_T.torque.y());
-  add(ContactSums::kTorqueZ, -resultant.wrench_T.torque.z());
-  // elastic_before = middle - change, elastic = middle + change - taken, released = taken - 2 lag - helped
-  add(ContactSums::kElasticMiddle, totals.energies.elastic_before);
-  add(ContactSums::kTakenElastic, totals.energies.elastic_before - totals.energies.elastic);
-  add(ContactSums::kHelped, totals.energies.elastic_before - totals.energies.elastic - totals.energies.released);
-  add(ContactSums::kDamping, totals.energies.damping);
-  add(ContactSums::kRubbing, totals.energies.rubbing);
-  add(ContactSums::kCredited, totals.energies.credited);
-  add(ContactSums::kCouple, -totals.spin_couple * double(motion.spin));
-  add(ContactSums::kFill, resultant.volume * volume);
-  sums.voxels += resultant.voxels;
-  sums.depth = std::max(sums.depth, float(resultant.depth));
+  hapticut::sum_resultant(contact, sums.resultant);
+  sums.resultant.wrench_T.torque.z() += totals.spin_couple;
+  sums.energies += totals.energies;
   if (stiffness != nullptr) add_stiffness(contact, motion, job.materials, *stiffness);
   if (totals.may_remove) task.change = find_changes(contact, task.block, task.fill_after, sums.taken);
 }
@@ -70,6 +52,20 @@ void sum_resultant(const ContactBlock& block, Resultant& total) noexcept { hapti
 void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
                   StiffnessSums* stiffness) noexcept {
   for (PressTask& task : tasks) press_block(job, task, sums, stiffness);
+}
+
+Pressed pressed(const ContactJob& job, const ContactSums& sums, double /*voxel_volume*/) noexcept {
+  const double weight = job.level_of_detail;
+  Pressed all = sums;
+  all.resultant.wrench_T.force *= weight;
+  all.resultant.wrench_T.torque *= weight;
+  all.resultant.voxels *= int(job.level_of_detail);
+  all.resultant.volume *= weight;
+  all.energies.elastic_before *= weight;
+  all.energies.elastic += (weight - 1) * sums.energies.elastic_before;
+  all.energies.damping *= weight;
+  all.energies.cutting = 0;
+  return all;
 }
 
 }  // namespace hapticut::kernels

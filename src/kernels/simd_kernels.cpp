@@ -44,5 +44,30 @@ void sum_resultant(const ContactBlock& block, Resultant& total) noexcept {
   HWY_DYNAMIC_DISPATCH(SumResultant)(block, total);
 }
 
+Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept {
+  using Term = ContactSums::Term;
+  const double weight = job.level_of_detail;
+  const auto total = [&](Term term) { return weight * sums.total(term) * voxel_volume; };
+  Pressed all;
+  Resultant& resultant = all.resultant;
+  resultant.wrench_T.force = -Vec3(total(Term::kForceX), total(Term::kForceY), total(Term::kForceZ));
+  resultant.wrench_T.torque = -Vec3(total(Term::kTorqueX), total(Term::kTorqueY), total(Term::kTorqueZ));
+  if (job.motion.spin != 0) resultant.wrench_T.torque.z() -= total(Term::kCouple) / double(job.motion.spin);
+  resultant.voxels = sums.voxels * int(job.level_of_detail);
+  resultant.volume = weight * sums.total(Term::kFill);
+  resultant.depth = double(sums.depth);
+  LawEnergies& energies = all.energies;
+  const double middle = total(Term::kElasticMiddle), change = total(Term::kElasticChange);
+  const double taken = total(Term::kTakenElastic) / weight;
+  energies.elastic_before = middle - change;
+  energies.elastic = middle + change - taken;
+  energies.released = taken - 2 * total(Term::kLag) - total(Term::kHelped) / weight;
+  energies.damping = total(Term::kDamping);
+  energies.rubbing = total(Term::kRubbing) / weight;  // over all the time since the last turn
+  energies.credited = total(Term::kCredited) / weight;
+  all.taken = sums.taken;
+  return all;
+}
+
 }  // namespace hapticut::kernels
 #endif

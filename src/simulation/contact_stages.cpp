@@ -52,8 +52,10 @@ IndexBox reach_of(const HeadBox& box, const Pose& X_VT, double voxel_size, const
 
 }  // namespace
 
-ContactStages::ContactStages(const Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config)
-    : law_(std::dynamic_pointer_cast<const FoundationLaw>(config.law) ? nullptr : config.law),
+ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config)
+    : workpiece_(workpiece),
+      head_(head),
+      law_(std::dynamic_pointer_cast<const FoundationLaw>(config.law) ? nullptr : config.law),
       quadrature_(config.quadrature),
       materials_(contact_materials(workpiece.materials(), config.reference_stiffness)),
       voxel_volume_(std::pow(workpiece.voxel_size(), 3)),
@@ -77,13 +79,13 @@ WorstCase ContactStages::worst_case(const SimulationConfig& config) const noexce
   return {most_blocks_, std::min(most_voxels_, budget), config.longest_sweep, int(parts)};
 }
 
-/// Into how many parts the voxels of the blocks found must be divided to stay within the budget.
-int ContactStages::level_of_detail() const noexcept {
+/// Into how many parts the voxels of the blocks must be divided to stay within the budget.
+int ContactStages::level_of_detail(std::span<const CuttableBlock> blocks) const noexcept {
   if (voxel_budget_ == 0 || most_voxels_ <= voxel_budget_) return 1;
   std::size_t solid = 0;
-  for (const BlockView& block : blocks_)
+  for (const CuttableBlock& block : blocks)
     for (int slab = 0; slab < kBlockEdge; ++slab)
-      solid += block.solid == nullptr ? 64 : std::size_t(std::popcount(block.solid[slab]));
+      solid += block.view.solid == nullptr ? 64 : std::size_t(std::popcount(block.view.solid[slab]));
   return std::max(1, int((std::min(solid, most_voxels_) + voxel_budget_ - 1) / voxel_budget_));
 }
 
@@ -93,200 +95,182 @@ void ContactStages::set_cutting_share(double share) noexcept {
     materials_[id].cutting_ratio = float(share) * cutting_ratios_[id];
 }
 
-void ContactStages::find_blocks(const Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at) noexcept {
+std::span<const CuttableBlock> ContactStages::find_blocks(const HeadPlacement& at) noexcept {
   blocks_.clear();
-  const double size = workpiece.voxel_size();
-  const IndexBox voxels = reach_of(head.bounding_box(), at.X_VT, size, bounds_);
-  if (voxels.empty()) return;
+  const double size = workpiece_.voxel_size();
+  const IndexBox voxels = reach_of(head_.bounding_box(), at.X_VT, size, bounds_);
+  if (voxels.empty()) return blocks_;
   const GridInHead grid(at.X_VT.inverse(), size);
-  head.visit_springs<float>([&](const auto& springs) {
+  head_.visit_springs<float>([&](const auto& springs) {
     for (int i = block_start(voxels.min[0]); i <= voxels.max[0]; i += kBlockEdge)
       for (int j = block_start(voxels.min[1]); j <= voxels.max[1]; j += kBlockEdge)
         for (int k = block_start(voxels.min[2]); k <= voxels.max[2]; k += kBlockEdge) {
           const VoxelIndex origin = {i, j, k};
           if (!may_touch(springs, grid, origin, float(size))) continue;
-          const BlockView block = workpiece.block(origin);
-          if (!block.empty()) blocks_.push_back(block);
+          const CuttableBlock block = workpiece_.cuttable_block(origin);
+          if (!block.view.empty()) blocks_.push_back(block);
         }
   });
+  return blocks_;
 }
 
-Encounter ContactStages::evaluate_contact(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
-                                          RemovalRecord& removal) noexcept {
-  Encounter encounter;
-  if (law_ == nullptr)
-    press_blocks(workpiece, head, at, removal, encounter);
-  else
-    ask_law(workpiece, head, at, removal, encounter);
+Encounter ContactStages::press_and_cut(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                       RemovalRecord& removal) noexcept {
+  Encounter encounter =
+      law_ == nullptr ? cut_by_default_law(blocks, at, removal) : cut_by_given_law(blocks, at, removal);
   encounter.drop_what_is_not_finite();
   return encounter;
 }
 
-kernels::ContactJob ContactStages::job_at(const Workpiece& workpiece, const ToolHead& head,
+Encounter ContactStages::press(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                               Stiffness& stiffness_T) noexcept {
+  if (law_ != nullptr) {
+    stiffness_T.setZero();
+    Encounter encounter = ask_law(blocks, at, [](const CuttableBlock&, bool) {});
+    encounter.drop_what_is_not_finite();
+    return encounter;
+  }
+  const kernels::ContactJob job = job_at(blocks, at);
+  kernels::ContactSums sums;
+  kernels::StiffnessSums stiffness;
+  for (std::size_t first = 0; first < blocks.size(); first += kPressedAtOnce) {
+    const std::size_t count = std::min(kPressedAtOnce, blocks.size() - first);
+    for (std::size_t n = 0; n < count; ++n) {  // nobody reads the new fills
+      const CuttableBlock& block = blocks[first + n];
+      tasks_[n] = {block.view, new_fill_.data(), at.motion.cuts() && can_cut(block), {}};
+    }
+    kernels::press_blocks(job, std::span(tasks_).first(count), sums, &stiffness);
+  }
+  stiffness_T = stiffness.total(double(job.level_of_detail) * voxel_volume_);
+  std::array<double, 256> taken;
+  return encounter_of(job, sums, taken);
+}
+
+kernels::ContactJob ContactStages::job_at(std::span<const CuttableBlock> blocks,
                                           const HeadPlacement& at) const noexcept {
-  const int level = level_of_detail();
-  kernels::ContactJob job = {head,
-                             GridInHead(at.X_VT.inverse(), workpiece.voxel_size()),
-                             at.motion,
-                             materials_,
-                             quadrature_,
-                             damped_,
-                             unsigned(level),
-                             turn_};
+  const int level = level_of_detail(blocks);
+  kernels::ContactJob job = {head_,           GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()),
+                             at.motion,       materials_,
+                             quadrature_,     damped_,
+                             unsigned(level), turn_};
   job.motion.turns = float(level);
   return job;
 }
 
+/// @param taken  [m^3] by MaterialId
+Encounter ContactStages::encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums,
+                                      std::array<double, 256>& taken) const noexcept {
+  const kernels::Pressed pressed = kernels::pressed(job, sums, voxel_volume_);
+  Encounter encounter;
+  encounter.resultant = pressed.resultant;
+  encounter.energies = pressed.energies;
+  encounter.level_of_detail = int(job.level_of_detail);
+  for (std::size_t id = 0; id < taken.size(); ++id) {
+    taken[id] = pressed.taken[id] * voxel_volume_;
+    if (taken[id] != 0) encounter.energies.cutting += double(materials_[id].cutting_energy) * taken[id];
+  }
+  return encounter;
+}
+
 /// FoundationLaw, block by block in one pass of vector instructions.
-void ContactStages::press_blocks(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
-                                 RemovalRecord& removal, Encounter& encounter) noexcept {
-  const kernels::ContactJob job = job_at(workpiece, head, at);
+Encounter ContactStages::cut_by_default_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                            RemovalRecord& removal) noexcept {
+  const kernels::ContactJob job = job_at(blocks, at);
   kernels::ContactSums sums;
-  const bool cuts = at.motion.spin != 0 && at.motion.removal != RemovalLaw::none;
-  for (auto next = blocks_.begin(); next != blocks_.end();) {
+  bool exhausted = false;
+  const bool cuts = at.motion.cuts();
+  for (std::size_t first = 0; first < blocks.size();) {
     std::size_t count = 0;
-    while (next != blocks_.end() && count < kPressedAtOnce) {
-      const BlockView& block = *next++;
-      const bool writable = cuts && can_cut(block, workpiece);
-      encounter.blocks_exhausted |= cuts && !writable;
-      if (writable && block.fill != nullptr) workpiece.remember(block);
-      tasks_[count++] = {block, fill_target(block), writable, {}};
+    while (first + count < blocks.size() && count < kPressedAtOnce) {
+      const CuttableBlock& block = blocks[first + count];
+      const bool writable = cuts && can_cut(block);
+      exhausted |= cuts && !writable;
+      if (writable && block.fill != nullptr) workpiece_.remember(block.view);
+      tasks_[count++] = {block.view, fill_target(block), writable, {}};
       if (cuts && block.fill == nullptr) break;  // its new fills must be kept before another block needs their place
     }
     kernels::press_blocks(job, std::span(tasks_).first(count), sums);
-    for (const kernels::PressTask& task : std::span(tasks_).first(count)) keep_change(task, workpiece);
+    for (std::size_t n = 0; n < count; ++n) keep_change(blocks[first + n], tasks_[n].change);
+    first += count;
   }
-  take_sums(job, sums, encounter);
-  for (int id = 1; id <= workpiece.materials().size(); ++id) {
-    const double volume = sums.taken[std::size_t(id)] * voxel_volume_;
-    if (volume == 0) continue;
-    encounter.energies.cutting += double(materials_[std::size_t(id)].cutting_energy) * volume;
-    removal.add_volume(MaterialId(id), volume);
-  }
-}
-
-/// What the kernel's sums mean. Voxels that waited for their turn are represented by those that had it; what was taken
-/// is exact.
-void ContactStages::take_sums(const kernels::ContactJob& job, const kernels::ContactSums& sums,
-                              Encounter& encounter) const noexcept {
-  using kernels::ContactSums;
-  const double weight = job.level_of_detail;
-  encounter.level_of_detail = int(job.level_of_detail);
-  const auto total = [&](ContactSums::Term term) { return weight * sums.total(term) * voxel_volume_; };
-  Resultant& resultant = encounter.resultant;
-  resultant.wrench_T.force =
-      -Vec3(total(ContactSums::kForceX), total(ContactSums::kForceY), total(ContactSums::kForceZ));
-  resultant.wrench_T.torque =
-      -Vec3(total(ContactSums::kTorqueX), total(ContactSums::kTorqueY), total(ContactSums::kTorqueZ));
-  if (job.motion.spin != 0) resultant.wrench_T.torque.z() -= total(ContactSums::kCouple) / double(job.motion.spin);
-  resultant.voxels = sums.voxels * encounter.level_of_detail;
-  resultant.volume = weight * sums.total(ContactSums::kFill);
-  resultant.depth = double(sums.depth);
-  LawEnergies& energies = encounter.energies;
-  const double middle = total(ContactSums::kElasticMiddle), change = total(ContactSums::kElasticChange);
-  const double taken = total(ContactSums::kTakenElastic) / weight;
-  energies.elastic_before = middle - change;
-  energies.elastic = middle + change - taken;
-  energies.released = taken - 2 * total(ContactSums::kLag) - total(ContactSums::kHelped) / weight;
-  energies.damping = total(ContactSums::kDamping);
-  energies.rubbing = total(ContactSums::kRubbing) / weight;  // over all the time since the last turn
-  energies.credited = total(ContactSums::kCredited) / weight;
-}
-
-Encounter ContactStages::probe_contact(const Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
-                                       Stiffness& stiffness_T) noexcept {
-  if (law_ != nullptr) {
-    stiffness_T.setZero();
-    Encounter encounter;
-    feel_law(workpiece, head, at, encounter, [](const BlockView&, bool) {});
-    encounter.drop_what_is_not_finite();
-    return encounter;
-  }
-  const kernels::ContactJob job = job_at(workpiece, head, at);
-  kernels::ContactSums sums;
-  kernels::StiffnessSums stiffness;
-  const bool cuts = at.motion.spin != 0 && at.motion.removal != RemovalLaw::none;
-  for (auto next = blocks_.begin(); next != blocks_.end();) {
-    std::size_t count = 0;
-    for (; next != blocks_.end() && count < kPressedAtOnce; ++next)  // nobody reads the new fills
-      tasks_[count++] = {*next, new_fill_.data(), cuts && can_cut(*next, workpiece), {}};
-    kernels::press_blocks(job, std::span(tasks_).first(count), sums, &stiffness);
-  }
-  Encounter encounter;
-  take_sums(job, sums, encounter);
-  stiffness_T = stiffness.total(double(job.level_of_detail) * voxel_volume_);
+  std::array<double, 256> taken;
+  Encounter encounter = encounter_of(job, sums, taken);
+  encounter.blocks_exhausted = exhausted;
+  for (int id = 1; id <= workpiece_.materials().size(); ++id)
+    if (taken[std::size_t(id)] != 0) removal.add_volume(MaterialId(id), taken[std::size_t(id)]);
   return encounter;
 }
 
 /// Any other law, stage by stage on the samples of one block.
 /// @param leave  called with what was sampled and left in `contact_`, and whether the law may remove any of it
 template <class Leave>
-void ContactStages::feel_law(const Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
-                             Encounter& encounter, const Leave& leave) noexcept {
-  const GridInHead grid(at.X_VT.inverse(), workpiece.voxel_size());
+Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                 const Leave& leave) noexcept {
+  Encounter encounter;
+  const GridInHead grid(at.X_VT.inverse(), workpiece_.voxel_size());
   HeadMotion motion = at.motion;
   WholeContact whole;
   if (law_->needs_moments()) {
-    for (const BlockView& block : blocks_) {
-      kernels::sample_contact(head, block, grid, quadrature_, contact_);
+    for (const CuttableBlock& block : blocks) {
+      kernels::sample_contact(head_, block.view, grid, quadrature_, contact_);
       add_moments(contact_, motion, materials_, whole.moments);
     }
-    if (whole.moments.volume > 0) whole.lumped = law_->lump(head, motion, whole.moments);
+    if (whole.moments.volume > 0) whole.lumped = law_->lump(head_, motion, whole.moments);
     encounter.add(whole.lumped);
     motion.whole = &whole;
   }
   HeadMotion without_removal = motion;
   without_removal.removal = RemovalLaw::none;
-  for (const BlockView& block : blocks_) {
-    kernels::sample_contact(head, block, grid, quadrature_, contact_);
+  for (const CuttableBlock& block : blocks) {
+    kernels::sample_contact(head_, block.view, grid, quadrature_, contact_);
     if (contact_.samples == 0) continue;
-    const bool removes = motion.removal != RemovalLaw::none, writable = removes && can_cut(block, workpiece);
+    const bool removes = motion.removal != RemovalLaw::none, writable = removes && can_cut(block);
     encounter.blocks_exhausted |= removes && !writable;
     const LawTotals totals = law_->evaluate(writable ? motion : without_removal, materials_, contact_);
     encounter.add(totals);
     kernels::sum_resultant(contact_, encounter.resultant);
     leave(block, totals.may_remove && writable);
   }
+  return encounter;
 }
 
 /// The same, and takes away what the law removes.
-void ContactStages::ask_law(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, RemovalRecord& removal,
-                            Encounter& encounter) noexcept {
-  std::array<double, 256> taken = {};
-  feel_law(workpiece, head, at, encounter, [&](const BlockView& block, bool may_remove) {
+Encounter ContactStages::cut_by_given_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                          RemovalRecord& removal) noexcept {
+  std::array<double, 256> taken = {};  // [voxels]
+  const Encounter encounter = ask_law(blocks, at, [&](const CuttableBlock& block, bool may_remove) {
     if (!may_remove) return;
-    if (block.fill != nullptr) workpiece.remember(block);
-    float* fill_after = fill_target(block);
-    keep_change({block, fill_after, true, find_changes(contact_, block, fill_after, taken)}, workpiece);
+    if (block.fill != nullptr) workpiece_.remember(block.view);
+    keep_change(block, find_changes(contact_, block.view, fill_target(block), taken));
   });
-  for (int id = 1; id <= workpiece.materials().size(); ++id)
+  for (int id = 1; id <= workpiece_.materials().size(); ++id)
     removal.add_volume(MaterialId(id), taken[std::size_t(id)] * voxel_volume_);
+  return encounter;
 }
 
 /// Whether what is cut from a block can be written down. Where no reserved block is left, material is felt but not cut.
-bool ContactStages::can_cut(const BlockView& block, const Workpiece& workpiece) noexcept {
-  return block.fill != nullptr || workpiece.has_reserve_for(block.origin);
+bool ContactStages::can_cut(const CuttableBlock& block) const noexcept {
+  return block.fill != nullptr || workpiece_.has_reserve_for(block.view.origin);
 }
 
 /// Where the new fills of a block are written: into the block itself, once it has fills of its own.
-float* ContactStages::fill_target(const BlockView& block) noexcept {
-  return block.fill != nullptr ? const_cast<float*>(block.fill) : new_fill_.data();
+float* ContactStages::fill_target(const CuttableBlock& block) noexcept {
+  return block.fill != nullptr ? block.fill : new_fill_.data();
 }
 
-/// Gives a block that was cut for the first time fills of its own, and notes its emptied voxels.
-void ContactStages::keep_change(const kernels::PressTask& task, Workpiece& workpiece) noexcept {
-  const auto& [block, fill_after, may_cut, change] = task;
+/// Gives a block that was cut for the first time the new fills as its own, and notes its emptied voxels.
+void ContactStages::keep_change(const CuttableBlock& block, const BlockChange& change) noexcept {
   if (change.strips == 0) return;
-  list_change(block.origin);
+  list_change(block.view.origin);
   if (block.fill == nullptr) {
-    float* fill = workpiece.writable_fill(block.origin);
+    float* fill = workpiece_.writable_fill(block.view.origin);
     HAPTICUT_ASSERT(fill != nullptr);  // can_cut said so
     for (std::uint32_t strips = change.strips; strips != 0; strips &= strips - 1) {
       const int first = BlockChange::kStrip * std::countr_zero(strips);
-      std::copy_n(fill_after + first, BlockChange::kStrip, fill + first);
+      std::copy_n(new_fill_.data() + first, BlockChange::kStrip, fill + first);
     }
   }
-  if (change.any_emptied) emptied_.push_back({block, change.emptied});
+  if (change.any_emptied) emptied_.push_back({block.view, change.emptied});
 }
 
 void ContactStages::forget_changes() noexcept {
@@ -306,16 +290,16 @@ void ContactStages::list_change(const VoxelIndex& origin) noexcept {
   changed_blocks_.origins = changed_;
 }
 
-void ContactStages::remove_material(Workpiece& workpiece, RemovalRecord& removal) noexcept {
-  for (const EmptiedBlock& entry : emptied_) empty_voxels(entry.block, entry.emptied, workpiece, removal);
+void ContactStages::remove_emptied(RemovalRecord& removal) noexcept {
+  for (const EmptiedBlock& entry : emptied_) empty_voxels(entry.block, entry.emptied, workpiece_, removal);
   emptied_.clear();
   ++turn_;
 }
 
-std::size_t ContactStages::undo(Workpiece& workpiece, std::size_t most) noexcept {
+std::size_t ContactStages::undo(std::size_t most) noexcept {
   std::size_t undone = 0;
   do {  // one at least, or who asks for none would never arrive
-    const auto origin = workpiece.undo_block();
+    const auto origin = workpiece_.undo_block();
     if (!origin) break;
     list_change(*origin);
   } while (++undone < most);
@@ -323,8 +307,8 @@ std::size_t ContactStages::undo(Workpiece& workpiece, std::size_t most) noexcept
   return undone;
 }
 
-void ContactStages::start_afresh(const Workpiece& workpiece) {
-  bounds_ = workpiece.bounds();
+void ContactStages::start_afresh() {
+  bounds_ = workpiece_.bounds();
   turn_ = 0;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "hapticut/force/law.hpp"
@@ -56,40 +57,42 @@ struct HeadPlacement {
   HeadMotion motion;  ///< where the contact is evaluated: at the middle of the sub-step, or its end
 };
 
-/// The stages and the memory that they need, all of it taken at set-up.
+/// The stages and the memory that they need, all of it taken at set-up, for one workpiece and one head. Each hands on
+/// what it found: blocks, then what the head met in them, then the voxels that are empty.
 class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in the order of their use
  public:
+  /// Both must outlive it.
   /// @throws Error when a level of detail is asked for and the law has none
-  ContactStages(const Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config);
+  ContactStages(Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config);
 
-  /// Stage `find_blocks`: the blocks that the head may touch.
-  void find_blocks(const Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at) noexcept;
+  /// Stage `find_blocks`: the blocks that the head may touch; valid until it is called again.
+  [[nodiscard]] std::span<const CuttableBlock> find_blocks(const HeadPlacement& at) noexcept;
 
-  /// Stage `evaluate_contact`: samples every block found, asks the law, and sums. The fills of partly cut voxels are
-  /// already those after the sub-step when it returns; voxels that became empty wait for `remove_material`.
-  [[nodiscard]] Encounter evaluate_contact(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
-                                           RemovalRecord& removal) noexcept;
+  /// Stage `press_and_cut`: samples every block, asks the law, sums, and cuts. The fills of partly cut voxels are
+  /// already those after the sub-step when it returns; voxels that became empty wait for `remove_emptied`.
+  [[nodiscard]] Encounter press_and_cut(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                        RemovalRecord& removal) noexcept;
 
-  /// What `evaluate_contact` would return for the blocks found, without a change to anything.
+  /// What `press_and_cut` would return, without a change to any block.
   /// @param stiffness_T  of the contact about To, in T; zero where the law has none: see `knows_stiffness`
-  [[nodiscard]] Encounter probe_contact(const Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at,
-                                        Stiffness& stiffness_T) noexcept;
+  [[nodiscard]] Encounter press(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                Stiffness& stiffness_T) noexcept;
 
-  /// Whether `probe_contact` gives a stiffness: FoundationLaw does.
+  /// Whether `press` gives a stiffness: FoundationLaw does.
   [[nodiscard]] bool knows_stiffness() const noexcept { return law_ == nullptr; }
 
-  /// Stage `remove_material`: takes voxels that became empty out of the workpiece and lists them. Ends a turn of the
+  /// Stage `remove_emptied`: takes voxels that became empty out of the workpiece and lists them. Ends a turn of the
   /// level of detail.
-  void remove_material(Workpiece& workpiece, RemovalRecord& removal) noexcept;
+  void remove_emptied(RemovalRecord& removal) noexcept;
 
   [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
 
   /// For a workpiece that was put back to what it once was.
-  void start_afresh(const Workpiece& workpiece);
+  void start_afresh();
 
   /// Puts up to `most` blocks, and at least one, back to what they were at the last mark, and lists them as changed.
   /// @return how many
-  std::size_t undo(Workpiece& workpiece, std::size_t most) noexcept;
+  std::size_t undo(std::size_t most) noexcept;
 
   /// Forgets which blocks have changed, at the beginning of a step.
   void forget_changes() noexcept;
@@ -106,23 +109,26 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
     std::array<std::uint64_t, 8> emptied;
   };
 
-  [[nodiscard]] kernels::ContactJob job_at(const Workpiece& workpiece, const ToolHead& head,
+  [[nodiscard]] kernels::ContactJob job_at(std::span<const CuttableBlock> blocks,
                                            const HeadPlacement& at) const noexcept;
-  void take_sums(const kernels::ContactJob& job, const kernels::ContactSums& sums, Encounter& encounter) const noexcept;
-  void press_blocks(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, RemovalRecord& removal,
-                    Encounter& encounter) noexcept;
+  [[nodiscard]] Encounter encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums,
+                                       std::array<double, 256>& taken) const noexcept;
+  [[nodiscard]] Encounter cut_by_default_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                             RemovalRecord& removal) noexcept;
+  [[nodiscard]] Encounter cut_by_given_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                           RemovalRecord& removal) noexcept;
   template <class Leave>
-  void feel_law(const Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, Encounter& encounter,
-                const Leave& leave) noexcept;
-  void ask_law(Workpiece& workpiece, const ToolHead& head, const HeadPlacement& at, RemovalRecord& removal,
-               Encounter& encounter) noexcept;
-  [[nodiscard]] int level_of_detail() const noexcept;
-  [[nodiscard]] static bool can_cut(const BlockView& block, const Workpiece& workpiece) noexcept;
-  [[nodiscard]] float* fill_target(const BlockView& block) noexcept;
-  void keep_change(const kernels::PressTask& task, Workpiece& workpiece) noexcept;
+  [[nodiscard]] Encounter ask_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                  const Leave& leave) noexcept;
+  [[nodiscard]] int level_of_detail(std::span<const CuttableBlock> blocks) const noexcept;
+  [[nodiscard]] bool can_cut(const CuttableBlock& block) const noexcept;
+  [[nodiscard]] float* fill_target(const CuttableBlock& block) noexcept;
+  void keep_change(const CuttableBlock& block, const BlockChange& change) noexcept;
   void list_change(const VoxelIndex& origin) noexcept;
 
-  std::shared_ptr<const ForceLaw> law_;  // null: FoundationLaw
+  Workpiece& workpiece_;
+  const ToolHead& head_;
+  std::shared_ptr<const ForceLaw> law_;  // null: FoundationLaw, for which there are kernels
   Quadrature quadrature_;
   ContactMaterials materials_;
   std::array<float, 256> cutting_ratios_ = {};  // [1] of the materials at full spin
@@ -136,8 +142,8 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
 
   std::vector<VoxelIndex> changed_;    // origins, since forget_changes; some more than once
   ChangedBlocks changed_blocks_;       // the same as the user sees it
-  std::vector<BlockView> blocks_;      // found by find_blocks
-  std::vector<EmptiedBlock> emptied_;  // by evaluate_contact, for remove_material
+  std::vector<CuttableBlock> blocks_;  // found by find_blocks
+  std::vector<EmptiedBlock> emptied_;  // by press_and_cut, for remove_emptied
   ContactBlock contact_;               // scratch of ask_law
   std::array<kernels::PressTask, kPressedAtOnce> tasks_;
   ContactBlock::Array<float> new_fill_;  // of a block that has no fills of its own yet

@@ -6,8 +6,9 @@
 
 namespace hapticut {
 
-ContactProbe Simulation::probe(const Pose& pose, const Twist& velocity, double dt, ProbedMotions motions) noexcept {
-  State& s = *state_;
+ContactProbe Simulation::probe(const Pose& pose, const Twist& velocity, double dt,
+                               ProbedMotions motions) const noexcept {
+  State& s = *state_;  // whose room the contact is worked out in; nothing that a step depends on changes
   if (check_input(s.config, pose, velocity, dt) != StepStatus::ok) return {};
   const Pose from = s.has_pose ? s.X_WH : advance(pose, velocity, -dt);
   const int sub_steps = s.plan_sweep(from, pose);
@@ -24,10 +25,10 @@ ContactProbe Simulation::State::probe_way(const Pose& from, const Pose& pose, in
   ContactProbe probed;
   const Twist path = twist_between(from, pose, dt);
   DeepContact deep = deep_contact;
-  StickSlip anchor = friction;
+  StandingFriction memory = friction;
   for (int i = 0; i < sub_steps; ++i) {
     const SubStep sub_step = plan_sub_step(from, i, dt / sub_steps, path, velocity);
-    const ContactProbe part = probe_sub_step(sub_step, deep, anchor);
+    const ContactProbe part = probe_sub_step(sub_step, deep, memory);
     const double share = 1.0 / sub_steps, moves = (i + 1) * share;  // with the end of the way
     probed.wrench.force += share * part.wrench.force;
     probed.wrench.torque += share * part.wrench.torque;
@@ -70,10 +71,10 @@ Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& pos
   return scale.asDiagonal() * bounded * scale.asDiagonal();
 }
 
-ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepContact& deep, StickSlip& anchor) noexcept {
-  find_blocks(sub_step);
+ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepContact& deep,
+                                               StandingFriction& memory) noexcept {
   Stiffness stiffness_T;
-  Encounter encounter = contact_stages.probe_contact(workpiece, tool.head(), sub_step.head, stiffness_T);
+  Encounter encounter = contact_stages.press(contact_stages.find_blocks(sub_step.head), sub_step.head, stiffness_T);
   Wrench& wrench_T = encounter.resultant.wrench_T;
   const Mat3& R_WT = sub_step.X_WT.rotation;
 
@@ -81,7 +82,7 @@ ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepCont
   const Vec3 along = R_WT.transpose() * deep.normal();
   stiffness_T.topLeftCorner<3, 3>() += deep.stiffness() * along * along.transpose();
 
-  const AnchorForce pull = pull_of_anchor(sub_step, encounter, anchor);
+  const AnchorForce pull = pull_of_anchor(sub_step, encounter, memory);
   wrench_T.force += pull.wrench_T.force;
   wrench_T.torque += pull.wrench_T.torque;
   Stiffness at_anchor = Stiffness::Zero();
@@ -91,7 +92,7 @@ ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepCont
 
   const Vec3 p_HoTo_W = sub_step.X_WT.translation - sub_step.X_WH.translation;
   return {transport(Wrench{R_WT * wrench_T.force, R_WT * wrench_T.torque}, p_HoTo_W),
-          transport(stiffness_T, R_WT, p_HoTo_W), contact_of(encounter), anchor.sliding()};
+          transport(stiffness_T, R_WT, p_HoTo_W), contact_of(encounter), memory.anchor.sliding()};
 }
 
 }  // namespace hapticut

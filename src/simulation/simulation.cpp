@@ -115,7 +115,7 @@ WorkpieceSnapshot Simulation::snapshot() const { return state_->workpiece.snapsh
 
 void Simulation::restore(const WorkpieceSnapshot& snapshot) {
   state_->workpiece.restore(snapshot);
-  state_->contact_stages.start_afresh(state_->workpiece);
+  state_->contact_stages.start_afresh();
   state_->has_pose = false;
   state_->tell_of_exchange();
 }
@@ -133,7 +133,7 @@ bool Simulation::undo(std::size_t most) noexcept {
   if (marks == 0) return true;
   s.has_pose = false;
   s.tell_of_exchange();
-  s.contact_stages.undo(s.workpiece, most);
+  s.contact_stages.undo(most);
   return s.workpiece.marks() < marks;
 }
 

@@ -23,6 +23,12 @@ struct SubStep {
   HeadPlacement head;  // the same for the stages that see voxels
 };
 
+/// What dry friction remembers from step to step.
+struct StandingFriction {
+  StickSlip anchor;        // in W
+  MaterialId touched = 1;  // material at the contact point
+};
+
 /// What the anchor of dry friction does to the head in a sub-step.
 struct AnchorForce {
   Wrench wrench_T;                  // on the tool about To, in T
@@ -49,17 +55,17 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   [[nodiscard]] int plan_sweep(const Pose& from, const Pose& pose) const noexcept;
   [[nodiscard]] SubStep plan_sub_step(const Pose& from, int index, double duration, const Twist& path,
                                       const Twist& felt) const noexcept;
-  void find_blocks(const SubStep& sub_step) noexcept;
-  [[nodiscard]] Encounter evaluate_contact(const SubStep& sub_step) noexcept;
-  void remove_material() noexcept;
+  [[nodiscard]] std::span<const CuttableBlock> find_blocks(const SubStep& sub_step) noexcept;
+  [[nodiscard]] Encounter press_and_cut(std::span<const CuttableBlock> blocks, const SubStep& sub_step) noexcept;
+  void remove_emptied() noexcept;
   void hold_deep_contact(const SubStep& sub_step, Encounter& encounter) noexcept;
   [[nodiscard]] DeepContact::Outcome hold(const SubStep& sub_step, const Encounter& encounter,
                                           DeepContact& deep) noexcept;
   void add_friction(const SubStep& sub_step, Encounter& encounter) noexcept;
   [[nodiscard]] AnchorForce pull_of_anchor(const SubStep& sub_step, const Encounter& encounter,
-                                           StickSlip& anchor) noexcept;
+                                           StandingFriction& memory) noexcept;
   [[nodiscard]] Wrench normal_wrench(const SubStep& sub_step) noexcept;
-  [[nodiscard]] const DryFriction& friction_at(const Vec3& p_WQ) noexcept;
+  [[nodiscard]] const DryFriction& friction_at(const Vec3& p_WQ, MaterialId& touched) const noexcept;
   void book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept;
   void transport_to_handle(const SubStep& sub_step, const Encounter& encounter, double share) noexcept;
   [[nodiscard]] Contact contact_of(const Encounter& encounter) const noexcept {
@@ -82,7 +88,8 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
                                        double dt) noexcept;
   [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
                                             double dt, ProbedMotions motions, const Wrench& felt) noexcept;
-  [[nodiscard]] ContactProbe probe_sub_step(const SubStep& sub_step, DeepContact& deep, StickSlip& anchor) noexcept;
+  [[nodiscard]] ContactProbe probe_sub_step(const SubStep& sub_step, DeepContact& deep,
+                                            StandingFriction& memory) noexcept;
 
   Workpiece workpiece;
   Tool tool;
@@ -100,9 +107,8 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   SpindleMotor motor;
   double motor_torque = 0;   // [N·m] of the last sub-step, the load of the motor
   DeepContact deep_contact;  // in W
-  StickSlip friction;        // in W
+  StandingFriction friction;
   Output output;
-  MaterialId touched = 1;  // material at the contact point
 
   StepInput input;  // of the last step
   std::uint64_t steps = 0;

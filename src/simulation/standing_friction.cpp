@@ -12,13 +12,14 @@ void Simulation::State::add_friction(const SubStep& sub_step, Encounter& encount
   const AnchorForce anchored = pull_of_anchor(sub_step, encounter, friction);
   encounter.resultant.wrench_T.force += anchored.wrench_T.force;
   encounter.resultant.wrench_T.torque += anchored.wrench_T.torque;
-  result.energy.anchored = friction.stored();
+  result.energy.anchored = friction.anchor.stored();
   result.energy.sliding += anchored.dissipated;
 }
 
 /// Moves the anchor with the head.
 AnchorForce Simulation::State::pull_of_anchor(const SubStep& sub_step, const Encounter& encounter,
-                                              StickSlip& anchor) noexcept {
+                                              StandingFriction& memory) noexcept {
+  StickSlip& anchor = memory.anchor;
   AnchorForce pull;
   const double share = standing_share(motor.speed(), tool.head().largest_radius());
   const bool touches = share > 0 && encounter.resultant.voxels > 0;
@@ -34,7 +35,7 @@ AnchorForce Simulation::State::pull_of_anchor(const SubStep& sub_step, const Enc
   const Vec3 turning = sub_step.path_T.angular + Vec3(0, 0, motor.speed());
   const Vec3 displacement = (sub_step.path_T.linear + turning.cross(p_TQ)) * sub_step.duration;
   const StickSlip::Outcome outcome =
-      anchor.move(R_WT * normal_T.force, R_WT * displacement, friction_at(sub_step.X_WT * p_TQ), share,
+      anchor.move(R_WT * normal_T.force, R_WT * displacement, friction_at(sub_step.X_WT * p_TQ, memory.touched), share,
                   double(sub_step.head.motion.lead));
   const Vec3 force_T = R_WT.transpose() * outcome.force;
   pull.wrench_T = {force_T, p_TQ.cross(force_T)};
@@ -49,12 +50,12 @@ Wrench Simulation::State::normal_wrench(const SubStep& sub_step) noexcept {
   HeadPlacement standing = sub_step.head;
   standing.motion.spin = 0;
   standing.motion.removal = RemovalLaw::none;
-  contact_stages.find_blocks(workpiece, tool.head(), standing);  // again, for some may be gone
-  return contact_stages.evaluate_contact(workpiece, tool.head(), standing, removal).resultant.wrench_T;
+  const auto blocks = contact_stages.find_blocks(standing);  // again, for some may be gone
+  return contact_stages.press_and_cut(blocks, standing, removal).resultant.wrench_T;
 }
 
 /// The friction of the material nearest to a point; that of the last one touched where there is none nearby.
-const DryFriction& Simulation::State::friction_at(const Vec3& p_WQ) noexcept {
+const DryFriction& Simulation::State::friction_at(const Vec3& p_WQ, MaterialId& touched) const noexcept {
   if (config.friction) return frictions[touched];  // the same everywhere
   const Vec3 p_VQ = X_VW * p_WQ / workpiece.voxel_size();
   const VoxelIndex center = {int(std::lround(p_VQ.x())), int(std::lround(p_VQ.y())), int(std::lround(p_VQ.z()))};

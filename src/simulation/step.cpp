@@ -41,9 +41,9 @@ void Simulation::State::take_step(HandCoupling* coupling) noexcept {
   const Twist path = twist_between(X_WH, pose, dt);
   for (int i = 0; i < sub_steps; ++i) {
     const SubStep sub_step = plan_sub_step(X_WH, i, dt / sub_steps, path, velocity);
-    find_blocks(sub_step);
-    Encounter encounter = evaluate_contact(sub_step);
-    remove_material();
+    const std::span<const CuttableBlock> blocks = find_blocks(sub_step);
+    Encounter encounter = press_and_cut(blocks, sub_step);
+    remove_emptied();
     hold_deep_contact(sub_step, encounter);
     add_friction(sub_step, encounter);
     book_energy(sub_step, encounter);
@@ -82,7 +82,8 @@ StepStatus check_input(const SimulationConfig& config, const Pose& pose, const T
 
 void Simulation::State::place_at(const Pose& pose) noexcept {
   result.energy.sliding += std::exchange(result.energy.anchored, 0);
-  friction.release();
+  friction.anchor.release();
+  friction.touched = 1;
   deep_contact.release();
   output.restart();
   X_WH = pose;
@@ -123,19 +124,19 @@ SubStep Simulation::State::plan_sub_step(const Pose& from, int index, double dur
   return sub_step;
 }
 
-void Simulation::State::find_blocks(const SubStep& sub_step) noexcept {
+std::span<const CuttableBlock> Simulation::State::find_blocks(const SubStep& sub_step) noexcept {
   const StageTimer timer = timed(&StageTimes::find_blocks);
-  contact_stages.find_blocks(workpiece, tool.head(), sub_step.head);
+  return contact_stages.find_blocks(sub_step.head);
 }
 
-Encounter Simulation::State::evaluate_contact(const SubStep& sub_step) noexcept {
-  const StageTimer timer = timed(&StageTimes::evaluate_contact);
-  return contact_stages.evaluate_contact(workpiece, tool.head(), sub_step.head, removal);
+Encounter Simulation::State::press_and_cut(std::span<const CuttableBlock> blocks, const SubStep& sub_step) noexcept {
+  const StageTimer timer = timed(&StageTimes::press_and_cut);
+  return contact_stages.press_and_cut(blocks, sub_step.head, removal);
 }
 
-void Simulation::State::remove_material() noexcept {
-  const StageTimer timer = timed(&StageTimes::remove_material);
-  contact_stages.remove_material(workpiece, removal);
+void Simulation::State::remove_emptied() noexcept {
+  const StageTimer timer = timed(&StageTimes::remove_emptied);
+  contact_stages.remove_emptied(removal);
 }
 
 /// Keeps a ball beyond its radius from popping through.

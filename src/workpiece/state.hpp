@@ -64,9 +64,9 @@ struct Workpiece::State {
   struct BranchCache {
     bool valid = false;
     openvdb::Coord origin;
-    const Branch<MaterialTree>* material = nullptr;  ///< null: the whole branch is `tile`
+    Branch<MaterialTree>* material = nullptr;  ///< null: the whole branch is `tile`
     MaterialId tile = kEmpty;
-    const Branch<FillTree>* fill = nullptr;
+    Branch<FillTree>* fill = nullptr;
     const Branch<CentroidTree>* centroid = nullptr;
   };
   mutable BranchCache cache;

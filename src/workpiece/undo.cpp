@@ -120,8 +120,8 @@ std::optional<VoxelIndex> Workpiece::undo_block() noexcept {
   BlockPool& pool = state.pool;
   const openvdb::Coord at = to_coord(saved->origin);
   const State::BranchCache& branches = state.branches_at(at);
-  auto* materials = const_cast<Branch<MaterialTree>*>(branches.material);
-  auto* fills = const_cast<Branch<FillTree>*>(branches.fill);
+  auto* materials = branches.material;
+  auto* fills = branches.fill;
   HAPTICUT_ASSERT(materials != nullptr && fills != nullptr);  // the block has been cut
   const openvdb::Index n = Branch<MaterialTree>::coordToOffset(at);
 

@@ -23,6 +23,12 @@ const typename BranchNode::ChildNodeType* child_at(const BranchNode* branch, con
   return branch->getChildMask().isOn(n) ? branch->getTable()[n].getChild() : nullptr;
 }
 
+/// The same leaf, to be written.
+template <class BranchNode>
+typename BranchNode::ChildNodeType* own_child_at(BranchNode* branch, const Coord& block_origin) noexcept {
+  return branch == nullptr ? nullptr : branch->probeLeaf(block_origin);
+}
+
 template <class LeafNode>
 const typename LeafNode::ValueType* values_of(const LeafNode* leaf) noexcept {
   return leaf == nullptr ? nullptr : leaf->buffer().data();
@@ -242,8 +248,8 @@ const Workpiece::State::BranchCache& Workpiece::State::branches_at(const Coord& 
   if (cache.valid && cache.origin == origin) return cache;
   cache.valid = true;
   cache.origin = origin;
-  cache.material = trees->material.probeConstNode<Branch<MaterialTree>>(origin);
-  cache.fill = trees->fill.probeConstNode<Branch<FillTree>>(origin);
+  cache.material = trees->material.probeNode<Branch<MaterialTree>>(origin);
+  cache.fill = trees->fill.probeNode<Branch<FillTree>>(origin);
   cache.centroid = trees->centroid.probeConstNode<Branch<CentroidTree>>(origin);
   cache.tile = kEmpty;
   if (cache.material == nullptr) {
@@ -272,6 +278,13 @@ BlockView Workpiece::block(const VoxelIndex& origin) const noexcept {
   return view;
 }
 
+CuttableBlock Workpiece::cuttable_block(const VoxelIndex& origin) noexcept {
+  const BlockView view = block(origin);
+  if (view.fill == nullptr) return {view, nullptr};
+  const Coord at = to_coord(origin);
+  return {view, own_child_at(state_->branches_at(at).fill, at)->buffer().data()};
+}
+
 bool Workpiece::has_reserve_for(const VoxelIndex& origin) const noexcept {
   const BlockPool& pool = state_->pool;
   const Coord at = to_coord(origin);
@@ -291,7 +304,7 @@ float* Workpiece::writable_fill(const VoxelIndex& origin) noexcept {
   const State::BranchCache& branches = state.branches_at(at);
   HAPTICUT_ASSERT(branches.material != nullptr);  // reserve_blocks left no larger tile
 
-  const auto* fill_leaf = child_at(branches.fill, at);
+  auto* fill_leaf = own_child_at(branches.fill, at);
   const auto* material_leaf = child_at(branches.material, at);
   if (branches.fill == nullptr) {
     pool.fill_branches.back()->setOrigin(branches.origin);
@@ -301,8 +314,8 @@ float* Workpiece::writable_fill(const VoxelIndex& origin) noexcept {
     pool.fill_branches.pop_back();
     state.cache.valid = false;
   }
-  auto* fill_branch = const_cast<Branch<FillTree>*>(state.branches_at(at).fill);
-  auto* material_branch = const_cast<Branch<MaterialTree>*>(state.cache.material);
+  auto* fill_branch = state.branches_at(at).fill;
+  auto* material_branch = state.cache.material;
 
   if (material_leaf == nullptr) {
     const openvdb::Index n = Branch<MaterialTree>::coordToOffset(at);
@@ -324,15 +337,15 @@ float* Workpiece::writable_fill(const VoxelIndex& origin) noexcept {
     fill_branch->addLeaf(leaf);
     return fill;
   }
-  return const_cast<float*>(values_of(fill_leaf));
+  return fill_leaf->buffer().data();
 }
 
 void Workpiece::empty_voxels(const VoxelIndex& origin, const std::uint64_t* emptied) noexcept {
   State& state = *state_;
   const Coord at = to_coord(origin);
   const State::BranchCache& branches = state.branches_at(at);
-  auto* material_leaf = const_cast<Leaf<MaterialTree>*>(child_at(branches.material, at));
-  auto* fill_leaf = const_cast<Leaf<FillTree>*>(child_at(branches.fill, at));
+  auto* material_leaf = own_child_at(branches.material, at);
+  auto* fill_leaf = own_child_at(branches.fill, at);
   HAPTICUT_ASSERT(material_leaf != nullptr && fill_leaf != nullptr);
 
   float* fill = fill_leaf->buffer().data();
@@ -347,12 +360,10 @@ void Workpiece::empty_voxels(const VoxelIndex& origin, const std::uint64_t* empt
 
   // Nothing left: both leaves go back to the pool, whose vectors were given room for every leaf of the trees.
   auto& pool = state.pool;
-  auto* material_branch = const_cast<Branch<MaterialTree>*>(branches.material);
-  auto* fill_branch = const_cast<Branch<FillTree>*>(branches.fill);
   HAPTICUT_ASSERT(pool.material_leaves.size() < pool.material_leaves.capacity());
   HAPTICUT_ASSERT(pool.fill_leaves.size() < pool.fill_leaves.capacity());
-  pool.material_leaves.emplace_back(material_branch->stealNode<Leaf<MaterialTree>>(at, kEmpty, false));
-  pool.fill_leaves.emplace_back(fill_branch->stealNode<Leaf<FillTree>>(at, 1.0F, false));
+  pool.material_leaves.emplace_back(branches.material->stealNode<Leaf<MaterialTree>>(at, kEmpty, false));
+  pool.fill_leaves.emplace_back(branches.fill->stealNode<Leaf<FillTree>>(at, 1.0F, false));
 }
 
 }  // namespace hapticut

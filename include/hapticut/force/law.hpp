@@ -43,6 +43,9 @@ struct HeadMotion {
   float lead = 0;         ///< [1] of the sub-step that the contact is evaluated after its middle; 0.5: at its end
   float turns = 1;        ///< sub-steps whose slip is made up for in this one, where samples take turns
   const WholeContact* whole = nullptr;  ///< only for laws that need moments
+
+  /// Whether a spinning head takes material away.
+  [[nodiscard]] bool cuts() const noexcept { return spin != 0 && removal != RemovalLaw::none; }
 };
 
 /// What one block adds to the energy ledger in one sub-step; [J], as defined in EnergyLedger.
@@ -72,7 +75,7 @@ struct LawEnergies {
 struct LawTotals {
   LawEnergies energies;
   double spin_couple = 0;  ///< [N·m] about +z on the tool, that no force at a sample's point accounts for
-  bool may_remove = true;  ///< false: no `fill_after` differs from `fill`, so stage remove_material has nothing to do
+  bool may_remove = true;  ///< false: no `fill_after` differs from `fill`, so stage remove_emptied has nothing to do
 };
 
 /// A fraction of a voxel below this is taken away at once and its volume credited.

@@ -64,7 +64,7 @@ class Simulation {
   /// @param motions  the rest of the stiffness may be zero
   /// @realtime as `step`
   [[nodiscard]] ContactProbe probe(const Pose& pose, const Twist& velocity, double dt,
-                                   ProbedMotions motions = ProbedMotions::all) noexcept;
+                                   ProbedMotions motions = ProbedMotions::all) const noexcept;
 
   [[nodiscard]] const Workpiece& workpiece() const;
   [[nodiscard]] const Tool& tool() const;

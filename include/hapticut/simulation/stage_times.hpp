@@ -10,8 +10,8 @@ struct StageTimes {
   double plan_sweep = 0;
   double plan_sub_step = 0;
   double find_blocks = 0;
-  double evaluate_contact = 0;
-  double remove_material = 0;
+  double press_and_cut = 0;
+  double remove_emptied = 0;
   double hold_deep_contact = 0;
   double add_friction = 0;
   double book_energy = 0;

@@ -110,4 +110,10 @@ struct BlockView {
   }
 };
 
+/// The same with the door to its fills, for who cuts.
+struct CuttableBlock {
+  BlockView view;
+  float* fill = nullptr;  ///< [512] the fills that `view.fill` shows; null where the block has none of its own yet
+};
+
 }  // namespace hapticut

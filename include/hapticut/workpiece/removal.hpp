@@ -97,7 +97,7 @@ inline BlockChange find_changes(const ContactBlock& contact, const BlockView& bl
   return change;
 }
 
-/// Stage `remove_material` for one block: takes its emptied voxels out of the workpiece and lists them.
+/// Stage `remove_emptied` for one block: takes its emptied voxels out of the workpiece and lists them.
 /// @param block  as it was before the sub-step
 /// @realtime no allocation, no lock; O(emptied voxels)
 inline void empty_voxels(const BlockView& block, const std::array<std::uint64_t, 8>& emptied, Workpiece& workpiece,

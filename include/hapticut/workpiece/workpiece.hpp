@@ -112,7 +112,10 @@ class Workpiece {
   /// The block that starts at `origin` (a multiple of 8 along each axis).  @realtime no allocation, no lock; O(1)
   [[nodiscard]] BlockView block(const VoxelIndex& origin) const noexcept;
 
-  /// Must be called before fills are written into `block.fill`: keeps it for `undo_block`.
+  /// The same block, to be cut.  @realtime no allocation, no lock; O(1)
+  [[nodiscard]] CuttableBlock cuttable_block(const VoxelIndex& origin) noexcept;
+
+  /// Must be called before fills are written into CuttableBlock::fill: keeps the block for `undo_block`.
   /// @realtime no allocation, no lock; O(512) once a mark, then O(1)
   void remember(const BlockView& block) noexcept;
 

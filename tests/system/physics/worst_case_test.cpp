@@ -133,8 +133,8 @@ TEST(StageTimes, AreMeasuredOnlyWhenAskedFor) {
     (void)simulation.step(Pose::from_translation(Vec3::Zero()), {}, 1e-3);
     const StageTimes& times = simulation.stage_times();
     for (const double time : {times.check_input, times.plan_sweep, times.plan_sub_step, times.find_blocks,
-                              times.evaluate_contact, times.remove_material, times.hold_deep_contact,
-                              times.add_friction, times.book_energy, times.transport_to_handle, times.give_output}) {
+                              times.press_and_cut, times.remove_emptied, times.hold_deep_contact, times.add_friction,
+                              times.book_energy, times.transport_to_handle, times.give_output}) {
       if (asked) {
         EXPECT_GT(time, 0);
       } else {

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "hapticut/workpiece/removal.hpp"
+
+namespace hapticut::kernels {
+
+/// What the blocks of a sub-step add up to, lane by lane, in sixteen lanes whatever the vectors of the machine. A voxel
+/// meets the lane of its place in its strip, or, where voxels are gathered, of its place in the list: always the same
+/// on one kind of processor, not on all.
+struct ContactSums {
+  enum Term {  // the first six in units of [N/m^3], the energies in [J/m^3], to be multiplied by a voxel's volume
+    kForceX,   // of the reaction of the material, that is minus the force on the tool
+    kForceY,
+    kForceZ,
+    kTorqueX,
+    kTorqueY,
+    kTorqueZ,
+    kElasticMiddle,  // k phi (w^2 + advance^2/4) / 2
+    kElasticChange,  // k phi w advance / 2: half of what is stored more at the end, where nothing is cut
+    kTakenElastic,   // k taken (w + advance/2)^2 / 2
+    kLag,            // k w advance (phi - mean fill) / 2
+    kHelped,         // elastic energy that helped cutting (law G)
+    kDamping,
+    kRubbing,
+    kCredited,
+    kCouple,
+    kFill,
+    kTerms
+  };
+  static constexpr int kLanes = BlockChange::kStrip;
+
+  alignas(64) std::array<std::array<double, kLanes>, kTerms> lanes = {};
+  std::array<double, 256> taken = {};  ///< [voxels] filled volume taken away, by MaterialId
+  int voxels = 0;                      ///< samples
+  float depth = 0;                     ///< [m] greatest
+
+  [[nodiscard]] double total(Term term) const {
+    double sum = 0;
+    for (const double lane : lanes[term]) sum += lane;
+    return sum;
+  }
+};
+
+}  // namespace hapticut::kernels

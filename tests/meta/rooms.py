@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The rooms of the library: includes go one way only, and no file is longer than 400 lines.
+
+    rooms.py arrows    what each room includes stands before it in the order below
+    rooms.py lengths   of the files in include, src, bindings, tests and examples
+"""
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+ROOMS = ["core", "tool", "workpiece", "force", "kernels", "simulation", "safety", "realtime", "device", "loop", "io",
+         "settings", "bench", "cli"]
+LONGEST = 400
+
+
+def sources(*folders):
+    for folder in folders:
+        for path in sorted((ROOT / folder).rglob("*")):
+            if path.suffix in (".hpp", ".cpp", ".h", ".py") and path.is_file():
+                yield path
+
+
+def room_of(path):
+    parts = path.relative_to(ROOT).parts
+    parts = parts[2:] if parts[0] == "include" else parts[1:]
+    return parts[0] if len(parts) > 1 else None
+
+
+def arrows():
+    mistakes, seen = [], set()
+    for path in sources("include", "src"):
+        room = room_of(path)
+        if room is None:
+            continue  # hapticut.hpp, bench.hpp: the indices
+        if room not in ROOMS:
+            mistakes.append(f"{path.relative_to(ROOT)}: the room {room} has no place in the order of rooms")
+            continue
+        for target in re.findall(r'^#include "(?:hapticut/)?(?!hapticut)(\w+)/', path.read_text(encoding="utf-8"), re.M):
+            if target not in ROOMS:
+                mistakes.append(f"{path.relative_to(ROOT)} includes {target}/, which is no room")
+            elif ROOMS.index(target) > ROOMS.index(room):
+                mistakes.append(f"{path.relative_to(ROOT)} includes {target}/, which stands after {room}/")
+            seen.add((room, target))
+    if len(seen) < 30:
+        mistakes.append(f"only {len(seen)} arrows were found; has the form of the includes changed?")
+    return mistakes
+
+
+def lengths():
+    mistakes, count = [], 0
+    for path in sources("include", "src", "bindings", "tests", "examples", "benchmarks"):
+        lines = len(path.read_text(encoding="utf-8").splitlines())
+        count += 1
+        if lines > LONGEST:
+            mistakes.append(f"{path.relative_to(ROOT)} has {lines} lines; more than {LONGEST} are two ideas: part them")
+    if count < 300:
+        mistakes.append(f"only {count} files were found")
+    return mistakes
+
+
+def main():
+    mistakes = {"arrows": arrows, "lengths": lengths}[sys.argv[1]]()
+    for mistake in mistakes:
+        print(mistake, file=sys.stderr)
+    sys.exit(1 if mistakes else 0)
+
+
+if __name__ == "__main__":
+    main()
