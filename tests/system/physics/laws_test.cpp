@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "support/cutting.hpp"
 #include "support/laws.hpp"
 #include "support/static_contact.hpp"
@@ -119,7 +120,7 @@ TEST(HertzianBurr, ForceOfTheStepIsThatOfItsDepth) {
   for (const double d : {0.2 * mm, 0.5 * mm}) {
     Simulation simulation = over_half_space(std::make_shared<HertzianBurrLaw>(law), SphereHead{kRadius}, d);
     const StepResult& result = test::hold(simulation, at_depth(SphereHead{kRadius}, d));
-    EXPECT_NEAR(result.force.z() / (2e6 * kRadius * kRadius * std::pow(d / kRadius, 1.5)), 1, kFineVoxels);
+    EXPECT_NEAR(result.force.z() / closed_forms::hertzian_burr_force(2e6, kRadius, d), 1, kFineVoxels);
     EXPECT_LT(result.torque.norm(), 0.01 * kRadius * result.force.z()) << "normal to a ball: no arm";
   }
 }
@@ -186,7 +187,8 @@ test::SteadyState drill(const std::shared_ptr<const ForceLaw>& law, const ToolHe
 TEST(TwistDrill, C31OfTheStepIsItsFormulaAndRemovesTheFedVolume) {
   const double a = 2 * kPi * kFeed / kSpin, u = 3e8, travel = 2 * mm;
   const TwistDrillLaw law({u});
-  EXPECT_NEAR(law.torque(2 * kRadius, a) * kSpin, u * kPi * kRadius * kRadius * kFeed, 1e-9)
+  EXPECT_NEAR(law.torque(2 * kRadius, a) * kSpin,
+              closed_forms::cutting_power({u, 1, kSpin, kFeed}, kPi * kRadius * kRadius * kFeed), 1e-9)
       << "M omega is what the fed volume costs";
   const auto cut = drill(std::make_shared<TwistDrillLaw>(law), FlatHead{kRadius, 4 * mm}, 0.5, travel);
   // The drill takes as its radius that of the outermost voxel centre in material, up to a voxel too little.
@@ -209,7 +211,8 @@ TEST(TwistDrill, C31IsTheSteadyStateOfTheDefaultLaw) {
 // C32: the ratio of torque and thrust of a flat head is kappa R/2 without edge pressure.
 TEST(TwistDrill, C32TheRatioOfTorqueToThrustIsKappaRHalf) {
   const auto flat = drill(nullptr, FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 0.7, 2 * mm);
-  EXPECT_NEAR(-flat.torque.z() / flat.force.z() / (0.7 * kRadius / 2), 1, kThinLayer);
+  EXPECT_NEAR(-flat.torque.z() / flat.force.z() / closed_forms::torque_over_thrust_of_chips(0.7, kRadius), 1,
+              kThinLayer);
 }
 
 }  // namespace

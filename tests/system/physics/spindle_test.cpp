@@ -2,6 +2,7 @@
 // The motor: its torque, its power, and what a limit of it does to the cut.
 #include <gtest/gtest.h>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "support/cutting.hpp"
 
@@ -18,10 +19,14 @@ constexpr double kSpin = 2000;    // [rad/s]
 
 constexpr double kRipple = 0.02;       // [1] of a power that voxels of a layer make ripple
 constexpr double kSteadySpeed = 0.01;  // [1] the speed ripples half as much as the torque does
-constexpr double kClosure = 1e-4;      // [1] of the ledger (model: what accuracy to expect)
+constexpr double kClosure = 1e-4;      // [1] of the ledger (docs/model.md, accuracy)
 
 /// A flat head fed axially needs u pi R^2 v_f in all, whatever its speed.
-double power_needed() { return plain_material().specific_cutting_energy * kPi * kRadius * kRadius * kFeed; }
+double power_needed() {
+  const Material m = plain_material();
+  return closed_forms::cutting_power({m.specific_cutting_energy, m.cutting_ratio, kSpin, kFeed},
+                                     kPi * kRadius * kRadius * kFeed);
+}
 
 Simulation axial_cut(double power_limit) {
   SimulationConfig config;
@@ -100,7 +105,7 @@ TEST(Spindle, TheHandFeelsTheMotorsReaction) {
 // omega = omega_0 - c u pi R^2 v_f / omega.
 TEST(Spindle, DroopsToTheSpeedAtWhichItsTorqueAndTheCutsAgree) {
   const double power = power_needed(), droop = 0.15 * kSpin * kSpin / power;
-  const double expected = 0.5 * (kSpin + std::sqrt(kSpin * kSpin - 4 * droop * power));
+  const double expected = closed_forms::drooped_speed(kSpin, droop, power);
   for (const double sign : {1.0, -1.0}) {
     SimulationConfig config;
     config.reference_stiffness = 1e14;

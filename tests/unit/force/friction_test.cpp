@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/force/contact_point.hpp"
@@ -41,17 +42,16 @@ class DragTest : public testing::TestWithParam<double> {};
 // Only the step in which the anchor breaks loose is not exact: it is off by at most one step's share of the drop.
 TEST_P(DragTest, DoesTheWorkOfC17) {
   const DryFriction friction{GetParam(), 0.3, 500};
-  const double normal = 2, length = 10 * mm, stuck = friction.static_friction * normal / 500;
-  const double work = std::pow(friction.static_friction * normal, 2) / (2 * 500) +
-                      friction.dynamic_friction * normal * (length - stuck);
+  const double normal = 2, length = 10 * mm;
+  const double work = closed_forms::drag_work(friction.static_friction, friction.dynamic_friction, 500, normal, length);
   for (const int steps : {500, 5000})
     for (const double lead : {0.0, 0.5}) {
       const Drag d = drag(friction, normal, length, steps, lead);
       const double one_step = friction.static_friction * normal * length / steps;
       EXPECT_NEAR(d.work, work, (1 + lead) * one_step);
-      EXPECT_LE(d.peak, friction.static_friction * normal * (1 + 1e-12));
+      EXPECT_LE(d.peak, closed_forms::drag_peak(friction.static_friction, normal) * (1 + 1e-12));
       EXPECT_GE(d.peak, friction.static_friction * normal - 2 * 500 * length / steps);
-      EXPECT_NEAR(d.plateau, friction.dynamic_friction * normal, 1e-12);
+      EXPECT_NEAR(d.plateau, closed_forms::drag_plateau(friction.dynamic_friction, normal), 1e-12);
       EXPECT_NEAR(d.work, d.stored + d.dissipated, 1e-12) << "all work is stored or dissipated";
     }
 }

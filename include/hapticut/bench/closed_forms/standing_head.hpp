@@ -178,8 +178,9 @@ inline constexpr double kWorkOfAClosedPath = 0;  // [J]
           std::pow(h, 3) * (R * std::log(R / h) - depth));
 }
 
-/// C16: vertical force of any upright head, `(k_v/2) Int w^2 dA` over its section with the surface, by the midpoint
-/// rule on rings.
+/// C16: vertical force of an upright head, `(k_v/2) Int w^2 dA` over its section with the surface, by the midpoint rule
+/// on rings. The depth must vanish on all of the head's surface in material that is not vertical: not with the flat
+/// rules side_only and both.
 /// @param depth_at  [m] w at a distance rho from the axis, at the height of the surface; <= 0 outside
 /// @param reach     [m] where the section ends
 /// @return [N]

@@ -121,7 +121,8 @@ struct SteadyCut {
           Vec3(0, 0, -units::kPi * a * a * cut.chip())};
 }
 
-/// C30: what motor and hand pay in a steady cut without losses, `T_m omega + F . v_f = u dV/dt`.
+/// C30: what the cut costs, `u dV/dt`. With law A the motor pays it alone, `|T_z| omega`, and the work of the hand is
+/// released elastic energy; with law G both pay, `|T_z| omega + F_f v_f`. Without edge pressure.
 /// @param volume_rate  [m^3/s] dV/dt that is removed
 /// @return [W]
 [[nodiscard]] inline double cutting_power(const SteadyCut& cut, double volume_rate) {
