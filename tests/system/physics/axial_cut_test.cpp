@@ -69,6 +69,7 @@ AxialCut cut_with_layer(double layer) {
 constexpr double kThinnest = kRadius / 40;
 constexpr double kSteadyTolerance = 0.01;
 
+// Proves: tangential force of the spin; removal by law A.
 TEST(AxialCut, C20ThrustAndTorqueOfAFlatHead) {
   const AxialCut cut = cut_with_layer(kThinnest);
   const SteadyState s = run(cut);
@@ -104,6 +105,7 @@ TEST(AxialCut, C20ErrorOfTheNearestRuleFallsWithTheEngagedLayer) {
   EXPECT_LT(thick / thin, 3.0);
 }
 
+// Proves: removal by law G.
 TEST(AxialCut, C21LawGLetsElasticReleaseHelp) {
   AxialCut cut = cut_with_layer(kThinnest);
   cut.removal = RemovalLaw::elastic_release;
@@ -115,6 +117,7 @@ TEST(AxialCut, C21LawGLetsElasticReleaseHelp) {
               1, kSteadyTolerance);
 }
 
+// Proves: edge pressure.
 TEST(AxialCut, C22EdgePressureAddsToThrustAndTorque) {
   AxialCut cut = cut_with_layer(kThinnest);
   cut.material.edge_pressure = 1e6;
@@ -154,6 +157,7 @@ TEST(AxialCut, C23UnderAConstantForceTheFeedIsWhatIsLeftAboveTheEdgePressure) {
   }
 }
 
+// Proves: edge pressure.
 TEST(AxialCut, C23BelowTheEdgePressureNothingIsCut) {
   AxialCut cut;
   cut.material.edge_pressure = 1e9;
@@ -190,6 +194,7 @@ TEST_P(AxialInvariance, HalvingTheVoxelChangesForceAndVolumeByLessThanOnePercent
   EXPECT_NEAR(fine.removed_volume / coarse.removed_volume, 1, kInvariance);
 }
 
+// Proves: removal by law A.
 TEST_P(AxialInvariance, ATenthOfTheStepChangesForceAndVolumeByLessThanATenthOfAPercent) {
   AxialCut cut;
   cut.rule = GetParam().rule;
@@ -218,6 +223,7 @@ TEST_P(AxialInvariance, WhereTheAxisMeetsTheGridChangesTheForceByLittle) {
   EXPECT_LT(high / low, 1.02);
 }
 
+// Proves: energy ledger.
 TEST_P(AxialInvariance, TheLedgerCloses) {
   for (const RemovalLaw removal : {RemovalLaw::constant_energy, RemovalLaw::elastic_release}) {
     AxialCut cut;

@@ -205,6 +205,7 @@ class PressureIdentity : public testing::TestWithParam<OracleHead> {};
 // bound of a single pose is asked of the others only.
 constexpr double kVoxelSizes[] = {0.1 * mm, 0.05 * mm, 0.025 * mm};
 
+// Proves: pressure identity.
 TEST_P(PressureIdentity, C11HoldsForForceAndTorqueIn200RandomPosesAndConvergesOnThreeGrids) {
   const OracleHead& oracle = GetParam();
   const double reach = oracle.reach();

@@ -52,6 +52,7 @@ TEST(Spindle, WithoutALimitItKeepsItsSpeedAndDeliversThePowerOfTheCut) {
   EXPECT_NEAR(power / power_needed(), 1, kRipple);
 }
 
+// Proves: power limit.
 TEST(Spindle, APowerLimitSlowsItDownAndTheWorkStaysWithinIt) {
   const double limit = 0.5 * power_needed();
   Simulation simulation = axial_cut(limit);
@@ -103,6 +104,7 @@ TEST(Spindle, TheHandFeelsTheMotorsReaction) {
 
 // A flat head needs the torque u pi R^2 v_f / omega; a spindle that loses c times it turns at the larger root of
 // omega = omega_0 - c u pi R^2 v_f / omega.
+// Proves: droop.
 TEST(Spindle, DroopsToTheSpeedAtWhichItsTorqueAndTheCutsAgree) {
   const double power = power_needed(), droop = 0.15 * kSpin * kSpin / power;
   const double expected = closed_forms::drooped_speed(kSpin, droop, power);
@@ -122,6 +124,7 @@ TEST(Spindle, DroopsToTheSpeedAtWhichItsTorqueAndTheCutsAgree) {
   }
 }
 
+// Proves: ramp.
 TEST(Spindle, RampsToANewSettingWhenItHasAnAccelerationLimit) {
   Simulation simulation(
       build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),

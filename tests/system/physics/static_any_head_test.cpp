@@ -61,6 +61,7 @@ Vec3 origin_at(const ToolHead& head, double depth) { return {0, 0, -depth - head
 
 class AxialPress : public testing::TestWithParam<HeadCase> {};
 
+// Proves: normal force.
 TEST_P(AxialPress, C16ForceIsThePressureOnTheSection) {
   const HeadCase& c = GetParam();
   const double reach = c.head.largest_radius();
@@ -151,6 +152,7 @@ class HandleTransport : public testing::TestWithParam<HeadCase> {};
 /// C19 is an identity of what is computed, not of its limit: it holds to rounding on every grid.
 constexpr std::array kGrids = {0.16 * mm, 0.08 * mm, 0.04 * mm};
 
+// Proves: full wrench.
 TEST_P(HandleTransport, C19PowerIsTheSameAtEveryReferencePointOnThreeGrids) {
   for (const double l : kGrids) {
     test::RandomPoses random(20);

@@ -44,6 +44,7 @@ constexpr double kPhaseFactor = 2;
 
 class ConeAngle : public testing::TestWithParam<double> {};
 
+// Proves: normal force.
 TEST_P(ConeAngle, C4ForceGrowsWithTheFourthPowerOfDepth) {
   const double angle = GetParam() * deg;
   const ConeHead head = {angle, kHeight};
@@ -83,6 +84,7 @@ class FlatDepth : public testing::TestWithParam<double> {
   const double depth_ = GetParam() * mm;
 };
 
+// Proves: normal force.
 TEST_P(FlatDepth, C5BottomOnlyIsTheDiskTimesTheDepthSquared) {
   const double expected = forms::flat_bottom_force(kStiffness, kRadius, depth_);
   const Convergence c = converge(kCoarsest, [&](double l, const Vec3& phase) {
@@ -105,6 +107,7 @@ TEST_P(FlatDepth, C5SideOnlyDoesNotPushUp) {
   EXPECT_EQ(press_flat(FlatRule::side_only, depth_, kCoarsest / 2, test::phase(2)).z(), 0);
 }
 
+// Proves: normal force.
 TEST_P(FlatDepth, C6NearestLosesWhatIsNearerToTheWall) {
   const double R = kRadius, d = depth_;
   const double expected = forms::flat_nearest_force(kStiffness, R, d);
@@ -148,6 +151,7 @@ class WallDepth : public testing::TestWithParam<double> {
   const Wall wall_ = {GetParam() * mm};
 };
 
+// Proves: normal force.
 TEST_P(WallDepth, C7ForceOfTheSideWall) {
   const double expected = forms::side_wall_force(kStiffness, kRadius, wall_.depth, wall_.z1 - wall_.z0);
   const Convergence c = converge(kCoarsest / 2, [&](double l, const Vec3& phase) {
@@ -157,6 +161,7 @@ TEST_P(WallDepth, C7ForceOfTheSideWall) {
   expect_convergence(c, kSecondOrder, 0.3, wall_.depth);
 }
 
+// Proves: torque.
 TEST_P(WallDepth, C8TorqueOfTheSideWallAboutAPointOfTheHandle) {
   const double zr = 1.5 * mm, z0 = wall_.z0, z1 = wall_.z1;
   const double expected = forms::side_wall_torque(kStiffness, kRadius, wall_.depth, z0, z1, zr);
@@ -202,6 +207,7 @@ INSTANTIATE_TEST_SUITE_P(Depths, WallDepth, testing::Values(0.1, 0.3, 0.6, 0.9),
 
 class EdgePlace : public testing::TestWithParam<double> {};
 
+// Proves: normal force.
 TEST_P(EdgePlace, C9ForceAndTorqueOfAPartlyCoveredBottom) {
   const double R = kRadius, x0 = GetParam() * mm, d = 0.3 * mm;
   const double area = forms::disk_area_before(R, x0);

@@ -48,6 +48,7 @@ class BallDepth : public testing::TestWithParam<double> {
   const double depth_ = GetParam() * kRadius;
 };
 
+// Proves: normal force.
 TEST_P(BallDepth, C1ForceIsThatOfTheCap) {
   const double expected = forms::cap_force(kStiffness, kRadius, depth_);
   const Convergence c = converge(kCoarsest, [&](double l, const Vec3& phase) {
@@ -60,6 +61,7 @@ TEST_P(BallDepth, C1ForceIsThatOfTheCap) {
   EXPECT_NEAR(c.error[2] / (constant * std::pow(c.size[2] / depth_, 2)), 1, 0.2);
 }
 
+// Proves: torque.
 TEST_P(BallDepth, C14TorqueAboutTheCentreVanishesAndTheHandleFeelsTheArmOnThreeGrids) {
   const Handle bent = LHandle{12 * mm, 5 * mm, 1.1};
   const Pose X_WT = {rotation_from_vector(Vec3(0.3, -0.8, 0.5)), center_at(depth_)};
@@ -162,6 +164,7 @@ Convergence press_into_layers(const Layers& layers, double depth, bool interface
   });
 }
 
+// Proves: layers and grades.
 TEST(Ball, C10LayersThatMeetOnAVoxelFaceConvergeWithSecondOrder) {
   expect_convergence(press_into_layers({1, 0.2, 0.267 * kRadius}, 0.7 * kRadius, true), kSecondOrder, 0.3,
                      0.7 * kRadius);
@@ -204,6 +207,7 @@ Vec3 graded_force(const Grade& grade, double depth) {
   return forms::graded_cap_force(kStiffness, kStiffness * grade.slope, kRadius, depth);
 }
 
+// Proves: layers and grades.
 TEST(Ball, C12StiffnessThatGrowsWithDepthAddsTheEnergyTimesItsSlope) {
   const double depth = 0.7 * kRadius;
   const Grade grade = {Vec3(0, 0, -2 / mm)};
@@ -256,6 +260,7 @@ MaterialTable damped_material() {
   return MaterialTable({material});
 }
 
+// Proves: damping.
 TEST(Ball, C15DampingForceOfAnApproachingBall) {
   const double speed = 0.02;  // [m/s]
   for (const double depth : {0.3 * kRadius, 0.8 * kRadius})
@@ -290,6 +295,7 @@ TEST(Ball, C15HoldsAlongARealDescentAndItsWorkIsInTheLedger) {
   EXPECT_LT(std::abs(energy.closure()), 1e-5);
 }
 
+// Proves: damping.
 TEST(Ball, C15DampingNeverPullsARetreatingBallIn) {
   const double depth = 0.5 * kRadius;
   Simulation simulation = press_ball(depth, kCoarsest, test::phase(5), RayHandle{}, damped_material());

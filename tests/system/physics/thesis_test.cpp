@@ -42,6 +42,7 @@ double pressed_ball(double voxel, double damping, double speed, bool thesis) {
 
 // Summed voxel by voxel on paper (docs/model.md, D1): 8.148, 32.690, 130.869 for l = 0.1, 0.05, 0.025 of the radius,
 // with k = 1: each about 4 times the last. In the default model the force stays, 0.0815 k_v R^4.
+// Proves: normal force.
 TEST(ThesisDefects, D1TheForceGrowsFourfoldWhenTheVoxelsHalve) {
   const double k = 1e12 * std::pow(0.1 * mm, 2);  // [N/m^2]
   const double unit = k * mm * mm;                // of F = k l w with lengths in radii
@@ -50,6 +51,7 @@ TEST(ThesisDefects, D1TheForceGrowsFourfoldWhenTheVoxelsHalve) {
   EXPECT_NEAR(pressed_ball(0.1 * mm, 0, 0, false) / pressed_ball(0.05 * mm, 0, 0, false), 1, kPartialVoxels);
 }
 
+// Proves: damping.
 TEST(ThesisDefects, D2TheDamperCountsVoxelsAndHoldsTheToolBack) {
   const double spring = pressed_ball(0.1 * mm, 0, 0, true), finer = pressed_ball(0.05 * mm, 0, 0, true);
   EXPECT_NEAR(pressed_ball(0.1 * mm, 1, -1, true) - spring, 656, 0.5) << "b V for each of the 656 voxels inside";
@@ -70,6 +72,7 @@ double thrust(double feed_speed, bool thesis, double voxel = 0.05 * mm, double s
 }
 
 // The engaged depth w* = c/(lambda R l |omega|) does not know the feed: it follows from the threshold alone.
+// Proves: removal by law A.
 TEST(ThesisDefects, D5ThrustDoesNotKnowTheFeedAndTheDefaultModelIsProportionalToIt) {
   const double slow = thrust(0.5e-3, true), fast = thrust(2e-3, true);
   EXPECT_NEAR(fast / slow, 1, kMeetingLayers);
@@ -80,6 +83,7 @@ TEST(ThesisDefects, D5ThrustDoesNotKnowTheFeedAndTheDefaultModelIsProportionalTo
   EXPECT_NEAR(slow / forms::flat_bottom_force(k / std::pow(0.05 * mm, 2), 0.5 * mm, depth), 1, kTwoAndAHalfLayers);
 }
 
+// Proves: energy ledger.
 TEST(ThesisDefects, D7TheWorkOfHandAndMotorDoesNotPayForTheRemovedVolume) {
   SimulationConfig config;
   ThesisLaw::Constants constants;
@@ -94,6 +98,7 @@ TEST(ThesisDefects, D7TheWorkOfHandAndMotorDoesNotPayForTheRemovedVolume) {
   EXPECT_GT(cut.energy.released + cut.energy.rubbing, 0.9 * (cut.energy.hand_work + cut.energy.motor_work));
 }
 
+// Proves: law of the thesis; figures 7.1-7.3.
 TEST(ThesisLaw, SpinTorqueIsLambdaTimesTheNormalForcesAndTheRadius) {
   for (const double spin : {100.0, -100.0}) {
     SimulationConfig config = test::static_config();
@@ -110,6 +115,7 @@ TEST(ThesisLaw, SpinTorqueIsLambdaTimesTheNormalForcesAndTheRadius) {
   }
 }
 
+// Proves: layers and grades; law of the thesis.
 TEST(ThesisLaw, ForceFollowsTheStiffnessOfEachVoxel) {
   SimulationConfig config = test::static_config();
   config.law = std::make_shared<ThesisLaw>(ThesisLaw::Constants{});
@@ -190,6 +196,7 @@ Stepping feed_down(const ToolHead& head, double voxel) {
   return stepping;
 }
 
+// Proves: figures 7.1-7.3.
 TEST(ThesisFigures, C33FlatIsConstantAndConeRisesEveryStep) {
   const double R = 0.3 * mm, D = 0.02 * mm, l = 0.01 * mm;
   const Stepping flat = step_down(FlatHead{R, 0.3 * mm, FlatRule::bottom_only}, l);
@@ -214,6 +221,7 @@ TEST(ThesisFigures, C33FlatIsConstantAndConeRisesEveryStep) {
   }
 }
 
+// Proves: figures 7.1-7.3.
 TEST(ThesisFigures, C33ForceOfAStepIsThatOfTheLayerItRemoves) {
   const double R = 0.3 * mm, D = 0.02 * mm, l = 0.01 * mm;
   // The springs of the thesis at voxel size l are those of k_v = k / l0^2 times (l0/l)^2.
@@ -229,6 +237,7 @@ TEST(ThesisFigures, C33ForceOfAStepIsThatOfTheLayerItRemoves) {
 // In energy mode the volume of a step is the same, and its force the steady one: of C20 for the flat head, of C29 for
 // the cone and of C28 for the ball in the middle of the step. The first step builds up the engaged layer; where the
 // surface is a slope it lags behind.
+// Proves: figures 7.1-7.3.
 TEST(ThesisFigures, C33HoldsInEnergyModeToo) {
   const double R = kHeadSize, l = 0.01 * mm;
   const forms::SteadyCut cut{3e8, 0.5, 20000, kStep / 0.02};

@@ -40,6 +40,7 @@ Drag drag(const DryFriction& friction, double normal, double length, int steps, 
 class DragTest : public testing::TestWithParam<double> {};
 
 // Only the step in which the anchor breaks loose is not exact: it is off by at most one step's share of the drop.
+// Proves: sticking.
 TEST_P(DragTest, DoesTheWorkOfC17) {
   const DryFriction friction{GetParam(), 0.3, 500};
   const double normal = 2, length = 10 * mm;
@@ -58,6 +59,7 @@ TEST_P(DragTest, DoesTheWorkOfC17) {
 
 INSTANTIATE_TEST_SUITE_P(StaticOverDynamic, DragTest, testing::Values(0.3, 0.4, 0.5));
 
+// Proves: friction cone; slipping.
 RC_GTEST_PROP(StickSlip, NeverLeavesTheConeAndNeverDissipatesLessThanNothing, ()) {
   DryFriction friction;
   friction.dynamic_friction = *number_between(0, 0.8);
@@ -80,6 +82,7 @@ RC_GTEST_PROP(StickSlip, NeverLeavesTheConeAndNeverDissipatesLessThanNothing, ()
   RC_ASSERT(std::abs(work - dissipated - contact.stored()) < 1e-9 * scale);
 }
 
+// Proves: energy of the anchor.
 TEST(StickSlip, ReturnsTheEnergyOfAMotionThatNeverSlipped) {
   StickSlip contact;
   double work = 0;
@@ -102,6 +105,7 @@ TEST(StickSlip, HasNoAnchorWithoutContact) {
   EXPECT_EQ(outcome.dissipated, stored);
 }
 
+// Proves: hand-over to the spin.
 TEST(StandingShare, GoesSmoothlyFromOneAtRestToZeroAtFullSpin) {
   const double radius = 1 * mm, full = kFullSpinSpeed / radius;
   EXPECT_EQ(standing_share(0, radius), 1);
@@ -116,6 +120,7 @@ TEST(StandingShare, GoesSmoothlyFromOneAtRestToZeroAtFullSpin) {
   }
 }
 
+// Proves: constants of friction.
 TEST(DryFrictionInput, IsRefusedWithItsValueAndTheCure) {
   const auto message = [](const DryFriction& friction) -> std::string {
     try {
@@ -159,6 +164,7 @@ RC_GTEST_PROP(StickSlip, AtTheEndOfAStepOpposesEveryFurtherMotion, ()) {
   if (!sticks_and_slides) RC_ASSERT((stiffness * direction - slope).norm() <= 1e-4 * friction.tangential_stiffness);
 }
 
+// Proves: sticking.
 TEST(ContactPoint, IsWhereTheLineOfActionLeavesTheHeadTowardsTheMaterial) {
   const auto expect_point = [](const ToolHead& head, const Wrench& wrench, const Vec3& point) {
     EXPECT_LT((contact_point(head, wrench) - point).norm(), 1e-6 * head.reach()) << contact_point(head, wrench);
