@@ -119,6 +119,7 @@ ContactBlock random_block(test::RandomPoses& random) {
   return block;
 }
 
+// Proves: contract of every law.
 TEST_P(LawContract, LeavesNoMoreThanThereWasAndNothingWhereThereWasNothing) {
   test::RandomPoses random(3);
   ContactMaterials materials = {};
@@ -158,6 +159,7 @@ TEST_P(LawContract, LeavesNoMoreThanThereWasAndNothingWhereThereWasNothing) {
     }
 }
 
+// Proves: contract of every law.
 TEST_P(LawContract, PushesBackWhereItIsPressedInAndOpposesTheSpin) {
   for (const double spin : {kSpin, -kSpin}) {
     Cut cut;
@@ -176,6 +178,7 @@ TEST_P(LawContract, PushesBackWhereItIsPressedInAndOpposesTheSpin) {
   }
 }
 
+// Proves: contract of every law.
 TEST_P(LawContract, CutsWhileItSpinsAndOnlyThen) {
   Cut cut;
   EXPECT_GT(run(named(), cut).removed, 0);
@@ -187,6 +190,7 @@ TEST_P(LawContract, CutsWhileItSpinsAndOnlyThen) {
 }
 
 // 0.5 %: what the issue of the whole model asks of every combination.
+// Proves: contract of every law.
 TEST_P(LawContract, ClosesItsEnergyLedgerAndLosesNoLessThanNothing) {
   for (const RemovalLaw removal : {RemovalLaw::constant_energy, RemovalLaw::none})
     for (const double spin : {kSpin, -kSpin, 0.0}) {
@@ -205,6 +209,7 @@ TEST_P(LawContract, ClosesItsEnergyLedgerAndLosesNoLessThanNothing) {
     }
 }
 
+// Proves: contract of every law.
 TEST_P(LawContract, GivesTheTurnedWrenchInATurnedScene) {
   Cut cut;
   cut.ticks = 300;
@@ -219,6 +224,7 @@ TEST_P(LawContract, GivesTheTurnedWrenchInATurnedScene) {
   }
 }
 
+// Proves: contract of every law.
 TEST_P(LawContract, GivesTheSameBitsTwice) {
   const Outcome a = run(named(), {}), b = run(named(), {});
   ASSERT_EQ(a.wrenches.size(), b.wrenches.size());
@@ -229,6 +235,7 @@ TEST_P(LawContract, GivesTheSameBitsTwice) {
   EXPECT_EQ(a.removed, b.removed);
 }
 
+// Proves: contract of every law.
 TEST_P(LawContract, FeelsNothingInTheAir) {
   Cut cut;
   const Outcome outcome = run(named(), cut);

@@ -94,6 +94,7 @@ class LawProperty : public testing::TestWithParam<LawFamily> {
 // earlier or later is one of hundreds.
 constexpr double kOneVoxel = 5e-3;
 
+// Proves: symmetries.
 TEST_P(LawProperty, GivesTheRotatedWrenchInARotatedScene) {
   EXPECT_TRUE(rc::check([] {
     CutScene scene = arbitrary_scene();
@@ -103,6 +104,7 @@ TEST_P(LawProperty, GivesTheRotatedWrenchInARotatedScene) {
   }));
 }
 
+// Proves: symmetries.
 TEST_P(LawProperty, GivesTheMirroredWrenchInAMirroredScene) {
   EXPECT_TRUE(rc::check([] {
     CutScene scene = arbitrary_scene();
@@ -112,6 +114,7 @@ TEST_P(LawProperty, GivesTheMirroredWrenchInAMirroredScene) {
   }));
 }
 
+// Proves: symmetries.
 TEST_P(LawProperty, DoesNotKnowWhereTheGridBegins) {
   EXPECT_TRUE(rc::check([] {
     CutScene scene = arbitrary_scene();
@@ -121,6 +124,7 @@ TEST_P(LawProperty, DoesNotKnowWhereTheGridBegins) {
   }));
 }
 
+// Proves: symmetries.
 TEST_P(LawProperty, ClosesItsLedgerAndLosesNoLessThanNothingInAnyMotion) {
   EXPECT_TRUE(rc::check([] {
     CutScene scene = arbitrary_scene();
@@ -203,6 +207,7 @@ ToolHead head_upright() {
 // is left is the midpoint rule at the ends of springs: 5e-6 in the median.
 constexpr double kMidpointRule = 3e-3;
 
+// Proves: closed paths.
 TEST(ClosedPathOfALaw, CostsNoWorkForTheFoundationOnAnyBody) {
   EXPECT_TRUE(rc::check([] {
     const PathWork path = closed_path(head_upright(), foundation(), *rc::gen::arbitrary<bool>(), true);
@@ -211,6 +216,7 @@ TEST(ClosedPathOfALaw, CostsNoWorkForTheFoundationOnAnyBody) {
   }));
 }
 
+// Proves: closed paths.
 TEST(ClosedPathOfALaw, CostsNoWorkForTheThesisWithoutItsDamper) {
   EXPECT_TRUE(rc::check([] {
     const PathWork path = closed_path(head_upright(), thesis_without_damper(), *rc::gen::arbitrary<bool>(), true);
@@ -224,6 +230,7 @@ TEST(ClosedPathOfALaw, CostsNoWorkForTheThesisWithoutItsDamper) {
 // thesis names. Volumes of voxels waver on the way along a surface: 3e-4 in the median.
 constexpr double kVolumeOfVoxels = 1e-2;
 
+// Proves: closed paths.
 TEST(ClosedPathOfALaw, CostsNoWorkForContactMechanicsOnAHalfSpaceAtARightAngle) {
   EXPECT_TRUE(rc::check([] {
     const PathWork path = closed_path(head_upright(), contact_mechanics(), false, false);
@@ -232,6 +239,7 @@ TEST(ClosedPathOfALaw, CostsNoWorkForContactMechanicsOnAHalfSpaceAtARightAngle) 
   }));
 }
 
+// Proves: closed paths.
 TEST(ClosedPathOfALaw, CostsNoWorkForTheHertzianBurrOnAHalfSpace) {
   EXPECT_TRUE(rc::check([] {
     const PathWork path = closed_path(ball(), hertzian_burr(), false, true);
@@ -242,6 +250,7 @@ TEST(ClosedPathOfALaw, CostsNoWorkForTheHertzianBurrOnAHalfSpace) {
 
 // At an edge they do: up to 6 % of the turnover for a ball of six to twelve voxels' radius, in either direction. The
 // ledger says so: what no potential explains is in `entered`.
+// Proves: closed paths.
 TEST(ClosedPathOfALaw, AtAnEdgeContactMechanicsMayGiveEnergyAndTheLedgerNamesIt) {
   constexpr double kWithoutPotential = 0.1;
   EXPECT_TRUE(rc::check([] {
@@ -254,6 +263,7 @@ TEST(ClosedPathOfALaw, AtAnEdgeContactMechanicsMayGiveEnergyAndTheLedgerNamesIt)
 }
 
 // A resistance to motion costs work on every way, and all of it is lost.
+// Proves: closed paths.
 TEST(ClosedPathOfALaw, CostsWhatTheDampingMatrixLoses) {
   EXPECT_TRUE(rc::check([] {
     const PathWork path = closed_path(head_upright(), damping_matrix(), *rc::gen::arbitrary<bool>(), true);
@@ -264,6 +274,7 @@ TEST(ClosedPathOfALaw, CostsWhatTheDampingMatrixLoses) {
 }
 
 // It chips or it does not: a standing drill has no force.
+// Proves: closed paths.
 TEST(ClosedPathOfALaw, CostsNoWorkForTheTwistDrillWhichHasNoForceAtRest) {
   EXPECT_TRUE(rc::check(
       [] { EXPECT_EQ(closed_path(a_drill().head, twist_drill(), *rc::gen::arbitrary<bool>(), true).turnover, 0); }));

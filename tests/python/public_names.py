@@ -12,7 +12,7 @@ from pathlib import Path
 
 HEADERS = Path(__file__).resolve().parents[2] / "include" / "hapticut"
 
-SCOPE = re.compile(r"(?:template\s*<.*>\s*)?(namespace|struct|class|enum(?:\s+class)?)\b\s*(?:alignas\(\w+\)\s*)?(\w*)")
+SCOPE = re.compile(r"(?:template\s*<.*>\s*)?(namespace|struct|class|enum(?:\s+class)?)\b\s*(?:alignas\(\w+\)\s*)?([\w:]*\w|)")
 NOISE = re.compile(r"//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.S | re.M)
 STRING = re.compile(r'"(?:\\.|[^"\\\n])*"' + r"|'(?:\\.|[^'\\\n])'")
 FUNCTION = re.compile(r"(operator\s*(?:\(\)|[^\s\w(]+)|~?\w+)\s*\(")
@@ -70,7 +70,9 @@ class Reader:
     def add(self, name: str, kind: str, counts: bool = False) -> None:
         if any(scope.access == "private" or scope.name == "detail" for scope in self.scopes):
             return
-        parts = [scope.name for scope in self.scopes if scope.name not in ("", "hapticut")]
+        # In Python a name of hapticut::units is looked for in the package and in its module `units`.
+        parts = [scope.name.removeprefix("hapticut::") for scope in self.scopes
+                 if scope.name not in ("", "hapticut", "hapticut::units")]
         found = self.names.setdefault("::".join([*parts, name]), Name(kind, self.header))
         found.overloads += counts
 

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "bench/fixtures.hpp"
 #include "hapticut/core/units.hpp"
-#include "hapticut/simulation/simulation.hpp"
 #include "hapticut/workpiece/builders.hpp"
 
 /// @file
@@ -20,7 +20,8 @@
 /// wrench falls with the voxel size.
 namespace hapticut::test {
 
-inline constexpr double kStiffness = 1e12;  ///< [N/m^4] k_v of the static tests, at relative stiffness 1
+using fixtures::kStiffness;
+using fixtures::static_config;
 
 /// Materials of the given relative stiffnesses, and nothing else that matters to a standing head.
 inline MaterialTable materials_of_stiffness(const std::vector<double>& relative_stiffnesses) {
@@ -93,24 +94,9 @@ inline Box half_space(double lateral_reach, double depth, double voxel_size) {
   return {Vec3(-side, -side, -depth - 2 * voxel_size), Vec3(side, side, 0)};
 }
 
-inline SimulationConfig static_config(Quadrature quadrature = Quadrature::centroid) {
-  SimulationConfig config;
-  config.reference_stiffness = kStiffness;
-  config.removal = RemovalLaw::none;
-  config.quadrature = quadrature;
-  config.friction = DryFriction{0, 0, 1};  // springs alone
-  config.reserved_blocks = 1;
-  config.longest_sweep = 1;  // `hold` jumps
-  return config;
-}
-
-/// What a tool feels that stands still at a pose, or moves through it at the given velocity as far as damping knows.
-///
-/// Two steps: the first takes the tool there, or is rejected as a jump and takes it there all the same; in the second
-/// it does not move, so that the wrench is the one of exactly this pose.
+/// `fixtures::hold`, of which the tests ask that it went well.
 inline const StepResult& hold(Simulation& simulation, const Pose& X_WH, const Twist& velocity = {}) {
-  (void)simulation.step(X_WH, velocity, 1e-3);
-  const StepResult& result = simulation.step(X_WH, velocity, 1e-3);
+  const StepResult& result = fixtures::hold(simulation, X_WH, velocity);
   EXPECT_EQ(result.status, StepStatus::ok);
   EXPECT_EQ(result.sub_steps, 1);
   return result;

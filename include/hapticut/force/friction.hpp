@@ -7,7 +7,8 @@
 #include "hapticut/core/spatial.hpp"
 
 /// @file
-/// Dry friction of a head that does not spin (thesis 5.2.3 and Table 5.2; model: friction with the spindle standing).
+/// Dry friction of a head that does not spin (thesis 5.2.3 and Table 5.2; docs/model.md, friction of the standing
+/// head).
 namespace hapticut {
 
 /// Dry friction between the standing head and the material.

@@ -5,7 +5,7 @@
 
 namespace hapticut {
 
-/// Where the work went (model: energy ledger). Everything is accumulated since construction, but `elastic` and
+/// Where the work went (docs/model.md, energy ledger). Everything is accumulated since construction, but `elastic` and
 /// `anchored`, which are the energies stored at the end of the last step. All in [J]; all losses are never negative.
 ///
 ///     hand_work + motor_work + entered + credited

@@ -7,7 +7,7 @@
 #include "hapticut/core/spatial.hpp"
 
 /// @file
-/// The shapes of cutting heads (model: heads and local spring centres; thesis section 5.2.1).
+/// The shapes of cutting heads (docs/model.md, heads; thesis section 5.2.1).
 ///
 /// Tool frame T: +z is the spindle axis, pointing from the cutting tip towards the shank. Every head is a body of
 /// revolution about z, so a point enters only by its distance `rho` from the axis and its height `z`, and the direction

@@ -92,7 +92,7 @@ struct AxialFeed {
   double removed_at = 0;  // [m] depth at which the thesis's threshold takes a voxel away, at 2000 rad/s
   static constexpr double kRadius = 0.5 * mm, kVoxel = 0.025 * mm, kLambda = 0.3;
 
-  [[nodiscard]] Steady run(Model model) const {
+  [[nodiscard]] SteadyState run(Model model) const {
     SimulationConfig config;
     ThesisLaw::Constants constants;
     constants.required_power = kLambda * kRadius * kVoxel * 2000 * removed_at;
@@ -102,11 +102,11 @@ struct AxialFeed {
       config.reference_stiffness = 1e15;  // a thin engaged layer
     Simulation simulation(build_block({Vec3(-0.7, -0.7, -0.9) * mm, Vec3(0.7, 0.7, 0) * mm}, kVoxel, plain_material()),
                           Tool(FlatHead{kRadius, 2 * mm, FlatRule::bottom_only}, RayHandle{}, Spindle{spin}), config);
-    return feed(simulation, Vec3(0.013, 0.021, 0) * mm, Vec3(0, 0, -speed), 0.6 * mm, 0.5, dt);
+    return feed(simulation, Vec3(0.013, 0.021, 0) * mm, Vec3(0, 0, -speed), 0.6 * mm, dt);
   }
   /// [J/m^3] power of hand and motor over the volume that is cut in a second.
   [[nodiscard]] double energy_of_a_volume(Model model) const {
-    const Steady steady = run(model);
+    const SteadyState steady = run(model);
     return (steady.force.z() * speed - steady.torque.z() * spin) / (kPi * kRadius * kRadius * speed);
   }
 };
@@ -157,7 +157,10 @@ struct Touch {
   explicit Touch(Model model) {
     SimulationConfig config;
     if (model == Model::thesis) config = thesis_mode();
-    if (model == Model::cured) config.effects.limits = touch_limits();
+    if (model == Model::cured) {
+      config.effects.limits = touch_limits();
+      config.friction = DryFriction{0, 0, 1};
+    }
     config.reference_stiffness = 3.67e13;
     Simulation simulation(
         build_block({Vec3(-1.2, -1.2, -0.8) * mm, Vec3(1.2, 1.2, 0) * mm}, 0.1 * mm, plain_material()),
@@ -204,11 +207,11 @@ std::vector<Check> binary_voxels() {
     const double k_v = kStiffness * std::pow(1e-4 / ball.voxel, 2);  // of the springs of the thesis
     const std::string of = ", l = R/" + std::to_string(parts);
     checks.push_back({"D11 thesis" + of, "ball, d = 0.2 R, over the force of C1: half a voxel too deep", "1",
-                      cap(ball.depth + ball.voxel / 2) / cap(ball.depth),
-                      ball.force(Model::thesis) / (k_v * cap(ball.depth)), kRim});
+                      forms::cap_force(1, kR, ball.depth + ball.voxel / 2) / forms::cap_force(1, kR, ball.depth),
+                      ball.force(Model::thesis) / forms::cap_force(k_v, kR, ball.depth), kRim});
     ball.quadrature = Quadrature::centroid;
-    checks.push_back({"D11 cured" + of, "the same", "1", 1, ball.force(Model::cured) / (kStiffness * cap(ball.depth)),
-                      kPartialVoxels});
+    checks.push_back({"D11 cured" + of, "the same", "1", 1,
+                      ball.force(Model::cured) / forms::cap_force(kStiffness, kR, ball.depth), kPartialVoxels});
   }
   return checks;
 }
@@ -232,8 +235,8 @@ std::vector<Check> pop_through() {
     return std::pair(last / at_radius, least / at_radius);
   };
   return {
-      {"D15 thesis", "ball pushed to 1.6 R, force over that at R: C1, it falls", "1", cap(0.4 * kR) / cap(kR),
-       pushed(Model::thesis).first, kRim},
+      {"D15 thesis", "ball pushed to 1.6 R, force over that at R: C1, it falls", "1",
+       forms::cap_force(1, kR, 1.6 * kR) / forms::cap_force(1, kR, kR), pushed(Model::thesis).first, kRim},
       {"D15 cured", "least force from R to 1.6 R over that at R", "1", 1, pushed(Model::cured).second, kPartialVoxels}};
 }
 

@@ -32,24 +32,26 @@ std::vector<Check> contact_mechanics() {
   const double E = 3e6, d = 0.4 * mm, C = 2e6;
   const auto law = std::make_shared<ContactMechanicsLaw>(E);
   constexpr double kVolume = 0.03;  // [1] a volume on voxels of a tenth of the depth, to the power 1.5 or 2
-  return {{"Table 5.1 flat", "2 R E* d", "N", 2 * kR * E * d, pressed(law, FlatHead{kR, 2 * mm}, d), kCoarse},
-          {"Table 5.1 sphere", "4/3 E* sqrt(R) d^1.5", "N", 4.0 / 3 * E * std::sqrt(kR) * std::pow(d, 1.5),
+  return {{"Table 5.1 flat", "2 R E* d", "N", forms::flat_punch_force(E, kR, d), pressed(law, FlatHead{kR, 2 * mm}, d),
+           kCoarse},
+          {"Table 5.1 sphere", "4/3 E* sqrt(R) d^1.5", "N", forms::ball_punch_force(E, kR, d),
            pressed(law, SphereHead{kR}, d), kVolume},
-          {"Table 5.1 cone", "2/pi E* tan(alpha) d^2", "N", 2 / kPi * E * std::tan(50 * deg) * d * d,
+          {"Table 5.1 cone", "2/pi E* tan(alpha) d^2", "N", forms::cone_punch_force(E, 50 * deg, d),
            pressed(law, ConeHead{50 * deg, 2 * mm}, d), kVolume},
-          {"Hertzian burr", "C1 R^2 (h/R)^1.5", "N", C * kR * kR * std::pow(d / kR, 1.5),
+          {"Hertzian burr", "C1 R^2 (h/R)^1.5", "N", forms::hertzian_burr_force(C, kR, d),
            pressed(std::make_shared<HertzianBurrLaw>(C), SphereHead{kR}, d), kVolume}};
 }
 
 std::vector<Check> drill_and_damping() {
-  const double speed = 2e-3, spin = 2000, u = 3e8, a = 2 * kPi * speed / spin, mu = 0.4;
+  const double speed = 2e-3, spin = 2000, u = 3e8, mu = 0.4;
   SimulationConfig config;
   config.law = std::make_shared<TwistDrillLaw>(TwistDrillLaw::Constants{u});
   const double half_angle = 59 * deg;
   const ConeHead point{half_angle, kR / std::tan(half_angle)};
   Simulation drill(build_block({Vec3(-1.3, -1.3, -2.7) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.05 * mm, plain_material()),
                    Tool(point, RayHandle{}, Spindle{spin}), config);
-  const Steady s = feed(drill, Vec3(0.029, 0.011, 0) * mm, Vec3(0, 0, -speed), 2.2 * mm, 0.8);
+  const SteadyState s = feed(drill, Vec3(0.029, 0.011, 0) * mm, Vec3(0, 0, -speed), 2.2 * mm, kTick, 0.8);
+  const Wrench expected = forms::twist_drill_wrench({u, 1, spin, speed}, 2 * kR, 2 * half_angle);
 
   SimulationConfig damping = static_config();
   damping.longest_sweep = 64;
@@ -59,9 +61,8 @@ std::vector<Check> drill_and_damping() {
   (void)block.step(pose, {}, 1e-3);
   pose.translation.x() += 5e-6;
   const StepResult& result = block.step(pose, {}, 1e-3);
-  return {{"twist drill thrust", "its own law, point angle 118 deg", "N", u * a * kR * std::sin(half_angle),
-           s.force.z(), kThickLayer},
-          {"twist drill torque", "K_s a D^2/8", "N m", -u * a * kR * kR / 2, s.torque.z(), kWholeVoxels},
+  return {{"twist drill thrust", "its own law, point angle 118 deg", "N", expected.force.z(), s.force.z(), kThickLayer},
+          {"twist drill torque", "K_s a D^2/8", "N m", expected.torque.z(), s.torque.z(), kWholeVoxels},
           {"damping matrix", "m V along the motion", "N", -2e8 * result.contact.volume / result.contact.depth * 5e-3,
            result.force.x(), kInvariant},
           {"damping matrix across", "mu of it across", "1", mu, result.force.y() / result.force.x(), kSinglePrecision}};
@@ -118,27 +119,29 @@ std::vector<Check> figures_of_the_thesis() {
   };
   const std::vector<double> fed_flat = feed_down(FlatHead{R, R, FlatRule::bottom_only}),
                             fed_cone = feed_down(ConeHead{45 * deg, R}), fed_ball = feed_down(SphereHead{R});
-  const auto cap = [&](double depth) { return kPi * depth * depth * (R - depth / 3); };
   const double d = 14 * D, k_v = 1e13 * std::pow(0.1 / 0.01, 2);  // springs of the thesis at its voxels
   return {
-      {"C33 flat volume", "thesis 7.1: volume per step of the flat head", "m^3", kPi * R * R * D, flat.volume[7], kRim},
-      {"C33 flat force", "its force per step", "N", k_v * kPi * R * R * D * D / 2, flat.force[7], kRim},
+      {"C33 flat volume", "thesis 7.1: volume per step of the flat head", "m^3",
+       forms::step_volume_of_a_flat_head(R, D), flat.volume[7], kRim},
+      {"C33 flat force", "its force per step", "N", forms::step_force_of_a_flat_head(k_v, R, D), flat.force[7], kRim},
       {"C33 flat is constant", "force of the last step over the first", "1", 1, flat.force[13] / flat.force[0],
        kInvariant},
-      {"C33 cone volume", "all steps of the cone", "m^3", kPi * std::pow(d, 3) / 3, total(cone), kCoarse},
-      {"C33 cone force", "its thirteenth step", "N", k_v / 2 * kPi * std::pow(12.5 * D, 2) * 0.5 * D * D,
+      {"C33 cone volume", "all steps of the cone", "m^3", forms::step_volume_of_a_cone(45 * deg, d, d), total(cone),
+       kCoarse},
+      {"C33 cone force", "its thirteenth step", "N", forms::step_force_of_a_cone(k_v, 45 * deg, 12.5 * D, D),
        cone.force[12], kWholeVoxels},
-      {"C33 sphere force", "its seventh step", "N",
-       k_v * kPi / 4 * R * R * D * D * (1 - std::pow((R - 6.5 * D) / R, 4)), ball.force[6], kWholeVoxels},
-      {"C33 sphere volume", "all steps of the sphere", "m^3", cap(d), total(ball), kCoarse},
+      {"C33 sphere force", "its seventh step", "N", forms::step_force_of_a_ball(k_v, R, 6.5 * D, D), ball.force[6],
+       kWholeVoxels},
+      {"C33 sphere volume", "all steps of the sphere", "m^3", forms::step_volume_of_a_ball(R, d, d), total(ball),
+       kCoarse},
       {"C33 energy flat", "the same by the default model: volume of the flat head's seventh step", "m^3",
-       kPi * R * R * D, fed_flat[6], kRim},
+       forms::step_volume_of_a_flat_head(R, D), fed_flat[6], kRim},
       {"C33 energy flat is constant", "volume of the last step over the second", "1", 1, fed_flat[13] / fed_flat[1],
        kInvariant},
-      {"C33 energy cone", "volume of the cone's last step", "m^3", kPi / 3 * (std::pow(d, 3) - std::pow(d - D, 3)),
+      {"C33 energy cone", "volume of the cone's last step", "m^3", forms::step_volume_of_a_cone(45 * deg, d, D),
        fed_cone[13], kCoarse},
-      {"C33 energy sphere", "volume of the sphere's seventh step", "m^3", cap(7 * D) - cap(6 * D), fed_ball[6],
-       kCoarse}};
+      {"C33 energy sphere", "volume of the sphere's seventh step", "m^3", forms::step_volume_of_a_ball(R, 7 * D, D),
+       fed_ball[6], kCoarse}};
 }
 
 }  // namespace

@@ -38,13 +38,13 @@ std::vector<Check> drillings() {
     material.cutting_ratio = c.cutting_ratio;
     SimulationConfig config;
     const double layer = 0.08 * mm;
-    config.reference_stiffness = 2 * c.specific_cutting_energy * test.feed_speed /
-                                 (c.cutting_ratio * test.spindle_speed * test.radius * layer * layer);
+    config.reference_stiffness = forms::stiffness_for_layer(
+        {c.specific_cutting_energy, c.cutting_ratio, test.spindle_speed, test.feed_speed}, layer, test.radius);
     Simulation simulation(
         build_block({Vec3(-1.61, -1.57, -1.713) * mm, Vec3(1.61, 1.57, 0) * mm}, 0.05 * mm, material),
         Tool(FlatHead{test.radius, 4 * mm, FlatRule::bottom_only}, RayHandle{}, Spindle{test.spindle_speed}), config);
-    const Steady steady =
-        feed(simulation, Vec3(0.0293, 0.0113, 0) * mm, Vec3(0, 0, -test.feed_speed), 1.5 * mm, 0.5, 2e-4);
+    const SteadyState steady =
+        feed(simulation, Vec3(0.0293, 0.0113, 0) * mm, Vec3(0, 0, -test.feed_speed), 1.5 * mm, 2e-4);
     const std::string id = published.id,
                       of = std::string(published.material) + ", 2.5 mm drill, 1000 rpm; round trip of the measured ";
     checks.push_back({id.substr(0, 3), of + "thrust", "N", test.thrust, steady.force.z(), kThinLayer});
@@ -56,8 +56,9 @@ std::vector<Check> drillings() {
 SimulationConfig with_layer(const Material& material, double layer) {
   SimulationConfig config;
   const double speed = DiamondBur::kRemoval / DiamondBur::Plate::kArea;
-  config.reference_stiffness = 2 * material.specific_cutting_energy * speed /
-                               (material.cutting_ratio * DiamondBur::kSpeed * DiamondBur::kRadius * layer * layer);
+  config.reference_stiffness =
+      forms::stiffness_for_layer({material.specific_cutting_energy, material.cutting_ratio, DiamondBur::kSpeed, speed},
+                                 layer, DiamondBur::kRadius);
   return config;
 }
 
@@ -243,7 +244,20 @@ std::string measurements_page() {
           "| B15 | the force of a burr falls with speed, rises with feed and depth | "
           "`MeasuredTrends.B15TheForceOfABurrFallsWithSpeedAndRisesWithFeedAndDepth` |\n"
           "| DC8 | force rises with removal rate and chip, specific energy falls | "
-          "`MeasuredTrends.DC8ForceRisesWithTheChipAndTheEnergyOfAVolumeFalls` |\n";
+          "`MeasuredTrends.DC8ForceRisesWithTheChipAndTheEnergyOfAVolumeFalls` |\n"
+          "\n"
+          "## Sources\n"
+          "\n"
+          "| rows | source |\n"
+          "|---|---|\n"
+          "| B1a ... B1f | Orelaja, Wang et al. 2020, J Healthc Eng 8817422, Table 6 |\n"
+          "| B8 | Sui and Sugita 2018, Ann Biomed Eng, doi 10.1007/s10439-018-02196-8 |\n"
+          "| B13 | Luo et al. 2022, Chin J Mech Eng |\n"
+          "| B15 | Babbar 2020: a burr on skull bone, best at 55000 rpm, 20 mm/min, 0.5 mm deep |\n"
+          "| DC2a | Liao, Taira et al. 1995, J Oral Rehabil 22:67 |\n"
+          "| DC3 | Siegel and von Fraunhofer, on the load of dental handpieces |\n"
+          "| DC4 | Fais et al. 2010, Braz J Oral Sci 9:39 |\n"
+          "| DC8 | Song, Peng, Lin, Yin 2013, J Manuf Sci Eng 135:011014 |\n";
   return page.str();
 }
 

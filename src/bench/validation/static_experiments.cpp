@@ -17,8 +17,6 @@ using units::mm;
 constexpr double kVoxel = 0.05 * mm;
 constexpr double kFine = 0.01;  // [1] tolerance of a wrench on this grid
 
-double cap_energy(double d) { return kPi * (kR * std::pow(d, 4) / 12 - std::pow(d, 5) / 20); }  // C3
-
 Pose ball_at(double depth) { return Pose::from_translation(Vec3(0, 0, kR - depth)); }
 
 Simulation pressed(const ToolHead& head, double depth, const Handle& handle = RayHandle{},
@@ -32,7 +30,7 @@ std::vector<Check> ball() {
     const double d = share * kR;
     Simulation simulation = pressed(SphereHead{kR}, d);
     checks.push_back({"C1 d=" + std::to_string(share).substr(0, 3) + "R", "ball in a half space, vertical force", "N",
-                      kStiffness * cap(std::min(d, 2 * kR - d)), hold(simulation, ball_at(d)).force.z(), kFine});
+                      forms::cap_force(kStiffness, kR, d), hold(simulation, ball_at(d)).force.z(), kFine});
   }
   return checks;
 }
@@ -48,9 +46,9 @@ std::vector<Check> ball_stiffness_and_energy() {
     return config;
   }());
   for (int i = 0; i <= 500; ++i) (void)slow.step(ball_at(0.5 * kR * i / 500), {}, 1e-3);
-  return {{"C2", "ball, stiffness at d = 2R/3, its greatest", "N/m", 4 * kPi / 27 * kStiffness * std::pow(kR, 3), slope,
-           kFine},
-          {"C3", "ball, work of the hand down to R/2", "J", kStiffness * cap_energy(0.5 * kR),
+  return {{"C2", "ball, stiffness at d = 2R/3, its greatest", "N/m", forms::largest_cap_stiffness(kStiffness, kR),
+           slope, kFine},
+          {"C3", "ball, work of the hand down to R/2", "J", forms::cap_energy(kStiffness, kR, 0.5 * kR),
            slow.last_result().energy.hand_work, kFine},
           {"C3 stored", "ball, what is stored is what the hand paid", "J", slow.last_result().energy.hand_work,
            slow.last_result().energy.elastic, kSinglePrecision}};
@@ -63,42 +61,40 @@ std::vector<Check> cone() {
     const double a = angle * deg;
     Simulation simulation = pressed(ConeHead{a, 1.5 * kR}, d);
     checks.push_back({"C4 " + std::to_string(angle) + " deg", "cone, half-apex angle " + std::to_string(angle) + " deg",
-                      "N", kStiffness * kPi / 12 * std::pow(std::sin(a) * std::tan(a), 2) * std::pow(d, 4),
+                      "N", forms::cone_force(kStiffness, a, d),
                       hold(simulation, Pose::from_translation(Vec3(0, 0, -d))).force.z(), kRim});
   }
   return checks;
 }
 
 std::vector<Check> flat() {
-  const double d = 0.6 * kR, c = 0.7 * kR, a = std::sqrt(kR * kR - c * c), height = 0.8 * kR;
+  const double d = 0.6 * kR, into_wall = 0.3 * kR, c = kR - into_wall;
   const auto press = [&](FlatRule rule) {
     Simulation simulation = pressed(FlatHead{kR, 3 * kR, rule}, d);
     return hold(simulation, Pose::from_translation(Vec3(0, 0, -d))).force.z();
   };
-  std::vector<Check> checks = {
-      {"C5", "flat head on its bottom, rule bottom_only", "N", kStiffness * kPi * kR * kR * d * d / 2,
-       press(FlatRule::bottom_only), kFine},
-      {"C6", "flat head on its bottom, rule nearest", "N",
-       kPi * kStiffness * (kR * kR * d * d / 2 - 2 * kR * std::pow(d, 3) / 3 + std::pow(d, 4) / 4),
-       press(FlatRule::nearest), kRim}};
+  std::vector<Check> checks = {{"C5", "flat head on its bottom, rule bottom_only", "N",
+                                forms::flat_bottom_force(kStiffness, kR, d), press(FlatRule::bottom_only), kFine},
+                               {"C6", "flat head on its bottom, rule nearest", "N",
+                                forms::flat_nearest_force(kStiffness, kR, d), press(FlatRule::nearest), kRim}};
   // The side of the cylinder in the wall x > c, over a height in the middle of it; the hand is at the bottom's centre.
-  const double z0 = 0.9 * kR, z1 = z0 + height;
+  const double z0 = 0.9 * kR, z1 = 1.7 * kR;
   Simulation side(build_block({Vec3(c, -1.11 * kR, z0), Vec3(1.2 * kR, 1.13 * kR, z1)}, kVoxel, plain_material()),
                   Tool(FlatHead{kR, 3 * kR, FlatRule::side_only}), static_config());
   const StepResult& result = hold(side, Pose{});
-  const double area = c * c * a + a * a * a / 3 - kR * c * c * std::log((kR + a) / c);
-  checks.push_back({"C7", "side of a cylinder in a wall", "N", -kStiffness * height * area, result.force.x(), kRim});
-  checks.push_back({"C8", "its torque about the bottom's centre", "N m", -kStiffness * area * (z1 * z1 - z0 * z0) / 2,
-                    result.torque.y(), kRim});
-  const double x0 = 0.4 * kR, root = std::sqrt(kR * kR - x0 * x0);
+  checks.push_back({"C7", "side of a cylinder in a wall", "N",
+                    forms::side_wall_force(kStiffness, kR, into_wall, z1 - z0), result.force.x(), kRim});
+  checks.push_back({"C8", "its torque about the bottom's centre", "N m",
+                    forms::side_wall_torque(kStiffness, kR, into_wall, z0, z1, 0), result.torque.y(), kRim});
+  const double x0 = 0.4 * kR;
   Simulation edge(
       build_block({Vec3(-1.17 * kR, -1.11 * kR, -0.9 * kR), Vec3(x0, 1.13 * kR, 0)}, kVoxel, plain_material()),
       Tool(FlatHead{kR, 3 * kR, FlatRule::bottom_only}), static_config());
   const StepResult& over_edge = hold(edge, Pose::from_translation(Vec3(0, 0, -d)));
-  checks.push_back({"C9 force", "flat bottom over a straight edge", "N",
-                    kStiffness * d * d / 2 * (kR * kR * std::acos(-x0 / kR) + x0 * root), over_edge.force.z(), kFine});
+  checks.push_back({"C9 force", "flat bottom over a straight edge", "N", forms::edge_force(kStiffness, kR, d, x0),
+                    over_edge.force.z(), kFine});
   checks.push_back(
-      {"C9 torque", "its torque", "N m", kStiffness * d * d / 3 * std::pow(root, 3), over_edge.torque.y(), kRim});
+      {"C9 torque", "its torque", "N m", forms::edge_torque(kStiffness, kR, d, x0), over_edge.torque.y(), kRim});
   return checks;
 }
 
@@ -120,46 +116,26 @@ std::vector<Check> layers() {
   graded.reserve(kLayers);
   for (int i = 0; i < kLayers; ++i)
     graded.push_back({material(("layer " + std::to_string(i)).c_str(), 1 + (i + 0.5) * kVoxel / (0.5 * mm)), kVoxel});
-  // C12: k_v grows with depth by 2 k_v/mm, so besides the surface's pressure, slope times Int w^2/2 dV pushes up.
-  const double slope = kStiffness / (0.5 * mm);
-  double integral = 0;  // Int w^2/2 dV over the cap, by sections
-  constexpr int kPoints = 400;
-  for (int i = 0; i < kPoints; ++i)
-    for (int j = 0; j < kPoints; ++j) {
-      const double z = -kR + d * (i + 0.5) / kPoints, rho = kR * (j + 0.5) / kPoints;
-      const double w = kR - std::hypot(rho, z);
-      if (w > 0) integral += w * w / 2 * 2 * kPi * rho * (kR / kPoints) * (d / kPoints);
-    }
-  return {{"C10", "ball through a layer into a softer one", "N", kStiffness * (cap(d) - cap(d - t) + 0.3 * cap(d - t)),
+  const Vec3 gradient(0, 0, -kStiffness / (0.5 * mm));  // [N/m^5]
+  return {{"C10", "ball through a layer into a softer one", "N",
+           forms::layered_cap_force(kStiffness, 0.3 * kStiffness, t, kR, d),
            force({{material("hard", 1), t}, {material("soft", 0.3), 1.2 * mm}}, kVoxel), kFine},
-          {"C10 breakthrough", "ball through a plate", "N", kStiffness * (cap(d) - cap(d - t)),
+          {"C10 breakthrough", "ball through a plate", "N", forms::layered_cap_force(kStiffness, 0, t, kR, d),
            force({{material("hard", 1), t}}, kVoxel), kRim},
-          {"C12", "stiffness that grows with depth", "N", kStiffness * cap(d) + slope * integral, force(graded, kVoxel),
-           kFine}};
+          {"C12", "stiffness that grows with depth", "N", forms::graded_cap_force(kStiffness, gradient, kR, d).z(),
+           force(graded, kVoxel), kFine}};
 }
 
 // C11: the wrench is that of the pressure k_v w^2/2 on the surface of the material, here the plane z = 0 under a tilted
 // cone, whose base stays above it.
 std::vector<Check> pressure_identity() {
-  const double a = 35 * deg, height = 2 * kR;
-  const ConeHead cone{a, height};
+  const double a = 35 * deg;
+  const ConeHead cone{a, 2 * kR};
   const Pose X_WT{rotation_from_vector(Vec3(0.25, 0.35, 0)), Vec3(0.013, 0.021, -0.7) * mm};
   Simulation simulation(half_space(2 * kR, 1 * kR, kVoxel), Tool(cone), static_config());
   const StepResult& result = hold(simulation, X_WT);
-  Wrench expected;
-  constexpr int kPoints = 600;
-  const double step = 4 * kR / kPoints;
-  const Pose X_TW = X_WT.inverse();
-  for (int i = 0; i < kPoints; ++i)
-    for (int j = 0; j < kPoints; ++j) {
-      const Vec3 p(-2 * kR + (i + 0.5) * step, -2 * kR + (j + 0.5) * step, 0);
-      const Vec3 q = X_TW * p;
-      const double w = q.z() * std::sin(a) - std::hypot(q.x(), q.y()) * std::cos(a);
-      if (w <= 0) continue;
-      const Vec3 force(0, 0, kStiffness * w * w / 2 * step * step);
-      expected.force += force;
-      expected.torque += (p - X_WT.translation).cross(force);
-    }
+  const auto depth = [=](double rho, double z) { return z * std::sin(a) - rho * std::cos(a); };
+  const Wrench expected = forms::wrench_on_plane(kStiffness, depth, X_WT, {}, Vec3(0, 0, 0.7 * kR), 2 * kR, 600);
   return {{"C11 force", "tilted cone against a plane quadrature, error of the force vector", "N", 0,
            (result.force - expected.force).norm(), kFine, expected.force.norm()},
           {"C11 torque", "the same of the torque vector", "N m", 0, (result.torque - expected.torque).norm(), kFine,
@@ -182,7 +158,7 @@ std::vector<Check> closed_path() {
     torque = std::max(torque, result.torque.norm() / (kR * std::max(result.force.norm(), 1e-3)));
     before = work;
   }
-  return {{"C13", "closed path without removal: work", "J", 0, work, kInvariant, turnover},
+  return {{"C13", "closed path without removal: work", "J", forms::kWorkOfAClosedPath, work, kInvariant, turnover},
           {"C14", "ball: torque about its centre", "N m", 0, torque, kSinglePrecision, 1}};
 }
 
@@ -194,32 +170,26 @@ std::vector<Check> handle_and_damping() {
   const StepResult& felt = hold(simulation, X_WH);
   const Vec3 arm = ball_at(0.6 * kR).translation - X_WH.translation;
   const Twist twist{Vec3(0.02, -0.01, -0.03), Vec3(0.4, 1.1, -0.7)};
-  const double at_handle = felt.force.dot(twist.linear) + felt.torque.dot(twist.angular);
-  const double at_head = felt.force.dot(twist.linear + twist.angular.cross(arm));
+  const double at_handle = forms::power({felt.force, felt.torque}, twist);
+  const double at_head =
+      forms::power({felt.force, forms::ball_torque(Vec3::Zero(), felt.force)}, transport(twist, arm));
 
   // C15: a ball that enters at speed v, damping included.
   Material damped = plain_material();
   damped.damping = 5;
-  const double d = 0.5 * kR, h = kR - d, v = 0.05;
+  const double d = 0.5 * kR, v = 0.05;
   Simulation still = pressed(SphereHead{kR}, d, RayHandle{}, damped);
   const double spring = hold(still, ball_at(d)).force.z();
   const double moving = hold(still, ball_at(d), {Vec3(0, 0, -v), Vec3::Zero()}).force.z();
-  const double expected = 2 * kPi / 3 * kStiffness * damped.damping * v *
-                          (kR * (std::pow(kR, 3) - h * h * h) / 3 - (std::pow(kR, 4) - std::pow(h, 4)) / 4 -
-                           h * h * h * (kR * std::log(kR / h) - d));
+  const double expected = forms::ball_damping_force(kStiffness, damped.damping, kR, d, v);
 
-  // C16: the force of an axial motion is k_v/2 times the integral of w^2 over the head's section at the surface.
+  // C16: the force of an axial motion is that of the pressure on the head's section at the surface.
   const double depth = 0.5 * kR;
   Simulation axial = pressed(ConeHead{50 * deg, kR}, depth);
-  double section = 0;
-  constexpr int kPoints = 2000;
-  const double radius = depth * std::tan(50 * deg);
-  for (int i = 0; i < kPoints; ++i) {
-    const double rho = radius * (i + 0.5) / kPoints, w = depth * std::sin(50 * deg) - rho * std::cos(50 * deg);
-    section += w * w * 2 * kPi * rho * radius / kPoints;
-  }
+  const auto on_section = [=](double rho) { return depth * std::sin(50 * deg) - rho * std::cos(50 * deg); };
+  const double section = forms::section_force(kStiffness, on_section, depth * std::tan(50 * deg));
   return {{"C15", "Hunt-Crossley damping of a ball that enters", "N", expected, moving - spring, kRim},
-          {"C16", "axial force is the pressure on the section, cone", "N", kStiffness / 2 * section,
+          {"C16", "axial force is the pressure on the section, cone", "N", section,
            hold(axial, Pose::from_translation(Vec3(0, 0, -depth))).force.z(), kRim},
           {"C19", "power at the handle is power at the head", "W", at_head, at_handle, kSinglePrecision}};
 }

@@ -24,11 +24,10 @@ std::vector<Check> stick_slip() {
     work += last * move.x();
     peak = std::max(peak, last);
   }
-  const double stuck = 0.45 * normal;
-  return {{"C17 work", "drag from rest over 10 mm: work", "J",
-           stuck * stuck / (2 * 500) + 0.3 * normal * (length - stuck / 500), work, kFineSteps},
-          {"C17 peak", "greatest force before it slips", "N", stuck, peak, kInvariant},
-          {"C17 plateau", "force while it slides", "N", 0.3 * normal, last, kDoublePrecision}};
+  return {{"C17 work", "drag from rest over 10 mm: work", "J", forms::drag_work(0.45, 0.3, 500, normal, length), work,
+           kFineSteps},
+          {"C17 peak", "greatest force before it slips", "N", forms::drag_peak(0.45, normal), peak, kInvariant},
+          {"C17 plateau", "force while it slides", "N", forms::drag_plateau(0.3, normal), last, kDoublePrecision}};
 }
 
 std::vector<Check> friction_in_the_step() {
@@ -71,8 +70,10 @@ std::vector<Check> effects() {
   for (int i = 0; i < 10000; ++i) squares += std::pow(phase.advance(vibration, true, 0, 1e-3), 2) / 10000;
   const Gravity tool{0.1, Vec3(0, 0, -0.05)};
   const Mat3 level = rotation_from_vector(Vec3(0, kPi / 2, 0));
-  return {{"C18 at 1 kHz", "growth limit: time to grow by 5 N at 500 N/s", "s", size / rate, slow, kDoublePrecision},
-          {"C18 at 10 kHz", "the same with a tenth of the step", "s", size / rate, fast, kDoublePrecision},
+  return {{"C18 at 1 kHz", "growth limit: time to grow by 5 N at 500 N/s", "s", forms::growth_time(size, rate), slow,
+           kDoublePrecision},
+          {"C18 at 10 kHz", "the same with a tenth of the step", "s", forms::growth_time(size, rate), fast,
+           kDoublePrecision},
           {"C18 direction", "largest part across the way", "N^2", 0, across, kDoublePrecision, size},
           {"vibration", "root mean square of 0.3 N at 150 Hz, 1 kHz", "N", 0.3 / std::sqrt(2.0), std::sqrt(squares),
            kInvariant},
@@ -81,8 +82,8 @@ std::vector<Check> effects() {
 }
 
 std::vector<Check> droop() {
-  const double R = 1 * mm, speed = 2e-3, setting = 2000, u = 3e8;
-  const double power = u * kPi * R * R * speed;
+  const double R = 1 * mm, speed = 2e-3, setting = 2000;
+  const double power = forms::cutting_power({3e8, 0.5, setting, speed}, kPi * R * R * speed);
   Spindle spindle{setting};
   spindle.droop = 0.15 * setting * setting / power;
   SimulationConfig config;
@@ -96,7 +97,7 @@ std::vector<Check> droop() {
     if (i > 400) mean += result.spindle.speed / 400;
   }
   return {{"droop", "speed of a spindle that loses speed with its torque, flat head fed axially", "rad/s",
-           0.5 * (setting + std::sqrt(setting * setting - 4 * spindle.droop * power)), mean, kPartialVoxels}};
+           forms::drooped_speed(setting, spindle.droop, power), mean, kPartialVoxels}};
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ std::string page_of(const std::vector<Check>& checks) {
   std::string page =
       "<!-- SPDX-License-Identifier: Apache-2.0 -->\n# Validation\n\nWhat each closed form gives, and what the "
       "library gives. Written by `hapticut validate --markdown docs/validation.md`;\nthe formulas are in "
-      "[forces.md](forces.md).\n\n| id | case | expected | computed | error | tolerance "
+      "[model.md](model.md).\n\n| id | case | expected | computed | error | tolerance "
       "|\n|---|---|---|---|---|---|\n";
   for (const Check& c : checks)
     page += "| " + c.id + " | " + c.what + " | " + c.with_unit(rounded(c.expected, 4)) + " | " +

@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "support/coupling.hpp"
 
 namespace hapticut::coupling_cut_test {
@@ -15,7 +16,8 @@ using namespace test;
 using units::mm;
 
 constexpr double kEnergy = 3e8, kKappa = 0.5;  // u [J/m^3] and cutting ratio of the plain material
-constexpr double kFineVoxel = 0.05 * mm;       // half of the thinnest engaged layer of 1e14 N/m^4
+constexpr closed_forms::SteadyCut kCut{kEnergy, kKappa, kSpin, 2e-3};
+constexpr double kFineVoxel = 0.05 * mm;  // half of the thinnest engaged layer of 1e14 N/m^4
 
 /// The feed under a constant force: the hand stays as far below the tool as the spring needs for it.
 struct ConstantForceCut {
@@ -40,10 +42,10 @@ ConstantForceCut cut_under(VirtualCoupling& coupling, double force, double from,
   return {(begin - z) / (time - kTick), sum / time};
 }
 
-// --- an oracle that knows how thick the engaged layer is
-// -------------------------------------------------------------- C23 and C28 are the limits of a thin layer; at 1e14
-// N/m^4 it is 0.11 R, and they are off by 14 %. Here a material point at distance s from the axis enters the head at
-// its lower face and decays on its way up,
+// --- an oracle that knows how thick the engaged layer is -------------------------------------------------------------
+
+// C23 and C28 are the limits of a thin layer; at 1e14 N/m^4 it is 0.11 R, and they are off by 14 %. Here a material
+// point at distance s from the axis enters the head at its lower face and decays on its way up,
 //   dphi/dz = -kappa k_v w(s, z) omega s phi / (u V),
 // so that the force is an integral over the head; no grid, no time steps, and none of the library's code.
 
@@ -114,19 +116,19 @@ void expect_the_feed_of_the_oracle(const Plunge& plunge) {
 
 TEST(CouplingFeed, C23OfAFlatHeadUnderAConstantForceIsWithinOnePercentFrom1e14To1e16) {
   expect_the_feed_of_the_oracle({"C23", FlatHead{kRadius, 4 * mm}, 0, 3.77, plunging_flat,
-                                 kKappa * kSpin / (2 * std::numbers::pi * kRadius * kEnergy)});
+                                 closed_forms::feed_of_a_flat_head_under(1, kCut, kRadius)});
 }
 
 TEST(CouplingFeed, C28OfABallUnderAConstantForceIsWithinOnePercentFrom1e14To1e16) {
-  const double quarter_turn = std::numbers::pi / 2;
   expect_the_feed_of_the_oracle({"C28", SphereHead{kRadius}, kRadius, 3, plunging_ball,
-                                 kKappa * kSpin / (std::numbers::pi * kRadius * kEnergy * quarter_turn)});
+                                 kCut.feed_speed / closed_forms::ball_plunge_wrench(kCut, kRadius, kRadius).force.z()});
 }
 
 TEST(CouplingFeed, TheOraclesAreTheClosedFormsWhereTheLayerIsThin) {
-  const double v = 2e-3, a = kEnergy * v / (kKappa * kSpin), pi = std::numbers::pi;
-  EXPECT_NEAR(plunging_flat(v, 1e19), 2 * pi * kRadius * a, 0.003 * 2 * pi * kRadius * a);
-  EXPECT_NEAR(plunging_ball(v, 1e17), pi * kRadius * a * pi / 2, 0.01 * pi * kRadius * a * pi / 2);
+  const double v = kCut.feed_speed, flat = closed_forms::axial_cutting_force_of_a_flat_head(kCut, kRadius),
+               ball = closed_forms::ball_plunge_wrench(kCut, kRadius, kRadius).force.z();
+  EXPECT_NEAR(plunging_flat(v, 1e19), flat, 0.003 * flat);
+  EXPECT_NEAR(plunging_ball(v, 1e17), ball, 0.01 * ball);
 }
 
 /// The force across the feed and the one along it bend the coupling as far as its spring says, while the same cut by a

@@ -104,6 +104,7 @@ double tolerated_imbalance(const NamedLaw& named) {
 /// Each law of the library, standing and cutting, under a hand that presses 3 N, rubs and leaves.
 class EveryLaw : public testing::TestWithParam<NamedLaw> {};
 
+// Proves: every law behind the coupling.
 TEST_P(EveryLaw, IsStableBehindTheCouplingAndItsLedgerCloses) {
   const NamedLaw& named = GetParam();
   for (const double spin : {0.0, kSpin}) {

@@ -2,12 +2,14 @@
 // A flat head fed along its axis into a half space: closed forms C20-C23 and the invariance of the default model.
 #include <gtest/gtest.h>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "support/cutting.hpp"
 #include "support/static_contact.hpp"
 
 namespace hapticut::axial_cut_test {
 namespace {
 
+namespace forms = closed_forms;
 using test::feed;
 using test::plain_material;
 using test::SteadyState;
@@ -18,10 +20,10 @@ constexpr double kRadius = 1e-3;  // [m]
 constexpr double kFeed = 2e-3;    // [m/s]
 constexpr double kSpin = 2000;    // [rad/s]
 
-constexpr double kTenthOfAPercent = 1e-3;  // [1] that the step may change (model: what accuracy to expect)
+constexpr double kTenthOfAPercent = 1e-3;  // [1] that the step may change (docs/model.md, accuracy)
 constexpr double kSinglePrecision = 1e-5;  // [1] of sums of volumes
 constexpr double kLastThousandth = 1e-3;   // [1] of each voxel, which goes without work
-constexpr double kClosure = 1e-4;          // [1] of the ledger (model: what accuracy to expect)
+constexpr double kClosure = 1e-4;          // [1] of the ledger (docs/model.md, accuracy)
 constexpr double kThinLayer = 0.02;        // [1] of a layer of R/40 that a hand finds by itself
 constexpr double kInvariance = 0.01;       // [1] that halved voxels may change, two or more to a layer
 
@@ -47,22 +49,16 @@ SteadyState run(const AxialCut& cut) {
   return feed(simulation, cut.axis, Vec3(0, 0, -kFeed), cut.travel, cut.dt);
 }
 
-// C20
-double thrust(const Material& m) {
-  return kPi * kRadius * kRadius * m.edge_pressure +
-         2 * kPi * kRadius * m.specific_cutting_energy * kFeed / (m.cutting_ratio * kSpin);
+forms::SteadyCut form(const Material& m) {
+  return {m.specific_cutting_energy, m.cutting_ratio, kSpin, kFeed, m.edge_pressure};
 }
-
-double torque(const Material& m) {
-  return -m.specific_cutting_energy * kPi * kRadius * kRadius * kFeed / kSpin -
-         2 * kPi / 3 * m.cutting_ratio * m.edge_pressure * std::pow(kRadius, 3);
-}
+double thrust(const Material& m) { return forms::axial_cutting_force_of_a_flat_head(form(m), kRadius); }
+double torque(const Material& m) { return forms::axial_cutting_torque_of_a_flat_head(form(m), kRadius); }
 
 /// A cut with an engaged layer delta(R) of this thickness and two voxels to it, until it is steady and 20 layers more.
 AxialCut cut_with_layer(double layer) {
   AxialCut cut;
-  const Material& m = cut.material;
-  cut.stiffness = 2 * m.specific_cutting_energy * kFeed / (m.cutting_ratio * kSpin * kRadius * layer * layer);
+  cut.stiffness = forms::stiffness_for_layer(form(cut.material), layer, kRadius);
   cut.voxel_size = layer / 2;
   cut.travel = 0.6 * mm;
   return cut;
@@ -73,6 +69,7 @@ AxialCut cut_with_layer(double layer) {
 constexpr double kThinnest = kRadius / 40;
 constexpr double kSteadyTolerance = 0.01;
 
+// Proves: tangential force of the spin; removal by law A.
 TEST(AxialCut, C20ThrustAndTorqueOfAFlatHead) {
   const AxialCut cut = cut_with_layer(kThinnest);
   const SteadyState s = run(cut);
@@ -108,17 +105,19 @@ TEST(AxialCut, C20ErrorOfTheNearestRuleFallsWithTheEngagedLayer) {
   EXPECT_LT(thick / thin, 3.0);
 }
 
+// Proves: removal by law G.
 TEST(AxialCut, C21LawGLetsElasticReleaseHelp) {
   AxialCut cut = cut_with_layer(kThinnest);
   cut.removal = RemovalLaw::elastic_release;
   const SteadyState s = run(cut);
-  const double u = cut.material.specific_cutting_energy, speed = cut.material.cutting_ratio * kSpin;
-  const double expected = 2 * kPi * u * kFeed / speed * (kRadius - kFeed / speed * std::log1p(speed * kRadius / kFeed));
+  const double expected = forms::axial_cutting_force_with_elastic_release(form(cut.material), kRadius);
   EXPECT_NEAR(s.force.z() / expected, 1, kSteadyTolerance);
-  EXPECT_NEAR((-s.torque.z() * kSpin + s.force.z() * kFeed) / (u * kPi * kRadius * kRadius * kFeed), 1,
-              kSteadyTolerance);
+  EXPECT_NEAR((-s.torque.z() * kSpin + s.force.z() * kFeed) /
+                  forms::cutting_power(form(cut.material), kPi * kRadius * kRadius * kFeed),
+              1, kSteadyTolerance);
 }
 
+// Proves: edge pressure.
 TEST(AxialCut, C22EdgePressureAddsToThrustAndTorque) {
   AxialCut cut = cut_with_layer(kThinnest);
   cut.material.edge_pressure = 1e6;
@@ -153,12 +152,12 @@ TEST(AxialCut, C23UnderAConstantForceTheFeedIsWhatIsLeftAboveTheEdgePressure) {
   for (const double share : {0.5, 1.0}) {
     const double edge = kPi * kRadius * kRadius * cut.material.edge_pressure;
     const double hand = edge + share * (thrust(cut.material) - edge);
-    const Material& m = cut.material;
-    const double expected = m.cutting_ratio * kSpin * (hand - edge) / (2 * kPi * kRadius * m.specific_cutting_energy);
+    const double expected = forms::feed_of_a_flat_head_under(hand, form(cut.material), kRadius);
     EXPECT_NEAR(feed_under(hand, cut) / expected, 1, kThinLayer) << share;
   }
 }
 
+// Proves: edge pressure.
 TEST(AxialCut, C23BelowTheEdgePressureNothingIsCut) {
   AxialCut cut;
   cut.material.edge_pressure = 1e9;
@@ -195,6 +194,7 @@ TEST_P(AxialInvariance, HalvingTheVoxelChangesForceAndVolumeByLessThanOnePercent
   EXPECT_NEAR(fine.removed_volume / coarse.removed_volume, 1, kInvariance);
 }
 
+// Proves: removal by law A.
 TEST_P(AxialInvariance, ATenthOfTheStepChangesForceAndVolumeByLessThanATenthOfAPercent) {
   AxialCut cut;
   cut.rule = GetParam().rule;
@@ -223,6 +223,7 @@ TEST_P(AxialInvariance, WhereTheAxisMeetsTheGridChangesTheForceByLittle) {
   EXPECT_LT(high / low, 1.02);
 }
 
+// Proves: energy ledger.
 TEST_P(AxialInvariance, TheLedgerCloses) {
   for (const RemovalLaw removal : {RemovalLaw::constant_energy, RemovalLaw::elastic_release}) {
     AxialCut cut;

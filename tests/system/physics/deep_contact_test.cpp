@@ -37,6 +37,7 @@ double push_to(Simulation& simulation, double& z, double depth) {
   return simulation.last_result().force.z();
 }
 
+// Proves: deep contact.
 TEST(DeepContact, D15TheForceOfABallNeverFallsAsItGoesDeeper) {
   Simulation held = ball_over(kBlock, true), springs = ball_over(kBlock, false);
   double z = kRadius + 0.01 * mm, z_springs = z, before = 0, largest = 0;
@@ -55,6 +56,7 @@ TEST(DeepContact, D15TheForceOfABallNeverFallsAsItGoesDeeper) {
   EXPECT_LT(std::abs(held.last_result().energy.closure()), 1e-3);
 }
 
+// Proves: deep contact.
 TEST(DeepContact, CostsNoWorkOnTheWayInAndOut) {
   Simulation simulation = ball_over(kBlock, true);
   double z = kRadius + 0.01 * mm;
@@ -68,6 +70,7 @@ TEST(DeepContact, CostsNoWorkOnTheWayInAndOut) {
   EXPECT_LT(energy.released, 1e-3 * stored);
 }
 
+// Proves: deep contact.
 TEST(DeepContact, YieldsWhereAWallBreaks) {
   const Box wall{Vec3(-1, -1, -0.75) * mm, Vec3(1, 1, 0) * mm};
   Simulation simulation = ball_over(wall, true);
@@ -81,6 +84,7 @@ TEST(DeepContact, YieldsWhereAWallBreaks) {
 }
 
 // The other laws' forces are those of their formulas, however deep the ball is.
+// Proves: deep contact.
 TEST(DeepContact, ActsUnderNoLawButTheOneThatClaimsIt) {
   int others = 0;
   for (const test::NamedLaw& named : test::all_laws()) {
@@ -104,6 +108,7 @@ TEST(DeepContact, ActsUnderNoLawButTheOneThatClaimsIt) {
 
 // Spinning about a level axis, the ball is dragged along the surface by kappa f: the spring that holds it is along the
 // push of the springs alone.
+// Proves: deep contact.
 TEST(DeepContact, HoldsASpinningBallAlongItsNormalForceAndNotAlongItsDrag) {
   SimulationConfig config = test::static_config();
   config.longest_sweep = 64;
@@ -144,6 +149,7 @@ TEST(DeepContact, LetsACuttingBallGoWhereItCuts) {
   EXPECT_LT(std::abs(cutting.last_result().energy.closure()), 1e-3);
 }
 
+// Proves: deep contact.
 RC_GTEST_PROP(DeepContactProperty, NeverGivesMoreEnergyThanItTook, ()) {
   DeepContact contact;
   Vec3 at = Vec3::Zero();

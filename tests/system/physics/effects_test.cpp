@@ -37,6 +37,7 @@ const StepResult& step(Simulation& simulation, int tick) {
   return simulation.step(head_at(tick) * simulation.tool().X_HT().inverse(), {}, kTick);
 }
 
+// Proves: effects and the model.
 TEST(EffectsInTheStep, ChangeWhatTheHandFeelsAndNeitherTheModelNorItsLedger) {
   Simulation plain = cut({}), shaken = cut(all_effects());
   double gravity = 0, difference = 0;
@@ -57,6 +58,7 @@ TEST(EffectsInTheStep, ChangeWhatTheHandFeelsAndNeitherTheModelNorItsLedger) {
   EXPECT_NEAR(difference, 0.3 + 0.05 * 9.80665, 0.1) << "gravity and vibration, not always along each other";
 }
 
+// Proves: vibration.
 TEST(EffectsInTheStep, VibrateAlongTheSpindleOnlyWhileItSpinsInMaterial) {
   Effects effects;
   effects.vibration = Vibration{};
@@ -115,6 +117,7 @@ TEST(EffectsInTheStep, AreRefusedWithoutChangingAnything) {
   EXPECT_FALSE(simulation.config().effects.gravity.has_value());
 }
 
+// Proves: handles of the thesis.
 TEST(HandleTorqueInTheStep, OfTheThesisFollowsItsFormulasWithTheSameForce) {
   Simulation exact = cut({}), thesis = cut({}, HandleTorque::thesis);
   double work = 0;

@@ -53,6 +53,7 @@ const StepResult& press_and_drag(Simulation& simulation, double to_x, double spe
   return simulation.last_result();
 }
 
+// Proves: sticking.
 TEST(Friction, OfAStandingBallIsTheDynamicRatioOfItsNormalForceAndActsAtTheContact) {
   Simulation simulation = ball_on_block();
   const StepResult& result = press_and_drag(simulation, 1 * mm, 5 * units::mm_per_s);
@@ -67,6 +68,7 @@ TEST(Friction, OfAStandingBallIsTheDynamicRatioOfItsNormalForceAndActsAtTheConta
   EXPECT_GT(result.energy.anchored, 0);
 }
 
+// Proves: energy of the anchor.
 TEST(Friction, SticksAndReturnsItsEnergyWhenThePathDoes) {
   Simulation simulation = ball_on_block();
   Pose pose = Pose::from_translation(Vec3(0, 0, kRadius - kDepth));
@@ -84,6 +86,7 @@ TEST(Friction, SticksAndReturnsItsEnergyWhenThePathDoes) {
   EXPECT_LT(energy.sliding, 1e-6 * energy.elastic);
 }
 
+// Proves: constants of friction.
 TEST(Friction, IsThatOfTheMaterialUnderTheContact) {
   SimulationConfig config;
   config.reference_stiffness = 1e12;
@@ -106,6 +109,7 @@ TEST(Friction, IsThatOfTheMaterialUnderTheContact) {
   }
 }
 
+// Proves: constants of friction.
 TEST(Friction, OfTheConfigurationReplacesThatOfTheMaterials) {
   SimulationConfig config;
   config.friction = DryFriction{0.7, 0.6, 3000};
@@ -114,6 +118,7 @@ TEST(Friction, OfTheConfigurationReplacesThatOfTheMaterials) {
   EXPECT_NEAR(-result.force.x() / result.force.z(), 0.6, kNormal);
 }
 
+// Proves: hand-over to the spin.
 TEST(Friction, HandsOverToTheCuttingRatioAndBackWithoutAStep) {
   SimulationConfig config;
   config.removal = RemovalLaw::none;  // so that only the friction changes

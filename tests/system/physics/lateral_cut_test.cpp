@@ -2,34 +2,38 @@
 // Closed forms of steady lateral cutting and of plunging: C24-C30.
 #include <gtest/gtest.h>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "support/cutting.hpp"
 
 namespace hapticut::lateral_cut_test {
 namespace {
 
+namespace forms = closed_forms;
 using test::feed;
 using test::plain_material;
 using test::SteadyState;
-using units::kPi;
 using units::mm;
 
 constexpr double kRadius = 1 * mm;
 constexpr double kFeed = 5 * mm;  // [m/s]
 constexpr double kSpin = 1000;    // [rad/s]; the rim is 200 times faster than the feed
 
-constexpr double kThinLayer = 0.02;        // [1] of a layer of R/40 (model: what accuracy to expect)
+constexpr double kThinLayer = 0.02;        // [1] of a layer of R/40 (docs/model.md, accuracy)
 constexpr double kBall = 0.06;             // [1] an engaged layer that meets a ball at all angles
-constexpr double kNearTheEquator = 0.13;   // [1] plunges, near d = R (model: what accuracy to expect)
+constexpr double kNearTheEquator = 0.13;   // [1] plunges, near d = R (docs/model.md, accuracy)
 constexpr double kSinglePrecision = 1e-4;  // [1] of sums of forces
 constexpr double kClosure = 1e-4;          // [1] of the ledger
 
-double u() { return plain_material().specific_cutting_energy; }
-double kappa() { return plain_material().cutting_ratio; }
+forms::SteadyCut cut_at(double feed_speed) {
+  const Material m = plain_material();
+  return {m.specific_cutting_energy, m.cutting_ratio, kSpin, feed_speed};
+}
 
 /// k_v for an engaged layer `delta` at the rim.
-double stiffness_for_layer(double delta) { return 2 * u() * kFeed / (kappa() * kSpin * kRadius * delta * delta); }
+double stiffness_for_layer(double delta) { return forms::stiffness_for_layer(cut_at(kFeed), delta, kRadius); }
 
 // Measured for the layer of R/40 on voxels of half of it: 0.4 % against the feed, 1.2 % across, 0.2 % of the torque.
+// Proves: tangential force of the spin.
 TEST(LateralCut, C24SlottingWithACylinder) {
   const double height = 0.5 * mm;
   SimulationConfig config;
@@ -38,12 +42,13 @@ TEST(LateralCut, C24SlottingWithACylinder) {
       build_block({Vec3(0, -1.3, -height / mm) * mm, Vec3(3.5, 1.3, 0) * mm}, kRadius / 80, plain_material()),
       Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{}, Spindle{kSpin}), config);
   const SteadyState s = feed(simulation, Vec3(-1.023, 0.011, -1.5) * mm, Vec3(kFeed, 0, 0), 3.3 * mm, 1e-3, 0.7);
-  const double expected = kPi / 2 * u() * kFeed * height / kSpin;
-  EXPECT_NEAR(s.force.x() / (-expected / kappa()), 1, kThinLayer);
-  EXPECT_NEAR(s.force.y() / -expected, 1, kThinLayer);
-  EXPECT_NEAR(s.torque.z() / (-2 * u() * kFeed * kRadius * height / kSpin), 1, kThinLayer);
+  const Wrench expected = forms::slotting_wrench(cut_at(kFeed), kRadius, height);
+  EXPECT_NEAR(s.force.x() / expected.force.x(), 1, kThinLayer);
+  EXPECT_NEAR(s.force.y() / expected.force.y(), 1, kThinLayer);
+  EXPECT_NEAR(s.torque.z() / expected.torque.z(), 1, kThinLayer);
 }
 
+// Proves: tangential force of the spin.
 TEST(LateralCut, C24SpinTheOtherWayMirrorsTheSideForce) {
   const auto run = [](double spin) {
     SimulationConfig config;
@@ -67,35 +72,31 @@ SteadyState buried_sphere(double layer, double voxel) {
   return feed(simulation, Vec3(-1.023, 0.011, 0.017) * mm, Vec3(kFeed, 0, 0), 3.2 * mm, 1e-3, 0.75);
 }
 
+// Proves: removal by law A.
 TEST(LateralCut, C27ABuriedSphereConvergesAsTheEngagedLayerThins) {
-  const double fx = -kPi * kPi / 4 * u() * kFeed * kRadius / (kappa() * kSpin);
-  const double fy = -kPi * u() * kFeed * kRadius / kSpin;
-  const double tz = -kPi * u() * kFeed * kRadius * kRadius / kSpin;
+  const Wrench expected = forms::buried_ball_wrench(cut_at(kFeed), kRadius);
+  const double tz = expected.torque.z();
   const SteadyState thick = buried_sphere(0.1 * mm, 0.1 * mm);
   const SteadyState thin = buried_sphere(0.05 * mm, 0.05 * mm);
-  EXPECT_NEAR(thin.force.x() / fx, 1, kBall);
-  EXPECT_NEAR(thin.force.y() / fy, 1, kBall);
+  EXPECT_NEAR(thin.force.x() / expected.force.x(), 1, kBall);
+  EXPECT_NEAR(thin.force.y() / expected.force.y(), 1, kBall);
   EXPECT_NEAR(thin.torque.z() / tz, 1, kBall);
   EXPECT_LT(std::abs(thin.torque.z() / tz - 1), std::abs(thick.torque.z() / tz - 1));
 }
 
+// Proves: removal by law A.
 TEST(LateralCut, C28C29PlungesApproachTheirClosedFormsAsTheLayerThins) {
   struct Case {
     const char* name;
     ToolHead head;
-    double force, torque;  // closed forms at depth d
+    Wrench expected;  // at depth d
   };
   const double depth = 0.9 * mm;
-  const double theta = std::acos(1 - depth / kRadius);
   const double alpha = 45 * units::deg;
-  const double a = depth * std::tan(alpha);
   const double speed = 1 * mm;
   const std::vector<Case> cases = {
-      {"C28", SphereHead{kRadius},
-       kPi * kRadius * u() * speed / (kappa() * kSpin) * (theta + std::sin(theta) * std::cos(theta)),
-       -u() * kPi * kRadius * kRadius * std::pow(std::sin(theta), 2) * speed / kSpin},
-      {"C29", ConeHead{alpha, 2 * mm}, 2 * kPi * u() * speed * std::sin(alpha) * a / (kappa() * kSpin),
-       -u() * kPi * a * a * speed / kSpin}};
+      {"C28", SphereHead{kRadius}, forms::ball_plunge_wrench(cut_at(speed), kRadius, depth)},
+      {"C29", ConeHead{alpha, 2 * mm}, forms::cone_plunge_wrench(cut_at(speed), alpha, depth)}};
   for (const Case& c : cases) {
     const auto error_of = [&](double stiffness, double voxel, double expected, bool torque) {
       SimulationConfig config;
@@ -108,19 +109,19 @@ TEST(LateralCut, C28C29PlungesApproachTheirClosedFormsAsTheLayerThins) {
                                  1e-3, 1 - 0.06 * mm / (depth + 0.03 * mm));
       return 1 - (torque ? s.torque.z() : s.force.z()) / expected;
     };
-    const double stiffness = 2 * u() * speed / (kappa() * kSpin * kRadius * std::pow(0.1 * mm, 2));
-    const double thick = error_of(stiffness, 0.05 * mm, c.torque, true);
-    const double thin = error_of(4 * stiffness, 0.05 * mm, c.torque, true);
+    const double stiffness = forms::stiffness_for_layer(cut_at(speed), 0.1 * mm, kRadius);
+    const double thick = error_of(stiffness, 0.05 * mm, c.expected.torque.z(), true);
+    const double thin = error_of(4 * stiffness, 0.05 * mm, c.expected.torque.z(), true);
     EXPECT_NEAR(thin, 0, kNearTheEquator) << c.name;
     EXPECT_GT(thick / thin, 1.4) << c.name << ": half the layer, about half the error";
-    EXPECT_NEAR(error_of(4 * stiffness, 0.05 * mm, c.force, false), 0, kNearTheEquator) << c.name;
+    EXPECT_NEAR(error_of(4 * stiffness, 0.05 * mm, c.expected.force.z(), false), 0, kNearTheEquator) << c.name;
   }
 }
 
 TEST(LateralCut, C30PowerPaysForTheRemovedVolumeAndTheLosses) {
   const SteadyState s = buried_sphere(0.1 * mm, 0.1 * mm);
   EXPECT_LT(std::abs(s.energy.closure()), kClosure);
-  EXPECT_NEAR(s.energy.cutting / (u() * s.removed_volume), 1, kSinglePrecision);
+  EXPECT_NEAR(s.energy.cutting / (plain_material().specific_cutting_energy * s.removed_volume), 1, kSinglePrecision);
 }
 
 }  // namespace

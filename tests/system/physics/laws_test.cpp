@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "support/cutting.hpp"
 #include "support/laws.hpp"
 #include "support/static_contact.hpp"
@@ -60,6 +61,7 @@ double sneddon(const std::function<double(double)>& slope, double depth, double 
   return 2 * modulus * integral(low, 2);
 }
 
+// Proves: contact mechanics.
 TEST(ContactMechanics, FormulasAreThoseOfSneddonsIntegrals) {
   const double E = 3e6, d = 0.05 * mm;
   const ContactMechanicsLaw law(E);
@@ -100,6 +102,7 @@ TEST(ContactMechanics, DepthIsThatOfTheHalfSpaceThatFillsTheSameVolume) {
 
 // Voxels of an eighth of the depth: on a misaligned grid a volume of 2 % off makes a force of up to 3 %, and a side
 // force.
+// Proves: contact mechanics.
 TEST(ContactMechanics, OfTheStepIsTable51) {
   const ContactMechanicsLaw law(3e6);
   const double d = 0.4 * mm;
@@ -114,18 +117,20 @@ TEST(ContactMechanics, OfTheStepIsTable51) {
 
 // --- Hertzian burr ---------------------------------------------------------------------------------------------------
 
+// Proves: Hertzian burr.
 TEST(HertzianBurr, ForceOfTheStepIsThatOfItsDepth) {
   const HertzianBurrLaw law(2e6);
   for (const double d : {0.2 * mm, 0.5 * mm}) {
     Simulation simulation = over_half_space(std::make_shared<HertzianBurrLaw>(law), SphereHead{kRadius}, d);
     const StepResult& result = test::hold(simulation, at_depth(SphereHead{kRadius}, d));
-    EXPECT_NEAR(result.force.z() / (2e6 * kRadius * kRadius * std::pow(d / kRadius, 1.5)), 1, kFineVoxels);
+    EXPECT_NEAR(result.force.z() / closed_forms::hertzian_burr_force(2e6, kRadius, d), 1, kFineVoxels);
     EXPECT_LT(result.torque.norm(), 0.01 * kRadius * result.force.z()) << "normal to a ball: no arm";
   }
 }
 
 // The mass flux alpha mu P omega r, over the contact, is the power of the friction over the cost of a volume. With the
 // spindle parallel to the surface, omega r is the rim speed omega R (up to the size of the contact).
+// Proves: Hertzian burr.
 TEST(HertzianBurr, ErodesThePowerOfItsFrictionOverTheCuttingEnergy) {
   const double spin = 3000, u = 3e8, kappa = 0.5;
   SimulationConfig config;
@@ -149,6 +154,7 @@ TEST(HertzianBurr, ErodesThePowerOfItsFrictionOverTheCuttingEnergy) {
 
 // --- damping matrix (5.1, 5.2) ---------------------------------------------------------------------------------------
 
+// Proves: damping matrix.
 TEST(DampingMatrix, ResistsAlongTheMotionAndTurnsAPartOfItAcrossWithTheSpin) {
   const double mu = 0.4;
   for (const double spin : {500.0, -500.0}) {
@@ -183,10 +189,12 @@ test::SteadyState drill(const std::shared_ptr<const ForceLaw>& law, const ToolHe
   return test::feed(simulation, Vec3(0.029, 0.011, 0.01) * mm, Vec3(0, 0, -kFeed), travel, 1e-3, 0.8);
 }
 
+// Proves: twist drill.
 TEST(TwistDrill, C31OfTheStepIsItsFormulaAndRemovesTheFedVolume) {
   const double a = 2 * kPi * kFeed / kSpin, u = 3e8, travel = 2 * mm;
   const TwistDrillLaw law({u});
-  EXPECT_NEAR(law.torque(2 * kRadius, a) * kSpin, u * kPi * kRadius * kRadius * kFeed, 1e-9)
+  EXPECT_NEAR(law.torque(2 * kRadius, a) * kSpin,
+              closed_forms::cutting_power({u, 1, kSpin, kFeed}, kPi * kRadius * kRadius * kFeed), 1e-9)
       << "M omega is what the fed volume costs";
   const auto cut = drill(std::make_shared<TwistDrillLaw>(law), FlatHead{kRadius, 4 * mm}, 0.5, travel);
   // The drill takes as its radius that of the outermost voxel centre in material, up to a voxel too little.
@@ -198,6 +206,7 @@ TEST(TwistDrill, C31OfTheStepIsItsFormulaAndRemovesTheFedVolume) {
 }
 
 // The default law, with kappa = 1/sin(beta/2) and no edge pressure, arrives at the same steady state.
+// Proves: twist drill.
 TEST(TwistDrill, C31IsTheSteadyStateOfTheDefaultLaw) {
   const double a = 2 * kPi * kFeed / kSpin, u = 3e8;
   const TwistDrillLaw law({u});
@@ -207,9 +216,11 @@ TEST(TwistDrill, C31IsTheSteadyStateOfTheDefaultLaw) {
 }
 
 // C32: the ratio of torque and thrust of a flat head is kappa R/2 without edge pressure.
+// Proves: twist drill.
 TEST(TwistDrill, C32TheRatioOfTorqueToThrustIsKappaRHalf) {
   const auto flat = drill(nullptr, FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 0.7, 2 * mm);
-  EXPECT_NEAR(-flat.torque.z() / flat.force.z() / (0.7 * kRadius / 2), 1, kThinLayer);
+  EXPECT_NEAR(-flat.torque.z() / flat.force.z() / closed_forms::torque_over_thrust_of_chips(0.7, kRadius), 1,
+              kThinLayer);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "support/random_pose.hpp"
 #include "support/static_contact.hpp"
@@ -13,6 +14,7 @@
 namespace hapticut::pressure_identity_test {
 namespace {
 
+using closed_forms::Plane;
 using test::hold;
 using test::kStiffness;
 using test::RandomPoses;
@@ -136,34 +138,9 @@ OracleHead tree() {
           1.6};
 }
 
-/// The material lies where normal . x < offset.
-struct Plane {
-  Vec3 normal;    // [1]
-  double offset;  // [m]
-  [[nodiscard]] double height(const Vec3& p) const { return normal.dot(p) - offset; }
-};
-
-/// Wrench about To of the pressure on the plane, by the midpoint rule on a square grid of points. The pressure and its
-/// slope vanish at the rim, so that 200 points across leave an error below 2e-4 (checked below).
 Wrench pressure_on_plane(const OracleHead& oracle, const Pose& X_WT, const Plane& plane, int points) {
-  const double reach = oracle.reach();
-  const Vec3 u = plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
-  const Vec3 box_center = X_WT * Vec3(0, 0, oracle.closed_end / 2);
-  const Vec3 middle = box_center - plane.height(box_center) * plane.normal;
-  const double side = 2 * reach / points;
-  const Pose X_TW = X_WT.inverse();
-  Wrench wrench;
-  for (int i = 0; i < points; ++i)
-    for (int j = 0; j < points; ++j) {
-      const Vec3 p_WQ = middle + ((i + 0.5) * side - reach) * u + ((j + 0.5) * side - reach) * v;
-      const Vec3 p_TQ = X_TW * p_WQ;
-      const double w = oracle.depth(std::hypot(p_TQ.x(), p_TQ.y()), p_TQ.z());
-      if (w <= 0) continue;
-      const Vec3 force = kStiffness * w * w / 2 * side * side * plane.normal;
-      wrench.force += force;
-      wrench.torque += (p_WQ - X_WT.translation).cross(force);
-    }
-  return wrench;
+  return closed_forms::wrench_on_plane(kStiffness, oracle.depth, X_WT, plane, Vec3(0, 0, oracle.closed_end / 2),
+                                       oracle.reach(), points);
 }
 
 /// Height above the plane of the lowest point of the closed end's rim.
@@ -228,6 +205,7 @@ class PressureIdentity : public testing::TestWithParam<OracleHead> {};
 // bound of a single pose is asked of the others only.
 constexpr double kVoxelSizes[] = {0.1 * mm, 0.05 * mm, 0.025 * mm};
 
+// Proves: pressure identity.
 TEST_P(PressureIdentity, C11HoldsForForceAndTorqueIn200RandomPosesAndConvergesOnThreeGrids) {
   const OracleHead& oracle = GetParam();
   const double reach = oracle.reach();

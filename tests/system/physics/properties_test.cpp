@@ -52,6 +52,7 @@ CutScene arbitrary_scene() {
   return scene;
 }
 
+// Proves: symmetries.
 RC_GTEST_PROP(Step, ARotatedSceneGivesTheRotatedWrench, ()) {
   CutScene scene = arbitrary_scene();
   const CutOutcome straight = run(scene, 10);
@@ -59,6 +60,7 @@ RC_GTEST_PROP(Step, ARotatedSceneGivesTheRotatedWrench, ()) {
   RC_ASSERT(difference(straight, run(scene, 10)) < kOneVoxel);
 }
 
+// Proves: symmetries.
 RC_GTEST_PROP(Step, AMirroredSceneGivesTheMirroredWrench, ()) {
   CutScene scene = arbitrary_scene();
   const CutOutcome straight = run(scene, 10);
@@ -66,6 +68,7 @@ RC_GTEST_PROP(Step, AMirroredSceneGivesTheMirroredWrench, ()) {
   RC_ASSERT(difference(straight, mirrored_back(run(scene, 10))) < kOneVoxel);
 }
 
+// Proves: symmetries.
 RC_GTEST_PROP(Step, TheGridsOriginDoesNotMatter, ()) {
   CutScene scene = arbitrary_scene();
   const CutOutcome before = run(scene, 10);
@@ -102,6 +105,7 @@ void expect_a_closed_ledger(const CutScene& scene, const CutOutcome& outcome) {
 }
 
 // Anything that a hand may do, with anything that a material may be: the ledger closes and nothing is gained.
+// Proves: energy ledger; symmetries.
 RC_GTEST_PROP(Step, TheLedgerClosesAndNoLossIsNegativeInAnyCut, ()) {
   CutScene scene = arbitrary_conservative_scene();
   if (*rc::gen::inRange(0, 3) == 0) scene = arbitrary_cut_scene(*rc::gen::elementOf(heads_with_potential()));
@@ -114,6 +118,7 @@ RC_GTEST_PROP(Step, TheLedgerClosesAndNoLossIsNegativeInAnyCut, ()) {
 }
 
 // A ball that is pushed through its own depth, standing or cutting, and through the block.
+// Proves: deep contact.
 RC_GTEST_PROP(Step, TheLedgerClosesWhereABallIsPushedBeyondItsRadius, ()) {
   CutScene scene;
   const double R = *number_between(0.3 * mm, 0.6 * mm);
@@ -127,6 +132,7 @@ RC_GTEST_PROP(Step, TheLedgerClosesWhereABallIsPushedBeyondItsRadius, ()) {
 }
 
 // Standing, the friction of any head on any body stays within mu_s of the normal force, and never helps the hand.
+// Proves: friction cone.
 RC_GTEST_PROP(Step, TheFrictionOfAStandingHeadStaysInItsCone, ()) {
   CutScene scene = arbitrary_scene();
   scene.spin = 0;

@@ -3,6 +3,7 @@
 // (docs/decisions/0002-quadrature.md).
 #include <gtest/gtest.h>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "support/static_contact.hpp"
 
 namespace hapticut::quadrature_test {
@@ -10,13 +11,12 @@ namespace {
 
 using test::hold;
 using test::kStiffness;
-using units::kPi;
 using units::mm;
 
 constexpr double kRadius = 1 * mm;
 constexpr double kDepth = 0.3 * mm;
 const Vec3 kNormals[] = {Vec3::UnitZ(), Vec3(0.31, -0.52, 0.8).normalized()};
-const double kForce = kStiffness * kPi / 12 * kDepth * kDepth * kDepth * (4 * kRadius - 3 * kDepth);  // C1
+const double kForce = closed_forms::cap_force(kStiffness, kRadius, kDepth);
 
 /// How a half space becomes voxels.
 enum class Surface {

@@ -2,6 +2,7 @@
 // The motor: its torque, its power, and what a limit of it does to the cut.
 #include <gtest/gtest.h>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "support/cutting.hpp"
 
@@ -18,10 +19,14 @@ constexpr double kSpin = 2000;    // [rad/s]
 
 constexpr double kRipple = 0.02;       // [1] of a power that voxels of a layer make ripple
 constexpr double kSteadySpeed = 0.01;  // [1] the speed ripples half as much as the torque does
-constexpr double kClosure = 1e-4;      // [1] of the ledger (model: what accuracy to expect)
+constexpr double kClosure = 1e-4;      // [1] of the ledger (docs/model.md, accuracy)
 
 /// A flat head fed axially needs u pi R^2 v_f in all, whatever its speed.
-double power_needed() { return plain_material().specific_cutting_energy * kPi * kRadius * kRadius * kFeed; }
+double power_needed() {
+  const Material m = plain_material();
+  return closed_forms::cutting_power({m.specific_cutting_energy, m.cutting_ratio, kSpin, kFeed},
+                                     kPi * kRadius * kRadius * kFeed);
+}
 
 Simulation axial_cut(double power_limit) {
   SimulationConfig config;
@@ -47,6 +52,7 @@ TEST(Spindle, WithoutALimitItKeepsItsSpeedAndDeliversThePowerOfTheCut) {
   EXPECT_NEAR(power / power_needed(), 1, kRipple);
 }
 
+// Proves: power limit.
 TEST(Spindle, APowerLimitSlowsItDownAndTheWorkStaysWithinIt) {
   const double limit = 0.5 * power_needed();
   Simulation simulation = axial_cut(limit);
@@ -98,9 +104,10 @@ TEST(Spindle, TheHandFeelsTheMotorsReaction) {
 
 // A flat head needs the torque u pi R^2 v_f / omega; a spindle that loses c times it turns at the larger root of
 // omega = omega_0 - c u pi R^2 v_f / omega.
+// Proves: droop.
 TEST(Spindle, DroopsToTheSpeedAtWhichItsTorqueAndTheCutsAgree) {
   const double power = power_needed(), droop = 0.15 * kSpin * kSpin / power;
-  const double expected = 0.5 * (kSpin + std::sqrt(kSpin * kSpin - 4 * droop * power));
+  const double expected = closed_forms::drooped_speed(kSpin, droop, power);
   for (const double sign : {1.0, -1.0}) {
     SimulationConfig config;
     config.reference_stiffness = 1e14;
@@ -117,6 +124,7 @@ TEST(Spindle, DroopsToTheSpeedAtWhichItsTorqueAndTheCutsAgree) {
   }
 }
 
+// Proves: ramp.
 TEST(Spindle, RampsToANewSettingWhenItHasAnAccelerationLimit) {
   Simulation simulation(
       build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),

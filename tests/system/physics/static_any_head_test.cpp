@@ -2,6 +2,7 @@
 // What every head whose depth vanishes on its surface has in common, with the spindle standing: C13, C16 and C19.
 #include <gtest/gtest.h>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "support/random_pose.hpp"
 #include "support/static_contact.hpp"
@@ -60,18 +61,13 @@ Vec3 origin_at(const ToolHead& head, double depth) { return {0, 0, -depth - head
 
 class AxialPress : public testing::TestWithParam<HeadCase> {};
 
+// Proves: normal force.
 TEST_P(AxialPress, C16ForceIsThePressureOnTheSection) {
   const HeadCase& c = GetParam();
   const double reach = c.head.largest_radius();
   for (const double depth : {0.3 * mm, 0.6 * mm}) {
-    double sum = 0;  // Int w^2 dA by the midpoint rule, 20000 rings: relative error below 1e-7
-    constexpr int kRings = 20000;
-    for (int i = 0; i < kRings; ++i) {
-      const double rho = reach * (i + 0.5) / kRings;
-      const double w = std::max(0.0, c.depth(rho, depth));
-      sum += w * w * 2 * kPi * rho * reach / kRings;
-    }
-    const double expected = kStiffness / 2 * sum;
+    const double expected = closed_forms::section_force(
+        kStiffness, [&](double rho) { return c.depth(rho, depth); }, reach);
     const bool has_rim = std::holds_alternative<FlatHead>(c.head.shape());
     // C1, C4: at most 0.7 (l/d)^2. C5, C6: lattice points in the disk, 1.5th order, and the end of the springs at z =
     // 0.
@@ -156,6 +152,7 @@ class HandleTransport : public testing::TestWithParam<HeadCase> {};
 /// C19 is an identity of what is computed, not of its limit: it holds to rounding on every grid.
 constexpr std::array kGrids = {0.16 * mm, 0.08 * mm, 0.04 * mm};
 
+// Proves: full wrench.
 TEST_P(HandleTransport, C19PowerIsTheSameAtEveryReferencePointOnThreeGrids) {
   for (const double l : kGrids) {
     test::RandomPoses random(20);
@@ -185,16 +182,16 @@ TEST_P(HandleTransport, C19PowerIsTheSameAtEveryReferencePointOnThreeGrids) {
       EXPECT_LT((felt.torque - at_hand_by_transport.torque).norm(), tolerance * lever);
 
       const Twist hand = {random.vector(0.1), random.vector(5)};
-      const double power_of_hand = felt.force.dot(hand.linear) + felt.torque.dot(hand.angular);
+      const double power_of_hand = closed_forms::power({felt.force, felt.torque}, hand);
       const Twist head = transport(hand, p_HoTo_W);
-      const double power_of_head = direct.force.dot(head.linear) + direct.torque.dot(head.angular);
+      const double power_of_head = closed_forms::power({direct.force, direct.torque}, head);
       const double scale = direct.force.norm() * (head.linear.norm() + hand.angular.norm() * lever);
       EXPECT_NEAR(power_of_hand, power_of_head, 2e-6 * scale);
 
       const Vec3 p_HoP_W = random.vector(20 * mm);
       const Wrench at_p = transport(Wrench{felt.force, felt.torque}, -p_HoP_W);
       const Twist of_p = transport(hand, p_HoP_W);
-      EXPECT_NEAR(at_p.force.dot(of_p.linear) + at_p.torque.dot(of_p.angular), power_of_hand, 1e-12 * (1 + scale));
+      EXPECT_NEAR(closed_forms::power(at_p, of_p), power_of_hand, 1e-12 * (1 + scale));
     }
   }
 }
@@ -222,7 +219,7 @@ TEST_P(HandleTransport, C19TheLedgerCountsTheSameWorkAtHeadAndHandleOnThreeGrids
       const StepResult& result = simulation.step(now, {}, kDt);
       ASSERT_EQ(result.status, StepStatus::ok);
       const Twist path = twist_between(before, now, kDt);
-      work -= (result.force.dot(path.linear) + result.torque.dot(path.angular)) * kDt;
+      work -= closed_forms::power({result.force, result.torque}, path) * kDt;
       before = now;
     }
     EXPECT_NEAR(simulation.last_result().energy.hand_work / work, 1, 1e-6) << "l = " << l / mm << " mm";

@@ -2,11 +2,13 @@
 // Cones and flat heads pressed into half spaces, walls and edges, with the spindle standing: closed forms C4-C9.
 #include <gtest/gtest.h>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "support/static_contact.hpp"
 
 namespace hapticut::static_cone_flat_test {
 namespace {
 
+namespace forms = closed_forms;
 using test::box_at_phase;
 using test::converge;
 using test::Convergence;
@@ -42,11 +44,12 @@ constexpr double kPhaseFactor = 2;
 
 class ConeAngle : public testing::TestWithParam<double> {};
 
+// Proves: normal force.
 TEST_P(ConeAngle, C4ForceGrowsWithTheFourthPowerOfDepth) {
   const double angle = GetParam() * deg;
   const ConeHead head = {angle, kHeight};
   const double depth = 0.8 * mm;
-  const double expected = kPi / 12 * kStiffness * std::pow(std::sin(angle) * std::tan(angle), 2) * std::pow(depth, 4);
+  const double expected = forms::cone_force(kStiffness, angle, depth);
   const auto press = [&](double l, const Vec3& phase) {
     Simulation simulation(box_at_phase(half_space(kHeight * std::tan(angle), depth, l), l, phase), Tool(head),
                           static_config());
@@ -81,8 +84,9 @@ class FlatDepth : public testing::TestWithParam<double> {
   const double depth_ = GetParam() * mm;
 };
 
+// Proves: normal force.
 TEST_P(FlatDepth, C5BottomOnlyIsTheDiskTimesTheDepthSquared) {
-  const double expected = kStiffness * kPi * std::pow(kRadius * depth_, 2) / 2;
+  const double expected = forms::flat_bottom_force(kStiffness, kRadius, depth_);
   const Convergence c = converge(kCoarsest, [&](double l, const Vec3& phase) {
     return press_flat(FlatRule::bottom_only, depth_, l, phase).z() / expected - 1;
   });
@@ -103,16 +107,17 @@ TEST_P(FlatDepth, C5SideOnlyDoesNotPushUp) {
   EXPECT_EQ(press_flat(FlatRule::side_only, depth_, kCoarsest / 2, test::phase(2)).z(), 0);
 }
 
+// Proves: normal force.
 TEST_P(FlatDepth, C6NearestLosesWhatIsNearerToTheWall) {
   const double R = kRadius, d = depth_;
-  const double expected = kPi * kStiffness * (R * R * d * d / 2 - 2 * R * std::pow(d, 3) / 3 + std::pow(d, 4) / 4);
+  const double expected = forms::flat_nearest_force(kStiffness, R, d);
   const Convergence c = converge(kCoarsest, [&](double l, const Vec3& phase) {
     return press_flat(FlatRule::nearest, depth_, l, phase).z() / expected - 1;
   });
   // The direction jumps where wall and bottom are equally near: lattice points in a cone, whose normals meet those of
   // the lattice's planes, so that its order is that of a disk (measured: 0.2 to 0.5 (l/R)^1.5).
   const double share =
-      kPi * kStiffness * R * R * d * d / 2 / expected;  // [1] of the disk's force that is left, inverse
+      forms::flat_bottom_force(kStiffness, R, d) / expected;  // [1] of the disk's force that is left, inverse
   expect_convergence(c, kRimOrder,
                      [&](double l) { return 0.6 * std::pow(l / R, 1.5) + 1.5 * kink_error(l) / (d * d / 2) * share; });
 }
@@ -132,14 +137,7 @@ struct Wall {
     const double reach = kRadius + 2 * l;
     return {Vec3(kRadius - depth, -reach, z0), Vec3(reach, reach, z1)};
   }
-  [[nodiscard]] double force_per_height() const {
-    const double R = kRadius, c = R - depth, a = std::sqrt(R * R - c * c);
-    return kStiffness * (c * c * a + a * a * a / 3 - R * c * c * std::log((R + a) / c));
-  }
-  [[nodiscard]] double area() const {
-    const double c = kRadius - depth;
-    return kRadius * kRadius * std::acos(c / kRadius) - c * std::sqrt(kRadius * kRadius - c * c);
-  }
+  [[nodiscard]] double area() const { return forms::disk_area_before(kRadius, depth - kRadius); }  // of the segment
 };
 
 StepResult press_into_wall(const Wall& wall, FlatRule rule, double l, const Vec3& phase, double handle_length) {
@@ -153,8 +151,9 @@ class WallDepth : public testing::TestWithParam<double> {
   const Wall wall_ = {GetParam() * mm};
 };
 
+// Proves: normal force.
 TEST_P(WallDepth, C7ForceOfTheSideWall) {
-  const double expected = -wall_.force_per_height() * (wall_.z1 - wall_.z0);
+  const double expected = forms::side_wall_force(kStiffness, kRadius, wall_.depth, wall_.z1 - wall_.z0);
   const Convergence c = converge(kCoarsest / 2, [&](double l, const Vec3& phase) {
     return (press_into_wall(wall_, FlatRule::side_only, l, phase, 0).force - Vec3(expected, 0, 0)).norm() /
            std::abs(expected);
@@ -162,9 +161,10 @@ TEST_P(WallDepth, C7ForceOfTheSideWall) {
   expect_convergence(c, kSecondOrder, 0.3, wall_.depth);
 }
 
+// Proves: torque.
 TEST_P(WallDepth, C8TorqueOfTheSideWallAboutAPointOfTheHandle) {
   const double zr = 1.5 * mm, z0 = wall_.z0, z1 = wall_.z1;
-  const double expected = -wall_.force_per_height() * ((z1 * z1 - z0 * z0) / 2 - zr * (z1 - z0));
+  const double expected = forms::side_wall_torque(kStiffness, kRadius, wall_.depth, z0, z1, zr);
   const Convergence c = converge(kCoarsest / 2, [&](double l, const Vec3& phase) {
     return press_into_wall(wall_, FlatRule::side_only, l, phase, zr).torque.y() / expected - 1;
   });
@@ -207,11 +207,12 @@ INSTANTIATE_TEST_SUITE_P(Depths, WallDepth, testing::Values(0.1, 0.3, 0.6, 0.9),
 
 class EdgePlace : public testing::TestWithParam<double> {};
 
+// Proves: normal force.
 TEST_P(EdgePlace, C9ForceAndTorqueOfAPartlyCoveredBottom) {
   const double R = kRadius, x0 = GetParam() * mm, d = 0.3 * mm;
-  const double area = R * R * std::acos(-x0 / R) + x0 * std::sqrt(R * R - x0 * x0);
-  const double force = kStiffness * d * d * area / 2;
-  const double torque = kStiffness * d * d / 3 * std::pow(R * R - x0 * x0, 1.5);
+  const double area = forms::disk_area_before(R, x0);
+  const double force = forms::edge_force(kStiffness, R, d, x0);
+  const double torque = forms::edge_torque(kStiffness, R, d, x0);
   const auto press = [&](double l, const Vec3& phase) {
     Box box = half_space(R, d, l);
     box.max.x() = x0;

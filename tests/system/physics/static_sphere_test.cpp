@@ -2,11 +2,13 @@
 // A ball pressed into a half space, with the spindle standing: closed forms C1-C3, C10, C12, C14 and C15.
 #include <gtest/gtest.h>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "support/static_contact.hpp"
 
 namespace hapticut::static_sphere_test {
 namespace {
 
+namespace forms = closed_forms;
 using test::box_at_phase;
 using test::converge;
 using test::Convergence;
@@ -16,7 +18,6 @@ using test::hold;
 using test::kStiffness;
 using test::materials_of_stiffness;
 using test::static_config;
-using units::kPi;
 using units::mm;
 
 constexpr double kRadius = 1 * mm;
@@ -25,22 +26,12 @@ constexpr double kCoarsest = 0.1 * mm;  // voxel size, then 0.05 and 0.025 mm
 // The order is that of a root mean square over twelve phases, which is known to about 0.2.
 constexpr double kSecondOrder = 1.7;
 
-/// [m^4] Force of a ball at depth d over k_v (C1).
-double cap_force(double R, double d) {
-  if (d <= 0 || d >= 2 * R) return 0;
-  const double e = d <= R ? d : 2 * R - d;
-  return kPi / 12 * e * e * e * (4 * R - 3 * e);
-}
-
 /// Quadrature at the centroid of the filled part is a midpoint rule along the normal. Its error is -l^2/24 times the
 /// slope of the slice force at the surface, F''(d): this constant times (l/d)^2.
 double midpoint_constant(double R, double d) {
   const double e = d <= R ? d : 2 * R - d;
   return std::abs(2 * R - 3 * e) / (2 * (4 * R - 3 * e)) * (d / e) * (d / e);
 }
-
-/// [m^5] Elastic energy over k_v (C3), d <= R.
-double cap_energy(double R, double d) { return kPi * (R * std::pow(d, 4) / 12 - std::pow(d, 5) / 20); }
 
 Simulation press_ball(double depth, double voxel_size, const Vec3& phase, const Handle& handle = RayHandle{},
                       MaterialTable materials = materials_of_stiffness({1}),
@@ -57,8 +48,9 @@ class BallDepth : public testing::TestWithParam<double> {
   const double depth_ = GetParam() * kRadius;
 };
 
+// Proves: normal force.
 TEST_P(BallDepth, C1ForceIsThatOfTheCap) {
-  const double expected = kStiffness * cap_force(kRadius, depth_);
+  const double expected = forms::cap_force(kStiffness, kRadius, depth_);
   const Convergence c = converge(kCoarsest, [&](double l, const Vec3& phase) {
     Simulation simulation = press_ball(depth_, l, phase);
     return (hold(simulation, center_at(depth_)).force - Vec3(0, 0, expected)).norm() / expected;
@@ -69,6 +61,7 @@ TEST_P(BallDepth, C1ForceIsThatOfTheCap) {
   EXPECT_NEAR(c.error[2] / (constant * std::pow(c.size[2] / depth_, 2)), 1, 0.2);
 }
 
+// Proves: torque.
 TEST_P(BallDepth, C14TorqueAboutTheCentreVanishesAndTheHandleFeelsTheArmOnThreeGrids) {
   const Handle bent = LHandle{12 * mm, 5 * mm, 1.1};
   const Pose X_WT = {rotation_from_vector(Vec3(0.3, -0.8, 0.5)), center_at(depth_)};
@@ -81,7 +74,8 @@ TEST_P(BallDepth, C14TorqueAboutTheCentreVanishesAndTheHandleFeelsTheArmOnThreeG
     const double force = felt.force.norm();
     // Every spring points at the centre, on any grid. Single-precision samples: rounding only.
     EXPECT_LT(at_center.torque.norm(), 1e-6 * force * kRadius) << "l = " << l / mm << " mm";
-    EXPECT_LT((felt.torque - (X_WT.translation - X_WH.translation).cross(felt.force)).norm(), 1e-6 * force * 13 * mm);
+    EXPECT_LT((felt.torque - forms::ball_torque(X_WT.translation - X_WH.translation, felt.force)).norm(),
+              1e-6 * force * 13 * mm);
   }
 }
 
@@ -98,7 +92,7 @@ double stiffness_at(Simulation& simulation, double depth) {
 
 TEST(Ball, C2StiffnessConvergesToThatOfTheCap) {
   for (const double depth : {0.4 * kRadius, 0.7 * kRadius}) {
-    const double expected = kStiffness * kPi * depth * depth * (kRadius - depth);
+    const double expected = forms::cap_stiffness(kStiffness, kRadius, depth);
     expect_convergence(converge(kCoarsest,
                                 [&](double l, const Vec3& phase) {
                                   Simulation simulation = press_ball(kRadius, l, phase);
@@ -115,13 +109,13 @@ TEST(Ball, C2IsStiffestAtTwoThirdsOfTheRadius) {
     const double stiffness = stiffness_at(simulation, depth);
     if (stiffness > stiffest) stiffest = stiffness, at = depth;
   }
-  EXPECT_NEAR(stiffest / (4 * kPi / 27 * kStiffness * std::pow(kRadius, 3)), 1, 0.005);
+  EXPECT_NEAR(stiffest / forms::largest_cap_stiffness(kStiffness, kRadius), 1, 0.005);
   EXPECT_NEAR(at / kRadius, 2.0 / 3, 0.05);
 }
 
 TEST(Ball, C3StoredEnergyIsThatOfTheCap) {
   for (const double depth : {0.2 * kRadius, 0.5 * kRadius, 1.0 * kRadius}) {
-    const double expected = kStiffness * cap_energy(kRadius, depth);
+    const double expected = forms::cap_energy(kStiffness, kRadius, depth);
     // The midpoint rule's error is here -l^2/24 F'(d), C2; it vanishes at d = R.
     const double midpoint = (kRadius - depth) / (2 * kRadius - 1.2 * depth);
     expect_convergence(converge(kCoarsest,
@@ -138,7 +132,7 @@ TEST(Ball, C3TheHandPaysForTheStoredEnergy) {
   Simulation simulation = press_ball(depth, 0.025 * mm, test::phase(3));
   for (int i = 0; i <= 500; ++i) (void)simulation.step(Pose::from_translation(center_at(depth * i / 500)), {}, 1e-3);
   const EnergyLedger& energy = simulation.last_result().energy;
-  EXPECT_NEAR(energy.hand_work / (kStiffness * cap_energy(kRadius, depth)), 1, 2e-3);
+  EXPECT_NEAR(energy.hand_work / forms::cap_energy(kStiffness, kRadius, depth), 1, 2e-3);
   EXPECT_NEAR(energy.hand_work / energy.elastic, 1, 1e-5);
 }
 
@@ -150,8 +144,8 @@ struct Layers {
 };
 
 double layered_force(const Layers& layers, double depth) {
-  const double below = cap_force(kRadius, depth - layers.thickness);
-  return kStiffness * (layers.first * (cap_force(kRadius, depth) - below) + layers.second * below);
+  return forms::layered_cap_force(layers.first * kStiffness, layers.second * kStiffness, layers.thickness, kRadius,
+                                  depth);
 }
 
 /// @param interface_on_grid  the layers meet on a face of the voxels
@@ -170,6 +164,7 @@ Convergence press_into_layers(const Layers& layers, double depth, bool interface
   });
 }
 
+// Proves: layers and grades.
 TEST(Ball, C10LayersThatMeetOnAVoxelFaceConvergeWithSecondOrder) {
   expect_convergence(press_into_layers({1, 0.2, 0.267 * kRadius}, 0.7 * kRadius, true), kSecondOrder, 0.3,
                      0.7 * kRadius);
@@ -209,11 +204,10 @@ struct Grade {
 };
 
 Vec3 graded_force(const Grade& grade, double depth) {
-  // The pressure on the surface needs the stiffness there, of which the part that grows sideways only tilts; the rest
-  // is C12.
-  return kStiffness * (Vec3(0, 0, cap_force(kRadius, depth)) - cap_energy(kRadius, depth) * grade.slope);
+  return forms::graded_cap_force(kStiffness, kStiffness * grade.slope, kRadius, depth);
 }
 
+// Proves: layers and grades.
 TEST(Ball, C12StiffnessThatGrowsWithDepthAddsTheEnergyTimesItsSlope) {
   const double depth = 0.7 * kRadius;
   const Grade grade = {Vec3(0, 0, -2 / mm)};
@@ -255,12 +249,8 @@ TEST(Ball, C12StiffnessThatGrowsSidewaysPushesTheBallToTheSofterSide) {
 
 constexpr double kDamping = 20;  // [s/m] chi
 
-/// Force of Hunt-Crossley damping on a ball that goes down at `speed` (C15), d < R.
 double damping_force(double depth, double speed) {
-  const double R = kRadius, h = R - depth;
-  return 2 * kPi / 3 * kStiffness * kDamping * speed *
-         (R * (std::pow(R, 3) - std::pow(h, 3)) / 3 - (std::pow(R, 4) - std::pow(h, 4)) / 4 -
-          std::pow(h, 3) * (R * std::log(R / h) - (R - h)));
+  return forms::ball_damping_force(kStiffness, kDamping, kRadius, depth, speed);
 }
 
 MaterialTable damped_material() {
@@ -270,6 +260,7 @@ MaterialTable damped_material() {
   return MaterialTable({material});
 }
 
+// Proves: damping.
 TEST(Ball, C15DampingForceOfAnApproachingBall) {
   const double speed = 0.02;  // [m/s]
   for (const double depth : {0.3 * kRadius, 0.8 * kRadius})
@@ -296,13 +287,15 @@ TEST(Ball, C15HoldsAlongARealDescentAndItsWorkIsInTheLedger) {
     expected_loss += damping_force(middle, speed) * speed * dt;
     if (middle < 0.3 * kRadius) continue;
     // 0.5 (l/d)^2 of C15 at d = 0.3 R
-    EXPECT_NEAR(result.force.z() / (kStiffness * cap_force(kRadius, middle) + damping_force(middle, speed)), 1, 0.004);
+    EXPECT_NEAR(result.force.z() / (forms::cap_force(kStiffness, kRadius, middle) + damping_force(middle, speed)), 1,
+                0.004);
   }
   const EnergyLedger& energy = simulation.last_result().energy;
   EXPECT_NEAR(energy.damping / expected_loss, 1, 2e-3);
   EXPECT_LT(std::abs(energy.closure()), 1e-5);
 }
 
+// Proves: damping.
 TEST(Ball, C15DampingNeverPullsARetreatingBallIn) {
   const double depth = 0.5 * kRadius;
   Simulation simulation = press_ball(depth, kCoarsest, test::phase(5), RayHandle{}, damped_material());

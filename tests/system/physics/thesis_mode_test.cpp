@@ -72,6 +72,7 @@ struct ByHand {
   }
 };
 
+// Proves: thesis mode.
 TEST(ThesisMode, GivesForceTorqueWeightVibrationAndFilterOfTheThesisTogether) {
   const double spin = 900;
   const ThesisMode mode = constants();
@@ -110,6 +111,7 @@ TEST(ThesisMode, GivesForceTorqueWeightVibrationAndFilterOfTheThesisTogether) {
 }
 
 // 5.15-5.16: P = lambda omega^m R k l w omega >= c k, that is w >= c/(lambda omega^(m+1) R l).
+// Proves: thesis mode.
 TEST(ThesisMode, TakesWholeVoxelsAwayWhereTheirPowerReachesWhatTheirStiffnessAsksFor) {
   const double spin = 900, deepest_kept = 0.2 * mm;
   ThesisMode mode = constants();
@@ -130,6 +132,7 @@ TEST(ThesisMode, TakesWholeVoxelsAwayWhereTheirPowerReachesWhatTheirStiffnessAsk
 }
 
 // Table 5.2 with mu_s = mu_d = 0.3, whatever the material says.
+// Proves: thesis mode.
 TEST(ThesisMode, DragsAStandingBallWithTheFrictionOfTheCaseStudy) {
   ThesisMode mode;
   Simulation simulation = over_block(thesis_mode(mode), 0);
@@ -142,6 +145,7 @@ TEST(ThesisMode, DragsAStandingBallWithTheFrictionOfTheCaseStudy) {
   EXPECT_NEAR(-force.x() / force.z(), 0.3, 0.02) << "whole voxels come and go";
 }
 
+// Proves: thesis mode.
 TEST(ThesisMode, LeavesOutWhatTheRateCannotShowAndRefusesWhatNoToolHas) {
   EXPECT_FALSE(thesis_mode().effects.vibration.has_value()) << "500 Hz at 1 kHz is zero at every sample (D9)";
   EXPECT_FALSE(thesis_mode().effects.gravity.has_value());

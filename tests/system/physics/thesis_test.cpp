@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "support/cutting.hpp"
 #include "support/laws.hpp"
 #include "support/static_contact.hpp"
@@ -11,8 +12,8 @@
 namespace hapticut::thesis_test {
 namespace {
 
+namespace forms = closed_forms;
 using units::deg;
-using units::kPi;
 using units::mm;
 
 constexpr double kPrinted = 1e-3;            // [1] the oracle's numbers have four digits
@@ -39,8 +40,9 @@ double pressed_ball(double voxel, double damping, double speed, bool thesis) {
   return test::hold(simulation, Vec3(0, 0, 0.5 * mm), {Vec3(0, 0, speed), Vec3::Zero()}).force.z();
 }
 
-// reference/physics: 8.148, 32.690, 130.869 for l = 0.1, 0.05, 0.025 of the radius, with k = 1: each about 4 times the
-// last. In the default model the force stays, 0.0815 k_v R^4.
+// Summed voxel by voxel on paper (docs/model.md, D1): 8.148, 32.690, 130.869 for l = 0.1, 0.05, 0.025 of the radius,
+// with k = 1: each about 4 times the last. In the default model the force stays, 0.0815 k_v R^4.
+// Proves: normal force.
 TEST(ThesisDefects, D1TheForceGrowsFourfoldWhenTheVoxelsHalve) {
   const double k = 1e12 * std::pow(0.1 * mm, 2);  // [N/m^2]
   const double unit = k * mm * mm;                // of F = k l w with lengths in radii
@@ -49,6 +51,7 @@ TEST(ThesisDefects, D1TheForceGrowsFourfoldWhenTheVoxelsHalve) {
   EXPECT_NEAR(pressed_ball(0.1 * mm, 0, 0, false) / pressed_ball(0.05 * mm, 0, 0, false), 1, kPartialVoxels);
 }
 
+// Proves: damping.
 TEST(ThesisDefects, D2TheDamperCountsVoxelsAndHoldsTheToolBack) {
   const double spring = pressed_ball(0.1 * mm, 0, 0, true), finer = pressed_ball(0.05 * mm, 0, 0, true);
   EXPECT_NEAR(pressed_ball(0.1 * mm, 1, -1, true) - spring, 656, 0.5) << "b V for each of the 656 voxels inside";
@@ -69,6 +72,7 @@ double thrust(double feed_speed, bool thesis, double voxel = 0.05 * mm, double s
 }
 
 // The engaged depth w* = c/(lambda R l |omega|) does not know the feed: it follows from the threshold alone.
+// Proves: removal by law A.
 TEST(ThesisDefects, D5ThrustDoesNotKnowTheFeedAndTheDefaultModelIsProportionalToIt) {
   const double slow = thrust(0.5e-3, true), fast = thrust(2e-3, true);
   EXPECT_NEAR(fast / slow, 1, kMeetingLayers);
@@ -76,10 +80,10 @@ TEST(ThesisDefects, D5ThrustDoesNotKnowTheFeedAndTheDefaultModelIsProportionalTo
   EXPECT_NEAR(fast_default / slow_default, 4, 4 * kMeetingLayers);
   const double depth = 4e-9 / (0.3 * 0.5 * mm * 0.05 * mm * 2000);
   const double k = 1e13 * std::pow(0.1 * mm, 2);
-  EXPECT_NEAR(slow / (kPi * std::pow(0.5 * mm, 2) * k * depth * depth / (2 * std::pow(0.05 * mm, 2))), 1,
-              kTwoAndAHalfLayers);
+  EXPECT_NEAR(slow / forms::flat_bottom_force(k / std::pow(0.05 * mm, 2), 0.5 * mm, depth), 1, kTwoAndAHalfLayers);
 }
 
+// Proves: energy ledger.
 TEST(ThesisDefects, D7TheWorkOfHandAndMotorDoesNotPayForTheRemovedVolume) {
   SimulationConfig config;
   ThesisLaw::Constants constants;
@@ -94,6 +98,7 @@ TEST(ThesisDefects, D7TheWorkOfHandAndMotorDoesNotPayForTheRemovedVolume) {
   EXPECT_GT(cut.energy.released + cut.energy.rubbing, 0.9 * (cut.energy.hand_work + cut.energy.motor_work));
 }
 
+// Proves: law of the thesis; figures 7.1-7.3.
 TEST(ThesisLaw, SpinTorqueIsLambdaTimesTheNormalForcesAndTheRadius) {
   for (const double spin : {100.0, -100.0}) {
     SimulationConfig config = test::static_config();
@@ -110,6 +115,7 @@ TEST(ThesisLaw, SpinTorqueIsLambdaTimesTheNormalForcesAndTheRadius) {
   }
 }
 
+// Proves: layers and grades; law of the thesis.
 TEST(ThesisLaw, ForceFollowsTheStiffnessOfEachVoxel) {
   SimulationConfig config = test::static_config();
   config.law = std::make_shared<ThesisLaw>(ThesisLaw::Constants{});
@@ -190,22 +196,22 @@ Stepping feed_down(const ToolHead& head, double voxel) {
   return stepping;
 }
 
+// Proves: figures 7.1-7.3.
 TEST(ThesisFigures, C33FlatIsConstantAndConeRisesEveryStep) {
   const double R = 0.3 * mm, D = 0.02 * mm, l = 0.01 * mm;
   const Stepping flat = step_down(FlatHead{R, 0.3 * mm, FlatRule::bottom_only}, l);
   const Stepping cone = step_down(ConeHead{45 * deg, 0.3 * mm}, l);
   const Stepping ball = step_down(SphereHead{R}, l);
-  const auto cap = [&](double d) { return kPi * d * d * (R - d / 3); };
   double total_cone = 0, total_ball = 0;
   for (std::size_t i = 0; i < flat.volume.size(); ++i) {
     const double d = D * double(i + 1);
-    EXPECT_NEAR(flat.volume[i] / (kPi * R * R * D), 1, kRim);
+    EXPECT_NEAR(flat.volume[i] / forms::step_volume_of_a_flat_head(R, D), 1, kRim);
     EXPECT_NEAR(flat.force[i] / flat.force[0], 1, kSame);
     EXPECT_NEAR(flat.torque[i] / flat.torque[0], 1, kSame);
     total_cone += cone.volume[i], total_ball += ball.volume[i];
     if (i >= 3) {
-      EXPECT_NEAR(total_cone / (kPi / 3 * d * d * d), 1, kSlope);
-      EXPECT_NEAR(total_ball / cap(d), 1, kRound);
+      EXPECT_NEAR(total_cone / forms::step_volume_of_a_cone(45 * deg, d, d), 1, kSlope);
+      EXPECT_NEAR(total_ball / forms::step_volume_of_a_ball(R, d, d), 1, kRound);
     }
     if (i == 0) continue;
     EXPECT_GT(cone.volume[i], cone.volume[i - 1]);
@@ -215,38 +221,41 @@ TEST(ThesisFigures, C33FlatIsConstantAndConeRisesEveryStep) {
   }
 }
 
+// Proves: figures 7.1-7.3.
 TEST(ThesisFigures, C33ForceOfAStepIsThatOfTheLayerItRemoves) {
   const double R = 0.3 * mm, D = 0.02 * mm, l = 0.01 * mm;
   // The springs of the thesis at voxel size l are those of k_v = k / l0^2 times (l0/l)^2.
   const double k_v = 0.4 * 1e13 * std::pow(0.1 * mm / l, 2);
   const Stepping flat = step_down(FlatHead{R, 0.3 * mm, FlatRule::bottom_only}, l);
   const Stepping cone = step_down(ConeHead{45 * deg, 0.3 * mm}, l);
-  EXPECT_NEAR(flat.force[5] / (k_v * kPi * R * R * D * D / 2), 1, kRim);
+  EXPECT_NEAR(flat.force[5] / forms::step_force_of_a_flat_head(k_v, R, D), 1, kRim);
   const double d = 12.5 * D;  // middle of the thirteenth layer
   // A layer two voxels thick: the sum over whole voxels is off by a few percent.
-  EXPECT_NEAR(cone.force[12] / (k_v / 2 * kPi * d * d * 0.5 * D * D), 1, kSlope);
+  EXPECT_NEAR(cone.force[12] / forms::step_force_of_a_cone(k_v, 45 * deg, d, D), 1, kSlope);
 }
 
 // In energy mode the volume of a step is the same, and its force the steady one: of C20 for the flat head, of C29 for
 // the cone and of C28 for the ball in the middle of the step. The first step builds up the engaged layer; where the
 // surface is a slope it lags behind.
+// Proves: figures 7.1-7.3.
 TEST(ThesisFigures, C33HoldsInEnergyModeToo) {
-  const double R = kHeadSize, l = 0.01 * mm, feed = kStep / 0.02, u = 3e8, kappa = 0.5, spin = 20000;
+  const double R = kHeadSize, l = 0.01 * mm;
+  const forms::SteadyCut cut{3e8, 0.5, 20000, kStep / 0.02};
   const Stepping flat = feed_down(FlatHead{R, 0.3 * mm, FlatRule::bottom_only}, l);
   const Stepping cone = feed_down(ConeHead{45 * deg, 0.3 * mm}, l);
   const Stepping ball = feed_down(SphereHead{R}, l);
-  const double steady = 2 * kPi * R * u * feed / (kappa * spin), couple = u * kPi * R * R * feed / spin;
-  const auto cap = [&](double d) { return kPi * d * d * (R - d / 3); };
+  const double steady = forms::axial_cutting_force_of_a_flat_head(cut, R);
+  const double couple = -forms::axial_cutting_torque_of_a_flat_head(cut, R);
   for (std::size_t i = 1; i < flat.force.size(); ++i) {
-    EXPECT_NEAR(flat.volume[i] / (kPi * R * R * kStep), 1, kRim);
+    EXPECT_NEAR(flat.volume[i] / forms::step_volume_of_a_flat_head(R, kStep), 1, kRim);
     EXPECT_NEAR(flat.force[i] / steady, 1, kThinLayer);
     EXPECT_NEAR(flat.torque[i] / couple, 1, kRim);
-    const double d = kStep * double(i + 1), middle = d - kStep / 2, theta = std::acos(1 - middle / R);
+    const double d = kStep * double(i + 1), middle = d - kStep / 2;
     if (i >= 5) {
-      EXPECT_NEAR(cone.volume[i] / (kPi / 3 * (std::pow(d, 3) - std::pow(d - kStep, 3))), 1, kSlope);
-      EXPECT_NEAR(ball.volume[i] / (cap(d) - cap(d - kStep)), 1, kRound);
-      EXPECT_NEAR(cone.force[i] / (steady * std::sin(45 * deg) * middle / R), 1, kSlope);
-      EXPECT_NEAR(ball.force[i] / (steady / 2 * (theta + std::sin(theta) * std::cos(theta))), 1, kRound);
+      EXPECT_NEAR(cone.volume[i] / forms::step_volume_of_a_cone(45 * deg, d, kStep), 1, kSlope);
+      EXPECT_NEAR(ball.volume[i] / forms::step_volume_of_a_ball(R, d, kStep), 1, kRound);
+      EXPECT_NEAR(cone.force[i] / forms::cone_plunge_wrench(cut, 45 * deg, middle).force.z(), 1, kSlope);
+      EXPECT_NEAR(ball.force[i] / forms::ball_plunge_wrench(cut, R, middle).force.z(), 1, kRound);
     }
     EXPECT_GT(cone.volume[i], cone.volume[i - 1]);
     EXPECT_GT(cone.force[i], cone.force[i - 1]);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/simulation/output.hpp"
 #include "support/generators.hpp"
@@ -28,6 +29,7 @@ std::string refusal(const Arguments&... arguments) {
 
 // --- gravity (5.9) ---------------------------------------------------------------------------------------------------
 
+// Proves: gravity.
 TEST(Gravity, PullsDownWithTheWeightAndTurnsTheHandAboutTheCentreOfMass) {
   const Gravity tool{0.1, Vec3(0, 0, -0.05), Vec3(0, 0, -9.81)};
   const Wrench upright = gravity_wrench(tool, Mat3::Identity());
@@ -38,6 +40,7 @@ TEST(Gravity, PullsDownWithTheWeightAndTurnsTheHandAboutTheCentreOfMass) {
   EXPECT_NEAR((level.torque - Vec3(0, -0.05 * 0.981, 0)).norm(), 0, 1e-15);
 }
 
+// Proves: gravity.
 RC_GTEST_PROP(Gravity, DoesNoWorkOnAClosedPath, ()) {
   // Potential energy -m g . p_com: the wrench is its gradient, so small turns there and back cancel to second order.
   const Gravity tool{0.2, *arbitrary_vector(0.1), *arbitrary_vector(9.81)};
@@ -75,6 +78,7 @@ Shake shake(const Vibration& vibration, double rate) {
 constexpr double kPartOfAPeriod = 0.01;  // [1] of a mean over a second that does not hold whole periods
 constexpr double kSampledPeak = 1e-3;    // [N] that sixty samples of a period may miss its top by
 
+// Proves: vibration.
 TEST(Vibration, ShakesAtItsFrequencyWithItsAmplitudeAtEveryAllowedRate) {
   for (const double rate : {1000.0, 2000.0, 4000.0})
     for (const double frequency : {31.0, 147.0, 443.0}) {
@@ -88,6 +92,7 @@ TEST(Vibration, ShakesAtItsFrequencyWithItsAmplitudeAtEveryAllowedRate) {
     }
 }
 
+// Proves: vibration.
 TEST(Vibration, OfTheThesisIsRefusedAt1kHzWithTheReason) {
   Vibration vibration;
   vibration.frequency = 500;
@@ -104,6 +109,7 @@ TEST(Vibration, IsOffWhenNothingIsTouched) {
   for (int i = 0; i < 10; ++i) EXPECT_EQ(phase.advance(Vibration{}, false, 1, kTick), 0);
 }
 
+// Proves: vibration.
 TEST(Vibration, GrowsWithTheCuttingPowerUpToItsLargest) {
   Vibration vibration;
   vibration.amplitude = 0;
@@ -121,12 +127,14 @@ TEST(Vibration, GrowsWithTheCuttingPowerUpToItsLargest) {
 
 // --- the thesis's filter (Table 6.1) ---------------------------------------------------------------------------------
 
+// Proves: delta filter.
 TEST(DeltaFilter, LagsAStepOf3NByHalfASecondAndDoesNotRunAwayOnRelease) {
   const DeltaFilter filter;
   Vec3 force = Vec3::Zero();
   int ticks = 0;
   while ((force - Vec3(3, 0, 0)).norm() > 1e-12) force = filtered(filter, force, Vec3(3, 0, 0)), ++ticks;
-  EXPECT_NEAR(ticks, 501, 1);  // reference/physics: 501 ms, with a jump of delta at the end
+  // epsilon a tick until delta is left, and the last tick all of it: (3 - 0.5)/0.005 + 1.
+  EXPECT_NEAR(ticks, 501, 1);
   ticks = 0;
   while (force.norm() > 0 && ticks < 10000) {
     const double before = force.norm();
@@ -138,6 +146,7 @@ TEST(DeltaFilter, LagsAStepOf3NByHalfASecondAndDoesNotRunAwayOnRelease) {
 }
 
 // D8: the table, taken by its letters, adds epsilon to the force whatever the sign of the difference.
+// Proves: delta filter.
 TEST(DeltaFilter, ReadAsANumberAddedToTheForceItWouldRunAwayTo13N) {
   double force = 3;
   for (int i = 0; i < 2000; ++i) force = std::abs(force - 0.0) > 0.5 ? force + 0.005 : 0.0;
@@ -146,11 +155,13 @@ TEST(DeltaFilter, ReadAsANumberAddedToTheForceItWouldRunAwayTo13N) {
 
 // --- limits (C18) ----------------------------------------------------------------------------------------------------
 
+// Proves: saturation.
 TEST(Saturation, KeepsTheDirection) {
   EXPECT_LT((saturated(Vec3(3, 4, 0), 2.5) - Vec3(1.5, 2, 0)).norm(), 1e-15);
   EXPECT_EQ(saturated(Vec3(3, 4, 0), 5), Vec3(3, 4, 0));
 }
 
+// Proves: growth limit.
 TEST(GrowthLimit, TakesTheTimeOfC18WhateverTheStepAndKeepsTheDirection) {
   const Vec3 target(3, 4, 0);
   for (const double dt : {1e-3, 2.5e-4, 1e-4}) {
@@ -161,10 +172,11 @@ TEST(GrowthLimit, TakesTheTimeOfC18WhateverTheStepAndKeepsTheDirection) {
       time += dt;
       ASSERT_LT(force.cross(target).norm(), 1e-12);
     }
-    EXPECT_NEAR(time, 5.0 / 500, 1.001 * dt);
+    EXPECT_NEAR(time, closed_forms::growth_time(5, 500), 1.001 * dt);
   }
 }
 
+// Proves: growth limit.
 TEST(GrowthLimit, ReleasesAtOnce) {
   EXPECT_EQ(growth_limited(Vec3(3, 0, 0), Vec3::Zero(), 1e-3), Vec3(0, 0, 0));
   EXPECT_LT((growth_limited(Vec3(3, 0, 0), Vec3(1, 0, 0), 1e-3) - Vec3(1, 0, 0)).norm(), 1e-15);
@@ -172,6 +184,7 @@ TEST(GrowthLimit, ReleasesAtOnce) {
       << "a reversal is a release, and growth the other way";
 }
 
+// Proves: growth limit.
 RC_GTEST_PROP(GrowthLimit, NeverExceedsTheLargerEndAndAlwaysArrives, ()) {
   const Vec3 start = *arbitrary_vector(5), target = *arbitrary_vector(5);
   const double growth = *number_between(0.01, 1);
@@ -186,6 +199,7 @@ RC_GTEST_PROP(GrowthLimit, NeverExceedsTheLargerEndAndAlwaysArrives, ()) {
   RC_ASSERT((force - target).norm() < 1e-12);
 }
 
+// Proves: growth limit.
 TEST(GrowthLimit, AtItsLeastRateFollowsAWallThatTheHandRunsInto) {
   const double stiffness = 1000, speed = 0.2;
   const double rate = least_force_growth(stiffness, speed);
@@ -199,6 +213,7 @@ TEST(GrowthLimit, AtItsLeastRateFollowsAWallThatTheHandRunsInto) {
 
 // --- all together ----------------------------------------------------------------------------------------------------
 
+// Proves: start-up ramp.
 RC_GTEST_PROP(Output, StaysWithinItsLimitsWhateverTheModelAndTheEffectsGive, ()) {
   Effects effects;
   effects.gravity = Gravity{0.1, Vec3(0, 0.01, 0.02)};
@@ -220,6 +235,7 @@ RC_GTEST_PROP(Output, StaysWithinItsLimitsWhateverTheModelAndTheEffectsGive, ())
   }
 }
 
+// Proves: mask.
 TEST(AxisMask, SwitchesComponentsOff) {
   AxisMask mask;
   mask.force = {true, false, true};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/force/contact_point.hpp"
@@ -39,25 +40,26 @@ Drag drag(const DryFriction& friction, double normal, double length, int steps, 
 class DragTest : public testing::TestWithParam<double> {};
 
 // Only the step in which the anchor breaks loose is not exact: it is off by at most one step's share of the drop.
+// Proves: sticking.
 TEST_P(DragTest, DoesTheWorkOfC17) {
   const DryFriction friction{GetParam(), 0.3, 500};
-  const double normal = 2, length = 10 * mm, stuck = friction.static_friction * normal / 500;
-  const double work = std::pow(friction.static_friction * normal, 2) / (2 * 500) +
-                      friction.dynamic_friction * normal * (length - stuck);
+  const double normal = 2, length = 10 * mm;
+  const double work = closed_forms::drag_work(friction.static_friction, friction.dynamic_friction, 500, normal, length);
   for (const int steps : {500, 5000})
     for (const double lead : {0.0, 0.5}) {
       const Drag d = drag(friction, normal, length, steps, lead);
       const double one_step = friction.static_friction * normal * length / steps;
       EXPECT_NEAR(d.work, work, (1 + lead) * one_step);
-      EXPECT_LE(d.peak, friction.static_friction * normal * (1 + 1e-12));
+      EXPECT_LE(d.peak, closed_forms::drag_peak(friction.static_friction, normal) * (1 + 1e-12));
       EXPECT_GE(d.peak, friction.static_friction * normal - 2 * 500 * length / steps);
-      EXPECT_NEAR(d.plateau, friction.dynamic_friction * normal, 1e-12);
+      EXPECT_NEAR(d.plateau, closed_forms::drag_plateau(friction.dynamic_friction, normal), 1e-12);
       EXPECT_NEAR(d.work, d.stored + d.dissipated, 1e-12) << "all work is stored or dissipated";
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(StaticOverDynamic, DragTest, testing::Values(0.3, 0.4, 0.5));
 
+// Proves: friction cone; slipping.
 RC_GTEST_PROP(StickSlip, NeverLeavesTheConeAndNeverDissipatesLessThanNothing, ()) {
   DryFriction friction;
   friction.dynamic_friction = *number_between(0, 0.8);
@@ -80,6 +82,7 @@ RC_GTEST_PROP(StickSlip, NeverLeavesTheConeAndNeverDissipatesLessThanNothing, ()
   RC_ASSERT(std::abs(work - dissipated - contact.stored()) < 1e-9 * scale);
 }
 
+// Proves: energy of the anchor.
 TEST(StickSlip, ReturnsTheEnergyOfAMotionThatNeverSlipped) {
   StickSlip contact;
   double work = 0;
@@ -102,6 +105,7 @@ TEST(StickSlip, HasNoAnchorWithoutContact) {
   EXPECT_EQ(outcome.dissipated, stored);
 }
 
+// Proves: hand-over to the spin.
 TEST(StandingShare, GoesSmoothlyFromOneAtRestToZeroAtFullSpin) {
   const double radius = 1 * mm, full = kFullSpinSpeed / radius;
   EXPECT_EQ(standing_share(0, radius), 1);
@@ -116,6 +120,7 @@ TEST(StandingShare, GoesSmoothlyFromOneAtRestToZeroAtFullSpin) {
   }
 }
 
+// Proves: constants of friction.
 TEST(DryFrictionInput, IsRefusedWithItsValueAndTheCure) {
   const auto message = [](const DryFriction& friction) -> std::string {
     try {
@@ -159,6 +164,7 @@ RC_GTEST_PROP(StickSlip, AtTheEndOfAStepOpposesEveryFurtherMotion, ()) {
   if (!sticks_and_slides) RC_ASSERT((stiffness * direction - slope).norm() <= 1e-4 * friction.tangential_stiffness);
 }
 
+// Proves: sticking.
 TEST(ContactPoint, IsWhereTheLineOfActionLeavesTheHeadTowardsTheMaterial) {
   const auto expect_point = [](const ToolHead& head, const Wrench& wrench, const Vec3& point) {
     EXPECT_LT((contact_point(head, wrench) - point).norm(), 1e-6 * head.reach()) << contact_point(head, wrench);

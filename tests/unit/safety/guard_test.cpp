@@ -143,6 +143,7 @@ TEST(Guard, LimitsTheGrowthOfAForceButNotItsRelease) {
   EXPECT_TRUE(loop.tick(Vec3::Zero()).force.isZero(0));
 }
 
+// Proves: saturation.
 TEST(OutputLimitsOfADevice, AreThoseThatTheGuardHoldsTo) {
   for (const DeviceModel& model : device_models()) {
     const DeviceCapabilities device = capabilities(model);

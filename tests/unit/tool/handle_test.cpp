@@ -54,12 +54,14 @@ TEST(Handles, RefuseNegativeLengthsAndBendsBeyondHalfATurn) {
   for (const double bad : {3.2, -3.2, nan}) EXPECT_THROW((void)head_in_handle(LHandle{0, 0, bad}), Error) << bad;
 }
 
+// Proves: handles of the thesis.
 TEST(ThesisHandleTorque, OfARayIsTheTorqueOfTheSpindleAboutTheStylusAndNothingElse) {
   const Vec3 torque = thesis_handle_torque(RayHandle{0.1}, Vec3(1, 2, 3), 0.02, 5);
   EXPECT_EQ(torque, Vec3(0, 0, 0.02));
 }
 
 // With the head straight below the hand the offset is along -z: pitch and roll are the lateral forces times its length.
+// Proves: handles of the thesis.
 TEST(ThesisHandleTorque, OfAnLIsItsOffsetTimesTheLateralForcesAndTheYawBySineOfTheBend) {
   const double zeta = 0.7, length = 0.1, bend = 0.5;
   const LHandle no_neck{length, 0, bend};

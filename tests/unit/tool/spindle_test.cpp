@@ -11,6 +11,7 @@ namespace {
 
 class SpindleDirection : public testing::TestWithParam<double> {};
 
+// Proves: ramp.
 TEST_P(SpindleDirection, ReachesASettingOnARampOfTheAccelerationLimitWhateverTheStep) {
   const double sign = GetParam();
   for (const double dt : {1e-3, 2.5e-4}) {
@@ -28,6 +29,7 @@ TEST_P(SpindleDirection, ReachesASettingOnARampOfTheAccelerationLimitWhateverThe
   }
 }
 
+// Proves: ramp.
 TEST_P(SpindleDirection, TurnsTheOtherWayThroughZero) {
   const double sign = GetParam();
   SpindleMotor motor({sign * 500, std::numeric_limits<double>::infinity(), 1e4});
@@ -43,6 +45,7 @@ TEST_P(SpindleDirection, TurnsTheOtherWayThroughZero) {
   EXPECT_NEAR(time, 0.1, 1.5e-3);
 }
 
+// Proves: droop.
 TEST_P(SpindleDirection, DroopsInProportionToItsLoadAndRecovers) {
   const double sign = GetParam();
   Spindle spindle{sign * 1000};
@@ -58,6 +61,7 @@ TEST_P(SpindleDirection, DroopsInProportionToItsLoadAndRecovers) {
   EXPECT_FALSE(motor.loaded());
 }
 
+// Proves: power limit.
 TEST_P(SpindleDirection, HoldsItsPowerLimit) {
   const double sign = GetParam();
   SpindleMotor motor({sign * 1000, 5});

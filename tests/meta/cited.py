@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""What the repository cites, it has.
+
+    cited.py closed_forms|files [--root FOLDER]
+
+closed_forms  every closed form (C1) and defect (D1) that is cited anywhere has a row in docs/model.md, every closed form a
+              function in bench/closed_forms, and every row of a measurement (B1a, DC4) a source in docs/measurements.md
+files         every file that a comment or a page names by its path from the top of the repository is there
+"""
+import argparse
+import re
+import sys
+from pathlib import Path
+
+FOLDERS = ("include", "src", "tests", "docs", "bindings", "examples", "benchmarks")
+ENDINGS = {".hpp", ".cpp", ".h", ".py", ".md", ".txt", ".cmake", ".toml", ".sh"}
+
+ROW = re.compile(r"^\| ([CD]\d+) \|", re.M)
+# As a word, or in the name of a test: `C20`, `BallDepth.C1ForceIsThatOfTheCap`.
+CITED = re.compile(r"(?:(?<![\w\\])|(?<=[CD]\d)|(?<=[CD]\d\d))([CD]\d{1,2})(?=[A-Z]\w*[a-z]|(?![\w.]\w))")
+MEASURED = re.compile(r"(?<![\w\\])(B\d{1,2}[a-f]?|DC\d[a-z]?)(?=[A-Z]\w*[a-z]|(?!\w))")
+PATH = re.compile(r"(?<![\w/.-])((?:docs|decisions|src|tests|examples|scripts|bindings|benchmarks|hapticut)/[\w./-]*\w"
+                  r"\.(?:md|cpp|hpp|py|toml|sh|svg|png|json))(?!\w)")
+WRITTEN_BY_THE_BUILD = {"hapticut/version.hpp"}
+
+
+def texts(root: Path) -> list[tuple[Path, str]]:
+    files = [path for folder in FOLDERS for path in sorted((root / folder).rglob("*")) if path.suffix in ENDINGS]
+    files += [root / name for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md")]
+    return [(path.relative_to(root), path.read_text(encoding="utf-8")) for path in files]
+
+
+def line_of(text: str, place: int) -> int:
+    return text.count("\n", 0, place) + 1
+
+
+def check_closed_forms(root: Path) -> tuple[list[str], int]:
+    rows = set(ROW.findall((root / "docs/model.md").read_text(encoding="utf-8")))
+    rows.add("C33")  # has a table of its own
+    sources = (root / "docs/measurements.md").read_text(encoding="utf-8")
+    sources = sources[sources.index("## Sources"):]
+    functions = "".join(path.read_text(encoding="utf-8")
+                        for path in (root / "include/hapticut/bench/closed_forms").glob("*.hpp"))
+    wrong = [f"{form} of docs/model.md has no function in include/hapticut/bench/closed_forms"
+             for form in sorted(rows) if form[0] == "C" and not re.search(rf"\b{form}\b", functions)]
+    cited = 0
+    for path, text in texts(root):
+        for found in CITED.finditer(text):
+            cited += 1
+            if found[1] not in rows:
+                wrong.append(f"{path}:{line_of(text, found.start())} cites {found[1]}, which docs/model.md has not")
+        for found in MEASURED.finditer(text):
+            cited += 1
+            if not re.search(rf"\| (?:\w+ \.\.\. )?{found[1]}\b", sources) and not found[1].startswith("B1"):
+                wrong.append(f"{path}:{line_of(text, found.start())} cites {found[1]}, of which docs/measurements.md names "
+                             "no source")
+    return wrong, cited
+
+
+def check_files(root: Path) -> tuple[list[str], int]:
+    wrong, cited = [], 0
+    for path, text in texts(root):
+        for found in PATH.finditer(text):
+            name = found[1]
+            cited += 1
+            places = (root / name, root / "docs" / name, root / "include" / name, root / "bindings/python" / name,
+                      root / path.parent / name)
+            if name not in WRITTEN_BY_THE_BUILD and not any(place.exists() for place in places):
+                wrong.append(f"{path}:{line_of(text, found.start())} names {name}, which is not there")
+    return wrong, cited
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("what", choices=("closed_forms", "files"))
+    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[2])
+    options = parser.parse_args()
+    check = check_closed_forms if options.what == "closed_forms" else check_files
+    wrong, cited = check(options.root)
+    if cited < 100:
+        wrong.append(f"only {cited} citations were found: the search for them is broken")
+    for sentence in wrong:
+        print(sentence)
+    print(f"{cited} citations, {len(wrong)} wrong")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: Apache-2.0
+# What is asked of the repository itself. Any Python 3 will do, for its standard library is all that the scripts use.
+find_program(HAPTICUT_PYTHON3 python3)
+mark_as_advanced(HAPTICUT_PYTHON3)
+if(NOT HAPTICUT_PYTHON3)
+  message(STATUS "  tests of the repository: off (what it cites, to turn them on: sudo apt-get install python3)")
+  return()
+endif()
+function(hapticut_meta_test name script)
+  add_test(NAME Meta.${name} COMMAND "${HAPTICUT_PYTHON3}" "${PROJECT_SOURCE_DIR}/tests/meta/${script}" ${ARGN})
+  set_tests_properties(Meta.${name} PROPERTIES LABELS meta TIMEOUT 300)
+endfunction()
+hapticut_meta_test(EveryClosedFormCitedExists cited.py closed_forms)
+hapticut_meta_test(EveryFileNamedInCommentsAndPagesExists cited.py files)
+hapticut_meta_test(TheTablesOfProofsAreThoseOfTheTests proofs.py)
