@@ -7,22 +7,12 @@
 namespace hapticut::python {
 
 void bind_effects(py::module_& m) {
-  bind_struct<Gravity>(m, "Gravity", field("mass", &Gravity::mass), field("center_of_mass", &Gravity::center_of_mass),
-                       field("acceleration", &Gravity::acceleration));
-  bind_struct<Vibration>(m, "Vibration", field("frequency", &Vibration::frequency),
-                         field("amplitude", &Vibration::amplitude),
-                         field("amplitude_per_watt", &Vibration::amplitude_per_watt),
-                         field("largest_amplitude", &Vibration::largest_amplitude));
-  bind_struct<DeltaFilter>(m, "DeltaFilter", field("delta", &DeltaFilter::delta),
-                           field("epsilon", &DeltaFilter::epsilon));
-  bind_struct<AxisMask>(m, "AxisMask", field("force", &AxisMask::force), field("torque", &AxisMask::torque));
-  bind_struct<OutputLimits>(
-      m, "OutputLimits", field("largest_force", &OutputLimits::largest_force),
-      field("largest_torque", &OutputLimits::largest_torque), field("force_growth", &OutputLimits::force_growth),
-      field("torque_growth", &OutputLimits::torque_growth), field("ramp_time", &OutputLimits::ramp_time));
-  bind_struct<Effects>(m, "Effects", field("gravity", &Effects::gravity), field("vibration", &Effects::vibration),
-                       field("delta_filter", &Effects::delta_filter), field("enabled", &Effects::enabled),
-                       field("limits", &Effects::limits));
+  bind_described<Gravity>(m, "Gravity");
+  bind_described<Vibration>(m, "Vibration");
+  bind_described<DeltaFilter>(m, "DeltaFilter");
+  bind_described<AxisMask>(m, "AxisMask");
+  bind_described<OutputLimits>(m, "OutputLimits");
+  bind_described<Effects>(m, "Effects");
   m.attr("kFastestVibration") = kFastestVibration;
   m.def("validate", py::overload_cast<const Gravity&>(&validate), py::arg("gravity"), doc("validate"));
   m.def("validate", py::overload_cast<const DeltaFilter&>(&validate), py::arg("filter"), doc("validate"));

@@ -24,10 +24,7 @@ template <class Law>
 using LawBinding = py::class_<Law, ForceLaw, std::shared_ptr<Law>>;
 
 void bind_laws(py::module_& m) {
-  bind_enum<RemovalLaw>(m, "RemovalLaw",
-                        {{"none", RemovalLaw::none},
-                         {"constant_energy", RemovalLaw::constant_energy},
-                         {"elastic_release", RemovalLaw::elastic_release}});
+  bind_enum<RemovalLaw>(m, "RemovalLaw");
   py::class_<ForceLaw, std::shared_ptr<ForceLaw>>(
       m, "ForceLaw",
       "A force law: from the samples inside the head to the force on the tool and to what is left of each voxel.\n\n"
@@ -85,9 +82,7 @@ void bind_laws(py::module_& m) {
 }
 
 void bind_friction(py::module_& m) {
-  bind_struct<DryFriction>(m, "DryFriction", field("static_friction", &DryFriction::static_friction),
-                           field("dynamic_friction", &DryFriction::dynamic_friction),
-                           field("tangential_stiffness", &DryFriction::tangential_stiffness));
+  bind_described<DryFriction>(m, "DryFriction");
   m.def("validate", py::overload_cast<const DryFriction&>(&validate), py::arg("friction"), doc("validate"));
   m.attr("kFullSpinSpeed") = kFullSpinSpeed;
   m.def("standing_share", &standing_share, py::arg("spin"), py::arg("radius"), doc("standing_share"));

@@ -12,51 +12,14 @@ namespace hapticut::python {
 namespace {
 
 void bind_states(py::module_& m) {
-  bind_enum<DeviceFault>(m, "DeviceFault",
-                         {{"none", DeviceFault::none},
-                          {"disconnected", DeviceFault::disconnected},
-                          {"uncalibrated", DeviceFault::uncalibrated},
-                          {"motors_warm", DeviceFault::motors_warm},
-                          {"force_limit", DeviceFault::force_limit},
-                          {"speed_limit", DeviceFault::speed_limit},
-                          {"overloaded", DeviceFault::overloaded},
-                          {"driver_error", DeviceFault::driver_error},
-                          {"switched_off", DeviceFault::switched_off}});
-  using C = DeviceCapabilities;
-  bind_struct<C>(m, "DeviceCapabilities", field("model", &C::model), field("vendor", &C::vendor),
-                 field("serial_number", &C::serial_number), field("driver_version", &C::driver_version),
-                 field("input_degrees_of_freedom", &C::input_degrees_of_freedom),
-                 field("output_degrees_of_freedom", &C::output_degrees_of_freedom), field("peak_force", &C::peak_force),
-                 field("continuous_force", &C::continuous_force), field("peak_torque", &C::peak_torque),
-                 field("continuous_torque", &C::continuous_torque), field("stiffness", &C::stiffness),
-                 field("rotational_stiffness", &C::rotational_stiffness), field("damping", &C::damping),
-                 field("position_resolution", &C::position_resolution), field("workspace_low", &C::workspace_low),
-                 field("workspace_high", &C::workspace_high), field("rate", &C::rate),
-                 field("hard_realtime", &C::hard_realtime));
+  bind_enum<DeviceFault>(m, "DeviceFault");
+  bind_described<DeviceCapabilities>(m, "DeviceCapabilities");
   using S = DeviceState;
-  bind_struct<S>(m, "DeviceState", field("X_BS", &S::X_BS), field("velocity", &S::velocity),
-                 field("buttons", &S::buttons), field("time", &S::time), field("sequence", &S::sequence),
-                 field("epoch", &S::epoch), field("temperature", &S::temperature), field("valid", &S::valid),
-                 field("fault", &S::fault))
-      .def("pressed", &S::pressed, py::arg("button"), "Whether a button is pressed.");
+  bind_described<S>(m, "DeviceState").def("pressed", &S::pressed, py::arg("button"), "Whether a button is pressed.");
   bind_struct<DeviceCommand>(m, "DeviceCommand", field("wrench", &DeviceCommand::wrench),
                              field("stop", &DeviceCommand::stop));
-  bind_bits<OutputLimit>(m, "OutputLimit",
-                         {{"none", OutputLimit::none},
-                          {"held_back", OutputLimit::held_back},
-                          {"ramped", OutputLimit::ramped},
-                          {"saturated", OutputLimit::saturated},
-                          {"slew_limited", OutputLimit::slew_limited},
-                          {"cooled", OutputLimit::cooled},
-                          {"damped", OutputLimit::damped},
-                          {"not_finite", OutputLimit::not_finite},
-                          {"no_actuator", OutputLimit::no_actuator},
-                          {"by_driver", OutputLimit::by_driver}});
-  const auto bits = computed<DeviceOutput, std::uint32_t>(
-      "limits", [](const DeviceOutput& o) { return std::uint32_t(o.limits); },
-      [](DeviceOutput& o, std::uint32_t given) { o.limits = OutputLimit(given); });
-  bind_struct<DeviceOutput>(m, "DeviceOutput", field("commanded", &DeviceOutput::commanded),
-                            field("applied", &DeviceOutput::applied), bits);
+  bind_bits<OutputLimit>(m, "OutputLimit");
+  bind_described<DeviceOutput>(m, "DeviceOutput");
   m.def("describe", py::overload_cast<DeviceFault>(&describe), py::arg("fault"), doc("describe"));
   m.def(
       "describe", [](std::uint32_t limits) { return describe(OutputLimit(limits)); }, py::arg("limits"),
@@ -64,22 +27,13 @@ void bind_states(py::module_& m) {
   m.def(
       "has", [](std::uint32_t limits, OutputLimit wanted) { return has(OutputLimit(limits), wanted); },
       py::arg("limits"), py::arg("bits"), doc("has"));
-  bind_enum<ArmingState>(m, "ArmingState",
-                         {{"off", ArmingState::off},
-                          {"armed", ArmingState::armed},
-                          {"wait_free", ArmingState::wait_free},
-                          {"ramp", ArmingState::ramp},
-                          {"on", ArmingState::on},
-                          {"fault", ArmingState::fault}});
+  bind_enum<ArmingState>(m, "ArmingState");
 }
 
 void bind_log(py::module_& m) {
   py::enum_<SafetyEvent> events(m, "SafetyEvent", doc("SafetyEvent"));
-  for (std::size_t i = 0; i < kSafetyEvents; ++i) {
-    const auto event = SafetyEvent(i);
-    const std::string event_name(name(event));
-    events.value(event_name.c_str(), event, doc(std::string("SafetyEvent::") + event_name));
-  }
+  for (const auto& one : names_of(Of<SafetyEvent>{}))
+    events.value(one.name, one.value, doc(std::string("SafetyEvent::") + one.name));
   using L = SafetyLogEntry;
   py::class_<L>(m, "SafetyLogEntry", doc("SafetyLogEntry"))
       .def_readonly("time", &L::time, doc("SafetyLogEntry::time"))

@@ -10,13 +10,7 @@ namespace hapticut::python {
 void bind_materials(py::module_& m) {
   m.attr("kEmpty") = kEmpty;
   m.attr("kMaxMaterials") = kMaxMaterials;
-  bind_struct<Material>(
-      m, "Material", field("name", &Material::name), field("relative_stiffness", &Material::relative_stiffness),
-      field("damping", &Material::damping), field("cutting_ratio", &Material::cutting_ratio),
-      field("specific_cutting_energy", &Material::specific_cutting_energy),
-      field("edge_pressure", &Material::edge_pressure), field("static_friction", &Material::static_friction),
-      field("dynamic_friction", &Material::dynamic_friction),
-      field("tangential_stiffness", &Material::tangential_stiffness), field("density", &Material::density));
+  bind_described<Material>(m, "Material");
   m.def("validate", py::overload_cast<const Material&>(&validate), py::arg("material"), doc("validate"));
 
   py::class_<MaterialTable>(m, "MaterialTable", doc("MaterialTable"))

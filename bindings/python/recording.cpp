@@ -17,8 +17,7 @@ namespace hapticut::python {
 namespace {
 
 void bind_recorder(py::module_& m) {
-  using T = DeviceTick;
-  bind_struct<T>(m, "DeviceTick", field("state", &T::state), field("output", &T::output), field("arming", &T::arming));
+  bind_described<DeviceTick>(m, "DeviceTick");
   using O = RecorderOptions;
   const auto workpiece_file = computed<O, std::string>(
       "workpiece_file", [](const O& o) { return o.workpiece_file.string(); },
@@ -111,7 +110,9 @@ void bind_recording(py::module_& m) {
             }
             const auto n = py::ssize_t(steps.size());
             py::array_t<double> poses({n, py::ssize_t(4), py::ssize_t(4)}), velocities({n, py::ssize_t(6)}), dt(n);
-            py::array_t<TraceRow> trace(n);
+            py::array_t<std::int64_t> removed_voxels(n);
+            py::array trace = make_trace(n);
+            const auto width = std::size_t(trace.itemsize());
             for (py::ssize_t i = 0; i < n; ++i) {
               const RecordedStep& step = steps[std::size_t(i)];
               write_pose(step.input.pose, poses.mutable_data(i));
@@ -128,9 +129,11 @@ void bind_recording(py::module_& m) {
               result.spindle = step.spindle;
               result.sub_steps = step.sub_steps;
               result.status = step.status;
-              trace.mutable_at(i) = trace_row(result, step.time);
-              trace.mutable_at(i).removed_voxels = std::int64_t(step.removed_voxels);
+              write_trace_row(result, step.time,
+                              static_cast<std::byte*>(trace.mutable_data()) + width * std::size_t(i));
+              removed_voxels.mutable_at(i) = std::int64_t(step.removed_voxels);
             }
+            trace["removed_voxels"] = removed_voxels;  // the recording has their number only
             py::dict out;
             out["poses"] = poses;
             out["velocities"] = velocities;

@@ -30,22 +30,9 @@ Stepper stepper_of(PythonSimulation& self) {
 
 void bind_config(py::module_& m) {
   using C = SimulationConfig;
-  using Law = std::optional<std::shared_ptr<ForceLaw>>;
-  const auto law = computed<C, Law>(
-      "law", [](const C& c) { return c.law ? Law(std::const_pointer_cast<ForceLaw>(c.law)) : std::nullopt; },
-      [](C& c, const Law& given) { c.law = given.value_or(nullptr); });
-  bind_enum<ContactTime>(m, "ContactTime", {{"middle", ContactTime::middle}, {"end", ContactTime::end}});
-  bind_enum<ProbedMotions>(m, "ProbedMotions",
-                           {{"all", ProbedMotions::all}, {"translations", ProbedMotions::translations}});
-  bind_struct<C>(m, "SimulationConfig", field("reference_stiffness", &C::reference_stiffness),
-                 field("removal", &C::removal), field("quadrature", &C::quadrature),
-                 field("contact_time", &C::contact_time), law, field("friction", &C::friction),
-                 field("deep_contact", &C::deep_contact), field("handle_torque", &C::handle_torque),
-                 field("handle_torque_scale", &C::handle_torque_scale), field("effects", &C::effects),
-                 field("update_rate", &C::update_rate), field("reserved_blocks", &C::reserved_blocks),
-                 field("removed_voxel_capacity", &C::removed_voxel_capacity), field("voxel_budget", &C::voxel_budget),
-                 field("stage_times", &C::stage_times), field("shortest_dt", &C::shortest_dt),
-                 field("longest_dt", &C::longest_dt), field("longest_sweep", &C::longest_sweep));
+  bind_enum<ContactTime>(m, "ContactTime");
+  bind_enum<ProbedMotions>(m, "ProbedMotions");
+  bind_described<C>(m, "SimulationConfig");
   m.def("validate", py::overload_cast<const C&>(&validate), py::arg("config"), doc("validate"));
   using M = ThesisMode;
   bind_struct<M>(m, "ThesisMode", field("law", &M::law), field("update_rate", &M::update_rate),
@@ -64,13 +51,7 @@ void bind_config(py::module_& m) {
 }
 
 void bind_limits(py::module_& m) {
-  using T = StageTimes;
-  bind_result<T>(m, "StageTimes", member("check_input", &T::check_input), member("plan_sweep", &T::plan_sweep),
-                 member("plan_sub_step", &T::plan_sub_step), member("find_blocks", &T::find_blocks),
-                 member("press_and_cut", &T::press_and_cut), member("remove_emptied", &T::remove_emptied),
-                 member("hold_deep_contact", &T::hold_deep_contact), member("add_friction", &T::add_friction),
-                 member("book_energy", &T::book_energy), member("transport_to_handle", &T::transport_to_handle),
-                 member("give_output", &T::give_output));
+  bind_described_result<StageTimes>(m, "StageTimes");
   bind_result<WorstCase>(m, "WorstCase", member("blocks", &WorstCase::blocks), member("voxels", &WorstCase::voxels),
                          member("sub_steps", &WorstCase::sub_steps),
                          member("level_of_detail", &WorstCase::level_of_detail));

@@ -8,26 +8,6 @@
 
 namespace hapticut::python {
 
-TraceRow trace_row(const StepResult& result, double time) {
-  TraceRow row{};
-  row.time = time;
-  const auto copy = [](const Vec3& from, double* to) { std::copy_n(from.data(), 3, to); };
-  copy(result.force, row.force);
-  copy(result.torque, row.torque);
-  row.removed_voxels = std::int64_t(result.removed_voxels.size());
-  row.removed_volume = result.removed_volume;
-  row.contact = {result.contact.voxels, result.contact.volume, result.contact.depth, result.contact.turns};
-  copy(result.model.force, row.model.force);
-  copy(result.model.torque, row.model.torque);
-  const EnergyLedger& e = result.energy;
-  row.energy = {e.hand_work, e.motor_work, e.elastic, e.cutting,  e.released, e.damping,
-                e.rubbing,   e.anchored,   e.sliding, e.credited, e.entered};
-  row.spindle = {result.spindle.speed, result.spindle.torque};
-  row.sub_steps = result.sub_steps;
-  row.status = std::uint32_t(result.status);
-  return row;
-}
-
 namespace {
 
 void require_finite(std::span<const double> numbers, std::size_t per_row, const char* what) {
@@ -111,8 +91,9 @@ PythonStepResult make_step(PythonSimulation& simulation, const FewNumbers& pose,
 py::array make_steps(PythonSimulation& simulation, const Float64Array& poses, const Float64Array& velocities,
                      const Durations& dt, const Stepper& step) {
   const RunInput input(poses, velocities, dt);
-  py::array_t<TraceRow> trace{py::ssize_t(input.steps)};
-  TraceRow* rows = trace.mutable_data();
+  py::array trace = make_trace(py::ssize_t(input.steps));
+  const auto width = std::size_t(trace.itemsize());
+  auto* const rows = static_cast<std::byte*>(trace.mutable_data());
   simulation.occupancy.require_writable("The simulation");  // last: what is above may let other threads run
   simulation.removed.clear();
   {
@@ -123,7 +104,7 @@ py::array make_steps(PythonSimulation& simulation, const Float64Array& poses, co
       const StepInput now = input[i];
       const StepResult& result = step(now);
       time += now.dt;
-      rows[i] = trace_row(result, time);
+      write_trace_row(result, time, rows + width * i);
       simulation.remember(result.removed_voxels, i);
     }
   }

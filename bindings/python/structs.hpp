@@ -6,17 +6,23 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <concepts>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "arrays.hpp"
 #include "documentation.hpp"
+#include "hapticut/core/description.hpp"
 
 /// @file
 /// One way to bind a plain struct: every field is a keyword of the constructor, with the default of C++, an attribute
-/// with the comment of the header, and part of the text and the pickle of the object.
+/// with the comment of the header, and part of the text and the pickle of the object. The fields are those that the
+/// struct describes itself (core/description.hpp), or are listed here.
 namespace hapticut::python {
 
 namespace detail {
@@ -25,6 +31,25 @@ namespace detail {
 inline const char* doc_of_field(const std::string& scope, std::string_view name) {
   while (name.ends_with('_')) name.remove_suffix(1);
   return doc_or_none(scope + "::" + std::string(name));
+}
+inline std::string doc_of_field(const std::string& text, const std::string& scope, std::string_view name) {
+  return text.empty() ? doc_of_field(scope, name) : text;
+}
+
+/// What a struct says of a field, and below it the comment of the header, if there is one: "[m] >= 0 from Ho to To".
+template <class S, class T>
+std::string doc_of_described(const hapticut::Field<S, T>& field, const std::string& scope) {
+  std::string text = *field.unit != '\0' ? "[" + std::string(field.unit) + "]" : "";
+  const auto add = [&text](const std::string& words) {
+    if (!words.empty()) text += (text.empty() ? "" : " ") + words;
+  };
+  if constexpr (std::is_same_v<T, Vec3>) add("(3,)");
+  if constexpr (std::is_same_v<T, Pose>) add("(4, 4)");
+  if constexpr (std::is_same_v<T, Twist>) add("(6,)");
+  add(field.range.short_text());
+  add(field.text);
+  const std::string more = doc_of_field(scope, field.name);
+  return more.empty() ? text : text + "\n\n" + more;
 }
 
 }  // namespace detail
@@ -36,6 +61,7 @@ struct Field {
   static constexpr bool kIsRequired = kRequired;
   const char* name;
   T S::*member;
+  std::string text = {};  ///< empty: the comment of the header
 
   [[nodiscard]] const T& get(const S& s) const { return s.*member; }
   void set(S& s, T value) const { s.*member = std::move(value); }
@@ -47,19 +73,19 @@ struct Field {
     }
   }
   void define(py::class_<S>& binding, const std::string& scope) const {
-    binding.def_readwrite(name, member, detail::doc_of_field(scope, name));
+    binding.def_readwrite(name, member, detail::doc_of_field(text, scope, name).c_str());
   }
 };
 
 template <class S, class T>
 Field<S, T, false> field(const char* name, T S::*member) {
-  return {name, member};
+  return {name, member, {}};
 }
 
 /// A field that the constructor must be given.
 template <class S, class T>
 Field<S, T, true> required(const char* name, T S::*member) {
-  return {name, member};
+  return {name, member, {}};
 }
 
 /// A field that Python sees as another type.
@@ -70,19 +96,63 @@ struct ComputedField {
   const char* name;
   Get getter;
   Set setter;
+  std::string text = {};  ///< empty: the comment of the header
 
   [[nodiscard]] T get(const S& s) const { return getter(s); }
   void set(S& s, T value) const { setter(s, std::move(value)); }
   [[nodiscard]] auto argument(const S& defaults) const { return py::arg(name) = getter(defaults); }
   void define(py::class_<S>& binding, const std::string& scope) const {
-    binding.def_property(name, getter, setter, detail::doc_of_field(scope, name));
+    binding.def_property(name, getter, setter, detail::doc_of_field(text, scope, name).c_str());
   }
 };
 
 template <class S, class T, class Get, class Set>
-ComputedField<S, T, Get, Set> computed(const char* name, Get getter, Set setter) {
-  return {name, getter, setter};
+ComputedField<S, T, Get, Set> computed(const char* name, Get getter, Set setter, std::string text = {}) {
+  return {name, getter, setter, std::move(text)};
 }
+
+/// An enumeration of bits: in Python a whole number.
+template <class T>
+concept Bits = std::is_enum_v<T> && requires(T bits) {
+  { bits | bits } -> std::same_as<T>;
+};
+
+/// Whether the constructor must be given the numbers of a struct; to be specialised beside its binding.
+template <class S>
+inline constexpr bool kNumbersAreRequired = false;
+
+namespace detail {
+
+template <class T>
+struct PointeeOf {};
+template <class T>
+struct PointeeOf<std::shared_ptr<const T>> {
+  using type = T;
+};
+
+/// A field as Python sees it.
+template <class S, class T>
+auto in_python(const hapticut::Field<S, T>& field, const std::string& scope) {
+  std::string text = doc_of_described(field, scope);
+  const auto member = field.member;
+  if constexpr (Bits<T>) {
+    return computed<S, std::uint32_t>(
+        field.name, [member](const S& s) { return std::uint32_t(s.*member); },
+        [member](S& s, std::uint32_t given) { s.*member = T(given); }, std::move(text));
+  } else if constexpr (requires { typename PointeeOf<T>::type; }) {
+    using Pointee = typename PointeeOf<T>::type;
+    using Given = std::optional<std::shared_ptr<Pointee>>;
+    return computed<S, Given>(
+        field.name,
+        [member](const S& s) { return s.*member ? Given(std::const_pointer_cast<Pointee>(s.*member)) : std::nullopt; },
+        [member](S& s, const Given& given) { s.*member = given.value_or(nullptr); }, std::move(text));
+  } else {
+    constexpr bool kRequired = kNumbersAreRequired<S> && std::is_same_v<T, double>;
+    return Field<S, T, kRequired>{field.name, member, std::move(text)};
+  }
+}
+
+}  // namespace detail
 
 namespace detail {
 
@@ -165,6 +235,14 @@ py::class_<S> bind_struct(py::handle parent, const char* name, Fields... fields)
   return bind_struct<S>(parent, name, name, fields...);
 }
 
+/// Binds a struct with the fields that it describes itself.
+template <Described S>
+py::class_<S> bind_described(py::handle parent, const char* name) {
+  return std::apply(
+      [&](const auto&... fields) { return bind_struct<S>(parent, name, name, detail::in_python(fields, name)...); },
+      fields_of(Of<S>{}));
+}
+
 template <class S, class T>
 std::pair<const char*, T S::*> member(const char* name, T S::*pointer) {
   return {name, pointer};
@@ -189,22 +267,53 @@ py::class_<S> bind_result(py::handle parent, const char* name, std::pair<const c
   return binding;
 }
 
+/// Binds a struct that describes itself and that Python only reads.
+template <Described S>
+py::class_<S> bind_described_result(py::handle parent, const char* name) {
+  py::class_<S> binding(parent, name, doc(name));
+  std::vector<const char*> names;
+  for_each_field<S>([&](const auto& field) {
+    binding.def_property_readonly(
+        field.name, [member = field.member](const S& s) -> const auto& { return s.*member; },
+        py::return_value_policy::copy, detail::doc_of_described(field, name).c_str());
+    names.push_back(field.name);
+  });
+  binding.def("__repr__", [names](py::handle self) {
+    std::string text = std::string(py::str(py::type::of(self).attr("__qualname__"))) + "(";
+    for (const char* one : names)
+      text += (one == names.front() ? "" : ", ") + std::string(one) + "=" + std::string(py::repr(self.attr(one)));
+    return text + ")";
+  });
+  return binding;
+}
+
 /// Binds an enumeration; its values' docstrings are the comments of the header.
+template <class E, class Values>
+py::enum_<E> bind_values(py::handle parent, const char* name, const Values& values, const std::string& scope) {
+  py::enum_<E> binding(parent, name, doc_or_none(scope));
+  for (const auto& one : values) binding.value(one.name, one.value, doc_or_none(scope + "::" + one.name));
+  return binding;
+}
+
+/// One that names its values itself.
+template <NamedEnum E>
+py::enum_<E> bind_enum(py::handle parent, const char* name) {
+  return bind_values<E>(parent, name, names_of(Of<E>{}), name);
+}
+
 template <class E>
 py::enum_<E> bind_enum(py::handle parent, const char* name, std::initializer_list<std::pair<const char*, E>> values,
                        const char* scope = nullptr) {
-  const std::string prefix = scope != nullptr ? scope : name;
-  py::enum_<E> binding(parent, name, doc_or_none(prefix));
-  for (const auto& [value_name, value] : values)
-    binding.value(value_name, value, doc_or_none(prefix + "::" + value_name));
-  return binding;
+  std::vector<Named<E>> named;
+  for (const auto& [value_name, value] : values) named.push_back({value, value_name});
+  return bind_values<E>(parent, name, named, scope != nullptr ? scope : name);
 }
 
 /// Binds an enumeration of bits: `a | b` and `a & b` are whole numbers, and so are those with a number; with an array
 /// of numbers they are arrays.
-template <class E>
-void bind_bits(py::handle parent, const char* name, std::initializer_list<std::pair<const char*, E>> values) {
-  py::enum_<E> binding = bind_enum<E>(parent, name, values);
+template <NamedEnum E>
+void bind_bits(py::handle parent, const char* name) {
+  py::enum_<E> binding = bind_enum<E>(parent, name);
   binding.attr("__array_ufunc__") = py::none();  // so that arrays leave the operation to these
   const auto define = [&binding](const char* left, const char* right, const char* operation) {
     const auto apply = [operation](E bits, const py::object& other) -> py::object {

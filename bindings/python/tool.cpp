@@ -10,20 +10,21 @@
 
 namespace hapticut::python {
 
+template <>
+inline constexpr bool kNumbersAreRequired<SphereHead> = true;
+template <>
+inline constexpr bool kNumbersAreRequired<ConeHead> = true;
+template <>
+inline constexpr bool kNumbersAreRequired<FlatHead> = true;
+
 namespace {
 
 void bind_shapes(py::module_& m) {
-  bind_struct<SphereHead>(m, "SphereHead", required("radius", &SphereHead::radius));
-  bind_struct<ConeHead>(m, "ConeHead", required("half_angle", &ConeHead::half_angle),
-                        required("height", &ConeHead::height));
-  bind_enum<FlatRule>(m, "FlatRule",
-                      {{"nearest", FlatRule::nearest},
-                       {"bottom_only", FlatRule::bottom_only},
-                       {"side_only", FlatRule::side_only},
-                       {"both", FlatRule::both}});
-  bind_struct<FlatHead>(m, "FlatHead", required("radius", &FlatHead::radius), required("height", &FlatHead::height),
-                        field("rule", &FlatHead::rule));
-  bind_enum<EdgeKind>(m, "EdgeKind", {{"cutting", EdgeKind::cutting}, {"smooth", EdgeKind::smooth}});
+  bind_described<SphereHead>(m, "SphereHead");
+  bind_described<ConeHead>(m, "ConeHead");
+  bind_enum<FlatRule>(m, "FlatRule");
+  bind_described<FlatHead>(m, "FlatHead");
+  bind_enum<EdgeKind>(m, "EdgeKind");
   bind_struct<ProfileEdge>(m, "ProfileEdge", field("rho", &ProfileEdge::rho), field("z", &ProfileEdge::z),
                            field("radius", &ProfileEdge::radius), field("kind", &ProfileEdge::kind));
   bind_struct<Profile>(m, "Profile", field("tip", &Profile::tip), field("edges", &Profile::edges));
@@ -97,11 +98,9 @@ void bind_heads(py::module_& m) {
 }
 
 void bind_handles(py::module_& m) {
-  bind_struct<RayHandle>(m, "RayHandle", field("length", &RayHandle::length));
-  bind_struct<LHandle>(m, "LHandle", field("length", &LHandle::length), field("neck", &LHandle::neck),
-                       field("bend", &LHandle::bend));
-  bind_enum<HandleTorque>(m, "HandleTorque",
-                          {{"full_wrench", HandleTorque::full_wrench}, {"thesis", HandleTorque::thesis}});
+  bind_described<RayHandle>(m, "RayHandle");
+  bind_described<LHandle>(m, "LHandle");
+  bind_enum<HandleTorque>(m, "HandleTorque");
   m.def("thesis_handle_torque", &thesis_handle_torque, py::arg("handle"), py::arg("force_H"), py::arg("spin"),
         py::arg("zeta"), doc("thesis_handle_torque"));
   m.def("head_in_handle", &head_in_handle, py::arg("handle"), doc("head_in_handle"));
@@ -114,8 +113,7 @@ void bind_tool(py::module_& m) {
   bind_heads(m);
   bind_handles(m);
   m.attr("kFastestSpindle") = kFastestSpindle;
-  bind_struct<Spindle>(m, "Spindle", field("speed", &Spindle::speed), field("power_limit", &Spindle::power_limit),
-                       field("acceleration_limit", &Spindle::acceleration_limit), field("droop", &Spindle::droop));
+  bind_described<Spindle>(m, "Spindle");
   m.def("validate", py::overload_cast<const Spindle&>(&validate), py::arg("spindle"), doc("validate"));
   py::class_<SpindleMotor>(m, "SpindleMotor", doc("SpindleMotor"))
       .def(py::init<const Spindle&>(), py::arg("spindle"))

@@ -1,45 +1,102 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
+#include <pybind11/numpy.h>
 
+#include <cstring>
+
+#include "arrays.hpp"
 #include "hapticut/simulation/step.hpp"
+#include "structs.hpp"
 
 /// @file
-/// One row of the structured array that Simulation.run returns: StepResult with the same names, as plain numbers.
+/// The structured array that Simulation.run returns: `time`, and the fields of StepResult as they describe themselves.
+/// Of the removed voxels it has their number.
 namespace hapticut::python {
 
-struct ContactRow {
-  std::int64_t voxels;
-  double volume, depth;
-  std::int64_t turns;
-};
+namespace detail {
 
-struct WrenchRow {
-  double force[3], torque[3];
-};
+/// (name, type[, shape]) of each field of a struct, for numpy.dtype.
+template <class S>
+py::list row_fields();
 
-struct SpindleRow {
-  double speed, torque;
-};
+template <class T>
+py::tuple row_field(const char* name) {
+  if constexpr (Described<T>) {
+    return py::make_tuple(name, row_fields<T>());
+  } else if constexpr (std::is_same_v<T, Vec3>) {
+    return py::make_tuple(name, "f8", py::make_tuple(3));
+  } else if constexpr (std::is_same_v<T, Wrench>) {
+    py::list parts;
+    parts.append(row_field<Vec3>("force"));
+    parts.append(row_field<Vec3>("torque"));
+    return py::make_tuple(name, parts);
+  } else if constexpr (std::is_same_v<T, double>) {
+    return py::make_tuple(name, "f8");
+  } else if constexpr (Bits<T>) {
+    return py::make_tuple(name, "u4");
+  } else {
+    static_assert(std::is_same_v<T, int> || std::is_same_v<T, std::span<const RemovedVoxel>>);
+    return py::make_tuple(name, "i8");
+  }
+}
 
-struct EnergyRow {
-  double hand_work, motor_work, elastic, cutting, released, damping, rubbing, anchored, sliding, credited, entered;
-};
+template <class S>
+py::list row_fields() {
+  py::list fields;
+  for_each_field<S>([&](const auto& field) {
+    fields.append(row_field<typename std::remove_cvref_t<decltype(field)>::Type>(field.name));
+  });
+  return fields;
+}
 
-struct TraceRow {
-  double time;  ///< [s] at the end of the step, since the run began
-  double force[3], torque[3];
-  std::int64_t removed_voxels;  ///< how many
-  double removed_volume;
-  ContactRow contact;
-  WrenchRow model;
-  EnergyRow energy;
-  SpindleRow spindle;
-  std::int32_t sub_steps;
-  std::uint32_t status;
-};
+/// Writes the same, one number behind the other.
+template <class T>
+void put(std::byte*& at, const T& value) noexcept {
+  const auto copy = [&at](const auto& number) {
+    std::memcpy(at, &number, sizeof number);
+    at += sizeof number;
+  };
+  if constexpr (Described<T>) {
+    for_each_field<T>([&](const auto& field) { put(at, value.*field.member); });
+  } else if constexpr (std::is_same_v<T, Vec3>) {
+    for (const double number : value) copy(number);
+  } else if constexpr (std::is_same_v<T, Wrench>) {
+    put(at, value.force);
+    put(at, value.torque);
+  } else if constexpr (std::is_same_v<T, double>) {
+    copy(value);
+  } else if constexpr (Bits<T>) {
+    copy(std::uint32_t(value));
+  } else if constexpr (std::is_same_v<T, int>) {
+    copy(std::int64_t(value));
+  } else {
+    copy(std::int64_t(value.size()));
+  }
+}
 
-[[nodiscard]] TraceRow trace_row(const StepResult& result, double time);
+}  // namespace detail
+
+/// The type of a row. Its last number has half the width of the others; the row is filled up.
+inline py::dtype trace_dtype() {
+  py::list fields;
+  fields.append(detail::row_field<double>("time"));
+  for (const py::handle field : detail::row_fields<StepResult>()) fields.append(field);
+  return py::dtype::from_args(py::module_::import("numpy").attr("dtype")(fields, py::arg("align") = true));
+}
+
+/// Rows of zeros.
+inline py::array make_trace(py::ssize_t rows) {
+  py::array trace(trace_dtype(), rows);
+  std::memset(trace.mutable_data(), 0, std::size_t(trace.nbytes()));
+  return trace;
+}
+
+/// @param time  [s] at the end of the step, since the run began
+/// @param row   [bytes of trace_dtype], all zero
+inline void write_trace_row(const StepResult& result, double time, std::byte* row) noexcept {
+  detail::put(row, time);
+  detail::put(row, result);
+}
 
 }  // namespace hapticut::python

@@ -194,8 +194,7 @@ void bind_values(py::module_& m) {
                               member("voxels", &MaterialAmount::voxels), member("volume", &MaterialAmount::volume),
                               member("mass", &MaterialAmount::mass));
   py::class_<WorkpieceSnapshot>(m, "WorkpieceSnapshot", doc("WorkpieceSnapshot"));
-  bind_enum<Quadrature>(m, "Quadrature",
-                        {{"centroid", Quadrature::centroid}, {"voxel_center", Quadrature::voxel_center}});
+  bind_enum<Quadrature>(m, "Quadrature");
   bind_enum<UnclaimedLabels>(m, "UnclaimedLabels",
                              {{"refuse", UnclaimedLabels::refuse}, {"leave_out", UnclaimedLabels::leave_out}});
   bind_struct<VolumeBuildOptions>(

@@ -6,6 +6,7 @@
 /// door to OpenVDB; `bench.hpp` and `io/`, which are components of their own; the adapters of makers in `device/`.
 
 #include "hapticut/core/build_info.hpp"
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/device_state.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/mesh.hpp"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/core/device_state.hpp"
 
-#include <array>
-#include <utility>
-
 namespace hapticut {
 
 std::string describe(DeviceFault fault) {
@@ -33,20 +30,10 @@ std::string describe(DeviceFault fault) {
 }
 
 std::string describe(OutputLimit limits) {
-  static constexpr std::array<std::pair<OutputLimit, const char*>, 9> kWords = {{
-      {OutputLimit::held_back, "held back"},
-      {OutputLimit::ramped, "faded in"},
-      {OutputLimit::saturated, "saturated"},
-      {OutputLimit::slew_limited, "growth limited"},
-      {OutputLimit::cooled, "reduced to cool the motors"},
-      {OutputLimit::damped, "damped by the passivity controller"},
-      {OutputLimit::not_finite, "not finite"},
-      {OutputLimit::no_actuator, "no motors for it"},
-      {OutputLimit::by_driver, "changed by the driver"},
-  }};
   std::string words;
-  for (const auto& [bit, word] : kWords)
-    if (has(limits, bit)) words += (words.empty() ? "" : ", ") + std::string(word);
+  for (const auto& one : names_of(Of<OutputLimit>{}))
+    if (has(limits, one.value))
+      words += (words.empty() ? "" : ", ") + std::string(one.words != nullptr ? one.words : one.name);
   return words.empty() ? "none" : words;
 }
 

@@ -8,21 +8,8 @@
 namespace hapticut {
 
 const char* name(ArmingState state) {
-  switch (state) {
-    case ArmingState::off:
-      return "off";
-    case ArmingState::armed:
-      return "armed";
-    case ArmingState::wait_free:
-      return "wait_free";
-    case ArmingState::ramp:
-      return "ramp";
-    case ArmingState::on:
-      return "on";
-    case ArmingState::fault:
-      return "fault";
-  }
-  return "unknown";
+  const char* known = name_or_null(state);
+  return known != nullptr ? known : "unknown";
 }
 
 Arming::Arming(const ArmingOptions& options) : options_(options) {

@@ -11,40 +11,6 @@ namespace {
 
 constexpr std::size_t kCapacity = 1024;
 
-constexpr std::array<std::string_view, kSafetyEvents> kNames = {"pose_not_finite",
-                                                                "pose_not_a_rotation",
-                                                                "pose_outside_workspace",
-                                                                "pose_jump",
-                                                                "pose_turn_jump",
-                                                                "pose_frozen",
-                                                                "pose_units",
-                                                                "reading_invalid",
-                                                                "reading_stale",
-                                                                "armed",
-                                                                "waiting_free",
-                                                                "start_inside",
-                                                                "fading_in",
-                                                                "engaged",
-                                                                "fault",
-                                                                "fault_reset",
-                                                                "recalibrated",
-                                                                "reclutched",
-                                                                "model_swapped",
-                                                                "late_wake_up",
-                                                                "paused",
-                                                                "force_not_finite",
-                                                                "passivity",
-                                                                "saturated",
-                                                                "slew_limited",
-                                                                "continuous_limited",
-                                                                "motors_warm",
-                                                                "device_fault",
-                                                                "watchdog_late",
-                                                                "watchdog_fading",
-                                                                "watchdog_fault",
-                                                                "exception",
-                                                                "emergency_stop"};
-
 }  // namespace
 
 struct SafetyLog::Ring {
@@ -52,7 +18,8 @@ struct SafetyLog::Ring {
 };
 
 std::string_view name(SafetyEvent event) {
-  return event < SafetyEvent::count ? kNames[std::size_t(event)] : std::string_view("unknown");
+  const char* known = name_or_null(event);
+  return known != nullptr ? known : "unknown";
 }
 
 SafetyLog::SafetyLog() : ring_(std::make_unique<Ring>()) {}

@@ -160,7 +160,6 @@ std::vector<Setting> settings_of(ForceSettings& s) {
            boolean("force.deep_contact", "--deep_contact", s.deep_contact,
                    "a ball pushed beyond its radius keeps pushing back [true]"),
            choice("force.handle_torque", "--handle_torque", s.handle_torque,
-                  {{"full_wrench", HandleTorque::full_wrench}, {"thesis", HandleTorque::thesis}},
                   "torque at the hand: exact, or by the formulas of the thesis [full_wrench]"),
            number("force.handle_torque_scale", "--handle_torque_scale", s.handle_torque_scale, Range::any(),
                   "handle_torque thesis: its constant zeta [1]")})

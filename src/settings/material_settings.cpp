@@ -10,38 +10,28 @@ namespace {
 
 std::vector<std::string> known_presets() { return {preset_names().begin(), preset_names().end()}; }
 
-/// A number of Material that the user may change.
-struct MaterialField {
-  const char* key;
-  double Material::*member;
-  Range range;
-  const char* meaning;
-};
-
-const std::array<MaterialField, std::tuple_size_v<decltype(MaterialChange::numbers)>> kMaterialFields = {{
-    {"relative_stiffness", &Material::relative_stiffness, Range::positive(), "foundation stiffness over the reference"},
-    {"damping_s_per_m", &Material::damping, Range::not_negative(), "Hunt-Crossley factor"},
-    {"cutting_ratio", &Material::cutting_ratio, Range::not_negative(),
-     "tangential over normal force of the spinning head"},
-    {"specific_cutting_energy_J_per_m3", &Material::specific_cutting_energy, Range::positive(), "energy to cut away"},
-    {"edge_pressure_Pa", &Material::edge_pressure, Range::not_negative(), "pressure below which nothing is cut"},
-    {"static_friction", &Material::static_friction, Range::not_negative(), "of the standing spindle"},
-    {"dynamic_friction", &Material::dynamic_friction, Range::not_negative(), "of the standing spindle"},
-    {"tangential_stiffness_N_per_m", &Material::tangential_stiffness, Range::positive(), "of the sticking anchor"},
-    {"density_kg_per_m3", &Material::density, Range::positive(), "mass over volume"},
-}};
+/// Calls `visit(field, number)` for each field of a material but its name.
+template <class Change, class Visit>
+void visit_numbers(Change& change, const Visit& visit) {
+  std::size_t n = 0;
+  for_each_field<Material>([&](const auto& field) {
+    if constexpr (!std::is_same_v<decltype(field.member), std::string Material::*>) visit(field, change.numbers[n++]);
+  });
+}
 
 std::vector<Setting> settings_of(MaterialChange& change) {
   std::vector<Setting> settings = {text("based_on", "", change.based_on, "the preset that it starts from")};
-  for (std::size_t i = 0; i < kMaterialFields.size(); ++i)
-    settings.push_back(
-        number(kMaterialFields[i].key, "", change.numbers[i], kMaterialFields[i].range, kMaterialFields[i].meaning));
+  visit_numbers(change, [&](const auto& field, std::optional<double>& value) {
+    const std::string unit = unit_in_names(field.unit);
+    settings.push_back(number(field.name + (unit.empty() ? "" : "_" + unit), "", value, field.range, field.text));
+  });
   return settings;
 }
 
 void apply(const MaterialChange& change, Material& material) {
-  for (std::size_t i = 0; i < kMaterialFields.size(); ++i)
-    material.*kMaterialFields[i].member = change.numbers[i].value_or(material.*kMaterialFields[i].member);
+  visit_numbers(change, [&](const auto& field, const std::optional<double>& value) {
+    material.*field.member = value.value_or(material.*field.member);
+  });
   validate(material);
 }
 

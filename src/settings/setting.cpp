@@ -57,17 +57,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-bool Range::contains(double value) const {
-  return std::isfinite(value) && value <= high && (low_open ? value > low : value >= low);
-}
-
-std::string Range::text() const {
-  const bool below = std::isfinite(low), above = std::isfinite(high);
-  if (below && above) return "a number from " + format_number(low) + " to " + format_number(high);
-  if (below) return "a number " + std::string(low_open ? "> " : ">= ") + format_number(low);
-  return "a number";
-}
-
 Setting integer(std::string key, std::string flag, std::size_t& target, double low, double high, std::string meaning) {
   const Range range = Range::between(low, high);
   return {std::move(key),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/spatial.hpp"
 
@@ -48,21 +49,6 @@ struct Setting {
   std::function<bool(const std::string& text)> assign_short_form = {};
 };
 
-/// The numbers that a setting accepts.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_open = false;  ///< `low` itself is not allowed
-
-  [[nodiscard]] static Range any() { return {}; }
-  [[nodiscard]] static Range positive() { return {0, std::numeric_limits<double>::infinity(), true}; }
-  [[nodiscard]] static Range not_negative() { return {0, std::numeric_limits<double>::infinity(), false}; }
-  [[nodiscard]] static Range between(double low, double high) { return {low, high, false}; }
-
-  [[nodiscard]] bool contains(double value) const;
-  [[nodiscard]] std::string text() const;  ///< "a number > 0"
-};
-
 namespace detail {
 
 inline double& stored(double& target) { return target; }
@@ -80,7 +66,7 @@ template <class Target>
           Setting::Kind::number,
           [&target, range](const Value& value) {
             const double given = std::get<double>(value);
-            if (!range.contains(given)) return false;
+            if (!std::isfinite(given) || !range.contains(given)) return false;
             detail::stored(target) = given;
             return true;
           }};
@@ -120,6 +106,14 @@ template <class Meaning>
               }
             return false;
           }};
+}
+
+/// One of the names of an enumeration.
+template <NamedEnum E>
+[[nodiscard]] Setting choice(std::string key, std::string flag, std::optional<E>& target, std::string meaning) {
+  std::vector<std::pair<std::string, E>> words;
+  for (const Named<E>& one : names_of(Of<E>{})) words.emplace_back(one.name, one.value);
+  return choice(std::move(key), std::move(flag), target, std::move(words), std::move(meaning));
 }
 
 /// Yes or no.

@@ -21,19 +21,17 @@ Overloaded(Functions...) -> Overloaded<Functions...>;  // clang 14 does not dedu
 
 double base_radius(const ConeHead& cone) { return cone.height * std::tan(cone.half_angle); }
 
-void validate(const SphereHead& head) { require_positive(head.radius, "SphereHead::radius [m]"); }
+void validate(const SphereHead& head) { require_fields_within(head, "SphereHead::"); }
 
 void validate(const ConeHead& head) {
-  require_positive(head.height, "ConeHead::height [m]");
-  require_positive(head.half_angle, "ConeHead::half_angle [rad]");
+  require_fields_within(head, "ConeHead::");
   if (!(head.half_angle < kPi / 2))
     throw Error("ConeHead::half_angle = " + format_number(head.half_angle) +
                 " rad; must be less than pi/2. Give half of the opening angle, in radians.");
 }
 
 void validate(const FlatHead& head) {
-  require_positive(head.radius, "FlatHead::radius [m]");
-  require_positive(head.height, "FlatHead::height [m]");
+  require_fields_within(head, "FlatHead::");
 }
 
 void validate(const ProfileHead& /*checked when it was made*/) {}

@@ -2,6 +2,9 @@
 """Workpieces from arrays, shapes and files, and back."""
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -222,3 +225,14 @@ def test_presets_are_those_of_the_library():
         assert repr(getattr(hapticut.presets, name)()) == repr(hapticut.find_preset(name))
     with pytest.raises(hapticut.Error, match="enamel"):
         hapticut.find_preset("unobtainium")
+
+
+def test_a_material_has_every_field_of_the_table_of_the_documentation():
+    page = Path(__file__).resolve().parents[2] / "docs" / "materials.md"
+    head = next(line for line in page.read_text(encoding="utf-8").splitlines() if line.startswith("| name"))
+    columns = re.findall(r"(\w+) \[([^\]]+)\]", head)
+    assert len(columns) > 8
+    for name, unit in columns:
+        assert getattr(hapticut.Material, name).__doc__.startswith(f"[{unit}] "), name
+        material = hapticut.Material("clay", **{name: 0.25})
+        assert getattr(material, name) == 0.25 and f"{name}=0.25" in repr(material)

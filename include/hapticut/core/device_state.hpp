@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 
 /// @file
@@ -16,29 +17,55 @@ namespace hapticut {
 /// What a device can measure and render. Zero means that it has none or that nobody knows; a reason is in the
 /// documentation of the adapter.
 struct DeviceCapabilities {
-  std::string model;           ///< as the driver spells it
-  std::string vendor;          ///< as the driver spells it
-  std::string serial_number;   ///< as the driver spells it
-  std::string driver_version;  ///< as the driver spells it
+  std::string model;
+  std::string vendor;
+  std::string serial_number;
+  std::string driver_version;
 
-  int input_degrees_of_freedom = 6;   ///< 3: position, 6: position and orientation
-  int output_degrees_of_freedom = 0;  ///< 0: no force, 3: force, 6: force and torque
+  int input_degrees_of_freedom = 6;
+  int output_degrees_of_freedom = 0;
 
-  double peak_force = 0;            ///< [N]
-  double continuous_force = 0;      ///< [N] that the motors bear for ever
-  double peak_torque = 0;           ///< [N·m]
-  double continuous_torque = 0;     ///< [N·m]
-  double stiffness = 0;             ///< [N/m] greatest that the maker promises to be stable
-  double rotational_stiffness = 0;  ///< [N·m/rad]
-  double damping = 0;               ///< [N·s/m] greatest that the maker promises to be stable
-  double position_resolution = 0;   ///< [m]
+  double peak_force = 0;
+  double continuous_force = 0;
+  double peak_torque = 0;
+  double continuous_torque = 0;
+  double stiffness = 0;
+  double rotational_stiffness = 0;
+  double damping = 0;
+  double position_resolution = 0;
 
-  Vec3 workspace_low = Vec3::Zero();   ///< [m] corner of the largest box the stylus can reach, in B
-  Vec3 workspace_high = Vec3::Zero();  ///< [m] the opposite corner; equal to workspace_low when unknown
+  Vec3 workspace_low = Vec3::Zero();
+  Vec3 workspace_high = Vec3::Zero();
 
-  double rate = 1000;         ///< [Hz] of its servo loop
-  bool hard_realtime = true;  ///< false where the transport gives no promise (TCP, a window toolkit)
+  double rate = 1000;
+  bool hard_realtime = true;
 };
+
+constexpr auto fields_of(Of<DeviceCapabilities>) {
+  using C = DeviceCapabilities;
+  return std::tuple{
+      field("model", &C::model, "as the driver spells it"),
+      field("vendor", &C::vendor, "as the driver spells it"),
+      field("serial_number", &C::serial_number, "as the driver spells it"),
+      field("driver_version", &C::driver_version, "as the driver spells it"),
+      field("input_degrees_of_freedom", &C::input_degrees_of_freedom, "1", "3: position, 6: position and orientation"),
+      field("output_degrees_of_freedom", &C::output_degrees_of_freedom, "1",
+            "0: no force, 3: force, 6: force and torque"),
+      field("peak_force", &C::peak_force, "N", "greatest that the motors can give"),
+      field("continuous_force", &C::continuous_force, "N", "that the motors bear for ever"),
+      field("peak_torque", &C::peak_torque, "N m", "greatest that the motors can give"),
+      field("continuous_torque", &C::continuous_torque, "N m", "that the motors bear for ever"),
+      field("stiffness", &C::stiffness, "N/m", "greatest that the maker promises to be stable"),
+      field("rotational_stiffness", &C::rotational_stiffness, "N m/rad",
+            "greatest that the maker promises to be stable"),
+      field("damping", &C::damping, "N s/m", "greatest that the maker promises to be stable"),
+      field("position_resolution", &C::position_resolution, "m", "of its sensors"),
+      field("workspace_low", &C::workspace_low, "m", "corner of the largest box the stylus can reach, in B"),
+      field("workspace_high", &C::workspace_high, "m", "the opposite corner; equal to workspace_low when unknown"),
+      field("rate", &C::rate, "Hz", "of its servo loop"),
+      field("hard_realtime", &C::hard_realtime, "false where the transport gives no promise (TCP, a window toolkit)"),
+  };
+}
 
 /// Why a device cannot be trusted, or cannot be driven, right now.
 enum class DeviceFault : std::uint8_t {
@@ -53,23 +80,54 @@ enum class DeviceFault : std::uint8_t {
   switched_off,  ///< somebody switched the motors off: a button or dead man's switch of the device, another program
 };
 
+constexpr auto names_of(Of<DeviceFault>) {
+  using enum DeviceFault;
+  return std::array{
+      Named{none, "none"},
+      Named{disconnected, "disconnected"},
+      Named{uncalibrated, "uncalibrated"},
+      Named{motors_warm, "motors_warm"},
+      Named{force_limit, "force_limit"},
+      Named{speed_limit, "speed_limit"},
+      Named{overloaded, "overloaded"},
+      Named{driver_error, "driver_error"},
+      Named{switched_off, "switched_off"},
+  };
+}
+
 /// A fault in words, and what to do about it.
 [[nodiscard]] std::string describe(DeviceFault fault);
 
 /// One reading of a device.
 struct DeviceState {
-  Pose X_BS;                   ///< pose of the stylus in the base
-  Twist velocity;              ///< of the stylus point, in B; an estimate, smoothed and therefore late
-  std::uint32_t buttons = 0;   ///< bit n: button n is pressed
-  double time = 0;             ///< [s] of the reading, from the device's own clock, since the run began
-  std::uint64_t sequence = 0;  ///< grows by one with every new reading; the same number twice is the same reading
-  std::uint32_t epoch = 0;     ///< changes when poses before and after do not compare: calibration, reconnection
-  double temperature = 0;      ///< [1] of the hottest motor, 0 cold ... 1 too hot; 0 when not measured
-  bool valid = true;           ///< false: the pose means nothing
+  Pose X_BS;
+  Twist velocity;
+  std::uint32_t buttons = 0;
+  double time = 0;
+  std::uint64_t sequence = 0;
+  std::uint32_t epoch = 0;
+  double temperature = 0;
+  bool valid = true;
   DeviceFault fault = DeviceFault::none;
 
   [[nodiscard]] bool pressed(int button) const { return ((buttons >> unsigned(button)) & 1U) != 0; }
 };
+
+constexpr auto fields_of(Of<DeviceState>) {
+  using S = DeviceState;
+  return std::tuple{
+      field("X_BS", &S::X_BS, "pose of the stylus in the base"),
+      field("velocity", &S::velocity, "of the stylus point, in B; an estimate, smoothed and therefore late"),
+      field("buttons", &S::buttons, "1", "bit n: button n is pressed"),
+      field("time", &S::time, "s", "of the reading, from the device's own clock, since the run began"),
+      field("sequence", &S::sequence, "1",
+            "grows by one with every new reading; the same number twice is the same reading"),
+      field("epoch", &S::epoch, "1", "changes when poses before and after do not compare: calibration, reconnection"),
+      field("temperature", &S::temperature, "1", "of the hottest motor, 0 cold ... 1 too hot; 0 when not measured"),
+      field("valid", &S::valid, "false: the pose means nothing"),
+      field("fault", &S::fault, "why the device cannot be trusted, or cannot be driven"),
+  };
+}
 
 /// What the user's code wants of the device until its next call.
 struct DeviceCommand {
@@ -91,6 +149,22 @@ enum class OutputLimit : std::uint32_t {
   by_driver = 1U << 8,     ///< the driver applied something else than it was given
 };
 
+constexpr auto names_of(Of<OutputLimit>) {
+  using enum OutputLimit;
+  return std::array{
+      Named{none, "none"},
+      Named{held_back, "held_back", "held back"},
+      Named{ramped, "ramped", "faded in"},
+      Named{saturated, "saturated"},
+      Named{slew_limited, "slew_limited", "growth limited"},
+      Named{cooled, "cooled", "reduced to cool the motors"},
+      Named{damped, "damped", "damped by the passivity controller"},
+      Named{not_finite, "not_finite", "not finite"},
+      Named{no_actuator, "no_actuator", "no motors for it"},
+      Named{by_driver, "by_driver", "changed by the driver"},
+  };
+}
+
 [[nodiscard]] constexpr OutputLimit operator|(OutputLimit a, OutputLimit b) {
   return OutputLimit(std::uint32_t(a) | std::uint32_t(b));
 }
@@ -104,9 +178,17 @@ constexpr OutputLimit& operator|=(OutputLimit& a, OutputLimit b) { return a = a 
 
 /// The two sides of the last tick's output.
 struct DeviceOutput {
-  Wrench commanded;                        ///< what the user's code asked for
-  Wrench applied;                          ///< what the motors got
-  OutputLimit limits = OutputLimit::none;  ///< why they differ
+  Wrench commanded;
+  Wrench applied;
+  OutputLimit limits = OutputLimit::none;
 };
+
+constexpr auto fields_of(Of<DeviceOutput>) {
+  return std::tuple{
+      field("commanded", &DeviceOutput::commanded, "what the user's code asked for"),
+      field("applied", &DeviceOutput::applied, "what the motors got"),
+      field("limits", &DeviceOutput::limits, "why they differ; bits of OutputLimit"),
+  };
+}
 
 }  // namespace hapticut

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 
 /// @file
@@ -13,10 +14,19 @@ namespace hapticut {
 
 /// Dry friction between the standing head and the material.
 struct DryFriction {
-  double static_friction = 0.3;        ///< [1] >= dynamic_friction, mu_s
-  double dynamic_friction = 0.3;       ///< [1] >= 0, mu_d
-  double tangential_stiffness = 1000;  ///< [N/m] > 0 of the sticking anchor, k_t
+  double static_friction = 0.3;
+  double dynamic_friction = 0.3;
+  double tangential_stiffness = 1000;
 };
+
+constexpr auto fields_of(Of<DryFriction>) {
+  using F = DryFriction;
+  return std::tuple{
+      field("static_friction", &F::static_friction, "1", Range::not_negative(), "mu_s, not below dynamic_friction"),
+      field("dynamic_friction", &F::dynamic_friction, "1", Range::not_negative(), "mu_d"),
+      field("tangential_stiffness", &F::tangential_stiffness, "N/m", Range::positive(), "k_t of the sticking anchor"),
+  };
+}
 
 /// @throws Error naming the constant, its value and the allowed range
 void validate(const DryFriction& friction);

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/force/whole_contact.hpp"
 #include "hapticut/workpiece/contact.hpp"
@@ -17,6 +18,15 @@ enum class RemovalLaw {
   constant_energy,  ///< law A (default): every removed volume costs its specific cutting energy
   elastic_release   ///< law G: the elastic energy of removed material pays a part of it
 };
+
+constexpr auto names_of(Of<RemovalLaw>) {
+  using enum RemovalLaw;
+  return std::array{
+      Named{none, "none"},
+      Named{constant_energy, "constant_energy"},
+      Named{elastic_release, "elastic_release"},
+  };
+}
 
 /// Constants of one material as the hot loop needs them.
 struct ContactMaterial {

@@ -15,6 +15,14 @@ enum class ArmingState : std::uint8_t {
   fault,      ///< latched until reset: no force
 };
 
+constexpr auto names_of(Of<ArmingState>) {
+  using enum ArmingState;
+  return std::array{
+      Named{off, "off"},   Named{armed, "armed"}, Named{wait_free, "wait_free"},
+      Named{ramp, "ramp"}, Named{on, "on"},       Named{fault, "fault"},
+  };
+}
+
 [[nodiscard]] const char* name(ArmingState state);
 
 /// When a force is allowed, and how it begins.

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hapticut/core/description.hpp"
+
 namespace hapticut {
 
 /// What the safety pipeline can have to say. Names are those of the enumerators.
@@ -50,6 +52,45 @@ enum class SafetyEvent : std::uint8_t {
   emergency_stop,          ///< somebody pulled the emergency stop
   count                    ///< how many there are
 };
+
+constexpr auto names_of(Of<SafetyEvent>) {
+  using enum SafetyEvent;
+  return std::array{
+      Named{pose_not_finite, "pose_not_finite"},
+      Named{pose_not_a_rotation, "pose_not_a_rotation"},
+      Named{pose_outside_workspace, "pose_outside_workspace"},
+      Named{pose_jump, "pose_jump"},
+      Named{pose_turn_jump, "pose_turn_jump"},
+      Named{pose_frozen, "pose_frozen"},
+      Named{pose_units, "pose_units"},
+      Named{reading_invalid, "reading_invalid"},
+      Named{reading_stale, "reading_stale"},
+      Named{armed, "armed"},
+      Named{waiting_free, "waiting_free"},
+      Named{start_inside, "start_inside"},
+      Named{fading_in, "fading_in"},
+      Named{engaged, "engaged"},
+      Named{fault, "fault"},
+      Named{fault_reset, "fault_reset"},
+      Named{recalibrated, "recalibrated"},
+      Named{reclutched, "reclutched"},
+      Named{model_swapped, "model_swapped"},
+      Named{late_wake_up, "late_wake_up"},
+      Named{paused, "paused"},
+      Named{force_not_finite, "force_not_finite"},
+      Named{passivity, "passivity"},
+      Named{saturated, "saturated"},
+      Named{slew_limited, "slew_limited"},
+      Named{continuous_limited, "continuous_limited"},
+      Named{motors_warm, "motors_warm"},
+      Named{device_fault, "device_fault"},
+      Named{watchdog_late, "watchdog_late"},
+      Named{watchdog_fading, "watchdog_fading"},
+      Named{watchdog_fault, "watchdog_fault"},
+      Named{exception, "exception"},
+      Named{emergency_stop, "emergency_stop"},
+  };
+}
 
 inline constexpr std::size_t kSafetyEvents = std::size_t(SafetyEvent::count);
 

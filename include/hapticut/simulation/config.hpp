@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/force/friction.hpp"
 #include "hapticut/force/law.hpp"
 #include "hapticut/simulation/output.hpp"
@@ -18,11 +19,19 @@ enum class ContactTime {
   end      ///< first order, but unconditionally stable for poses that were solved for: what an implicit coupling needs
 };
 
+constexpr auto names_of(Of<ContactTime>) {
+  using enum ContactTime;
+  return std::array{
+      Named{middle, "middle"},
+      Named{end, "end"},
+  };
+}
+
 /// How a simulation computes. Every field has a default that works; all are checked when the simulation is made.
 struct SimulationConfig {
-  /// [N/m^4] > 0, k_v of a material of relative stiffness 1; that of each material must be within 1 ... 1e25. A
-  /// regularisation, not a material constant: cutting forces do not depend on it while the engaged layer is thin. See
-  /// force/stiffness.hpp for the bounds that accuracy and a directly driven device put on it.
+  /// That of each material must be within 1 ... 1e25. A regularisation, not a material constant: cutting forces do not
+  /// depend on it while the engaged layer is thin. See force/stiffness.hpp for the bounds that accuracy and a directly
+  /// driven device put on it.
   double reference_stiffness = 1e13;
 
   RemovalLaw removal = RemovalLaw::constant_energy;
@@ -33,32 +42,26 @@ struct SimulationConfig {
   /// later, and the difference is booked as EnergyLedger::entered.
   ContactTime contact_time = ContactTime::middle;
 
-  /// The force law; null: FoundationLaw.
   std::shared_ptr<const ForceLaw> law;
-
-  /// Dry friction of the standing head, the same everywhere; empty: each material's own.
   std::optional<DryFriction> friction;
 
-  /// A ball pushed beyond its radius keeps pushing back (force/deep_contact.hpp), under a law that
-  /// `holds_deep_contact`: the default one. The others' forces stay as their formulas give them.
+  /// See force/deep_contact.hpp. Only under a law that `holds_deep_contact`, the default one; the others' forces stay
+  /// as their formulas give them.
   bool deep_contact = true;
 
   HandleTorque handle_torque = HandleTorque::full_wrench;
-  double handle_torque_scale = 1;  ///< [1] finite: zeta of HandleTorque::thesis; no part of the full wrench
+  double handle_torque_scale = 1;
 
-  /// What is added to the model's force, and what the output is limited to.
   Effects effects;
-  double update_rate = 1000;  ///< [Hz] > 0 at which the step will be called; only the vibration's check needs it
+  double update_rate = 1000;
 
-  /// Blocks (8^3 voxels) that may become partly cut before `Simulation::reserve_blocks` has to be called again; about
-  /// 2.8 kB each. A cavity needs about two per patch of 8 x 8 voxels of its wall.
+  /// About 2.8 kB each. A cavity needs about two per patch of 8 x 8 voxels of its wall.
   std::size_t reserved_blocks = 2048;
 
-  /// Longest list of removed voxels of one step; 0: as many as the head holds. Voxels beyond it are removed all the
-  /// same.
+  /// Voxels beyond it are removed all the same.
   std::size_t removed_voxel_capacity = 0;
 
-  /// Most voxels that one sub-step may evaluate; 0: no limit. Where the blocks that the head touches hold more, only
+  /// Where the blocks that the head touches hold more, only
   /// every second (third ...) strip of 16 voxels is evaluated in a sub-step, in turn, and counts twice (three times
   /// ...): the deadline holds, the force is that of a coarser quadrature, and StepStatus::detail_reduced and
   /// Contact::turns say so. In a groove cut with five turns the force stays within 7 % (the just noticeable
@@ -66,15 +69,46 @@ struct SimulationConfig {
   /// than needed, about twice as many for a ball of 30 voxels across. Only with the default law.
   std::size_t voxel_budget = 0;
 
-  bool stage_times = false;  ///< measure Simulation::stage_times
+  bool stage_times = false;
 
-  double shortest_dt = 1e-6;  ///< [s] steps outside shortest_dt ... longest_dt are rejected
-  double longest_dt = 0.1;    ///< [s]
+  double shortest_dt = 1e-6;
+  double longest_dt = 0.1;
 
-  /// A step that moves the head by more than half a voxel is cut into equal sub-steps; one that needs more than this
-  /// many is a jump, not a motion, and is rejected.
+  /// A step that moves the head by more than half a voxel is cut into equal sub-steps.
   int longest_sweep = 64;
 };
+
+constexpr auto fields_of(Of<SimulationConfig>) {
+  using C = SimulationConfig;
+  return std::tuple{
+      field("reference_stiffness", &C::reference_stiffness, "N/m^4", Range::positive(),
+            "k_v, foundation stiffness of a material of relative stiffness 1"),
+      field("removal", &C::removal, "how material is taken away"),
+      field("quadrature", &C::quadrature, "where in a partly filled voxel its force is taken"),
+      field("contact_time", &C::contact_time, "where on its way the head meets the material"),
+      field("law", &C::law, "the force law; null: FoundationLaw"),
+      field("friction", &C::friction,
+            "dry friction of the standing head, the same everywhere; empty: each material's own"),
+      field("deep_contact", &C::deep_contact, "a ball pushed beyond its radius keeps pushing back"),
+      field("handle_torque", &C::handle_torque, "how force and torque at the head are felt at the handle"),
+      field("handle_torque_scale", &C::handle_torque_scale, "1", Range::between(-1e6, 1e6),
+            "zeta of HandleTorque::thesis; no part of the full wrench"),
+      field("effects", &C::effects, "what is added to the model's force, and what the output is limited to"),
+      field("update_rate", &C::update_rate, "Hz", Range::positive(),
+            "at which the step will be called; only the vibration's check needs it"),
+      field("reserved_blocks", &C::reserved_blocks, "1", Range::between(1, 1e8),
+            "blocks (8^3 voxels) that may become partly cut before Simulation::reserve_blocks has to be called again"),
+      field("removed_voxel_capacity", &C::removed_voxel_capacity, "1", Range::between(0, 1e9),
+            "longest list of removed voxels of one step; 0: as many as the head holds"),
+      field("voxel_budget", &C::voxel_budget, "1", Range::between(0, 1e9),
+            "most voxels that one sub-step may evaluate, at least 4096; 0: no limit"),
+      field("stage_times", &C::stage_times, "measure Simulation::stage_times"),
+      field("shortest_dt", &C::shortest_dt, "s", Range::positive(), "shorter steps are rejected"),
+      field("longest_dt", &C::longest_dt, "s", Range::between(0, 1), "longer steps are rejected"),
+      field("longest_sweep", &C::longest_sweep, "1", Range::between(1, 100000),
+            "most sub-steps of one step; what needs more is a jump, not a motion, and is rejected"),
+  };
+}
 
 /// @throws Error naming the field, its value and the allowed range
 void validate(const SimulationConfig& config);

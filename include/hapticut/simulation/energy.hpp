@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "hapticut/core/description.hpp"
+
 namespace hapticut {
 
 /// Where the work went (docs/model.md, energy ledger). Everything is accumulated since construction, but `elastic` and
@@ -12,16 +14,16 @@ namespace hapticut {
 ///         = elastic + cutting + released + damping + rubbing + anchored + sliding
 ///
 struct EnergyLedger {
-  double hand_work = 0;   ///< work done by the hand on the tool
-  double motor_work = 0;  ///< work done by the spindle motor on the tool
-  double elastic = 0;     ///< stored in the foundation now
-  double cutting = 0;     ///< specific cutting energy times removed volume
-  double released = 0;    ///< elastic energy of removed material that did not help cutting
-  double damping = 0;     ///< Hunt-Crossley damping
-  double rubbing = 0;     ///< tangential work where nothing is cut: below the edge pressure, or with removal off
-  double anchored = 0;    ///< stored in the anchor of dry friction now
-  double sliding = 0;     ///< dissipated by dry friction of the standing head
-  double credited = 0;    ///< cutting energy of the last thousandth of a voxel, which is taken away without work
+  double hand_work = 0;
+  double motor_work = 0;
+  double elastic = 0;
+  double cutting = 0;
+  double released = 0;
+  double damping = 0;
+  double rubbing = 0;
+  double anchored = 0;
+  double sliding = 0;
+  double credited = 0;
 
   /// Elastic energy of material that came under the cutting surface without having been pressed there, less that of
   /// material that left it still pressed: where the tool appears out of nowhere, and where material passes a face
@@ -41,5 +43,24 @@ struct EnergyLedger {
     return turnover > 0 ? imbalance() / turnover : 0.0;
   }
 };
+
+constexpr auto fields_of(Of<EnergyLedger>) {
+  using E = EnergyLedger;
+  return std::tuple{
+      field("hand_work", &E::hand_work, "J", "work done by the hand on the tool"),
+      field("motor_work", &E::motor_work, "J", "work done by the spindle motor on the tool"),
+      field("elastic", &E::elastic, "J", "stored in the foundation now"),
+      field("cutting", &E::cutting, "J", "specific cutting energy times removed volume"),
+      field("released", &E::released, "J", "elastic energy of removed material that did not help cutting"),
+      field("damping", &E::damping, "J", "Hunt-Crossley damping"),
+      field("rubbing", &E::rubbing, "J",
+            "tangential work where nothing is cut: below the edge pressure, or with removal off"),
+      field("anchored", &E::anchored, "J", "stored in the anchor of dry friction now"),
+      field("sliding", &E::sliding, "J", "dissipated by dry friction of the standing head"),
+      field("credited", &E::credited, "J",
+            "cutting energy of the last thousandth of a voxel, which is taken away without work"),
+      field("entered", &E::entered, "J", "elastic energy of material that came in or left without having been pressed"),
+  };
+}
 
 }  // namespace hapticut

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/force/effects/axis_mask.hpp"
 #include "hapticut/force/effects/delta_filter.hpp"
 #include "hapticut/force/effects/gravity.hpp"
@@ -24,6 +25,16 @@ struct Effects {
   AxisMask enabled;
   OutputLimits limits;
 };
+
+constexpr auto fields_of(Of<Effects>) {
+  return std::tuple{
+      field("gravity", &Effects::gravity, "weight of the tool"),
+      field("vibration", &Effects::vibration, "along the spindle while it cuts"),
+      field("delta_filter", &Effects::delta_filter, "the force filter of the thesis"),
+      field("enabled", &Effects::enabled, "components that are on"),
+      field("limits", &Effects::limits, "size and growth of the output"),
+  };
+}
 
 /// @param update_rate  [Hz] of the step
 /// @throws Error naming the field, its value and the allowed range

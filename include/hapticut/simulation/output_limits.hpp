@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 
 namespace hapticut {
@@ -13,12 +14,24 @@ namespace hapticut {
 /// growth to what the device can do, whatever is set here; in a loop of your own take those of `output_limits(device)`
 /// (docs/decisions/0006-thesis-mode-and-output-limits.md).
 struct OutputLimits {
-  double largest_force = std::numeric_limits<double>::infinity();   ///< [N] > 0
-  double largest_torque = std::numeric_limits<double>::infinity();  ///< [N·m] > 0
-  double force_growth = std::numeric_limits<double>::infinity();    ///< [N/s] > 0; see least_force_growth
-  double torque_growth = std::numeric_limits<double>::infinity();   ///< [N·m/s] > 0
-  double ramp_time = 0;  ///< [s] >= 0 in which the output grows to its full size after the start, a jump or a reset
+  double largest_force = std::numeric_limits<double>::infinity();
+  double largest_torque = std::numeric_limits<double>::infinity();
+  double force_growth = std::numeric_limits<double>::infinity();
+  double torque_growth = std::numeric_limits<double>::infinity();
+  double ramp_time = 0;
 };
+
+constexpr auto fields_of(Of<OutputLimits>) {
+  using L = OutputLimits;
+  return std::tuple{
+      field("largest_force", &L::largest_force, "N", Range::limit(), "longer forces are shortened to this"),
+      field("largest_torque", &L::largest_torque, "N m", Range::limit(), "the same of torques"),
+      field("force_growth", &L::force_growth, "N/s", Range::limit(), "how fast the force may grow; it falls at once"),
+      field("torque_growth", &L::torque_growth, "N m/s", Range::limit(), "the same of the torque"),
+      field("ramp_time", &L::ramp_time, "s", Range::not_negative(),
+            "in which the output grows to its full size after the start, a jump or a reset"),
+  };
+}
 
 /// @throws Error naming the field, its value and the allowed range
 void validate(const OutputLimits& limits);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "hapticut/core/description.hpp"
+
 namespace hapticut {
 
 /// [s] Wall time of the stages of one step, summed over its sub-steps; each is named like its stage (docs/step.md). All
@@ -18,5 +20,22 @@ struct StageTimes {
   double transport_to_handle = 0;
   double give_output = 0;
 };
+
+constexpr auto fields_of(Of<StageTimes>) {
+  using T = StageTimes;
+  return std::tuple{
+      field("check_input", &T::check_input, "s", "refuses an input that is none"),
+      field("plan_sweep", &T::plan_sweep, "s", "number of sub-steps"),
+      field("plan_sub_step", &T::plan_sub_step, "s", "pose and twist of a sub-step"),
+      field("find_blocks", &T::find_blocks, "s", "blocks that the head may touch"),
+      field("press_and_cut", &T::press_and_cut, "s", "force, energies and new fills"),
+      field("remove_emptied", &T::remove_emptied, "s", "voxels that became empty"),
+      field("hold_deep_contact", &T::hold_deep_contact, "s", "a ball pushed beyond its radius"),
+      field("add_friction", &T::add_friction, "s", "dry friction of a head that stands"),
+      field("book_energy", &T::book_energy, "s", "work of hand and motor"),
+      field("transport_to_handle", &T::transport_to_handle, "s", "force and torque about Ho"),
+      field("give_output", &T::give_output, "s", "what the hand feels"),
+  };
+}
 
 }  // namespace hapticut

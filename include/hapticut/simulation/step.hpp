@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/force/contact_stiffness.hpp"
 #include "hapticut/simulation/energy.hpp"
@@ -13,10 +14,18 @@ namespace hapticut {
 
 /// What the hand does in one step.
 struct StepInput {
-  Pose pose;       ///< X_WH at the end of the step
-  Twist velocity;  ///< of Ho, in W
-  double dt = 0;   ///< [s]
+  Pose pose;
+  Twist velocity;
+  double dt = 0;
 };
+
+constexpr auto fields_of(Of<StepInput>) {
+  return std::tuple{
+      field("pose", &StepInput::pose, "X_WH at the end of the step"),
+      field("velocity", &StepInput::velocity, "of Ho, in W"),
+      field("dt", &StepInput::dt, "s", "since the last step"),
+  };
+}
 
 /// What a step has to report, as bits; 0 = nothing. Each says what happened to the output, and the cure.
 enum class StepStatus : std::uint32_t {
@@ -61,6 +70,25 @@ enum class StepStatus : std::uint32_t {
   force_not_finite = 1U << 12,
 };
 
+constexpr auto names_of(Of<StepStatus>) {
+  using enum StepStatus;
+  return std::array{
+      Named{ok, "ok"},
+      Named{pose_rejected, "pose_rejected"},
+      Named{velocity_rejected, "velocity_rejected"},
+      Named{dt_rejected, "dt_rejected"},
+      Named{jump_rejected, "jump_rejected"},
+      Named{blocks_low, "blocks_low"},
+      Named{blocks_exhausted, "blocks_exhausted"},
+      Named{removed_list_full, "removed_list_full"},
+      Named{power_limited, "power_limited"},
+      Named{engaged_layer_thick, "engaged_layer_thick"},
+      Named{vibration_left_out, "vibration_left_out"},
+      Named{detail_reduced, "detail_reduced"},
+      Named{force_not_finite, "force_not_finite"},
+  };
+}
+
 [[nodiscard]] constexpr StepStatus operator|(StepStatus a, StepStatus b) {
   return StepStatus(std::uint32_t(a) | std::uint32_t(b));
 }
@@ -77,29 +105,64 @@ inline constexpr StepStatus kRejected =
 
 /// The material that the head touches, where the last sub-step evaluates it.
 struct Contact {
-  int voxels = 0;     ///< voxels inside the head that are not empty
-  double volume = 0;  ///< [m^3] their filled volume
-  double depth = 0;   ///< [m] greatest depth below the cutting surface
-  int turns = 1;      ///< n: an n-th of the voxels was evaluated; see SimulationConfig::voxel_budget
+  int voxels = 0;
+  double volume = 0;
+  double depth = 0;
+  int turns = 1;
 };
+
+constexpr auto fields_of(Of<Contact>) {
+  return std::tuple{
+      field("voxels", &Contact::voxels, "1", "voxels inside the head that are not empty"),
+      field("volume", &Contact::volume, "m^3", "their filled volume"),
+      field("depth", &Contact::depth, "m", "greatest depth below the cutting surface"),
+      field("turns", &Contact::turns, "1",
+            "n: an n-th of the voxels was evaluated; see SimulationConfig::voxel_budget"),
+  };
+}
 
 /// Along which motions a probe shall know the stiffness. Only laws of one's own ask for it, as every motion costs them
 /// one more evaluation of the contact.
 enum class ProbedMotions { all, translations };
 
+constexpr auto names_of(Of<ProbedMotions>) {
+  using enum ProbedMotions;
+  return std::array{
+      Named{all, "all"},
+      Named{translations, "translations"},
+  };
+}
+
 /// What a step would feel, without taking it.
 struct ContactProbe {
-  Wrench wrench;                            ///< about Ho, in W, on the tool; without effects and limits
-  Stiffness stiffness = Stiffness::Zero();  ///< about Ho, in W; positive semidefinite
+  Wrench wrench;
+  Stiffness stiffness = Stiffness::Zero();
   Contact contact;
-  bool sliding = false;  ///< dry friction drags its anchor along: see StickSlip
+  bool sliding = false;
 };
+
+constexpr auto fields_of(Of<ContactProbe>) {
+  using P = ContactProbe;
+  return std::tuple{
+      field("wrench", &P::wrench, "about Ho, in W, on the tool; without effects and limits"),
+      field("stiffness", &P::stiffness, "about Ho, in W; positive semidefinite"),
+      field("contact", &P::contact, "what the head would touch"),
+      field("sliding", &P::sliding, "dry friction drags its anchor along: see StickSlip"),
+  };
+}
 
 /// The spindle during the step.
 struct SpindleState {
-  double speed = 0;   ///< [rad/s] signed about +z of T
-  double torque = 0;  ///< [N·m] that the motor delivers, positive when it drives the spin
+  double speed = 0;
+  double torque = 0;
 };
+
+constexpr auto fields_of(Of<SpindleState>) {
+  return std::tuple{
+      field("speed", &SpindleState::speed, "rad/s", "signed about +z of T"),
+      field("torque", &SpindleState::torque, "N m", "that the motor delivers, positive when it drives the spin"),
+  };
+}
 
 /// The blocks that a step has changed, for pictures and copies of the workpiece.
 struct ChangedBlocks {
@@ -109,16 +172,32 @@ struct ChangedBlocks {
 
 /// What one step returns.
 struct StepResult {
-  Vec3 force = Vec3::Zero();                     ///< [N] on the tool, what the hand feels, in W
-  Vec3 torque = Vec3::Zero();                    ///< [N·m] on the tool about Ho, in W
-  std::span<const RemovedVoxel> removed_voxels;  ///< emptied by this call; valid until the next one
-  double removed_volume = 0;                     ///< [m^3] taken away by this call, partly emptied voxels included
-  Contact contact;                               ///< what the head touches
-  Wrench model;  ///< about Ho, in W: what the contact gives, before coupling, effects and limits; mean over the step
-  EnergyLedger energy;                 ///< accumulated since construction
-  SpindleState spindle;                ///< speed and torque of this step
-  int sub_steps = 0;                   ///< 0 when the input was rejected
-  StepStatus status = StepStatus::ok;  ///< bits; ok = nothing to report
+  Vec3 force = Vec3::Zero();
+  Vec3 torque = Vec3::Zero();
+  std::span<const RemovedVoxel> removed_voxels;
+  double removed_volume = 0;
+  Contact contact;
+  Wrench model;
+  EnergyLedger energy;
+  SpindleState spindle;
+  int sub_steps = 0;
+  StepStatus status = StepStatus::ok;
 };
+
+constexpr auto fields_of(Of<StepResult>) {
+  using R = StepResult;
+  return std::tuple{
+      field("force", &R::force, "N", "on the tool, what the hand feels, in W"),
+      field("torque", &R::torque, "N m", "on the tool about Ho, what the hand feels, in W"),
+      field("removed_voxels", &R::removed_voxels, "emptied by this call; valid until the next one"),
+      field("removed_volume", &R::removed_volume, "m^3", "taken away by this call, partly emptied voxels included"),
+      field("contact", &R::contact, "what the head touches"),
+      field("model", &R::model, "about Ho, in W: what the contact gives, before coupling, effects and limits; mean over the step"),
+      field("energy", &R::energy, "accumulated since construction"),
+      field("spindle", &R::spindle, "speed and torque of this step"),
+      field("sub_steps", &R::sub_steps, "1", "0 when the input was rejected"),
+      field("status", &R::status, "bits of StepStatus; 0 = nothing to report"),
+  };
+}
 
 }  // namespace hapticut

@@ -3,7 +3,9 @@
 
 #include <variant>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
+#include "hapticut/core/units.hpp"
 
 namespace hapticut {
 
@@ -16,8 +18,12 @@ namespace hapticut {
 ///         z_T ^  o  To  origin of the tool head; its tip points down
 ///
 struct RayHandle {
-  double length = 0;  ///< [m] >= 0 from Ho to To, along -z_H
+  double length = 0;
 };
+
+constexpr auto fields_of(Of<RayHandle>) {
+  return std::tuple{field("length", &RayHandle::length, "m", Range::not_negative(), "from Ho to To, along -z_H")};
+}
 
 /// An angled handpiece (thesis 5.12-5.14), such as a dental contra-angle: the head's axis is bent away from the stylus.
 ///
@@ -30,10 +36,18 @@ struct RayHandle {
 ///                                  z_T = z_H turned by `bend` about y_H  (bend = 0: straight; pi/2: z_T = x_H)
 ///
 struct LHandle {
-  double length = 0;                     ///< [m] >= 0 from Ho to the elbow, along -z_H
-  double neck = 0;                       ///< [m] >= 0 from the elbow to To, along -z_T
-  double bend = 1.57079632679489661923;  ///< [rad] between z_H and z_T, about y_H, in [-pi, pi]
+  double length = 0;
+  double neck = 0;
+  double bend = units::kPi / 2;
 };
+
+constexpr auto fields_of(Of<LHandle>) {
+  return std::tuple{
+      field("length", &LHandle::length, "m", Range::not_negative(), "from Ho to the elbow, along -z_H"),
+      field("neck", &LHandle::neck, "m", Range::not_negative(), "from the elbow to To, along -z_T"),
+      field("bend", &LHandle::bend, "rad", Range::between(-units::kPi, units::kPi), "between z_H and z_T, about y_H"),
+  };
+}
 
 using Handle = std::variant<RayHandle, LHandle>;
 
@@ -42,6 +56,14 @@ enum class HandleTorque {
   full_wrench,  ///< exactly: T_Ho = T_To + (To - Ho) x F (default)
   thesis        ///< as the thesis prints it, eqs. 5.11-5.14: see `thesis_handle_torque`
 };
+
+constexpr auto names_of(Of<HandleTorque>) {
+  using enum HandleTorque;
+  return std::array{
+      Named{full_wrench, "full_wrench"},
+      Named{thesis, "thesis"},
+  };
+}
 
 /// The torque of the thesis's handles (5.11-5.14), for comparison with it.
 ///

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/tool/profile_table.hpp"
 
 namespace hapticut {
@@ -17,6 +18,14 @@ enum class EdgeKind {
   cutting,  ///< carries springs and cuts
   smooth    ///< safe-sided or shank: only bounds the head
 };
+
+constexpr auto names_of(Of<EdgeKind>) {
+  using enum EdgeKind;
+  return std::array{
+      Named{cutting, "cutting"},
+      Named{smooth, "smooth"},
+  };
+}
 
 /// One edge of a meridian, from the end of the edge before it.
 struct ProfileEdge {

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
+#include "hapticut/core/units.hpp"
 
 /// @file
 /// The shapes of cutting heads (docs/model.md, heads; thesis section 5.2.1).
@@ -32,15 +34,27 @@ struct Spring {
 
 /// A ball. Frame origin = centre = spring centre.  `w = R - |x|`, `n = x/|x|`.
 struct SphereHead {
-  double radius;  ///< [m] > 0
+  double radius;
 };
+
+constexpr auto fields_of(Of<SphereHead>) {
+  return std::tuple{field("radius", &SphereHead::radius, "m", Range::positive(), "of the ball")};
+}
 
 /// A cone standing on its apex. Frame origin = apex.  `w = z sin(a) - rho cos(a)`, `n = (cos(a) radial, -sin(a)
 /// axial)`. The base disk at z = height carries no spring.
 struct ConeHead {
-  double half_angle;  ///< [rad] between axis and generatrix, 0 < half_angle < pi/2
-  double height;      ///< [m] > 0
+  double half_angle;
+  double height;
 };
+
+constexpr auto fields_of(Of<ConeHead>) {
+  return std::tuple{
+      field("half_angle", &ConeHead::half_angle, "rad", Range{0, units::kPi / 2, true},
+            "between axis and generatrix, less than pi/2"),
+      field("height", &ConeHead::height, "m", Range::positive(), "from the apex to the base"),
+  };
+}
 
 /// How a flat head chooses between its bottom disk and its side wall.
 enum class FlatRule {
@@ -50,12 +64,30 @@ enum class FlatRule {
   both          ///< the sum of the two springs
 };
 
+constexpr auto names_of(Of<FlatRule>) {
+  using enum FlatRule;
+  return std::array{
+      Named{nearest, "nearest"},
+      Named{bottom_only, "bottom_only"},
+      Named{side_only, "side_only"},
+      Named{both, "both"},
+  };
+}
+
 /// A cylinder with a cutting bottom disk at z = 0 and a cutting side wall. Frame origin = centre of the bottom disk.
 struct FlatHead {
-  double radius;                      ///< [m] > 0
-  double height;                      ///< [m] > 0
-  FlatRule rule = FlatRule::nearest;  ///< which surface carries the spring
+  double radius;
+  double height;
+  FlatRule rule = FlatRule::nearest;
 };
+
+constexpr auto fields_of(Of<FlatHead>) {
+  return std::tuple{
+      field("radius", &FlatHead::radius, "m", Range::positive(), "of the cylinder"),
+      field("height", &FlatHead::height, "m", Range::positive(), "of the side wall"),
+      field("rule", &FlatHead::rule, "which surface carries the spring"),
+  };
+}
 
 /// The part of a shape that the hot loop needs, in the precision of the loop. One of these per shape; a shape of one's
 /// own offers the same two functions.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hapticut/core/description.hpp"
+
 namespace hapticut {
 
 /// [rad/s] ten million turns a minute: beyond any spindle, and well within the single precision of the contact.
@@ -12,12 +14,23 @@ inline constexpr double kFastestSpindle = 1e6;
 
 /// The motor that turns the head.
 struct Spindle {
-  double speed = 0;  ///< [rad/s] signed about +z of T, up to kFastestSpindle; 0: it stands and nothing is cut
-  double power_limit = std::numeric_limits<double>::infinity();  ///< [W] > 0; above it the spindle slows down
-  double acceleration_limit =
-      std::numeric_limits<double>::infinity();  ///< [rad/s^2] > 0; a new speed is reached on a ramp of this slope
-  double droop = 0;  ///< [rad/(s N·m)] >= 0 speed lost per load torque, as of an air turbine
+  double speed = 0;
+  double power_limit = std::numeric_limits<double>::infinity();
+  double acceleration_limit = std::numeric_limits<double>::infinity();
+  double droop = 0;
 };
+
+constexpr auto fields_of(Of<Spindle>) {
+  return std::tuple{
+      field("speed", &Spindle::speed, "rad/s", Range::between(-kFastestSpindle, kFastestSpindle),
+            "signed about +z of T; 0: it stands and nothing is cut"),
+      field("power_limit", &Spindle::power_limit, "W", Range::limit(), "above it the spindle slows down"),
+      field("acceleration_limit", &Spindle::acceleration_limit, "rad/s^2", Range::limit(),
+            "a new speed is reached on a ramp of this slope"),
+      field("droop", &Spindle::droop, "rad/(s N m)", Range::not_negative(),
+            "speed lost per load torque, as of an air turbine"),
+  };
+}
 
 /// @throws Error naming the field, its value and the allowed range
 void validate(const Spindle& spindle);

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/block.hpp"
 
@@ -64,6 +65,14 @@ enum class Quadrature {
   centroid,     ///< at the centroid of the part that was filled when the workpiece was built (default)
   voxel_center  ///< at the voxel's centre: as exact in the mean, but the force ripples on surfaces along the grid
 };
+
+constexpr auto names_of(Of<Quadrature>) {
+  using enum Quadrature;
+  return std::array{
+      Named{centroid, "centroid"},
+      Named{voxel_center, "voxel_center"},
+  };
+}
 
 /// Whether the head may reach into a block at all: false only when it certainly does not.
 template <class Springs>

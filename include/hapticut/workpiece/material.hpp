@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hapticut/core/description.hpp"
+
 namespace hapticut {
 
 /// Names a material of a workpiece; 0 means empty, materials are 1 ... 255.
@@ -14,18 +16,44 @@ inline constexpr MaterialId kEmpty = 0;
 inline constexpr int kMaxMaterials = 255;
 
 /// What a workpiece is made of. Constants of cutting belong to this material together with this kind of tool.
+/// What each number means, its unit and its range stand in the list below.
 struct Material {
-  std::string name;                      ///< unique within a workpiece, not empty
-  double relative_stiffness = 1;         ///< [1] > 0; the foundation stiffness is this times the simulation's reference
-  double damping = 0;                    ///< [s/m] 0 ... 1e6 Hunt-Crossley factor chi
-  double cutting_ratio = 0.5;            ///< [1] 0 ... 1e6 kappa, tangential over normal force of the spinning head
-  double specific_cutting_energy = 3e8;  ///< [J/m^3] 1e-3 ... 1e18 u
-  double edge_pressure = 0;              ///< [Pa] >= 0 p_e, below which nothing is cut
-  double static_friction = 0.3;          ///< [1] >= dynamic_friction; of the standing spindle
-  double dynamic_friction = 0.3;         ///< [1] >= 0
-  double tangential_stiffness = 1000;    ///< [N/m] > 0 of the sticking anchor
-  double density = 1000;                 ///< [kg/m^3] > 0
+  std::string name;
+  double relative_stiffness = 1;
+  double damping = 0;
+  double cutting_ratio = 0.5;
+  double specific_cutting_energy = 3e8;
+  double edge_pressure = 0;
+  double static_friction = 0.3;
+  double dynamic_friction = 0.3;
+  double tangential_stiffness = 1000;
+  double density = 1000;
 };
+
+/// A new number of a material is a member above and a line here; files, settings, Python and checks follow. In files
+/// that are older than the number it has its default.
+///
+/// The contact is computed in single precision: the upper ends are far beyond any material, and what follows from them
+/// is still finite.
+constexpr auto fields_of(Of<Material>) {
+  using M = Material;
+  return std::tuple{
+      field("name", &M::name, "unique within a workpiece, not empty"),
+      field("relative_stiffness", &M::relative_stiffness, "1", Range::positive(),
+            "foundation stiffness over the simulation's reference"),
+      field("damping", &M::damping, "s/m", Range::between(0, 1e6), "Hunt-Crossley factor chi"),
+      field("cutting_ratio", &M::cutting_ratio, "1", Range::between(0, 1e6),
+            "kappa, tangential over normal force of the spinning head"),
+      field("specific_cutting_energy", &M::specific_cutting_energy, "J/m^3", Range::between(1e-3, 1e18),
+            "u, energy to cut away"),
+      field("edge_pressure", &M::edge_pressure, "Pa", Range::not_negative(), "p_e, below which nothing is cut"),
+      field("static_friction", &M::static_friction, "1", Range::not_negative(),
+            "of the standing spindle, not below dynamic_friction"),
+      field("dynamic_friction", &M::dynamic_friction, "1", Range::not_negative(), "of the standing spindle"),
+      field("tangential_stiffness", &M::tangential_stiffness, "N/m", Range::positive(), "of the sticking anchor"),
+      field("density", &M::density, "kg/m^3", Range::positive(), "mass over volume"),
+  };
+}
 
 /// @throws Error naming the material, the field, its value and the allowed range
 void validate(const Material& material);

@@ -57,24 +57,6 @@ std::size_t DrillResult::count(StepStatus bit) const {
   return status_counts[std::size_t(std::countr_zero(std::uint32_t(bit)))];
 }
 
-const std::vector<std::pair<StepStatus, std::string>>& status_names() {
-  static const std::vector<std::pair<StepStatus, std::string>> names = {
-      {StepStatus::pose_rejected, "pose_rejected"},
-      {StepStatus::velocity_rejected, "velocity_rejected"},
-      {StepStatus::dt_rejected, "dt_rejected"},
-      {StepStatus::jump_rejected, "jump_rejected"},
-      {StepStatus::blocks_low, "blocks_low"},
-      {StepStatus::blocks_exhausted, "blocks_exhausted"},
-      {StepStatus::removed_list_full, "removed_list_full"},
-      {StepStatus::power_limited, "power_limited"},
-      {StepStatus::engaged_layer_thick, "engaged_layer_thick"},
-      {StepStatus::vibration_left_out, "vibration_left_out"},
-      {StepStatus::detail_reduced, "detail_reduced"},
-      {StepStatus::force_not_finite, "force_not_finite"},
-  };
-  return names;
-}
-
 DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows) {
   const double dt = 1 / rate;
   const double count = std::max(1.0, std::ceil(motion.duration() * rate - 1e-6));

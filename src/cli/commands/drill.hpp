@@ -48,9 +48,6 @@ struct DrillResult {
   [[nodiscard]] std::size_t count(StepStatus bit) const;
 };
 
-/// The bits of StepStatus by name.
-[[nodiscard]] const std::vector<std::pair<StepStatus, std::string>>& status_names();
-
 /// Moves the head of the simulation's tool along `motion`, one step every 1/rate seconds.
 /// @param rate       [Hz]
 /// @param keep_rows  whether to keep every step for the per-step file

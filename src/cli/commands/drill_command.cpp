@@ -57,8 +57,9 @@ void run_drill(const DrillSettings& s) {
   write_files(s.output, to_json(report, result, simulation), result, simulation.workpiece());
 
   std::size_t rejected = 0;
-  for (const auto& [bit, name] : status_names())
+  for_each_bit<StepStatus>([&](StepStatus bit, const char* /*name*/) {
     if (has(kRejected, bit)) rejected += result.count(bit);
+  });
   if (rejected > 0)
     throw Error(std::to_string(rejected) + " of " + std::to_string(result.steps) +
                 " steps were rejected, so the path was not drilled as asked; see the status bits in the report.");

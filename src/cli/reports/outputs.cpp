@@ -20,8 +20,9 @@ namespace {
 
 std::string names_of(StepStatus status) {
   std::string names;
-  for (const auto& [bit, name] : status_names())
+  for_each_bit<StepStatus>([&](StepStatus bit, const std::string& name) {
     if (has(status, bit)) names += (names.empty() ? "" : "|") + name;
+  });
   return names.empty() ? "ok" : names;
 }
 

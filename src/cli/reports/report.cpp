@@ -20,14 +20,14 @@ Json by_material(const MaterialTable& materials, const std::array<double, 256>& 
 }
 
 Json to_json(const EnergyLedger& e) {
-  return {{"hand_work", e.hand_work}, {"motor_work", e.motor_work}, {"elastic", e.elastic}, {"cutting", e.cutting},
-          {"released", e.released},   {"damping", e.damping},       {"rubbing", e.rubbing}, {"anchored", e.anchored},
-          {"sliding", e.sliding},     {"credited", e.credited},     {"entered", e.entered}};
+  Json json = Json::object();
+  for_each_field<EnergyLedger>([&](const auto& field) { json[field.name] = e.*field.member; });
+  return json;
 }
 
 Json status_json(const DrillResult& result) {
   Json json = Json::object();
-  for (const auto& [bit, name] : status_names()) json[name] = result.count(bit);
+  for_each_bit<StepStatus>([&](StepStatus bit, const char* name) { json[name] = result.count(bit); });
   return json;
 }
 
@@ -139,8 +139,9 @@ std::string to_table(const DrillReport& report, const DrillResult& r, const Simu
   table.add("step time", "p50 " + rounded(r.times.p50, 3) + " us, p99 " + rounded(r.times.p99, 3) + " us, p99.9 " +
                              rounded(r.times.p999, 3) + " us, max " + rounded(r.times.max, 3) + " us, " +
                              std::to_string(r.times.deadline_misses) + " over 1 ms (processor time)");
-  for (const auto& [bit, name] : status_names())
+  for_each_bit<StepStatus>([&](StepStatus bit, const std::string& name) {
     if (r.count(bit) > 0) table.add("status", name + " in " + std::to_string(r.count(bit)) + " steps");
+  });
   for (const std::string& warning : report.warnings) table.add("warning", warning);
   return table.text();
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <span>
 
 #include "hapticut/io/vdb/vdb.hpp"
 #include "io/file_errors.hpp"
@@ -11,6 +12,7 @@
 #include "io/recording/recording_file.hpp"
 #include "io/recording/recording_settings.hpp"
 #include "io/recording/scratch_file.hpp"
+#include "io/recording/settings_archive.hpp"
 
 namespace hapticut {
 namespace {
@@ -75,14 +77,17 @@ std::vector<RecordedEffects> read_effects(hid_t file, double update_rate) {
   const hdf5::Group group = hdf5::open_group(file, kEffectsGroup);
   const auto first = hdf5::read_array<std::uint64_t>(group.get(), kFirstSteps);
   const auto values = hdf5::read_array<double>(group.get(), kEffectValues);
+  const hdf5::DataSet set(H5Dopen2(group.get(), kEffectValues, H5P_DEFAULT), "opening the effects");
+  const std::string names = hdf5::read_text_attribute(set.get(), "columns");
+  const std::size_t width = std::size_t(std::count(names.begin(), names.end(), ',')) + 1;
+  const std::vector<hsize_t> shape = hdf5::shape_of(set.get());
+  if (shape.size() != 2 || shape[1] != width) throw Error("its 'effects/values' has not as many columns as names");
   // The writer may have been killed between the two.
-  const std::size_t count = std::min(first.size(), values.size() / kEffectNumbers);
+  const std::size_t count = std::min(first.size(), values.size() / width);
   if (count == 0 || first[0] != 0) throw Error("its group 'effects' does not say what was in force at the first step");
   std::vector<RecordedEffects> effects(count);
   for (std::size_t n = 0; n < count; ++n) {
-    EffectNumbers numbers;
-    std::copy_n(values.data() + n * kEffectNumbers, kEffectNumbers, numbers.data());
-    effects[n] = {first[n], unpack(numbers)};
+    effects[n] = {first[n], unpack(names, std::span(values).subspan(n * width, width))};
     validate(effects[n].effects, update_rate);
   }
   return effects;
@@ -93,10 +98,13 @@ void open_columns(OpenRecording& s) {
   if (!hdf5::exists(s.file.get(), kStepsGroup)) throw Error("it lacks the group 'steps'");
   const hdf5::Group group = hdf5::open_group(s.file.get(), kStepsGroup);
   s.size = std::numeric_limits<std::uint64_t>::max();
+  const FieldList listed(group.get(), kStepsGroup);
+  std::size_t known = 0;
   for (const Column& column : recording_columns()) {
     if (column.side == Column::Side::device && s.info.device.empty()) continue;
-    if (column.since > s.info.format) continue;
     const std::string name = std::string(kStepsGroup) + "/" + column.name;
+    if (!listed.contains(column.name)) continue;  // it came later: the steps have its default
+    ++known;
     if (!hdf5::exists(group.get(), column.name)) throw Error("it lacks the column '" + name + "'");
     hdf5::DataSet set(H5Dopen2(group.get(), column.name.c_str(), H5P_DEFAULT), "opening " + name);
     const std::vector<hsize_t> shape = hdf5::shape_of(set.get());
@@ -110,6 +118,10 @@ void open_columns(OpenRecording& s) {
     s.size = std::min<std::uint64_t>(s.size, shape[0]);
     s.columns.push_back({&column, std::move(set)});
   }
+  if (listed.complete && known != listed.names.size())
+    throw Error("it has a column that this version of hapticut does not know; use a newer version");
+  if (s.columns.empty() || s.columns.front().column->name != "number")
+    throw Error("it lacks the column 'steps/number'");
 }
 
 /// Finds the first gap in the numbers of the steps.

@@ -38,9 +38,9 @@ struct StoredType<T> {
 /// @param access  from a step to the member that the column holds
 template <class Access>
 Column column(Column::Side side, const char* name, const char* unit, const char* frame, const char* meaning,
-              Access access, std::uint64_t since = 1) {
+              Access access) {
   using Member = std::remove_cvref_t<decltype(access(std::declval<RecordedStep&>()))>;
-  Column c{name, unit, frame, meaning, side, ColumnKind::real, {}, 1, 0, since, {}, {}};
+  Column c{name, unit, frame, meaning, side};
   if constexpr (std::is_same_v<Member, Vec3>) {
     c.shape = {3};
     c.numbers = 3;
@@ -82,12 +82,31 @@ Column column(Column::Side side, const char* name, const char* unit, const char*
   [](auto& s) -> auto& { return s.path; }
 // NOLINTEND(bugprone-macro-parentheses)
 
+/// A column for each field of a struct that describes itself.
+/// @param prefix  in front of their names: "energy_"
+/// @param access  from a step to the struct
+template <class Access>
+std::vector<Column> columns_of(Column::Side side, const std::string& prefix, const char* frame, Access access) {
+  using Struct = std::remove_cvref_t<decltype(access(std::declval<RecordedStep&>()))>;
+  std::vector<Column> columns;
+  for_each_field<Struct>([&](const auto& field) {
+    const auto member = field.member;
+    columns.push_back(column(
+        side, (prefix + field.name).c_str(), field.unit, frame, field.text,
+        [ access, member ](auto& s) -> auto& { return access(s).*member; }));
+  });
+  return columns;
+}
+
 std::vector<Column> make_columns() {
   using enum Column::Side;
   const char *const W = "W", *const B = "B", *const none = "";
   const char* const about_handle = "on the tool about Ho, in W";
   const char* const about_stylus = "on the stylus about its point, in B";
-  return {
+  const std::vector<Column> contact = columns_of(result, "contact_", none, HAPTICUT_MEMBER(contact)),
+                            energy = columns_of(result, "energy_", none, HAPTICUT_MEMBER(energy)),
+                            spindle = columns_of(result, "spindle_", "about +z of T", HAPTICUT_MEMBER(spindle));
+  std::vector<Column> columns = {
       column(input, "number", "1", none, "steps since the recording began", HAPTICUT_MEMBER(number)),
       column(input, "time", "s", none, "at the end of the step", HAPTICUT_MEMBER(time)),
       column(input, "pose_rotation", "1", "X_WH", "of the handle, row by row", HAPTICUT_MEMBER(input.pose.rotation)),
@@ -100,17 +119,17 @@ std::vector<Column> make_columns() {
       column(input, "reserved_blocks", "1", none, "blocks for cutting that were asked for",
              HAPTICUT_MEMBER(reserved_blocks)),
       column(input, "free_blocks", "1", none, "blocks for cutting left before the step", HAPTICUT_MEMBER(free_blocks)),
-      column(input, "let_go", "1", none, "1: the hand had let go before the step", HAPTICUT_MEMBER(let_go), 2),
-      column(input, "output_path", "1", none, "OutputPath: direct, coupled, kept", HAPTICUT_MEMBER(path), 2),
+      column(input, "let_go", "1", none, "1: the hand had let go before the step", HAPTICUT_MEMBER(let_go)),
+      column(input, "output_path", "1", none, "OutputPath: direct, coupled, kept", HAPTICUT_MEMBER(path)),
       column(input, "hand_rotation", "1", "X_WD", "of the hand behind a coupling, row by row",
-             HAPTICUT_MEMBER(hand.X_WD.rotation), 2),
+             HAPTICUT_MEMBER(hand.X_WD.rotation)),
       column(input, "hand_translation", "m", "X_WD", "of the hand behind a coupling",
-             HAPTICUT_MEMBER(hand.X_WD.translation), 2),
+             HAPTICUT_MEMBER(hand.X_WD.translation)),
       column(input, "coupling_force", "N", "on the hand about its Ho, in W", "of the coupling",
-             HAPTICUT_MEMBER(hand.wrench.force), 2),
+             HAPTICUT_MEMBER(hand.wrench.force)),
       column(input, "coupling_torque", "N m", "on the hand about its Ho, in W", "of the coupling",
-             HAPTICUT_MEMBER(hand.wrench.torque), 2),
-      column(input, "coupling_dt", "s", none, "since the coupling last gave something", HAPTICUT_MEMBER(hand.dt), 2),
+             HAPTICUT_MEMBER(hand.wrench.torque)),
+      column(input, "coupling_dt", "s", none, "since the coupling last gave something", HAPTICUT_MEMBER(hand.dt)),
       column(result, "force", "N", about_handle, "what the hand feels", HAPTICUT_MEMBER(force)),
       column(result, "torque", "N m", about_handle, "what the hand feels", HAPTICUT_MEMBER(torque)),
       column(result, "model_force", "N", about_handle, "before effects and limits", HAPTICUT_MEMBER(model.force)),
@@ -119,22 +138,9 @@ std::vector<Column> make_columns() {
       column(result, "removed_voxels", "1", none, "emptied by the step", HAPTICUT_MEMBER(removed_voxels)),
       column(result, "removed_voxels_hash", "1", none, "of their indices and materials",
              HAPTICUT_MEMBER(removed_voxels_hash)),
-      column(result, "contact_voxels", "1", none, "inside the head", HAPTICUT_MEMBER(contact.voxels)),
-      column(result, "contact_volume", "m^3", none, "inside the head", HAPTICUT_MEMBER(contact.volume)),
-      column(result, "contact_depth", "m", none, "greatest", HAPTICUT_MEMBER(contact.depth)),
-      column(result, "energy_hand_work", "J", none, "since the first step", HAPTICUT_MEMBER(energy.hand_work)),
-      column(result, "energy_motor_work", "J", none, "since the first step", HAPTICUT_MEMBER(energy.motor_work)),
-      column(result, "energy_elastic", "J", none, "stored now", HAPTICUT_MEMBER(energy.elastic)),
-      column(result, "energy_cutting", "J", none, "since the first step", HAPTICUT_MEMBER(energy.cutting)),
-      column(result, "energy_released", "J", none, "since the first step", HAPTICUT_MEMBER(energy.released)),
-      column(result, "energy_damping", "J", none, "since the first step", HAPTICUT_MEMBER(energy.damping)),
-      column(result, "energy_rubbing", "J", none, "since the first step", HAPTICUT_MEMBER(energy.rubbing)),
-      column(result, "energy_anchored", "J", none, "stored now", HAPTICUT_MEMBER(energy.anchored)),
-      column(result, "energy_sliding", "J", none, "since the first step", HAPTICUT_MEMBER(energy.sliding)),
-      column(result, "energy_credited", "J", none, "since the first step", HAPTICUT_MEMBER(energy.credited)),
-      column(result, "energy_entered", "J", none, "since the first step", HAPTICUT_MEMBER(energy.entered)),
-      column(result, "spindle_speed", "rad/s", "about +z of T", "during the step", HAPTICUT_MEMBER(spindle.speed)),
-      column(result, "spindle_torque", "N m", "about +z of T", "of the motor", HAPTICUT_MEMBER(spindle.torque)),
+  };
+  for (const auto& part : {contact, energy, spindle}) columns.insert(columns.end(), part.begin(), part.end());
+  const std::vector<Column> others = {
       column(result, "sub_steps", "1", none, "0: the input was rejected", HAPTICUT_MEMBER(sub_steps)),
       column(result, "status", "1", none, "bits of StepStatus", HAPTICUT_MEMBER(status)),
       column(device, "device_rotation", "1", "X_BS", "of the stylus, row by row",
@@ -164,12 +170,11 @@ std::vector<Column> make_columns() {
       column(device, "output_limits", "1", none, "bits of OutputLimit", HAPTICUT_MEMBER(device.output.limits)),
       column(device, "arming", "1", none, "ArmingState", HAPTICUT_MEMBER(device.arming)),
   };
+  columns.insert(columns.end(), others.begin(), others.end());
+  return columns;
 }
 
 #undef HAPTICUT_MEMBER
-
-// A new term of the ledger needs a column, and the format a new number.
-static_assert(sizeof(EnergyLedger) == 11 * sizeof(double));
 
 template <class Number>
 double number_in(const std::byte* row, std::size_t element) {

@@ -25,12 +25,11 @@ struct Column {
   std::string name, unit, frame, meaning;
   Side side;
   ColumnKind kind = ColumnKind::real;
-  std::vector<hsize_t> shape;  ///< of one row; empty: one number
-  std::size_t numbers = 1;     ///< in one row
-  std::size_t bytes = 0;       ///< of one row
-  std::uint64_t since = 1;     ///< the first format that has it; older recordings hold its default in every step
-  std::function<void(const RecordedStep&, std::byte*)> pack;
-  std::function<void(RecordedStep&, const std::byte*)> unpack;
+  std::vector<hsize_t> shape = {};  ///< of one row; empty: one number
+  std::size_t numbers = 1;          ///< in one row
+  std::size_t bytes = 0;            ///< of one row
+  std::function<void(const RecordedStep&, std::byte*)> pack = {};
+  std::function<void(RecordedStep&, const std::byte*)> unpack = {};
 };
 
 /// All columns of the present format, in the order of the file.

@@ -1,90 +1,116 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <sstream>
+
 #include "hapticut/core/errors.hpp"
 #include "io/recording/recording_settings.hpp"
 
 namespace hapticut {
 namespace {
 
+std::string with_unit(const std::string& name, const char* unit) {
+  const std::string end = unit_in_names(unit);
+  return end.empty() ? name : name + "_" + end;
+}
+
+/// Visits the numbers of one field: `visit(name, value)`, where the name is made only when it is asked for.
+template <class Value, class Visit>
+void visit_numbers(const char* prefix, const char* field, const char* unit, Value& value, const Visit& visit) {
+  const auto name = [=](const char* axis) { return with_unit(std::string(prefix) + field + axis, unit); };
+  constexpr const char* kAxes[] = {"_x", "_y", "_z"};
+  if constexpr (std::is_arithmetic_v<std::remove_const_t<Value>>)
+    visit([&] { return name(""); }, value);
+  else
+    for (std::size_t axis = 0; axis < 3; ++axis) visit([&] { return name(kAxes[axis]); }, value[axis]);
+}
+
+/// Visits the numbers of one effect that is always there.
+template <class Part, class Visit>
+void visit_part(const char* prefix, Part& part, const Visit& visit) {
+  for_each_field<std::remove_const_t<Part>>(
+      [&](const auto& field) { visit_numbers(prefix, field.name, field.unit, part.*field.member, visit); });
+}
+
+/// The same of one that may be absent: first whether it is there, then its numbers, or their defaults.
+template <class Part, class Visit>
+void visit_part(const char* prefix, const std::optional<Part>& part, const Visit& visit) {
+  const bool is_there = part.has_value();
+  const Part value = part.value_or(Part{});
+  const std::string_view name = prefix;
+  visit([&] { return std::string(name.substr(0, name.size() - 1)); }, is_there);
+  visit_part(prefix, value, visit);
+}
+template <class Part, class Visit>
+void visit_part(const char* prefix, std::optional<Part>& part, const Visit& visit) {
+  bool is_there = part.has_value();
+  Part value = part.value_or(Part{});
+  const std::string_view name = prefix;
+  visit([&] { return std::string(name.substr(0, name.size() - 1)); }, is_there);
+  visit_part(prefix, value, visit);
+  part = is_there ? std::optional(value) : std::nullopt;
+}
+
 /// Goes over the numbers of the effects in their order.
-template <class Visit>
-void visit_effects(Effects& e, bool& gravity, bool& vibration, bool& filter, Gravity& g, Vibration& v, DeltaFilter& f,
-                   const Visit& visit) {
-  visit("gravity", gravity);
-  visit("gravity_mass_kg", g.mass);
-  visit("gravity_center_x_m", g.center_of_mass.x());
-  visit("gravity_center_y_m", g.center_of_mass.y());
-  visit("gravity_center_z_m", g.center_of_mass.z());
-  visit("gravity_x_m_per_s2", g.acceleration.x());
-  visit("gravity_y_m_per_s2", g.acceleration.y());
-  visit("gravity_z_m_per_s2", g.acceleration.z());
-  visit("vibration", vibration);
-  visit("vibration_frequency_Hz", v.frequency);
-  visit("vibration_amplitude_N", v.amplitude);
-  visit("vibration_amplitude_N_per_W", v.amplitude_per_watt);
-  visit("vibration_largest_amplitude_N", v.largest_amplitude);
-  visit("delta_filter", filter);
-  visit("delta_filter_delta_N", f.delta);
-  visit("delta_filter_epsilon_N", f.epsilon);
-  visit("force_x", e.enabled.force[0]);
-  visit("force_y", e.enabled.force[1]);
-  visit("force_z", e.enabled.force[2]);
-  visit("torque_x", e.enabled.torque[0]);
-  visit("torque_y", e.enabled.torque[1]);
-  visit("torque_z", e.enabled.torque[2]);
-  visit("largest_force_N", e.limits.largest_force);
-  visit("largest_torque_Nm", e.limits.largest_torque);
-  visit("force_growth_N_per_s", e.limits.force_growth);
-  visit("torque_growth_Nm_per_s", e.limits.torque_growth);
-  visit("ramp_time_s", e.limits.ramp_time);
+template <class AnyEffects, class Visit>
+void visit_effects(AnyEffects& effects, const Visit& visit) {
+  visit_part("gravity_", effects.gravity, visit);
+  visit_part("vibration_", effects.vibration, visit);
+  visit_part("delta_filter_", effects.delta_filter, visit);
+  visit_part("", effects.enabled, visit);
+  visit_part("", effects.limits, visit);
 }
+static_assert(kFieldsOf<Effects> == 5, "a new effect needs a line above");
 
-template <class Visit>
-void visit_all(Effects& effects, const Visit& visit) {
-  bool gravity = effects.gravity.has_value(), vibration = effects.vibration.has_value(),
-       filter = effects.delta_filter.has_value();
-  Gravity g = effects.gravity.value_or(Gravity{});
-  Vibration v = effects.vibration.value_or(Vibration{});
-  DeltaFilter f = effects.delta_filter.value_or(DeltaFilter{});
-  visit_effects(effects, gravity, vibration, filter, g, v, f, visit);
-  effects.gravity = gravity ? std::optional(g) : std::nullopt;
-  effects.vibration = vibration ? std::optional(v) : std::nullopt;
-  effects.delta_filter = filter ? std::optional(f) : std::nullopt;
+/// What some numbers were called in recordings of format 1.
+std::string name_now(const std::string& name) {
+  constexpr std::pair<const char*, const char*> kFormat1[] = {
+      {"gravity_center_x_m", "gravity_center_of_mass_x_m"},
+      {"gravity_center_y_m", "gravity_center_of_mass_y_m"},
+      {"gravity_center_z_m", "gravity_center_of_mass_z_m"},
+      {"gravity_x_m_per_s2", "gravity_acceleration_x_m_per_s2"},
+      {"gravity_y_m_per_s2", "gravity_acceleration_y_m_per_s2"},
+      {"gravity_z_m_per_s2", "gravity_acceleration_z_m_per_s2"}};
+  for (const auto& [before, now] : kFormat1)
+    if (name == before) return now;
+  return name;
 }
-
-double to_number(double value) { return value; }
-double to_number(bool value) { return value ? 1 : 0; }
-void from_number(double number, double& value) { value = number; }
-void from_number(double number, bool& value) { value = number != 0; }
 
 }  // namespace
 
 EffectNumbers pack(const Effects& effects) noexcept {
   EffectNumbers numbers{};
-  Effects copy = effects;
   std::size_t n = 0;
-  visit_all(copy, [&](const char*, const auto& value) { numbers[n++] = to_number(value); });
+  visit_effects(effects, [&](const auto&, const auto& value) { numbers[n++] = double(value); });
   HAPTICUT_ASSERT(n == kEffectNumbers);
   return numbers;
 }
 
-Effects unpack(const EffectNumbers& numbers) {
+Effects unpack(const std::string& names, std::span<const double> numbers) {
+  std::vector<std::string> given;
+  std::istringstream list(names);
+  for (std::string name; std::getline(list, name, ',');) given.push_back(name_now(name));
+  if (given.size() != numbers.size()) throw Error("its 'effects/values' has not as many columns as names");
+  std::size_t used = 0;
   Effects effects;
-  // What is absent is visited only when it is there: so make it all, and let the flags say what to keep.
-  effects.gravity.emplace();
-  effects.vibration.emplace();
-  effects.delta_filter.emplace();
-  std::size_t n = 0;
-  visit_all(effects, [&](const char*, auto& value) { from_number(numbers[n++], value); });
+  visit_effects(effects, [&](const auto& name, auto& value) {
+    const auto found = std::find(given.begin(), given.end(), name());
+    if (found == given.end()) return;  // it came later, and has its default
+    const double number = numbers[std::size_t(found - given.begin())];
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, bool>)
+      value = number != 0;
+    else
+      value = number;
+    ++used;
+  });
+  if (used != given.size())
+    throw Error("its effects have a number that this version of hapticut does not know; use a newer version");
   return effects;
 }
 
 std::string effect_names() {
   std::string names;
-  Effects none;
-  visit_all(none, [&](const char* name, const auto&) {
-    if (!names.empty()) names += ',';
-    names += name;
-  });
+  const Effects none;
+  visit_effects(none, [&](const auto& name, const auto&) { names += (names.empty() ? "" : ",") + name(); });
   return names;
 }
 

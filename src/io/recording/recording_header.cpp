@@ -9,6 +9,7 @@
 #include "io/recording/recording_settings.hpp"
 #include "io/recording/room_on_disk.hpp"
 #include "io/recording/scratch_file.hpp"
+#include "io/recording/settings_archive.hpp"
 
 namespace hapticut {
 namespace {
@@ -68,13 +69,16 @@ void write_workpiece(hid_t file, const Workpiece& workpiece, const std::vector<s
 
 void create_steps(hid_t file, bool with_device) {
   const hdf5::Group group = hdf5::create_group(file, kStepsGroup);
+  std::string names;
   for (const Column& column : recording_columns()) {
     if (column.side == Column::Side::device && !with_device) continue;
     const hdf5::DataSet set = create_endless(group.get(), column.name, type_of(column.kind).file, column.shape);
     hdf5::write_attribute(set.get(), "unit", column.unit);
     if (!column.frame.empty()) hdf5::write_attribute(set.get(), "frame", column.frame);
     hdf5::write_attribute(set.get(), "meaning", column.meaning);
+    names += (names.empty() ? "" : ",") + column.name;
   }
+  hdf5::write_attribute(group.get(), kFieldsAttribute, names);
 }
 
 void write_effects(hid_t file, const Effects& effects) {

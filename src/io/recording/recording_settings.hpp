@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <string>
 
 #include "hapticut/core/device_state.hpp"
 #include "hapticut/simulation/config.hpp"
@@ -28,10 +30,31 @@ void write_capabilities(hid_t file, const DeviceCapabilities& capabilities);
 
 /// Effects as a row of numbers, so that a change of them is one more row. What is absent is written with its
 /// defaults.
-inline constexpr std::size_t kEffectNumbers = 27;
+namespace detail {
+
+/// How many numbers a field of an effect has.
+template <class Type>
+inline constexpr std::size_t kNumbersOf = std::is_arithmetic_v<Type> ? 1 : 3;
+
+template <class Part>
+constexpr std::size_t count_numbers() {
+  std::size_t count = 0;
+  for_each_field<Part>(
+      [&](const auto& field) { count += kNumbersOf<typename std::remove_cvref_t<decltype(field)>::Type>; });
+  return count;
+}
+
+}  // namespace detail
+
+inline constexpr std::size_t kEffectNumbers =
+    3 + detail::count_numbers<Gravity>() + detail::count_numbers<Vibration>() + detail::count_numbers<DeltaFilter>() +
+    detail::count_numbers<AxisMask>() + detail::count_numbers<OutputLimits>();
 using EffectNumbers = std::array<double, kEffectNumbers>;
 [[nodiscard]] EffectNumbers pack(const Effects& effects) noexcept;
-[[nodiscard]] Effects unpack(const EffectNumbers& numbers);
+
+/// @param names  of the numbers, as `effect_names` of the hapticut that wrote them
+/// @throws Error when a name is unknown
+[[nodiscard]] Effects unpack(const std::string& names, std::span<const double> numbers);
 
 /// What the numbers are, separated by commas.
 [[nodiscard]] std::string effect_names();

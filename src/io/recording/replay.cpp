@@ -40,9 +40,11 @@ const StepResult& step_again(Simulation& simulation, const RecordedStep& step) {
 }
 
 /// The first bit of a step's result that is not what was recorded.
-std::optional<ReplayDifference> compare(const RecordedStep& recorded, const RecordedStep& replayed) {
+std::optional<ReplayDifference> compare(const std::vector<OpenColumn>& columns, const RecordedStep& recorded,
+                                        const RecordedStep& replayed) {
   std::array<std::byte, 9 * sizeof(double)> before, now;
-  for (const Column& column : recording_columns()) {
+  for (const OpenColumn& open : columns) {
+    const Column& column = *open.column;
     if (column.side != Column::Side::result && column.name != "free_blocks") continue;
     column.pack(recorded, before.data());
     column.pack(replayed, now.data());
@@ -81,7 +83,8 @@ ReplayReport replay(const Recording& recording, const ReplayOptions& options) {
       RecordedStep replayed = recorded;
       replayed.free_blocks = simulation.workpiece().reserved_blocks();
       note_result(step_again(simulation, recorded), replayed);
-      if (!report.first_difference) report.first_difference = compare(recorded, replayed);
+      if (!report.first_difference)
+        report.first_difference = compare(RecordingAccess::state(recording).columns, recorded, replayed);
       report.largest_force_difference =
           std::max(report.largest_force_difference, (replayed.force - recorded.force).norm());
       ++report.steps;

@@ -1,20 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "hapticut/core/description.hpp"
+#include "hapticut/core/spatial.hpp"
+#include "io/recording/format_1.hpp"
 #include "io/recording/hdf5.hpp"
 
 /// @file
 /// Settings as data sets of a group: a name, a unit and a value. Writer and reader take the same calls, so that one
-/// list of them serves both.
+/// list of them serves both; of a struct that describes itself (core/description.hpp) its fields are that list.
+///
+/// A group lists the names of what it holds in its attribute `fields`. So a reader knows whether a data set is missing,
+/// or belongs to a field that came later, which then has its default; and it refuses a field that it does not know. The
+/// lists of recordings of format 1, which do not hold them, are in format_1.hpp.
 namespace hapticut {
 
-/// The values of an enumeration by the words that stand for them.
-template <class Enum>
-using Names = std::vector<std::pair<Enum, const char*>>;
+inline constexpr char kFieldsAttribute[] = "fields";
+
+/// What a group of a file should hold.
+struct FieldList {
+  FieldList(hid_t group, const std::string& name) : complete(hdf5::has_attribute(group, kFieldsAttribute)) {
+    std::istringstream list(complete ? hdf5::read_text_attribute(group, kFieldsAttribute)
+                                     : std::string(fields_of_format_1(name)));
+    for (std::string field; std::getline(list, field, ',');) names.push_back(field);
+  }
+  [[nodiscard]] bool contains(const std::string& name) const {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
+
+  bool complete;  ///< there is nothing else in the group
+  std::vector<std::string> names;
+};
 
 /// Writes settings into a group.
 class SettingsWriter {
@@ -27,70 +50,128 @@ class SettingsWriter {
   }
   void operator()(const char* name, const std::size_t& value) {
     const auto number = std::uint64_t(value);
+    note(name);
     hdf5::write_attribute(hdf5::write_array(group_, name, &number, {1}).get(), "unit", "1");
   }
   void operator()(const char* name, const int& value) { (*this)(name, std::size_t(value)); }
   void operator()(const char* name, const bool& value) { (*this)(name, std::size_t(value)); }
-  void operator()(const char* name, const std::string& text) { hdf5::write_text(group_, name, text); }
-  template <class Enum>
-  void operator()(const char* name, const Enum& value, const Names<Enum>& names) {
-    for (const auto& [known, word] : names)
-      if (known == value) hdf5::write_text(group_, name, word);
+  void operator()(const char* name, const std::string& text) {
+    note(name);
+    hdf5::write_text(group_, name, text);
   }
+  template <NamedEnum Enum>
+  void operator()(const char* name, const Enum& value) {
+    (*this)(name, std::string(name_or_null(value)));
+  }
+
+  /// Ends the group with the list of what it holds.
+  void close() { hdf5::write_attribute(group_, kFieldsAttribute, names_); }
 
  private:
   void write(const char* name, const char* unit, const double* values, std::size_t count) {
+    note(name);
     hdf5::write_attribute(hdf5::write_array(group_, name, values, {count}).get(), "unit", unit);
   }
+  void note(const char* name) { names_ += (names_.empty() ? "" : ",") + std::string(name); }
+
   hid_t group_;
+  std::string names_;
 };
 
 /// Reads them back, by the same calls.
 class SettingsReader {
  public:
-  SettingsReader(hid_t group, std::string name) : group_(group), name_(std::move(name)) {}
+  SettingsReader(hid_t group, const std::string& name) : group_(group), name_(name), listed_(group, name) {}
 
-  void operator()(const char* name, const char* /*unit*/, double& value) const { value = only<double>(name); }
-  void operator()(const char* name, const char* /*unit*/, std::vector<double>& values) const {
-    require(name);
-    values = hdf5::read_array<double>(group_, name);
+  void operator()(const char* name, const char* /*unit*/, double& value) {
+    if (has(name)) value = only<double>(name);
   }
-  void operator()(const char* name, std::size_t& value) const { value = std::size_t(only<std::uint64_t>(name)); }
-  void operator()(const char* name, int& value) const { value = int(only<std::uint64_t>(name)); }
-  void operator()(const char* name, bool& value) const { value = only<std::uint64_t>(name) != 0; }
-  void operator()(const char* name, std::string& text) const {
-    require(name);
-    text = hdf5::read_text(group_, name);
+  void operator()(const char* name, const char* /*unit*/, std::vector<double>& values) {
+    if (has(name)) values = hdf5::read_array<double>(group_, name);
   }
-  template <class Enum>
-  void operator()(const char* name, Enum& value, const Names<Enum>& names) const {
-    std::string found, allowed;
+  void operator()(const char* name, std::size_t& value) {
+    if (has(name)) value = std::size_t(only<std::uint64_t>(name));
+  }
+  void operator()(const char* name, int& value) {
+    if (has(name)) value = int(only<std::uint64_t>(name));
+  }
+  void operator()(const char* name, bool& value) {
+    if (has(name)) value = only<std::uint64_t>(name) != 0;
+  }
+  void operator()(const char* name, std::string& text) {
+    if (has(name)) text = hdf5::read_text(group_, name);
+  }
+  template <NamedEnum Enum>
+  void operator()(const char* name, Enum& value) {
+    std::string found = name_or_null(value);
     (*this)(name, found);
-    for (const auto& [known, word] : names) {
-      if (found == word) {
-        value = known;
-        return;
-      }
-      if (!allowed.empty()) allowed += ", ";
-      allowed += word;
-    }
-    throw Error("its '" + name_ + "/" + name + "' is \"" + found + "\", but must be one of " + allowed);
+    const std::optional<Enum> known = value_named<Enum>(found);
+    if (!known)
+      throw Error("its '" + name_ + "/" + name + "' is \"" + found + "\", but must be one of " + list_of_names<Enum>());
+    value = *known;
+  }
+
+  /// @throws Error when the group holds something that nobody asked for
+  void close() const {
+    if (!listed_.complete) return;
+    for (const std::string& field : listed_.names)
+      if (std::find(asked_.begin(), asked_.end(), field) == asked_.end())
+        throw Error("it has '" + name_ + "/" + field +
+                    "', which this version of hapticut does not know; use a newer version");
   }
 
  private:
-  void require(const char* name) const {
-    if (!hdf5::exists(group_, name)) throw Error("it lacks '" + name_ + "/" + name + "'");
+  /// Whether the group has this; where not, the value is left as it is.
+  /// @throws Error when it should have it
+  bool has(const char* name) {
+    asked_.emplace_back(name);
+    if (hdf5::exists(group_, name)) return true;
+    if (!listed_.contains(name)) return false;
+    throw Error("it lacks '" + name_ + "/" + name + "'");
   }
   template <class Number>
   Number only(const char* name) const {
-    require(name);
     const std::vector<Number> values = hdf5::read_array<Number>(group_, name);
     if (values.size() != 1) throw Error("its '" + name_ + "/" + name + "' must be one number");
     return values[0];
   }
   hid_t group_;
   std::string name_;
+  FieldList listed_;
+  std::vector<std::string> asked_;
 };
+
+/// A field as data sets.
+/// @param name  its name with what stands in front of it: "spindle_speed"
+template <class Archive, class Value>
+void visit_value(Archive& archive, const std::string& name, const char* unit, Value& value) {
+  using Plain = std::remove_const_t<Value>;
+  if constexpr (std::is_same_v<Plain, double>) {
+    archive(name.c_str(), unit, value);
+  } else if constexpr (std::is_same_v<Plain, Vec3>) {
+    archive((name + "_x").c_str(), unit, value.x());
+    archive((name + "_y").c_str(), unit, value.y());
+    archive((name + "_z").c_str(), unit, value.z());
+  } else {
+    archive(name.c_str(), value);
+  }
+}
+
+/// Marks a field that `visit_fields` leaves to its caller.
+template <class... Types>
+struct Except {};
+
+/// All fields of a struct, in their order.
+/// @param prefix  in front of their names: "spindle_"
+/// @param except  types of fields that are stored in another way
+template <class Archive, class S, class... Excepted>
+void visit_fields(Archive& archive, const std::string& prefix, S& s, Except<Excepted...> /*except*/ = Except<>{}) {
+  for_each_field<std::remove_const_t<S>>([&](const auto& field) {
+    using Type = typename std::remove_cvref_t<decltype(field)>::Type;
+    if constexpr (!(std::is_same_v<Type, Excepted> || ...))
+      visit_value(archive, prefix + field.name, field.unit, s.*field.member);
+  });
+}
 
 /// The settings of a group of a file.
 /// @param group  kept open by the caller

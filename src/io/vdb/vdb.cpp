@@ -4,6 +4,7 @@
 #include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <fstream>
@@ -21,30 +22,17 @@ namespace hapticut {
 namespace {
 
 constexpr double kUnit = 1e-3;  // [m] the world unit of the files: OpenVDB refuses voxels below 14 um in metres
-constexpr int kFormat = 1;      // raised when an older hapticut could misread a file
+constexpr int kFormat = 2;      // 2 lists the fields of a material; raised when an older hapticut could misread a file
 constexpr char kFormatKey[] = "hapticut_format";
 constexpr char kUnitKey[] = "hapticut_unit_m";
 constexpr char kVoxelSizeKey[] = "hapticut_voxel_size_m";
 constexpr char kPoseKey[] = "hapticut_X_WV_m";
 constexpr char kMaterialsKey[] = "hapticut_materials";
-
-/// The numbers of a Material by the name under which they are stored.
-constexpr struct {
-  const char* name;
-  double Material::*member;
-} kFields[] = {
-    {"relative_stiffness", &Material::relative_stiffness},
-    {"damping", &Material::damping},
-    {"cutting_ratio", &Material::cutting_ratio},
-    {"specific_cutting_energy", &Material::specific_cutting_energy},
-    {"edge_pressure", &Material::edge_pressure},
-    {"static_friction", &Material::static_friction},
-    {"dynamic_friction", &Material::dynamic_friction},
-    {"tangential_stiffness", &Material::tangential_stiffness},
-    {"density", &Material::density},
-};
-// A new field of Material must be added to the table above (and an older file then lacks it: raise kFormat).
-static_assert(sizeof(Material) == sizeof(std::string) + std::size(kFields) * sizeof(double));
+constexpr char kFieldsKey[] = "hapticut_material_fields";
+// What a file of format 1 holds of a material. Files of later formats say it themselves.
+constexpr char kFieldsOfFormat1[] =
+    "name,relative_stiffness,damping,cutting_ratio,specific_cutting_energy,edge_pressure,static_friction,"
+    "dynamic_friction,tangential_stiffness,density";
 
 std::string key_of(int id, const char* field) { return "hapticut_material_" + std::to_string(id) + "_" + field; }
 
@@ -74,11 +62,16 @@ void describe(const Workpiece& workpiece, openvdb::MetaMap& meta) {
   meta.insertMeta(kVoxelSizeKey, openvdb::DoubleMetadata(workpiece.voxel_size()));
   meta.insertMeta(kPoseKey, openvdb::Mat4DMetadata(matrix_of(workpiece.frame().X_WV)));
   meta.insertMeta(kMaterialsKey, openvdb::Int32Metadata(workpiece.materials().size()));
+  std::string fields;
+  for_each_field<Material>([&](const auto& field) { fields += (fields.empty() ? "" : ",") + std::string(field.name); });
+  meta.insertMeta(kFieldsKey, openvdb::StringMetadata(fields));
   int id = 0;
   for (const Material& material : workpiece.materials().all()) {
-    meta.insertMeta(key_of(++id, "name"), openvdb::StringMetadata(material.name));
-    for (const auto& field : kFields)
-      meta.insertMeta(key_of(id, field.name), openvdb::DoubleMetadata(material.*field.member));
+    ++id;
+    for_each_field<Material>([&](const auto& field) {
+      using Type = typename std::remove_cvref_t<decltype(field)>::Type;
+      meta.insertMeta(key_of(id, field.name), openvdb::TypedMetadata<Type>(material.*field.member));
+    });
   }
 }
 
@@ -161,15 +154,36 @@ Value require_meta(const openvdb::MetaMap& meta, const std::string& key) {
   return entry->value();
 }
 
+/// The fields that a file has of each material.
+/// @throws Error when one of them is unknown here
+std::vector<std::string> fields_in(const openvdb::MetaMap& meta) {
+  const bool says_it = require_meta<std::int32_t>(meta, kFormatKey) > 1;
+  std::istringstream list(says_it ? require_meta<std::string>(meta, kFieldsKey) : kFieldsOfFormat1);
+  std::vector<std::string> names;
+  for (std::string name; std::getline(list, name, ',');) {
+    bool known = false;
+    for_each_field<Material>([&](const auto& field) { known |= name == field.name; });
+    if (!known)
+      throw Error("its materials have a '" + name +
+                  "', which this version of hapticut does not know; use a newer one.");
+    names.push_back(name);
+  }
+  return names;
+}
+
 MaterialTable read_materials(const openvdb::MetaMap& meta) {
   const auto count = require_meta<std::int32_t>(meta, kMaterialsKey);
   if (count < 1 || count > kMaxMaterials)
     throw Error("it names " + std::to_string(count) + " materials; 1 to 255 are possible.");
+  const std::vector<std::string> fields = fields_in(meta);
   MaterialTable materials;
   for (int id = 1; id <= count; ++id) {
     Material material;
-    material.name = require_meta<std::string>(meta, key_of(id, "name"));
-    for (const auto& field : kFields) material.*field.member = require_meta<double>(meta, key_of(id, field.name));
+    for_each_field<Material>([&](const auto& field) {
+      using Type = typename std::remove_cvref_t<decltype(field)>::Type;
+      if (std::find(fields.begin(), fields.end(), field.name) != fields.end())
+        material.*field.member = require_meta<Type>(meta, key_of(id, field.name));
+    });
     materials.add(std::move(material));
   }
   return materials;
@@ -223,8 +237,8 @@ Workpiece parse(const std::filesystem::path& path) {
   const auto material = require_grid<openvdb::Int32Grid>(file, "material");
   const auto centroid = require_grid<openvdb::Int32Grid>(file, "centroid");
   const auto format = require_meta<std::int32_t>(*material, kFormatKey);
-  if (format != kFormat)
-    throw Error("it has format " + std::to_string(format) + "; this version of hapticut reads format " +
+  if (format < 1 || format > kFormat)
+    throw Error("it has format " + std::to_string(format) + "; this version of hapticut reads formats 1 to " +
                 std::to_string(kFormat) + ". Use the version that wrote it.");
   MaterialTable materials = read_materials(*material);
   const GridFrame frame = read_frame(*material);

@@ -48,21 +48,13 @@ TEST(BadForceInput, ADynamicFrictionAboveTheStaticOneIsRefused) {
 }
 
 TEST(BadForceInput, NegativeConstantsAreRefusedByName) {
-  const std::pair<const char*, double Material::*> fields[] = {
-      {"relative_stiffness", &Material::relative_stiffness},
-      {"damping", &Material::damping},
-      {"cutting_ratio", &Material::cutting_ratio},
-      {"specific_cutting_energy", &Material::specific_cutting_energy},
-      {"edge_pressure", &Material::edge_pressure},
-      {"static_friction", &Material::static_friction},
-      {"dynamic_friction", &Material::dynamic_friction},
-      {"tangential_stiffness", &Material::tangential_stiffness},
-      {"density", &Material::density}};
-  for (const auto& [name, member] : fields) {
-    Material material = test::plain_material();
-    material.*member = -1;
-    expect_refusal([&] { (void)block(material); }, {std::string(name), "= -1", "must be a finite number >"});
-  }
+  for_each_field<Material>([](const auto& field) {
+    if constexpr (std::is_same_v<decltype(field.member), double Material::*>) {
+      Material material = test::plain_material();
+      material.*field.member = -1;
+      expect_refusal([&] { (void)block(material); }, {field.name, "= -1; must be"});
+    }
+  });
 
   const auto with = [](const auto& change) {
     SimulationConfig config;

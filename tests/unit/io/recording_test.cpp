@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <thread>
 
@@ -16,6 +18,7 @@
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "io/recording/hdf5.hpp"
 #include "support/cutting.hpp"
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
@@ -299,6 +302,87 @@ TEST(Effects, SurviveTheWayThroughNumbers) {
   EXPECT_EQ(e.limits.force_growth, 900);
   EXPECT_EQ(e.limits.torque_growth, 20);
   EXPECT_EQ(e.limits.ramp_time, 0.5);
+}
+
+TEST(Recording, HoldsHowManyTurnsAVoxelBudgetTakes) {
+  const TemporaryFolder folder;
+  SimulationConfig config;
+  config.voxel_budget = 4096;
+  Simulation simulation = small_cut(config);
+  Recorder recorder(folder / "a.h5", simulation, patient());
+  std::vector<int> turns;
+  for (int tick = 0; tick < 300; ++tick) turns.push_back(recorder.step(plunge(simulation, tick)).contact.turns);
+  recorder.close();
+  ASSERT_GT(*std::max_element(turns.begin(), turns.end()), 1);
+  const std::vector<RecordedStep> steps = read_recording(folder / "a.h5").read(0, 300);
+  for (const RecordedStep& step : steps) EXPECT_EQ(step.contact.turns, turns.at(step.number)) << step.number;
+  expect_identical(replay_file(folder / "a.h5"), 300, "in turns");
+}
+
+// What a step returns is recorded: a field of StepResult is a column, or its own fields are columns.
+TEST(Recording, HasAColumnForEachFieldOfAResult) {
+  const TemporaryFolder folder;
+  test::record_scene(folder / "a.h5", "axial_flat", 2);
+  const hdf5::File file(H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "opening");
+  const hdf5::Group group = hdf5::open_group(file.get(), "steps");
+  for_each_field<StepResult>([&](const auto& field) {
+    using Type = typename std::remove_cvref_t<decltype(field)>::Type;
+    const std::string name = field.name;
+    if constexpr (Described<Type>)
+      for_each_field<Type>([&](const auto& part) {
+        EXPECT_TRUE(hdf5::exists(group.get(), name + "_" + part.name)) << name << " " << part.name;
+      });
+    else if constexpr (std::is_same_v<Type, Wrench>)
+      EXPECT_TRUE(hdf5::exists(group.get(), name + "_force") && hdf5::exists(group.get(), name + "_torque")) << name;
+    else
+      EXPECT_TRUE(hdf5::exists(group.get(), name)) << name;
+  });
+}
+
+/// Changes an attribute of a group, as another version of hapticut would have written it.
+void change_fields(const std::filesystem::path& path, const char* group_name,
+                   const std::function<std::string(std::string)>& change) {
+  const hdf5::File file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "opening");
+  const hdf5::Group group = hdf5::open_group(file.get(), group_name);
+  const std::string fields = hdf5::read_text_attribute(group.get(), "fields");
+  hdf5::checked(H5Adelete(group.get(), "fields"), "deleting");
+  hdf5::write_attribute(group.get(), "fields", change(fields));
+}
+
+/// Takes a data set away.
+void remove(const std::filesystem::path& path, const char* name) {
+  const hdf5::File file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "opening");
+  hdf5::checked(H5Ldelete(file.get(), name, H5P_DEFAULT), "deleting");
+}
+
+std::string refusal_of(const std::filesystem::path& path) {
+  try {
+    (void)read_recording(path);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Recording, GivesAFieldThatCameLaterItsDefaultAndRefusesOneThatIsMissingOrUnknown) {
+  const TemporaryFolder folder;
+  const std::pair<const char*, const char*> fields[] = {
+      {"simulation", "longest_sweep"}, {"tool", "spindle_droop"}, {"materials", "density"}, {"steps", "contact_turns"}};
+  for (const auto& [group, field] : fields) {
+    const std::string name = field;
+    test::record_scene(folder / "a.h5", "axial_flat", 5);
+    remove(folder / "a.h5", (std::string(group) + "/" + field).c_str());
+    EXPECT_NE(refusal_of(folder / "a.h5").find(std::string(group) + "/" + field), std::string::npos) << field;
+    change_fields(folder / "a.h5", group, [&](std::string list) {
+      const std::size_t at = list.find("," + name);
+      EXPECT_NE(at, std::string::npos) << list;
+      return list.erase(at, name.size() + 1);
+    });
+    EXPECT_EQ(refusal_of(folder / "a.h5"), "") << field;
+    EXPECT_EQ(read_recording(folder / "a.h5").config().longest_sweep, SimulationConfig{}.longest_sweep);
+    change_fields(folder / "a.h5", group, [](const std::string& list) { return list + ",taste"; });
+    EXPECT_NE(refusal_of(folder / "a.h5").find("newer version"), std::string::npos) << field;
+  }
 }
 
 }  // namespace

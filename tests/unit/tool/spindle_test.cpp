@@ -100,13 +100,13 @@ TEST(SpindleInput, IsRefusedWithItsValueAndTheCure) {
   Spindle spindle;
   EXPECT_EQ(message(spindle), "");
   spindle.acceleration_limit = 0;
-  EXPECT_EQ(message(spindle).find("Spindle::acceleration_limit = 0 rad/s^2; must be > 0"), 0U);
+  EXPECT_EQ(message(spindle).find("Spindle::acceleration_limit [rad/s^2] = 0; must be > 0"), 0U);
   spindle = {};
   spindle.droop = -1;
-  EXPECT_EQ(message(spindle).find("Spindle::droop = -1"), 0U);
+  EXPECT_EQ(message(spindle).find("Spindle::droop [rad/(s N m)] = -1"), 0U);
   spindle = {};
   spindle.power_limit = -1;
-  EXPECT_EQ(message(spindle).find("Spindle::power_limit = -1 W"), 0U);
+  EXPECT_EQ(message(spindle).find("Spindle::power_limit [W] = -1"), 0U);
 }
 
 }  // namespace

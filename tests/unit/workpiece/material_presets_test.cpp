@@ -15,16 +15,18 @@
 namespace hapticut::material_presets_test {
 namespace {
 
-std::vector<double> fields_of(const Material& m) {
-  return {m.relative_stiffness,
-          m.damping,
-          m.cutting_ratio,
-          m.specific_cutting_energy,
-          m.edge_pressure,
-          m.static_friction,
-          m.dynamic_friction,
-          m.tangential_stiffness,
-          m.density};
+/// Calls `visit(field)` for each number of a material.
+template <class Visit>
+void for_each_number(const Visit& visit) {
+  for_each_field<Material>([&](const auto& field) {
+    if constexpr (std::is_same_v<decltype(field.member), double Material::*>) visit(field);
+  });
+}
+
+std::vector<double> numbers_of(const Material& m) {
+  std::vector<double> numbers;
+  for_each_number([&](const auto& field) { numbers.push_back(m.*field.member); });
+  return numbers;
 }
 
 /// The rows of the first table of the page: name -> the nine numbers.
@@ -50,8 +52,17 @@ TEST(MaterialPresets, AreExactlyTheTableOfTheDocumentation) {
   for (const std::string_view name : preset_names()) {
     const auto row = rows.find(std::string(name));
     ASSERT_NE(row, rows.end()) << name;
-    EXPECT_EQ(row->second, fields_of(find_preset(name))) << name;
+    EXPECT_EQ(row->second, numbers_of(find_preset(name))) << name;
   }
+}
+
+TEST(MaterialPresets, StandInATableOfAllTheFieldsOfAMaterial) {
+  std::string expected = "| name |";
+  for_each_number([&](const auto& field) { expected += std::string(" ") + field.name + " [" + field.unit + "] |"; });
+  std::ifstream page(HAPTICUT_DOCS "/materials.md");
+  std::string line;
+  while (std::getline(page, line) && line.rfind("| name", 0) != 0) continue;
+  EXPECT_EQ(line, expected);
 }
 
 TEST(MaterialPresets, AreValidAndNamedLikeTheirFunction) {

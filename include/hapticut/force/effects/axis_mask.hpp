@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 
 namespace hapticut {
@@ -12,6 +13,13 @@ struct AxisMask {
   std::array<bool, 3> force = {true, true, true};
   std::array<bool, 3> torque = {true, true, true};
 };
+
+constexpr auto fields_of(Of<AxisMask>) {
+  return std::tuple{
+      field("force", &AxisMask::force, "along x, y, z"),
+      field("torque", &AxisMask::torque, "about x, y, z"),
+  };
+}
 
 /// @realtime no allocation, no lock; O(1)
 [[nodiscard]] inline Wrench masked(const AxisMask& mask, const Wrench& wrench) {

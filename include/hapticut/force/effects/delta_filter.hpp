@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 
 namespace hapticut {
@@ -12,9 +13,16 @@ namespace hapticut {
 /// The table adds the number epsilon to a vector; read as a step along the difference vector it keeps its direction and
 /// does not run away when the force is released. It still lags: epsilon a step whatever the rate, 3 N in half a second.
 struct DeltaFilter {
-  double delta = 0.5;      ///< [N] > 0, largest change that passes unfiltered
-  double epsilon = 0.005;  ///< [N] > 0, change per step otherwise; not more than delta
+  double delta = 0.5;
+  double epsilon = 0.005;
 };
+
+constexpr auto fields_of(Of<DeltaFilter>) {
+  return std::tuple{
+      field("delta", &DeltaFilter::delta, "N", Range::positive(), "largest change that passes unfiltered"),
+      field("epsilon", &DeltaFilter::epsilon, "N", Range::positive(), "change per step otherwise; not more than delta"),
+  };
+}
 
 /// @throws Error naming the field, its value and the allowed range
 void validate(const DeltaFilter& filter);

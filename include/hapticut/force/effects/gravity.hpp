@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 
 namespace hapticut {
@@ -9,10 +10,18 @@ namespace hapticut {
 ///
 ///     F = m g,   T = (p_com - Ho) x F   about the handle's origin
 struct Gravity {
-  double mass = 0;                           ///< [kg] >= 0
-  Vec3 center_of_mass = Vec3::Zero();        ///< [m] from Ho, in the handle's frame H
-  Vec3 acceleration = Vec3(0, 0, -9.80665);  ///< [m/s^2] in W: which way is down
+  double mass = 0;
+  Vec3 center_of_mass = Vec3::Zero();
+  Vec3 acceleration = Vec3(0, 0, -9.80665);
 };
+
+constexpr auto fields_of(Of<Gravity>) {
+  return std::tuple{
+      field("mass", &Gravity::mass, "kg", Range::not_negative(), "of the tool, less that of the device's stylus"),
+      field("center_of_mass", &Gravity::center_of_mass, "m", "from Ho, in the handle's frame H"),
+      field("acceleration", &Gravity::acceleration, "m/s^2", "in W: which way is down"),
+  };
+}
 
 /// @throws Error naming the field, its value and the allowed range
 void validate(const Gravity& gravity);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/units.hpp"
 
 namespace hapticut {
@@ -16,11 +17,22 @@ namespace hapticut {
 /// The thesis's sin(f t) shakes at f/2pi, and at 500 Hz sampled with 1 kHz sin(2 pi f t) is zero at every sample:
 /// hence the phase that is accumulated, and the bound on the frequency (D9).
 struct Vibration {
-  double frequency = 150;          ///< [Hz] > 0, below 0.45 of the update rate
-  double amplitude = 0.3;          ///< [N] >= 0
-  double amplitude_per_watt = 0;   ///< [N/W] >= 0
-  double largest_amplitude = 0.5;  ///< [N] >= amplitude
+  double frequency = 150;
+  double amplitude = 0.3;
+  double amplitude_per_watt = 0;
+  double largest_amplitude = 0.5;
 };
+
+constexpr auto fields_of(Of<Vibration>) {
+  using V = Vibration;
+  return std::tuple{
+      field("frequency", &V::frequency, "Hz", Range::positive(), "below 0.45 of the update rate"),
+      field("amplitude", &V::amplitude, "N", Range::not_negative(), "without a load"),
+      field("amplitude_per_watt", &V::amplitude_per_watt, "N/W", Range::not_negative(),
+            "what it grows by with the power of the spindle"),
+      field("largest_amplitude", &V::largest_amplitude, "N", Range::not_negative(), "not below amplitude"),
+  };
+}
 
 /// [1] of the update rate: a sine sampled less than 1/0.45 times a period beats visibly, and at 0.5 it may vanish.
 inline constexpr double kFastestVibration = 0.45;

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+/// @file
+/// What a public struct or enumeration says of itself, once. Beside the struct stands a list of its fields, beside the
+/// enumeration a list of its names:
+///
+///     struct Ball {
+///       double radius = 1e-3;
+///     };
+///
+///     constexpr auto fields_of(Of<Ball>) {
+///       return std::tuple{field("radius", &Ball::radius, "m", Range::positive(), "to the cutting surface")};
+///     }
+///
+/// Validation, settings files and their help, recordings, .vdb files, Python with its docstrings and the tables of the
+/// documentation all go through this list. So a new field is a member and a line; its default stands at the member.
+namespace hapticut {
+
+/// The numbers that a field may have.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false;        ///< `low` itself is not allowed
+  bool infinity_is_in = false;  ///< infinity is allowed, and stands for no limit
+
+  [[nodiscard]] static constexpr Range any() { return {}; }
+  [[nodiscard]] static constexpr Range positive() { return above(0); }
+  [[nodiscard]] static constexpr Range not_negative() {
+    return {0, std::numeric_limits<double>::infinity(), false, false};
+  }
+  [[nodiscard]] static constexpr Range above(double low) {
+    return {low, std::numeric_limits<double>::infinity(), true, false};
+  }
+  [[nodiscard]] static constexpr Range between(double low, double high) { return {low, high, false, false}; }
+  /// Positive, or infinity for no limit.
+  [[nodiscard]] static constexpr Range limit() { return {0, std::numeric_limits<double>::infinity(), true, true}; }
+
+  [[nodiscard]] bool contains(double value) const;
+
+  /// Completes "must be": "a number > 0".
+  [[nodiscard]] std::string text() const;
+
+  /// For documentation: "> 0", "0 ... 1e+06"; nothing where every number is allowed.
+  [[nodiscard]] std::string short_text() const;
+};
+
+/// @param name  what the user called it, with its unit: "SphereHead::radius [m]"
+/// @throws Error when the value is not within the range
+void require_within(double value, const Range& range, const std::string& name);
+
+/// Stands for a type where only the type matters.
+template <class T>
+struct Of {};
+
+/// One field of struct S.
+template <class S, class T>
+struct Field {
+  using Struct = S;
+  using Type = T;
+
+  const char* name;  ///< as in C++
+  T S::*member;
+  const char* unit;  ///< "N/m", "1" of a number without unit, "" of what is no number
+  Range range;       ///< of its numbers
+  const char* text;  ///< what it is
+};
+
+/// A number, or several of the same unit.
+template <class S, class T>
+[[nodiscard]] constexpr Field<S, T> field(const char* name, T S::*member, const char* unit, Range range,
+                                          const char* text) {
+  return {name, member, unit, range, text};
+}
+
+/// A number that may be any; what comes out of a computation.
+template <class S, class T>
+[[nodiscard]] constexpr Field<S, T> field(const char* name, T S::*member, const char* unit, const char* text) {
+  return {name, member, unit, Range::any(), text};
+}
+
+/// No number: a text, a switch, a choice, a struct.
+template <class S, class T>
+[[nodiscard]] constexpr Field<S, T> field(const char* name, T S::*member, const char* text) {
+  return {name, member, "", Range::any(), text};
+}
+
+/// A struct with a list of its fields.
+template <class S>
+concept Described = requires {
+  fields_of(Of<S>{});
+};
+
+/// Calls `visit(field)` for each field of S, in their order.
+template <Described S, class Visit>
+constexpr void for_each_field(Visit&& visit) {
+  std::apply([&](const auto&... fields) { (visit(fields), ...); }, fields_of(Of<S>{}));
+}
+
+template <Described S>
+inline constexpr std::size_t kFieldsOf = std::tuple_size_v<decltype(fields_of(Of<S>{}))>;
+
+/// The numbers that a field may have, by its member: `range_of(&Spindle::droop)`.
+template <class S, class T>
+[[nodiscard]] constexpr Range range_of(T S::*member) {
+  Range range;
+  for_each_field<S>([&](const auto& field) {
+    if constexpr (std::is_same_v<decltype(field.member), T S::*>)
+      if (field.member == member) range = field.range;
+  });
+  return range;
+}
+
+/// Checks every number of a struct against its range.
+/// @param prefix  in front of the field's name in messages: "Spindle::"
+/// @throws Error naming the field, its unit, its value and the allowed range
+template <Described S>
+void require_fields_within(const S& s, const std::string& prefix) {
+  for_each_field<S>([&](const auto& field) {
+    using T = typename std::remove_cvref_t<decltype(field)>::Type;
+    const std::string name = prefix + field.name + " [" + field.unit + "]";
+    if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>)
+      require_within(double(s.*field.member), field.range, name);
+    else if constexpr (requires(const T& vector) { vector.x() + vector.y() + vector.z(); })
+      for (const double number : {(s.*field.member).x(), (s.*field.member).y(), (s.*field.member).z()})
+        require_within(number, field.range, name);
+  });
+}
+
+/// One value of an enumeration and the word for it in files, on the command line and in Python.
+template <class E>
+struct Named {
+  E value;
+  const char* name;
+  const char* words = nullptr;  ///< for people, where that is not the name
+};
+template <class E>
+Named(E, const char*) -> Named<E>;
+template <class E>
+Named(E, const char*, const char*) -> Named<E>;
+
+/// An enumeration with a list of its names, `names_of(Of<E>)`.
+template <class E>
+concept NamedEnum = std::is_enum_v<E> && requires {
+  names_of(Of<E>{});
+};
+
+/// @return null when the value is none of the enumeration's
+template <NamedEnum E>
+[[nodiscard]] constexpr const char* name_or_null(E value) {
+  for (const Named<E>& one : names_of(Of<E>{}))
+    if (one.value == value) return one.name;
+  return nullptr;
+}
+
+/// The value of a name, or nothing.
+template <NamedEnum E>
+[[nodiscard]] constexpr std::optional<E> value_named(std::string_view name) {
+  for (const Named<E>& one : names_of(Of<E>{}))
+    if (one.name == name) return one.value;
+  return std::nullopt;
+}
+
+/// The names of an enumeration: "none, middle, end".
+template <NamedEnum E>
+[[nodiscard]] std::string list_of_names() {
+  std::string list;
+  for (const Named<E>& one : names_of(Of<E>{})) list += (list.empty() ? "" : ", ") + std::string(one.name);
+  return list;
+}
+
+/// Calls `visit(bit, name)` for each bit of an enumeration of bits.
+template <NamedEnum E, class Visit>
+constexpr void for_each_bit(Visit&& visit) {
+  for (const Named<E>& one : names_of(Of<E>{}))
+    if (one.value != E{}) visit(one.value, one.name);
+}
+
+/// What a unit is called at the end of a name: "N_per_m4" of "N/m^4"; nothing of "1".
+[[nodiscard]] std::string unit_in_names(std::string_view unit);
+
+}  // namespace hapticut

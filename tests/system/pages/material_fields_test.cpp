@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each field of a material, as the struct describes it, goes through settings, .vdb files and recordings and comes out
+// as it went in: a field that is forgotten somewhere comes out with its default.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "hapticut/io/vdb/vdb.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "settings/material_settings.hpp"
+#include "support/temporary_folder.hpp"
+#ifdef HAPTICUT_HAS_IO
+#include "hapticut/io/recording/recorder.hpp"
+#include "hapticut/io/recording/recording.hpp"
+#endif
+
+namespace hapticut::material_fields_test {
+namespace {
+
+/// Calls `visit(field)` for each number of a material.
+template <class Visit>
+void for_each_number(const Visit& visit) {
+  for_each_field<Material>([&](const auto& field) {
+    if constexpr (std::is_same_v<decltype(field.member), double Material::*>) visit(field);
+  });
+}
+
+/// Every number differs from the default of its member, and from those of the other fields.
+Material unusual() {
+  Material material;
+  material.name = "unusual";
+  int n = 0;
+  for_each_number([&](const auto& field) {
+    const double base = material.*field.member;
+    material.*field.member = (base > 0 ? base : 0.25) * (1 + 0.125 * ++n);
+  });
+  if (material.static_friction < material.dynamic_friction)
+    std::swap(material.static_friction, material.dynamic_friction);
+  return material;
+}
+
+void expect_same(const Material& found, const std::string& where) {
+  const Material expected = unusual();
+  for_each_field<Material>([&](const auto& field) {
+    EXPECT_EQ(found.*field.member, expected.*field.member) << field.name << " was lost by " << where;
+  });
+}
+
+Workpiece unusual_block() { return build_block({Vec3(-1e-3, -1e-3, -1e-3), Vec3(1e-3, 1e-3, 0)}, 2e-4, unusual()); }
+
+TEST(MaterialFields, AllDifferFromTheirDefaultsHere) {
+  EXPECT_NO_THROW(validate(unusual()));
+  for_each_number(
+      [&](const auto& field) { EXPECT_NE(unusual().*field.member, Material{}.*field.member) << field.name; });
+}
+
+TEST(MaterialFields, AreAllSettings) {
+  cli::MaterialChanges changes;
+  std::vector<cli::Setting> settings = changes.setting().open_table("unusual");
+  std::size_t n = 0;
+  ASSERT_EQ(settings.at(n).key, "based_on");
+  ASSERT_TRUE(settings.at(n++).assign(std::string("enamel")));
+  for_each_number([&](const auto& field) {
+    ASSERT_LT(n, settings.size());
+    EXPECT_EQ(settings[n].key.rfind(field.name, 0), 0U) << settings[n].key;
+    EXPECT_EQ(settings[n].meaning, field.text);
+    EXPECT_FALSE(settings[n].assign(-1.0)) << field.name;
+    EXPECT_TRUE(settings[n++].assign(unusual().*field.member)) << field.name;
+  });
+  EXPECT_EQ(n, settings.size());
+  expect_same(changes.find("unusual"), "the settings");
+}
+
+TEST(MaterialFields, AreAllInVdbFiles) {
+  const test::TemporaryFolder folder;
+  save_vdb(unusual_block(), folder / "a.vdb");
+  expect_same(load_vdb(folder / "a.vdb").materials()[1], "the .vdb file");
+}
+
+#ifdef HAPTICUT_HAS_IO
+TEST(MaterialFields, AreAllInRecordings) {
+  const test::TemporaryFolder folder;
+  Simulation simulation(unusual_block(), Tool(SphereHead{1e-3}), {});
+  Recorder recorder(folder / "a.h5", simulation);
+  recorder.step({Pose::from_translation(Vec3(0, 0, 2e-3)), {}, 1e-3});
+  recorder.close();
+  const Recording recording = read_recording(folder / "a.h5");
+  expect_same(recording.workpiece().materials()[1], "the recording");
+}
+#endif
+
+}  // namespace
+}  // namespace hapticut::material_fields_test
