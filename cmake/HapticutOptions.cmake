@@ -44,8 +44,10 @@ target_compile_options(hapticut_build_flags INTERFACE -Wall -Wextra -Wpedantic -
 
 # What each component needs: a list of `package to find|target or variable that proves it|Debian package`.
 set(HAPTICUT_NEEDS_SIMD "hwy|hwy_FOUND|libhwy-dev")
-set(HAPTICUT_NEEDS_IO "ITK|ITK_FOUND|libinsighttoolkit5-dev" "assimp|assimp_FOUND|libassimp-dev" "HDF5|HDF5_FOUND|libhdf5-dev" "PNG|PNG_FOUND|libpng-dev" "TIFF|TIFF_FOUND|libtiff-dev"
+set(HAPTICUT_NEEDS_IO "HDF5|HDF5_FOUND|libhdf5-dev" "PNG|PNG_FOUND|libpng-dev" "TIFF|TIFF_FOUND|libtiff-dev"
     "LibArchive|LibArchive_FOUND|libarchive-dev" "EXPAT|EXPAT_FOUND|libexpat1-dev" "ZLIB|ZLIB_FOUND|zlib1g-dev")
+set(HAPTICUT_NEEDS_ITK "ITK|ITK_FOUND|libinsighttoolkit5-dev")
+set(HAPTICUT_NEEDS_ASSIMP "assimp|assimp_FOUND|libassimp-dev")
 set(HAPTICUT_NEEDS_CLI "CLI11|CLI11_FOUND|libcli11-dev" "tomlplusplus|tomlplusplus_FOUND|libtomlplusplus-dev"
     "nlohmann_json|nlohmann_json_FOUND|nlohmann-json3-dev")
 set(HAPTICUT_NEEDS_TESTS "GTest|GTest_FOUND|libgtest-dev" "rapidcheck|rapidcheck_FOUND|librapidcheck-dev")
@@ -53,14 +55,17 @@ set(HAPTICUT_NEEDS_BENCHMARKS "benchmark|benchmark_FOUND|libbenchmark-dev")
 set(HAPTICUT_NEEDS_EXAMPLES "")
 set(HAPTICUT_NEEDS_PYTHON "Python|Python_FOUND|python3-dev" "pybind11|pybind11_FOUND|pybind11-dev")
 
+# Parts of the library hapticut::io, which is the same target with and without them.
+set(HAPTICUT_PARTS_OF_IO ITK ASSIMP)
+
 set(HAPTICUT_ITK_MODULES ITKCommon ITKIOImageBase ITKIONRRD ITKIONIFTI ITKIOGDCM
-    ITKImageFunction ITKImageGrid ITKConnectedComponents ITKDistanceMap)
+    ITKImageFunction ITKImageGrid ITKDistanceMap)
 
 # hapticut_component(NAME "what it is"): AUTO (default) switches it on when all it needs is found, ON insists, OFF skips.
 macro(hapticut_component name purpose)
   if("${name}" STREQUAL "PYTHON")
     set(_default OFF)  # `pip install .` switches it on
-  elseif(PROJECT_IS_TOP_LEVEL OR "${name}" MATCHES "^(SIMD|IO)$")
+  elseif(PROJECT_IS_TOP_LEVEL OR "${name}" MATCHES "^(SIMD|IO|ITK|ASSIMP)$")
     set(_default AUTO)
   else()
     set(_default OFF)
@@ -69,7 +74,13 @@ macro(hapticut_component name purpose)
   set_property(CACHE HAPTICUT_WITH_${name} PROPERTY STRINGS AUTO ON OFF)
   set(HAPTICUT_${name} FALSE)
   set(_missing "")
-  if(HAPTICUT_WITH_${name})
+  set(_without_io FALSE)
+  if("${name}" IN_LIST HAPTICUT_PARTS_OF_IO AND NOT HAPTICUT_IO)
+    if(HAPTICUT_WITH_${name} AND NOT HAPTICUT_WITH_${name} STREQUAL "AUTO")
+      message(FATAL_ERROR "HAPTICUT_WITH_${name}=ON adds to HAPTICUT_WITH_IO, which is off: set HAPTICUT_WITH_IO=ON")
+    endif()
+    set(_without_io TRUE)
+  elseif(HAPTICUT_WITH_${name})
     foreach(_need IN LISTS HAPTICUT_NEEDS_${name})
       string(REPLACE "|" ";" _need "${_need}")
       list(GET _need 0 _package)
@@ -99,6 +110,8 @@ macro(hapticut_component name purpose)
   endif()
   if(HAPTICUT_${name})
     list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: on  (${purpose})")
+  elseif(_without_io)
+    list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: off (${purpose}, part of IO, which is off)")
   elseif(_missing)
     list(JOIN _missing " " _missing)
     list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: off (${purpose}, to turn it on: sudo apt-get install ${_missing})")

@@ -8,19 +8,21 @@
 #                build  core, and file formats and the command line (default)
 #                test   build, and what scripts/test.sh runs: test libraries, clang, formatter, linter, readers to check
 #                       our files against, what pip needs to build the Python package
-#                demo   build, and the skull CT that scripts/demo.sh drills
+#                demo   build without ITK and Assimp, which are large and not needed for it, and the skull CT that
+#                       scripts/demo.sh drills
 #                bench  build, and the benchmark library
 #   --list       print the packages of the group, one a line, and stop
 #   --check      install nothing; exit 1 and name what is missing
 set -eu
 
 core='g++ cmake ninja-build git ca-certificates libopenvdb-dev libtbb-dev libimath-dev libboost-dev libeigen3-dev libhwy-dev'
-build="$core libinsighttoolkit5-dev libassimp-dev libhdf5-dev libpng-dev libtiff-dev libarchive-dev libexpat1-dev zlib1g-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev"
+program="$core libhdf5-dev libpng-dev libtiff-dev libarchive-dev libexpat1-dev zlib1g-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev"
+build="$program libinsighttoolkit5-dev libassimp-dev"
 bench="$build ccache libbenchmark-dev"
 test="$bench valgrind libgtest-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev
   libopenvdb-tools python3-openvdb python3-venv python3-dev pybind11-dev"
 [ "$(uname -m 2>/dev/null)" = aarch64 ] || test="$test g++-aarch64-linux-gnu"
-demo="$build ccache invesalius-examples"
+demo="$program ccache invesalius-examples"
 
 complain() {
   printf '%s: %s\n' "install-deps.sh" "$1" >&2

@@ -5,12 +5,13 @@
 
 #include "bindings.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
+#include "hapticut/workpiece/volume_operations.hpp"
 #include "structs.hpp"
 #include "workpiece.hpp"
 #ifdef HAPTICUT_PYTHON_WITH_IO
 #include "hapticut/io/mesh/meshes.hpp"
 #include "hapticut/io/picture/picture.hpp"
-#include "hapticut/io/volume/volume_operations.hpp"
+#include "hapticut/io/volume/volume_filters.hpp"
 #include "hapticut/io/volume/volumes.hpp"
 #endif
 
@@ -53,6 +54,60 @@ m.def(
     py::arg("path"), py::arg("options"), doc("load_vdb#2"));
 }  // namespace
 
+void bind_operations(py::module_& m) {
+  using Grey = const GreyVolume&;
+  using Labels = const LabelVolume&;
+  m.def(
+      "with_spacing", [](Grey v, const Vec3& spacing) { return with_spacing(v, spacing); }, py::arg("volume"),
+      py::arg("spacing"), doc("with_spacing"));
+  m.def(
+      "with_spacing", [](Labels v, const Vec3& spacing) { return with_spacing(v, spacing); }, py::arg("volume"),
+      py::arg("spacing"));
+  m.def(
+      "crop", [](Grey v, const IndexBox& samples) { return crop(v, samples); }, py::arg("volume"), py::arg("samples"),
+      doc("crop"), Released());
+  m.def(
+      "crop", [](Labels v, const IndexBox& samples) { return crop(v, samples); }, py::arg("volume"), py::arg("samples"),
+      Released());
+  m.def(
+      "box_around",
+      [](Labels v, const std::vector<std::uint16_t>& labels, double margin) { return box_around(v, labels, margin); },
+      py::arg("volume"), py::arg("labels") = std::vector<std::uint16_t>{}, py::arg("margin") = 0.0, doc("box_around"),
+      Released());
+  m.def(
+      "box_around", [](Grey v, double threshold, double margin) { return box_around(v, threshold, margin); },
+      py::arg("volume"), py::arg("threshold"), py::arg("margin") = 0.0, doc("box_around#2"), Released());
+  m.def("label_range", &label_range, py::arg("volume"), py::arg("from_"), py::arg("to"), py::arg("label") = 1,
+        doc("label_range"), Released());
+  m.def(
+      "box_of_volume", [](Grey v) { return box_of_volume(v); }, py::arg("volume"), doc("box_of_volume"));
+  m.def(
+      "box_of_volume", [](Labels v) { return box_of_volume(v); }, py::arg("volume"));
+  m.def(
+      "crop_to_box", [](Grey v, const Box& box) { return crop_to_box(v, box); }, py::arg("volume"), py::arg("box"),
+      doc("crop_to_box"), Released());
+  m.def(
+      "crop_to_box", [](Labels v, const Box& box) { return crop_to_box(v, box); }, py::arg("volume"), py::arg("box"),
+      Released());
+  m.def("grey_range", &grey_range, py::arg("volume"), doc("grey_range"), Released());
+  m.def("count_from", &count_from, py::arg("volume"), py::arg("threshold"), doc("count_from"), Released());
+  m.def(
+      "count_labels", [](Labels v) { return count_labels(v); }, py::arg("volume"), doc("count_labels"), Released());
+  m.def(
+      "count_labels", [](Grey v, std::size_t most) { return count_labels(v, most); }, py::arg("volume"),
+      py::arg("most") = 64, doc("count_labels#2"), Released());
+  m.def("unused_label", &unused_label, py::arg("volume"), doc("unused_label"));
+  m.def(
+      "keep_largest_component", [](Labels v) { return keep_largest_component(v); }, py::arg("volume"),
+      doc("keep_largest_component"), Released());
+  m.def(
+      "keep_largest_component", [](Grey v, double threshold) { return keep_largest_component(v, threshold); },
+      py::arg("volume"), py::arg("threshold"), doc("keep_largest_component#2"), Released());
+  m.def(
+      "fill_cavities", [](Labels v, std::uint16_t label) { return fill_cavities(v, label); }, py::arg("volume"),
+      py::arg("label"), doc("fill_cavities"), Released());
+}
+
 #ifdef HAPTICUT_PYTHON_WITH_IO
 
 void bind_meshes(py::module_& m) {
@@ -68,6 +123,10 @@ void bind_meshes(py::module_& m) {
         py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_ply"), Released());
   m.def("write_ply", py::overload_cast<const ColoredMesh&, const Path&, double>(&write_ply), py::arg("mesh"),
         py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_ply#2"), Released());
+  m.def("write_obj", py::overload_cast<const TriangleMesh&, const Path&, double>(&write_obj), py::arg("mesh"),
+        py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_obj"), Released());
+  m.def("write_obj", py::overload_cast<const std::vector<NamedMesh>&, const Path&, double>(&write_obj),
+        py::arg("objects"), py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_obj#2"), Released());
 
   using P = PictureOptions;
   bind_struct<P>(m, "PictureOptions", field("width", &P::width), field("height", &P::height),
@@ -132,31 +191,9 @@ void bind_volume_files(py::module_& m) {
       "Writes material ids under ``path`` and filled fractions under the name with ``_density`` before the extension.");
 }
 
-void bind_operations(py::module_& m) {
+void bind_filters(py::module_& m) {
   using Grey = const GreyVolume&;
   using Labels = const LabelVolume&;
-  m.def(
-      "with_spacing", [](Grey v, const Vec3& spacing) { return with_spacing(v, spacing); }, py::arg("volume"),
-      py::arg("spacing"), doc("with_spacing"));
-  m.def(
-      "with_spacing", [](Labels v, const Vec3& spacing) { return with_spacing(v, spacing); }, py::arg("volume"),
-      py::arg("spacing"));
-  m.def(
-      "crop", [](Grey v, const IndexBox& samples) { return crop(v, samples); }, py::arg("volume"), py::arg("samples"),
-      doc("crop"), Released());
-  m.def(
-      "crop", [](Labels v, const IndexBox& samples) { return crop(v, samples); }, py::arg("volume"), py::arg("samples"),
-      Released());
-  m.def(
-      "box_around",
-      [](Labels v, const std::vector<std::uint16_t>& labels, double margin) { return box_around(v, labels, margin); },
-      py::arg("volume"), py::arg("labels") = std::vector<std::uint16_t>{}, py::arg("margin") = 0.0, doc("box_around"),
-      Released());
-  m.def(
-      "box_around", [](Grey v, double threshold, double margin) { return box_around(v, threshold, margin); },
-      py::arg("volume"), py::arg("threshold"), py::arg("margin") = 0.0, doc("box_around#2"), Released());
-  m.def("label_range", &label_range, py::arg("volume"), py::arg("from_"), py::arg("to"), py::arg("label") = 1,
-        doc("label_range"), Released());
   bind_enum<LabelInterpolation>(m, "LabelInterpolation",
                                 {{"nearest", LabelInterpolation::nearest}, {"smooth", LabelInterpolation::smooth}});
   m.def(
@@ -170,12 +207,6 @@ void bind_operations(py::module_& m) {
       py::arg("volume"), py::arg("voxel_size"), py::arg("interpolation") = LabelInterpolation::nearest,
       "The same volume with cubic samples of another size.", Released());
   m.def(
-      "keep_largest_component", [](Labels v) { return keep_largest_component(v); }, py::arg("volume"),
-      doc("keep_largest_component"), Released());
-  m.def(
-      "fill_cavities", [](Labels v, std::uint16_t label) { return fill_cavities(v, label); }, py::arg("volume"),
-      py::arg("label"), doc("fill_cavities"), Released());
-  m.def(
       "close_gaps", [](Labels v, double radius, std::uint16_t label) { return close_gaps(v, radius, label); },
       py::arg("volume"), py::arg("radius"), py::arg("label"), doc("close_gaps"), Released());
 }
@@ -186,11 +217,12 @@ void bind_operations(py::module_& m) {
 
 void bind_io(py::module_& m) {
   bind_vdb(m);
+  bind_operations(m);
 #ifdef HAPTICUT_PYTHON_WITH_IO
   m.attr("kWithIo") = true;
   bind_meshes(m);
   bind_volume_files(m);
-  bind_operations(m);
+  bind_filters(m);
 #else
   m.attr("kWithIo") = false;
 #endif

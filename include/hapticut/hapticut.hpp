@@ -35,6 +35,7 @@
 #include "hapticut/workpiece/removal.hpp"
 #include "hapticut/workpiece/surface.hpp"
 #include "hapticut/workpiece/volume_builders.hpp"
+#include "hapticut/workpiece/volume_operations.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 //
 #include "hapticut/force/calibration.hpp"

@@ -7,9 +7,10 @@
 #include <map>
 
 #include "hapticut/core/units.hpp"
-#include "hapticut/io/volume/volume_operations.hpp"
+#include "hapticut/io/volume/volume_filters.hpp"
 #include "hapticut/io/volume/volumes.hpp"
 #include "hapticut/workpiece/volume_builders.hpp"
+#include "hapticut/workpiece/volume_operations.hpp"
 
 namespace hapticut::cli {
 namespace {
@@ -17,7 +18,6 @@ namespace {
 using Source = WorkpieceSettings;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kMostLabels = 64;  // more different values than this are grey values
 
 VolumeReadOptions read_options(const Source& s) {
   VolumeReadOptions options;
@@ -73,43 +73,6 @@ std::optional<Box> crop_box(const Source& s) {
   return box;
 }
 
-/// The samples that a box of W needs, and two more to each side for interpolation.
-template <class Value>
-IndexBox samples_around(const Volume<Value>& volume, const Box& box) {
-  IndexBox samples;
-  const Pose X_GW = volume.X_WG.inverse();
-  Vec3 low = Vec3::Constant(kInfinity), high = -low;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p((corner & 1) != 0 ? box.max.x() : box.min.x(), (corner & 2) != 0 ? box.max.y() : box.min.y(),
-                 (corner & 4) != 0 ? box.max.z() : box.min.z());
-    const Vec3 sample = (X_GW * p).cwiseQuotient(volume.spacing);
-    low = low.cwiseMin(sample);
-    high = high.cwiseMax(sample);
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    const double last = volume.dims[std::size_t(axis)] - 1;
-    if (!(high[axis] >= 0 && low[axis] <= last))
-      throw Error("workpiece.crop_mm lies outside the volume; see hapticut inspect for where it is.");
-    samples.min[std::size_t(axis)] = int(std::max(0.0, std::floor(low[axis]) - 2));
-    samples.max[std::size_t(axis)] = int(std::min(last, std::ceil(high[axis]) + 2));
-  }
-  return samples;
-}
-
-/// Around the samples, each of them a box as large as their spacing.
-Box box_of(const GreyVolume& volume) {
-  Box box{Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)};
-  for (int corner = 0; corner < 8; ++corner) {
-    Vec3 sample;
-    for (int axis = 0; axis < 3; ++axis)
-      sample[axis] = (corner >> axis & 1) != 0 ? volume.dims[std::size_t(axis)] - 0.5 : -0.5;
-    const Vec3 p = volume.X_WG * sample.cwiseProduct(volume.spacing);
-    box.min = box.min.cwiseMin(p);
-    box.max = box.max.cwiseMax(p);
-  }
-  return box;
-}
-
 VolumeBuildOptions build_options(const Source& s) {
   VolumeBuildOptions options;
   options.voxel_size = s.voxel_mm.value_or(0) * units::mm;
@@ -119,23 +82,14 @@ VolumeBuildOptions build_options(const Source& s) {
 
 template <class Value>
 Volume<Value> cropped(Volume<Value> volume, const std::optional<Box>& box) {
-  return box ? crop(volume, samples_around(volume, *box)) : volume;
-}
-
-/// Sets what is not part of the largest body of grey values from `lowest` on to what is outside.
-void keep_largest_body(GreyVolume& volume, double lowest) {
-  const LabelVolume body = keep_largest_component(label_range(volume, lowest, kInfinity));
-  const float outside = *std::min_element(volume.values.begin(), volume.values.end());
-  for (std::size_t i = 0; i < volume.values.size(); ++i)
-    if (double(volume.values[i]) >= lowest && body.values[i] == 0) volume.values[i] = outside;
+  return box ? crop_to_box(volume, *box) : volume;
 }
 
 /// Gives what the labels enclose a label of its own, and that label the material of `fill_cavities`.
 LabelVolume filled(const Source& s, LabelVolume volume, std::vector<LabelMaterial>& materials) {
-  const int label = *std::max_element(volume.values.begin(), volume.values.end()) + 1;
-  if (label > 65535) throw Error("the volume uses label 65535, so that none is left for its cavities; renumber them.");
-  if (s.close_gaps_mm) volume = close_gaps(std::move(volume), *s.close_gaps_mm * units::mm, std::uint16_t(label));
-  volume = fill_cavities(std::move(volume), std::uint16_t(label));
+  const std::uint16_t label = unused_label(volume);
+  if (s.close_gaps_mm) volume = close_gaps(std::move(volume), *s.close_gaps_mm * units::mm, label);
+  volume = fill_cavities(std::move(volume), label);
   if (std::find(volume.values.begin(), volume.values.end(), label) == volume.values.end())
     throw Error("the labels enclose nothing that workpiece.fill_cavities could fill. " +
                 std::string(s.close_gaps_mm ? "Raise close_gaps_mm, or leave both out."
@@ -143,9 +97,9 @@ LabelVolume filled(const Source& s, LabelVolume volume, std::vector<LabelMateria
   const auto same = std::find_if(materials.begin(), materials.end(),
                                  [&](const LabelMaterial& known) { return known.material.name == s.fill_cavities; });
   if (same != materials.end())
-    same->labels.push_back(std::uint16_t(label));
+    same->labels.push_back(label);
   else
-    materials.push_back({{std::uint16_t(label)}, s.materials.find(s.fill_cavities)});
+    materials.push_back({{label}, s.materials.find(s.fill_cavities)});
   return volume;
 }
 
@@ -161,7 +115,7 @@ Workpiece from_labels(const Source& s) {
 
 GreyVolume read_body(const Source& s, double lowest) {
   GreyVolume volume = cropped(read_grey(s), crop_box(s));
-  if (s.largest_component) keep_largest_body(volume, lowest);
+  if (s.largest_component) volume = keep_largest_component(std::move(volume), lowest);
   return volume;
 }
 
@@ -208,22 +162,16 @@ Workpiece make_workpiece_from_volume(const Source& s) {
 
 VolumeSummary summarize_volume(const Source& s, std::optional<double> threshold) {
   const GreyVolume volume = cropped(read_grey(s), crop_box(s));
-  const auto [lowest, highest] = std::minmax_element(volume.values.begin(), volume.values.end());
+  const auto [lowest, highest] = grey_range(volume);
   VolumeSummary summary{volume.dims,
                         volume.spacing,
                         volume.X_WG,
-                        box_of(volume),
-                        double(*lowest),
-                        double(*highest),
+                        box_of_volume(volume),
+                        lowest,
+                        highest,
                         volume.values.size() * sizeof(float)};
-  if (threshold)
-    summary.voxels_at_or_above = std::size_t(std::count_if(volume.values.begin(), volume.values.end(),
-                                                           [&](float value) { return double(value) >= *threshold; }));
-  for (const float value : volume.values) {
-    if (value < 0 || value > 65535 || value != std::floor(value)) return summary.voxels_by_label.clear(), summary;
-    ++summary.voxels_by_label[int(value)];
-    if (summary.voxels_by_label.size() > kMostLabels) return summary.voxels_by_label.clear(), summary;
-  }
+  if (threshold) summary.voxels_at_or_above = count_from(volume, *threshold);
+  summary.voxels_by_label = count_labels(volume);
   return summary;
 }
 

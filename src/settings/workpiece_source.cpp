@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where workpieces come from: what is built in, and files.
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <set>
 
@@ -9,6 +7,7 @@
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/molar.hpp"
+#include "io/mesh/mesh_extensions.hpp"
 #include "settings/progress.hpp"
 #include "settings/workpiece_settings.hpp"
 #ifdef HAPTICUT_HAS_IO
@@ -118,21 +117,12 @@ Workpiece make_molar(const Source& s) {
   return with_changed_materials(build_molar(voxel_size(s)), s.materials);
 }
 
-std::string extension_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
-
 }  // namespace
 
 bool is_volume(const WorkpieceSettings& s) {
   for (const char* known : {"block", "slab", "molar"})
     if (s.source == known) return false;
-  const std::string extension = extension_of(s.source);
-  for (const char* other : {".vdb", ".obj", ".stl", ".ply", ".off"})
-    if (extension == other) return false;
+  if (extension_in_lower_case(s.source) == ".vdb" || is_mesh_file(s.source)) return false;
   return std::filesystem::exists(s.source);
 }
 
@@ -148,14 +138,12 @@ Workpiece make_workpiece(const WorkpieceSettings& s) {
   if (!std::filesystem::exists(s.source))
     throw Error("there is no file '" + s.source + "', and no built-in workpiece of that name." +
                 suggestion(s.source, {"block", "slab", "molar"}) + " Check the name.");
-  const std::string extension = extension_of(s.source);
-  if (extension == ".vdb") return read_vdb(s);
+  if (extension_in_lower_case(s.source) == ".vdb") return read_vdb(s);
 #ifdef HAPTICUT_HAS_IO
-  for (const char* mesh : {".obj", ".stl", ".ply", ".off"})
-    if (extension == mesh) {
-      refuse_all_but(s, {"voxel_mm", "material", "shells", "unit_mm"});
-      return make_workpiece_from_mesh(s);
-    }
+  if (is_mesh_file(s.source)) {
+    refuse_all_but(s, {"voxel_mm", "material", "shells", "unit_mm"});
+    return make_workpiece_from_mesh(s);
+  }
   refuse_all_but(s, {"voxel_mm", "labels", "grey", "grade_low", "grade_high", "grade_at_low", "grade_at_high",
                      "spacing_mm", "crop_mm", "largest_component", "fill_cavities", "close_gaps_mm", "dicom_series",
                      "raw_dims", "raw_type", "raw_big_endian", "raw_skip_bytes"});

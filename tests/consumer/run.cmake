@@ -43,15 +43,32 @@ elseif(CASE STREQUAL "no_io")
   if(code EQUAL 0 OR NOT output MATCHES "HAPTICUT_WITH_IO=ON")
     message(FATAL_ERROR "a missing component must stop the configuration and say how to build it:\n${output}")
   endif()
+  # A part of io is missing where the package does not name it.
+  file(GLOB_RECURSE config "${WORK}/prefix/hapticut-config.cmake")
+  file(READ "${config}" text)
+  string(REGEX REPLACE "set\\(parts_of_io [^)]*\\)" "set(parts_of_io )" text "${text}")
+  file(WRITE "${config}" "${text}")
+  run("${CMAKE_COMMAND}" -S "${SOURCE}/tests/consumer" -B "${WORK}/no_itk" -G Ninja "-DCMAKE_CXX_COMPILER=${CXX}"
+      "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_PREFIX_PATH=${WORK}/prefix" -DCOMPONENT=itk)
+  if(code EQUAL 0 OR NOT output MATCHES "HAPTICUT_WITH_ITK=ON")
+    message(FATAL_ERROR "a missing part of io must stop the configuration and say how to build it:\n${output}")
+  endif()
 elseif(CASE STREQUAL "subdirectory")
   # Compiling the whole library once more is long, so whoever has a ccache gives it to this project as well.
-  build_consumer(subdirectory "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_WITH_IO=OFF -DCMAKE_UNITY_BUILD=ON "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
+  # Its io, where the packages for it are there, is without ITK and Assimp: recordings, pictures, grids and the common
+  # formats of meshes need neither.
+  set(component "")
+  if(WITH_IO)
+    set(component io)
+  endif()
+  build_consumer(subdirectory "-DHAPTICUT_SOURCE=${SOURCE}" "-DHAPTICUT_WITH_IO=${WITH_IO}" -DHAPTICUT_WITH_ITK=OFF
+    -DHAPTICUT_WITH_ASSIMP=OFF "-DCOMPONENT=${component}" -DCMAKE_UNITY_BUILD=ON "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
 elseif(CASE STREQUAL "program_without_io")
   set(folder "${BUILD}/consumer/subdirectory/subdirectory")
   must("${CMAKE_COMMAND}" -S "${SOURCE}/tests/consumer" -B "${folder}" -G Ninja -DCMAKE_BUILD_TYPE=Release
        "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
-       "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_WITH_IO=OFF -DHAPTICUT_WITH_CLI=ON -DWANTED=CLI
-       -DCMAKE_UNITY_BUILD=ON)
+       "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_WITH_IO=OFF -DHAPTICUT_WITH_ITK=OFF -DHAPTICUT_WITH_ASSIMP=OFF
+       -DHAPTICUT_WITH_CLI=ON -DWANTED=CLI -DCOMPONENT= -DCMAKE_UNITY_BUILD=ON)
   if(NOT output MATCHES "IO: off \\([^\n]*HAPTICUT_WITH_IO=OFF")
     message(FATAL_ERROR "the configuration does not say that IO is off:\n${output}")
   endif()

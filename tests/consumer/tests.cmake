@@ -6,7 +6,8 @@ endif()
 function(hapticut_package_test name case)
   add_test(NAME ${name} COMMAND "${CMAKE_COMMAND}" -DCASE=${case} "-DSOURCE=${PROJECT_SOURCE_DIR}"
     "-DBUILD=${PROJECT_BINARY_DIR}" "-DWORK=${PROJECT_BINARY_DIR}/consumer/${case}" "-DCXX=${CMAKE_CXX_COMPILER}"
-    "-DCC=${CMAKE_C_COMPILER}" "-DLAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}" -P "${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake")
+    "-DCC=${CMAKE_C_COMPILER}" "-DWITH_IO=${HAPTICUT_IO}" "-DLAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}"
+    -P "${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake")
   set_tests_properties(${name} PROPERTIES LABELS package TIMEOUT 900 SKIP_REGULAR_EXPRESSION "SKIPPED: ")
 endfunction()
 hapticut_package_test(Package.IsFoundLinkedAndRunByAnOutsideProject installed)

@@ -20,7 +20,11 @@ def test_meshes_and_pictures_go_to_files(block, tmp_path):
     h.write_ply(surface.mesh, tmp_path / "a.ply")
     colored = h.colored(surface, block.materials)
     h.write_ply(colored, tmp_path / "b.ply")
+    h.write_obj(surface.mesh, tmp_path / "a.obj")
     [named] = h.read_mesh(tmp_path / "a.ply")
+    h.write_obj([named, named], tmp_path / "two.obj")
+    assert [n.name for n in h.read_mesh(tmp_path / "two.obj")] == ["object 1", "object 2"]
+    assert np.array_equal(h.read_mesh(tmp_path / "a.obj")[0].mesh.triangles, named.mesh.triangles)
     assert isinstance(named.name, str) and np.allclose(named.mesh.vertices.max(axis=0), [3 * mm, 3 * mm, 0], atol=1e-6)
     h.write_picture([colored], h.PictureOptions(width=200, height=150), tmp_path / "a.png")
     assert (tmp_path / "a.png").read_bytes()[:4] == b"\x89PNG"
@@ -36,7 +40,12 @@ def test_volumes_are_worked_on(tmp_path, block):
     assert np.allclose(h.with_spacing(grey, [3 * mm] * 3).spacing, 3 * mm)
     assert h.crop(grey, h.IndexBox([1, 1, 1], [3, 4, 5])).dims == (3, 4, 5)
     assert h.box_around(grey, 700.0).max == [7, 8, 9]
+    assert h.grey_range(grey) == [0, 719] and h.count_from(grey, 700) == 20 and h.count_labels(grey) == {}
+    assert np.allclose(h.box_of_volume(grey).max, [7.5 * mm, 8.5 * mm, 9.5 * mm])
+    assert h.crop_to_box(grey, h.Box([3 * mm] * 3, [4 * mm] * 3)).dims == (6, 6, 6)
+    assert h.count_from(h.keep_largest_component(grey, 700), 700) == 20
     labels = h.label_range(grey, 100.0, 200.0, 5)
+    assert h.count_labels(labels) == {0: 620, 5: 100} and h.unused_label(labels) == 6
     assert set(np.unique(labels.values)) == {0, 5} and np.count_nonzero(labels.values) == 100
     assert h.resample(grey, 2 * mm).dims == (4, 5, 5)
     assert h.resample(labels, 0.5 * mm, h.LabelInterpolation.smooth).dims == (16, 18, 20)

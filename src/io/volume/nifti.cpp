@@ -94,13 +94,6 @@ void require_complete(const std::filesystem::path& path, double needed) {
 
 }  // namespace
 
-void require_bytes(const std::filesystem::path& path, double needed, double available, double best_ratio) {
-  const bool compressed = best_ratio > kNotCompressed;
-  if (needed > available * best_ratio + (compressed ? 1024 : 0))
-    cannot_read(path, "its header claims " + format_number(needed) + " bytes of data, but there are only " +
-                          format_number(available) + (compressed ? " compressed ones." : ".") + " Is it cut short?");
-}
-
 RawImage read_nifti(const std::filesystem::path& path) {
   const auto file_size = double(readable_size(path));
   const NiftiSize size = size_in_header(path);

@@ -10,6 +10,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
+#include "io/volume/formats.hpp"
 
 namespace hapticut {
 namespace {
@@ -106,6 +107,13 @@ void require_sane_dims(const std::filesystem::path& path, const std::array<doubl
   if (!(dims[0] * dims[1] * dims[2] <= double(kMaxVolumeSamples)))
     cannot_read(path, "it claims " + claim + " samples; at most " + format_number(double(kMaxVolumeSamples)) +
                           " are read. Crop or downsample it first.");
+}
+
+void require_bytes(const std::filesystem::path& path, double needed, double available, double best_ratio) {
+  const bool compressed = best_ratio > kNotCompressed;
+  if (needed > available * best_ratio + (compressed ? 1024 : 0))
+    cannot_read(path, "its header claims " + format_number(needed) + " bytes of data, but there are only " +
+                          format_number(available) + (compressed ? " compressed ones." : ".") + " Is it cut short?");
 }
 
 void swap_bytes(RawImage& image) {

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "hapticut/io/volume/volume_operations.hpp"
+#include "hapticut/io/volume/volume_filters.hpp"
 #include "hapticut/io/volume/volumes.hpp"
 #include "io/volume/itk_volume.hpp"
 

@@ -177,7 +177,7 @@ TEST_F(Files, ThatAreMissingOrOfNoKnownKindAreRefused) {
   expect("inspect " + path("notes.docx"), kFailed, "notes.docx");
 }
 
-#ifdef HAPTICUT_HAS_IO
+#ifdef HAPTICUT_HAS_ITK
 TEST_F(Files, OfSamplesNeedToBeToldWhatTheirValuesMean) {
   std::string volume = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nspacings: 1 1 1\nencoding: raw\n\n";
   write_bytes(folder / "v.nrrd", volume + std::string(64, '\1'));

@@ -6,9 +6,10 @@
 #include <set>
 
 #include "hapticut/core/units.hpp"
-#include "hapticut/io/volume/volume_operations.hpp"
+#include "hapticut/io/volume/volume_filters.hpp"
 #include "hapticut/io/volume/volumes.hpp"
 #include "hapticut/workpiece/volume_builders.hpp"
+#include "hapticut/workpiece/volume_operations.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <itkConnectedComponentImageFilter.h>
 #include <itkSignedMaurerDistanceMapImageFilter.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "hapticut/io/volume/volume_operations.hpp"
+#include "hapticut/io/volume/volume_filters.hpp"
+#include "hapticut/workpiece/volume_operations.hpp"
 #include "io/volume/itk_volume.hpp"
 
 namespace hapticut {
@@ -14,32 +14,7 @@ namespace {
 
 using Mask = Volume<std::uint8_t>;
 using MaskImage = itk::Image<std::uint8_t, 3>;
-using ComponentImage = itk::Image<std::uint32_t, 3>;
 using DistanceImage = itk::Image<float, 3>;
-
-/// 1 where `inside(label)`.
-template <class Inside>
-Mask mask_of(const LabelVolume& volume, const Inside& inside) {
-  require_valid(volume);
-  Mask mask;
-  mask.dims = volume.dims;
-  mask.spacing = volume.spacing;
-  mask.X_WG = volume.X_WG;
-  mask.values.resize(volume.size());
-  std::transform(volume.values.begin(), volume.values.end(), mask.values.begin(),
-                 [&](std::uint16_t label) { return std::uint8_t(inside(label) ? 1 : 0); });
-  return mask;
-}
-
-/// Numbers the bodies of a mask that touch by faces, from 1; 0 outside.
-ComponentImage::Pointer components_of(const Mask& mask) {
-  const auto filter = itk::ConnectedComponentImageFilter<MaskImage, ComponentImage>::New();
-  filter->SetInput(image_view(mask));
-  filter->FullyConnectedOff();
-  filter->SetBackgroundValue(0);
-  filter->Update();
-  return filter->GetOutput();
-}
 
 /// Distance [m] of every sample from the nearest one of the mask; zero or less within.
 DistanceImage::Pointer distance_from(const Mask& mask) {
@@ -70,47 +45,6 @@ void close(Mask& mask, double radius) {
 }
 
 }  // namespace
-
-LabelVolume keep_largest_component(LabelVolume volume) {
-  const Mask mask = mask_of(volume, [](std::uint16_t label) { return label != 0; });
-  return with_filters("finding the largest component", [&] {
-    const auto components = components_of(mask);
-    const std::uint32_t* id = components->GetBufferPointer();
-    std::vector<std::uint64_t> size(1, 0);
-    for (std::size_t n = 0; n < volume.values.size(); ++n) {
-      if (id[n] >= size.size()) size.resize(id[n] + 1U, 0);
-      if (id[n] != 0) ++size[id[n]];
-    }
-    if (size.size() == 1) throw Error("the volume has no label but 0; there is no component to keep.");
-    const auto largest = std::uint32_t(std::max_element(size.begin(), size.end()) - size.begin());
-    for (std::size_t n = 0; n < volume.values.size(); ++n)
-      if (id[n] != largest) volume.values[n] = 0;
-    return std::move(volume);
-  });
-}
-
-LabelVolume fill_cavities(LabelVolume volume, std::uint16_t label) {
-  const Mask outside = mask_of(volume, [](std::uint16_t value) { return value == 0; });
-  return with_filters("filling cavities", [&] {
-    const auto components = components_of(outside);
-    const std::uint32_t* id = components->GetBufferPointer();
-    std::vector<bool> open(1, true);
-    const auto [nx, ny, nz] = volume.dims;
-    const auto visit = [&](int i, int j, int k) {
-      const std::uint32_t component = id[volume.offset(i, j, k)];
-      if (component >= open.size()) open.resize(component + 1U, false);
-      open[component] = true;
-    };
-    for (int k = 0; k < nz; ++k)
-      for (int j = 0; j < ny; ++j) {
-        const bool face = k == 0 || k == nz - 1 || j == 0 || j == ny - 1;
-        for (int i = 0; i < nx; i += face || nx == 1 ? 1 : nx - 1) visit(i, j, k);
-      }
-    for (std::size_t n = 0; n < volume.values.size(); ++n)
-      if (id[n] >= open.size() || !open[id[n]]) volume.values[n] = label;
-    return std::move(volume);
-  });
-}
 
 LabelVolume close_gaps(LabelVolume volume, double radius, std::uint16_t label) {
   require_positive(radius, "radius of a closing [m]");

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <bit>
+#include <charconv>
+#include <string>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/io/mesh/meshes.hpp"
+#include "io/atomic_file.hpp"
+#include "io/mesh/stl_layout.hpp"
+
+namespace hapticut {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "binary STL and PLY are written as the memory has them");
+
+/// Appends the bytes of a value.
+template <class Value>
+void append(std::string& bytes, const Value& value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+void append(std::string& bytes, const Vec3& v, double scale) {
+  for (int axis = 0; axis < 3; ++axis) append(bytes, float(v[axis] * scale));
+}
+
+void write_ply(const TriangleMesh& mesh, const std::vector<Color>* colors, const std::filesystem::path& path,
+               double unit_mm) {
+  require_positive(unit_mm, "unit_mm [mm]");
+  const double scale = 1 / (unit_mm * units::mm);
+  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment written by hapticut, one unit is " +
+                      format_number(unit_mm) + " mm\nelement vertex " + std::to_string(mesh.vertices.size()) +
+                      "\nproperty float x\nproperty float y\nproperty float z\n";
+  if (colors != nullptr) bytes += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  bytes += "element face " + std::to_string(mesh.triangles.size()) +
+           "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (std::size_t n = 0; n < mesh.vertices.size(); ++n) {
+    append(bytes, mesh.vertices[n], scale);
+    if (colors == nullptr) continue;
+    for (const std::uint8_t value : {(*colors)[n].red, (*colors)[n].green, (*colors)[n].blue}) append(bytes, value);
+  }
+  for (const auto& t : mesh.triangles) {
+    append(bytes, std::uint8_t(3));
+    for (const std::uint32_t v : t) append(bytes, std::int32_t(v));
+  }
+  write_atomically(path, [&](std::ostream& stream) { stream.write(bytes.data(), std::streamsize(bytes.size())); });
+}
+
+/// Appends a number with as many digits as it takes to read the same number back.
+void append_number(std::string& text, double value) {
+  std::array<char, 32> digits;
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+}
+
+/// A name on one line; what would end the line or a word's printing becomes a blank.
+std::string printable(std::string name) {
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  return name;
+}
+
+/// @param before  how many vertices the file has already
+void append_obj(std::string& text, const TriangleMesh& mesh, double scale, std::size_t before) {
+  for (const Vec3& v : mesh.vertices) {
+    text += 'v';
+    for (const double coordinate : v) {
+      text += ' ';
+      append_number(text, coordinate * scale);
+    }
+    text += '\n';
+  }
+  for (const auto& t : mesh.triangles) {
+    text += 'f';
+    for (const std::uint32_t v : t) text += ' ' + std::to_string(before + v + 1);
+    text += '\n';
+  }
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  write_atomically(path, [&](std::ostream& stream) { stream.write(text.data(), std::streamsize(text.size())); });
+}
+
+std::string obj_header(double unit_mm) {
+  require_positive(unit_mm, "unit_mm [mm]");
+  return "# written by hapticut, one unit is " + format_number(unit_mm) + " mm\n";
+}
+
+}  // namespace
+
+void write_stl(const TriangleMesh& mesh, const std::filesystem::path& path, double unit_mm) {
+  require_positive(unit_mm, "unit_mm [mm]");
+  const double scale = 1 / (unit_mm * units::mm);
+  std::string bytes = "written by hapticut, one unit is " + format_number(unit_mm) + " mm";
+  bytes.resize(80, ' ');
+  append(bytes, std::uint32_t(mesh.triangles.size()));
+  bytes.reserve(kStlHeader + kStlTriangle * mesh.triangles.size());
+  for (const auto& t : mesh.triangles) {
+    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+    const Vec3 normal = (b - a).cross(c - a);
+    append(bytes, normal.norm() > 0 ? Vec3(normal / normal.norm()) : Vec3(Vec3::Zero()), 1);
+    for (const Vec3& v : {a, b, c}) append(bytes, v, scale);
+    append(bytes, std::uint16_t(0));
+  }
+  write_atomically(path, [&](std::ostream& stream) { stream.write(bytes.data(), std::streamsize(bytes.size())); });
+}
+
+void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path, double unit_mm) {
+  write_ply(mesh, nullptr, path, unit_mm);
+}
+
+void write_ply(const ColoredMesh& mesh, const std::filesystem::path& path, double unit_mm) {
+  if (mesh.colors.size() != mesh.mesh.vertices.size())
+    throw Error("the mesh has " + std::to_string(mesh.mesh.vertices.size()) + " vertices but " +
+                std::to_string(mesh.colors.size()) + " colours; give one colour per vertex.");
+  write_ply(mesh.mesh, &mesh.colors, path, unit_mm);
+}
+
+void write_obj(const TriangleMesh& mesh, const std::filesystem::path& path, double unit_mm) {
+  std::string text = obj_header(unit_mm);
+  append_obj(text, mesh, 1 / (unit_mm * units::mm), 0);
+  write_text(path, text);
+}
+
+void write_obj(const std::vector<NamedMesh>& objects, const std::filesystem::path& path, double unit_mm) {
+  std::string text = obj_header(unit_mm);
+  std::size_t vertices = 0;
+  for (std::size_t n = 0; n < objects.size(); ++n) {
+    const std::string& name = objects[n].name;
+    text += "o " + (name.empty() ? "object " + std::to_string(n + 1) : printable(name)) + '\n';
+    append_obj(text, objects[n].mesh, 1 / (unit_mm * units::mm), vertices);
+    vertices += objects[n].mesh.vertices.size();
+  }
+  write_text(path, text);
+}
+
+}  // namespace hapticut

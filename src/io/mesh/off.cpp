@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/core/errors.hpp"
+#include "io/mesh/mesh_formats.hpp"
+#include "io/mesh/text_lines.hpp"
+
+namespace hapticut {
+namespace {
+
+/// `OFF`, the numbers of vertices, faces and edges, then a line for each vertex and a line for each face. Normals,
+/// colours and texture coordinates stand at the ends of these lines.
+class OffParser {
+ public:
+  explicit OffParser(std::string_view text) : lines_(text, {.comments = true}) {}
+
+  Polygons parse() {
+    parse_key();
+    const std::uint64_t vertices = count("the number of vertices"), faces = count("the number of faces");
+    for (std::uint64_t n = 0; n < vertices; ++n) {
+      go_to_line("vertex", n, vertices);
+      Vec3& position = polygons_.vertices.emplace_back(Vec3::Zero());
+      position.x() = coordinate(first_);
+      for (int axis = 1; axis < 3; ++axis) position[axis] = lines_.real("a coordinate");
+    }
+    PolygonObject object;
+    for (std::uint64_t n = 0; n < faces; ++n) {
+      go_to_line("face", n, faces);
+      const std::optional<std::int64_t> corners = parse_whole(first_);
+      if (!corners || *corners < 3) lines_.fail("a face has " + in_quotes(first_) + " corners; at least 3 are needed.");
+      for (std::int64_t k = 0; k < *corners; ++k) object.corners.push_back(corner());
+      object.ends.push_back(object.corners.size());
+    }
+    polygons_.objects.push_back(std::move(object));
+    return std::move(polygons_);
+  }
+
+ private:
+  /// Letters before `OFF` name what else each vertex has: texture coordinates, colour, normal.
+  void parse_key() {
+    const std::string_view key = lines_.word_of_any_line();
+    constexpr std::array<std::string_view, 8> kKeys = {"OFF",   "COFF",   "NOFF",   "CNOFF",
+                                                       "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
+    if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
+      throw Error("it begins with " + in_quotes(key) + ", where an OFF file of three dimensions has 'OFF'.");
+  }
+
+  std::uint64_t count(const char* what) {
+    const std::string_view word = lines_.word_of_any_line();
+    const std::optional<std::int64_t> number = parse_whole(word);
+    if (!number || *number < 0)
+      lines_.fail(in_quotes(word) + " stands where " + what + " should; only OFF files that are text are read.");
+    return std::uint64_t(*number);
+  }
+
+  /// Goes to the next line that is not empty and takes its first word.
+  void go_to_line(const char* what, std::uint64_t n, std::uint64_t announced) {
+    do
+      if (!lines_.next_line())
+        throw Error("it announces " + std::to_string(announced) + (announced == 1 ? " " : " times a ") + what +
+                    ", but ends after " + std::to_string(n) + "; it was cut off.");
+    while ((first_ = lines_.word()).empty());
+  }
+
+  double coordinate(std::string_view word) {
+    const std::optional<double> number = parse_real(word);
+    if (!number) lines_.fail(in_quotes(word) + ", where a coordinate should stand, is not a number.");
+    return *number;
+  }
+
+  std::uint32_t corner() {
+    const std::string_view word = lines_.word();
+    if (word.empty()) lines_.fail("a face has fewer corners than it announces.");
+    const std::optional<std::int64_t> index = parse_whole(word);
+    if (!index || *index < 0 || std::uint64_t(*index) >= polygons_.vertices.size())
+      lines_.fail("a face names vertex " + in_quotes(word) + "; there are 0 to " +
+                  std::to_string(std::int64_t(polygons_.vertices.size()) - 1) + ".");
+    return std::uint32_t(*index);
+  }
+
+  TextLines lines_;
+  Polygons polygons_;
+  std::string_view first_;  // word of the line
+};
+
+}  // namespace
+
+Polygons parse_off(MeshBytes bytes) {
+  return OffParser({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).parse();
+}
+
+}  // namespace hapticut

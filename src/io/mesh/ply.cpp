@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "hapticut/core/errors.hpp"
+#include "io/mesh/mesh_formats.hpp"
+#include "io/mesh/ply_header.hpp"
+#include "io/mesh/text_lines.hpp"
+
+namespace hapticut {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the bytes of a big-endian PLY file are turned round");
+
+/// The values behind the header, one after the other, whatever the format.
+class PlyValues {
+ public:
+  PlyValues(std::string_view file, const PlyHeader& header)
+      : format_(header.format), bytes_(file.substr(header.size)), lines_(bytes_, {}, header.lines + 1) {}
+
+  /// For messages: which element is being read.
+  void set_place(const PlyElement* element, std::uint64_t index) {
+    element_ = element;
+    index_ = index;
+  }
+
+  double take(PlyType type) {
+    if (format_ == PlyFormat::text) return take_word();
+    switch (type) {
+      case PlyType::int8:
+        return double(take_bytes<std::int8_t>());
+      case PlyType::uint8:
+        return double(take_bytes<std::uint8_t>());
+      case PlyType::int16:
+        return double(take_bytes<std::int16_t>());
+      case PlyType::uint16:
+        return double(take_bytes<std::uint16_t>());
+      case PlyType::int32:
+        return double(take_bytes<std::int32_t>());
+      case PlyType::uint32:
+        return double(take_bytes<std::uint32_t>());
+      case PlyType::float32:
+        return double(take_bytes<float>());
+      case PlyType::float64:
+        break;
+    }
+    return take_bytes<double>();
+  }
+
+  /// The length of a list, or 1 for a single value.
+  std::uint64_t take_length(const PlyProperty& property) {
+    if (!property.length) return 1;
+    const double length = take(*property.length);
+    if (!(length >= 0 && length == std::floor(length) && length <= double(bytes_.size())))
+      fail("has a list '" + property.name + "' of " + format_number(length) + " values.");
+    return std::uint64_t(length);
+  }
+
+  void skip(const PlyProperty& property) {
+    for (std::uint64_t left = take_length(property); left > 0; --left) (void)take(property.value);
+  }
+
+  /// How many vertices can follow at most, each of which takes three bytes or more.
+  [[nodiscard]] std::size_t most_vertices(std::uint64_t announced) const {
+    return std::size_t(std::min<std::uint64_t>(announced, bytes_.size() / 3));
+  }
+
+  /// @throws Error where a text goes on after its last element, for then its values have been taken for others
+  void require_end() {
+    if (format_ != PlyFormat::text) return;
+    const std::string_view more = lines_.word_of_any_line();
+    if (!more.empty()) lines_.fail(in_quotes(more) + " stands behind all that the header announces.");
+  }
+
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw Error("element " + std::to_string(index_ + 1) + " of " + std::to_string(element_->count) + " of " +
+                in_quotes(element_->name) + " " + reason);
+  }
+
+ private:
+  double take_word() {
+    const std::string_view word = lines_.word_of_any_line();
+    if (word.empty()) fail("is not there; the file was cut off.");
+    const std::optional<double> value = parse_real(word);
+    if (!value) lines_.fail(in_quotes(word) + " is not a number.");
+    return *value;
+  }
+
+  template <class Number>
+  Number take_bytes() {
+    if (bytes_.size() - at_ < sizeof(Number)) fail("is not there; the file was cut off.");
+    std::array<char, sizeof(Number)> bytes;
+    std::memcpy(bytes.data(), bytes_.data() + at_, sizeof(Number));
+    if (format_ == PlyFormat::big_endian) std::reverse(bytes.begin(), bytes.end());
+    at_ += sizeof(Number);
+    return std::bit_cast<Number>(bytes);
+  }
+
+  PlyFormat format_;
+  std::string_view bytes_;
+  TextLines lines_;
+  std::size_t at_ = 0;  // in bytes_, of binary values
+  const PlyElement* element_ = nullptr;
+  std::uint64_t index_ = 0;
+};
+
+class PlyParser {
+ public:
+  explicit PlyParser(std::string_view file) : header_(parse_ply_header(file)), values_(file, header_) {
+    for (const PlyElement& element : header_.elements)
+      if (element.name == "vertex") vertices_ = element.count;
+  }
+
+  Polygons parse() {
+    for (const PlyElement& element : header_.elements) {
+      if (element.name == "vertex") {
+        parse_vertices(element);
+      } else if (element.name == "face") {
+        parse_lists(element, [this] { take_face(); });
+      } else if (element.name == "tristrips") {
+        parse_lists(element, [this] { take_strip(); });
+      } else if (!element.properties.empty()) {
+        for_each(element, [&] {
+          for (const PlyProperty& property : element.properties) values_.skip(property);
+        });
+      }
+    }
+    values_.require_end();
+    polygons_.objects.push_back(std::move(faces_));
+    return std::move(polygons_);
+  }
+
+ private:
+  template <class Use>
+  void for_each(const PlyElement& element, const Use& use) {
+    for (std::uint64_t n = 0; n < element.count; ++n) {
+      values_.set_place(&element, n);
+      use();
+    }
+  }
+
+  void parse_vertices(const PlyElement& element) {
+    std::vector<int> axis_of;  // per property; -1: another one
+    for (const PlyProperty& property : element.properties) {
+      const bool is_axis =
+          !property.length && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
+      axis_of.push_back(is_axis ? property.name[0] - 'x' : -1);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::count(axis_of.begin(), axis_of.end(), axis) != 1)
+        throw Error("its vertices must have one property each of the names x, y and z.");
+    polygons_.vertices.reserve(values_.most_vertices(element.count));
+    for_each(element, [&] {
+      Vec3& position = polygons_.vertices.emplace_back();
+      for (std::size_t n = 0; n < axis_of.size(); ++n) {
+        if (axis_of[n] < 0)
+          values_.skip(element.properties[n]);
+        else
+          position[axis_of[n]] = values_.take(element.properties[n].value);
+      }
+    });
+  }
+
+  /// Calls `use()` with each list of vertices in `list_`.
+  template <class Use>
+  void parse_lists(const PlyElement& element, const Use& use) {
+    const auto is_list = [](const PlyProperty& property) {
+      return property.length && (property.name == "vertex_indices" || property.name == "vertex_index");
+    };
+    if (element.count > 0 && std::count_if(element.properties.begin(), element.properties.end(), is_list) != 1)
+      throw Error("its elements " + in_quotes(element.name) + " must have one list of the name vertex_indices.");
+    for_each(element, [&] {
+      for (const PlyProperty& property : element.properties) {
+        if (!is_list(property)) {
+          values_.skip(property);
+          continue;
+        }
+        list_.clear();
+        for (std::uint64_t left = values_.take_length(property); left > 0; --left)
+          list_.push_back(values_.take(property.value));
+      }
+      use();
+    });
+  }
+
+  void add_corner(double index) {
+    if (!(index >= 0 && index < double(vertices_) && index == std::floor(index)))
+      values_.fail("names vertex " + format_number(index) + "; there are " + std::to_string(vertices_) +
+                   ", counted from 0.");
+    faces_.corners.push_back(std::uint32_t(index));
+  }
+
+  void take_face() {
+    if (list_.size() < 3) values_.fail("has " + std::to_string(list_.size()) + " corners; at least 3 are needed.");
+    for (const double index : list_) add_corner(index);
+    faces_.ends.push_back(faces_.corners.size());
+  }
+
+  /// Three neighbours of a strip are a triangle, every other one the other way round; -1 begins a new strip.
+  void take_strip() {
+    std::size_t begin = 0;
+    for (std::size_t n = 0; n < list_.size(); ++n) {
+      if (list_[n] == -1) begin = n + 1;
+      if (n < begin + 2) continue;
+      const bool turned = (n - begin) % 2 == 1;
+      for (const double index : {list_[n - 2], list_[turned ? n : n - 1], list_[turned ? n - 1 : n]}) add_corner(index);
+      faces_.ends.push_back(faces_.corners.size());
+    }
+  }
+
+  PlyHeader header_;
+  PlyValues values_;
+  std::uint64_t vertices_ = 0;
+  Polygons polygons_;
+  PolygonObject faces_;
+  std::vector<double> list_;
+};
+
+}  // namespace
+
+Polygons parse_ply(MeshBytes bytes) {
+  return PlyParser({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).parse();
+}
+
+}  // namespace hapticut

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/mesh/ply_header.hpp"
+
+#include <map>
+
+#include "hapticut/core/errors.hpp"
+#include "io/mesh/text_lines.hpp"
+
+namespace hapticut {
+namespace {
+
+[[noreturn]] void fail_in_header(std::size_t line, const std::string& reason) {
+  throw Error("line " + std::to_string(line) + " of its header: " + reason);
+}
+
+std::optional<PlyType> type_named(std::string_view name) {
+  static const std::map<std::string_view, PlyType> kTypes = {
+      {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
+      {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
+      {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},   {"int", PlyType::int32},
+      {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
+      {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
+      {"float64", PlyType::float64}};
+  const auto found = kTypes.find(name);
+  return found == kTypes.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Takes the lines of a header one by one.
+class PlyHeaderParser {
+ public:
+  /// @return false at the last line
+  bool take(std::string_view line) {
+    ++header.lines;
+    TextLines words(line);
+    words.next_line();
+    const std::string_view key = words.word();
+    if (key == "end_header") {
+      if (!has_format_) fail("it ends without a line 'format'.");
+      return false;
+    }
+    if (key == "format") {
+      take_format(words.word());
+    } else if (key == "element") {
+      take_element(words);
+    } else if (key == "property") {
+      take_property(words);
+    } else if (!key.empty() && key != "comment" && key != "obj_info") {
+      fail(in_quotes(key) + " begins no line of such a header.");
+    }
+    return true;
+  }
+
+  PlyHeader header;
+
+ private:
+  [[noreturn]] void fail(const std::string& reason) const { fail_in_header(header.lines, reason); }
+
+  void take_format(std::string_view name) {
+    has_format_ = true;
+    if (name == "ascii")
+      header.format = PlyFormat::text;
+    else if (name == "binary_little_endian")
+      header.format = PlyFormat::little_endian;
+    else if (name == "binary_big_endian")
+      header.format = PlyFormat::big_endian;
+    else
+      fail("the format " + in_quotes(name) +
+           " is not known; there are ascii, binary_little_endian and binary_big_endian.");
+  }
+
+  void take_element(TextLines& words) {
+    const std::string name(words.word());
+    const std::string_view count = words.word();
+    const std::optional<std::int64_t> number = parse_whole(count);
+    if (!number || *number < 0)
+      fail("the number " + in_quotes(count) + " of elements " + in_quotes(name) + " is none.");
+    for (const PlyElement& other : header.elements)
+      if (other.name == name) fail("the element " + in_quotes(name) + " is there twice.");
+    header.elements.push_back({name, std::uint64_t(*number), {}});
+  }
+
+  void take_property(TextLines& words) {
+    if (header.elements.empty()) fail("a property stands before the first element.");
+    PlyProperty property{};
+    std::string_view type = words.word();
+    if (type == "list") {
+      const std::string_view length = words.word();
+      property.length = type_named(length);
+      if (!property.length) fail(in_quotes(length) + " is no type of numbers.");
+      type = words.word();
+    }
+    const std::optional<PlyType> value = type_named(type);
+    if (!value) fail(in_quotes(type) + " is no type of numbers.");
+    property.value = *value;
+    property.name = words.word();
+    if (property.name.empty()) fail("a property has no name.");
+    header.elements.back().properties.push_back(std::move(property));
+  }
+
+  bool has_format_ = false;
+};
+
+}  // namespace
+
+std::size_t size_of(PlyType type) {
+  switch (type) {
+    case PlyType::int8:
+    case PlyType::uint8:
+      return 1;
+    case PlyType::int16:
+    case PlyType::uint16:
+      return 2;
+    case PlyType::int32:
+    case PlyType::uint32:
+    case PlyType::float32:
+      return 4;
+    case PlyType::float64:
+      break;
+  }
+  return 8;
+}
+
+PlyHeader parse_ply_header(std::string_view file) {
+  // Its first line tells how lines end: the first value of a binary file may begin with the byte of a line feed.
+  const std::size_t first = std::min(file.find_first_not_of(' ', 3), file.size());
+  const std::string_view line_end = file.substr(first, 2) == "\r\n" ? "\r\n" : file.substr(first, 1);
+  if (!file.starts_with("ply") || (line_end != "\r\n" && line_end != "\n" && line_end != "\r"))
+    throw Error("it does not begin like a PLY file.");
+  PlyHeaderParser parser;
+  parser.header.lines = 1;
+  std::size_t at = first + line_end.size();
+  for (;;) {
+    const std::size_t end = file.find(line_end, at);
+    if (end == std::string_view::npos) throw Error("it ends before 'end_header'; it was cut off.");
+    const std::string_view line = file.substr(at, end - at);
+    at = end + line_end.size();
+    if (!parser.take(line)) break;
+  }
+  parser.header.size = at;
+  return std::move(parser.header);
+}
+
+}  // namespace hapticut

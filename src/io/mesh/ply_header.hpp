@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// @file
+/// The header of a PLY file: a text that says of which elements the file is made, and of which properties each element.
+namespace hapticut {
+
+enum class PlyFormat : std::uint8_t { text, little_endian, big_endian };
+
+enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+/// [bytes] of a value in a binary file
+[[nodiscard]] std::size_t size_of(PlyType type);
+
+struct PlyProperty {
+  std::string name;
+  std::optional<PlyType> length;  ///< of a list: how its length is written
+  PlyType value;
+};
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t count;
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  PlyFormat format = PlyFormat::text;
+  std::vector<PlyElement> elements;
+  std::size_t size = 0;   ///< [bytes] of the header; the values follow
+  std::size_t lines = 0;  ///< of the header
+};
+
+/// @throws Error that names the line where it is no header
+[[nodiscard]] PlyHeader parse_ply_header(std::string_view file);
+
+}  // namespace hapticut

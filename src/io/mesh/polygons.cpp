@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/mesh/polygons.hpp"
+
+#include <array>
+#include <bit>
+#include <unordered_map>
+
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut {
+namespace {
+
+using Place = std::array<double, 3>;
+
+struct HashOfPlace {
+  std::size_t operator()(const Place& place) const {
+    std::uint64_t hash = 0;
+    for (const double coordinate : place) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x9e3779b97f4a7c15ULL;
+      hash ^= hash >> 32U;
+    }
+    return std::size_t(hash);
+  }
+};
+
+/// Turns the objects of a file into meshes, one after the other.
+class Welder {
+ public:
+  Welder(const std::vector<Vec3>& vertices, double unit)
+      : vertices_(vertices), unit_(unit), welded_(vertices.size()), object_of_(vertices.size(), 0) {}
+
+  TriangleMesh mesh_of(const PolygonObject& object) {
+    ++object_;
+    index_.clear();
+    TriangleMesh mesh;
+    std::size_t begin = 0;
+    for (const std::size_t end : object.ends) {
+      // Polygons become fans. Where a polygon is not convex its triangles overlap with opposite signs, so that volumes
+      // and winding numbers are right all the same.
+      std::array<std::uint32_t, 3> triangle{};
+      for (std::size_t n = begin; n < end; ++n) {
+        const std::uint32_t v = weld(object.corners[n], mesh);
+        triangle[std::min<std::size_t>(n - begin, 2)] = v;
+        if (n - begin < 2) continue;
+        if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
+          mesh.triangles.push_back(triangle);
+        triangle[1] = v;
+      }
+      begin = end;
+    }
+    return mesh;
+  }
+
+ private:
+  std::uint32_t weld(std::uint32_t v, TriangleMesh& mesh) {
+    if (object_of_[v] == object_) return welded_[v];
+    const Vec3& p = vertices_[v];
+    if (!is_finite(p))
+      throw Error("vertex " + std::to_string(v + 1) +
+                  " of a face has a coordinate that is not a finite number; repair the mesh.");
+    const Place place = {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};  // -0 is 0
+    const auto [entry, is_new] = index_.try_emplace(place, std::uint32_t(mesh.vertices.size()));
+    if (is_new) mesh.vertices.emplace_back(unit_ * p);
+    object_of_[v] = object_;
+    return welded_[v] = entry->second;
+  }
+
+  const std::vector<Vec3>& vertices_;
+  double unit_;
+  std::vector<std::uint32_t> welded_;     // index in the mesh of object `object_of_`
+  std::vector<std::uint32_t> object_of_;  // the last object that used a vertex; no vertex is looked at without need
+  std::uint32_t object_ = 0;
+  std::unordered_map<Place, std::uint32_t, HashOfPlace> index_;
+};
+
+}  // namespace
+
+std::vector<NamedMesh> to_meshes(const Polygons& polygons, double unit) {
+  Welder welder(polygons.vertices, unit);
+  std::vector<NamedMesh> meshes;
+  for (const PolygonObject& object : polygons.objects) {
+    TriangleMesh mesh = welder.mesh_of(object);
+    if (!mesh.triangles.empty()) meshes.push_back({object.name, std::move(mesh)});
+  }
+  if (meshes.size() > 1)
+    for (std::size_t n = 0; n < meshes.size(); ++n)
+      if (meshes[n].name.empty()) meshes[n].name = "object " + std::to_string(n + 1);
+  return meshes;
+}
+
+}  // namespace hapticut

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <bit>
+#include <cctype>
+#include <cstring>
+
+#include "hapticut/core/errors.hpp"
+#include "io/mesh/mesh_formats.hpp"
+#include "io/mesh/stl_layout.hpp"
+#include "io/mesh/text_lines.hpp"
+
+namespace hapticut {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "a binary STL file is read as the memory has it");
+
+bool is_word(std::string_view word, std::string_view expected) {
+  return std::equal(word.begin(), word.end(), expected.begin(), expected.end(),
+                    [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+}
+
+/// `solid name`, then per triangle `facet normal x y z outer loop`, three times `vertex x y z`, `endloop endfacet`, at
+/// last `endsolid`. In capital letters or not, in lines or not.
+class StlTextParser {
+ public:
+  explicit StlTextParser(std::string_view text) : lines_(text) {}
+
+  Polygons parse() {
+    for (std::string_view word = lines_.word_of_any_line(); !word.empty(); word = lines_.word_of_any_line()) {
+      if (!is_word(word, "solid")) fail_at(word, "solid");
+      polygons_.objects.push_back({std::string(lines_.rest()), {}, {}});
+      while (parse_facet(polygons_.objects.back())) continue;
+    }
+    return std::move(polygons_);
+  }
+
+ private:
+  /// @return false at the end of the solid
+  bool parse_facet(PolygonObject& object) {
+    const std::string_view word = next();
+    if (is_word(word, "endsolid")) {
+      (void)lines_.rest();  // its name
+      return false;
+    }
+    if (!is_word(word, "facet")) fail_at(word, "facet");
+    expect("normal");
+    // The normal follows from the vertices; that of a triangle without area need not be a number.
+    for (int n = 0; n < 3; ++n) (void)next();
+    expect("outer");
+    expect("loop");
+    for (int corner = 0; corner < 3; ++corner) {
+      expect("vertex");
+      Vec3 position;
+      for (double& coordinate : position) coordinate = lines_.real("a coordinate");
+      object.corners.push_back(std::uint32_t(polygons_.vertices.size()));
+      polygons_.vertices.push_back(position);
+      if (!is_finite(position)) lines_.fail("a coordinate is not a finite number; repair the mesh.");
+    }
+    object.ends.push_back(object.corners.size());
+    expect("endloop");
+    expect("endfacet");
+    return true;
+  }
+
+  std::string_view next() {
+    const std::string_view word = lines_.word_of_any_line();
+    if (word.empty()) throw Error("it ends before 'endsolid'; it was cut off.");
+    return word;
+  }
+
+  void expect(std::string_view expected) {
+    const std::string_view word = next();
+    if (!is_word(word, expected)) fail_at(word, expected);
+  }
+
+  [[noreturn]] void fail_at(std::string_view word, std::string_view expected) const {
+    lines_.fail(in_quotes(word) + " stands where '" + std::string(expected) + "' should; the file is damaged.");
+  }
+
+  TextLines lines_;
+  Polygons polygons_;
+};
+
+/// 0 where the file is too short for its header.
+std::uint64_t announced_triangles(MeshBytes bytes) {
+  if (bytes.size() < kStlHeader) return 0;
+  std::uint32_t triangles = 0;
+  std::memcpy(&triangles, bytes.data() + kStlHeader - sizeof triangles, sizeof triangles);
+  return triangles;
+}
+
+/// Programs write binary files that begin with `solid`, too: the length of the file decides, then bytes that no text
+/// has.
+bool is_text_stl(MeshBytes bytes) {
+  if (bytes.size() >= kStlHeader && bytes.size() == kStlHeader + announced_triangles(bytes) * kStlTriangle)
+    return false;
+  constexpr std::size_t kLookedAt = 1000;
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return text.substr(0, kLookedAt).find('\0') == std::string_view::npos &&
+         is_word(TextLines(text).word_of_any_line(), "solid");
+}
+
+Polygons parse_binary(MeshBytes bytes) {
+  if (bytes.size() < kStlHeader)
+    throw Error("it is neither a text that begins with 'solid' nor long enough for a binary STL file.");
+  const std::uint64_t triangles = announced_triangles(bytes);
+  if (bytes.size() < kStlHeader + triangles * kStlTriangle)
+    throw Error("it announces " + std::to_string(triangles) + " triangles, but ends after " +
+                std::to_string((bytes.size() - kStlHeader) / kStlTriangle) + "; it was cut off.");
+  Polygons polygons;
+  polygons.vertices.reserve(3 * triangles);
+  PolygonObject object;
+  object.corners.reserve(3 * triangles);
+  object.ends.reserve(triangles);
+  for (std::uint64_t n = 0; n < triangles; ++n) {
+    std::array<float, 12> numbers;  // normal, then three vertices
+    std::memcpy(numbers.data(), bytes.data() + kStlHeader + n * kStlTriangle, sizeof numbers);
+    for (std::size_t at = 3; at < numbers.size(); at += 3) {
+      const Vec3 position(double(numbers[at]), double(numbers[at + 1]), double(numbers[at + 2]));
+      if (!is_finite(position))
+        throw Error("triangle " + std::to_string(n + 1) +
+                    " has a coordinate that is not a finite number; repair the mesh.");
+      object.corners.push_back(std::uint32_t(polygons.vertices.size()));
+      polygons.vertices.push_back(position);
+    }
+    object.ends.push_back(object.corners.size());
+  }
+  polygons.objects.push_back(std::move(object));
+  return polygons;
+}
+
+}  // namespace
+
+Polygons parse_stl(MeshBytes bytes) {
+  if (!is_text_stl(bytes)) return parse_binary(bytes);
+  return StlTextParser({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).parse();
+}
+
+}  // namespace hapticut

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// @file
+/// The words and numbers of a text file. Numbers are read the same whatever the language of the machine.
+namespace hapticut {
+
+/// A word as a message can show it: short, and without characters that do not print.
+[[nodiscard]] std::string in_quotes(std::string_view word);
+
+/// The whole word as a number; infinity where it is too large for one.
+[[nodiscard]] std::optional<double> parse_real(std::string_view word);
+
+/// The whole word as a whole number of 64 bits.
+[[nodiscard]] std::optional<std::int64_t> parse_whole(std::string_view word);
+
+/// How a format writes what is not part of a line, and what belongs to it though it stands in the next.
+struct TextRules {
+  bool comments = false;       ///< `#` and what follows it in the line is a comment
+  bool continuations = false;  ///< a backslash at the end of a line joins the next one to it
+};
+
+/// Goes through the lines of a text, which end with LF, CR LF or CR, and through the words of each.
+class TextLines {
+ public:
+  /// @param first_line  number of the text's first line, where something else stands before it in the file
+  explicit TextLines(std::string_view text, TextRules rules = {}, std::size_t first_line = 1);
+
+  /// Goes on to the next line.  @return false at the end of the text
+  bool next_line();
+
+  /// The next word of the line; empty at its end.
+  std::string_view word();
+
+  /// What is left of the line, without blanks at its ends, comments and all; the line is at its end afterwards.
+  std::string_view rest();
+
+  /// The next word of this line or of a later one; empty at the end of the text.
+  std::string_view word_of_any_line();
+
+  /// The next word of the line as a number.
+  /// @param what  it is, for the message
+  /// @throws Error when there is none, or it is no number
+  double real(const char* what);
+
+  /// Of the line, counted from 1.
+  [[nodiscard]] std::size_t number() const { return number_; }
+
+  /// @throws Error "line 12: reason"
+  [[noreturn]] void fail(const std::string& reason) const;
+
+ private:
+  void take_line();
+
+  std::string_view text_, line_;
+  TextRules rules_;
+  std::size_t number_;
+  std::size_t at_ = 0;  // in text_
+};
+
+}  // namespace hapticut

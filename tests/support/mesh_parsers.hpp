@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hapticut/core/errors.hpp"
+#include "io/mesh/mesh_formats.hpp"
+#include "support/mesh_measures.hpp"
+
+/// @file
+/// The readers of mesh formats, given texts.
+namespace hapticut::test {
+
+using Parser = Polygons (*)(MeshBytes);
+
+inline std::vector<NamedMesh> meshes_in(Parser parse, const std::string& text) {
+  return to_meshes(parse(std::as_bytes(std::span(text))), 1);
+}
+
+inline TriangleMesh only_mesh_in(Parser parse, const std::string& text) {
+  const std::vector<NamedMesh> meshes = meshes_in(parse, text);
+  EXPECT_EQ(meshes.size(), 1U);
+  return meshes.empty() ? TriangleMesh{} : meshes[0].mesh;
+}
+
+inline std::string error_of(Parser parse, const std::string& text) {
+  try {
+    (void)meshes_in(parse, text);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A text, and a part of what must be said of it.
+struct BadText {
+  const char* text;
+  const char* said;
+};
+
+inline void expect_refused(Parser parse, const std::vector<BadText>& texts) {
+  for (const BadText& bad : texts) {
+    const std::string error = error_of(parse, bad.text);
+    EXPECT_NE(error.find(bad.said), std::string::npos) << "'" << error << "' for\n" << bad.text;
+  }
+}
+
+inline void expect_unit_cube(const TriangleMesh& mesh) {
+  EXPECT_EQ(mesh.vertices.size(), 8U);
+  EXPECT_EQ(mesh.triangles.size(), 12U);
+  EXPECT_TRUE(test::is_closed(mesh));
+  EXPECT_DOUBLE_EQ(test::signed_volume(mesh), 1);
+}
+
+inline std::string replaced(const std::string& text, const std::string& from, const std::string& to) {
+  std::string result;
+  std::size_t at = 0;
+  for (std::size_t found = text.find(from); found != std::string::npos; found = text.find(from, at)) {
+    result.append(text, at, found - at);
+    result += to;
+    at = found + from.size();
+  }
+  return result.append(text, at);
+}
+
+}  // namespace hapticut::test

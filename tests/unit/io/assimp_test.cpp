@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <assimp/scene.h>
+#include <gtest/gtest.h>
+
+#include <assimp/Exporter.hpp>
+#include <random>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/io/mesh/meshes.hpp"
+#include "support/mesh_measures.hpp"
+#include "support/meshes.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace hapticut::assimp_test {
+namespace {
+
+using units::mm;
+
+/// A scene with one node that holds a mesh, shifted by a transform of its own.
+std::unique_ptr<aiScene> scene_of(const TriangleMesh& mesh, const Vec3& shift) {
+  auto scene = std::make_unique<aiScene>();
+  auto* const shape = new aiMesh;  // owned by the scene, as everything below
+  shape->mName = "ball";
+  shape->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+  shape->mNumVertices = unsigned(mesh.vertices.size());
+  shape->mVertices = new aiVector3D[mesh.vertices.size()];
+  shape->mNormals = new aiVector3D[mesh.vertices.size()];
+  for (std::size_t n = 0; n < mesh.vertices.size(); ++n) {
+    const Vec3 p = mesh.vertices[n] / mm;
+    shape->mVertices[n] = aiVector3D(float(p.x()), float(p.y()), float(p.z()));
+    shape->mNormals[n] = aiVector3D(0, 0, 1);
+  }
+  shape->mNumFaces = unsigned(mesh.triangles.size());
+  shape->mFaces = new aiFace[mesh.triangles.size()];
+  for (std::size_t n = 0; n < mesh.triangles.size(); ++n) {
+    shape->mFaces[n].mNumIndices = 3;
+    shape->mFaces[n].mIndices = new unsigned[3]{mesh.triangles[n][0], mesh.triangles[n][1], mesh.triangles[n][2]};
+  }
+  scene->mNumMeshes = scene->mNumMaterials = 1;
+  scene->mMeshes = new aiMesh* [1] { shape };
+  scene->mMaterials = new aiMaterial* [1] { new aiMaterial };
+  auto* const node = new aiNode("ball");
+  node->mNumMeshes = 1;
+  node->mMeshes = new unsigned[1]{0};
+  aiMatrix4x4::Translation(aiVector3D(float(shift.x() / mm), float(shift.y() / mm), float(shift.z() / mm)),
+                           node->mTransformation);
+  scene->mRootNode = new aiNode("root");
+  scene->mRootNode->addChildren(1, const_cast<aiNode**>(&node));
+  return scene;
+}
+
+TEST(Assimp, ReadsGltfWithTheTransformsOfItsNodes) {
+  const test::TemporaryFolder folder;
+  const TriangleMesh ball = test::ball_mesh(Vec3::Zero(), 2 * mm, 8);
+  const Vec3 shift(5 * mm, 0, 0);
+  const auto scene = scene_of(ball, shift);
+  for (const auto& [format, name] : {std::pair{"gltf2", "ball.gltf"}, {"glb2", "ball.GLB"}}) {
+    Assimp::Exporter exporter;
+    ASSERT_EQ(exporter.Export(scene.get(), format, (folder / name).string()), aiReturn_SUCCESS);
+    const std::vector<NamedMesh> meshes = read_mesh(folder / name);
+    ASSERT_EQ(meshes.size(), 1U) << format;
+    const TriangleMesh& mesh = meshes[0].mesh;
+    EXPECT_EQ(mesh.vertices.size(), ball.vertices.size()) << format;
+    EXPECT_EQ(mesh.triangles.size(), ball.triangles.size()) << format;
+    EXPECT_TRUE(test::is_closed(mesh)) << format;
+    constexpr double kSingle = 1e-6;  // the file holds single precision
+    EXPECT_NEAR(test::signed_volume(mesh), test::signed_volume(ball), kSingle * test::signed_volume(ball)) << format;
+    Vec3 center = Vec3::Zero();
+    for (const Vec3& v : mesh.vertices) center += v / double(mesh.vertices.size());
+    EXPECT_LT((center - shift).norm(), kSingle * shift.norm()) << format;
+  }
+}
+
+TEST(Assimp, DamagedFilesAreRefusedByName) {
+  const test::TemporaryFolder folder;
+  Assimp::Exporter exporter;
+  const auto scene = scene_of(test::ball_mesh(Vec3::Zero(), 2 * mm, 4), Vec3::Zero());
+  ASSERT_EQ(exporter.Export(scene.get(), "glb2", (folder / "whole.glb").string()), aiReturn_SUCCESS);
+  const std::string whole = test::read_bytes(folder / "whole.glb");
+  for (std::size_t length = 0; length < whole.size() - 100; length += 97) {
+    test::write_bytes(folder / "cut.glb", whole.substr(0, length));
+    EXPECT_THROW((void)read_mesh(folder / "cut.glb"), Error) << length;
+  }
+}
+
+}  // namespace
+}  // namespace hapticut::assimp_test
