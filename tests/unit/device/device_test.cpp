@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <csetjmp>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -15,6 +16,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "hapticut/bench/closed_loop.hpp"
@@ -382,22 +384,133 @@ TEST(Device, DoesNotMindASignalThatTheProcessIgnores) {
 
 /// Runs a device whose force another thread ends, with the whole process, by `end`.
 [[noreturn]] void run_until_another_thread(WrittenDevice& device, const std::atomic<double>& last,
-                                           const std::function<void()>& end) {
+                                           const std::function<void()>& end, bool stop_on_crash = false) {
   std::thread([&last, end] {
     while (last.load() < 0.5) usleep(1000);
     end();
   }).detach();
-  device.run(pushing(), real(0));
+  RunOptions options = real(0);
+  options.stop_on_crash = stop_on_crash;
+  device.run(pushing(), options);
   for (;;) usleep(1000);
 }
 
+/// Reads from a page that nobody may read.
+void touch_nothing() {
+  volatile int* nothing = static_cast<int*>(mmap(nullptr, 4096, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+  (void)*nothing;
+}
+
+/// The sanitizers have handlers of their own, which end the process by themselves.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kCrashesAreOurs = false;
+#else
+constexpr bool kCrashesAreOurs = true;
+#endif
+
 TEST(Device, LeavesNoForceWhenAnotherThreadCrashes) {
+  if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;
+  if (!kCrashesAreOurs) GTEST_SKIP() << "the sanitizer handles crashes";
+  const std::pair<int, std::function<void()>> crashes[] = {
+      {SIGABRT, [] { std::abort(); }}, {SIGSEGV, touch_nothing}, {SIGFPE, [] { raise(SIGFPE); }}};
+  for (const auto& [signal, crash] : crashes) {
+    SharedForce last;
+    const int status = end_of_child(
+        last, [&](WrittenDevice& device) { run_until_another_thread(device, *last.value, crash, true); }, 0);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
+    EXPECT_EQ(last.value->load(), 0);
+  }
+}
+
+TEST(Device, LeavesCrashesAloneUnlessItIsAskedTo) {
   if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;
   SharedForce last;
   const int status = end_of_child(
-      last, [&](WrittenDevice& device) { run_until_another_thread(device, *last.value, [] { std::abort(); }); }, 0);
-  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT) << status;
-  EXPECT_EQ(last.value->load(), 0);
+      last,
+      [&](WrittenDevice& device) {
+        RunOptions options = real(0.2);
+        struct sigaction before {
+        }, during{};
+        sigaction(SIGSEGV, nullptr, &before);
+        device.run(
+            [&](const DeviceState& state) {
+              sigaction(SIGSEGV, nullptr, &during);
+              return pushing()(state);
+            },
+            options);
+        if (before.sa_flags != during.sa_flags || before.sa_sigaction != during.sa_sigaction)
+          throw std::runtime_error("somebody installed a handler");
+      },
+      0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 99) << status;
+}
+
+/// What a runtime that makes exceptions of crashes does: it has a handler on a stack of its own, looks at what the
+/// kernel says, and goes on elsewhere.
+namespace runtime {
+
+sigjmp_buf elsewhere;  // NOLINT: of the one thread that crashes
+volatile sig_atomic_t handled = 0, told_where = 0, on_its_stack = 0;
+void* expected_address = nullptr;
+alignas(16) char stack[64 * 1024];
+
+extern "C" void hapticut_test_on_crash(int, siginfo_t* info, void* context) {
+  char here = 0;
+  handled = handled + 1;
+  told_where = info->si_addr == expected_address && context != nullptr ? 1 : 0;
+  on_its_stack = &here >= stack && &here < stack + sizeof stack ? 1 : 0;
+  siglongjmp(elsewhere, 1);
+}
+
+void handle_crashes() {
+  struct sigaction action {};
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  action.sa_sigaction = hapticut_test_on_crash;
+  sigaction(SIGSEGV, &action, nullptr);
+}
+
+}  // namespace runtime
+
+TEST(Device, HandsACrashOnToARuntimeThatHandlesItAndComesBackAfterAReset) {
+  if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;
+  if (!kCrashesAreOurs) GTEST_SKIP() << "the sanitizer handles crashes";
+  SharedForce last;
+  const int status = end_of_child(
+      last,
+      [&](WrittenDevice& device) {
+        runtime::handle_crashes();
+        RunOptions options = real(0);
+        options.stop_on_crash = true;
+        options.guard.arming.short_ramp = 0.02;
+        bool lived = false, was_quiet = false, came_back = false;
+        std::thread managed([&] {
+          const stack_t stack{runtime::stack, 0, sizeof runtime::stack};
+          sigaltstack(&stack, nullptr);
+          while (last.value->load() < 0.5) usleep(1000);
+          runtime::expected_address = mmap(nullptr, 4096, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+          if (sigsetjmp(runtime::elsewhere, 1) == 0) (void)*static_cast<volatile int*>(runtime::expected_address);
+          lived = runtime::handled == 1 && runtime::told_where == 1 && runtime::on_its_stack == 1;
+          was_quiet = last.value->load() == 0 && device.arming() == ArmingState::fault;
+          device.reset_fault();
+          for (int n = 0; n < 5000 && !came_back; ++n, usleep(1000)) came_back = last.value->load() > 0.5;
+          device.stop();
+        });
+        device.run(
+            [free = 0, push = pushing()](const DeviceState& state) mutable {
+              return ++free % 200 < 100 ? DeviceCommand{} : push(state);  // the tool is free now and then
+            },
+            options);
+        managed.join();
+        if (!lived) throw std::runtime_error("the runtime did not get its signal as it came");
+        if (!was_quiet) throw std::runtime_error("there was a force in a crash");
+        if (!came_back) throw std::runtime_error("there was no force after the reset");
+        struct sigaction after {};
+        sigaction(SIGSEGV, nullptr, &after);
+        if (after.sa_sigaction != runtime::hapticut_test_on_crash) throw std::runtime_error("its handler was lost");
+      },
+      0);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 99) << status;
 }
 
 std::atomic<double> last_force = -1;
