@@ -59,6 +59,24 @@ struct HeadPlacement {
 /// The stages and the memory that they need, all of it taken at set-up.
 class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in the order of their use
  public:
+  struct EmptiedBlock {
+    BlockView block;
+    std::array<std::uint64_t, 8> emptied;
+  };
+
+  /// Lists as long as a head can make them in voxels of a size.
+  struct Room {
+    Room(const ToolHead& head, double voxel_size, const SimulationConfig& config);
+    [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
+    std::size_t most_voxels, most_blocks;
+    std::vector<VoxelIndex> changed;
+    std::vector<BlockView> blocks;
+    std::vector<EmptiedBlock> emptied;
+  };
+
+  /// @throws Error when a stiffness is out of the range that single precision bears
+  [[nodiscard]] static ContactMaterials constants_of(const MaterialTable& table, double reference_stiffness);
+
   /// @throws Error when a level of detail is asked for and the law has none
   ContactStages(const Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config);
 
@@ -82,6 +100,14 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   /// level of detail.
   void remove_material(Workpiece& workpiece, RemovalRecord& removal) noexcept;
 
+  /// Goes on with the lists of another head; `room` has the old ones then. Nothing is listed.
+  /// @realtime no allocation, no lock; O(1)
+  void exchange_room(Room& room) noexcept;
+
+  /// Goes on with other constants; `materials` are the old ones then.
+  /// @realtime no allocation, no lock; O(1)
+  void exchange_materials(ContactMaterials& materials) noexcept;
+
   [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
 
   /// For a workpiece that was put back to what it once was.
@@ -90,6 +116,9 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   /// Puts up to `most` blocks, and at least one, back to what they were at the last mark, and lists them as changed.
   /// @return how many
   std::size_t undo(Workpiece& workpiece, std::size_t most) noexcept;
+
+  /// The same towards what was undone last.  @return whether it is done
+  bool redo(Workpiece& workpiece, std::size_t most) noexcept;
 
   /// Forgets which blocks have changed, at the beginning of a step.
   void forget_changes() noexcept;
@@ -100,11 +129,6 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
 
  private:
   static constexpr std::size_t kPressedAtOnce = 8;  // blocks that share single-precision sums
-
-  struct EmptiedBlock {
-    BlockView block;
-    std::array<std::uint64_t, 8> emptied;
-  };
 
   [[nodiscard]] kernels::ContactJob job_at(const Workpiece& workpiece, const ToolHead& head,
                                            const HeadPlacement& at) const noexcept;
@@ -129,7 +153,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   double cutting_share_ = 1;                    // [1] of them that holds now
   bool damped_ = false;                         // some material has damping
   double voxel_volume_;                         // [m^3]
-  std::size_t most_voxels_, most_blocks_;
+  std::size_t most_voxels_ = 0, most_blocks_ = 0;
   std::size_t voxel_budget_;  // 0: no limit
   unsigned turn_ = 0;         // of the level of detail
   IndexBox bounds_;           // voxels that were ever solid

@@ -31,9 +31,14 @@ struct AnchorForce {
   Vec3 p_TQ = Vec3::Zero();         // [m] that place, in T
 };
 
+/// @throws Error when a head does not suit voxels of a size [m]
+void validate_head(const ToolHead& head, double voxel_size);
+
 struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding): in the order of their making
   State(Workpiece given_workpiece, Tool given_tool, SimulationConfig given_config);
   void prepare_workpiece();
+  void set_frictions() noexcept;
+  void start_afresh() noexcept;
 
   // The stages of a step, in their order.
   [[nodiscard]] StageTimer timed(double StageTimes::*stage) const noexcept {
