@@ -90,7 +90,9 @@
 #include "hapticut/device/simulated/playback.hpp"
 //
 #include "hapticut/loop/block_outbox.hpp"
+#include "hapticut/loop/commands.hpp"
 #include "hapticut/loop/realtime_loop.hpp"
 #include "hapticut/loop/simulation_model.hpp"
+#include "hapticut/loop/snapshot.hpp"
 #include "hapticut/loop/step_recorder.hpp"
 #include "hapticut/loop/workspace_map.hpp"

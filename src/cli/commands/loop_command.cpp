@@ -124,7 +124,7 @@ LoopWatch watch(RealtimeLoop& loop, Device& device) {
     std::this_thread::sleep_for(kFrame);
   }
   look();
-  seen.tool = tool_of(loop.latest());
+  seen.tool = loop.latest().tool;
   return seen;
 }
 
