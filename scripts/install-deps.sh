@@ -18,7 +18,7 @@ core='g++ cmake ninja-build git ca-certificates libopenvdb-dev libtbb-dev libima
 build="$core libinsighttoolkit5-dev libassimp-dev libhdf5-dev libpng-dev libtiff-dev libarchive-dev libexpat1-dev zlib1g-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev"
 bench="$build ccache libbenchmark-dev"
 test="$bench valgrind libgtest-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev
-  libopenvdb-tools python3-openvdb python3-venv python3-dev pybind11-dev"
+  libopenvdb-tools python3-openvdb python3-venv python3-dev pybind11-dev mono-runtime mono-mcs"
 [ "$(uname -m 2>/dev/null)" = aarch64 ] || test="$test g++-aarch64-linux-gnu"
 demo="$build ccache invesalius-examples"
 
