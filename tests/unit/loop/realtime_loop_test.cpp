@@ -194,7 +194,7 @@ TEST(RealtimeLoop, HandsBackWhatWasReplacedHoweverMuchThereIs) {
   RealtimeLoop loop(*device, model, options_for(0));
   loop.start();
   // More tools than there are places, each of another size: the last one is in place in the end.
-  constexpr int kTools = 700;
+  constexpr int kTools = 300;
   double radius = 1e-3;
   for (int n = 0; n < kTools; ++n) {
     LoopCommand next = commands::SetTool(Tool(SphereHead{radius += 1e-7}), 1e-4, {});
