@@ -249,6 +249,23 @@ TEST(Guard, StopsWithinATickWhenAnotherThreadPullsTheEmergencyStop) {
   EXPECT_EQ(loop.guard.log().count(SafetyEvent::emergency_stop), 1U);
 }
 
+TEST(Guard, AnEmergencyStopCancelsAnEarlierResetAndIsResetByALaterOne) {
+  GuardedLoop loop;
+  loop.engage();
+  loop.guard.requests().reset_fault();
+  loop.guard.requests().emergency_stop();
+  EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0));
+  EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0));
+  EXPECT_EQ(loop.guard.state(), ArmingState::fault);
+  loop.guard.requests().reset_fault();
+  loop.engage();
+  loop.guard.requests().emergency_stop();  // and both before the next tick
+  loop.guard.requests().reset_fault();
+  EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0));
+  EXPECT_EQ(loop.guard.state(), ArmingState::armed) << "as after any fault";
+  EXPECT_EQ(loop.guard.log().count(SafetyEvent::fault_reset), 2U);
+}
+
 TEST(Guard, StopsWhenTheDeviceSaysThatItCannotBeTrusted) {
   for (const DeviceFault fault : {DeviceFault::disconnected, DeviceFault::uncalibrated, DeviceFault::driver_error}) {
     GuardedLoop loop;
