@@ -30,8 +30,8 @@ void catch_signals();
 /// Restores the handlers, and raises again what came in the meantime.
 void release_signals();
 
-/// From now on until the matching `release_crashes`, a signal of a crash takes the force of the loops that want it away,
-/// and is then handed to whoever handled it before, with all that the kernel says of it: a runtime that makes an
+/// From now on until the matching `release_crashes`, a signal of a crash takes the force of the loops that want it
+/// away, and is then handed to whoever handled it before, with all that the kernel says of it: a runtime that makes an
 /// exception of it does so still, and a process that it would end is ended by it.
 void catch_crashes();
 
