@@ -20,7 +20,7 @@ program="$core libhdf5-dev libpng-dev libtiff-dev libarchive-dev libexpat1-dev z
 build="$program libinsighttoolkit5-dev libassimp-dev"
 bench="$build ccache libbenchmark-dev"
 test="$bench valgrind libgtest-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev
-  libopenvdb-tools python3-openvdb python3-venv python3-dev pybind11-dev"
+  libopenvdb-tools python3-openvdb python3-venv python3-dev pybind11-dev mono-runtime mono-mcs"
 [ "$(uname -m 2>/dev/null)" = aarch64 ] || test="$test g++-aarch64-linux-gnu"
 demo="$program ccache invesalius-examples"
 

@@ -63,8 +63,8 @@ void bind_models(py::module_& m) {
 void bind_runs(py::module_& m) {
   using O = RunOptions;
   bind_struct<O>(m, "RunOptions", field("seconds", &O::seconds), field("simulated_time", &O::simulated_time),
-                 field("stop_on_signals", &O::stop_on_signals), field("realtime", &O::realtime),
-                 field("guard", &O::guard));
+                 field("stop_on_signals", &O::stop_on_signals), field("stop_on_crash", &O::stop_on_crash),
+                 field("realtime", &O::realtime), field("guard", &O::guard));
   using R = RunReport;
   bind_result<R>(m, "RunReport", member("ticks", &R::ticks), member("missed", &R::missed),
                  member("wake_up", &R::wake_up), member("compute", &R::compute), member("end", &R::end),
@@ -106,6 +106,8 @@ void bind_devices(py::module_& m) {
       .def_property_readonly("capabilities", &Device::capabilities, py::return_value_policy::copy,
                              "What it can measure and render.")
       .def("run", &Device::run, py::arg("callback"), py::arg("options") = RunOptions{}, doc("Device::run"), Released())
+      .def_property_readonly("requests", &Device::requests, py::return_value_policy::reference_internal,
+                             doc("Device::requests"))
       .def("stop", &Device::stop, doc("Device::stop"))
       .def("emergency_stop", &Device::emergency_stop, doc("Device::emergency_stop"))
       .def("reset_fault", &Device::reset_fault, doc("Device::reset_fault"))

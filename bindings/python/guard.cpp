@@ -89,21 +89,37 @@ void bind_options(py::module_& m) {
 }  // namespace
 
 void bind_guard(py::module_& m) {
+  using Q = Requests;
+  py::class_<Q>(m, "Requests", doc("Requests"))
+      .def(py::init<>())
+      .def("stop", &Q::stop, doc("Requests::stop"))
+      .def("emergency_stop", &Q::emergency_stop, doc("Requests::emergency_stop"))
+      .def("reset_fault", &Q::reset_fault, doc("Requests::reset_fault"))
+      .def("interrupt", &Q::interrupt, py::arg("reason"), doc("Requests::interrupt"))
+      .def_property_readonly("stop_wanted", &Q::stop_wanted, "Whether a stop is asked for.")
+      .def_property_readonly("emergency", &Q::emergency, "Whether an emergency stop lasts.")
+      .def_property_readonly("reset_wanted", &Q::reset_wanted, "Whether a reset is asked for.")
+      .def("forget_stop", &Q::forget_stop, "Takes a stop back.")
+      .def("take_reset", &Q::take_reset, doc("Requests::take_reset"))
+      .def("take_interruption", &Q::take_interruption,
+           "Takes an interruption; SafetyEvent.count of C++, which is len(SafetyEvent.__members__), where there is "
+           "none.");
   bind_states(m);
   bind_log(m);
   bind_options(m);
   m.def("output_limits", &output_limits, py::arg("device"), py::arg("fastest_contact") = 0.5, doc("output_limits"));
   py::class_<SafetyGuard>(m, "SafetyGuard", doc("SafetyGuard"))
-      .def(py::init<const DeviceCapabilities&, const GuardOptions&>(), py::arg("capabilities"),
-           py::arg("options") = GuardOptions{}, doc("SafetyGuard::SafetyGuard"))
+      .def(py::init([](const DeviceCapabilities& capabilities, const GuardOptions& options) {
+             return std::make_unique<SafetyGuard>(capabilities, options);  // with a mailbox of its own
+           }),
+           py::arg("capabilities"), py::arg("options") = GuardOptions{}, doc("SafetyGuard::SafetyGuard"))
       .def("start", &SafetyGuard::start, doc("SafetyGuard::start"))
       .def("stop", &SafetyGuard::stop, doc("SafetyGuard::stop"))
       .def("admit", &SafetyGuard::admit, py::return_value_policy::copy, py::arg("reading"), doc("SafetyGuard::admit"))
       .def("release", &SafetyGuard::release, py::arg("commanded"), doc("SafetyGuard::release"))
       .def("applied", &SafetyGuard::applied, py::arg("wrench"), doc("SafetyGuard::applied"))
-      .def("emergency_stop", &SafetyGuard::emergency_stop, doc("SafetyGuard::emergency_stop"))
-      .def("reset", &SafetyGuard::reset, doc("SafetyGuard::reset"))
-      .def("interrupt", &SafetyGuard::interrupt, py::arg("reason"), doc("SafetyGuard::interrupt"))
+      .def_property_readonly("requests", &SafetyGuard::requests, py::return_value_policy::reference_internal,
+                             doc("SafetyGuard::requests"))
       .def_property_readonly("state", &SafetyGuard::state, "Whether a force is allowed.")
       .def("report_exception", &SafetyGuard::report_exception, doc("SafetyGuard::report_exception"))
       .def_property_readonly(

@@ -2,7 +2,10 @@
 // include/hapticut/device: a simulation driven by a device in a thread of its own
 #include <memory>
 #include <optional>
+#include <string>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "bindings.hpp"
 #include "hapticut/loop/realtime_loop.hpp"
@@ -85,40 +88,99 @@ class PythonLoop {
 
 namespace {
 
-void bind_messages(py::module_& m) {
-  using C = LoopCommand;
-  py::class_<C> command(m, "LoopCommand", doc("LoopCommand"));
-  bind_enum<C::Kind>(command, "Kind",
-                     {{"stop", C::Kind::stop},
-                      {"emergency_stop", C::Kind::emergency_stop},
-                      {"reset_fault", C::Kind::reset_fault},
-                      {"model", C::Kind::model}},
-                     "LoopCommand::Kind");
-  command
-      .def(py::init([](C::Kind kind, std::int32_t code, const std::array<double, 8>& values) {
-             return C{kind, code, values};
+/// A command of Python as the loop takes it: copied, or, where it brings something, moved away, so that it can be sent
+/// once.
+struct GivenCommand {
+  py::object object;
+  LoopCommand command;
+
+  /// What was not sent is put back.
+  void give_back() {
+    std::visit(
+        [&](auto& what) {
+          using Command = std::decay_t<decltype(what)>;
+          if constexpr (!std::is_copy_constructible_v<Command>) object.cast<Command&>() = std::move(what);
+        },
+        command);
+  }
+
+  template <std::size_t kKind = 0>
+  static GivenCommand of(py::object object) {
+    if constexpr (kKind == std::variant_size_v<LoopCommand>) {
+      throw py::type_error(
+          "send() takes a command: one of hapticut.commands, or what SimulationModel.prepare_tool, "
+          "prepare_materials or prepare_workpiece returns");
+    } else {
+      using Command = std::variant_alternative_t<kKind, LoopCommand>;
+      if (!py::isinstance<Command>(object)) return of<kKind + 1>(std::move(object));
+      Command& given = object.cast<Command&>();
+      if constexpr (std::is_copy_constructible_v<Command>)
+        return {object, Command(given)};
+      else
+        return {object, std::move(given)};
+    }
+  }
+};
+
+bool send(const PythonLoop& loop, const py::object& object) {
+  GivenCommand given = GivenCommand::of(object);
+  try {
+    if (loop.loop().send(std::move(given.command))) return true;
+  } catch (...) {
+    given.give_back();
+    throw;
+  }
+  given.give_back();
+  return false;
+}
+
+/// A command without fields.
+template <class Command>
+void bind_word(py::handle scope, const char* name) {
+  const std::string full = std::string("commands::") + name;
+  py::class_<Command>(scope, name, doc(full))
+      .def(py::init<>())
+      .def("__repr__", [text = std::string("commands.") + name + "()"](const Command&) { return text; });
+}
+
+void bind_commands(py::module_& m) {
+  struct Commands {};
+  const py::class_<Commands> scope(m, "commands", doc("commands"));
+  namespace c = commands;
+  bind_struct<c::SetSpindleSpeed>(scope, "SetSpindleSpeed", "commands::SetSpindleSpeed",
+                                  field("speed", &c::SetSpindleSpeed::speed));
+  bind_word<c::OpenClutch>(scope, "OpenClutch");
+  bind_word<c::CloseClutch>(scope, "CloseClutch");
+  bind_struct<c::SetScale>(scope, "SetScale", "commands::SetScale", field("scale", &c::SetScale::scale));
+  bind_word<c::SetUndoMark>(scope, "SetUndoMark");
+  bind_word<c::Undo>(scope, "Undo");
+  bind_word<c::Redo>(scope, "Redo");
+  bind_struct<c::SetFriction>(scope, "SetFriction", "commands::SetFriction",
+                              field("friction", &c::SetFriction::friction));
+  bind_struct<c::SetEffects>(scope, "SetEffects", "commands::SetEffects", field("effects", &c::SetEffects::effects));
+  bind_struct<c::SetForceMask>(scope, "SetForceMask", "commands::SetForceMask",
+                               field("enabled", &c::SetForceMask::enabled));
+  const auto removal = computed<c::SetRemoval, RemovalLaw>(
+      "removal", [](const c::SetRemoval& s) { return s.removal; },
+      [](c::SetRemoval& s, RemovalLaw law) { s.removal = law; });
+  bind_struct<c::SetRemoval>(scope, "SetRemoval", "commands::SetRemoval", removal);
+  bind_struct<c::HoldForce>(scope, "HoldForce", "commands::HoldForce", field("hold", &c::HoldForce::hold));
+  py::class_<c::SetTool>(scope, "SetTool", doc("commands::SetTool"))
+      .def(py::init<const Tool&, double, const SimulationConfig&>(), py::arg("tool"), py::arg("voxel_size"),
+           py::arg("config"), doc("commands::SetTool::SetTool"));
+  py::class_<c::SetMaterials>(scope, "SetMaterials", doc("commands::SetMaterials"))
+      .def(py::init<const MaterialTable&, const SimulationConfig&>(), py::arg("materials"), py::arg("config"),
+           doc("commands::SetMaterials::SetMaterials"));
+  py::class_<c::ExchangeWorkpiece>(scope, "ExchangeWorkpiece", doc("commands::ExchangeWorkpiece"))
+      .def(py::init([](const PythonWorkpiece& workpiece, const Tool& tool, const SimulationConfig& config) {
+             return c::ExchangeWorkpiece(Simulation(workpiece.read().clone(), tool, config));
            }),
-           py::arg_v("kind", C::Kind::model, "LoopCommand.Kind.model"), py::arg("code") = 0,
-           py::arg("values") = std::array<double, 8>{})
-      .def_readwrite("kind", &C::kind, "Who is meant.")
-      .def_readwrite("code", &C::code, doc("LoopCommand::code"))
-      .def_readwrite("values", &C::values, doc("LoopCommand::values"));
+           py::arg("workpiece"), py::arg("tool"), py::arg("config"),
+           "Of a copy of a workpiece, the tool for it and the configuration of both.")
+      .def_readonly("bounds", &c::ExchangeWorkpiece::bounds, doc("commands::ExchangeWorkpiece::bounds"));
+}
 
-  struct ModelCommands {};
-  py::class_<ModelCommands>(m, "model_commands", doc("model_commands"))
-      .def_static("set_spindle_speed", &model_commands::set_spindle_speed, py::arg("speed"),
-                  doc("model_commands::set_spindle_speed"))
-      .def_static("open_clutch", &model_commands::open_clutch, doc("model_commands::open_clutch"))
-      .def_static("close_clutch", &model_commands::close_clutch, doc("model_commands::close_clutch"))
-      .def_static("set_scale", &model_commands::set_scale, py::arg("scale"), doc("model_commands::set_scale"))
-      .def_static("set_undo_mark", &model_commands::set_undo_mark, doc("model_commands::set_undo_mark"))
-      .def_static("undo", &model_commands::undo, doc("model_commands::undo"));
-
-  using S = LoopSnapshot;
-  bind_result<S>(m, "LoopSnapshot", member("tick", &S::tick), member("device", &S::device),
-                 member("output", &S::output), member("arming", &S::arming),
-                 member("commands_dropped", &S::commands_dropped), member("blocks_waiting", &S::blocks_waiting),
-                 member("X_WT", &S::X_WT), member("values", &S::values));
+void bind_messages(py::module_& m) {
   using T = ToolSnapshot;
   const auto bits = [](StepStatus T::*status) {
     return [status](const T& snapshot) { return std::uint32_t(snapshot.*status); };
@@ -126,15 +188,22 @@ void bind_messages(py::module_& m) {
   bind_result<T>(m, "ToolSnapshot", member("force", &T::force), member("torque", &T::torque),
                  member("removed_volume", &T::removed_volume), member("contact_depth", &T::contact_depth),
                  member("contact_voxels", &T::contact_voxels), member("spindle_speed", &T::spindle_speed),
-                 member("steps", &T::steps), member("undo_marks", &T::undo_marks), member("undoing", &T::undoing))
+                 member("steps", &T::steps), member("undo_marks", &T::undo_marks), member("redo_marks", &T::redo_marks),
+                 member("undoing", &T::undoing), member("redoing", &T::redoing), member("force_held", &T::force_held),
+                 member("workpiece", &T::workpiece))
       .def_property_readonly("status", bits(&T::status), doc("ToolSnapshot::status"))
       .def_property_readonly("seen", bits(&T::seen), doc("ToolSnapshot::seen"));
-  m.def("tool_of", &tool_of, py::arg("snapshot"), "What a SimulationModel has put into a snapshot.");
-
+  using S = LoopSnapshot;
+  bind_result<S>(m, "LoopSnapshot", member("tick", &S::tick), member("device", &S::device),
+                 member("output", &S::output), member("arming", &S::arming),
+                 member("commands_dropped", &S::commands_dropped), member("commands_refused", &S::commands_refused),
+                 member("blocks_waiting", &S::blocks_waiting), member("blocks_outside", &S::blocks_outside),
+                 member("X_WT", &S::X_WT), member("tool", &S::tool));
   using B = ChangedBlock;
   py::class_<B>(m, "ChangedBlock", doc("ChangedBlock"))
       .def_readonly("origin", &B::origin, doc("ChangedBlock::origin"))
       .def_readonly("version", &B::version, doc("ChangedBlock::version"))
+      .def_readonly("workpiece", &B::workpiece, doc("ChangedBlock::workpiece"))
       .def_property_readonly(
           "material",
           [](const py::object& self) {
@@ -163,12 +232,26 @@ void bind_model(py::module_& m) {
            }),
            py::arg("simulation"), py::arg("device"), py::arg("options") = O{}, doc("SimulationModel::SimulationModel"))
       .def_property_readonly(
-          "region", [](const M& self) { return self.model->region(); }, doc("SimulationModel::region"));
+          "region", [](const M& self) { return self.model->region(); }, doc("SimulationModel::region"))
+      .def(
+          "prepare_tool", [](const M& self, const Tool& tool) { return self.model->prepare_tool(tool); },
+          py::arg("tool"), doc("SimulationModel::prepare_tool"))
+      .def(
+          "prepare_materials",
+          [](const M& self, const MaterialTable& materials) { return self.model->prepare_materials(materials); },
+          py::arg("materials"), doc("SimulationModel::prepare_materials"))
+      .def(
+          "prepare_workpiece",
+          [](const M& self, const PythonWorkpiece& workpiece, const Tool& tool) {
+            return self.model->prepare_workpiece(workpiece.read().clone(), tool);
+          },
+          py::arg("workpiece"), py::arg("tool"), doc("SimulationModel::prepare_workpiece"));
 }
 
 }  // namespace
 
 void bind_loop(py::module_& m) {
+  bind_commands(m);
   bind_messages(m);
   bind_model(m);
   using O = RealtimeLoopOptions;
@@ -189,11 +272,10 @@ void bind_loop(py::module_& m) {
           "stop", [](L& self) { return self.end(&RealtimeLoop::stop); }, doc("RealtimeLoop::stop"))
       .def_property_readonly(
           "is_running", [](const L& self) { return self.loop().is_running(); }, "Whether a run is under way.")
-      .def(
-          "emergency_stop", [](const L& self) { self.loop().emergency_stop(); }, doc("RealtimeLoop::emergency_stop"))
-      .def(
-          "send", [](const L& self, const LoopCommand& command) { return self.loop().send(command); },
-          py::arg("command"), doc("RealtimeLoop::send"))
+      .def_property_readonly(
+          "requests", [](const L& self) -> Requests& { return self.loop().requests(); },
+          py::return_value_policy::reference_internal, doc("RealtimeLoop::requests"))
+      .def("send", &send, py::arg("command"), doc("RealtimeLoop::send"))
       .def(
           "latest", [](const L& self) { return LoopSnapshot(self.loop().latest()); }, "The latest snapshot.")
       .def(

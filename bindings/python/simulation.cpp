@@ -119,7 +119,7 @@ void bind_the_simulation(py::module_& m) {
           "workpiece", [](S& self) { return PythonWorkpiece(self.shared_from_this()); },
           "What is left: a look at it, not a copy. It cannot be changed from there.")
       .def_property_readonly(
-          "tool", [](const S& self) { return self.simulation.tool(); }, "As given.")
+          "tool", [](const S& self) { return read(self).tool(); }, "As given.")
       .def_property_readonly(
           "config", [](const S& self) { return read(self).config(); }, "As given; a copy.")
       .def_property_readonly(
@@ -137,6 +137,9 @@ void bind_the_simulation(py::module_& m) {
           doc("Simulation::spindle_setting"))
       .def_property_readonly(
           "steps", [](const S& self) { return read(self).steps(); }, doc("Simulation::steps"))
+      .def_property_readonly(
+          "workpiece_exchanges", [](const S& self) { return read(self).workpiece_exchanges(); },
+          doc("Simulation::workpiece_exchanges"))
       .def(
           "changed_blocks",
           [](const S& self) {
@@ -167,6 +170,41 @@ void bind_the_simulation(py::module_& m) {
             self.simulation.set_effects(effects);
           },
           py::arg("effects"), doc("Simulation::set_effects"))
+      .def(
+          "set_tool",
+          [](S& self, const Tool& tool) {
+            self.occupancy.require_writable("The simulation");
+            self.simulation.set_tool(tool);
+          },
+          py::arg("tool"), doc("Simulation::set_tool"))
+      .def(
+          "set_materials",
+          [](S& self, const MaterialTable& materials) {
+            self.occupancy.require_writable("The simulation");
+            self.simulation.set_materials(materials);
+          },
+          py::arg("materials"), doc("Simulation::set_materials"))
+      .def(
+          "set_friction",
+          [](S& self, const std::optional<DryFriction>& friction) {
+            self.occupancy.require_writable("The simulation");
+            self.simulation.set_friction(friction);
+          },
+          py::arg("friction"), doc("Simulation::set_friction"))
+      .def(
+          "set_removal",
+          [](S& self, RemovalLaw removal) {
+            self.occupancy.require_writable("The simulation");
+            self.simulation.set_removal(removal);
+          },
+          py::arg("removal"), doc("Simulation::set_removal"))
+      .def(
+          "halt_spindle",
+          [](S& self) {
+            self.occupancy.require_writable("The simulation");
+            self.simulation.halt_spindle();
+          },
+          doc("Simulation::halt_spindle"))
       .def(
           "reserve_blocks",
           [](S& self, std::size_t count) {
@@ -206,6 +244,16 @@ void bind_the_simulation(py::module_& m) {
             return self.simulation.undo(most);
           },
           py::arg("most"), doc("Simulation::undo"))
+      .def_property_readonly(
+          "redo_marks", [](const S& self) { return read(self).redo_marks(); },
+          "How many undone marks `redo` can go forth over.")
+      .def(
+          "redo",
+          [](S& self, std::size_t most) {
+            self.occupancy.require_writable("The simulation");
+            return self.simulation.redo(most);
+          },
+          py::arg("most"), doc("Simulation::redo"))
       .def(
           "reset",
           [](S& self, const PythonWorkpiece& workpiece) {

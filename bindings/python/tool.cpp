@@ -118,6 +118,7 @@ void bind_tool(py::module_& m) {
   py::class_<SpindleMotor>(m, "SpindleMotor", doc("SpindleMotor"))
       .def(py::init<const Spindle&>(), py::arg("spindle"))
       .def("set", &SpindleMotor::set, py::arg("setting"), doc("SpindleMotor::set"))
+      .def("halt", &SpindleMotor::halt, doc("SpindleMotor::halt"))
       .def("advance", &SpindleMotor::advance, py::arg("torque"), py::arg("dt"), doc("SpindleMotor::advance"))
       .def_property_readonly("speed", &SpindleMotor::speed, doc("SpindleMotor::speed"))
       .def_property_readonly("setting", &SpindleMotor::setting, doc("SpindleMotor::setting"))

@@ -342,6 +342,10 @@ void bind_state(py::class_<PythonWorkpiece>& binding) {
           "marks", [](const W& w) { return w.read().marks(); }, "How many marks can be returned to.")
       .def(
           "undo_block", [](W& w) { return w.write().undo_block(); }, doc("Workpiece::undo_block"))
+      .def_property_readonly(
+          "redo_marks", [](const W& w) { return w.read().redo_marks(); }, "How many undone marks there are.")
+      .def(
+          "redo_block", [](W& w) { return w.write().redo_block(); }, doc("Workpiece::redo_block"))
       .def(
           "reserve_blocks", [](W& w, std::size_t count) { w.write().reserve_blocks(count); }, py::arg("count"),
           doc("Workpiece::reserve_blocks"))

@@ -35,7 +35,7 @@ int main(int argc, char** argv) try {
   loop_options.run.simulated_time = is_mock;  // as fast as it goes
   loop_options.region = model.region();       // pictures of all of it
   RealtimeLoop loop(*device, model, loop_options);
-  loop.send(model_commands::set_undo_mark());
+  loop.send(commands::SetUndoMark{});
   loop.start();
   double greatest = 0;
   std::size_t blocks = 0;
@@ -50,7 +50,7 @@ int main(int argc, char** argv) try {
             << simulation.removed_volume_by_material()[1] / mm3 << " mm^3, at most " << greatest << " N seen, "
             << blocks << " changed blocks\n";
 
-  while (!simulation.undo(64)) {  // between runs; in a run: loop.send(model_commands::undo())
+  while (!simulation.undo(64)) {  // between runs; in a run: loop.send(commands::Undo{})
   }
   std::cout << "undone: " << simulation.workpiece().amounts()[0].volume / mm3 << " mm^3 of bone again\n";
 } catch (const hapticut::Error& error) {

@@ -32,7 +32,7 @@ model = hapticut.SimulationModel(simulation, device, options)
 
 run = hapticut.RunOptions(seconds=6, simulated_time=is_mock)  # a mock: as fast as it goes
 loop = hapticut.RealtimeLoop(model, hapticut.RealtimeLoopOptions(run=run, region=model.region))
-loop.send(hapticut.model_commands.set_undo_mark())
+loop.send(hapticut.commands.SetUndoMark())
 loop.start()
 greatest, blocks = 0.0, 0
 while loop.is_running:
@@ -45,6 +45,6 @@ report = loop.wait()
 print(f"{report.ticks} ticks ({report.end}), guard {report.guard.name}, removed "
       f"{simulation.removed_volume_by_material[1] / mm3:.4f} mm^3, at most {greatest:.2f} N seen, {blocks} changed blocks")
 
-while not simulation.undo(64):  # between runs; in a run: loop.send(hapticut.model_commands.undo())
+while not simulation.undo(64):  # between runs; in a run: loop.send(hapticut.commands.Undo())
     pass
 print(f"undone: {simulation.workpiece.amounts()[0].volume / mm3:.0f} mm^3 of bone again")

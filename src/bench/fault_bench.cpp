@@ -117,8 +117,8 @@ FaultResponse respond(const ClosedLoopConfig& config, const ModelFactory& factor
     const bool faulty = n >= fault_tick;
     const DeviceState reading = loop.read();
     if (n == fault_tick) at_fault = reading;
-    if (n == fault_tick && fault == InjectedFault::reclutch) guard.interrupt(SafetyEvent::reclutched);
-    if (n == fault_tick && fault == InjectedFault::emergency_stop) guard.emergency_stop();
+    if (n == fault_tick && fault == InjectedFault::reclutch) guard.requests().interrupt(SafetyEvent::reclutched);
+    if (n == fault_tick && fault == InjectedFault::emergency_stop) guard.requests().emergency_stop();
     if (faulty && n < fault_tick + missed) {
       const double silent = double(n - fault_tick + 1) * period;
       guard.report_silence(watchdog.verdict(silent), watchdog.scale(silent));

@@ -21,13 +21,6 @@ Device::Device(std::string name, DeviceCapabilities capabilities)
 
 Device::~Device() = default;
 
-void Device::stop() noexcept { stop_.store(true, std::memory_order_release); }
-void Device::emergency_stop() noexcept { emergency_.store(true, std::memory_order_release); }
-
-void Device::interrupt(SafetyEvent reason) noexcept {
-  interruption_.store(std::uint8_t(reason), std::memory_order_release);
-}
-
 DeviceState Device::state() const {
   const std::lock_guard lock(latest_->readers);
   return latest_->state.latest();
@@ -58,11 +51,15 @@ namespace {
 /// What a run holds of the process: its slot, and the signals.
 class RunScope {
  public:
-  explicit RunScope(bool signals) : slot_(run_slots::take()), signals_(signals) {
+  explicit RunScope(const RunOptions& options)
+      : slot_(run_slots::take(options.stop_on_crash)),
+        signals_(options.stop_on_signals),
+        crashes_(options.stop_on_crash) {
     if (slot_ < 0)
       throw Error("More than " + std::to_string(run_slots::kSlots) +
                   " devices would be running at once in this process; stop one first.");
     if (signals_) run_slots::catch_signals();
+    if (crashes_) run_slots::catch_crashes();
   }
   ~RunScope() { give_back(); }
   RunScope(const RunScope&) = delete;
@@ -72,12 +69,13 @@ class RunScope {
   void give_back() noexcept {
     if (slot_ < 0) return;
     run_slots::give_back(std::exchange(slot_, -1));
+    if (crashes_) run_slots::release_crashes();
     if (signals_) run_slots::release_signals();
   }
 
  private:
   int slot_;
-  bool signals_;
+  bool signals_, crashes_;
 };
 
 }  // namespace
@@ -93,10 +91,10 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& options)
   } const running{running_};
   {
     const std::lock_guard lock(guard_mutex_);
-    guard_ = std::make_unique<SafetyGuard>(capabilities_, options.guard);
+    guard_ = std::make_unique<SafetyGuard>(capabilities_, options.guard, &requests_);
   }
-  stop_.store(false);
-  RunScope scope(options.stop_on_signals);
+  requests_.forget_stop();
+  RunScope scope(options);
   Servo servo(*this, *guard_, callback, options);
   servo.slot_ = scope.slot();
   guard_->start();
@@ -128,15 +126,7 @@ Wrench Servo::tick(const DeviceState& reading) noexcept {
   const double began = monotonic_time();
   if (report_.ticks++ == 0) begin_ = reading.time;
   run_slots::Slot& slot = run_slots::slot(slot_);
-  if (device_.emergency_.load(std::memory_order_acquire) || slot.emergency.load(std::memory_order_acquire))
-    guard_.emergency_stop();
-  if (device_.reset_.exchange(false, std::memory_order_acq_rel)) {
-    device_.emergency_.store(false, std::memory_order_release);
-    guard_.reset();
-  }
-  const auto reason =
-      SafetyEvent(device_.interruption_.exchange(std::uint8_t(SafetyEvent::count), std::memory_order_acq_rel));
-  if (reason != SafetyEvent::count) guard_.interrupt(reason);
+  if (slot.emergency.exchange(false, std::memory_order_acq_rel)) device_.emergency_stop();
 
   const DeviceState& state = guard_.admit(reading);
   DeviceCommand command;
@@ -171,7 +161,7 @@ void Servo::publish(const DeviceState& state) noexcept {
 }
 
 bool Servo::should_end() const noexcept {
-  return callback_ended_ || time_is_up_ || lost_ || exception_ || device_.stop_.load(std::memory_order_acquire) ||
+  return callback_ended_ || time_is_up_ || lost_ || exception_ || device_.requests_.stop_wanted() ||
          run_slots::slot(slot_).stop.load(std::memory_order_acquire);
 }
 

@@ -2,6 +2,7 @@
 #include "device/run_slots.hpp"
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
@@ -20,9 +21,10 @@ std::array<Slot, kSlots> slots;
 std::atomic<int> pending{0};  // bit n: kEnding[n] came
 
 std::mutex handlers_mutex;
-int handlers_users = 0;
+int ending_users = 0, crashing_users = 0;
 std::array<struct sigaction, kEnding.size()> old_ending;
 std::array<struct sigaction, kCrashing.size()> old_crashing;
+std::array<bool, kCrashing.size()> in_a_chain{};  // somebody has put a handler before ours, and may still call it
 
 // Waits until no used slot lacks what `done` asks for. Async-signal-safe.
 template <typename Done>
@@ -48,19 +50,58 @@ extern "C" void hapticut_on_ending_signal(int signal) {
     if (s.used.load()) s.stop.store(true);
 }
 
-extern "C" void hapticut_on_crash(int signal) {
-  for (Slot& s : slots) s.emergency.store(true);
-  wait(kGraceAtCrash, [](const Slot& s) { return s.quiet.load(); });
+/// Whether it came from a process or a thread, and not from what an instruction did.
+bool was_sent(const siginfo_t& info) noexcept { return info.si_code <= 0; }
+
+/// Does what would have happened to a signal without us.
+void hand_on(int signal, siginfo_t* info, void* context, struct sigaction& before) noexcept {
+  const struct sigaction old = before;
+  if ((old.sa_flags & SA_SIGINFO) == 0 && (old.sa_handler == SIG_DFL || old.sa_handler == SIG_IGN)) {
+    if (old.sa_handler == SIG_IGN && was_sent(*info)) return;
+    // The kernel ends the process: when the instruction is tried again, or by another signal of the kind, which is
+    // delivered when we return.
+    struct sigaction end {};
+    end.sa_handler = SIG_DFL;
+    sigaction(signal, &end, nullptr);
+    if (was_sent(*info)) raise(signal);
+    return;
+  }
+  if ((old.sa_flags & int(SA_RESETHAND)) != 0) {
+    before = {};
+    before.sa_handler = SIG_DFL;
+  }
+  sigset_t mask = old.sa_mask, mask_before;
+  if ((old.sa_flags & SA_NODEFER) == 0)
+    sigaddset(&mask, signal);
+  else
+    sigdelset(&mask, signal);
+  pthread_sigmask(SIG_SETMASK, &mask, &mask_before);
+  if ((old.sa_flags & SA_SIGINFO) != 0)
+    old.sa_sigaction(signal, info, context);
+  else
+    old.sa_handler(signal);
+  pthread_sigmask(SIG_SETMASK, &mask_before, nullptr);
+}
+
+extern "C" void hapticut_on_crash(int signal, siginfo_t* info, void* context) {
+  const int error = errno;
+  for (Slot& s : slots)
+    if (s.used.load() && s.on_crash.load()) s.emergency.store(true);
+  wait(kGraceAtCrash, [](const Slot& s) { return s.quiet.load() || !s.on_crash.load(); });
   for (std::size_t n = 0; n < kCrashing.size(); ++n)
-    if (kCrashing[n] == signal) sigaction(signal, &old_crashing[n], nullptr);
-  raise(signal);  // delivered when this handler returns, to whoever was there before
+    if (kCrashing[n] == signal) hand_on(signal, info, context, old_crashing[n]);
+  errno = error;
+}
+
+bool is_ours(const struct sigaction& action) {
+  return (action.sa_flags & SA_SIGINFO) != 0 && action.sa_sigaction == hapticut_on_crash;
 }
 
 }  // namespace
 
 Slot& slot(int n) noexcept { return slots[std::size_t(n)]; }
 
-int take() noexcept {
+int take(bool on_crash) noexcept {
   static const bool registered = std::atexit(end_all) == 0;
   (void)registered;
   for (int n = 0; n < kSlots; ++n) {
@@ -69,6 +110,7 @@ int take() noexcept {
     if (!s.used.compare_exchange_strong(expected, true)) continue;
     s.stop.store(false);
     s.emergency.store(false);
+    s.on_crash.store(on_crash);
     s.quiet.store(false);
     return n;
   }
@@ -83,7 +125,7 @@ void give_back(int n) noexcept {
 
 void catch_signals() {
   const std::lock_guard lock(handlers_mutex);
-  if (handlers_users++ > 0) return;
+  if (ending_users++ > 0) return;
   pending.store(0);
   struct sigaction action {};
   sigemptyset(&action.sa_mask);
@@ -93,22 +135,43 @@ void catch_signals() {
     sigaction(kEnding[n], nullptr, &old_ending[n]);
     if (old_ending[n].sa_handler != SIG_IGN) sigaction(kEnding[n], &action, nullptr);  // as nohup wants it
   }
-  action.sa_flags = 0;
-  action.sa_handler = hapticut_on_crash;
-  for (std::size_t n = 0; n < kCrashing.size(); ++n) sigaction(kCrashing[n], &action, &old_crashing[n]);
 }
 
 void release_signals() {
   int came = 0;
   {
     const std::lock_guard lock(handlers_mutex);
-    if (--handlers_users > 0) return;
+    if (--ending_users > 0) return;
     for (std::size_t n = 0; n < kEnding.size(); ++n) sigaction(kEnding[n], &old_ending[n], nullptr);
-    for (std::size_t n = 0; n < kCrashing.size(); ++n) sigaction(kCrashing[n], &old_crashing[n], nullptr);
     came = pending.exchange(0);
   }
   for (std::size_t n = 0; n < kEnding.size(); ++n)
     if ((came & (1 << int(n))) != 0) raise(kEnding[n]);
+}
+
+void catch_crashes() {
+  const std::lock_guard lock(handlers_mutex);
+  if (crashing_users++ > 0) return;
+  struct sigaction action {};
+  sigemptyset(&action.sa_mask);
+  // On the stack that the crashed thread has for it: its own may be what is exhausted, or be managed by a runtime.
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  action.sa_sigaction = hapticut_on_crash;
+  for (std::size_t n = 0; n < kCrashing.size(); ++n) {
+    if (in_a_chain[n]) continue;  // ours is called already; before the one that calls it, it would call itself
+    sigaction(kCrashing[n], &action, &old_crashing[n]);
+  }
+}
+
+void release_crashes() {
+  const std::lock_guard lock(handlers_mutex);
+  if (--crashing_users > 0) return;
+  for (std::size_t n = 0; n < kCrashing.size(); ++n) {
+    struct sigaction now {};
+    sigaction(kCrashing[n], nullptr, &now);
+    in_a_chain[n] = !is_ours(now);
+    if (!in_a_chain[n]) sigaction(kCrashing[n], &old_crashing[n], nullptr);
+  }
 }
 
 }  // namespace hapticut::run_slots

@@ -46,9 +46,10 @@ VoxelIndex BlockOutbox::origin_of(std::uint32_t number) const noexcept {
 bool BlockOutbox::mark(const VoxelIndex& origin) noexcept {
   VoxelIndex at;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (origin[axis] < first_[axis]) return false;
-    at[axis] = (origin[axis] - first_[axis]) / kBlockEdge;
-    if (at[axis] >= blocks_[axis]) return false;
+    at[axis] = origin[axis] < first_[axis] ? -1 : (origin[axis] - first_[axis]) / kBlockEdge;
+    if (at[axis] >= 0 && at[axis] < blocks_[axis]) continue;
+    ++outside_;
+    return false;
   }
   const std::size_t number =
       (std::size_t(at[0]) * std::size_t(blocks_[1]) + std::size_t(at[1])) * std::size_t(blocks_[2]) +

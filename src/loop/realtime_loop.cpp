@@ -2,13 +2,14 @@
 #include "hapticut/loop/realtime_loop.hpp"
 
 #include <atomic>
-#include <boost/lockfree/spsc_queue.hpp>
 #include <exception>
+#include <mutex>
 #include <thread>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/realtime/triple_buffer.hpp"
+#include "realtime/handover_ring.hpp"
 
 namespace hapticut {
 
@@ -20,14 +21,18 @@ struct RealtimeLoop::State {
   }
 
   DeviceCommand tick(const DeviceState& reading) noexcept;
-  void obey(DeviceCommand& command) noexcept;
+  void obey() noexcept;
+  void free_replaced() noexcept;
 
   Device& device;
   LoopModel& model;
   RealtimeLoopOptions options;
 
-  boost::lockfree::spsc_queue<LoopCommand, boost::lockfree::capacity<kCommands>> commands;
+  HandoverRing<LoopCommand> commands{kCommands};
+  HandoverRing<LoopCommand> replaced{kCommands};  // what was obeyed, with what was in place before
+  std::mutex freeing;                             // of the threads that free it; the loop never takes it
   std::atomic<std::uint64_t> dropped{0};
+  std::uint64_t refused = 0;
   TripleBuffer<LoopSnapshot> snapshots;
   std::unique_ptr<BlockOutbox> outbox;
   BlockOutbox::Copy copy;
@@ -41,27 +46,25 @@ struct RealtimeLoop::State {
   std::exception_ptr exception;
 };
 
-void RealtimeLoop::State::obey(DeviceCommand& command) noexcept {
+void RealtimeLoop::State::obey() noexcept {
   LoopCommand message;
-  while (commands.pop(message)) switch (message.kind) {
-      case LoopCommand::Kind::stop:
-        command.stop = true;
-        break;
-      case LoopCommand::Kind::emergency_stop:
-        device.emergency_stop();
-        break;
-      case LoopCommand::Kind::reset_fault:
-        device.reset_fault();
-        break;
-      case LoopCommand::Kind::model:
-        model.obey(message);
-        break;
-    }
+  // Where what was replaced has no room to go, the next command waits: nothing is freed here.
+  while (replaced.has_room() && commands.pop(message)) {
+    if (!model.obey(message)) ++refused;
+    replaced.push(std::move(message));
+  }
+}
+
+void RealtimeLoop::State::free_replaced() noexcept {
+  const std::unique_lock lock(freeing, std::try_to_lock);
+  if (!lock) return;  // somebody is at it
+  for (LoopCommand old; replaced.pop(old);) {
+  }
 }
 
 DeviceCommand RealtimeLoop::State::tick(const DeviceState& reading) noexcept {
   DeviceCommand command;
-  obey(command);
+  obey();
   const double nominal = options.run.guard.period;
   const double dt = ticks == 0 ? nominal : reading.time - last_time;
   last_time = reading.time;
@@ -72,12 +75,14 @@ DeviceCommand RealtimeLoop::State::tick(const DeviceState& reading) noexcept {
     model.mark_changes(*outbox);
     outbox->send(copy, options.blocks_per_tick);
     snapshot.blocks_waiting = outbox->marked();
+    snapshot.blocks_outside = outbox->outside();
   }
   snapshot.tick = ++ticks;
   snapshot.device = reading;
   snapshot.output = device.last_output();
   snapshot.arming = device.last_arming();
   snapshot.commands_dropped = dropped.load(std::memory_order_relaxed);
+  snapshot.commands_refused = refused;
   snapshots.publish();
   return command;
 }
@@ -114,6 +119,7 @@ void RealtimeLoop::start() {
 RunReport RealtimeLoop::wait() {
   if (!state_->thread.joinable()) throw Error("The loop does not run; call start first.");
   state_->thread.join();
+  state_->free_replaced();
   if (state_->exception) std::rethrow_exception(std::exchange(state_->exception, nullptr));
   return std::move(state_->report);
 }
@@ -128,16 +134,24 @@ RunReport RealtimeLoop::stop() {
 
 bool RealtimeLoop::is_running() const noexcept { return state_->running.load(); }
 
-void RealtimeLoop::emergency_stop() noexcept { state_->device.emergency_stop(); }
+Requests& RealtimeLoop::requests() noexcept { return state_->device.requests(); }
 
-bool RealtimeLoop::send(const LoopCommand& command) noexcept {
-  if (state_->commands.push(command)) return true;
+bool RealtimeLoop::send(LoopCommand&& command) {
+  state_->model.check(command);
+  state_->free_replaced();
+  if (state_->commands.push(std::move(command))) return true;
   state_->dropped.fetch_add(1, std::memory_order_relaxed);
   return false;
 }
 
-const LoopSnapshot& RealtimeLoop::latest() noexcept { return state_->snapshots.latest(); }
+const LoopSnapshot& RealtimeLoop::latest() noexcept {
+  state_->free_replaced();
+  return state_->snapshots.latest();
+}
 
-bool RealtimeLoop::receive(ChangedBlock& block) { return state_->outbox && state_->outbox->receive(block); }
+bool RealtimeLoop::receive(ChangedBlock& block) {
+  state_->free_replaced();
+  return state_->outbox && state_->outbox->receive(block);
+}
 
 }  // namespace hapticut

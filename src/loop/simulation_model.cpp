@@ -3,76 +3,27 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <tuple>
+#include <utility>
 
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut {
 namespace {
 
-enum Code : std::int32_t { kSpindleSpeed, kOpenClutch, kCloseClutch, kScale, kUndoMark, kUndo };
-
-LoopCommand command(Code code, double value = 0) { return {LoopCommand::Kind::model, code, {value}}; }
-
-// Where the numbers of a ToolSnapshot are in LoopSnapshot::values; a vector takes three places.
-enum Place : std::size_t {
-  kForce = 0,
-  kTorque = kForce + 3,
-  kRemovedVolume = kTorque + 3,
-  kContactDepth,
-  kContactVoxels,
-  kSpindle,
-  kStatus,
-  kSeen,
-  kSteps,
-  kUndoMarks,
-  kUndoing,
-  kPlaces
-};
-static_assert(kPlaces <= std::tuple_size_v<decltype(LoopSnapshot::values)>);
-
-Vec3 vector_at(const LoopSnapshot& snapshot, std::size_t place) {
-  return {snapshot.values[place], snapshot.values[place + 1], snapshot.values[place + 2]};
-}
-
 bool has_force(ArmingState arming) { return arming == ArmingState::ramp || arming == ArmingState::on; }
 
 }  // namespace
 
-namespace model_commands {
-
-LoopCommand set_spindle_speed(double speed) { return command(kSpindleSpeed, speed); }
-LoopCommand open_clutch() { return command(kOpenClutch); }
-LoopCommand close_clutch() { return command(kCloseClutch); }
-LoopCommand set_scale(double scale) { return command(kScale, scale); }
-LoopCommand set_undo_mark() { return command(kUndoMark); }
-LoopCommand undo() { return command(kUndo); }
-
-}  // namespace model_commands
-
-ToolSnapshot tool_of(const LoopSnapshot& snapshot) {
-  const auto& values = snapshot.values;
-  ToolSnapshot tool;
-  tool.force = vector_at(snapshot, kForce);
-  tool.torque = vector_at(snapshot, kTorque);
-  tool.removed_volume = values[kRemovedVolume];
-  tool.contact_depth = values[kContactDepth];
-  tool.contact_voxels = int(values[kContactVoxels]);
-  tool.spindle_speed = values[kSpindle];
-  tool.status = StepStatus(std::uint32_t(values[kStatus]));
-  tool.seen = StepStatus(std::uint32_t(values[kSeen]));
-  tool.steps = std::uint64_t(values[kSteps]);
-  tool.undo_marks = std::size_t(values[kUndoMarks]);
-  tool.undoing = values[kUndoing] != 0;
-  return tool;
-}
-
 SimulationModel::SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options)
-    : simulation_(&simulation),
+    : config_(simulation.config()),
+      voxel_size_(simulation.workpiece().voxel_size()),
+      undo_blocks_(options.undo_blocks),
+      region_(simulation.workpiece().bounds()),
+      coupled_(options.coupling.has_value()),
+      simulation_(&simulation),
       device_(&device),
       map_(options.map),
-      region_(simulation.workpiece().bounds()),
+      bounds_(region_),
       spindle_needs_force_(options.spindle_needs_force),
       undo_blocks_per_tick_(options.undo_blocks_per_tick),
       spindle_speed_(simulation.spindle_setting()) {
@@ -85,11 +36,14 @@ Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& 
   changed_ = {};
   Wrench wrench;
   if (state.valid) X_BS_ = state.X_BS;
-  if (tool_.undoing) {
-    go_back(state);
+  if (travel_ != Travel::none) {
+    travel(state);
+  } else if (std::exchange(exchanged_, false)) {
+    stay_with_hand(state);  // the guard hears of it at the next reading
   } else if (state.valid) {
     turn_spindle(device_->last_arming());
-    wrench = move_tool(state, dt);
+    const Wrench felt = move_tool(state, dt);
+    wrench = tool_.force_held ? hold_force(state) : felt;
   } else if (coupling_) {
     coupling_->release();  // nobody knows where the hand will be
   }
@@ -97,18 +51,29 @@ Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& 
   return wrench;
 }
 
-/// A part of the way back to the last mark. The tool is with the hand, as it will be when it can feel again.
-void SimulationModel::go_back(const DeviceState& state) noexcept {
-  if (state.valid) X_WH_ = map_.to_world(state.X_BS);
-  tool_.undoing = !simulation_->undo(undo_blocks_per_tick_);
+/// A part of the way to the last mark, or from it. The tool is with the hand, as it will be when it can feel again.
+void SimulationModel::travel(const DeviceState& state) noexcept {
+  stay_with_hand(state);
+  const bool done =
+      travel_ == Travel::back ? simulation_->undo(undo_blocks_per_tick_) : simulation_->redo(undo_blocks_per_tick_);
+  if (done) travel_ = Travel::none;
   changed_ = simulation_->changed_blocks();
   // Whatever the tool is in now, nobody shall feel it at once.
   device_->interrupt(SafetyEvent::model_swapped);
+}
+
+void SimulationModel::stay_with_hand(const DeviceState& state) noexcept {
+  if (state.valid) X_WH_ = map_.to_world(state.X_BS);
   may_cut_ = false;
 }
 
+/// What was felt when it was to be held, in W, at the hand as it is now.
+Wrench SimulationModel::hold_force(const DeviceState& state) const noexcept {
+  return map_.to_device(state.X_BS, {tool_.force, tool_.torque});
+}
+
 void SimulationModel::turn_spindle(ArmingState arming) noexcept {
-  if (!has_force(arming))
+  if (!has_force(arming) || tool_.force_held)
     may_cut_ = false;
   else if (tool_.contact_voxels == 0)
     may_cut_ = true;
@@ -141,8 +106,10 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
   if (simulation_->steps() == steps) return {};  // the coupling refused the input
   const StepResult& result = simulation_->last_result();
   ++tool_.steps;
-  tool_.force = felt.force;
-  tool_.torque = felt.torque;
+  if (!tool_.force_held) {
+    tool_.force = felt.force;
+    tool_.torque = felt.torque;
+  }
   tool_.contact_depth = result.contact.depth;
   tool_.contact_voxels = result.contact.voxels;
   tool_.spindle_speed = result.spindle.speed;
@@ -152,64 +119,25 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
 
 void SimulationModel::show(LoopSnapshot& snapshot) const noexcept {
   snapshot.X_WT = X_WH_ * simulation_->tool().X_HT();
-  auto& values = snapshot.values;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    values[kForce + axis] = tool_.force[int(axis)];
-    values[kTorque + axis] = tool_.torque[int(axis)];
-  }
-  values[kRemovedVolume] = tool_.removed_volume;
-  values[kContactDepth] = tool_.contact_depth;
-  values[kContactVoxels] = tool_.contact_voxels;
-  values[kSpindle] = tool_.spindle_speed;
-  values[kStatus] = double(std::uint32_t(tool_.status));
-  values[kSeen] = double(std::uint32_t(tool_.seen));
-  values[kSteps] = double(tool_.steps);
-  values[kUndoMarks] = double(simulation_->undo_marks());
-  values[kUndoing] = tool_.undoing ? 1 : 0;
-}
-
-void SimulationModel::obey(const LoopCommand& given) noexcept {
-  const double value = given.values[0];
-  switch (given.code) {
-    case kSpindleSpeed:
-      if (std::abs(value) <= kFastestSpindle) spindle_speed_ = value;
-      break;
-    case kOpenClutch:
-      map_.release(X_BS_);
-      break;
-    case kCloseClutch:
-      map_.engage(X_BS_);
-      device_->interrupt(SafetyEvent::reclutched);
-      break;
-    case kScale:
-      if (map_.set_scale(value, X_BS_)) device_->interrupt(SafetyEvent::reclutched);
-      break;
-    case kUndoMark:
-      if (!tool_.undoing) simulation_->set_undo_mark();
-      break;
-    case kUndo:
-      if (tool_.undoing || simulation_->undo_marks() == 0) break;
-      tool_.undoing = true;
-      tool_.force = tool_.torque = Vec3::Zero();
-      tool_.contact_depth = tool_.spindle_speed = 0;
-      tool_.contact_voxels = 0;
-      tool_.status = StepStatus::ok;
-      if (coupling_) coupling_->release();
-      break;
-    default:
-      break;
-  }
+  snapshot.tool = tool_;
+  snapshot.tool.undo_marks = simulation_->undo_marks();
+  snapshot.tool.redo_marks = simulation_->redo_marks();
+  snapshot.tool.undoing = travel_ == Travel::back;
+  snapshot.tool.redoing = travel_ == Travel::forth;
 }
 
 void SimulationModel::mark_changes(BlockOutbox& outbox) noexcept {
   for (const VoxelIndex& origin : changed_.origins) outbox.mark(origin);
   if (changed_.complete) return;
-  for (int i = block_start(region_.min[0]); i <= region_.max[0]; i += kBlockEdge)
-    for (int j = block_start(region_.min[1]); j <= region_.max[1]; j += kBlockEdge)
-      for (int k = block_start(region_.min[2]); k <= region_.max[2]; k += kBlockEdge) outbox.mark({i, j, k});
+  for (int i = block_start(bounds_.min[0]); i <= bounds_.max[0]; i += kBlockEdge)
+    for (int j = block_start(bounds_.min[1]); j <= bounds_.max[1]; j += kBlockEdge)
+      for (int k = block_start(bounds_.min[2]); k <= bounds_.max[2]; k += kBlockEdge) outbox.mark({i, j, k});
 }
 
-void SimulationModel::copy(ChangedBlock& block) noexcept { copy_block(simulation_->workpiece(), block); }
+void SimulationModel::copy(ChangedBlock& block) noexcept {
+  block.workpiece = tool_.workpiece;
+  copy_block(simulation_->workpiece(), block);
+}
 
 void copy_block(const Workpiece& workpiece, ChangedBlock& block) noexcept {
   const BlockView view = workpiece.block(block.origin);

@@ -53,7 +53,7 @@ OutputLimits output_limits(const DeviceCapabilities& device, double fastest_cont
   return limits;
 }
 
-SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOptions& options)
+SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOptions& options, Requests* requests)
     : capabilities_(capabilities),
       options_(options),
       greatest_force_(std::min(or_default(options.greatest_force, capabilities.peak_force), capabilities.peak_force)),
@@ -66,7 +66,8 @@ SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOpti
       arming_(options.arming),
       passivity_(with_damping(options.passivity, capabilities.damping), greatest_force_),
       turning_passivity_(with_damping(options.passivity, greatest_torque_ / kFastTurn), greatest_torque_),
-      thermal_(greatest_force_, capabilities.continuous_force, options.thermal) {
+      thermal_(greatest_force_, capabilities.continuous_force, options.thermal),
+      requests_(requests != nullptr ? requests : &own_requests_) {
   require_positive(options.period, "GuardOptions::period [s]");
   require_not_negative(options.greatest_force, "GuardOptions::greatest_force [N]");
   require_not_negative(options.greatest_torque, "GuardOptions::greatest_torque [N·m]");
@@ -128,10 +129,6 @@ void SafetyGuard::report_silence(Watchdog::Verdict verdict, double share) {
   }
 }
 
-void SafetyGuard::interrupt(SafetyEvent reason) noexcept {
-  interruption_.store(std::uint8_t(reason), std::memory_order_release);
-}
-
 // Stage 0: time stamps, missed ticks.
 void SafetyGuard::keep_time(const DeviceState& reading) noexcept {
   const double elapsed = started_ ? reading.time - last_time_ : options_.period;
@@ -152,14 +149,20 @@ void SafetyGuard::keep_time(const DeviceState& reading) noexcept {
 // What other threads asked for since the last tick.
 void SafetyGuard::obey() noexcept {
   if (was_dead_.exchange(false, std::memory_order_acq_rel)) arming_.fail(log_);
-  if (reset_.exchange(false, std::memory_order_acq_rel) && arming_.state() == ArmingState::fault) {
-    emergency_.store(false, std::memory_order_release);
+  // Whoever pulled the emergency stop and reset it within one tick still finds the guard as after any fault.
+  if (requests_->reset_wanted() && requests_->emergency() && arming_.state() != ArmingState::fault) fail_in_emergency();
+  if (requests_->take_reset() && arming_.state() == ArmingState::fault) {
     gate_.restart();
     not_finite_ = 0;
     arming_.reset(log_);
   }
-  const auto reason = SafetyEvent(interruption_.exchange(std::uint8_t(SafetyEvent::count), std::memory_order_acq_rel));
+  const SafetyEvent reason = requests_->take_interruption();
   if (reason != SafetyEvent::count) arming_.interrupt(reason, true, log_);
+}
+
+void SafetyGuard::fail_in_emergency() noexcept {
+  log_.report(SafetyEvent::emergency_stop);
+  arming_.fail(log_);
 }
 
 // Positions in millimetres are outside of any workspace; positions in kilometres never seem to move.
@@ -280,10 +283,7 @@ Wrench SafetyGuard::release(const Wrench& commanded) noexcept {
   output_.commanded = commanded;
   output_.limits = OutputLimit::none;
   const Wrench finite = finite_or_none(commanded);
-  if (emergency_.load(std::memory_order_acquire)) {
-    log_.report(SafetyEvent::emergency_stop);
-    arming_.fail(log_);
-  }
+  if (requests_->emergency()) fail_in_emergency();
   const double share = arming_.tick(dt_, reading_ok_, finite.force.norm(), finite.torque.norm(), log_);
   Wrench wrench;
   if (share > 0) {

@@ -19,22 +19,6 @@ constexpr int kListedSubSteps = 64;  // whose changed blocks are listed one by o
 /// What the contact is computed with in single precision: far beyond any material, and squares of it are still finite.
 constexpr double kSoftest = 1, kStiffest = 1e25;  // [N/m^4]
 
-/// @throws Error when a stiffness is outside of that range
-ContactMaterials contact_materials(const MaterialTable& table, double reference_stiffness) {
-  ContactMaterials constants = {};
-  constants[kEmpty].cutting_energy = 1;  // empty lanes are computed like others and must not divide by zero
-  for (int id = 1; id <= table.size(); ++id) {
-    const Material& m = table[MaterialId(id)];
-    const double stiffness = m.relative_stiffness * reference_stiffness;
-    require_between(
-        stiffness, kSoftest, kStiffest,
-        ("SimulationConfig::reference_stiffness times relative_stiffness of '" + m.name + "' [N/m^4]").c_str());
-    constants[std::size_t(id)] = {float(stiffness), float(m.damping), float(m.cutting_ratio),
-                                  float(m.specific_cutting_energy), float(std::sqrt(2 * m.edge_pressure / stiffness))};
-  }
-  return constants;
-}
-
 /// The box of voxels that the head can reach, cut to `bounds`.
 IndexBox reach_of(const HeadBox& box, const Pose& X_VT, double voxel_size, const IndexBox& bounds) noexcept {
   const Vec3 center = X_VT * Vec3(0.5 * (box.min + box.max)) / voxel_size;
@@ -52,31 +36,82 @@ IndexBox reach_of(const HeadBox& box, const Pose& X_VT, double voxel_size, const
 
 }  // namespace
 
+ContactMaterials ContactStages::constants_of(const MaterialTable& table, double reference_stiffness) {
+  ContactMaterials constants = {};
+  constants[kEmpty].cutting_energy = 1;  // empty lanes are computed like others and must not divide by zero
+  for (int id = 1; id <= table.size(); ++id) {
+    const Material& m = table[MaterialId(id)];
+    const double stiffness = m.relative_stiffness * reference_stiffness;
+    require_between(
+        stiffness, kSoftest, kStiffest,
+        ("SimulationConfig::reference_stiffness times relative_stiffness of '" + m.name + "' [N/m^4]").c_str());
+    constants[std::size_t(id)] = {float(stiffness), float(m.damping), float(m.cutting_ratio),
+                                  float(m.specific_cutting_energy), float(std::sqrt(2 * m.edge_pressure / stiffness))};
+  }
+  return constants;
+}
+
+ContactStages::Room::Room(const ToolHead& head, double voxel_size, const SimulationConfig& config)
+    : most_voxels(hapticut::most_voxels(head, voxel_size)), most_blocks(hapticut::most_blocks(head, voxel_size)) {
+  reserve_touched(blocks, most_blocks);
+  reserve_touched(emptied, most_blocks);
+  reserve_touched(changed, most_blocks * std::size_t(std::min(config.longest_sweep, kListedSubSteps)));
+}
+
 ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config)
     : workpiece_(workpiece),
       head_(head),
       law_(std::dynamic_pointer_cast<const FoundationLaw>(config.law) ? nullptr : config.law),
       quadrature_(config.quadrature),
-      materials_(contact_materials(workpiece.materials(), config.reference_stiffness)),
       voxel_volume_(std::pow(workpiece.voxel_size(), 3)),
-      most_voxels_(most_voxels(head, workpiece.voxel_size())),
-      most_blocks_(most_blocks(head, workpiece.voxel_size())),
       voxel_budget_(config.voxel_budget),
       bounds_(workpiece.bounds()) {
-  for (std::size_t id = 0; id < materials_.size(); ++id) cutting_ratios_[id] = materials_[id].cutting_ratio;
-  damped_ = std::any_of(materials_.begin(), materials_.end(), [](const auto& m) { return m.damping != 0; });
+  ContactMaterials materials = constants_of(workpiece.materials(), config.reference_stiffness);
+  exchange_materials(materials);
   if (law_ != nullptr && voxel_budget_ != 0)
     throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
                 " was given with a law of your own; only the default law has a level of detail. Leave it at 0.");
-  reserve_touched(blocks_, most_blocks_);
-  reserve_touched(emptied_, most_blocks_);
-  reserve_touched(changed_, most_blocks_ * std::size_t(std::min(config.longest_sweep, kListedSubSteps)));
+  Room room(head, workpiece.voxel_size(), config);
+  exchange_room(room);
+}
+
+void ContactStages::exchange_room(Room& room) noexcept {
+  forget_changes();
+  emptied_.clear();
+  blocks_.clear();
+  std::swap(most_voxels_, room.most_voxels);
+  std::swap(most_blocks_, room.most_blocks);
+  std::swap(changed_, room.changed);
+  std::swap(blocks_, room.blocks);
+  std::swap(emptied_, room.emptied);
+  turn_ = 0;
+}
+
+void ContactStages::exchange_materials(ContactMaterials& materials) noexcept {
+  const double share = cutting_share_;
+  set_cutting_share(1);
+  std::swap(materials_, materials);
+  for (std::size_t id = 0; id < materials_.size(); ++id) cutting_ratios_[id] = materials_[id].cutting_ratio;
+  damped_ = std::any_of(materials_.begin(), materials_.end(), [](const auto& m) { return m.damping != 0; });
+  set_cutting_share(share);
+}
+
+namespace {
+
+WorstCase worst_case_of(std::size_t most_voxels, std::size_t most_blocks, const SimulationConfig& config) noexcept {
+  const std::size_t budget = config.voxel_budget == 0 ? most_voxels : config.voxel_budget;
+  const std::size_t parts = (most_voxels + budget - 1) / budget;
+  return {most_blocks, std::min(most_voxels, budget), config.longest_sweep, int(parts)};
+}
+
+}  // namespace
+
+WorstCase ContactStages::Room::worst_case(const SimulationConfig& config) const noexcept {
+  return worst_case_of(most_voxels, most_blocks, config);
 }
 
 WorstCase ContactStages::worst_case(const SimulationConfig& config) const noexcept {
-  const std::size_t budget = voxel_budget_ == 0 ? most_voxels_ : voxel_budget_;
-  const std::size_t parts = (most_voxels_ + budget - 1) / budget;
-  return {most_blocks_, std::min(most_voxels_, budget), config.longest_sweep, int(parts)};
+  return worst_case_of(most_voxels_, most_blocks_, config);
 }
 
 /// Into how many parts the voxels of the blocks must be divided to stay within the budget.
@@ -261,6 +296,7 @@ float* ContactStages::fill_target(const CuttableBlock& block) noexcept {
 /// Gives a block that was cut for the first time the new fills as its own, and notes its emptied voxels.
 void ContactStages::keep_change(const CuttableBlock& block, const BlockChange& change) noexcept {
   if (change.strips == 0) return;
+  workpiece_.forget_redo();
   list_change(block.view.origin);
   if (block.fill == nullptr) {
     float* fill = workpiece_.writable_fill(block.view.origin);
@@ -305,6 +341,17 @@ std::size_t ContactStages::undo(std::size_t most) noexcept {
   } while (++undone < most);
   turn_ = 0;
   return undone;
+}
+
+bool ContactStages::redo(std::size_t most) noexcept {
+  turn_ = 0;
+  std::size_t redone = 0;
+  do {
+    const auto origin = workpiece_.redo_block();
+    if (!origin) return true;
+    list_change(*origin);
+  } while (++redone < most);
+  return false;
 }
 
 void ContactStages::start_afresh() {

@@ -61,6 +61,24 @@ struct HeadPlacement {
 /// what it found: blocks, then what the head met in them, then the voxels that are empty.
 class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in the order of their use
  public:
+  struct EmptiedBlock {
+    BlockView block;
+    std::array<std::uint64_t, 8> emptied;
+  };
+
+  /// Lists as long as a head can make them in voxels of a size.
+  struct Room {
+    Room(const ToolHead& head, double voxel_size, const SimulationConfig& config);
+    [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
+    std::size_t most_voxels, most_blocks;
+    std::vector<VoxelIndex> changed;
+    std::vector<CuttableBlock> blocks;
+    std::vector<EmptiedBlock> emptied;
+  };
+
+  /// @throws Error when a stiffness is out of the range that single precision bears
+  [[nodiscard]] static ContactMaterials constants_of(const MaterialTable& table, double reference_stiffness);
+
   /// Both must outlive it.
   /// @throws Error when a level of detail is asked for and the law has none
   ContactStages(Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config);
@@ -85,6 +103,14 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   /// level of detail.
   void remove_emptied(RemovalRecord& removal) noexcept;
 
+  /// Goes on with the lists of another head; `room` has the old ones then. Nothing is listed.
+  /// @realtime no allocation, no lock; O(1)
+  void exchange_room(Room& room) noexcept;
+
+  /// Goes on with other constants; `materials` are the old ones then.
+  /// @realtime no allocation, no lock; O(1)
+  void exchange_materials(ContactMaterials& materials) noexcept;
+
   [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
 
   /// For a workpiece that was put back to what it once was.
@@ -93,6 +119,9 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   /// Puts up to `most` blocks, and at least one, back to what they were at the last mark, and lists them as changed.
   /// @return how many
   std::size_t undo(std::size_t most) noexcept;
+
+  /// The same towards what was undone last.  @return whether it is done
+  bool redo(std::size_t most) noexcept;
 
   /// Forgets which blocks have changed, at the beginning of a step.
   void forget_changes() noexcept;
@@ -103,11 +132,6 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
 
  private:
   static constexpr std::size_t kPressedAtOnce = 8;  // blocks that share single-precision sums
-
-  struct EmptiedBlock {
-    BlockView block;
-    std::array<std::uint64_t, 8> emptied;
-  };
 
   [[nodiscard]] kernels::ContactJob job_at(std::span<const CuttableBlock> blocks,
                                            const HeadPlacement& at) const noexcept;
@@ -135,7 +159,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   double cutting_share_ = 1;                    // [1] of them that holds now
   bool damped_ = false;                         // some material has damping
   double voxel_volume_;                         // [m^3]
-  std::size_t most_voxels_, most_blocks_;
+  std::size_t most_voxels_ = 0, most_blocks_ = 0;
   std::size_t voxel_budget_;  // 0: no limit
   unsigned turn_ = 0;         // of the level of detail
   IndexBox bounds_;           // voxels that were ever solid

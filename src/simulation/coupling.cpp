@@ -47,16 +47,25 @@ CouplingGains coupling_gains(const DeviceCapabilities& device, double mass) {
 }
 
 VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& gains)
-    : simulation_(&simulation), gains_(gains) {
+    : simulation_(&simulation), gains_(gains), lists_(simulation.worst_case(), simulation.config()) {
   validate(gains);
   if (simulation.config().contact_time != ContactTime::end)
     throw Error(
         "the simulation evaluates contact in the middle of a step, where an implicit coupling would swing. Make it "
         "with "
         "SimulationConfig::contact_time = ContactTime::end.");
-  const std::size_t capacity = simulation.config().removed_voxel_capacity;
-  reserve_touched(removed_, capacity > 0 ? capacity : simulation.worst_case().voxels * 2);
-  reserve_touched(changed_, simulation.worst_case().blocks * kMostParts);
+}
+
+VirtualCoupling::Lists::Lists(const WorstCase& worst_case, const SimulationConfig& config) {
+  const std::size_t capacity = config.removed_voxel_capacity;
+  reserve_touched(removed, capacity > 0 ? capacity : worst_case.voxels * 2);
+  reserve_touched(changed, worst_case.blocks * kMostParts);
+}
+
+void VirtualCoupling::exchange_lists(Lists& lists) noexcept {
+  release();
+  begin_tick();  // nothing refers to the old lists any more
+  std::swap(lists_, lists);
 }
 
 /// What the hand is given for a part of a tick: the coupling's wrench at its end, after the last one.
@@ -109,8 +118,8 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
 }
 
 void VirtualCoupling::begin_tick() noexcept {
-  removed_.clear();
-  changed_.clear();
+  lists_.removed.clear();
+  lists_.changed.clear();
   result_.removed_voxels = {};
   result_.removed_volume = 0;
   result_.changed_blocks = {};
@@ -153,18 +162,18 @@ StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const
 void VirtualCoupling::keep_lists(const StepResult& stepped) noexcept {
   result_.removed_volume += stepped.removed_volume;
   for (const RemovedVoxel& voxel : stepped.removed_voxels) {
-    if (removed_.size() == removed_.capacity()) {
+    if (lists_.removed.size() == lists_.removed.capacity()) {
       result_.status |= StepStatus::removed_list_full;
       break;
     }
-    removed_.push_back(voxel);
+    lists_.removed.push_back(voxel);
   }
   const ChangedBlocks changed = simulation_->changed_blocks();
-  const bool all = changed_.size() + changed.origins.size() <= changed_.capacity();
-  if (all) changed_.insert(changed_.end(), changed.origins.begin(), changed.origins.end());
+  const bool all = lists_.changed.size() + changed.origins.size() <= lists_.changed.capacity();
+  if (all) lists_.changed.insert(lists_.changed.end(), changed.origins.begin(), changed.origins.end());
   result_.changed_blocks.complete = result_.changed_blocks.complete && changed.complete && all;
-  result_.removed_voxels = removed_;
-  result_.changed_blocks.origins = changed_;
+  result_.removed_voxels = lists_.removed;
+  result_.changed_blocks.origins = lists_.changed;
 }
 
 VirtualCoupling::Pull VirtualCoupling::pull(const Pose& X_WH, const Twist& tool, const Pose& X_WD,

@@ -17,21 +17,24 @@ constexpr double kMostVoxels = 1e9, kLongestDiagonal = 4000;  // [voxels]
 void validate_pair(const Workpiece& workpiece, const Tool& tool) {
   if (workpiece.empty())
     throw Error("the workpiece is empty; check the threshold, crop box or labels that it was built from.");
-  const HeadBox box = tool.head().bounding_box();
+  validate_head(tool.head(), workpiece.voxel_size());
+}
+
+}  // namespace
+
+void validate_head(const ToolHead& head, double voxel_size) {
+  const HeadBox box = head.bounding_box();
   const double thinnest = (box.max - box.min).minCoeff();
-  if (thinnest < workpiece.voxel_size())
+  if (thinnest < voxel_size)
     throw Error("the head is " + format_number(thinnest * 1e3) + " mm thin, less than a voxel of " +
-                format_number(workpiece.voxel_size() * 1e3) +
-                " mm; it would slip between voxels. Choose smaller voxels.");
-  const Vec3 spans = (box.max - box.min) / workpiece.voxel_size();
+                format_number(voxel_size * 1e3) + " mm; it would slip between voxels. Choose smaller voxels.");
+  const Vec3 spans = (box.max - box.min) / voxel_size;
   if (!(spans.prod() <= kMostVoxels && spans.norm() <= kLongestDiagonal))
     throw Error("the head spans " + format_number(spans.x()) + " x " + format_number(spans.y()) + " x " +
                 format_number(spans.z()) + " voxels; must be at most " + format_number(kMostVoxels) + " in all and " +
                 format_number(kLongestDiagonal) +
                 " along its diagonal. Give its dimensions in metres, or choose larger voxels.");
 }
-
-}  // namespace
 
 Simulation::State::State(Workpiece given_workpiece, Tool given_tool, SimulationConfig given_config)
     : workpiece(std::move(given_workpiece)),
@@ -48,12 +51,7 @@ void Simulation::State::prepare_workpiece() {
   workpiece.reserve_blocks(config.reserved_blocks);
   X_VW = workpiece.frame().X_WV.inverse();
   voxel_volume = std::pow(workpiece.voxel_size(), 3);
-  for (std::size_t id = 0; id < frictions.size(); ++id) {
-    if (!workpiece.materials().contains(MaterialId(id))) continue;
-    const Material& m = workpiece.materials()[MaterialId(id)];
-    frictions[id] =
-        config.friction.value_or(DryFriction{m.static_friction, m.dynamic_friction, m.tangential_stiffness});
-  }
+  set_frictions();
   contact_stages.set_cutting_share(1 - standing_share(motor.speed(), tool.head().largest_radius()));
 }
 
@@ -77,6 +75,7 @@ ChangedBlocks Simulation::changed_blocks() const noexcept { return state_->conta
 double Simulation::spindle_setting() const noexcept { return state_->motor.setting(); }
 const StepInput& Simulation::last_input() const noexcept { return state_->input; }
 std::uint64_t Simulation::steps() const noexcept { return state_->steps; }
+std::uint64_t Simulation::workpiece_exchanges() const noexcept { return state_->exchanges; }
 StepObserver* Simulation::observer() const noexcept { return state_->observer; }
 
 void Simulation::set_observer(StepObserver* observer) {
@@ -142,6 +141,7 @@ void Simulation::reset(Workpiece workpiece) {
   auto fresh = std::make_unique<State>(std::move(workpiece), state_->tool, state_->config);
   if (const std::size_t blocks = state_->workpiece.undo_blocks(); blocks > 0) fresh->workpiece.reserve_undo(blocks);
   fresh->observer = state_->observer;
+  fresh->exchanges = state_->exchanges;
   state_ = std::move(fresh);
   state_->tell_of_exchange();
 }

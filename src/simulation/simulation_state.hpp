@@ -37,9 +37,14 @@ struct AnchorForce {
   Vec3 p_TQ = Vec3::Zero();         // [m] that place, in T
 };
 
+/// @throws Error when a head does not suit voxels of a size [m]
+void validate_head(const ToolHead& head, double voxel_size);
+
 struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding): in the order of their making
   State(Workpiece given_workpiece, Tool given_tool, SimulationConfig given_config);
   void prepare_workpiece();
+  void set_frictions() noexcept;
+  void start_afresh() noexcept;
 
   // The stages of a step, in their order.
   [[nodiscard]] StageTimer timed(double StageTimes::*stage) const noexcept {
@@ -79,7 +84,8 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
     if (observer != nullptr)
       observer->on_step({simulation, steps - 1, input, free_blocks, after_letting_go, output_path, hand, result});
   }
-  void tell_of_exchange() const noexcept {
+  void tell_of_exchange() noexcept {
+    ++exchanges;
     if (observer != nullptr) observer->on_exchange();
   }
 
@@ -117,6 +123,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   bool after_letting_go = false;  // the last step was
   OutputPath output_path = OutputPath::direct;
   HandOutput hand;  // of the coupling, in the last step
+  std::uint64_t exchanges = 0;
   StepObserver* observer = nullptr;
 
   RemovalRecord removal;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks of a workpiece and the way back to them, block by block, without an allocation.
+// Marks of a workpiece and the way back to them and forth again, block by block, without an allocation.
 #include "workpiece/undo.hpp"
 
 #include <algorithm>
@@ -14,6 +14,17 @@ namespace hapticut {
 namespace {
 
 constexpr double kMostBlocks = 1 << 27;  // of the table
+
+void keep_content(const BlockView& block, SavedBlock& entry) noexcept {
+  entry.has_voxels = block.material != nullptr;
+  entry.has_fill = block.fill != nullptr;
+  entry.uniform_material = block.uniform_material;
+  if (entry.has_voxels) {
+    std::copy_n(block.solid, entry.solid.size(), entry.solid.begin());
+    std::copy_n(block.material, kBlockVoxels, entry.material.begin());
+  }
+  if (entry.has_fill) std::copy_n(block.fill, kBlockVoxels, entry.fill.begin());
+}
 
 }  // namespace
 
@@ -37,6 +48,7 @@ UndoJournal::UndoJournal(const IndexBox& bounds, std::size_t capacity) {
     saved_.assign(std::size_t(count), 0);
     ring_.resize(capacity);
     marks_.reserve(kMarks);
+    undone_.reserve(kMarks);
   } catch (const std::bad_alloc&) {
     refuse("the system has no such memory");
   }
@@ -58,8 +70,21 @@ void UndoJournal::drop_oldest_mark() noexcept {
   marks_.erase(marks_.begin());
 }
 
+void UndoJournal::forget_redo() noexcept {
+  going_forth_ = false;
+  undone_.clear();
+  if (!marks_.empty()) marks_.back().undone = 0;
+}
+
 void UndoJournal::set_mark() noexcept {
-  if (marks_.size() == kMarks) drop_oldest_mark();
+  // What is half undone cannot be completed across another mark.
+  if (half_way()) forget_redo();
+  if (marks_.size() + undone_.size() == kMarks) {
+    if (marks_.empty())
+      undone_.erase(undone_.begin());  // the farthest to come
+    else
+      drop_oldest_mark();
+  }
   marks_.push_back({++last_number_, 0});
 }
 
@@ -67,31 +92,45 @@ void UndoJournal::save(const BlockView& block) noexcept {
   if (marks_.empty()) return;
   std::uint32_t& saved = saved_[number_of(block.origin)];
   if (saved == marks_.back().number) return;
+  forget_redo();  // this block takes its place
   while (count_ == ring_.size() && !marks_.empty()) drop_oldest_mark();
   if (marks_.empty()) return;
   SavedBlock& entry = ring_[(oldest_ + count_++) % ring_.size()];
   ++marks_.back().blocks;
   entry.origin = block.origin;
   entry.saved_before = std::exchange(saved, marks_.back().number);
-  entry.has_voxels = block.material != nullptr;
-  entry.has_fill = block.fill != nullptr;
-  entry.uniform_material = block.uniform_material;
-  if (entry.has_voxels) {
-    std::copy_n(block.solid, entry.solid.size(), entry.solid.begin());
-    std::copy_n(block.material, kBlockVoxels, entry.material.begin());
-  }
-  if (entry.has_fill) std::copy_n(block.fill, kBlockVoxels, entry.fill.begin());
+  keep_content(block, entry);
 }
 
-const SavedBlock* UndoJournal::take() noexcept {
+SavedBlock* UndoJournal::take_back() noexcept {
+  going_forth_ = false;
   if (marks_.empty()) return nullptr;
-  if (marks_.back().blocks == 0) {
+  Mark& mark = marks_.back();
+  if (mark.blocks == 0) {
+    undone_.push_back(mark);
     marks_.pop_back();
     return nullptr;
   }
-  --marks_.back().blocks;
-  const SavedBlock& entry = ring_[(oldest_ + --count_) % ring_.size()];
+  --mark.blocks;
+  ++mark.undone;
+  SavedBlock& entry = ring_[(oldest_ + --count_) % ring_.size()];
   saved_[number_of(entry.origin)] = entry.saved_before;
+  return &entry;
+}
+
+SavedBlock* UndoJournal::take_forth() noexcept {
+  if (!going_forth_ && !half_way()) {
+    if (undone_.empty()) return nullptr;
+    marks_.push_back(undone_.back());
+    undone_.pop_back();
+  }
+  going_forth_ = half_way();
+  if (!going_forth_) return nullptr;
+  Mark& mark = marks_.back();
+  SavedBlock& entry = ring_[(oldest_ + count_++) % ring_.size()];
+  ++mark.blocks;
+  --mark.undone;
+  entry.saved_before = std::exchange(saved_[number_of(entry.origin)], mark.number);
   return &entry;
 }
 
@@ -109,16 +148,41 @@ void Workpiece::set_mark() noexcept {
 
 std::size_t Workpiece::marks() const noexcept { return state_->journal ? state_->journal->marks() : 0; }
 
+std::size_t Workpiece::redo_marks() const noexcept { return state_->journal ? state_->journal->redo_marks() : 0; }
+
+void Workpiece::forget_redo() noexcept {
+  if (state_->journal) state_->journal->forget_redo();
+}
+
 void Workpiece::remember(const BlockView& block) noexcept {
   if (state_->journal) state_->journal->save(block);
 }
 
 std::optional<VoxelIndex> Workpiece::undo_block() noexcept {
-  const SavedBlock* saved = state_->journal ? state_->journal->take() : nullptr;
+  SavedBlock* saved = state_->journal ? state_->journal->take_back() : nullptr;
   if (saved == nullptr) return std::nullopt;
+  exchange_block(*saved);
+  return saved->origin;
+}
+
+std::optional<VoxelIndex> Workpiece::redo_block() noexcept {
+  SavedBlock* saved = state_->journal ? state_->journal->take_forth() : nullptr;
+  if (saved == nullptr) return std::nullopt;
+  exchange_block(*saved);
+  return saved->origin;
+}
+
+void Workpiece::exchange_block(SavedBlock& other) noexcept {
+  SavedBlock wanted = other;  // 2.7 kB of the stack
+  keep_content(block(other.origin), other);
+  put_content(wanted);
+}
+
+/// Makes a block what was saved of it.
+void Workpiece::put_content(const SavedBlock& content) noexcept {
   State& state = *state_;
   BlockPool& pool = state.pool;
-  const openvdb::Coord at = to_coord(saved->origin);
+  const openvdb::Coord at = to_coord(content.origin);
   const State::BranchCache& branches = state.branches_at(at);
   auto* materials = branches.material;
   auto* fills = branches.fill;
@@ -126,16 +190,17 @@ std::optional<VoxelIndex> Workpiece::undo_block() noexcept {
   const openvdb::Index n = Branch<MaterialTree>::coordToOffset(at);
 
   // What cutting took from the pool goes back to it before anything is taken; undone in the reverse order of the cuts,
-  // the pool has at least what it had then.
-  if (!saved->has_fill && fills->isChildMaskOn(n))
+  // the pool has at least what it had then. On the way forth, in the order of the cuts, a block takes no more than when
+  // it was cut first, and what cutting has emptied since gives back at once.
+  if (!content.has_fill && fills->isChildMaskOn(n))
     pool.fill_leaves.emplace_back(fills->stealNode<Leaf<FillTree>>(at, 1.0F, false));
-  if (!saved->has_voxels) {
+  if (!content.has_voxels) {
     if (materials->isChildMaskOn(n))
       pool.material_leaves.emplace_back(
-          materials->stealNode<Leaf<MaterialTree>>(at, saved->uniform_material, saved->uniform_material != kEmpty));
+          materials->stealNode<Leaf<MaterialTree>>(at, content.uniform_material, content.uniform_material != kEmpty));
     else
-      materials->addTile(Branch<MaterialTree>::LEVEL, at, saved->uniform_material, saved->uniform_material != kEmpty);
-    return saved->origin;
+      materials->addTile(Branch<MaterialTree>::LEVEL, at, content.uniform_material, content.uniform_material != kEmpty);
+    return;
   }
   if (!materials->isChildMaskOn(n)) {
     HAPTICUT_ASSERT(!pool.material_leaves.empty());
@@ -145,12 +210,12 @@ std::optional<VoxelIndex> Workpiece::undo_block() noexcept {
     materials->addLeaf(leaf);
   }
   auto* leaf = materials->probeLeaf(at);
-  std::copy(saved->material.begin(), saved->material.end(), leaf->buffer().data());
+  std::copy(content.material.begin(), content.material.end(), leaf->buffer().data());
   auto mask = leaf->getValueMask();
-  for (std::size_t word = 0; word < saved->solid.size(); ++word)
-    mask.getWord<openvdb::Index64>(openvdb::Index(word)) = saved->solid[word];
+  for (std::size_t word = 0; word < content.solid.size(); ++word)
+    mask.getWord<openvdb::Index64>(openvdb::Index(word)) = content.solid[word];
   leaf->setValueMask(mask);
-  if (!saved->has_fill) return saved->origin;
+  if (!content.has_fill) return;
   if (!fills->isChildMaskOn(n)) {
     HAPTICUT_ASSERT(!pool.fill_leaves.empty());
     auto* fill_leaf = pool.fill_leaves.back().release();
@@ -158,8 +223,7 @@ std::optional<VoxelIndex> Workpiece::undo_block() noexcept {
     fill_leaf->setOrigin(at);
     fills->addLeaf(fill_leaf);
   }
-  std::copy(saved->fill.begin(), saved->fill.end(), fills->probeLeaf(at)->buffer().data());
-  return saved->origin;
+  std::copy(content.fill.begin(), content.fill.end(), fills->probeLeaf(at)->buffer().data());
 }
 
 }  // namespace hapticut

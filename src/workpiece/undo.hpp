@@ -8,7 +8,7 @@
 #include "hapticut/workpiece/block.hpp"
 
 /// @file
-/// Steps back of a workpiece: what blocks were before they were cut.
+/// Steps back of a workpiece, and forth again: what blocks were before they were cut, and after.
 namespace hapticut {
 
 /// One block as it was.
@@ -25,6 +25,13 @@ struct SavedBlock {
 /// Marks, and the blocks that were cut since each: every block once a mark, before its first cut. Bounded: when there
 /// is no room, the oldest mark goes with its blocks.
 ///
+/// A tape: the way back reads it from its end, the way forth the other way. A block that is put back leaves on the tape
+/// what it was until then, so going forth again needs no memory of its own. The next cut records over it.
+///
+///     oldest                      here                       end
+///       | mark 1 | mark 2  . . .   |  . . mark 2 | mark 3 . . |
+///       '--- blocks before the cuts ---'--- blocks after the cuts ---'
+///
 /// Its memory: sizeof(SavedBlock) for each block of its capacity, and a table of 4 bytes for each block of the bounds.
 class UndoJournal {
  public:
@@ -40,27 +47,38 @@ class UndoJournal {
   void set_mark() noexcept;
   [[nodiscard]] std::size_t capacity() const noexcept { return ring_.size(); }
   [[nodiscard]] std::size_t marks() const noexcept { return marks_.size(); }
+  [[nodiscard]] std::size_t redo_marks() const noexcept { return undone_.size() + (half_way() ? 1 : 0); }
 
   /// Saves a block, unless it has been since the last mark.  @realtime no allocation, no lock; O(512)
   void save(const BlockView& block) noexcept;
 
+  /// There is no way forth any more, because something else was cut.  @realtime no allocation, no lock; O(1)
+  void forget_redo() noexcept;
+
   /// The block that was saved last since the last mark; null when there is none, and then the mark is gone.
-  /// @return valid until the next call of `save`
-  [[nodiscard]] const SavedBlock* take() noexcept;
+  /// @return to be put back, and to be overwritten with what the block was before; valid until the next call of `save`
+  [[nodiscard]] SavedBlock* take_back() noexcept;
+
+  /// The block that was put back last since the mark that is to be there again; null when it is done.
+  /// @return as of `take_back`
+  [[nodiscard]] SavedBlock* take_forth() noexcept;
 
  private:
   struct Mark {
     std::uint32_t number;
-    std::size_t blocks;
+    std::size_t blocks;      // before the place where we are on the tape
+    std::size_t undone = 0;  // after it
   };
+  [[nodiscard]] bool half_way() const noexcept { return !marks_.empty() && marks_.back().undone > 0; }
   [[nodiscard]] std::size_t number_of(const VoxelIndex& origin) const noexcept;
   void drop_oldest_mark() noexcept;
 
   VoxelIndex first_, blocks_;           // origin of the first block of the bounds; blocks along each axis
   std::vector<std::uint32_t> saved_;    // mark under which each block was saved last; 0: never
   std::vector<SavedBlock> ring_;        // of all marks, oldest first
-  std::size_t oldest_ = 0, count_ = 0;  // in the ring
-  std::vector<Mark> marks_;
+  std::size_t oldest_ = 0, count_ = 0;  // in the ring; `count_` blocks before the place where we are
+  std::vector<Mark> marks_, undone_;    // the latter: the one to come next is the last
+  bool going_forth_ = false;            // to the end of the last mark
   std::uint32_t last_number_ = 0;
 };
 

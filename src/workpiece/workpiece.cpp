@@ -70,6 +70,13 @@ void Workpiece::set_materials(MaterialTable materials) {
                 std::to_string(state_->materials.size()) + "; change the constants, not the number of materials.");
   state_->materials = std::move(materials);
 }
+
+bool Workpiece::exchange_materials(MaterialTable& materials) noexcept {
+  if (materials.size() != state_->materials.size()) return false;
+  std::swap(materials, state_->materials);
+  return true;
+}
+
 bool Workpiece::empty() const { return state_->trees->material.activeVoxelCount() == 0; }
 std::int64_t Workpiece::solid_voxels() const { return std::int64_t(state_->trees->material.activeVoxelCount()); }
 

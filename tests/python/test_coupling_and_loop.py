@@ -227,12 +227,12 @@ def test_a_loop_drives_a_simulation_in_a_thread_of_its_own(coupled):
     run = h.RunOptions(seconds=2.5, simulated_time=True)
     loop = h.RealtimeLoop(model, h.RealtimeLoopOptions(run=run, region=model.region))
     assert not loop.is_running and not model.region.empty()
-    assert loop.send(h.model_commands.set_spindle_speed(500.0)) and loop.send(h.model_commands.set_scale(1.0))
+    assert loop.send(h.commands.SetSpindleSpeed(500.0)) and loop.send(h.commands.SetScale(1.0))
     loop.start()
     refused, blocks, clutched = 0, {}, False
     while loop.is_running:
         if not clutched and loop.latest().tick > 0:  # lets go and takes it again, far above
-            clutched = loop.send(h.model_commands.open_clutch()) and loop.send(h.model_commands.close_clutch())
+            clutched = loop.send(h.commands.OpenClutch()) and loop.send(h.commands.CloseClutch())
         try:
             coupled.step(np.eye(4), np.zeros(6), 1e-3)
         except h.Error as error:
@@ -246,9 +246,9 @@ def test_a_loop_drives_a_simulation_in_a_thread_of_its_own(coupled):
         blocks[tuple(block.origin)] = block
     assert refused > 0 and clutched and 2500 <= report.ticks <= 2501 and report.fault == h.DeviceFault.none, report.end
     snapshot = loop.latest()
-    tool = h.tool_of(snapshot)
+    tool = snapshot.tool
     assert snapshot.tick >= 2499 and snapshot.device.valid and snapshot.arming == h.ArmingState.on
-    assert snapshot.commands_dropped == 0 and snapshot.X_WT.shape == (4, 4) and len(snapshot.values) == 16
+    assert snapshot.commands_dropped == 0 and snapshot.X_WT.shape == (4, 4) and snapshot.commands_refused == 0
     assert tool.steps == coupled.steps > 0 and tool.contact_voxels > 0 and tool.contact_depth > 0
     assert tool.removed_volume == pytest.approx(coupled.removed_volume_by_material.sum()) and tool.removed_volume > 0
     assert tool.force[2] > 0 and tool.torque.shape == (3,) and tool.spindle_speed > 0
@@ -257,7 +257,7 @@ def test_a_loop_drives_a_simulation_in_a_thread_of_its_own(coupled):
     assert coupled.last_input.dt > 0  # ours again
     assert blocks
     for block in blocks.values():
-        assert block.version > 0 and block.material.shape == block.fill.shape == (8, 8, 8)
+        assert block.version > 0 and block.material.shape == block.fill.shape == (8, 8, 8) and block.workpiece == 0
     if snapshot.blocks_waiting == 0:  # what was received last is what is there
         for block in blocks.values():
             box = h.IndexBox(block.origin, [i + 7 for i in block.origin])
@@ -272,35 +272,101 @@ def test_a_cut_is_undone_while_the_loop_goes_on(coupled):
     h.SimulationModel(coupled, device)  # reserves nothing, and takes nothing away
     assert coupled.workpiece.undo_blocks == 4000
     loop = h.RealtimeLoop(model, h.RealtimeLoopOptions(run=h.RunOptions(simulated_time=True)))
-    assert loop.send(h.model_commands.set_undo_mark())
+    assert loop.send(h.commands.SetUndoMark())
     loop.start()
 
     def wait_for(condition):
         deadline = time.monotonic() + 60
-        while not condition(h.tool_of(loop.latest())) and time.monotonic() < deadline:
+        while not condition(loop.latest().tool) and time.monotonic() < deadline:
             time.sleep(1e-3)
-        tool = h.tool_of(loop.latest())
+        tool = loop.latest().tool
         assert condition(tool)
         return tool
 
     assert wait_for(lambda tool: tool.removed_volume > 1e-9).undo_marks == 1
-    loop.send(h.model_commands.set_spindle_speed(0.0))
-    loop.send(h.model_commands.undo())
+    loop.send(h.commands.SetSpindleSpeed(0.0))
+    loop.send(h.commands.Undo())
     assert wait_for(lambda tool: tool.undo_marks == 0 and not tool.undoing).removed_volume > 1e-9
+    assert loop.send(h.commands.Redo())
+    assert wait_for(lambda tool: tool.undo_marks == 1 and not tool.redoing).redo_marks == 0
+    loop.send(h.commands.Undo())
+    assert wait_for(lambda tool: tool.undo_marks == 0 and not tool.undoing).redo_marks == 1
     report = loop.stop()
     assert report.events["model_swapped"] > 1 and report.fault == h.DeviceFault.none
     assert coupled.workpiece.hash() == whole
 
 
+def test_everything_may_be_exchanged_while_the_loop_goes_on(coupled):
+    device = h.MockDevice(h.MockOptions(path=down_and_up, device=h.device_model("touch")))
+    model = driven(coupled, device, undo_blocks=1000)
+    loop = h.RealtimeLoop(model, h.RealtimeLoopOptions(run=h.RunOptions(simulated_time=True), region=model.region))
+    voxel, config = coupled.workpiece.voxel_size, coupled.config
+    ball = h.Tool(h.SphereHead(2 * mm), spindle=h.Spindle(200.0))
+    materials = h.MaterialTable(coupled.workpiece.materials.all())
+    other = coupled.workpiece.clone()
+    loop.start()
+    commands = [h.commands.SetTool(ball, voxel, config), model.prepare_tool(ball), h.commands.SetMaterials(materials, config),
+                model.prepare_materials(materials), h.commands.SetFriction(h.DryFriction(0.4, 0.3, 1000.0)),
+                h.commands.SetFriction(), h.commands.SetEffects(h.Effects()),
+                h.commands.SetForceMask(h.AxisMask(force=[True, True, False])), h.commands.SetForceMask(),
+                h.commands.SetRemoval(h.RemovalLaw.none), h.commands.SetRemoval(h.RemovalLaw.constant_energy),
+                h.commands.HoldForce(), h.commands.HoldForce(hold=False), h.commands.ExchangeWorkpiece(other, ball, config),
+                model.prepare_workpiece(other, ball)]
+    assert commands[-2].bounds == commands[-1].bounds and repr(h.commands.Undo()) == "commands.Undo()"
+    for command in commands:
+        assert loop.send(command)
+    with pytest.raises(h.Error, match="sent already"):
+        loop.send(commands[0])
+    with pytest.raises(h.Error, match="SetScale"):
+        loop.send(h.commands.SetScale(-1.0))
+    with pytest.raises(TypeError):
+        loop.send("stop")
+    assert loop.send(h.commands.SetTool(ball, 2 * voxel, config)) and loop.send(h.commands.Redo())
+    deadline = time.monotonic() + 60
+    while loop.latest().commands_refused < 2 and time.monotonic() < deadline:
+        time.sleep(1e-3)
+    snapshot = loop.latest()
+    assert snapshot.commands_refused == 2 and snapshot.tool.workpiece == 2 and not snapshot.tool.force_held
+    assert snapshot.blocks_outside == 0
+    assert loop.stop().events["model_swapped"] >= 1
+    assert coupled.tool.head.largest_radius() == 2 * mm
+
+
+def test_a_simulation_is_given_another_tool_and_other_materials(coupled):
+    coupled.set_tool(h.Tool(h.SphereHead(2 * mm), spindle=h.Spindle(200.0)))
+    assert coupled.tool.head.largest_radius() == 2 * mm and coupled.spindle_setting == 200.0
+    with pytest.raises(h.Error):
+        coupled.set_tool(h.Tool(h.SphereHead(1e-6)))
+    coupled.set_materials(h.MaterialTable(coupled.workpiece.materials.all()))
+    with pytest.raises(h.Error):
+        coupled.set_materials(h.MaterialTable())
+    coupled.set_friction(h.DryFriction(0.4, 0.3, 1000.0))
+    assert coupled.config.friction.static_friction == 0.4
+    coupled.set_friction(None)
+    coupled.set_removal(h.RemovalLaw.none)
+    coupled.halt_spindle()
+    assert coupled.spindle_setting == 0 and coupled.workpiece_exchanges == 5
+    assert coupled.redo_marks == 0 and coupled.redo(1)
+
+
+def test_requests_are_a_mailbox():
+    requests = h.Requests()
+    requests.stop(), requests.reset_fault(), requests.emergency_stop()
+    assert requests.stop_wanted and requests.emergency and not requests.reset_wanted
+    assert not requests.take_reset()
+    requests.reset_fault(), requests.forget_stop()
+    assert requests.take_reset() and not requests.emergency and not requests.stop_wanted
+    requests.interrupt(h.SafetyEvent.model_swapped)
+    assert requests.take_interruption() == h.SafetyEvent.model_swapped
+
+
 def test_a_loop_may_be_stopped_and_told_that_something_is_wrong(coupled):
     device = h.MockDevice(h.MockOptions(path=h.scripted_path("rest"), device=h.device_model("touch")))
     loop = h.RealtimeLoop(driven(coupled, device))
-    command = h.LoopCommand(h.LoopCommand.Kind.reset_fault)
-    assert command.kind == h.LoopCommand.Kind.reset_fault and command.code == 0 and command.values == [0.0] * 8
     loop.start()
     with pytest.raises(h.Error):
         loop.start()
-    loop.emergency_stop()
+    loop.requests.emergency_stop()
     deadline = time.monotonic() + 30
     while loop.latest().arming != h.ArmingState.fault and time.monotonic() < deadline:
         time.sleep(1e-3)

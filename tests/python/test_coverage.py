@@ -143,6 +143,8 @@ def test_handles_and_tools():
     motor.set(50.0)
     motor.advance(0.0, 1.0)
     assert motor.speed == pytest.approx(90) and motor.setting == 50.0 and not motor.loaded
+    motor.halt()
+    assert motor.speed == motor.setting == 0
     h.validate(h.Spindle())
     with pytest.raises(h.Error, match="ConeHead"):
         h.Tool(h.ConeHead(120 * deg, 1 * mm))
@@ -203,6 +205,7 @@ def test_a_workpiece_tells_what_it_is(block):
     block.set_mark()
     assert block.undo_blocks == 10 and block.marks == 1
     assert block.undo_block() is None and block.marks == 0  # nothing was cut since
+    assert block.redo_marks == 1 and block.redo_block() is None and block.marks == 1
     [amount] = block.amounts()
     assert amount.material == 1 and amount.mass == pytest.approx(amount.volume * block.materials[1].density)
     assert np.allclose(block.frame.center([0, 0, 0]), block.frame.X_WV[:3, 3])
@@ -313,7 +316,7 @@ def test_effects_by_themselves():
 def test_a_simulation_tells_what_it_is(simulation, plunge):
     simulation.run(*plunge, 1e-3)
     values = use_attributes(simulation)
-    assert values["steps"] == 600
+    assert values["steps"] == 600 and values["workpiece_exchanges"] == 0
     assert values["spindle_setting"] == values["tool"].spindle.speed and values["config"].reference_stiffness == 1e14
     assert values["removed_volume_by_material"].sum() > 0
     origins, complete = simulation.changed_blocks()

@@ -208,7 +208,8 @@ def test_models_maps_and_the_guard():
         admitted = guard.admit(h.DeviceState(time=1e-3 * n, sequence=n))
         applied = guard.release(h.Wrench())
     assert admitted.valid and not applied.force.any() and guard.state in (h.ArmingState.ramp, h.ArmingState.on)
-    guard.applied(applied), guard.emergency_stop(), guard.reset(), guard.interrupt(h.SafetyEvent.reclutched)
+    guard.applied(applied), guard.requests.emergency_stop(), guard.requests.reset_fault()
+    guard.requests.interrupt(h.SafetyEvent.reclutched)
     assert guard.count(h.SafetyEvent.armed) >= 1 and guard.drain_log() and guard.slew > 0 and guard.greatest_force > 0
     assert guard.output.limits >= 0
     guard.stop()

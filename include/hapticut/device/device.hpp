@@ -31,8 +31,14 @@ struct RunOptions {
   double seconds = 0;           ///< [s] of device time after which it ends; 0: when it is stopped
   bool simulated_time = false;  ///< devices that are simulated: as fast as the callback allows, with exact periods
   bool stop_on_signals = true;  ///< SIGINT, SIGTERM and SIGHUP end the run without force, then act as they would
-  RealtimeOptions realtime;     ///< for devices whose loop runs in our thread
-  GuardOptions guard;           ///< the safety pipeline; it cannot be switched off
+
+  /// SIGSEGV, SIGABRT, SIGFPE, SIGBUS and SIGILL in another thread take the force away first, within 0.3 s, and then go
+  /// on to whoever handled them before. It is the emergency stop: where the process lives on, because its runtime
+  /// handles the signal (Java, .NET, Mono), `reset_fault` brings the force back. For programs of one's own; inside
+  /// somebody else's process leave it off.
+  bool stop_on_crash = false;
+  RealtimeOptions realtime;  ///< for devices whose loop runs in our thread
+  GuardOptions guard;        ///< the safety pipeline; it cannot be switched off
 };
 
 /// What a run was like.
@@ -72,18 +78,12 @@ class Device {
   /// @throws Error when an option is out of range or the device cannot be started, and what the callback threw
   RunReport run(const DeviceCallback& callback, const RunOptions& options = {});
 
-  /// Ends the run after fading the force out. Safe in a signal handler.
-  void stop() noexcept;
-
-  /// No force from the next tick on, until `reset_fault`. The run goes on. Safe in a signal handler.
-  void emergency_stop() noexcept;
-
-  /// Asks the guard to leave its fault state. The tool must then be free before there is a force again.
-  void reset_fault() noexcept { reset_.store(true, std::memory_order_release); }
-
-  /// Asks the guard to wait until the tool is free, because something changed under the hand.
-  /// @param reason reclutched or model_swapped
-  void interrupt(SafetyEvent reason) noexcept;
+  /// The mailbox of stop, emergency stop, reset and interruption. Safe in a signal handler.
+  [[nodiscard]] Requests& requests() noexcept { return requests_; }
+  void stop() noexcept { requests_.stop(); }                                    ///< see Requests::stop
+  void emergency_stop() noexcept { requests_.emergency_stop(); }                ///< see Requests::emergency_stop
+  void reset_fault() noexcept { requests_.reset_fault(); }                      ///< see Requests::reset_fault
+  void interrupt(SafetyEvent reason) noexcept { requests_.interrupt(reason); }  ///< see Requests::interrupt
 
   [[nodiscard]] bool is_running() const noexcept { return running_.load(std::memory_order_acquire); }
 
@@ -127,8 +127,8 @@ class Device {
 
   std::string name_;
   DeviceCapabilities capabilities_;
-  std::atomic<bool> running_{false}, stop_{false}, emergency_{false}, reset_{false};
-  std::atomic<std::uint8_t> interruption_{std::uint8_t(SafetyEvent::count)};
+  std::atomic<bool> running_{false};
+  Requests requests_;
   std::unique_ptr<Latest> latest_;
   mutable std::mutex guard_mutex_;  // for readers in other threads; the loop never takes it
   std::unique_ptr<SafetyGuard> guard_;

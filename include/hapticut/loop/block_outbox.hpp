@@ -16,6 +16,7 @@ namespace hapticut {
 struct ChangedBlock {
   VoxelIndex origin = {0, 0, 0};                    ///< of its first voxel
   std::uint64_t version = 0;                        ///< grows with every block that is sent
+  std::uint32_t workpiece = 0;                      ///< how often it was exchanged before: ToolSnapshot::workpiece
   std::array<MaterialId, kBlockVoxels> material{};  ///< kEmpty where there is nothing
   std::array<float, kBlockVoxels> fill{};           ///< [1]
 };
@@ -52,6 +53,9 @@ class BlockOutbox {
   /// Blocks that are marked and not sent. For the thread that marks.
   [[nodiscard]] std::size_t marked() const noexcept { return count_; }
 
+  /// Marks that were outside of the region. For the thread that marks.
+  [[nodiscard]] std::uint64_t outside() const noexcept { return outside_; }
+
   /// Takes one block. For the receiving thread.  @return false when there is none
   bool receive(ChangedBlock& block);
 
@@ -64,7 +68,7 @@ class BlockOutbox {
   std::vector<bool> is_marked_;
   std::vector<std::uint32_t> order_;  // ring of marked blocks; has room for all there are
   std::size_t head_ = 0, count_ = 0;
-  std::uint64_t version_ = 0;
+  std::uint64_t version_ = 0, outside_ = 0;
   ChangedBlock scratch_;
   std::unique_ptr<Queue> queue_;
 };

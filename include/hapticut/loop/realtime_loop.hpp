@@ -1,42 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <memory>
 
 #include "hapticut/device/device.hpp"
 #include "hapticut/loop/block_outbox.hpp"
+#include "hapticut/loop/commands.hpp"
+#include "hapticut/loop/snapshot.hpp"
 
 namespace hapticut {
 
-/// A message into the loop. What it means is the model's affair, but for the first kinds, which the loop knows.
-struct LoopCommand {
-  enum class Kind : std::uint8_t {
-    stop,            ///< end the run
-    emergency_stop,  ///< no force until `reset_fault`
-    reset_fault,     ///< leave the fault state
-    model,           ///< for LoopModel::obey
-  };
-  Kind kind = Kind::model;
-  std::int32_t code = 0;           ///< the model's own number of the command
-  std::array<double, 8> values{};  ///< what belongs to it
-};
-
-/// What the loop shows of its last tick, for a screen.
-struct LoopSnapshot {
-  std::uint64_t tick = 0;
-  DeviceState device;   ///< as the guard let it through
-  DeviceOutput output;  ///< of the tick before
-  ArmingState arming = ArmingState::off;
-  std::uint64_t commands_dropped = 0;  ///< that found the queue full
-  std::size_t blocks_waiting = 0;      ///< changed and not yet sent
-  Pose X_WT;                           ///< the tool as the model sees it; filled in by the model
-  std::array<double, 16> values{};     ///< whatever else the model wants to show
-};
-
-/// What computes the force: the simulation, with its coupling and its map from hand to world. All of it is called in
-/// the thread of the loop and must not allocate or wait.
+/// What computes the force: the simulation, with its coupling and its map from hand to world. All of it but `check` is
+/// called in the thread of the loop and must not allocate or wait.
 class LoopModel {
  public:
   virtual ~LoopModel() = default;
@@ -44,12 +19,18 @@ class LoopModel {
   /// One tick.
   /// @param state     the guarded reading; `valid` false: the pose is the last good one and no force will be felt
   /// @param dt        [s] since the last tick
-  /// @param snapshot  `X_WT` and `values` to be filled in
+  /// @param snapshot  `X_WT` and `tool` to be filled in
   /// @return [N], [N·m] on the stylus about its point, in B
   virtual Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept = 0;
 
-  /// A command; before the step of the same tick.
-  virtual void obey(const LoopCommand& /*command*/) noexcept {}
+  /// Whether a command makes sense; in the thread that sends it, before it is sent.
+  /// @throws Error naming what is out of range; then it is not sent
+  virtual void check(const LoopCommand& /*command*/) const {}
+
+  /// A command that was checked; before the step of the same tick. What it brings is swapped with what was in place,
+  /// which goes back in it.
+  /// @return false when it does not suit what is in place, or the model does not know it; it is then counted
+  virtual bool obey(LoopCommand& /*command*/) noexcept { return false; }
 
   /// Marks the blocks that this tick has changed.
   virtual void mark_changes(BlockOutbox& /*outbox*/) noexcept {}
@@ -67,9 +48,11 @@ struct RealtimeLoopOptions {
 };
 
 /// A device, a model and the exchange of both with other threads: commands in by a bounded queue, the latest state out
-/// by a triple buffer, changed blocks out by a bounded queue. The loop never waits for any of them.
+/// by a triple buffer, changed blocks out by a bounded queue. The loop never waits for any of them. Stop, emergency
+/// stop and reset come by the device's mailbox, whatever the queue of commands is full of.
 ///
-/// One thread sends commands, one looks at snapshots, one receives blocks; they may be the same.
+/// One thread sends commands, one looks at snapshots, one receives blocks; they may be the same. Each of these calls
+/// also frees what commands have replaced.
 class RealtimeLoop {
  public:
   /// Neither the device nor the model may go away before the loop.
@@ -91,12 +74,13 @@ class RealtimeLoop {
 
   [[nodiscard]] bool is_running() const noexcept;
 
-  /// No force from the next tick on, until `reset_fault` is sent. From any thread, also in a signal handler, and
-  /// whatever the queue of commands is full of.
-  void emergency_stop() noexcept;
+  /// Stop, emergency stop, reset: those of the device. From any thread, also in a signal handler.
+  [[nodiscard]] Requests& requests() noexcept;
 
-  /// Sends a command to be obeyed at the next tick.  @return false when the queue is full: it is dropped and counted
-  bool send(const LoopCommand& command) noexcept;
+  /// Sends a command to be obeyed at the next tick.
+  /// @return false when the queue is full: that is counted, and `command` is as it was, to be sent again
+  /// @throws Error when it is out of range: see LoopModel::check
+  bool send(LoopCommand&& command);
 
   /// The latest snapshot; the reference is good until the next call.
   [[nodiscard]] const LoopSnapshot& latest() noexcept;

@@ -8,6 +8,7 @@
 #include "hapticut/safety/arming.hpp"
 #include "hapticut/safety/passivity.hpp"
 #include "hapticut/safety/pose_gate.hpp"
+#include "hapticut/safety/requests.hpp"
 #include "hapticut/safety/safety_log.hpp"
 #include "hapticut/safety/thermal_budget.hpp"
 #include "hapticut/safety/watchdog.hpp"
@@ -54,8 +55,9 @@ struct GuardOptions {
 /// `admit`, `release` and `applied` belong to the thread of the loop; the rest may be called from any thread.
 class SafetyGuard {
  public:
+  /// @param requests  of the device; it must outlive the guard. Null: the guard has a mailbox of its own
   /// @throws Error when an option is out of range, or the slew limit would make the contact active
-  SafetyGuard(const DeviceCapabilities& capabilities, const GuardOptions& options);
+  SafetyGuard(const DeviceCapabilities& capabilities, const GuardOptions& options, Requests* requests = nullptr);
 
   /// Begins a run: armed, nothing remembered.
   void start() noexcept;
@@ -84,15 +86,8 @@ class SafetyGuard {
   /// Counts an exception of the user's code, and fails.
   void report_exception() noexcept;
 
-  /// No force from the next tick on, until `reset`.
-  void emergency_stop() noexcept { emergency_.store(true, std::memory_order_release); }
-
-  /// Asks to leave the fault state; the tool must then be free before there is a force again.
-  void reset() noexcept { reset_.store(true, std::memory_order_release); }
-
-  /// Asks to wait until the tool is free: to be called when the mapping from hand to tool has changed (`reclutched`) or
-  /// another workpiece or tool is in place (`model_swapped`).
-  void interrupt(SafetyEvent reason) noexcept;
+  /// What is asked of the guard: emergency stop, reset, waiting until the tool is free.
+  [[nodiscard]] Requests& requests() noexcept { return *requests_; }
 
   [[nodiscard]] ArmingState state() const noexcept { return published_state_.load(std::memory_order_acquire); }
 
@@ -111,6 +106,7 @@ class SafetyGuard {
  private:
   void keep_time(const DeviceState& reading) noexcept;
   void obey() noexcept;
+  void fail_in_emergency() noexcept;
   void watch_units(const DeviceState& reading) noexcept;
   [[nodiscard]] Wrench finite_or_none(const Wrench& commanded) noexcept;
   [[nodiscard]] Wrench make_passive(const Wrench& wrench) noexcept;
@@ -125,8 +121,9 @@ class SafetyGuard {
   PassivityController passivity_, turning_passivity_;
   ThermalBudget thermal_;
 
-  std::atomic<bool> emergency_{false}, reset_{false}, was_dead_{false};
-  std::atomic<std::uint8_t> interruption_{std::uint8_t(SafetyEvent::count)};
+  Requests own_requests_;
+  Requests* requests_;
+  std::atomic<bool> was_dead_{false};
   std::atomic<ArmingState> published_state_{ArmingState::off};
   std::atomic<std::uint64_t> heartbeat_{0};
   Watchdog::Verdict silence_ = Watchdog::Verdict::alive;  // of the watchdog's thread

@@ -103,6 +103,17 @@ class VirtualCoupling {
   /// a law of one's own 4 newton_steps + 1, or 7 newton_steps + 1 where the coupling turns the tool
   const CoupledResult& step(const Pose& pose, const Twist& velocity, double dt) noexcept;
 
+  /// What the parts of a tick have changed, together: as long as a tool may make the lists.
+  struct Lists {
+    Lists(const WorstCase& worst_case, const SimulationConfig& config);
+    std::vector<RemovedVoxel> removed;
+    std::vector<VoxelIndex> changed;
+  };
+
+  /// Lets go, and goes on with other lists, because the simulation has another tool; `lists` are the old ones then.
+  /// @realtime no allocation, no lock; O(1)
+  void exchange_lists(Lists& lists) noexcept;
+
   /// Lets go: the next tick puts the tool where the hand is.
   void release() noexcept { held_ = false; }
 
@@ -149,8 +160,7 @@ class VirtualCoupling {
   CouplingGains gains_;
   bool held_ = false;
   Pose X_WD_;  // of the hand, at the end of the last part
-  std::vector<RemovedVoxel> removed_;
-  std::vector<VoxelIndex> changed_;
+  Lists lists_;
   CoupledResult result_;
 };
 

@@ -58,7 +58,7 @@ class StepObserver {
   /// @realtime no allocation, no lock beyond what the observer says
   virtual void on_step(const ObservedStep& step) noexcept = 0;
 
-  /// Between two steps, when `restore`, `reset` or `undo` has exchanged the workpiece.
+  /// Between two steps, when something else has changed what steps meet: see Simulation::workpiece_exchanges.
   virtual void on_exchange() noexcept {}
 };
 

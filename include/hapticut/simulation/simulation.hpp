@@ -4,8 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "hapticut/simulation/config.hpp"
+#include "hapticut/simulation/exchange.hpp"
 #include "hapticut/simulation/observer.hpp"
 #include "hapticut/simulation/stage_times.hpp"
 #include "hapticut/simulation/step.hpp"
@@ -83,6 +85,10 @@ class Simulation {
   /// Calls of `step` since construction or `reset`.
   [[nodiscard]] std::uint64_t steps() const noexcept;
 
+  /// How often something else than a step has changed what steps meet: `restore`, `reset`, `undo`, `redo`, `set_tool`,
+  /// `set_materials`, `set_friction`, `set_removal` and the exchanges of a loop. The observer is told of each.
+  [[nodiscard]] std::uint64_t workpiece_exchanges() const noexcept;
+
   /// Has somebody told of every step from now on; null: nobody any more. It must stay until then.
   /// @throws Error when somebody else is told already
   void set_observer(StepObserver* observer);
@@ -102,9 +108,29 @@ class Simulation {
   /// @throws Error when it is faster than kFastestSpindle or not finite
   void set_spindle_speed(double speed);
 
+  /// The spindle stands from now on, whatever its ramp.  @realtime no allocation, no lock; O(1)
+  void halt_spindle() noexcept;
+
   /// Sets what is added to the model's force and what limits it, for the following steps.
   /// @throws Error naming the field, its value and the allowed range; then nothing has changed
   void set_effects(const Effects& effects);
+
+  /// Another tool for the same workpiece, as it is: cuts, undo marks, removed volumes and energies stay; the tool
+  /// starts afresh, with the speed of its own spindle.
+  /// @throws Error when the head does not suit the voxels or the law; then nothing has changed
+  void set_tool(Tool tool);
+
+  /// Other constants of the materials; cuts, undo marks, removed volumes and energies stay, and the tool starts afresh.
+  /// @throws Error when there are not as many materials as before, or a stiffness is out of range; then nothing has
+  ///         changed
+  void set_materials(MaterialTable materials);
+
+  /// Sets SimulationConfig::friction for the following steps; empty: each material's own.
+  /// @throws Error naming the constant, its value and the allowed range; then nothing has changed
+  void set_friction(const std::optional<DryFriction>& friction);
+
+  /// Sets SimulationConfig::removal for the following steps; `none`: nothing is cut, whatever the spindle does.
+  void set_removal(RemovalLaw removal) noexcept;
 
   /// Fills the pool of the workpiece up to `count` blocks.
   void reserve_blocks(std::size_t count);
@@ -114,6 +140,23 @@ class Simulation {
 
   /// Memory for `set_undo_mark` and `undo`, also after `reset`: see Workpiece::reserve_undo.
   void reserve_undo(std::size_t blocks);
+
+  // --- exchanges while a loop goes on, between steps
+  // ------------------------------------------------------------------
+  /// `set_tool` without an allocation. `prepared` holds the old tool then.
+  /// @return false, and nothing has changed, when it was made for voxels of another size
+  /// @realtime no allocation, no lock; O(1)
+  [[nodiscard]] bool exchange(PreparedTool& prepared) noexcept;
+
+  /// `set_materials` without an allocation. `prepared` holds the old ones then.
+  /// @return false, and nothing has changed, when there are not as many
+  /// @realtime no allocation, no lock; O(1)
+  [[nodiscard]] bool exchange(PreparedMaterials& prepared) noexcept;
+
+  /// Goes on with workpiece and tool of another simulation, which holds the old ones then. Energies, removed volumes
+  /// and undo marks are those of the other one; effects, friction and removal stay as they are set here.
+  /// @realtime no allocation, no lock; O(1)
+  void exchange(Simulation& prepared) noexcept;
 
   // --- undo while a loop goes on, between steps ----------------------------------------------------------------------
   /// Marks the present state of the workpiece.  @realtime no allocation, no lock; O(1)
@@ -127,6 +170,14 @@ class Simulation {
   /// @return true when it is done, or there is no mark
   /// @realtime no allocation, no lock; O(most)
   bool undo(std::size_t most) noexcept;
+
+  [[nodiscard]] std::size_t redo_marks() const noexcept;  ///< undone ones that `redo` can go forth over
+
+  /// Goes forth again to the state from which the last `undo` began, whose mark is there again; as `undo` otherwise.
+  /// Needs no memory beyond that of `reserve_undo`. After another cut there is no way forth.
+  /// @return true when it is done, or nothing was undone
+  /// @realtime no allocation, no lock; O(most)
+  bool redo(std::size_t most) noexcept;
 
   /// Starts again with another workpiece: tool position, energies, removed volumes and undo marks are forgotten. It
   /// gets as much memory for undo as the old one had.

@@ -52,6 +52,9 @@ class SpindleMotor {
     if (std::isinf(spindle_.acceleration_limit)) speed_ = setting;
   }
 
+  /// Stands, whatever its ramp; the setting is 0.
+  void halt() noexcept { setting_ = speed_ = 0; }
+
   /// The step of duration dt is over, in which the motor had to deliver `torque`.
   /// @param torque  [N·m] about +z; a load that brakes has the sign of the speed
   /// @param dt      [s]

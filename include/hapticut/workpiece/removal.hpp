@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "hapticut/core/reserve.hpp"
@@ -40,6 +41,12 @@ class RemovalRecord {
   void add_volume(MaterialId material, double volume) noexcept {
     volume_ += volume;
     total_by_material_[material] += volume;
+  }
+
+  /// Another list, of another capacity; `voxels` is then the old one. What was counted stays.
+  void exchange_list(std::vector<RemovedVoxel>& voxels) noexcept {
+    std::swap(voxels_, voxels);
+    clear();
   }
 
   [[nodiscard]] std::span<const RemovedVoxel> voxels() const { return voxels_; }

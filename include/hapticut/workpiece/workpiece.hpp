@@ -20,6 +20,8 @@ struct MaterialAmount {
   double mass;          ///< [kg]
 };
 
+struct SavedBlock;
+
 /// A frozen copy of the state of a workpiece, to return to. Cheap to copy; shares its memory.
 class WorkpieceSnapshot {
  private:
@@ -79,6 +81,11 @@ class Workpiece {
   /// @throws Error when there are not as many materials as before
   void set_materials(MaterialTable materials);
 
+  /// The same between two steps of a loop; `materials` are then those of before.
+  /// @return false, and nothing has changed, when there are not as many
+  /// @realtime no allocation, no lock; O(1)
+  [[nodiscard]] bool exchange_materials(MaterialTable& materials) noexcept;
+
   // --- undo ---------------------------------------------------------------------------------------------------------
   [[nodiscard]] WorkpieceSnapshot snapshot() const;
 
@@ -97,12 +104,19 @@ class Workpiece {
   /// where the memory is full, the oldest is forgotten.  @realtime no allocation, no lock; O(1)
   void set_mark() noexcept;
 
-  [[nodiscard]] std::size_t marks() const noexcept;  ///< that can be returned to
+  [[nodiscard]] std::size_t marks() const noexcept;       ///< that can be returned to
+  [[nodiscard]] std::size_t redo_marks() const noexcept;  ///< undone ones that `redo_block` can go forth over
 
-  /// Puts one block back to what it was at the last mark.
+  /// Puts one block back to what it was at the last mark, and remembers what it was until now.
   /// @return its origin; none when the state is that of the mark, which is then gone
   /// @realtime no allocation, no lock; O(512)
   std::optional<VoxelIndex> undo_block() noexcept;
+
+  /// Goes forth again by one block over the mark that was undone last; needs no other memory than the way back.
+  /// @return its origin; none when the state is that before the undo, the mark being there again, or when something has
+  ///         been cut since
+  /// @realtime no allocation, no lock; O(512)
+  std::optional<VoxelIndex> redo_block() noexcept;
 
   // --- cutting: what the step calls ---------------------------------------------------------------------------------
   /// Set-up only: holds memory ready for `count` blocks to become partly cut.
@@ -118,6 +132,10 @@ class Workpiece {
   /// Must be called before fills are written into CuttableBlock::fill: keeps the block for `undo_block`.
   /// @realtime no allocation, no lock; O(512) once a mark, then O(1)
   void remember(const BlockView& block) noexcept;
+
+  /// Must be called when something was cut: there is nothing to go forth to any more.
+  /// @realtime no allocation, no lock; O(1)
+  void forget_redo() noexcept;
 
   /// Whether `writable_fill` would return memory for a block.
   /// @realtime no allocation, no lock
@@ -137,6 +155,8 @@ class Workpiece {
  private:
   friend struct WorkpieceAccess;  // the door to the trees, for workpiece/openvdb.hpp and the file formats
   struct State;
+  void exchange_block(SavedBlock& other) noexcept;
+  void put_content(const SavedBlock& content) noexcept;
   explicit Workpiece(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

@@ -124,7 +124,7 @@ LoopWatch watch(RealtimeLoop& loop, Device& device) {
     std::this_thread::sleep_for(kFrame);
   }
   look();
-  seen.tool = tool_of(loop.latest());
+  seen.tool = loop.latest().tool;
   return seen;
 }
 
@@ -155,6 +155,7 @@ void run_loop(LoopSettings s) {
   RealtimeLoopOptions options;
   options.run.seconds = s.seconds;
   options.run.simulated_time = s.simulated_time;
+  options.run.stop_on_crash = true;  // the process is ours
   options.run.guard.period = options.run.guard.watchdog.period = 1 / s.simulation.rate_Hz;
   options.region = model.region();
 

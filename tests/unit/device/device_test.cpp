@@ -2,15 +2,10 @@
 #include "hapticut/device/device.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <csignal>
-#include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -20,6 +15,7 @@
 #include "hapticut/bench/closed_loop.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/simulated/mock.hpp"
+#include "support/written_device.hpp"
 
 namespace hapticut::device_test {
 namespace {
@@ -32,54 +28,14 @@ RunOptions simulated(double seconds) {
   return options;
 }
 
-/// A real clock without what needs privileges, and quickly armed.
-RunOptions real(double seconds) {
-  RunOptions options;
-  options.seconds = seconds;
-  options.realtime.priority = 0;
-  options.realtime.lock_memory = false;
-  options.guard.arming.ramp = 0.02;
-  return options;
-}
+using test::pushing;
+using test::real;
+using test::WrittenDevice;
 
 DeviceCommand wall(const DeviceState& state) {
   DeviceCommand command;
   command.wrench.force.z() = std::max(0.0, -300 * state.X_BS.translation.z());
   return command;
-}
-
-/// Remembers what was written, and can be told to misbehave.
-class WrittenDevice : public PolledDevice {
- public:
-  WrittenDevice() : PolledDevice("written", capabilities_of_a_touch()) {}
-  std::vector<Vec3> forces;
-  std::function<bool(DeviceState&)> next = [](DeviceState&) { return true; };
-  std::function<void(const Vec3&)> on_write = [](const Vec3&) {};
-  std::atomic<double> share{1};
-
- protected:
-  static DeviceCapabilities capabilities_of_a_touch() { return hapticut::capabilities(device_model("touch")); }
-  bool read(DeviceState& state) noexcept override {
-    ++state.sequence;
-    state.time = double(state.sequence) * 1e-3;
-    return next(state);
-  }
-  Wrench write(const Wrench& wrench) noexcept override {
-    forces.push_back(wrench.force);
-    on_write(wrench.force);
-    return wrench;
-  }
-  void scale_output(double s) noexcept override { share.store(s); }
-  [[nodiscard]] bool is_simulated() const override { return true; }
-};
-
-/// No force at first, so that the guard lets go, and 1 N from then on.
-DeviceCallback pushing(double from = 0.1) {
-  return [=](const DeviceState& state) {
-    DeviceCommand command;
-    if (state.time > from) command.wrench.force.x() = 1;
-    return command;
-  };
 }
 
 TEST(OpenDevice, SaysWhatWasAskedWhatThereIsAndWhatToInstall) {
@@ -309,108 +265,6 @@ TEST(Device, AWatchdogFadesTheForceOfADeviceWhoseLoopHangs) {
     EXPECT_EQ(report.guard, latch ? ArmingState::fault : ArmingState::wait_free);
     EXPECT_TRUE(device.forces.back().isZero(0));
   }
-}
-
-/// What a child process leaves behind of the last force it wrote.
-struct SharedForce {
-  SharedForce()
-      : value(static_cast<std::atomic<double>*>(
-            mmap(nullptr, sizeof(std::atomic<double>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0))) {
-    value->store(-1);
-  }
-  ~SharedForce() { munmap(value, sizeof(std::atomic<double>)); }
-  std::atomic<double>* value;
-};
-
-/// The thread sanitizer cannot follow threads that a forked process begins.
-#if defined(__SANITIZE_THREAD__)
-constexpr bool kForksMayHaveThreads = false;
-#elif defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-constexpr bool kForksMayHaveThreads = false;
-#else
-constexpr bool kForksMayHaveThreads = true;
-#endif
-#else
-constexpr bool kForksMayHaveThreads = true;
-#endif
-constexpr const char* kNoForks = "the thread sanitizer cannot follow a process that was forked";
-
-/// Runs `child` in a process of its own, sends it a signal once it renders a force, and returns how it ended.
-int end_of_child(SharedForce& last, const std::function<void(WrittenDevice&)>& child, int signal) {
-  const pid_t pid = fork();
-  if (pid == 0) {
-    WrittenDevice device;
-    device.on_write = [&](const Vec3& force) { last.value->store(force.x()); };
-    try {
-      child(device);
-    } catch (...) {
-      _exit(98);
-    }
-    _exit(99);
-  }
-  for (int n = 0; n < 20000 && last.value->load() < 0.5; ++n) usleep(1000);
-  if (signal != 0) kill(pid, signal);
-  int status = 0;
-  waitpid(pid, &status, 0);
-  return status;
-}
-
-TEST(Device, LeavesNoForceWhenASignalEndsTheProcess) {
-  if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;
-  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
-    SharedForce last;
-    const int status = end_of_child(
-        last, [](WrittenDevice& device) { device.run(pushing(), real(0)); }, signal);
-    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
-    EXPECT_EQ(last.value->load(), 0);
-  }
-}
-
-TEST(Device, DoesNotMindASignalThatTheProcessIgnores) {
-  if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;
-  SharedForce last;
-  const int status = end_of_child(
-      last,
-      [](WrittenDevice& device) {
-        std::signal(SIGHUP, SIG_IGN);  // as nohup does
-        if (device.run(pushing(), real(1)).ticks < 900) throw std::runtime_error("ended early");
-      },
-      SIGHUP);
-  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 99) << status;
-}
-
-/// Runs a device whose force another thread ends, with the whole process, by `end`.
-[[noreturn]] void run_until_another_thread(WrittenDevice& device, const std::atomic<double>& last,
-                                           const std::function<void()>& end) {
-  std::thread([&last, end] {
-    while (last.load() < 0.5) usleep(1000);
-    end();
-  }).detach();
-  device.run(pushing(), real(0));
-  for (;;) usleep(1000);
-}
-
-TEST(Device, LeavesNoForceWhenAnotherThreadCrashes) {
-  if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;
-  SharedForce last;
-  const int status = end_of_child(
-      last, [&](WrittenDevice& device) { run_until_another_thread(device, *last.value, [] { std::abort(); }); }, 0);
-  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT) << status;
-  EXPECT_EQ(last.value->load(), 0);
-}
-
-std::atomic<double> last_force = -1;
-
-TEST(Device, LeavesNoForceWhenAnotherThreadExits) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a process from its start: one that was forked may hang at its exit
-  const auto run_and_exit = [] {
-    std::atexit([] { std::fprintf(stderr, "the last force was %g.\n", last_force.load()); });
-    WrittenDevice device;
-    device.on_write = [](const Vec3& force) { last_force.store(force.x()); };
-    run_until_another_thread(device, last_force, [] { std::exit(7); });
-  };
-  EXPECT_EXIT(run_and_exit(), testing::ExitedWithCode(7), "the last force was 0\\.");
 }
 
 }  // namespace

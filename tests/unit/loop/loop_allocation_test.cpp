@@ -3,15 +3,19 @@
 #include <gtest/gtest.h>
 #include <hdsim.h>
 
+#include <array>
 #include <atomic>
 #include <limits>
 #include <thread>
+#include <variant>
 
 #include "hapticut/device/force_dimension.hpp"
 #include "hapticut/device/open_haptics.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/loop/block_outbox.hpp"
+#include "hapticut/loop/realtime_loop.hpp"
 #include "hapticut/loop/simulation_model.hpp"
+#include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/allocation_count.hpp"
 #include "support/cutting.hpp"
@@ -83,12 +87,14 @@ struct UndoingLoop {
   DeviceCommand tick(const DeviceState& state) {
     ++ticks;
     if (ticks == 100) test::arm_call_counts();
-    if (ticks % 500 == 1 && ticks % 2000 > 1000) model.obey(model_commands::set_undo_mark());
-    if (ticks % 2000 == 1999) model.obey(model_commands::undo());
+    if (ticks % 500 == 1 && ticks % 2000 > 1000) (void)model.obey(mark);
+    if (ticks % 2000 == 1999) (void)model.obey(undo);
+    if (ticks % 4000 == 2199) (void)model.obey(redo);
     const DeviceCommand command{model.step(state, 1e-3, snapshot), ticks >= 9000};
     model.mark_changes(outbox);
     outbox.send(copy, 16);
-    if (tool_of(snapshot).undoing) ++ticks_back;
+    ticks_back += snapshot.tool.undoing ? 1 : 0;
+    ticks_forth += snapshot.tool.redoing ? 1 : 0;
     if (ticks == 8990) counts = test::disarm_call_counts();
     return command;
   }
@@ -100,11 +106,12 @@ struct UndoingLoop {
   BlockOutbox outbox;
   BlockOutbox::Copy copy = [this](ChangedBlock& block) { model.copy(block); };
   LoopSnapshot snapshot;
+  LoopCommand mark = commands::SetUndoMark{}, undo = commands::Undo{}, redo = commands::Redo{};
   test::CallCounts counts;
-  int ticks = 0, ticks_back = 0;
+  int ticks = 0, ticks_back = 0, ticks_forth = 0;
 };
 
-TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockAlsoOnTheWayBackToAMark) {
+TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockAlsoOnTheWayBackToAMarkAndForth) {
   for (const bool coupled : {false, true}) {
     UndoingLoop loop(coupled);
     RunOptions options = quick();
@@ -115,7 +122,103 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockAlsoOnTheWayBackToAMark) {
     EXPECT_EQ(loop.counts.deallocations, 0);
     EXPECT_EQ(loop.counts.locks, 0);
     EXPECT_GT(loop.ticks_back, 10) << "it must go back, or the test says nothing";
-    EXPECT_GT(tool_of(loop.snapshot).removed_volume, 1e-9);
+    EXPECT_GT(loop.ticks_forth, 0) << "and forth";
+    EXPECT_GT(loop.snapshot.tool.removed_volume, 1e-9);
+  }
+}
+
+/// Commands of every kind, prepared beforehand and obeyed by a RealtimeLoop whose tick is watched.
+TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
+  constexpr int kTicks = 9000;
+  /// Counts in the thread of the loop, from its first tick on; the model itself is a SimulationModel.
+  class WatchedModel final : public LoopModel {
+   public:
+    explicit WatchedModel(SimulationModel& model) : model_(&model) {}
+    bool obey(LoopCommand& command) noexcept override {
+      const bool obeyed = model_->obey(command);
+      (obeyed ? obeyed_ : refused_)[command.index()] += 1;
+      return obeyed;
+    }
+    Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
+      if (++ticks_ == 1) test::arm_call_counts();
+      const Wrench wrench = model_->step(state, dt, snapshot);
+      if (ticks_ == kTicks - 10) counts_ = test::disarm_call_counts();
+      return wrench;
+    }
+    void mark_changes(BlockOutbox& outbox) noexcept override { model_->mark_changes(outbox); }
+    void copy(ChangedBlock& block) noexcept override { model_->copy(block); }
+
+    SimulationModel* model_;
+    int ticks_ = 0;
+    std::array<int, std::variant_size_v<LoopCommand>> obeyed_{}, refused_{};
+    test::CallCounts counts_;
+  };
+  for (const bool coupled : {false, true}) {
+    UndoingLoop parts(coupled);  // a device, a simulation and its model
+    WatchedModel watched(parts.model);
+    RealtimeLoopOptions options;
+    options.run = quick();
+    options.run.simulated_time = true;
+    options.run.seconds = 1e-3 * kTicks;
+    options.region = parts.model.region();
+    RealtimeLoop loop(*parts.device, watched, options);
+    // All that the queue holds is there before the first tick; more follows while it runs.
+    auto next = [&, n = 0]() mutable -> LoopCommand {
+      const auto radius = [&] { return UndoingLoop::kRadius * (0.5 + 0.1 * (n % 10)); };
+      switch (++n % 16) {
+        case 0:
+          return commands::SetSpindleSpeed{2000};
+        case 1:
+          return commands::OpenClutch{};
+        case 2:
+          return commands::CloseClutch{};
+        case 3:
+          return commands::SetScale{n % 2 == 0 ? 1.0 : 0.9};
+        case 4:
+          return commands::SetUndoMark{};
+        case 5:
+          return parts.model.prepare_tool(Tool(SphereHead{radius()}, RayHandle{}, Spindle{3000}));
+        case 6:
+          return parts.model.prepare_tool(Tool(round_head(2 * radius()), RayHandle{}, Spindle{3000}));
+        case 7:
+          return parts.model.prepare_materials(MaterialTable({test::plain_material()}));
+        case 8:
+          return commands::SetFriction{DryFriction{0.4, 0.3, 1000}};
+        case 9:
+          return commands::SetEffects{};
+        case 10:
+          return commands::SetForceMask{{{true, true, n % 3 == 0}, {true, true, true}}};
+        case 11:
+          return commands::SetRemoval{n % 2 == 0 ? RemovalLaw::none : RemovalLaw::constant_energy};
+        case 12:
+          return commands::HoldForce{n % 3 == 0};
+        case 13:
+          return parts.model.prepare_workpiece(
+              build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
+              Tool(SphereHead{radius()}, RayHandle{}, Spindle{3000}));
+        case 14:
+          return commands::Undo{};
+        default:
+          return commands::Redo{};
+      }
+    };
+    for (int n = 0; n < 64; ++n) ASSERT_TRUE(loop.send(next()));
+    loop.start();
+    while (loop.is_running()) {
+      for (int n = 0; n < 16; ++n) (void)loop.send(next());
+      for (ChangedBlock block; loop.receive(block);) {
+      }
+      (void)loop.latest();
+    }
+    (void)loop.wait();
+    EXPECT_EQ(watched.counts_.allocations, 0);
+    EXPECT_EQ(watched.counts_.deallocations, 0);
+    EXPECT_EQ(watched.counts_.locks, 0);
+    const LoopCommand undo = commands::Undo{}, redo = commands::Redo{};
+    for (std::size_t kind = 0; kind < watched.obeyed_.size(); ++kind) {
+      if (kind == undo.index() || kind == redo.index()) continue;  // the test above: here nothing is ever cut for long
+      EXPECT_GT(watched.obeyed_[kind], 2) << kind;
+    }
   }
 }
 

@@ -24,23 +24,29 @@ class ScribblingModel : public LoopModel {
   static constexpr int kEdge = 6;                      // blocks along each axis
   std::array<float, kEdge * kEdge * kEdge> changes{};  // of every block; the loop's own
   std::atomic<int> obeyed{0};
-  std::int32_t last_code = -1;
+  double last_number = -1;
   bool in_order = true;
   long step_count = 0;
 
   Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
     ++step_count;
-    for (double& value : snapshot.values) value = double(step_count);  // all the same, or the reader saw half of it
+    // All the same, or the reader saw half of it.
+    snapshot.tool.force.setConstant(double(step_count));
+    snapshot.tool.removed_volume = double(step_count);
+    snapshot.tool.steps = std::uint64_t(step_count);
     snapshot.X_WT = state.X_BS;
     Wrench wrench;
     wrench.force.z() = state.X_BS.translation.z() < 0 ? 0.5 : 0;
     in_order = in_order && dt > 0;
     return wrench;
   }
-  void obey(const LoopCommand& command) noexcept override {
-    in_order = in_order && command.code == last_code + 1;
-    last_code = command.code;
+  bool obey(LoopCommand& command) noexcept override {
+    const auto* numbered = std::get_if<commands::SetScale>(&command);
+    if (numbered == nullptr) return false;
+    in_order = in_order && numbered->scale == last_number + 1;
+    last_number = numbered->scale;
     ++obeyed;
+    return true;
   }
   void mark_changes(BlockOutbox& outbox) noexcept override {
     for (int n = 0; n < 7; ++n) {  // more than a slow reader takes
@@ -75,13 +81,14 @@ TEST(RealtimeLoop, ExchangesWithASlowReaderWithoutLosingABlockForGood) {
   RealtimeLoop loop(*device, model, options_for(200));
   std::map<VoxelIndex, float> seen;
   std::uint64_t version = 0, tick = 0;
-  std::int32_t sent = 0;
+  double sent = 0;
   ChangedBlock block;
   const auto look = [&] {
     const LoopSnapshot& snapshot = loop.latest();
     EXPECT_GE(snapshot.tick, tick);
     tick = snapshot.tick;
-    for (const double value : snapshot.values) EXPECT_EQ(value, snapshot.values[0]);
+    EXPECT_EQ(snapshot.tool.force, Vec3::Constant(double(snapshot.tool.steps)));
+    EXPECT_EQ(snapshot.tool.removed_volume, double(snapshot.tool.steps));
     while (loop.receive(block)) {
       EXPECT_GT(block.version, version);
       version = block.version;
@@ -89,9 +96,7 @@ TEST(RealtimeLoop, ExchangesWithASlowReaderWithoutLosingABlockForGood) {
       EXPECT_GE(mark_of(block), seen[block.origin]);
       seen[block.origin] = mark_of(block);
     }
-    LoopCommand command;
-    command.code = sent;
-    if (loop.send(command)) ++sent;
+    if (loop.send(commands::SetScale{sent})) ++sent;
   };
   loop.start();
   while (loop.is_running()) {
@@ -140,31 +145,76 @@ TEST(RealtimeLoop, SendsTheLastVersionOfEveryBlockInTheEnd) {
   }
 }
 
-TEST(RealtimeLoop, CountsCommandsThatFindTheQueueFull) {
+TEST(RealtimeLoop, CountsCommandsThatFindTheQueueFullAndLeavesThemAsTheyWere) {
   const auto device = open_device("mock:rest");
   ScribblingModel model;
   RealtimeLoop loop(*device, model, options_for(1));
-  LoopCommand command;
   std::size_t taken = 0;
-  for (std::int32_t n = 0; n < 1000; ++n) {
-    command.code = n;
-    if (loop.send(command)) ++taken;
-  }
+  for (int n = 0; n < 1000; ++n)
+    if (loop.send(commands::SetScale{double(n)})) ++taken;
   EXPECT_EQ(taken, RealtimeLoop::kCommands);
+  LoopCommand more = commands::SetTool(Tool(SphereHead{1e-3}), 1e-4, {});
+  EXPECT_FALSE(loop.send(std::move(more)));
+  EXPECT_FALSE(std::get<commands::SetTool>(more).tool.empty());
   loop.start();
   loop.wait();
   EXPECT_EQ(std::size_t(model.obeyed), taken);
-  EXPECT_EQ(loop.latest().commands_dropped, 1000 - taken);
+  EXPECT_EQ(loop.latest().commands_dropped, 1001 - taken);
+  EXPECT_EQ(loop.latest().commands_refused, 0U);
 }
 
-TEST(RealtimeLoop, StopsByCommandByCallAndWhenItGoesAway) {
+TEST(RealtimeLoop, CountsCommandsThatTheModelDoesNotKnow) {
+  const auto device = open_device("mock:rest");
+  ScribblingModel model;
+  RealtimeLoop loop(*device, model, options_for(0.1));
+  loop.send(commands::Undo{});
+  loop.send(commands::SetScale{0});
+  loop.send(commands::Redo{});
+  loop.start();
+  loop.wait();
+  EXPECT_EQ(loop.latest().commands_refused, 2U);
+  EXPECT_EQ(model.obeyed, 1);
+}
+
+TEST(RealtimeLoop, HandsBackWhatWasReplacedHoweverMuchThereIs) {
+  class SwappingModel : public ScribblingModel {
+   public:
+    explicit SwappingModel(PreparedTool tool) : in_place(std::move(tool)) {}
+    bool obey(LoopCommand& command) noexcept override {
+      std::swap(in_place, std::get<commands::SetTool>(command).tool);
+      loop_thread = std::this_thread::get_id();
+      ++obeyed;
+      return true;
+    }
+    PreparedTool in_place;
+    std::thread::id loop_thread;
+  };
+  const auto device = open_device("mock:rest");
+  SwappingModel model(PreparedTool(Tool(SphereHead{1e-3}), 1e-4, {}));
+  RealtimeLoop loop(*device, model, options_for(0));
+  loop.start();
+  // More tools than there are places, each of another size: the last one is in place in the end.
+  constexpr int kTools = 300;
+  double radius = 1e-3;
+  for (int n = 0; n < kTools; ++n) {
+    LoopCommand next = commands::SetTool(Tool(SphereHead{radius += 1e-7}), 1e-4, {});
+    while (!loop.send(std::move(next))) std::this_thread::yield();
+  }
+  while (model.obeyed < kTools) std::this_thread::yield();
+  loop.stop();
+  EXPECT_NE(model.loop_thread, std::this_thread::get_id());
+  EXPECT_EQ(std::get<SphereHead>(model.in_place.tool().head().shape()).radius, radius);
+}
+
+TEST(RealtimeLoop, StopsByRequestByCallAndWhenItGoesAway) {
   const auto device = open_device("mock:circle");
   ScribblingModel model;
   {
     RealtimeLoop loop(*device, model, options_for(0));
     loop.start();
     EXPECT_THROW(loop.start(), Error);
-    EXPECT_TRUE(loop.send({LoopCommand::Kind::stop, 0, {}}));
+    while (loop.latest().tick == 0) std::this_thread::yield();
+    loop.requests().stop();
     EXPECT_GT(loop.wait().ticks, 0U);
     EXPECT_THROW((void)loop.wait(), Error);
     loop.start();
@@ -174,14 +224,15 @@ TEST(RealtimeLoop, StopsByCommandByCallAndWhenItGoesAway) {
   EXPECT_FALSE(device->is_running());
 }
 
-TEST(RealtimeLoop, TheEmergencyStopIsACommandToo) {
+TEST(RealtimeLoop, HasTheMailboxOfItsDevice) {
   const auto device = open_device("mock:rest");
   ScribblingModel model;
   RealtimeLoop loop(*device, model, options_for(0));
+  EXPECT_EQ(&loop.requests(), &device->requests());
   loop.start();
-  loop.send({LoopCommand::Kind::emergency_stop, 0, {}});
+  loop.requests().emergency_stop();
   while (loop.latest().arming != ArmingState::fault) std::this_thread::yield();
-  loop.send({LoopCommand::Kind::reset_fault, 0, {}});
+  loop.requests().reset_fault();
   while (loop.latest().arming == ArmingState::fault) std::this_thread::yield();
   EXPECT_GE(loop.stop().events[std::size_t(SafetyEvent::emergency_stop)], 1U);
 }
@@ -196,6 +247,7 @@ TEST(BlockOutbox, RefusesRegionsThatItCannotHold) {
   EXPECT_EQ(outbox.marked(), 2U);
   EXPECT_FALSE(outbox.mark({8, 0, 0}));
   EXPECT_FALSE(outbox.mark({-24, 0, 0}));
+  EXPECT_EQ(outbox.outside(), 2U);
 }
 
 }  // namespace

@@ -58,6 +58,12 @@ Picture picture_of(const Workpiece& workpiece) {
   return picture;
 }
 
+/// Between two ticks, without a queue.
+bool tell(SimulationModel& model, LoopCommand command) {
+  model.check(command);
+  return model.obey(command);
+}
+
 bool is_empty(const ChangedBlock& block) {
   return std::all_of(block.material.begin(), block.material.end(), [](MaterialId id) { return id == kEmpty; });
 }
@@ -76,7 +82,7 @@ TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
   ChangedBlock block;
   const auto look = [&] {
     const LoopSnapshot& snapshot = loop.latest();
-    const ToolSnapshot tool = tool_of(snapshot);
+    const ToolSnapshot tool = snapshot.tool;
     EXPECT_GE(snapshot.tick, tick);
     EXPECT_GE(tool.removed_volume, removed);
     tick = snapshot.tick;
@@ -92,13 +98,13 @@ TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
   loop.start();
   while (tick < 20000) {
     look();
-    loop.send(model_commands::set_spindle_speed(3000));
+    loop.send(commands::SetSpindleSpeed{3000});
     std::this_thread::sleep_for(std::chrono::milliseconds(16));
   }
   // The hand is taken out: nothing more is cut, and what waits is sent.
-  loop.send(model_commands::set_spindle_speed(0));
+  loop.send(commands::SetSpindleSpeed{0});
   for (int calm = 0; calm < 20;) {
-    calm = look() == 0 && tool_of(loop.latest()).spindle_speed == 0 ? calm + 1 : 0;
+    calm = look() == 0 && loop.latest().tool.spindle_speed == 0 ? calm + 1 : 0;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   const RunReport report = loop.stop();
@@ -124,7 +130,7 @@ TEST(SimulationModel, FeelsOnTheDeviceWhatTheSimulationSays) {
   RealtimeLoop loop(*device, model, options);
   loop.start();
   const RunReport report = loop.wait();
-  const ToolSnapshot tool = tool_of(loop.latest());
+  const ToolSnapshot tool = loop.latest().tool;
   EXPECT_EQ(tool.steps, report.ticks);
   EXPECT_GT(tool.force.z(), 1);
   EXPECT_EQ(tool.force, simulation.last_result().force);
@@ -149,8 +155,8 @@ TEST(SimulationModel, HoldsTheToolOnTheSurfaceWhileTheHandGoesOn) {
   loop.wait();
   EXPECT_LT(device->state().X_BS.translation.z(), -4.9e-3);
   EXPECT_NEAR(loop.latest().X_WT.translation.z(), kRadius, 2e-4);  // a voxel
-  EXPECT_NEAR(tool_of(loop.latest()).force.norm(), options.coupling->largest_force, 0.01);
-  EXPECT_EQ(device->output().commanded.force, tool_of(loop.latest()).force);
+  EXPECT_NEAR(loop.latest().tool.force.norm(), options.coupling->largest_force, 0.01);
+  EXPECT_EQ(device->output().commanded.force, loop.latest().tool.force);
 }
 
 TEST(SimulationModel, CutsNothingBeforeTheToolWasFree) {
@@ -166,7 +172,7 @@ TEST(SimulationModel, CutsNothingBeforeTheToolWasFree) {
       RealtimeLoop loop(*device, model, options_for(model, 0));
       loop.start();
       const RunReport report = loop.wait();
-      const ToolSnapshot tool = tool_of(loop.latest());
+      const ToolSnapshot tool = loop.latest().tool;
       EXPECT_GT(tool.contact_voxels, 0);
       EXPECT_EQ(tool.removed_volume == 0, needs_force) << height;
       EXPECT_EQ(tool.spindle_speed == 0, needs_force) << height;
@@ -182,21 +188,19 @@ TEST(SimulationModel, StopsTheSpindleInAnEmergencyFromAnyThread) {
   SimulationModel model(simulation, *device, ball_above_the_block());
   RealtimeLoop loop(*device, model, options_for(model, 0));
   loop.start();
-  while (tool_of(loop.latest()).removed_volume == 0) std::this_thread::yield();
-  LoopCommand nothing;
-  nothing.code = 99;
-  while (loop.send(nothing)) {  // the queue is full, or nearly so
+  while (loop.latest().tool.removed_volume == 0) std::this_thread::yield();
+  while (loop.send(commands::OpenClutch{}) && loop.send(commands::CloseClutch{})) {  // the queue is full, or nearly so
   }
-  std::thread a([&] { loop.emergency_stop(); }), b([&] { loop.emergency_stop(); });
+  std::thread a([&] { loop.requests().emergency_stop(); }), b([&] { loop.requests().emergency_stop(); });
   a.join();
   b.join();
   while (loop.latest().arming != ArmingState::fault) std::this_thread::yield();
-  while (tool_of(loop.latest()).spindle_speed != 0) std::this_thread::yield();
+  while (loop.latest().tool.spindle_speed != 0) std::this_thread::yield();
   EXPECT_TRUE(device->output().applied.force.isZero(0));
-  const double removed = tool_of(loop.latest()).removed_volume;
+  const double removed = loop.latest().tool.removed_volume;
   const std::uint64_t tick = loop.latest().tick;
   while (loop.latest().tick < tick + 500) std::this_thread::yield();
-  EXPECT_EQ(tool_of(loop.latest()).removed_volume, removed);
+  EXPECT_EQ(loop.latest().tool.removed_volume, removed);
   EXPECT_GE(loop.stop().events[std::size_t(SafetyEvent::emergency_stop)], 1U);
 }
 
@@ -213,18 +217,18 @@ TEST(SimulationModel, ObeysClutchAndScale) {
     while (loop.latest().tick < begin + count) std::this_thread::yield();
   };
   ticks(3000);
-  loop.send(model_commands::open_clutch());
+  loop.send(commands::OpenClutch{});
   ticks(5);
   const Vec3 held = loop.latest().X_WT.translation;
   ticks(700);
   EXPECT_EQ(loop.latest().X_WT.translation, held);
-  loop.send(model_commands::close_clutch());
+  loop.send(commands::CloseClutch{});
   ticks(700);
   EXPECT_NE(loop.latest().X_WT.translation, held);
-  loop.send(model_commands::set_scale(-1));
-  loop.send(model_commands::set_scale(0.5));
+  EXPECT_THROW((void)loop.send(commands::SetScale{-1}), Error);
+  loop.send(commands::SetScale{0.5});
   ticks(10);
-  loop.send(model_commands::set_spindle_speed(std::nan("")));
+  EXPECT_THROW((void)loop.send(commands::SetSpindleSpeed{std::nan("")}), Error);
   ticks(10);
   const RunReport report = loop.stop();
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::reclutched)], 2U);
@@ -251,18 +255,18 @@ TEST(SimulationModel, UndoesACutWhileTheLoopGoesOnAndTheReaderSeesIt) {
       for (ChangedBlock block; loop.receive(block);) picture[block.origin] = block;
       return snapshot;
     };
-    loop.send(model_commands::set_undo_mark());
+    loop.send(commands::SetUndoMark{});
     loop.start();
     while (look().tick < 5000) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    EXPECT_GT(tool_of(loop.latest()).removed_volume, 1e-9);
-    EXPECT_EQ(tool_of(loop.latest()).undo_marks, 1U);
-    loop.send(model_commands::set_spindle_speed(0));
-    loop.send(model_commands::undo());
-    loop.send(model_commands::undo());           // no second one is begun
-    loop.send(model_commands::set_undo_mark());  // nor is there a mark on the way
+    EXPECT_GT(loop.latest().tool.removed_volume, 1e-9);
+    EXPECT_EQ(loop.latest().tool.undo_marks, 1U);
+    loop.send(commands::SetSpindleSpeed{0});
+    loop.send(commands::Undo{});
+    loop.send(commands::Undo{});         // no second one is begun
+    loop.send(commands::SetUndoMark{});  // nor is there a mark on the way
     for (int calm = 0; calm < 20;) {
       const LoopSnapshot snapshot = look();
-      const ToolSnapshot tool = tool_of(snapshot);
+      const ToolSnapshot tool = snapshot.tool;
       calm = tool.undo_marks == 0 && !tool.undoing && snapshot.blocks_waiting == 0 ? calm + 1 : 0;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -297,19 +301,19 @@ TEST(SimulationModel, GivesNoForceFromAnUndoUntilTheToolWasFree) {
   run.simulated_time = true;
   run.stop_on_signals = false;
   run.guard.arming.ramp = run.guard.arming.short_ramp = 0.05;
-  model.obey(model_commands::set_undo_mark());
+  tell(model, commands::SetUndoMark{});
   (void)device->run(
       [&](const DeviceState& reading) {
         DeviceState state = reading;
         // Down by 1.6 mm in 0.4 s, where it stays.
         state.X_BS.translation.z() -= 4e-6 * std::clamp(ticks - 200, 0, 400);
         if (ticks == 700) {
-          EXPECT_GT(tool_of(snapshot).removed_volume, 0);
+          EXPECT_GT(snapshot.tool.removed_volume, 0);
           EXPECT_EQ(device->last_arming(), ArmingState::on);
-          model.obey(model_commands::undo());
+          tell(model, commands::Undo{});
         }
         DeviceCommand command{model.step(state, 1e-3, snapshot), false};
-        if (const ToolSnapshot tool = tool_of(snapshot); ticks > 700 && tool.undoing) {
+        if (const ToolSnapshot tool = snapshot.tool; ticks > 700 && tool.undoing) {
           EXPECT_TRUE(command.wrench.force.isZero(0));
           EXPECT_TRUE(tool.force.isZero(0) && tool.torque.isZero(0));
           EXPECT_EQ(tool.contact_voxels + tool.contact_depth + tool.spindle_speed, 0);
@@ -324,7 +328,7 @@ TEST(SimulationModel, GivesNoForceFromAnUndoUntilTheToolWasFree) {
           EXPECT_EQ(device->last_arming(), ArmingState::wait_free) << ticks;
           EXPECT_TRUE(device->last_output().applied.force.isZero(0)) << ticks;
           if (ticks > 760) {  // it is done
-            EXPECT_EQ(tool_of(snapshot).spindle_speed, 0);
+            EXPECT_EQ(snapshot.tool.spindle_speed, 0);
           }
         }
         command.stop = ++ticks > 1500;
@@ -332,7 +336,7 @@ TEST(SimulationModel, GivesNoForceFromAnUndoUntilTheToolWasFree) {
       },
       run);
   EXPECT_GT(without_force, 1);
-  EXPECT_GT(tool_of(snapshot).contact_voxels, 100) << "it is in the material again";
+  EXPECT_GT(snapshot.tool.contact_voxels, 100) << "it is in the material again";
   EXPECT_EQ(simulation.workpiece().amounts()[0].volume, whole);
 }
 

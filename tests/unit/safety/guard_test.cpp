@@ -220,7 +220,7 @@ TEST(Guard, WaitsUntilFreeAfterACalibrationAClutchAndAnotherModel) {
       loop.reading.X_BS.translation.x() += 0.04;  // farther than a hand moves in a tick
       ++loop.reading.epoch;
     } else {
-      loop.guard.interrupt(event);
+      loop.guard.requests().interrupt(event);
     }
     EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0)) << name(event);
     EXPECT_EQ(loop.guard.state(), ArmingState::wait_free) << name(event);
@@ -231,10 +231,10 @@ TEST(Guard, WaitsUntilFreeAfterACalibrationAClutchAndAnotherModel) {
 TEST(Guard, FaultsLatchUntilResetAndThenNeedAFreeTool) {
   GuardedLoop loop;
   loop.engage();
-  loop.guard.emergency_stop();
+  loop.guard.requests().emergency_stop();
   for (int n = 0; n < 100; ++n) EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0));
   EXPECT_EQ(loop.guard.state(), ArmingState::fault);
-  loop.guard.reset();
+  loop.guard.requests().reset_fault();
   for (int n = 0; n < 100; ++n) EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0));
   EXPECT_EQ(loop.guard.state(), ArmingState::wait_free);
   loop.engage();
@@ -245,9 +245,26 @@ TEST(Guard, StopsWithinATickWhenAnotherThreadPullsTheEmergencyStop) {
   GuardedLoop loop;
   loop.engage();
   loop.tick(Vec3(0, 0, 0.3));
-  std::thread([&] { loop.guard.emergency_stop(); }).join();
+  std::thread([&] { loop.guard.requests().emergency_stop(); }).join();
   EXPECT_TRUE(loop.tick(Vec3(0, 0, 0.3)).force.isZero(0));
   EXPECT_EQ(loop.guard.log().count(SafetyEvent::emergency_stop), 1U);
+}
+
+TEST(Guard, AnEmergencyStopCancelsAnEarlierResetAndIsResetByALaterOne) {
+  GuardedLoop loop;
+  loop.engage();
+  loop.guard.requests().reset_fault();
+  loop.guard.requests().emergency_stop();
+  EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0));
+  EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0));
+  EXPECT_EQ(loop.guard.state(), ArmingState::fault);
+  loop.guard.requests().reset_fault();
+  loop.engage();
+  loop.guard.requests().emergency_stop();  // and both before the next tick
+  loop.guard.requests().reset_fault();
+  EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0));
+  EXPECT_EQ(loop.guard.state(), ArmingState::armed) << "as after any fault";
+  EXPECT_EQ(loop.guard.log().count(SafetyEvent::fault_reset), 2U);
 }
 
 TEST(Guard, StopsWhenTheDeviceSaysThatItCannotBeTrusted) {
@@ -272,7 +289,7 @@ TEST(Guard, SeesAPositionThatStandsStillWhileTheStylusTurns) {
   GuardedLoop loop;
   loop.engage();
   loop.reading.X_BS.translation = {0, -0.04, -0.035};
-  loop.guard.interrupt(SafetyEvent::reclutched);
+  loop.guard.requests().interrupt(SafetyEvent::reclutched);
   ++loop.reading.epoch;
   int ticks = 0;
   for (; loop.guard.state() != ArmingState::fault && ticks < 1000; ++ticks) {

@@ -99,33 +99,34 @@ std::vector<Cause> causes() {
              guard.stop();
              guard.start();
            }),
-      told(SafetyEvent::waiting_free, [](SafetyGuard& guard) { guard.interrupt(SafetyEvent::reclutched); }),
+      told(SafetyEvent::waiting_free, [](SafetyGuard& guard) { guard.requests().interrupt(SafetyEvent::reclutched); }),
       {SafetyEvent::start_inside,
        [](SafetyGuard& guard, DeviceState&, Tick tick) {
-         guard.interrupt(SafetyEvent::reclutched);
+         guard.requests().interrupt(SafetyEvent::reclutched);
          tick({0, 0, 1}, kPeriod);
        }},
       {SafetyEvent::fading_in,
        [](SafetyGuard& guard, DeviceState&, Tick tick) {
-         guard.interrupt(SafetyEvent::reclutched);
+         guard.requests().interrupt(SafetyEvent::reclutched);
          for (int n = 0; n < 10; ++n) tick(Vec3::Zero(), kPeriod);
        }},
       {SafetyEvent::engaged,
        [](SafetyGuard& guard, DeviceState&, Tick tick) {
-         guard.interrupt(SafetyEvent::reclutched);
+         guard.requests().interrupt(SafetyEvent::reclutched);
          for (int n = 0; n < 300; ++n) tick(Vec3::Zero(), kPeriod);
        }},
       faulty(SafetyEvent::fault, DeviceFault::disconnected),
       {SafetyEvent::fault_reset,
        [](SafetyGuard& guard, DeviceState&, Tick tick) {
-         guard.emergency_stop();
+         guard.requests().emergency_stop();
          tick(Vec3::Zero(), kPeriod);
-         guard.reset();
+         guard.requests().reset_fault();
          tick(Vec3::Zero(), kPeriod);
        }},
       once(SafetyEvent::recalibrated, [](DeviceState& s) { ++s.epoch; }),
-      told(SafetyEvent::reclutched, [](SafetyGuard& guard) { guard.interrupt(SafetyEvent::reclutched); }),
-      told(SafetyEvent::model_swapped, [](SafetyGuard& guard) { guard.interrupt(SafetyEvent::model_swapped); }),
+      told(SafetyEvent::reclutched, [](SafetyGuard& guard) { guard.requests().interrupt(SafetyEvent::reclutched); }),
+      told(SafetyEvent::model_swapped,
+           [](SafetyGuard& guard) { guard.requests().interrupt(SafetyEvent::model_swapped); }),
       pushed(SafetyEvent::late_wake_up, 0, 8e-3, 1),
       pushed(SafetyEvent::paused, 0, 0.5, 1),
       pushed(SafetyEvent::force_not_finite, kNan, kPeriod, 1),
@@ -146,7 +147,7 @@ std::vector<Cause> causes() {
       told(SafetyEvent::watchdog_fault, [](SafetyGuard& guard) { stay_silent(guard, 60); }),
       told(SafetyEvent::exception, [](SafetyGuard& guard) { guard.report_exception(); }),
       told(SafetyEvent::emergency_stop,
-           [](SafetyGuard& guard) { std::thread([&] { guard.emergency_stop(); }).join(); }),
+           [](SafetyGuard& guard) { std::thread([&] { guard.requests().emergency_stop(); }).join(); }),
   };
 }
 
@@ -213,7 +214,7 @@ TEST_F(StateMachine, StartInsideMaterialGivesNoForceUntilTheToolIsOut) {
 TEST_F(StateMachine, ReclutchInContactGivesNoForceUntilTheToolIsOut) {
   engage();
   push();
-  guard.interrupt(SafetyEvent::reclutched);
+  guard.requests().interrupt(SafetyEvent::reclutched);
   expect_no_force_until_free();
 }
 
@@ -237,7 +238,7 @@ TEST_F(StateMachine, ReconnectNeedsAResetAndThenAFreeTool) {
   ++reading.epoch;  // the driver's word for "these poses are new"
   for (int n = 0; n < 100; ++n) EXPECT_TRUE(tick({0, 0, 1}).force.isZero(0));
   EXPECT_EQ(guard.state(), ArmingState::fault) << "it latches";
-  guard.reset();
+  guard.requests().reset_fault();
   for (int n = 0; n < 30; ++n) tick({0, 0, 1});
   expect_no_force_until_free();
 }
@@ -306,7 +307,7 @@ TEST_F(LatchedSilence, IsAFaultAfterFiftyTicksUntilItIsReset) {
   EXPECT_EQ(guard.state(), ArmingState::fault);
   for (int n = 0; n < 3000; ++n) EXPECT_TRUE(tick().force.isZero(0));
   EXPECT_EQ(guard.state(), ArmingState::fault) << "it latches";
-  guard.reset();
+  guard.requests().reset_fault();
   engage();
 }
 

@@ -237,6 +237,125 @@ TEST(Undo, RefusesMoreMemoryThanThereCanBeAndChangesNothingThen) {
   EXPECT_EQ(simulation.workpiece().undo_blocks(), 100U);
 }
 
+int redo_by(Simulation& simulation, std::size_t most) {
+  int calls = 1;
+  while (!simulation.redo(most)) {
+    EXPECT_LE(simulation.changed_blocks().origins.size(), most);
+    ++calls;
+  }
+  return calls;
+}
+
+// The states between marks, in a row; cuts, marks, steps back and forth at random. What is reached is bit by bit what
+// it was, and what the pool had then it has again.
+TEST(Redo, GoesForthToEveryStateThatWasUndoneUntilSomethingElseIsCut) {
+  struct State {
+    std::uint64_t hash;
+    std::size_t free_blocks;
+    std::int64_t solid;
+    bool operator==(const State&) const = default;
+  };
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    Simulation simulation = slab(4000);
+    const Workpiece& workpiece = simulation.workpiece();
+    const auto state = [&] { return State{workpiece.hash(), workpiece.reserved_blocks(), workpiece.solid_voxels()}; };
+    Wandering tool(seed);
+    std::mt19937 random(100 + seed);
+    std::vector<State> states;  // at each mark, and where we are, and undone ones after it
+    std::size_t here = 0;
+    int back = 0, forth = 0;
+    states.push_back(state());
+    for (int n = 0; n < 100; ++n) {
+      const auto what = random() % 5;
+      if (what < 2) {
+        simulation.set_undo_mark();
+        do tool.cut(simulation, 1 + int(random() % 200));
+        while (state() == states[here]);  // in the air
+        states.resize(++here);
+        states.push_back(state());
+      } else if (what == 2 || what == 3) {
+        if (here == 0) continue;
+        undo_by(simulation, 1 + random() % 20);
+        ASSERT_EQ(state(), states[--here]) << seed << ", " << n;
+        ++back;
+      } else {
+        redo_by(simulation, 1 + random() % 20);
+        if (here + 1 < states.size()) ++here, ++forth;
+        ASSERT_EQ(state(), states[here]) << seed << ", " << n;
+      }
+      ASSERT_EQ(simulation.undo_marks(), here);
+      ASSERT_EQ(simulation.redo_marks(), states.size() - 1 - here);
+    }
+    EXPECT_GT(back, 10);
+    EXPECT_GT(forth, 3);
+  }
+}
+
+TEST(Redo, IsGoneAfterACutAndOnlyThen) {
+  Simulation simulation = slab(4000);
+  simulation.set_undo_mark();
+  Wandering(11).cut(simulation, 300);
+  const std::uint64_t cut = simulation.workpiece().hash();
+  undo_by(simulation, 16);
+  EXPECT_EQ(simulation.redo_marks(), 1U);
+  for (int n = 0; n < 50; ++n) (void)simulation.step(Pose::from_translation({0, 0, 5e-3}), {}, 1e-3);
+  EXPECT_EQ(simulation.redo_marks(), 1U) << "a step in the air cuts nothing";
+  redo_by(simulation, 16);
+  EXPECT_EQ(simulation.workpiece().hash(), cut);
+  EXPECT_EQ(simulation.redo_marks(), 0U);
+  EXPECT_TRUE(simulation.redo(16)) << "there is nothing to go forth to";
+  undo_by(simulation, 16);
+  Wandering(12).cut(simulation, 300);
+  EXPECT_EQ(simulation.redo_marks(), 0U);
+  EXPECT_TRUE(simulation.redo(16));
+}
+
+TEST(Redo, TurnsAroundHalfWay) {
+  Simulation simulation = slab(4000);
+  const std::uint64_t whole = simulation.workpiece().hash();
+  simulation.set_undo_mark();
+  Wandering(13).cut(simulation, 600);
+  const std::uint64_t cut = simulation.workpiece().hash();
+  EXPECT_FALSE(simulation.undo(5));
+  EXPECT_EQ(simulation.redo_marks(), 1U) << "what is half undone can be redone";
+  redo_by(simulation, 3);
+  EXPECT_EQ(simulation.workpiece().hash(), cut);
+  undo_by(simulation, 100);
+  EXPECT_FALSE(simulation.redo(5));
+  undo_by(simulation, 2);
+  EXPECT_EQ(simulation.workpiece().hash(), whole);
+  EXPECT_EQ(simulation.undo_marks(), 0U);
+  redo_by(simulation, 1000);
+  EXPECT_EQ(simulation.workpiece().hash(), cut);
+}
+
+TEST(Redo, NeedsNoMemoryOfItsOwnAndIsBoundedAsTheWayBack) {
+  Simulation simulation = slab(100);
+  Wandering tool(6);
+  for (int n = 0; n < 10; ++n) {
+    simulation.set_undo_mark();
+    tool.cut(simulation, 60);
+  }
+  const std::uint64_t last = simulation.workpiece().hash();
+  const std::size_t kept = simulation.undo_marks();
+  ASSERT_GT(kept, 0U);
+  for (std::size_t n = 0; n < kept; ++n) undo_by(simulation, 8);
+  EXPECT_EQ(simulation.redo_marks(), kept);
+  for (std::size_t n = 0; n < kept; ++n) redo_by(simulation, 8);
+  EXPECT_EQ(simulation.workpiece().hash(), last);
+  // Marks without cuts, there and back: never more than 64 together.
+  for (int n = 0; n < 100; ++n) simulation.set_undo_mark();
+  for (int n = 0; n < 40; ++n) EXPECT_TRUE(simulation.undo(8));
+  for (int n = 0; n < 100; ++n) simulation.set_undo_mark();
+  EXPECT_LE(simulation.undo_marks() + simulation.redo_marks(), 64U);
+}
+
+TEST(Redo, IsNothingWithoutMemoryForIt) {
+  Simulation simulation = slab(0);
+  EXPECT_EQ(simulation.redo_marks(), 0U);
+  EXPECT_TRUE(simulation.redo(10));
+}
+
 TEST(Undo, KeepsNoMoreThan64Marks) {
   Simulation simulation = slab(1000);
   for (int n = 0; n < 100; ++n) simulation.set_undo_mark();

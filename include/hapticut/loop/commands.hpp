@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <variant>
+
+#include "hapticut/force/effects/axis_mask.hpp"
+#include "hapticut/force/friction.hpp"
+#include "hapticut/force/law.hpp"
+#include "hapticut/simulation/coupling.hpp"
+#include "hapticut/simulation/exchange.hpp"
+#include "hapticut/simulation/output.hpp"
+#include "hapticut/simulation/simulation.hpp"
+
+namespace hapticut {
+
+/// What a model can be told while the loop runs, by `RealtimeLoop::send`: obeyed between two ticks, in the order in
+/// which it was sent. What needs memory is made by whoever sends it, in the constructor of the command; the loop swaps
+/// pointers, and what was in place before goes back in the command, to be freed outside of the loop.
+///
+/// After `SetTool`, `SetMaterials`, `ExchangeWorkpiece`, `Undo` and `Redo` the guard waits until the tool is free
+/// (`SafetyEvent::model_swapped`), for material may be where the tool is. A recording ends there, and with
+/// `SetFriction` and `SetRemoval`.
+namespace commands {
+
+/// The spindle's speed while there is a force.
+struct SetSpindleSpeed {
+  double speed = 0;  ///< [rad/s]
+};
+
+/// The hand moves, the tool stays.
+struct OpenClutch {};
+
+/// The tool follows again, from where it is.
+struct CloseClutch {};
+
+/// How far the tool moves with the hand.
+struct SetScale {
+  double scale = 1;  ///< [1] > 0, world over hand
+};
+
+/// Marks the workpiece as it is in this tick: see SimulationModelOptions::undo_blocks.
+struct SetUndoMark {};
+
+/// Puts the workpiece back to the last mark, over as many ticks as it takes and without a force. Without a mark it is
+/// refused.
+struct Undo {};
+
+/// Goes forth again to what was undone last, the same way. When something has been cut since, it is refused.
+struct Redo {};
+
+/// Another tool for the same workpiece: see Simulation::set_tool.
+struct SetTool {
+  /// @param voxel_size  [m] of the workpiece that is in place when the command is obeyed; otherwise it is refused
+  /// @param config      that the simulation was made with
+  /// @throws Error when the head does not suit the voxels or the law
+  SetTool(Tool tool, double voxel_size, const SimulationConfig& config);
+
+  PreparedTool tool;
+  VirtualCoupling::Lists lists;  ///< as long as the tool needs them, where there is a coupling
+};
+
+/// Other constants of the materials: see Simulation::set_materials. Another number of materials than the workpiece has
+/// is refused.
+struct SetMaterials {
+  /// @param config  that the simulation was made with
+  /// @throws Error when a stiffness is out of range
+  SetMaterials(MaterialTable materials, const SimulationConfig& config);
+
+  PreparedMaterials materials;
+};
+
+/// Dry friction: see SimulationConfig::friction.
+struct SetFriction {
+  std::optional<DryFriction> friction;  ///< empty: each material's own
+};
+
+/// What is added to the force and what limits it.
+struct SetEffects {
+  Effects effects;
+};
+
+/// Which components of the force are on: Effects::enabled.
+struct SetForceMask {
+  AxisMask enabled;
+};
+
+/// Whether and how material is removed.
+struct SetRemoval {
+  RemovalLaw removal = RemovalLaw::none;  ///< none: the spindle cuts nothing
+};
+
+/// The hand goes on feeling what it felt last, wherever it moves, and the spindle stands, for what the hand cannot feel
+/// is not cut; or it feels the contact again, after the tool was free. An exchange or an undo ends it.
+struct HoldForce {
+  bool hold = true;  ///< false: no longer
+};
+
+/// Another workpiece, with the tool for it, from a simulation that was made for it: see
+/// Simulation::exchange(Simulation&). Changed blocks of it come as of any other, with another
+/// ChangedBlock::workpiece; the picture to begin with is made by whoever made the workpiece.
+struct ExchangeWorkpiece {
+  /// @param prepared  with memory for undo, where it is wanted
+  explicit ExchangeWorkpiece(Simulation prepared);
+
+  std::unique_ptr<Simulation> simulation;
+  IndexBox bounds;               ///< of its workpiece
+  VirtualCoupling::Lists lists;  ///< as long as it needs them, where there is a coupling
+};
+
+}  // namespace commands
+
+/// A message into the loop.
+using LoopCommand =
+    std::variant<commands::SetSpindleSpeed, commands::OpenClutch, commands::CloseClutch, commands::SetScale,
+                 commands::SetUndoMark, commands::Undo, commands::Redo, commands::SetTool, commands::SetMaterials,
+                 commands::SetFriction, commands::SetEffects, commands::SetForceMask, commands::SetRemoval,
+                 commands::HoldForce, commands::ExchangeWorkpiece>;
+
+}  // namespace hapticut

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// Commands: made by whoever sends them, obeyed by a SimulationModel between two ticks.
+#include "hapticut/loop/commands.hpp"
+
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/loop/simulation_model.hpp"
+
+namespace hapticut {
+
+static_assert(std::is_nothrow_move_constructible_v<LoopCommand> && std::is_nothrow_move_assignable_v<LoopCommand>);
+
+namespace commands {
+
+SetTool::SetTool(Tool given_tool, double voxel_size, const SimulationConfig& config)
+    : tool(std::move(given_tool), voxel_size, config), lists(tool.worst_case(), config) {}
+
+SetMaterials::SetMaterials(MaterialTable table, const SimulationConfig& config) : materials(std::move(table), config) {}
+
+ExchangeWorkpiece::ExchangeWorkpiece(Simulation prepared)
+    : simulation(std::make_unique<Simulation>(std::move(prepared))),
+      bounds(simulation->workpiece().bounds()),
+      lists(simulation->worst_case(), simulation->config()) {}
+
+}  // namespace commands
+
+// --- the sender's side ----------------------------------------------------------------------------------------------
+
+commands::SetTool SimulationModel::prepare_tool(Tool tool) const { return {std::move(tool), voxel_size_, config_}; }
+
+commands::SetMaterials SimulationModel::prepare_materials(MaterialTable materials) const {
+  return {std::move(materials), config_};
+}
+
+commands::ExchangeWorkpiece SimulationModel::prepare_workpiece(Workpiece workpiece, Tool tool) const {
+  Simulation simulation(std::move(workpiece), std::move(tool), config_);
+  if (undo_blocks_ > 0) simulation.reserve_undo(undo_blocks_);
+  return commands::ExchangeWorkpiece(std::move(simulation));
+}
+
+void SimulationModel::check(const LoopCommand& command) const {
+  if (const auto* spindle = std::get_if<commands::SetSpindleSpeed>(&command)) validate(Spindle{spindle->speed});
+  if (const auto* scale = std::get_if<commands::SetScale>(&command)) require_positive(scale->scale, "SetScale::scale");
+  if (const auto* friction = std::get_if<commands::SetFriction>(&command))
+    if (friction->friction) validate(*friction->friction);
+  if (const auto* effects = std::get_if<commands::SetEffects>(&command))
+    validate(effects->effects, config_.update_rate);
+  const auto* tool = std::get_if<commands::SetTool>(&command);
+  const auto* materials = std::get_if<commands::SetMaterials>(&command);
+  const auto* other = std::get_if<commands::ExchangeWorkpiece>(&command);
+  if ((tool && tool->tool.empty()) || (materials && materials->materials.empty()) || (other && !other->simulation))
+    throw Error("the command was sent already, and what it brings with it; prepare another one.");
+  if (other && coupled_ && other->simulation->config().contact_time != ContactTime::end)
+    throw Error(
+        "the other workpiece's simulation evaluates contact in the middle of a step, where the coupling would swing. "
+        "Make it with SimulationConfig::contact_time = ContactTime::end.");
+}
+
+// --- the loop's side ------------------------------------------------------------------------------------------------
+
+bool SimulationModel::obey(LoopCommand& command) noexcept {
+  return std::visit([this](auto& what) { return apply(what); }, command);
+}
+
+bool SimulationModel::apply(const commands::SetSpindleSpeed& command) noexcept {
+  if (!(std::abs(command.speed) <= kFastestSpindle)) return false;
+  spindle_speed_ = command.speed;
+  return true;
+}
+
+bool SimulationModel::apply(const commands::OpenClutch& /*command*/) noexcept {
+  map_.release(X_BS_);
+  return true;
+}
+
+bool SimulationModel::apply(const commands::CloseClutch& /*command*/) noexcept {
+  map_.engage(X_BS_);
+  device_->interrupt(SafetyEvent::reclutched);
+  return true;
+}
+
+bool SimulationModel::apply(const commands::SetScale& command) noexcept {
+  if (!map_.set_scale(command.scale, X_BS_)) return false;
+  device_->interrupt(SafetyEvent::reclutched);
+  return true;
+}
+
+bool SimulationModel::apply(const commands::SetUndoMark& /*command*/) noexcept {
+  if (travel_ != Travel::none) return false;
+  simulation_->set_undo_mark();
+  return true;
+}
+
+bool SimulationModel::apply(const commands::Undo& /*command*/) noexcept {
+  return begin(Travel::back, simulation_->undo_marks());
+}
+
+bool SimulationModel::apply(const commands::Redo& /*command*/) noexcept {
+  return begin(Travel::forth, simulation_->redo_marks());
+}
+
+bool SimulationModel::begin(Travel way, std::size_t marks) noexcept {
+  if (travel_ != Travel::none || marks == 0) return false;
+  travel_ = way;
+  let_go();
+  return true;
+}
+
+/// Nothing is felt, and nothing that was felt counts any more.
+void SimulationModel::let_go() noexcept {
+  tool_.force = tool_.torque = Vec3::Zero();
+  tool_.contact_depth = tool_.spindle_speed = 0;
+  tool_.contact_voxels = 0;
+  tool_.status = StepStatus::ok;
+  tool_.force_held = false;
+  if (coupling_) coupling_->release();
+}
+
+/// Whatever the tool is in now, nobody shall feel it at once.
+void SimulationModel::after_exchange() noexcept {
+  let_go();
+  exchanged_ = true;
+  if (spindle_needs_force_) simulation_->halt_spindle();  // or it would cut while it runs down
+  device_->interrupt(SafetyEvent::model_swapped);
+}
+
+bool SimulationModel::apply(commands::SetTool& command) noexcept {
+  if (!simulation_->exchange(command.tool)) return false;
+  if (coupling_) coupling_->exchange_lists(command.lists);
+  spindle_speed_ = simulation_->spindle_setting();
+  after_exchange();
+  return true;
+}
+
+bool SimulationModel::apply(commands::SetMaterials& command) noexcept {
+  if (!simulation_->exchange(command.materials)) return false;
+  after_exchange();
+  return true;
+}
+
+bool SimulationModel::apply(const commands::SetFriction& command) noexcept {
+  simulation_->set_friction(command.friction);
+  return true;
+}
+
+bool SimulationModel::apply(const commands::SetEffects& command) noexcept {
+  simulation_->set_effects(command.effects);
+  return true;
+}
+
+bool SimulationModel::apply(const commands::SetForceMask& command) noexcept {
+  Effects effects = simulation_->config().effects;
+  effects.enabled = command.enabled;
+  simulation_->set_effects(effects);
+  return true;
+}
+
+bool SimulationModel::apply(const commands::SetRemoval& command) noexcept {
+  simulation_->set_removal(command.removal);
+  return true;
+}
+
+bool SimulationModel::apply(const commands::HoldForce& command) noexcept {
+  if (command.hold == tool_.force_held) return true;
+  if (command.hold) {
+    if (travel_ != Travel::none || exchanged_) return false;  // nothing is felt that could be held
+    tool_.force_held = true;
+    return true;
+  }
+  // The tool went on meanwhile: what it has met is not to be felt at once.
+  let_go();
+  exchanged_ = true;
+  device_->interrupt(SafetyEvent::reclutched);
+  return true;
+}
+
+bool SimulationModel::apply(commands::ExchangeWorkpiece& command) noexcept {
+  if (coupled_ && command.simulation->config().contact_time != ContactTime::end) return false;
+  simulation_->exchange(*command.simulation);
+  std::swap(bounds_, command.bounds);
+  if (coupling_) coupling_->exchange_lists(command.lists);
+  travel_ = Travel::none;
+  spindle_speed_ = simulation_->spindle_setting();
+  ++tool_.workpiece;
+  after_exchange();
+  return true;
+}
+
+}  // namespace hapticut

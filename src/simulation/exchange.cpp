@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a simulation can be given between two steps: tool, materials, friction, removal, another workpiece, the way
+// forth.
+#include "hapticut/simulation/exchange.hpp"
+
+#include <utility>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/reserve.hpp"
+#include "simulation/simulation_state.hpp"
+
+namespace hapticut {
+namespace {
+
+/// How many voxels a step may list.
+std::size_t listed_voxels(const SimulationConfig& config, std::size_t most_voxels) {
+  return config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity : most_voxels;
+}
+
+}  // namespace
+
+// --- prepared elsewhere ---------------------------------------------------------------------------------------------
+
+struct PreparedTool::State {
+  Tool tool;
+  double voxel_size;  // [m]
+  ContactStages::Room room;
+  WorstCase worst_case;
+  std::vector<RemovedVoxel> removed;
+};
+
+PreparedTool::PreparedTool(Tool tool, double voxel_size, const SimulationConfig& config) {
+  require_positive(voxel_size, "PreparedTool: voxel_size [m]");
+  validate_head(tool.head(), voxel_size);
+  if (config.law) config.law->require_head(tool.head());
+  ContactStages::Room room(tool.head(), voxel_size, config);
+  const WorstCase worst = room.worst_case(config);
+  std::vector<RemovedVoxel> removed;
+  reserve_touched(removed, listed_voxels(config, room.most_voxels));
+  state_ = std::make_unique<State>(State{std::move(tool), voxel_size, std::move(room), worst, std::move(removed)});
+}
+
+PreparedTool::PreparedTool(PreparedTool&&) noexcept = default;
+PreparedTool& PreparedTool::operator=(PreparedTool&&) noexcept = default;
+PreparedTool::~PreparedTool() = default;
+
+const Tool& PreparedTool::tool() const noexcept { return state_->tool; }
+double PreparedTool::voxel_size() const noexcept { return state_->voxel_size; }
+WorstCase PreparedTool::worst_case() const noexcept { return state_->worst_case; }
+
+struct PreparedMaterials::State {
+  MaterialTable materials;
+  ContactMaterials constants;
+};
+
+PreparedMaterials::PreparedMaterials(MaterialTable materials, const SimulationConfig& config) {
+  const ContactMaterials constants = ContactStages::constants_of(materials, config.reference_stiffness);
+  state_ = std::make_unique<State>(State{std::move(materials), constants});
+}
+
+PreparedMaterials::PreparedMaterials(PreparedMaterials&&) noexcept = default;
+PreparedMaterials& PreparedMaterials::operator=(PreparedMaterials&&) noexcept = default;
+PreparedMaterials::~PreparedMaterials() = default;
+
+const MaterialTable& PreparedMaterials::materials() const noexcept { return state_->materials; }
+
+// --- between steps --------------------------------------------------------------------------------------------------
+
+/// The friction of each material that the standing head meets.
+void Simulation::State::set_frictions() noexcept {
+  for (std::size_t id = 0; id < frictions.size(); ++id) {
+    if (!workpiece.materials().contains(MaterialId(id))) continue;
+    const Material& m = workpiece.materials()[MaterialId(id)];
+    frictions[id] =
+        config.friction.value_or(DryFriction{m.static_friction, m.dynamic_friction, m.tangential_stiffness});
+  }
+}
+
+/// The next step is the first of the tool: nothing is known of where it was.
+void Simulation::State::start_afresh() noexcept {
+  has_pose = false;
+  tell_of_exchange();
+}
+
+bool Simulation::exchange(PreparedTool& prepared) noexcept {
+  State& s = *state_;
+  PreparedTool::State& p = *prepared.state_;
+  if (p.voxel_size != s.workpiece.voxel_size()) return false;
+  const WorstCase worst = s.contact_stages.worst_case(s.config);
+  std::swap(s.tool, p.tool);
+  s.contact_stages.exchange_room(p.room);
+  s.removal.exchange_list(p.removed);
+  p.worst_case = worst;
+  s.result.removed_voxels = {};
+  s.motor = SpindleMotor(s.tool.spindle());
+  s.motor_torque = 0;
+  s.contact_stages.set_cutting_share(1 - standing_share(s.motor.speed(), s.tool.head().largest_radius()));
+  s.start_afresh();
+  return true;
+}
+
+bool Simulation::exchange(PreparedMaterials& prepared) noexcept {
+  State& s = *state_;
+  PreparedMaterials::State& p = *prepared.state_;
+  if (!s.workpiece.exchange_materials(p.materials)) return false;
+  s.contact_stages.exchange_materials(p.constants);
+  s.set_frictions();
+  s.start_afresh();
+  return true;
+}
+
+void Simulation::exchange(Simulation& prepared) noexcept {
+  std::swap(state_, prepared.state_);
+  const State& old = *prepared.state_;
+  State& s = *state_;
+  s.config.effects = old.config.effects;
+  s.config.friction = old.config.friction;
+  s.config.removal = old.config.removal;
+  s.set_frictions();
+  s.exchanges = old.exchanges;
+  s.observer = std::exchange(prepared.state_->observer, nullptr);
+  s.start_afresh();
+}
+
+void Simulation::halt_spindle() noexcept {
+  state_->motor.halt();
+  state_->contact_stages.set_cutting_share(0);
+}
+
+void Simulation::set_tool(Tool tool) {
+  PreparedTool prepared(std::move(tool), state_->workpiece.voxel_size(), state_->config);
+  [[maybe_unused]] const bool fits = exchange(prepared);
+  HAPTICUT_ASSERT(fits);
+}
+
+void Simulation::set_materials(MaterialTable materials) {
+  PreparedMaterials prepared(std::move(materials), state_->config);
+  if (!exchange(prepared))
+    throw Error("a table of " + std::to_string(prepared.materials().size()) +
+                " materials was given for a workpiece of " + std::to_string(state_->workpiece.materials().size()) +
+                "; change the constants, not the number of materials.");
+}
+
+void Simulation::set_friction(const std::optional<DryFriction>& friction) {
+  if (friction) validate(*friction);
+  state_->config.friction = friction;
+  state_->set_frictions();
+  state_->tell_of_exchange();
+}
+
+void Simulation::set_removal(RemovalLaw removal) noexcept {
+  if (std::exchange(state_->config.removal, removal) != removal) state_->tell_of_exchange();
+}
+
+std::size_t Simulation::redo_marks() const noexcept { return state_->workpiece.redo_marks(); }
+
+bool Simulation::redo(std::size_t most) noexcept {
+  State& s = *state_;
+  s.contact_stages.forget_changes();
+  if (s.workpiece.redo_marks() == 0) return true;
+  s.start_afresh();
+  return s.contact_stages.redo(most);
+}
+
+}  // namespace hapticut

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <vector>
+
+#include "hapticut/device/device.hpp"
+#include "hapticut/device/simulated/device_models.hpp"
+
+/// @file
+/// A device that tells a test what it was given, and what it is run with.
+namespace hapticut::test {
+
+/// A real clock without what needs privileges, and quickly armed.
+inline RunOptions real(double seconds) {
+  RunOptions options;
+  options.seconds = seconds;
+  options.realtime.priority = 0;
+  options.realtime.lock_memory = false;
+  options.guard.arming.ramp = 0.02;
+  return options;
+}
+
+/// Remembers what was written, and can be told to misbehave.
+class WrittenDevice : public PolledDevice {
+ public:
+  WrittenDevice() : PolledDevice("written", capabilities_of_a_touch()) {}
+  std::vector<Vec3> forces;
+  std::function<bool(DeviceState&)> next = [](DeviceState&) { return true; };
+  std::function<void(const Vec3&)> on_write = [](const Vec3&) {};
+  std::atomic<double> share{1};
+
+ protected:
+  static DeviceCapabilities capabilities_of_a_touch() { return hapticut::capabilities(device_model("touch")); }
+  bool read(DeviceState& state) noexcept override {
+    ++state.sequence;
+    state.time = double(state.sequence) * 1e-3;
+    return next(state);
+  }
+  Wrench write(const Wrench& wrench) noexcept override {
+    forces.push_back(wrench.force);
+    on_write(wrench.force);
+    return wrench;
+  }
+  void scale_output(double s) noexcept override { share.store(s); }
+  [[nodiscard]] bool is_simulated() const override { return true; }
+};
+
+/// No force at first, so that the guard lets go, and 1 N from then on.
+inline DeviceCallback pushing(double from = 0.1) {
+  return [=](const DeviceState& state) {
+    DeviceCommand command;
+    if (state.time > from) command.wrench.force.x() = 1;
+    return command;
+  };
+}
+
+}  // namespace hapticut::test

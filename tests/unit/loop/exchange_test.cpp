@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a simulation can be given between two steps: tool, materials, friction, removal, another workpiece.
+#include "hapticut/simulation/exchange.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/force/laws/twist_drill.hpp"
+#include "hapticut/tool/catalogue.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "support/cutting.hpp"
+
+namespace hapticut::exchange_test {
+namespace {
+
+constexpr double kStep = 1e-3;  // [s]
+
+SimulationConfig config() {
+  SimulationConfig config;
+  config.reference_stiffness = 1e13;
+  config.reserved_blocks = 4096;
+  return config;
+}
+Material material(double energy, const std::string& name = "plain") {
+  Material m = test::plain_material();
+  m.name = name;
+  m.specific_cutting_energy = energy;
+  return m;
+}
+Workpiece block(double voxel = 2e-4) {
+  return build_block({Vec3(-6e-3, -6e-3, -6e-3), Vec3(6e-3, 6e-3, 0)}, voxel, material(3e8));
+}
+Tool ball(double radius, double speed = 3000) { return Tool(SphereHead{radius}, RayHandle{}, Spindle{speed}); }
+
+/// Feeds the tool down by 1 mm from where the ball of a radius touches.  @return the last force
+Vec3 drill(Simulation& simulation, double radius, double x = 0) {
+  Vec3 force;
+  for (int n = 0; n < 100; ++n)
+    force =
+        simulation.step(Pose::from_translation({x, 0, radius - 1e-5 * n}), {{0, 0, -1e-2}, Vec3::Zero()}, kStep).force;
+  return force;
+}
+
+TEST(SetTool, KeepsTheWorkpieceAndAllThatWasCounted) {
+  Simulation simulation(block(), ball(1e-3), config());
+  simulation.reserve_undo(1000);
+  simulation.set_undo_mark();
+  drill(simulation, 1e-3);
+  const std::uint64_t cut = simulation.workpiece().hash(), steps = simulation.steps();
+  const double removed = simulation.removed_volume_by_material()[1], spent = simulation.last_result().energy.cutting;
+  ASSERT_GT(removed, 0);
+  simulation.set_tool(ball(2e-3, 1000));
+  EXPECT_EQ(simulation.workpiece().hash(), cut);
+  EXPECT_EQ(simulation.removed_volume_by_material()[1], removed);
+  EXPECT_EQ(simulation.last_result().energy.cutting, spent);
+  EXPECT_EQ(simulation.steps(), steps);
+  EXPECT_EQ(simulation.undo_marks(), 1U);
+  EXPECT_EQ(simulation.spindle_setting(), 1000);
+  EXPECT_EQ(simulation.workpiece_exchanges(), 1U) << "a recording ends here";
+  EXPECT_EQ(std::get<SphereHead>(simulation.tool().head().shape()).radius, 2e-3);
+  EXPECT_TRUE(simulation.last_result().removed_voxels.empty());
+  EXPECT_TRUE(simulation.changed_blocks().origins.empty());
+}
+
+TEST(SetTool, MakesTheSimulationThatItWouldHaveBeenWithThisTool) {
+  // Larger and smaller than the first one: lists and bounds are those of the tool in place.
+  for (const double radius : {0.5e-3, 2.5e-3}) {
+    Simulation with(block(), ball(radius), config());
+    Simulation changed(block(), ball(1e-3), config());
+    changed.set_tool(ball(radius));
+    EXPECT_EQ(changed.worst_case().voxels, with.worst_case().voxels);
+    EXPECT_EQ(changed.worst_case().blocks, with.worst_case().blocks);
+    EXPECT_EQ(drill(changed, radius), drill(with, radius));
+    EXPECT_EQ(changed.workpiece().hash(), with.workpiece().hash());
+    EXPECT_EQ(changed.last_result().energy.cutting, with.last_result().energy.cutting);
+    EXPECT_FALSE(has(changed.last_result().status, StepStatus::removed_list_full));
+  }
+}
+
+TEST(SetTool, RefusesWhatTheConstructorWouldAndChangesNothingThen) {
+  Simulation simulation(block(), ball(1e-3), config());
+  EXPECT_THROW(simulation.set_tool(ball(0.5e-4)), Error);  // thinner than a voxel
+  EXPECT_THROW(simulation.set_tool(ball(1)), Error);       // not millimetres
+  EXPECT_EQ(std::get<SphereHead>(simulation.tool().head().shape()).radius, 1e-3);
+  EXPECT_EQ(simulation.workpiece_exchanges(), 0U);
+
+  SimulationConfig of_a_drill = config();
+  of_a_drill.law = std::make_shared<TwistDrillLaw>(TwistDrillLaw::Constants{});
+  Simulation drilled(block(), Tool(twist_drill_head(2e-3, 4e-3), RayHandle{}, Spindle{1000}), of_a_drill);
+  EXPECT_THROW(drilled.set_tool(ball(1e-3)), Error) << "the law is about another kind of head";
+}
+
+TEST(PreparedTool, IsForVoxelsOfOneSize) {
+  Simulation simulation(block(), ball(1e-3), config());
+  PreparedTool other(ball(2e-3), 1e-4, config());
+  EXPECT_FALSE(simulation.exchange(other));
+  EXPECT_EQ(std::get<SphereHead>(other.tool().head().shape()).radius, 2e-3);
+  PreparedTool fitting(ball(2e-3), 2e-4, config());
+  EXPECT_EQ(fitting.worst_case().voxels, Simulation(block(), ball(2e-3), config()).worst_case().voxels);
+  EXPECT_TRUE(simulation.exchange(fitting));
+  EXPECT_EQ(std::get<SphereHead>(fitting.tool().head().shape()).radius, 1e-3) << "it holds the old one";
+  EXPECT_TRUE(simulation.exchange(fitting)) << "and can be put back";
+  EXPECT_EQ(std::get<SphereHead>(simulation.tool().head().shape()).radius, 1e-3);
+  EXPECT_THROW(PreparedTool(ball(1e-3), 0, config()), Error);
+  const PreparedTool taken = std::move(fitting);
+  EXPECT_TRUE(fitting.empty() && !taken.empty());  // NOLINT(bugprone-use-after-move): that is asked
+}
+
+TEST(SetMaterials, ChangesWhatACutCostsAndKeepsTheRest) {
+  Simulation simulation(block(), ball(1e-3), config());
+  drill(simulation, 1e-3);
+  const std::uint64_t cut = simulation.workpiece().hash();
+  const double removed = simulation.removed_volume_by_material()[1];
+  MaterialTable harder({material(9e8)});
+  simulation.set_materials(harder);
+  EXPECT_EQ(simulation.workpiece().hash(), cut);
+  EXPECT_EQ(simulation.removed_volume_by_material()[1], removed);
+  EXPECT_EQ(simulation.workpiece().materials()[1].specific_cutting_energy, 9e8);
+  EXPECT_EQ(simulation.workpiece_exchanges(), 1U);
+
+  // On the same fresh place, bit by bit what a simulation of that material does; also while the spindle starts.
+  for (const double speed : {3000.0, 1.0}) {
+    Simulation was(block(), ball(1e-3, speed), config());
+    was.set_materials(harder);
+    Simulation is(build_block({Vec3(-6e-3, -6e-3, -6e-3), Vec3(6e-3, 6e-3, 0)}, 2e-4, material(9e8)), ball(1e-3, speed),
+                  config());
+    EXPECT_EQ(drill(was, 1e-3), drill(is, 1e-3));
+    EXPECT_EQ(was.workpiece().hash(), is.workpiece().hash());
+  }
+}
+
+TEST(SetMaterials, TakesTheirFrictionOver) {
+  Material rough = material(3e8);
+  rough.static_friction = rough.dynamic_friction = 0.9;
+  Simulation was(block(), ball(1e-3, 0), config());
+  was.set_materials(MaterialTable({rough}));
+  Simulation is(build_block({Vec3(-6e-3, -6e-3, -6e-3), Vec3(6e-3, 6e-3, 0)}, 2e-4, rough), ball(1e-3, 0), config());
+  Simulation smooth(block(), ball(1e-3, 0), config());
+  const auto drag = [](Simulation& simulation) {
+    Vec3 force;
+    for (int n = 0; n < 100; ++n)
+      force = simulation.step(Pose::from_translation({2e-5 * n, 0, 0.7e-3}), {}, kStep).force;
+    return force;
+  };
+  const Vec3 dragged = drag(was);
+  EXPECT_EQ(dragged, drag(is));
+  EXPECT_GT(std::abs(dragged.x()), 2 * std::abs(drag(smooth).x()));
+}
+
+TEST(SetMaterials, RefusesAnotherNumberOfThemAndStiffnessesOutOfRange) {
+  Simulation simulation(block(), ball(1e-3), config());
+  MaterialTable two({material(3e8), material(3e8, "other")});
+  EXPECT_THROW(simulation.set_materials(two), Error);
+  Material stiff = material(3e8);
+  stiff.relative_stiffness = 1e20;
+  EXPECT_THROW(simulation.set_materials(MaterialTable({stiff})), Error);
+  EXPECT_EQ(simulation.workpiece().materials().size(), 1);
+  EXPECT_EQ(simulation.workpiece_exchanges(), 0U);
+  PreparedMaterials prepared(two, config());
+  EXPECT_FALSE(simulation.exchange(prepared));
+  EXPECT_EQ(prepared.materials().size(), 2);
+}
+
+TEST(SetFriction, ActsFromTheNextStepOn) {
+  Simulation simulation(block(), ball(1e-3, 0), config());
+  const auto drag = [&](double from) {
+    Vec3 force;
+    for (int n = 0; n < 100; ++n)
+      force = simulation.step(Pose::from_translation({from + 2e-5 * n, 0, 0.7e-3}), {}, kStep).force;
+    return std::abs(force.x()) / force.z();
+  };
+  const double before = drag(0);
+  EXPECT_THROW(simulation.set_friction(DryFriction{-1, -1, 1000}), Error);
+  simulation.set_friction(DryFriction{0.05, 0.05, 1000});
+  EXPECT_LT(drag(2e-3), 0.06);
+  simulation.set_friction(std::nullopt);
+  EXPECT_NEAR(drag(-2e-3), before, 0.1 * before);  // another place of the face: voxels differ
+  EXPECT_EQ(simulation.workpiece_exchanges(), 2U);
+}
+
+TEST(SetRemoval, SwitchesCuttingOffAndOn) {
+  Simulation simulation(block(), ball(1e-3), config());
+  simulation.set_removal(RemovalLaw::none);
+  drill(simulation, 1e-3);
+  EXPECT_EQ(simulation.removed_volume_by_material()[1], 0);
+  simulation.set_removal(RemovalLaw::constant_energy);
+  drill(simulation, 1e-3, 3e-3);
+  EXPECT_GT(simulation.removed_volume_by_material()[1], 0);
+  const std::uint64_t exchanges = simulation.workpiece_exchanges();
+  EXPECT_EQ(exchanges, 2U);
+  simulation.set_removal(RemovalLaw::constant_energy);
+  EXPECT_EQ(simulation.workpiece_exchanges(), exchanges) << "nothing has changed";
+}
+
+TEST(ExchangeOfAWorkpiece, BringsTheOthersWorkpieceToolAndCountsAndKeepsWhatIsSet) {
+  Simulation simulation(block(), ball(1e-3), config());
+  drill(simulation, 1e-3);
+  Effects effects;
+  effects.enabled.force = {true, false, true};
+  simulation.set_effects(effects);
+  simulation.set_removal(RemovalLaw::none);
+  simulation.set_friction(DryFriction{0.1, 0.1, 500});
+  const std::uint64_t cut = simulation.workpiece().hash(), exchanges = simulation.workpiece_exchanges();
+  Simulation other(block(1e-4), ball(0.5e-3), config());
+  const std::uint64_t fresh = other.workpiece().hash();
+  simulation.exchange(other);
+  EXPECT_EQ(simulation.workpiece().hash(), fresh);
+  EXPECT_EQ(std::get<SphereHead>(simulation.tool().head().shape()).radius, 0.5e-3);
+  EXPECT_EQ(simulation.removed_volume_by_material()[1], 0);
+  EXPECT_EQ(simulation.steps(), 0U);
+  EXPECT_GT(simulation.workpiece_exchanges(), exchanges);
+  EXPECT_EQ(simulation.config().effects.enabled.force, effects.enabled.force);
+  EXPECT_EQ(simulation.config().removal, RemovalLaw::none);
+  EXPECT_EQ(simulation.config().friction->static_friction, 0.1);
+  EXPECT_EQ(other.workpiece().hash(), cut) << "it holds the old one";
+  EXPECT_GT(drill(simulation, 0.5e-3).norm(), 0);
+}
+
+TEST(HaltSpindle, StandsAtOnceWhateverTheRamp) {
+  Spindle slow{3000};
+  slow.acceleration_limit = 100;
+  Simulation simulation(block(), Tool(SphereHead{1e-3}, RayHandle{}, slow), config());
+  simulation.halt_spindle();
+  drill(simulation, 1e-3);
+  EXPECT_EQ(simulation.last_result().spindle.speed, 0);
+  EXPECT_EQ(simulation.removed_volume_by_material()[1], 0);
+}
+
+}  // namespace
+}  // namespace hapticut::exchange_test

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// Commands of all kinds at random, to a loop that goes on: what the sanitizers watch.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <random>
+#include <thread>
+#include <utility>
+#include <variant>
+
+#include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/device/simulated/mock.hpp"
+#include "hapticut/loop/simulation_model.hpp"
+#include "hapticut/tool/catalogue.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "support/cutting.hpp"
+
+namespace hapticut::random_commands_test {
+namespace {
+
+constexpr double kRadius = 1.5e-3;  // [m] of the ball
+
+/// Counts what a SimulationModel obeys and refuses.
+class CountingModel final : public LoopModel {
+ public:
+  explicit CountingModel(SimulationModel& model) : model_(&model) {}
+  Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
+    return model_->step(state, dt, snapshot);
+  }
+  void check(const LoopCommand& command) const override { model_->check(command); }
+  bool obey(LoopCommand& command) noexcept override {
+    const std::size_t kind = command.index();
+    const bool obeyed = model_->obey(command);
+    ++(obeyed ? obeyed_ : refused_)[kind];
+    ++all_;
+    return obeyed;
+  }
+  void mark_changes(BlockOutbox& outbox) noexcept override { model_->mark_changes(outbox); }
+  void copy(ChangedBlock& block) noexcept override { model_->copy(block); }
+
+  SimulationModel* model_;
+  std::array<int, std::variant_size_v<LoopCommand>> obeyed_{}, refused_{};
+  std::atomic<int> all_{0};
+};
+
+/// In and out of the material, on and on, at 30 mm/s and less.
+Pose wandering(double t) {
+  return Pose::from_translation({4e-3 * std::sin(5 * t), 4e-3 * std::cos(4 * t), 2e-3 * std::sin(3 * t)});
+}
+
+/// A hundred thousand commands of all kinds to a loop that cuts, some of which do not suit; the loop never waits, and
+/// what comes out in the end is a workpiece of which every block that was sent is what is there.
+void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
+  constexpr int kCommands = 100000;
+  MockOptions hand;
+  hand.path = wandering;
+  hand.device = device_model("touch");
+  MockDevice a_device(hand);
+  Device* const device = &a_device;
+  SimulationConfig with;
+  with.reference_stiffness = 1e13;
+  with.contact_time = coupled ? ContactTime::end : ContactTime::middle;
+  const auto coarse = [](double depth) {
+    return build_block({Vec3(-8e-3, -8e-3, -depth), Vec3(8e-3, 8e-3, 0)}, 5e-4, test::plain_material());
+  };
+  const Tool ball(SphereHead{kRadius}, RayHandle{}, Spindle{3000});
+  Simulation simulation(coarse(5e-3), ball, with);
+  SimulationModelOptions options;
+  options.map.X_WB = Pose::from_translation(Vec3(0, 0, kRadius));
+  options.undo_blocks = 300;  // less than is cut: marks are forgotten on the way
+  options.undo_blocks_per_tick = 4;
+  if (coupled) options.coupling = coupling_gains(device->capabilities());
+  SimulationModel model(simulation, *device, options);
+  CountingModel counting(model);
+  RealtimeLoopOptions loop_options;
+  loop_options.run.simulated_time = simulated_time;
+  loop_options.run.stop_on_signals = false;
+  loop_options.run.realtime.priority = 0;
+  loop_options.run.realtime.lock_memory = false;
+  loop_options.run.guard.arming.ramp = loop_options.run.guard.arming.short_ramp = 0.02;
+  loop_options.region = {{-40, -40, -40}, {40, 40, 40}};  // around all that will come
+  loop_options.block_capacity = 64;
+  RealtimeLoop loop(*device, counting, loop_options);
+
+  std::mt19937 random(seed);
+  const auto number = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const auto some_tool = [&] {
+    const Spindle spindle{number(0, 5000)};
+    const double radius = number(0.6e-3, 2.5e-3);
+    return random() % 2 == 0 ? Tool(SphereHead{radius}, RayHandle{number(0, 1e-3)}, spindle)
+                             : Tool(round_head(2 * radius), RayHandle{}, spindle);
+  };
+  const auto next = [&]() -> LoopCommand {
+    const auto dice = random() % 1000;
+    if (dice < 1) return model.prepare_workpiece(coarse(number(2e-3, 8e-3)), some_tool());
+    if (dice < 2) return commands::SetTool(some_tool(), 1e-4, with);  // for other voxels
+    if (dice < 10) return model.prepare_tool(some_tool());
+    if (dice < 30) {
+      Material material = test::plain_material();
+      material.relative_stiffness = number(0.5, 2);
+      material.specific_cutting_energy = number(1e8, 1e9);
+      return model.prepare_materials(MaterialTable({material}));
+    }
+    switch (dice % 12) {
+      case 0:
+        return commands::SetSpindleSpeed{number(-5000, 5000)};
+      case 1:
+        return commands::OpenClutch{};
+      case 2:
+      case 3:
+        return commands::CloseClutch{};
+      case 4:
+        return commands::SetScale{number(0.5, 1.5)};
+      case 5:
+        return commands::SetUndoMark{};
+      case 6:
+        return dice % 10 == 0 ? LoopCommand(commands::Undo{}) : commands::SetFriction{};
+      case 7:
+        return dice % 10 < 2 ? LoopCommand(commands::Redo{}) : commands::SetFriction{DryFriction{0.4, 0.3, 1000}};
+      case 8:
+        return commands::SetEffects{};
+      case 9:
+        return commands::SetForceMask{{{random() % 8 != 0, true, random() % 8 != 0}, {true, true, true}}};
+      case 10:
+        return commands::SetRemoval{random() % 4 == 0 ? RemovalLaw::none : RemovalLaw::constant_energy};
+      default:
+        return commands::HoldForce{random() % 4 == 0};
+    }
+  };
+
+  std::map<VoxelIndex, ChangedBlock> picture;
+  ChangedBlock changed;
+  std::uint32_t workpiece = 0;
+  const auto look = [&] {
+    const LoopSnapshot& seen = loop.latest();
+    EXPECT_LE(seen.output.applied.force.norm(), device->capabilities().peak_force * (1 + 1e-9));
+    EXPECT_FALSE(has(seen.tool.seen, StepStatus::force_not_finite | StepStatus::pose_rejected));
+    while (loop.receive(changed)) {
+      if (changed.workpiece != workpiece) picture.clear();
+      workpiece = changed.workpiece;
+      picture[changed.origin] = changed;
+    }
+    return seen;
+  };
+  loop.start();
+  std::uint64_t dropped = 0;
+  for (int sent = 0; sent < kCommands;) {
+    // As many as come to mind, and then a tick or more.
+    for (auto burst = random() % 250; burst > 0 && sent < kCommands; --burst) {
+      LoopCommand command = next();
+      while (!loop.send(std::move(command))) {
+        ++dropped;
+        std::this_thread::yield();
+      }
+      ++sent;
+    }
+    const std::uint64_t tick = look().tick;
+    while (loop.latest().tick == tick) std::this_thread::yield();
+  }
+  loop.send(commands::SetRemoval{RemovalLaw::none});
+  for (int calm = 0; calm < 20;) {
+    const LoopSnapshot seen = look();
+    const bool done = counting.all_ == kCommands + 1 && !seen.tool.undoing && !seen.tool.redoing;
+    calm = done && seen.blocks_waiting == 0 ? calm + 1 : 0;
+    const std::uint64_t tick = seen.tick;
+    while (loop.latest().tick == tick) std::this_thread::yield();
+  }
+  const RunReport report = loop.stop();
+  const LoopSnapshot last = look();
+
+  EXPECT_EQ(report.fault, DeviceFault::none);
+  EXPECT_NE(report.guard, ArmingState::fault);
+  EXPECT_EQ(counting.all_, kCommands + 1);
+  EXPECT_EQ(last.commands_dropped, dropped);
+  EXPECT_EQ(last.blocks_outside, 0U);
+  std::uint64_t refused = 0;
+  for (std::size_t kind = 0; kind < counting.obeyed_.size(); ++kind) {
+    EXPECT_GT(counting.obeyed_[kind], 20) << "of kind " << kind;
+    refused += std::uint64_t(counting.refused_[kind]);
+  }
+  EXPECT_EQ(last.commands_refused, refused);
+  EXPECT_GT(refused, 50U);
+  EXPECT_GT(report.events[std::size_t(SafetyEvent::model_swapped)], 100U);
+  const LoopCommand exchange = model.prepare_workpiece(coarse(2e-3), ball);
+  EXPECT_EQ(std::uint32_t(counting.obeyed_[exchange.index()]), last.tool.workpiece);
+
+  // What was received of the last workpiece is what is there.
+  if (workpiece == last.tool.workpiece)
+    for (const auto& [origin, content] : picture) {
+      ChangedBlock now;
+      now.origin = origin;
+      copy_block(simulation.workpiece(), now);
+      ASSERT_EQ(content.material, now.material);
+      ASSERT_EQ(content.fill, now.fill);
+    }
+  // And it can still be cut, undone and redone.
+  const std::size_t marks = simulation.undo_marks();
+  while (simulation.undo_marks() > 0)
+    while (!simulation.undo(16)) {
+    }
+  EXPECT_GE(simulation.redo_marks(), marks);
+}
+
+TEST(RandomCommands, AHundredThousandAtRandomInSimulatedTime) { tell_a_hundred_thousand(true, false, 1); }
+TEST(RandomCommands, AHundredThousandAtRandomInRealTimeBehindACoupling) { tell_a_hundred_thousand(false, true, 2); }
+
+}  // namespace
+}  // namespace hapticut::random_commands_test
