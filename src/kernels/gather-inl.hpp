@@ -71,10 +71,10 @@ class Gather {
         lane_numbers_(hn::Iota(kInts, 0)) {
     for (std::size_t part = 0; part < kParts; ++part) {
       const Vec lane = hn::Iota(Floats(), float(part * kWidth));
-      const Vec j = hn::IfThenElseZero(hn::Ge(lane, broadcast(8.0F)), broadcast(1.0F));
+      const Vec j = hn::IfThenElseZero(lane >= broadcast(8.0F), broadcast(1.0F));
       const Vec k = hn::NegMulAdd(j, broadcast(8.0F), lane);
       const auto offset = [&](int axis) HWY_ATTR {
-        return hn::MulAdd(j, broadcast(steps_(axis, 1)), hn::Mul(k, broadcast(steps_(axis, 2))));
+        return hn::MulAdd(j, broadcast(steps_(axis, 1)), k * broadcast(steps_(axis, 2)));
       };
       lane_offsets_[part] = {offset(0), offset(1), offset(2)};
     }
@@ -93,9 +93,8 @@ class Gather {
     const Mask all = hn::FirstN(Floats(), kWidth);
     Vectors lanes[kParts];
     for (std::size_t part = 0; part < kParts; ++part)
-      lanes[part] = {hn::Add(lane_offsets_[part].x, broadcast(base.x())),
-                     hn::Add(lane_offsets_[part].y, broadcast(base.y())),
-                     hn::Add(lane_offsets_[part].z, broadcast(base.z()))};
+      lanes[part] = {lane_offsets_[part].x + broadcast(base.x()), lane_offsets_[part].y + broadcast(base.y()),
+                     lane_offsets_[part].z + broadcast(base.z())};
     for (std::uint32_t rest = near; rest != 0; rest &= rest - 1) {
       const int strip = std::countr_zero(rest);
       const auto solid =
@@ -103,9 +102,8 @@ class Gather {
       for (std::size_t part = 0; part < kParts; ++part) {
         const unsigned bits = solid >> (part * kWidth) & kAllLanes;
         const int voxel = strip * kStripLanes + int(part * kWidth);
-        Vectors r = {hn::Add(lanes[part].x, broadcast(firsts_.x[strip])),
-                     hn::Add(lanes[part].y, broadcast(firsts_.y[strip])),
-                     hn::Add(lanes[part].z, broadcast(firsts_.z[strip]))};
+        Vectors r = {lanes[part].x + broadcast(firsts_.x[strip]), lanes[part].y + broadcast(firsts_.y[strip]),
+                     lanes[part].z + broadcast(firsts_.z[strip])};
         if (at_centroid) shift_to_centroids(block.centroid + voxel, r);
         Mask hit = all;
         unsigned hit_bits = kAllLanes;
@@ -169,9 +167,9 @@ class Gather {
     const Floats d;
     std::uint32_t strips = 0;
     for (int n = 0; n < kStrips; n += int(kWidth)) {
-      const Mask hit = springs_.hits(hn::Add(hn::LoadU(d, middles_.x + n), broadcast(base.x())),
-                                     hn::Add(hn::LoadU(d, middles_.y + n), broadcast(base.y())),
-                                     hn::Add(hn::LoadU(d, middles_.z + n), broadcast(base.z())), margin);
+      const Mask hit = springs_.hits(hn::LoadU(d, middles_.x + n) + broadcast(base.x()),
+                                     hn::LoadU(d, middles_.y + n) + broadcast(base.y()),
+                                     hn::LoadU(d, middles_.z + n) + broadcast(base.z()), margin);
       strips |= bits_of(hit) << n;
     }
     return strips;
@@ -210,7 +208,7 @@ class Gather {
     hn::StoreU(hn::TableLookupLanes(r.y, order), d, list.y + at);
     hn::StoreU(hn::TableLookupLanes(r.z, order), d, list.z + at);
     hn::StoreU(hn::TableLookupLanes(fill, order), d, list.fill + at);
-    hn::StoreU(hn::Add(lanes, hn::Set(kInts, first)), kInts, list.index + at);
+    hn::StoreU(lanes + hn::Set(kInts, first), kInts, list.index + at);
   }
 
   HWY_INLINE void shift_to_centroids(const std::int32_t* centroids, Vectors& r) const {

@@ -16,6 +16,54 @@
 /// The stages that work on one block, in the widest vector instructions of the machine, chosen when the program starts.
 /// They compute what the scalar functions of the same names in the public headers compute, within rounding: those are
 /// the reference that tests hold them against, and what runs where the library was built without Highway.
+///
+///     a block: 8 x 8 x 8 voxels        a slab: the 64 voxels of one i; in memory k goes fastest, then j, then i
+///
+///            .--------------.                  k = 0 1 2 3 4 5 6 7
+///           /              /|              j = 0   o o o o o o o o   row 0 |  strip 0: sixteen voxels that
+///          /  slabs i     / |                  1   o o o o o o o o   row 1 |  follow each other in memory
+///         .--------------.  |                  2   o o o o o o o o   row 2 |  strip 1
+///         |              |  |                  3   o o o o o o o o   row 3 |
+///       j |              |  .                  4   o o o o o o o o   row 4 |  strip 2
+///         |              | /                   5   o o o o o o o o   row 5 |
+///         |              |/                    6   o o o o o o o o   row 6 |  strip 3
+///         '--------------'                     7   o o o o o o o o   row 7 |
+///                k
+///
+/// A strip is the unit of `press_blocks`: sixteen lanes, which are one vector with AVX-512, two with AVX2, four with
+/// SSE4 and NEON. A row is that of the staged kernels, whose vectors have at most eight lanes.
+///
+///     press = sample + law + sum, in one pass:
+///
+///     block -> strips near the head -> voxels in it    ->  sample           ->  law                  ->  sum
+///              Gather::for_each        Gather::append      Press::sample        Press::press_voxels      PressSums
+///              from their middles      where it pays       w, n, slip           f, fill, energies        F, T, ledger
+///
+/// What to read, in this order. Before all, the scalar forms, which have the formulas and their reasons:
+/// workpiece/contact.hpp, force/laws/foundation.hpp, force/resultant.hpp. Then here:
+///
+///     kernels.hpp               what goes in and what comes out
+///     spring_vectors-inl.hpp    depth and direction of a vector of points,
+///     springs-inl.hpp           for each shape of head,
+///     profile_springs-inl.hpp   and for profiles
+///     strips-inl.hpp            lanes, masks, materials and velocities of a strip
+///     gather-inl.hpp            which voxels of a block may be inside the head
+///     press_sums-inl.hpp        what is added up
+///     stiffness-inl.hpp         and what a coupling wants besides
+///     press-inl.hpp             the default law: Press::sample, then Press::press_voxels
+///     press_blocks-inl.hpp      which Press for which head and motion
+///     rows-inl.hpp              rows; with them the staged kernels for all other laws,
+///     sampling-inl.hpp          sample_contact
+///     resultant-inl.hpp         and sum_resultant
+///     simd_kernels.cpp          the choice of an instruction set; targets/ has a file for each
+///     scalar_kernels.cpp        the same without Highway
+///
+/// A file `-inl.hpp` is compiled once for each instruction set. Vectors are added, multiplied and compared with
+/// operators, which Highway has on all the sets in use (targets/which.hpp). `MulAdd(a, b, c)` is a b + c, rounded once
+/// where the machine can; `NegMulAdd` is c - a b, `MulSub` is a b - c. Sums are written x = x + y: of x += y, which
+/// takes an address, g++ 12 makes 1 % more instructions. Intrinsics of one machine are in `mask_of` and `spread` of
+/// strips-inl.hpp, each beside its general form, and nowhere else. Why one pass, and what was measured on the way:
+/// docs/decisions/0004-one-pass.md.
 namespace hapticut::kernels {
 
 /// Stage `sample_contact` for any head.

@@ -118,7 +118,7 @@ class Press {
   HWY_INLINE Sample sample(const Vectors& r, Mask listed, PressSums& sums) const {
     const Floats d;
     const SpringVectors<Vec> spring = springs_.at(r.x, r.y, r.z);
-    const Mask inside = hn::And(hn::Gt(spring.depth, hn::Zero(d)), listed);
+    const Mask inside = hn::And(spring.depth > hn::Zero(d), listed);
     sums.voxels += int(hn::CountTrue(d, inside));
     Sample s;
     s.felt_rate = s.inverse_slip = s.slip_path = hn::Zero(d);
@@ -129,13 +129,13 @@ class Press {
       s.rate = rate_of_depth(r, s, m_.velocity, m_.angular_velocity);
     } else {
       const Vectors v = surface_velocity(r);
-      s.rate = hn::MulAdd(s.radial, hn::MulAdd(r.x, v.x, hn::Mul(r.y, v.y)), hn::Mul(s.axial, v.z));
+      s.rate = hn::MulAdd(s.radial, hn::MulAdd(r.x, v.x, r.y * v.y), s.axial * v.z);
       // What is not along the normal is slip.
       Vec slip_squared = hn::Max(hn::Zero(d), hn::NegMulAdd(s.rate, s.rate, dot(v, v)));
-      if (near_axis_) slip_squared = hn::Add(slip_squared, axis_slip_squared(r));
+      if (near_axis_) slip_squared = slip_squared + axis_slip_squared(r);
       constexpr float kRegular = FoundationLaw::kSlipRegularization * FoundationLaw::kSlipRegularization;
-      s.inverse_slip = inverse_root(hn::Add(slip_squared, broadcast(kRegular)));
-      s.slip_path = hn::Mul(hn::Mul(slip_squared, s.inverse_slip), broadcast(m_.duration * m_.turns));
+      s.inverse_slip = inverse_root(slip_squared + broadcast(kRegular));
+      s.slip_path = slip_squared * s.inverse_slip * broadcast(m_.duration * m_.turns);
     }
     if (damped_) s.felt_rate = rate_of_depth(r, s, m_.felt_velocity, m_.felt_angular_velocity);
     return s;
@@ -149,16 +149,16 @@ class Press {
     const Vec zero = hn::Zero(d), one = broadcast(1.0F), half = broadcast(0.5F);
     const MaterialVectors& material = material_;
     const Vec w = s.depth;
-    const Mask inside = hn::Gt(w, zero);
+    const Mask inside = w > zero;
     const Vec phi = hn::IfThenElseZero(inside, old_fill);
-    const Vec half_advance = hn::Mul(s.rate, broadcast(0.5F * m_.duration));
-    const Vec stiff_depth = hn::Mul(material.stiffness, w);
+    const Vec half_advance = s.rate * broadcast(0.5F * m_.duration);
+    const Vec stiff_depth = material.stiffness * w;
     Vec damped = one;
     if (damped_) damped = hn::Max(zero, hn::MulAdd(material.damping, s.felt_rate, one));
 
     // Stored energy k phi (w -+ advance/2)^2 / 2 at the beginning and the end, in terms that both share.
-    const Vec spring = hn::Mul(stiff_depth, phi);
-    const Vec stiff_advance = hn::Mul(hn::Mul(material.stiffness, phi), half_advance);
+    const Vec spring = stiff_depth * phi;
+    const Vec stiff_advance = material.stiffness * phi * half_advance;
     sums.twice_middle = hn::MulAdd(spring, w, hn::MulAdd(stiff_advance, half_advance, sums.twice_middle));
     sums.elastic_change = hn::MulAdd(spring, half_advance, sums.elastic_change);
 
@@ -169,36 +169,36 @@ class Press {
       const Vec kappa = material.cutting_ratio;
       Mask is_cut = hn::MaskFromVec(zero);
       if (kMode == Mode::cutting && may_cut_) {
-        is_cut = hn::Gt(w, material.cutting_depth);
-        Vec work = hn::Mul(hn::Mul(kappa, stiff_depth), s.slip_path);  // [J/m^3] tangential, per filled volume
-        if (damped_) work = hn::Mul(work, damped);
+        is_cut = w > material.cutting_depth;
+        Vec work = kappa * stiff_depth * s.slip_path;  // [J/m^3] tangential, per filled volume
+        if (damped_) work = work * damped;
         work = hn::IfThenElseZero(is_cut, work);
         const Vec u = material.energy;
         Vec price = u, exponent;
         if (release_) {
-          const Vec stored = hn::Mul(hn::Mul(half, stiff_depth), w);
-          price = hn::Max(hn::Sub(u, stored), hn::Mul(u, broadcast(FoundationLaw::kLeastEnergyShare)));
-          exponent = hn::Div(work, price);
+          const Vec stored = half * stiff_depth * w;
+          price = hn::Max(u - stored, u * broadcast(FoundationLaw::kLeastEnergyShare));
+          exponent = work / price;
         } else {
-          exponent = hn::Mul(work, material.inverse_energy);
+          exponent = work * material.inverse_energy;
         }
         exponent = hn::Min(exponent, broadcast(FoundationLaw::kLargestExponent));
-        mean_fill = hn::Mul(phi, mean_of_decay(exponent));
-        gone = hn::Mul(mean_fill, exponent);
-        Vec left = hn::Sub(phi, gone);
-        const Mask finished = hn::And(hn::And(inside, hn::Gt(exponent, zero)), hn::Lt(left, broadcast(kSmallestFill)));
+        mean_fill = phi * mean_of_decay(exponent);
+        gone = mean_fill * exponent;
+        Vec left = phi - gone;
+        const Mask finished = hn::And(hn::And(inside, exponent > zero), left < broadcast(kSmallestFill));
         if (!hn::AllFalse(d, finished)) {
           const Vec credit = hn::IfThenElseZero(finished, left);
           left = hn::IfThenZeroElse(finished, left);
-          gone = hn::Add(gone, credit);
+          gone = gone + credit;
           sums.credited = hn::MulAdd(price, credit, sums.credited);
           mark_emptied(first, bits_of(finished));
         }
         // Elastic energy of what was taken, less what of it helped cutting (law G).
-        const Vec end = hn::Add(w, half_advance);
-        const Vec taken_stiffness = hn::Mul(material.stiffness, gone);
-        sums.twice_taken = hn::MulAdd(hn::Mul(taken_stiffness, end), end, sums.twice_taken);
-        if (release_) sums.helped = hn::MulAdd(hn::Sub(u, price), gone, sums.helped);
+        const Vec end = w + half_advance;
+        const Vec taken_stiffness = material.stiffness * gone;
+        sums.twice_taken = hn::MulAdd(taken_stiffness * end, end, sums.twice_taken);
+        if (release_) sums.helped = hn::MulAdd(u - price, gone, sums.helped);
         take(gone, first, inside);
         if constexpr (kGathers) {
           hn::Store(hn::IfThenElse(inside, left, old_fill), d, voxels_.fill_after + first);
@@ -207,22 +207,21 @@ class Press {
           hn::BlendedStore(left, inside, d, tasks_->fill_after + first);
         }
       }
-      const Vec spring_left = hn::Mul(stiff_depth, mean_fill);
-      if constexpr (kMode == Mode::cutting) sums.lag = hn::MulAdd(hn::Sub(spring, spring_left), half_advance, sums.lag);
+      const Vec spring_left = stiff_depth * mean_fill;
+      if constexpr (kMode == Mode::cutting) sums.lag = hn::MulAdd(spring - spring_left, half_advance, sums.lag);
       const Vec normal = normal_force(sums, spring_left, damped, half_advance);
-      const Vec rubbed = hn::Mul(kappa, normal), tangential = hn::Mul(rubbed, s.inverse_slip);
+      const Vec rubbed = kappa * normal, tangential = rubbed * s.inverse_slip;
       // Along the normal and, of the surface's velocity, what is not along it.
       sums.add_reaction(r, s, hn::NegMulAdd(tangential, s.rate, normal), tangential, surface_velocity(r));
       const Mask rubs = hn::AndNot(is_cut, inside);
-      if (!hn::AllFalse(d, rubs))
-        sums.rubbing = hn::Add(sums.rubbing, hn::IfThenElseZero(rubs, hn::Mul(rubbed, s.slip_path)));
+      if (!hn::AllFalse(d, rubs)) sums.rubbing = sums.rubbing + hn::IfThenElseZero(rubs, rubbed * s.slip_path);
       if (near_axis_) sums.couple = hn::MulAdd(tangential, axis_slip_squared(r), sums.couple);
     }
     if (implicit_) [[unlikely]] {
       if (m_.lead > 0) add_lead(sums, w, phi, mean_fill, gone, half_advance);
-      if (stiffness_ != nullptr) add_stiffness(stiffness_[part], hn::Mul(material.stiffness, mean_fill), damped, r, s);
+      if (stiffness_ != nullptr) add_stiffness(stiffness_[part], material.stiffness * mean_fill, damped, r, s);
     }
-    sums.fill = hn::Add(sums.fill, phi);
+    sums.fill = sums.fill + phi;
     sums.depth = hn::Max(sums.depth, w);
   }
 
@@ -234,19 +233,19 @@ class Press {
   /// [m/s] how fast voxels come nearer along the normal: n (v + omega x r) = v n + omega (r x n)
   [[nodiscard]] HWY_INLINE static Vec rate_of_depth(const Vectors& r, const Sample& s, const Eigen::Vector3f& v,
                                                     const Eigen::Vector3f& omega) {
-    const Vec across = hn::MulAdd(r.x, broadcast(v.x()), hn::Mul(r.y, broadcast(v.y())));
-    const Vec rate = hn::MulAdd(s.radial, across, hn::Mul(s.axial, broadcast(v.z())));
+    const Vec across = hn::MulAdd(r.x, broadcast(v.x()), r.y * broadcast(v.y()));
+    const Vec rate = hn::MulAdd(s.radial, across, s.axial * broadcast(v.z()));
     if constexpr (Springs::kCentral) return rate;
-    const Vec turning = hn::MulSub(r.y, broadcast(omega.x()), hn::Mul(r.x, broadcast(omega.y())));
+    const Vec turning = hn::MulSub(r.y, broadcast(omega.x()), r.x * broadcast(omega.y()));
     return hn::MulAdd(s.lever(r), turning, rate);
   }
 
   /// [m^2/s^2] square of the mean slip that a voxel near the axis has beyond that of its centre
   [[nodiscard]] HWY_INLINE Vec axis_slip_squared(const Vectors& r) const {
-    const Vec rho_squared = hn::MulAdd(r.x, r.x, hn::Mul(r.y, r.y));
+    const Vec rho_squared = hn::MulAdd(r.x, r.x, r.y * r.y);
     const Vec zone = hn::NegMulAdd(rho_squared, broadcast(FoundationLaw::axis_zone_factor(m_)), broadcast(1.0F));
     const Vec inner = hn::Max(hn::Zero(Floats()), zone);
-    return hn::Mul(broadcast(FoundationLaw::axis_slip_squared(m_)), hn::Mul(inner, inner));
+    return broadcast(FoundationLaw::axis_slip_squared(m_)) * (inner * inner);
   }
 
   HWY_INLINE void mark_emptied(int first, unsigned lanes) const {
@@ -294,35 +293,34 @@ class Press {
   /// were not touched at the beginning stored nothing there.
   HWY_INLINE void add_lead(PressSums& sums, Vec w, Vec fill, Vec mean_fill, Vec taken, Vec half_advance) const {
     const Vec stiffness = material_.stiffness, zero = hn::Zero(Floats());
-    const Vec lead = hn::Mul(broadcast(2 * m_.lead), half_advance), middle = hn::Sub(w, lead);
-    const Vec squares = hn::Mul(stiffness, hn::MulSub(middle, middle, hn::Mul(w, w)));  // twice the energy, from here
-    const Vec product = hn::Neg(hn::Mul(stiffness, hn::Mul(lead, half_advance)));
-    const Vec not_yet = hn::Max(zero, hn::Sub(half_advance, middle));
-    const Vec before_touch = hn::Mul(hn::Mul(stiffness, fill), hn::Mul(not_yet, not_yet));
-    const Vec half_before = hn::Mul(broadcast(0.5F), before_touch);
-    sums.twice_middle = hn::Add(sums.twice_middle, hn::MulSub(squares, fill, half_before));
-    sums.elastic_change =
-        hn::Add(sums.elastic_change, hn::MulAdd(product, fill, hn::Mul(broadcast(0.5F), half_before)));
-    sums.twice_taken = hn::MulAdd(taken, hn::Add(squares, hn::Add(product, product)), sums.twice_taken);
-    sums.lag = hn::MulAdd(product, hn::Sub(fill, mean_fill), sums.lag);
-    const Vec pushed = hn::Mul(hn::Mul(stiffness, mean_fill), hn::Mul(hn::Add(lead, lead), half_advance));
-    sums.damping = hn::Add(sums.damping, hn::Sub(pushed, half_before));
+    const Vec lead = broadcast(2 * m_.lead) * half_advance, middle = w - lead;
+    const Vec squares = stiffness * hn::MulSub(middle, middle, w * w);  // twice the energy, from here
+    const Vec product = hn::Neg(stiffness * (lead * half_advance));
+    const Vec not_yet = hn::Max(zero, half_advance - middle);
+    const Vec before_touch = stiffness * fill * (not_yet * not_yet);
+    const Vec half_before = broadcast(0.5F) * before_touch;
+    sums.twice_middle = sums.twice_middle + hn::MulSub(squares, fill, half_before);
+    sums.elastic_change = sums.elastic_change + hn::MulAdd(product, fill, broadcast(0.5F) * half_before);
+    sums.twice_taken = hn::MulAdd(taken, squares + (product + product), sums.twice_taken);
+    sums.lag = hn::MulAdd(product, fill - mean_fill, sums.lag);
+    const Vec pushed = stiffness * mean_fill * ((lead + lead) * half_advance);
+    sums.damping = sums.damping + (pushed - half_before);
   }
 
   HWY_INLINE void add_stiffness(StiffnessVectors& sums, Vec spring, Vec damped, const Vectors& r, const Sample& s) {
     if (damped_) {
-      const Vec damper = hn::Mul(hn::Mul(material_.damping, s.depth), broadcast(1.0F / m_.duration));
-      const Vec slope = hn::IfThenElseZero(hn::Gt(damped, hn::Zero(Floats())), hn::Add(damped, damper));
-      spring = hn::Mul(spring, slope);
+      const Vec damper = material_.damping * s.depth * broadcast(1.0F / m_.duration);
+      const Vec slope = hn::IfThenElseZero(damped > hn::Zero(Floats()), damped + damper);
+      spring = spring * slope;
     }
-    sums.add(spring, r, {hn::Mul(r.x, s.radial), hn::Mul(r.y, s.radial), s.axial});
+    sums.add(spring, r, {r.x * s.radial, r.y * s.radial, s.axial});
   }
 
   /// [N/m^3] of filled and empty volume alike, from that of the springs; books what the damping takes.
   HWY_INLINE Vec normal_force(PressSums& sums, Vec spring, Vec damped, Vec half_advance) {
     if (!damped_) return spring;
-    const Vec normal = hn::Mul(spring, damped);
-    sums.damping = hn::MulAdd(hn::Sub(normal, spring), hn::Add(half_advance, half_advance), sums.damping);
+    const Vec normal = spring * damped;
+    sums.damping = hn::MulAdd(normal - spring, half_advance + half_advance, sums.damping);
     return normal;
   }
 
@@ -352,7 +350,7 @@ class Press {
   /// Books what went, by material.
   HWY_INLINE void take(Vec taken, int first, Mask inside) {
     if (material_id_ != kEmpty) {
-      taken_ = hn::Add(taken_, taken);
+      taken_ = taken_ + taken;
       return;
     }
     alignas(64) float lanes[kWidth];

@@ -64,24 +64,24 @@ struct PressSums {
   /// @param normal   [N/m^3] along the normal
   /// @param central  it has no torque
   HWY_INLINE void add_normal(const Vectors& r, const Sample& s, Vec normal, bool central) {
-    const Vec across = hn::Mul(normal, s.radial);
+    const Vec across = normal * s.radial;
     force_x = hn::MulAdd(across, r.x, force_x);
     force_y = hn::MulAdd(across, r.y, force_y);
     force_z = hn::MulAdd(normal, s.axial, force_z);
     if (central) return;
-    const Vec levered = hn::Mul(normal, s.lever(r));
+    const Vec levered = normal * s.lever(r);
     torque_x = hn::MulAdd(levered, r.y, torque_x);
     torque_y = hn::NegMulAdd(levered, r.x, torque_y);
   }
   /// @param normal  [N/m^3] along the normal
   /// @param drag    [N s/m^4] and against the velocity v
   HWY_INLINE void add_reaction(const Vectors& r, const Sample& s, Vec normal, Vec drag, const Vectors& v) {
-    const Vec across = hn::Mul(normal, s.radial);
-    const Vec x = hn::MulAdd(across, r.x, hn::Mul(drag, v.x)), y = hn::MulAdd(across, r.y, hn::Mul(drag, v.y)),
-              z = hn::MulAdd(normal, s.axial, hn::Mul(drag, v.z));
-    force_x = hn::Add(force_x, x);
-    force_y = hn::Add(force_y, y);
-    force_z = hn::Add(force_z, z);
+    const Vec across = normal * s.radial;
+    const Vec x = hn::MulAdd(across, r.x, drag * v.x), y = hn::MulAdd(across, r.y, drag * v.y),
+              z = hn::MulAdd(normal, s.axial, drag * v.z);
+    force_x = force_x + x;
+    force_y = force_y + y;
+    force_z = force_z + z;
     torque_x = hn::MulAdd(r.y, z, hn::NegMulAdd(r.z, y, torque_x));
     torque_y = hn::MulAdd(r.z, x, hn::NegMulAdd(r.x, z, torque_y));
     torque_z = hn::MulAdd(r.x, y, hn::NegMulAdd(r.y, x, torque_z));
@@ -103,7 +103,7 @@ struct PressSums {
     add(ContactSums::kTorqueY, torque_y);
     add(ContactSums::kTorqueZ, torque_z);
     const Vec half = broadcast(0.5F);
-    add(ContactSums::kElasticMiddle, hn::Mul(half, twice_middle));
+    add(ContactSums::kElasticMiddle, half * twice_middle);
     add(ContactSums::kElasticChange, elastic_change);
     add(ContactSums::kFill, fill);
     if (damped) add(ContactSums::kDamping, damping);
@@ -112,7 +112,7 @@ struct PressSums {
       add(ContactSums::kCouple, couple);
     }
     if constexpr (kMode == Mode::cutting) {
-      add(ContactSums::kTakenElastic, hn::Mul(half, twice_taken));
+      add(ContactSums::kTakenElastic, half * twice_taken);
       add(ContactSums::kLag, lag);
       add(ContactSums::kHelped, helped);
       add(ContactSums::kCredited, credited);

@@ -31,12 +31,12 @@ struct ProfileBounds {
 
   template <class V>
   HWY_INLINE auto hits(V x, V y, V z, float margin) const {
-    const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
-    const auto between = hn::And(hn::Gt(z, same(z, bottom - margin)), hn::Lt(z, same(z, top + margin)));
+    const V squared = hn::MulAdd(x, x, y * y);
+    const auto between = hn::And(z > same(z, bottom - margin), z < same(z, top + margin));
     // Of points far inside the cylinder none is known to be far inside the head: none at all hit with margin < 0.
     const float grown = margin < 0 ? 0.0F : radius + margin;
     const V bound = margin == 0 ? of_slab(z) : same(x, grown * grown);
-    return hn::And(hn::Lt(squared, bound), between);
+    return hn::And(squared < bound, between);
   }
 
   /// Whole part of 0 <= v < 2^22; of a whole number that, or one less. From 2^23 on the last bit is the unit.
@@ -44,8 +44,8 @@ struct ProfileBounds {
   HWY_INLINE static auto floor_of(V v) {
     const hn::RebindToSigned<hn::DFromV<V>> ints;
     constexpr float kUnit = 12582912.0F;  // 2^23 + 2^22: room for v - 0.5 < 0
-    const V sum = hn::Add(hn::Sub(v, same(v, 0.5F)), same(v, kUnit));
-    return hn::Sub(hn::BitCast(ints, sum), hn::BitCast(ints, same(v, kUnit)));
+    const V sum = v - same(v, 0.5F) + same(v, kUnit);
+    return hn::BitCast(ints, sum) - hn::BitCast(ints, same(v, kUnit));
   }
 
  private:
@@ -54,7 +54,7 @@ struct ProfileBounds {
   HWY_INLINE V of_slab(V z) const {
     const hn::DFromV<V> d;
     constexpr float kLast = ProfileTable::kSlabs - 1;
-    const V height = hn::Mul(hn::Sub(z, same(z, bottom)), same(z, slabs_per_length));
+    const V height = (z - same(z, bottom)) * same(z, slabs_per_length);
     const auto slab = floor_of(hn::Min(hn::Max(height, hn::Zero(d)), same(z, kLast + 0.5F)));
     if constexpr (hn::MaxLanes(hn::DFromV<V>()) == ProfileTable::kSlabs)
       return hn::TableLookupLanes(hn::LoadU(d, slab_radius_squared), hn::IndicesFromVec(d, slab));
@@ -93,8 +93,7 @@ class CurveSprings {
   /// Where points are beyond the curve's starting point, towards the shank.
   template <class V>
   HWY_INLINE auto begins_before(V rho, V z) const {
-    return hn::Ge(hn::Mul(same(z, normal_z_), hn::Sub(rho, same(z, start_rho_))),
-                  hn::Mul(same(z, normal_rho_), hn::Sub(z, same(z, start_z_))));
+    return same(z, normal_z_) * (rho - same(z, start_rho_)) >= same(z, normal_rho_) * (z - same(z, start_z_));
   }
 
   /// @param squared      [m^2] rho^2
@@ -103,25 +102,23 @@ class CurveSprings {
   HWY_INLINE SpringVectors<V> at(V squared, V inverse_rho, V rho, V z) const {
     const V m_rho = same(z, normal_rho_), m_z = same(z, normal_z_);
     if (kind_ == Kind::line)
-      return {hn::MulAdd(m_rho, rho, hn::MulSub(m_z, z, same(z, offset_))), hn::Neg(hn::Mul(m_rho, inverse_rho)),
-              hn::Neg(m_z)};
-    const V v_z = hn::Sub(z, same(z, center_z_)), turn = same(z, turn_);
+      return {hn::MulAdd(m_rho, rho, hn::MulSub(m_z, z, same(z, offset_))), hn::Neg(m_rho * inverse_rho), hn::Neg(m_z)};
+    const V v_z = z - same(z, center_z_), turn = same(z, turn_);
     if (kind_ == Kind::arc_about_axis) {
       const V distance_squared = hn::MulAdd(v_z, v_z, squared);
-      const V turned = hn::Mul(turn, inverse_root(hn::Max(distance_squared, same(z, kLeastSquare))));
-      return {hn::NegMulAdd(distance_squared, turned, same(z, radius_)), turned, hn::Mul(turned, v_z)};
+      const V turned = turn * inverse_root(hn::Max(distance_squared, same(z, kLeastSquare)));
+      return {hn::NegMulAdd(distance_squared, turned, same(z, radius_)), turned, turned * v_z};
     }
     // R - |x - c| without its cancellation, because the arc may be flat.
-    const V v_rho = hn::Sub(rho, same(z, center_rho_));
-    const V q_rho = hn::Sub(rho, same(z, start_rho_)), q_z = hn::Sub(z, same(z, start_z_));
-    const V distance_squared = hn::MulAdd(v_rho, v_rho, hn::Mul(v_z, v_z));
+    const V v_rho = rho - same(z, center_rho_);
+    const V q_rho = rho - same(z, start_rho_), q_z = z - same(z, start_z_);
+    const V distance_squared = hn::MulAdd(v_rho, v_rho, v_z * v_z);
     const V inverse = inverse_root(hn::Max(distance_squared, same(z, kLeastSquare)));
-    const V curvature = same(z, curvature_), turned = hn::Mul(turn, inverse);
-    const V inward = hn::MulAdd(m_rho, q_rho, hn::Mul(m_z, q_z));
-    const V twice = hn::NegMulAdd(curvature, hn::MulAdd(q_rho, q_rho, hn::Mul(q_z, q_z)), hn::Add(inward, inward));
-    const V root = hn::Mul(curvature, hn::Mul(distance_squared, turned));
-    return {hn::Div(twice, hn::Add(same(z, 1.0F), root)), hn::Mul(hn::Mul(turned, inverse_rho), v_rho),
-            hn::Mul(turned, v_z)};
+    const V curvature = same(z, curvature_), turned = turn * inverse;
+    const V inward = hn::MulAdd(m_rho, q_rho, m_z * q_z);
+    const V twice = hn::NegMulAdd(curvature, hn::MulAdd(q_rho, q_rho, q_z * q_z), inward + inward);
+    const V root = curvature * (distance_squared * turned);
+    return {twice / (same(z, 1.0F) + root), turned * inverse_rho * v_rho, turned * v_z};
   }
 
  private:
@@ -150,18 +147,18 @@ struct PlainProfileVectors : ProfileBounds {
 
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
-    const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
+    const V squared = hn::MulAdd(x, x, y * y);
     V inverse_rho = squared, rho = squared;
     if (rule != CellRule::first || first.needs_rho()) {
       inverse_rho = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
-      rho = hn::Mul(squared, inverse_rho);
+      rho = squared * inverse_rho;
     }
     const SpringVectors<V> one = first.at(squared, inverse_rho, rho, z);
     if (rule == CellRule::first) return one;
     const SpringVectors<V> other = second.at(squared, inverse_rho, rho, z);
     const auto take = rule == CellRule::sides    ? second.begins_before(rho, z)
-                      : rule == CellRule::nearer ? hn::Lt(other.depth, one.depth)
-                                                 : hn::Gt(other.depth, one.depth);
+                      : rule == CellRule::nearer ? other.depth < one.depth
+                                                 : other.depth > one.depth;
     return {hn::IfThenElse(take, other.depth, one.depth), hn::IfThenElse(take, other.radial, one.radial),
             hn::IfThenElse(take, other.axial, one.axial)};
   }
@@ -173,9 +170,7 @@ struct CurveVectors {
   V rho, z, normal_rho, normal_z, curvature;
 
   /// Where points are beyond the curve's starting point, towards the shank.
-  HWY_INLINE auto begins_before(V at_rho, V at_z) const {
-    return hn::Ge(hn::Mul(normal_z, hn::Sub(at_rho, rho)), hn::Mul(normal_rho, hn::Sub(at_z, z)));
-  }
+  HWY_INLINE auto begins_before(V at_rho, V at_z) const { return normal_z * (at_rho - rho) >= normal_rho * (at_z - z); }
   /// These, but the other ones where the mask is set.
   template <class M>
   HWY_INLINE CurveVectors unless(M mask, const CurveVectors& other) const {
@@ -193,17 +188,17 @@ struct MeridianVectors {
   V inverse_root;
 
   HWY_INLINE MeridianVectors(const CurveVectors<V>& c, V rho, V z) {
-    const V q_rho = hn::Sub(rho, c.rho), q_z = hn::Sub(z, c.z);
-    const V inward = hn::MulAdd(c.normal_rho, q_rho, hn::Mul(c.normal_z, q_z));
-    twice = hn::NegMulAdd(c.curvature, hn::MulAdd(q_rho, q_rho, hn::Mul(q_z, q_z)), hn::Add(inward, inward));
+    const V q_rho = rho - c.rho, q_z = z - c.z;
+    const V inward = hn::MulAdd(c.normal_rho, q_rho, c.normal_z * q_z);
+    twice = hn::NegMulAdd(c.curvature, hn::MulAdd(q_rho, q_rho, q_z * q_z), inward + inward);
     g_rho = hn::MulSub(c.curvature, q_rho, c.normal_rho), g_z = hn::MulSub(c.curvature, q_z, c.normal_z);
-    const V squared = hn::MulAdd(g_rho, g_rho, hn::Mul(g_z, g_z));
+    const V squared = hn::MulAdd(g_rho, g_rho, g_z * g_z);
     inverse_root = kernels::HWY_NAMESPACE::inverse_root(hn::Max(squared, same(z, kLeastSquare)));
-    root = hn::Mul(squared, inverse_root);
+    root = squared * inverse_root;
   }
   /// Positive where the other depth is larger, negative where it is smaller.
   HWY_INLINE V deeper(const MeridianVectors& other) const {
-    return hn::MulSub(other.twice, hn::Add(same(root, 1.0F), root), hn::MulAdd(twice, other.root, twice));
+    return hn::MulSub(other.twice, same(root, 1.0F) + root, hn::MulAdd(twice, other.root, twice));
   }
   template <class M>
   HWY_INLINE void take(M mask, const MeridianVectors& other) {
@@ -212,8 +207,7 @@ struct MeridianVectors {
     inverse_root = hn::IfThenElse(mask, other.inverse_root, inverse_root);
   }
   HWY_INLINE SpringVectors<V> spring(V inverse_rho) const {
-    return {hn::Div(twice, hn::Add(same(root, 1.0F), root)), hn::Mul(hn::Mul(g_rho, inverse_root), inverse_rho),
-            hn::Mul(g_z, inverse_root)};
+    return {twice / (same(root, 1.0F) + root), g_rho * inverse_root * inverse_rho, g_z * inverse_root};
   }
 };
 
@@ -227,17 +221,16 @@ struct ProfileVectors : ProfileBounds {
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
     const hn::DFromV<V> d;
     const hn::RebindToSigned<hn::DFromV<V>> ints;
-    const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
+    const V squared = hn::MulAdd(x, x, y * y);
     const V inverse_rho = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
-    const V rho = hn::Mul(squared, inverse_rho);
+    const V rho = squared * inverse_rho;
     const auto zero = hn::Zero(ints);
     const V scale = same(x, table.cells_per_length);
-    const auto column = hn::Min(floor_of(hn::Mul(rho, scale)), hn::Set(ints, table.columns - 1));
-    const auto row = hn::Min(floor_of(hn::Mul(hn::Sub(z, same(x, bottom)), scale)), hn::Set(ints, table.rows - 1));
-    const auto bounds =
-        hn::And(hn::Lt(rho, same(rho, radius)), hn::And(hn::Gt(z, same(z, bottom)), hn::Lt(z, same(z, top))));
+    const auto column = hn::Min(floor_of(rho * scale), hn::Set(ints, table.columns - 1));
+    const auto row = hn::Min(floor_of((z - same(x, bottom)) * scale), hn::Set(ints, table.rows - 1));
+    const auto bounds = hn::And(rho < same(rho, radius), hn::And(z > same(z, bottom), z < same(z, top)));
     const auto within = hn::RebindMask(ints, bounds);
-    const auto index = hn::IfThenElseZero(within, hn::Add(hn::Mul(row, hn::Set(ints, table.columns)), column));
+    const auto index = hn::IfThenElseZero(within, row * hn::Set(ints, table.columns) + column);
     const auto cell =
         hn::IfThenElseZero(within, hn::GatherIndex(ints, reinterpret_cast<const std::int32_t*>(table.cells), index));
     const auto curve_bits = hn::Set(ints, std::int32_t(ProfileCell::kMostCurves - 1));
@@ -251,8 +244,8 @@ struct ProfileVectors : ProfileBounds {
     MeridianVectors<V> meridian(curve, rho, z);
     const MeridianVectors<V> second(other, rho, z);
     const V deeper = meridian.deeper(second);
-    const auto nearer = hn::And(is(CellRule::nearer), hn::Lt(deeper, hn::Zero(d)));
-    const auto farther = hn::And(is(CellRule::farther), hn::Gt(deeper, hn::Zero(d)));
+    const auto nearer = hn::And(is(CellRule::nearer), deeper < hn::Zero(d));
+    const auto farther = hn::And(is(CellRule::farther), deeper > hn::Zero(d));
     const auto shut = hn::And(is(CellRule::gate), hn::Le(second.twice, hn::Zero(d)));
     meridian.take(hn::Or(nearer, farther), second);
     meridian.twice = hn::IfThenZeroElse(shut, meridian.twice);

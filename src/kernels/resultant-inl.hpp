@@ -20,13 +20,13 @@ HWY_ATTR void SumResultant(const ContactBlock& b, Resultant& total) {
       const std::size_t n = std::size_t(row) * kLanes + part * kWidth;
       const Vec fx = hn::Load(d, &b.force_x[n]), fy = hn::Load(d, &b.force_y[n]), fz = hn::Load(d, &b.force_z[n]);
       const Vec x = hn::Load(d, &b.x[n]), y = hn::Load(d, &b.y[n]), z = hn::Load(d, &b.z[n]);
-      force_x.part[part] = hn::Add(force_x.part[part], fx);
-      force_y.part[part] = hn::Add(force_y.part[part], fy);
-      force_z.part[part] = hn::Add(force_z.part[part], fz);
-      torque_x.part[part] = hn::Add(torque_x.part[part], hn::MulSub(y, fz, hn::Mul(z, fy)));
-      torque_y.part[part] = hn::Add(torque_y.part[part], hn::MulSub(z, fx, hn::Mul(x, fz)));
-      torque_z.part[part] = hn::Add(torque_z.part[part], hn::MulSub(x, fy, hn::Mul(y, fx)));
-      fill.part[part] = hn::Add(fill.part[part], hn::Load(d, &b.fill[n]));
+      force_x.part[part] = force_x.part[part] + fx;
+      force_y.part[part] = force_y.part[part] + fy;
+      force_z.part[part] = force_z.part[part] + fz;
+      torque_x.part[part] = torque_x.part[part] + hn::MulSub(y, fz, z * fy);
+      torque_y.part[part] = torque_y.part[part] + hn::MulSub(z, fx, x * fz);
+      torque_z.part[part] = torque_z.part[part] + hn::MulSub(x, fy, y * fx);
+      fill.part[part] = fill.part[part] + hn::Load(d, &b.fill[n]);
       deepest.part[part] = hn::Max(deepest.part[part], hn::Load(d, &b.depth[n]));
     }
   total.wrench_T.force += Vec3(force_x.total(), force_y.total(), force_z.total());

@@ -51,15 +51,15 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
       const SpringVectors<Vec> spring = springs.at(x, y, z);
       // Springs mean something only where `hits` says so.
       const Mask may_be_inside = hn::And(springs.hits(x, y, z, 0.0F), mask_of(solid, part));
-      const Mask is_inside = hn::And(hn::Gt(spring.depth, hn::Zero(d)), may_be_inside);
+      const Mask is_inside = hn::And(spring.depth > hn::Zero(d), may_be_inside);
       inside |= bits_of(is_inside, part);
       const Vec fill = block.fill == nullptr ? broadcast(1.0F) : hn::LoadU(d, block.fill + voxel);
       hn::Store(x, d, &out.x[n]);
       hn::Store(y, d, &out.y[n]);
       hn::Store(z, d, &out.z[n]);
       hn::Store(hn::IfThenElseZero(is_inside, spring.depth), d, &out.depth[n]);
-      hn::Store(hn::Mul(x, spring.radial), d, &out.normal_x[n]);
-      hn::Store(hn::Mul(y, spring.radial), d, &out.normal_y[n]);
+      hn::Store(x * spring.radial, d, &out.normal_x[n]);
+      hn::Store(y * spring.radial, d, &out.normal_y[n]);
       hn::Store(spring.axial, d, &out.normal_z[n]);
       hn::Store(hn::IfThenElseZero(is_inside, fill), d, &out.fill[n]);
     }

@@ -37,10 +37,10 @@ HWY_INLINE V inverse_root(V v) {
 #if HWY_TARGET <= HWY_AVX3
   // From a guess within 2^-14 by one of Newton's steps: sooner done than a root and a division.
   const V guess = hn::ApproximateReciprocalSqrt(v);
-  const V error = hn::NegMulAdd(hn::Mul(v, guess), guess, same(v, 1.0F));
-  return hn::MulAdd(hn::Mul(same(v, 0.5F), guess), error, guess);
+  const V error = hn::NegMulAdd(v * guess, guess, same(v, 1.0F));
+  return hn::MulAdd(same(v, 0.5F) * guess, error, guess);
 #else
-  return hn::Div(same(v, 1.0F), hn::Sqrt(v));
+  return same(v, 1.0F) / hn::Sqrt(v);
 #endif
 }
 

@@ -27,15 +27,15 @@ struct SphereVectors {
   explicit SphereVectors(const SphereHead& head) : radius(float(head.radius)) {}
   template <class V>
   HWY_INLINE auto hits(V x, V y, V z, float margin) const {
-    const V squared = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
+    const V squared = hn::MulAdd(x, x, hn::MulAdd(y, y, z * z));
     const float grown = std::max(0.0F, radius + margin);
-    return hn::Lt(squared, same(x, grown * grown));
+    return squared < same(x, grown * grown);
   }
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
-    const V squared = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
+    const V squared = hn::MulAdd(x, x, hn::MulAdd(y, y, z * z));
     const V inverse = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
-    return {hn::NegMulAdd(squared, inverse, same(x, radius)), inverse, hn::Mul(z, inverse)};
+    return {hn::NegMulAdd(squared, inverse, same(x, radius)), inverse, z * inverse};
   }
 };
 
@@ -47,16 +47,15 @@ struct ConeVectors {
   template <class V>
   HWY_INLINE auto hits(V x, V y, V z, float margin) const {
     const V edge = hn::MulAdd(z, same(x, sine / cosine), same(x, margin / cosine));
-    const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
-    return hn::And(hn::Lt(squared, hn::Mul(edge, edge)),
-                   hn::And(hn::Gt(edge, hn::Zero(hn::DFromV<V>())), hn::Lt(z, same(x, height + margin))));
+    const V squared = hn::MulAdd(x, x, y * y);
+    return hn::And(squared < edge * edge, hn::And(edge > hn::Zero(hn::DFromV<V>()), z < same(x, height + margin)));
   }
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
-    const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
-    const V radial = hn::Mul(same(x, cosine), inverse_root(hn::Max(squared, same(x, kLeastSquare))));
-    const V depth = hn::MulSub(z, same(x, sine), hn::Mul(squared, radial));
-    const auto below_base = hn::Lt(z, same(x, height));
+    const V squared = hn::MulAdd(x, x, y * y);
+    const V radial = same(x, cosine) * inverse_root(hn::Max(squared, same(x, kLeastSquare)));
+    const V depth = hn::MulSub(z, same(x, sine), squared * radial);
+    const auto below_base = z < same(x, height);
     return {hn::IfThenElseZero(below_base, depth), radial, same(x, -sine)};
   }
 };
@@ -68,29 +67,27 @@ struct FlatVectors {
   explicit FlatVectors(const FlatHead& head) : radius(float(head.radius)), height(float(head.height)) {}
   template <class V>
   HWY_INLINE auto hits(V x, V y, V z, float margin) const {
-    const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
+    const V squared = hn::MulAdd(x, x, y * y);
     const float grown = std::max(0.0F, radius + margin);
-    return hn::And(hn::Lt(squared, same(x, grown * grown)),
-                   hn::And(hn::Gt(z, same(x, -margin)), hn::Lt(z, same(x, height + margin))));
+    return hn::And(squared < same(x, grown * grown), hn::And(z > same(x, -margin), z < same(x, height + margin)));
   }
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
     const V zero = same(x, 0.0F);
-    const V squared = hn::MulAdd(x, x, hn::Mul(y, y));
+    const V squared = hn::MulAdd(x, x, y * y);
     const V inverse = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
     const V side = hn::NegMulAdd(squared, inverse, same(x, radius));
-    const auto inside = hn::Gt(hn::Min(hn::Min(z, hn::Sub(same(x, height), z)), side), zero);
+    const auto inside = hn::Min(hn::Min(z, same(x, height) - z), side) > zero;
     if constexpr (kRule == FlatRule::bottom_only) {
       return {hn::IfThenElseZero(inside, z), zero, same(x, -1.0F)};
     } else if constexpr (kRule == FlatRule::side_only) {
       return {hn::IfThenElseZero(inside, side), inverse, zero};
     } else if constexpr (kRule == FlatRule::both) {
-      const V depth_squared = hn::MulAdd(side, side, hn::Mul(z, z));
+      const V depth_squared = hn::MulAdd(side, side, z * z);
       const V share = inverse_root(hn::Max(depth_squared, same(x, kLeastSquare)));
-      return {hn::IfThenElseZero(inside, hn::Mul(depth_squared, share)), hn::Mul(hn::Mul(side, share), inverse),
-              hn::Neg(hn::Mul(z, share))};
+      return {hn::IfThenElseZero(inside, depth_squared * share), side * share * inverse, hn::Neg(z * share)};
     } else {
-      const auto on_side = hn::Lt(side, z);
+      const auto on_side = side < z;
       return {hn::IfThenElseZero(inside, hn::Min(side, z)), hn::IfThenElseZero(on_side, inverse),
               hn::IfThenZeroElse(on_side, same(x, -1.0F))};
     }
@@ -125,7 +122,7 @@ template <int kShift, class Words>
 HWY_INLINE auto centroid_component(Words packed) {
   const hn::Rebind<float, hn::DFromV<Words>> floats;
   const auto steps = hn::ShiftRight<22>(hn::ShiftLeft<22 - kShift>(packed));
-  return hn::Mul(hn::ConvertTo(floats, steps), hn::Set(floats, 1.0F / CentroidOffset::kSteps));
+  return hn::ConvertTo(floats, steps) * hn::Set(floats, 1.0F / CentroidOffset::kSteps);
 }
 
 }  // namespace hapticut::kernels::HWY_NAMESPACE

@@ -26,12 +26,12 @@ class StiffnessVectors {
     const Vec direction[6] = {n.x,
                               n.y,
                               n.z,
-                              hn::MulSub(r.y, n.z, hn::Mul(r.z, n.y)),
-                              hn::MulSub(r.z, n.x, hn::Mul(r.x, n.z)),
-                              hn::MulSub(r.x, n.y, hn::Mul(r.y, n.x))};
+                              hn::MulSub(r.y, n.z, r.z * n.y),
+                              hn::MulSub(r.z, n.x, r.x * n.z),
+                              hn::MulSub(r.x, n.y, r.y * n.x)};
     int term = 0;
     for (int row = 0; row < 6; ++row) {
-      const Vec along = hn::Mul(slope, direction[row]);
+      const Vec along = slope * direction[row];
       for (int column = row; column < 6; ++column, ++term)
         terms_[term] = hn::MulAdd(along, direction[column], terms_[term]);
     }

@@ -56,7 +56,7 @@ HWY_INLINE unsigned bits_of(Mask mask) {
 /// c0 - c1 x + c2 x^2 - ... - c7 x^7 in pairs: the shortest chain of dependent operations.
 HWY_INLINE Vec alternating_series(Vec x, const float (&c)[8]) {
   const auto pair = [&](int n) HWY_ATTR { return hn::NegMulAdd(broadcast(c[n + 1]), x, broadcast(c[n])); };
-  const Vec x2 = hn::Mul(x, x), x4 = hn::Mul(x2, x2);
+  const Vec x2 = x * x, x4 = x2 * x2;
   const Vec low = hn::MulAdd(pair(2), x2, pair(0)), high = hn::MulAdd(pair(6), x2, pair(4));
   return hn::MulAdd(high, x4, low);
 }
@@ -68,18 +68,18 @@ HWY_INLINE Vec mean_of_decay(Vec x) {
   constexpr float kMean[8] = {1, 0.5F, 1.0F / 6, 1.0F / 24, 1.0F / 120, 1.0F / 720, 1.0F / 5040, 1.0F / 40320};
   constexpr float kExponential[8] = {1, 1, 0.5F, 1.0F / 6, 1.0F / 24, 1.0F / 120, 1.0F / 720, 1.0F / 5040};
   const Vec series = alternating_series(x, kMean);
-  const Mask small = hn::Lt(x, broadcast(0.5F));
+  const Mask small = x < broadcast(0.5F);
   if (hn::AllTrue(d, small)) return series;
 
   const Vec safe = hn::Max(x, broadcast(0.5F));
   const Vec bounded = hn::Min(safe, broadcast(80.0F));
-  const auto n = hn::NearestInt(hn::Mul(bounded, broadcast(1.44269504F)));
+  const auto n = hn::NearestInt(bounded * broadcast(1.44269504F));
   const Vec whole = hn::ConvertTo(d, n);
   const Vec g =
       hn::NegMulAdd(whole, broadcast(-2.12194440e-4F), hn::NegMulAdd(whole, broadcast(0.693359375F), bounded));
-  const auto exponent = hn::ShiftLeft<23>(hn::Sub(hn::Set(ints, 127), n));
-  const Vec exp_of_minus = hn::Mul(alternating_series(g, kExponential), hn::BitCast(d, exponent));
-  return hn::IfThenElse(small, series, hn::Div(hn::Sub(broadcast(1.0F), exp_of_minus), safe));
+  const auto exponent = hn::ShiftLeft<23>(hn::Set(ints, 127) - n);
+  const Vec exp_of_minus = alternating_series(g, kExponential) * hn::BitCast(d, exponent);
+  return hn::IfThenElse(small, series, (broadcast(1.0F) - exp_of_minus) / safe);
 }
 
 /// Material constants of the lanes of one vector.
@@ -119,9 +119,7 @@ struct MaterialVectors {
 struct Vectors {
   Vec x, y, z;
 };
-HWY_INLINE Vec dot(const Vectors& a, const Vectors& b) {
-  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
-}
+HWY_INLINE Vec dot(const Vectors& a, const Vectors& b) { return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, a.z * b.z)); }
 /// v + omega x r
 HWY_INLINE Vectors velocity_at(const Vectors& r, const Eigen::Vector3f& v, const Eigen::Vector3f& omega) {
   const Vec ox = broadcast(omega.x()), oy = broadcast(omega.y()), oz = broadcast(omega.z());
