@@ -110,7 +110,10 @@ Effects unpack(const std::string& names, std::span<const double> numbers) {
 std::string effect_names() {
   std::string names;
   const Effects none;
-  visit_effects(none, [&](const auto& name, const auto&) { names += (names.empty() ? "" : ",") + name(); });
+  visit_effects(none, [&](const auto& name, const auto&) {
+    if (!names.empty()) names += ',';
+    names += name();
+  });
   return names;
 }
 
