@@ -32,6 +32,10 @@ struct PythonCoupledResult {
         changed(given.changed_blocks.origins.begin(), given.changed_blocks.origins.end()) {}
 };
 
+struct WrenchRow {
+  double force[3], torque[3];
+};
+
 struct CouplingEnergyRow {
   double hand_work, tool_work, spring, damper, kinetic, implicit;
 };
@@ -148,6 +152,7 @@ void bind_coupled_result(py::module_& m) {
 }  // namespace
 
 void bind_coupling(py::module_& m) {
+  PYBIND11_NUMPY_DTYPE(WrenchRow, force, torque);
   PYBIND11_NUMPY_DTYPE(CouplingEnergyRow, hand_work, tool_work, spring, damper, kinetic, implicit);
   PYBIND11_NUMPY_DTYPE(CoupledRow, time, hand, coupling, X_WH, velocity, removed_voxels, removed_volume, parts,
                        newton_steps, energy, status);

@@ -41,7 +41,8 @@ template <class S, class T>
 std::string doc_of_described(const hapticut::Field<S, T>& field, const std::string& scope) {
   std::string text = *field.unit != '\0' ? "[" + std::string(field.unit) + "]" : "";
   const auto add = [&text](const std::string& words) {
-    if (!words.empty()) text += (text.empty() ? "" : " ") + words;
+    if (!text.empty() && !words.empty()) text += ' ';
+    text += words;
   };
   if constexpr (std::is_same_v<T, Vec3>) add("(3,)");
   if constexpr (std::is_same_v<T, Pose>) add("(4, 4)");
@@ -281,7 +282,7 @@ py::class_<S> bind_described_result(py::handle parent, const char* name) {
   binding.def("__repr__", [names](py::handle self) {
     std::string text = std::string(py::str(py::type::of(self).attr("__qualname__"))) + "(";
     for (const char* one : names)
-      text += (one == names.front() ? "" : ", ") + std::string(one) + "=" + std::string(py::repr(self.attr(one)));
+      text += std::string(one == names.front() ? "" : ", ") + one + "=" + std::string(py::repr(self.attr(one)));
     return text + ")";
   });
   return binding;

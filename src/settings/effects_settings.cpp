@@ -84,41 +84,36 @@ std::optional<DeltaFilter> make_filter(const EffectsSettings& s) {
 }  // namespace
 
 std::vector<Setting> settings_of(EffectsSettings& s) {
-  return {
-      number("effects.mass_kg", "--mass_kg", s.mass_kg, Range::not_negative(),
+  std::vector<Setting> settings = {
+      number("effects.mass_kg", "--mass_kg", s.mass_kg, range_of(&Gravity::mass),
              "weight of the tool, less that of the device's stylus [no weight]"),
       vector("effects.center_of_mass_mm", "--center_of_mass_mm", s.center_of_mass_mm, Range::any(),
              "where it acts, from the hand in the axes of the handle [0,0,0]"),
       vector("effects.gravity_m_per_s2", "--gravity_m_per_s2", s.gravity_m_per_s2, Range::any(),
              "which way is down, and how much [0,0,-9.80665]"),
-      number("effects.vibration_Hz", "--vibration_Hz", s.vibration_Hz, Range::positive(),
+      number("effects.vibration_Hz", "--vibration_Hz", s.vibration_Hz, range_of(&Vibration::frequency),
              "frequency of a vibration along the spindle while it cuts; below 0.45 of the rate [none]"),
-      number("effects.vibration_N", "--vibration_N", s.vibration_N, Range::not_negative(), "its amplitude [0.3]"),
-      number("effects.vibration_N_per_W", "--vibration_N_per_W", s.vibration_N_per_W, Range::not_negative(),
-             "what its amplitude grows by with the power of the spindle [0]"),
-      number("effects.vibration_largest_N", "--vibration_largest_N", s.vibration_largest_N, Range::not_negative(),
-             "its largest amplitude [0.5, or vibration_N where that is more]"),
+      number("effects.vibration_N", "--vibration_N", s.vibration_N, range_of(&Vibration::amplitude),
+             "its amplitude [0.3]"),
+      number("effects.vibration_N_per_W", "--vibration_N_per_W", s.vibration_N_per_W,
+             range_of(&Vibration::amplitude_per_watt), "what its amplitude grows by with the power of the spindle [0]"),
+      number("effects.vibration_largest_N", "--vibration_largest_N", s.vibration_largest_N,
+             range_of(&Vibration::largest_amplitude), "its largest amplitude [0.5, or vibration_N where that is more]"),
       boolean("effects.thesis_filter", "--thesis_filter", s.thesis_filter,
               "the force filter of the thesis, Table 6.1 [false]"),
-      number("effects.filter_delta_N", "--filter_delta_N", s.filter_delta_N, Range::positive(),
+      number("effects.filter_delta_N", "--filter_delta_N", s.filter_delta_N, range_of(&DeltaFilter::delta),
              "thesis_filter: largest change of a step that passes [0.5]"),
-      number("effects.filter_epsilon_N", "--filter_epsilon_N", s.filter_epsilon_N, Range::positive(),
+      number("effects.filter_epsilon_N", "--filter_epsilon_N", s.filter_epsilon_N, range_of(&DeltaFilter::epsilon),
              "thesis_filter: change of a step otherwise [0.005]"),
       axes("effects.force_axes", "--force_axes", s.force_axes,
            "force along x, y, z of the workpiece on or off [1,1,1]"),
       axes("effects.torque_axes", "--torque_axes", s.torque_axes,
            "torque about x, y, z of the workpiece on or off [1,1,1]"),
-      number("effects.largest_force_N", "--largest_force_N", s.largest_force_N, Range::positive(),
-             "longer forces are shortened to this [no limit]"),
-      number("effects.largest_torque_Nmm", "--largest_torque_Nmm", s.largest_torque_Nmm, Range::positive(),
-             "the same of torques [no limit]"),
-      number("effects.force_growth_N_per_s", "--force_growth_N_per_s", s.force_growth_N_per_s, Range::positive(),
-             "how fast the force may grow; it falls at once [no limit]"),
-      number("effects.torque_growth_Nmm_per_s", "--torque_growth_Nmm_per_s", s.torque_growth_Nmm_per_s,
-             Range::positive(), "the same of the torque [no limit]"),
-      number("effects.ramp_s", "--ramp_s", s.ramp_s, Range::not_negative(),
-             "in which the output grows to its full size after the start [0]"),
   };
+  add_fields("effects", s.limits, &OutputLimits::ramp_time, settings);
+  settings.push_back(number("effects.ramp_s", "--ramp_s", s.limits.ramp_time, range_of(&OutputLimits::ramp_time),
+                            "in which the output grows to its full size after the start [0]"));
+  return settings;
 }
 
 Effects make_effects(const EffectsSettings& s, double update_rate) {
@@ -127,12 +122,7 @@ Effects make_effects(const EffectsSettings& s, double update_rate) {
   effects.vibration = make_vibration(s, update_rate);
   effects.delta_filter = make_filter(s);
   effects.enabled = {switches(s.force_axes), switches(s.torque_axes)};
-  OutputLimits& limits = effects.limits;
-  limits.largest_force = s.largest_force_N.value_or(limits.largest_force);
-  if (s.largest_torque_Nmm) limits.largest_torque = *s.largest_torque_Nmm * units::N_mm;
-  limits.force_growth = s.force_growth_N_per_s.value_or(limits.force_growth);
-  if (s.torque_growth_Nmm_per_s) limits.torque_growth = *s.torque_growth_Nmm_per_s * units::N_mm;
-  limits.ramp_time = s.ramp_s;
+  effects.limits = s.limits;
   return effects;
 }
 

@@ -19,8 +19,7 @@ struct EffectsSettings {
   bool thesis_filter = false;
   std::optional<double> filter_delta_N, filter_epsilon_N;
   std::vector<double> force_axes, torque_axes;  ///< 0 or 1 for x, y, z; empty: all on
-  std::optional<double> largest_force_N, largest_torque_Nmm, force_growth_N_per_s, torque_growth_Nmm_per_s;
-  double ramp_s = 0;
+  OutputLimits limits;
 };
 
 [[nodiscard]] std::vector<Setting> settings_of(EffectsSettings& effects);

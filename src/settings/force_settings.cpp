@@ -150,12 +150,14 @@ std::vector<Setting> law_settings_of(ForceSettings& s) {
 std::vector<Setting> settings_of(ForceSettings& s) {
   std::vector<Setting> all = law_settings_of(s);
   for (Setting& setting : std::vector<Setting>{
-           number("force.static_friction", "--static_friction", s.static_friction, Range::not_negative(),
+           number("force.static_friction", "--static_friction", s.static_friction,
+                  range_of(&DryFriction::static_friction),
                   "of the standing spindle, for all materials [each material's own]"),
-           number("force.dynamic_friction", "--dynamic_friction", s.dynamic_friction, Range::not_negative(),
+           number("force.dynamic_friction", "--dynamic_friction", s.dynamic_friction,
+                  range_of(&DryFriction::dynamic_friction),
                   "of the standing spindle, for all materials, not above the static one [the static one]"),
            number("force.tangential_stiffness_N_per_m", "--tangential_stiffness_N_per_m",
-                  s.tangential_stiffness_N_per_m, Range::positive(),
+                  s.tangential_stiffness_N_per_m, range_of(&DryFriction::tangential_stiffness),
                   "of the sticking anchor, for all materials [1000 where friction is given here]"),
            boolean("force.deep_contact", "--deep_contact", s.deep_contact,
                    "a ball pushed beyond its radius keeps pushing back [true]"),

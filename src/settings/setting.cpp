@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "hapticut/core/units.hpp"
+
 namespace hapticut::cli {
 namespace {
 
@@ -56,6 +58,14 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+ShownUnit shown_unit(std::string_view unit) {
+  if (unit == "m") return {"mm", units::mm};
+  if (unit == "rad") return {"deg", units::deg};
+  if (unit == "N m") return {"Nmm", units::N_mm};
+  if (unit == "N m/s") return {"Nmm_per_s", units::N_mm};
+  return {unit_in_names(unit), 1};
+}
 
 Setting integer(std::string key, std::string flag, std::size_t& target, double low, double high, std::string meaning) {
   const Range range = Range::between(low, high);

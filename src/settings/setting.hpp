@@ -72,6 +72,36 @@ template <class Target>
           }};
 }
 
+/// What users write in place of a unit of SI: mm for m, and the end of the key that says so.
+struct ShownUnit {
+  std::string name;
+  double factor;  ///< SI over shown
+};
+[[nodiscard]] ShownUnit shown_unit(std::string_view unit);
+
+/// All fields of a struct of numbers: key, flag, unit, range, meaning and default as the struct describes them.
+/// @param table   of the settings file: "effects"
+/// @param except  a member with a key of its own
+template <Described S>
+void add_fields(const std::string& table, S& target, double S::*except, std::vector<Setting>& settings) {
+  for_each_field<S>([&](const auto& field) {
+    if (field.member == except) return;
+    const ShownUnit shown = shown_unit(field.unit);
+    const std::string name = field.name + (shown.name.empty() ? "" : "_" + shown.name);
+    const double standard = S{}.*field.member / shown.factor;
+    Setting setting =
+        number(table + "." + name, "--" + name, target.*field.member, field.range,
+               std::string(field.text) + " [" + (std::isinf(standard) ? "no limit" : format_number(standard)) + "]");
+    setting.assign = [&value = target.*field.member, range = field.range, factor = shown.factor](const Value& given) {
+      const double si = std::get<double>(given) * factor;
+      if (!std::isfinite(si) || !range.contains(si)) return false;
+      value = si;
+      return true;
+    };
+    settings.push_back(std::move(setting));
+  });
+}
+
 /// A whole number within `low` ... `high`.
 [[nodiscard]] Setting integer(std::string key, std::string flag, std::size_t& target, double low, double high,
                               std::string meaning);

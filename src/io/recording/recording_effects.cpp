@@ -69,7 +69,8 @@ std::string name_now(const std::string& name) {
       {"gravity_center_z_m", "gravity_center_of_mass_z_m"},
       {"gravity_x_m_per_s2", "gravity_acceleration_x_m_per_s2"},
       {"gravity_y_m_per_s2", "gravity_acceleration_y_m_per_s2"},
-      {"gravity_z_m_per_s2", "gravity_acceleration_z_m_per_s2"}};
+      {"gravity_z_m_per_s2", "gravity_acceleration_z_m_per_s2"},
+      {"vibration_amplitude_N_per_W", "vibration_amplitude_per_watt_N_per_W"}};
   for (const auto& [before, now] : kFormat1)
     if (name == before) return now;
   return name;

@@ -72,7 +72,10 @@ class SettingsWriter {
     note(name);
     hdf5::write_attribute(hdf5::write_array(group_, name, values, {count}).get(), "unit", unit);
   }
-  void note(const char* name) { names_ += (names_.empty() ? "" : ",") + std::string(name); }
+  void note(const char* name) {
+    if (!names_.empty()) names_ += ',';
+    names_ += name;
+  }
 
   hid_t group_;
   std::string names_;

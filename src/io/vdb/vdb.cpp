@@ -63,7 +63,10 @@ void describe(const Workpiece& workpiece, openvdb::MetaMap& meta) {
   meta.insertMeta(kPoseKey, openvdb::Mat4DMetadata(matrix_of(workpiece.frame().X_WV)));
   meta.insertMeta(kMaterialsKey, openvdb::Int32Metadata(workpiece.materials().size()));
   std::string fields;
-  for_each_field<Material>([&](const auto& field) { fields += (fields.empty() ? "" : ",") + std::string(field.name); });
+  for_each_field<Material>([&](const auto& field) {
+    if (!fields.empty()) fields += ',';
+    fields += field.name;
+  });
   meta.insertMeta(kFieldsKey, openvdb::StringMetadata(fields));
   int id = 0;
   for (const Material& material : workpiece.materials().all()) {

@@ -308,7 +308,8 @@ TEST(Recording, HoldsHowManyTurnsAVoxelBudgetTakes) {
   const TemporaryFolder folder;
   SimulationConfig config;
   config.voxel_budget = 4096;
-  Simulation simulation = small_cut(config);
+  Simulation simulation(build_block({Vec3(-2e-3, -2e-3, -2e-3), Vec3(2e-3, 2e-3, 0)}, 5e-5, test::plain_material()),
+                        Tool(SphereHead{1e-3}, RayHandle{20e-3}, Spindle{3000}), config);
   Recorder recorder(folder / "a.h5", simulation, patient());
   std::vector<int> turns;
   for (int tick = 0; tick < 300; ++tick) turns.push_back(recorder.step(plunge(simulation, tick)).contact.turns);
