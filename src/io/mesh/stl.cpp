@@ -115,7 +115,7 @@ Polygons parse_binary(MeshBytes bytes) {
     std::array<float, 12> numbers;  // normal, then three vertices
     std::memcpy(numbers.data(), bytes.data() + kStlHeader + n * kStlTriangle, sizeof numbers);
     for (std::size_t at = 3; at < numbers.size(); at += 3) {
-      const Vec3 position(double(numbers[at]), double(numbers[at + 1]), double(numbers[at + 2]));
+      const Vec3 position = Eigen::Vector3f(numbers.data() + at).cast<double>();
       if (!is_finite(position))
         throw Error("triangle " + std::to_string(n + 1) +
                     " has a coordinate that is not a finite number; repair the mesh.");
