@@ -30,9 +30,7 @@ void validate(const ConeHead& head) {
                 " rad; must be less than pi/2. Give half of the opening angle, in radians.");
 }
 
-void validate(const FlatHead& head) {
-  require_fields_within(head, "FlatHead::");
-}
+void validate(const FlatHead& head) { require_fields_within(head, "FlatHead::"); }
 
 void validate(const ProfileHead& /*checked when it was made*/) {}
 
