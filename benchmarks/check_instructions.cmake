@@ -8,7 +8,7 @@ set(tolerance 3)  # percent: what another minor version of the compiler or of th
 
 execute_process(
   COMMAND ${VALGRIND} --tool=callgrind --collect-atstart=no --callgrind-out-file=${OUT}
-    "--toggle-collect=hapticut::Simulation::step(hapticut::Pose const&, hapticut::Twist const&, double)"
+    "--toggle-collect=hapticut::Simulation::step(hapticut::Pose const&, hapticut::Twist const&, double, hapticut::HandCoupling*)"
     ${PROGRAM} ${WORKLOAD}
   OUTPUT_VARIABLE output ERROR_VARIABLE errors RESULT_VARIABLE result)
 if(NOT result EQUAL 0)

@@ -8,7 +8,7 @@
 #   scripts/test.sh [--quick] [--lint-all] [--no-install] [--jobs N]
 #
 #   --quick       format, release build and its tests only
-#   --lint-all    clang-tidy on every source of the library, not only on those changed in the last day before HEAD
+#   --lint-all    clang-tidy on every source of the library, not only on those changed in the last six hours before HEAD
 #   --no-install  do not install packages
 #   --jobs N      run N compilers and tests at once (default: one per processor)
 set -uo pipefail
@@ -126,13 +126,13 @@ build() { cmake --build --preset "$1" -j "$jobs" "${@:2}"; }
 our_sources() { git ls-files -z -- '*.hpp' '*.cpp'; }
 format_is_clean() { our_sources | xargs -0 clang-format --dry-run --Werror; }
 
-# The sources of the library that the linter looks at: all of them, or those that are not as they were a day before the
-# last commit. A shallow clone has no such day: then all of them.
+# The sources of the library that the linter looks at: all of them, or those that are not as they were six hours
+# before the last commit. A shallow clone has no such time: then all of them.
 sources_to_lint() {
   local base=
-  $lint_all || base=$(git rev-list -1 --before="$(($(git log -1 --format=%ct) - 86400))" HEAD)
+  $lint_all || base=$(git rev-list -1 --before="$(($(git log -1 --format=%ct) - 21600))" HEAD)
   if [ -n "$base" ]; then
-    git diff -z --name-only -M80% --diff-filter=AM "$base" -- 'src/*.cpp'
+    git diff -z --name-only -M50% --diff-filter=AM "$base" -- 'src/*.cpp'
   else
     git ls-files -z -- 'src/*.cpp'
   fi
