@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Between a device and a simulation: probe, virtual coupling, the stages of the guard."""
+from __future__ import annotations
+
+
+import numpy as np
+import pytest
+
+import hapticut as h
+from hapticut.units import mm
+
+
+@pytest.fixture
+def coupled(block, tool) -> h.Simulation:
+    """A stiff simulation, as an implicit coupling wants it."""
+    return h.Simulation(block, tool, h.SimulationConfig(reference_stiffness=1e14, contact_time=h.ContactTime.end))
+
+
+def test_a_probe_feels_what_a_step_would_and_changes_nothing(block):
+    material = h.Material("smooth", cutting_ratio=0.0, static_friction=0.0, dynamic_friction=0.0)
+    block.set_materials(h.MaterialTable([material]))
+    config = h.SimulationConfig(reference_stiffness=1e12, contact_time=h.ContactTime.end)
+    simulation = h.Simulation(block, h.Tool(h.SphereHead(1.5 * mm)), config)
+    place = np.array([0.013, 0.007, 1.0]) * mm
+
+    def probe(p):
+        return simulation.probe(h.Pose.from_translation(p), np.zeros(6), 1e-3)
+
+    there = probe(place)
+    slope = -(probe(place + [0, 0, 1e-6]).wrench.force - probe(place - [0, 0, 1e-6]).wrench.force) / 2e-6
+    assert there.stiffness.shape == (6, 6) and np.allclose(there.stiffness, there.stiffness.T)
+    # 5 %: the voxels at the rim of the contact count whole or not at all.
+    assert there.stiffness[2, 2] == pytest.approx(slope[2], rel=0.05)
+    assert there.contact.voxels > 100 and there.contact.turns == 1 and simulation.steps == 0
+    felt = simulation.step(h.Pose.from_translation(place), np.zeros(6), 1e-3)
+    assert np.allclose(there.wrench.force, felt.model.force, rtol=1e-5)
+    assert there.sliding is False  # nothing rubs
+    still, pose = np.zeros(6), h.Pose.from_translation(place)
+    for law, turns in ((None, True), (h.ContactMechanicsLaw(2e6), False)):  # a law of one's own is asked for no more
+        own = h.Simulation(block, h.Tool(h.SphereHead(1.5 * mm)), h.SimulationConfig(law=law))
+        straight = own.probe(pose, still, 1e-3, h.ProbedMotions.translations)
+        assert straight.stiffness[2, 2] > 0 and straight.stiffness[3:].any() == turns
+        assert own.probe(pose, still, 1e-3, motions=h.ProbedMotions.all).wrench.force[2] == straight.wrench.force[2]
+
+
+def test_an_input_is_checked_before_the_step():
+    config, pose, still = h.SimulationConfig(), np.eye(4), np.zeros(6)
+    assert h.check_input(config, pose, still, 1e-3) == 0
+    assert h.check_input(config, pose, still, 1.0) == int(h.StepStatus.dt_rejected)
+    assert h.check_input(config, pose, [np.nan, 0, 0, 0, 0, 0], 1e-3) == int(h.StepStatus.velocity_rejected)
+    pose[0, 0] = 2
+    assert h.check_input(config, pose, still, 1e-3) == int(h.StepStatus.pose_rejected)
+
+
+def test_a_coupling_holds_the_tool_on_stiff_material(coupled, block, tool, plunge):
+    poses = np.concatenate([plunge[0], np.repeat(plunge[0][-1:], 1500, axis=0)])  # and stays
+    velocities = np.concatenate([plunge[1], np.zeros((1500, 6))])
+    gains = h.coupling_gains(h.capabilities(h.device_model("touch")))
+    h.validate(gains)
+    coupling = h.VirtualCoupling(coupled, gains)
+    trace = coupling.run(poses, velocities, 1e-3)
+    assert coupling.simulation is coupled and coupling.gains.stiffness == gains.stiffness
+    assert trace["X_WH"].shape == (2100, 4, 4) and trace["hand"]["force"].shape == (2100, 3)
+    assert trace["hand"]["force"][-1, 2] > 0 and not (trace["status"] & h.kRejected).any()
+    # The hand is ahead of the tool, by what the coupling's spring gives.
+    behind = trace["X_WH"][-1, 2, 3] - poses[-1, 2, 3]
+    assert 0 < behind * gains.stiffness == pytest.approx(trace["coupling"]["force"][-1, 2], rel=0.1)  # and the damper
+    assert trace["removed_voxels"].sum() == len(coupled.removed_in_run) > 0
+
+    other = h.VirtualCoupling(h.Simulation(block, tool, coupled.config), gains)
+    removed = []
+    for row, pose, velocity in zip(trace, poses, velocities):
+        result = other.step(pose, velocity, 1e-3)
+        assert np.array_equal(result.hand.force, row["hand"]["force"]) and np.array_equal(result.X_WH, row["X_WH"])
+        removed += zip(result.removed_voxels.tolist(), result.removed_materials.tolist())
+    assert [(r["index"].tolist(), r["material"]) for r in coupled.removed_in_run] == removed
+    origins, complete = result.changed_blocks
+    assert origins.shape[1] == 3 and complete and result.parts >= 1 and result.newton_steps >= 1
+    assert not result.status & h.kRejected and result.removed_volume > 0 and result.velocity.shape == (6,)
+    energy = coupling.last_result.energy
+    assert energy.hand_work == other.last_result.energy.hand_work > 0 and abs(energy.closure()) < 1e-3  # Newton's rest
+    parts = energy.tool_work + energy.spring + energy.damper + energy.kinetic + energy.implicit
+    assert energy.imbalance() == pytest.approx(energy.hand_work - parts, abs=1e-12)
+    assert result.coupling.force.shape == (3,)
+    other.release()
+    assert np.allclose(other.step(poses[0], velocities[0], 1e-3).X_WH, poses[0], atol=0.5 * 2e-6)  # afresh
+    with pytest.raises(h.Error, match="contact_time"):
+        h.VirtualCoupling(h.Simulation(block, tool), gains)
+    with pytest.raises(h.Error, match="mass"):
+        h.validate(h.CouplingGains(mass=-1.0))
+    with pytest.raises(h.Error, match=r"poses.*float32"):
+        coupling.run(poses.astype(np.float32), velocities, 1e-3)
+
+
+def test_the_contact_bench_runs_without_the_interpreter():
+    touch = h.device_model("touch")
+    config = h.ClosedLoopConfig(device=touch, hand=h.hand_model("nominal"))
+    bench = h.ContactBench(coupling=h.coupling_gains(h.capabilities(touch)), voxel_size=0.2 * mm)
+    models = h.contact_models(bench)
+    wrench = models(1e12)(h.DeviceState(X_BS=h.Pose.from_translation([0, 0, 0.5 * mm])))
+    assert isinstance(models, h.ModelFactory) and isinstance(models(1e12), h.ForceModel) and wrench.force[2] >= 0
+    search = h.pressed_search(bench)
+    assert search.target[2, 3] < 0
+    search.window, search.windows = 0.1, 2
+    assert h.is_stable(config, models, 1e12, search)
+    assert h.press(config, models, 1e12, h.PressTest(height=bench.radius, seconds=0.3, measured=0.1)).greatest_force > 0
+    bounced = h.bounce(config, models, 1e12, h.BounceTest(height=bench.radius, phases=1, time_limit=0.1))
+    assert bounced.peak_force > 0
+    with pytest.raises(h.Error, match="factory.*type int"):
+        h.is_stable(config, 3, 1e12)
+    with pytest.raises(h.Error, match="the factory returned.*type int"):
+        h.is_stable(config, lambda stiffness: 3, 1e12)
+    with pytest.raises(h.Error, match="radius"):
+        h.contact_models(h.ContactBench(radius=-1.0))(1.0)
+    seen = []
+    loop = h.ClosedLoop(config)
+    loop.reset(np.eye(4))
+    loop.read()
+    loop.write(h.Wrench([0, 0, 1], [0, 0, 0]), lambda plant, applied: seen.append(plant.pose[2, 3]))
+    assert len(seen) > 1 and seen[-1] > seen[0] >= 0
+
+
+def test_the_stages_of_the_guard_by_themselves():
+    log = h.SafetyLog()
+    log.begin_tick(0.5, 7)
+    log.report(h.SafetyEvent.saturated, 3.0)
+    [entry] = log.drain()
+    assert (entry.time, entry.sequence, entry.event, entry.value) == (0.5, 7, h.SafetyEvent.saturated, 3.0)
+    assert log.count(h.SafetyEvent.saturated) == 1 and log.dropped == 0
+
+    gate = h.PoseGate(h.capabilities(h.device_model("touch")))
+    verdicts = [gate.check(h.DeviceState(sequence=1), 1e-3, log)]
+    far = h.DeviceState(X_BS=h.Pose.from_translation([0.05, 0, 0]), sequence=2)
+    verdicts.append(gate.check(far, 1e-3, log))
+    assert verdicts == [h.PoseGate.Verdict.accepted, h.PoseGate.Verdict.held] and np.array_equal(gate.state.X_BS, np.eye(4))
+    gate.restart()
+    assert gate.check(far, 1e-3, log) == h.PoseGate.Verdict.accepted and gate.state.X_BS[0, 3] == 0.05
+
+    arming = h.Arming(h.ArmingOptions(ramp=0.1))
+    arming.start(log)
+    shares = [arming.tick(1e-3, True, 0.0, 0.0, log) for _ in range(150)]
+    assert arming.state == h.ArmingState.on and shares[0] == 0 and shares[-1] == 1 and sorted(shares) == shares
+    arming.interrupt(h.SafetyEvent.reclutched, True, log, 1.0)
+    assert arming.state == h.ArmingState.wait_free
+    arming.fail(log, 2.0)
+    assert arming.state == h.ArmingState.fault
+    arming.reset(log)
+    assert arming.state != h.ArmingState.fault
+    arming.stop()
+    assert arming.state == h.ArmingState.off
+
+    # A force that pushes the hand along does work on it: the model generates, and is damped.
+    passive = h.PassivityController(h.PassivityOptions(), 3.0)
+    push, way = np.array([0, 0, 2.0]), np.array([0, 0, 1e-3])
+    for _ in range(5):
+        damped = passive.control(push, push, way, 1e-3)
+    assert passive.stored < 0 < passive.taken and damped[2] < push[2]
+    passive.restart()
+    assert passive.stored == 0
+
+    budget = h.ThermalBudget(3.3, 0.88)
+    assert budget.limit == 3.3 and not budget.is_limiting
+    for _ in range(3600):
+        budget.tick(3.3, 0.0, 0.1)
+    assert budget.is_limiting and budget.limit < 1
+
+    watchdog = h.Watchdog()
+    verdict = h.Watchdog.Verdict
+    late = [watchdog.verdict(ticks * watchdog.options.period) for ticks in (1, 5, 20, 100)]
+    assert late == [verdict.alive, verdict.late, verdict.fading, verdict.dead]
+    assert watchdog.scale(0) == 1 and 0 < watchdog.scale(0.02) < 1 and watchdog.scale(1.0) == 0
+
+    guard = h.SafetyGuard(h.capabilities(h.device_model("touch")))
+    guard.start()
+    guard.admit(h.DeviceState(sequence=1))
+    before = guard.heartbeat
+    guard.release(h.Wrench())
+    guard.report_exception()
+    assert guard.heartbeat == before + 1 and guard.log.count(h.SafetyEvent.exception) == 1
+    for seconds in (1e-3, 5e-3, 20e-3, 100e-3):
+        guard.report_silence(watchdog.verdict(seconds), watchdog.scale(seconds))
+    guard.log.note(h.SafetyEvent.motors_warm, 0.8)
+    said = [entry.event for entry in guard.drain_log()][-4:]
+    assert said == [h.SafetyEvent.watchdog_late, h.SafetyEvent.watchdog_fading, h.SafetyEvent.watchdog_fault,
+                    h.SafetyEvent.motors_warm]
+    assert not h.WatchdogOptions().latch and h.WatchdogOptions(latch=True).latch
+
+
+def test_a_device_plays_readings_again():
+    readings = [h.DeviceState(X_BS=h.Pose.from_translation([0, 0, 1e-5 * n]), time=1e-3 * n, sequence=n + 1)
+                for n in range(50)]
+    device = h.PlaybackDevice(readings, name="again")
+    heights = []
+    report = device.run(lambda s: heights.append(s.X_BS[2, 3]) or h.DeviceCommand(), h.RunOptions(simulated_time=True))
+    assert device.size() == len(device) == report.ticks == 50 and device.name == "again"
+    assert heights == pytest.approx([1e-5 * n for n in range(50)])
+    with pytest.raises(h.Error):
+        h.PlaybackDevice([])
+    mock = h.open_device("mock:press")
+    assert mock.plant.device.name == h.MockOptions().device.name or mock.plant.options.period == 1e-3
