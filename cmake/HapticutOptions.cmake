@@ -40,6 +40,8 @@ target_compile_features(hapticut_build_flags INTERFACE cxx_std_20)
 target_compile_options(hapticut_build_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
   # Where several files are compiled as one, each of them looks like a header to this warning.
   $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
+  # ... and clang++ calls a local name shadowed that another file of the room has in its unnamed namespace.
+  $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:Clang>>:-Wno-shadow>
   $<$<BOOL:${HAPTICUT_WARNINGS_AS_ERRORS}>:-Werror>)
 
 # What each component needs: a list of `package to find|target or variable that proves it|Debian package`.
