@@ -89,6 +89,8 @@ void bind_options(py::module_& m) {
 }  // namespace
 
 void bind_guard(py::module_& m) {
+  bind_states(m);
+  bind_log(m);
   using Q = Requests;
   py::class_<Q>(m, "Requests", doc("Requests"))
       .def(py::init<>())
@@ -104,8 +106,6 @@ void bind_guard(py::module_& m) {
       .def("take_interruption", &Q::take_interruption,
            "Takes an interruption; SafetyEvent.count of C++, which is len(SafetyEvent.__members__), where there is "
            "none.");
-  bind_states(m);
-  bind_log(m);
   bind_options(m);
   m.def("output_limits", &output_limits, py::arg("device"), py::arg("fastest_contact") = 0.5, doc("output_limits"));
   py::class_<SafetyGuard>(m, "SafetyGuard", doc("SafetyGuard"))

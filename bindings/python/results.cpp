@@ -55,7 +55,10 @@ void bind_result_of_step(py::module_& m) {
                ", removed_volume=" + text("removed_volume") + ", status=" + text("status") + ")";
       });
 
-  bind_described_result<ContactProbe>(m, "ContactProbe");
+  bind_described_result<ContactProbe>(m, "ContactProbe")
+      .def_property_readonly(
+          "stiffness", [](const ContactProbe& probe) { return probe.stiffness; },
+          "[N/m], [N], [N m] (6, 6) about Ho, in W: of motions, then of turns; positive semidefinite.");
 }
 
 }  // namespace
