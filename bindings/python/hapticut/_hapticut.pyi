@@ -7,7 +7,7 @@ import numpy.typing
 import os
 import pathlib
 import typing
-__all__: list = ['Arming', 'ArmingOptions', 'ArmingState', 'AxialCutForce', 'AxisMask', 'BodyDescription', 'Bounce', 'BounceTest', 'Box', 'BuildInfo', 'Buzz', 'Calibration', 'ChangedBlock', 'ClosedLoop', 'ClosedLoopConfig', 'Color', 'ColoredMesh', 'ConeHead', 'Contact', 'ContactBench', 'ContactMechanicsLaw', 'ContactProbe', 'ContactTime', 'CoupledResult', 'CouplingEnergy', 'CouplingGains', 'DampingMatrixLaw', 'DeepContact', 'DeltaFilter', 'Device', 'DeviceCapabilities', 'DeviceCommand', 'DeviceFault', 'DeviceModel', 'DeviceOutput', 'DeviceState', 'DeviceTick', 'DrillingTest', 'DryFriction', 'EdgeKind', 'Effects', 'EffectsInput', 'EnergyLedger', 'Error', 'FaultResponse', 'FlatHead', 'FlatRule', 'ForceLaw', 'ForceModel', 'FoundationLaw', 'Grade', 'Gravity', 'GreyRange', 'GreyVolume', 'GridFrame', 'GuardOptions', 'HandModel', 'HandleTorque', 'HeadBox', 'HertzianBurrLaw', 'IndexBox', 'InjectedFault', 'LHandle', 'LabelInterpolation', 'LabelMaterial', 'LabelVolume', 'LatencyHistogram', 'Layer', 'LinearWall', 'LoopCommand', 'LoopSnapshot', 'Material', 'MaterialAmount', 'MaterialTable', 'MeshImport', 'MeshShell', 'MockDevice', 'MockOptions', 'ModelFactory', 'MolarParameters', 'MouseDevice', 'MouseOptions', 'MoveKey', 'NamedMesh', 'Output', 'OutputLimit', 'OutputLimits', 'PassivityController', 'PassivityOptions', 'PictureOptions', 'Plant', 'PlantOptions', 'PlaybackDevice', 'PlaybackRange', 'PoseGate', 'PoseGateOptions', 'PressTest', 'ProbedMotions', 'Profile', 'ProfileEdge', 'ProfileHead', 'Quadrature', 'RawLayout', 'RayHandle', 'RealtimeLoop', 'RealtimeLoopOptions', 'RealtimeOptions', 'RecognizedProfile', 'RecordedEffects', 'Recorder', 'RecorderOptions', 'Recording', 'RecordingInfo', 'RemovalLaw', 'ReplayDifference', 'ReplayReport', 'RunOptions', 'RunReport', 'SafetyEvent', 'SafetyGuard', 'SafetyLog', 'SafetyLogEntry', 'Scene', 'Simulation', 'SimulationConfig', 'SimulationModel', 'SimulationModelOptions', 'SphereHead', 'Spindle', 'SpindleMotor', 'SpindleState', 'Spring', 'StabilitySearch', 'StageTimes', 'StepInput', 'StepResult', 'StepStatus', 'StickSlip', 'ThermalBudget', 'ThermalOptions', 'ThesisLaw', 'ThesisMode', 'Tool', 'ToolHead', 'ToolSnapshot', 'TriangleMesh', 'TwistDrillLaw', 'UnclaimedLabels', 'ValueType', 'VdbImport', 'Vibration', 'VibrationPhase', 'VirtualCoupling', 'VolumeBuildOptions', 'VolumeReadOptions', 'Watchdog', 'WatchdogOptions', 'Workpiece', 'WorkpieceSnapshot', 'WorkpieceSurface', 'WorkspaceMap', 'WorkspaceMapOptions', 'WorstCase', 'Wrench', 'advance', 'axial_cut_force', 'bounce', 'box_around', 'box_of_volume', 'build_block', 'build_body', 'build_from_grey', 'build_from_labels', 'build_from_mesh', 'build_from_shells', 'build_info', 'build_layered_slab', 'build_molar', 'build_sphere', 'calibrate', 'capabilities', 'check_input', 'christmas_tree_head', 'close_gaps', 'colored', 'contact_models', 'contact_point', 'count_from', 'count_labels', 'coupling_gains', 'crop', 'crop_to_box', 'cylinder_head', 'describe', 'describe_molar', 'device_drivers', 'device_model', 'device_models', 'extract_surface', 'fill_cavities', 'filtered', 'find_preset', 'find_scene', 'flame_head', 'gravity_wrench', 'grey_range', 'growth_limited', 'hand_model', 'hand_models', 'has', 'head_in_handle', 'injected_faults', 'inverted_cone_head', 'is_rotation', 'is_stable', 'kBlockEdge', 'kBlockVoxels', 'kEmpty', 'kFastestSpindle', 'kFastestVibration', 'kFullSpinSpeed', 'kMaxMaterials', 'kMaxVolumeSamples', 'kMolarCaries', 'kMolarDentin', 'kMolarEnamel', 'kMolarPulp', 'kMostPlayedSteps', 'kRecordingFormat', 'kRejected', 'kSafetyEvents', 'kSmallestFill', 'kTreeWaist', 'kWithIo', 'keep_largest_component', 'label_range', 'largest_contact_stiffness', 'largest_stable_stiffness', 'least_force_growth', 'load_vdb', 'masked', 'material_color', 'materials_of', 'mesh_of_revolution', 'model_commands', 'most_blocks', 'most_voxels', 'needle_head', 'obeys_the_rules', 'open_device', 'open_mock', 'open_playback', 'orthonormalized', 'output_limits', 'pear_head', 'preset_color', 'preset_names', 'press', 'pressed_search', 'profile_from_mesh', 'read_colour_slices', 'read_grey_volume', 'read_invesalius_project', 'read_label_volume', 'read_mesh', 'read_raw_grey_volume', 'read_raw_label_volume', 'read_recording', 'replay', 'resample', 'respond', 'rotation_from_vector', 'round_end_cylinder_head', 'round_end_tapered_head', 'round_head', 'saturated', 'save_vdb', 'scenes', 'scripted_path', 'simulation_of', 'standing_share', 'stiffness_for_accuracy', 'stiffness_for_device', 'tapered_head', 'thesis_handle_torque', 'thesis_mode', 'tool_of', 'transport', 'twist_between', 'twist_drill_head', 'unused_label', 'validate', 'vector_from_rotation', 'wheel_head', 'with_spacing', 'write_csv', 'write_npz', 'write_nrrd', 'write_obj', 'write_picture', 'write_ply', 'write_stl']
+__all__: list = ['Arming', 'ArmingOptions', 'ArmingState', 'AxialCutForce', 'AxisMask', 'BodyDescription', 'Bounce', 'BounceTest', 'Box', 'BuildInfo', 'Buzz', 'Calibration', 'ChangedBlock', 'ClosedLoop', 'ClosedLoopConfig', 'Color', 'ColoredMesh', 'ConeHead', 'Contact', 'ContactBench', 'ContactMechanicsLaw', 'ContactProbe', 'ContactTime', 'CoupledResult', 'CouplingEnergy', 'CouplingGains', 'DampingMatrixLaw', 'DeepContact', 'DeltaFilter', 'Device', 'DeviceCapabilities', 'DeviceCommand', 'DeviceFault', 'DeviceModel', 'DeviceOutput', 'DeviceState', 'DeviceTick', 'DrillingTest', 'DryFriction', 'EdgeKind', 'Effects', 'EffectsInput', 'EnergyLedger', 'Error', 'FaultResponse', 'FlatHead', 'FlatRule', 'ForceLaw', 'ForceModel', 'FoundationLaw', 'Grade', 'Gravity', 'GreyRange', 'GreyVolume', 'GridFrame', 'GuardOptions', 'HandModel', 'HandleTorque', 'HeadBox', 'HertzianBurrLaw', 'IndexBox', 'InjectedFault', 'LHandle', 'LabelInterpolation', 'LabelMaterial', 'LabelVolume', 'LatencyHistogram', 'Layer', 'LinearWall', 'LoopSnapshot', 'Material', 'MaterialAmount', 'MaterialTable', 'MeshImport', 'MeshShell', 'MockDevice', 'MockOptions', 'ModelFactory', 'MolarParameters', 'MouseDevice', 'MouseOptions', 'MoveKey', 'NamedMesh', 'Output', 'OutputLimit', 'OutputLimits', 'PassivityController', 'PassivityOptions', 'PictureOptions', 'Plant', 'PlantOptions', 'PlaybackDevice', 'PlaybackRange', 'PoseGate', 'PoseGateOptions', 'PressTest', 'ProbedMotions', 'Profile', 'ProfileEdge', 'ProfileHead', 'Quadrature', 'RawLayout', 'RayHandle', 'RealtimeLoop', 'RealtimeLoopOptions', 'RealtimeOptions', 'RecognizedProfile', 'RecordedEffects', 'Recorder', 'RecorderOptions', 'Recording', 'RecordingInfo', 'RemovalLaw', 'ReplayDifference', 'ReplayReport', 'Requests', 'RunOptions', 'RunReport', 'SafetyEvent', 'SafetyGuard', 'SafetyLog', 'SafetyLogEntry', 'Scene', 'Simulation', 'SimulationConfig', 'SimulationModel', 'SimulationModelOptions', 'SphereHead', 'Spindle', 'SpindleMotor', 'SpindleState', 'Spring', 'StabilitySearch', 'StageTimes', 'StepInput', 'StepResult', 'StepStatus', 'StickSlip', 'ThermalBudget', 'ThermalOptions', 'ThesisLaw', 'ThesisMode', 'Tool', 'ToolHead', 'ToolSnapshot', 'TriangleMesh', 'TwistDrillLaw', 'UnclaimedLabels', 'ValueType', 'VdbImport', 'Vibration', 'VibrationPhase', 'VirtualCoupling', 'VolumeBuildOptions', 'VolumeReadOptions', 'Watchdog', 'WatchdogOptions', 'Workpiece', 'WorkpieceSnapshot', 'WorkpieceSurface', 'WorkspaceMap', 'WorkspaceMapOptions', 'WorstCase', 'Wrench', 'advance', 'axial_cut_force', 'bounce', 'box_around', 'box_of_volume', 'build_block', 'build_body', 'build_from_grey', 'build_from_labels', 'build_from_mesh', 'build_from_shells', 'build_info', 'build_layered_slab', 'build_molar', 'build_sphere', 'calibrate', 'capabilities', 'check_input', 'christmas_tree_head', 'close_gaps', 'colored', 'commands', 'contact_models', 'contact_point', 'count_from', 'count_labels', 'coupling_gains', 'crop', 'crop_to_box', 'cylinder_head', 'describe', 'describe_molar', 'device_drivers', 'device_model', 'device_models', 'extract_surface', 'fill_cavities', 'filtered', 'find_preset', 'find_scene', 'flame_head', 'gravity_wrench', 'grey_range', 'growth_limited', 'hand_model', 'hand_models', 'has', 'head_in_handle', 'injected_faults', 'inverted_cone_head', 'is_rotation', 'is_stable', 'kBlockEdge', 'kBlockVoxels', 'kEmpty', 'kFastestSpindle', 'kFastestVibration', 'kFullSpinSpeed', 'kMaxMaterials', 'kMaxVolumeSamples', 'kMolarCaries', 'kMolarDentin', 'kMolarEnamel', 'kMolarPulp', 'kMostPlayedSteps', 'kRecordingFormat', 'kRejected', 'kSafetyEvents', 'kSmallestFill', 'kTreeWaist', 'kWithIo', 'keep_largest_component', 'label_range', 'largest_contact_stiffness', 'largest_stable_stiffness', 'least_force_growth', 'load_vdb', 'masked', 'material_color', 'materials_of', 'mesh_of_revolution', 'most_blocks', 'most_voxels', 'needle_head', 'obeys_the_rules', 'open_device', 'open_mock', 'open_playback', 'orthonormalized', 'output_limits', 'pear_head', 'preset_color', 'preset_names', 'press', 'pressed_search', 'profile_from_mesh', 'read_colour_slices', 'read_grey_volume', 'read_invesalius_project', 'read_label_volume', 'read_mesh', 'read_raw_grey_volume', 'read_raw_label_volume', 'read_recording', 'replay', 'resample', 'respond', 'rotation_from_vector', 'round_end_cylinder_head', 'round_end_tapered_head', 'round_head', 'saturated', 'save_vdb', 'scenes', 'scripted_path', 'simulation_of', 'standing_share', 'stiffness_for_accuracy', 'stiffness_for_device', 'tapered_head', 'thesis_handle_torque', 'thesis_mode', 'transport', 'twist_between', 'twist_drill_head', 'unused_label', 'validate', 'vector_from_rotation', 'wheel_head', 'with_spacing', 'write_csv', 'write_npz', 'write_nrrd', 'write_obj', 'write_picture', 'write_ply', 'write_stl']
 
 class Error(RuntimeError):
     ...
@@ -790,6 +790,9 @@ class SpindleMotor:
     def advance(self, torque: typing.SupportsFloat | typing.SupportsIndex, dt: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 
+    def halt(self) -> None:
+        ...
+
     def set(self, setting: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 
@@ -1444,6 +1447,9 @@ class Workpiece:
     def pool_bytes(self) -> int:
         ...
 
+    def redo_block(self) -> typing.Annotated[list[int], 'FixedSize(3)'] | None:
+        ...
+
     def reserve_blocks(self, count: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
 
@@ -1481,6 +1487,10 @@ class Workpiece:
 
     @property
     def materials(self) -> MaterialTable:
+        ...
+
+    @property
+    def redo_marks(self) -> int:
         ...
 
     @property
@@ -2663,11 +2673,6 @@ class OutputLimits:
         ...
 
 class Effects:
-    delta_filter: DeltaFilter | None
-    enabled: AxisMask
-    gravity: Gravity | None
-    limits: OutputLimits
-    vibration: Vibration | None
 
     def __copy__(self) -> Effects:
         ...
@@ -2685,6 +2690,46 @@ class Effects:
         ...
 
     def __setstate__(self, arg0: tuple) -> None:
+        ...
+
+    @property
+    def delta_filter(self) -> DeltaFilter | None:
+        ...
+
+    @delta_filter.setter
+    def delta_filter(self, arg0: DeltaFilter | None) -> None:
+        ...
+
+    @property
+    def enabled(self) -> AxisMask:
+        ...
+
+    @enabled.setter
+    def enabled(self, arg0: AxisMask) -> None:
+        ...
+
+    @property
+    def gravity(self) -> Gravity | None:
+        ...
+
+    @gravity.setter
+    def gravity(self, arg0: Gravity | None) -> None:
+        ...
+
+    @property
+    def limits(self) -> OutputLimits:
+        ...
+
+    @limits.setter
+    def limits(self, arg0: OutputLimits) -> None:
+        ...
+
+    @property
+    def vibration(self) -> Vibration | None:
+        ...
+
+    @vibration.setter
+    def vibration(self, arg0: Vibration | None) -> None:
         ...
 
 class VibrationPhase:
@@ -2760,16 +2805,17 @@ class Output:
     def __init__(self) -> None:
         ...
 
-    def add_effects(self, effects: Effects, at: EffectsInput, wrench: Wrench) -> Wrench:
-        ...
-
     def drop(self) -> None:
         ...
 
-    def limit(self, limits: OutputLimits, wrench: Wrench, dt: typing.SupportsFloat | typing.SupportsIndex) -> Wrench:
+    def give(self, effects: Effects, at: EffectsInput, wrench: Wrench) -> Wrench:
         ...
 
     def restart(self) -> None:
+        ...
+
+    @property
+    def given(self) -> Wrench:
         ...
 
 class StepInput:
@@ -3165,9 +3211,6 @@ class ProbedMotions:
         ...
 
 class SimulationConfig:
-    handle_torque: HandleTorque
-    quadrature: Quadrature
-    removal: RemovalLaw
 
     def __copy__(self) -> SimulationConfig:
         ...
@@ -3220,6 +3263,14 @@ class SimulationConfig:
         ...
 
     @property
+    def handle_torque(self) -> HandleTorque:
+        ...
+
+    @handle_torque.setter
+    def handle_torque(self, arg0: HandleTorque) -> None:
+        ...
+
+    @property
     def handle_torque_scale(self) -> float:
         ...
 
@@ -3252,11 +3303,27 @@ class SimulationConfig:
         ...
 
     @property
+    def quadrature(self) -> Quadrature:
+        ...
+
+    @quadrature.setter
+    def quadrature(self, arg0: Quadrature) -> None:
+        ...
+
+    @property
     def reference_stiffness(self) -> float:
         ...
 
     @reference_stiffness.setter
     def reference_stiffness(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def removal(self) -> RemovalLaw:
+        ...
+
+    @removal.setter
+    def removal(self, arg0: RemovalLaw) -> None:
         ...
 
     @property
@@ -3373,10 +3440,6 @@ class StageTimes:
         ...
 
     @property
-    def add_effects(self) -> float:
-        ...
-
-    @property
     def add_friction(self) -> float:
         ...
 
@@ -3389,11 +3452,11 @@ class StageTimes:
         ...
 
     @property
-    def evaluate_contact(self) -> float:
+    def find_blocks(self) -> float:
         ...
 
     @property
-    def find_blocks(self) -> float:
+    def give_output(self) -> float:
         ...
 
     @property
@@ -3409,7 +3472,11 @@ class StageTimes:
         ...
 
     @property
-    def remove_material(self) -> float:
+    def press_and_cut(self) -> float:
+        ...
+
+    @property
+    def remove_emptied(self) -> float:
         ...
 
     @property
@@ -3445,7 +3512,13 @@ class Simulation:
     def changed_blocks(self) -> tuple[numpy.ndarray, bool]:
         ...
 
+    def halt_spindle(self) -> None:
+        ...
+
     def probe(self, pose: numpy.typing.ArrayLike, velocity: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex, motions: ProbedMotions=...) -> ContactProbe:
+        ...
+
+    def redo(self, most: typing.SupportsInt | typing.SupportsIndex) -> bool:
         ...
 
     def reserve_blocks(self, count: typing.SupportsInt | typing.SupportsIndex) -> None:
@@ -3466,7 +3539,19 @@ class Simulation:
     def set_effects(self, effects: Effects) -> None:
         ...
 
+    def set_friction(self, friction: DryFriction | None) -> None:
+        ...
+
+    def set_materials(self, materials: MaterialTable) -> None:
+        ...
+
+    def set_removal(self, removal: RemovalLaw) -> None:
+        ...
+
     def set_spindle_speed(self, speed: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+
+    def set_tool(self, tool: Tool) -> None:
         ...
 
     def set_undo_mark(self) -> None:
@@ -3494,6 +3579,10 @@ class Simulation:
 
     @property
     def last_result(self) -> StepResult:
+        ...
+
+    @property
+    def redo_marks(self) -> int:
         ...
 
     @property
@@ -4131,7 +4220,6 @@ class DeviceCapabilities:
         ...
 
 class DeviceState:
-    fault: DeviceFault
 
     def __copy__(self) -> DeviceState:
         ...
@@ -4176,6 +4264,14 @@ class DeviceState:
 
     @epoch.setter
     def epoch(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    @property
+    def fault(self) -> DeviceFault:
+        ...
+
+    @fault.setter
+    def fault(self, arg0: DeviceFault) -> None:
         ...
 
     @property
@@ -4559,6 +4655,44 @@ class SafetyLog:
 
     @property
     def dropped(self) -> int:
+        ...
+
+class Requests:
+
+    def __init__(self) -> None:
+        ...
+
+    def emergency_stop(self) -> None:
+        ...
+
+    def forget_stop(self) -> None:
+        ...
+
+    def interrupt(self, reason: SafetyEvent) -> None:
+        ...
+
+    def reset_fault(self) -> None:
+        ...
+
+    def stop(self) -> None:
+        ...
+
+    def take_interruption(self) -> SafetyEvent:
+        ...
+
+    def take_reset(self) -> bool:
+        ...
+
+    @property
+    def emergency(self) -> bool:
+        ...
+
+    @property
+    def reset_wanted(self) -> bool:
+        ...
+
+    @property
+    def stop_wanted(self) -> bool:
         ...
 
 class PoseGateOptions:
@@ -5064,12 +5198,6 @@ class SafetyGuard:
     def drain_log(self) -> list[SafetyLogEntry]:
         ...
 
-    def emergency_stop(self) -> None:
-        ...
-
-    def interrupt(self, reason: SafetyEvent) -> None:
-        ...
-
     def release(self, commanded: Wrench) -> Wrench:
         ...
 
@@ -5077,9 +5205,6 @@ class SafetyGuard:
         ...
 
     def report_silence(self, verdict: Watchdog.Verdict, share: typing.SupportsFloat | typing.SupportsIndex) -> None:
-        ...
-
-    def reset(self) -> None:
         ...
 
     def start(self) -> None:
@@ -5102,6 +5227,10 @@ class SafetyGuard:
 
     @property
     def output(self) -> DeviceOutput:
+        ...
+
+    @property
+    def requests(self) -> Requests:
         ...
 
     @property
@@ -5832,7 +5961,7 @@ class RunOptions:
     def __getstate__(self) -> tuple:
         ...
 
-    def __init__(self, seconds: typing.SupportsFloat | typing.SupportsIndex=0.0, *, simulated_time: bool=False, stop_on_signals: bool=True, realtime: RealtimeOptions=..., guard: GuardOptions=...) -> None:
+    def __init__(self, seconds: typing.SupportsFloat | typing.SupportsIndex=0.0, *, simulated_time: bool=False, stop_on_signals: bool=True, stop_on_crash: bool=False, realtime: RealtimeOptions=..., guard: GuardOptions=...) -> None:
         ...
 
     def __repr__(self) -> str:
@@ -5871,6 +6000,14 @@ class RunOptions:
 
     @simulated_time.setter
     def simulated_time(self, arg0: bool) -> None:
+        ...
+
+    @property
+    def stop_on_crash(self) -> bool:
+        ...
+
+    @stop_on_crash.setter
+    def stop_on_crash(self, arg0: bool) -> None:
         ...
 
     @property
@@ -5967,6 +6104,10 @@ class Device:
 
     @property
     def output(self) -> DeviceOutput:
+        ...
+
+    @property
+    def requests(self) -> Requests:
         ...
 
     @property
@@ -7238,19 +7379,16 @@ class Recorder:
     def __exit__(self, type: typing.Any, value: typing.Any, traceback: typing.Any) -> None:
         ...
 
-    def __init__(self, path: os.PathLike | str | bytes, simulation: Simulation, options: RecorderOptions=...) -> None:
-        ...
-
-    def after_step(self, device: DeviceTick | None=None) -> None:
-        ...
-
-    def before_step(self) -> None:
+    def __init__(self, path: os.PathLike | str | bytes, simulation: Simulation, options: RecorderOptions=..., driven_by: typing.Any=None) -> None:
         ...
 
     def close(self) -> None:
         ...
 
     def run(self, poses: numpy.typing.NDArray[numpy.float64], velocities: numpy.typing.NDArray[numpy.float64], dt: float | numpy.typing.NDArray[numpy.float64]) -> numpy.ndarray:
+        ...
+
+    def set_device_tick(self, tick: DeviceTick) -> None:
         ...
 
     def step(self, pose: numpy.typing.ArrayLike, velocity: numpy.typing.ArrayLike, dt: typing.SupportsFloat | typing.SupportsIndex, device: DeviceTick | None=None) -> StepResult:
@@ -7431,152 +7569,248 @@ class ReplayReport:
     def workpiece_hash(self) -> int:
         ...
 
-class LoopCommand:
+class commands:
 
-    class Kind:
-        __members__: typing.ClassVar[dict[str, LoopCommand.Kind]]
-        emergency_stop: typing.ClassVar[LoopCommand.Kind]
-        model: typing.ClassVar[LoopCommand.Kind]
-        reset_fault: typing.ClassVar[LoopCommand.Kind]
-        stop: typing.ClassVar[LoopCommand.Kind]
+    class SetSpindleSpeed:
 
-        @typing.overload
-        def __eq__(self, other: LoopCommand.Kind) -> bool:
+        def __copy__(self) -> commands.SetSpindleSpeed:
             ...
 
-        @typing.overload
-        def __eq__(self, other: typing.Any) -> bool:
+        def __deepcopy__(self, memo: dict) -> commands.SetSpindleSpeed:
             ...
 
-        def __getstate__(self) -> int:
+        def __getstate__(self) -> tuple:
             ...
 
-        def __hash__(self) -> int:
-            ...
-
-        def __index__(self) -> int:
-            ...
-
-        def __init__(self, value: typing.SupportsInt | typing.SupportsIndex) -> None:
-            ...
-
-        def __int__(self) -> int:
-            ...
-
-        @typing.overload
-        def __ne__(self, other: LoopCommand.Kind) -> bool:
-            ...
-
-        @typing.overload
-        def __ne__(self, other: typing.Any) -> bool:
+        def __init__(self, speed: typing.SupportsFloat | typing.SupportsIndex=0.0) -> None:
             ...
 
         def __repr__(self) -> str:
             ...
 
-        def __setstate__(self, state: typing.SupportsInt | typing.SupportsIndex) -> None:
-            ...
-
-        def __str__(self) -> str:
+        def __setstate__(self, arg0: tuple) -> None:
             ...
 
         @property
-        def name(self) -> str:
+        def speed(self) -> float:
+            ...
+
+        @speed.setter
+        def speed(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+            ...
+
+    class OpenClutch:
+
+        def __init__(self) -> None:
+            ...
+
+        def __repr__(self) -> str:
+            ...
+
+    class CloseClutch:
+
+        def __init__(self) -> None:
+            ...
+
+        def __repr__(self) -> str:
+            ...
+
+    class SetScale:
+
+        def __copy__(self) -> commands.SetScale:
+            ...
+
+        def __deepcopy__(self, memo: dict) -> commands.SetScale:
+            ...
+
+        def __getstate__(self) -> tuple:
+            ...
+
+        def __init__(self, scale: typing.SupportsFloat | typing.SupportsIndex=1.0) -> None:
+            ...
+
+        def __repr__(self) -> str:
+            ...
+
+        def __setstate__(self, arg0: tuple) -> None:
             ...
 
         @property
-        def value(self) -> int:
+        def scale(self) -> float:
             ...
 
-    def __init__(self, kind: LoopCommand.Kind=..., code: typing.SupportsInt | typing.SupportsIndex=0, values: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], 'FixedSize(8)']=[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]) -> None:
-        ...
+        @scale.setter
+        def scale(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+            ...
 
-    @property
-    def code(self) -> int:
-        ...
+    class SetUndoMark:
 
-    @code.setter
-    def code(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
-        ...
+        def __init__(self) -> None:
+            ...
 
-    @property
-    def kind(self) -> LoopCommand.Kind:
-        ...
+        def __repr__(self) -> str:
+            ...
 
-    @kind.setter
-    def kind(self, arg0: LoopCommand.Kind) -> None:
-        ...
+    class Undo:
 
-    @property
-    def values(self) -> typing.Annotated[list[float], 'FixedSize(8)']:
-        ...
+        def __init__(self) -> None:
+            ...
 
-    @values.setter
-    def values(self, arg0: typing.Annotated[collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], 'FixedSize(8)']) -> None:
-        ...
+        def __repr__(self) -> str:
+            ...
 
-class model_commands:
+    class Redo:
 
-    @staticmethod
-    def close_clutch() -> LoopCommand:
-        ...
+        def __init__(self) -> None:
+            ...
 
-    @staticmethod
-    def open_clutch() -> LoopCommand:
-        ...
+        def __repr__(self) -> str:
+            ...
 
-    @staticmethod
-    def set_scale(scale: typing.SupportsFloat | typing.SupportsIndex) -> LoopCommand:
-        ...
+    class SetFriction:
 
-    @staticmethod
-    def set_spindle_speed(speed: typing.SupportsFloat | typing.SupportsIndex) -> LoopCommand:
-        ...
+        def __copy__(self) -> commands.SetFriction:
+            ...
 
-    @staticmethod
-    def set_undo_mark() -> LoopCommand:
-        ...
+        def __deepcopy__(self, memo: dict) -> commands.SetFriction:
+            ...
 
-    @staticmethod
-    def undo() -> LoopCommand:
-        ...
+        def __getstate__(self) -> tuple:
+            ...
 
-class LoopSnapshot:
+        def __init__(self, friction: DryFriction | None=None) -> None:
+            ...
 
-    def __repr__(self) -> str:
-        ...
+        def __repr__(self) -> str:
+            ...
 
-    @property
-    def X_WT(self) -> numpy.typing.NDArray[numpy.float64]:
-        ...
+        def __setstate__(self, arg0: tuple) -> None:
+            ...
 
-    @property
-    def arming(self) -> ArmingState:
-        ...
+        @property
+        def friction(self) -> DryFriction | None:
+            ...
 
-    @property
-    def blocks_waiting(self) -> int:
-        ...
+        @friction.setter
+        def friction(self, arg0: DryFriction | None) -> None:
+            ...
 
-    @property
-    def commands_dropped(self) -> int:
-        ...
+    class SetEffects:
+        effects: Effects
 
-    @property
-    def device(self) -> DeviceState:
-        ...
+        def __copy__(self) -> commands.SetEffects:
+            ...
 
-    @property
-    def output(self) -> DeviceOutput:
-        ...
+        def __deepcopy__(self, memo: dict) -> commands.SetEffects:
+            ...
 
-    @property
-    def tick(self) -> int:
-        ...
+        def __getstate__(self) -> tuple:
+            ...
 
-    @property
-    def values(self) -> typing.Annotated[list[float], 'FixedSize(16)']:
-        ...
+        def __init__(self, effects: Effects=...) -> None:
+            ...
+
+        def __repr__(self) -> str:
+            ...
+
+        def __setstate__(self, arg0: tuple) -> None:
+            ...
+
+    class SetForceMask:
+        enabled: AxisMask
+
+        def __copy__(self) -> commands.SetForceMask:
+            ...
+
+        def __deepcopy__(self, memo: dict) -> commands.SetForceMask:
+            ...
+
+        def __getstate__(self) -> tuple:
+            ...
+
+        def __init__(self, enabled: AxisMask=...) -> None:
+            ...
+
+        def __repr__(self) -> str:
+            ...
+
+        def __setstate__(self, arg0: tuple) -> None:
+            ...
+
+    class SetRemoval:
+
+        def __copy__(self) -> commands.SetRemoval:
+            ...
+
+        def __deepcopy__(self, memo: dict) -> commands.SetRemoval:
+            ...
+
+        def __getstate__(self) -> tuple:
+            ...
+
+        def __init__(self, removal: RemovalLaw=RemovalLaw.none) -> None:
+            ...
+
+        def __repr__(self) -> str:
+            ...
+
+        def __setstate__(self, arg0: tuple) -> None:
+            ...
+
+        @property
+        def removal(self) -> RemovalLaw:
+            ...
+
+        @removal.setter
+        def removal(self, arg1: RemovalLaw) -> None:
+            ...
+
+    class HoldForce:
+
+        def __copy__(self) -> commands.HoldForce:
+            ...
+
+        def __deepcopy__(self, memo: dict) -> commands.HoldForce:
+            ...
+
+        def __getstate__(self) -> tuple:
+            ...
+
+        def __init__(self, hold: bool=True) -> None:
+            ...
+
+        def __repr__(self) -> str:
+            ...
+
+        def __setstate__(self, arg0: tuple) -> None:
+            ...
+
+        @property
+        def hold(self) -> bool:
+            ...
+
+        @hold.setter
+        def hold(self, arg0: bool) -> None:
+            ...
+
+    class SetTool:
+
+        def __init__(self, tool: Tool, voxel_size: typing.SupportsFloat | typing.SupportsIndex, config: SimulationConfig) -> None:
+            ...
+
+    class SetMaterials:
+
+        def __init__(self, materials: MaterialTable, config: SimulationConfig) -> None:
+            ...
+
+    class ExchangeWorkpiece:
+
+        def __init__(self, workpiece: Workpiece, tool: Tool, config: SimulationConfig) -> None:
+            ...
+
+        @property
+        def bounds(self) -> IndexBox:
+            ...
 
 class ToolSnapshot:
 
@@ -7593,6 +7827,18 @@ class ToolSnapshot:
 
     @property
     def force(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+
+    @property
+    def force_held(self) -> bool:
+        ...
+
+    @property
+    def redo_marks(self) -> int:
+        ...
+
+    @property
+    def redoing(self) -> bool:
         ...
 
     @property
@@ -7627,6 +7873,55 @@ class ToolSnapshot:
     def undoing(self) -> bool:
         ...
 
+    @property
+    def workpiece(self) -> int:
+        ...
+
+class LoopSnapshot:
+
+    def __repr__(self) -> str:
+        ...
+
+    @property
+    def X_WT(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+
+    @property
+    def arming(self) -> ArmingState:
+        ...
+
+    @property
+    def blocks_outside(self) -> int:
+        ...
+
+    @property
+    def blocks_waiting(self) -> int:
+        ...
+
+    @property
+    def commands_dropped(self) -> int:
+        ...
+
+    @property
+    def commands_refused(self) -> int:
+        ...
+
+    @property
+    def device(self) -> DeviceState:
+        ...
+
+    @property
+    def output(self) -> DeviceOutput:
+        ...
+
+    @property
+    def tick(self) -> int:
+        ...
+
+    @property
+    def tool(self) -> ToolSnapshot:
+        ...
+
 class ChangedBlock:
 
     @property
@@ -7643,6 +7938,10 @@ class ChangedBlock:
 
     @property
     def version(self) -> int:
+        ...
+
+    @property
+    def workpiece(self) -> int:
         ...
 
 class SimulationModelOptions:
@@ -7707,7 +8006,16 @@ class SimulationModelOptions:
 
 class SimulationModel:
 
-    def __init__(self, simulation: Simulation, device: Device, options: SimulationModelOptions=..., recorder: Recorder | None=None) -> None:
+    def __init__(self, simulation: Simulation, device: Device, options: SimulationModelOptions=...) -> None:
+        ...
+
+    def prepare_materials(self, materials: MaterialTable) -> commands.SetMaterials:
+        ...
+
+    def prepare_tool(self, tool: Tool) -> commands.SetTool:
+        ...
+
+    def prepare_workpiece(self, workpiece: Workpiece, tool: Tool) -> commands.ExchangeWorkpiece:
         ...
 
     @property
@@ -7765,16 +8073,13 @@ class RealtimeLoop:
     def __init__(self, model: typing.Any, options: RealtimeLoopOptions=...) -> None:
         ...
 
-    def emergency_stop(self) -> None:
-        ...
-
     def latest(self) -> LoopSnapshot:
         ...
 
     def receive(self) -> ChangedBlock | None:
         ...
 
-    def send(self, command: LoopCommand) -> bool:
+    def send(self, command: typing.Any) -> bool:
         ...
 
     def start(self) -> None:
@@ -7788,6 +8093,10 @@ class RealtimeLoop:
 
     @property
     def is_running(self) -> bool:
+        ...
+
+    @property
+    def requests(self) -> Requests:
         ...
 
 def _loop_in_cpp(simulation: Simulation, poses: numpy.typing.NDArray[numpy.float64], velocities: numpy.typing.NDArray[numpy.float64], dt: float | numpy.typing.NDArray[numpy.float64]) -> float:
@@ -8163,9 +8472,6 @@ def thesis_handle_torque(handle: RayHandle | LHandle, force_H: numpy.typing.Arra
 def thesis_mode(mode: ThesisMode | None=None) -> SimulationConfig:
     ...
 
-def tool_of(snapshot: LoopSnapshot) -> ToolSnapshot:
-    ...
-
 @typing.overload
 def transport(wrench_P: Wrench, p_QP: numpy.typing.ArrayLike) -> Wrench:
     ...
@@ -8298,7 +8604,7 @@ kMolarDentin: int = 2
 kMolarEnamel: int = 1
 kMolarPulp: int = 3
 kMostPlayedSteps: int = 10000000
-kRecordingFormat: int = 1
+kRecordingFormat: int = 2
 kRejected: int = 15
 kSafetyEvents: int = 33
 kSmallestFill: float = 0.0010000000474974513

@@ -14,15 +14,16 @@
 #include "hapticut/simulation/simulation.hpp"
 
 namespace hapticut::description_test {
-namespace {
-
-// --- how many members a struct has ----------------------------------------------------------------------------------
 
 /// Becomes whatever a member needs.
 struct Anything {
   template <class T>
   operator T() const;  // NOLINT(google-explicit-constructor): that is what it is for
 };
+
+namespace {
+
+// --- how many members a struct has ----------------------------------------------------------------------------------
 
 template <class S, std::size_t... kIndices>
 constexpr bool takes(std::index_sequence<kIndices...>) {

@@ -124,7 +124,9 @@ TEST(Device, LeavesNoForceWhenAnotherThreadCrashes) {
   if (!kCrashesAreOurs) GTEST_SKIP() << "the sanitizer handles crashes";
   const std::pair<int, std::function<void()>> crashes[] = {
       {SIGABRT, [] { std::abort(); }}, {SIGSEGV, touch_nothing}, {SIGFPE, [] { raise(SIGFPE); }}};
-  for (const auto& [signal, crash] : crashes) {
+  for (const auto& one : crashes) {
+    const int signal = one.first;
+    const std::function<void()>& crash = one.second;
     SharedForce last;
     const int status = end_of_child(
         last, [&](WrittenDevice& device) { run_until_another_thread(device, *last.value, crash, true); }, 0);
