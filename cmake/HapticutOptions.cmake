@@ -42,6 +42,8 @@ target_compile_options(hapticut_build_flags INTERFACE -Wall -Wextra -Wpedantic -
   $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
   # ... and clang++ calls a local name shadowed that another file of the room has in its unnamed namespace.
   $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:Clang>>:-Wno-shadow>
+  # Code that may go into a shared library keeps the right to call and inline its own functions directly.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>
   $<$<BOOL:${HAPTICUT_WARNINGS_AS_ERRORS}>:-Werror>)
 
 # What each component needs: a list of `package to find|target or variable that proves it|Debian package`.

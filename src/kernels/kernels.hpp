@@ -97,15 +97,16 @@ struct ContactJob {
 struct Pressed {
   Resultant resultant;
   LawEnergies energies;
-  std::array<double, 256> taken = {};  ///< [voxels] filled volume taken away, by MaterialId
 };
 
 }  // namespace hapticut::kernels
 
 #ifdef HAPTICUT_SCALAR_KERNELS
 namespace hapticut::kernels {
-using ContactSums = Pressed;  // the scalar reference adds up what it finds
-}
+struct ContactSums : Pressed {         // the scalar reference adds up what it finds
+  std::array<double, 256> taken = {};  ///< [voxels] filled volume taken away, by MaterialId
+};
+}  // namespace hapticut::kernels
 #else
 #include "kernels/contact_sums.hpp"
 #endif

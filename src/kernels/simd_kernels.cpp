@@ -65,7 +65,6 @@ Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_vol
   energies.damping = total(Term::kDamping);
   energies.rubbing = total(Term::kRubbing) / weight;  // over all the time since the last turn
   energies.credited = total(Term::kCredited) / weight;
-  all.taken = sums.taken;
   return all;
 }
 

@@ -177,8 +177,7 @@ Encounter ContactStages::press(std::span<const CuttableBlock> blocks, const Head
     kernels::press_blocks(job, std::span(tasks_).first(count), sums, &stiffness);
   }
   stiffness_T = stiffness.total(double(job.level_of_detail) * voxel_volume_);
-  std::array<double, 256> taken;
-  return encounter_of(job, sums, taken);
+  return encounter_of(job, sums);
 }
 
 kernels::ContactJob ContactStages::job_at(std::span<const CuttableBlock> blocks,
@@ -192,18 +191,15 @@ kernels::ContactJob ContactStages::job_at(std::span<const CuttableBlock> blocks,
   return job;
 }
 
-/// @param taken  [m^3] by MaterialId
-Encounter ContactStages::encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums,
-                                      std::array<double, 256>& taken) const noexcept {
+Encounter ContactStages::encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums) const noexcept {
   const kernels::Pressed pressed = kernels::pressed(job, sums, voxel_volume_);
   Encounter encounter;
   encounter.resultant = pressed.resultant;
   encounter.energies = pressed.energies;
   encounter.level_of_detail = int(job.level_of_detail);
-  for (std::size_t id = 0; id < taken.size(); ++id) {
-    taken[id] = pressed.taken[id] * voxel_volume_;
-    if (taken[id] != 0) encounter.energies.cutting += double(materials_[id].cutting_energy) * taken[id];
-  }
+  const auto materials = std::size_t(workpiece_.materials().size());
+  for (std::size_t id = 1; id <= materials; ++id)
+    encounter.energies.cutting += double(materials_[id].cutting_energy) * (sums.taken[id] * voxel_volume_);
   return encounter;
 }
 
@@ -228,11 +224,11 @@ Encounter ContactStages::cut_by_default_law(std::span<const CuttableBlock> block
     for (std::size_t n = 0; n < count; ++n) keep_change(blocks[first + n], tasks_[n].change);
     first += count;
   }
-  std::array<double, 256> taken;
-  Encounter encounter = encounter_of(job, sums, taken);
+  Encounter encounter = encounter_of(job, sums);
   encounter.blocks_exhausted = exhausted;
   for (int id = 1; id <= workpiece_.materials().size(); ++id)
-    if (taken[std::size_t(id)] != 0) removal.add_volume(MaterialId(id), taken[std::size_t(id)]);
+    if (const double taken = sums.taken[std::size_t(id)]; taken != 0)
+      removal.add_volume(MaterialId(id), taken * voxel_volume_);
   return encounter;
 }
 

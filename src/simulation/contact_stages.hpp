@@ -135,8 +135,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
 
   [[nodiscard]] kernels::ContactJob job_at(std::span<const CuttableBlock> blocks,
                                            const HeadPlacement& at) const noexcept;
-  [[nodiscard]] Encounter encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums,
-                                       std::array<double, 256>& taken) const noexcept;
+  [[nodiscard]] Encounter encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums) const noexcept;
   [[nodiscard]] Encounter cut_by_default_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                              RemovalRecord& removal) noexcept;
   [[nodiscard]] Encounter cut_by_given_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,

@@ -54,7 +54,8 @@ elseif(CASE STREQUAL "no_io")
     message(FATAL_ERROR "a missing part of io must stop the configuration and say how to build it:\n${output}")
   endif()
 elseif(CASE STREQUAL "subdirectory")
-  # Compiling the whole library once more is long, so whoever has a ccache gives it to this project as well.
+  # Compiling the whole library once more is long: not optimised it takes a third of the time, and whoever has a ccache
+  # gives it to this project as well.
   # Its io, where the packages for it are there, is without ITK and Assimp: recordings, pictures, grids and the common
   # formats of meshes need neither.
   set(component "")
@@ -62,10 +63,11 @@ elseif(CASE STREQUAL "subdirectory")
     set(component io)
   endif()
   build_consumer(subdirectory "-DHAPTICUT_SOURCE=${SOURCE}" "-DHAPTICUT_WITH_IO=${WITH_IO}" -DHAPTICUT_WITH_ITK=OFF
-    -DHAPTICUT_WITH_ASSIMP=OFF "-DCOMPONENT=${component}" -DCMAKE_UNITY_BUILD=ON "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
+    -DHAPTICUT_WITH_ASSIMP=OFF "-DCOMPONENT=${component}" -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Debug
+    -DCMAKE_CXX_FLAGS_DEBUG=-O0 "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
 elseif(CASE STREQUAL "program_without_io")
   set(folder "${BUILD}/consumer/subdirectory/subdirectory")
-  must("${CMAKE_COMMAND}" -S "${SOURCE}/tests/consumer" -B "${folder}" -G Ninja -DCMAKE_BUILD_TYPE=Release
+  must("${CMAKE_COMMAND}" -S "${SOURCE}/tests/consumer" -B "${folder}" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
        "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
        "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_WITH_IO=OFF -DHAPTICUT_WITH_ITK=OFF -DHAPTICUT_WITH_ASSIMP=OFF
        -DHAPTICUT_WITH_CLI=ON -DWANTED=CLI -DCOMPONENT= -DCMAKE_UNITY_BUILD=ON)

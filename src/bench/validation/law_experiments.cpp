@@ -16,7 +16,6 @@ namespace hapticut::validation {
 namespace {
 
 using units::deg;
-using units::kPi;
 using units::mm;
 
 constexpr double kCoarse = 0.05;  // [1] where whole voxels at a face count or do not
