@@ -51,6 +51,7 @@ failed=0
 skipped=0
 failures=()
 skips=()
+times=()
 
 # check NAME COMMAND...: one check; its output goes to a file and is shown only when it fails.
 check() {
@@ -59,6 +60,7 @@ check() {
   local log="$logs/${name//[^a-zA-Z0-9]/-}.log"
   if "$@" >"$log" 2>&1; then
     passed=$((passed + 1))
+    times+=("$name $((SECONDS - started)) s")
     printf 'ok      %s (%d s)\n' "$name" $((SECONDS - started))
   else
     failed=$((failed + 1))
@@ -71,11 +73,12 @@ check() {
 
 # run_tests PRESET ARGUMENTS...: every test of one build, counted one by one.
 run_tests() {
-  local preset=$1 report
+  local preset=$1 report started=$SECONDS
   shift
   report="$PWD/$logs/$preset.xml"
   ctest --preset "$preset" -j "$jobs" --output-junit "$report" "$@"
   local status=$? kind name reason
+  times+=("tests: $preset $((SECONDS - started)) s")
   local failed_before=$failed
   while IFS=$'\t' read -r kind name reason; do
     case $kind in
@@ -170,6 +173,7 @@ fi
 echo
 for name in ${skips[@]+"${skips[@]}"}; do echo "skipped: $name"; done
 for name in ${failures[@]+"${failures[@]}"}; do echo "failed:  $name"; done
+for time in ${times[@]+"${times[@]}"}; do echo "time:    $time"; done
 echo "took $((SECONDS / 60)) min $((SECONDS % 60)) s"
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]
