@@ -199,7 +199,7 @@ Encounter ContactStages::encounter_of(const kernels::ContactJob& job, const kern
   encounter.level_of_detail = int(job.level_of_detail);
   const auto materials = std::size_t(workpiece_.materials().size());
   for (std::size_t id = 1; id <= materials; ++id)
-    encounter.energies.cutting += double(materials_[id].cutting_energy) * (sums.taken[id] * voxel_volume_);
+    encounter.energies.cutting += double(materials_[id].cutting_energy) * (sums.removed[id] * voxel_volume_);
   return encounter;
 }
 
@@ -227,8 +227,8 @@ Encounter ContactStages::cut_by_default_law(std::span<const CuttableBlock> block
   Encounter encounter = encounter_of(job, sums);
   encounter.blocks_exhausted = exhausted;
   for (int id = 1; id <= workpiece_.materials().size(); ++id)
-    if (const double taken = sums.taken[std::size_t(id)]; taken != 0)
-      removal.add_volume(MaterialId(id), taken * voxel_volume_);
+    if (const double removed = sums.removed[std::size_t(id)]; removed != 0)
+      removal.add_volume(MaterialId(id), removed * voxel_volume_);
   return encounter;
 }
 
@@ -268,14 +268,14 @@ Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const He
 /// The same, and takes away what the law removes.
 Encounter ContactStages::cut_by_given_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                           RemovalRecord& removal) noexcept {
-  std::array<double, 256> taken = {};  // [voxels]
+  std::array<double, 256> removed = {};  // [voxels]
   const Encounter encounter = ask_law(blocks, at, [&](const CuttableBlock& block, bool may_remove) {
     if (!may_remove) return;
     if (block.fill != nullptr) workpiece_.remember(block.view);
-    keep_change(block, find_changes(contact_, block.view, fill_target(block), taken));
+    keep_change(block, find_changes(contact_, block.view, fill_target(block), removed));
   });
   for (int id = 1; id <= workpiece_.materials().size(); ++id)
-    removal.add_volume(MaterialId(id), taken[std::size_t(id)] * voxel_volume_);
+    removal.add_volume(MaterialId(id), removed[std::size_t(id)] * voxel_volume_);
   return encounter;
 }
 
