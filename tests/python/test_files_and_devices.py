@@ -65,7 +65,7 @@ def test_volumes_are_worked_on(tmp_path, block):
     layout = h.RawLayout(dims=[2, 3, 4], spacing=[1 * mm] * 3, type=h.ValueType.uint8)
     assert h.read_raw_grey_volume(tmp_path / "raw", layout).values[1, 2, 3] == 23
     assert h.read_raw_label_volume(tmp_path / "raw", layout).values[1, 0, 0] == 1
-    for read in (h.read_invesalius_project, lambda path: h.read_colour_slices(path, {(1, 2, 3): 4}, [1 * mm] * 3)):
+    for read in (h.read_invesalius_project, lambda path: h.read_color_slices(path, {(1, 2, 3): 4}, [1 * mm] * 3)):
         with pytest.raises(h.Error):
             read(tmp_path / "nothing")
     assert h.kMaxVolumeSamples > 0

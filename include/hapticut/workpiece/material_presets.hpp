@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
 #include <string_view>
 
+#include "hapticut/core/mesh.hpp"
 #include "hapticut/workpiece/material.hpp"
 
 /// @file
@@ -103,8 +102,8 @@ namespace presets {
 /// @throws Error listing the known names
 [[nodiscard]] Material find_preset(std::string_view name);
 
-/// A colour to show a preset in: red, green, blue, 0 ... 255 (sRGB). A matter of taste, without a source.
+/// A colour to show a preset in. A matter of taste, without a source.
 /// @throws Error listing the known names
-[[nodiscard]] std::array<std::uint8_t, 3> preset_color(std::string_view name);
+[[nodiscard]] Color preset_color(std::string_view name);
 
 }  // namespace hapticut

@@ -198,13 +198,13 @@ double change_between_slices(const LabelVolume& volume) {
 TEST(ImportOracle, MastoidSlicesAreInNumericOrderAndNoiseIsLeftOut) {
   HAPTICUT_NEEDS_DATA("bone/mastoid_RT143_256");
   const Vec3 spacing = Vec3::Constant(0.192 * mm);
-  const LabelVolume bone = read_colour_slices(data_path("bone/mastoid_RT143_256"), {{{255, 249, 219}, 1}}, spacing);
+  const LabelVolume bone = read_color_slices(data_path("bone/mastoid_RT143_256"), {{{255, 249, 219}, 1}}, spacing);
   EXPECT_EQ(bone.dims, (std::array<int, 3>{256, 256, 253}));
   EXPECT_EQ(std::count(bone.values.begin(), bone.values.end(), 1), 2777917);
   // In the right order neighbours are alike: lexical order gives several times this.
   EXPECT_LT(change_between_slices(bone), 1500);
   // (90, 116, 55) occurs only in pixels that are not wholly opaque.
-  EXPECT_THROW((void)read_colour_slices(data_path("bone/mastoid_RT143_256"), {{{90, 116, 55}, 1}}, spacing), Error);
+  EXPECT_THROW((void)read_color_slices(data_path("bone/mastoid_RT143_256"), {{{90, 116, 55}, 1}}, spacing), Error);
 }
 
 /// What reading says about a folder of links to some of the files of another one.
