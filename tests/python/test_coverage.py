@@ -85,9 +85,9 @@ def test_heads_have_an_extent_a_profile_and_a_depth(name):
     box = head.bounding_box()
     assert (box.max > box.min).all() and 0 < head.largest_radius() <= head.reach() and head.volume() > 0
     assert "mm" in head.description()
-    inside: h.ToolHead.DepthAndDirection = head.depth_at([0.1 * head.largest_radius(), 0, 0.45 * box.min[2] + 0.55 * box.max[2]])
+    inside: h.Spring = head.spring_at([0.1 * head.largest_radius(), 0, 0.45 * box.min[2] + 0.55 * box.max[2]])
     assert inside.depth > 0 and np.linalg.norm(inside.direction) == pytest.approx(1)
-    assert head.depth_at(box.max + 1 * mm).depth <= 0
+    assert head.spring_at(box.max + 1 * mm).depth <= 0
     profile = head.profile()
     again = h.ToolHead(h.ProfileHead(profile))
     assert again.volume() == pytest.approx(head.volume(), rel=1e-6)

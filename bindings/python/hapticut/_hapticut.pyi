@@ -7,7 +7,7 @@ import numpy.typing
 import os
 import pathlib
 import typing
-__all__: list = ['Arming', 'ArmingOptions', 'ArmingState', 'AxialCutForce', 'AxisMask', 'BodyDescription', 'Bounce', 'BounceTest', 'Box', 'BuildInfo', 'Buzz', 'Calibration', 'ChangedBlock', 'ClosedLoop', 'ClosedLoopConfig', 'Color', 'ColoredMesh', 'ConeHead', 'Contact', 'ContactBench', 'ContactMechanicsLaw', 'ContactProbe', 'ContactTime', 'CoupledResult', 'CouplingEnergy', 'CouplingGains', 'DampingMatrixLaw', 'DeepContact', 'DeltaFilter', 'Device', 'DeviceCapabilities', 'DeviceCommand', 'DeviceFault', 'DeviceModel', 'DeviceOutput', 'DeviceState', 'DeviceTick', 'DrillingTest', 'DryFriction', 'EdgeKind', 'Effects', 'EffectsInput', 'EnergyLedger', 'Error', 'FaultResponse', 'FlatHead', 'FlatRule', 'ForceLaw', 'ForceModel', 'FoundationLaw', 'Grade', 'Gravity', 'GreyRange', 'GreyVolume', 'GridFrame', 'GuardOptions', 'HandModel', 'HandleTorque', 'HeadBox', 'HertzianBurrLaw', 'IndexBox', 'InjectedFault', 'LHandle', 'LabelInterpolation', 'LabelMaterial', 'LabelVolume', 'LatencyHistogram', 'Layer', 'LinearWall', 'LoopSnapshot', 'Material', 'MaterialAmount', 'MaterialTable', 'MeshImport', 'MeshShell', 'MockDevice', 'MockOptions', 'ModelFactory', 'MolarParameters', 'MouseDevice', 'MouseOptions', 'MoveKey', 'NamedMesh', 'Output', 'OutputLimit', 'OutputLimits', 'PassivityController', 'PassivityOptions', 'PictureOptions', 'Plant', 'PlantOptions', 'PlaybackDevice', 'PlaybackRange', 'PoseGate', 'PoseGateOptions', 'PressTest', 'ProbedMotions', 'Profile', 'ProfileEdge', 'ProfileHead', 'Quadrature', 'RawLayout', 'RayHandle', 'RealtimeLoop', 'RealtimeLoopOptions', 'RealtimeOptions', 'RecognizedProfile', 'RecordedEffects', 'Recorder', 'RecorderOptions', 'Recording', 'RecordingInfo', 'RemovalLaw', 'ReplayDifference', 'ReplayReport', 'Requests', 'RunOptions', 'RunReport', 'SafetyEvent', 'SafetyGuard', 'SafetyLog', 'SafetyLogEntry', 'Scene', 'Simulation', 'SimulationConfig', 'SimulationModel', 'SimulationModelOptions', 'SphereHead', 'Spindle', 'SpindleMotor', 'SpindleState', 'Spring', 'StabilitySearch', 'StageTimes', 'StepInput', 'StepResult', 'StepStatus', 'StickSlip', 'ThermalBudget', 'ThermalOptions', 'ThesisLaw', 'ThesisMode', 'Tool', 'ToolHead', 'ToolSnapshot', 'TriangleMesh', 'TwistDrillLaw', 'UnclaimedLabels', 'ValueType', 'VdbImport', 'Vibration', 'VibrationPhase', 'VirtualCoupling', 'VolumeBuildOptions', 'VolumeReadOptions', 'Watchdog', 'WatchdogOptions', 'Workpiece', 'WorkpieceSnapshot', 'WorkpieceSurface', 'WorkspaceMap', 'WorkspaceMapOptions', 'WorstCase', 'Wrench', 'advance', 'axial_cut_force', 'bounce', 'box_around', 'box_of_volume', 'build_block', 'build_body', 'build_from_grey', 'build_from_labels', 'build_from_mesh', 'build_from_shells', 'build_info', 'build_layered_slab', 'build_molar', 'build_sphere', 'calibrate', 'capabilities', 'check_input', 'christmas_tree_head', 'close_gaps', 'colored', 'commands', 'contact_models', 'contact_point', 'count_from', 'count_labels', 'coupling_gains', 'crop', 'crop_to_box', 'cylinder_head', 'describe', 'describe_molar', 'device_drivers', 'device_model', 'device_models', 'extract_surface', 'fill_cavities', 'filtered', 'find_preset', 'find_scene', 'flame_head', 'gravity_wrench', 'grey_range', 'growth_limited', 'hand_model', 'hand_models', 'has', 'head_in_handle', 'injected_faults', 'inverted_cone_head', 'is_rotation', 'is_stable', 'kBlockEdge', 'kBlockVoxels', 'kEmpty', 'kFastestSpindle', 'kFastestVibration', 'kFullSpinSpeed', 'kMaxMaterials', 'kMaxVolumeSamples', 'kMolarCaries', 'kMolarDentin', 'kMolarEnamel', 'kMolarPulp', 'kMostPlayedSteps', 'kRecordingFormat', 'kRejected', 'kSafetyEvents', 'kSmallestFill', 'kTreeWaist', 'kWithIo', 'keep_largest_component', 'label_range', 'largest_contact_stiffness', 'largest_stable_stiffness', 'least_force_growth', 'load_vdb', 'masked', 'material_color', 'materials_of', 'mesh_of_revolution', 'most_blocks', 'most_voxels', 'needle_head', 'obeys_the_rules', 'open_device', 'open_mock', 'open_playback', 'orthonormalized', 'output_limits', 'pear_head', 'preset_color', 'preset_names', 'press', 'pressed_search', 'profile_from_mesh', 'read_color_slices', 'read_grey_volume', 'read_invesalius_project', 'read_label_volume', 'read_mesh', 'read_raw_grey_volume', 'read_raw_label_volume', 'read_recording', 'replay', 'resample', 'respond', 'rotation_from_vector', 'round_end_cylinder_head', 'round_end_tapered_head', 'round_head', 'saturated', 'save_vdb', 'scenes', 'scripted_path', 'simulation_of', 'standing_share', 'stiffness_for_accuracy', 'stiffness_for_device', 'tapered_head', 'thesis_handle_torque', 'thesis_mode', 'transport', 'twist_between', 'twist_drill_head', 'unused_label', 'validate', 'vector_from_rotation', 'wheel_head', 'with_spacing', 'write_csv', 'write_npz', 'write_nrrd', 'write_obj', 'write_picture', 'write_ply', 'write_stl']
+__all__: list = ['Arming', 'ArmingOptions', 'ArmingState', 'AxialCutForce', 'AxisMask', 'BodyDescription', 'Bounce', 'BounceTest', 'Box', 'BuildInfo', 'Buzz', 'Calibration', 'ChangedBlock', 'ClosedLoop', 'ClosedLoopConfig', 'Color', 'ColoredMesh', 'ConeHead', 'Contact', 'ContactBench', 'ContactMechanicsLaw', 'ContactProbe', 'ContactTime', 'CoupledResult', 'CouplingEnergy', 'CouplingGains', 'DampingMatrixLaw', 'DeepContact', 'DeltaFilter', 'Device', 'DeviceCapabilities', 'DeviceCommand', 'DeviceFault', 'DeviceModel', 'DeviceOutput', 'DeviceState', 'DeviceTick', 'DrillingTest', 'DryFriction', 'EdgeKind', 'Effects', 'EffectsInput', 'EnergyLedger', 'Error', 'FaultResponse', 'FlatHead', 'FlatRule', 'ForceLaw', 'ForceModel', 'FoundationLaw', 'Grade', 'Gravity', 'GreyRange', 'GreyVolume', 'GridFrame', 'GuardOptions', 'HandModel', 'HandleTorque', 'HeadBox', 'HertzianBurrLaw', 'IndexBox', 'InjectedFault', 'LHandle', 'LabelInterpolation', 'LabelMaterial', 'LabelVolume', 'LatencyHistogram', 'Layer', 'LinearWall', 'LoopSnapshot', 'Material', 'MaterialAmount', 'MaterialTable', 'MeridianSpring', 'MeshImport', 'MeshShell', 'MockDevice', 'MockOptions', 'ModelFactory', 'MolarParameters', 'MouseDevice', 'MouseOptions', 'MoveKey', 'NamedMesh', 'Output', 'OutputLimit', 'OutputLimits', 'PassivityController', 'PassivityOptions', 'PictureOptions', 'Plant', 'PlantOptions', 'PlaybackDevice', 'PlaybackRange', 'PoseGate', 'PoseGateOptions', 'PressTest', 'ProbedMotions', 'Profile', 'ProfileEdge', 'ProfileHead', 'Quadrature', 'RawLayout', 'RayHandle', 'RealtimeLoop', 'RealtimeLoopOptions', 'RealtimeOptions', 'RecognizedProfile', 'RecordedEffects', 'Recorder', 'RecorderOptions', 'Recording', 'RecordingInfo', 'RemovalLaw', 'ReplayDifference', 'ReplayReport', 'Requests', 'RunOptions', 'RunReport', 'SafetyEvent', 'SafetyGuard', 'SafetyLog', 'SafetyLogEntry', 'Scene', 'Simulation', 'SimulationConfig', 'SimulationModel', 'SimulationModelOptions', 'SphereHead', 'Spindle', 'SpindleMotor', 'SpindleState', 'Spring', 'StabilitySearch', 'StageTimes', 'StepInput', 'StepResult', 'StepStatus', 'StickSlip', 'ThermalBudget', 'ThermalOptions', 'ThesisLaw', 'ThesisMode', 'Tool', 'ToolHead', 'ToolSnapshot', 'TriangleMesh', 'TwistDrillLaw', 'UnclaimedLabels', 'ValueType', 'VdbImport', 'Vibration', 'VibrationPhase', 'VirtualCoupling', 'VolumeBuildOptions', 'VolumeReadOptions', 'Watchdog', 'WatchdogOptions', 'Workpiece', 'WorkpieceSnapshot', 'WorkpieceSurface', 'WorkspaceMap', 'WorkspaceMapOptions', 'WorstCase', 'Wrench', 'advance', 'axial_cut_force', 'bounce', 'box_around', 'box_of_volume', 'build_block', 'build_body', 'build_from_grey', 'build_from_labels', 'build_from_mesh', 'build_from_shells', 'build_info', 'build_layered_slab', 'build_molar', 'build_sphere', 'calibrate', 'capabilities', 'check_input', 'christmas_tree_head', 'close_gaps', 'colored', 'commands', 'contact_models', 'contact_point', 'count_from', 'count_labels', 'coupling_gains', 'crop', 'crop_to_box', 'cylinder_head', 'describe', 'describe_molar', 'device_drivers', 'device_model', 'device_models', 'extract_surface', 'fill_cavities', 'filtered', 'find_preset', 'find_scene', 'flame_head', 'gravity_wrench', 'grey_range', 'growth_limited', 'hand_model', 'hand_models', 'has', 'head_in_handle', 'injected_faults', 'inverted_cone_head', 'is_rotation', 'is_stable', 'kBlockEdge', 'kBlockVoxels', 'kEmpty', 'kFastestSpindle', 'kFastestVibration', 'kFullSpinSpeed', 'kMaxMaterials', 'kMaxVolumeSamples', 'kMolarCaries', 'kMolarDentin', 'kMolarEnamel', 'kMolarPulp', 'kMostPlayedSteps', 'kRecordingFormat', 'kRejected', 'kSafetyEvents', 'kSmallestFill', 'kTreeWaist', 'kWithIo', 'keep_largest_component', 'label_range', 'largest_contact_stiffness', 'largest_stable_stiffness', 'least_force_growth', 'load_vdb', 'masked', 'material_color', 'materials_of', 'mesh_of_revolution', 'most_blocks', 'most_voxels', 'needle_head', 'obeys_the_rules', 'open_device', 'open_mock', 'open_playback', 'orthonormalized', 'output_limits', 'pear_head', 'preset_color', 'preset_names', 'press', 'pressed_search', 'profile_from_mesh', 'read_color_slices', 'read_grey_volume', 'read_invesalius_project', 'read_label_volume', 'read_mesh', 'read_raw_grey_volume', 'read_raw_label_volume', 'read_recording', 'replay', 'resample', 'respond', 'rotation_from_vector', 'round_end_cylinder_head', 'round_end_tapered_head', 'round_head', 'saturated', 'save_vdb', 'scenes', 'scripted_path', 'simulation_of', 'standing_share', 'stiffness_for_accuracy', 'stiffness_for_device', 'tapered_head', 'thesis_handle_torque', 'thesis_mode', 'transport', 'twist_between', 'twist_drill_head', 'unused_label', 'validate', 'vector_from_rotation', 'wheel_head', 'with_spacing', 'write_csv', 'write_npz', 'write_nrrd', 'write_obj', 'write_picture', 'write_ply', 'write_stl']
 
 class Error(RuntimeError):
     ...
@@ -493,7 +493,7 @@ class Profile:
     def tip(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 
-class Spring:
+class MeridianSpring:
 
     @property
     def depth(self) -> float:
@@ -512,7 +512,7 @@ class ProfileHead:
     def __init__(self, profile: Profile, tolerance: typing.SupportsFloat | typing.SupportsIndex=0.01) -> None:
         ...
 
-    def exact_spring(self, rho: typing.SupportsFloat | typing.SupportsIndex, z: typing.SupportsFloat | typing.SupportsIndex) -> Spring:
+    def exact_spring(self, rho: typing.SupportsFloat | typing.SupportsIndex, z: typing.SupportsFloat | typing.SupportsIndex) -> MeridianSpring:
         ...
 
     @property
@@ -548,17 +548,17 @@ class HeadBox:
     def min(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
 
+class Spring:
+
+    @property
+    def depth(self) -> float:
+        ...
+
+    @property
+    def direction(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+
 class ToolHead:
-
-    class DepthAndDirection:
-
-        @property
-        def depth(self) -> float:
-            ...
-
-        @property
-        def direction(self) -> numpy.typing.NDArray[numpy.float64]:
-            ...
 
     def __init__(self, shape: SphereHead | ConeHead | FlatHead | ProfileHead) -> None:
         ...
@@ -567,9 +567,6 @@ class ToolHead:
         ...
 
     def bounding_box(self) -> HeadBox:
-        ...
-
-    def depth_at(self, p_TQ: numpy.typing.ArrayLike) -> ToolHead.DepthAndDirection:
         ...
 
     def description(self) -> str:
@@ -582,6 +579,9 @@ class ToolHead:
         ...
 
     def reach(self) -> float:
+        ...
+
+    def spring_at(self, p_TQ: numpy.typing.ArrayLike) -> Spring:
         ...
 
     def volume(self) -> float:
