@@ -29,10 +29,10 @@ std::string describe(DeviceFault fault) {
   return "an unknown fault";
 }
 
-std::string describe(OutputLimit limits) {
+std::string describe(OutputChange changes) {
   std::string words;
-  for (const auto& one : names_of(Of<OutputLimit>{}))
-    if (has(limits, one.value))
+  for (const auto& one : names_of(Of<OutputChange>{}))
+    if (has(changes, one.value))
       words += (words.empty() ? "" : ", ") + std::string(one.words != nullptr ? one.words : one.name);
   return words.empty() ? "none" : words;
 }

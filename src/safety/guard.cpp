@@ -230,7 +230,7 @@ Wrench SafetyGuard::finite_or_none(const Wrench& commanded) noexcept {
     not_finite_ = 0;
     return commanded;
   }
-  output_.limits |= OutputLimit::not_finite;
+  output_.changes |= OutputChange::not_finite;
   log_.report(SafetyEvent::force_not_finite);
   if (++not_finite_ >= options_.not_finite_ticks) arming_.fail(log_);
   return {};
@@ -242,7 +242,7 @@ Wrench SafetyGuard::make_passive(const Wrench& wrench) noexcept {
   w.torque = turning_passivity_.control(wrench.torque, output_.applied.torque, turn_, dt_);
   const double taken = std::max(passivity_.taken(), turning_passivity_.taken());
   if (taken > 0) {
-    output_.limits |= OutputLimit::damped;
+    output_.changes |= OutputChange::damped;
     log_.report(SafetyEvent::passivity, taken);
   }
   return w;
@@ -253,19 +253,19 @@ Wrench SafetyGuard::bound(const Wrench& wrench) noexcept {
   const double force = wrench.force.norm(), torque = wrench.torque.norm();
   if (force > greatest_force_ || torque > greatest_torque_) {
     const bool no_motors = (force > 0 && greatest_force_ == 0) || (torque > 0 && greatest_torque_ == 0);
-    if (no_motors) output_.limits |= OutputLimit::no_actuator;
+    if (no_motors) output_.changes |= OutputChange::no_actuator;
     if (force > greatest_force_ && greatest_force_ > 0) {
-      output_.limits |= OutputLimit::saturated;
+      output_.changes |= OutputChange::saturated;
       log_.report(SafetyEvent::saturated, force);
     } else if (torque > greatest_torque_ && greatest_torque_ > 0) {
-      output_.limits |= OutputLimit::saturated;
+      output_.changes |= OutputChange::saturated;
       log_.report(SafetyEvent::saturated, torque);
     }
   }
   Wrench w{saturated(wrench.force, greatest_force_), saturated(wrench.torque, greatest_torque_)};
   if (w.force.norm() > thermal_.limit()) {
     w.force = saturated(w.force, thermal_.limit());
-    output_.limits |= OutputLimit::cooled;
+    output_.changes |= OutputChange::cooled;
     log_.report(SafetyEvent::continuous_limited, thermal_.limit());
   }
   const double growth_time = std::min(dt_, options_.period);  // a late tick does not earn a bigger step
@@ -273,7 +273,7 @@ Wrench SafetyGuard::bound(const Wrench& wrench) noexcept {
                growth_limited(before_ramp_.torque, w.torque, torque_slew_ * growth_time)};
   // A rounding error is no limit.
   if ((grown.force - w.force).norm() > 1e-9 * force || (grown.torque - w.torque).norm() > 1e-9 * torque) {
-    output_.limits |= OutputLimit::slew_limited;
+    output_.changes |= OutputChange::slew_limited;
     log_.report(SafetyEvent::slew_limited, (grown.force - w.force).norm());
   }
   return grown;
@@ -281,7 +281,7 @@ Wrench SafetyGuard::bound(const Wrench& wrench) noexcept {
 
 Wrench SafetyGuard::release(const Wrench& commanded) noexcept {
   output_.commanded = commanded;
-  output_.limits = OutputLimit::none;
+  output_.changes = OutputChange::none;
   const Wrench finite = finite_or_none(commanded);
   if (requests_->emergency()) fail_in_emergency();
   const double share = arming_.tick(dt_, reading_ok_, finite.force.norm(), finite.torque.norm(), log_);
@@ -290,7 +290,7 @@ Wrench SafetyGuard::release(const Wrench& commanded) noexcept {
     before_ramp_ = bound(make_passive(finite));
     wrench = {share * before_ramp_.force, share * before_ramp_.torque};
     if (share < 1) {
-      output_.limits |= OutputLimit::ramped;
+      output_.changes |= OutputChange::ramped;
       const Vec3 speed = motion_ / dt_;
       const double growth_time = std::min(dt_, options_.period);
       wrench.force = saturated(wrench.force - (1 - share) * ramp_damping_ * speed, greatest_force_);
@@ -298,7 +298,7 @@ Wrench SafetyGuard::release(const Wrench& commanded) noexcept {
     }
     if (!is_finite(wrench)) wrench = {};
   } else {
-    output_.limits |= OutputLimit::held_back;
+    output_.changes |= OutputChange::held_back;
     before_ramp_ = {};
     passivity_.restart();
     turning_passivity_.restart();
@@ -313,7 +313,7 @@ Wrench SafetyGuard::release(const Wrench& commanded) noexcept {
 void SafetyGuard::applied(const Wrench& wrench) noexcept {
   if (!is_finite(wrench)) return;
   if (wrench.force != output_.applied.force || wrench.torque != output_.applied.torque)
-    output_.limits |= OutputLimit::by_driver;
+    output_.changes |= OutputChange::by_driver;
   output_.applied = wrench;
 }
 

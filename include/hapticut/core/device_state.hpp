@@ -136,7 +136,7 @@ struct DeviceCommand {
 };
 
 /// What was done to a commanded wrench before it reached the motors, as bits.
-enum class OutputLimit : std::uint32_t {
+enum class OutputChange : std::uint32_t {
   none = 0,
   held_back = 1U << 0,     ///< not yet armed, or in the fault state: no force
   ramped = 1U << 1,        ///< the force is being faded in
@@ -149,8 +149,8 @@ enum class OutputLimit : std::uint32_t {
   by_driver = 1U << 8,     ///< the driver applied something else than it was given
 };
 
-constexpr auto names_of(Of<OutputLimit>) {
-  using enum OutputLimit;
+constexpr auto names_of(Of<OutputChange>) {
+  using enum OutputChange;
   return std::array{
       Named{none, "none"},
       Named{held_back, "held_back", "held back"},
@@ -165,29 +165,29 @@ constexpr auto names_of(Of<OutputLimit>) {
   };
 }
 
-[[nodiscard]] constexpr OutputLimit operator|(OutputLimit a, OutputLimit b) {
-  return OutputLimit(std::uint32_t(a) | std::uint32_t(b));
+[[nodiscard]] constexpr OutputChange operator|(OutputChange a, OutputChange b) {
+  return OutputChange(std::uint32_t(a) | std::uint32_t(b));
 }
-constexpr OutputLimit& operator|=(OutputLimit& a, OutputLimit b) { return a = a | b; }
-[[nodiscard]] constexpr bool has(OutputLimit limits, OutputLimit bits) {
-  return (std::uint32_t(limits) & std::uint32_t(bits)) != 0;
+constexpr OutputChange& operator|=(OutputChange& a, OutputChange b) { return a = a | b; }
+[[nodiscard]] constexpr bool has(OutputChange changes, OutputChange bits) {
+  return (std::uint32_t(changes) & std::uint32_t(bits)) != 0;
 }
 
-/// The limits in words, separated by commas; "none" for none.
-[[nodiscard]] std::string describe(OutputLimit limits);
+/// The changes in words, separated by commas; "none" where there is none.
+[[nodiscard]] std::string describe(OutputChange changes);
 
 /// The two sides of the last tick's output.
 struct DeviceOutput {
   Wrench commanded;
   Wrench applied;
-  OutputLimit limits = OutputLimit::none;
+  OutputChange changes = OutputChange::none;
 };
 
 constexpr auto fields_of(Of<DeviceOutput>) {
   return std::tuple{
       field("commanded", &DeviceOutput::commanded, "what the user's code asked for"),
       field("applied", &DeviceOutput::applied, "what the motors got"),
-      field("limits", &DeviceOutput::limits, "why they differ; bits of OutputLimit"),
+      field("changes", &DeviceOutput::changes, "why they differ; bits of OutputChange"),
   };
 }
 

@@ -167,7 +167,7 @@ std::vector<Column> make_columns() {
              HAPTICUT_MEMBER(device.output.applied.force)),
       column(device, "applied_torque", "N m", about_stylus, "until the step",
              HAPTICUT_MEMBER(device.output.applied.torque)),
-      column(device, "output_limits", "1", none, "bits of OutputLimit", HAPTICUT_MEMBER(device.output.limits)),
+      column(device, "output_limits", "1", none, "bits of OutputChange", HAPTICUT_MEMBER(device.output.changes)),
       column(device, "arming", "1", none, "ArmingState", HAPTICUT_MEMBER(device.arming)),
   };
   columns.insert(columns.end(), others.begin(), others.end());
