@@ -51,7 +51,7 @@ void Simulation::State::prepare_workpiece() {
   workpiece.reserve_blocks(config.reserved_blocks);
   X_VW = workpiece.frame().X_WV.inverse();
   voxel_volume = std::pow(workpiece.voxel_size(), 3);
-  set_frictions();
+  set_material_friction();
   contact_stages.set_cutting_share(1 - standing_share(motor.speed(), tool.head().largest_radius()));
 }
 
