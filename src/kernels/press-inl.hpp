@@ -135,7 +135,7 @@ class Press {
       if (near_axis_) slip_squared = slip_squared + axis_slip_squared(r);
       constexpr float kRegular = FoundationLaw::kSlipRegularization * FoundationLaw::kSlipRegularization;
       s.inverse_slip = inverse_root(slip_squared + broadcast(kRegular));
-      s.slip_path = slip_squared * s.inverse_slip * broadcast(m_.duration * m_.turns);
+      s.slip_path = slip_squared * s.inverse_slip * broadcast(m_.duration * m_.level_of_detail);
     }
     if (damped_) s.felt_rate = rate_of_depth(r, s, m_.felt_velocity, m_.felt_angular_velocity);
     return s;

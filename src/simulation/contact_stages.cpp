@@ -187,7 +187,7 @@ kernels::ContactJob ContactStages::job_at(std::span<const CuttableBlock> blocks,
                              at.motion,       materials_,
                              quadrature_,     damped_,
                              unsigned(level), turn_};
-  job.motion.turns = float(level);
+  job.motion.level_of_detail = float(level);
   return job;
 }
 

@@ -31,7 +31,7 @@ def test_a_probe_feels_what_a_step_would_and_changes_nothing(block):
     assert there.stiffness.shape == (6, 6) and np.allclose(there.stiffness, there.stiffness.T)
     # 5 %: the voxels at the rim of the contact count whole or not at all.
     assert there.stiffness[2, 2] == pytest.approx(slope[2], rel=0.05)
-    assert there.contact.voxels > 100 and there.contact.turns == 1 and simulation.steps == 0
+    assert there.contact.voxels > 100 and there.contact.level_of_detail == 1 and simulation.steps == 0
     felt = simulation.step(h.Pose.from_translation(place), np.zeros(6), 1e-3)
     assert np.allclose(there.wrench.force, felt.model.force, rtol=1e-5)
     assert there.sliding is False  # nothing rubs

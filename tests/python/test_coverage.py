@@ -327,7 +327,7 @@ def test_a_simulation_tells_what_it_is(simulation, plunge):
     given = values["last_input"]
     assert np.array_equal(given.pose, plunge[0][-1]) and np.array_equal(given.velocity, plunge[1][-1])
     last = simulation.last_result
-    assert given.dt == 1e-3 and last.contact.turns == 1 and last.spindle.speed > 0 and last.spindle.torque > 0
+    assert given.dt == 1e-3 and last.contact.level_of_detail == 1 and last.spindle.speed > 0 and last.spindle.torque > 0
     energy = use_attributes(last.energy)
     terms = ("elastic", "cutting", "damping", "rubbing", "anchored", "sliding", "credited", "entered", "released")
     assert all(math.isfinite(energy[term]) for term in terms) and energy["hand_work"] > 0 < energy["motor_work"]

@@ -2955,7 +2955,7 @@ class Contact:
         ...
 
     @property
-    def turns(self) -> int:
+    def level_of_detail(self) -> int:
         ...
 
     @property

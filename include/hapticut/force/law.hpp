@@ -51,7 +51,8 @@ struct HeadMotion {
   RemovalLaw removal;
   float head_radius = 0;  ///< [m] largest radius of the head
   float lead = 0;         ///< [1] of the sub-step that the contact is evaluated after its middle; 0.5: at its end
-  float turns = 1;        ///< sub-steps whose slip is made up for in this one, where samples take turns
+  /// n: an n-th of the samples is evaluated in a sub-step, in turn, and makes up for the slip of n of them.
+  float level_of_detail = 1;
   const WholeContact* whole = nullptr;  ///< only for laws that need moments
 
   /// Whether a spinning head takes material away.

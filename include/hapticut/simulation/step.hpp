@@ -108,7 +108,7 @@ struct Contact {
   int voxels = 0;
   double volume = 0;
   double depth = 0;
-  int turns = 1;
+  int level_of_detail = 1;
 };
 
 constexpr auto fields_of(Of<Contact>) {
@@ -116,7 +116,7 @@ constexpr auto fields_of(Of<Contact>) {
       field("voxels", &Contact::voxels, "1", "voxels inside the head that are not empty"),
       field("volume", &Contact::volume, "m^3", "their filled volume"),
       field("depth", &Contact::depth, "m", "greatest depth below the cutting surface"),
-      field("turns", &Contact::turns, "1",
+      field("level_of_detail", &Contact::level_of_detail, "1",
             "n: an n-th of the voxels was evaluated; see SimulationConfig::voxel_budget"),
   };
 }

@@ -241,7 +241,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
                                        materials,
                                        trial % 7 == 0 ? Quadrature::voxel_center : Quadrature::centroid,
                                        damped,
-                                       unsigned(motion.turns),
+                                       unsigned(motion.level_of_detail),
                                        unsigned(trial)};
       const Reference expected(job, block.view);
 
@@ -277,7 +277,8 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       const double energy = energies.elastic_before + energies.cutting + energies.released + energies.rubbing +
                             std::abs(energies.damping) + 1e-30;
       EXPECT_NEAR(found.elastic_before / weight, energies.elastic_before, 2 * kRounding * energy);
-      // Of several turns, what is stored counts for all and what was removed once: only one turn says which is which.
+      // Where strips take turns, what is stored counts for all and what was removed once: only n = 1 says which is
+      // which.
       if (job.level_of_detail == 1) {
         EXPECT_NEAR(found.elastic, energies.elastic, 2 * kRounding * energy);
         EXPECT_NEAR(found.released, energies.released, 10 * kRounding * energy);

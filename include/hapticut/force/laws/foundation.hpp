@@ -59,7 +59,7 @@ class FoundationLaw final : public ForceLaw {
                                     ContactBlock& b) noexcept {
     const ContactMaterial first = materials[b.one_material];
     const float dt = m.duration;
-    const float slip_time = dt * m.turns;  // a sample that waited for its turn makes up for it
+    const float slip_time = dt * m.level_of_detail;  // a sample that waited for its turn makes up for it
     const float voxel_volume = m.voxel_size * m.voxel_size * m.voxel_size;
     const float axis_zone = axis_zone_factor(m);
     const float slip_on_axis = axis_slip_squared(m);
