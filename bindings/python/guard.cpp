@@ -25,8 +25,8 @@ void bind_states(py::module_& m) {
       "describe", [](std::uint32_t changes) { return describe(OutputChange(changes)); }, py::arg("changes"),
       "The bits of OutputChange in words, separated by commas.");
   m.def(
-      "has", [](std::uint32_t changes, OutputChange wanted) { return has(OutputChange(changes), wanted); },
-      py::arg("changes"), py::arg("bits"), doc("has"));
+      "has_any", [](std::uint32_t changes, OutputChange wanted) { return has_any(OutputChange(changes), wanted); },
+      py::arg("changes"), py::arg("bits"), doc("has_any"));
   bind_enum<ArmingState>(m, "ArmingState");
 }
 

@@ -64,11 +64,11 @@ void bind_operations(py::module_& m) {
       "with_spacing", [](Labels v, const Vec3& spacing) { return with_spacing(v, spacing); }, py::arg("volume"),
       py::arg("spacing"));
   m.def(
-      "crop", [](Grey v, const IndexBox& samples) { return crop(v, samples); }, py::arg("volume"), py::arg("samples"),
-      doc("crop"), Released());
+      "crop_to_samples", [](Grey v, const IndexBox& samples) { return crop_to_samples(v, samples); }, py::arg("volume"),
+      py::arg("samples"), doc("crop_to_samples"), Released());
   m.def(
-      "crop", [](Labels v, const IndexBox& samples) { return crop(v, samples); }, py::arg("volume"), py::arg("samples"),
-      Released());
+      "crop_to_samples", [](Labels v, const IndexBox& samples) { return crop_to_samples(v, samples); },
+      py::arg("volume"), py::arg("samples"), Released());
   m.def(
       "box_around",
       [](Labels v, const std::vector<std::uint16_t>& labels, double margin) { return box_around(v, labels, margin); },

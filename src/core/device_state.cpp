@@ -32,7 +32,7 @@ std::string describe(DeviceFault fault) {
 std::string describe(OutputChange changes) {
   std::string words;
   for (const auto& one : names_of(Of<OutputChange>{}))
-    if (has(changes, one.value))
+    if (has_any(changes, one.value))
       words += (words.empty() ? "" : ", ") + std::string(one.words != nullptr ? one.words : one.name);
   return words.empty() ? "none" : words;
 }

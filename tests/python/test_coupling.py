@@ -103,8 +103,8 @@ def test_the_contact_bench_runs_without_the_interpreter():
     assert search.target[2, 3] < 0
     search.window, search.windows = 0.1, 2
     assert h.is_stable(config, models, 1e12, search)
-    assert h.press(config, models, 1e12, h.PressTest(height=bench.radius, seconds=0.3, measured=0.1)).greatest_force > 0
-    bounced = h.bounce(config, models, 1e12, h.BounceTest(height=bench.radius, phases=1, time_limit=0.1))
+    assert h.measure_buzz(config, models, 1e12, h.PressTest(height=bench.radius, seconds=0.3, measured=0.1)).greatest_force > 0
+    bounced = h.measure_bounce(config, models, 1e12, h.BounceTest(height=bench.radius, phases=1, time_limit=0.1))
     assert bounced.peak_force > 0
     with pytest.raises(h.Error, match="factory.*type int"):
         h.is_stable(config, 3, 1e12)

@@ -169,7 +169,8 @@ constexpr auto names_of(Of<OutputChange>) {
   return OutputChange(std::uint32_t(a) | std::uint32_t(b));
 }
 constexpr OutputChange& operator|=(OutputChange& a, OutputChange b) { return a = a | b; }
-[[nodiscard]] constexpr bool has(OutputChange changes, OutputChange bits) {
+/// Whether any of the given bits is set.
+[[nodiscard]] constexpr bool has_any(OutputChange changes, OutputChange bits) {
   return (std::uint32_t(changes) & std::uint32_t(bits)) != 0;
 }
 

@@ -23,7 +23,7 @@ constexpr auto names_of(Of<ArmingState>) {
   };
 }
 
-[[nodiscard]] const char* name(ArmingState state);
+[[nodiscard]] const char* name_of(ArmingState state);
 
 /// When a force is allowed, and how it begins.
 struct ArmingOptions {

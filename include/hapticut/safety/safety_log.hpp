@@ -94,7 +94,7 @@ constexpr auto names_of(Of<SafetyEvent>) {
 
 inline constexpr std::size_t kSafetyEvents = std::size_t(SafetyEvent::count);
 
-[[nodiscard]] std::string_view name(SafetyEvent event);
+[[nodiscard]] std::string_view name_of(SafetyEvent event);
 
 /// One entry: an event that began.
 struct SafetyLogEntry {

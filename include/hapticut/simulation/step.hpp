@@ -95,7 +95,7 @@ constexpr auto names_of(Of<StepStatus>) {
 constexpr StepStatus& operator|=(StepStatus& a, StepStatus b) { return a = a | b; }
 
 /// Whether any of the given bits is set.
-[[nodiscard]] constexpr bool has(StepStatus status, StepStatus bits) {
+[[nodiscard]] constexpr bool has_any(StepStatus status, StepStatus bits) {
   return (std::uint32_t(status) & std::uint32_t(bits)) != 0;
 }
 

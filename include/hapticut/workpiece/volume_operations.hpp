@@ -28,8 +28,8 @@ namespace hapticut {
 
 /// The samples of a box; what of it reaches beyond the volume is left out.
 /// @throws Error when nothing is left
-[[nodiscard]] GreyVolume crop(const GreyVolume& volume, const IndexBox& samples);
-[[nodiscard]] LabelVolume crop(const LabelVolume& volume, const IndexBox& samples);
+[[nodiscard]] GreyVolume crop_to_samples(const GreyVolume& volume, const IndexBox& samples);
+[[nodiscard]] LabelVolume crop_to_samples(const LabelVolume& volume, const IndexBox& samples);
 
 /// The samples that a workpiece inside a box of the world needs: those around the box, and two more to each side for
 /// interpolation.

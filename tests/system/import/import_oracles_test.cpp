@@ -77,7 +77,7 @@ TEST_P(LabelledToothVolumes, AgreeWithItsDescription) {
   // The pulp is not labelled: it is what closing by a ball of 0.8 mm across and filling cavities add inside. Where the
   // chamber ends in the root canals is a matter of the procedure, so its volume is known to a fifth only.
   constexpr double kProcedure = 0.2;
-  LabelVolume solid = keep_largest_component(resample(crop(volume, box_around(volume)), 0.068 * mm));
+  LabelVolume solid = keep_largest_component(resample(crop_to_samples(volume, box_around(volume)), 0.068 * mm));
   constexpr std::uint16_t kPulp = 4;
   LabelVolume pulp = fill_cavities(close_gaps(std::move(solid), 0.4 * mm, kPulp), kPulp);
   for (std::uint16_t& label : pulp.values) label = label == kPulp ? kPulp : 0;

@@ -91,11 +91,11 @@ TEST(LevelOfDetail, KeepsTheBudgetTheForceAndTheCut) {
   const Groove whole = cut_groove(0);
   ASSERT_GT(whole.most_evaluated, 4500);
   EXPECT_EQ(whole.highest_level, 1);
-  EXPECT_FALSE(has(whole.status, StepStatus::detail_reduced));
+  EXPECT_FALSE(has_any(whole.status, StepStatus::detail_reduced));
   const Groove reduced = cut_groove(4096);
   EXPECT_LE(reduced.most_evaluated, 4096);
   EXPECT_EQ(reduced.highest_level, 5) << "2 would do, but all solid voxels of the blocks touched are counted";
-  EXPECT_TRUE(has(reduced.status, StepStatus::detail_reduced));
+  EXPECT_TRUE(has_any(reduced.status, StepStatus::detail_reduced));
   EXPECT_LT((reduced.force - whole.force).norm(), 0.07 * whole.force.norm()) << "the just noticeable difference";
   EXPECT_NEAR(reduced.removed, whole.removed, 0.02 * whole.removed);
   EXPECT_LT(std::abs(reduced.closure), 0.02);
@@ -110,10 +110,10 @@ TEST(LevelOfDetail, IsOnlyReducedWhereTheHeadTouchesMoreThanTheBudget) {
   EXPECT_LE(simulation.worst_case().voxels, 4096U);
   const StepResult& shallow = simulation.step(Pose::from_translation(Vec3(0, 0, 5.4 * mm)), {}, 1e-3);
   EXPECT_GT(shallow.contact.voxels, 0);
-  EXPECT_FALSE(has(shallow.status, StepStatus::detail_reduced));
+  EXPECT_FALSE(has_any(shallow.status, StepStatus::detail_reduced));
   simulation.restore(simulation.snapshot());
   const StepResult& deep = simulation.step(Pose::from_translation(Vec3(0, 0, 0)), {}, 1e-3);
-  EXPECT_TRUE(has(deep.status, StepStatus::detail_reduced));
+  EXPECT_TRUE(has_any(deep.status, StepStatus::detail_reduced));
 }
 
 TEST(LevelOfDetail, IsRefusedForALawOfOnesOwnAndForAnAbsurdBudget) {
