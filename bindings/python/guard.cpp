@@ -104,8 +104,8 @@ void bind_guard(py::module_& m) {
       .def("forget_stop", &Q::forget_stop, "Takes a stop back.")
       .def("take_reset", &Q::take_reset, doc("Requests::take_reset"))
       .def("take_interruption", &Q::take_interruption,
-           "Takes an interruption; SafetyEvent.count of C++, which is len(SafetyEvent.__members__), where there is "
-           "none.");
+           "Takes an interruption; SafetyEvent.count of C++, which is len(SafetyEvent.__members__), where there was "
+           "no interruption.");
   bind_options(m);
   m.def("output_limits", &output_limits, py::arg("device"), py::arg("fastest_contact") = 0.5, doc("output_limits"));
   py::class_<SafetyGuard>(m, "SafetyGuard", doc("SafetyGuard"))

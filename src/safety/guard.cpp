@@ -19,14 +19,14 @@ constexpr double kImplausiblySmall = 1e-6;  // [m] of all motion within a second
 
 constexpr double kFastTurn = 10;  // [rad/s] at which damping may take all the torque there is
 
-/// The options with the damping that a device can render, where they name none.
+/// The options with the damping that a device can render, where the options name no damping.
 PassivityOptions with_damping(PassivityOptions options, double damping) {
   if (options.greatest_damping == 0) options.greatest_damping = damping;
   return options;
 }
 
-/// [N/s] by which the force of a device may grow where nobody says it: no slower than its stiffest wall needs. One of
-/// unknown stiffness may reach its peak within 10 ms.
+/// [N/s] by which the force of a device may grow where the options do not say it: no slower than its stiffest wall
+/// needs. One of unknown stiffness may reach its peak within 10 ms.
 double default_growth(double stiffness, double fastest_contact, double greatest_force) {
   const double needed = least_force_growth(stiffness, fastest_contact);
   return needed > 0 ? needed : greatest_force / 10e-3;
@@ -149,7 +149,7 @@ void SafetyGuard::keep_time(const DeviceState& reading) noexcept {
 // What other threads asked for since the last tick.
 void SafetyGuard::obey() noexcept {
   if (was_dead_.exchange(false, std::memory_order_acq_rel)) arming_.fail(log_);
-  // Whoever pulled the emergency stop and reset it within one tick still finds the guard as after any fault.
+  // An emergency stop that is pulled and reset within one tick leaves the guard as after any fault.
   if (requests_->reset_wanted() && requests_->emergency() && arming_.state() != ArmingState::fault) fail_in_emergency();
   if (requests_->take_reset() && arming_.state() == ArmingState::fault) {
     gate_.restart();
@@ -192,7 +192,7 @@ const DeviceState& SafetyGuard::admit(const DeviceState& reading) noexcept {
   reading_ok_ = verdict == PoseGate::Verdict::accepted;
   if (started_ && reading_ok_ && state.epoch != epoch) {
     arming_.interrupt(SafetyEvent::recalibrated, false, log_);
-    X_BS_last_ = state.X_BS;  // the way between two calibrations is no motion
+    X_BS_last_ = state.X_BS;  // the way between two calibrations is not a motion
   }
   if (verdict == PoseGate::Verdict::lost && arming_.state() > ArmingState::armed) arming_.fail(log_);
   switch (state.fault) {
@@ -271,7 +271,7 @@ Wrench SafetyGuard::bound(const Wrench& wrench) noexcept {
   const double growth_time = std::min(dt_, options_.period);  // a late tick does not earn a bigger step
   Wrench grown{growth_limited(before_ramp_.force, w.force, slew_ * growth_time),
                growth_limited(before_ramp_.torque, w.torque, torque_slew_ * growth_time)};
-  // A rounding error is no limit.
+  // A rounding error is not a limit.
   if ((grown.force - w.force).norm() > 1e-9 * force || (grown.torque - w.torque).norm() > 1e-9 * torque) {
     output_.changes |= OutputChange::slew_limited;
     log_.report(SafetyEvent::slew_limited, (grown.force - w.force).norm());

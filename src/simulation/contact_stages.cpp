@@ -170,7 +170,7 @@ Encounter ContactStages::press(std::span<const CuttableBlock> blocks, const Head
   kernels::StiffnessSums stiffness;
   for (std::size_t first = 0; first < blocks.size(); first += kPressedAtOnce) {
     const std::size_t count = std::min(kPressedAtOnce, blocks.size() - first);
-    for (std::size_t n = 0; n < count; ++n) {  // nobody reads the new fills
+    for (std::size_t n = 0; n < count; ++n) {  // the new fills are not read
       const CuttableBlock& block = blocks[first + n];
       tasks_[n] = {block.view, new_fill_.data(), at.motion.cuts() && can_cut(block), {}};
     }
@@ -330,7 +330,7 @@ void ContactStages::remove_emptied(RemovalRecord& removal) noexcept {
 
 std::size_t ContactStages::undo(std::size_t most) noexcept {
   std::size_t undone = 0;
-  do {  // one at least, or who asks for none would never arrive
+  do {  // one at least, or a caller that asks for 0 would never arrive
     const auto origin = workpiece_.undo_block();
     if (!origin) break;
     list_change(*origin);

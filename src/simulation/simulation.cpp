@@ -81,7 +81,7 @@ StepObserver* Simulation::observer() const noexcept { return state_->observer; }
 void Simulation::set_observer(StepObserver* observer) {
   if (observer != nullptr && state_->observer != nullptr && observer != state_->observer)
     throw Error(
-        "somebody else observes the simulation, a recorder perhaps; close it, or set its observer to null first.");
+        "the simulation has another observer, a recorder perhaps; close that, or set the observer to null first.");
   state_->observer = observer;
 }
 

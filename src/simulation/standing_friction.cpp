@@ -54,7 +54,7 @@ Wrench Simulation::State::normal_wrench(const SubStep& sub_step) noexcept {
   return contact_stages.press_and_cut(blocks, standing, removal).resultant.wrench_T;
 }
 
-/// The friction of the material nearest to a point; that of the last one touched where there is none nearby.
+/// The friction of the material nearest to a point; that of the last one touched where no material is nearby.
 const DryFriction& Simulation::State::friction_at(const Vec3& p_WQ, MaterialId& touched) const noexcept {
   if (config.friction) return material_friction[touched];  // the same everywhere
   const Vec3 p_VQ = X_VW * p_WQ / workpiece.voxel_size();

@@ -26,7 +26,7 @@ enum class InjectedFault : std::uint8_t {
   force_x1000,       ///< the model's force comes in millinewtons
   nan_force,         ///< the model's force becomes not-a-number
   unplugged,         ///< the device stops answering
-  emergency_stop,    ///< somebody pulls it
+  emergency_stop,    ///< the emergency stop is pulled
 };
 
 [[nodiscard]] std::string_view name_of(InjectedFault fault);

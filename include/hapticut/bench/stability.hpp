@@ -9,7 +9,7 @@
 /// What the closed-loop bench measures. Everything happens in simulated time and gives the same numbers on every run.
 namespace hapticut {
 
-/// Makes a fresh model of a given stiffness [N/m], or of whatever parameter a search varies.
+/// Makes a fresh model of a given stiffness [N/m], or of another parameter that a search varies.
 using ModelFactory = std::function<ForceModel(double stiffness)>;
 
 /// Where a search for a stability limit begins and how it looks.

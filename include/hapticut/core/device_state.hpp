@@ -14,8 +14,8 @@
 /// and the origin of S at the point whose position the device measures and at which it applies its force.
 namespace hapticut {
 
-/// What a device can measure and render. Zero means that it has none or that nobody knows; a reason is in the
-/// documentation of the adapter.
+/// What a device can measure and render. Zero means that it has none, or that its driver does not say; the
+/// documentation of the adapter says why.
 struct DeviceCapabilities {
   std::string model;
   std::string vendor;
@@ -77,7 +77,8 @@ enum class DeviceFault : std::uint8_t {
   speed_limit,   ///< the driver saw a motion that is too fast, and restarts its output gently
   overloaded,    ///< the servo loop took longer than its period
   driver_error,  ///< the driver refused a call that it should not refuse. Ends the run
-  switched_off,  ///< somebody switched the motors off: a button or dead man's switch of the device, another program
+  switched_off,  ///< the motors were switched off: by a button or dead man's switch of the device, or by another
+                 ///< program
 };
 
 constexpr auto names_of(Of<DeviceFault>) {

@@ -38,7 +38,7 @@ struct SimulationConfig {
   Quadrature quadrature = Quadrature::centroid;
 
   /// With `end`, springs that are being pressed push harder than what they store in the sub-step; the difference is
-  /// booked as damping. Laws of one's own that do not read HeadMotion::lead store what they would half a sub-step
+  /// booked as damping. Custom laws that do not read HeadMotion::lead store what they would half a sub-step
   /// later, and the difference is booked as EnergyLedger::entered.
   ContactTime contact_time = ContactTime::middle;
 

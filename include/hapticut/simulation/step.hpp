@@ -31,7 +31,7 @@ constexpr auto fields_of(Of<StepInput>) {
 enum class StepStatus : std::uint32_t {
   ok = 0,
 
-  /// The pose held a number that is not finite, or no rotation. No force, workpiece untouched.
+  /// The pose held a number that is not finite, or its matrix was not a rotation. No force, workpiece untouched.
   /// Cure: check the device's matrix; re-orthonormalise it (`orthonormalized`) when it is only inexact.
   pose_rejected = 1U << 0,
   /// The velocity held a number that is not finite, or was above 1e6 m/s or rad/s. No force, workpiece untouched.
@@ -121,8 +121,8 @@ constexpr auto fields_of(Of<Contact>) {
   };
 }
 
-/// Along which motions a probe shall know the stiffness. Only laws of one's own ask for it, as every motion costs them
-/// one more evaluation of the contact.
+/// Along which motions a probe shall know the stiffness. It only matters for custom laws, which evaluate the contact
+/// once more for every motion.
 enum class ProbedMotions { all, translations };
 
 constexpr auto names_of(Of<ProbedMotions>) {

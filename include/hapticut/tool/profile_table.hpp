@@ -94,8 +94,8 @@ struct ProfileTable {
   /// two, and need no table.
   std::uint32_t everywhere = 0;
 
-  /// [m^2] Square of the largest rho in each of a few slabs of equal height between `bottom` and `top`: who asks which
-  /// points may have a spring needs no more. Each slab is grown on all sides by `error`, because that far outside the
+  /// [m^2] Square of the largest rho in each of a few slabs of equal height between `bottom` and `top`: enough to
+  /// tell which points may have a spring. Each slab is grown on all sides by `error`, because that far outside the
   /// table may have springs, and by 1e-5 of the head's size, because its number is found in single precision.
   static constexpr int kSlabs = 16;
   std::array<float, kSlabs> slab_radius_squared = {};

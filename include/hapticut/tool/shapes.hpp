@@ -17,11 +17,9 @@
 ///
 /// Each shape answers two questions:
 /// * `spring(rho, z)`: how deep a material point lies below the cutting surface, and in which direction the spring
-/// there
-///   pushes the material;
+///   there pushes the material;
 /// * `margin(rho, z)`: a function that changes by at most one per unit of length and is positive exactly inside the
-/// head,
-///   used to skip whole blocks that the head cannot touch.
+///   head, used to skip whole blocks that the head cannot touch.
 namespace hapticut {
 
 /// The spring at one point, in the meridian plane; `Spring` is the same in space.
@@ -89,7 +87,7 @@ constexpr auto fields_of(Of<FlatHead>) {
   };
 }
 
-/// The part of a shape that the hot loop needs, in the precision of the loop. One of these per shape; a shape of one's
+/// The part of a shape that the hot loop needs, in the precision of the loop. One of these per shape; a shape of your
 /// own offers the same two functions.
 template <class Real>
 struct SphereSprings {

@@ -136,7 +136,7 @@ LabelVolume read_color_slices(const fs::path& folder, const std::map<Color, std:
       found |= opaque && label != 0;
     }
   });
-  if (!found) cannot_read(folder, "none of the given colours occurs in its slices.");
+  if (!found) cannot_read(folder, "its slices have no pixel of the given colours.");
   volume.spacing = spacing;
   return volume;
 }

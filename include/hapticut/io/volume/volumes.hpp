@@ -28,7 +28,7 @@ namespace hapticut {
 inline constexpr std::int64_t kMaxVolumeSamples = std::int64_t(1) << 31;
 
 struct VolumeReadOptions {
-  /// [m] replaces the spacing of the file; needed where the file has none (PNG and TIFF slices).
+  /// [m] replaces the spacing of the file; needed where the file names no spacing (PNG and TIFF slices).
   std::optional<Vec3> spacing = std::nullopt;
   /// Series Instance UID, needed where a DICOM folder holds several series.
   std::string dicom_series = {};
@@ -46,7 +46,7 @@ struct VolumeReadOptions {
 /// Reads labels from a folder of colour slices: each listed colour is a label, every other one is 0. Pixels that are
 /// not wholly opaque are 0 too: partly transparent ones are noise of a drawing program.
 /// @param spacing  [m] of the pixels and the slices
-/// @throws Error also when none of the colours occurs
+/// @throws Error also when the slices have no pixel of these colours
 [[nodiscard]] LabelVolume read_color_slices(const std::filesystem::path& folder,
                                             const std::map<Color, std::uint16_t>& label_of, const Vec3& spacing);
 
