@@ -23,8 +23,7 @@ std::string describe(DeviceFault fault) {
     case DeviceFault::driver_error:
       return "the driver refused a call; its message is in the run's report";
     case DeviceFault::switched_off:
-      return "somebody switched the motors off; switch them on again at the device, with its button or dead man's "
-             "switch";
+      return "the motors were switched off; switch them on again at the device, with its button or dead man's switch";
   }
   return "an unknown fault";
 }

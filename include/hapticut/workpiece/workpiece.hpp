@@ -107,12 +107,12 @@ class Workpiece {
   [[nodiscard]] std::size_t redo_marks() const noexcept;  ///< undone ones that `redo_block` can go forth over
 
   /// Puts one block back to what it was at the last mark, and remembers what it was until now.
-  /// @return its origin; nullopt when the state is that of the mark, which is then gone
+  /// @return its origin; nothing when the state is that of the mark, which is then gone
   /// @realtime no allocation, no lock; O(512)
   std::optional<VoxelIndex> undo_block() noexcept;
 
   /// Goes forth again by one block over the mark that was undone last; needs no other memory than the way back.
-  /// @return its origin; nullopt when the state is that before the undo, the mark being there again, or when something
+  /// @return its origin; nothing when the state is that before the undo, the mark being there again, or when something
   ///         has been cut since
   /// @realtime no allocation, no lock; O(512)
   std::optional<VoxelIndex> redo_block() noexcept;

@@ -54,7 +54,7 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
   }
   if (r.device.name() == "mouse")
     warnings.emplace_back(
-        "this program has no window, so nobody moved the mouse; MouseDevice is for the windows of other programs.");
+        "this program has no window, so the mouse moved nothing; MouseDevice is for the windows of other programs.");
   if (has_any(r.seen.tool.seen, StepStatus::engaged_layer_thick))
     warnings.emplace_back(
         "the engaged layer was thicker than a tenth of the head, so forces came out low: the material is too soft for "

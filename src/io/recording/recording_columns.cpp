@@ -13,7 +13,7 @@ constexpr ColumnKind kind_of() {
   if constexpr (std::is_same_v<T, std::uint64_t>) return ColumnKind::uint64;
 }
 
-/// A matrix row by row, as everybody but Eigen expects.
+/// A matrix row by row, as all programs but Eigen expect.
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor | Eigen::DontAlign>;
 
 /// The number that a scalar is stored as.

@@ -26,7 +26,7 @@ struct RecorderOptions {
   std::size_t steps = 8192;   ///< that the memory between loop and disk holds, about 1.5 kB each
   double flush_period = 0.2;  ///< [s] in 0.01 ... 0.5; a process that is killed loses this, and what it takes to write
 
-  /// Where the memory is full: true waits for the disk, for simulations that nobody feels; false loses the step and
+  /// Where the memory is full: true waits for the disk, for simulations without a hand; false loses the step and
   /// says so in the recording, for loops.
   bool wait_when_full = false;
 
