@@ -39,7 +39,7 @@ HAPTICUT_NAMED_ARGUMENT(Float64Array);  ///< nothing but a float64 array
 HAPTICUT_NAMED_ARGUMENT(Durations);     ///< a number or a float64 array
 HAPTICUT_NAMED_ARGUMENT(RealArray);     ///< array of real numbers of any type
 
-/// "array of shape (3, 4) and dtype float32", or the type of whatever else it is.
+/// "array of shape (3, 4) and dtype float32", or the type of anything else.
 [[nodiscard]] std::string describe_given(py::handle given);
 
 /// "(n, 4, 4)"; -1 stands for n.

@@ -117,11 +117,11 @@ void bind_stability(py::module_& m) {
   bind_struct<T>(m, "BounceTest", field("height", &T::height), field("speed", &T::speed), field("phases", &T::phases),
                  field("time_limit", &T::time_limit));
   m.def(
-      "bounce",
+      "measure_bounce",
       [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const T& test) {
         const ModelFactory make = factory_from(factory);
         const py::gil_scoped_release released;
-        return bounce(config, make, stiffness, test);
+        return measure_bounce(config, make, stiffness, test);
       },
       py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("test") = T{},
       "What becomes of a free flight into the material.");
@@ -134,11 +134,11 @@ void bind_stability(py::module_& m) {
   bind_struct<P>(m, "PressTest", field("height", &P::height), field("depth", &P::depth), field("speed", &P::speed),
                  field("approach", &P::approach), field("seconds", &P::seconds), field("measured", &P::measured));
   m.def(
-      "press",
+      "measure_buzz",
       [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const P& test) {
         const ModelFactory make = factory_from(factory);
         const py::gil_scoped_release released;
-        return press(config, make, stiffness, test);
+        return measure_buzz(config, make, stiffness, test);
       },
       py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("test") = P{},
       "How a hand feels that presses steadily.");
@@ -167,7 +167,7 @@ void bind_contact_bench(py::module_& m) {
 void bind_faults(py::module_& m) {
   py::enum_<InjectedFault> faults(m, "InjectedFault", doc("InjectedFault"));
   for (const InjectedFault fault : injected_faults()) {
-    const std::string fault_name(name(fault));
+    const std::string fault_name(name_of(fault));
     faults.value(fault_name.c_str(), fault, doc(std::string("InjectedFault::") + fault_name));
   }
   m.def(
@@ -178,15 +178,15 @@ void bind_faults(py::module_& m) {
                  member("greatest_force", &R::greatest_force), member("greatest_growth", &R::greatest_growth),
                  member("oldest_force", &R::oldest_force), member("end", &R::end));
   m.def(
-      "respond",
+      "measure_fault_response",
       [](const ClosedLoopConfig& config, const AnyFactory& factory, double stiffness, const GuardOptions& options,
          InjectedFault fault, double height) {
         const ModelFactory make = factory_from(factory);
         const py::gil_scoped_release released;
-        return respond(config, make, stiffness, options, fault, height);
+        return measure_fault_response(config, make, stiffness, options, fault, height);
       },
       py::arg("config"), py::arg("factory"), py::arg("stiffness"), py::arg("options"), py::arg("fault"),
-      py::arg("height") = 0.0, doc("respond"));
+      py::arg("height") = 0.0, doc("measure_fault_response"));
   m.def("obeys_the_rules", &obeys_the_rules, py::arg("response"), py::arg("guard"), py::arg("period"),
         doc("obeys_the_rules"));
 }

@@ -75,7 +75,7 @@ void bind_runs(py::module_& m) {
           [](const R& report) {
             py::dict events;
             for (std::size_t i = 0; i < kSafetyEvents; ++i)
-              if (report.events[i] > 0) events[py::str(std::string(name(SafetyEvent(i))))] = report.events[i];
+              if (report.events[i] > 0) events[py::str(std::string(name_of(SafetyEvent(i))))] = report.events[i];
             return events;
           },
           "dict from the name of a SafetyEvent to the number of ticks that reported it.");

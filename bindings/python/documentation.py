@@ -32,7 +32,7 @@ LIFETIME = re.compile(r"a reference that stays valid; its contents are those of 
 
 
 def shape_of(cpp_type: str) -> Optional[str]:
-    """The shape in Python of what is of a type in C++, or None where that is no array."""
+    """The shape in Python of a type of C++, or None where it is not an array."""
     words = r"\b(?:static|inline|constexpr|virtual|explicit|mutable)\b|\[\[\w+\]\]"
     plain = re.sub(r"^const\b|&$", "", re.sub(words, "", cpp_type).strip()).strip()
     return SHAPES.get(plain)

@@ -28,7 +28,7 @@ void bind_laws(py::module_& m) {
   py::class_<ForceLaw, std::shared_ptr<ForceLaw>>(
       m, "ForceLaw",
       "A force law: from the samples inside the head to the force on the tool and to what is left of each voxel.\n\n"
-      "It works in the 1 kHz loop, so a law of one's own is a class in C++; Python chooses one and its constants.")
+      "It works in the 1 kHz loop, so a law of your own is a class in C++; Python chooses one and its constants.")
       .def("require_head", &ForceLaw::require_head, py::arg("head"), doc("ForceLaw::require_head"))
       .def("needs_moments", &ForceLaw::needs_moments, doc("ForceLaw::needs_moments"))
       .def("holds_deep_contact", &ForceLaw::holds_deep_contact, doc("ForceLaw::holds_deep_contact"));

@@ -18,15 +18,15 @@ void bind_states(py::module_& m) {
   bind_described<S>(m, "DeviceState").def("pressed", &S::pressed, py::arg("button"), "Whether a button is pressed.");
   bind_struct<DeviceCommand>(m, "DeviceCommand", field("wrench", &DeviceCommand::wrench),
                              field("stop", &DeviceCommand::stop));
-  bind_bits<OutputLimit>(m, "OutputLimit");
+  bind_bits<OutputChange>(m, "OutputChange");
   bind_described<DeviceOutput>(m, "DeviceOutput");
   m.def("describe", py::overload_cast<DeviceFault>(&describe), py::arg("fault"), doc("describe"));
   m.def(
-      "describe", [](std::uint32_t limits) { return describe(OutputLimit(limits)); }, py::arg("limits"),
-      "The bits of OutputLimit in words, separated by commas.");
+      "describe", [](std::uint32_t changes) { return describe(OutputChange(changes)); }, py::arg("changes"),
+      "The bits of OutputChange in words, separated by commas.");
   m.def(
-      "has", [](std::uint32_t limits, OutputLimit wanted) { return has(OutputLimit(limits), wanted); },
-      py::arg("limits"), py::arg("bits"), doc("has"));
+      "has_any", [](std::uint32_t changes, OutputChange wanted) { return has_any(OutputChange(changes), wanted); },
+      py::arg("changes"), py::arg("bits"), doc("has_any"));
   bind_enum<ArmingState>(m, "ArmingState");
 }
 
@@ -104,8 +104,8 @@ void bind_guard(py::module_& m) {
       .def("forget_stop", &Q::forget_stop, "Takes a stop back.")
       .def("take_reset", &Q::take_reset, doc("Requests::take_reset"))
       .def("take_interruption", &Q::take_interruption,
-           "Takes an interruption; SafetyEvent.count of C++, which is len(SafetyEvent.__members__), where there is "
-           "none.");
+           "Takes an interruption; SafetyEvent.count of C++, which is len(SafetyEvent.__members__), where there was "
+           "no interruption.");
   bind_options(m);
   m.def("output_limits", &output_limits, py::arg("device"), py::arg("fastest_contact") = 0.5, doc("output_limits"));
   py::class_<SafetyGuard>(m, "SafetyGuard", doc("SafetyGuard"))

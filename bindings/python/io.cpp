@@ -64,11 +64,11 @@ void bind_operations(py::module_& m) {
       "with_spacing", [](Labels v, const Vec3& spacing) { return with_spacing(v, spacing); }, py::arg("volume"),
       py::arg("spacing"));
   m.def(
-      "crop", [](Grey v, const IndexBox& samples) { return crop(v, samples); }, py::arg("volume"), py::arg("samples"),
-      doc("crop"), Released());
+      "crop_to_samples", [](Grey v, const IndexBox& samples) { return crop_to_samples(v, samples); }, py::arg("volume"),
+      py::arg("samples"), doc("crop_to_samples"), Released());
   m.def(
-      "crop", [](Labels v, const IndexBox& samples) { return crop(v, samples); }, py::arg("volume"), py::arg("samples"),
-      Released());
+      "crop_to_samples", [](Labels v, const IndexBox& samples) { return crop_to_samples(v, samples); },
+      py::arg("volume"), py::arg("samples"), Released());
   m.def(
       "box_around",
       [](Labels v, const std::vector<std::uint16_t>& labels, double margin) { return box_around(v, labels, margin); },
@@ -147,15 +147,18 @@ void bind_volume_files(py::module_& m) {
   m.def("read_label_volume", &read_label_volume, py::arg("path"), py::arg("options") = VolumeReadOptions{},
         doc("read_label_volume"), Released());
   m.def(
-      "read_colour_slices",
+      "read_color_slices",
       [](const Path& folder, const py::dict& label_of, const Vec3& spacing) {
-        std::map<Colour, std::uint16_t> labels;
-        for (const auto& [colour, label] : label_of) labels[colour.cast<Colour>()] = label.cast<std::uint16_t>();
+        std::map<Color, std::uint16_t> labels;
+        for (const auto& [color, label] : label_of) {
+          const auto [red, green, blue] = color.cast<std::array<std::uint8_t, 3>>();
+          labels[{red, green, blue}] = label.cast<std::uint16_t>();
+        }
         const py::gil_scoped_release released;
-        return read_colour_slices(folder, labels, spacing);
+        return read_color_slices(folder, labels, spacing);
       },
       py::arg("folder"), py::arg("label_of"), py::arg("spacing"),
-      (std::string(doc("read_colour_slices")) + "\n\nlabel_of is a dict from (red, green, blue) to a label.").c_str());
+      (std::string(doc("read_color_slices")) + "\n\nlabel_of is a dict from (red, green, blue) to a label.").c_str());
   bind_enum<ValueType>(m, "ValueType",
                        {{"uint8", ValueType::uint8},
                         {"int8", ValueType::int8},

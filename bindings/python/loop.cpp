@@ -33,7 +33,7 @@ PythonModel model_of(const std::shared_ptr<PythonSimulation>& simulation, const 
 
 }  // namespace
 
-/// A loop; while it runs, nobody else can touch its simulation.
+/// A loop; while it runs, no other code can touch its simulation.
 class PythonLoop {
  public:
   PythonLoop(py::object model, const RealtimeLoopOptions& options)

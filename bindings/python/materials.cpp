@@ -40,13 +40,7 @@ void bind_materials(py::module_& m) {
         return std::vector<std::string>(names.begin(), names.end());
       },
       "The names that find_preset knows.");
-  m.def(
-      "preset_color",
-      [](std::string_view name) {
-        const auto color = preset_color(name);
-        return py::make_tuple(color[0], color[1], color[2]);
-      },
-      py::arg("name"), doc("preset_color"));
+  m.def("preset_color", &preset_color, py::arg("name"), doc("preset_color"));
 }
 
 }  // namespace hapticut::python

@@ -41,7 +41,7 @@ void bind_recorder(py::module_& m) {
              return held;
            }),
            py::arg("path"), py::arg("simulation"), py::arg("options") = O{}, py::arg("driven_by") = py::none(),
-           "Records the steps of a simulation, whoever makes them, until it is closed.\n\n"
+           "Records every step of a simulation, also those of a loop or a coupling, until it is closed.\n\n"
            "driven_by is the device whose loop makes the steps: its name, its capabilities and its side of every step\n"
            "are taken from it. Without it a loop of your own gives them: options.device, options.capabilities and\n"
            "set_device_tick.")
@@ -94,7 +94,8 @@ void bind_recording(py::module_& m) {
                                member("effects", &RecordedEffects::effects));
   py::class_<Recording>(m, "Recording", doc("Recording"))
       .def_property_readonly("path", &Recording::path, "Of the file.")
-      .def_property_readonly("info", &Recording::info, py::return_value_policy::copy, "Who made it, and how it ended.")
+      .def_property_readonly("info", &Recording::info, py::return_value_policy::copy,
+                             "Which build, machine and device made it, and how it ended.")
       .def_property_readonly("has_device", &Recording::has_device, doc("Recording::has_device"))
       .def_property_readonly("capabilities", &Recording::capabilities, py::return_value_policy::copy,
                              doc("Recording::capabilities"))

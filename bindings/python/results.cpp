@@ -13,8 +13,8 @@ void bind_result_of_step(py::module_& m) {
   bind_bits<StepStatus>(m, "StepStatus");
   m.attr("kRejected") = std::uint32_t(kRejected);
   m.def(
-      "has", [](std::uint32_t bits, StepStatus wanted) { return has(StepStatus(bits), wanted); }, py::arg("status"),
-      py::arg("bits"), doc("has"));
+      "has_any", [](std::uint32_t bits, StepStatus wanted) { return has_any(StepStatus(bits), wanted); },
+      py::arg("status"), py::arg("bits"), doc("has_any"));
   bind_described_result<Contact>(m, "Contact");
   bind_described_result<SpindleState>(m, "SpindleState");
   using E = EnergyLedger;

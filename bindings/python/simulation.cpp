@@ -95,7 +95,8 @@ void bind_the_simulation(py::module_& m) {
           "is\n"
           "    that since the beginning of the run.\n\n"
           "Raises\n------\nError\n    When an array has another shape or type, or holds a number that is not finite; "
-          "nothing was simulated then.\n    Whatever else is wrong with an input is reported by `status`, as step "
+          "nothing was simulated then.\n    Everything else that is wrong with an input is reported by `status`, as "
+          "step "
           "does.")
       .def(
           "probe",

@@ -26,7 +26,7 @@ class PythonSimulation : public std::enable_shared_from_this<PythonSimulation> {
   Simulation simulation;
   Occupancy occupancy;
   std::vector<RemovedInRun> removed;  ///< of the last run
-  std::weak_ptr<void> recorder;       ///< that observes it, if any; whoever makes steps without the lock holds it
+  std::weak_ptr<void> recorder;       ///< that observes it, if any; code that makes steps without the lock holds it
 
   void remember(std::span<const RemovedVoxel> voxels, std::size_t step) {
     for (const RemovedVoxel& voxel : voxels)

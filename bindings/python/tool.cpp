@@ -28,11 +28,11 @@ void bind_shapes(py::module_& m) {
   bind_struct<ProfileEdge>(m, "ProfileEdge", field("rho", &ProfileEdge::rho), field("z", &ProfileEdge::z),
                            field("radius", &ProfileEdge::radius), field("kind", &ProfileEdge::kind));
   bind_struct<Profile>(m, "Profile", field("tip", &Profile::tip), field("edges", &Profile::edges));
-  using S = Spring<double>;
-  py::class_<S>(m, "Spring", doc("Spring"))
-      .def_readonly("depth", &S::depth, doc("Spring::depth"))
-      .def_readonly("n_radial", &S::n_radial, doc("Spring::n_radial"))
-      .def_readonly("n_axial", &S::n_axial, doc("Spring::n_axial"));
+  using S = MeridianSpring<double>;
+  py::class_<S>(m, "MeridianSpring", doc("MeridianSpring"))
+      .def_readonly("depth", &S::depth, doc("MeridianSpring::depth"))
+      .def_readonly("n_radial", &S::n_radial, doc("MeridianSpring::n_radial"))
+      .def_readonly("n_axial", &S::n_axial, doc("MeridianSpring::n_axial"));
   py::class_<ProfileHead>(m, "ProfileHead", doc("ProfileHead"))
       .def(py::init<Profile, double>(), py::arg("profile"), py::arg("tolerance") = 0.01,
            doc("ProfileHead::ProfileHead"))
@@ -47,12 +47,11 @@ void bind_shapes(py::module_& m) {
 
 void bind_heads(py::module_& m) {
   bind_result<HeadBox>(m, "HeadBox", member("min", &HeadBox::min), member("max", &HeadBox::max));
-  py::class_<ToolHead> binding(m, "ToolHead", doc("ToolHead"));
-  using Depth = ToolHead::DepthAndDirection;
-  py::class_<Depth>(binding, "DepthAndDirection", doc("ToolHead::DepthAndDirection"))
-      .def_readonly("depth", &Depth::depth, doc("ToolHead::DepthAndDirection::depth"))
-      .def_readonly("direction", &Depth::direction, doc("ToolHead::DepthAndDirection::direction"));
-  binding.def(py::init<ToolHead::Shape>(), py::arg("shape"), doc("ToolHead::ToolHead"))
+  py::class_<Spring>(m, "Spring", doc("Spring"))
+      .def_readonly("depth", &Spring::depth, doc("Spring::depth"))
+      .def_readonly("direction", &Spring::direction, doc("Spring::direction"));
+  py::class_<ToolHead>(m, "ToolHead", doc("ToolHead"))
+      .def(py::init<ToolHead::Shape>(), py::arg("shape"), doc("ToolHead::ToolHead"))
       .def_property_readonly("shape", &ToolHead::shape, py::return_value_policy::copy,
                              "SphereHead, ConeHead, FlatHead or ProfileHead.")
       .def("bounding_box", &ToolHead::bounding_box, doc("ToolHead::bounding_box"))
@@ -61,8 +60,8 @@ void bind_heads(py::module_& m) {
       .def("largest_radius", &ToolHead::largest_radius, doc("ToolHead::largest_radius"))
       .def("description", &ToolHead::description, doc("ToolHead::description"))
       .def("profile", &ToolHead::profile, doc("ToolHead::profile"))
-      .def("depth_at", &ToolHead::depth_at, py::arg("p_TQ"),
-           "How deep a point (3,) [m] in T lies in the head, and the direction of its spring; see DepthAndDirection.")
+      .def("spring_at", &ToolHead::spring_at, py::arg("p_TQ"),
+           "The spring at a point (3,) [m] of T: how deep it lies in the head, and in which direction it pushes.")
       .def("__repr__",
            [](const py::object& self) { return "ToolHead(" + std::string(py::repr(self.attr("shape"))) + ")"; });
 

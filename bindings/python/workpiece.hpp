@@ -11,7 +11,7 @@
 
 namespace hapticut::python {
 
-/// Who is at work on a C++ object while the interpreter lock is released. Only looked at with the lock held.
+/// Which thread is at work on a C++ object while the interpreter lock is released. Only looked at with the lock held.
 class Occupancy {
  public:
   void require_readable(const char* what) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A force law of one's own: one class, handed to the simulation in its configuration.
+// A force law of your own: one class, handed to the simulation in its configuration.
 #include <hapticut/hapticut.hpp>
 #include <iostream>
 

@@ -46,9 +46,9 @@ int main(int argc, char** argv) try {
     std::this_thread::sleep_for(std::chrono::milliseconds(16));
   }
   const RunReport report = loop.wait();
-  std::cout << report.ticks << " ticks (" << report.end << "), guard " << hapticut::name(report.guard) << ", removed "
-            << simulation.removed_volume_by_material()[1] / mm3 << " mm^3, at most " << greatest << " N seen, "
-            << blocks << " changed blocks\n";
+  std::cout << report.ticks << " ticks (" << report.end << "), guard " << hapticut::name_of(report.guard)
+            << ", removed " << simulation.removed_volume_by_material()[1] / mm3 << " mm^3, at most " << greatest
+            << " N seen, " << blocks << " changed blocks\n";
 
   while (!simulation.undo(64)) {  // between runs; in a run: loop.send(commands::Undo{})
   }

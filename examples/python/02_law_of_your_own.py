@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The force laws of the library with constants of one's own, side by side: the same ball pressed 0.5 mm into dentin.
+"""The force laws of the library with constants of your own, side by side: the same ball pressed 0.5 mm into dentin.
 
 A law itself is a class in C++ (examples/cpp/02_law_of_your_own.cpp): it works in the 1 kHz loop."""
 import sys

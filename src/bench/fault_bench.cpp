@@ -86,11 +86,11 @@ DeviceState spoiled(const DeviceState& reading, const DeviceState& at_fault, Inj
 
 }  // namespace
 
-std::string_view name(InjectedFault fault) { return kNames[std::size_t(fault)]; }
+std::string_view name_of(InjectedFault fault) { return kNames[std::size_t(fault)]; }
 std::span<const InjectedFault> injected_faults() { return kFaults; }
 
-FaultResponse respond(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness,
-                      const GuardOptions& options, InjectedFault fault, double height) {
+FaultResponse measure_fault_response(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness,
+                                     const GuardOptions& options, InjectedFault fault, double height) {
   ClosedLoop loop(config);
   SafetyGuard guard(capabilities(config.device), options);
   const Watchdog watchdog(options.watchdog);

@@ -110,7 +110,8 @@ double largest_stable_stiffness(const ClosedLoopConfig& config, const ModelFacto
   return low;
 }
 
-Bounce bounce(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness, const BounceTest& test) {
+Bounce measure_bounce(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness,
+                      const BounceTest& test) {
   require_positive(test.speed, "BounceTest::speed [m/s]");
   require_between(test.phases, 1, 100000, "BounceTest::phases");
   Bounce result;
@@ -131,7 +132,8 @@ bool Buzz::buzzes() const {
   return position_rms > kBuzzRms || force_peak_to_peak > kBuzzForce || generated_power > kBuzzPower;
 }
 
-Buzz press(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness, const PressTest& test) {
+Buzz measure_buzz(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness,
+                  const PressTest& test) {
   require_positive(test.seconds, "PressTest::seconds [s]");
   require_between(test.approach, 0, test.seconds, "PressTest::approach [s]");
   require_between(test.measured, config.period, test.seconds, "PressTest::measured [s]");

@@ -23,16 +23,15 @@ std::string describe(DeviceFault fault) {
     case DeviceFault::driver_error:
       return "the driver refused a call; its message is in the run's report";
     case DeviceFault::switched_off:
-      return "somebody switched the motors off; switch them on again at the device, with its button or dead man's "
-             "switch";
+      return "the motors were switched off; switch them on again at the device, with its button or dead man's switch";
   }
   return "an unknown fault";
 }
 
-std::string describe(OutputLimit limits) {
+std::string describe(OutputChange changes) {
   std::string words;
-  for (const auto& one : names_of(Of<OutputLimit>{}))
-    if (has(limits, one.value))
+  for (const auto& one : names_of(Of<OutputChange>{}))
+    if (has_any(changes, one.value))
       words += (words.empty() ? "" : ", ") + std::string(one.words != nullptr ? one.words : one.name);
   return words.empty() ? "none" : words;
 }

@@ -99,7 +99,7 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& options)
   servo.slot_ = scope.slot();
   guard_->start();
   {
-    // Time that is simulated does not pass by itself, so nobody can be late in it.
+    // Time that is simulated does not pass by itself, so no tick can be late in it.
     std::unique_ptr<WatchdogThread> watchdog;
     if (!options.simulated_time)
       watchdog = std::make_unique<WatchdogThread>(options.guard.watchdog, guard_->heartbeat(),

@@ -24,7 +24,7 @@ std::mutex handlers_mutex;
 int ending_users = 0, crashing_users = 0;
 std::array<struct sigaction, kEnding.size()> old_ending;
 std::array<struct sigaction, kCrashing.size()> old_crashing;
-std::array<bool, kCrashing.size()> in_a_chain{};  // somebody has put a handler before ours, and may still call it
+std::array<bool, kCrashing.size()> in_a_chain{};  // another handler was put before ours, and may still call it
 
 // Waits until no used slot lacks what `done` asks for. Async-signal-safe.
 template <typename Done>

@@ -31,11 +31,11 @@ void catch_signals();
 void release_signals();
 
 /// From now on until the matching `release_crashes`, a signal of a crash takes the force of the loops that want it
-/// away, and is then handed to whoever handled it before, with all that the kernel says of it: a runtime that makes an
-/// exception of it does so still, and a process that it would end is ended by it.
+/// away, and is then handed to the handler that was there before, with all that the kernel says of it: a runtime that
+/// makes an exception of it does so still, and a process that it would end is ended by it.
 void catch_crashes();
 
-/// Restores the handlers, but for those that somebody has replaced in the meantime.
+/// Restores the handlers, but for those that were replaced in the meantime.
 void release_crashes();
 
 }  // namespace hapticut::run_slots

@@ -56,7 +56,7 @@ Fit fit_at(double kappa, std::span<const DrillingTest> tests, bool with_edge) {
 }
 
 /// The best fit of all kappa: on a logarithmic grid, then by halving the step about the best.
-/// @throws Error when it lies at an end of the grid, or there is none
+/// @throws Error when it lies at an end of the grid, or no kappa fits
 Fit best_fit(std::span<const DrillingTest> tests, bool with_edge) {
   constexpr int kGrid = 69, kHalvings = 37;  // steps of 0.1 to each side, 0.001 to 1000, down to 1e-12
   const auto squares = [&](double log_kappa) { return fit_at(std::exp(log_kappa), tests, with_edge).squares; };

@@ -22,7 +22,7 @@ double axial_section(const ToolHead& head, double z, double radius) {
   const double step = radius / kSection;
   for (int i = 0; i < kSection; ++i) {
     const double rho = (i + 0.5) * step;
-    const auto [depth, direction] = head.depth_at({rho, 0, z});
+    const auto [depth, direction] = head.spring_at({rho, 0, z});
     if (depth > 0) sum += depth * std::abs(direction.z()) * 2 * units::kPi * rho * step;
   }
   return sum;
@@ -35,7 +35,7 @@ double lateral_section(const ToolHead& head, double c, const HeadBox& box) {
   const double dz = (box.max.z() - box.min.z()) / kSection;
   for (int i = 0; i < kSection; ++i)
     for (int k = 0; k < kSection; ++k) {
-      const auto [depth, direction] = head.depth_at({c, box.min.y() + (i + 0.5) * dy, box.min.z() + (k + 0.5) * dz});
+      const auto [depth, direction] = head.spring_at({c, box.min.y() + (i + 0.5) * dy, box.min.z() + (k + 0.5) * dz});
       if (depth > 0) sum += depth * std::abs(direction.x());
     }
   return sum * dy * dz;

@@ -36,7 +36,7 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(path) {
   const std::string name =
       ".hapticut-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + "-" + path_.filename().string();
   temporary_path_ = path_.parent_path() / name;
-  // O_EXCL: nobody else's file is ever overwritten under the temporary name.
+  // O_EXCL: no other file is ever overwritten under the temporary name.
   const int file = ::open(temporary_path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
   if (file < 0) fail(path, reason_of(errno));
   ::close(file);

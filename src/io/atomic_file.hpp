@@ -9,7 +9,7 @@
 /// Writing files so that nothing is ever half-written: under a temporary name in the same folder, then renamed.
 namespace hapticut {
 
-/// A file being written. Whoever writes it uses `temporary_path()`; `commit()` puts it in place. Without a commit the
+/// A file being written. Write to `temporary_path()`; `commit()` puts it in place. Without a commit the
 /// temporary file is removed and what was at `path` before is still there.
 class AtomicFile {
  public:

@@ -18,11 +18,11 @@ struct ContactSums {
     kTorqueX,
     kTorqueY,
     kTorqueZ,
-    kElasticMiddle,  // k phi (w^2 + advance^2/4) / 2
-    kElasticChange,  // k phi w advance / 2: half of what is stored more at the end, where nothing is cut
-    kTakenElastic,   // k taken (w + advance/2)^2 / 2
-    kLag,            // k w advance (phi - mean fill) / 2
-    kHelped,         // elastic energy that helped cutting (law G)
+    kElasticMiddle,   // k phi (w^2 + advance^2/4) / 2
+    kElasticChange,   // k phi w advance / 2: half of what is stored more at the end, where nothing is cut
+    kRemovedElastic,  // k removed (w + advance/2)^2 / 2
+    kLag,             // k w advance (phi - mean fill) / 2
+    kHelped,          // elastic energy that helped cutting (law G)
     kDamping,
     kRubbing,
     kCredited,
@@ -33,9 +33,9 @@ struct ContactSums {
   static constexpr int kLanes = BlockChange::kStrip;
 
   alignas(64) std::array<std::array<double, kLanes>, kTerms> lanes = {};
-  std::array<double, 256> taken = {};  ///< [voxels] filled volume taken away, by MaterialId
-  int voxels = 0;                      ///< samples
-  float depth = 0;                     ///< [m] greatest
+  std::array<double, 256> removed = {};  ///< [voxels] filled volume that was removed, by MaterialId
+  int voxels = 0;                        ///< samples
+  float depth = 0;                       ///< [m] greatest
 
   [[nodiscard]] double total(Term term) const {
     double sum = 0;

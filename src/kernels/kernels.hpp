@@ -103,8 +103,8 @@ struct Pressed {
 
 #ifdef HAPTICUT_SCALAR_KERNELS
 namespace hapticut::kernels {
-struct ContactSums : Pressed {         // the scalar reference adds up what it finds
-  std::array<double, 256> taken = {};  ///< [voxels] filled volume taken away, by MaterialId
+struct ContactSums : Pressed {           // the scalar reference adds up what it finds
+  std::array<double, 256> removed = {};  ///< [voxels] filled volume that was removed, by MaterialId
 };
 }  // namespace hapticut::kernels
 #else
@@ -129,7 +129,7 @@ void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums
                   StiffnessSums* stiffness = nullptr) noexcept;
 
 /// What the blocks that were pressed give together. Voxels that waited for their turn are represented by those that had
-/// it; what was taken is exact. LawEnergies::cutting is left to who books `taken` by its materials.
+/// it; what was removed is exact. LawEnergies::cutting is left to callers, who know the materials of `removed`.
 /// @param voxel_volume  [m^3]
 [[nodiscard]] Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept;
 

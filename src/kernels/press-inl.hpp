@@ -41,7 +41,7 @@ class Press {
         release_(m_.removal == RemovalLaw::elastic_release),
         implicit_(m_.lead > 0 || stiffness != nullptr),
         material_(job.materials[kEmpty]),
-        taken_(broadcast(0.0F)) {}
+        removed_(broadcast(0.0F)) {}
 
   HWY_INLINE void press(std::span<PressTask> tasks) {
     PressSums sums[kParts];  // close at hand in the loop
@@ -60,7 +60,7 @@ class Press {
       }
     }
     if constexpr (kGathers) press_listed(sums[0]);
-    flush_taken();
+    flush_removed();
     for (std::size_t part = 0; part < kParts; ++part)
       sums[part].template flush<kMode>(part, damped_ || m_.lead > 0, totals_);
   }
@@ -69,10 +69,10 @@ class Press {
   template <bool kWhole>
   HWY_INLINE void press_where_they_are(PressSums (&sums)[kParts]) {
     const BlockView& block = tasks_->block;
-    if (block.material == nullptr) take_material(block.uniform_material);
+    if (block.material == nullptr) load_material(block.uniform_material);
     gather_.template for_each<kWhole>(
         block, [&](int voxel, const Vectors& r, Mask hit, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
-          if (!kWhole && block.material != nullptr) take_materials(block.material + voxel, lanes);
+          if (!kWhole && block.material != nullptr) load_materials(block.material + voxel, lanes);
           const Vec fill = kWhole || block.fill == nullptr ? broadcast(1.0F) : hn::LoadU(Floats(), block.fill + voxel);
           const std::size_t part = std::size_t(voxel) / kWidth % kParts;
           press_voxels(voxel, part, r, fill, sample(r, hit, sums[part]), sums[part]);
@@ -102,9 +102,9 @@ class Press {
       const Mask listed = hn::FirstN(d, std::size_t(std::min(count - first, kStripLanes)));
       samples_.store(first, sample(voxels_.place(first), listed, sums));
     }
-    if (voxels_.material != kEmpty) take_material(voxels_.material);
+    if (voxels_.material != kEmpty) load_material(voxels_.material);
     for (int first = 0; first < count; first += kStripLanes) {
-      if (voxels_.material == kEmpty) take_listed_materials(first);
+      if (voxels_.material == kEmpty) load_listed_materials(first);
       press_voxels(first, 0, voxels_.place(first), hn::Load(d, voxels_.fill + first), samples_.load(first), sums);
     }
     if (kMode == Mode::cutting && may_cut_) write_fills();
@@ -135,7 +135,7 @@ class Press {
       if (near_axis_) slip_squared = slip_squared + axis_slip_squared(r);
       constexpr float kRegular = FoundationLaw::kSlipRegularization * FoundationLaw::kSlipRegularization;
       s.inverse_slip = inverse_root(slip_squared + broadcast(kRegular));
-      s.slip_path = slip_squared * s.inverse_slip * broadcast(m_.duration * m_.turns);
+      s.slip_path = slip_squared * s.inverse_slip * broadcast(m_.duration * m_.level_of_detail);
     }
     if (damped_) s.felt_rate = rate_of_depth(r, s, m_.felt_velocity, m_.felt_angular_velocity);
     return s;
@@ -194,12 +194,12 @@ class Press {
           sums.credited = hn::MulAdd(price, credit, sums.credited);
           mark_emptied(first, bits_of(finished));
         }
-        // Elastic energy of what was taken, less what of it helped cutting (law G).
+        // Elastic energy of what was removed, less what of it helped cutting (law G).
         const Vec end = w + half_advance;
-        const Vec taken_stiffness = material.stiffness * gone;
-        sums.twice_taken = hn::MulAdd(taken_stiffness * end, end, sums.twice_taken);
+        const Vec removed_stiffness = material.stiffness * gone;
+        sums.twice_removed = hn::MulAdd(removed_stiffness * end, end, sums.twice_removed);
         if (release_) sums.helped = hn::MulAdd(u - price, gone, sums.helped);
-        take(gone, first, inside);
+        book_removed(gone, first, inside);
         if constexpr (kGathers) {
           hn::Store(hn::IfThenElse(inside, left, old_fill), d, voxels_.fill_after + first);
         } else {
@@ -291,7 +291,7 @@ class Press {
   /// The energies of a sub-step whose contact is evaluated after its middle: corrects the sums from the depth w there
   /// to that in the middle, and books what the springs push harder than what they store as a damper's work. Those that
   /// were not touched at the beginning stored nothing there.
-  HWY_INLINE void add_lead(PressSums& sums, Vec w, Vec fill, Vec mean_fill, Vec taken, Vec half_advance) const {
+  HWY_INLINE void add_lead(PressSums& sums, Vec w, Vec fill, Vec mean_fill, Vec removed, Vec half_advance) const {
     const Vec stiffness = material_.stiffness, zero = hn::Zero(Floats());
     const Vec lead = broadcast(2 * m_.lead) * half_advance, middle = w - lead;
     const Vec squares = stiffness * hn::MulSub(middle, middle, w * w);  // twice the energy, from here
@@ -301,7 +301,7 @@ class Press {
     const Vec half_before = broadcast(0.5F) * before_touch;
     sums.twice_middle = sums.twice_middle + hn::MulSub(squares, fill, half_before);
     sums.elastic_change = sums.elastic_change + hn::MulAdd(product, fill, broadcast(0.5F) * half_before);
-    sums.twice_taken = hn::MulAdd(taken, squares + (product + product), sums.twice_taken);
+    sums.twice_removed = hn::MulAdd(removed, squares + (product + product), sums.twice_removed);
     sums.lag = hn::MulAdd(product, fill - mean_fill, sums.lag);
     const Vec pushed = stiffness * mean_fill * ((lead + lead) * half_advance);
     sums.damping = sums.damping + (pushed - half_before);
@@ -325,49 +325,49 @@ class Press {
   }
 
   /// Loads the constants of a material, unless they are those of the voxels before.
-  HWY_INLINE void take_material(MaterialId one) {
+  HWY_INLINE void load_material(MaterialId one) {
     if (one == material_id_) return;
-    flush_taken();
+    flush_removed();
     material_id_ = one;
     material_ = MaterialVectors(job_.materials[one]);
   }
   /// @param ids  of a vector of voxels of which only some lanes count
-  HWY_INLINE void take_materials(const MaterialId* ids, unsigned lanes) {
+  HWY_INLINE void load_materials(const MaterialId* ids, unsigned lanes) {
     if (material_id_ != kEmpty && all_are(ids, material_id_)) return;
     const MaterialId one = ids[std::countr_zero(lanes)];
     bool uniform = true;
     for (lanes &= lanes - 1; lanes != 0; lanes &= lanes - 1) uniform &= ids[std::countr_zero(lanes)] == one;
-    if (uniform) return take_material(one);
-    flush_taken();
+    if (uniform) return load_material(one);
+    flush_removed();
     material_id_ = kEmpty;
     material_ = MaterialVectors(job_.materials, ids);
   }
-  HWY_INLINE void take_listed_materials(int first) {
+  HWY_INLINE void load_listed_materials(int first) {
     MaterialId ids[kStripLanes];
     for (int lane = 0; lane < kStripLanes; ++lane) ids[lane] = material_of(first + lane);
-    take_materials(ids, kAllLanes);
+    load_materials(ids, kAllLanes);
   }
-  /// Books what went, by material.
-  HWY_INLINE void take(Vec taken, int first, Mask inside) {
+  /// Books what was removed, by material.
+  HWY_INLINE void book_removed(Vec removed, int first, Mask inside) {
     if (material_id_ != kEmpty) {
-      taken_ = taken_ + taken;
+      removed_ = removed_ + removed;
       return;
     }
     alignas(64) float lanes[kWidth];
-    hn::Store(taken, Floats(), lanes);
+    hn::Store(removed, Floats(), lanes);
     for (unsigned bits = bits_of(inside); bits != 0; bits &= bits - 1) {
       const int lane = std::countr_zero(bits);
-      totals_.taken[material_of(first + lane)] += double(lanes[lane]);
+      totals_.removed[material_of(first + lane)] += double(lanes[lane]);
     }
   }
-  HWY_INLINE void flush_taken() {
+  HWY_INLINE void flush_removed() {
     if constexpr (kMode == Mode::cutting) {
       alignas(64) float lanes[kWidth];
-      hn::Store(taken_, Floats(), lanes);
+      hn::Store(removed_, Floats(), lanes);
       double sum = 0;
       for (const float lane : lanes) sum += double(lane);
-      totals_.taken[material_id_] += sum;
-      taken_ = hn::Zero(Floats());
+      totals_.removed[material_id_] += sum;
+      removed_ = hn::Zero(Floats());
     }
   }
 
@@ -385,7 +385,7 @@ class Press {
   bool near_axis_ = false;      // some of them are near the spindle's axis
   MaterialVectors material_;
   MaterialId material_id_ = kEmpty;  // kEmpty: the lanes of material_ differ
-  Vec taken_;                        // [voxels] of material_id_
+  Vec removed_;                      // [voxels] of material_id_
 };
 
 }  // namespace strips

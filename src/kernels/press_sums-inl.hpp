@@ -52,13 +52,13 @@ class SampleList {
 /// Running sums of one vector of lanes.
 struct PressSums {
   Vec force_x, force_y, force_z, torque_x, torque_y, torque_z;
-  Vec twice_middle, elastic_change, twice_taken, lag, helped, damping, rubbing, credited, couple, fill, depth;
+  Vec twice_middle, elastic_change, twice_removed, lag, helped, damping, rubbing, credited, couple, fill, depth;
   int voxels = 0;
 
   HWY_INLINE PressSums() {
     const Vec zero = broadcast(0.0F);
     force_x = force_y = force_z = torque_x = torque_y = torque_z = zero;
-    twice_middle = elastic_change = twice_taken = lag = helped = zero;
+    twice_middle = elastic_change = twice_removed = lag = helped = zero;
     damping = rubbing = credited = couple = fill = depth = zero;
   }
   /// @param normal   [N/m^3] along the normal
@@ -112,7 +112,7 @@ struct PressSums {
       add(ContactSums::kCouple, couple);
     }
     if constexpr (kMode == Mode::cutting) {
-      add(ContactSums::kTakenElastic, half * twice_taken);
+      add(ContactSums::kRemovedElastic, half * twice_removed);
       add(ContactSums::kLag, lag);
       add(ContactSums::kHelped, helped);
       add(ContactSums::kCredited, credited);

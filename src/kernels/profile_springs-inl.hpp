@@ -33,7 +33,7 @@ struct ProfileBounds {
   HWY_INLINE auto hits(V x, V y, V z, float margin) const {
     const V squared = hn::MulAdd(x, x, y * y);
     const auto between = hn::And(z > same(z, bottom - margin), z < same(z, top + margin));
-    // Of points far inside the cylinder none is known to be far inside the head: none at all hit with margin < 0.
+    // No point far inside the cylinder is known to be far inside the head: with margin < 0 no point hits.
     const float grown = margin < 0 ? 0.0F : radius + margin;
     const V bound = margin == 0 ? of_slab(z) : same(x, grown * grown);
     return hn::And(squared < bound, between);

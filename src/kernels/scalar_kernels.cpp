@@ -36,7 +36,7 @@ void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, Stif
   sums.resultant.wrench_T.torque.z() += totals.spin_couple;
   sums.energies += totals.energies;
   if (stiffness != nullptr) add_stiffness(contact, motion, job.materials, *stiffness);
-  if (totals.may_remove) task.change = find_changes(contact, task.block, task.fill_after, sums.taken);
+  if (totals.may_remove) task.change = find_changes(contact, task.block, task.fill_after, sums.removed);
 }
 
 }  // namespace

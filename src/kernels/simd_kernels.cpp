@@ -58,10 +58,10 @@ Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_vol
   resultant.depth = double(sums.depth);
   LawEnergies& energies = all.energies;
   const double middle = total(Term::kElasticMiddle), change = total(Term::kElasticChange);
-  const double taken = total(Term::kTakenElastic) / weight;
+  const double removed = total(Term::kRemovedElastic) / weight;
   energies.elastic_before = middle - change;
-  energies.elastic = middle + change - taken;
-  energies.released = taken - 2 * total(Term::kLag) - total(Term::kHelped) / weight;
+  energies.elastic = middle + change - removed;
+  energies.released = removed - 2 * total(Term::kLag) - total(Term::kHelped) / weight;
   energies.damping = total(Term::kDamping);
   energies.rubbing = total(Term::kRubbing) / weight;  // over all the time since the last turn
   energies.credited = total(Term::kCredited) / weight;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Commands: made by whoever sends them, obeyed by a SimulationModel between two ticks.
+// Commands: made by their senders, obeyed by a SimulationModel between two ticks.
 #include "hapticut/loop/commands.hpp"
 
 #include <cmath>
@@ -119,7 +119,7 @@ void SimulationModel::let_go() noexcept {
   if (coupling_) coupling_->release();
 }
 
-/// Whatever the tool is in now, nobody shall feel it at once.
+/// The material that the tool is in now must not be felt at once.
 void SimulationModel::after_exchange() noexcept {
   let_go();
   exchanged_ = true;

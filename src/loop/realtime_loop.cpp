@@ -57,7 +57,7 @@ void RealtimeLoop::State::obey() noexcept {
 
 void RealtimeLoop::State::free_replaced() noexcept {
   const std::unique_lock lock(freeing, std::try_to_lock);
-  if (!lock) return;  // somebody is at it
+  if (!lock) return;  // another thread frees them
   for (LoopCommand old; replaced.pop(old);) {
   }
 }

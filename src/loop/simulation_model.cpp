@@ -45,7 +45,7 @@ Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& 
     const Wrench felt = move_tool(state, dt);
     wrench = tool_.force_held ? hold_force(state) : felt;
   } else if (coupling_) {
-    coupling_->release();  // nobody knows where the hand will be
+    coupling_->release();  // the hand may be anywhere by the next reading
   }
   show(snapshot);
   return wrench;
@@ -58,7 +58,7 @@ void SimulationModel::travel(const DeviceState& state) noexcept {
       travel_ == Travel::back ? simulation_->undo(undo_blocks_per_tick_) : simulation_->redo(undo_blocks_per_tick_);
   if (done) travel_ = Travel::none;
   changed_ = simulation_->changed_blocks();
-  // Whatever the tool is in now, nobody shall feel it at once.
+  // The material that the tool is in now must not be felt at once.
   device_->interrupt(SafetyEvent::model_swapped);
 }
 

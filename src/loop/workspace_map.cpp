@@ -14,7 +14,8 @@ WorkspaceMap::WorkspaceMap(const WorkspaceMapOptions& options) : options_(option
   constexpr double kInexact = 1e-6;
   for (const Pose& X : {options.X_WB, options.X_SH})
     if (!is_finite(X) || !is_rotation(X.rotation, kInexact))
-      throw Error("WorkspaceMapOptions::X_WB or X_SH is no pose; its rotation must be orthonormal and right-handed.");
+      throw Error(
+          "WorkspaceMapOptions::X_WB or X_SH is not a pose; its rotation must be orthonormal and right-handed.");
 }
 
 Pose WorkspaceMap::stylus_in_world(const Pose& X_BS) const noexcept {
@@ -47,7 +48,7 @@ void WorkspaceMap::engage(const Pose& X_BS) noexcept {
 void WorkspaceMap::place(const Pose& X_BS, const Pose& X_WH) noexcept { latch(X_BS, X_WH * options_.X_SH.inverse()); }
 
 bool WorkspaceMap::set_scale(double scale, const Pose& X_BS) noexcept {
-  if (!(std::isfinite(scale) && scale > 0)) return false;  // 0 times infinity is no position
+  if (!(std::isfinite(scale) && scale > 0)) return false;  // 0 times infinity is not a position
   latch(X_BS, stylus_in_world(X_BS));
   options_.scale = scale;
   return true;

@@ -7,7 +7,7 @@
 
 namespace hapticut {
 
-const char* name(ArmingState state) {
+const char* name_of(ArmingState state) {
   const char* known = name_or_null(state);
   return known != nullptr ? known : "unknown";
 }

@@ -19,14 +19,14 @@ constexpr double kImplausiblySmall = 1e-6;  // [m] of all motion within a second
 
 constexpr double kFastTurn = 10;  // [rad/s] at which damping may take all the torque there is
 
-/// The options with the damping that a device can render, where they name none.
+/// The options with the damping that a device can render, where the options name no damping.
 PassivityOptions with_damping(PassivityOptions options, double damping) {
   if (options.greatest_damping == 0) options.greatest_damping = damping;
   return options;
 }
 
-/// [N/s] by which the force of a device may grow where nobody says it: no slower than its stiffest wall needs. One of
-/// unknown stiffness may reach its peak within 10 ms.
+/// [N/s] by which the force of a device may grow where the options do not say it: no slower than its stiffest wall
+/// needs. One of unknown stiffness may reach its peak within 10 ms.
 double default_growth(double stiffness, double fastest_contact, double greatest_force) {
   const double needed = least_force_growth(stiffness, fastest_contact);
   return needed > 0 ? needed : greatest_force / 10e-3;
@@ -149,7 +149,7 @@ void SafetyGuard::keep_time(const DeviceState& reading) noexcept {
 // What other threads asked for since the last tick.
 void SafetyGuard::obey() noexcept {
   if (was_dead_.exchange(false, std::memory_order_acq_rel)) arming_.fail(log_);
-  // Whoever pulled the emergency stop and reset it within one tick still finds the guard as after any fault.
+  // An emergency stop that is pulled and reset within one tick leaves the guard as after any fault.
   if (requests_->reset_wanted() && requests_->emergency() && arming_.state() != ArmingState::fault) fail_in_emergency();
   if (requests_->take_reset() && arming_.state() == ArmingState::fault) {
     gate_.restart();
@@ -192,7 +192,7 @@ const DeviceState& SafetyGuard::admit(const DeviceState& reading) noexcept {
   reading_ok_ = verdict == PoseGate::Verdict::accepted;
   if (started_ && reading_ok_ && state.epoch != epoch) {
     arming_.interrupt(SafetyEvent::recalibrated, false, log_);
-    X_BS_last_ = state.X_BS;  // the way between two calibrations is no motion
+    X_BS_last_ = state.X_BS;  // the way between two calibrations is not a motion
   }
   if (verdict == PoseGate::Verdict::lost && arming_.state() > ArmingState::armed) arming_.fail(log_);
   switch (state.fault) {
@@ -230,7 +230,7 @@ Wrench SafetyGuard::finite_or_none(const Wrench& commanded) noexcept {
     not_finite_ = 0;
     return commanded;
   }
-  output_.limits |= OutputLimit::not_finite;
+  output_.changes |= OutputChange::not_finite;
   log_.report(SafetyEvent::force_not_finite);
   if (++not_finite_ >= options_.not_finite_ticks) arming_.fail(log_);
   return {};
@@ -242,7 +242,7 @@ Wrench SafetyGuard::make_passive(const Wrench& wrench) noexcept {
   w.torque = turning_passivity_.control(wrench.torque, output_.applied.torque, turn_, dt_);
   const double taken = std::max(passivity_.taken(), turning_passivity_.taken());
   if (taken > 0) {
-    output_.limits |= OutputLimit::damped;
+    output_.changes |= OutputChange::damped;
     log_.report(SafetyEvent::passivity, taken);
   }
   return w;
@@ -253,27 +253,27 @@ Wrench SafetyGuard::bound(const Wrench& wrench) noexcept {
   const double force = wrench.force.norm(), torque = wrench.torque.norm();
   if (force > greatest_force_ || torque > greatest_torque_) {
     const bool no_motors = (force > 0 && greatest_force_ == 0) || (torque > 0 && greatest_torque_ == 0);
-    if (no_motors) output_.limits |= OutputLimit::no_actuator;
+    if (no_motors) output_.changes |= OutputChange::no_actuator;
     if (force > greatest_force_ && greatest_force_ > 0) {
-      output_.limits |= OutputLimit::saturated;
+      output_.changes |= OutputChange::saturated;
       log_.report(SafetyEvent::saturated, force);
     } else if (torque > greatest_torque_ && greatest_torque_ > 0) {
-      output_.limits |= OutputLimit::saturated;
+      output_.changes |= OutputChange::saturated;
       log_.report(SafetyEvent::saturated, torque);
     }
   }
   Wrench w{saturated(wrench.force, greatest_force_), saturated(wrench.torque, greatest_torque_)};
   if (w.force.norm() > thermal_.limit()) {
     w.force = saturated(w.force, thermal_.limit());
-    output_.limits |= OutputLimit::cooled;
+    output_.changes |= OutputChange::cooled;
     log_.report(SafetyEvent::continuous_limited, thermal_.limit());
   }
   const double growth_time = std::min(dt_, options_.period);  // a late tick does not earn a bigger step
   Wrench grown{growth_limited(before_ramp_.force, w.force, slew_ * growth_time),
                growth_limited(before_ramp_.torque, w.torque, torque_slew_ * growth_time)};
-  // A rounding error is no limit.
+  // A rounding error is not a limit.
   if ((grown.force - w.force).norm() > 1e-9 * force || (grown.torque - w.torque).norm() > 1e-9 * torque) {
-    output_.limits |= OutputLimit::slew_limited;
+    output_.changes |= OutputChange::slew_limited;
     log_.report(SafetyEvent::slew_limited, (grown.force - w.force).norm());
   }
   return grown;
@@ -281,7 +281,7 @@ Wrench SafetyGuard::bound(const Wrench& wrench) noexcept {
 
 Wrench SafetyGuard::release(const Wrench& commanded) noexcept {
   output_.commanded = commanded;
-  output_.limits = OutputLimit::none;
+  output_.changes = OutputChange::none;
   const Wrench finite = finite_or_none(commanded);
   if (requests_->emergency()) fail_in_emergency();
   const double share = arming_.tick(dt_, reading_ok_, finite.force.norm(), finite.torque.norm(), log_);
@@ -290,7 +290,7 @@ Wrench SafetyGuard::release(const Wrench& commanded) noexcept {
     before_ramp_ = bound(make_passive(finite));
     wrench = {share * before_ramp_.force, share * before_ramp_.torque};
     if (share < 1) {
-      output_.limits |= OutputLimit::ramped;
+      output_.changes |= OutputChange::ramped;
       const Vec3 speed = motion_ / dt_;
       const double growth_time = std::min(dt_, options_.period);
       wrench.force = saturated(wrench.force - (1 - share) * ramp_damping_ * speed, greatest_force_);
@@ -298,7 +298,7 @@ Wrench SafetyGuard::release(const Wrench& commanded) noexcept {
     }
     if (!is_finite(wrench)) wrench = {};
   } else {
-    output_.limits |= OutputLimit::held_back;
+    output_.changes |= OutputChange::held_back;
     before_ramp_ = {};
     passivity_.restart();
     turning_passivity_.restart();
@@ -313,7 +313,7 @@ Wrench SafetyGuard::release(const Wrench& commanded) noexcept {
 void SafetyGuard::applied(const Wrench& wrench) noexcept {
   if (!is_finite(wrench)) return;
   if (wrench.force != output_.applied.force || wrench.torque != output_.applied.torque)
-    output_.limits |= OutputLimit::by_driver;
+    output_.changes |= OutputChange::by_driver;
   output_.applied = wrench;
 }
 

@@ -17,7 +17,7 @@ struct SafetyLog::Ring {
   boost::lockfree::spsc_queue<Dated, boost::lockfree::capacity<kCapacity>> entries;
 };
 
-std::string_view name(SafetyEvent event) {
+std::string_view name_of(SafetyEvent event) {
   const char* known = name_or_null(event);
   return known != nullptr ? known : "unknown";
 }
@@ -73,7 +73,8 @@ std::vector<SafetyLogEntry> SafetyLog::drain() {
 }
 
 std::string describe(const SafetyLogEntry& entry) {
-  return format_number(entry.time) + " s: " + std::string(name(entry.event)) + " (" + format_number(entry.value) + ")";
+  return format_number(entry.time) + " s: " + std::string(name_of(entry.event)) + " (" + format_number(entry.value) +
+         ")";
 }
 
 }  // namespace hapticut

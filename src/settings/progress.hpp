@@ -15,7 +15,7 @@ namespace hapticut::cli {
 /// thread of its own keeps drawing it, so that it goes on while one long call works.
 class ProgressBar {
  public:
-  /// @param total  of what is counted; 0: nobody knows, so the bar shows the seconds that have passed
+  /// @param total  of what is counted; 0: unknown, so the bar shows the seconds that have passed
   explicit ProgressBar(std::string what, std::size_t total = 0);
   ~ProgressBar();  ///< wipes the bar away
   ProgressBar(const ProgressBar&) = delete;

@@ -11,7 +11,7 @@
 namespace hapticut::cli {
 
 /// Reads a volume of labels or grey values and builds a workpiece from it, as `labels`, `grey` or `grade_...` say.
-/// @throws Error when the file cannot be read, or none or several of these are set
+/// @throws Error when the file cannot be read, or not exactly one of these is set
 [[nodiscard]] Workpiece make_workpiece_from_volume(const WorkpieceSettings& settings);
 
 /// What a volume contains before it becomes a workpiece.

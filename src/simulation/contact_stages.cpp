@@ -170,7 +170,7 @@ Encounter ContactStages::press(std::span<const CuttableBlock> blocks, const Head
   kernels::StiffnessSums stiffness;
   for (std::size_t first = 0; first < blocks.size(); first += kPressedAtOnce) {
     const std::size_t count = std::min(kPressedAtOnce, blocks.size() - first);
-    for (std::size_t n = 0; n < count; ++n) {  // nobody reads the new fills
+    for (std::size_t n = 0; n < count; ++n) {  // the new fills are not read
       const CuttableBlock& block = blocks[first + n];
       tasks_[n] = {block.view, new_fill_.data(), at.motion.cuts() && can_cut(block), {}};
     }
@@ -187,7 +187,7 @@ kernels::ContactJob ContactStages::job_at(std::span<const CuttableBlock> blocks,
                              at.motion,       materials_,
                              quadrature_,     damped_,
                              unsigned(level), turn_};
-  job.motion.turns = float(level);
+  job.motion.level_of_detail = float(level);
   return job;
 }
 
@@ -199,7 +199,7 @@ Encounter ContactStages::encounter_of(const kernels::ContactJob& job, const kern
   encounter.level_of_detail = int(job.level_of_detail);
   const auto materials = std::size_t(workpiece_.materials().size());
   for (std::size_t id = 1; id <= materials; ++id)
-    encounter.energies.cutting += double(materials_[id].cutting_energy) * (sums.taken[id] * voxel_volume_);
+    encounter.energies.cutting += double(materials_[id].cutting_energy) * (sums.removed[id] * voxel_volume_);
   return encounter;
 }
 
@@ -227,8 +227,8 @@ Encounter ContactStages::cut_by_default_law(std::span<const CuttableBlock> block
   Encounter encounter = encounter_of(job, sums);
   encounter.blocks_exhausted = exhausted;
   for (int id = 1; id <= workpiece_.materials().size(); ++id)
-    if (const double taken = sums.taken[std::size_t(id)]; taken != 0)
-      removal.add_volume(MaterialId(id), taken * voxel_volume_);
+    if (const double removed = sums.removed[std::size_t(id)]; removed != 0)
+      removal.add_volume(MaterialId(id), removed * voxel_volume_);
   return encounter;
 }
 
@@ -268,14 +268,14 @@ Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const He
 /// The same, and takes away what the law removes.
 Encounter ContactStages::cut_by_given_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                           RemovalRecord& removal) noexcept {
-  std::array<double, 256> taken = {};  // [voxels]
+  std::array<double, 256> removed = {};  // [voxels]
   const Encounter encounter = ask_law(blocks, at, [&](const CuttableBlock& block, bool may_remove) {
     if (!may_remove) return;
     if (block.fill != nullptr) workpiece_.remember(block.view);
-    keep_change(block, find_changes(contact_, block.view, fill_target(block), taken));
+    keep_change(block, find_changes(contact_, block.view, fill_target(block), removed));
   });
   for (int id = 1; id <= workpiece_.materials().size(); ++id)
-    removal.add_volume(MaterialId(id), taken[std::size_t(id)] * voxel_volume_);
+    removal.add_volume(MaterialId(id), removed[std::size_t(id)] * voxel_volume_);
   return encounter;
 }
 
@@ -330,7 +330,7 @@ void ContactStages::remove_emptied(RemovalRecord& removal) noexcept {
 
 std::size_t ContactStages::undo(std::size_t most) noexcept {
   std::size_t undone = 0;
-  do {  // one at least, or who asks for none would never arrive
+  do {  // one at least, or a caller that asks for 0 would never arrive
     const auto origin = workpiece_.undo_block();
     if (!origin) break;
     list_change(*origin);

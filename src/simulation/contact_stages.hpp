@@ -41,7 +41,7 @@ struct Encounter {
     energies.elastic += lumped.elastic;
     energies.damping += lumped.damped;
   }
-  /// A law of one's own that gave what is no number gives nothing.
+  /// A custom law that gave what is not a number gives nothing.
   void drop_what_is_not_finite() noexcept {
     if (is_finite(resultant.wrench_T.force) && is_finite(resultant.wrench_T.torque) && std::isfinite(energies.sum()))
       return;

@@ -110,7 +110,7 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
     const Pose X_WD = part == result_.parts ? pose : advance(X_WD_before, hand_path, dt * part / result_.parts);
     const bool last = part == result_.parts;
     const StepStatus status = move({X_WD, dt / result_.parts, last, dt}, hand_path, velocity);
-    if (has(status, kRejected)) return let_go(status);
+    if (has_any(status, kRejected)) return let_go(status);
     result_.status |= status;
   }
   result_.hand = {simulation_->last_result().force, simulation_->last_result().torque};
@@ -148,7 +148,7 @@ StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const
   const double work_before = simulation_->last_result().energy.hand_work;
   Answer answer(*this, part, X_WH, tool, hand);
   const StepResult& stepped = simulation_->step(X_WH, tool, part.dt, &answer);
-  if (has(stepped.status, kRejected)) return stepped.status;
+  if (has_any(stepped.status, kRejected)) return stepped.status;
   keep_lists(stepped);
 
   result_.X_WH = X_WH;

@@ -67,11 +67,11 @@ const MaterialTable& PreparedMaterials::materials() const noexcept { return stat
 // --- between steps --------------------------------------------------------------------------------------------------
 
 /// The friction of each material that the standing head meets.
-void Simulation::State::set_frictions() noexcept {
-  for (std::size_t id = 0; id < frictions.size(); ++id) {
+void Simulation::State::set_material_friction() noexcept {
+  for (std::size_t id = 0; id < material_friction.size(); ++id) {
     if (!workpiece.materials().contains(MaterialId(id))) continue;
     const Material& m = workpiece.materials()[MaterialId(id)];
-    frictions[id] =
+    material_friction[id] =
         config.friction.value_or(DryFriction{m.static_friction, m.dynamic_friction, m.tangential_stiffness});
   }
 }
@@ -104,7 +104,7 @@ bool Simulation::exchange(PreparedMaterials& prepared) noexcept {
   PreparedMaterials::State& p = *prepared.state_;
   if (!s.workpiece.exchange_materials(p.materials)) return false;
   s.contact_stages.exchange_materials(p.constants);
-  s.set_frictions();
+  s.set_material_friction();
   s.start_afresh();
   return true;
 }
@@ -116,7 +116,7 @@ void Simulation::exchange(Simulation& prepared) noexcept {
   s.config.effects = old.config.effects;
   s.config.friction = old.config.friction;
   s.config.removal = old.config.removal;
-  s.set_frictions();
+  s.set_material_friction();
   s.exchanges = old.exchanges;
   s.observer = std::exchange(prepared.state_->observer, nullptr);
   s.start_afresh();
@@ -144,7 +144,7 @@ void Simulation::set_materials(MaterialTable materials) {
 void Simulation::set_friction(const std::optional<DryFriction>& friction) {
   if (friction) validate(*friction);
   state_->config.friction = friction;
-  state_->set_frictions();
+  state_->set_material_friction();
   state_->tell_of_exchange();
 }
 

@@ -25,7 +25,7 @@ ContactProbe Simulation::State::probe_way(const Pose& from, const Pose& pose, in
   ContactProbe probed;
   const Twist path = twist_between(from, pose, dt);
   DeepContact deep = deep_contact;
-  StandingFriction memory = friction;
+  FrictionMemory memory = friction_memory;
   for (int i = 0; i < sub_steps; ++i) {
     const SubStep sub_step = plan_sub_step(from, i, dt / sub_steps, path, velocity);
     const ContactProbe part = probe_sub_step(sub_step, deep, memory);
@@ -72,7 +72,7 @@ Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& pos
 }
 
 ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepContact& deep,
-                                               StandingFriction& memory) noexcept {
+                                               FrictionMemory& memory) noexcept {
   Stiffness stiffness_T;
   Encounter encounter = contact_stages.press(contact_stages.find_blocks(sub_step.head), sub_step.head, stiffness_T);
   Wrench& wrench_T = encounter.resultant.wrench_T;

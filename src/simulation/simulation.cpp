@@ -51,7 +51,7 @@ void Simulation::State::prepare_workpiece() {
   workpiece.reserve_blocks(config.reserved_blocks);
   X_VW = workpiece.frame().X_WV.inverse();
   voxel_volume = std::pow(workpiece.voxel_size(), 3);
-  set_frictions();
+  set_material_friction();
   contact_stages.set_cutting_share(1 - standing_share(motor.speed(), tool.head().largest_radius()));
 }
 
@@ -81,7 +81,7 @@ StepObserver* Simulation::observer() const noexcept { return state_->observer; }
 void Simulation::set_observer(StepObserver* observer) {
   if (observer != nullptr && state_->observer != nullptr && observer != state_->observer)
     throw Error(
-        "somebody else observes the simulation, a recorder perhaps; close it, or set its observer to null first.");
+        "the simulation has another observer, a recorder perhaps; close that, or set the observer to null first.");
   state_->observer = observer;
 }
 

@@ -24,7 +24,7 @@ struct SubStep {
 };
 
 /// What dry friction remembers from step to step.
-struct StandingFriction {
+struct FrictionMemory {
   StickSlip anchor;        // in W
   MaterialId touched = 1;  // material at the contact point
 };
@@ -43,7 +43,7 @@ void validate_head(const ToolHead& head, double voxel_size);
 struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding): in the order of their making
   State(Workpiece given_workpiece, Tool given_tool, SimulationConfig given_config);
   void prepare_workpiece();
-  void set_frictions() noexcept;
+  void set_material_friction() noexcept;
   void start_afresh() noexcept;
 
   // The stages of a step, in their order.
@@ -68,7 +68,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
                                           DeepContact& deep) noexcept;
   void add_friction(const SubStep& sub_step, Encounter& encounter) noexcept;
   [[nodiscard]] AnchorForce pull_of_anchor(const SubStep& sub_step, const Encounter& encounter,
-                                           StandingFriction& memory) noexcept;
+                                           FrictionMemory& memory) noexcept;
   [[nodiscard]] Wrench normal_wrench(const SubStep& sub_step) noexcept;
   [[nodiscard]] const DryFriction& friction_at(const Vec3& p_WQ, MaterialId& touched) const noexcept;
   void book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept;
@@ -95,7 +95,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
                                             double dt, ProbedMotions motions, const Wrench& felt) noexcept;
   [[nodiscard]] ContactProbe probe_sub_step(const SubStep& sub_step, DeepContact& deep,
-                                            StandingFriction& memory) noexcept;
+                                            FrictionMemory& memory) noexcept;
 
   Workpiece workpiece;
   Tool tool;
@@ -103,7 +103,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
 
   // Derived from them at set-up.
   ContactStages contact_stages;
-  std::array<DryFriction, 256> frictions;  // of the materials, or of the configuration
+  std::array<DryFriction, 256> material_friction;  // of the materials, or of the configuration
   Pose X_VW;
   double voxel_volume = 0;  // [m^3]
 
@@ -113,7 +113,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   SpindleMotor motor;
   double motor_torque = 0;   // [N·m] of the last sub-step, the load of the motor
   DeepContact deep_contact;  // in W
-  StandingFriction friction;
+  FrictionMemory friction_memory;
   Output output;
 
   StepInput input;  // of the last step

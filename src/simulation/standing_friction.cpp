@@ -9,16 +9,16 @@ namespace hapticut {
 
 void Simulation::State::add_friction(const SubStep& sub_step, Encounter& encounter) noexcept {
   const StageTimer timer = timed(&StageTimes::add_friction);
-  const AnchorForce anchored = pull_of_anchor(sub_step, encounter, friction);
+  const AnchorForce anchored = pull_of_anchor(sub_step, encounter, friction_memory);
   encounter.resultant.wrench_T.force += anchored.wrench_T.force;
   encounter.resultant.wrench_T.torque += anchored.wrench_T.torque;
-  result.energy.anchored = friction.anchor.stored();
+  result.energy.anchored = friction_memory.anchor.stored();
   result.energy.sliding += anchored.dissipated;
 }
 
 /// Moves the anchor with the head.
 AnchorForce Simulation::State::pull_of_anchor(const SubStep& sub_step, const Encounter& encounter,
-                                              StandingFriction& memory) noexcept {
+                                              FrictionMemory& memory) noexcept {
   StickSlip& anchor = memory.anchor;
   AnchorForce pull;
   const double share = standing_share(motor.speed(), tool.head().largest_radius());
@@ -54,14 +54,14 @@ Wrench Simulation::State::normal_wrench(const SubStep& sub_step) noexcept {
   return contact_stages.press_and_cut(blocks, standing, removal).resultant.wrench_T;
 }
 
-/// The friction of the material nearest to a point; that of the last one touched where there is none nearby.
+/// The friction of the material nearest to a point; that of the last one touched where no material is nearby.
 const DryFriction& Simulation::State::friction_at(const Vec3& p_WQ, MaterialId& touched) const noexcept {
-  if (config.friction) return frictions[touched];  // the same everywhere
+  if (config.friction) return material_friction[touched];  // the same everywhere
   const Vec3 p_VQ = X_VW * p_WQ / workpiece.voxel_size();
   const VoxelIndex center = {int(std::lround(p_VQ.x())), int(std::lround(p_VQ.y())), int(std::lround(p_VQ.z()))};
   if (const MaterialId id = workpiece.material_at(center); id != kEmpty) {
     touched = id;
-    return frictions[touched];
+    return material_friction[touched];
   }
   double nearest = 9;  // [voxels^2]
   for (int i = -2; i <= 2; ++i)
@@ -73,7 +73,7 @@ const DryFriction& Simulation::State::friction_at(const Vec3& p_WQ, MaterialId& 
         const MaterialId id = workpiece.material_at(index);
         if (id != kEmpty) touched = id, nearest = distance;
       }
-  return frictions[touched];
+  return material_friction[touched];
 }
 
 }  // namespace hapticut

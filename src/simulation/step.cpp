@@ -82,8 +82,8 @@ StepStatus check_input(const SimulationConfig& config, const Pose& pose, const T
 
 void Simulation::State::place_at(const Pose& pose) noexcept {
   result.energy.sliding += std::exchange(result.energy.anchored, 0);
-  friction.anchor.release();
-  friction.touched = 1;
+  friction_memory.anchor.release();
+  friction_memory.touched = 1;
   deep_contact.release();
   output.restart();
   X_WH = pose;

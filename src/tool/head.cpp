@@ -105,9 +105,10 @@ std::string ToolHead::description() const {
 
 double ToolHead::largest_radius() const { return bounding_box().max.x(); }
 
-ToolHead::DepthAndDirection ToolHead::depth_at(const Vec3& p_TQ) const {
+Spring ToolHead::spring_at(const Vec3& p_TQ) const {
   const double rho = std::hypot(p_TQ.x(), p_TQ.y());
-  const Spring<double> s = visit_springs<double>([&](const auto& springs) { return springs.spring(rho, p_TQ.z()); });
+  const MeridianSpring<double> s =
+      visit_springs<double>([&](const auto& springs) { return springs.spring(rho, p_TQ.z()); });
   const double scale = rho > 0 ? s.n_radial / rho : 0.0;
   return {s.depth, Vec3(scale * p_TQ.x(), scale * p_TQ.y(), s.n_axial)};
 }

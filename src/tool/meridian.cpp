@@ -94,7 +94,7 @@ bool MeridianCurve::in_charge(const Vec2& x) const {
   return within(angle) || within(angle - 2 * kPi);
 }
 
-Spring<double> MeridianCurve::spring(const Vec2& x) const {
+MeridianSpring<double> MeridianCurve::spring(const Vec2& x) const {
   if (kind == Kind::line) {
     const Vec2 normal = left_of(edge.start_tangent);
     return {normal.dot(x - point), -normal.x(), -normal.y()};

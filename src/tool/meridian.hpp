@@ -43,7 +43,7 @@ struct MeridianCurve {
   Vec2 next = Vec2::Zero();   ///< [1] of a corner: tangent of the edge after it
   double low = 0, high = 0;   ///< [m] or [rad] part of the edge's line or circle that is in charge
   [[nodiscard]] bool in_charge(const Vec2& x) const;
-  [[nodiscard]] Spring<double> spring(const Vec2& x) const;
+  [[nodiscard]] MeridianSpring<double> spring(const Vec2& x) const;
 };
 
 class Meridian {

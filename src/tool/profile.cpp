@@ -15,9 +15,9 @@ ProfileHead::ProfileHead(Profile profile, double tolerance) : profile_(std::move
   meridian_ = std::move(meridian);
 }
 
-Spring<double> ProfileHead::exact_spring(double rho, double z) const {
+MeridianSpring<double> ProfileHead::exact_spring(double rho, double z) const {
   const detail::Vec2 x(rho, z);
-  const Spring<double> none = {-1, 1, 0};
+  const MeridianSpring<double> none = {-1, 1, 0};
   if (!(ProfileSprings<double>(*table_).margin(rho, z) > 0)) return none;
   const std::size_t curve = meridian_->nearest(x);
   return curve == detail::Meridian::kNone ? none : meridian_->curves()[curve].spring(x);

@@ -2,6 +2,7 @@
 #include "hapticut/workpiece/material_presets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "hapticut/core/errors.hpp"
@@ -12,7 +13,7 @@ namespace {
 struct Preset {
   std::string_view name;
   Material (*make)();
-  std::array<std::uint8_t, 3> color;
+  Color color;
 };
 
 constexpr std::array kPresets = {
@@ -163,6 +164,6 @@ std::span<const std::string_view> preset_names() { return kNames; }
 
 Material find_preset(std::string_view name) { return preset_named(name).make(); }
 
-std::array<std::uint8_t, 3> preset_color(std::string_view name) { return preset_named(name).color; }
+Color preset_color(std::string_view name) { return preset_named(name).color; }
 
 }  // namespace hapticut

@@ -126,8 +126,8 @@ IndexBox samples_with(const Volume<Value>& volume, const Wanted& wanted, double 
 GreyVolume with_spacing(GreyVolume volume, const Vec3& spacing) { return respaced(std::move(volume), spacing); }
 LabelVolume with_spacing(LabelVolume volume, const Vec3& spacing) { return respaced(std::move(volume), spacing); }
 
-GreyVolume crop(const GreyVolume& volume, const IndexBox& samples) { return cropped(volume, samples); }
-LabelVolume crop(const LabelVolume& volume, const IndexBox& samples) { return cropped(volume, samples); }
+GreyVolume crop_to_samples(const GreyVolume& volume, const IndexBox& samples) { return cropped(volume, samples); }
+LabelVolume crop_to_samples(const LabelVolume& volume, const IndexBox& samples) { return cropped(volume, samples); }
 
 GreyVolume crop_to_box(const GreyVolume& volume, const Box& box) { return cropped_to(volume, box); }
 LabelVolume crop_to_box(const LabelVolume& volume, const Box& box) { return cropped_to(volume, box); }

@@ -54,8 +54,8 @@ elseif(CASE STREQUAL "no_io")
     message(FATAL_ERROR "a missing part of io must stop the configuration and say how to build it:\n${output}")
   endif()
 elseif(CASE STREQUAL "subdirectory")
-  # Compiling the whole library once more is long: not optimised it takes a third of the time, and whoever has a ccache
-  # gives it to this project as well.
+  # Compiling the whole library once more is long: not optimised it takes a third of the time, and a ccache that is
+  # in use serves this project as well.
   # Its io, where the packages for it are there, is without ITK and Assimp: recordings, pictures, grids and the common
   # formats of meshes need neither.
   set(component "")

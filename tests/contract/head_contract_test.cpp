@@ -62,15 +62,15 @@ class HeadContract : public testing::TestWithParam<NamedHead> {
   }
 
   template <class Real>
-  Spring<Real> spring(double rho, double z) const {
+  MeridianSpring<Real> spring(double rho, double z) const {
     return head().visit_springs<Real>(
-        [&](const auto& springs) -> Spring<Real> { return springs.spring(Real(rho), Real(z)); });
+        [&](const auto& springs) -> MeridianSpring<Real> { return springs.spring(Real(rho), Real(z)); });
   }
   /// Whether the exact head has this direction at a point or next to it: on a ridge between two surfaces, rounding
   /// decides for one of them.
-  bool is_direction_near(const Spring<float>& fast, double rho, double z, double step) const {
+  bool is_direction_near(const MeridianSpring<float>& fast, double rho, double z, double step) const {
     for (int n = 0; n < 9; ++n) {
-      const Spring<double> s = spring<double>(rho + (n % 3 - 1) * step, z + (n / 3 - 1) * step);
+      const MeridianSpring<double> s = spring<double>(rho + (n % 3 - 1) * step, z + (n / 3 - 1) * step);
       if (std::hypot(s.n_radial - double(fast.n_radial), s.n_axial - double(fast.n_axial)) < 0.02) return true;
     }
     return false;
@@ -94,7 +94,7 @@ TEST_P(HeadContract, DepthIsAtMostTheReach) {
 
 TEST_P(HeadContract, DirectionIsAUnitVectorWhereThereIsASpring) {
   for_points([&](double rho, double z) {
-    const Spring<double> s = spring<double>(rho, z);
+    const MeridianSpring<double> s = spring<double>(rho, z);
     if (s.depth > 0) {
       ASSERT_NEAR(std::hypot(s.n_radial, s.n_axial), 1, 1e-12);
     }
@@ -127,8 +127,8 @@ TEST_P(HeadContract, SpringAndMarginAgreeOnWhatIsInside) {
 TEST_P(HeadContract, SinglePrecisionGivesTheSameAnswerWithinRounding) {
   const double rounding = 4 * double(std::numeric_limits<float>::epsilon()) * 1.3 * head().reach();
   for_points([&](double rho, double z) {
-    const Spring<double> exact = spring<double>(rho, z);
-    const Spring<float> fast = spring<float>(rho, z);
+    const MeridianSpring<double> exact = spring<double>(rho, z);
+    const MeridianSpring<float> fast = spring<float>(rho, z);
     if (std::abs(margin(rho, z)) < rounding + surface_error()) return;  // on the surface either answer is right
     ASSERT_EQ(exact.depth > 0, fast.depth > 0);
     if (exact.depth <= 0) return;
@@ -142,7 +142,7 @@ TEST_P(HeadContract, TheVectorAtAPointLiesInItsMeridianPlane) {
   RandomPoses random(10);
   for (int n = 0; n < 2000; ++n) {
     const Vec3 p = random.vector(head().reach());
-    const auto at = head().depth_at(p);
+    const auto at = head().spring_at(p);
     if (!(at.depth > 0)) continue;
     ASSERT_NEAR(at.direction.cross(p).z(), 0, 1e-12 * head().reach());
     if (GetParam().springs_push_out) {
@@ -163,7 +163,7 @@ TEST_P(HeadContract, NoBlockIsSkippedThatHoldsAPointOfTheHead) {
         head().visit_springs<float>([&](const auto& springs) { return may_touch(springs, grid, origin, float(size)); });
     bool does = false;
     for (int v = 0; v < kBlockVoxels; ++v)
-      does |= head().depth_at(grid.position({v >> 6, v >> 3 & 7, v & 7})).depth > 0;
+      does |= head().spring_at(grid.position({v >> 6, v >> 3 & 7, v & 7})).depth > 0;
     ASSERT_TRUE(may || !does);
     skipped += !may;
     touched += does;

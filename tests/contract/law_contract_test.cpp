@@ -69,7 +69,7 @@ Outcome run(const NamedLaw& named, const Cut& cut) {
     const Twist velocity{cut.X_WV.rotation * Vec3((at - last) / kTick), Vec3::Zero()};
     last = at;
     const StepResult& result = simulation.step(cut.X_WV * X_VT, velocity, kTick);
-    EXPECT_FALSE(has(result.status, kRejected | StepStatus::blocks_exhausted));
+    EXPECT_FALSE(has_any(result.status, kRejected | StepStatus::blocks_exhausted));
     EXPECT_TRUE(is_finite(result.force) && is_finite(result.torque));
     outcome.wrenches.push_back(
         {cut.X_WV.rotation.transpose() * result.force, cut.X_WV.rotation.transpose() * result.torque});

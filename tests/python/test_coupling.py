@@ -31,12 +31,12 @@ def test_a_probe_feels_what_a_step_would_and_changes_nothing(block):
     assert there.stiffness.shape == (6, 6) and np.allclose(there.stiffness, there.stiffness.T)
     # 5 %: the voxels at the rim of the contact count whole or not at all.
     assert there.stiffness[2, 2] == pytest.approx(slope[2], rel=0.05)
-    assert there.contact.voxels > 100 and there.contact.turns == 1 and simulation.steps == 0
+    assert there.contact.voxels > 100 and there.contact.level_of_detail == 1 and simulation.steps == 0
     felt = simulation.step(h.Pose.from_translation(place), np.zeros(6), 1e-3)
     assert np.allclose(there.wrench.force, felt.model.force, rtol=1e-5)
     assert there.sliding is False  # nothing rubs
     still, pose = np.zeros(6), h.Pose.from_translation(place)
-    for law, turns in ((None, True), (h.ContactMechanicsLaw(2e6), False)):  # a law of one's own is asked for no more
+    for law, turns in ((None, True), (h.ContactMechanicsLaw(2e6), False)):  # a law of your own is asked for no more
         own = h.Simulation(block, h.Tool(h.SphereHead(1.5 * mm)), h.SimulationConfig(law=law))
         straight = own.probe(pose, still, 1e-3, h.ProbedMotions.translations)
         assert straight.stiffness[2, 2] > 0 and straight.stiffness[3:].any() == turns
@@ -103,8 +103,8 @@ def test_the_contact_bench_runs_without_the_interpreter():
     assert search.target[2, 3] < 0
     search.window, search.windows = 0.1, 2
     assert h.is_stable(config, models, 1e12, search)
-    assert h.press(config, models, 1e12, h.PressTest(height=bench.radius, seconds=0.3, measured=0.1)).greatest_force > 0
-    bounced = h.bounce(config, models, 1e12, h.BounceTest(height=bench.radius, phases=1, time_limit=0.1))
+    assert h.measure_buzz(config, models, 1e12, h.PressTest(height=bench.radius, seconds=0.3, measured=0.1)).greatest_force > 0
+    bounced = h.measure_bounce(config, models, 1e12, h.BounceTest(height=bench.radius, phases=1, time_limit=0.1))
     assert bounced.peak_force > 0
     with pytest.raises(h.Error, match="factory.*type int"):
         h.is_stable(config, 3, 1e12)

@@ -38,7 +38,7 @@ def test_volumes_are_worked_on(tmp_path, block):
     again = h.read_grey_volume(tmp_path / "grey.nrrd", h.VolumeReadOptions(spacing=[2 * mm] * 3))
     assert np.array_equal(again.values, grey.values) and np.allclose(again.spacing, 2 * mm)
     assert np.allclose(h.with_spacing(grey, [3 * mm] * 3).spacing, 3 * mm)
-    assert h.crop(grey, h.IndexBox([1, 1, 1], [3, 4, 5])).dims == (3, 4, 5)
+    assert h.crop_to_samples(grey, h.IndexBox([1, 1, 1], [3, 4, 5])).dims == (3, 4, 5)
     assert h.box_around(grey, 700.0).max == [7, 8, 9]
     assert h.grey_range(grey) == [0, 719] and h.count_from(grey, 700) == 20 and h.count_labels(grey) == {}
     assert np.allclose(h.box_of_volume(grey).max, [7.5 * mm, 8.5 * mm, 9.5 * mm])
@@ -58,14 +58,14 @@ def test_volumes_are_worked_on(tmp_path, block):
     assert np.count_nonzero(h.fill_cavities(volume, 2).values == 2) == 27
     assert np.count_nonzero(h.close_gaps(volume, 1 * mm, 2).values == 2) > 0
     assert np.allclose(h.with_spacing(volume, [2 * mm] * 3).spacing, 2 * mm)
-    assert h.crop(volume, h.box_around(volume)).dims == (7, 7, 7)
+    assert h.crop_to_samples(volume, h.box_around(volume)).dims == (7, 7, 7)
     h.write_nrrd(tmp_path / "work.nrrd", block)
     assert (tmp_path / "work_density.nrrd").exists()
     (tmp_path / "raw").write_bytes(bytes(range(24)))
     layout = h.RawLayout(dims=[2, 3, 4], spacing=[1 * mm] * 3, type=h.ValueType.uint8)
     assert h.read_raw_grey_volume(tmp_path / "raw", layout).values[1, 2, 3] == 23
     assert h.read_raw_label_volume(tmp_path / "raw", layout).values[1, 0, 0] == 1
-    for read in (h.read_invesalius_project, lambda path: h.read_colour_slices(path, {(1, 2, 3): 4}, [1 * mm] * 3)):
+    for read in (h.read_invesalius_project, lambda path: h.read_color_slices(path, {(1, 2, 3): 4}, [1 * mm] * 3)):
         with pytest.raises(h.Error):
             read(tmp_path / "nothing")
     assert h.kMaxVolumeSamples > 0
@@ -129,7 +129,7 @@ def test_a_mock_device_runs_a_function_of_python():
 
     report = device.run(tick, h.RunOptions(seconds=5, simulated_time=True))
     assert report.ticks == len(ticks) and report.end and report.fault == h.DeviceFault.none
-    assert device.output.commanded.force[2] > 0 and device.output.limits >= 0
+    assert device.output.commanded.force[2] > 0 and device.output.changes >= 0
     assert report.compute.count == report.ticks and report.compute.quantile(0.5) <= report.compute.max
     assert report.compute.buckets.shape == (2000,) and report.compute.min <= report.compute.mean
     assert "engaged" in report.events and device.count(h.SafetyEvent.engaged) == report.events["engaged"]
@@ -211,7 +211,7 @@ def test_models_maps_and_the_guard():
     guard.applied(applied), guard.requests.emergency_stop(), guard.requests.reset_fault()
     guard.requests.interrupt(h.SafetyEvent.reclutched)
     assert guard.count(h.SafetyEvent.armed) >= 1 and guard.drain_log() and guard.slew > 0 and guard.greatest_force > 0
-    assert guard.output.limits >= 0
+    assert guard.output.changes >= 0
     guard.stop()
     histogram = h.LatencyHistogram()
     histogram.add(5e-6)
@@ -229,15 +229,15 @@ def test_the_bench_finds_the_limit_of_colgate_and_schenkel():
     assert found == pytest.approx(2 * config.device.damping / config.period, rel=0.02)
     assert h.is_stable(config, wall, 0.5 * found) and not h.is_stable(config, wall, 1.2 * found)
     one_sided = lambda stiffness: h.LinearWall(stiffness=stiffness)  # noqa: E731
-    bounced = h.bounce(config, one_sided, 500.0, h.BounceTest(phases=2))
+    bounced = h.measure_bounce(config, one_sided, 500.0, h.BounceTest(phases=2))
     assert bounced.penetration > 0 and bounced.generated_energy >= 0 and bounced.peak_force > 0 and bounced.restitution >= bounced.mean_restitution
     held = h.ClosedLoopConfig(device=h.device_model("touch"), hand=h.hand_model("nominal"))
-    buzz = h.press(held, one_sided, 200.0, h.PressTest(seconds=1.0, measured=0.5))
+    buzz = h.measure_buzz(held, one_sided, 200.0, h.PressTest(seconds=1.0, measured=0.5))
     assert buzz.position_rms < 50e-6 and buzz.frequency >= 0 and buzz.generated_power < 5e-3
     assert not buzz.buzzes() and math.isfinite(buzz.force_peak_to_peak)
     options = h.GuardOptions(stiffness=300.0)
     assert len(h.injected_faults()) == len(h.InjectedFault.__members__)
-    response = h.respond(held, one_sided, 300.0, options, h.InjectedFault.unplugged)
+    response = h.measure_fault_response(held, one_sided, 300.0, options, h.InjectedFault.unplugged)
     assert 0 <= response.time_to_zero < 0.1 and response.oldest_force <= 0.05 and response.greatest_growth >= 0
     assert response.greatest_force <= held.device.peak_force
     guard = h.SafetyGuard(h.capabilities(held.device), options)

@@ -245,7 +245,7 @@ def test_a_coupled_tool_is_recorded_step_by_step(coupled, plunge, tmp_path):
     last = recording.read(len(recording) - 1)["trace"]
     assert np.array_equal(last["force"][0], felt.force) and not np.array_equal(last["model"]["force"][0], felt.force)
     tick = h.DeviceTick(state=h.DeviceState(sequence=3), arming=h.ArmingState.on)
-    assert tick.state.sequence == 3 and tick.output.limits == 0
+    assert tick.state.sequence == 3 and tick.output.changes == 0
 
 
 @needs_io

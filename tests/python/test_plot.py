@@ -128,7 +128,7 @@ def test_a_slice_shows_the_materials_of_a_layer():
         plot.slice_through(slab, axis=3)
 
 
-def test_every_material_has_a_colour_of_its_own():
+def test_every_material_has_a_color_of_its_own():
     names = [f"m{number}" for number in range(20)] + hapticut.preset_names()
     assert len(set(plot.colors_of(names))) == len(names)
 

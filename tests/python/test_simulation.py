@@ -97,7 +97,7 @@ def test_a_step_reports_a_bad_pose_by_its_status(simulation):
     pose = np.eye(4)
     pose[0, 3] = np.inf
     result = simulation.step(pose, np.zeros(6), 1e-3)
-    assert hapticut.has(result.status, hapticut.StepStatus.pose_rejected)
+    assert hapticut.has_any(result.status, hapticut.StepStatus.pose_rejected)
     assert result.status & hapticut.kRejected
     assert not result.force.any() and simulation.workpiece.hash() == before
 

@@ -97,7 +97,7 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
     const Vec3 p_HoTo_W = X_WT.translation - X_WH.translation;
     const Twist of_head{R_WV * mirror(scene.feed_V), R_WV * turn_V};
     const StepResult& result = simulation.step(X_WH, transport(of_head, -p_HoTo_W), 1e-3);
-    RC_ASSERT(!has(result.status, kRejected));
+    RC_ASSERT(!has_any(result.status, kRejected));
     const Wrench at_head = transport(Wrench{result.force, result.torque}, -p_HoTo_W);
     outcome.wrenches_V.push_back({R_WV.transpose() * at_head.force, R_WV.transpose() * at_head.torque});
     outcome.removed_volume += result.removed_volume;

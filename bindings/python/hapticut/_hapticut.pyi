@@ -7,7 +7,7 @@ import numpy.typing
 import os
 import pathlib
 import typing
-__all__: list = ['Arming', 'ArmingOptions', 'ArmingState', 'AxialCutForce', 'AxisMask', 'BodyDescription', 'Bounce', 'BounceTest', 'Box', 'BuildInfo', 'Buzz', 'Calibration', 'ChangedBlock', 'ClosedLoop', 'ClosedLoopConfig', 'Color', 'ColoredMesh', 'ConeHead', 'Contact', 'ContactBench', 'ContactMechanicsLaw', 'ContactProbe', 'ContactTime', 'CoupledResult', 'CouplingEnergy', 'CouplingGains', 'DampingMatrixLaw', 'DeepContact', 'DeltaFilter', 'Device', 'DeviceCapabilities', 'DeviceCommand', 'DeviceFault', 'DeviceModel', 'DeviceOutput', 'DeviceState', 'DeviceTick', 'DrillingTest', 'DryFriction', 'EdgeKind', 'Effects', 'EffectsInput', 'EnergyLedger', 'Error', 'FaultResponse', 'FlatHead', 'FlatRule', 'ForceLaw', 'ForceModel', 'FoundationLaw', 'Grade', 'Gravity', 'GreyRange', 'GreyVolume', 'GridFrame', 'GuardOptions', 'HandModel', 'HandleTorque', 'HeadBox', 'HertzianBurrLaw', 'IndexBox', 'InjectedFault', 'LHandle', 'LabelInterpolation', 'LabelMaterial', 'LabelVolume', 'LatencyHistogram', 'Layer', 'LinearWall', 'LoopSnapshot', 'Material', 'MaterialAmount', 'MaterialTable', 'MeshImport', 'MeshShell', 'MockDevice', 'MockOptions', 'ModelFactory', 'MolarParameters', 'MouseDevice', 'MouseOptions', 'MoveKey', 'NamedMesh', 'Output', 'OutputLimit', 'OutputLimits', 'PassivityController', 'PassivityOptions', 'PictureOptions', 'Plant', 'PlantOptions', 'PlaybackDevice', 'PlaybackRange', 'PoseGate', 'PoseGateOptions', 'PressTest', 'ProbedMotions', 'Profile', 'ProfileEdge', 'ProfileHead', 'Quadrature', 'RawLayout', 'RayHandle', 'RealtimeLoop', 'RealtimeLoopOptions', 'RealtimeOptions', 'RecognizedProfile', 'RecordedEffects', 'Recorder', 'RecorderOptions', 'Recording', 'RecordingInfo', 'RemovalLaw', 'ReplayDifference', 'ReplayReport', 'Requests', 'RunOptions', 'RunReport', 'SafetyEvent', 'SafetyGuard', 'SafetyLog', 'SafetyLogEntry', 'Scene', 'Simulation', 'SimulationConfig', 'SimulationModel', 'SimulationModelOptions', 'SphereHead', 'Spindle', 'SpindleMotor', 'SpindleState', 'Spring', 'StabilitySearch', 'StageTimes', 'StepInput', 'StepResult', 'StepStatus', 'StickSlip', 'ThermalBudget', 'ThermalOptions', 'ThesisLaw', 'ThesisMode', 'Tool', 'ToolHead', 'ToolSnapshot', 'TriangleMesh', 'TwistDrillLaw', 'UnclaimedLabels', 'ValueType', 'VdbImport', 'Vibration', 'VibrationPhase', 'VirtualCoupling', 'VolumeBuildOptions', 'VolumeReadOptions', 'Watchdog', 'WatchdogOptions', 'Workpiece', 'WorkpieceSnapshot', 'WorkpieceSurface', 'WorkspaceMap', 'WorkspaceMapOptions', 'WorstCase', 'Wrench', 'advance', 'axial_cut_force', 'bounce', 'box_around', 'box_of_volume', 'build_block', 'build_body', 'build_from_grey', 'build_from_labels', 'build_from_mesh', 'build_from_shells', 'build_info', 'build_layered_slab', 'build_molar', 'build_sphere', 'calibrate', 'capabilities', 'check_input', 'christmas_tree_head', 'close_gaps', 'colored', 'commands', 'contact_models', 'contact_point', 'count_from', 'count_labels', 'coupling_gains', 'crop', 'crop_to_box', 'cylinder_head', 'describe', 'describe_molar', 'device_drivers', 'device_model', 'device_models', 'extract_surface', 'fill_cavities', 'filtered', 'find_preset', 'find_scene', 'flame_head', 'gravity_wrench', 'grey_range', 'growth_limited', 'hand_model', 'hand_models', 'has', 'head_in_handle', 'injected_faults', 'inverted_cone_head', 'is_rotation', 'is_stable', 'kBlockEdge', 'kBlockVoxels', 'kEmpty', 'kFastestSpindle', 'kFastestVibration', 'kFullSpinSpeed', 'kMaxMaterials', 'kMaxVolumeSamples', 'kMolarCaries', 'kMolarDentin', 'kMolarEnamel', 'kMolarPulp', 'kMostPlayedSteps', 'kRecordingFormat', 'kRejected', 'kSafetyEvents', 'kSmallestFill', 'kTreeWaist', 'kWithIo', 'keep_largest_component', 'label_range', 'largest_contact_stiffness', 'largest_stable_stiffness', 'least_force_growth', 'load_vdb', 'masked', 'material_color', 'materials_of', 'mesh_of_revolution', 'most_blocks', 'most_voxels', 'needle_head', 'obeys_the_rules', 'open_device', 'open_mock', 'open_playback', 'orthonormalized', 'output_limits', 'pear_head', 'preset_color', 'preset_names', 'press', 'pressed_search', 'profile_from_mesh', 'read_colour_slices', 'read_grey_volume', 'read_invesalius_project', 'read_label_volume', 'read_mesh', 'read_raw_grey_volume', 'read_raw_label_volume', 'read_recording', 'replay', 'resample', 'respond', 'rotation_from_vector', 'round_end_cylinder_head', 'round_end_tapered_head', 'round_head', 'saturated', 'save_vdb', 'scenes', 'scripted_path', 'simulation_of', 'standing_share', 'stiffness_for_accuracy', 'stiffness_for_device', 'tapered_head', 'thesis_handle_torque', 'thesis_mode', 'transport', 'twist_between', 'twist_drill_head', 'unused_label', 'validate', 'vector_from_rotation', 'wheel_head', 'with_spacing', 'write_csv', 'write_npz', 'write_nrrd', 'write_obj', 'write_picture', 'write_ply', 'write_stl']
+__all__: list = ['Arming', 'ArmingOptions', 'ArmingState', 'AxialCutForce', 'AxisMask', 'BodyDescription', 'Bounce', 'BounceTest', 'Box', 'BuildInfo', 'Buzz', 'Calibration', 'ChangedBlock', 'ClosedLoop', 'ClosedLoopConfig', 'Color', 'ColoredMesh', 'ConeHead', 'Contact', 'ContactBench', 'ContactMechanicsLaw', 'ContactProbe', 'ContactTime', 'CoupledResult', 'CouplingEnergy', 'CouplingGains', 'DampingMatrixLaw', 'DeepContact', 'DeltaFilter', 'Device', 'DeviceCapabilities', 'DeviceCommand', 'DeviceFault', 'DeviceModel', 'DeviceOutput', 'DeviceState', 'DeviceTick', 'DrillingTest', 'DryFriction', 'EdgeKind', 'Effects', 'EffectsInput', 'EnergyLedger', 'Error', 'FaultResponse', 'FlatHead', 'FlatRule', 'ForceLaw', 'ForceModel', 'FoundationLaw', 'Grade', 'Gravity', 'GreyRange', 'GreyVolume', 'GridFrame', 'GuardOptions', 'HandModel', 'HandleTorque', 'HeadBox', 'HertzianBurrLaw', 'IndexBox', 'InjectedFault', 'LHandle', 'LabelInterpolation', 'LabelMaterial', 'LabelVolume', 'LatencyHistogram', 'Layer', 'LinearWall', 'LoopSnapshot', 'Material', 'MaterialAmount', 'MaterialTable', 'MeridianSpring', 'MeshImport', 'MeshShell', 'MockDevice', 'MockOptions', 'ModelFactory', 'MolarParameters', 'MouseDevice', 'MouseOptions', 'MoveKey', 'NamedMesh', 'Output', 'OutputChange', 'OutputLimits', 'PassivityController', 'PassivityOptions', 'PictureOptions', 'Plant', 'PlantOptions', 'PlaybackDevice', 'PlaybackRange', 'PoseGate', 'PoseGateOptions', 'PressTest', 'ProbedMotions', 'Profile', 'ProfileEdge', 'ProfileHead', 'Quadrature', 'RawLayout', 'RayHandle', 'RealtimeLoop', 'RealtimeLoopOptions', 'RealtimeOptions', 'RecognizedProfile', 'RecordedEffects', 'Recorder', 'RecorderOptions', 'Recording', 'RecordingInfo', 'RemovalLaw', 'ReplayDifference', 'ReplayReport', 'Requests', 'RunOptions', 'RunReport', 'SafetyEvent', 'SafetyGuard', 'SafetyLog', 'SafetyLogEntry', 'Scene', 'Simulation', 'SimulationConfig', 'SimulationModel', 'SimulationModelOptions', 'SphereHead', 'Spindle', 'SpindleMotor', 'SpindleState', 'Spring', 'StabilitySearch', 'StageTimes', 'StepInput', 'StepResult', 'StepStatus', 'StickSlip', 'ThermalBudget', 'ThermalOptions', 'ThesisLaw', 'ThesisMode', 'Tool', 'ToolHead', 'ToolSnapshot', 'TriangleMesh', 'TwistDrillLaw', 'UnclaimedLabels', 'ValueType', 'VdbImport', 'Vibration', 'VibrationPhase', 'VirtualCoupling', 'VolumeBuildOptions', 'VolumeReadOptions', 'Watchdog', 'WatchdogOptions', 'Workpiece', 'WorkpieceSnapshot', 'WorkpieceSurface', 'WorkspaceMap', 'WorkspaceMapOptions', 'WorstCase', 'Wrench', 'advance', 'axial_cut_force', 'box_around', 'box_of_volume', 'build_block', 'build_body', 'build_from_grey', 'build_from_labels', 'build_from_mesh', 'build_from_shells', 'build_info', 'build_layered_slab', 'build_molar', 'build_sphere', 'calibrate', 'capabilities', 'check_input', 'christmas_tree_head', 'close_gaps', 'colored', 'commands', 'contact_models', 'contact_point', 'count_from', 'count_labels', 'coupling_gains', 'crop_to_box', 'crop_to_samples', 'cylinder_head', 'describe', 'describe_molar', 'device_drivers', 'device_model', 'device_models', 'extract_surface', 'fill_cavities', 'filtered', 'find_preset', 'find_scene', 'flame_head', 'gravity_wrench', 'grey_range', 'growth_limited', 'hand_model', 'hand_models', 'has_any', 'head_in_handle', 'injected_faults', 'inverted_cone_head', 'is_rotation', 'is_stable', 'kBlockEdge', 'kBlockVoxels', 'kEmpty', 'kFastestSpindle', 'kFastestVibration', 'kFullSpinSpeed', 'kMaxMaterials', 'kMaxVolumeSamples', 'kMolarCaries', 'kMolarDentin', 'kMolarEnamel', 'kMolarPulp', 'kMostPlayedSteps', 'kRecordingFormat', 'kRejected', 'kSafetyEvents', 'kSmallestFill', 'kTreeWaist', 'kWithIo', 'keep_largest_component', 'label_range', 'largest_contact_stiffness', 'largest_stable_stiffness', 'least_force_growth', 'load_vdb', 'masked', 'material_color', 'materials_of', 'measure_bounce', 'measure_buzz', 'measure_fault_response', 'mesh_of_revolution', 'most_blocks', 'most_voxels', 'needle_head', 'obeys_the_rules', 'open_device', 'open_mock', 'open_playback', 'orthonormalized', 'output_limits', 'pear_head', 'preset_color', 'preset_names', 'pressed_search', 'profile_from_mesh', 'read_color_slices', 'read_grey_volume', 'read_invesalius_project', 'read_label_volume', 'read_mesh', 'read_raw_grey_volume', 'read_raw_label_volume', 'read_recording', 'replay', 'resample', 'rotation_from_vector', 'round_end_cylinder_head', 'round_end_tapered_head', 'round_head', 'saturated', 'save_vdb', 'scenes', 'scripted_path', 'simulation_of', 'standing_share', 'stiffness_for_accuracy', 'stiffness_for_device', 'tapered_head', 'thesis_handle_torque', 'thesis_mode', 'transport', 'twist_between', 'twist_drill_head', 'unused_label', 'validate', 'vector_from_rotation', 'wheel_head', 'with_spacing', 'write_csv', 'write_npz', 'write_nrrd', 'write_obj', 'write_picture', 'write_ply', 'write_stl']
 
 class Error(RuntimeError):
     ...
@@ -493,7 +493,7 @@ class Profile:
     def tip(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
 
-class Spring:
+class MeridianSpring:
 
     @property
     def depth(self) -> float:
@@ -512,7 +512,7 @@ class ProfileHead:
     def __init__(self, profile: Profile, tolerance: typing.SupportsFloat | typing.SupportsIndex=0.01) -> None:
         ...
 
-    def exact_spring(self, rho: typing.SupportsFloat | typing.SupportsIndex, z: typing.SupportsFloat | typing.SupportsIndex) -> Spring:
+    def exact_spring(self, rho: typing.SupportsFloat | typing.SupportsIndex, z: typing.SupportsFloat | typing.SupportsIndex) -> MeridianSpring:
         ...
 
     @property
@@ -548,17 +548,17 @@ class HeadBox:
     def min(self) -> numpy.typing.NDArray[numpy.float64]:
         ...
 
+class Spring:
+
+    @property
+    def depth(self) -> float:
+        ...
+
+    @property
+    def direction(self) -> numpy.typing.NDArray[numpy.float64]:
+        ...
+
 class ToolHead:
-
-    class DepthAndDirection:
-
-        @property
-        def depth(self) -> float:
-            ...
-
-        @property
-        def direction(self) -> numpy.typing.NDArray[numpy.float64]:
-            ...
 
     def __init__(self, shape: SphereHead | ConeHead | FlatHead | ProfileHead) -> None:
         ...
@@ -567,9 +567,6 @@ class ToolHead:
         ...
 
     def bounding_box(self) -> HeadBox:
-        ...
-
-    def depth_at(self, p_TQ: numpy.typing.ArrayLike) -> ToolHead.DepthAndDirection:
         ...
 
     def description(self) -> str:
@@ -582,6 +579,9 @@ class ToolHead:
         ...
 
     def reach(self) -> float:
+        ...
+
+    def spring_at(self, p_TQ: numpy.typing.ArrayLike) -> Spring:
         ...
 
     def volume(self) -> float:
@@ -1254,19 +1254,19 @@ class VolumeBuildOptions:
         ...
 
     @property
-    def crop(self) -> Box | None:
-        ...
-
-    @crop.setter
-    def crop(self, arg0: Box | None) -> None:
-        ...
-
-    @property
     def crop_samples(self) -> IndexBox | None:
         ...
 
     @crop_samples.setter
     def crop_samples(self, arg0: IndexBox | None) -> None:
+        ...
+
+    @property
+    def crop_to_samples(self) -> Box | None:
+        ...
+
+    @crop.setter
+    def crop_to_samples(self, arg0: Box | None) -> None:
         ...
 
     @property
@@ -2955,7 +2955,7 @@ class Contact:
         ...
 
     @property
-    def turns(self) -> int:
+    def level_of_detail(self) -> int:
         ...
 
     @property
@@ -4350,25 +4350,25 @@ class DeviceCommand:
     def wrench(self, arg0: Wrench) -> None:
         ...
 
-class OutputLimit:
+class OutputChange:
     __array_ufunc__ = None
-    __members__: typing.ClassVar[dict[str, OutputLimit]]
-    by_driver: typing.ClassVar[OutputLimit]
-    cooled: typing.ClassVar[OutputLimit]
-    damped: typing.ClassVar[OutputLimit]
-    held_back: typing.ClassVar[OutputLimit]
-    no_actuator: typing.ClassVar[OutputLimit]
-    none: typing.ClassVar[OutputLimit]
-    not_finite: typing.ClassVar[OutputLimit]
-    ramped: typing.ClassVar[OutputLimit]
-    saturated: typing.ClassVar[OutputLimit]
-    slew_limited: typing.ClassVar[OutputLimit]
+    __members__: typing.ClassVar[dict[str, OutputChange]]
+    by_driver: typing.ClassVar[OutputChange]
+    cooled: typing.ClassVar[OutputChange]
+    damped: typing.ClassVar[OutputChange]
+    held_back: typing.ClassVar[OutputChange]
+    no_actuator: typing.ClassVar[OutputChange]
+    none: typing.ClassVar[OutputChange]
+    not_finite: typing.ClassVar[OutputChange]
+    ramped: typing.ClassVar[OutputChange]
+    saturated: typing.ClassVar[OutputChange]
+    slew_limited: typing.ClassVar[OutputChange]
 
     def __and__(self, other: typing.Any) -> typing.Any:
         ...
 
     @typing.overload
-    def __eq__(self, other: OutputLimit) -> bool:
+    def __eq__(self, other: OutputChange) -> bool:
         ...
 
     @typing.overload
@@ -4391,7 +4391,7 @@ class OutputLimit:
         ...
 
     @typing.overload
-    def __ne__(self, other: OutputLimit) -> bool:
+    def __ne__(self, other: OutputChange) -> bool:
         ...
 
     @typing.overload
@@ -4441,7 +4441,7 @@ class DeviceOutput:
     def __getstate__(self) -> tuple:
         ...
 
-    def __init__(self, commanded: Wrench=..., applied: Wrench=..., limits: typing.SupportsInt | typing.SupportsIndex=0) -> None:
+    def __init__(self, commanded: Wrench=..., applied: Wrench=..., changes: typing.SupportsInt | typing.SupportsIndex=0) -> None:
         ...
 
     def __repr__(self) -> str:
@@ -4459,19 +4459,19 @@ class DeviceOutput:
         ...
 
     @property
+    def changes(self) -> int:
+        ...
+
+    @changes.setter
+    def changes(self, arg1: typing.SupportsInt | typing.SupportsIndex) -> None:
+        ...
+
+    @property
     def commanded(self) -> Wrench:
         ...
 
     @commanded.setter
     def commanded(self, arg0: Wrench) -> None:
-        ...
-
-    @property
-    def limits(self) -> int:
-        ...
-
-    @limits.setter
-    def limits(self, arg1: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
 
 class ArmingState:
@@ -8108,9 +8108,6 @@ def advance(from_: numpy.typing.ArrayLike, twist: numpy.typing.ArrayLike, dt: ty
 def axial_cut_force(constants: Calibration, radius: typing.SupportsFloat | typing.SupportsIndex, spindle_speed: typing.SupportsFloat | typing.SupportsIndex, feed_speed: typing.SupportsFloat | typing.SupportsIndex) -> AxialCutForce:
     ...
 
-def bounce(config: ClosedLoopConfig, factory: ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], stiffness: typing.SupportsFloat | typing.SupportsIndex, test: BounceTest=...) -> Bounce:
-    ...
-
 @typing.overload
 def box_around(volume: LabelVolume, labels: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex]=[], margin: typing.SupportsFloat | typing.SupportsIndex=0.0) -> IndexBox:
     ...
@@ -8201,19 +8198,19 @@ def coupling_gains(device: DeviceCapabilities, mass: typing.SupportsFloat | typi
     ...
 
 @typing.overload
-def crop(volume: GreyVolume, samples: IndexBox) -> GreyVolume:
-    ...
-
-@typing.overload
-def crop(volume: LabelVolume, samples: IndexBox) -> LabelVolume:
-    ...
-
-@typing.overload
 def crop_to_box(volume: GreyVolume, box: Box) -> GreyVolume:
     ...
 
 @typing.overload
 def crop_to_box(volume: LabelVolume, box: Box) -> LabelVolume:
+    ...
+
+@typing.overload
+def crop_to_samples(volume: GreyVolume, samples: IndexBox) -> GreyVolume:
+    ...
+
+@typing.overload
+def crop_to_samples(volume: LabelVolume, samples: IndexBox) -> LabelVolume:
     ...
 
 def cylinder_head(diameter: typing.SupportsFloat | typing.SupportsIndex, length: typing.SupportsFloat | typing.SupportsIndex) -> ToolHead:
@@ -8224,7 +8221,7 @@ def describe(fault: DeviceFault) -> str:
     ...
 
 @typing.overload
-def describe(limits: typing.SupportsInt | typing.SupportsIndex) -> str:
+def describe(changes: typing.SupportsInt | typing.SupportsIndex) -> str:
     ...
 
 @typing.overload
@@ -8282,11 +8279,11 @@ def hand_models() -> list[HandModel]:
     ...
 
 @typing.overload
-def has(status: typing.SupportsInt | typing.SupportsIndex, bits: StepStatus) -> bool:
+def has_any(status: typing.SupportsInt | typing.SupportsIndex, bits: StepStatus) -> bool:
     ...
 
 @typing.overload
-def has(limits: typing.SupportsInt | typing.SupportsIndex, bits: OutputLimit) -> bool:
+def has_any(changes: typing.SupportsInt | typing.SupportsIndex, bits: OutputChange) -> bool:
     ...
 
 def head_in_handle(handle: RayHandle | LHandle) -> numpy.typing.NDArray[numpy.float64]:
@@ -8341,6 +8338,15 @@ def material_color(name: str) -> Color:
 def materials_of(grade: Grade) -> list[Material]:
     ...
 
+def measure_bounce(config: ClosedLoopConfig, factory: ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], stiffness: typing.SupportsFloat | typing.SupportsIndex, test: BounceTest=...) -> Bounce:
+    ...
+
+def measure_buzz(config: ClosedLoopConfig, factory: ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], stiffness: typing.SupportsFloat | typing.SupportsIndex, test: PressTest=...) -> Buzz:
+    ...
+
+def measure_fault_response(config: ClosedLoopConfig, factory: ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], stiffness: typing.SupportsFloat | typing.SupportsIndex, options: GuardOptions, fault: InjectedFault, height: typing.SupportsFloat | typing.SupportsIndex=0.0) -> FaultResponse:
+    ...
+
 def mesh_of_revolution(profile: Profile, sides: typing.SupportsInt | typing.SupportsIndex) -> TriangleMesh:
     ...
 
@@ -8374,13 +8380,10 @@ def output_limits(device: DeviceCapabilities, fastest_contact: typing.SupportsFl
 def pear_head(diameter: typing.SupportsFloat | typing.SupportsIndex, length: typing.SupportsFloat | typing.SupportsIndex, neck_diameter: typing.SupportsFloat | typing.SupportsIndex) -> ToolHead:
     ...
 
-def preset_color(name: str) -> tuple[int, int, int]:
+def preset_color(name: str) -> Color:
     ...
 
 def preset_names() -> list[str]:
-    ...
-
-def press(config: ClosedLoopConfig, factory: ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], stiffness: typing.SupportsFloat | typing.SupportsIndex, test: PressTest=...) -> Buzz:
     ...
 
 def pressed_search(bench: ContactBench) -> StabilitySearch:
@@ -8389,7 +8392,7 @@ def pressed_search(bench: ContactBench) -> StabilitySearch:
 def profile_from_mesh(mesh: TriangleMesh, towards_shank: numpy.typing.ArrayLike=..., tolerance: typing.SupportsFloat | typing.SupportsIndex=0.02) -> RecognizedProfile:
     ...
 
-def read_colour_slices(folder: os.PathLike | str | bytes, label_of: dict, spacing: numpy.typing.ArrayLike) -> LabelVolume:
+def read_color_slices(folder: os.PathLike | str | bytes, label_of: dict, spacing: numpy.typing.ArrayLike) -> LabelVolume:
     ...
 
 def read_grey_volume(path: os.PathLike | str | bytes, options: VolumeReadOptions=...) -> GreyVolume:
@@ -8422,9 +8425,6 @@ def resample(volume: GreyVolume, voxel_size: typing.SupportsFloat | typing.Suppo
 
 @typing.overload
 def resample(volume: LabelVolume, voxel_size: typing.SupportsFloat | typing.SupportsIndex, interpolation: LabelInterpolation=LabelInterpolation.nearest) -> LabelVolume:
-    ...
-
-def respond(config: ClosedLoopConfig, factory: ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]], stiffness: typing.SupportsFloat | typing.SupportsIndex, options: GuardOptions, fault: InjectedFault, height: typing.SupportsFloat | typing.SupportsIndex=0.0) -> FaultResponse:
     ...
 
 def rotation_from_vector(v: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:

@@ -84,7 +84,8 @@ def colors_of(names: Sequence[str]) -> list[tuple[float, ...]]:
     pairs = plt.get_cmap("tab20")  # of a dark colour and a pale one
     palette = [pairs(n)[:3] for n in (*range(0, 20, 2), *range(1, 20, 2))]
     others = [name for name in names if name not in known]
-    return [tuple(c / 255 for c in core.preset_color(name)) if name in known
+    presets = {name: core.preset_color(name) for name in names if name in known}
+    return [tuple(c / 255 for c in (presets[name].red, presets[name].green, presets[name].blue)) if name in presets
             else palette[others.index(name) % len(palette)] for name in names]
 
 

@@ -7,7 +7,7 @@
 /// standing_forms_test.cpp and cutting_forms_test.cpp in tests/unit/bench hold them against integrals of the model's
 /// equations.
 ///
-/// None of them calls the library. Everything is in SI; forces and torques act on the tool. Where nothing else is said,
+/// They do not call the library. Everything is in SI; forces and torques act on the tool. Where nothing else is said,
 /// the material is the half space z < 0, the head stands upright, its axis along z, and `depth` is that of its lowest
 /// point below the surface. Steady cuts turn about +z and are fed along +x or -z; they are limits of an engaged layer
 /// (C34) that is thin against the head, and of a feed that is slow against the rim.

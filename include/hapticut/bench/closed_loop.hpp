@@ -7,7 +7,7 @@
 #include "hapticut/device/simulated/plant.hpp"
 
 /// @file
-/// The closed loop of a device, the hand that holds it and whatever computes the force, in simulated time.
+/// The closed loop of a device, the hand that holds it and the model that computes the force, in simulated time.
 namespace hapticut {
 
 /// What is tested: from a reading of the device to the wrench that it shall render until the next reading.

@@ -26,10 +26,10 @@ enum class InjectedFault : std::uint8_t {
   force_x1000,       ///< the model's force comes in millinewtons
   nan_force,         ///< the model's force becomes not-a-number
   unplugged,         ///< the device stops answering
-  emergency_stop,    ///< somebody pulls it
+  emergency_stop,    ///< the emergency stop is pulled
 };
 
-[[nodiscard]] std::string_view name(InjectedFault fault);
+[[nodiscard]] std::string_view name_of(InjectedFault fault);
 [[nodiscard]] std::span<const InjectedFault> injected_faults();
 
 /// What the hand felt of a fault.
@@ -43,8 +43,9 @@ struct FaultResponse {
 
 /// Presses into the surface z = `height` while stroking sideways, lets the fault happen, and watches for half a second.
 /// The guard and its watchdog stand between the model and the device, as in a run.
-[[nodiscard]] FaultResponse respond(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness,
-                                    const GuardOptions& options, InjectedFault fault, double height = 0);
+[[nodiscard]] FaultResponse measure_fault_response(const ClosedLoopConfig& config, const ModelFactory& factory,
+                                                   double stiffness, const GuardOptions& options, InjectedFault fault,
+                                                   double height = 0);
 
 /// The rules that no fault may break: never more than the device's peak, no growth above the slew limit, no force older
 /// than 50 ms.

@@ -23,7 +23,7 @@ struct Scene {
 /// All scenes, in a fixed order.
 [[nodiscard]] const std::vector<Scene>& scenes();
 
-/// @throws Error when there is none of that name; the message lists those there are
+/// @throws Error when no scene has that name; the message lists the names
 [[nodiscard]] const Scene& find_scene(const std::string& name);
 
 }  // namespace hapticut

@@ -9,7 +9,7 @@
 /// What the closed-loop bench measures. Everything happens in simulated time and gives the same numbers on every run.
 namespace hapticut {
 
-/// Makes a fresh model of a given stiffness [N/m], or of whatever parameter a search varies.
+/// Makes a fresh model of a given stiffness [N/m], or of another parameter that a search varies.
 using ModelFactory = std::function<ForceModel(double stiffness)>;
 
 /// Where a search for a stability limit begins and how it looks.
@@ -56,8 +56,9 @@ struct BounceTest {
   double time_limit = 0.4;  ///< [s]
 };
 
-[[nodiscard]] Bounce bounce(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness,
-                            const BounceTest& test = {});
+/// Lets the device fly into the surface, once for each phase.
+[[nodiscard]] Bounce measure_bounce(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness,
+                                    const BounceTest& test = {});
 
 /// How a hand feels that presses steadily.
 struct Buzz {
@@ -79,7 +80,8 @@ struct PressTest {
   double measured = 1;   ///< [s] at its end
 };
 
-[[nodiscard]] Buzz press(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness,
-                         const PressTest& test = {});
+/// Lets the hand press, and looks at the end of the run.
+[[nodiscard]] Buzz measure_buzz(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness,
+                                const PressTest& test = {});
 
 }  // namespace hapticut

@@ -70,7 +70,7 @@ struct Field {
 
   const char* name;  ///< as in C++
   T S::*member;
-  const char* unit;  ///< "N/m", "1" of a number without unit, "" of what is no number
+  const char* unit;  ///< "N/m", "1" of a number without unit, "" of what is not a number
   Range range;       ///< of its numbers
   const char* text;  ///< what it is
 };
@@ -158,7 +158,7 @@ concept NamedEnum = std::is_enum_v<E> && requires {
   names_of(Of<E>{});
 };
 
-/// @return null when the value is none of the enumeration's
+/// @return null when the enumeration has no such value
 template <NamedEnum E>
 [[nodiscard]] constexpr const char* name_or_null(E value) {
   for (const Named<E>& one : names_of(Of<E>{}))

@@ -14,8 +14,8 @@
 /// and the origin of S at the point whose position the device measures and at which it applies its force.
 namespace hapticut {
 
-/// What a device can measure and render. Zero means that it has none or that nobody knows; a reason is in the
-/// documentation of the adapter.
+/// What a device can measure and render. Zero means that it has none, or that its driver does not say; the
+/// documentation of the adapter says why.
 struct DeviceCapabilities {
   std::string model;
   std::string vendor;
@@ -77,7 +77,8 @@ enum class DeviceFault : std::uint8_t {
   speed_limit,   ///< the driver saw a motion that is too fast, and restarts its output gently
   overloaded,    ///< the servo loop took longer than its period
   driver_error,  ///< the driver refused a call that it should not refuse. Ends the run
-  switched_off,  ///< somebody switched the motors off: a button or dead man's switch of the device, another program
+  switched_off,  ///< the motors were switched off: by a button or dead man's switch of the device, or by another
+                 ///< program
 };
 
 constexpr auto names_of(Of<DeviceFault>) {
@@ -136,7 +137,7 @@ struct DeviceCommand {
 };
 
 /// What was done to a commanded wrench before it reached the motors, as bits.
-enum class OutputLimit : std::uint32_t {
+enum class OutputChange : std::uint32_t {
   none = 0,
   held_back = 1U << 0,     ///< not yet armed, or in the fault state: no force
   ramped = 1U << 1,        ///< the force is being faded in
@@ -149,8 +150,8 @@ enum class OutputLimit : std::uint32_t {
   by_driver = 1U << 8,     ///< the driver applied something else than it was given
 };
 
-constexpr auto names_of(Of<OutputLimit>) {
-  using enum OutputLimit;
+constexpr auto names_of(Of<OutputChange>) {
+  using enum OutputChange;
   return std::array{
       Named{none, "none"},
       Named{held_back, "held_back", "held back"},
@@ -165,29 +166,30 @@ constexpr auto names_of(Of<OutputLimit>) {
   };
 }
 
-[[nodiscard]] constexpr OutputLimit operator|(OutputLimit a, OutputLimit b) {
-  return OutputLimit(std::uint32_t(a) | std::uint32_t(b));
+[[nodiscard]] constexpr OutputChange operator|(OutputChange a, OutputChange b) {
+  return OutputChange(std::uint32_t(a) | std::uint32_t(b));
 }
-constexpr OutputLimit& operator|=(OutputLimit& a, OutputLimit b) { return a = a | b; }
-[[nodiscard]] constexpr bool has(OutputLimit limits, OutputLimit bits) {
-  return (std::uint32_t(limits) & std::uint32_t(bits)) != 0;
+constexpr OutputChange& operator|=(OutputChange& a, OutputChange b) { return a = a | b; }
+/// Whether any of the given bits is set.
+[[nodiscard]] constexpr bool has_any(OutputChange changes, OutputChange bits) {
+  return (std::uint32_t(changes) & std::uint32_t(bits)) != 0;
 }
 
-/// The limits in words, separated by commas; "none" for none.
-[[nodiscard]] std::string describe(OutputLimit limits);
+/// The changes in words, separated by commas; "none" where there is none.
+[[nodiscard]] std::string describe(OutputChange changes);
 
 /// The two sides of the last tick's output.
 struct DeviceOutput {
   Wrench commanded;
   Wrench applied;
-  OutputLimit limits = OutputLimit::none;
+  OutputChange changes = OutputChange::none;
 };
 
 constexpr auto fields_of(Of<DeviceOutput>) {
   return std::tuple{
       field("commanded", &DeviceOutput::commanded, "what the user's code asked for"),
       field("applied", &DeviceOutput::applied, "what the motors got"),
-      field("limits", &DeviceOutput::limits, "why they differ; bits of OutputLimit"),
+      field("changes", &DeviceOutput::changes, "why they differ; bits of OutputChange"),
   };
 }
 

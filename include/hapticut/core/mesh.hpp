@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct Color {
   std::uint8_t red = 255;
   std::uint8_t green = 255;
   std::uint8_t blue = 255;
-  [[nodiscard]] bool operator==(const Color&) const = default;
+  [[nodiscard]] auto operator<=>(const Color&) const = default;
 };
 
 /// A triangle mesh with a colour per vertex.

@@ -33,9 +33,9 @@ struct RunOptions {
   bool stop_on_signals = true;  ///< SIGINT, SIGTERM and SIGHUP end the run without force, then act as they would
 
   /// SIGSEGV, SIGABRT, SIGFPE, SIGBUS and SIGILL in another thread take the force away first, within 0.3 s, and then go
-  /// on to whoever handled them before. It is the emergency stop: where the process lives on, because its runtime
-  /// handles the signal (Java, .NET, Mono), `reset_fault` brings the force back. For programs of one's own; inside
-  /// somebody else's process leave it off.
+  /// on to the handlers that were there before. It is the emergency stop: where the process lives on, because its
+  /// runtime handles the signal (Java, .NET, Mono), `reset_fault` brings the force back. For programs of your own;
+  /// inside another program (Unity, Python) leave it off.
   bool stop_on_crash = false;
   RealtimeOptions realtime;  ///< for devices whose loop runs in our thread
   GuardOptions guard;        ///< the safety pipeline; it cannot be switched off
@@ -51,7 +51,7 @@ struct RunReport {
   DeviceFault fault = DeviceFault::none;  ///< that ended it
   ArmingState guard = ArmingState::off;   ///< the state of the guard when it ended
   std::array<std::uint64_t, kSafetyEvents> events{};  ///< ticks by SafetyEvent
-  std::vector<SafetyLogEntry> log;                    ///< entries that nobody took during the run
+  std::vector<SafetyLogEntry> log;                    ///< entries that were not drained during the run
   std::vector<std::string> warnings;                  ///< what was not permitted, and what the driver complained about
 };
 
@@ -114,8 +114,8 @@ class Device {
   /// ended, in words.
   virtual std::string drive(Servo& servo, const RunOptions& options) = 0;
 
-  /// Scales whatever the device renders, from another thread, because the loop does not answer. Only for devices that
-  /// hold the last force by themselves.
+  /// Scales the force that the device renders, from another thread, because the loop does not answer. Only for devices
+  /// that hold the last force by themselves.
   virtual void scale_output(double /*share*/) noexcept {}
 
   /// For devices that know what they are only once they are open.

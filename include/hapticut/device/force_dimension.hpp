@@ -18,8 +18,8 @@ struct ForceDimensionOptions {
   /// that hand. Empty: the first that is free.
   std::string device_name;
 
-  /// Lets the device calibrate itself by moving, where it is not calibrated: nobody may hold it. false: somebody does
-  /// so by hand before there is a force.
+  /// Lets the device calibrate itself by moving, where it is not calibrated: let go of it first. false: calibrate it by
+  /// hand; there is no force before.
   bool calibrate = false;
 
   double effector_mass = 0;  ///< [kg] that gravity compensation carries at the tip; 0: what the device knows of itself
@@ -29,7 +29,7 @@ struct ForceDimensionOptions {
   /// here lets the device be faster than that.
   double watchdog = 20e-3;
 
-  /// [s] the clock of the readings; null: the monotonic clock. With a clock of one's own a run may be in simulated
+  /// [s] the clock of the readings; null: the monotonic clock. With a clock of your own a run may be in simulated
   /// time: it is asked once per tick.
   std::function<double()> clock;
 };

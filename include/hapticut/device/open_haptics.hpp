@@ -21,8 +21,8 @@ struct OpenHapticsOptions {
   /// run. Never done while another device is open, which would be found instead.
   bool other_names = true;
 
-  /// Devices that are calibrated by holding their links at right angles (Phantom Premium): true says that somebody does
-  /// so while the device is opened.
+  /// Devices that are calibrated by holding their links at right angles (Phantom Premium). true: a person holds them so
+  /// while the device is opened.
   bool reset_encoders = false;
 
   /// For applications with a deployment licence; empty: a development licence is installed.

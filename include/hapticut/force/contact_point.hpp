@@ -17,7 +17,7 @@ namespace hapticut {
 [[nodiscard]] inline Vec3 contact_point(const ToolHead& head, const Wrench& wrench_T) {
   const Vec3 outward = -wrench_T.force.normalized();
   Vec3 nearest = wrench_T.force.cross(wrench_T.torque) / wrench_T.force.squaredNorm();
-  const auto inside = [&](double s) { return head.depth_at(nearest + s * outward).depth > 0; };
+  const auto inside = [&](double s) { return head.spring_at(nearest + s * outward).depth > 0; };
   constexpr int kSearch = 64, kBisections = 24;
   const double reach = 1.01 * head.reach(), step = 2 * reach / kSearch;
   double out = reach;

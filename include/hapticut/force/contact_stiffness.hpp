@@ -4,8 +4,8 @@
 #include "hapticut/core/spatial.hpp"
 
 /// @file
-/// How the force of the contact answers to a small motion of the tool: what an implicit coupling, or anybody's own
-/// implicit integrator, needs beside the force.
+/// How the force of the contact answers to a small motion of the tool: what an implicit coupling, or an implicit
+/// integrator of your own, needs beside the force.
 namespace hapticut {
 
 /// How force and torque fall with a small motion of the tool: minus the derivative of (force, torque) with respect to

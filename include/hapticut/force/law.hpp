@@ -51,7 +51,8 @@ struct HeadMotion {
   RemovalLaw removal;
   float head_radius = 0;  ///< [m] largest radius of the head
   float lead = 0;         ///< [1] of the sub-step that the contact is evaluated after its middle; 0.5: at its end
-  float turns = 1;        ///< sub-steps whose slip is made up for in this one, where samples take turns
+  /// n: an n-th of the samples is evaluated in a sub-step, in turn, and makes up for the slip of n of them.
+  float level_of_detail = 1;
   const WholeContact* whole = nullptr;  ///< only for laws that need moments
 
   /// Whether a spinning head takes material away.
@@ -93,7 +94,7 @@ inline constexpr float kSmallestFill = 1e-3F;
 
 /// A force law: from the samples of one block to the force on the tool at each, and to what is left of each voxel.
 ///
-/// The step calls `evaluate` once per block and sums what it writes; a law of one's own derives from this class and is
+/// The step calls `evaluate` once per block and sums what it writes; a law of your own derives from this class and is
 /// handed to the simulation in its configuration. A law that knows the contact only as a whole says so by
 /// `needs_moments`, and gives its force by `lump`; force/laws/lumped.hpp shares the cut out for it.
 class ForceLaw {
@@ -119,7 +120,7 @@ class ForceLaw {
   [[nodiscard]] virtual bool holds_deep_contact() const noexcept { return false; }
 
   /// Writes `force_x/y/z` and `fill_after` of all `lanes()` entries. An entry of no fill must get no force and stay
-  /// empty. Where the sum of forces or energies is no finite number there is no force, and
+  /// empty. Where the sum of forces or energies is not finite there is no force, and
   /// StepStatus::force_not_finite says so.
   /// @realtime no allocation, no lock, no exception
   virtual LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,

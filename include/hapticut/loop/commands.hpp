@@ -16,7 +16,7 @@
 namespace hapticut {
 
 /// What a model can be told while the loop runs, by `RealtimeLoop::send`: obeyed between two ticks, in the order in
-/// which it was sent. What needs memory is made by whoever sends it, in the constructor of the command; the loop swaps
+/// which it was sent. What needs memory is made by the sender, in the constructor of the command; the loop swaps
 /// pointers, and what was in place before goes back in the command, to be freed outside of the loop.
 ///
 /// After `SetTool`, `SetMaterials`, `ExchangeWorkpiece`, `Undo` and `Redo` the guard waits until the tool is free
@@ -99,7 +99,7 @@ struct HoldForce {
 
 /// Another workpiece, with the tool for it, from a simulation that was made for it: see
 /// Simulation::exchange(Simulation&). Changed blocks of it come as of any other, with another
-/// ChangedBlock::workpiece; the picture to begin with is made by whoever made the workpiece.
+/// ChangedBlock::workpiece; the sender, who has the workpiece, makes the first picture of it.
 struct ExchangeWorkpiece {
   /// @param prepared  with memory for undo, where it is wanted
   explicit ExchangeWorkpiece(Simulation prepared);

@@ -42,7 +42,7 @@ class LoopModel {
 /// How the loop exchanges data.
 struct RealtimeLoopOptions {
   RunOptions run;
-  IndexBox region;                   ///< voxels whose changes are sent; empty: none are
+  IndexBox region;                   ///< voxels whose changes are sent; empty: no changes are
   std::size_t block_capacity = 256;  ///< [blocks] under way at once
   std::size_t blocks_per_tick = 16;  ///< sent at most
 };

@@ -24,21 +24,21 @@ struct SimulationModelOptions {
   bool spindle_needs_force = true;
 
   /// Blocks that may be cut after the undo marks, together; 2.7 kB each, for the way back and forth: see
-  /// Workpiece::reserve_undo. 0: none are reserved here.
+  /// Workpiece::reserve_undo. 0: reserves nothing.
   std::size_t undo_blocks = 0;
   std::size_t undo_blocks_per_tick = 64;  ///< > 0, put back at most, or forth; 0.5 us each
 };
 
 /// A simulation as the model of a loop: the device moves its tool, its force goes to the device, and the blocks that it
-/// changes go to whoever shows them.
+/// changes go to the thread that shows them.
 ///
 /// The simulation and the device are the loop's while it runs: set up before `RealtimeLoop::start`, look at results
 /// after `wait`, and send commands (loop/commands.hpp) and receive snapshots in between.
 class SimulationModel final : public LoopModel {
  public:
   /// @param device  whose guard must know of clutch and scale; the one that the loop runs
-  /// @throws Error when the map is none, the coupling does not suit the simulation, or the workpiece is too large for
-  ///         undo
+  /// @throws Error when the map is not valid, the coupling does not suit the simulation, or the workpiece is too large
+  ///         for undo
   SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options = {});
 
   /// The voxels whose blocks may change: RealtimeLoopOptions::region for pictures of the workpiece.

@@ -32,7 +32,7 @@ struct WorkspaceMapOptions {
 /// @realtime no allocation, no lock, but for the constructor
 class WorkspaceMap {
  public:
-  /// @throws Error when a scale is not a finite number > 0 or the rotation is none
+  /// @throws Error when a scale is not a finite number > 0 or the rotation is not a rotation
   explicit WorkspaceMap(const WorkspaceMapOptions& options);
 
   /// Opens the clutch: from now on the tool stays at its pose.

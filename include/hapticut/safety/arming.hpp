@@ -23,7 +23,7 @@ constexpr auto names_of(Of<ArmingState>) {
   };
 }
 
-[[nodiscard]] const char* name(ArmingState state);
+[[nodiscard]] const char* name_of(ArmingState state);
 
 /// When a force is allowed, and how it begins.
 struct ArmingOptions {
@@ -32,7 +32,7 @@ struct ArmingOptions {
   double free_torque = 0.02;  ///< [N·m]
   int free_ticks = 4;         ///< [ticks] in a row that the tool must be free
   double ramp = 1.5;          ///< [s] over which the first force is faded in
-  double short_ramp = 0.25;   ///< [s] after a late tick, a clutch or another interruption that everybody knows of
+  double short_ramp = 0.25;   ///< [s] after a late tick, a clutch or another interruption that was announced
 };
 
 /// The state machine that decides whether the hand may feel a force: off, armed, wait until free, fade in, on, fault.

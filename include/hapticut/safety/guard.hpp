@@ -45,8 +45,8 @@ struct GuardOptions {
   int not_finite_ticks = 3;      ///< [ticks] in a row of a wrench that is not finite before the fault
 };
 
-/// The safety pipeline between a device and whatever computes its force. Always on; every stage can only take force
-/// away (or, damping, oppose the motion).
+/// The safety pipeline between a device and the code that computes its force. Always on; every stage can only take
+/// force away (or, damping, oppose the motion).
 ///
 /// Per tick: `admit` the reading, compute with what it returns, `release` the wrench. Its stages, in order: time and
 /// missed ticks, pose gate, arming, finite check, passivity, saturation, thermal budget, growth-only slew limit,
@@ -65,8 +65,8 @@ class SafetyGuard {
   /// Ends a run: no force from here on.
   void stop() noexcept;
 
-  /// Judges a reading and returns the one to compute with: `valid` is false when there is none, its velocity zero when
-  /// the pose is held.  @realtime no allocation, no lock
+  /// Judges a reading and returns the one to compute with: `valid` is false when no reading is good, its velocity zero
+  /// when the pose is held.  @realtime no allocation, no lock
   const DeviceState& admit(const DeviceState& reading) noexcept;
 
   /// The reading that `admit` returned last; for the thread of the loop.

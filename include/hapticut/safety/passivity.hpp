@@ -17,7 +17,7 @@ struct PassivityOptions {
   /// motion. SafetyGuard fills in what the device can render.
   double greatest_damping = 0;
   double slowest = 1e-6;  ///< [m/s or rad/s] below which nothing is damped
-  double free = 1e-3;     ///< [N or N·m] a shorter force counts as none
+  double free = 1e-3;     ///< [N or N·m] a shorter force counts as zero
   int delay = 0;          ///< [ticks] 0 ... 8 between a written force and the one that acts, beyond the hold
   int free_ticks = 20;    ///< without a force after which the account is closed
 };

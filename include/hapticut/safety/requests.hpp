@@ -49,7 +49,7 @@ class Requests {
     return true;
   }
 
-  /// @return SafetyEvent::count when nobody interrupted
+  /// @return SafetyEvent::count when there was no interruption
   SafetyEvent take_interruption() noexcept {
     return interruption_.exchange(SafetyEvent::count, std::memory_order_acq_rel);
   }

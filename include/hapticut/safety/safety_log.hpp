@@ -18,7 +18,7 @@ namespace hapticut {
 /// What the safety pipeline can have to say. Names are those of the enumerators.
 enum class SafetyEvent : std::uint8_t {
   pose_not_finite,         ///< a reading held a number that is not finite; the last good pose is held
-  pose_not_a_rotation,     ///< a reading's rotation was none; the last good pose is held
+  pose_not_a_rotation,     ///< a reading's rotation matrix was not a rotation; the last good pose is held
   pose_outside_workspace,  ///< a reading was outside of what the device can reach; the last good pose is held
   pose_jump,               ///< a reading was farther away than a hand can move; the last good pose is held
   pose_turn_jump,          ///< a reading was turned more than a hand can turn; the last good pose is held
@@ -32,7 +32,7 @@ enum class SafetyEvent : std::uint8_t {
   fading_in,               ///< free: the force is allowed, and faded in
   engaged,                 ///< the full force is allowed
   fault,                   ///< latched; no force until `reset`
-  fault_reset,             ///< somebody reset the fault
+  fault_reset,             ///< the fault was reset
   recalibrated,            ///< poses before and after do not compare: calibration or reconnection
   reclutched,              ///< the mapping between hand and tool changed
   model_swapped,           ///< the workpiece or the tool was exchanged
@@ -49,7 +49,7 @@ enum class SafetyEvent : std::uint8_t {
   watchdog_fading,         ///< ... for 10 ticks: its last force is faded out
   watchdog_fault,          ///< ... for 50 ticks
   exception,               ///< the user's code threw
-  emergency_stop,          ///< somebody pulled the emergency stop
+  emergency_stop,          ///< the emergency stop was pulled
   count                    ///< how many there are
 };
 
@@ -94,7 +94,7 @@ constexpr auto names_of(Of<SafetyEvent>) {
 
 inline constexpr std::size_t kSafetyEvents = std::size_t(SafetyEvent::count);
 
-[[nodiscard]] std::string_view name(SafetyEvent event);
+[[nodiscard]] std::string_view name_of(SafetyEvent event);
 
 /// One entry: an event that began.
 struct SafetyLogEntry {

@@ -23,7 +23,7 @@ struct WatchdogOptions {
   bool latch = false;
 };
 
-/// What to do about a model that has not answered for a while. Pure logic; somebody else brings the time.
+/// What to do about a model that has not answered for a while. Pure logic; callers bring the time.
 class Watchdog {
  public:
   enum class Verdict : std::uint8_t { alive, late, fading, dead };
@@ -42,8 +42,8 @@ class Watchdog {
   WatchdogOptions options_;
 };
 
-/// A thread that watches a heartbeat by the wall clock, for devices that keep rendering the last force when nobody
-/// writes a new one.
+/// A thread that watches a heartbeat by the wall clock, for devices that keep rendering the last force when no new one
+/// is written.
 class WatchdogThread {
  public:
   /// @param heartbeat  grows with every tick

@@ -38,7 +38,7 @@ struct SimulationConfig {
   Quadrature quadrature = Quadrature::centroid;
 
   /// With `end`, springs that are being pressed push harder than what they store in the sub-step; the difference is
-  /// booked as damping. Laws of one's own that do not read HeadMotion::lead store what they would half a sub-step
+  /// booked as damping. Custom laws that do not read HeadMotion::lead store what they would half a sub-step
   /// later, and the difference is booked as EnergyLedger::entered.
   ContactTime contact_time = ContactTime::middle;
 
@@ -61,12 +61,12 @@ struct SimulationConfig {
   /// Voxels beyond it are removed all the same.
   std::size_t removed_voxel_capacity = 0;
 
-  /// Where the blocks that the head touches hold more, only
-  /// every second (third ...) strip of 16 voxels is evaluated in a sub-step, in turn, and counts twice (three times
-  /// ...): the deadline holds, the force is that of a coarser quadrature, and StepStatus::detail_reduced and
-  /// Contact::turns say so. In a groove cut with five turns the force stays within 7 % (the just noticeable
-  /// difference) and the removed volume within 2 %. All solid voxels of those blocks are counted, so the turns are more
-  /// than needed, about twice as many for a ball of 30 voxels across. Only with the default law.
+  /// Where the blocks that the head touches hold more, only every n-th strip of 16 voxels is evaluated in a sub-step,
+  /// in turn, and counts n times: the deadline holds, the force is that of a coarser quadrature, and
+  /// StepStatus::detail_reduced and Contact::level_of_detail, which is n, say so. In a groove cut at n = 5 the force
+  /// stays within 7 % (the just noticeable difference) and the removed volume within 2 %. All solid voxels of those
+  /// blocks are counted, so n is larger than needed, about twice for a ball of 30 voxels across. Only with the default
+  /// law.
   std::size_t voxel_budget = 0;
 
   bool stage_times = false;

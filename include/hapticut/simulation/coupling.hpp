@@ -100,7 +100,7 @@ class VirtualCoupling {
   /// @param dt        [s] since the last call
   /// @return valid until the next call. An input that is refused gives no force; then the tool starts afresh.
   /// @realtime no allocation, no lock, no exception; in each part at most newton_steps + 1 contacts are evaluated; with
-  /// a law of one's own 4 newton_steps + 1, or 7 newton_steps + 1 where the coupling turns the tool
+  /// a custom law 4 newton_steps + 1, or 7 newton_steps + 1 where the coupling turns the tool
   const CoupledResult& step(const Pose& pose, const Twist& velocity, double dt) noexcept;
 
   /// What the parts of a tick have changed, together: as long as a tool may make the lists.

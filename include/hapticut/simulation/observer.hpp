@@ -49,7 +49,7 @@ struct ObservedStep {
   const StepResult& result;      ///< what came of it
 };
 
-/// Is told of every step of a simulation, whoever makes it: see Simulation::set_observer.
+/// Is told of every step of a simulation, also of those that a loop or a coupling makes: see Simulation::set_observer.
 class StepObserver {
  public:
   virtual ~StepObserver() = default;

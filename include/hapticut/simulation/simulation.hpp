@@ -60,7 +60,7 @@ class Simulation {
   /// be cut into sub-steps, each is probed on the material as it is now. For implicit integrators: `VirtualCoupling`
   /// (simulation/coupling.hpp) is one.
   ///
-  /// The default law knows its stiffness. That of a law of one's own is measured by small motions, so a probe evaluates
+  /// The default law knows its stiffness. That of a custom law is measured by small motions, so a probe evaluates
   /// the contact 7 times, or 4 times for translations. An input that `step` would reject gives no force and no
   /// stiffness.
   /// @param motions  the rest of the stiffness may be zero
@@ -79,7 +79,7 @@ class Simulation {
   /// [rad/s] that was asked of the spindle last; while it ramps or is loaded its speed is StepResult::spindle.
   [[nodiscard]] double spindle_setting() const noexcept;
 
-  /// What `step` was last called with, be it by whoever: dt = 0 before the first time.
+  /// What `step` was last called with, also by a loop or a coupling: dt = 0 before the first time.
   [[nodiscard]] const StepInput& last_input() const noexcept;
 
   /// Calls of `step` since construction or `reset`.
@@ -89,8 +89,8 @@ class Simulation {
   /// `set_materials`, `set_friction`, `set_removal` and the exchanges of a loop. The observer is told of each.
   [[nodiscard]] std::uint64_t workpiece_exchanges() const noexcept;
 
-  /// Has somebody told of every step from now on; null: nobody any more. It must stay until then.
-  /// @throws Error when somebody else is told already
+  /// Sets the observer, which is told of every step from now on; null takes it away. It must live until then.
+  /// @throws Error when there is another observer already
   void set_observer(StepObserver* observer);
   [[nodiscard]] StepObserver* observer() const noexcept;
 

@@ -24,7 +24,7 @@ struct StageTimes {
 constexpr auto fields_of(Of<StageTimes>) {
   using T = StageTimes;
   return std::tuple{
-      field("check_input", &T::check_input, "s", "refuses an input that is none"),
+      field("check_input", &T::check_input, "s", "refuses an input that is not valid"),
       field("plan_sweep", &T::plan_sweep, "s", "number of sub-steps"),
       field("plan_sub_step", &T::plan_sub_step, "s", "pose and twist of a sub-step"),
       field("find_blocks", &T::find_blocks, "s", "blocks that the head may touch"),

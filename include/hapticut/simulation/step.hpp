@@ -31,7 +31,7 @@ constexpr auto fields_of(Of<StepInput>) {
 enum class StepStatus : std::uint32_t {
   ok = 0,
 
-  /// The pose held a number that is not finite, or no rotation. No force, workpiece untouched.
+  /// The pose held a number that is not finite, or its matrix was not a rotation. No force, workpiece untouched.
   /// Cure: check the device's matrix; re-orthonormalise it (`orthonormalized`) when it is only inexact.
   pose_rejected = 1U << 0,
   /// The velocity held a number that is not finite, or was above 1e6 m/s or rad/s. No force, workpiece untouched.
@@ -95,7 +95,7 @@ constexpr auto names_of(Of<StepStatus>) {
 constexpr StepStatus& operator|=(StepStatus& a, StepStatus b) { return a = a | b; }
 
 /// Whether any of the given bits is set.
-[[nodiscard]] constexpr bool has(StepStatus status, StepStatus bits) {
+[[nodiscard]] constexpr bool has_any(StepStatus status, StepStatus bits) {
   return (std::uint32_t(status) & std::uint32_t(bits)) != 0;
 }
 
@@ -108,7 +108,7 @@ struct Contact {
   int voxels = 0;
   double volume = 0;
   double depth = 0;
-  int turns = 1;
+  int level_of_detail = 1;
 };
 
 constexpr auto fields_of(Of<Contact>) {
@@ -116,13 +116,13 @@ constexpr auto fields_of(Of<Contact>) {
       field("voxels", &Contact::voxels, "1", "voxels inside the head that are not empty"),
       field("volume", &Contact::volume, "m^3", "their filled volume"),
       field("depth", &Contact::depth, "m", "greatest depth below the cutting surface"),
-      field("turns", &Contact::turns, "1",
+      field("level_of_detail", &Contact::level_of_detail, "1",
             "n: an n-th of the voxels was evaluated; see SimulationConfig::voxel_budget"),
   };
 }
 
-/// Along which motions a probe shall know the stiffness. Only laws of one's own ask for it, as every motion costs them
-/// one more evaluation of the contact.
+/// Along which motions a probe shall know the stiffness. It only matters for custom laws, which evaluate the contact
+/// once more for every motion.
 enum class ProbedMotions { all, translations };
 
 constexpr auto names_of(Of<ProbedMotions>) {

@@ -15,6 +15,12 @@ struct HeadBox {
   Vec3 max;  ///< [m]
 };
 
+/// The spring at one point of a head, in T.
+struct Spring {
+  double depth;    ///< [m] below the cutting surface; <= 0: outside, no spring
+  Vec3 direction;  ///< [1] n, a unit vector from the local spring centre through the point, into the material
+};
+
 /// The cutting head of a tool: any shape, asked for many points at once.
 class ToolHead {
  public:
@@ -69,12 +75,8 @@ class ToolHead {
     return function(FlatSprings<Real, FlatRule::nearest>(flat));
   }
 
-  /// [m] depth and unit direction at one point of T, for tests and set-up code.
-  struct DepthAndDirection {
-    double depth;    ///< [m] <= 0 outside the head
-    Vec3 direction;  ///< [1] from the local spring centre through the point
-  };
-  [[nodiscard]] DepthAndDirection depth_at(const Vec3& p_TQ) const;
+  /// The spring at one point of T, for tests and set-up code.
+  [[nodiscard]] Spring spring_at(const Vec3& p_TQ) const;
 
  private:
   Shape shape_;

@@ -76,7 +76,7 @@ class ProfileHead {
   [[nodiscard]] double reach() const { return reach_; }    ///< [m] greatest distance from the frame's origin, exact
 
   /// Depth and direction by asking every edge, without the table. For tests and set-up code: O(edges).
-  [[nodiscard]] Spring<double> exact_spring(double rho, double z) const;
+  [[nodiscard]] MeridianSpring<double> exact_spring(double rho, double z) const;
 
  private:
   Profile profile_;

@@ -94,8 +94,8 @@ struct ProfileTable {
   /// two, and need no table.
   std::uint32_t everywhere = 0;
 
-  /// [m^2] Square of the largest rho in each of a few slabs of equal height between `bottom` and `top`: who asks which
-  /// points may have a spring needs no more. Each slab is grown on all sides by `error`, because that far outside the
+  /// [m^2] Square of the largest rho in each of a few slabs of equal height between `bottom` and `top`: enough to
+  /// tell which points may have a spring. Each slab is grown on all sides by `error`, because that far outside the
   /// table may have springs, and by 1e-5 of the head's size, because its number is found in single precision.
   static constexpr int kSlabs = 16;
   std::array<float, kSlabs> slab_radius_squared = {};
@@ -116,7 +116,7 @@ struct ProfileSprings {
       : ProfileSprings(t, pick(t.curves, t.exact_curves), pick(t.pieces, t.exact_pieces)) {}
 
   /// Signed depth below one curve and the direction there.
-  [[nodiscard]] Spring<Real> below(std::uint32_t curve, Real at_rho, Real at_z) const {
+  [[nodiscard]] MeridianSpring<Real> below(std::uint32_t curve, Real at_rho, Real at_z) const {
     const Real q_rho = at_rho - rho[curve], q_z = at_z - z[curve];
     const Real m_rho = normal_rho[curve], m_z = normal_z[curve], k = curvature[curve];
     const Real twice = Real(2) * (m_rho * q_rho + m_z * q_z) - k * (q_rho * q_rho + q_z * q_z);
@@ -126,7 +126,7 @@ struct ProfileSprings {
     return {twice / (Real(1) + root), g_rho * inverse, g_z * inverse};
   }
 
-  [[nodiscard]] Spring<Real> spring(Real at_rho, Real at_z) const {
+  [[nodiscard]] MeridianSpring<Real> spring(Real at_rho, Real at_z) const {
     if (!(at_rho < radius && at_z > bottom && at_z < top)) return {Real(-1), Real(1), Real(0)};
     const int column = std::min(int(at_rho * cells_per_length), columns - 1);
     const int row = std::clamp(int((at_z - bottom) * cells_per_length), 0, rows - 1);
@@ -135,19 +135,19 @@ struct ProfileSprings {
   }
 
   /// The spring at a point by the rule of a cell.
-  [[nodiscard]] Spring<Real> decide(std::uint32_t cell, Real at_rho, Real at_z) const {
-    const Spring<Real> first = below(ProfileCell::first(cell), at_rho, at_z);
+  [[nodiscard]] MeridianSpring<Real> decide(std::uint32_t cell, Real at_rho, Real at_z) const {
+    const MeridianSpring<Real> first = below(ProfileCell::first(cell), at_rho, at_z);
     const CellRule rule = ProfileCell::rule(cell);
     if (rule == CellRule::first) return first;
     const std::uint32_t other = ProfileCell::second(cell);
-    const Spring<Real> second = below(other, at_rho, at_z);
+    const MeridianSpring<Real> second = below(other, at_rho, at_z);
     switch (rule) {
       case CellRule::nearer:
         return second.depth < first.depth ? second : first;
       case CellRule::farther:
         return second.depth > first.depth ? second : first;
       case CellRule::gate:
-        return second.depth > 0 ? first : Spring<Real>{Real(-1), Real(1), Real(0)};
+        return second.depth > 0 ? first : MeridianSpring<Real>{Real(-1), Real(1), Real(0)};
       default:
         break;
     }

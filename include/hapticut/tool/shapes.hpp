@@ -17,16 +17,14 @@
 ///
 /// Each shape answers two questions:
 /// * `spring(rho, z)`: how deep a material point lies below the cutting surface, and in which direction the spring
-/// there
-///   pushes the material;
+///   there pushes the material;
 /// * `margin(rho, z)`: a function that changes by at most one per unit of length and is positive exactly inside the
-/// head,
-///   used to skip whole blocks that the head cannot touch.
+///   head, used to skip whole blocks that the head cannot touch.
 namespace hapticut {
 
-/// Depth and direction at one point, in the meridian plane.
+/// The spring at one point, in the meridian plane; `Spring` is the same in space.
 template <class Real>
-struct Spring {
+struct MeridianSpring {
   Real depth;     ///< [m] depth w below the cutting surface; <= 0: outside, no spring
   Real n_radial;  ///< [1] component of n away from the axis
   Real n_axial;   ///< [1] component of n along +z; n is a unit vector from the tool into the material
@@ -89,7 +87,7 @@ constexpr auto fields_of(Of<FlatHead>) {
   };
 }
 
-/// The part of a shape that the hot loop needs, in the precision of the loop. One of these per shape; a shape of one's
+/// The part of a shape that the hot loop needs, in the precision of the loop. One of these per shape; a shape of your
 /// own offers the same two functions.
 template <class Real>
 struct SphereSprings {
@@ -97,7 +95,7 @@ struct SphereSprings {
 
   explicit SphereSprings(const SphereHead& head) : radius(Real(head.radius)) {}
 
-  [[nodiscard]] Spring<Real> spring(Real rho, Real z) const {
+  [[nodiscard]] MeridianSpring<Real> spring(Real rho, Real z) const {
     const Real distance = std::sqrt(rho * rho + z * z);
     const Real inverse = Real(1) / std::max(distance, Real(1e-12));
     return {radius - distance, rho * inverse, z * inverse};
@@ -112,7 +110,7 @@ struct ConeSprings {
   explicit ConeSprings(const ConeHead& head)
       : sine(Real(std::sin(head.half_angle))), cosine(Real(std::cos(head.half_angle))), height(Real(head.height)) {}
 
-  [[nodiscard]] Spring<Real> spring(Real rho, Real z) const {
+  [[nodiscard]] MeridianSpring<Real> spring(Real rho, Real z) const {
     const Real depth = z * sine - rho * cosine;
     return {z < height ? depth : Real(-1), cosine, -sine};
   }
@@ -125,7 +123,7 @@ struct FlatSprings {
 
   explicit FlatSprings(const FlatHead& head) : radius(Real(head.radius)), height(Real(head.height)) {}
 
-  [[nodiscard]] Spring<Real> spring(Real rho, Real z) const {
+  [[nodiscard]] MeridianSpring<Real> spring(Real rho, Real z) const {
     const Real side = radius - rho;
     const bool inside = margin(rho, z) > Real(0);
     if constexpr (kRule == FlatRule::bottom_only) {

@@ -110,10 +110,10 @@ struct BlockView {
   }
 };
 
-/// The same with the door to its fills, for who cuts.
+/// The same with access to its fills, for code that cuts.
 struct CuttableBlock {
   BlockView view;
-  float* fill = nullptr;  ///< [512] the fills that `view.fill` shows; null where the block has none of its own yet
+  float* fill = nullptr;  ///< [512] the fills that `view.fill` shows; null where the block has no fills of its own yet
 };
 
 }  // namespace hapticut

@@ -131,7 +131,7 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
       const float y = base.y() + steps(1, 0) * i + steps(1, 1) * j + steps(1, 2) * k;
       const float z = base.z() + steps(2, 0) * i + steps(2, 1) * j + steps(2, 2) * k;
       const float rho = std::sqrt(x * x + y * y);
-      const Spring<float> spring = springs.spring(rho, z);
+      const MeridianSpring<float> spring = springs.spring(rho, z);
       const float radial = spring.n_radial / std::max(rho, 1e-12F);
       const bool is_inside = spring.depth > 0 && (solid >> lane & 1U) != 0;
       inside |= is_inside ? 1U << lane : 0U;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
 #include <string_view>
 
+#include "hapticut/core/mesh.hpp"
 #include "hapticut/workpiece/material.hpp"
 
 /// @file
@@ -28,11 +27,10 @@
 ///
 /// Rules shared by all presets, each an assumption unless it names a source:
 /// * `specific_cutting_energy` = half the indentation hardness H. The factor puts cortical bone (H = 0.6 GPa, assumed)
-/// at
-///   the upper end of the range for bone with thick chips. Plausible at the chair: a flat burr of R = 0.6 mm at 20 000
-///   rad/s fed at 1 mm/s into enamel meets 2 pi R u v/(kappa omega) = 0.66 N of chip force, and dentists press with
-///   0.43 ... 1.79 N (Siegel & von Fraunhofer), at most 1.03 N in a vertical cut of enamel (Liao et al. 1995, J Oral
-///   Rehabil 22:67).
+///   at the upper end of the range for bone with thick chips. Plausible at the chair: a flat burr of R = 0.6 mm at
+///   20 000 rad/s fed at 1 mm/s into enamel meets 2 pi R u v/(kappa omega) = 0.66 N of chip force, and dentists press
+///   with 0.43 ... 1.79 N (Siegel & von Fraunhofer), at most 1.03 N in a vertical cut of enamel (Liao et al. 1995, J
+///   Oral Rehabil 22:67).
 /// * `cutting_ratio` = 0.5, between sliding (0.3) and a sharp edge that bites (about 1): assumption.
 /// * `edge_pressure` = specific_cutting_energy / 8750, which gives enamel 0.2 MPa: 0.23 N on the end of a 1.2 mm flat
 ///   burr, half of the lightest load (0.43 N) in the tested range of Siegel & von Fraunhofer. Twist drills rub far more
@@ -103,8 +101,8 @@ namespace presets {
 /// @throws Error listing the known names
 [[nodiscard]] Material find_preset(std::string_view name);
 
-/// A colour to show a preset in: red, green, blue, 0 ... 255 (sRGB). A matter of taste, without a source.
+/// A colour to show a preset in. A matter of taste, without a source.
 /// @throws Error listing the known names
-[[nodiscard]] std::array<std::uint8_t, 3> preset_color(std::string_view name);
+[[nodiscard]] Color preset_color(std::string_view name);
 
 }  // namespace hapticut

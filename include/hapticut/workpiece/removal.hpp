@@ -74,10 +74,10 @@ struct BlockChange {
 
 /// What a force law left of the samples of one block.
 /// @param fill_after  [512] the fills of the changed strips are written here; may be `block.fill` itself
-/// @param taken       [voxels] filled volume that went is added here, by MaterialId
+/// @param removed     [voxels] filled volume that was removed is added here, by MaterialId
 /// @realtime no allocation, no lock; O(samples)
 inline BlockChange find_changes(const ContactBlock& contact, const BlockView& block, float* fill_after,
-                                std::array<double, 256>& taken) noexcept {
+                                std::array<double, 256>& removed) noexcept {
   BlockChange change;
   for (int row = 0; row < contact.rows; ++row) {
     float most = 0;
@@ -94,7 +94,7 @@ inline BlockChange find_changes(const ContactBlock& contact, const BlockView& bl
     }
     for (unsigned lanes = contact.inside[row]; lanes != 0; lanes &= lanes - 1) {
       const int lane = std::countr_zero(lanes), n = row * kLanes + lane, voxel = first + lane;
-      taken[contact.material_of(n)] += double(contact.fill[n] - contact.fill_after[n]);
+      removed[contact.material_of(n)] += double(contact.fill[n] - contact.fill_after[n]);
       fill_after[voxel] = contact.fill_after[n];
       if (contact.fill_after[n] > 0) continue;
       change.emptied[voxel >> 6] |= std::uint64_t(1) << (voxel & 63);

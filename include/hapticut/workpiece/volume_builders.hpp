@@ -44,7 +44,7 @@ enum class UnclaimedLabels : std::uint8_t {
 /// With isotropic spacing and a voxel of that size, voxel (i, j, k) is sample (i, j, k) and full: volumes are exact.
 /// Otherwise each label's membership is interpolated, the body reaches to where the memberships of its labels sum to
 /// one half, and a point inside is of the material with the largest membership.
-/// @throws Error when the volume is not consistent, a label is claimed twice or by nobody, or there would be too many
+/// @throws Error when the volume is not consistent, a label is claimed twice or not at all, or there would be too many
 ///         voxels
 [[nodiscard]] Workpiece build_from_labels(const LabelVolume& volume, const std::vector<LabelMaterial>& materials,
                                           const VolumeBuildOptions& options = {},

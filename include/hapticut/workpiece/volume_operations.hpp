@@ -28,8 +28,8 @@ namespace hapticut {
 
 /// The samples of a box; what of it reaches beyond the volume is left out.
 /// @throws Error when nothing is left
-[[nodiscard]] GreyVolume crop(const GreyVolume& volume, const IndexBox& samples);
-[[nodiscard]] LabelVolume crop(const LabelVolume& volume, const IndexBox& samples);
+[[nodiscard]] GreyVolume crop_to_samples(const GreyVolume& volume, const IndexBox& samples);
+[[nodiscard]] LabelVolume crop_to_samples(const LabelVolume& volume, const IndexBox& samples);
 
 /// The samples that a workpiece inside a box of the world needs: those around the box, and two more to each side for
 /// interpolation.
@@ -38,7 +38,7 @@ namespace hapticut {
 [[nodiscard]] GreyVolume crop_to_box(const GreyVolume& volume, const Box& box);
 [[nodiscard]] LabelVolume crop_to_box(const LabelVolume& volume, const Box& box);
 
-/// The smallest box around all samples with one of these labels (none given: with any label but 0).
+/// The smallest box around all samples with one of these labels (no label given: with any but 0).
 /// @param margin  [m] the box grows by this much to every side, within the volume
 /// @throws Error when there is no such sample
 [[nodiscard]] IndexBox box_around(const LabelVolume& volume, const std::vector<std::uint16_t>& labels = {},
@@ -60,8 +60,8 @@ namespace hapticut {
 /// How many samples have each label.
 [[nodiscard]] std::map<int, std::size_t> count_labels(const LabelVolume& volume);
 
-/// The same for a volume of which it is not known whether it has labels: empty where a value is none, or where there
-/// are more different ones than `most`.
+/// The same for a volume of which it is not known whether it has labels: empty where a value is not a label, or where
+/// there are more different ones than `most`.
 [[nodiscard]] std::map<int, std::size_t> count_labels(const GreyVolume& volume, std::size_t most = 64);
 
 /// The label after the highest one of the volume: for what is to get a label of its own.

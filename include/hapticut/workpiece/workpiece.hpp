@@ -46,8 +46,7 @@ class Workpiece {
   /// @param domain  voxels that may be solid; the filler is asked for every block that touches it, and what it writes
   ///                outside the domain is dropped
   /// @throws Error when the voxel size is not positive, the frame is not a pose, the domain has more than 2^40 voxels
-  /// or
-  ///         reaches beyond +-2^30, a material id is not in the table, or a fill is not within 0 ... 1
+  ///         or reaches beyond +-2^30, a material id is not in the table, or a fill is not within 0 ... 1
   [[nodiscard]] static Workpiece from_blocks(const IndexBox& domain, const GridFrame& frame, MaterialTable materials,
                                              const BlockFiller& fill_block);
 
@@ -94,7 +93,7 @@ class Workpiece {
 
   // --- undo without an allocation, for a loop that goes on ----------------------------------------------------------
   /// Set-up only: memory for marks and for `blocks` blocks that are cut after them, 2.7 kB each, and 4 bytes for every
-  /// block that the workpiece's bounds span; 0: none. Forgets all marks, as `restore` does.
+  /// block that the workpiece's bounds span; 0: no undo. Forgets all marks, as `restore` does.
   /// @throws Error when the workpiece spans too many blocks, or there is no such memory; then nothing has changed
   void reserve_undo(std::size_t blocks);
 
@@ -108,13 +107,13 @@ class Workpiece {
   [[nodiscard]] std::size_t redo_marks() const noexcept;  ///< undone ones that `redo_block` can go forth over
 
   /// Puts one block back to what it was at the last mark, and remembers what it was until now.
-  /// @return its origin; none when the state is that of the mark, which is then gone
+  /// @return its origin; nothing when the state is that of the mark, which is then gone
   /// @realtime no allocation, no lock; O(512)
   std::optional<VoxelIndex> undo_block() noexcept;
 
   /// Goes forth again by one block over the mark that was undone last; needs no other memory than the way back.
-  /// @return its origin; none when the state is that before the undo, the mark being there again, or when something has
-  ///         been cut since
+  /// @return its origin; nothing when the state is that before the undo, the mark being there again, or when something
+  ///         has been cut since
   /// @realtime no allocation, no lock; O(512)
   std::optional<VoxelIndex> redo_block() noexcept;
 

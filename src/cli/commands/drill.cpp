@@ -87,7 +87,7 @@ DrillResult drill(Simulation& simulation, const Motion& motion, double rate, boo
     if (i == 0) result.starts_in_contact = step.contact.voxels > 0;
     if (keep_rows)
       result.rows.push_back({t, X_WT, step.force, step.torque, step.removed_volume, step.contact.voxels, step.status});
-    if (has(step.status, StepStatus::blocks_low)) {
+    if (has_any(step.status, StepStatus::blocks_low)) {
       simulation.reserve_blocks(simulation.config().reserved_blocks);
       result.blocks_refilled = true;
     }

@@ -58,7 +58,7 @@ void run_drill(const DrillSettings& s) {
 
   std::size_t rejected = 0;
   for_each_bit<StepStatus>([&](StepStatus bit, const char* /*name*/) {
-    if (has(kRejected, bit)) rejected += result.count(bit);
+    if (has_any(kRejected, bit)) rejected += result.count(bit);
   });
   if (rejected > 0)
     throw Error(std::to_string(rejected) + " of " + std::to_string(result.steps) +

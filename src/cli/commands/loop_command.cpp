@@ -140,7 +140,7 @@ void run_loop(LoopSettings s) {
   const Tool tool = make_tool(s.tool);
   Workpiece workpiece = make_workpiece(s.workpiece);
   const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
-  if (s.simulation.config.reference_stiffness == 0)  // nobody chose it
+  if (s.simulation.config.reference_stiffness == 0)  // the user did not choose it
     s.simulation.config.reference_stiffness =
         coupled && !s.simulation.thesis_mode ? kCoupledStiffness : SimulationConfig().reference_stiffness;
   SimulationConfig config = make_config(s.simulation);

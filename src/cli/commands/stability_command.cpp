@@ -102,8 +102,8 @@ void bench_contact(const DeviceModel& device, std::string_view hand, Findings& f
     pressed.depth = 5e-3;
     pressed.seconds = 2;
     pressed.measured = 0.5;
-    const Bounce bounce_coupled = bounce(config, contact_models(coupled), kPressedStiffness, bounced);
-    const Buzz buzz = press(config, contact_models(coupled), kPressedStiffness, pressed);
+    const Bounce bounce_coupled = measure_bounce(config, contact_models(coupled), kPressedStiffness, bounced);
+    const Buzz buzz = measure_buzz(config, contact_models(coupled), kPressedStiffness, pressed);
     const bool at_end = k_coupled >= pressed_search(coupled).high;
     const auto paused = findings.progress->pause();
     std::printf(
@@ -149,23 +149,23 @@ void bench_faults(const DeviceModel& device, std::string_view hand, Findings& fi
       config.dry_friction = config.encoder = config.saturation = true;
       config.velocity_filter = 100;
       const FaultResponse response =
-          respond(config, contact_models(bench), kPressedStiffness, options, fault, bench.radius);
+          measure_fault_response(config, contact_models(bench), kPressedStiffness, options, fault, bench.radius);
       const bool obeyed = obeys_the_rules(response, guard, config.period);
       findings.faults.push_back(
           {{"device", device.name},
            {"hand", hand},
            {"delay_ticks", delay},
-           {"fault", name(fault)},
+           {"fault", name_of(fault)},
            {"time_to_zero_ms", response.time_to_zero < 0 ? Json() : Json(1e3 * response.time_to_zero)},
            {"greatest_force_N", response.greatest_force},
            {"greatest_growth_N", response.greatest_growth},
            {"oldest_force_ms", 1e3 * response.oldest_force},
-           {"end", name(response.end)},
+           {"end", name_of(response.end)},
            {"rules_obeyed", obeyed}});
       slowest = std::max(slowest, response.time_to_zero);
       broken += obeyed ? 0 : 1;
       if (!obeyed)
-        findings.complaints.push_back("the fault " + std::string(name(fault)) + " on " + std::string(device.name) +
+        findings.complaints.push_back("the fault " + std::string(name_of(fault)) + " on " + std::string(device.name) +
                                       ", delay " + std::to_string(delay) + " breaks a rule");
     }
     const auto paused = findings.progress->pause();

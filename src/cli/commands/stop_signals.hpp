@@ -16,7 +16,7 @@ class StopSignals {
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
 
-  /// The last signal that came; 0: none.
+  /// The last signal that came; 0: no signal yet.
   [[nodiscard]] static int came() noexcept;
 
  private:

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 void write_json(const std::filesystem::path& path, const Json& report);
 
 /// Says before the work begins that a file cannot be written, rather than after it, and makes the folders that it lies
-/// in; an empty path is no file.
+/// in; an empty path means no file.
 /// @throws Error naming the file
 void require_writable(const std::filesystem::path& path);
 

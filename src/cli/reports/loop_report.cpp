@@ -54,12 +54,12 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
   }
   if (r.device.name() == "mouse")
     warnings.emplace_back(
-        "this program has no window, so nobody moved the mouse; MouseDevice is for the windows of other programs.");
-  if (has(r.seen.tool.seen, StepStatus::engaged_layer_thick))
+        "this program has no window, so the mouse moved nothing; MouseDevice is for the windows of other programs.");
+  if (has_any(r.seen.tool.seen, StepStatus::engaged_layer_thick))
     warnings.emplace_back(
         "the engaged layer was thicker than a tenth of the head, so forces came out low: the material is too soft for "
         "the feed.");
-  if (has(r.seen.tool.seen, StepStatus::blocks_exhausted))
+  if (has_any(r.seen.tool.seen, StepStatus::blocks_exhausted))
     warnings.emplace_back("some material was not cut for want of blocks; raise simulation.reserved_blocks.");
   if (r.steps_lost > 0)
     warnings.push_back("the disk did not keep up: " + std::to_string(r.steps_lost) +
@@ -70,9 +70,9 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
 Json to_json(const LoopReport& r) {
   Json events = Json::object(), log = Json::array();
   for (std::size_t n = 0; n < kSafetyEvents; ++n)
-    if (r.run.events[n] > 0) events[std::string(name(SafetyEvent(n)))] = r.run.events[n];
+    if (r.run.events[n] > 0) events[std::string(name_of(SafetyEvent(n)))] = r.run.events[n];
   for (const SafetyLogEntry& entry : r.run.log)
-    log.push_back({{"time_s", entry.time}, {"event", std::string(name(entry.event))}, {"value", entry.value}});
+    log.push_back({{"time_s", entry.time}, {"event", std::string(name_of(entry.event))}, {"value", entry.value}});
   const DeviceCapabilities& device = r.device.capabilities();
   const BuildInfo build = build_info();
   return {
@@ -86,7 +86,7 @@ Json to_json(const LoopReport& r) {
       {"ticks", r.run.ticks},
       {"missed_ticks", r.run.missed},
       {"end", r.run.end},
-      {"guard", name(r.run.guard)},
+      {"guard", name_of(r.run.guard)},
       {"wake_up_us", to_json(r.run.wake_up)},
       {"compute_us", to_json(r.run.compute)},
       {"deadline_misses", deadline_misses(r.run.compute, 1 / r.rate)},
@@ -126,7 +126,7 @@ std::string to_table(const LoopReport& r) {
                             " changed blocks, at most " + std::to_string(r.seen.most_blocks_waiting) + " waiting");
   for (std::size_t n = 0; n < kSafetyEvents; ++n)
     if (r.run.events[n] > 0)
-      table.add("safety", std::string(name(SafetyEvent(n))) + " in " + std::to_string(r.run.events[n]) + " ticks");
+      table.add("safety", std::string(name_of(SafetyEvent(n))) + " in " + std::to_string(r.run.events[n]) + " ticks");
   for (const std::string& warning : warnings_of(r)) table.add("warning", warning);
   return table.text();
 }

@@ -21,7 +21,7 @@ namespace {
 std::string names_of(StepStatus status) {
   std::string names;
   for_each_bit<StepStatus>([&](StepStatus bit, const std::string& name) {
-    if (has(status, bit)) names += (names.empty() ? "" : "|") + name;
+    if (has_any(status, bit)) names += (names.empty() ? "" : "|") + name;
   });
   return names.empty() ? "ok" : names;
 }

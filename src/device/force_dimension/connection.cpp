@@ -26,8 +26,8 @@ constexpr double kShortestWatchdog = 2e-3, kLongestWatchdog = 255 * kWatchdogUni
 constexpr double kCarefulStiffness = 400;  // [N/m]
 constexpr double kCarefulDamping = 2;      // [N·s/m]
 
-// An arm reaches farther than the ball that programs are told to stay in, nobody says how far: a pose that is farther
-// away than this is not believed.
+// An arm reaches farther than the ball that programs are told to stay in, how far is not documented: a pose that is
+// farther away than this is not believed.
 constexpr double kReach = 1.4;  // [1] of the table's workspace
 
 // Entries of the status, by number for the same reason as errors. A newer library may have more of them.

@@ -14,7 +14,7 @@
 /// connection.cpp.
 namespace hapticut::force_dimension {
 
-/// How a call went. Positive answers of the library (time guard, saturated motors) are no errors.
+/// How a call went. Positive answers of the library (time guard, saturated motors) are not errors.
 struct Answer {
   bool ok = true;
   bool saturated = false;                 ///< the motors cannot render all of the command

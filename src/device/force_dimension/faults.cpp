@@ -25,7 +25,7 @@ bool comes_back(ForceOff cause) noexcept { return cause == ForceOff::velocity ||
 const char* describe(ForceOff cause) noexcept {
   switch (cause) {
     case ForceOff::button:
-      return "somebody pressed its force button; press it again";
+      return "its force button was pressed; press it again";
     case ForceOff::velocity:
       return "it moved faster than it allows, and braked; move it more slowly";
     case ForceOff::watchdog:

@@ -20,7 +20,7 @@ enum class ForceOff : std::uint8_t { none, button, velocity, watchdog, software,
 /// What it means for a run.
 [[nodiscard]] DeviceFault fault_of(ForceOff cause) noexcept;
 
-/// Whether the forces may be switched on again without asking anybody.
+/// Whether the forces may be switched on again without asking a person.
 [[nodiscard]] bool comes_back(ForceOff cause) noexcept;
 
 /// A cause in words, and what to do about it.

@@ -44,7 +44,7 @@ class ForceDimensionDevice final : public PolledDevice {
   void note(const Answer& answer) noexcept;
 
   ForceDimensionOptions options_;
-  bool simulated_ = bool(options_.clock);  // by whoever gave us a clock
+  bool simulated_ = bool(options_.clock);  // the options gave us a clock
   Connection connection_;
   TurningEstimate turning_;
 
@@ -53,7 +53,7 @@ class ForceDimensionDevice final : public PolledDevice {
   std::uint64_t tick_ = 0, next_try_ = 0;
   std::uint32_t epoch_ = 0;
   bool on_ = true, calibrated_ = true;  // at the last look
-  bool ours_ = false;                   // its forces are off because nobody has switched them on yet
+  bool ours_ = false;                   // its forces are off because they were not switched on yet
   ForceOff cause_ = ForceOff::none;     // why they are off
   bool answered_ = true;                // the last reading
   int failures_ = 0;                    // calls in a row

@@ -105,7 +105,7 @@ void Connection::initialise(const OpenHapticsOptions& options) {
     drain();
     handle_ = hdInitDevice(name);
     Errors errors = drain();
-    // Somebody in this process has opened it and has not closed it; a device that we have open is not taken away.
+    // Other code in this process has opened it and has not closed it; a device that we have open is not taken away.
     for (int n = 0; n < kTriesToReopen && alone && errors.has(HD_DEVICE_ALREADY_INITIATED); ++n) {
       const HHD other = hdGetCurrentDevice();
       hdDisableDevice(other);

@@ -39,7 +39,7 @@ Mat3 rotation_of(const std::array<HDdouble, 16>& m) {
   return R;
 }
 
-// Errors of all devices are on one stack, so that whoever looks first finds those of the others too.
+// Errors of all devices are on one stack, so the device that looks first finds those of the others too.
 constexpr std::size_t kMostDevices = 16;
 std::array<std::atomic<DeviceFault>, kMostDevices> faults_by_handle{};
 

@@ -48,7 +48,7 @@ HDSchedulerHandle Scheduler::join(HDSchedulerCallback callback, void* data, doub
 
 void Scheduler::leave(HDSchedulerHandle handle, bool finished) {
   std::unique_lock lock(mutex_);
-  // What waits for a tick must get it before the ticks end; a driver that calls nobody back cannot be waited for.
+  // What waits for a tick must get it before the ticks end; a driver that never calls back cannot be waited for.
   while (users_ == 1 && waiting_ > 0 && finished) {
     lock.unlock();
     std::this_thread::sleep_for(std::chrono::microseconds(200));

@@ -73,7 +73,7 @@ class PlyHeaderParser {
     const std::string_view count = words.word();
     const std::optional<std::int64_t> number = parse_whole(count);
     if (!number || *number < 0)
-      fail("the number " + in_quotes(count) + " of elements " + in_quotes(name) + " is none.");
+      fail("the number " + in_quotes(count) + " of elements " + in_quotes(name) + " is not a whole number >= 0.");
     for (const PlyElement& other : header.elements)
       if (other.name == name) fail("the element " + in_quotes(name) + " is there twice.");
     header.elements.push_back({name, std::uint64_t(*number), {}});

@@ -37,7 +37,7 @@ struct PlyHeader {
   std::size_t lines = 0;  ///< of the header
 };
 
-/// @throws Error that names the line where it is no header
+/// @throws Error that names the line that does not belong into a header
 [[nodiscard]] PlyHeader parse_ply_header(std::string_view file);
 
 }  // namespace hapticut

@@ -45,7 +45,7 @@ class TextLines {
 
   /// The next word of the line as a number.
   /// @param what  it is, for the message
-  /// @throws Error when there is none, or it is no number
+  /// @throws Error when there is no word, or it is not a number
   double real(const char* what);
 
   /// Of the line, counted from 1.

@@ -250,9 +250,9 @@ void Recorder::State::write_batch(const std::vector<Message>& batch) {
   hdf5::checked(H5Fget_filesize(file.get(), &length), "looking at its size");
   unflushed += batch.size() * sizeof(RecordedStep);  // more than what comes of them
   room->require(length + unflushed + kHeadroom);
-  // Effects first: who reads a step finds the effects that belong to it.
+  // Effects first: a reader of a step finds the effects that belong to it.
   for (const Message& one : batch) {
-    if (one.effects == last_effects) continue;  // no effect holds a number that is not one
+    if (one.effects == last_effects) continue;  // == is enough: no effect is not-a-number
     last_effects = one.effects;
     effects_appenders[1].append(last_effects.data(), 1);
     effects_appenders[0].append(&one.step.number, 1);
@@ -268,7 +268,7 @@ void Recorder::State::write_batch(const std::vector<Message>& batch) {
 void Recorder::close() {
   State& s = *state_;
   if (!s.writer->running()) throw Error("the recorder of '" + s.path.string() + "' is closed already.");
-  s.over = true;  // later steps are lost, and wait for nobody
+  s.over = true;  // later steps are lost, and do not wait
   const std::string failure = s.end_writing();
   if (!failure.empty()) fail(s.path, failure);
   const hdf5::Quiet quiet;

@@ -48,13 +48,13 @@ hdf5::File open_file(const std::filesystem::path& path) {
   }
   hdf5::File file(H5Fopen(path.c_str(), mode, access.get()));
   if (file.valid()) return file;
-  if (first_bytes(path, 4) != "\x89HDF") throw Error("it is no HDF5 file, so no recording of hapticut");
+  if (first_bytes(path, 4) != "\x89HDF") throw Error("it is not an HDF5 file, so not a recording of hapticut");
   hdf5::fail("it is a damaged HDF5 file; opening it");
 }
 
 RecordingInfo read_info(hid_t file) {
   if (!hdf5::has_attribute(file, "content") || hdf5::read_text_attribute(file, "content") != kMagic)
-    throw Error("it is an HDF5 file, but no recording of hapticut");
+    throw Error("it is an HDF5 file, but not a recording of hapticut");
   RecordingInfo info;
   info.format = hdf5::read_number_attribute(file, "format");
   if (info.format < 1 || info.format > kRecordingFormat)

@@ -13,7 +13,7 @@ constexpr ColumnKind kind_of() {
   if constexpr (std::is_same_v<T, std::uint64_t>) return ColumnKind::uint64;
 }
 
-/// A matrix row by row, as everybody but Eigen expects.
+/// A matrix row by row, as all programs but Eigen expect.
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor | Eigen::DontAlign>;
 
 /// The number that a scalar is stored as.
@@ -103,9 +103,11 @@ std::vector<Column> make_columns() {
   const char *const W = "W", *const B = "B", *const none = "";
   const char* const about_handle = "on the tool about Ho, in W";
   const char* const about_stylus = "on the stylus about its point, in B";
-  const std::vector<Column> contact = columns_of(result, "contact_", none, HAPTICUT_MEMBER(contact)),
-                            energy = columns_of(result, "energy_", none, HAPTICUT_MEMBER(energy)),
+  std::vector<Column> contact = columns_of(result, "contact_", none, HAPTICUT_MEMBER(contact));
+  const std::vector<Column> energy = columns_of(result, "energy_", none, HAPTICUT_MEMBER(energy)),
                             spindle = columns_of(result, "spindle_", "about +z of T", HAPTICUT_MEMBER(spindle));
+  for (Column& c : contact)
+    if (c.name == "contact_level_of_detail") c.name = "contact_turns";  // as all recordings have it
   std::vector<Column> columns = {
       column(input, "number", "1", none, "steps since the recording began", HAPTICUT_MEMBER(number)),
       column(input, "time", "s", none, "at the end of the step", HAPTICUT_MEMBER(time)),
@@ -167,7 +169,7 @@ std::vector<Column> make_columns() {
              HAPTICUT_MEMBER(device.output.applied.force)),
       column(device, "applied_torque", "N m", about_stylus, "until the step",
              HAPTICUT_MEMBER(device.output.applied.torque)),
-      column(device, "output_limits", "1", none, "bits of OutputLimit", HAPTICUT_MEMBER(device.output.limits)),
+      column(device, "output_limits", "1", none, "bits of OutputChange", HAPTICUT_MEMBER(device.output.changes)),
       column(device, "arming", "1", none, "ArmingState", HAPTICUT_MEMBER(device.arming)),
   };
   columns.insert(columns.end(), others.begin(), others.end());

@@ -114,7 +114,7 @@ class SettingsReader {
     value = *known;
   }
 
-  /// @throws Error when the group holds something that nobody asked for
+  /// @throws Error when the group holds something that was not asked for
   void close() const {
     if (!listed_.complete) return;
     for (const std::string& field : listed_.names)

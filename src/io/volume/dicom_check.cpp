@@ -141,7 +141,7 @@ class Walker {
     } else if (letters && kShort.find(e.kind) != std::string_view::npos) {
       e.length = take_number<std::uint16_t>();
     } else {
-      fail("an element of it is of no known kind");
+      fail("an element of it is of an unknown kind");
     }
     return e;
   }
@@ -235,7 +235,7 @@ bool looks_like_dicom(const std::filesystem::path& path) {
 void require_sound_dicom(const std::filesystem::path& path) {
   const std::string bytes = first_bytes(path, std::size_t(readable_size(path)));
   if (bytes.size() < kPreamble + 4 || bytes.compare(kPreamble, 4, "DICM") != 0)
-    cannot_read(path, "it is no DICOM file.");
+    cannot_read(path, "it is not a DICOM file.");
   try {
     Walker(bytes).walk_file();
   } catch (const Error& error) {

@@ -21,7 +21,7 @@ struct PictureFile {
 };
 
 /// Palettes and depths below 8 bits are expanded; nothing is scaled.
-/// @throws Error when it is no PNG file, damaged, cut short, or claims more pixels than it can hold
+/// @throws Error when it is not a PNG file, damaged, cut short, or claims more pixels than it can hold
 [[nodiscard]] PictureFile read_png(const std::filesystem::path& path);
 
 /// Grey values or colours of 8 or 16 bits, or grey values in single precision; in strips or tiles.

@@ -103,15 +103,15 @@ RawImage read_slices(const fs::path& folder) {
   image.geometry.spacing_mm.setZero();
   image.geometry.dims = for_each_slice(folder, [&](const SliceFile& file, const PictureFile& picture) {
     if (picture.channels != 1)
-      cannot_read(file.path, "it is in colour; save grey values, or read labels with read_colour_slices.");
+      cannot_read(file.path, "it is in colour; save grey values, or read labels with read_color_slices.");
     image.type = picture.type;
     image.bytes.insert(image.bytes.end(), picture.bytes.begin(), picture.bytes.end());
   });
   return image;
 }
 
-LabelVolume read_colour_slices(const fs::path& folder, const std::map<Colour, std::uint16_t>& label_of,
-                               const Vec3& spacing) {
+LabelVolume read_color_slices(const fs::path& folder, const std::map<Color, std::uint16_t>& label_of,
+                              const Vec3& spacing) {
   for (int axis = 0; axis < 3; ++axis) require_positive(spacing[axis], "spacing of colour slices [m]");
   LabelVolume volume;
   bool found = false;
@@ -119,16 +119,16 @@ LabelVolume read_colour_slices(const fs::path& folder, const std::map<Colour, st
     const std::size_t channels = picture.channels;
     if ((channels != 3 && channels != 4) || picture.type != ValueType::uint8)
       cannot_read(file.path, "it is not a colour picture with 8 bits per channel.");
-    Colour last{};
+    Color last;
     std::uint16_t label = 0;
     bool known = false;
     for (std::size_t at = 0; at < picture.bytes.size(); at += channels) {
       const auto channel = [&](std::size_t n) { return std::uint8_t(picture.bytes[at + n]); };
-      const Colour colour = {channel(0), channel(1), channel(2)};
-      if (!known || colour != last) {  // neighbours are mostly alike
-        const auto entry = label_of.find(colour);
+      const Color color = {channel(0), channel(1), channel(2)};
+      if (!known || color != last) {  // neighbours are mostly alike
+        const auto entry = label_of.find(color);
         label = entry == label_of.end() ? std::uint16_t(0) : entry->second;
-        last = colour;
+        last = color;
         known = true;
       }
       const bool opaque = channels == 3 || channel(3) == 255;
@@ -136,7 +136,7 @@ LabelVolume read_colour_slices(const fs::path& folder, const std::map<Colour, st
       found |= opaque && label != 0;
     }
   });
-  if (!found) cannot_read(folder, "none of the given colours occurs in its slices.");
+  if (!found) cannot_read(folder, "its slices have no pixel of the given colours.");
   volume.spacing = spacing;
   return volume;
 }

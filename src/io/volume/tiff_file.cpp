@@ -108,7 +108,7 @@ class TiffReader {
     reason = text;
     reason.erase(reason.find_last_not_of(" .\n") + 1);
     std::replace(reason.begin(), reason.end(), '\n', ' ');
-    return 1;  // nobody else is told
+    return 1;  // libtiff passes it on to no other handler
   }
   static int ignore(TIFF*, void*, const char*, const char*, va_list) { return 1; }
 

@@ -42,10 +42,10 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
   (void)readable_size(path);
   if (name.ends_with(".raw"))
     cannot_read(path, "a raw file does not say how large it is; use read_raw_grey_volume or read_raw_label_volume.");
-  cannot_read(
-      path,
-      "its ending is of no format that is read: .nrrd .nhdr .nii .nii.gz .mhd .mha .inv3 .dcm, or a folder with "
-      "a DICOM series or with PNG or TIFF slices.");
+  cannot_read(path,
+              "its ending is not that of a format that is read: .nrrd .nhdr .nii .nii.gz .mhd .mha .inv3 .dcm, or a "
+              "folder with "
+              "a DICOM series or with PNG or TIFF slices.");
 }
 
 RawImage read_raw(const fs::path& path, const RawLayout& layout) {

@@ -50,7 +50,7 @@ TEST_F(Drill, LeavesASurfaceAndAPicture) {
               1, 0.02);  // edges are rounded over half a voxel
 }
 
-TEST_F(Convert, WritesSurfacesInColourOrNot) {
+TEST_F(Convert, WritesSurfacesInColorOrNot) {
   for (const char* name : {"m.stl", "m.ply"}) {
     const Outcome outcome = run("convert molar " + path(name) + " --voxel_mm 0.5");
     EXPECT_EQ(outcome.code, 0) << outcome.errors;

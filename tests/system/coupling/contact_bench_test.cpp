@@ -53,7 +53,7 @@ TEST_P(EveryDevice, NeitherThrowsTheHandBackNorBuzzesThroughTheCoupling) {
     BounceTest test;
     test.height = through.radius;
     test.phases = 5;
-    const Bounce bounced = bounce(config, contact_models(through), kHard, test);
+    const Bounce bounced = measure_bounce(config, contact_models(through), kHard, test);
     EXPECT_LT(bounced.restitution, 1);
     EXPECT_LT(bounced.generated_energy, 0);
     PressTest press_test;
@@ -61,7 +61,7 @@ TEST_P(EveryDevice, NeitherThrowsTheHandBackNorBuzzesThroughTheCoupling) {
     press_test.depth = 5e-3;
     press_test.seconds = 1.5;
     press_test.measured = 0.5;
-    const Buzz buzz = press(config, contact_models(through), kHard, press_test);
+    const Buzz buzz = measure_buzz(config, contact_models(through), kHard, press_test);
     EXPECT_FALSE(buzz.buzzes());
     EXPECT_LT(buzz.position_rms, 1e-9);
     EXPECT_GT(buzz.greatest_force, 0.5);
@@ -77,8 +77,9 @@ TEST_P(EveryDevice, ObeysTheRulesOfFaultsWithTheRealModel) {
     for (const InjectedFault fault : injected_faults()) {
       ClosedLoopConfig config = pressed(GetParam(), delay);
       config.dry_friction = config.encoder = config.saturation = true;
-      const FaultResponse response = respond(config, contact_models(through), kHard, options, fault, through.radius);
-      EXPECT_TRUE(obeys_the_rules(response, guard, config.period)) << name(fault) << ", delay " << delay;
+      const FaultResponse response =
+          measure_fault_response(config, contact_models(through), kHard, options, fault, through.radius);
+      EXPECT_TRUE(obeys_the_rules(response, guard, config.period)) << name_of(fault) << ", delay " << delay;
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws of one's own behind the coupling: their stiffness is measured, for they know none.
+// Laws of your own behind the coupling: their stiffness is measured, for they know none.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>

@@ -126,10 +126,10 @@ TEST(Coupling, GivesNoForceForRubbishAndTakesTheToolAnew) {
   Pose rubbish = hand;
   rubbish.translation.x() = NAN;
   const CoupledResult& refused = coupling.step(rubbish, {}, kTick);
-  EXPECT_TRUE(has(refused.status, StepStatus::pose_rejected));
+  EXPECT_TRUE(has_any(refused.status, StepStatus::pose_rejected));
   EXPECT_EQ(refused.hand.force, Vec3::Zero());
-  EXPECT_TRUE(has(coupling.step(hand, {Vec3(NAN, 0, 0), {}}, kTick).status, StepStatus::velocity_rejected));
-  EXPECT_TRUE(has(coupling.step(hand, {}, -1).status, StepStatus::dt_rejected));
+  EXPECT_TRUE(has_any(coupling.step(hand, {Vec3(NAN, 0, 0), {}}, kTick).status, StepStatus::velocity_rejected));
+  EXPECT_TRUE(has_any(coupling.step(hand, {}, -1).status, StepStatus::dt_rejected));
   const Pose far = Pose::from_translation({0, 0, 50 * mm});
   EXPECT_EQ(coupling.step(far, {}, kTick).X_WH.translation, far.translation);
   EXPECT_EQ(coupling.last_result().hand.force, Vec3::Zero());

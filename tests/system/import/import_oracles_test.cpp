@@ -77,7 +77,7 @@ TEST_P(LabelledToothVolumes, AgreeWithItsDescription) {
   // The pulp is not labelled: it is what closing by a ball of 0.8 mm across and filling cavities add inside. Where the
   // chamber ends in the root canals is a matter of the procedure, so its volume is known to a fifth only.
   constexpr double kProcedure = 0.2;
-  LabelVolume solid = keep_largest_component(resample(crop(volume, box_around(volume)), 0.068 * mm));
+  LabelVolume solid = keep_largest_component(resample(crop_to_samples(volume, box_around(volume)), 0.068 * mm));
   constexpr std::uint16_t kPulp = 4;
   LabelVolume pulp = fill_cavities(close_gaps(std::move(solid), 0.4 * mm, kPulp), kPulp);
   for (std::uint16_t& label : pulp.values) label = label == kPulp ? kPulp : 0;
@@ -198,13 +198,13 @@ double change_between_slices(const LabelVolume& volume) {
 TEST(ImportOracle, MastoidSlicesAreInNumericOrderAndNoiseIsLeftOut) {
   HAPTICUT_NEEDS_DATA("bone/mastoid_RT143_256");
   const Vec3 spacing = Vec3::Constant(0.192 * mm);
-  const LabelVolume bone = read_colour_slices(data_path("bone/mastoid_RT143_256"), {{{255, 249, 219}, 1}}, spacing);
+  const LabelVolume bone = read_color_slices(data_path("bone/mastoid_RT143_256"), {{{255, 249, 219}, 1}}, spacing);
   EXPECT_EQ(bone.dims, (std::array<int, 3>{256, 256, 253}));
   EXPECT_EQ(std::count(bone.values.begin(), bone.values.end(), 1), 2777917);
   // In the right order neighbours are alike: lexical order gives several times this.
   EXPECT_LT(change_between_slices(bone), 1500);
   // (90, 116, 55) occurs only in pixels that are not wholly opaque.
-  EXPECT_THROW((void)read_colour_slices(data_path("bone/mastoid_RT143_256"), {{{90, 116, 55}, 1}}, spacing), Error);
+  EXPECT_THROW((void)read_color_slices(data_path("bone/mastoid_RT143_256"), {{{90, 116, 55}, 1}}, spacing), Error);
 }
 
 /// What reading says about a folder of links to some of the files of another one.

@@ -29,7 +29,7 @@ class BadInput : public testing::Test {
 
   void expect_rejected(const Pose& pose, const Twist& velocity, double dt, StepStatus bit) {
     const StepResult& result = simulation_.step(pose, velocity, dt);
-    EXPECT_TRUE(has(result.status, bit));
+    EXPECT_TRUE(has_any(result.status, bit));
     EXPECT_EQ(result.force, Vec3::Zero().eval());
     EXPECT_EQ(result.torque, Vec3::Zero().eval());
     EXPECT_TRUE(result.removed_voxels.empty());
@@ -38,7 +38,7 @@ class BadInput : public testing::Test {
   }
   void expect_works_again() {
     const StepResult& result = simulation_.step(at(150), {Vec3(0, 0, -2 * mm), Vec3::Zero()}, 1e-3);
-    EXPECT_FALSE(has(result.status, kRejected));
+    EXPECT_FALSE(has_any(result.status, kRejected));
     EXPECT_GT(result.force.z(), 0);
     EXPECT_GT(result.removed_volume, 0);
   }
@@ -178,10 +178,10 @@ TEST(BlockPool, WhenItIsExhaustedMaterialIsFeltButNotCutAndTheStatusSaysSo) {
   int i = 0;
   StepStatus status = StepStatus::ok;
   for (; i < 200; ++i) status |= step(i).status;
-  EXPECT_TRUE(has(status, StepStatus::blocks_low));
-  EXPECT_TRUE(has(status, StepStatus::blocks_exhausted));
+  EXPECT_TRUE(has_any(status, StepStatus::blocks_low));
+  EXPECT_TRUE(has_any(status, StepStatus::blocks_exhausted));
   simulation.reserve_blocks(256);
-  EXPECT_FALSE(has(step(i).status, StepStatus::blocks_exhausted));
+  EXPECT_FALSE(has_any(step(i).status, StepStatus::blocks_exhausted));
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ TEST_P(NoAllocation, In10000StepsOfTheScene) {
   if (simulation.tool().spindle().speed != 0) {
     EXPECT_GT(removed, 0);
   }
-  EXPECT_FALSE(has(status, StepStatus::blocks_exhausted | StepStatus::removed_list_full));
+  EXPECT_FALSE(has_any(status, StepStatus::blocks_exhausted | StepStatus::removed_list_full));
 }
 
 TEST(NoAllocationOnBadInput, WhenTheInputIsRejectedOrThePoolIsExhausted) {

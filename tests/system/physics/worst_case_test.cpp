@@ -58,7 +58,7 @@ struct Groove {
   double removed = 0;         // [m^3]
   double closure = 0;
   int most_evaluated = 0;
-  int most_turns = 0;
+  int highest_level = 0;
   StepStatus status = StepStatus::ok;
 };
 
@@ -79,8 +79,8 @@ Groove cut_groove(std::size_t budget) {
     const StepResult& result = simulation.step(Pose::from_translation(position), {velocity, Vec3::Zero()}, 1e-3);
     if (i > kSteps * 3 / 4) groove.force += result.force / (kSteps / 4.0);
     groove.removed += result.removed_volume;
-    groove.most_evaluated = std::max(groove.most_evaluated, result.contact.voxels / result.contact.turns);
-    groove.most_turns = std::max(groove.most_turns, result.contact.turns);
+    groove.most_evaluated = std::max(groove.most_evaluated, result.contact.voxels / result.contact.level_of_detail);
+    groove.highest_level = std::max(groove.highest_level, result.contact.level_of_detail);
     groove.status |= result.status;
   }
   groove.closure = simulation.last_result().energy.closure();
@@ -90,12 +90,12 @@ Groove cut_groove(std::size_t budget) {
 TEST(LevelOfDetail, KeepsTheBudgetTheForceAndTheCut) {
   const Groove whole = cut_groove(0);
   ASSERT_GT(whole.most_evaluated, 4500);
-  EXPECT_EQ(whole.most_turns, 1);
-  EXPECT_FALSE(has(whole.status, StepStatus::detail_reduced));
+  EXPECT_EQ(whole.highest_level, 1);
+  EXPECT_FALSE(has_any(whole.status, StepStatus::detail_reduced));
   const Groove reduced = cut_groove(4096);
   EXPECT_LE(reduced.most_evaluated, 4096);
-  EXPECT_EQ(reduced.most_turns, 5) << "two would do, but all solid voxels of the blocks touched are counted";
-  EXPECT_TRUE(has(reduced.status, StepStatus::detail_reduced));
+  EXPECT_EQ(reduced.highest_level, 5) << "2 would do, but all solid voxels of the blocks touched are counted";
+  EXPECT_TRUE(has_any(reduced.status, StepStatus::detail_reduced));
   EXPECT_LT((reduced.force - whole.force).norm(), 0.07 * whole.force.norm()) << "the just noticeable difference";
   EXPECT_NEAR(reduced.removed, whole.removed, 0.02 * whole.removed);
   EXPECT_LT(std::abs(reduced.closure), 0.02);
@@ -110,10 +110,10 @@ TEST(LevelOfDetail, IsOnlyReducedWhereTheHeadTouchesMoreThanTheBudget) {
   EXPECT_LE(simulation.worst_case().voxels, 4096U);
   const StepResult& shallow = simulation.step(Pose::from_translation(Vec3(0, 0, 5.4 * mm)), {}, 1e-3);
   EXPECT_GT(shallow.contact.voxels, 0);
-  EXPECT_FALSE(has(shallow.status, StepStatus::detail_reduced));
+  EXPECT_FALSE(has_any(shallow.status, StepStatus::detail_reduced));
   simulation.restore(simulation.snapshot());
   const StepResult& deep = simulation.step(Pose::from_translation(Vec3(0, 0, 0)), {}, 1e-3);
-  EXPECT_TRUE(has(deep.status, StepStatus::detail_reduced));
+  EXPECT_TRUE(has_any(deep.status, StepStatus::detail_reduced));
 }
 
 TEST(LevelOfDetail, IsRefusedForALawOfOnesOwnAndForAnAbsurdBudget) {

@@ -34,10 +34,10 @@ TEST(FaultBench, NoFaultBreaksTheRulesOnAnyDeviceWithAnyDelay) {
     for (const int delay : {0, 1, 2})
       for (const InjectedFault fault : injected_faults()) {
         const SafetyGuard guard(capabilities(device), {});
-        const FaultResponse response = respond(pressed(device.name, delay), wall(1), 600, {}, fault);
+        const FaultResponse response = measure_fault_response(pressed(device.name, delay), wall(1), 600, {}, fault);
         EXPECT_TRUE(obeys_the_rules(response, guard, 1e-3))
-            << device.name << ", delay " << delay << ", " << name(fault) << ": " << response.greatest_force << " N, +"
-            << response.greatest_growth << " N in a tick of " << guard.slew() * 1e-3 << ", force "
+            << device.name << ", delay " << delay << ", " << name_of(fault) << ": " << response.greatest_force
+            << " N, +" << response.greatest_growth << " N in a tick of " << guard.slew() * 1e-3 << ", force "
             << response.oldest_force * 1e3 << " ms old";
       }
 }
@@ -46,36 +46,38 @@ TEST(FaultBench, EveryFaultThatHidesTheHandEndsTheForce) {
   for (const InjectedFault fault : {InjectedFault::nan_pose, InjectedFault::frozen_pose, InjectedFault::stale_reading,
                                     InjectedFault::jump_30mm, InjectedFault::units_x1000, InjectedFault::nan_force,
                                     InjectedFault::unplugged, InjectedFault::emergency_stop}) {
-    const FaultResponse response = respond(pressed("touch", 0), wall(1), 600, {}, fault);
-    EXPECT_GE(response.time_to_zero, 0) << name(fault);
-    EXPECT_LE(response.time_to_zero, 0.05) << name(fault);
-    EXPECT_EQ(response.end, ArmingState::fault) << name(fault);
+    const FaultResponse response = measure_fault_response(pressed("touch", 0), wall(1), 600, {}, fault);
+    EXPECT_GE(response.time_to_zero, 0) << name_of(fault);
+    EXPECT_LE(response.time_to_zero, 0.05) << name_of(fault);
+    EXPECT_EQ(response.end, ArmingState::fault) << name_of(fault);
     EXPECT_GT(response.greatest_force, fault == InjectedFault::emergency_stop || fault == InjectedFault::unplugged ||
                                                fault == InjectedFault::nan_force
                                            ? -1
                                            : 0.3)
-        << name(fault) << ": the hand should have been pressing when it happened";
+        << name_of(fault) << ": the hand should have been pressing when it happened";
   }
 }
 
 TEST(FaultBench, InterruptionsThatLeaveTheToolInsideGiveNoForceUntilItIsOut) {
   for (const InjectedFault fault : {InjectedFault::buried_5mm, InjectedFault::reclutch, InjectedFault::calibration_jump,
                                     InjectedFault::missed_20, InjectedFault::missed_100}) {
-    const FaultResponse response = respond(pressed("touch", 0), wall(1), 600, {}, fault);
-    EXPECT_GE(response.time_to_zero, 0) << name(fault);
-    EXPECT_EQ(response.end, ArmingState::wait_free) << name(fault);
+    const FaultResponse response = measure_fault_response(pressed("touch", 0), wall(1), 600, {}, fault);
+    EXPECT_GE(response.time_to_zero, 0) << name_of(fault);
+    EXPECT_EQ(response.end, ArmingState::wait_free) << name_of(fault);
   }
 }
 
 TEST(FaultBench, AFewMissedTicksDoNotEndTheForce) {
-  EXPECT_EQ(respond(pressed("touch", 0), wall(1), 600, {}, InjectedFault::missed_1).end, ArmingState::on);
-  EXPECT_EQ(respond(pressed("touch", 0), wall(1), 600, {}, InjectedFault::missed_5).end, ArmingState::on);
+  EXPECT_EQ(measure_fault_response(pressed("touch", 0), wall(1), 600, {}, InjectedFault::missed_1).end,
+            ArmingState::on);
+  EXPECT_EQ(measure_fault_response(pressed("touch", 0), wall(1), 600, {}, InjectedFault::missed_5).end,
+            ArmingState::on);
 }
 
 TEST(FaultBench, WithoutTheGuardAJumpWouldThrowTheHand) {
   // What the guard is for: a bare wall answers a jump of 30 mm with all the device has, in one tick.
   const double bare = 600 * 0.030;
-  const FaultResponse guarded = respond(pressed("touch", 0), wall(1), 600, {}, InjectedFault::jump_30mm);
+  const FaultResponse guarded = measure_fault_response(pressed("touch", 0), wall(1), 600, {}, InjectedFault::jump_30mm);
   EXPECT_LT(guarded.greatest_force, 0.25 * bare);
   EXPECT_LT(guarded.greatest_growth, 0.1);
 }
@@ -113,7 +115,7 @@ TEST(Passivity, TheControllerTakesTheSpeedOutOfABounceAsInTheTable) {
           return wrench;
         });
       };
-      EXPECT_NEAR(bounce(config, controlled, row.stiffness).restitution, row.by_delay[delay], 0.02)
+      EXPECT_NEAR(measure_bounce(config, controlled, row.stiffness).restitution, row.by_delay[delay], 0.02)
           << row.stiffness << " N/m, delay " << delay;
     }
 }
@@ -138,7 +140,7 @@ TEST(Passivity, TheControllerOfTheGuardLeavesAHandAloneThatPressesSteadily) {
       // The hand waits above the surface until the force is faded in.
       config.hand.stiffness = 200;
       test.approach = 3;
-      const Buzz buzz = press(config, guarded, stiffness, test);
+      const Buzz buzz = measure_buzz(config, guarded, stiffness, test);
       EXPECT_EQ(guard->state(), ArmingState::on);
       EXPECT_FALSE(buzz.buzzes()) << device << ", " << stiffness << " N/m: " << buzz.position_rms * 1e6 << " um, "
                                   << buzz.force_peak_to_peak << " N";

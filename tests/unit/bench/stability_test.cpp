@@ -97,7 +97,7 @@ TEST(Bounce, GainsNoSpeedUpToTheStabilityLimitOfAReleasedDevice) {
       BounceTest test;
       test.time_limit = 4;
       for (const double share : {0.25, 0.5, 0.9, 0.98})
-        EXPECT_LE(bounce(config, wall(), share * limit, test).restitution, 1 + kRestitution)
+        EXPECT_LE(measure_bounce(config, wall(), share * limit, test).restitution, 1 + kRestitution)
             << device.name << ", delay " << delay << ", " << share << " of " << limit << " N/m";
     }
 }
@@ -115,7 +115,8 @@ TEST(Bounce, ReturnsTheSpeedsOfTheTable) {
     for (int delay = 0; delay < 2; ++delay) {
       ClosedLoopConfig config = loop_of("touch", "released", delay);
       config.saturation = true;
-      EXPECT_NEAR(bounce(config, wall(), row.stiffness).restitution, row.by_delay[std::size_t(delay)], kRestitution)
+      EXPECT_NEAR(measure_bounce(config, wall(), row.stiffness).restitution, row.by_delay[std::size_t(delay)],
+                  kRestitution)
           << row.stiffness << " N/m, delay " << delay;
     }
   const std::array<double, 3> dampings = {1, 2, 4};
@@ -123,7 +124,7 @@ TEST(Bounce, ReturnsTheSpeedsOfTheTable) {
   for (std::size_t n = 0; n < 3; ++n) {
     ClosedLoopConfig config = loop_of("touch", "released");
     config.saturation = true;
-    EXPECT_NEAR(bounce(config, wall(dampings[n], 100), 800).restitution, without_delay[n], kRestitution)
+    EXPECT_NEAR(measure_bounce(config, wall(dampings[n], 100), 800).restitution, without_delay[n], kRestitution)
         << "B = " << dampings[n];
   }
 }
@@ -137,7 +138,7 @@ TEST(Bounce, LosesSpeedToDryFrictionAsInTheTable) {
     for (int delay = 0; delay < 2; ++delay) {
       ClosedLoopConfig config = loop_of("touch", "released", delay);
       config.saturation = config.dry_friction = config.encoder = true;
-      EXPECT_NEAR(bounce(config, wall(), row.stiffness).restitution, row.by_delay[std::size_t(delay)],
+      EXPECT_NEAR(measure_bounce(config, wall(), row.stiffness).restitution, row.by_delay[std::size_t(delay)],
                   kRestitutionNoise)
           << row.stiffness << " N/m, delay " << delay;
     }
@@ -162,11 +163,11 @@ TEST(Press, BuzzesWhereTheTableSaysAndNotBelow) {
     ClosedLoopConfig config = loop_of("touch", "nominal-pad", delay);
     config.saturation = config.dry_friction = config.encoder = true;
     for (const double stiffness : {500.0, 1000.0, 2000.0, 4000.0})
-      EXPECT_FALSE(press(config, wall(), stiffness).buzzes()) << stiffness << " N/m, delay " << delay;
+      EXPECT_FALSE(measure_buzz(config, wall(), stiffness).buzzes()) << stiffness << " N/m, delay " << delay;
   }
   ClosedLoopConfig config = loop_of("touch", "nominal-pad", 1);
   config.saturation = config.dry_friction = config.encoder = true;
-  const Buzz buzz = press(config, wall(), 6000);
+  const Buzz buzz = measure_buzz(config, wall(), 6000);
   EXPECT_TRUE(buzz.buzzes());
   EXPECT_NEAR(buzz.position_rms, 439e-6, 0.1 * 439e-6);  // a limit cycle, sensitive to how friction is integrated
   EXPECT_NEAR(buzz.frequency, 50, 5);

@@ -24,7 +24,7 @@ constexpr double kRounding = 1e-12;
 
 /// A head with its springs, and what it stands in; all in T, whose axes are those of W here.
 struct Contact {
-  std::function<Spring<double>(double rho, double z)> spring;
+  std::function<MeridianSpring<double>(double rho, double z)> spring;
   std::function<double(const Vec3& p)> stiffness;                         // [N/m^4]; 0: no material
   std::function<double(double n_z)> damped = [](double) { return 1.0; };  // factor of the normal force
   Vec3 low, high;                                                         // [m] a box around the springs in material
@@ -46,7 +46,7 @@ Springs integrate(const Contact& contact) {
       for (int k = 0; k < kAcross; ++k) {
         const Vec3 p = contact.low + size.cwiseProduct(Vec3(i + 0.5, j + 0.5, k + 0.5));
         const double rho = std::hypot(p.x(), p.y());
-        const Spring<double> s = contact.spring(rho, p.z());
+        const MeridianSpring<double> s = contact.spring(rho, p.z());
         if (s.depth <= 0) continue;
         const double k_v = contact.stiffness(p);
         const Vec3 n(s.n_radial * p.x() / rho, s.n_radial * p.y() / rho, s.n_axial);
@@ -59,7 +59,7 @@ Springs integrate(const Contact& contact) {
 }
 
 /// Upright in the half space below `surface` in T.
-Contact in_half_space(const std::function<Spring<double>(double, double)>& spring, double reach, double low,
+Contact in_half_space(const std::function<MeridianSpring<double>(double, double)>& spring, double reach, double low,
                       double surface) {
   return {spring, [](const Vec3&) { return kStiffness; }, [](double) { return 1.0; }, Vec3(-reach, -reach, low),
           Vec3(reach, reach, surface)};

@@ -98,11 +98,11 @@ template <class E>
 struct NamedEnumeration : testing::Test {};
 
 using Enumerations = testing::Types<RemovalLaw, Quadrature, FlatRule, EdgeKind, HandleTorque, ContactTime,
-                                    ProbedMotions, StepStatus, DeviceFault, OutputLimit, ArmingState, SafetyEvent>;
+                                    ProbedMotions, StepStatus, DeviceFault, OutputChange, ArmingState, SafetyEvent>;
 TYPED_TEST_SUITE(NamedEnumeration, Enumerations);
 
 TYPED_TEST(NamedEnumeration, NamesEachOfItsValuesAsCppDoes) {
-  constexpr bool kBits = std::is_same_v<TypeParam, StepStatus> || std::is_same_v<TypeParam, OutputLimit>;
+  constexpr bool kBits = std::is_same_v<TypeParam, StepStatus> || std::is_same_v<TypeParam, OutputChange>;
   std::set<std::string> expected = values_of<TypeParam, kBits>(std::make_index_sequence < kBits ? 32 : 64 > ());
   if (std::is_same_v<TypeParam, SafetyEvent>) expected.erase("count");
   std::set<std::string> found;

@@ -98,7 +98,7 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItBrakedBecauseTheHan
 
 TEST_F(ForceDimensionFaults, StaysOffUntilSomebodySwitchesItsForcesOnAgain) {
   const std::array<std::pair<dhdsim_cause, const char*>, 3> causes = {{
-      {DHDSIM_OFF_BUTTON, "somebody pressed its force button"},
+      {DHDSIM_OFF_BUTTON, "its force button was pressed"},
       {DHDSIM_OFF_DEADMAN, "dead man's switch was let go"},
       {DHDSIM_OFF_SOFTWARE, "a program switched them off"},
   }};
@@ -121,7 +121,7 @@ TEST_F(ForceDimensionFaults, StaysOffUntilSomebodySwitchesItsForcesOnAgain) {
           forces.push_back(let_through(0).force.x());
         });
     EXPECT_EQ(fault, DeviceFault::switched_off) << words;
-    EXPECT_NE(describe(fault).find("switched the motors off"), std::string::npos);
+    EXPECT_NE(describe(fault).find("motors were switched off"), std::string::npos);
     EXPECT_EQ(report.fault, DeviceFault::none) << words;
     EXPECT_TRUE(says(report.warnings, words)) << words;
     EXPECT_EQ(dhdsim_get_counters(0).enables_in_vain, 0) << "never against a person: " << words;

@@ -40,7 +40,7 @@ TEST(ObjFormat, CornersMayHaveTexturesAndNormalsAndCountBackwards) {
   expect_unit_cube(only_mesh_in(parse_obj, kCubeFaces + std::string(kCubeCorners)));  // vertices behind the faces
 }
 
-TEST(ObjFormat, VerticesMayHaveAWeightOrAColour) {
+TEST(ObjFormat, VerticesMayHaveAWeightOrAColor) {
   for (const char* more : {" 1", " 0.5 0.5 0.5", " nan nan nan", " 0.5 0.5 0.5 1"})
     expect_unit_cube(only_mesh_in(parse_obj, replaced(kCubeCorners, "\n", std::string(more) + "\n") + kCubeFaces));
   EXPECT_DOUBLE_EQ(
@@ -90,7 +90,7 @@ TEST(ObjFormat, WhatIsNoMeshIsRefusedWithTheLine) {
 // --- OFF
 // ---------------------------------------------------------------------------------------------------------------
 
-TEST(OffFormat, CountsMayFollowTheKeyAndLinesMayHaveColours) {
+TEST(OffFormat, CountsMayFollowTheKeyAndLinesMayHaveColors) {
   constexpr char kBody[] = "4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
   const std::string body = kBody;
   for (const std::string& text :

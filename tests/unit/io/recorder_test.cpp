@@ -330,12 +330,12 @@ TEST(BadRecording, IsNamedInOneSentence) {
   };
   contains(complaint_about(folder / "absent.h5"), "no such file");
   test::write_bytes(folder / "text.h5", "this is no recording");
-  contains(complaint_about(folder / "text.h5"), "no HDF5 file");
+  contains(complaint_about(folder / "text.h5"), "not an HDF5 file");
   test::write_bytes(folder / "empty.h5", "");
-  contains(complaint_about(folder / "empty.h5"), "no HDF5 file");
+  contains(complaint_about(folder / "empty.h5"), "not an HDF5 file");
   const hid_t foreign = H5Fcreate((folder / "foreign.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   H5Fclose(foreign);
-  contains(complaint_about(folder / "foreign.h5"), "no recording of hapticut");
+  contains(complaint_about(folder / "foreign.h5"), "not a recording of hapticut");
 
   test::record_scene(folder / "good.h5", "axial_flat", 50);
   const auto damaged = [&](const std::function<void(hid_t)>& action) {

@@ -185,7 +185,7 @@ TEST_P(KernelTarget, AgreesWithTheScalarReferenceInSamplingAndSumming) {
 struct Reference {
   Resultant resultant;
   LawTotals totals;
-  std::array<double, 256> taken = {};
+  std::array<double, 256> removed = {};
   BlockChange change;
   std::array<float, kBlockVoxels> fill_after = {};
   kernels::StiffnessSums stiffness;
@@ -206,7 +206,7 @@ struct Reference {
     totals = FoundationLaw().evaluate(job.motion, job.materials, contact);
     sum_resultant(contact, resultant);
     kernels::add_stiffness(contact, job.motion, job.materials, stiffness);
-    if (totals.may_remove) change = find_changes(contact, block, fill_after.data(), taken);
+    if (totals.may_remove) change = find_changes(contact, block, fill_after.data(), removed);
   }
 };
 
@@ -241,7 +241,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
                                        materials,
                                        trial % 7 == 0 ? Quadrature::voxel_center : Quadrature::centroid,
                                        damped,
-                                       unsigned(motion.turns),
+                                       unsigned(motion.level_of_detail),
                                        unsigned(trial)};
       const Reference expected(job, block.view);
 
@@ -277,7 +277,8 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       const double energy = energies.elastic_before + energies.cutting + energies.released + energies.rubbing +
                             std::abs(energies.damping) + 1e-30;
       EXPECT_NEAR(found.elastic_before / weight, energies.elastic_before, 2 * kRounding * energy);
-      // Of several turns, what is stored counts for all and what was taken once: only one turn says which is which.
+      // Where strips take turns, what is stored counts for all and what was removed once: only n = 1 says which is
+      // which.
       if (job.level_of_detail == 1) {
         EXPECT_NEAR(found.elastic, energies.elastic, 2 * kRounding * energy);
         EXPECT_NEAR(found.released, energies.released, 10 * kRounding * energy);
@@ -288,7 +289,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       const Stiffness k = stiffness.total(volume), k_expected = expected.stiffness.total(volume);
       EXPECT_LT((k - k_expected).norm(), 20 * kRounding * (k_expected.norm() + 1e-9));
       stiff += k.norm() > 0 ? 1 : 0;
-      for (std::size_t id = 1; id <= 3; ++id) EXPECT_NEAR(sums.taken[id], expected.taken[id], kRounding * 512);
+      for (std::size_t id = 1; id <= 3; ++id) EXPECT_NEAR(sums.removed[id], expected.removed[id], kRounding * 512);
 
       // A voxel may be finished in one and keep the last thousandth in the other; count those, compare the rest.
       int differently_finished = 0;
@@ -327,7 +328,7 @@ TEST_P(KernelTarget, FeelsButLeavesABlockThatMayNotBeCut) {
   const kernels::Pressed pressed = kernels::pressed(job, sums, kVoxel * kVoxel * kVoxel);
   EXPECT_GT(pressed.resultant.voxels, 100);
   EXPECT_EQ(task.change.strips, 0U);
-  EXPECT_EQ(sums.taken, (std::array<double, 256>{}));
+  EXPECT_EQ(sums.removed, (std::array<double, 256>{}));
   EXPECT_GT(pressed.energies.rubbing, 0);
 }
 

@@ -79,12 +79,12 @@ TEST(Guard, RejectsPosesThatNoHandMakesAndFailsWhenTheyStay) {
     bad.spoil(loop.reading);
     // Held at first: the model computes with the last good pose.
     for (int n = 0; n < 20; ++n) {
-      EXPECT_EQ(loop.tick(Vec3(0, 0, 0.1)).force.z(), 0.1) << name(bad.event);
+      EXPECT_EQ(loop.tick(Vec3(0, 0, 0.1)).force.z(), 0.1) << name_of(bad.event);
       EXPECT_EQ(loop.guard.state(), ArmingState::on);
     }
-    EXPECT_TRUE(loop.tick(Vec3(0, 0, 0.1)).force.isZero(0)) << name(bad.event);
-    EXPECT_EQ(loop.guard.state(), ArmingState::fault) << name(bad.event);
-    EXPECT_EQ(loop.guard.log().count(bad.event), 21U) << name(bad.event);
+    EXPECT_TRUE(loop.tick(Vec3(0, 0, 0.1)).force.isZero(0)) << name_of(bad.event);
+    EXPECT_EQ(loop.guard.state(), ArmingState::fault) << name_of(bad.event);
+    EXPECT_EQ(loop.guard.log().count(bad.event), 21U) << name_of(bad.event);
   }
 }
 
@@ -108,7 +108,7 @@ TEST(Guard, TakesAForceThatIsNotFiniteAsNoneAndFailsAtTheThird) {
   loop.engage();
   const Vec3 bad(kNan, 0, 0);
   EXPECT_TRUE(loop.tick(bad).force.isZero(0));
-  EXPECT_TRUE(has(loop.guard.output().limits, OutputLimit::not_finite));
+  EXPECT_TRUE(has_any(loop.guard.output().changes, OutputChange::not_finite));
   EXPECT_EQ(loop.tick(Vec3(0.1, 0, 0)).force.x(), 0.1);
   for (int n = 0; n < 2; ++n) loop.tick(bad);
   EXPECT_EQ(loop.guard.state(), ArmingState::on);
@@ -127,7 +127,7 @@ TEST(Guard, ShortensAForceWithoutTurningItAndTellsBothSides) {
   EXPECT_NEAR(given.force.normalized().dot(asked.normalized()), 1, 1e-12);
   EXPECT_EQ(loop.guard.output().commanded.force, asked);
   EXPECT_EQ(loop.guard.output().applied.force, given.force);
-  EXPECT_TRUE(has(loop.guard.output().limits, OutputLimit::saturated));
+  EXPECT_TRUE(has_any(loop.guard.output().changes, OutputChange::saturated));
 }
 
 TEST(Guard, LimitsTheGrowthOfAForceButNotItsRelease) {
@@ -137,7 +137,7 @@ TEST(Guard, LimitsTheGrowthOfAForceButNotItsRelease) {
   EXPECT_NEAR(step, 1.25 * 700 * 0.5 * kPeriod, 1e-12);
   EXPECT_NEAR(loop.tick(Vec3(0, 0, 3)).force.z(), step, 1e-12);
   EXPECT_NEAR(loop.tick(Vec3(0, 0, 3)).force.z(), 2 * step, 1e-12);
-  EXPECT_TRUE(has(loop.guard.output().limits, OutputLimit::slew_limited));
+  EXPECT_TRUE(has_any(loop.guard.output().changes, OutputChange::slew_limited));
   EXPECT_EQ(loop.tick(Vec3(0, 0, 0.1)).force.z(), 0.1);
   EXPECT_NEAR(loop.tick(Vec3(0, 0, -3)).force.z(), -step, 1e-12);
   EXPECT_TRUE(loop.tick(Vec3::Zero()).force.isZero(0));
@@ -183,7 +183,7 @@ TEST(Guard, GivesATorqueOnlyToDevicesThatHaveMotorsForIt) {
   GuardedLoop three;
   three.engage();
   EXPECT_TRUE(three.tick(Vec3::Zero(), Vec3(0, 0, 0.01)).torque.isZero(0));
-  EXPECT_TRUE(has(three.guard.output().limits, OutputLimit::no_actuator));
+  EXPECT_TRUE(has_any(three.guard.output().changes, OutputChange::no_actuator));
 
   GuardedLoop six({}, "premium6dof");
   six.engage();
@@ -222,9 +222,9 @@ TEST(Guard, WaitsUntilFreeAfterACalibrationAClutchAndAnotherModel) {
     } else {
       loop.guard.requests().interrupt(event);
     }
-    EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0)) << name(event);
-    EXPECT_EQ(loop.guard.state(), ArmingState::wait_free) << name(event);
-    EXPECT_GE(loop.guard.log().count(event), 1U) << name(event);
+    EXPECT_TRUE(loop.tick(Vec3(0, 0, 1)).force.isZero(0)) << name_of(event);
+    EXPECT_EQ(loop.guard.state(), ArmingState::wait_free) << name_of(event);
+    EXPECT_GE(loop.guard.log().count(event), 1U) << name_of(event);
   }
 }
 
@@ -338,8 +338,8 @@ TEST(Guard, CountsEveryTickOfAnEventButEntersItOnce) {
 }
 
 TEST(SafetyLog, NamesEveryEventAndCountsWhatItsListCannotHold) {
-  for (std::size_t n = 0; n < kSafetyEvents; ++n) EXPECT_FALSE(name(SafetyEvent(n)).empty()) << n;
-  EXPECT_EQ(name(SafetyEvent::emergency_stop), "emergency_stop");
+  for (std::size_t n = 0; n < kSafetyEvents; ++n) EXPECT_FALSE(name_of(SafetyEvent(n)).empty()) << n;
+  EXPECT_EQ(name_of(SafetyEvent::emergency_stop), "emergency_stop");
   SafetyLog log;
   for (int n = 0; n < 3000; ++n) {
     log.begin_tick(n * kPeriod, std::uint64_t(n));

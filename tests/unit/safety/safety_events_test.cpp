@@ -151,7 +151,7 @@ std::vector<Cause> causes() {
   };
 }
 
-void PrintTo(const Cause& cause, std::ostream* out) { *out << name(cause.event); }
+void PrintTo(const Cause& cause, std::ostream* out) { *out << name_of(cause.event); }
 
 class EveryEvent : public Events, public testing::WithParamInterface<Cause> {};
 
@@ -167,7 +167,7 @@ TEST_P(EveryEvent, HasANameACounterAndOneEntryInTheLog) {
     for (const SafetyLogEntry& entry : guard.log().drain())
       if (entry.event == event) {
         ++entries;
-        EXPECT_NE(describe(entry).find(name(event)), std::string::npos);
+        EXPECT_NE(describe(entry).find(name_of(event)), std::string::npos);
       }
   })
       .join();
@@ -176,7 +176,7 @@ TEST_P(EveryEvent, HasANameACounterAndOneEntryInTheLog) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SafetyLog, EveryEvent, testing::ValuesIn(causes()),
-                         [](const auto& cause) { return std::string(name(cause.param.event)); });
+                         [](const auto& cause) { return std::string(name_of(cause.param.event)); });
 
 TEST(SafetyLog, HasACauseForEveryEvent) {
   const std::vector<Cause> all = causes();

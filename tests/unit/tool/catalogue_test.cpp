@@ -74,10 +74,10 @@ TEST(Catalogue, TheTwistDrillCutsWithItsPointOnly) {
   const double point = 118 * deg;
   const ToolHead drill = twist_drill_head(2 * mm, 5 * mm, point);
   const double rho = 0.9 * mm, z = 3 * mm;
-  const auto at = drill.depth_at({rho, 0, z});
+  const auto at = drill.spring_at({rho, 0, z});
   EXPECT_NEAR(at.depth, z * std::sin(point / 2) - rho * std::cos(point / 2), kRounding * mm);
   EXPECT_LT((at.direction - Vec3(std::cos(point / 2), 0, -std::sin(point / 2))).norm(), 1e-9);
-  EXPECT_LE(drill.depth_at({1.001 * mm, 0, z}).depth, 0);
+  EXPECT_LE(drill.spring_at({1.001 * mm, 0, z}).depth, 0);
 }
 
 class CatalogueShape : public testing::TestWithParam<CatalogueHead> {};

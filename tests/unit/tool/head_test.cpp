@@ -53,7 +53,7 @@ TEST_P(Heads, SpringsFillTheVolumeAndTouchTheBox) {
   for (int n = 0; n < kPoints; ++n) {
     const Vec3 p = e.min - Vec3::Constant(margin) +
                    edges.cwiseProduct(Vec3(random.between(0, 1), random.between(0, 1), random.between(0, 1)));
-    if (!(e.head.depth_at(p).depth > 0)) continue;
+    if (!(e.head.spring_at(p).depth > 0)) continue;
     ++inside;
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
@@ -95,13 +95,13 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ToolHead, DepthAndDirectionFollowTheSpringCentres) {
   const ToolHead ball = SphereHead{2 * mm};
-  EXPECT_NEAR(ball.depth_at(Vec3(0, 1, 0) * mm).depth, 1 * mm, 1e-15);
-  EXPECT_LT((ball.depth_at(Vec3(0, 1, 0) * mm).direction - Vec3(0, 1, 0)).norm(), 1e-12);
+  EXPECT_NEAR(ball.spring_at(Vec3(0, 1, 0) * mm).depth, 1 * mm, 1e-15);
+  EXPECT_LT((ball.spring_at(Vec3(0, 1, 0) * mm).direction - Vec3(0, 1, 0)).norm(), 1e-12);
 
   const double a = 25 * deg;
   const ToolHead cone = ConeHead{a, 3 * mm};
   const Vec3 p = Vec3(0.3, -0.4, 2) * mm;
-  const auto at = cone.depth_at(p);
+  const auto at = cone.spring_at(p);
   EXPECT_NEAR(at.depth, 2 * mm * std::sin(a) - 0.5 * mm * std::cos(a), 1e-15);
   // the local spring centre lies on the axis at z + rho tan(a)
   const Vec3 center(0, 0, 2 * mm + 0.5 * mm * std::tan(a));

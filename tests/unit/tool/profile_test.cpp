@@ -29,8 +29,9 @@ void for_points(const ToolHead& head, int count, Check&& check) {
     check(random.between(0, box.max.x() + slack), random.between(box.min.z() - slack, box.max.z() + slack));
 }
 
-Spring<double> spring_at(const ToolHead& head, double rho, double z) {
-  return head.visit_springs<double>([&](const auto& springs) -> Spring<double> { return springs.spring(rho, z); });
+MeridianSpring<double> spring_at(const ToolHead& head, double rho, double z) {
+  return head.visit_springs<double>(
+      [&](const auto& springs) -> MeridianSpring<double> { return springs.spring(rho, z); });
 }
 
 double margin_at(const ToolHead& head, double rho, double z) {
@@ -57,7 +58,7 @@ TEST_P(ProfileOfAnAnalyticHead, GivesTheSameDepthsAndDirections) {
   const ToolHead profile = ProfileHead(GetParam().profile);
   int inside = 0;
   for_points(profile, 100000, [&](double rho, double z) {
-    const Spring<double> a = spring_at(GetParam().analytic, rho, z), p = spring_at(profile, rho, z);
+    const MeridianSpring<double> a = spring_at(GetParam().analytic, rho, z), p = spring_at(profile, rho, z);
     if (std::abs(margin_at(GetParam().analytic, rho, z)) < kRounding * mm) return;
     ASSERT_EQ(a.depth > 0, p.depth > 0) << rho << " " << z;
     if (a.depth <= 0) return;
@@ -104,7 +105,7 @@ TEST(ProfileHead, WithSmoothSidesIsTheFlatHeadThatCutsWithItsBottomOnly) {
   const ToolHead profile = ProfileHead({0, {{0.8 * mm, 0}, {0.8 * mm, 2 * mm, 0, kSmooth}, {0, 2 * mm, 0, kSmooth}}});
   for_points(profile, 20000, [&](double rho, double z) {
     if (std::abs(margin_at(flat, rho, z)) < kRounding * mm) return;
-    const Spring<double> a = spring_at(flat, rho, z), p = spring_at(profile, rho, z);
+    const MeridianSpring<double> a = spring_at(flat, rho, z), p = spring_at(profile, rho, z);
     ASSERT_NEAR(std::max(0.0, p.depth), std::max(0.0, a.depth), kRounding * mm);
     if (a.depth > 0) {
       ASSERT_NEAR(p.n_axial, -1, kRounding);
@@ -117,7 +118,7 @@ TEST(ProfileHead, WithASmoothBottomIsTheFlatHeadThatCutsWithItsSideOnly) {
   const ToolHead profile = ProfileHead({0, {{0.8 * mm, 0, 0, kSmooth}, {0.8 * mm, 2 * mm}, {0, 2 * mm, 0, kSmooth}}});
   for_points(profile, 20000, [&](double rho, double z) {
     if (std::abs(margin_at(flat, rho, z)) < kRounding * mm) return;
-    const Spring<double> a = spring_at(flat, rho, z), p = spring_at(profile, rho, z);
+    const MeridianSpring<double> a = spring_at(flat, rho, z), p = spring_at(profile, rho, z);
     ASSERT_NEAR(std::max(0.0, p.depth), std::max(0.0, a.depth), kRounding * mm);
     if (a.depth > 0) {
       ASSERT_NEAR(p.n_radial, 1, kRounding);
@@ -169,7 +170,7 @@ TEST_P(AnyProfile, DirectionIsMinusTheGradientOfTheDepth) {
   const double step = 1e-7 * mm;
   int checked = 0, off = 0;
   for_points(head, 20000, [&](double rho, double z) {
-    const Spring<double> s = spring_at(head, rho, z);
+    const MeridianSpring<double> s = spring_at(head, rho, z);
     if (s.depth <= 2 * step) return;
     const double d_rho = (spring_at(head, rho + step, z).depth - spring_at(head, rho - step, z).depth) / (2 * step);
     const double d_z = (spring_at(head, rho, z + step).depth - spring_at(head, rho, z - step).depth) / (2 * step);
@@ -218,7 +219,7 @@ TEST_P(ClosedProfile, DepthIsTheDistanceToTheNearestPointOfTheSurface) {
   for_points(head, 3000, [&](double rho, double z) {
     double nearest = 1;
     for (const Eigen::Vector2d& p : surface) nearest = std::min(nearest, (p - Eigen::Vector2d(rho, z)).norm());
-    const Spring<double> s = spring_at(head, rho, z);
+    const MeridianSpring<double> s = spring_at(head, rho, z);
     const double error = 0.002 * mm;  // of the table
     ASSERT_NEAR(std::abs(margin_at(head, rho, z)), nearest, spacing);
     if (s.depth <= 0) return;
@@ -310,7 +311,7 @@ TEST(ProfileHead, TheRuleForEverywhereIsRightEverywhere) {
     for_points(head, 50000, [&](double rho, double z) {
       if (!(rho < table.radius && z > table.bottom && z < table.top)) return;
       if (std::abs(springs.margin(rho, z)) < kRounding * mm) return;
-      const Spring<double> got = springs.decide(table.everywhere, rho, z), want = head.exact_spring(rho, z);
+      const MeridianSpring<double> got = springs.decide(table.everywhere, rho, z), want = head.exact_spring(rho, z);
       ASSERT_NEAR(std::max(0.0, got.depth), std::max(0.0, want.depth), kRounding * mm) << rho << " " << z;
     });
   }

@@ -18,8 +18,9 @@ double margin_at(const ToolHead& head, double rho, double z) {
   return head.visit_springs<double>([&](const auto& springs) { return double(springs.margin(rho, z)); });
 }
 
-Spring<double> spring_at(const ToolHead& head, double rho, double z) {
-  return head.visit_springs<double>([&](const auto& springs) -> Spring<double> { return springs.spring(rho, z); });
+MeridianSpring<double> spring_at(const ToolHead& head, double rho, double z) {
+  return head.visit_springs<double>(
+      [&](const auto& springs) -> MeridianSpring<double> { return springs.spring(rho, z); });
 }
 
 /// Whether a point of the meridian plane is inside the body, from its definition.
@@ -61,7 +62,7 @@ RC_GTEST_PROP(Shapes, ASpringIsFeltExactlyInside, ()) {
 RC_GTEST_PROP(Shapes, DirectionIsAUnitVector, ()) {
   const ToolHead head = *arbitrary_head();
   const double rho = *number_between(1e-6, head.reach()), z = *number_between(-head.reach(), head.reach());
-  const Spring<double> s = spring_at(head, rho, z);
+  const MeridianSpring<double> s = spring_at(head, rho, z);
   if (!(s.depth > 0)) return;
   RC_ASSERT(std::abs(std::hypot(s.n_radial, s.n_axial) - 1) < 1e-9);
 }
@@ -77,7 +78,7 @@ RC_GTEST_PROP(Shapes, DirectionIsTheSteepestDescentOfDepth, ()) {
     RC_PRE(std::abs(flat->radius - rho - z) > 3 * kStep);  // where `nearest` changes sides
   const double radial = (spring_at(head, rho + kStep, z).depth - spring_at(head, rho - kStep, z).depth) / (2 * kStep);
   const double axial = (spring_at(head, rho, z + kStep).depth - spring_at(head, rho, z - kStep).depth) / (2 * kStep);
-  const Spring<double> s = spring_at(head, rho, z);
+  const MeridianSpring<double> s = spring_at(head, rho, z);
   // Differences of numbers of 1e-3 over 2e-9, and the curvature 1/rho of the ball over the step.
   RC_ASSERT(std::abs(s.n_radial + radial) < 1e-6 + kStep / rho);
   RC_ASSERT(std::abs(s.n_axial + axial) < 1e-6 + kStep / rho);
@@ -87,7 +88,8 @@ RC_GTEST_PROP(Shapes, BothSpringsAreTheSumOfBottomAndSide, ()) {
   const double radius = *number_between(0.1 * mm, 3 * mm), height = *number_between(0.1 * mm, 3 * mm);
   const double rho = *number_between(0, radius * 0.999), z = *number_between(1e-9, height * 0.999);
   const auto at = [&](FlatRule rule) { return spring_at(FlatHead{radius, height, rule}, rho, z); };
-  const Spring<double> both = at(FlatRule::both), bottom = at(FlatRule::bottom_only), side = at(FlatRule::side_only);
+  const MeridianSpring<double> both = at(FlatRule::both), bottom = at(FlatRule::bottom_only),
+                               side = at(FlatRule::side_only);
   RC_ASSERT(std::abs(both.depth * both.n_radial - side.depth) < 1e-12);
   RC_ASSERT(std::abs(both.depth * both.n_axial + bottom.depth) < 1e-12);
 }

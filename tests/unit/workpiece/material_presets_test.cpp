@@ -126,8 +126,9 @@ TEST(MaterialPresets, HaveColorsThatCanBeToldApart) {
   for (const std::string_view a : preset_names())
     for (const std::string_view b : preset_names()) {
       if (a >= b) continue;
-      int difference = 0;
-      for (std::size_t i = 0; i < 3; ++i) difference += std::abs(int(preset_color(a)[i]) - int(preset_color(b)[i]));
+      const Color one = preset_color(a), other = preset_color(b);
+      const int difference =
+          std::abs(one.red - other.red) + std::abs(one.green - other.green) + std::abs(one.blue - other.blue);
       EXPECT_GT(difference, 30) << a << " and " << b;
     }
 }

@@ -31,7 +31,7 @@ Simulation slab(std::size_t undo_blocks) {
   return simulation;
 }
 
-/// Steps of a ball that wanders about in the slab, from a place of one's own.
+/// Steps of a ball that wanders about in the slab, from a place of its own.
 class Wandering {
  public:
   explicit Wandering(unsigned seed) : random_(seed) { begin_anew(); }

@@ -23,11 +23,11 @@ using units::mm;
 TEST(Crop, KeepsEverySampleWhereItWas) {
   auto volume = volume_of<float>({7, 8, 9}, Vec3(0.1, 0.2, 0.3) * mm);
   std::iota(volume.values.begin(), volume.values.end(), 0.0F);
-  const GreyVolume part = crop(volume, {{2, 3, -5}, {4, 99, 6}});
+  const GreyVolume part = crop_to_samples(volume, {{2, 3, -5}, {4, 99, 6}});
   EXPECT_EQ(part.dims, (std::array<int, 3>{3, 5, 7}));
   EXPECT_EQ(part.at(1, 2, 4), volume.at(3, 5, 4));
   EXPECT_LT((part.position(1, 2, 4) - volume.position(3, 5, 4)).norm(), 1e-15);
-  EXPECT_THROW((void)crop(volume, {{7, 0, 0}, {9, 1, 1}}), Error);
+  EXPECT_THROW((void)crop_to_samples(volume, {{7, 0, 0}, {9, 1, 1}}), Error);
 }
 
 TEST(BoxAround, FindsLabelsAndGrowsByTheMargin) {

@@ -123,7 +123,7 @@ class Scheduler:
 
     def _next(self) -> Optional[_Piece]:
         if self.again:
-            # One at a time: whoever brings the pool down then has done it alone.
+            # One at a time: a run that brings the pool down then has done it alone.
             return self.again.popleft() if not self.on_their_way else None
         if not self.missing:
             return None

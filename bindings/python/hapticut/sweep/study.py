@@ -187,7 +187,7 @@ def load_traces(out: str | os.PathLike[str], run: int) -> dict[str, NDArray[Any]
     Raises
     ------
     Error
-        When the folder holds none of this run.
+        When the folder holds no arrays of this run.
     """
     path = Path(out) / "traces" / f"run-{run:09d}.npz"
     if not path.exists():

@@ -214,7 +214,7 @@ template <class DepthAt>
 /// C17: the force while it slides, mu_d N. [N]
 [[nodiscard]] inline double drag_plateau(double mu_d, double normal) { return mu_d * normal; }
 
-/// C18: time in which a limited output grows by a difference, `|dF|/rate`, whatever the step; released, it takes none.
+/// C18: time in which a limited output grows by a difference, `|dF|/rate`, whatever the step; a release takes no time.
 /// @param difference  [N] > 0
 /// @param rate        [N/s]
 /// @return [s]

@@ -24,7 +24,7 @@ struct MouseOptions {
 };
 
 /// A device for people without one: pointer, wheel, buttons and keys of any window toolkit move the set point of a
-/// simulated hand, and the force pushes that hand as it would push a real one. Nobody feels it, but tool and set point
+/// simulated hand, and the force pushes that hand as it would push a real one. It is not felt, but tool and set point
 /// part where the material resists.
 ///
 /// The events may come from any thread. Positions are relative to the point where the run began.

@@ -59,7 +59,7 @@ class FoundationLaw final : public ForceLaw {
                                     ContactBlock& b) noexcept {
     const ContactMaterial first = materials[b.one_material];
     const float dt = m.duration;
-    const float slip_time = dt * m.turns;  // a sample that waited for its turn makes up for it
+    const float slip_time = dt * m.level_of_detail;  // a sample that waited for its turn makes up for it
     const float voxel_volume = m.voxel_size * m.voxel_size * m.voxel_size;
     const float axis_zone = axis_zone_factor(m);
     const float slip_on_axis = axis_slip_squared(m);
@@ -124,7 +124,7 @@ class FoundationLaw final : public ForceLaw {
         const float w_middle = w - m.lead * advance;
         const float w_begin = w_middle - 0.5F * advance, w_end = w_middle + 0.5F * advance;
         const float taken = loss + credit;
-        // Elastic energy of what was taken: what went in, k mean_fill w advance, less what is still stored, exactly.
+        // Elastic energy of what was removed: what went in, k mean_fill w advance, less what is still stored, exactly.
         const float let_go = 0.5F * k * (w_middle * w_middle + 0.25F * advance * advance) * taken -
                              k * w_middle * advance * (phi - 0.5F * taken - mean_fill);
         // Evaluated after the middle, springs push harder than what they store: a damper's work. Those that were not

@@ -72,7 +72,7 @@ class TwistDrillLaw final : public LumpedLaw {
   [[nodiscard]] double torque(double diameter, double a) const {
     return c_.specific_energy * a * diameter * diameter / 8;
   }
-  /// [rad] full angle of the point; 0: the head is no drill.
+  /// [rad] full angle of the point; 0: the head is not a drill.
   [[nodiscard]] static double point_angle(const ToolHead& head) {
     if (const auto* cone = std::get_if<ConeHead>(&head.shape())) return 2 * cone->half_angle;
     if (std::holds_alternative<FlatHead>(head.shape())) return units::kPi;

@@ -15,8 +15,8 @@ namespace hapticut {
 
 /// How a recording is made.
 struct RecorderOptions {
-  std::string device;               ///< name of the device that the steps come from; empty: none, and no columns for it
-  std::string note;                 ///< anything
+  std::string device;  ///< name of the device that the steps come from; empty: no device and no columns for it
+  std::string note;    ///< free text
   DeviceCapabilities capabilities;  ///< of that device, so that it can be played back
 
   /// The device whose loop makes the steps: then its name, its capabilities and its side of every step are taken from
@@ -26,7 +26,7 @@ struct RecorderOptions {
   std::size_t steps = 8192;   ///< that the memory between loop and disk holds, about 1.5 kB each
   double flush_period = 0.2;  ///< [s] in 0.01 ... 0.5; a process that is killed loses this, and what it takes to write
 
-  /// Where the memory is full: true waits for the disk, for simulations that nobody feels; false loses the step and
+  /// Where the memory is full: true waits for the disk, for simulations without a hand; false loses the step and
   /// says so in the recording, for loops.
   bool wait_when_full = false;
 
@@ -35,9 +35,9 @@ struct RecorderOptions {
   std::filesystem::path workpiece_file;
 };
 
-/// Records the steps of a simulation, whoever makes them: it is the simulation's observer. Each step is put into a
-/// bounded memory without lock, and a thread of the recorder's own writes it to an HDF5 file. The file is in order at
-/// any moment: a process that is killed loses the last fraction of a second, not the recording.
+/// Records every step of a simulation, as its observer: your own, those of a loop and of a coupling. Each step is put
+/// into a bounded memory without lock, and a thread of the recorder's own writes it to an HDF5 file. The file is in
+/// order at any moment: a process that is killed loses the last fraction of a second, not the recording.
 ///
 /// When the workpiece is exchanged, or put back by `undo`, the recording is over: the steps go on, unrecorded.
 ///

@@ -49,18 +49,18 @@ struct RecordedStep {
   DeviceTick device;  ///< only where Recording::has_device
 };
 
-/// Who made a recording, and how it ended.
+/// Which build, machine and device made a recording, and how it ended.
 struct RecordingInfo {
   std::uint64_t format = kRecordingFormat;
   std::string version, commit, compiler, cpu;  ///< of the program that recorded: see BuildInfo
   std::string begun;                           ///< when, as 2026-01-31T23:59:59Z
-  std::string device;                          ///< that the steps came from; empty: none
-  std::string note;                            ///< of whoever recorded
+  std::string device;                          ///< that the steps came from; empty: no device
+  std::string note;                            ///< RecorderOptions::note, free text
 
   bool closed = false;     ///< false: the program ended before it could finish; the last moment is missing
   std::uint64_t lost = 0;  ///< steps that found the recorder's memory full; a replay ends before the first
   std::optional<std::uint64_t> workpiece_hash_at_end;  ///< Workpiece::hash, only when closed
-  std::vector<std::string> remarks;  ///< what a reader should know: lost steps, an end without an end, in sentences
+  std::vector<std::string> remarks;  ///< what a reader should know, in sentences: lost steps, a missing end
 };
 
 /// A change of the effects between two steps.
@@ -106,7 +106,7 @@ class Recording {
 };
 
 /// Opens a recording.
-/// @throws Error when the file is missing, damaged, no recording, of a newer format, or lacks something
+/// @throws Error when the file is missing, damaged, not a recording, of a newer format, or lacks something
 [[nodiscard]] Recording read_recording(const std::filesystem::path& path);
 
 /// Writes the steps as text, a line a step, with the names of the columns on top and all digits.

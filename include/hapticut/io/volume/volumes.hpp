@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "hapticut/core/mesh.hpp"
 #include "hapticut/core/volume.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 
@@ -27,7 +28,7 @@ namespace hapticut {
 inline constexpr std::int64_t kMaxVolumeSamples = std::int64_t(1) << 31;
 
 struct VolumeReadOptions {
-  /// [m] replaces the spacing of the file; needed where the file has none (PNG and TIFF slices).
+  /// [m] replaces the spacing of the file; needed where the file names no spacing (PNG and TIFF slices).
   std::optional<Vec3> spacing = std::nullopt;
   /// Series Instance UID, needed where a DICOM folder holds several series.
   std::string dicom_series = {};
@@ -42,15 +43,12 @@ struct VolumeReadOptions {
 /// Reads labels: the same formats; every value must be a whole number, 0 ... 65535.
 [[nodiscard]] LabelVolume read_label_volume(const std::filesystem::path& path, const VolumeReadOptions& options = {});
 
-/// Red, green, blue.
-using Colour = std::array<std::uint8_t, 3>;
-
 /// Reads labels from a folder of colour slices: each listed colour is a label, every other one is 0. Pixels that are
 /// not wholly opaque are 0 too: partly transparent ones are noise of a drawing program.
 /// @param spacing  [m] of the pixels and the slices
-/// @throws Error also when none of the colours occurs
-[[nodiscard]] LabelVolume read_colour_slices(const std::filesystem::path& folder,
-                                             const std::map<Colour, std::uint16_t>& label_of, const Vec3& spacing);
+/// @throws Error also when the slices have no pixel of these colours
+[[nodiscard]] LabelVolume read_color_slices(const std::filesystem::path& folder,
+                                            const std::map<Color, std::uint16_t>& label_of, const Vec3& spacing);
 
 /// How a file without a header stores its values.
 enum class ValueType : std::uint8_t { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
