@@ -20,6 +20,7 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
   const Eigen::Vector3f base = grid.position(block.origin).cast<float>();
   const Eigen::Matrix3f steps = grid.voxel_steps.cast<float>();
 
+  out.sub_voxel = false;
   out.rows = out.samples = 0;
   out.uniform = true;
   out.one_material = block.uniform_material;

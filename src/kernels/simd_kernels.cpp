@@ -32,6 +32,9 @@ HWY_EXPORT(SumResultant);
 
 void sample_contact(const ToolHead& head, const BlockView& block, const GridInHead& grid, Quadrature quadrature,
                     ContactBlock& out) noexcept {
+  if (quadrature == Quadrature::sub_voxel)  // which has no vectors yet
+    return head.visit_springs<float>(
+        [&](const auto& springs) { hapticut::sample_contact(springs, block, grid, quadrature, out); });
   HWY_DYNAMIC_DISPATCH(SampleContact)(head, block, grid, quadrature, out);
 }
 
@@ -41,6 +44,7 @@ void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums
 }
 
 void sum_resultant(const ContactBlock& block, Resultant& total) noexcept {
+  if (block.sub_voxel) return hapticut::sum_resultant(block, total);
   HWY_DYNAMIC_DISPATCH(SumResultant)(block, total);
 }
 

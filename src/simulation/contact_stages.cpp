@@ -20,14 +20,15 @@ constexpr int kListedSubSteps = 64;  // whose changed blocks are listed one by o
 constexpr double kSoftest = 1, kStiffest = 1e25;  // [N/m^4]
 
 /// The box of voxels that the head can reach, cut to `bounds`.
-IndexBox reach_of(const HeadBox& box, const Pose& X_VT, double voxel_size, const IndexBox& bounds) noexcept {
+/// @param beyond  [voxels] how far outside the head the centre of a voxel may be that is in contact
+IndexBox reach_of(const HeadBox& box, const Pose& X_VT, double voxel_size, const IndexBox& bounds,
+                  double beyond) noexcept {
   const Vec3 center = X_VT * Vec3(0.5 * (box.min + box.max)) / voxel_size;
   const Vec3 half = X_VT.rotation.cwiseAbs() * (0.5 * (box.max - box.min)) / voxel_size;
   IndexBox voxels;
   for (int axis = 0; axis < 3; ++axis) {
-    // Half a voxel more: the quadrature point of a surface voxel lies off its centre.
-    const double low = std::ceil(center[axis] - half[axis] - 0.5);
-    const double high = std::floor(center[axis] + half[axis] + 0.5);
+    const double low = std::ceil(center[axis] - half[axis] - beyond);
+    const double high = std::floor(center[axis] + half[axis] + beyond);
     voxels.min[axis] = int(std::clamp(low, double(bounds.min[axis]), bounds.max[axis] + 1.0));
     voxels.max[axis] = int(std::clamp(high, bounds.min[axis] - 1.0, double(bounds.max[axis])));
   }
@@ -68,6 +69,15 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
       bounds_(workpiece.bounds()) {
   ContactMaterials materials = constants_of(workpiece.materials(), config.reference_stiffness);
   exchange_materials(materials);
+  if (quadrature_ == Quadrature::sub_voxel) {
+    if (law_ != nullptr)
+      throw Error("SimulationConfig::quadrature = sub_voxel was given with a law of your own, which is asked for the "
+                  "force at points. Choose centroid, or the default law.");
+    if (voxel_budget_ != 0)
+      throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
+                  " was given with quadrature = sub_voxel, which has no level of detail. Leave it at 0.");
+    law_ = std::make_shared<FoundationLaw>();
+  }
   if (law_ != nullptr && voxel_budget_ != 0)
     throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
                 " was given with a law of your own; only the default law has a level of detail. Leave it at 0.");
@@ -133,7 +143,9 @@ void ContactStages::set_cutting_share(double share) noexcept {
 std::span<const CuttableBlock> ContactStages::find_blocks(const HeadPlacement& at) noexcept {
   blocks_.clear();
   const double size = workpiece_.voxel_size();
-  const IndexBox voxels = reach_of(head_.bounding_box(), at.X_VT, size, bounds_);
+  // The centroid of a surface voxel lies half a voxel off its centre, along an axis of the grid.
+  const double beyond = quadrature_ == Quadrature::sub_voxel ? double(kVoxelReach) : 0.5;
+  const IndexBox voxels = reach_of(head_.bounding_box(), at.X_VT, size, bounds_, beyond);
   if (voxels.empty()) return blocks_;
   const GridInHead grid(at.X_VT.inverse(), size);
   head_.visit_springs<float>([&](const auto& springs) {

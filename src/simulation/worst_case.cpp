@@ -30,6 +30,7 @@ std::size_t most_voxels(const ToolHead& head, double voxel_size) {
 
 std::size_t most_blocks(const ToolHead& head, double voxel_size) {
   const HeadBox box = head.bounding_box();
+  // Voxels are in contact from a voxel beyond the head on, whatever the quadrature.
   const double diagonal = (box.max - box.min).norm() / voxel_size + 2;
   const double edge = std::ceil(diagonal / kBlockEdge) + 1;
   return std::size_t(edge * edge * edge);

@@ -1122,6 +1122,7 @@ class WorkpieceSnapshot:
 class Quadrature:
     __members__: typing.ClassVar[dict[str, Quadrature]]
     centroid: typing.ClassVar[Quadrature]
+    sub_voxel: typing.ClassVar[Quadrature]
     voxel_center: typing.ClassVar[Quadrature]
 
     @typing.overload

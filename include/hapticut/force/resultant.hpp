@@ -36,7 +36,7 @@ inline void sum_resultant(const ContactBlock& b, Resultant& total) {
       sums[kTorqueY][lane] += z * fx - x * fz;
       sums[kTorqueZ][lane] += x * fy - y * fx;
       sums[kFill][lane] += b.fill[n];
-      deepest[lane] = std::max(deepest[lane], b.depth[n]);
+      deepest[lane] = std::max(deepest[lane], b.sub_voxel ? b.top[n] : b.depth[n]);
     }
   const auto sum = [&](Term term) {
     double s = 0;

@@ -127,11 +127,13 @@ struct ProfileSprings {
   }
 
   [[nodiscard]] MeridianSpring<Real> spring(Real at_rho, Real at_z) const {
-    if (!(at_rho < radius && at_z > bottom && at_z < top)) return {Real(-1), Real(1), Real(0)};
-    const int column = std::min(int(at_rho * cells_per_length), columns - 1);
-    const int row = std::clamp(int((at_z - bottom) * cells_per_length), 0, rows - 1);
+    if (!(at_z < top)) return {Real(-1), Real(1), Real(0)};
+    const int column = std::min(int(std::min(at_rho, radius) * cells_per_length), columns - 1);
+    const int row = std::clamp(int((std::max(at_z, bottom) - bottom) * cells_per_length), 0, rows - 1);
     const std::uint32_t cell = cells[std::size_t(row) * std::size_t(columns) + std::size_t(column)];
-    return decide(cell, at_rho, at_z);
+    MeridianSpring<Real> found = decide(cell, at_rho, at_z);
+    if (!(at_rho < radius && at_z > bottom)) found.depth = std::min(found.depth, Real(0));
+    return found;
   }
 
   /// The spring at a point by the rule of a cell.

@@ -25,7 +25,7 @@ namespace hapticut {
 /// The spring at one point, in the meridian plane; `Spring` is the same in space.
 template <class Real>
 struct MeridianSpring {
-  Real depth;     ///< [m] depth w below the cutting surface; <= 0: outside, no spring
+  Real depth;     ///< [m] depth w below the cutting surface; <= 0: outside, no spring; the distance from it, if near
   Real n_radial;  ///< [1] component of n away from the axis
   Real n_axial;   ///< [1] component of n along +z; n is a unit vector from the tool into the material
 };
@@ -125,20 +125,20 @@ struct FlatSprings {
 
   [[nodiscard]] MeridianSpring<Real> spring(Real rho, Real z) const {
     const Real side = radius - rho;
-    const bool inside = margin(rho, z) > Real(0);
+    const bool below_top = z < height;
     if constexpr (kRule == FlatRule::bottom_only) {
-      return {inside ? z : Real(-1), Real(0), Real(-1)};
+      return {below_top && side > Real(0) ? z : Real(-1), Real(0), Real(-1)};
     } else if constexpr (kRule == FlatRule::side_only) {
-      return {inside ? side : Real(-1), Real(1), Real(0)};
+      return {below_top && z > Real(0) ? side : Real(-1), Real(1), Real(0)};
     } else if constexpr (kRule == FlatRule::both) {
       // Two springs in parallel, side * radial - z * axial, are one of depth |sum| along the sum, with the same stored
       // energy: side^2/2 + z^2/2.
       const Real depth = std::sqrt(side * side + z * z);
       const Real inverse = Real(1) / std::max(depth, Real(1e-12));
-      return {inside ? depth : Real(-1), side * inverse, -z * inverse};
+      return {margin(rho, z) > Real(0) ? depth : Real(-1), side * inverse, -z * inverse};
     } else {
       const bool on_side = side < z;
-      return {inside ? (on_side ? side : z) : Real(-1), on_side ? Real(1) : Real(0), on_side ? Real(0) : Real(-1)};
+      return {below_top ? std::min(side, z) : Real(-1), on_side ? Real(1) : Real(0), on_side ? Real(0) : Real(-1)};
     }
   }
   [[nodiscard]] Real margin(Real rho, Real z) const { return std::min(std::min(z, height - z), radius - rho); }

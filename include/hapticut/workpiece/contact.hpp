@@ -9,6 +9,7 @@
 #include "hapticut/core/description.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/block.hpp"
+#include "hapticut/workpiece/cut_voxel.hpp"
 
 /// @file
 /// Stage `sample_contact`: the material of one block that lies inside the head, as a structure of arrays that stays in
@@ -30,6 +31,7 @@ struct ContactBlock {
   int samples = 0;      ///< lanes inside the head
   bool uniform = true;  ///< all samples are of `one_material`
   MaterialId one_material = kEmpty;
+  bool sub_voxel = false;  ///< sampled by Quadrature::sub_voxel: `depth` is that of the centre, and may be negative
 
   std::array<std::uint8_t, kBlockRows> row;     ///< place of each row in the block: its first voxel's block_offset / 8
   std::array<std::uint8_t, kBlockRows> inside;  ///< bit set: the lane is a sample
@@ -38,6 +40,8 @@ struct ContactBlock {
   Array<float> depth;                         ///< [m] w > 0, below the cutting surface
   Array<float> normal_x, normal_y, normal_z;  ///< [1] n, from the tool into the material
   Array<float> fill;                          ///< [1] phi before this sub-step
+  Array<float> top;                           ///< [m] greatest depth of the filled part; valid only when `sub_voxel`
+  Array<float> largest;                       ///< [1] largest |n_i| along the grid's axes, likewise
   Array<MaterialId> material;                 ///< valid only when not `uniform`
 
   Array<float> force_x, force_y, force_z;  ///< [N] on the tool, written by the force law
@@ -62,8 +66,9 @@ struct GridInHead {
 
 /// Where in a partly filled voxel its force is taken.
 enum class Quadrature {
-  centroid,     ///< at the centroid of the part that was filled when the workpiece was built (default)
-  voxel_center  ///< at the voxel's centre: as exact in the mean, but the force ripples on surfaces along the grid
+  centroid,      ///< at the centroid of the part that was filled when the workpiece was built (default)
+  voxel_center,  ///< at the voxel's centre: as exact in the mean, but the force ripples on surfaces along the grid
+  sub_voxel      ///< integrated over the part that is filled, which the interface cuts off across n (VoxelSection)
 };
 
 constexpr auto names_of(Of<Quadrature>) {
@@ -71,6 +76,7 @@ constexpr auto names_of(Of<Quadrature>) {
   return std::array{
       Named{centroid, "centroid"},
       Named{voxel_center, "voxel_center"},
+      Named{sub_voxel, "sub_voxel"},
   };
 }
 
@@ -110,7 +116,10 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
   const Eigen::Matrix3f steps = grid.voxel_steps.cast<float>();
   const bool at_centroid = block.centroid != nullptr && quadrature == Quadrature::centroid;
   constexpr float kStep = 1.0F / CentroidOffset::kSteps;
+  const bool sub_voxel = quadrature == Quadrature::sub_voxel;
+  const float size = steps.col(0).norm();
 
+  out.sub_voxel = sub_voxel;
   out.rows = out.samples = 0;
   out.uniform = true;
   out.one_material = block.uniform_material;
@@ -133,7 +142,16 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
       const float rho = std::sqrt(x * x + y * y);
       const MeridianSpring<float> spring = springs.spring(rho, z);
       const float radial = spring.n_radial / std::max(rho, 1e-12F);
-      const bool is_inside = spring.depth > 0 && (solid >> lane & 1U) != 0;
+      const float fill = block.fill == nullptr ? 1.0F : block.fill[voxel];
+      bool is_inside = spring.depth > 0 && (solid >> lane & 1U) != 0;
+      if (sub_voxel) {
+        const Eigen::Vector3f n_V = steps.transpose() * Eigen::Vector3f(radial * x, radial * y, spring.n_axial) / size;
+        out.largest[n] = std::clamp(n_V.cwiseAbs().maxCoeff(), kLeastLargest, 1.0F);
+        const VoxelSection<float> section(out.largest[n]);
+        const float top = spring.depth + size * (section.height_of(fill) - section.span() / 2);
+        is_inside = top > 0 && fill > 0 && (solid >> lane & 1U) != 0;
+        out.top[n] = is_inside ? top : 0.0F;
+      }
       inside |= is_inside ? 1U << lane : 0U;
       out.x[n] = x;
       out.y[n] = y;
@@ -142,7 +160,6 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
       out.normal_x[n] = radial * x;
       out.normal_y[n] = radial * y;
       out.normal_z[n] = spring.n_axial;
-      const float fill = block.fill == nullptr ? 1.0F : block.fill[voxel];
       out.fill[n] = is_inside ? fill : 0.0F;
     }
     if (inside == 0) continue;

@@ -7,6 +7,7 @@
 
 #include "hapticut/core/decay.hpp"
 #include "hapticut/force/law.hpp"
+#include "hapticut/workpiece/cut_voxel.hpp"
 
 namespace hapticut {
 
@@ -32,6 +33,7 @@ class FoundationLaw final : public ForceLaw {
                      ContactBlock& block) const noexcept override {
     const bool spinning = motion.spin != 0;
     const bool cutting = spinning && motion.removal != RemovalLaw::none;
+    if (block.sub_voxel) return evaluate_parts(motion, materials, spinning, cutting, block);
     if (block.uniform) return evaluate_samples<true>(motion, materials, spinning, cutting, block);
     return evaluate_samples<false>(motion, materials, spinning, cutting, block);
   }
@@ -41,6 +43,7 @@ class FoundationLaw final : public ForceLaw {
   static constexpr float kSlipRegularization = 1e-3F;  ///< [m/s] v_eps
   static constexpr float kLargestExponent = 1e30F;     ///< keeps the arithmetic finite; e^-80 is already nothing left
   static constexpr float kLeastEnergyShare = 1e-6F;    ///< [1] of u that law G always has to pay
+  static constexpr float kSmallestPart = 1e-6F;        ///< [1] fill below which a cut voxel is empty
   static constexpr float kAxisZone = 0.25F;            ///< [voxel edges] about the spindle's axis
   static constexpr float kAxisSlip = 0.2837F;          ///< 1/mean(1/rho) over a unit square = 1/(4 asinh 1)
 
@@ -54,6 +57,54 @@ class FoundationLaw final : public ForceLaw {
   }
 
  private:
+  // Partial sums per lane, in units of [N m] = l^3 times an energy density; fixed order, so the same bits every time.
+  enum Term { kElasticBefore, kElastic, kCutting, kReleased, kDamping, kRubbing, kCredited, kCouple, kTerms };
+  struct Sums {
+    float of[kTerms][kLanes];
+
+    /// @param spin  [rad/s] 0: the spindle stands
+    [[nodiscard]] LawTotals totals(float voxel_volume, float spin, bool may_remove) const {
+      const auto total = [&](Term term) {
+        double sum = 0;
+        for (const float lane : of[term]) sum += double(lane);
+        return sum * double(voxel_volume);
+      };
+      const double couple = spin != 0 ? -total(kCouple) / double(spin) : 0.0;
+      return {{total(kElasticBefore), total(kElastic), total(kCutting), total(kReleased), total(kDamping),
+               total(kRubbing), total(kCredited)},
+              couple,
+              may_remove};
+    }
+  };
+
+  /// How the head's surface moves at a sample.
+  struct SurfaceMotion {
+    float w_dot;       ///< [m/s] of the handpiece along n
+    float tx, ty, tz;  ///< [m/s] the slip: the rest of it plus the spin, which is tangential to any head of revolution
+    float extra;       ///< [m^2/s^2] square of the mean slip that a voxel near the axis has beyond that of its centre
+    float inverse_slip, slip;
+    float felt_w_dot;  ///< [m/s] as the damping feels it
+  };
+  static SurfaceMotion surface_motion(const HeadMotion& m, const ContactBlock& b, int n, float axis_zone,
+                                      float slip_on_axis) {
+    const Eigen::Vector3f &v = m.velocity, &o = m.angular_velocity, &h = m.felt_velocity, &a = m.felt_angular_velocity;
+    const float x = b.x[n], y = b.y[n], z = b.z[n];
+    const float nx = b.normal_x[n], ny = b.normal_y[n], nz = b.normal_z[n];
+    SurfaceMotion s;
+    const float px = v.x() + o.y() * z - o.z() * y, py = v.y() + o.z() * x - o.x() * z,
+                pz = v.z() + o.x() * y - o.y() * x;
+    s.w_dot = px * nx + py * ny + pz * nz;
+    s.tx = px - s.w_dot * nx - m.spin * y, s.ty = py - s.w_dot * ny + m.spin * x, s.tz = pz - s.w_dot * nz;
+    const float near_axis = std::max(0.0F, 1.0F - (x * x + y * y) * axis_zone);
+    s.extra = slip_on_axis * near_axis * near_axis;
+    const float slip_squared = s.tx * s.tx + s.ty * s.ty + s.tz * s.tz + s.extra;
+    s.inverse_slip = 1.0F / std::sqrt(slip_squared + kSlipRegularization * kSlipRegularization);
+    s.slip = slip_squared * s.inverse_slip;
+    s.felt_w_dot = (h.x() + a.y() * z - a.z() * y) * nx + (h.y() + a.z() * x - a.x() * z) * ny +
+                   (h.z() + a.x() * y - a.y() * x) * nz;
+    return s;
+  }
+
   template <bool kUniform>
   static LawTotals evaluate_samples(const HeadMotion& m, const ContactMaterials& materials, bool spinning, bool cutting,
                                     ContactBlock& b) noexcept {
@@ -66,37 +117,17 @@ class FoundationLaw final : public ForceLaw {
     const float friction_on = spinning ? 1.0F : 0.0F;
     const float cutting_on = cutting ? 1.0F : 0.0F;
     const float release_helps = m.removal == RemovalLaw::elastic_release ? 1.0F : 0.0F;
-    const float vx = m.velocity.x(), vy = m.velocity.y(), vz = m.velocity.z();
-    const float ox = m.angular_velocity.x(), oy = m.angular_velocity.y(), oz = m.angular_velocity.z();
-    const float hx = m.felt_velocity.x(), hy = m.felt_velocity.y(), hz = m.felt_velocity.z();
-    const float ax = m.felt_angular_velocity.x(), ay = m.felt_angular_velocity.y(), az = m.felt_angular_velocity.z();
 
-    // Partial sums per lane, in units of [N m] = l^3 times an energy density; fixed order, so the same bits every time.
-    enum Term { kElasticBefore, kElastic, kCutting, kReleased, kDamping, kRubbing, kCredited, kCouple, kTerms };
-    float sums[kTerms][kLanes] = {};
-
+    Sums sums = {};
     for (int group = 0; group < b.lanes(); group += kLanes)
       for (int lane = 0; lane < kLanes; ++lane) {
         const int n = group + lane;
         const ContactMaterial& material = kUniform ? first : materials[b.material[n]];
         const float k = material.stiffness, w = b.depth[n], phi = b.fill[n];
-        const float x = b.x[n], y = b.y[n], z = b.z[n];
         const float nx = b.normal_x[n], ny = b.normal_y[n], nz = b.normal_z[n];
 
-        // Velocity of the handpiece at the sample, its part w_dot along n, and the slip: the rest of it plus the spin,
-        // which is tangential to any head of revolution.
-        const float px = vx + oy * z - oz * y, py = vy + oz * x - ox * z, pz = vz + ox * y - oy * x;
-        const float w_dot = px * nx + py * ny + pz * nz;
-        const float tx = px - w_dot * nx - m.spin * y, ty = py - w_dot * ny + m.spin * x, tz = pz - w_dot * nz;
-        const float near_axis = std::max(0.0F, 1.0F - (x * x + y * y) * axis_zone);
-        const float extra = slip_on_axis * near_axis * near_axis;
-        const float slip_squared = tx * tx + ty * ty + tz * tz + extra;
-        const float inverse_slip = 1.0F / std::sqrt(slip_squared + kSlipRegularization * kSlipRegularization);
-        const float slip = slip_squared * inverse_slip;
-
-        const float felt_w_dot =
-            (hx + ay * z - az * y) * nx + (hy + az * x - ax * z) * ny + (hz + ax * y - ay * x) * nz;
-        const float damped = std::max(0.0F, 1.0F + material.damping * felt_w_dot);
+        const SurfaceMotion s = surface_motion(m, b, n, axis_zone, slip_on_axis);
+        const float damped = std::max(0.0F, 1.0F + material.damping * s.felt_w_dot);
 
         // Removal: x, the mean fill and the loss of the sub-step.
         const float kappa = friction_on * material.cutting_ratio;
@@ -104,7 +135,7 @@ class FoundationLaw final : public ForceLaw {
         const float u = material.cutting_energy;
         const float price = std::max(u - release_helps * stored, kLeastEnergyShare * u);
         const float is_cut = w > material.cutting_depth ? cutting_on : 0.0F;
-        const float rate = is_cut * kappa * k * w * damped * slip;  // [W/m^3] tangential power per filled volume
+        const float rate = is_cut * kappa * k * w * damped * s.slip;  // [W/m^3] tangential power per filled volume
         const float exponent = std::min(rate * slip_time / price, kLargestExponent);
         const float mean_fill = phi * mean_of_decay(exponent);
         const float loss = mean_fill * exponent;
@@ -115,12 +146,12 @@ class FoundationLaw final : public ForceLaw {
 
         const float spring = k * mean_fill * w;  // [N/m^3]
         const float normal = spring * damped;
-        const float tangential = kappa * normal * inverse_slip;
-        b.force_x[n] = -voxel_volume * (normal * nx + tangential * tx);
-        b.force_y[n] = -voxel_volume * (normal * ny + tangential * ty);
-        b.force_z[n] = -voxel_volume * (normal * nz + tangential * tz);
+        const float tangential = kappa * normal * s.inverse_slip;
+        b.force_x[n] = -voxel_volume * (normal * nx + tangential * s.tx);
+        b.force_y[n] = -voxel_volume * (normal * ny + tangential * s.ty);
+        b.force_z[n] = -voxel_volume * (normal * nz + tangential * s.tz);
 
-        const float advance = w_dot * dt;
+        const float advance = s.w_dot * dt;
         const float w_middle = w - m.lead * advance;
         const float w_begin = w_middle - 0.5F * advance, w_end = w_middle + 0.5F * advance;
         const float taken = loss + credit;
@@ -132,26 +163,87 @@ class FoundationLaw final : public ForceLaw {
         const float not_yet = m.lead > 0 ? std::max(0.0F, -w_begin) : 0.0F;
         const float before_touch = 0.5F * k * phi * not_yet * not_yet;
         const float lead_work = k * mean_fill * m.lead * advance * advance - before_touch;
-        sums[kElasticBefore][lane] += 0.5F * k * phi * w_begin * w_begin - before_touch;
-        sums[kElastic][lane] += 0.5F * k * b.fill_after[n] * w_end * w_end;
-        sums[kCutting][lane] += u * taken;
-        sums[kReleased][lane] += let_go - (u - price) * taken;
-        sums[kDamping][lane] += (normal - spring) * w_dot * dt + lead_work;
-        sums[kRubbing][lane] += kappa * normal * slip * slip_time * (1.0F - is_cut);
-        sums[kCredited][lane] += price * credit;
-        sums[kCouple][lane] += tangential * extra;
+        sums.of[kElasticBefore][lane] += 0.5F * k * phi * w_begin * w_begin - before_touch;
+        sums.of[kElastic][lane] += 0.5F * k * b.fill_after[n] * w_end * w_end;
+        sums.of[kCutting][lane] += u * taken;
+        sums.of[kReleased][lane] += let_go - (u - price) * taken;
+        sums.of[kDamping][lane] += (normal - spring) * s.w_dot * dt + lead_work;
+        sums.of[kRubbing][lane] += kappa * normal * s.slip * slip_time * (1.0F - is_cut);
+        sums.of[kCredited][lane] += price * credit;
+        sums.of[kCouple][lane] += tangential * s.extra;
       }
 
-    const auto total = [&](Term term) {
-      double sum = 0;
-      for (const float lane_sum : sums[term]) sum += double(lane_sum);
-      return sum * double(voxel_volume);
-    };
-    const double couple = spinning ? -total(kCouple) / double(m.spin) : 0.0;
-    return {{total(kElasticBefore), total(kElastic), total(kCutting), total(kReleased), total(kDamping),
-             total(kRubbing), total(kCredited)},
-            couple,
-            cutting};
+    return sums.totals(voxel_volume, spinning ? m.spin : 0.0F, cutting);
+  }
+
+  /// The same where each voxel is integrated over its filled part (Quadrature::sub_voxel, VoxelSection): with the depth
+  /// t of its top, and means <w> and <w>_c over that part of the depth and of the depth beyond w0,
+  ///
+  ///     f = k_v phi l^3 (<w> - <w>_c + <w>_c g)      phi <- phi e^-x      x = 2 k_d <w>_c g dt
+  ///
+  /// where g is how far the layer recedes within the sub-step, over what it would at the speed of its middle
+  /// (LayerRecession). Cutting takes what is deepest, so that what only rubs stays.
+  static LawTotals evaluate_parts(const HeadMotion& m, const ContactMaterials& materials, bool spinning, bool cutting,
+                                  ContactBlock& b) noexcept {
+    const float l = m.voxel_size, dt = m.duration, slip_time = dt * m.level_of_detail, voxel_volume = l * l * l;
+    const float axis_zone = axis_zone_factor(m), slip_on_axis = axis_slip_squared(m);
+    Sums sums = {};
+    for (int n = 0; n < b.lanes(); ++n) {
+      b.force_x[n] = b.force_y[n] = b.force_z[n] = 0;
+      const float phi = b.fill_after[n] = b.fill[n];
+      if (!(phi > 0)) continue;
+      const int lane = n % kLanes;
+      const ContactMaterial& material = materials[b.material_of(n)];
+      const SurfaceMotion s = surface_motion(m, b, n, axis_zone, slip_on_axis);
+      const float damped = std::max(0.0F, 1.0F + material.damping * s.felt_w_dot);
+      const float k = material.stiffness, w0 = material.cutting_depth, top = b.top[n], advance = s.w_dot * dt;
+      const VoxelSection<float> section(b.largest[n]);
+      const float far_plane = (b.depth[n] / l) - section.span() / 2;  // depth of the far corner
+      const float height = top / l - far_plane;
+      const DepthIntegrals<float> part = section.integrals(height, top / l, w0 / l);
+
+      const float kappa = spinning ? material.cutting_ratio : 0.0F, u = material.cutting_energy;
+      float rubbing = k * l * part.depth, cut = 0, loss = 0, left = phi, credit = 0, price = u;  // springs: [N/m^3]
+      if (cutting && top > w0) {
+        if (m.removal == RemovalLaw::elastic_release) price = std::max(u - 0.5F * k * top * top, kLeastEnergyShare * u);
+        const float rate = kappa * k * damped * s.slip / (2 * price);
+        const float share = LayerRecession<float>::of(top, w0, rate, std::max(0.0F, s.w_dot), slip_time).share;
+        const float exponent = std::min(2 * rate * l * part.cutting / phi * share * slip_time, kLargestExponent);
+        const float mean = mean_of_decay(exponent);
+        cut = k * l * part.cutting * share * mean;
+        rubbing = k * l * std::max(0.0F, part.depth - part.cutting);
+        loss = phi * exponent * mean;
+        left = phi - loss;
+        if (left < kSmallestPart && exponent > 0) {
+          credit = std::max(0.0F, left);
+          left = 0;
+        }
+        b.fill_after[n] = left;
+      }
+      const float spring = rubbing + cut, normal = spring * damped, tangential = kappa * normal * s.inverse_slip;
+      b.force_x[n] = -voxel_volume * (normal * b.normal_x[n] + tangential * s.tx);
+      b.force_y[n] = -voxel_volume * (normal * b.normal_y[n] + tangential * s.ty);
+      b.force_z[n] = -voxel_volume * (normal * b.normal_z[n] + tangential * s.tz);
+
+      // [J/m^3] stored in a part of this height when the far corner has moved on
+      const auto stored = [&](float part_height, float moved) {
+        const float depth = part_height + far_plane + moved / l;
+        return depth > 0 ? k * l * l * section.integrals(part_height, depth, 0).energy : 0.0F;
+      };
+      const float before = stored(height, -(0.5F + m.lead) * advance);
+      const float after = left > 0 ? stored(section.height_of(left), (0.5F - m.lead) * advance) : 0.0F;
+      const float lead_work = k * part.volume * m.lead * advance * advance;
+      const float taken = phi - left;
+      sums.of[kElasticBefore][lane] += before;
+      sums.of[kElastic][lane] += after;
+      sums.of[kCutting][lane] += u * taken;
+      sums.of[kReleased][lane] += before + spring * advance - lead_work - after - (u - price) * taken;
+      sums.of[kDamping][lane] += (normal - spring) * advance + lead_work;
+      sums.of[kRubbing][lane] += kappa * rubbing * damped * s.slip * slip_time;
+      sums.of[kCredited][lane] += price * credit;
+      sums.of[kCouple][lane] += tangential * s.extra;
+    }
+    return sums.totals(voxel_volume, spinning ? m.spin : 0.0F, cutting);
   }
 };
 

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+/// @file
+/// A voxel that the interface between head and material crosses, integrated instead of sampled.
+///
+/// What is left of a voxel lies on the far side from the head: it is the part of the cube beyond a plane across the
+/// head's normal n. No neighbour is asked. Along n the cube is seen as the fold of two boxes (a trapezoid):
+///
+///     widths   p = max |n_i|,  q = sqrt(1 - p^2)      [voxel edges], n in the grid's axes
+///
+///     section  A(v)        ____________
+///                         /            \           v: distance from the corner farthest from the head, towards it
+///                        /              \          h = p + q: the corner nearest to the head
+///                       /                \         V(v) = integral of A: filled fraction
+///                      0   q          p   h
+///
+/// The true cube is the fold of three boxes |n_i|. What makes the sections of all voxels that a plane crosses add up to
+/// the plane itself, wherever it lies, is that one box is as wide as a step of the grid along n: the largest, p. The
+/// other two matter through their variance only, which q has. So the force of a thin layer, pressure times section,
+/// does not ripple as lattice points come and go, in any direction of the grid (docs/decisions/0009-cut-voxels.md).
+namespace hapticut {
+
+/// [voxel edges] A voxel whose centre is this far outside the head cannot reach into it: half of its largest p + q.
+inline constexpr float kVoxelReach = 0.70710678F;
+
+/// [1] 1/sqrt(3): no unit vector's largest component is less.
+inline constexpr float kLeastLargest = 0.57735027F;
+
+/// What a law integrates over the filled part of one voxel, per edge length l = 1 and of the whole voxel's volume.
+template <class Real>
+struct DepthIntegrals {
+  Real depth;    ///< integral of max(w, 0)
+  Real cutting;  ///< integral of w where w > w0
+  Real volume;   ///< of what is deeper than 0
+  Real energy;   ///< integral of max(w, 0)^2 / 2
+};
+
+/// A voxel seen along n.
+template <class Real>
+class VoxelSection {
+ public:
+  /// @param largest  [1] the largest |n_i| along the grid's axes, 1/sqrt(3) ... 1
+  explicit VoxelSection(Real largest)
+      : p_(largest), q_(std::max(std::sqrt(std::max(Real(0), 1 - largest * largest)), kLeastWidth)) {}
+
+  /// [1] h: from the far corner to the near one
+  [[nodiscard]] Real span() const { return p_ + q_; }
+
+  /// [1] distance of the plane from the far corner, where a part `fill` of the voxel lies beyond it
+  [[nodiscard]] Real height_of(Real fill) const {
+    const Real wide = std::max(p_, q_), narrow = std::min(p_, q_);
+    const Real less = std::min(fill, 1 - fill);
+    const Real height =
+        2 * wide * less <= narrow ? std::sqrt(std::max(Real(0), 2 * wide * narrow * less)) : wide * less + narrow / 2;
+    return fill <= Real(0.5) ? height : span() - height;
+  }
+
+  /// @param height  [1] of the filled part, from `height_of`
+  /// @param depth   [1] > 0 of the top of the filled part
+  /// @param least   [1] w0 >= 0: from which depth on material is cut
+  [[nodiscard]] DepthIntegrals<Real> integrals(Real height, Real depth, Real least) const {
+    const Real deep = std::max(Real(0), depth - least);
+    Real all = 0, beyond = 0, volume = 0, deep_volume = 0, energy = 0;
+    // A(v) (p q) = v - max(v - p, 0) - max(v - q, 0) below the near corner. Written so that nothing cancels where the
+    // layer in contact is thin.
+    for (const auto& [corner, sign] : {Ramp{0, 1}, Ramp{p_, -1}, Ramp{q_, -1}}) {
+      const Real x = std::max(Real(0), height - corner);
+      all += sign * integral_of_ramp(x, depth);
+      beyond += sign * integral_of_ramp(x, deep);
+      volume += sign * volume_of_ramp(x, depth);
+      deep_volume += sign * volume_of_ramp(x, deep);
+      energy += sign * square_of_ramp(x, depth);
+    }
+    const Real inverse = 1 / (p_ * q_);
+    return {all * inverse, (beyond + least * deep_volume) * inverse, volume * inverse, energy * inverse};
+  }
+
+ private:
+  struct Ramp {
+    Real corner, sign;
+  };
+  /// Narrower than this, differences of the sums cancel in single precision. A wider one changes no sum over voxels.
+  static constexpr Real kLeastWidth = Real(0.05);
+
+  /// integral over the ramp u = 0 ... x, of its last part of length d
+  static Real volume_of_ramp(Real x, Real d) {
+    const Real m = std::min(x, d);
+    return m * (2 * x - m) / 2;
+  }
+  /// of the depth u - (x - d) there
+  static Real integral_of_ramp(Real x, Real d) {
+    const Real m = std::min(x, d), most = std::max(x, d);
+    return m * m * (3 * most - m) / 6;
+  }
+  /// and of half its square
+  static Real square_of_ramp(Real x, Real d) {
+    return d < x ? d * d * d * (4 * x - d) / 24 : x * x * (x * x - 4 * x * d + 6 * d * d) / 24;
+  }
+
+  Real p_, q_;
+};
+
+/// How much thinner the layer in contact becomes in a sub-step, by the equation of its top: it comes nearer with the
+/// head's speed v and recedes as it is cut,
+///
+///     t' = v - k_d (t^2 - w0^2),   k_d = kappa k_v s / (2 u)
+///
+/// which tends to t = sqrt(w0^2 + v/k_d) however stiff the foundation and long the step are.
+template <class Real>
+struct LayerRecession {
+  Real share;  ///< [1] recession over that of the depth in the middle, k_d (t^2 - w0^2) dt, for the whole sub-step
+
+  /// @param top      [m] t in the middle of the sub-step, > w0
+  /// @param least    [m] w0
+  /// @param rate     [1/(m s)] k_d
+  /// @param speed    [m/s] v >= 0
+  /// @param duration [s]
+  static LayerRecession of(Real top, Real least, Real rate, Real speed, Real duration) {
+    const Real begin = top - speed * duration / 2;
+    // [s] while it is deeper than w0
+    const Real time = begin < least ? std::max(Real(0), duration - (least - begin) / speed) : duration;
+    const Real t = std::max(begin, least);
+    const Real balance = time * time * rate * (rate * least * least + speed);  // y^2, y = k_d T_e time
+    const Real c = tanh_over(balance);                                         // tanh(y) / y
+    // (1 - c) / y^2, by its series where the difference cancels
+    const Real lack = balance < Real(0.01) ? Real(1.0 / 3) - balance * Real(2.0 / 15) : (1 - c) / balance;
+    const Real gone = time * c * (t * t - least * least) +
+                      speed * time * time * (time * (rate * least * least + speed) * lack + t * c);
+    return {gone / ((1 + t * rate * time * c) * duration * (top * top - least * least))};
+  }
+
+  /// tanh(sqrt(y2)) / sqrt(y2)
+  static Real tanh_over(Real y2) {
+    if (y2 < Real(0.01)) return 1 - y2 * (Real(1.0 / 3) - y2 * Real(2.0 / 15));
+    const Real y = std::sqrt(y2);
+    return std::tanh(y) / y;
+  }
+};
+
+}  // namespace hapticut
