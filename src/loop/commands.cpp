@@ -3,8 +3,10 @@
 #include "hapticut/loop/commands.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/loop/simulation_model.hpp"
@@ -62,7 +64,14 @@ void SimulationModel::check(const LoopCommand& command) const {
 // --- the loop's side ------------------------------------------------------------------------------------------------
 
 bool SimulationModel::obey(LoopCommand& command) noexcept {
-  return std::visit([this](auto& what) { return apply(what); }, command);
+  bool obeyed = false;  // std::visit may throw, as far as its type says
+  const auto apply_if = [&](auto* what) noexcept {
+    if (what != nullptr) obeyed = apply(*what);
+    return what != nullptr;
+  };
+  [&]<std::size_t... kKind>(std::index_sequence<kKind...>) { (void)(apply_if(std::get_if<kKind>(&command)) || ...); }
+  (std::make_index_sequence<std::variant_size_v<LoopCommand>>());
+  return obeyed;
 }
 
 bool SimulationModel::apply(const commands::SetSpindleSpeed& command) noexcept {

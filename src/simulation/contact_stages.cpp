@@ -71,8 +71,9 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
   exchange_materials(materials);
   if (quadrature_ == Quadrature::sub_voxel) {
     if (law_ != nullptr)
-      throw Error("SimulationConfig::quadrature = sub_voxel was given with a law of your own, which is asked for the "
-                  "force at points. Choose centroid, or the default law.");
+      throw Error(
+          "SimulationConfig::quadrature = sub_voxel was given with a law of your own, which is asked for the "
+          "force at points. Choose centroid, or the default law.");
     if (voxel_budget_ != 0)
       throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
                   " was given with quadrature = sub_voxel, which has no level of detail. Leave it at 0.");
@@ -281,7 +282,7 @@ Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const He
 Encounter ContactStages::cut_by_given_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                           RemovalRecord& removal) noexcept {
   std::array<double, 256> removed = {};  // [voxels]
-  const Encounter encounter = ask_law(blocks, at, [&](const CuttableBlock& block, bool may_remove) {
+  Encounter encounter = ask_law(blocks, at, [&](const CuttableBlock& block, bool may_remove) {
     if (!may_remove) return;
     if (block.fill != nullptr) workpiece_.remember(block.view);
     keep_change(block, find_changes(contact_, block.view, fill_target(block), removed));
