@@ -14,6 +14,7 @@ if(HAPTICUT_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT DEFINED CMAKE_CXX_COMPILER_L
 endif()
 
 option(HAPTICUT_INSTALL "Install hapticut together with this project" ${PROJECT_IS_TOP_LEVEL})
+option(HAPTICUT_PHYSICS_ONLY "Only hapticut::physics: headers, which need Eigen and nothing else" OFF)
 option(HAPTICUT_WARNINGS_AS_ERRORS "Treat warnings in hapticut's own code as errors" ${PROJECT_IS_TOP_LEVEL})
 
 # hapticut_rooms(target [BATCH n]): with CMAKE_UNITY_BUILD the files of a folder are compiled as one, for most of the time
