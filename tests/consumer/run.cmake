@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Builds and runs the outside project against this build:
-#   cmake -DCASE=installed|physics|openvdb|io|no_io|subdirectory|program_without_io|avx|no_openvdb -DSOURCE=... -DBUILD=... -DWORK=... -DCXX=... -P run.cmake
+#   cmake -DCASE=installed|physics|openvdb|io|settings|no_io|subdirectory|program_without_io|avx|no_openvdb -DSOURCE=... -DBUILD=... -DWORK=... -DCXX=... -P run.cmake
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -54,7 +54,7 @@ elseif(CASE STREQUAL "physics")
   if(code EQUAL 0 OR NOT output MATCHES "HAPTICUT_PHYSICS_ONLY=ON")
     message(FATAL_ERROR "a package of headers must say that it has no library:\n${output}")
   endif()
-elseif(CASE MATCHES "^(openvdb|io)$")
+elseif(CASE MATCHES "^(openvdb|io|settings)$")
   build_consumer(${CASE} "-DCOMPONENT=${CASE}")
 elseif(CASE STREQUAL "no_io")
   file(GLOB_RECURSE targets "${WORK}/prefix/hapticut_ioTargets*.cmake")
