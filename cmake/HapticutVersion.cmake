@@ -9,11 +9,10 @@ add_custom_target(hapticut_commit BYPRODUCTS "${_commit_header}"
           -P "${CMAKE_CURRENT_LIST_DIR}/HapticutCommit.cmake"
   COMMENT "Looking up the commit" VERBATIM)
 
-# hapticut_use_version(target): gives a target of ours the two headers.
+# hapticut_use_version(target): gives a target of ours the commit; the version comes with hapticut::physics.
 function(hapticut_use_version target)
   add_dependencies(${target} hapticut_commit)
-  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
-                             PRIVATE "${PROJECT_BINARY_DIR}/generated")
+  target_include_directories(${target} PRIVATE "${PROJECT_BINARY_DIR}/generated")
   set_property(SOURCE core/build_info.cpp APPEND PROPERTY
     COMPILE_DEFINITIONS "HAPTICUT_COMPILER=\"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\"")
 endfunction()

@@ -122,8 +122,8 @@ read_report() {
 }
 
 configure() {
-  cmake --preset "$1" -DHAPTICUT_WITH_IO=ON -DHAPTICUT_WITH_ITK=ON -DHAPTICUT_WITH_ASSIMP=ON -DHAPTICUT_WITH_CLI=ON \
-    -DHAPTICUT_WITH_TESTS=ON
+  cmake --preset "$1" -DHAPTICUT_WITH_IO=ON -DHAPTICUT_WITH_ITK=ON -DHAPTICUT_WITH_ASSIMP=ON \
+    -DHAPTICUT_WITH_SETTINGS=ON -DHAPTICUT_WITH_CLI=ON -DHAPTICUT_WITH_TESTS=ON
 }
 build() { cmake --build --preset "$1" -j "$jobs" "${@:2}"; }
 our_sources() { git ls-files -z -- '*.hpp' '*.cpp'; }

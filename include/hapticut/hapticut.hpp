@@ -3,7 +3,8 @@
 
 /// @file
 /// What a simulator needs, room by room in the order to read them. Included on their own: `workpiece/openvdb.hpp`, the
-/// door to OpenVDB; `bench.hpp` and `io/`, which are components of their own; the adapters of makers in `device/`.
+/// door to OpenVDB; `bench.hpp`, `io/` and `settings/`, which are components of their own; the adapters of makers in
+/// `device/`. `physics.hpp` is the part of it that stands without a library.
 
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/core/description.hpp"
@@ -27,6 +28,7 @@
 //
 #include "hapticut/workpiece/block.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "hapticut/workpiece/changes.hpp"
 #include "hapticut/workpiece/contact.hpp"
 #include "hapticut/workpiece/material.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
@@ -39,6 +41,7 @@
 #include "hapticut/workpiece/workpiece.hpp"
 //
 #include "hapticut/force/calibration.hpp"
+#include "hapticut/force/contact_materials.hpp"
 #include "hapticut/force/contact_point.hpp"
 #include "hapticut/force/contact_stiffness.hpp"
 #include "hapticut/force/deep_contact.hpp"

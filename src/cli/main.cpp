@@ -13,6 +13,9 @@
 #include "settings/settings_file.hpp"
 
 namespace hapticut::cli {
+
+using namespace settings;
+
 namespace {
 
 constexpr int kFailed = 1;

@@ -10,7 +10,7 @@
 
 #include "settings/setting.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// The lines of a CSV file that a user wrote: a line of column names, then lines of as many cells. Empty lines and
 /// those that begin with # are skipped, as are spaces around a cell and the mark that some programs put before the
@@ -64,4 +64,4 @@ class CsvFile {
   std::size_t columns_ = 0;
 };
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

@@ -6,7 +6,7 @@
 
 #include "hapticut/core/units.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 constexpr double kAngleStep = 0.5 * units::deg;
@@ -81,4 +81,4 @@ std::vector<Vec3> cavity(const CurvePlane& plane, const CavityShape& shape) {
   return wind_all(plane, stations);
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

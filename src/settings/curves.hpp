@@ -8,7 +8,7 @@
 /// @file
 /// The curves that a tool follows, as polylines. Arcs are cut into steps of half a degree: the chords leave the arc by
 /// less than a hundred-thousandth of its radius.
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// Where a plane curve lies: `axis` is its normal and points out of the material, angles count counter-clockwise seen
 /// from its tip, from the direction in which W's x axis (or y, where x is close to the axis) is projected.
@@ -38,4 +38,4 @@ struct CavityShape {
 /// finished by a full turn along its wall.
 [[nodiscard]] std::vector<Vec3> cavity(const CurvePlane& plane, const CavityShape& shape);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

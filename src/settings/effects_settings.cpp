@@ -4,7 +4,7 @@
 #include "hapticut/core/units.hpp"
 #include "settings/required.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 /// Three switches.
@@ -126,4 +126,4 @@ Effects make_effects(const EffectsSettings& s, double update_rate) {
   return effects;
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

@@ -7,7 +7,7 @@
 #include "hapticut/simulation/output.hpp"
 #include "settings/setting.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// What is added to the force of the model, and what the output is limited to, as the user writes it: `[effects]` in a
 /// settings file.
@@ -28,4 +28,4 @@ struct EffectsSettings {
 /// @throws Error when something was set for an effect that is off, or does not fit the rate or another setting
 [[nodiscard]] Effects make_effects(const EffectsSettings& settings, double update_rate);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

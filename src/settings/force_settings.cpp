@@ -12,7 +12,7 @@
 #include "hapticut/force/laws/twist_drill.hpp"
 #include "settings/required.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 using Law = ForceSettings::Law;
@@ -179,4 +179,4 @@ void apply(const ForceSettings& s, SimulationConfig& config) {
   config.handle_torque_scale = s.handle_torque_scale.value_or(config.handle_torque_scale);
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

@@ -8,7 +8,7 @@
 #include "hapticut/simulation/config.hpp"
 #include "settings/setting.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// Which force is computed, as the user writes it: `[force]` in a settings file.
 struct ForceSettings {
@@ -40,4 +40,4 @@ struct ForceSettings {
 /// @throws Error when a constant is missing for this law, or was set but does not belong to it, or is out of range
 void apply(const ForceSettings& settings, SimulationConfig& config);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

@@ -5,7 +5,7 @@
 
 #include "hapticut/workpiece/material_presets.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 std::vector<std::string> known_presets() { return {preset_names().begin(), preset_names().end()}; }
@@ -69,4 +69,4 @@ Material MaterialChanges::changed(Material material) const {
   return change->second.based_on.empty() ? (apply(change->second, material), material) : find(material.name);
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

@@ -10,7 +10,7 @@
 #include "hapticut/workpiece/material.hpp"
 #include "settings/setting.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// What the user changes of a material: `[material.NAME]` in a settings file, in SI units like Material itself.
 struct MaterialChange {
@@ -37,4 +37,4 @@ class MaterialChanges {
   std::map<std::string, MaterialChange> changes_;
 };
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

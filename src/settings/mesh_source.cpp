@@ -7,7 +7,7 @@
 #include "hapticut/io/mesh/meshes.hpp"
 #include "hapticut/workpiece/mesh_builder.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 std::string names_of(const std::vector<NamedMesh>& objects) {
@@ -48,4 +48,4 @@ Workpiece make_workpiece_from_mesh(const WorkpieceSettings& s) {
   return build_from_shells(shells, std::move(table), options);
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

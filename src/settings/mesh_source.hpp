@@ -3,10 +3,10 @@
 
 #include "settings/workpiece_settings.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// Reads a mesh and fills it: one object with `material`, several with `shells`.
 /// @throws Error when the file cannot be read, or it is not clear what its objects are made of
 [[nodiscard]] Workpiece make_workpiece_from_mesh(const WorkpieceSettings& settings);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "settings/motion.hpp"
+#include "hapticut/settings/motion.hpp"
 
 #include <algorithm>
 
 #include "hapticut/core/errors.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 Motion::Motion(std::vector<TimedPose> poses) : poses_(std::move(poses)) {
   if (poses_.size() < 2)
@@ -27,4 +27,4 @@ Pose Motion::pose_at(double t) const {
   return advance(before.pose, twist_between(before.pose, after->pose, length), time - before.t);
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

@@ -9,7 +9,7 @@
 #include "settings/pose_file.hpp"
 #include "settings/required.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 using PathKind = PathSettings::Kind;
@@ -225,4 +225,4 @@ Motion make_motion(const PathSettings& s, const Tool& tool) {
   return Motion(std::move(poses));
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/settings/motion.hpp"
 #include "hapticut/tool/tool.hpp"
-#include "settings/motion.hpp"
 #include "settings/setting.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// How the tool moves, as the user writes it: `[path]` in a settings file. All positions in W.
 struct PathSettings {
@@ -42,4 +42,4 @@ struct PathSettings {
 /// The point of the tool that `Point::tip` means, in T: where the spindle axis leaves the head at its lower end.
 [[nodiscard]] Vec3 tip_in_head(const ToolHead& head);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

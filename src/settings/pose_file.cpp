@@ -8,7 +8,7 @@
 #include "hapticut/core/units.hpp"
 #include "settings/csv_file.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 constexpr double kRotationTolerance = 1e-3;  // [1] what six printed digits are off by is well below this
@@ -111,4 +111,4 @@ std::vector<TimedPose> read_poses(const std::filesystem::path& path, const Mat3&
   return PoseFile(path, rotation).read();
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "settings/motion.hpp"
+#include "hapticut/settings/motion.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// Reads timed poses from a CSV file: a line of column names, then one pose a line, times increasing. Columns, in any
 /// order: `t_s`, `x_mm`, `y_mm`, `z_mm`, and for the rotation a unit quaternion `qw`, `qx`, `qy`, `qz`, or a matrix
@@ -16,4 +16,4 @@ namespace hapticut::cli {
 /// @throws Error `file:line: ...`
 [[nodiscard]] std::vector<TimedPose> read_poses(const std::filesystem::path& path, const Mat3& rotation);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

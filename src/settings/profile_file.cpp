@@ -13,7 +13,7 @@
 #include "hapticut/tool/profile_mesh.hpp"
 #endif
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 class ProfileFile {
@@ -100,4 +100,4 @@ Profile read_profile(const std::filesystem::path& path) {
   return profile;
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

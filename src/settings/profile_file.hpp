@@ -5,7 +5,7 @@
 
 #include "hapticut/tool/profile.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// Reads the meridian of a head and moves it so that its tip is at z = 0.
 ///
@@ -19,4 +19,4 @@ namespace hapticut::cli {
 /// @throws Error `file:line: ...`, or as profile_from_mesh
 [[nodiscard]] Profile read_profile(const std::filesystem::path& path);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

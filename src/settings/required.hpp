@@ -10,7 +10,7 @@
 
 /// @file
 /// Settings that one kind of thing needs and another does not have.
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// @param key    of the setting: "tool.radius_mm"; its flag is what follows the point
 /// @param owner  what needs it: "a sphere"
@@ -58,4 +58,4 @@ inline void require_at_most(double value, const std::string& key, double limit, 
                 ". Lower it, or raise " + limit_key + ".");
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

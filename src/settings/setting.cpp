@@ -8,7 +8,7 @@
 
 #include "hapticut/core/units.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 using Kind = Setting::Kind;
@@ -196,4 +196,4 @@ std::vector<std::string> split(std::string_view text, char separator) {
   }
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

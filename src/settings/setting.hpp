@@ -16,7 +16,7 @@
 
 /// @file
 /// What a user can set: one list of settings serves the flags, the settings file, their help and their error messages.
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// The command line itself is wrong: exit code 2.
 class UsageError : public Error {
@@ -169,4 +169,4 @@ void apply_flag(const Setting& setting, const std::vector<std::string>& texts);
 /// The parts of a text between separators; "a,b" -> {"a", "b"}.
 [[nodiscard]] std::vector<std::string> split(std::string_view text, char separator);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

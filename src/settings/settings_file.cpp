@@ -4,8 +4,10 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 using Kind = Setting::Kind;
@@ -124,18 +126,32 @@ class Reader {
 
 }  // namespace
 
-void read_settings_file(const std::filesystem::path& path, const std::vector<Setting>& settings) {
+std::string text_of_file(const std::filesystem::path& path, const std::string& advice) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    throw Error(path.string() + ": there is no such settings file. Check the name given to --settings.");
-  toml::table table;
-  try {
-    table = toml::parse_file(path.string());
-  } catch (const toml::parse_error& problem) {
-    throw Error(path.string() + ":" + std::to_string(problem.source().begin.line) +
-                ": not valid TOML: " + std::string(problem.description()) + ".");
-  }
-  Reader(path.string()).read_table(table, "", settings);
+  std::ifstream file(path, std::ios::binary);
+  if (!std::filesystem::is_regular_file(path, error) || !file)
+    throw Error(path.string() + ": there is no such settings file." + advice);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-}  // namespace hapticut::cli
+std::set<std::string> read_settings(std::string_view text, const std::string& name,
+                                    const std::vector<Setting>& settings, const std::set<std::string>& left) {
+  toml::table table;
+  try {
+    table = toml::parse(text, name);
+  } catch (const toml::parse_error& problem) {
+    throw Error(name + ":" + std::to_string(problem.source().begin.line) +
+                ": not valid TOML: " + std::string(problem.description()) + ".");
+  }
+  for (const std::string& key : left) table.erase(key);
+  Reader(name).read_table(table, "", settings);
+  std::set<std::string> keys;
+  for (const auto& [key, node] : table) keys.emplace(key.str());
+  return keys;
+}
+
+void read_settings_file(const std::filesystem::path& path, const std::vector<Setting>& settings) {
+  read_settings(text_of_file(path, " Check the name given to --settings."), path.string(), settings);
+}
+
+}  // namespace hapticut::settings

@@ -2,15 +2,28 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "settings/setting.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// Reads a settings file in TOML. Whole numbers stand for numbers; nothing else is converted.
 /// @throws Error `file:line: key: what is allowed`, for a key that is not a setting (with the nearest one), a value of
 ///         another type and a value that is not allowed
 void read_settings_file(const std::filesystem::path& path, const std::vector<Setting>& settings);
 
-}  // namespace hapticut::cli
+/// The same of a text.
+/// @param name  in messages, where that of a file would be
+/// @param left  keys at the top that are somebody else's: whatever they hold is left alone
+/// @return the other keys at the top
+std::set<std::string> read_settings(std::string_view text, const std::string& name,
+                                    const std::vector<Setting>& settings, const std::set<std::string>& left = {});
+
+/// @throws Error when there is no such file, or it cannot be read; `advice` completes the message
+[[nodiscard]] std::string text_of_file(const std::filesystem::path& path, const std::string& advice);
+
+}  // namespace hapticut::settings

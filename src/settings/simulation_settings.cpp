@@ -3,7 +3,7 @@
 
 #include "hapticut/simulation/thesis_mode.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 /// The model of the thesis, where nothing else was set.
@@ -64,4 +64,4 @@ SimulationConfig make_config(const SimulationSettings& given) {
   return config;
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

@@ -9,7 +9,7 @@
 #include "settings/force_settings.hpp"
 #include "settings/setting.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// How it is computed, as the user writes it: `[simulation]`, `[force]` and `[effects]` in a settings file.
 struct SimulationSettings {
@@ -27,4 +27,4 @@ struct SimulationSettings {
 /// @throws Error when settings do not fit together
 [[nodiscard]] SimulationConfig make_config(const SimulationSettings& settings);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

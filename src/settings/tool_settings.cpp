@@ -10,7 +10,7 @@
 #include "settings/profile_file.hpp"
 #include "settings/required.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 using Head = ToolSettings::Head;
@@ -279,4 +279,4 @@ Tool make_tool(const ToolSettings& s) {
   return Tool(std::move(head), std::move(handle), spindle);
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

@@ -9,7 +9,7 @@
 #include "hapticut/tool/tool.hpp"
 #include "settings/setting.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// The tool as the user writes it: `[tool]` in a settings file.
 struct ToolSettings {
@@ -51,4 +51,4 @@ struct ToolSettings {
 /// @throws Error when something is missing for this kind of head or handle, or was set but does not belong to it
 [[nodiscard]] Tool make_tool(const ToolSettings& settings);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

@@ -12,7 +12,7 @@
 #include "hapticut/workpiece/volume_builders.hpp"
 #include "hapticut/workpiece/volume_operations.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 using Source = WorkpieceSettings;
@@ -175,4 +175,4 @@ VolumeSummary summarize_volume(const Source& s, std::optional<double> threshold)
   return summary;
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

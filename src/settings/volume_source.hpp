@@ -8,7 +8,7 @@
 #include "hapticut/workpiece/builders.hpp"
 #include "settings/workpiece_settings.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// Reads a volume of labels or grey values and builds a workpiece from it, as `labels`, `grey` or `grade_...` say.
 /// @throws Error when the file cannot be read, or not exactly one of these is set
@@ -29,4 +29,4 @@ struct VolumeSummary {
 /// @throws Error when the file cannot be read
 [[nodiscard]] VolumeSummary summarize_volume(const WorkpieceSettings& settings, std::optional<double> threshold);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

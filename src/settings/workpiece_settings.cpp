@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 /// The parts of "material=rest", or nothing.
@@ -146,4 +146,4 @@ std::vector<Setting> settings_of(WorkpieceSettings& w) {
   return settings;
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

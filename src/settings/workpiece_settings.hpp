@@ -10,7 +10,7 @@
 #include "settings/material_settings.hpp"
 #include "settings/setting.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// Where a workpiece comes from, as the user writes it: `[workpiece]` in a settings file.
 struct WorkpieceSettings {
@@ -67,4 +67,4 @@ struct WorkpieceSettings {
 /// @throws Error when it cannot be read, something is missing, or something was set that this source does not use
 [[nodiscard]] Workpiece make_workpiece(const WorkpieceSettings& settings);
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

@@ -8,14 +8,13 @@
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/molar.hpp"
 #include "io/mesh/mesh_extensions.hpp"
-#include "settings/progress.hpp"
 #include "settings/workpiece_settings.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "settings/mesh_source.hpp"
 #include "settings/volume_source.hpp"
 #endif
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 namespace {
 
 using Source = WorkpieceSettings;
@@ -131,7 +130,6 @@ Workpiece make_workpiece(const WorkpieceSettings& s) {
     throw Error(
         "the workpiece is missing. Set --workpiece to block, slab, molar or a file, or source under [workpiece] in "
         "the settings file.");
-  const ProgressBar progress("making the workpiece of " + s.source);
   if (s.source == "block") return make_block(s);
   if (s.source == "slab") return make_slab(s);
   if (s.source == "molar") return make_molar(s);
@@ -155,4 +153,4 @@ Workpiece make_workpiece(const WorkpieceSettings& s) {
 #endif
 }
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

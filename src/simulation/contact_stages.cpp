@@ -8,6 +8,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/reserve.hpp"
+#include "hapticut/force/contact_materials.hpp"
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/force/laws/lumped.hpp"
 
@@ -15,9 +16,6 @@ namespace hapticut {
 namespace {
 
 constexpr int kListedSubSteps = 64;  // whose changed blocks are listed one by one before repetitions are dropped
-
-/// What the contact is computed with in single precision: far beyond any material, and squares of it are still finite.
-constexpr double kSoftest = 1, kStiffest = 1e25;  // [N/m^4]
 
 /// The box of voxels that the head can reach, cut to `bounds`.
 /// @param beyond  [voxels] how far outside the head the centre of a voxel may be that is in contact
@@ -37,21 +35,6 @@ IndexBox reach_of(const HeadBox& box, const Pose& X_VT, double voxel_size, const
 
 }  // namespace
 
-ContactMaterials ContactStages::constants_of(const MaterialTable& table, double reference_stiffness) {
-  ContactMaterials constants = {};
-  constants[kEmpty].cutting_energy = 1;  // empty lanes are computed like others and must not divide by zero
-  for (int id = 1; id <= table.size(); ++id) {
-    const Material& m = table[MaterialId(id)];
-    const double stiffness = m.relative_stiffness * reference_stiffness;
-    require_between(
-        stiffness, kSoftest, kStiffest,
-        ("SimulationConfig::reference_stiffness times relative_stiffness of '" + m.name + "' [N/m^4]").c_str());
-    constants[std::size_t(id)] = {float(stiffness), float(m.damping), float(m.cutting_ratio),
-                                  float(m.specific_cutting_energy), float(std::sqrt(2 * m.edge_pressure / stiffness))};
-  }
-  return constants;
-}
-
 ContactStages::Room::Room(const ToolHead& head, double voxel_size, const SimulationConfig& config)
     : most_voxels(hapticut::most_voxels(head, voxel_size)), most_blocks(hapticut::most_blocks(head, voxel_size)) {
   reserve_touched(blocks, most_blocks);
@@ -67,7 +50,7 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
       voxel_volume_(std::pow(workpiece.voxel_size(), 3)),
       voxel_budget_(config.voxel_budget),
       bounds_(workpiece.bounds()) {
-  ContactMaterials materials = constants_of(workpiece.materials(), config.reference_stiffness);
+  ContactMaterials materials = contact_materials(workpiece.materials(), config.reference_stiffness);
   exchange_materials(materials);
   if (quadrature_ == Quadrature::sub_voxel) {
     if (law_ != nullptr)

@@ -76,9 +76,6 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
     std::vector<EmptiedBlock> emptied;
   };
 
-  /// @throws Error when a stiffness is out of the range that single precision bears
-  [[nodiscard]] static ContactMaterials constants_of(const MaterialTable& table, double reference_stiffness);
-
   /// Both must outlive it.
   /// @throws Error when a level of detail is asked for and the law has none
   ContactStages(Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config);

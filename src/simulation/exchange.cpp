@@ -7,6 +7,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/reserve.hpp"
+#include "hapticut/force/contact_materials.hpp"
 #include "simulation/simulation_state.hpp"
 
 namespace hapticut {
@@ -54,7 +55,7 @@ struct PreparedMaterials::State {
 };
 
 PreparedMaterials::PreparedMaterials(MaterialTable materials, const SimulationConfig& config) {
-  const ContactMaterials constants = ContactStages::constants_of(materials, config.reference_stiffness);
+  const ContactMaterials constants = contact_materials(materials, config.reference_stiffness);
   state_ = std::make_unique<State>(State{std::move(materials), constants});
 }
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Builds and runs the outside project against this build:
-#   cmake -DCASE=installed|openvdb|io|no_io|subdirectory|program_without_io|avx|no_openvdb -DSOURCE=... -DBUILD=... -DWORK=... -DCXX=... -P run.cmake
+#   cmake -DCASE=installed|physics|openvdb|io|settings|no_io|subdirectory|program_without_io|avx|no_openvdb -DSOURCE=... -DBUILD=... -DWORK=... -DCXX=... -P run.cmake
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -31,7 +31,30 @@ if(CASE STREQUAL "installed")
   if(EXISTS "${WORK}/prefix/bin/hapticut")
     must("${WORK}/prefix/bin/hapticut" --version)
   endif()
-elseif(CASE MATCHES "^(openvdb|io)$")
+elseif(CASE STREQUAL "physics")
+  # Nothing to link is left, and OpenVDB is not to be found.
+  file(GLOB_RECURSE libraries "${WORK}/prefix/libhapticut*")
+  if(NOT libraries)
+    message(FATAL_ERROR "the libraries of the package have other names now; this test cannot take them away")
+  endif()
+  file(REMOVE ${libraries})
+  set(without_openvdb "-DCMAKE_IGNORE_PATH=/usr/include\;/include" -DCOMPONENT=physics)
+  build_consumer(physics ${without_openvdb})
+  set(installed "${output}")
+  build_consumer(subdirectory ${without_openvdb} "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_PHYSICS_ONLY=ON)
+  if(NOT output STREQUAL installed)
+    message(FATAL_ERROR "the headers give ${installed} where they are installed and ${output} where they are added")
+  endif()
+  # Who installs the headers alone has no library to ask for.
+  must("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${WORK}/headers" -G Ninja "-DCMAKE_CXX_COMPILER=${CXX}"
+       "-DCMAKE_C_COMPILER=${CC}" -DHAPTICUT_PHYSICS_ONLY=ON "-DCMAKE_IGNORE_PATH=/usr/include\;/include")
+  must("${CMAKE_COMMAND}" --install "${WORK}/headers" --prefix "${WORK}/headers_prefix")
+  run("${CMAKE_COMMAND}" -S "${SOURCE}/tests/consumer" -B "${WORK}/no_library" -G Ninja "-DCMAKE_CXX_COMPILER=${CXX}"
+      "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_PREFIX_PATH=${WORK}/headers_prefix")
+  if(code EQUAL 0 OR NOT output MATCHES "HAPTICUT_PHYSICS_ONLY=ON")
+    message(FATAL_ERROR "a package of headers must say that it has no library:\n${output}")
+  endif()
+elseif(CASE MATCHES "^(openvdb|io|settings)$")
   build_consumer(${CASE} "-DCOMPONENT=${CASE}")
 elseif(CASE STREQUAL "no_io")
   file(GLOB_RECURSE targets "${WORK}/prefix/hapticut_ioTargets*.cmake")

@@ -4,6 +4,7 @@
 
     rooms.py arrows    what each room includes stands before it in the order below
     rooms.py lengths   of the files in include, src, bindings, tests and examples
+    rooms.py physics   what physics.hpp names includes nothing but words, tools, forces and what it names itself
 """
 import re
 import sys
@@ -60,8 +61,30 @@ def lengths():
     return mistakes
 
 
+def physics():
+    include = ROOT / "include"
+    named = re.findall(r'^#include "(hapticut/[^"]+)"', (include / "hapticut/physics.hpp").read_text("utf-8"), re.M)
+    mistakes, seen, waiting = [], set(), [(name, "physics.hpp") for name in named]
+    while waiting:
+        name, by = waiting.pop()
+        if name in seen:
+            continue
+        seen.add(name)
+        if name not in named and name.split("/")[1] not in ("core", "tool", "force"):
+            mistakes.append(f"{by} includes {name}, which is no part of hapticut::physics")
+            continue
+        text = (include / name).read_text("utf-8")
+        waiting += [(other, name) for other in re.findall(r'^#include "(hapticut/[^"]+)"', text, re.M)]
+        for other in re.findall(r"^#include <(\w+/)", text, re.M):
+            if other != "Eigen/":
+                mistakes.append(f"{name} includes <{other}...>; hapticut::physics needs Eigen alone")
+    if len(seen) < 35:
+        mistakes.append(f"only {len(seen)} headers were found")
+    return mistakes
+
+
 def main():
-    mistakes = {"arrows": arrows, "lengths": lengths}[sys.argv[1]]()
+    mistakes = {"arrows": arrows, "lengths": lengths, "physics": physics}[sys.argv[1]]()
     for mistake in mistakes:
         print(mistake, file=sys.stderr)
     sys.exit(1 if mistakes else 0)

@@ -13,6 +13,13 @@ endfunction()
 hapticut_meta_test(EveryClosedFormCitedExists cited.py closed_forms)
 hapticut_meta_test(EveryFileNamedInCommentsAndPagesExists cited.py files)
 hapticut_meta_test(IncludesGoOneWayOnly rooms.py arrows)
+hapticut_meta_test(PhysicsAreHeadersThatNeedEigenAlone rooms.py physics)
 hapticut_meta_test(NoFileIsTooLong rooms.py lengths)
 hapticut_meta_test(ThePageOfTheStepFollowsTheCode step_page.py)
 hapticut_meta_test(TheTablesOfProofsAreThoseOfTheTests proofs.py)
+# With the compiler that releases are built with, and where all that headers may include is installed.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_BUILD_TYPE STREQUAL "Release" AND HAPTICUT_ITK AND HAPTICUT_CLI
+   AND CMAKE_EXPORT_COMPILE_COMMANDS)
+  hapticut_meta_test(EveryHeaderCompilesAlone headers.py "${CMAKE_CXX_COMPILER}" "${PROJECT_BINARY_DIR}")
+  set_tests_properties(Meta.EveryHeaderCompilesAlone PROPERTIES PROCESSORS 2 TIMEOUT 900)
+endif()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -9,6 +10,8 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+
+#include "hapticut/core/errors.hpp"
 
 /// @file
 /// What a public struct or enumeration says of itself, once. Beside the struct stands a list of its fields, beside the
@@ -45,18 +48,40 @@ struct Range {
   /// Positive, or infinity for no limit.
   [[nodiscard]] static constexpr Range limit() { return {0, std::numeric_limits<double>::infinity(), true, true}; }
 
-  [[nodiscard]] bool contains(double value) const;
+  [[nodiscard]] bool contains(double value) const {
+    if (std::isinf(value) && value > 0) return infinity_is_in;
+    return std::isfinite(value) && value <= high && (low_open ? value > low : value >= low);
+  }
 
   /// Completes "must be": "a number > 0".
-  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string text() const {
+    const bool below = std::isfinite(low), above = std::isfinite(high);
+    if (below && above) return "a number from " + format_number(low) + " to " + format_number(high);
+    if (below) return "a number " + std::string(low_open ? "> " : ">= ") + format_number(low);
+    return "a number";
+  }
 
   /// For documentation: "> 0", "0 ... 1e+06"; nothing where every number is allowed.
-  [[nodiscard]] std::string short_text() const;
+  [[nodiscard]] std::string short_text() const {
+    if (!std::isfinite(low)) return "";
+    if (std::isfinite(high)) return format_number(low) + " ... " + format_number(high);
+    return (low_open ? "> " : ">= ") + format_number(low);
+  }
 };
 
 /// @param name  what the user called it, with its unit: "SphereHead::radius [m]"
 /// @throws Error when the value is not within the range
-void require_within(double value, const Range& range, const std::string& name);
+inline void require_within(double value, const Range& range, const std::string& name) {
+  if (range.contains(value)) return;
+  const std::string given = name + " = " + format_number(value) + "; must be ";
+  if (range.infinity_is_in)
+    throw Error(given + "> " + format_number(range.low) + ". Leave it at infinity for no limit.");
+  if (std::isfinite(range.low) && std::isfinite(range.high))
+    throw Error(given + "between " + format_number(range.low) + " and " + format_number(range.high) + ".");
+  if (std::isfinite(range.low))
+    throw Error(given + "a finite number " + (range.low_open ? "> " : ">= ") + format_number(range.low) + ".");
+  throw Error(given + "a finite number.");
+}
 
 /// Stands for a type where only the type matters.
 template <class T>
@@ -190,6 +215,16 @@ constexpr void for_each_bit(Visit&& visit) {
 }
 
 /// What a unit is called at the end of a name: "N_per_m4" of "N/m^4"; nothing of "1".
-[[nodiscard]] std::string unit_in_names(std::string_view unit);
+[[nodiscard]] inline std::string unit_in_names(std::string_view unit) {
+  std::string name;
+  if (unit == "1") return name;
+  for (const char letter : unit) {
+    if (letter == '/')
+      name += "_per_";
+    else if (letter != '^' && letter != ' ' && letter != '(' && letter != ')')
+      name += letter;
+  }
+  return name;
+}
 
 }  // namespace hapticut

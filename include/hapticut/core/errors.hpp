@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cassert>
+#include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -18,17 +20,31 @@ class Error : public std::runtime_error {
 };
 
 /// A number the way messages print it: shortest form with six significant digits, e.g. `1e-05`, `0.3`, `nan`.
-[[nodiscard]] std::string format_number(double value);
+[[nodiscard]] inline std::string format_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
 
 /// Throws unless `value` is finite and greater than zero.
 /// @param name  what the user called it, with its unit, e.g. "SphereHead::radius [m]"
-void require_positive(double value, const char* name);
+inline void require_positive(double value, const char* name) {
+  if (!(std::isfinite(value) && value > 0))
+    throw Error(std::string(name) + " = " + format_number(value) + "; must be a finite number > 0.");
+}
 
 /// Throws unless `value` is finite and not negative.
-void require_not_negative(double value, const char* name);
+inline void require_not_negative(double value, const char* name) {
+  if (!(std::isfinite(value) && value >= 0))
+    throw Error(std::string(name) + " = " + format_number(value) + "; must be a finite number >= 0.");
+}
 
 /// Throws unless `low <= value <= high`.
-void require_between(double value, double low, double high, const char* name);
+inline void require_between(double value, double low, double high, const char* name) {
+  if (!(value >= low && value <= high))
+    throw Error(std::string(name) + " = " + format_number(value) + "; must be between " + format_number(low) + " and " +
+                format_number(high) + ".");
+}
 
 }  // namespace hapticut
 

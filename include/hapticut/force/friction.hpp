@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hapticut/core/description.hpp"
+#include "hapticut/core/errors.hpp"
 #include "hapticut/core/spatial.hpp"
 
 /// @file
@@ -29,7 +30,13 @@ constexpr auto fields_of(Of<DryFriction>) {
 }
 
 /// @throws Error naming the constant, its value and the allowed range
-void validate(const DryFriction& friction);
+inline void validate(const DryFriction& friction) {
+  require_fields_within(friction, "DryFriction::");
+  if (friction.dynamic_friction > friction.static_friction)
+    throw Error("DryFriction::dynamic_friction = " + format_number(friction.dynamic_friction) +
+                "; must not exceed static_friction = " + format_number(friction.static_friction) +
+                ". Lower it, or raise static_friction.");
+}
 
 /// [m/s] speed of the head's rim from which on the cutting ratio alone describes the tangential force.
 inline constexpr double kFullSpinSpeed = 0.01;

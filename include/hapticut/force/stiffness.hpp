@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/material.hpp"
 
@@ -9,6 +14,40 @@
 /// apart: accuracy wants it stiff, a device that is driven directly wants it soft. A virtual coupling separates the
 /// two.
 namespace hapticut {
+namespace detail {
+
+inline constexpr int kSections = 200;  // planes through the head, in each direction
+inline constexpr int kSection = 200;   // points across one of them
+
+// A flat solid that advances by dd into the head adds a slice of thickness dd to what is immersed, so with N the normal
+// of its face, `dF/dd = k_v Int w |n . N| dA` over the section of the head by that face.
+
+/// The integral over the section normal to the axis at height z.  [m^3]
+[[nodiscard]] inline double axial_section(const ToolHead& head, double z, double radius) {
+  double sum = 0;
+  const double step = radius / kSection;
+  for (int i = 0; i < kSection; ++i) {
+    const double rho = (i + 0.5) * step;
+    const auto [depth, direction] = head.spring_at({rho, 0, z});
+    if (depth > 0) sum += depth * std::abs(direction.z()) * 2 * units::kPi * rho * step;
+  }
+  return sum;
+}
+
+/// The integral over the section parallel to the axis, at distance c from it.  [m^3]
+[[nodiscard]] inline double lateral_section(const ToolHead& head, double c, const HeadBox& box) {
+  double sum = 0;
+  const double dy = (box.max.y() - box.min.y()) / kSection;
+  const double dz = (box.max.z() - box.min.z()) / kSection;
+  for (int i = 0; i < kSection; ++i)
+    for (int k = 0; k < kSection; ++k) {
+      const auto [depth, direction] = head.spring_at({c, box.min.y() + (i + 0.5) * dy, box.min.z() + (k + 0.5) * dz});
+      if (depth > 0) sum += depth * std::abs(direction.x());
+    }
+  return sum * dy * dz;
+}
+
+}  // namespace detail
 
 /// The k_v from which on the engaged layer of a steady cut is thinner than a tenth of the head's radius:
 /// `200 u v_f / (kappa omega R^3)`. Below it cutting forces come out low.
@@ -17,19 +56,39 @@ namespace hapticut {
 /// @param feed_speed     [m/s] > 0
 /// @return [N/m^4]
 /// @throws Error when one of them is out of range
-[[nodiscard]] double stiffness_for_accuracy(const ToolHead& head, const Material& material, double spindle_speed,
-                                            double feed_speed);
+[[nodiscard]] inline double stiffness_for_accuracy(const ToolHead& head, const Material& material, double spindle_speed,
+                                                   double feed_speed) {
+  require_positive(std::abs(spindle_speed), "spindle speed [rad/s]");
+  require_positive(feed_speed, "feed speed [m/s]");
+  require_positive(material.cutting_ratio, "Material::cutting_ratio [1]");
+  const double radius = head.largest_radius();
+  return 200 * material.specific_cutting_energy * feed_speed /
+         (material.cutting_ratio * std::abs(spindle_speed) * radius * radius * radius);
+}
 
 /// The greatest contact stiffness of a head pressed into a flat solid of unit k_v, along its axis or sideways:
 /// `max dF/dd`, by the pressure identity (C11) on a plane that moves through the head. For a sphere `(4 pi/27) R^3`
 /// (C2).
 /// @return [m^3] to be multiplied by k_v; relative error below 1 %
-[[nodiscard]] double largest_contact_stiffness(const ToolHead& head);
+[[nodiscard]] inline double largest_contact_stiffness(const ToolHead& head) {
+  const HeadBox box = head.bounding_box();
+  double largest = 0;
+  for (int i = 0; i < detail::kSections; ++i) {
+    const double share = (i + 0.5) / detail::kSections;
+    const double z = box.min.z() + share * (box.max.z() - box.min.z());
+    largest = std::max(largest, detail::axial_section(head, z, box.max.x()));
+    largest = std::max(largest, detail::lateral_section(head, share * box.max.x(), box));
+  }
+  return largest;
+}
 
 /// The greatest k_v that a directly driven device can render stably: `K_max / largest_contact_stiffness(head)`.
 /// @param device_stiffness  [N/m] K_max > 0, the stiffest wall the device renders
 /// @return [N/m^4] for a material of relative stiffness 1
 /// @throws Error when the device stiffness is not positive
-[[nodiscard]] double stiffness_for_device(const ToolHead& head, double device_stiffness);
+[[nodiscard]] inline double stiffness_for_device(const ToolHead& head, double device_stiffness) {
+  require_positive(device_stiffness, "device stiffness [N/m]");
+  return device_stiffness / largest_contact_stiffness(head);
+}
 
 }  // namespace hapticut

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <variant>
 
 #include "hapticut/core/description.hpp"
@@ -65,6 +66,19 @@ constexpr auto names_of(Of<HandleTorque>) {
   };
 }
 
+/// Pose of the tool head T in the handle frame H.
+/// @throws Error when a length is negative or not finite, or the bend is outside [-pi, pi]
+[[nodiscard]] inline Pose head_in_handle(const Handle& handle) {
+  if (const auto* ray = std::get_if<RayHandle>(&handle)) {
+    require_fields_within(*ray, "RayHandle::");
+    return Pose::from_translation(Vec3(0, 0, -ray->length));
+  }
+  const auto& bent = *std::get_if<LHandle>(&handle);
+  require_fields_within(bent, "LHandle::");
+  const Mat3 R_HT = rotation_from_vector(Vec3(0, bent.bend, 0));
+  return {R_HT, Vec3(0, 0, -bent.length) - bent.neck * R_HT.col(2)};
+}
+
 /// The torque of the thesis's handles (5.11-5.14), for comparison with it.
 ///
 ///     ray:  roll about z_H:  T_res               pitch = yaw = 0
@@ -77,10 +91,13 @@ constexpr auto names_of(Of<HandleTorque>) {
 /// @param spin     [N·m] T_res about +z of T
 /// @param zeta     [1] the thesis's constant
 /// @return [N·m] about Ho, in the axes of H
-[[nodiscard]] Vec3 thesis_handle_torque(const Handle& handle, const Vec3& force_H, double spin, double zeta);
-
-/// Pose of the tool head T in the handle frame H.
-/// @throws Error when a length is negative or not finite, or the bend is outside [-pi, pi]
-[[nodiscard]] Pose head_in_handle(const Handle& handle);
+[[nodiscard]] inline Vec3 thesis_handle_torque(const Handle& handle, const Vec3& force_H, double spin, double zeta) {
+  const auto* bent = std::get_if<LHandle>(&handle);
+  if (bent == nullptr) return {0, 0, spin};
+  const Vec3 offset = head_in_handle(handle).translation;
+  const double length = offset.norm();
+  if (length == 0) return Vec3::Zero();
+  return zeta * (offset.cross(force_H) + std::sin(bent->bend) * spin / length * offset);
+}
 
 }  // namespace hapticut

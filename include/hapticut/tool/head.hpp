@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
 #include "hapticut/tool/profile.hpp"
 #include "hapticut/tool/shapes.hpp"
 
 namespace hapticut {
-
 /// Extent of a head in its own frame T.
 struct HeadBox {
   Vec3 min;  ///< [m]
@@ -27,7 +31,9 @@ class ToolHead {
   using Shape = std::variant<SphereHead, ConeHead, FlatHead, ProfileHead>;
 
   /// @throws Error when a dimension is not positive or an angle not between 0 and pi/2
-  ToolHead(Shape shape);  // NOLINT(google-explicit-constructor): a shape is a head
+  ToolHead(Shape shape) : shape_(std::move(shape)) {  // NOLINT(google-explicit-constructor): a shape is a head
+    validate();
+  }
 
   template <class S>
   // NOLINTNEXTLINE(google-explicit-constructor): as above
@@ -36,22 +42,64 @@ class ToolHead {
   [[nodiscard]] const Shape& shape() const { return shape_; }
 
   /// The smallest axis-aligned box around the head, in T, exact.
-  [[nodiscard]] HeadBox bounding_box() const;
+  [[nodiscard]] HeadBox bounding_box() const {
+    const auto around_axis = [](double radius, double low, double high) {
+      return HeadBox{Vec3(-radius, -radius, low), Vec3(radius, radius, high)};
+    };
+    if (const auto* h = as<SphereHead>()) return around_axis(h->radius, -h->radius, h->radius);
+    if (const auto* h = as<ConeHead>()) return around_axis(base_radius(*h), 0, h->height);
+    if (const auto* h = as<FlatHead>()) return around_axis(h->radius, 0, h->height);
+    const ProfileTable& table = as<ProfileHead>()->table();
+    return around_axis(table.radius, table.bottom, table.top);
+  }
 
   /// [m] radius of the ball about the frame's origin that contains the head, exact.
-  [[nodiscard]] double reach() const;
+  [[nodiscard]] double reach() const {
+    if (const auto* h = as<SphereHead>()) return h->radius;
+    if (const auto* h = as<ConeHead>()) return std::hypot(base_radius(*h), h->height);
+    if (const auto* h = as<FlatHead>()) return std::hypot(h->radius, h->height);
+    return as<ProfileHead>()->reach();
+  }
 
   /// [m^3] volume of the head, exact.
-  [[nodiscard]] double volume() const;
+  [[nodiscard]] double volume() const {
+    using units::kPi;
+    if (const auto* h = as<SphereHead>()) return 4 * kPi / 3 * h->radius * h->radius * h->radius;
+    if (const auto* h = as<ConeHead>()) return kPi / 3 * base_radius(*h) * base_radius(*h) * h->height;
+    if (const auto* h = as<FlatHead>()) return kPi * h->radius * h->radius * h->height;
+    return as<ProfileHead>()->volume();
+  }
 
   /// [m] largest radius of the head about its axis: sphere and flat R, cone the base radius, profile the largest rho.
-  [[nodiscard]] double largest_radius() const;
+  [[nodiscard]] double largest_radius() const { return bounding_box().max.x(); }
 
   /// Shape and size as messages print them: "a cone of half angle 30 deg and height 2 mm".
-  [[nodiscard]] std::string description() const;
+  [[nodiscard]] std::string description() const {
+    const auto in_mm = [](double length) { return format_number(length / units::mm) + " mm"; };
+    if (const auto* h = as<SphereHead>()) return "a sphere of radius " + in_mm(h->radius);
+    if (const auto* h = as<ConeHead>())
+      return "a cone of half angle " + format_number(h->half_angle / units::deg) + " deg and height " +
+             in_mm(h->height);
+    if (const auto* h = as<FlatHead>())
+      return "a flat head of radius " + in_mm(h->radius) + " and height " + in_mm(h->height);
+    const ProfileTable& table = as<ProfileHead>()->table();
+    return "a profile of radius " + in_mm(table.radius) + " and height " +
+           in_mm(double(table.top) - double(table.bottom));
+  }
 
   /// The outline as a meridian of lines and arcs. The two surfaces of a flat head are drawn as its rule uses them.
-  [[nodiscard]] Profile profile() const;
+  [[nodiscard]] Profile profile() const {
+    constexpr EdgeKind kCutting = EdgeKind::cutting, kSmooth = EdgeKind::smooth;
+    if (const auto* h = as<SphereHead>()) return {-h->radius, {{0, h->radius, h->radius, kCutting}}};
+    if (const auto* h = as<ConeHead>())
+      return {0, {{base_radius(*h), h->height, 0, kCutting}, {0, h->height, 0, kSmooth}}};
+    if (const auto* h = as<FlatHead>()) {
+      const EdgeKind bottom = h->rule == FlatRule::side_only ? kSmooth : kCutting;
+      const EdgeKind side = h->rule == FlatRule::bottom_only ? kSmooth : kCutting;
+      return {0, {{h->radius, 0, 0, bottom}, {h->radius, h->height, 0, side}, {0, h->height, 0, kSmooth}}};
+    }
+    return as<ProfileHead>()->profile();
+  }
 
   /// Calls `function(springs)` with the springs of this head's shape in precision `Real`: the one place where the shape
   /// is dispatched. Call it once per block of points, never per point.
@@ -76,9 +124,33 @@ class ToolHead {
   }
 
   /// The spring at one point of T, for tests and set-up code.
-  [[nodiscard]] Spring spring_at(const Vec3& p_TQ) const;
+  [[nodiscard]] Spring spring_at(const Vec3& p_TQ) const {
+    const double rho = std::hypot(p_TQ.x(), p_TQ.y());
+    const MeridianSpring<double> s =
+        visit_springs<double>([&](const auto& springs) { return springs.spring(rho, p_TQ.z()); });
+    const double scale = rho > 0 ? s.n_radial / rho : 0.0;
+    return {s.depth, Vec3(scale * p_TQ.x(), scale * p_TQ.y(), s.n_axial)};
+  }
 
  private:
+  [[nodiscard]] static double base_radius(const ConeHead& cone) { return cone.height * std::tan(cone.half_angle); }
+
+  template <class S>
+  [[nodiscard]] const S* as() const {
+    return std::get_if<S>(&shape_);
+  }
+
+  void validate() const {
+    if (const auto* h = as<SphereHead>()) require_fields_within(*h, "SphereHead::");
+    if (const auto* h = as<FlatHead>()) require_fields_within(*h, "FlatHead::");
+    const auto* cone = as<ConeHead>();  // a profile was checked when it was made
+    if (cone == nullptr) return;
+    require_fields_within(*cone, "ConeHead::");
+    if (!(cone->half_angle < units::kPi / 2))
+      throw Error("ConeHead::half_angle = " + format_number(cone->half_angle) +
+                  " rad; must be less than pi/2. Give half of the opening angle, in radians.");
+  }
+
   Shape shape_;
 };
 

@@ -33,7 +33,7 @@ constexpr auto fields_of(Of<Spindle>) {
 }
 
 /// @throws Error naming the field, its value and the allowed range
-void validate(const Spindle& spindle);
+inline void validate(const Spindle& spindle) { require_fields_within(spindle, "Spindle::"); }
 
 /// The speed of a spindle from one step to the next: its setting, reached on a ramp, less what the load takes.
 ///

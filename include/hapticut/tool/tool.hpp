@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
+
 #include "hapticut/tool/handle.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/tool/spindle.hpp"
@@ -11,7 +13,10 @@ namespace hapticut {
 class Tool {
  public:
   /// @throws Error when a dimension of the head or handle, the speed or the power limit is out of range
-  explicit Tool(ToolHead head, Handle handle = RayHandle{}, Spindle spindle = {});
+  explicit Tool(ToolHead head, Handle handle = RayHandle{}, Spindle spindle = {})
+      : head_(std::move(head)), handle_(handle), spindle_(spindle), X_HT_(head_in_handle(handle)) {
+    validate(spindle_);
+  }
 
   [[nodiscard]] const ToolHead& head() const { return head_; }
   [[nodiscard]] const Handle& handle() const { return handle_; }

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hapticut/core/description.hpp"
+#include "hapticut/core/errors.hpp"
 
 namespace hapticut {
 
@@ -56,7 +58,15 @@ constexpr auto fields_of(Of<Material>) {
 }
 
 /// @throws Error naming the material, the field, its value and the allowed range
-void validate(const Material& material);
+inline void validate(const Material& material) {
+  if (material.name.empty()) throw Error("Material::name is empty; give every material a name.");
+  const std::string prefix = "material '" + material.name + "': ";
+  require_fields_within(material, prefix);
+  if (material.dynamic_friction > material.static_friction)
+    throw Error(prefix + "dynamic_friction = " + format_number(material.dynamic_friction) +
+                "; must not exceed static_friction = " + format_number(material.static_friction) +
+                ". Lower it, or raise static_friction.");
+}
 
 /// The materials of a workpiece, by id.
 class MaterialTable {
@@ -64,20 +74,43 @@ class MaterialTable {
   MaterialTable() = default;
 
   /// @throws Error when a material is invalid, a name appears twice, or there are more than 255
-  explicit MaterialTable(std::vector<Material> materials);
+  explicit MaterialTable(std::vector<Material> materials) {
+    for (Material& material : materials) add(std::move(material));
+  }
 
   /// Adds a material and returns its id: 1 for the first.
   /// @throws Error as above
-  MaterialId add(Material material);
+  MaterialId add(Material material) {
+    validate(material);
+    if (materials_.size() >= std::size_t(kMaxMaterials))
+      throw Error("a workpiece can have at most 255 materials; material '" + material.name + "' would be one more.");
+    for (const Material& other : materials_)
+      if (other.name == material.name)
+        throw Error("material '" + material.name + "' is already in the table; names must be unique.");
+    materials_.push_back(std::move(material));
+    return MaterialId(materials_.size());
+  }
 
   [[nodiscard]] int size() const { return int(materials_.size()); }
   [[nodiscard]] bool contains(MaterialId id) const { return id >= 1 && id <= materials_.size(); }
 
   /// @throws Error when there is no such id
-  [[nodiscard]] const Material& operator[](MaterialId id) const;
+  [[nodiscard]] const Material& operator[](MaterialId id) const {
+    if (!contains(id))
+      throw Error("there is no material " + std::to_string(int(id)) + "; the table has materials 1 to " +
+                  std::to_string(materials_.size()) + ".");
+    return materials_[id - 1U];
+  }
 
   /// @throws Error when there is no such name
-  [[nodiscard]] MaterialId id_of(std::string_view name) const;
+  [[nodiscard]] MaterialId id_of(std::string_view name) const {
+    std::string known;
+    for (std::size_t i = 0; i < materials_.size(); ++i) {
+      if (materials_[i].name == name) return MaterialId(i + 1);
+      known += (known.empty() ? "" : ", ") + materials_[i].name;
+    }
+    throw Error("there is no material '" + std::string(name) + "'; the table has: " + known + ".");
+  }
 
   /// In the order of their ids, from 1.
   [[nodiscard]] const std::vector<Material>& all() const { return materials_; }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -10,7 +9,7 @@
 #include <vector>
 
 #include "hapticut/core/reserve.hpp"
-#include "hapticut/workpiece/contact.hpp"
+#include "hapticut/workpiece/changes.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 
 namespace hapticut {
@@ -62,47 +61,6 @@ class RemovalRecord {
   bool overflowed_ = false;
   std::array<double, 256> total_by_material_ = {};
 };
-
-/// What a sub-step made of the fills of one block.
-struct BlockChange {
-  static constexpr int kStrip = 16;  ///< voxels of a strip: two rows, which follow each other in memory
-
-  std::uint32_t strips = 0;                   ///< bit n: some of the fills `kStrip * n ...` may have changed
-  bool any_emptied = false;                   ///< some voxel is empty now
-  std::array<std::uint64_t, 8> emptied = {};  ///< bit `block_offset`: this voxel became empty
-};
-
-/// What a force law left of the samples of one block.
-/// @param fill_after  [512] the fills of the changed strips are written here; may be `block.fill` itself
-/// @param removed     [voxels] filled volume that was removed is added here, by MaterialId
-/// @realtime no allocation, no lock; O(samples)
-inline BlockChange find_changes(const ContactBlock& contact, const BlockView& block, float* fill_after,
-                                std::array<double, 256>& removed) noexcept {
-  BlockChange change;
-  for (int row = 0; row < contact.rows; ++row) {
-    float most = 0;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const int n = row * kLanes + lane;
-      most = std::max(most, contact.fill[n] - contact.fill_after[n]);
-    }
-    if (!(most > 0)) continue;
-    const int first = contact.row[row] * kLanes, strip = first / BlockChange::kStrip;
-    if ((change.strips >> strip & 1U) == 0) {
-      change.strips |= 1U << strip;
-      for (int voxel = strip * BlockChange::kStrip; voxel < (strip + 1) * BlockChange::kStrip; ++voxel)
-        fill_after[voxel] = block.fill_of(voxel);
-    }
-    for (unsigned lanes = contact.inside[row]; lanes != 0; lanes &= lanes - 1) {
-      const int lane = std::countr_zero(lanes), n = row * kLanes + lane, voxel = first + lane;
-      removed[contact.material_of(n)] += double(contact.fill[n] - contact.fill_after[n]);
-      fill_after[voxel] = contact.fill_after[n];
-      if (contact.fill_after[n] > 0) continue;
-      change.emptied[voxel >> 6] |= std::uint64_t(1) << (voxel & 63);
-      change.any_emptied = true;
-    }
-  }
-  return change;
-}
 
 /// Stage `remove_emptied` for one block: takes its emptied voxels out of the workpiece and lists them.
 /// @param block  as it was before the sub-step

@@ -15,6 +15,9 @@
 #include "settings/csv_file.hpp"
 
 namespace hapticut::cli {
+
+using namespace settings;
+
 namespace {
 
 struct CalibrateSettings {

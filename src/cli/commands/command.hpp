@@ -12,9 +12,10 @@ namespace hapticut::cli {
 /// A subcommand of the program.
 struct Command {
   std::string name;
-  std::string summary;            ///< one line for the help
-  std::vector<Setting> settings;  ///< what it can be told; a flag without dashes is given by its place
-  std::function<void()> run;      ///< does the work, once the settings are set; @throws Error when it was not done
+  std::string summary;  ///< one line for the help
+  /// What it can be told; a flag without dashes is given by its place.
+  std::vector<hapticut::settings::Setting> settings;
+  std::function<void()> run;  ///< does the work, once the settings are set; @throws Error when it was not done
 };
 
 [[nodiscard]] Command drill_command();

@@ -4,10 +4,13 @@
 
 #include "cli/commands/command.hpp"
 #include "cli/reports/outputs.hpp"
-#include "settings/progress.hpp"
+#include "cli/reports/progress.hpp"
 #include "settings/workpiece_settings.hpp"
 
 namespace hapticut::cli {
+
+using namespace settings;
+
 namespace {
 
 struct ConvertSettings {
@@ -18,7 +21,7 @@ struct ConvertSettings {
 void run_convert(const ConvertSettings& s) {
   if (s.target.empty()) throw UsageError("the file to write is missing. Use: hapticut convert SOURCE TARGET.");
   check_workpiece_file(s.target);
-  const Workpiece workpiece = make_workpiece(s.workpiece);
+  const Workpiece workpiece = with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece); });
   {
     const ProgressBar progress("writing " + s.target);
     write_workpiece(s.target, workpiece);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/commands/drill.hpp"
+#include "cli/reports/progress.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -7,9 +8,11 @@
 #include <ctime>
 
 #include "hapticut/core/errors.hpp"
-#include "settings/progress.hpp"
 
 namespace hapticut::cli {
+
+using namespace settings;
+
 namespace {
 
 constexpr double kMostSteps = 1e7;

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "hapticut/settings/motion.hpp"
 #include "hapticut/simulation/simulation.hpp"
-#include "settings/motion.hpp"
 
 namespace hapticut::cli {
 
@@ -52,6 +52,6 @@ struct DrillResult {
 /// @param rate       [Hz]
 /// @param keep_rows  whether to keep every step for the per-step file
 /// @throws Error when there would be more than ten million steps
-[[nodiscard]] DrillResult drill(Simulation& simulation, const Motion& motion, double rate, bool keep_rows);
+[[nodiscard]] DrillResult drill(Simulation& simulation, const settings::Motion& motion, double rate, bool keep_rows);
 
 }  // namespace hapticut::cli

@@ -1,33 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
+#include <iterator>
 #include <memory>
+#include <utility>
 
 #include "cli/commands/command.hpp"
 #include "cli/commands/recording_source.hpp"
 #include "cli/reports/outputs.hpp"
+#include "cli/reports/progress.hpp"
 #include "cli/reports/report.hpp"
-#include "settings/path_settings.hpp"
-#include "settings/progress.hpp"
-#include "settings/simulation_settings.hpp"
-#include "settings/tool_settings.hpp"
-#include "settings/workpiece_settings.hpp"
+#include "settings/scene_settings.hpp"
 
 namespace hapticut::cli {
+
+using namespace settings;
+
 namespace {
 
 struct DrillSettings {
-  WorkpieceSettings workpiece;
-  ToolSettings tool;
-  PathSettings path;
-  SimulationSettings simulation;
+  SceneSettings scene;
   OutputSettings output;
 };
 
 std::vector<Setting> settings_of(DrillSettings& s) {
-  std::vector<Setting> all = settings_of(s.workpiece);
-  for (std::vector<Setting> more :
-       {settings_of(s.tool), settings_of(s.path), settings_of(s.simulation), settings_of(s.output)})
-    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  std::vector<Setting> all = settings_of(s.scene);
+  std::vector<Setting> more = settings_of(s.output);
+  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   return all;
 }
 
@@ -43,14 +41,13 @@ void write_files(const OutputSettings& output, const Json& report, const DrillRe
 
 void run_drill(const DrillSettings& s) {
   check_outputs(s.output);
-  const Tool tool = make_tool(s.tool);
-  const Motion motion = make_motion(s.path, tool);
-  Workpiece workpiece = make_workpiece(s.workpiece);
-  DrillReport report{summarize(s.workpiece.source, workpiece), s.simulation.rate_Hz, {}};
-  Simulation simulation(std::move(workpiece), tool, make_config(s.simulation));
+  const std::string& source = s.scene.workpiece.source;
+  settings::Scene scene = with_bar(source, [&] { return make_scene(s.scene); });
+  DrillReport report{summarize(source, scene.workpiece), s.scene.simulation.rate_Hz, {}};
+  Simulation simulation(std::move(scene.workpiece), scene.tool, scene.config);
 
   RunRecorder recorder(s.output.record, simulation, Pace::own, nullptr);
-  const DrillResult result = drill(simulation, motion, report.rate, !s.output.steps_csv.empty());
+  const DrillResult result = drill(simulation, *scene.motion, report.rate, !s.output.steps_csv.empty());
   recorder.close();
   report.warnings = warnings_of(result, simulation);
   std::fputs(to_table(report, result, simulation).c_str(), stdout);

@@ -4,16 +4,19 @@
 
 #include "cli/commands/command.hpp"
 #include "cli/reports/json_file.hpp"
+#include "cli/reports/progress.hpp"
 #include "cli/reports/report.hpp"
 #include "cli/reports/table.hpp"
 #include "hapticut/core/units.hpp"
-#include "settings/progress.hpp"
 #include "settings/workpiece_settings.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "settings/volume_source.hpp"
 #endif
 
 namespace hapticut::cli {
+
+using namespace settings;
+
 namespace {
 
 struct InspectSettings {
@@ -66,7 +69,7 @@ void inspect_volume(const InspectSettings& s) {
 #endif
 
 void inspect_workpiece(const InspectSettings& s) {
-  const Workpiece workpiece = make_workpiece(s.workpiece);
+  const Workpiece workpiece = with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece); });
   const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
   Json report = to_json(summary, workpiece.materials());
   const double size = summary.voxel_size / units::mm;

@@ -10,6 +10,7 @@
 #include "cli/commands/recording_source.hpp"
 #include "cli/commands/stop_signals.hpp"
 #include "cli/reports/loop_report.hpp"
+#include "cli/reports/progress.hpp"
 #include "cli/reports/report.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
@@ -19,6 +20,9 @@
 #include "settings/workpiece_settings.hpp"
 
 namespace hapticut::cli {
+
+using namespace settings;
+
 namespace {
 
 enum class Up { y, z };
@@ -138,7 +142,7 @@ void run_loop(LoopSettings s) {
       s.coupling.value_or(device->capabilities().stiffness > 0 ? Coupling::virtual_tool : Coupling::none) ==
       Coupling::virtual_tool;
   const Tool tool = make_tool(s.tool);
-  Workpiece workpiece = make_workpiece(s.workpiece);
+  Workpiece workpiece = with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece); });
   const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
   if (s.simulation.config.reference_stiffness == 0)  // the user did not choose it
     s.simulation.config.reference_stiffness =

@@ -6,15 +6,18 @@
 
 #include "cli/commands/command.hpp"
 #include "cli/reports/json_file.hpp"
+#include "cli/reports/progress.hpp"
 #include "cli/reports/table.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "settings/force_settings.hpp"
-#include "settings/progress.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/recording/replay.hpp"
 #endif
 
 namespace hapticut::cli {
+
+using namespace settings;
+
 namespace {
 
 struct ReplaySettings {

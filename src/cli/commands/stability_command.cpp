@@ -13,14 +13,16 @@
 #include "bench/wall_table.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/reports/json_file.hpp"
+#include "cli/reports/progress.hpp"
 #include "cli/reports/table.hpp"
 #include "hapticut/bench/contact_bench.hpp"
 #include "hapticut/bench/fault_bench.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/force/stiffness.hpp"
-#include "settings/progress.hpp"
 
 namespace hapticut::cli {
+
+using namespace settings;
 namespace {
 
 constexpr double kWallTolerance = 0.05;     // [1] the table is rounded, and comes from another program

@@ -7,13 +7,16 @@
 #include "bench/validation/measurements.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/reports/json_file.hpp"
+#include "cli/reports/progress.hpp"
 #include "cli/reports/table.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/core/errors.hpp"
 #include "io/atomic_file.hpp"
-#include "settings/progress.hpp"
 
 namespace hapticut::cli {
+
+using namespace settings;
+
 namespace {
 
 using validation::Check;

@@ -16,6 +16,9 @@
 #endif
 
 namespace hapticut::cli {
+
+using namespace settings;
+
 namespace {
 
 std::string names_of(StepStatus status) {

@@ -16,7 +16,7 @@ struct OutputSettings {
   std::optional<Vec3> picture_view;  ///< [1] direction from the camera into the scene
 };
 
-[[nodiscard]] std::vector<Setting> settings_of(OutputSettings& outputs);
+[[nodiscard]] std::vector<settings::Setting> settings_of(OutputSettings& outputs);
 
 /// Says before the work begins that a file cannot be written, rather than after it.
 /// @throws Error naming the file

@@ -12,20 +12,21 @@
 namespace hapticut::cli_docs_test {
 namespace {
 
-void add_rows(const cli::Setting& setting, const std::string& prefix, std::vector<std::string>& rows) {
+void add_rows(const settings::Setting& setting, const std::string& prefix, std::vector<std::string>& rows) {
   const std::string key = prefix + setting.key;
   const std::string flag = setting.flag.empty() ? "" : "`" + setting.flag + "`";
-  if (setting.kind != cli::Setting::Kind::named_tables)
+  if (setting.kind != settings::Setting::Kind::named_tables)
     rows.push_back("| `" + key + "` | " + flag + " | " + setting.meaning + " | " + setting.allowed + " |");
   if (!setting.open_table) return;
-  const bool named = setting.kind == cli::Setting::Kind::named_tables;
-  for (const cli::Setting& inner : setting.open_table("name")) add_rows(inner, key + (named ? ".NAME." : "[]."), rows);
+  const bool named = setting.kind == settings::Setting::Kind::named_tables;
+  for (const settings::Setting& inner : setting.open_table("name"))
+    add_rows(inner, key + (named ? ".NAME." : "[]."), rows);
 }
 
 TEST(CommandLinePage, ListsEverySettingAsTheProgramDescribesIt) {
   std::vector<std::string> expected;
   for (const cli::Command& command : cli::all_commands())
-    for (const cli::Setting& setting : command.settings) add_rows(setting, "", expected);
+    for (const settings::Setting& setting : command.settings) add_rows(setting, "", expected);
   ASSERT_GT(expected.size(), 80U);
 
   std::ifstream page(HAPTICUT_DOCS "/command-line.md");

@@ -56,8 +56,8 @@ TEST(MaterialFields, AllDifferFromTheirDefaultsHere) {
 }
 
 TEST(MaterialFields, AreAllSettings) {
-  cli::MaterialChanges changes;
-  std::vector<cli::Setting> settings = changes.setting().open_table("unusual");
+  settings::MaterialChanges changes;
+  std::vector<settings::Setting> settings = changes.setting().open_table("unusual");
   std::size_t n = 0;
   ASSERT_EQ(settings.at(n).key, "based_on");
   ASSERT_TRUE(settings.at(n++).assign(std::string("enamel")));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hapticut/bench/closed_forms/standing_head.hpp"
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/core/units.hpp"
 

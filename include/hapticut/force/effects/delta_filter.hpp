@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hapticut/core/description.hpp"
+#include "hapticut/core/errors.hpp"
 #include "hapticut/core/spatial.hpp"
 
 namespace hapticut {
@@ -25,7 +26,12 @@ constexpr auto fields_of(Of<DeltaFilter>) {
 }
 
 /// @throws Error naming the field, its value and the allowed range
-void validate(const DeltaFilter& filter);
+inline void validate(const DeltaFilter& filter) {
+  require_fields_within(filter, "DeltaFilter::");
+  if (filter.epsilon > filter.delta)
+    throw Error("DeltaFilter::epsilon = " + format_number(filter.epsilon) + " N; must not exceed delta = " +
+                format_number(filter.delta) + " N, or the force would overshoot. Lower it, or raise delta.");
+}
 
 /// @realtime no allocation, no lock; O(1)
 [[nodiscard]] inline Vec3 filtered(const DeltaFilter& filter, const Vec3& previous, const Vec3& calculated) {

@@ -24,7 +24,7 @@ constexpr auto fields_of(Of<Gravity>) {
 }
 
 /// @throws Error naming the field, its value and the allowed range
-void validate(const Gravity& gravity);
+inline void validate(const Gravity& gravity) { require_fields_within(gravity, "Gravity::"); }
 
 /// @param R_WH  orientation of the handle
 /// @return about Ho, in W

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hapticut/core/description.hpp"
+#include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 
 namespace hapticut {
@@ -39,7 +40,19 @@ inline constexpr double kFastestVibration = 0.45;
 
 /// @param update_rate  [Hz] of the step
 /// @throws Error naming the field, its value and the allowed range
-void validate(const Vibration& vibration, double update_rate);
+inline void validate(const Vibration& vibration, double update_rate) {
+  require_fields_within(vibration, "Vibration::");
+  if (vibration.amplitude > vibration.largest_amplitude)
+    throw Error("Vibration::amplitude = " + format_number(vibration.amplitude) +
+                " N; must not exceed largest_amplitude = " + format_number(vibration.largest_amplitude) +
+                " N. Lower it, or raise largest_amplitude.");
+  if (vibration.frequency >= kFastestVibration * update_rate)
+    throw Error("Vibration::frequency = " + format_number(vibration.frequency) + " Hz; must be below " +
+                format_number(kFastestVibration * update_rate) + " Hz, 0.45 of the update rate of " +
+                format_number(update_rate) +
+                " Hz: sampled more coarsely a sine beats, and at half the rate it may be zero at every sample. Lower "
+                "it, or raise SimulationConfig::update_rate and call the step as often.");
+}
 
 /// The phase of a vibration from step to step.
 class VibrationPhase {

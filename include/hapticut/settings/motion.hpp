@@ -5,7 +5,7 @@
 
 #include "hapticut/core/spatial.hpp"
 
-namespace hapticut::cli {
+namespace hapticut::settings {
 
 /// Where something is at a time.
 struct TimedPose {
@@ -31,4 +31,4 @@ class Motion {
   std::vector<TimedPose> poses_;
 };
 
-}  // namespace hapticut::cli
+}  // namespace hapticut::settings

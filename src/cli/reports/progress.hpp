@@ -43,4 +43,11 @@ class ProgressBar {
   std::thread drawer_;  // on a terminal only
 };
 
+/// What `make` makes of a source, with a bar while it does.
+template <class Make>
+auto with_bar(const std::string& source, const Make& make) {
+  const ProgressBar bar("making the workpiece of " + source);
+  return make();
+}
+
 }  // namespace hapticut::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "settings/progress.hpp"
+#include "cli/reports/progress.hpp"
 
 #include <unistd.h>
 

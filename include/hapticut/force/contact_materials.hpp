@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/force/law.hpp"
+#include "hapticut/workpiece/material.hpp"
+
+namespace hapticut {
+
+/// [N/m^4] What the contact is computed with in single precision: far beyond any material, and squares of it are still
+/// finite.
+inline constexpr double kSoftestContact = 1, kStiffestContact = 1e25;
+
+/// The materials of a workpiece as the force laws read them: `k_v = relative_stiffness * reference_stiffness`,
+/// `w0 = sqrt(2 p_e / k_v)`.
+/// @param reference_stiffness  [N/m^4] of a material of relative stiffness 1
+/// @throws Error when k_v of a material is not between kSoftestContact and kStiffestContact
+[[nodiscard]] inline ContactMaterials contact_materials(const MaterialTable& table, double reference_stiffness) {
+  ContactMaterials constants = {};
+  constants[kEmpty].cutting_energy = 1;  // empty lanes are computed like others and must not divide by zero
+  for (int id = 1; id <= table.size(); ++id) {
+    const Material& m = table[MaterialId(id)];
+    const double stiffness = m.relative_stiffness * reference_stiffness;
+    require_between(
+        stiffness, kSoftestContact, kStiffestContact,
+        ("SimulationConfig::reference_stiffness times relative_stiffness of '" + m.name + "' [N/m^4]").c_str());
+    constants[std::size_t(id)] = {float(stiffness), float(m.damping), float(m.cutting_ratio),
+                                  float(m.specific_cutting_energy), float(std::sqrt(2 * m.edge_pressure / stiffness))};
+  }
+  return constants;
+}
+
+}  // namespace hapticut

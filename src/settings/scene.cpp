@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/settings/scene.hpp"
+
+#include <iterator>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "settings/scene_settings.hpp"
+#include "settings/settings_file.hpp"
+
+namespace hapticut::settings {
+namespace {
+
+Scene read_scene(std::string_view text, const std::string& name) {
+  SceneSettings settings;
+  const std::set<std::string> tables = read_settings(text, name, settings_of(settings), {"output", "loop"});
+  return make_scene(settings, tables.contains("path"));
+}
+
+}  // namespace
+
+std::vector<Setting> settings_of(SceneSettings& s) {
+  std::vector<Setting> all = settings_of(s.workpiece);
+  for (std::vector<Setting> more : {settings_of(s.tool), settings_of(s.path), settings_of(s.simulation)})
+    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  return all;
+}
+
+Scene make_scene(const SceneSettings& s, bool with_motion) {
+  Tool tool = make_tool(s.tool);
+  std::optional<Motion> motion;
+  if (with_motion) motion = make_motion(s.path, tool);
+  SimulationConfig config = make_config(s.simulation);
+  return {make_workpiece(s.workpiece), std::move(tool), std::move(config), std::move(motion)};
+}
+
+Scene from_toml(std::string_view text) { return read_scene(text, "scene"); }
+
+Scene from_file(const std::filesystem::path& path) { return read_scene(text_of_file(path, ""), path.string()); }
+
+}  // namespace hapticut::settings

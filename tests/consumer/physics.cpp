@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// An outside program with voxels of its own, in one file that links nothing: presses a standing and a spinning sphere
+// into its block, and calls every part of the headers of hapticut::physics that is more than a formula.
+#include <bitset>
+#include <cmath>
+#include <cstdio>
+#include <hapticut/bench/closed_forms.hpp>
+#include <hapticut/physics.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+using namespace hapticut;
+using namespace hapticut::units;
+
+constexpr double kRadius = 1 * mm, kDepth = 0.5 * mm, kVoxel = 0.05 * mm;  // [m]
+constexpr double kStiffness = 1e12;                                        // [N/m^4]
+// The voxel is a tenth of the depth, and the sums are those of the midpoint rule.
+constexpr double kTolerance = 0.01;  // [1]
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::runtime_error(what);
+}
+
+bool is_near(double value, double expected, double tolerance) {
+  return std::abs(value - expected) <= tolerance * std::abs(expected);
+}
+
+Material bone() {
+  Material material;
+  material.name = "bone";
+  material.static_friction = 0.4;
+  return material;
+}
+
+/// A wall of blocks below z = 0, full of one material: the centre of voxel (i, j, k) is at half an edge and (i, j, k)
+/// edges, so that the wall ends at a face of voxels.
+struct Wall {
+  static constexpr int kBlocks = 3;  // on each side of the axis; three down
+  Pose X_WV = Pose::from_translation(Vec3::Constant(kVoxel / 2));
+
+  template <class Visit>
+  void for_each_block(Visit&& visit) const {
+    for (int i = -kBlocks; i < kBlocks; ++i)
+      for (int j = -kBlocks; j < kBlocks; ++j)
+        for (int k = -kBlocks; k < 0; ++k) {
+          BlockView block;
+          block.origin = {i * kBlockEdge, j * kBlockEdge, k * kBlockEdge};
+          block.uniform_material = 1;
+          visit(block);
+        }
+  }
+};
+
+struct Contact {
+  Resultant resultant;
+  LawEnergies energies;
+  double taken = 0;  // [voxels]
+  int samples = 0;
+};
+
+Contact press(const ToolHead& head, const ForceLaw& law, const Pose& X_WT, double spin) {
+  const Wall wall;
+  const GridInHead grid(X_WT.inverse() * wall.X_WV, kVoxel);
+  const ContactMaterials materials = contact_materials(MaterialTable({bone()}), kStiffness);
+  HeadMotion motion = {};
+  motion.velocity = motion.angular_velocity = Eigen::Vector3f::Zero();
+  motion.felt_velocity = motion.felt_angular_velocity = Eigen::Vector3f::Zero();
+  motion.spin = float(spin);
+  motion.duration = 1e-3F;
+  motion.voxel_size = float(kVoxel);
+  motion.removal = RemovalLaw::constant_energy;
+  motion.head_radius = float(head.largest_radius());
+  Contact contact;
+  ContactBlock samples;
+  wall.for_each_block([&](const BlockView& block) {
+    const bool touched = head.visit_springs<float>([&](const auto& springs) {
+      if (!may_touch(springs, grid, block.origin, float(kVoxel))) return false;
+      sample_contact(springs, block, grid, Quadrature::centroid, samples);
+      return samples.samples > 0;
+    });
+    if (!touched) return;
+    contact.energies += law.evaluate(motion, materials, samples).energies;
+    sum_resultant(samples, contact.resultant);
+    std::array<float, kBlockVoxels> fill;
+    std::array<double, 256> taken = {};
+    (void)find_changes(samples, block, fill.data(), taken);
+    contact.taken += taken[1];
+    contact.samples += samples.samples;
+  });
+  return contact;
+}
+
+/// C1: the ball of a standing head pressed into a half space.
+double standing_force(const Tool& tool) {
+  const Contact contact = press(tool.head(), FoundationLaw(), Pose::from_translation(Vec3(0, 0, kRadius - kDepth)), 0);
+  const double force = contact.resultant.wrench_T.force.z();
+  require(contact.samples > 500, "there are too few samples");
+  require(is_near(force, closed_forms::cap_force(kStiffness, kRadius, kDepth), kTolerance), "C1 does not hold");
+  require(contact.taken == 0, "a standing head cut");
+  require(is_near(contact.energies.elastic, closed_forms::cap_energy(kStiffness, kRadius, kDepth), kTolerance),
+          "C3 does not hold");
+  return force;
+}
+
+/// What is cut costs its energy.
+void require_cut_pays(const Tool& tool) {
+  const Contact contact =
+      press(tool.head(), FoundationLaw(), Pose::from_translation(Vec3(0, 0, kRadius - kDepth)), tool.spindle().speed);
+  const double cost = bone().specific_cutting_energy * contact.taken * kVoxel * kVoxel * kVoxel;
+  require(contact.taken > 0 && is_near(contact.energies.cutting, cost, 1e-4), "the cut was not paid for");
+}
+
+/// Dragged further than the anchor bears, the contact slides at the dynamic friction.
+void require_friction(double normal) {
+  const DryFriction friction{bone().static_friction, bone().dynamic_friction, 1000};
+  validate(friction);
+  StickSlip anchor;
+  Vec3 force = Vec3::Zero();
+  for (int step = 0; step < 100; ++step)
+    force = anchor.move(Vec3(0, 0, normal), Vec3(0.01 * mm, 0, 0), friction, standing_share(0, kRadius)).force;
+  require(anchor.sliding() && is_near(-force.x(), friction.dynamic_friction * normal, 1e-9), "friction is not mu_d N");
+}
+
+/// Heads, handles, spindle and effects are those of their headers.
+void require_words(const Tool& tool) {
+  for (const ToolHead& head : {ToolHead(SphereHead{kRadius}), ToolHead(ConeHead{30 * deg, 2 * mm}),
+                               ToolHead(FlatHead{kRadius, 2 * mm, FlatRule::both})}) {
+    require(head.volume() > 0 && head.reach() >= head.largest_radius() && !head.profile().edges.empty() &&
+                !head.description().empty() && head.spring_at(Vec3(0, 0, 0.1 * mm)).depth > 0,
+            "a head has no measures");
+  }
+  require(is_near(tool.X_HT().translation.z(), -20 * mm, 1e-12), "the head is not at the end of its handle");
+  require(thesis_handle_torque(LHandle{0.1, 0.02}, Vec3::UnitZ(), 1, 1).allFinite(), "no torque at the handle");
+  require(is_near(largest_contact_stiffness(tool.head()), closed_forms::largest_cap_stiffness(1, kRadius), 0.01) &&
+              stiffness_for_device(tool.head(), 1000) > 0 &&
+              stiffness_for_accuracy(tool.head(), bone(), 4000, 1e-3) > 0,
+          "C2 does not hold");
+  SpindleMotor motor(tool.spindle());
+  motor.advance(1e-3, 1e-3);
+  require(motor.speed() > 0, "the spindle stands");
+  require(contact_point(tool.head(), {Vec3::UnitZ(), Vec3::Zero()}).z() < 0, "the contact point is not below");
+  DeepContact deep;
+  require(deep.move(Vec3::Zero(), -Vec3::UnitZ() * mm, 0.1, Vec3::UnitZ(), kRadius).force.isZero(), "it was held");
+  Gravity gravity;
+  gravity.mass = 0.1;
+  validate(gravity);
+  validate(Vibration{}, 1000);
+  validate(DeltaFilter{});
+  const Wrench weight = masked(AxisMask{}, gravity_wrench(gravity, Mat3::Identity()));
+  require(filtered(DeltaFilter{}, Vec3::Zero(), weight.force).norm() > 0, "there is no weight");
+  VibrationPhase phase;
+  require(phase.advance(Vibration{}, true, 1, 1e-3) != 0, "nothing vibrates");
+  try {
+    (void)ToolHead(SphereHead{-1});
+    require(false, "a radius of -1 m was accepted");
+  } catch (const Error& error) {
+    require(std::string(error.what()).find("SphereHead::radius [m] = -1") != std::string::npos, error.what());
+  }
+}
+
+/// The other laws are compiled and give a force.
+void require_laws(const Tool& tool) {
+  const HertzianBurrLaw burr(1e9);
+  const ContactMechanicsLaw half_space(1e9);
+  const DampingMatrixLaw damping({});
+  const TwistDrillLaw drill({});
+  const ThesisLaw thesis({});
+  for (const ForceLaw* law : {static_cast<const ForceLaw*>(&burr), static_cast<const ForceLaw*>(&half_space),
+                              static_cast<const ForceLaw*>(&damping), static_cast<const ForceLaw*>(&thesis)})
+    law->require_head(tool.head());
+  drill.require_head(ToolHead(ConeHead{59 * deg, 2 * mm}));
+  const Contact contact = press(tool.head(), thesis, Pose::from_translation(Vec3(0, 0, kRadius - kDepth)), 0);
+  require(contact.resultant.wrench_T.force.z() > 0, "the law of the thesis gives no force");
+}
+
+}  // namespace
+
+int main() try {
+  const Tool tool(SphereHead{kRadius}, RayHandle{20 * mm}, Spindle{40000 * rpm});
+  const double force = standing_force(tool);
+  require_cut_pays(tool);
+  require_friction(force);
+  require_words(tool);
+  require_laws(tool);
+  std::printf("%.4f N, C1: %.4f N\n", force, closed_forms::cap_force(kStiffness, kRadius, kDepth));
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
+}

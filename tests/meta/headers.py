@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Every header compiles alone: those of include/ and src/, but what kernels include again and again (-inl.hpp).
+
+    headers.py COMPILER BUILD_FOLDER [--jobs 2] [--only PART_OF_A_NAME]
+
+One run of the compiler for each header, which nobody else's include helps. Two things keep the 200 runs short, and
+neither can hide a missing include:
+
+* Where a header includes core/spatial.hpp, directly or not, that one is read first, precompiled, and Eigen with it. The
+  header sees it anyway, and those that it includes before are asked on their own.
+* A run ends at an assertion behind the header, which must be what stops it: parsed is the header by then, and the
+  templates that are instantiated at the end of a file, half of the time, are not.
+
+Flags are those of the build: every include folder of its compile_commands.json. Public headers include with quotes only
+each other.
+"""
+import argparse
+import json
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.M)
+BASE = "hapticut/core/spatial.hpp"  # what reads Eigen
+WRITTEN_BY_THE_BUILD = {"hapticut/version.hpp"}
+DEFINITIONS = ("-DITK_USE_SYSTEM_EIGEN", "-DLINUX", "-Dlinux=1")  # without which headers of others do not compile
+END = "the header was read to its end"
+
+
+class Headers:
+    """What includes what, by the names that stand in includes."""
+
+    def __init__(self):
+        self.path = {}
+        for folder in ("include", "src"):
+            for path in sorted((ROOT / folder).rglob("*.hpp")):
+                self.path[str(path.relative_to(ROOT / folder))] = path
+        self.names = [name for name in self.path if not name.endswith("-inl.hpp")]
+        self.closures = {}
+
+    def includes(self, name):
+        return INCLUDE.findall(self.path[name].read_text("utf-8"))
+
+    def closure(self, name):
+        """All of ours that a header includes, directly or not."""
+        if name not in self.closures:
+            self.closures[name] = set()  # ends a circle
+            for other in self.includes(name):
+                if other in self.path:
+                    self.closures[name] |= {other} | self.closure(other)
+        return self.closures[name]
+
+    def mistakes(self):
+        """Public headers that include what is not installed."""
+        for name in self.names:
+            if self.path[name].is_relative_to(ROOT / "include"):
+                for other in self.includes(name):
+                    if not other.startswith("hapticut/"):
+                        yield f'include/{name} includes "{other}", which is not installed'
+                    elif other not in self.path and other not in WRITTEN_BY_THE_BUILD:
+                        yield f'include/{name} includes "{other}", which does not exist'
+
+
+def flags_of(build):
+    """The standard, the include folders and what headers of others need, of all that the build compiles."""
+    flags = {}
+    for entry in json.loads((build / "compile_commands.json").read_text("utf-8")):
+        words = shlex.split(entry["command"])
+        for place, word in enumerate(words):
+            if word == "-isystem":
+                flags[word, words[place + 1]] = None
+            elif word.startswith(("-I", "-std=")) or word in DEFINITIONS:
+                flags[word,] = None
+    return [word for flag in flags for word in flag] + ["-w", "-Wfatal-errors"]
+
+
+class Compiler:
+    def __init__(self, program, build, folder):
+        self.command = [program, *flags_of(build)]
+        self.folder = folder
+        self.base = folder / "base.hpp"
+
+    def read_base(self):
+        self.base.write_text(f'#include "{BASE}"\n', "utf-8")
+        subprocess.run([*self.command, "-x", "c++-header", str(self.base), "-o", f"{self.base}.gch"], check=True)
+
+    def complaint(self, number, name, base):
+        """What the compiler says of a header, or nothing. `base`: the future of read_base, for who includes it."""
+        first = []
+        if base is not None:
+            base.result()
+            first = ["-include", str(self.base)]
+        source = self.folder / f"{number}.cpp"
+        source.write_text(f'#include "{name}"\nstatic_assert(false, "{END}");\n', "utf-8")
+        done = subprocess.run([*self.command, *first, "-fsyntax-only", str(source)], capture_output=True, text=True)
+        if done.returncode != 0 and END in done.stderr:
+            return ""
+        return f"{name} does not compile alone:\n{done.stderr}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("compiler")
+    parser.add_argument("build", type=Path)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--only", default="", help="headers with this in their names")
+    arguments = parser.parse_args()
+    start = time.monotonic()
+
+    headers = Headers()
+    wrong = list(headers.mistakes())
+    if len(headers.names) < 200:
+        wrong.append(f"only {len(headers.names)} headers were found")
+    names = [name for name in headers.names if arguments.only in name]
+    with tempfile.TemporaryDirectory(dir=arguments.build) as folder:
+        compiler = Compiler(arguments.compiler, arguments.build, Path(folder))
+        with ThreadPoolExecutor(arguments.jobs) as pool:
+            base = pool.submit(compiler.read_base)
+            # Those that do not wait for it come first.
+            names.sort(key=lambda name: BASE in headers.closure(name))
+            done = [pool.submit(compiler.complaint, number, name, base if BASE in headers.closure(name) else None)
+                    for number, name in enumerate(names)]
+            wrong += filter(None, (one.result() for one in done))
+    for one in wrong:
+        print(one, file=sys.stderr)
+    print(f"{len(names)} headers, {time.monotonic() - start:.0f} s")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
