@@ -53,6 +53,17 @@ struct VoxelList {
   HWY_INLINE void clear() { runs = count = 0; }
 };
 
+/// Strips that are written for the first time, voxel by voxel: the others of theirs keep their fills.
+HWY_INLINE void begin_strips(PressTask& task, std::uint32_t strips) {
+  const BlockView& block = task.block;
+  if (task.fill_after != block.fill)
+    for (std::uint32_t begun = strips & ~task.change.strips; begun != 0; begun &= begun - 1) {
+      const int first = kStripLanes * std::countr_zero(begun);
+      for (int voxel = first; voxel < first + kStripLanes; ++voxel) task.fill_after[voxel] = block.fill_of(voxel);
+    }
+  task.change.strips |= strips;
+}
+
 /// All voxels of a block are full, of one material and at their centres.
 HWY_INLINE bool is_whole(const BlockView& block) {
   return block.material == nullptr && block.solid == nullptr && block.fill == nullptr && block.centroid == nullptr;
@@ -65,6 +76,7 @@ class Gather {
   HWY_INLINE Gather(const Springs& springs, const ContactJob& job)
       : springs_(springs),
         job_(job),
+        beyond_(job.quadrature == Quadrature::sub_voxel ? kVoxelReach * job.motion.voxel_size : 0.0F),
         steps_(job.grid.voxel_steps.template cast<float>()),
         firsts_(steps_, Eigen::Vector3f::Zero()),
         middles_(steps_, steps_ * Eigen::Vector3f(0, 0.5F, 3.5F)),
@@ -87,7 +99,7 @@ class Gather {
   HWY_INLINE void for_each(const BlockView& block, const Found& found) const {
     const Eigen::Vector3f base = first_voxel(block);
     const bool at_centroid = !kWhole && block.centroid != nullptr && job_.quadrature == Quadrature::centroid;
-    const float half = (at_centroid ? kHalfStrip + kToCentroid : kHalfStrip) * job_.motion.voxel_size;
+    const float half = (at_centroid ? kHalfStrip + kToCentroid : kHalfStrip) * job_.motion.voxel_size + beyond_;
     const std::uint32_t near = strips_within(base, half) & solid_strips(block) & strips_on_turn(block);
     const std::uint32_t inner = strips_within(base, -half);
     const Mask all = hn::FirstN(Floats(), kWidth);
@@ -108,7 +120,7 @@ class Gather {
         Mask hit = all;
         unsigned hit_bits = kAllLanes;
         if (bits != kAllLanes || (inner >> strip & 1U) == 0) {
-          hit = hn::And(springs_.hits(r.x, r.y, r.z, 0.0F), mask_of(bits));
+          hit = hn::And(springs_.hits(r.x, r.y, r.z, beyond_), mask_of(bits));
           hit_bits = bits_of(hit);
           if (hit_bits == 0) continue;
         }
@@ -225,6 +237,7 @@ class Gather {
 
   const Springs springs_;
   const ContactJob& job_;
+  const float beyond_;  // [m] how far outside the head a voxel's centre may be whose part reaches into it
   const Eigen::Matrix3f steps_;
   const StripOffsets firsts_, middles_;
   const hn::Vec<hn::RebindToSigned<Floats>> lane_numbers_;

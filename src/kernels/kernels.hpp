@@ -50,6 +50,9 @@
 ///     gather-inl.hpp            which voxels of a block may be inside the head
 ///     press_sums-inl.hpp        what is added up
 ///     stiffness-inl.hpp         and what a coupling wants besides
+///     materials-inl.hpp         constants of the voxels in work, and what was removed of each material
+///     motion-inl.hpp            how the head's surface moves at them
+///     cut_voxels-inl.hpp        the default law on parts of voxels (Quadrature::sub_voxel)
 ///     press-inl.hpp             the default law: Press::sample, then Press::press_voxels
 ///     press_blocks-inl.hpp      which Press for which head and motion
 ///     rows-inl.hpp              rows; with them the staged kernels for all other laws,

@@ -8,7 +8,10 @@
 #endif
 
 #include "hapticut/force/laws/foundation.hpp"
+#include "kernels/cut_voxels-inl.hpp"
 #include "kernels/gather-inl.hpp"
+#include "kernels/materials-inl.hpp"
+#include "kernels/motion-inl.hpp"
 #include "kernels/press_sums-inl.hpp"
 #include "kernels/stiffness-inl.hpp"
 #include "kernels/strips-inl.hpp"
@@ -21,7 +24,8 @@ namespace strips {
 /// A few blocks one after the other. In vectors of sixteen, and on the long way of a turning head, the voxels inside
 /// the head are gathered first, so that no lane computes for nothing; in shorter ones, or on the short way of a
 /// standing head, gathering would cost more than the empty lanes do (measured: decision 4).
-template <class Springs, Mode kMode>
+/// @tparam kOfParts  Quadrature::sub_voxel: voxels are integrated over their filled parts
+template <class Springs, Mode kMode, bool kOfParts>
 class Press {
   static constexpr bool kGathers = kWidth == kStripLanes && (kMode != Mode::standing || Springs::kCostly);
 
@@ -40,8 +44,8 @@ class Press {
         damped_(job.damped),
         release_(m_.removal == RemovalLaw::elastic_release),
         implicit_(m_.lead > 0 || stiffness != nullptr),
-        material_(job.materials[kEmpty]),
-        removed_(broadcast(0.0F)) {}
+        axes_((job.grid.voxel_steps / double(m_.voxel_size)).template cast<float>()),
+        material_(job.materials, totals) {}
 
   HWY_INLINE void press(std::span<PressTask> tasks) {
     PressSums sums[kParts];  // close at hand in the loop
@@ -51,7 +55,7 @@ class Press {
         gather(int(n), sums[0]);
       } else {
         tasks_ = &tasks[n];
-        may_cut_ = tasks_->may_cut;
+        may_cut_ = may_cut(*tasks_);
         near_axis_ = kMode != Mode::standing && gather_.near_axis(tasks_->block);
         if (is_whole(tasks_->block))
           press_where_they_are<true>(sums);
@@ -60,7 +64,7 @@ class Press {
       }
     }
     if constexpr (kGathers) press_listed(sums[0]);
-    flush_removed();
+    if constexpr (kMode == Mode::cutting) material_.flush();
     for (std::size_t part = 0; part < kParts; ++part)
       sums[part].template flush<kMode>(part, damped_ || m_.lead > 0, totals_);
   }
@@ -69,21 +73,21 @@ class Press {
   template <bool kWhole>
   HWY_INLINE void press_where_they_are(PressSums (&sums)[kParts]) {
     const BlockView& block = tasks_->block;
-    if (block.material == nullptr) load_material(block.uniform_material);
+    if (block.material == nullptr) material_.load(block.uniform_material);
     gather_.template for_each<kWhole>(
         block, [&](int voxel, const Vectors& r, Mask hit, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
-          if (!kWhole && block.material != nullptr) load_materials(block.material + voxel, lanes);
+          if (!kWhole && block.material != nullptr) material_.load(block.material + voxel, lanes);
           const Vec fill = kWhole || block.fill == nullptr ? broadcast(1.0F) : hn::LoadU(Floats(), block.fill + voxel);
           const std::size_t part = std::size_t(voxel) / kWidth % kParts;
-          press_voxels(voxel, part, r, fill, sample(r, hit, sums[part]), sums[part]);
+          press_voxels(voxel, part, r, fill, sample(r, fill, hit, sums[part]), sums[part]);
         });
   }
 
   /// Appends the voxels of a block to the list, and presses those listed when they are enough.
   HWY_INLINE void gather(int number, PressSums& sums) {
     PressTask& task = tasks_[number];
-    if (task.may_cut != may_cut_) press_listed(sums);
-    may_cut_ = task.may_cut;
+    if (may_cut(task) != may_cut_) press_listed(sums);
+    may_cut_ = may_cut(task);
     const std::uint32_t strips = gather_.append(task.block, number, voxels_);
     if (strips == 0) return;
     near_axis_ |= kMode != Mode::standing && gather_.near_axis(task.block);
@@ -100,44 +104,60 @@ class Press {
     voxels_.repeat_first();
     for (int first = 0; first < count; first += kStripLanes) {
       const Mask listed = hn::FirstN(d, std::size_t(std::min(count - first, kStripLanes)));
-      samples_.store(first, sample(voxels_.place(first), listed, sums));
+      const Vec fill = hn::Load(d, voxels_.fill + first);
+      samples_.template store<kOfParts>(first, sample(voxels_.place(first), fill, listed, sums));
     }
-    if (voxels_.material != kEmpty) load_material(voxels_.material);
+    if (voxels_.material != kEmpty) material_.load(voxels_.material);
     for (int first = 0; first < count; first += kStripLanes) {
       if (voxels_.material == kEmpty) load_listed_materials(first);
-      press_voxels(first, 0, voxels_.place(first), hn::Load(d, voxels_.fill + first), samples_.load(first), sums);
+      press_voxels(first, 0, voxels_.place(first), hn::Load(d, voxels_.fill + first),
+                   samples_.template load<kOfParts>(first), sums);
     }
     if (kMode == Mode::cutting && may_cut_) write_fills();
     voxels_.clear();
     near_axis_ = false;
   }
 
+  [[nodiscard]] HWY_INLINE bool may_cut(const PressTask& task) const {
+    return task.may_cut && (!kOfParts || m_.cuts());
+  }
+
   /// Stage sample_contact.
   /// @param r       [m] places of voxels, in T
   /// @param listed  the lanes that count, if they are inside the head
-  HWY_INLINE Sample sample(const Vectors& r, Mask listed, PressSums& sums) const {
+  HWY_INLINE Sample sample(const Vectors& r, Vec fill, Mask listed, PressSums& sums) const {
     const Floats d;
-    const SpringVectors<Vec> spring = springs_.at(r.x, r.y, r.z);
-    const Mask inside = hn::And(spring.depth > hn::Zero(d), listed);
-    sums.voxels += int(hn::CountTrue(d, inside));
+    const SpringVectors<Vec> spring = kOfParts ? springs_.near(r.x, r.y, r.z) : springs_.at(r.x, r.y, r.z);
     Sample s;
-    s.felt_rate = s.inverse_slip = s.slip_path = hn::Zero(d);
-    s.depth = hn::IfThenElseZero(inside, spring.depth);
+    s.felt_rate = s.inverse_slip = s.slip_path = s.top = s.largest = hn::Zero(d);
     s.radial = spring.radial;
     s.axial = spring.axial;
-    if constexpr (kMode == Mode::standing) {
-      s.rate = rate_of_depth(r, s, m_.velocity, m_.angular_velocity);
+    Mask inside;
+    if constexpr (kOfParts) {
+      s.largest = largest_component(axes_, r, s);
+      const SectionVectors section(s.largest);
+      const Vec above_middle = hn::NegMulAdd(broadcast(0.5F), section.span(), section.height_of(fill));
+      s.top = hn::MulAdd(broadcast(m_.voxel_size), above_middle, spring.depth);
+      inside = hn::And(hn::And(s.top > hn::Zero(d), fill > hn::Zero(d)), listed);
+      s.top = hn::IfThenElseZero(inside, s.top);
     } else {
-      const Vectors v = surface_velocity(r);
+      inside = hn::And(spring.depth > hn::Zero(d), listed);
+    }
+    s.depth = hn::IfThenElseZero(inside, spring.depth);
+    sums.voxels += int(hn::CountTrue(d, inside));
+    if constexpr (kMode == Mode::standing) {
+      s.rate = rate_of_depth<Springs::kCentral>(r, s, m_.velocity, m_.angular_velocity);
+    } else {
+      const Vectors v = surface_velocity(m_, r);
       s.rate = hn::MulAdd(s.radial, hn::MulAdd(r.x, v.x, r.y * v.y), s.axial * v.z);
       // What is not along the normal is slip.
       Vec slip_squared = hn::Max(hn::Zero(d), hn::NegMulAdd(s.rate, s.rate, dot(v, v)));
-      if (near_axis_) slip_squared = slip_squared + axis_slip_squared(r);
+      if (near_axis_) slip_squared = slip_squared + axis_slip_squared(m_, r);
       constexpr float kRegular = FoundationLaw::kSlipRegularization * FoundationLaw::kSlipRegularization;
       s.inverse_slip = inverse_root(slip_squared + broadcast(kRegular));
       s.slip_path = slip_squared * s.inverse_slip * broadcast(m_.duration * m_.level_of_detail);
     }
-    if (damped_) s.felt_rate = rate_of_depth(r, s, m_.felt_velocity, m_.felt_angular_velocity);
+    if (damped_) s.felt_rate = rate_of_depth<Springs::kCentral>(r, s, m_.felt_velocity, m_.felt_angular_velocity);
     return s;
   }
 
@@ -145,9 +165,10 @@ class Press {
   /// @param first  of the list, or of the block where there is none
   HWY_INLINE void press_voxels(int first, std::size_t part, const Vectors& r, Vec old_fill, const Sample& s,
                                PressSums& sums) {
+    if constexpr (kOfParts) return press_parts(first, part, r, old_fill, s, sums);
     const Floats d;
     const Vec zero = hn::Zero(d), one = broadcast(1.0F), half = broadcast(0.5F);
-    const MaterialVectors& material = material_;
+    const MaterialVectors& material = material_.vectors();
     const Vec w = s.depth;
     const Mask inside = w > zero;
     const Vec phi = hn::IfThenElseZero(inside, old_fill);
@@ -212,10 +233,10 @@ class Press {
       const Vec normal = normal_force(sums, spring_left, damped, half_advance);
       const Vec rubbed = kappa * normal, tangential = rubbed * s.inverse_slip;
       // Along the normal and, of the surface's velocity, what is not along it.
-      sums.add_reaction(r, s, hn::NegMulAdd(tangential, s.rate, normal), tangential, surface_velocity(r));
+      sums.add_reaction(r, s, hn::NegMulAdd(tangential, s.rate, normal), tangential, surface_velocity(m_, r));
       const Mask rubs = hn::AndNot(is_cut, inside);
       if (!hn::AllFalse(d, rubs)) sums.rubbing = sums.rubbing + hn::IfThenElseZero(rubs, rubbed * s.slip_path);
-      if (near_axis_) sums.couple = hn::MulAdd(tangential, axis_slip_squared(r), sums.couple);
+      if (near_axis_) sums.couple = hn::MulAdd(tangential, axis_slip_squared(m_, r), sums.couple);
     }
     if (implicit_) [[unlikely]] {
       if (m_.lead > 0) add_lead(sums, w, phi, mean_fill, gone, half_advance);
@@ -225,27 +246,49 @@ class Press {
     sums.depth = hn::Max(sums.depth, w);
   }
 
-  /// [m/s] v + omega x r of the head's turning surface, in T
-  [[nodiscard]] HWY_INLINE Vectors surface_velocity(const Vectors& r) const {
-    return velocity_at(r, m_.velocity, m_.angular_velocity + Eigen::Vector3f(0, 0, m_.spin));
-  }
+  /// The same for parts of voxels.
+  HWY_INLINE void press_parts(int first, std::size_t part, const Vectors& r, Vec old_fill, const Sample& s,
+                              PressSums& sums) {
+    const Floats d;
+    const Vec zero = hn::Zero(d), half = broadcast(0.5F);
+    const Mask inside = s.top > zero;
+    const Vec fill = hn::IfThenElseZero(inside, old_fill), advance = s.rate * broadcast(m_.duration);
+    const MaterialVectors& material = material_.vectors();
+    const Vec damped =
+        damped_ ? hn::Max(zero, hn::MulAdd(material.damping, s.felt_rate, broadcast(1.0F))) : broadcast(1.0F);
+    const PressedParts p = press_parts_of(m_, material, s, fill, damped, may_cut_, release_);
+    if (may_cut_) {
+      const Mask finished = p.credit > zero;
+      if (!hn::AllFalse(d, finished)) {
+        sums.credited = hn::MulAdd(p.price, p.credit, sums.credited);
+        mark_emptied(first, bits_of(finished));
+      }
+      const Vec gone = fill - p.left;
+      if (release_) sums.helped = hn::MulAdd(material.energy - p.price, gone, sums.helped);
+      book_removed(gone, first, inside);
+      if constexpr (kGathers) {
+        hn::Store(hn::IfThenElse(inside, p.left, old_fill), d, voxels_.fill_after + first);
+      } else {
+        begin_strips(*tasks_, 1U << (first / kStripLanes));
+        hn::BlendedStore(p.left, inside, d, tasks_->fill_after + first);
+      }
+    }
+    const Vec spring = p.rubbing + p.cut, normal = spring * damped;
+    const Vec kappa = m_.spin == 0 ? zero : material.cutting_ratio;
+    const Vec tangential = kappa * normal * s.inverse_slip;
+    sums.add_reaction(r, s, hn::NegMulAdd(tangential, s.rate, normal), tangential, surface_velocity(m_, r));
+    sums.rubbing = hn::MulAdd(kappa * p.rubbing * damped, s.slip_path, sums.rubbing);
+    if (near_axis_) sums.couple = hn::MulAdd(tangential, axis_slip_squared(m_, r), sums.couple);
 
-  /// [m/s] how fast voxels come nearer along the normal: n (v + omega x r) = v n + omega (r x n)
-  [[nodiscard]] HWY_INLINE static Vec rate_of_depth(const Vectors& r, const Sample& s, const Eigen::Vector3f& v,
-                                                    const Eigen::Vector3f& omega) {
-    const Vec across = hn::MulAdd(r.x, broadcast(v.x()), r.y * broadcast(v.y()));
-    const Vec rate = hn::MulAdd(s.radial, across, s.axial * broadcast(v.z()));
-    if constexpr (Springs::kCentral) return rate;
-    const Vec turning = hn::MulSub(r.y, broadcast(omega.x()), r.x * broadcast(omega.y()));
-    return hn::MulAdd(s.lever(r), turning, rate);
-  }
-
-  /// [m^2/s^2] square of the mean slip that a voxel near the axis has beyond that of its centre
-  [[nodiscard]] HWY_INLINE Vec axis_slip_squared(const Vectors& r) const {
-    const Vec rho_squared = hn::MulAdd(r.x, r.x, r.y * r.y);
-    const Vec zone = hn::NegMulAdd(rho_squared, broadcast(FoundationLaw::axis_zone_factor(m_)), broadcast(1.0F));
-    const Vec inner = hn::Max(hn::Zero(Floats()), zone);
-    return broadcast(FoundationLaw::axis_slip_squared(m_)) * (inner * inner);
+    // What was released is what went in less what is stored.
+    sums.twice_middle = sums.twice_middle + (p.before + p.after);
+    sums.elastic_change = hn::MulAdd(half, p.after - p.before, sums.elastic_change);
+    sums.lag = hn::MulAdd(half, p.after - p.before + p.lead_work - spring * advance, sums.lag);
+    sums.damping = sums.damping + hn::MulAdd(normal - spring, advance, p.lead_work);
+    if (stiffness_ != nullptr) [[unlikely]]
+      stiffness_[part].add(p.slope(material, damped, m_.duration), r, {r.x * s.radial, r.y * s.radial, s.axial});
+    sums.fill = sums.fill + fill;
+    sums.depth = hn::Max(sums.depth, s.top);
   }
 
   HWY_INLINE void mark_emptied(int first, unsigned lanes) const {
@@ -267,17 +310,6 @@ class Press {
     return block.material == nullptr ? block.uniform_material : block.material[voxel_of(n)];
   }
 
-  /// Strips that are written for the first time, voxel by voxel: the others of theirs keep their fills.
-  HWY_INLINE static void begin_strips(PressTask& task, std::uint32_t strips) {
-    const BlockView& block = task.block;
-    if (task.fill_after != block.fill)
-      for (std::uint32_t begun = strips & ~task.change.strips; begun != 0; begun &= begun - 1) {
-        const int first = kStripLanes * std::countr_zero(begun);
-        for (int voxel = first; voxel < first + kStripLanes; ++voxel) task.fill_after[voxel] = block.fill_of(voxel);
-      }
-    task.change.strips |= strips;
-  }
-
   /// What the sub-step left of the listed voxels goes back to where they came from.
   HWY_INLINE void write_fills() const {
     const float* after = voxels_.fill_after;
@@ -292,7 +324,7 @@ class Press {
   /// to that in the middle, and books what the springs push harder than what they store as a damper's work. Those that
   /// were not touched at the beginning stored nothing there.
   HWY_INLINE void add_lead(PressSums& sums, Vec w, Vec fill, Vec mean_fill, Vec removed, Vec half_advance) const {
-    const Vec stiffness = material_.stiffness, zero = hn::Zero(Floats());
+    const Vec stiffness = material_.vectors().stiffness, zero = hn::Zero(Floats());
     const Vec lead = broadcast(2 * m_.lead) * half_advance, middle = w - lead;
     const Vec squares = stiffness * hn::MulSub(middle, middle, w * w);  // twice the energy, from here
     const Vec product = hn::Neg(stiffness * (lead * half_advance));
@@ -309,7 +341,7 @@ class Press {
 
   HWY_INLINE void add_stiffness(StiffnessVectors& sums, Vec spring, Vec damped, const Vectors& r, const Sample& s) {
     if (damped_) {
-      const Vec damper = material_.damping * s.depth * broadcast(1.0F / m_.duration);
+      const Vec damper = material_.vectors().damping * s.depth * broadcast(1.0F / m_.duration);
       const Vec slope = hn::IfThenElseZero(damped > hn::Zero(Floats()), damped + damper);
       spring = spring * slope;
     }
@@ -324,50 +356,19 @@ class Press {
     return normal;
   }
 
-  /// Loads the constants of a material, unless they are those of the voxels before.
-  HWY_INLINE void load_material(MaterialId one) {
-    if (one == material_id_) return;
-    flush_removed();
-    material_id_ = one;
-    material_ = MaterialVectors(job_.materials[one]);
-  }
-  /// @param ids  of a vector of voxels of which only some lanes count
-  HWY_INLINE void load_materials(const MaterialId* ids, unsigned lanes) {
-    if (material_id_ != kEmpty && all_are(ids, material_id_)) return;
-    const MaterialId one = ids[std::countr_zero(lanes)];
-    bool uniform = true;
-    for (lanes &= lanes - 1; lanes != 0; lanes &= lanes - 1) uniform &= ids[std::countr_zero(lanes)] == one;
-    if (uniform) return load_material(one);
-    flush_removed();
-    material_id_ = kEmpty;
-    material_ = MaterialVectors(job_.materials, ids);
-  }
   HWY_INLINE void load_listed_materials(int first) {
     MaterialId ids[kStripLanes];
     for (int lane = 0; lane < kStripLanes; ++lane) ids[lane] = material_of(first + lane);
-    load_materials(ids, kAllLanes);
+    material_.load(ids, kAllLanes);
   }
   /// Books what was removed, by material.
   HWY_INLINE void book_removed(Vec removed, int first, Mask inside) {
-    if (material_id_ != kEmpty) {
-      removed_ = removed_ + removed;
-      return;
-    }
+    if (material_.book(removed)) return;
     alignas(64) float lanes[kWidth];
     hn::Store(removed, Floats(), lanes);
     for (unsigned bits = bits_of(inside); bits != 0; bits &= bits - 1) {
       const int lane = std::countr_zero(bits);
       totals_.removed[material_of(first + lane)] += double(lanes[lane]);
-    }
-  }
-  HWY_INLINE void flush_removed() {
-    if constexpr (kMode == Mode::cutting) {
-      alignas(64) float lanes[kWidth];
-      hn::Store(removed_, Floats(), lanes);
-      double sum = 0;
-      for (const float lane : lanes) sum += double(lane);
-      totals_.removed[material_id_] += sum;
-      removed_ = hn::Zero(Floats());
     }
   }
 
@@ -380,12 +381,11 @@ class Press {
   ContactSums& totals_;
   StiffnessVectors* const stiffness_;  // [kParts]; null: not wanted
   const bool damped_, release_, implicit_;
+  const Eigen::Matrix3f axes_;  // of the grid, in T
   PressTask* tasks_ = nullptr;  // all of them where voxels are listed, the present one where they are not
   bool may_cut_ = true;         // of the voxels listed, or of the block where there is no list
   bool near_axis_ = false;      // some of them are near the spindle's axis
-  MaterialVectors material_;
-  MaterialId material_id_ = kEmpty;  // kEmpty: the lanes of material_ differ
-  Vec removed_;                      // [voxels] of material_id_
+  LoadedMaterials material_;
 };
 
 }  // namespace strips

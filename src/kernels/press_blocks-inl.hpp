@@ -14,7 +14,7 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-template <class Springs, Mode kMode>
+template <class Springs, Mode kMode, bool kOfParts = false>
 HWY_INLINE void PressAll(const Springs& springs, const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
                          StiffnessSums* stiffness) {
   VoxelList voxels;  // empty
@@ -22,7 +22,7 @@ HWY_INLINE void PressAll(const Springs& springs, const ContactJob& job, std::spa
   StiffnessVectors by_part[kParts];
   if (stiffness != nullptr)
     for (StiffnessVectors& part : by_part) part.clear();
-  Press<Springs, kMode> press(springs, job, voxels, samples, sums, stiffness == nullptr ? nullptr : by_part);
+  Press<Springs, kMode, kOfParts> press(springs, job, voxels, samples, sums, stiffness == nullptr ? nullptr : by_part);
   press.press(tasks);
   if (stiffness != nullptr)
     for (std::size_t part = 0; part < kParts; ++part) by_part[part].flush(part, *stiffness);
@@ -35,6 +35,8 @@ HWY_ATTR void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, Con
   using strips::Mode;
   visit_springs(job.head, [&](const auto& springs) HWY_ATTR {
     using Springs = std::decay_t<decltype(springs)>;
+    if (job.quadrature == Quadrature::sub_voxel)  // whether the head turns and cuts, it asks as it runs
+      return strips::PressAll<Springs, Mode::cutting, true>(springs, job, tasks, sums, stiffness);
     if (job.motion.spin == 0) return strips::PressAll<Springs, Mode::standing>(springs, job, tasks, sums, stiffness);
     if (job.motion.removal == RemovalLaw::none)
       return strips::PressAll<Springs, Mode::rubbing>(springs, job, tasks, sums, stiffness);

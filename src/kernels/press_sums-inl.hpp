@@ -21,12 +21,13 @@ enum class Mode { standing, rubbing, cutting };  // spindle stands; turns with r
 
 /// What stage sample_contact finds of a vector of voxels.
 struct Sample {
-  Vec depth;          // [m] w; zero in lanes that do not count
+  Vec depth;  // [m] w, of the point or, of a part of a voxel, of the voxel's centre; zero in lanes that do not count
   Vec radial, axial;  // of the outward normal, as in SpringVectors
   Vec rate;           // [m/s] of the depth
   Vec felt_rate;      // [m/s] as the damping feels it; set where some material has damping
   Vec inverse_slip;   // [s/m] set where the head turns
   Vec slip_path;      // [m] in the sub-step, likewise
+  Vec top, largest;   // of a part of a voxel: its greatest depth [m], zero in lanes that do not count, and max |n_i|
 
   /// [m] r x n = (y lever, -x lever, 0)
   [[nodiscard]] HWY_INLINE Vec lever(const Vectors& r) const { return hn::NegMulAdd(r.z, radial, axial); }
@@ -35,17 +36,22 @@ struct Sample {
 /// Samples of the voxels of a VoxelList.
 class SampleList {
  public:
+  /// @tparam kOfParts  they are parts of voxels
+  template <bool kOfParts>
   HWY_INLINE void store(int first, const Sample& s) {
-    const Vec values[kVectors] = {s.depth, s.radial, s.axial, s.rate, s.felt_rate, s.inverse_slip, s.slip_path};
-    for (int n = 0; n < kVectors; ++n) hn::Store(values[n], Floats(), values_[n] + first);
+    const Vec values[kVectors] = {s.depth,        s.radial,    s.axial, s.rate,   s.felt_rate,
+                                  s.inverse_slip, s.slip_path, s.top,   s.largest};
+    for (int n = 0; n < (kOfParts ? kVectors : kOfPoints); ++n) hn::Store(values[n], Floats(), values_[n] + first);
   }
+  template <bool kOfParts>
   [[nodiscard]] HWY_INLINE Sample load(int first) const {
-    const auto value = [&](int n) HWY_ATTR { return hn::Load(Floats(), values_[n] + first); };
-    return {value(0), value(1), value(2), value(3), value(4), value(5), value(6)};
+    const auto value = [&](int n)
+                           HWY_ATTR { return hn::Load(Floats(), values_[kOfParts || n < kOfPoints ? n : 0] + first); };
+    return {value(0), value(1), value(2), value(3), value(4), value(5), value(6), value(7), value(8)};
   }
 
  private:
-  static constexpr int kVectors = 7;
+  static constexpr int kOfPoints = 7, kVectors = 9;
   alignas(64) float values_[kVectors][VoxelList::kRoom];
 };
 

@@ -39,6 +39,23 @@ struct ProfileBounds {
     return hn::And(squared < bound, between);
   }
 
+  /// A curve that is above points outside ends before.
+  template <class V, class M>
+  HWY_INLINE SpringVectors<V> no_deeper_than_the_surface(M outside, SpringVectors<V> spring, V z) const {
+    const auto ends = hn::And(outside, spring.depth > same(z, 0.0F));
+    const auto no_surface = hn::Or(ends, z >= same(z, top));
+    spring.depth = hn::IfThenElse(no_surface, same(z, kFarOutside), spring.depth);
+    return spring;
+  }
+
+  /// Springs as the table has them, made those of points that may lie outside its bounds.
+  template <class V>
+  HWY_INLINE SpringVectors<V> bounded(SpringVectors<V> spring, V x, V y, V z) const {
+    const V squared = hn::MulAdd(x, x, y * y);
+    const auto in_bounds = hn::And(squared<same(z, radius * radius), z> same(z, bottom));
+    return no_deeper_than_the_surface(hn::Not(in_bounds), spring, z);
+  }
+
   /// Whole part of 0 <= v < 2^22; of a whole number that, or one less. From 2^23 on the last bit is the unit.
   template <class V>
   HWY_INLINE static auto floor_of(V v) {
@@ -162,6 +179,10 @@ struct PlainProfileVectors : ProfileBounds {
     return {hn::IfThenElse(take, other.depth, one.depth), hn::IfThenElse(take, other.radial, one.radial),
             hn::IfThenElse(take, other.axial, one.axial)};
   }
+  template <class V>
+  HWY_INLINE SpringVectors<V> near(V x, V y, V z) const {
+    return bounded(at(x, y, z), x, y, z);
+  }
 };
 
 /// Curves of a profile for a vector of points: see ProfileCurves.
@@ -219,20 +240,45 @@ struct ProfileVectors : ProfileBounds {
 
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
-    const hn::DFromV<V> d;
-    const hn::RebindToSigned<hn::DFromV<V>> ints;
     const V squared = hn::MulAdd(x, x, y * y);
     const V inverse_rho = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
     const V rho = squared * inverse_rho;
-    const auto zero = hn::Zero(ints);
-    const V scale = same(x, table.cells_per_length);
-    const auto column = hn::Min(floor_of(rho * scale), hn::Set(ints, table.columns - 1));
-    const auto row = hn::Min(floor_of((z - same(x, bottom)) * scale), hn::Set(ints, table.rows - 1));
     const auto bounds = hn::And(rho < same(rho, radius), hn::And(z > same(z, bottom), z < same(z, top)));
+    return decide(cell_at(table.cells, rho, z, bounds), rho, inverse_rho, z);
+  }
+  template <class V>
+  HWY_INLINE SpringVectors<V> near(V x, V y, V z) const {
+    const V squared = hn::MulAdd(x, x, y * y);
+    const V inverse_rho = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
+    const V rho = squared * inverse_rho;
+    const V cell_rho = hn::Min(rho, same(x, radius)), cell_z = hn::Max(z, same(x, bottom));
+    const auto cell = cell_at(table.cells_near, cell_rho, cell_z, z < same(z, top));
+    const auto ints = hn::DFromV<decltype(cell)>();
+    const auto outside = hn::RebindMask(hn::DFromV<V>(), cell < hn::Zero(ints));  // ProfileCell::kOutside
+    const auto of_head = hn::And(cell, hn::Set(ints, 0x7fffffff));
+    const auto spring = no_deeper_than_the_surface(outside, decide(of_head, rho, inverse_rho, z), z);
+    return bounded(spring, x, y, z);
+  }
+
+ private:
+  /// Cells at (rho, z); 0 where `bounds` says that there is none.
+  template <class V, class M>
+  HWY_INLINE auto cell_at(const std::uint32_t* cells, V rho, V z, M bounds) const {
+    const hn::RebindToSigned<hn::DFromV<V>> ints;
+    const V scale = same(z, table.cells_per_length);
+    const auto column = hn::Min(floor_of(rho * scale), hn::Set(ints, table.columns - 1));
+    const auto row = hn::Min(floor_of((z - same(z, bottom)) * scale), hn::Set(ints, table.rows - 1));
     const auto within = hn::RebindMask(ints, bounds);
     const auto index = hn::IfThenElseZero(within, row * hn::Set(ints, table.columns) + column);
-    const auto cell =
-        hn::IfThenElseZero(within, hn::GatherIndex(ints, reinterpret_cast<const std::int32_t*>(table.cells), index));
+    return hn::IfThenElseZero(within, hn::GatherIndex(ints, reinterpret_cast<const std::int32_t*>(cells), index));
+  }
+
+  /// The springs at (rho, z) by the rules of cells.
+  template <class I, class V>
+  HWY_INLINE SpringVectors<V> decide(I cell, V rho, V inverse_rho, V z) const {
+    const hn::DFromV<V> d;
+    const hn::RebindToSigned<hn::DFromV<V>> ints;
+    const auto zero = hn::Zero(ints);
     const auto curve_bits = hn::Set(ints, std::int32_t(ProfileCell::kMostCurves - 1));
     const auto rule = hn::ShiftRight<28>(cell);
 
@@ -252,7 +298,6 @@ struct ProfileVectors : ProfileBounds {
     return meridian.spring(inverse_rho);
   }
 
- private:
   template <class I, class D>
   HWY_INLINE CurveVectors<hn::Vec<D>> of_curves(I curve, D d) const {
     const hn::DFromV<I> ints;

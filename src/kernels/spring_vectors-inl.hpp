@@ -29,6 +29,7 @@ struct SpringVectors {
   V depth, radial, axial;
 };
 
+constexpr float kFarOutside = -1;       // [m] where there is no surface near
 constexpr float kLeastSquare = 1e-24F;  // [m^2] keeps the direction on the axis, or in the centre, finite
 
 /// 1/sqrt(v) for v > 0, within two roundings.

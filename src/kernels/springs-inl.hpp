@@ -18,7 +18,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Each shape answers two questions: `hits(x, y, z, margin)`, which of a vector of points may be inside the head grown
 /// by a margin [m], as far as can be told without a square root, and `at(x, y, z)`, the springs at those that may be
-/// inside the head itself: elsewhere its answer means nothing. All normals of a shape that is `kCentral` meet in the
+/// inside the head itself: elsewhere its answer means nothing. `near(x, y, z)` also answers for points a little
+/// outside, with a negative depth, as the scalar springs do. All normals of a shape that is `kCentral` meet in the
 /// head's origin, so that its springs have no torque about it. `kCostly`: springs cost more than the rest of the work
 /// on a voxel.
 struct SphereVectors {
@@ -36,6 +37,10 @@ struct SphereVectors {
     const V squared = hn::MulAdd(x, x, hn::MulAdd(y, y, z * z));
     const V inverse = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
     return {hn::NegMulAdd(squared, inverse, same(x, radius)), inverse, z * inverse};
+  }
+  template <class V>
+  HWY_INLINE SpringVectors<V> near(V x, V y, V z) const {
+    return at(x, y, z);
   }
 };
 
@@ -57,6 +62,12 @@ struct ConeVectors {
     const V depth = hn::MulSub(z, same(x, sine), squared * radial);
     const auto below_base = z < same(x, height);
     return {hn::IfThenElseZero(below_base, depth), radial, same(x, -sine)};
+  }
+  template <class V>
+  HWY_INLINE SpringVectors<V> near(V x, V y, V z) const {
+    SpringVectors<V> spring = at(x, y, z);
+    spring.depth = hn::IfThenElse(z < same(x, height), spring.depth, same(x, kFarOutside));
+    return spring;
   }
 };
 
@@ -91,6 +102,27 @@ struct FlatVectors {
       return {hn::IfThenElseZero(inside, hn::Min(side, z)), hn::IfThenElseZero(on_side, inverse),
               hn::IfThenZeroElse(on_side, same(x, -1.0F))};
     }
+  }
+  template <class V>
+  HWY_INLINE SpringVectors<V> near(V x, V y, V z) const {
+    const V zero = same(x, 0.0F), squared = hn::MulAdd(x, x, y * y);
+    const V side = hn::NegMulAdd(squared, inverse_root(hn::Max(squared, same(x, kLeastSquare))), same(x, radius));
+    SpringVectors<V> spring = at(x, y, z);
+    V depth = spring.depth;
+    auto has_surface = z < same(x, height);
+    if constexpr (kRule == FlatRule::bottom_only) {
+      depth = z;
+      has_surface = hn::And(has_surface, side > zero);
+    } else if constexpr (kRule == FlatRule::side_only) {
+      depth = side;
+      has_surface = hn::And(has_surface, z > zero);
+    } else if constexpr (kRule == FlatRule::both) {
+      has_surface = depth > zero;
+    } else {
+      depth = hn::Min(side, z);
+    }
+    spring.depth = hn::IfThenElse(has_surface, depth, same(x, kFarOutside));
+    return spring;
   }
 };
 

@@ -41,14 +41,23 @@ inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const Cont
                           StiffnessSums& sums) noexcept {
   const double volume = std::pow(double(m.voxel_size), 3);
   for (std::size_t i = 0; i < std::size_t(b.lanes()); ++i) {
-    if (!(b.depth[i] > 0)) continue;
+    if (!((b.sub_voxel ? b.top[i] : b.depth[i]) > 0)) continue;
     const Eigen::Vector3f r(b.x[i], b.y[i], b.z[i]), n(b.normal_x[i], b.normal_y[i], b.normal_z[i]);
     const float damping = materials[b.material_of(int(i))].damping;
     const float damped = 1 + damping * (m.felt_velocity + m.felt_angular_velocity.cross(r)).dot(n);
     if (!(damped > 0)) continue;
     const Eigen::Vector3f force(b.force_x[i], b.force_y[i], b.force_z[i]);
-    const double spring = -double(force.dot(n)) / (volume * double(b.depth[i]) * double(damped));  // k phi
-    const double slope = spring * double(damped + damping * b.depth[i] / m.duration);
+    float in_contact = 1, depth = b.depth[i];  // [1] of the sample, and [m] its mean depth
+    if (b.sub_voxel) {
+      const VoxelSection<float> section(b.largest[i]);
+      const float top = b.top[i] / m.voxel_size;
+      const float height = top - b.depth[i] / m.voxel_size + section.span() / 2;
+      const DepthIntegrals<float> part = section.integrals(height, top, 0);
+      in_contact = part.volume;
+      depth = part.depth * m.voxel_size;
+    }
+    const double spring = -double(force.dot(n)) / (volume * double(depth) * double(damped));  // k phi
+    const double slope = spring * double(in_contact * damped + damping * depth / m.duration);
     const Eigen::Vector3d direction = n.cast<double>(), arm = r.cross(n).cast<double>();
     const double j[6] = {direction.x(), direction.y(), direction.z(), arm.x(), arm.y(), arm.z()};
     std::size_t term = 0;

@@ -60,7 +60,6 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
     if (voxel_budget_ != 0)
       throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
                   " was given with quadrature = sub_voxel, which has no level of detail. Leave it at 0.");
-    law_ = std::make_shared<FoundationLaw>();
   }
   if (law_ != nullptr && voxel_budget_ != 0)
     throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +

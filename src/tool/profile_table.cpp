@@ -55,6 +55,7 @@ class TableBuilder {
   }
 
   [[nodiscard]] ProfileTable take() {
+    extend_cells();
     find_rule();
     write_slabs();
     return std::move(t_);
@@ -104,6 +105,24 @@ class TableBuilder {
     for (const ProfilePiece<double>& p : t_.exact_pieces)
       t_.pieces.push_back({float(p.rho_0), float(p.z_0), float(p.rho_1), float(p.z_1), float(p.center_rho),
                            float(p.center_z), float(p.radius), float(p.turn), float(p.side)});
+  }
+
+  /// Sets ProfileTable::cells_near, from cell to cell as far as there are any.
+  void extend_cells() {
+    t_.cells_near = t_.cells;
+    std::vector<int> reached;  // in the order of their distance, whose neighbours are still to be looked at
+    for (int n = 0; n < int(t_.cells.size()); ++n)
+      if (t_.cells[std::size_t(n)] != 0) reached.push_back(n);
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+      const int column = reached[next] % t_.columns, row = reached[next] / t_.columns;
+      for (int j = std::max(row - 1, 0); j <= std::min(row + 1, t_.rows - 1); ++j)
+        for (int i = std::max(column - 1, 0); i <= std::min(column + 1, t_.columns - 1); ++i) {
+          std::uint32_t& cell = t_.cells_near[std::size_t(j) * std::size_t(t_.columns) + std::size_t(i)];
+          if (cell != 0) continue;
+          cell = t_.cells_near[std::size_t(reached[next])] | ProfileCell::kOutside;
+          reached.push_back(j * t_.columns + i);
+        }
+    }
   }
 
   /// Sets ProfileTable::everywhere.

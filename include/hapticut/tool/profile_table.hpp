@@ -39,7 +39,13 @@ struct ProfileCell {
   }
   [[nodiscard]] static constexpr std::uint32_t first(std::uint32_t cell) { return cell & (kMostCurves - 1); }
   [[nodiscard]] static constexpr std::uint32_t second(std::uint32_t cell) { return cell >> 14U & (kMostCurves - 1); }
-  [[nodiscard]] static constexpr CellRule rule(std::uint32_t cell) { return CellRule(cell >> 28U); }
+  [[nodiscard]] static constexpr CellRule rule(std::uint32_t cell) { return CellRule(cell >> 28U & 7U); }
+
+  /// Of ProfileTable::cells_near: bit 31 says that the head does not reach into the cell, the others are those of one
+  /// near it that it reaches into.
+  static constexpr std::uint32_t kOutside = 1U << 31U;
+  [[nodiscard]] static constexpr bool is_outside(std::uint32_t cell) { return (cell & kOutside) != 0; }
+  [[nodiscard]] static constexpr std::uint32_t of_head(std::uint32_t cell) { return cell & ~kOutside; }
 };
 
 /// Curves as a structure of arrays, each padded with zeros to a multiple of sixteen. A curve is a circle of signed
@@ -77,7 +83,8 @@ struct ProfileTable {
 
   /// Cell of column i and row j at `j * columns + i`; it covers rho in [i, i + 1) cell_size and
   /// z in bottom + [j, j + 1) cell_size.
-  std::vector<std::uint32_t> cells;
+  std::vector<std::uint32_t> cells;       ///< 0 where the head does not reach into the cell
+  std::vector<std::uint32_t> cells_near;  ///< the same for points a little outside; see ProfileCell::kOutside
   int columns = 0;
   int rows = 0;
   double cell_size = 0;  ///< [m]
@@ -105,10 +112,11 @@ struct ProfileTable {
 template <class Real>
 struct ProfileSprings {
   const Real *rho, *z, *normal_rho, *normal_z, *curvature;
-  const std::uint32_t* cells;
+  const std::uint32_t *cells, *cells_near;
   const ProfilePiece<Real>* pieces;
   std::size_t piece_count, curve_count;
   int columns, rows;
+  std::uint32_t everywhere;
   Real cells_per_length;  ///< [1/m]
   Real radius, bottom, top;
 
@@ -130,9 +138,11 @@ struct ProfileSprings {
     if (!(at_z < top)) return {Real(-1), Real(1), Real(0)};
     const int column = std::min(int(std::min(at_rho, radius) * cells_per_length), columns - 1);
     const int row = std::clamp(int((std::max(at_z, bottom) - bottom) * cells_per_length), 0, rows - 1);
-    const std::uint32_t cell = cells[std::size_t(row) * std::size_t(columns) + std::size_t(column)];
-    MeridianSpring<Real> found = decide(cell, at_rho, at_z);
-    if (!(at_rho < radius && at_z > bottom)) found.depth = std::min(found.depth, Real(0));
+    const std::size_t index = std::size_t(row) * std::size_t(columns) + std::size_t(column);
+    const std::uint32_t cell = everywhere != 0 ? everywhere : cells_near[index];
+    MeridianSpring<Real> found = decide(ProfileCell::of_head(cell), at_rho, at_z);
+    const bool outside = !(at_rho < radius && at_z > bottom) || ProfileCell::is_outside(cell);
+    if (outside && found.depth > 0) found.depth = Real(-1);  // that curve ends before
     return found;
   }
 
@@ -191,11 +201,13 @@ struct ProfileSprings {
         normal_z(c.normal_z.data()),
         curvature(c.curvature.data()),
         cells(t.cells.data()),
+        cells_near(t.cells_near.data()),
         pieces(p.data()),
         piece_count(p.size()),
         curve_count(t.curve_count),
         columns(t.columns),
         rows(t.rows),
+        everywhere(t.everywhere),
         cells_per_length(Real(1 / t.cell_size)),
         radius(Real(t.radius)),
         bottom(Real(t.bottom)),

@@ -43,6 +43,9 @@ struct DepthIntegrals {
 template <class Real>
 class VoxelSection {
  public:
+  /// [1] Narrower than this, differences of the sums cancel in single precision. A wider one changes no sum over voxels.
+  static constexpr Real kLeastWidth = Real(0.05);
+
   /// @param largest  [1] the largest |n_i| along the grid's axes, 1/sqrt(3) ... 1
   explicit VoxelSection(Real largest)
       : p_(largest), q_(std::max(std::sqrt(std::max(Real(0), 1 - largest * largest)), kLeastWidth)) {}
@@ -83,9 +86,6 @@ class VoxelSection {
   struct Ramp {
     Real corner, sign;
   };
-  /// Narrower than this, differences of the sums cancel in single precision. A wider one changes no sum over voxels.
-  static constexpr Real kLeastWidth = Real(0.05);
-
   /// integral over the ramp u = 0 ... x, of its last part of length d
   static Real volume_of_ramp(Real x, Real d) {
     const Real m = std::min(x, d);

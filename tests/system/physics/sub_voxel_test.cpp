@@ -5,7 +5,9 @@
 
 #include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
+#include "hapticut/tool/catalogue.hpp"
 #include "support/cutting.hpp"
+#include "support/profiles.hpp"
 #include "support/static_contact.hpp"
 
 namespace hapticut::sub_voxel_test {
@@ -223,6 +225,26 @@ TEST(SubVoxel, C1StaticForceOfABallConvergesAtThirdOrderAskewAndAtSecondAlongThe
   const double coarse_along = static_error(Vec3::UnitZ(), 0.2 * mm), fine_along = static_error(Vec3::UnitZ(), 0.1 * mm);
   EXPECT_LT(coarse_along, 0.017);
   EXPECT_GT(std::log2(coarse_along / fine_along), 1.8);
+}
+
+// Just outside a profile its table must know the surface too, in heads of one rule and in those that need their cells.
+TEST(SubVoxel, AProfilePressesAsTheShapeThatItDraws) {
+  struct Case {
+    ToolHead profile, shape;
+    double tip;  // [m] from the shape's origin to its lowest point, less that of the profile
+  };
+  const double height = 3 * mm;
+  for (const Case& c : {Case{ProfileHead(test::flat_profile(kRadius, height)), FlatHead{kRadius, height}, 0},
+                        Case{round_end_cylinder_head(2 * kRadius, height), SphereHead{kRadius}, kRadius}}) {
+    const double bottom = c.profile.bounding_box().min.z();
+    const auto force_of = [&](const ToolHead& head, double lowest) {
+      Simulation simulation(
+          build_block({Vec3(-1.63, -1.57, -1.2) * mm, Vec3(1.6, 1.6, 0) * mm}, kVoxel, plain_material()),
+          Tool(head, RayHandle{}, Spindle{0}), fixtures::static_config(Quadrature::sub_voxel));
+      return fixtures::hold(simulation, Pose::from_translation({0, 0, -0.36 * mm - lowest})).force.z();
+    };
+    EXPECT_NEAR(force_of(c.profile, bottom) / force_of(c.shape, -c.tip), 1, 0.005);
+  }
 }
 
 TEST(SubVoxel, RefusesWhatItCannotDo) {

@@ -239,11 +239,14 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
                                        grid,
                                        motion,
                                        materials,
-                                       trial % 7 == 0 ? Quadrature::voxel_center : Quadrature::centroid,
+                                       trial % 7 == 0  ? Quadrature::voxel_center
+                                       : trial % 7 < 4 ? Quadrature::sub_voxel
+                                                       : Quadrature::centroid,
                                        damped,
                                        unsigned(motion.level_of_detail),
                                        unsigned(trial)};
       const Reference expected(job, block.view);
+      SCOPED_TRACE("head " + std::to_string(head.shape().index()) + ", trial " + std::to_string(trial));
 
       std::array<float, kBlockVoxels> fill_after = {};
       kernels::PressTask task{block.view, fill_after.data(), true, {}};

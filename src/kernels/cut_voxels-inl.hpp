@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// Voxels that the interface crosses, integrated over their filled parts; included once per instruction set.
+#if defined(HAPTICUT_KERNELS_CUT_VOXELS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAPTICUT_KERNELS_CUT_VOXELS_INL_HPP
+#undef HAPTICUT_KERNELS_CUT_VOXELS_INL_HPP
+#else
+#define HAPTICUT_KERNELS_CUT_VOXELS_INL_HPP
+#endif
+
+#include "hapticut/force/laws/foundation.hpp"
+#include "hapticut/workpiece/cut_voxel.hpp"
+#include "kernels/press_sums-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hapticut::kernels::HWY_NAMESPACE {
+
+namespace strips {
+
+/// VoxelSection in vectors: where its comments say why.
+class SectionVectors {
+ public:
+  HWY_INLINE explicit SectionVectors(Vec largest) : p_(largest) {
+    const Vec one = broadcast(1.0F);
+    q_ = hn::Max(hn::Sqrt(hn::Max(hn::Zero(Floats()), hn::NegMulAdd(largest, largest, one))),
+                 broadcast(VoxelSection<float>::kLeastWidth));
+  }
+
+  [[nodiscard]] HWY_INLINE Vec span() const { return p_ + q_; }
+
+  [[nodiscard]] HWY_INLINE Vec height_of(Vec fill) const {
+    const Vec half = broadcast(0.5F), wide = hn::Max(p_, q_), narrow = hn::Min(p_, q_);
+    const Vec less = hn::Min(fill, broadcast(1.0F) - fill), ramp = wide * less, twice = ramp + ramp;
+    const Vec height = hn::IfThenElse(twice <= narrow, hn::Sqrt(hn::Max(hn::Zero(Floats()), twice * narrow)),
+                                      hn::MulAdd(half, narrow, ramp));
+    return hn::IfThenElse(fill <= half, height, span() - height);
+  }
+
+  /// DepthIntegrals but for the energy.
+  struct Integrals {
+    Vec depth, cutting, volume;
+  };
+  [[nodiscard]] HWY_INLINE Integrals integrals(Vec height, Vec depth, Vec least) const {
+    const Floats d;
+    const Vec zero = hn::Zero(d), deep = hn::Max(zero, depth - least);
+    const Vec x[3] = {height, hn::Max(zero, height - p_), hn::Max(zero, height - q_)};
+    const auto of_corners = [&](const auto& ramp) HWY_ATTR { return ramp(x[0]) - ramp(x[1]) - ramp(x[2]); };
+    const auto depths = [&](Vec to) HWY_ATTR {  // 6 times the integral of the depth
+      return of_corners([&](Vec ramp) HWY_ATTR {
+        const Vec m = hn::Min(ramp, to), most = hn::Max(ramp, to);
+        return m * m * hn::MulSub(broadcast(3.0F), most, m);
+      });
+    };
+    const auto volume = [&](Vec to) HWY_ATTR {  // twice
+      return of_corners([&](Vec ramp) HWY_ATTR {
+        const Vec m = hn::Min(ramp, to);
+        return m * (ramp + ramp - m);
+      });
+    };
+    const Vec inverse = broadcast(1.0F) / (p_ * q_), half = broadcast(0.5F), sixth = broadcast(1.0F / 6);
+    const Vec cut = hn::MulAdd(half * least, volume(deep), sixth * depths(deep));
+    return {inverse * sixth * depths(depth), inverse * cut, inverse * half * volume(depth)};
+  }
+
+  /// DepthIntegrals::energy; zero where the depth is not positive.
+  [[nodiscard]] HWY_INLINE Vec energy(Vec height, Vec depth) const {
+    const Vec zero = hn::Zero(Floats()), d = hn::Max(zero, depth), d2 = d * d;
+    const auto ramp = [&](Vec x) HWY_ATTR {
+      const Vec four_x = broadcast(4.0F) * x;
+      const Vec shallow = d2 * d * (four_x - d);
+      const Vec whole = x * x * hn::MulAdd(broadcast(6.0F), d2, hn::NegMulAdd(four_x, d, x * x));
+      return hn::IfThenElse(d < x, shallow, whole);
+    };
+    const Vec sum = ramp(height) - ramp(hn::Max(zero, height - p_)) - ramp(hn::Max(zero, height - q_));
+    return sum / (broadcast(24.0F) * p_ * q_);
+  }
+
+ private:
+  Vec p_, q_;
+};
+
+/// LayerRecession::of in vectors.
+HWY_INLINE Vec share_of_recession(Vec top, Vec least, Vec rate, Vec speed, float duration) {
+  const Floats d;
+  const Vec zero = hn::Zero(d), one = broadcast(1.0F), dt = broadcast(duration);
+  const Vec begin = hn::NegMulAdd(speed, broadcast(duration / 2), top);
+  const Vec late = (least - begin) / hn::Max(speed, broadcast(1e-20F));
+  const Vec time = hn::IfThenElse(begin < least, hn::Max(zero, dt - late), dt);
+  const Vec t = hn::Max(begin, least), least_squared = least * least;
+  const Vec gain = hn::MulAdd(rate, least_squared, speed);
+  const Vec balance = time * time * rate * gain;
+  // tanh(y)/y = m/(1 - y m) with m = (1 - e^-2y)/(2y), and by its series where (1 - tanh(y)/y)/y^2 would cancel
+  const Vec y = hn::Sqrt(balance), m = mean_of_decay(y + y);
+  const auto small = balance < broadcast(0.01F);
+  const Vec lack_of_small = hn::NegMulAdd(balance, broadcast(2.0F / 15), broadcast(1.0F / 3));
+  const Vec c = hn::IfThenElse(small, hn::NegMulAdd(balance, lack_of_small, one), m / hn::NegMulAdd(y, m, one));
+  const Vec lack = hn::IfThenElse(small, lack_of_small, (one - c) / hn::Max(balance, broadcast(0.01F)));
+  const Vec gone =
+      hn::MulAdd(time * c, hn::MulSub(t, t, least_squared), speed * time * time * hn::MulAdd(time * gain, lack, t * c));
+  const Vec at_middle = dt * hn::MulSub(top, top, least_squared);
+  return gone / (hn::MulAdd(t * rate, time * c, one) * hn::Max(at_middle, broadcast(1e-36F)));
+}
+
+/// FoundationLaw on parts of voxels.
+struct PressedParts {
+  Vec rubbing, cut;              // [N/m^3] springs: of what is not deep enough to be cut, and of what is
+  Vec left;                      // [1] fill after the sub-step
+  Vec credit, price;             // [1] fill that went without work, and [J/m^3] what it would have cost
+  Vec before, after, lead_work;  // [J/m^3] stored at the beginning and the end; of a contact evaluated after the middle
+  Vec elastic, volume, depth;    // [N/m^3] springs as they stand; [1] what is in contact; [m] its integral of the depth
+
+  /// [N/m^4] change of the force with depth, as the springs yield while they are cut
+  [[nodiscard]] HWY_INLINE Vec slope(const MaterialVectors& material, Vec damped, float duration) const {
+    const Vec zero = hn::Zero(Floats());
+    const Vec yields = (rubbing + cut) / hn::Max(elastic, broadcast(1e-20F));
+    const Vec damper = material.damping * depth * broadcast(1 / duration);
+    return hn::IfThenElseZero(damped > zero, material.stiffness * yields * hn::MulAdd(volume, damped, damper));
+  }
+};
+HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVectors& material, const Sample& s, Vec fill,
+                                       Vec damped, bool may_cut, bool release) {
+  const Floats d;
+  const Vec zero = hn::Zero(d), half = broadcast(0.5F);
+  const Vec l = broadcast(m.voxel_size), per_l = broadcast(1 / m.voxel_size);
+  const Mask inside = s.top > zero;
+  const SectionVectors section(s.largest);
+  const Vec far_plane = hn::MulSub(s.depth, per_l, half * section.span());
+  const Vec top = s.top * per_l, height = top - far_plane, stiff = material.stiffness * l;
+  const auto part = section.integrals(height, top, material.cutting_depth * per_l);
+  PressedParts p;
+  p.volume = hn::IfThenElseZero(inside, part.volume);
+  p.depth = hn::IfThenElseZero(inside, part.depth) * l;
+  p.elastic = p.rubbing = hn::IfThenElseZero(inside, stiff * part.depth);
+  p.cut = p.credit = zero;
+  p.left = fill;
+  p.price = material.energy;
+  const Mask is_cut = hn::And(inside, s.top > material.cutting_depth);
+  if (may_cut && !hn::AllFalse(d, is_cut)) {
+    if (release)
+      p.price = hn::Max(hn::NegMulAdd(half * material.stiffness * s.top, s.top, p.price),
+                        p.price * broadcast(FoundationLaw::kLeastEnergyShare));
+    const float slip_time = m.duration * m.level_of_detail;
+    const Vec path = half * material.cutting_ratio * material.stiffness * damped * s.slip_path / p.price;  // k_d dt
+    const Vec share = share_of_recession(s.top, material.cutting_depth, path * broadcast(1 / slip_time),
+                                         hn::Max(zero, s.rate), slip_time);
+    const Vec gone = (path + path) * l * part.cutting * share / hn::Max(fill, broadcast(FoundationLaw::kSmallestPart));
+    const Vec exponent = hn::IfThenElseZero(is_cut, hn::Min(gone, broadcast(FoundationLaw::kLargestExponent)));
+    const Vec mean = mean_of_decay(exponent);
+    p.cut = hn::IfThenElseZero(is_cut, stiff * part.cutting * share * mean);
+    p.rubbing = hn::IfThenElse(is_cut, stiff * hn::Max(zero, part.depth - part.cutting), p.rubbing);
+    p.left = hn::NegMulAdd(fill * exponent, mean, fill);
+    const Mask finished = hn::And(hn::And(is_cut, exponent > zero), p.left < broadcast(FoundationLaw::kSmallestPart));
+    // Never zero, so that it also says which lanes are finished.
+    p.credit = hn::IfThenElseZero(finished, hn::Max(p.left, broadcast(1e-30F)));
+    p.left = hn::IfThenZeroElse(finished, p.left);
+  }
+  const Vec advance = s.rate * broadcast(m.duration), moved = advance * per_l;
+  const Vec energy = stiff * l;
+  const Vec earlier = hn::NegMulAdd(moved, broadcast(0.5F + m.lead), top);
+  p.before = hn::IfThenElseZero(inside, energy * section.energy(height, earlier));
+  const Vec height_left = section.height_of(p.left);
+  const Vec later = hn::MulAdd(moved, broadcast(0.5F - m.lead), height_left + far_plane);
+  p.after = hn::IfThenElseZero(hn::And(inside, p.left > zero), energy * section.energy(height_left, later));
+  p.lead_work = material.stiffness * p.volume * advance * advance * broadcast(m.lead);
+  return p;
+}
+
+}  // namespace strips
+
+}  // namespace hapticut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
