@@ -2,7 +2,7 @@
 #pragma once
 
 /// @file
-/// Component `physics`, target hapticut::physics: the arithmetic of the force for who brings voxels of their own. The
+/// Component `physics`, target hapticut::physics: the arithmetic of the force for programs that bring voxels of their own. The
 /// samples of a block, the laws on them, what a cut takes away, their resultant, friction, the handle, the spindle,
 /// effects. Headers that need Eigen and nothing else; nothing of ours is linked.
 ///
@@ -27,6 +27,7 @@
 #include "hapticut/workpiece/block.hpp"
 #include "hapticut/workpiece/changes.hpp"
 #include "hapticut/workpiece/contact.hpp"
+#include "hapticut/workpiece/cut_voxel.hpp"
 #include "hapticut/workpiece/material.hpp"
 //
 #include "hapticut/force/contact_materials.hpp"
