@@ -39,6 +39,7 @@ void bind_laws(py::module_& m) {
                            doc("FoundationLaw::kSlipRegularization"))
       .def_readonly_static("kLargestExponent", &Foundation::kLargestExponent, doc("FoundationLaw::kLargestExponent"))
       .def_readonly_static("kLeastEnergyShare", &Foundation::kLeastEnergyShare, doc("FoundationLaw::kLeastEnergyShare"))
+      .def_readonly_static("kSmallestPart", &Foundation::kSmallestPart, doc("FoundationLaw::kSmallestPart"))
       .def_readonly_static("kAxisZone", &Foundation::kAxisZone, doc("FoundationLaw::kAxisZone"))
       .def_readonly_static("kAxisSlip", &Foundation::kAxisSlip, doc("FoundationLaw::kAxisSlip"));
   m.attr("kSmallestFill") = kSmallestFill;

@@ -363,6 +363,7 @@ def test_constants_are_those_of_cpp():
     assert (deep.kDeep, deep.kFree) == (0.52, 0.25) and h.RealtimeLoop.kCommands == 256
     assert law.kSlipRegularization == pytest.approx(1e-3) and law.kLargestExponent == pytest.approx(1e30)
     assert law.kLeastEnergyShare == pytest.approx(1e-6) and law.kAxisZone == 0.25
+    assert law.kSmallestPart == pytest.approx(1e-6)
     assert law.kAxisSlip == pytest.approx(1 / (4 * math.asinh(1)), rel=1e-3)
 
 

@@ -1966,6 +1966,7 @@ class FoundationLaw(ForceLaw):
     kLargestExponent: typing.ClassVar[float] = 1.0000000150474662e+30
     kLeastEnergyShare: typing.ClassVar[float] = 9.999999974752427e-07
     kSlipRegularization: typing.ClassVar[float] = 0.0010000000474974513
+    kSmallestPart: typing.ClassVar[float] = 9.999999974752427e-07
 
     def __init__(self) -> None:
         ...
