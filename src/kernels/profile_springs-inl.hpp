@@ -51,9 +51,11 @@ struct ProfileBounds {
   /// Springs as the table has them, made those of points that may lie outside its bounds.
   template <class V>
   HWY_INLINE SpringVectors<V> bounded(SpringVectors<V> spring, V x, V y, V z) const {
-    const V squared = hn::MulAdd(x, x, y * y);
-    const auto in_bounds = hn::And(squared<same(z, radius * radius), z> same(z, bottom));
-    return no_deeper_than_the_surface(hn::Not(in_bounds), spring, z);
+    const V zero = same(z, 0.0F), rho = hn::Sqrt(hn::MulAdd(x, x, y * y));
+    const V beyond = hn::Max(rho - same(z, radius), same(z, bottom) - z);
+    spring = no_deeper_than_the_surface(beyond >= zero, spring, z);
+    spring.depth = hn::IfThenElse(beyond > zero, hn::Min(spring.depth, hn::Neg(beyond)), spring.depth);
+    return spring;
   }
 
   /// Whole part of 0 <= v < 2^22; of a whole number that, or one less. From 2^23 on the last bit is the unit.
@@ -294,7 +296,7 @@ struct ProfileVectors : ProfileBounds {
     const auto farther = hn::And(is(CellRule::farther), deeper > hn::Zero(d));
     const auto shut = hn::And(is(CellRule::gate), hn::Le(second.twice, hn::Zero(d)));
     meridian.take(hn::Or(nearer, farther), second);
-    meridian.twice = hn::IfThenZeroElse(shut, meridian.twice);
+    meridian.twice = hn::IfThenElse(shut, same(z, 2 * kFarOutside), meridian.twice);
     return meridian.spring(inverse_rho);
   }
 

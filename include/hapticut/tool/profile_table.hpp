@@ -141,8 +141,10 @@ struct ProfileSprings {
     const std::size_t index = std::size_t(row) * std::size_t(columns) + std::size_t(column);
     const std::uint32_t cell = everywhere != 0 ? everywhere : cells_near[index];
     MeridianSpring<Real> found = decide(ProfileCell::of_head(cell), at_rho, at_z);
-    const bool outside = !(at_rho < radius && at_z > bottom) || ProfileCell::is_outside(cell);
-    if (outside && found.depth > 0) found.depth = Real(-1);  // that curve ends before
+    const Real beyond = std::max(at_rho - radius, bottom - at_z);  // the bounds
+    if ((beyond >= 0 || ProfileCell::is_outside(cell)) && found.depth > 0)
+      found.depth = Real(-1);  // the curve ends before
+    if (beyond > 0) found.depth = std::min(found.depth, -beyond);
     return found;
   }
 

@@ -217,7 +217,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
   long samples = 0, emptied = 0, stiff = 0;
   int blocks = 0, at_the_rim = 0;
   for (const ToolHead& head : all_heads())
-    for (int trial = 0; trial < 60; ++trial) {
+    for (int trial = 0; trial < 100; ++trial) {
       const RandomBlock block(random, trial % 2 == 0, trial % 4 == 0, trial % 3 == 0);
       const Vec3 middle = 0.5 * (head.bounding_box().min + head.bounding_box().max);
       const Mat3 rotation = rotation_from_vector(3 * vector());
