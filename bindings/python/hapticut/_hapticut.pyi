@@ -1255,19 +1255,19 @@ class VolumeBuildOptions:
         ...
 
     @property
+    def crop(self) -> Box | None:
+        ...
+
+    @crop.setter
+    def crop(self, arg0: Box | None) -> None:
+        ...
+
+    @property
     def crop_samples(self) -> IndexBox | None:
         ...
 
     @crop_samples.setter
     def crop_samples(self, arg0: IndexBox | None) -> None:
-        ...
-
-    @property
-    def crop_to_samples(self) -> Box | None:
-        ...
-
-    @crop.setter
-    def crop_to_samples(self, arg0: Box | None) -> None:
         ...
 
     @property
