@@ -70,10 +70,10 @@ const MaterialTable& PreparedMaterials::materials() const noexcept { return stat
 /// The friction of each material that the standing head meets.
 void Simulation::State::set_material_friction() noexcept {
   for (std::size_t id = 0; id < material_friction.size(); ++id) {
-    if (!workpiece.materials().contains(MaterialId(id))) continue;
-    const Material& m = workpiece.materials()[MaterialId(id)];
+    const Material* m = workpiece.materials().find(MaterialId(id));
+    if (m == nullptr) continue;
     material_friction[id] =
-        config.friction.value_or(DryFriction{m.static_friction, m.dynamic_friction, m.tangential_stiffness});
+        config.friction.value_or(DryFriction{m->static_friction, m->dynamic_friction, m->tangential_stiffness});
   }
 }
 

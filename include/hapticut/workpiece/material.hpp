@@ -92,7 +92,12 @@ class MaterialTable {
   }
 
   [[nodiscard]] int size() const { return int(materials_.size()); }
-  [[nodiscard]] bool contains(MaterialId id) const { return id >= 1 && id <= materials_.size(); }
+  [[nodiscard]] bool contains(MaterialId id) const noexcept { return id >= 1 && id <= materials_.size(); }
+
+  /// null when there is no such id.
+  [[nodiscard]] const Material* find(MaterialId id) const noexcept {
+    return contains(id) ? &materials_[id - 1U] : nullptr;
+  }
 
   /// @throws Error when there is no such id
   [[nodiscard]] const Material& operator[](MaterialId id) const {
