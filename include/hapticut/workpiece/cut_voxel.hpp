@@ -43,7 +43,8 @@ struct DepthIntegrals {
 template <class Real>
 class VoxelSection {
  public:
-  /// [1] Narrower than this, differences of the sums cancel in single precision. A wider one changes no sum over voxels.
+  /// [1] Narrower than this, differences of the sums cancel in single precision. A wider one changes no sum over
+  /// voxels.
   static constexpr Real kLeastWidth = Real(0.05);
 
   /// @param largest  [1] the largest |n_i| along the grid's axes, 1/sqrt(3) ... 1
