@@ -5,6 +5,7 @@
 
 #include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
+#include "hapticut/force/laws/hertzian_burr.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "support/cutting.hpp"
 #include "support/profiles.hpp"
@@ -37,7 +38,7 @@ constexpr double kClosure = 1e-5;        // of the ledger
 
 struct Way {
   const char* name;
-  Mat3 X_WT;  // from its z axis, how the tool points in the grid
+  Mat3 R_WT;  // from its z axis, how the tool points in the grid
 };
 const std::vector<Way> kWays = {
     {"10 deg", Eigen::AngleAxisd(10 * deg, Vec3::UnitY()).toRotationMatrix()},
@@ -86,14 +87,14 @@ Fed feed_along(Simulation& simulation, const Mat3& R_WT, const Vec3& start, cons
 
 /// A flat head drilled down its axis into a block that it enters askew, until all of its bottom cuts.
 Fed drill(const Way& way, double stiffness, const Material& material) {
-  const Vec3 axis = way.X_WT.col(2);
+  const Vec3 axis = way.R_WT.col(2);
   Simulation simulation(build_block({Vec3::Constant(-2.2 * mm), Vec3::Constant(2.2 * mm)}, kVoxel, material),
                         Tool(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, RayHandle{}, Spindle{kSpin}),
                         config_with(stiffness));
   // Deep in a hole of its own radius: fed fast to where the measurement begins.
   const Vec3 deep = axis * 0.3 * mm + Vec3(0.017, 0.006, 0.003) * mm;
-  (void)feed_along(simulation, way.X_WT, deep + axis * 4 * mm, -axis * 20 * mm, 4 * mm, 1);
-  return feed_along(simulation, way.X_WT, deep, -axis * kFeed, 0.5 * mm, 0.3);
+  (void)feed_along(simulation, way.R_WT, deep + axis * 4 * mm, -axis * 20 * mm, 4 * mm, 1);
+  return feed_along(simulation, way.R_WT, deep, -axis * kFeed, 0.5 * mm, 0.3);
 }
 
 TEST(SubVoxel, C20AndC22DrillingInEveryDirectionOfTheGrid) {
@@ -175,8 +176,8 @@ Pushed push(Quadrature quadrature, double stiffness, double hand_force, double e
   return {(begin - z) / (kTick * (kTicks - kFrom)), mean_force};
 }
 
-// docs/model.md: a whole layer of voxels is cut only where k_v w0 l = 2 p_e l/w0, so a push below sqrt(2 p_e k_v) l
-// per area stands for ever on the centroid rule, far above the threshold p_e of the model itself.
+// On the centroid rule a whole layer of voxels is cut only where k_v w0 l = 2 p_e l/w0, so a push below sqrt(2 p_e k_v)
+// l per area stands for ever, far above the threshold p_e of the model itself.
 TEST(SubVoxel, C23APushedToolCutsWhereCentroidsLockIt) {
   const double edge_pressure = 5e5, area = kPi * kRadius * kRadius, hand = 4;
   for (const double stiffness : {1e15, 1e16, 1e17}) {
@@ -227,14 +228,19 @@ TEST(SubVoxel, C1StaticForceOfABallConvergesAtThirdOrderAskewAndAtSecondAlongThe
   EXPECT_GT(std::log2(coarse_along / fine_along), 1.8);
 }
 
-// Just outside a profile its table must know the surface too, in heads of one rule and in those that need their cells.
+// Just outside a profile its table must know the surface too. The side of the second one is in two pieces, which makes
+// three curves: it needs its cells, where the other two have one rule for all places.
 TEST(SubVoxel, AProfilePressesAsTheShapeThatItDraws) {
   struct Case {
     ToolHead profile, shape;
     double tip;  // [m] from the shape's origin to its lowest point, less that of the profile
   };
   const double height = 3 * mm;
+  const Profile in_pieces = {0,
+                             {{kRadius, 0}, {kRadius, 0.2 * mm}, {kRadius, height}, {0, height, 0, EdgeKind::smooth}}};
+  ASSERT_EQ(ProfileHead(in_pieces).table().everywhere, 0U);
   for (const Case& c : {Case{ProfileHead(test::flat_profile(kRadius, height)), FlatHead{kRadius, height}, 0},
+                        Case{ProfileHead(in_pieces), FlatHead{kRadius, height}, 0},
                         Case{round_end_cylinder_head(2 * kRadius, height), SphereHead{kRadius}, kRadius}}) {
     const double bottom = c.profile.bounding_box().min.z();
     const auto force_of = [&](const ToolHead& head, double lowest) {
@@ -248,14 +254,22 @@ TEST(SubVoxel, AProfilePressesAsTheShapeThatItDraws) {
 }
 
 TEST(SubVoxel, RefusesWhatItCannotDo) {
-  const auto with = [](const auto& change) {
-    SimulationConfig config = config_with(1e15);
-    change(config);
-    return Simulation(build_block({Vec3::Zero(), Vec3::Constant(1 * mm)}, kVoxel, plain_material()),
-                      Tool(SphereHead{kRadius}, RayHandle{}, Spindle{kSpin}), config);
+  const auto refusal_of = [](const SimulationConfig& config) -> std::string {
+    try {
+      (void)Simulation(build_block({Vec3::Zero(), Vec3::Constant(1 * mm)}, kVoxel, plain_material()),
+                       Tool(SphereHead{kRadius}, RayHandle{}, Spindle{kSpin}), config);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
   };
-  EXPECT_THROW((void)with([](SimulationConfig& c) { c.voxel_budget = 100; }), Error);
-  EXPECT_NO_THROW((void)with([](SimulationConfig&) {}));
+  SimulationConfig config = config_with(1e15);
+  EXPECT_EQ(refusal_of(config), "");
+  config.voxel_budget = 10000;
+  EXPECT_NE(refusal_of(config).find("quadrature = sub_voxel"), std::string::npos) << refusal_of(config);
+  config.voxel_budget = 0;
+  config.law = std::make_shared<HertzianBurrLaw>(1e6);
+  EXPECT_NE(refusal_of(config).find("Choose centroid"), std::string::npos) << refusal_of(config);
 }
 
 }  // namespace
