@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "hapticut/core/description.hpp"
@@ -130,10 +131,32 @@ constexpr auto fields_of(Of<DeviceState>) {
   };
 }
 
+/// What the code that computes a force knows of the contact behind it, for the guard, which judges by the force alone
+/// where nothing is said.
+struct ModelContact {
+  std::optional<bool> touching;
+  Wrench effects;
+  std::optional<double> stored;
+};
+
+constexpr auto fields_of(Of<ModelContact>) {
+  using C = ModelContact;
+  return std::tuple{
+      field("touching", &C::touching,
+            "whether the tool touches anything; empty: a force below ArmingOptions::free_force counts as none"),
+      field("effects", &C::effects,
+            "[N], [N m] the part of the wrench that is not of contact, such as weight and vibration, in B"),
+      field("stored", &C::stored, "J",
+            "at the hand, that contact and coupling could give back; empty: not known, and nothing is forgotten while "
+            "the force lasts"),
+  };
+}
+
 /// What the user's code wants of the device until its next call.
 struct DeviceCommand {
-  Wrench wrench;      ///< [N], [N·m] on the stylus, torque about the stylus point, in B
-  bool stop = false;  ///< end the run after this tick
+  Wrench wrench = {};         ///< [N], [N·m] on the stylus, torque about the stylus point, in B
+  bool stop = false;          ///< end the run after this tick
+  ModelContact contact = {};  ///< behind the wrench
 };
 
 /// What was done to a commanded wrench before it reached the motors, as bits.

@@ -33,6 +33,14 @@ inline void require_positive(double value, const char* name) {
     throw Error(std::string(name) + " = " + format_number(value) + "; must be a finite number > 0.");
 }
 
+/// Throws when a size is so large that it must have been meant in millimetres.
+/// @param largest  [m] that makes sense
+inline void require_metres(double value, double largest, const char* name) {
+  if (value > largest)
+    throw Error(std::string(name) + " = " + format_number(value) + "; must be <= " + format_number(largest) +
+                ". Sizes are in metres: " + format_number(value) + " mm is " + format_number(1e-3 * value) + ".");
+}
+
 /// Throws unless `value` is finite and not negative.
 inline void require_not_negative(double value, const char* name) {
   if (!(std::isfinite(value) && value >= 0))

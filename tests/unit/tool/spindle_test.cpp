@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "hapticut/core/errors.hpp"
+#include "hapticut/tool/motors.hpp"
 
 namespace hapticut::spindle_test {
 namespace {
@@ -53,12 +56,17 @@ TEST_P(SpindleDirection, DroopsInProportionToItsLoadAndRecovers) {
   SpindleMotor motor(spindle);
   motor.advance(sign * 0.01, 1e-3);
   EXPECT_NEAR(motor.speed(), sign * 800, 1e-9);
-  EXPECT_TRUE(motor.loaded());
+  EXPECT_FALSE(motor.loaded()) << "it has more power to give";
+  motor.advance(sign * 0.03, 1e-3);
+  EXPECT_NEAR(motor.speed(), sign * 400, 1e-9);
+  EXPECT_TRUE(motor.loaded()) << "more load gets less power";
   motor.advance(sign * 1, 1e-3);
   EXPECT_EQ(motor.speed(), 0) << "stalled, not turning backwards";
+  EXPECT_TRUE(motor.stalled());
   motor.advance(-sign * 0.01, 1e-3);
   EXPECT_EQ(motor.speed(), sign * 1000) << "a torque that drives the spindle is no load";
   EXPECT_FALSE(motor.loaded());
+  EXPECT_FALSE(motor.stalled());
 }
 
 // Proves: power limit.
@@ -78,6 +86,139 @@ TEST_P(SpindleDirection, SlowsDownAtOnceButRecoversOnItsRamp) {
   EXPECT_NEAR(motor.speed(), sign * 500, 1e-9);
   motor.advance(0, 1e-3);
   EXPECT_NEAR(motor.speed(), sign * 510, 1e-9);
+}
+
+constexpr double kStall = 2 * units::N_mm, kFree = 3e4;  // [rad/s]
+
+Spindle turbine(double sign, double inertia) {
+  Spindle spindle{sign * kFree};
+  spindle.droop = kFree / kStall;
+  spindle.rotor_inertia = inertia;
+  return spindle;
+}
+
+// A load that rises to 1.5 times the stall torque and falls again: no alternation, and no more power than the line has.
+// Proves: droop.
+TEST_P(SpindleDirection, StallsAtItsStallTorqueAndRunsAgainBelowIt) {
+  const double sign = GetParam();
+  for (const double inertia : {0.0, 1e-9})
+    for (const double dt : {1e-3, 2.5e-4}) {
+      SpindleMotor motor(turbine(sign, inertia));
+      EXPECT_NEAR(motor.stall_torque(), kStall, 1e-15);
+      const double rise = 2;  // [s] slow beside a run-up of 15 ms
+      double stalled_at = 0, ran_at = 0, before = motor.speed();
+      int turns = 0;
+      for (double time = 0; time < 2 * rise; time += dt) {
+        const double load = 1.5 * kStall * (time < rise ? time : 2 * rise - time) / rise;
+        motor.drive(sign * load, dt);
+        motor.advance(sign * load, dt);
+        if (stalled_at == 0 && motor.stalled()) stalled_at = load;
+        if (stalled_at > 0 && ran_at == 0 && !motor.stalled()) ran_at = load;
+        const bool falls = sign * (motor.speed() - before) < 0;
+        turns += (falls && time >= rise) || (sign * (motor.speed() - before) > 1e-9 * kFree && time < rise);
+        before = motor.speed();
+        const double line = kStall * (1 - sign * motor.speed() / kFree);
+        if (inertia == 0 && !motor.stalled()) {
+          ASSERT_LE(load, line * (1 + 1e-9));
+        }
+      }
+      EXPECT_NEAR(stalled_at / kStall, 1, inertia > 0 ? 0.02 : 2e-3) << "a rotor goes on a little";
+      EXPECT_NEAR(ran_at / kStall, 1, 2e-3);
+      EXPECT_EQ(turns, 0);
+    }
+}
+
+// J domega/dt = M_stall (1 - omega/omega_f) - M: an exponential with the time J omega_f/M_stall.
+// Proves: inertia.
+TEST_P(SpindleDirection, RunsUpAndDownAsItsInertiaLets) {
+  const double sign = GetParam(), inertia = 1e-8, tau = inertia * kFree / kStall, load = 0.3 * kStall;
+  double error[2];
+  for (int i = 0; i < 2; ++i) {
+    const double dt = i == 0 ? 1e-3 : 5e-4, duration = 0.1;
+    SpindleMotor motor(turbine(sign, inertia));
+    motor.halt();
+    motor.set(sign * kFree);
+    for (int n = 0; n < std::lround(duration / dt); ++n) motor.advance(sign * load, dt);
+    error[i] = sign * motor.speed() / kFree - 0.7 * (1 - std::exp(-duration / tau));
+    EXPECT_NEAR(error[i], 0, 2e-3);
+  }
+  EXPECT_NEAR(error[0] / error[1], 2, 0.05) << "first order in the step";
+}
+
+// Proves: torque limit.
+TEST_P(SpindleDirection, KeepsItsSpeedUpToItsTorqueLimitAndStallsAboveIt) {
+  const double sign = GetParam();
+  for (const double inertia : {0.0, 1e-9}) {
+    Spindle spindle{sign * 1000};
+    spindle.torque_limit = 0.02;
+    spindle.rotor_inertia = inertia;
+    SpindleMotor motor(spindle);
+    for (int n = 0; n < 10; ++n) motor.advance(sign * 0.0199, 1e-3);
+    EXPECT_EQ(motor.speed(), sign * 1000);
+    EXPECT_FALSE(motor.loaded());
+    for (int n = 0; n < 10; ++n) motor.advance(sign * 0.0201, 1e-3);
+    EXPECT_TRUE(motor.stalled());
+    EXPECT_TRUE(motor.loaded());
+    EXPECT_EQ(motor.speed(), 0);
+    for (int n = 0; n < 10; ++n) motor.advance(sign * 0.0199, 1e-3);
+    EXPECT_NEAR(motor.speed(), sign * 1000, 1e-9) << "it runs again by itself";
+  }
+}
+
+// Proves: inertia; power limit.
+TEST_P(SpindleDirection, ARotorSettlesAtThePowerLimit) {
+  const double sign = GetParam();
+  Spindle spindle{sign * 1000, 5};
+  spindle.rotor_inertia = 1e-5;  // settles in 0.5 s
+  SpindleMotor motor(spindle);
+  double before = 1000;
+  for (int n = 0; n < 8000; ++n) {
+    motor.advance(sign * 0.01, 1e-3);
+    ASSERT_LE(sign * motor.speed(), before * (1 + 1e-12));
+    before = sign * motor.speed();
+  }
+  EXPECT_NEAR(motor.speed(), sign * 500, 0.5);
+  EXPECT_TRUE(motor.loaded());
+}
+
+// Proves: inertia.
+TEST_P(SpindleDirection, AMotorWithInertiaTurnsTheOtherWayThroughZero) {
+  const double sign = GetParam();
+  Spindle spindle{sign * 1000};
+  spindle.torque_limit = 0.01;
+  spindle.rotor_inertia = 1e-6;  // 0.1 s from full speed to none
+  SpindleMotor motor(spindle);
+  motor.set(-sign * 1000);
+  double before = sign * motor.speed(), time = 0;
+  for (; motor.speed() != -sign * 1000; time += 1e-3) {
+    motor.advance(0, 1e-3);
+    ASSERT_LE(sign * motor.speed(), before);
+    ASSERT_LE(before - sign * motor.speed(), 10 * (1 + 1e-9));
+    before = sign * motor.speed();
+    ASSERT_LT(time, 1);
+  }
+  EXPECT_NEAR(time, 0.2, 3e-3);
+  motor.set(0);
+  for (int n = 0; n < 101; ++n) motor.advance(0, 1e-3);
+  EXPECT_EQ(motor.speed(), 0);
+}
+
+// Proves: motors.
+TEST_P(SpindleDirection, OfCommonHandpiecesAreThoseOfTheirMotors) {
+  const double sign = GetParam();
+  const Spindle turbine = common_spindle(sign * 350e3);
+  EXPECT_NEAR(SpindleMotor(turbine).stall_torque(), 1.5 * units::N_mm, 1e-12);
+  EXPECT_NEAR(turbine.speed, sign * 350e3 * units::rpm, 1e-6);
+  const Spindle fast = common_spindle(sign * 200e3), slow = common_spindle(sign * 2000);
+  EXPECT_NEAR(fast.torque_limit, 6 * units::N_mm, 1e-12);
+  EXPECT_NEAR(slow.torque_limit, 600 * units::N_mm, 1e-9);
+  EXPECT_EQ(fast.power_limit, 60);
+  EXPECT_NEAR(fast.rotor_inertia, 2e-9, 1e-15);
+  EXPECT_TRUE(common_spindle(MotorKind::surgical_drill, sign * 80e3).is_limited());
+  EXPECT_FALSE(common_spindle(MotorKind::ideal, sign * 80e3).is_limited());
+  EXPECT_FALSE(common_spindle(0).is_limited());
+  EXPECT_THROW((void)common_spindle(MotorKind::electric, 0), Error);
+  EXPECT_THROW((void)common_spindle(sign * 2e6), Error);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothWays, SpindleDirection, testing::Values(1.0, -1.0));
@@ -107,6 +248,10 @@ TEST(SpindleInput, IsRefusedWithItsValueAndTheCure) {
   spindle = {};
   spindle.power_limit = -1;
   EXPECT_EQ(message(spindle).find("Spindle::power_limit [W] = -1"), 0U);
+  EXPECT_EQ(Spindle::rpm(-40000).speed, -40000 * units::rpm);
+  EXPECT_EQ(message(Spindle{400000}).find("Spindle::speed [rad/s] = 400000; that is 3.8"), 0U);
+  EXPECT_NE(message(Spindle{400000}).find("Write Spindle::rpm(...)"), std::string::npos);
+  EXPECT_NE(message(Spindle{std::nan("")}), "");
 }
 
 }  // namespace
