@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "hapticut/core/errors.hpp"
 
@@ -12,13 +13,13 @@ namespace {
 
 struct Preset {
   std::string_view name;
-  Material (*make)();
+  Material (*make)(CutterKind);
   Color color;
 };
 
 constexpr std::array kPresets = {
     Preset{"enamel", presets::enamel, {240, 236, 222}},
-    Preset{"enamel_with_diamond", presets::enamel_with_diamond, {200, 214, 236}},
+    Preset{"enamel_with_diamond", [](CutterKind) { return presets::enamel_with_diamond(); }, {200, 214, 236}},
     Preset{"dentin", presets::dentin, {224, 196, 138}},
     Preset{"pulp", presets::pulp, {196, 72, 72}},
     Preset{"caries", presets::caries, {92, 58, 34}},
@@ -42,127 +43,88 @@ const Preset& preset_named(std::string_view name) {
   throw Error("there is no material preset '" + std::string(name) + "'; choose one of: " + known + ".");
 }
 
+/// What a material is, whatever cuts it: relative stiffness, tangential stiffness [N/m] and density [kg/m^3].
+Material solid(const char* name, double stiffness, double tangential_stiffness, double density) {
+  return {.name = name,
+          .relative_stiffness = stiffness,
+          .damping = 0,
+          .cutting_ratio = 0.5,
+          .static_friction = 0.3,
+          .dynamic_friction = 0.3,
+          .tangential_stiffness = tangential_stiffness,
+          .density = density};
+}
+
+/// What it takes to cut one with a kind of tool.
+struct Cut {
+  double ratio, energy;             // [1] kappa, [J/m^3] u
+  double edge_length, size_length;  // [m] h_e, h_s
+};
+
+/// Of the hard tissues, in the order of CutterKind: carbide_bur, fine_diamond, coarse_diamond, twist_drill,
+/// mastoid_cutting_bur, mastoid_diamond_bur.
+using Cuts = std::array<Cut, 6>;
+
+Material cut_by(CutterKind kind, const Cuts& cuts, Material material) {
+  const Cut& cut = cuts[std::size_t(kind)];
+  material.cutting_ratio = cut.ratio;
+  material.specific_cutting_energy = cut.energy;
+  material.edge_length = cut.edge_length;
+  material.size_length = cut.size_length;
+  return material;
+}
+
+/// Whatever cuts it.
+Material cut_by_any(const Cut& cut, Material material) {
+  return cut_by(CutterKind::carbide_bur, {cut, cut, cut, cut, cut, cut}, std::move(material));
+}
+
+constexpr double kSizeOfEnamel = 27e-6, kSizeOfBone = 180e-6, kEdgeOfDrills = 20e-6;  // [m]
+
+/// Bone and dentin, which is cut alike, by a share of what cortical bone takes.
+constexpr Cuts cuts_of_bone(double share) {
+  const Cut blades = {0.5, 0.1e9 * share, 0, kSizeOfBone}, coarse = {0.5, 20e9 * share, 0, 0};
+  return {blades, Cut{0.5, 63e9 * share, 0, 0}, coarse, Cut{3.3, 0.38e9 * share, kEdgeOfDrills, 0}, blades, coarse};
+}
+
 }  // namespace
 
 namespace presets {
 
-Material enamel() {
-  return {.name = "enamel",
-          .relative_stiffness = 1,
-          .damping = 0,
-          .cutting_ratio = 0.5,
-          .specific_cutting_energy = 1.75e9,
-          .edge_pressure = 200e3,
-          .static_friction = 0.3,
-          .dynamic_friction = 0.3,
-          .tangential_stiffness = 1000,
-          .density = 2950};
+Material enamel(CutterKind cutter) {
+  constexpr Cut kBlades = {0.5, 0.35e9, 0, kSizeOfEnamel}, kFine = {0.5, 114e9, 0, 0}, kCoarse = {0.5, 37e9, 0, 0};
+  return cut_by(cutter, {kBlades, kFine, kCoarse, kBlades, kBlades, kCoarse}, solid("enamel", 1, 1000, 2950));
 }
 
 Material enamel_with_diamond() {
-  Material material = enamel();
+  Material material = enamel(CutterKind::fine_diamond);
   material.name = "enamel_with_diamond";
-  material.specific_cutting_energy = 1.14e11;
-  material.edge_pressure = 0;
   return material;
 }
 
-Material dentin() {
-  return {.name = "dentin",
-          .relative_stiffness = 0.24,
-          .damping = 0,
-          .cutting_ratio = 0.5,
-          .specific_cutting_energy = 0.35e9,
-          .edge_pressure = 40e3,
-          .static_friction = 0.3,
-          .dynamic_friction = 0.3,
-          .tangential_stiffness = 1000,
-          .density = 2150};
+Material dentin(CutterKind cutter) { return cut_by(cutter, cuts_of_bone(1), solid("dentin", 0.24, 1000, 2150)); }
+
+Material pulp(CutterKind) { return cut_by_any({0.5, 5e6, 0, 0}, solid("pulp", 0.01, 100, 1000)); }
+
+Material caries(CutterKind cutter) { return cut_by(cutter, cuts_of_bone(0.44), solid("caries", 0.1, 500, 1700)); }
+
+Material amalgam(CutterKind) { return cut_by_any({0.5, 89e6, 0, kSizeOfEnamel}, solid("amalgam", 0.6, 1000, 11600)); }
+
+Material cortical_bone(CutterKind cutter) {
+  return cut_by(cutter, cuts_of_bone(1), solid("cortical_bone", 0.18, 1000, 1900));
 }
 
-Material pulp() {
-  return {.name = "pulp",
-          .relative_stiffness = 0.01,
-          .damping = 0,
-          .cutting_ratio = 0.5,
-          .specific_cutting_energy = 5e6,
-          .edge_pressure = 570,
-          .static_friction = 0.3,
-          .dynamic_friction = 0.3,
-          .tangential_stiffness = 100,
-          .density = 1000};
+Material trabecular_bone(CutterKind cutter) {
+  return cut_by(cutter, cuts_of_bone(1.0 / 6), solid("trabecular_bone", 0.02, 500, 1180));
 }
 
-Material caries() {
-  return {.name = "caries",
-          .relative_stiffness = 0.1,
-          .damping = 0,
-          .cutting_ratio = 0.5,
-          .specific_cutting_energy = 0.155e9,
-          .edge_pressure = 17.7e3,
-          .static_friction = 0.3,
-          .dynamic_friction = 0.3,
-          .tangential_stiffness = 500,
-          .density = 1700};
-}
-
-Material amalgam() {
-  return {.name = "amalgam",
-          .relative_stiffness = 0.6,
-          .damping = 0,
-          .cutting_ratio = 0.5,
-          .specific_cutting_energy = 0.445e9,
-          .edge_pressure = 50.9e3,
-          .static_friction = 0.3,
-          .dynamic_friction = 0.3,
-          .tangential_stiffness = 1000,
-          .density = 11600};
-}
-
-Material cortical_bone() {
-  return {.name = "cortical_bone",
-          .relative_stiffness = 0.18,
-          .damping = 0,
-          .cutting_ratio = 0.5,
-          .specific_cutting_energy = 0.3e9,
-          .edge_pressure = 34.3e3,
-          .static_friction = 0.3,
-          .dynamic_friction = 0.3,
-          .tangential_stiffness = 1000,
-          .density = 1900};
-}
-
-Material trabecular_bone() {
-  return {.name = "trabecular_bone",
-          .relative_stiffness = 0.02,
-          .damping = 0,
-          .cutting_ratio = 0.5,
-          .specific_cutting_energy = 50e6,
-          .edge_pressure = 5.7e3,
-          .static_friction = 0.3,
-          .dynamic_friction = 0.3,
-          .tangential_stiffness = 500,
-          .density = 1180};
-}
-
-Material clay() {
-  return {.name = "clay",
-          .relative_stiffness = 0.01,
-          .damping = 0,
-          .cutting_ratio = 0.5,
-          .specific_cutting_energy = 1e6,
-          .edge_pressure = 114,
-          .static_friction = 0.3,
-          .dynamic_friction = 0.3,
-          .tangential_stiffness = 100,
-          .density = 1800};
-}
+Material clay(CutterKind) { return cut_by_any({0.5, 1e6, 0, 0}, solid("clay", 0.01, 100, 1800)); }
 
 }  // namespace presets
 
 std::span<const std::string_view> preset_names() { return kNames; }
 
-Material find_preset(std::string_view name) { return preset_named(name).make(); }
+Material find_preset(std::string_view name, CutterKind cutter) { return preset_named(name).make(cutter); }
 
 Color preset_color(std::string_view name) { return preset_named(name).color; }
 

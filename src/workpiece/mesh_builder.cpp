@@ -8,6 +8,7 @@
 #include <string>
 
 #include "hapticut/core/errors.hpp"
+#include "workpiece/orient.hpp"
 #include "workpiece/volume_sampling.hpp"  // kMaxSubsamples
 #include "workpiece/winding_number.hpp"
 
@@ -232,7 +233,11 @@ class ShellsFiller {
  public:
   ShellsFiller(const std::vector<MeshShell>& shells, const GridFrame& frame, int points)
       : shells_(shells), frame_(frame), points_(points), found_(shells.size()) {
-    for (const MeshShell& shell : shells) samplers_.push_back(std::make_unique<ShellSampler>(shell.mesh));
+    for (const MeshShell& shell : shells) {
+      TriangleMesh mesh = shell.mesh;
+      orient_alike(mesh);
+      samplers_.push_back(std::make_unique<ShellSampler>(mesh));
+    }
   }
 
   BlockKind operator()(const VoxelIndex& origin, BlockContent& content) {
@@ -368,6 +373,9 @@ Workpiece build_from_shells(const std::vector<MeshShell>& shells, MaterialTable 
   if (!(voxels.maxCoeff() < 1e9))
     throw Error("the surface is " + format_number((max - min).maxCoeff()) + " m long, that is " +
                 format_number(voxels.maxCoeff()) + " voxels; check its unit or choose a larger voxel size.");
+  const WorkEstimate estimate = estimate_work(shells, options);
+  if (options.tell) options.tell(estimate);
+  require_allowed(estimate, options.large);
   IndexBox domain;
   for (int axis = 0; axis < 3; ++axis) {
     domain.min[std::size_t(axis)] = 0;

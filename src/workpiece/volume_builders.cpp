@@ -95,6 +95,20 @@ Layout layout_of(const Volume<Value>& volume, const VolumeBuildOptions& options)
   return layout;
 }
 
+/// Tells of the work, and refuses what nobody has asked for. How many voxels a surface will cut is not known: a tenth.
+void announce(const Layout& layout, const VolumeBuildOptions& options) {
+  constexpr double kShareCut = 0.1, kSecondsPerVoxel = 5e-8, kSecondsPerCutVoxel = 2e-6;
+  constexpr double kBytesPerVoxel = 1.3, kBytesPerCutVoxel = 12;
+  WorkEstimate estimate;
+  estimate.voxels = 1;
+  for (int axis = 0; axis < 3; ++axis) estimate.voxels *= layout.voxels.max[axis] - layout.voxels.min[axis] + 1.0;
+  estimate.cut_voxels = options.antialias ? kShareCut * estimate.voxels : 0;
+  estimate.memory_bytes = kBytesPerVoxel * estimate.voxels + kBytesPerCutVoxel * estimate.cut_voxels;
+  estimate.seconds = kSecondsPerVoxel * estimate.voxels + kSecondsPerCutVoxel * estimate.cut_voxels;
+  if (options.tell) options.tell(estimate);
+  require_allowed(estimate, options.large);
+}
+
 /// Calls `look(row, count)` for every row of the samples that count, from several threads.
 template <class Value, class Look>
 void for_each_row(const Volume<Value>& volume, const IndexBox& samples, const Look& look) {
@@ -112,6 +126,7 @@ Workpiece build(const Volume<typename Field::Sample>& volume, const Field& field
   // Points must not be further apart than samples are, or they would miss some.
   const int dense_enough = int(std::min(std::ceil(layout.step.maxCoeff() - 1e-6), double(kMaxSubsamples)));
   const int subsamples = options.antialias ? std::max(options.subsamples, dense_enough) : 1;
+  announce(layout, options);
   const VolumeFiller<Field> fill(volume, field, layout.samples, layout.first, layout.step, subsamples,
                                  options.antialias ? dense_enough : 1, options.antialias);
   return Workpiece::from_blocks(layout.voxels, layout.frame, materials, std::cref(fill));
@@ -234,15 +249,10 @@ std::vector<Material> materials_of(const Grade& grade) {
     const double t = (n + 0.5) / grade.steps;
     Material m;
     m.name = a.name + " " + std::to_string(n + 1) + "/" + std::to_string(grade.steps);
-    m.relative_stiffness = between(a.relative_stiffness, b.relative_stiffness, t);
-    m.damping = between(a.damping, b.damping, t);
-    m.cutting_ratio = between(a.cutting_ratio, b.cutting_ratio, t);
-    m.specific_cutting_energy = between(a.specific_cutting_energy, b.specific_cutting_energy, t);
-    m.edge_pressure = between(a.edge_pressure, b.edge_pressure, t);
-    m.static_friction = between(a.static_friction, b.static_friction, t);
-    m.dynamic_friction = between(a.dynamic_friction, b.dynamic_friction, t);
-    m.tangential_stiffness = between(a.tangential_stiffness, b.tangential_stiffness, t);
-    m.density = between(a.density, b.density, t);
+    for_each_field<Material>([&](const auto& field) {
+      if constexpr (std::is_same_v<decltype(field.member), double Material::*>)
+        m.*field.member = between(a.*field.member, b.*field.member, t);
+    });
     materials.push_back(std::move(m));
   }
   return materials;

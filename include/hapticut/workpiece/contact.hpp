@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "hapticut/core/description.hpp"
+#include "hapticut/core/errors.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/block.hpp"
 #include "hapticut/workpiece/cut_voxel.hpp"
@@ -42,6 +43,7 @@ struct ContactBlock {
   Array<float> fill;                          ///< [1] phi before this sub-step
   Array<float> top;                           ///< [m] greatest depth of the filled part; valid only when `sub_voxel`
   Array<float> largest;                       ///< [1] largest |n_i| along the grid's axes, likewise
+  Array<float> immersed;                      ///< [1] filled part of the voxel that is inside the head, likewise
   Array<MaterialId> material;                 ///< valid only when not `uniform`
 
   Array<float> force_x, force_y, force_z;  ///< [N] on the tool, written by the force law
@@ -66,7 +68,8 @@ struct GridInHead {
 
 /// Where in a partly filled voxel its force is taken.
 enum class Quadrature {
-  centroid,      ///< at the centroid of the part that was filled when the workpiece was built (default)
+  automatic,  ///< sub_voxel for laws that integrate over parts of voxels, centroid for those asked at points (default)
+  centroid,   ///< at the centroid of the part that was filled when the workpiece was built
   voxel_center,  ///< at the voxel's centre: as exact in the mean, but the force ripples on surfaces along the grid
   sub_voxel      ///< integrated over the part that is filled, which the interface cuts off across n (VoxelSection)
 };
@@ -74,6 +77,7 @@ enum class Quadrature {
 constexpr auto names_of(Of<Quadrature>) {
   using enum Quadrature;
   return std::array{
+      Named{automatic, "automatic"},
       Named{centroid, "centroid"},
       Named{voxel_center, "voxel_center"},
       Named{sub_voxel, "sub_voxel"},
@@ -108,10 +112,12 @@ inline void keep_row(const BlockView& block, int row, unsigned inside, ContactBl
 }
 
 /// Stage `sample_contact`: fills `out` with the samples of one block inside the head.
+/// @param quadrature  not automatic
 /// @realtime no allocation, no lock; O(512)
 template <class Springs>
 void sample_contact(const Springs& springs, const BlockView& block, const GridInHead& grid, Quadrature quadrature,
                     ContactBlock& out) {
+  HAPTICUT_ASSERT(quadrature != Quadrature::automatic);
   const Eigen::Vector3f base = grid.position(block.origin).cast<float>();
   const Eigen::Matrix3f steps = grid.voxel_steps.cast<float>();
   const bool at_centroid = block.centroid != nullptr && quadrature == Quadrature::centroid;
@@ -148,9 +154,10 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
         const Eigen::Vector3f n_V = steps.transpose() * Eigen::Vector3f(radial * x, radial * y, spring.n_axial) / size;
         out.largest[n] = std::clamp(n_V.cwiseAbs().maxCoeff(), kLeastLargest, 1.0F);
         const VoxelSection<float> section(out.largest[n]);
-        const float top = spring.depth + size * (section.height_of(fill) - section.span() / 2);
+        const float height = section.height_of(fill), top = spring.depth + size * (height - section.span() / 2);
         is_inside = top > 0 && fill > 0 && (solid >> lane & 1U) != 0;
         out.top[n] = is_inside ? top : 0.0F;
+        out.immersed[n] = is_inside ? section.integrals(height, top / size).volume : 0.0F;
       }
       inside |= is_inside ? 1U << lane : 0U;
       out.x[n] = x;

@@ -26,6 +26,8 @@ struct Material {
   double cutting_ratio = 0.5;
   double specific_cutting_energy = 3e8;
   double edge_pressure = 0;
+  double edge_length = 0;
+  double size_length = 0;
   double static_friction = 0.3;
   double dynamic_friction = 0.3;
   double tangential_stiffness = 1000;
@@ -49,6 +51,10 @@ constexpr auto fields_of(Of<Material>) {
       field("specific_cutting_energy", &M::specific_cutting_energy, "J/m^3", Range::between(1e-3, 1e18),
             "u, energy to cut away"),
       field("edge_pressure", &M::edge_pressure, "Pa", Range::not_negative(), "p_e, below which nothing is cut"),
+      field("edge_length", &M::edge_length, "m", Range::between(0, 1),
+            "h_e: a lip ploughs with u h_e per length, which takes nothing away"),
+      field("size_length", &M::size_length, "m", Range::between(0, 1),
+            "h_s: chips of thickness h take u sqrt(h_s/h) more energy"),
       field("static_friction", &M::static_friction, "1", Range::not_negative(),
             "of the standing spindle, not below dynamic_friction"),
       field("dynamic_friction", &M::dynamic_friction, "1", Range::not_negative(), "of the standing spindle"),

@@ -5,40 +5,33 @@
 #include <string_view>
 
 #include "hapticut/core/mesh.hpp"
+#include "hapticut/tool/cutter.hpp"
 #include "hapticut/workpiece/material.hpp"
 
 /// @file
-/// Ready-made materials. `docs/materials.md` holds the same numbers as a table.
+/// Ready-made materials, each as a kind of cutter meets it. `docs/materials.md` holds the same numbers as tables, what
+/// they rest on, how far they can be trusted, and what they predict beside what others measured.
 ///
-/// **All but `enamel_with_diamond` hold for a carbide round or fissure burr of 1 ... 4 mm that takes chips (feed per
-/// revolution times the sine of the contact angle) from a few micrometres to some tens of micrometres.** Specific
-/// cutting energy belongs to the tool as much as to the material: bone takes 0.05 ... 0.3 GJ/m^3 with chips of about
-/// 0.1 mm, while an abrasive burr with sub-micrometre chips spends about 100 GJ/m^3 on enamel: Fais et al. 2010, Braz J
-/// Oral Sci 9:39, removed 0.1117 g in 12 min under 50 ... 80 g, which is 0.053 mm^3/s; at 0.64 N, kappa = 0.5 and about
-/// 19 m/s at the rim (a 1.2 mm diamond burr at 300 000 rpm, assumed) the burr works at 6 W, hence
-/// u = 6 W / 0.053 mm^3/s = 114 GJ/m^3, which is the preset `enamel_with_diamond`. For a tool of another kind set
-/// `specific_cutting_energy`, `cutting_ratio` and `edge_pressure` again.
-///
-/// From one drilling test with feed speed v and negligible edge pressure: u = M omega / (pi R^2 v), kappa = 2 M / (R
-/// F). Orelaja et al. 2020, J Healthc Eng 8817422 (twist drill, R = 1.25 mm, 1000 rpm): bovine 20.07 N and 41.2 N mm
-/// give kappa = 3.3, porcine 11.25 N and 37.0 N mm 5.3, artificial bone 5.62 N and 13.6 N mm 3.9. The flutes of a drill
-/// rub along its whole depth, so these ratios are not a burr's. Bovine torque gives u = 2 M/(R^2 a) = 0.53 GJ/m^3 for a
-/// feed a = 0.1 mm per revolution (assumed: the feed is not part of the summary used here), flute friction included.
+/// Energy belongs to the pair of tool and material, and to the chip: blades take the size effect sqrt(h_s/h), which
+/// reaches from a drill's chips of tens of micrometres to the ten nanometres of a dental bur (force/chip.hpp); grains
+/// of diamond a constant u at the one load that was measured; twist drills an edge force, h_e.
 ///
 /// Rules shared by all presets, each an assumption unless it names a source:
-/// * `specific_cutting_energy` = half the indentation hardness H. The factor puts cortical bone (H = 0.6 GPa, assumed)
-///   at the upper end of the range for bone with thick chips. Plausible at the chair: a flat burr of R = 0.6 mm at
-///   20 000 rad/s fed at 1 mm/s into enamel meets 2 pi R u v/(kappa omega) = 0.66 N of chip force, and dentists press
-///   with 0.43 ... 1.79 N (Siegel & von Fraunhofer), at most 1.03 N in a vertical cut of enamel (Liao et al. 1995, J
-///   Oral Rehabil 22:67).
-/// * `cutting_ratio` = 0.5, between sliding (0.3) and a sharp edge that bites (about 1): assumption.
-/// * `edge_pressure` = specific_cutting_energy / 8750, which gives enamel 0.2 MPa: 0.23 N on the end of a 1.2 mm flat
-///   burr, half of the lightest load (0.43 N) in the tested range of Siegel & von Fraunhofer. Twist drills rub far more
-///   (edge part equal to the chip part near 25 um per revolution); their p_e would stop such a burr below 3.8 N.
+/// * `specific_cutting_energy` and `size_length` of enamel and dentin under carbide: White 1998, Proc SPIE 3248
+///   (10.1117/12.306013), 0.273 and 0.493 mm/s along the axis at high speed, for the 0.98 N that dentists usually press
+///   with (Siegel & von Fraunhofer), a bur of 0.84 mm with six blades at 250000 rpm under load and kappa = 0.5. One
+///   rate fixes u sqrt(h_s) only: u is that of drills' chips.
+/// * Diamond: Fais et al. 2010, Braz J Oral Sci 9:39 (fine, enamel), 0.053 mm^3/s at 0.64 N; Benedettini et al. 2003, J
+///   Dent Res 82 (coarse, tooth in resin), 0.54 mm^3/s at 1 N, whose unit is misprinted. Enamel takes 1.8 times what
+///   dentin does, as with White. The two differ tenfold, which is carried as fine and coarse.
+/// * Twist drills in cortical bone: kappa = 3.3 and u (1 + h_e/h) = 0.53 GJ/m^3 at 50 um per lip from Orelaja et al.
+///   2020, J Healthc Eng 8817422 (feed assumed; kappa 0.4 ... 5 by others); h_e = 20 um from James et al. 2012 and 2013
+///   (one tooth of a saw, 2 ... 10 um).
+/// * Bone under burs is taken to be cut as dentin is; trabecular bone takes a sixth, caries 0.44 of it, as their
+/// hardness.
+/// * `edge_pressure` = 0 and `damping` = 0: no measurement of them is known to us.
 /// * `relative_stiffness` = Young's modulus over that of enamel (82 GPa: Dent Mater 2008, PMC2584618, table 1), not
-///   below 0.01. It scales a regularisation, not a spring that exists; with these numbers no preset is engaged
-///   more than 1.2 times as deep as enamel at the same feed.
-/// * `damping` = 0: no measurement of it is known to us.
+///   below 0.01. It scales a regularisation, not a spring that exists.
 /// * `static_friction` = `dynamic_friction` = 0.3, the tooth of the thesis' case study 6.5; bone on muscle lies at 0.29
 ///   ... 0.36 (Shacham 2010).
 /// * `tangential_stiffness` = 1000 N/m where the material feels hard, which needs 800 ... 1000 N/m (Choi & Tan 2004);
@@ -46,50 +39,47 @@
 namespace hapticut {
 namespace presets {
 
-/// Human enamel. H = 3.5 GPa, E = 82 GPa (Dent Mater 2008, PMC2584618, table 1, young). Density 2950 kg/m^3: common
-/// textbook value, assumption.
-[[nodiscard]] Material enamel();
+/// Human enamel. E = 82 GPa (Dent Mater 2008, PMC2584618, table 1, young). Density 2950 kg/m^3: common textbook value,
+/// assumption.
+[[nodiscard]] Material enamel(CutterKind cutter = CutterKind::carbide_bur);
 
-/// Human enamel under a diamond bur, as `enamel` but u = 1.14e11 J/m^3: the measurement of Fais et al. above (DC4),
-/// with kappa = 0.5 and a bur of 1.2 mm at 300 000 rpm. One measurement cannot tell edge from chip, so edge_pressure =
-/// 0 and u holds for loads about 0.6 N. The engaged layer is eight times as thick as with `enamel`: raise
-/// SimulationConfig::reference_stiffness, by 65 for the same layer (`stiffness_for_accuracy`).
+/// Human enamel under a fine diamond bur, by this name whatever the cutter: u = 1.14e11 J/m^3 of Fais et al. above
+/// (DC4), with kappa = 0.5 and a bur of 1.2 mm at 300 000 rpm.
 [[nodiscard]] Material enamel_with_diamond();
 
-/// Human dentin. H = 0.7 GPa, E = 19.5 GPa (survey of nanoindentation, its table 8-3: 0.15 ... 2.45 and 16.3 ... 29.8).
-/// By microhardness enamel is 4.2 times as hard (Chun et al. 2014, J Dent Biomech 5), here 5 times. Density 2150
-/// kg/m^3: common textbook value, assumption.
-[[nodiscard]] Material dentin();
+/// Human dentin. E = 19.5 GPa (survey of nanoindentation, its table 8-3: 16.3 ... 29.8). Density 2150 kg/m^3: common
+/// textbook value, assumption.
+[[nodiscard]] Material dentin(CutterKind cutter = CutterKind::carbide_bur);
 
-/// Dental pulp, a soft tissue. E = 2.1 MPa (used throughout finite element work, e.g. Int J Environ Res Public Health
-/// 2023, 20:1889, table 1), so relative_stiffness is the floor 0.01. u = 5 MJ/m^3: assumption, tearing soft tissue
-/// costs about 1 kJ/m^2 and shreds it to 0.2 mm. Density 1000 kg/m^3: assumption, mostly water.
-[[nodiscard]] Material pulp();
+/// Dental pulp, a soft tissue, the same for each cutter. E = 2.1 MPa (used throughout finite element work, e.g. Int J
+/// Environ Res Public Health 2023, 20:1889, table 1), so relative_stiffness is the floor 0.01. u = 5 MJ/m^3:
+/// assumption, tearing soft tissue costs about 1 kJ/m^2 and shreds it to 0.2 mm. Density 1000 kg/m^3: assumption,
+/// mostly water.
+[[nodiscard]] Material pulp(CutterKind cutter = CutterKind::carbide_bur);
 
-/// Decayed hard tissue. H = 0.31 GPa: Knoop 31.7 of enamel lesions of ICDAS code 3, 90 % below sound enamel (Shimizu et
-/// al. 2015, Dent Mater J 34:252). relative_stiffness 0.1: assumption, dentin's modulus reduced as its hardness.
-/// Density 1700 kg/m^3: assumption, dentin that lost a third of its mineral.
-[[nodiscard]] Material caries();
+/// Decayed hard tissue, 0.44 of dentin: Knoop 31.7 of enamel lesions of ICDAS code 3 is a hardness of 0.31 GPa (Shimizu
+/// et al. 2015, Dent Mater J 34:252), dentin's is 0.7. relative_stiffness 0.1: assumption, dentin's modulus reduced as
+/// its hardness. Density 1700 kg/m^3: assumption, dentin that lost a third of its mineral.
+[[nodiscard]] Material caries(CutterKind cutter = CutterKind::carbide_bur);
 
-/// Set high-copper amalgam. H = 0.89 GPa: 90.7 kgf/mm^2 with 29 % copper (Aminatun, Dental Journal, Universitas
-/// Airlangga, the copper series). relative_stiffness 0.6 (E about 50 GPa) and density 11600 kg/m^3 (half mercury, half
-/// silver-tin-copper alloy): assumptions.
-[[nodiscard]] Material amalgam();
+/// Set high-copper amalgam, the same for each cutter: enamel under carbide by the ratio of their hardness, 0.89 GPa
+/// (90.7 kgf/mm^2 with 29 % copper: Aminatun, Dental Journal, Universitas Airlangga) to 3.5. relative_stiffness 0.6 (E
+/// about 50 GPa) and density 11600 kg/m^3 (half mercury, half silver-tin-copper alloy): assumptions.
+[[nodiscard]] Material amalgam(CutterKind cutter = CutterKind::carbide_bur);
 
-/// Cortical bone. u = 0.3 GJ/m^3: upper end of 0.05 ... 0.3 for chips of about 0.1 mm, a range from memory. E = 14.5
-/// GPa (finite element table, Int J Environ Res Public Health 2023, 20:1889; 17 ... 20 along the bone is also quoted).
-/// Density 1900 kg/m^3: middle of the usual 1800 ... 2000, assumption.
-[[nodiscard]] Material cortical_bone();
+/// Cortical bone. E = 14.5 GPa (finite element table, Int J Environ Res Public Health 2023, 20:1889; 17 ... 20 along
+/// the bone is also quoted). Density 1900 kg/m^3: middle of the usual 1800 ... 2000, assumption.
+[[nodiscard]] Material cortical_bone(CutterKind cutter = CutterKind::carbide_bur);
 
-/// Trabecular (cancellous) bone with its marrow, as a continuum. u = 0.05 GJ/m^3: lower end of the range above; drills
-/// meet 1 ... 1.5 N in the cancellous trochanter and 24 ... 48 N in cortical tibia (both in table 6 of Orelaja et
-/// al. 2020), which would allow even less. E = 1.37 GPa (same table as cortical bone), rounded to 0.02 of enamel.
-/// Density 1180 kg/m^3: assumption, a fifth bone of 1900 and the rest marrow of 1000.
-[[nodiscard]] Material trabecular_bone();
+/// Trabecular (cancellous) bone with its marrow, as a continuum. A sixth of cortical bone: drills meet 1 ... 1.5 N in
+/// the cancellous trochanter and 24 ... 48 N in cortical tibia (both in table 6 of Orelaja et al. 2020), which would
+/// allow even less. E = 1.37 GPa (same table as cortical bone), rounded to 0.02 of enamel. Density 1180 kg/m^3:
+/// assumption, a fifth bone of 1900 and the rest marrow of 1000.
+[[nodiscard]] Material trabecular_bone(CutterKind cutter = CutterKind::carbide_bur);
 
-/// Modelling clay, for exercises and for comparing devices. Everything about it is an assumption: u = 1 MJ/m^3 is its
-/// indentation hardness with the stiffest kinds, density 1800 kg/m^3.
-[[nodiscard]] Material clay();
+/// Modelling clay, for exercises and for comparing devices, the same for each cutter. Everything about it is an
+/// assumption: u = 1 MJ/m^3 is its indentation hardness with the stiffest kinds, density 1800 kg/m^3.
+[[nodiscard]] Material clay(CutterKind cutter = CutterKind::carbide_bur);
 
 }  // namespace presets
 
@@ -98,8 +88,9 @@ namespace presets {
 [[nodiscard]] std::span<const std::string_view> preset_names();
 
 /// A preset by its name, as it is written on a command line or in a settings file.
+/// @param cutter  that it is to be cut with
 /// @throws Error listing the known names
-[[nodiscard]] Material find_preset(std::string_view name);
+[[nodiscard]] Material find_preset(std::string_view name, CutterKind cutter = CutterKind::carbide_bur);
 
 /// A colour to show a preset in. A matter of taste, without a source.
 /// @throws Error listing the known names

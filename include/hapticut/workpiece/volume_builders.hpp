@@ -5,8 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/volume.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "hapticut/workpiece/work_estimate.hpp"
 
 /// @file
 /// Workpieces from dense volumes: a CT whose grey values say what is where, or a segmentation whose labels do.
@@ -23,8 +25,10 @@ struct VolumeBuildOptions {
   std::optional<IndexBox> crop_samples = std::nullopt;
   /// Keep only voxels that the smallest grid-aligned box around this box of W touches.
   std::optional<Box> crop = std::nullopt;
-  bool antialias = true;  ///< false: a voxel is full or empty, as its centre says
-  int subsamples = 4;     ///< 1 ... 16 points per edge of a voxel that the surface cuts; more where samples are finer
+  bool antialias = true;   ///< false: a voxel is full or empty, as its centre says
+  int subsamples = 4;      ///< 1 ... 16 points per edge of a voxel that the surface cuts; more where samples are finer
+  bool large = false;      ///< lifts the limits of work_estimate.hpp
+  WorkObserver tell = {};  ///< is told of the work before it begins
 };
 
 /// Labels that are one material.
@@ -38,6 +42,14 @@ enum class UnclaimedLabels : std::uint8_t {
   refuse,    ///< throw an Error that names them
   leave_out  ///< leave them empty
 };
+
+constexpr auto names_of(Of<UnclaimedLabels>) {
+  using enum UnclaimedLabels;
+  return std::array{
+      Named{refuse, "refuse"},
+      Named{leave_out, "leave_out"},
+  };
+}
 
 /// Builds a workpiece from a segmentation. Material ids follow the order of the list.
 ///

@@ -15,7 +15,7 @@ namespace {
 using test::arbitrary_rotation;
 using test::number_between;
 
-constexpr double kNarrowest = 0.05;  // [1] what VoxelSection does not go below
+constexpr double kNarrowest = VoxelSection<double>::kLeastWidth;
 
 double width(double largest) { return std::max(std::sqrt(std::max(0.0, 1 - largest * largest)), kNarrowest); }
 
@@ -50,7 +50,7 @@ RC_GTEST_PROP(VoxelSection, IntegralsAreThoseOfTheSection, ()) {
     expected.energy += w * w / 2 * part;
     if (w > least) expected.cutting += w * part;
   }
-  const DepthIntegrals<double> found = voxel.integrals(height, depth, least);
+  const DepthIntegrals<double> found = voxel.integrals(height, depth, CutDepth<double>::of(depth, least));
   RC_ASSERT(std::abs(found.depth / expected.depth - 1) < 1e-5);
   RC_ASSERT(std::abs(found.volume / expected.volume - 1) < 1e-5);
   RC_ASSERT(std::abs(found.energy / expected.energy - 1) < 1e-5);
@@ -84,7 +84,7 @@ RC_GTEST_PROP(VoxelSection, TheMeanDepthIsThatOfACubeThatAPlaneCuts, ()) {
   const VoxelSection<double> voxel(n.cwiseAbs().maxCoeff());
   const double height = voxel.height_of(double(left) / double(depths.size()));
   const double top = center + height - voxel.span() / 2;
-  const double found = top > 0 ? voxel.integrals(height, top, 0).depth : 0;
+  const double found = top > 0 ? voxel.integrals(height, top).depth : 0;
   // Measured: 0.006 at most, along <111>; 0.002 in a plane of the grid, where the cubes are of sixteen parts an edge.
   RC_ASSERT(std::abs(found - expected) < 0.008);
 }
@@ -94,8 +94,9 @@ RC_GTEST_PROP(VoxelSection, SinglePrecisionIsEnoughForThinLayers, ()) {
   const double depth = std::pow(10, *number_between(-3, 0)), least = *number_between(0, 0.9) * depth;
   const VoxelSection<double> exact(largest);
   const VoxelSection<float> single{float(largest)};
-  const DepthIntegrals<double> a = exact.integrals(exact.height_of(fill), depth, least);
-  const DepthIntegrals<float> b = single.integrals(single.height_of(float(fill)), float(depth), float(least));
+  const DepthIntegrals<double> a = exact.integrals(exact.height_of(fill), depth, CutDepth<double>::of(depth, least));
+  const DepthIntegrals<float> b =
+      single.integrals(single.height_of(float(fill)), float(depth), CutDepth<float>::of(float(depth), float(least)));
   RC_ASSERT(std::abs(double(b.depth) / a.depth - 1) < 2e-3);
   RC_ASSERT(std::abs(double(b.energy) / a.energy - 1) < 4e-3);
 }
@@ -115,9 +116,10 @@ RC_GTEST_PROP(LayerRecession, IsThatOfItsEquation, ()) {
     gone += speed * h - (next - t);
     t = next;
   }
-  const auto found = LayerRecession<double>::of(top, least, rate, speed, duration);
+  const auto found = LayerRecession<double>::of(top, CutDepth<double>::of(top, least), rate, speed, duration);
   RC_ASSERT(std::abs(found.share * rate * (top * top - least * least) * duration / gone - 1) < 1e-4);
-  const auto single = LayerRecession<float>::of(float(top), float(least), float(rate), float(speed), float(duration));
+  const auto single = LayerRecession<float>::of(float(top), CutDepth<float>::of(float(top), float(least)), float(rate),
+                                                float(speed), float(duration));
   RC_ASSERT(std::abs(double(single.share) / found.share - 1) < 1e-4);
 }
 

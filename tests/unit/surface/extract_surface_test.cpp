@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/workpiece/surface.hpp"
+#include "hapticut/surface/extract_surface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "hapticut/workpiece/builders.hpp"
 #include "support/mesh_measures.hpp"
 
-namespace hapticut::surface_test {
+namespace hapticut::extract_surface_test {
 namespace {
 
 using test::is_closed;
@@ -107,4 +107,4 @@ TEST(Surface, OfNothingIsEmpty) {
 }
 
 }  // namespace
-}  // namespace hapticut::surface_test
+}  // namespace hapticut::extract_surface_test

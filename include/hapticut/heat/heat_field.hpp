@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hapticut/core/description.hpp"
+#include "hapticut/workpiece/workpiece.hpp"
+
+namespace hapticut {
+
+class HeatCollector;
+
+/// How a material takes up heat and conducts it. The defaults are those of cortical bone; docs/heat.md has those of
+/// enamel, dentin and pulp, with their sources.
+struct ThermalProperties {
+  double conductivity = 0.55;
+  double heat_capacity = 2.5e6;
+};
+
+constexpr auto fields_of(Of<ThermalProperties>) {
+  using P = ThermalProperties;
+  return std::tuple{
+      field("conductivity", &P::conductivity, "W/(m K)", Range::positive(), "k"),
+      field("heat_capacity", &P::heat_capacity, "J/(m^3 K)", Range::positive(), "rho c, of a volume"),
+  };
+}
+
+/// How heat spreads in a workpiece.
+struct HeatConfig {
+  int voxels_per_cell = 4;
+
+  /// Assumed, not measured: metal cutting leaves a tenth or two in what is cut, grinding more than half, and for burs
+  /// in bone no number is agreed upon. Every rise of temperature is in proportion to it. The rest leaves with chips and
+  /// tool.
+  double cutting_share = 0.2;
+  double rubbing_share = 0.2;
+
+  ThermalProperties properties;
+  std::vector<ThermalProperties> by_material;
+
+  double body_temperature = 37;
+  double irrigation = 0;
+  double water_temperature = 23;
+
+  /// 47 deg C for a minute is what bone survives just so (Eriksson and Albrektsson, J Prosthet Dent 50, 1983, 101).
+  double threshold = 47;
+};
+
+constexpr auto fields_of(Of<HeatConfig>) {
+  using C = HeatConfig;
+  return std::tuple{
+      field("voxels_per_cell", &C::voxels_per_cell, "1", Range::between(1, 8), "along an edge: 1, 2, 4 or 8"),
+      field("cutting_share", &C::cutting_share, "1", Range::between(0, 1), "of the energy of cutting that stays"),
+      field("rubbing_share", &C::rubbing_share, "1", Range::between(0, 1),
+            "of the energy of rubbing, damping and dry friction that stays"),
+      field("properties", &C::properties, "of materials that `by_material` does not name"),
+      field("by_material", &C::by_material, "of the materials in the order of their ids, from 1; may be shorter"),
+      field("body_temperature", &C::body_temperature, "deg C", Range::between(-50, 200), "before any heat"),
+      field("irrigation", &C::irrigation, "W/(m^2 K)", Range::not_negative(),
+            "from the surface to the water, some thousands under a spray; 0: dry, no heat leaves to the air"),
+      field("water_temperature", &C::water_temperature, "deg C", Range::between(-50, 200), "of the irrigation"),
+      field("threshold", &C::threshold, "deg C", Range::between(-50, 500), "above which time is counted"),
+  };
+}
+
+/// What the heat did to one material, over the cells that hold any of it. A temperature is the mean of a cell.
+struct StructureHeat {
+  MaterialId material = kEmpty;
+  double temperature = 0;
+  double peak = 0;
+  double time_above = 0;
+  double cem43 = 0;
+  double volume_above = 0;
+};
+
+constexpr auto fields_of(Of<StructureHeat>) {
+  using S = StructureHeat;
+  return std::tuple{
+      field("material", &S::material, "1", "its id"),
+      field("temperature", &S::temperature, "deg C", "largest now; that of the body where none of it is left"),
+      field("peak", &S::peak, "deg C", "largest so far, also in what is gone"),
+      field("time_above", &S::time_above, "s", "above the threshold, longest of what is left"),
+      field("cem43", &S::cem43, "min", "cumulative equivalent minutes at 43 deg C, most of what is left"),
+      field("volume_above", &S::volume_above, "m^3", "of what is left that was ever above the threshold"),
+  };
+}
+
+/// Where the heat went, in [J] since the beginning. Closes to rounding: what was brought in is stored, or has left.
+struct HeatBalance {
+  double brought_in = 0;
+  double stored = 0;
+  double chips = 0;
+  double irrigation = 0;
+
+  /// [J] what is missing; 0 when the balance closes.
+  [[nodiscard]] double imbalance() const { return brought_in - (stored + chips + irrigation); }
+};
+
+constexpr auto fields_of(Of<HeatBalance>) {
+  using B = HeatBalance;
+  return std::tuple{
+      field("brought_in", &B::brought_in, "J", "by cutting and rubbing, and by `add_heat`"),
+      field("stored", &B::stored, "J", "above the body's temperature, now; less than 0 where water has cooled it"),
+      field("chips", &B::chips, "J", "gone with material that was removed, or brought where none is left"),
+      field("irrigation", &B::irrigation, "J", "taken by the water"),
+  };
+}
+
+/// Cumulative equivalent minutes at 43 deg C of a time at one temperature, t R^(43 - T) with R = 0.5 above 43 deg C and
+/// 0.25 below (Sapareto and Dewey, Int J Radiat Oncol Biol Phys 10, 1984, 787).
+/// @param temperature  [deg C]
+/// @param time         [s]
+/// @return [min]
+[[nodiscard]] double cem43(double temperature, double time);
+
+/// The temperature of a workpiece on a grid of cells some voxels wide, beside the loop: finite volumes,
+///
+///     d(rho c V T)/dt = sum over faces of G (T_neighbour - T) + sources - U (T - T_water)
+///
+/// explicit in time, in as many equal parts as keep every cell between its neighbours. Material that is filled only
+/// partly stores and conducts as much less; to the air no heat goes but by irrigation. What is removed takes its heat
+/// along. Not thread-safe: one thread calls it, ten to thirty times a second.
+class HeatField {
+ public:
+  /// All of the workpiece has the temperature of the body.
+  /// @throws Error when a number of the configuration is out of range, the workpiece is empty, or there would be too
+  ///         many cells
+  explicit HeatField(const Workpiece& workpiece, HeatConfig config = {});
+
+  /// Takes everything that a collector holds: heat to where it arose, material out of its cells.
+  /// @return [s] how long the steps lasted that it came from, for `advance`
+  double take(HeatCollector& collector);
+
+  /// Heat at a point, spread over the material of the cells around it, or over the surface within a radius [m]. Where
+  /// there is no material near it has left with the chips.
+  void add_heat(const Vec3& p_WQ, double heat, double radius = 0);
+
+  /// Heat where material went since the last call, in proportion to its volume and specific cutting energy, into what
+  /// is left of those cells and beside them. Where nothing went yet it waits until something has.
+  void add_cutting_heat(double heat);
+
+  /// A block as it is now. What came back has the temperature of the body.
+  /// @param material, fill  [512]
+  void update(const VoxelIndex& origin, const MaterialId* material, const float* fill);
+
+  /// The same for blocks of a workpiece, those that a step has changed.
+  void update(const Workpiece& workpiece, std::span<const VoxelIndex> origins);
+
+  void advance(double dt);  ///< [s] lets time go by; any, in parts that are small enough
+
+  /// @param coefficient  [W/(m^2 K)] HeatConfig::irrigation from now on
+  /// @throws Error when it is out of range
+  void set_irrigation(double coefficient);
+
+  [[nodiscard]] const HeatConfig& config() const { return config_; }
+  [[nodiscard]] std::vector<StructureHeat> structures() const;  ///< one entry per material of the workpiece
+  [[nodiscard]] HeatBalance balance() const;
+
+  /// [deg C] between the centres of the cells around; not a number where none of them holds material
+  [[nodiscard]] double temperature_at(const Vec3& p_WQ) const;
+
+  // --- the cells, for pictures --------------------------------------------------------------------------------------
+  [[nodiscard]] std::array<int, 3> dims() const { return dims_; }
+  [[nodiscard]] double cell_size() const { return cell_size_; }            ///< [m]
+  [[nodiscard]] Vec3 center(const std::array<int, 3>& cell) const;         ///< [m] in W
+  [[nodiscard]] double temperature(const std::array<int, 3>& cell) const;  ///< [deg C] not a number: no material
+  [[nodiscard]] double peak(const std::array<int, 3>& cell) const;         ///< [deg C] largest so far
+  [[nodiscard]] double dose(const std::array<int, 3>& cell) const;         ///< [min] CEM43
+
+ private:
+  /// Heat is stored above the temperature of the body.
+  struct Cells {
+    explicit Cells(std::size_t count);
+    std::vector<double> heat, capacity, conductivity, filled;  // [J], [J/K], [W/(m K)], [1]
+    std::array<std::vector<double>, 3> conductance;            // [W/K] to the next cell along each axis
+    std::vector<double> wetted;                                // [m^2] of the surface
+    std::vector<double> cooling;                               // [W/K] to the water
+    std::vector<double> rise, peak, above, dose;               // [K], [K], [s], [min]
+    std::vector<double> went;                                  // [J] of cutting energy, since it was last looked at
+  };
+
+  [[nodiscard]] std::size_t number_of(const std::array<int, 3>& cell) const;
+  void set_content(std::size_t cell, const std::vector<float>& volumes);
+  void refresh_changed();
+  void refresh_faces(std::size_t cell);
+  void refresh_cooling(std::size_t cell);
+  [[nodiscard]] bool add_to_surface(const Vec3& p_WQ, double heat, double radius);
+  void spread(std::size_t cell, double heat);
+  void step(double dt);
+  void count_dose(double dt);
+  [[nodiscard]] double fastest_rate() const;
+  template <class Visit>
+  void visit_around(const Vec3& p_WQ, const Visit& visit) const;
+
+  HeatConfig config_;
+  GridFrame frame_;
+  double cell_size_ = 0, cell_volume_ = 0;         // [m], [m^3]
+  VoxelIndex first_ = {0, 0, 0};                   // voxel of the first cell
+  std::array<int, 3> dims_ = {0, 0, 0};            // without the empty cells around
+  std::array<std::size_t, 3> stride_ = {0, 0, 1};  // of cell numbers
+  std::size_t materials_ = 0;
+  std::vector<ThermalProperties> properties_;  // by id from 1
+  std::vector<double> cutting_energy_;         // [J/m^3] by id from 1
+  Cells cells_;
+  std::vector<float> volumes_;        // [1] of each cell's volume by material, cell by cell
+  std::vector<std::size_t> changed_;  // cells whose content has changed
+  std::vector<std::size_t> went_;     // cells that lost material since the last `add_cutting_heat`
+  std::vector<double> peaks_;         // [K] by id from 1, also of what is gone
+  double waiting_ = 0;                // [J] of cutting whose place is not known yet
+  double rate_ = 0;                   // [1/s] the fastest of the cells; 0: not known
+  HeatBalance balance_;
+};
+
+}  // namespace hapticut

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cells of a heat field: what is in them, how heat goes from one to the next, and how it gets there.
+#include "hapticut/heat/heat_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/heat/heat_collector.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr double kMostCells = 8e6;  // some 130 bytes each
+constexpr int kFarthest = 3;        // [cells] that heat may have to go to find material
+
+}  // namespace
+
+HeatField::Cells::Cells(std::size_t count)
+    : heat(count),
+      capacity(count),
+      conductivity(count),
+      filled(count),
+      wetted(count),
+      cooling(count),
+      rise(count),
+      peak(count),
+      above(count),
+      dose(count),
+      went(count) {
+  conductance.fill(std::vector<double>(count));
+}
+
+HeatField::HeatField(const Workpiece& workpiece, HeatConfig config)
+    : config_(std::move(config)), frame_(workpiece.frame()), cells_(0) {
+  require_fields_within(config_, "HeatConfig::");
+  require_fields_within(config_.properties, "HeatConfig::properties.");
+  for (const ThermalProperties& p : config_.by_material) require_fields_within(p, "HeatConfig::by_material.");
+  const int width = config_.voxels_per_cell;
+  if (kBlockEdge % width != 0)
+    throw Error("HeatConfig::voxels_per_cell = " + std::to_string(width) + "; must be 1, 2, 4 or 8.");
+  const IndexBox bounds = workpiece.bounds();
+  if (bounds.empty()) throw Error("the workpiece is empty; there is nothing to be heated.");
+  double count = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    first_[axis] = block_start(bounds.min[axis]);
+    dims_[axis] = (block_start(bounds.max[axis]) - first_[axis] + kBlockEdge) / width;
+    count *= dims_[axis] + 2;
+  }
+  materials_ = std::size_t(workpiece.materials().size());
+  if (count * double(materials_) > kMostCells)
+    throw Error("the workpiece spans " + format_number(count) + " cells of " + std::to_string(width) +
+                " voxels, times " + std::to_string(materials_) + " materials; at most " + format_number(kMostCells) +
+                " are possible. Raise HeatConfig::voxels_per_cell, or crop it.");
+  cell_size_ = width * workpiece.voxel_size();
+  cell_volume_ = std::pow(cell_size_, 3);
+  stride_[1] = std::size_t(dims_[2] + 2);
+  stride_[0] = stride_[1] * std::size_t(dims_[1] + 2);
+  cells_ = Cells(std::size_t(count));
+  volumes_.resize(std::size_t(count) * materials_);
+  peaks_.resize(materials_);
+  for (std::size_t id = 1; id <= materials_; ++id) {
+    properties_.push_back(id <= config_.by_material.size() ? config_.by_material[id - 1] : config_.properties);
+    cutting_energy_.push_back(workpiece.materials()[MaterialId(id)].specific_cutting_energy);
+  }
+  BlockContent content;
+  workpiece.for_each_block([&](const BlockView& block) {
+    for (int n = 0; n < kBlockVoxels; ++n) {
+      content.material[std::size_t(n)] = block.material != nullptr ? block.material[n] : block.uniform_material;
+      content.fill[std::size_t(n)] = block.fill_of(n);
+    }
+    update(block.origin, content.material.data(), content.fill.data());
+  });
+  refresh_changed();
+}
+
+std::size_t HeatField::number_of(const std::array<int, 3>& cell) const {
+  std::size_t number = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) number += std::size_t(cell[axis] + 1) * stride_[axis];
+  return number;
+}
+
+Vec3 HeatField::center(const std::array<int, 3>& cell) const {
+  Vec3 voxel;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    voxel[int(axis)] = first_[axis] + config_.voxels_per_cell * (cell[axis] + 0.5) - 0.5;
+  return frame_.X_WV * Vec3(frame_.voxel_size * voxel);
+}
+
+// --- what is in the cells -------------------------------------------------------------------------------------------
+
+void HeatField::update(const VoxelIndex& origin, const MaterialId* material, const float* fill) {
+  const int width = config_.voxels_per_cell, across = kBlockEdge / width;
+  std::array<int, 3> first;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (origin[axis] < first_[axis]) return;
+    first[axis] = (origin[axis] - first_[axis]) / width;
+    if (first[axis] >= dims_[axis]) return;
+  }
+  std::vector<float> volumes(materials_);
+  const float share = 1.0F / float(width * width * width);
+  for (int cell = 0; cell < across * across * across; ++cell) {
+    const int x = cell / (across * across), y = cell / across % across, z = cell % across;
+    std::ranges::fill(volumes, 0.0F);
+    for (int i = 0; i < width; ++i)
+      for (int j = 0; j < width; ++j)
+        for (int k = 0; k < width; ++k) {
+          const int n = block_offset(x * width + i, y * width + j, z * width + k);
+          if (material[n] != kEmpty) volumes[material[n] - 1U] += share * fill[n];
+        }
+    set_content(number_of({first[0] + x, first[1] + y, first[2] + z}), volumes);
+  }
+}
+
+void HeatField::update(const Workpiece& workpiece, std::span<const VoxelIndex> origins) {
+  BlockContent content;
+  for (const VoxelIndex& origin : origins) {
+    const BlockView block = workpiece.block(origin);
+    for (int n = 0; n < kBlockVoxels; ++n) {
+      const bool solid = !block.empty() && (block.solid == nullptr || (block.solid[n >> 6] >> (n & 63) & 1) != 0);
+      content.material[std::size_t(n)] = !solid                      ? kEmpty
+                                         : block.material != nullptr ? block.material[n]
+                                                                     : block.uniform_material;
+      content.fill[std::size_t(n)] = solid ? block.fill_of(n) : 0.0F;
+    }
+    update(origin, content.material.data(), content.fill.data());
+  }
+}
+
+/// What is gone takes its heat along; what is new has the temperature of the body, which is no heat.
+void HeatField::set_content(std::size_t cell, const std::vector<float>& volumes) {
+  float* known = volumes_.data() + cell * materials_;
+  if (std::equal(volumes.begin(), volumes.end(), known)) return;
+  double capacity = 0, conductivity = 0, filled = 0, lost_capacity = 0, went = 0;
+  for (std::size_t m = 0; m < materials_; ++m) {
+    const double before = known[m], now = volumes[m];
+    capacity += now * properties_[m].heat_capacity;
+    conductivity += now * properties_[m].conductivity;
+    filled += now;
+    if (now >= before) continue;
+    lost_capacity += (before - now) * properties_[m].heat_capacity;
+    went += (before - now) * cutting_energy_[m];
+  }
+  double& heat = cells_.heat[cell];
+  const double leaves =
+      capacity > 0 ? heat * std::min(1.0, lost_capacity * cell_volume_ / cells_.capacity[cell]) : heat;
+  if (lost_capacity > 0) {
+    heat -= leaves;
+    balance_.chips += leaves;
+    if (cells_.went[cell] == 0) went_.push_back(cell);
+    cells_.went[cell] += went * cell_volume_;
+  }
+  std::ranges::copy(volumes, known);
+  cells_.capacity[cell] = capacity * cell_volume_;
+  cells_.conductivity[cell] = conductivity;
+  cells_.filled[cell] = std::min(1.0, filled);
+  if (!(capacity > 0)) cells_.peak[cell] = cells_.above[cell] = cells_.dose[cell] = cells_.rise[cell] = 0;
+  changed_.push_back(cell);
+}
+
+/// Conductances and surfaces of the cells that have changed, and of those beside them.
+void HeatField::refresh_changed() {
+  if (changed_.empty()) return;
+  std::vector<std::size_t> all;
+  all.reserve(7 * changed_.size());
+  for (const std::size_t cell : changed_) {
+    all.push_back(cell);
+    for (const std::size_t stride : stride_) all.insert(all.end(), {cell - stride, cell + stride});
+  }
+  std::ranges::sort(all);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  for (const std::size_t cell : all)
+    if (cells_.capacity[cell] > 0) refresh_faces(cell);
+  for (const std::size_t cell : changed_)  // a cell that is empty now conducts nothing
+    if (!(cells_.capacity[cell] > 0)) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        cells_.conductance[axis][cell] = cells_.conductance[axis][cell - stride_[axis]] = 0;
+      cells_.cooling[cell] = cells_.wetted[cell] = 0;
+    }
+  changed_.clear();
+  rate_ = 0;
+}
+
+/// From centre to centre heat goes through half of each cell; what is not filled does not conduct. The surface inside a
+/// cell is where it is filled more than those beside it: a plane is seen from all three axes, by the square root of the
+/// sum of squares.
+void HeatField::refresh_faces(std::size_t cell) {
+  double squares = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double bare = 0;
+    for (const std::size_t other : {cell - stride_[axis], cell + stride_[axis]}) {
+      const double a = cells_.conductivity[cell], b = cells_.conductivity[other];
+      cells_.conductance[axis][std::min(cell, other)] = a > 0 && b > 0 ? 2 * a * b / (a + b) * cell_size_ : 0.0;
+      bare += std::max(0.0, cells_.filled[cell] - cells_.filled[other]);
+    }
+    squares += bare * bare;
+  }
+  cells_.wetted[cell] = std::sqrt(squares) * cell_size_ * cell_size_;
+  refresh_cooling(cell);
+}
+
+/// Half of the cell and the film of water one behind the other.
+void HeatField::refresh_cooling(std::size_t cell) {
+  const double film = config_.irrigation * cells_.wetted[cell];
+  const double half = 2 * cells_.conductivity[cell] * cell_size_;
+  cells_.cooling[cell] = film > 0 ? film * half / (film + half) : 0.0;
+}
+
+void HeatField::set_irrigation(double coefficient) {
+  require_within(coefficient, range_of(&HeatConfig::irrigation), "HeatField::set_irrigation: coefficient [W/(m^2 K)]");
+  config_.irrigation = coefficient;
+  for (std::size_t cell = 0; cell < cells_.wetted.size(); ++cell)
+    if (cells_.wetted[cell] > 0) refresh_cooling(cell);
+  rate_ = 0;
+}
+
+// --- how heat gets there --------------------------------------------------------------------------------------------
+
+double HeatField::take(HeatCollector& collector) {
+  double time = 0, cut = 0;
+  for (ChangedBlock block; collector.receive(block);) update(block.origin, block.material.data(), block.fill.data());
+  for (HeatPulse pulse; collector.receive(pulse);) {
+    time += pulse.dt;
+    cut += config_.cutting_share * pulse.cut + config_.rubbing_share * pulse.rubbed_in_cut;
+    if (pulse.rubbed > 0) add_heat(pulse.p_WQ, config_.rubbing_share * pulse.rubbed, pulse.radius);
+  }
+  add_cutting_heat(cut);
+  return time;
+}
+
+/// Calls `visit(cell, weight)` for the eight cells around a point; the weights add up to 1.
+template <class Visit>
+void HeatField::visit_around(const Vec3& p_WQ, const Visit& visit) const {
+  const Vec3 p_V = frame_.X_WV.inverse() * p_WQ / frame_.voxel_size;
+  std::array<int, 3> low;
+  std::array<double, 3> part;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double at = (p_V[int(axis)] - first_[axis] + 0.5) / config_.voxels_per_cell - 0.5;
+    if (!(at > -1 && at < dims_[axis])) return;
+    low[axis] = int(std::floor(at));
+    part[axis] = at - low[axis];
+  }
+  for (int corner = 0; corner < 8; ++corner) {
+    const std::array<int, 3> up = {corner >> 2, corner >> 1 & 1, corner & 1};
+    double weight = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) weight *= up[axis] == 1 ? part[axis] : 1 - part[axis];
+    visit(number_of({low[0] + up[0], low[1] + up[1], low[2] + up[2]}), weight);
+  }
+}
+
+/// In proportion to the surface of the cells whose centres are near.  @return false where none is
+bool HeatField::add_to_surface(const Vec3& p_WQ, double heat, double radius) {
+  refresh_changed();
+  const Vec3 p_V = frame_.X_WV.inverse() * p_WQ / frame_.voxel_size;
+  std::array<int, 3> low, high;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double at = (p_V[int(axis)] - first_[axis] + 0.5) / config_.voxels_per_cell - 0.5, far = radius / cell_size_;
+    low[axis] = int(std::clamp(std::ceil(at - far), 0.0, double(dims_[axis])));
+    high[axis] = int(std::clamp(std::floor(at + far), -1.0, dims_[axis] - 1.0));
+  }
+  const auto for_each = [&](const auto& visit) {
+    for (int i = low[0]; i <= high[0]; ++i)
+      for (int j = low[1]; j <= high[1]; ++j)
+        for (int k = low[2]; k <= high[2]; ++k)
+          if ((center({i, j, k}) - p_WQ).norm() <= radius) visit(number_of({i, j, k}));
+  };
+  double surface = 0;
+  for_each([&](std::size_t cell) { surface += cells_.wetted[cell]; });
+  if (!(surface > 0)) return false;
+  balance_.brought_in += heat;
+  for_each([&](std::size_t cell) { cells_.heat[cell] += heat * (cells_.wetted[cell] / surface); });
+  return true;
+}
+
+void HeatField::add_heat(const Vec3& p_WQ, double heat, double radius) {
+  if (radius > 0 && add_to_surface(p_WQ, heat, radius)) return;
+  double weights = 0, nearest = 0;
+  std::size_t at = 0;
+  visit_around(p_WQ, [&](std::size_t cell, double weight) {
+    weights += weight * cells_.capacity[cell];
+    if (weight > nearest) nearest = weight, at = cell;
+  });
+  if (weights > 0) {
+    balance_.brought_in += heat;
+    visit_around(p_WQ, [&](std::size_t cell, double weight) {
+      cells_.heat[cell] += heat * weight * cells_.capacity[cell] / weights;
+    });
+  } else if (nearest > 0) {
+    spread(at, heat);
+  } else {
+    balance_.brought_in += heat;
+    balance_.chips += heat;
+  }
+}
+
+/// Into a cell as far as it is filled, so that what little is left of it does not get hotter than a full one would; the
+/// rest into the material beside it, in proportion to capacity, or farther away where there is none.
+void HeatField::spread(std::size_t cell, double heat) {
+  balance_.brought_in += heat;
+  const double own = cells_.filled[cell] * heat;
+  double rest = heat - own;
+  cells_.heat[cell] += own;
+  const std::array<std::size_t, 3> at = {cell / stride_[0], cell / stride_[1] % std::size_t(dims_[1] + 2),
+                                         cell % stride_[1]};
+  for (int far = 1; far <= kFarthest && rest > 0; ++far) {
+    std::array<std::size_t, 3> low, high;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::size_t(std::max(1, int(at[axis]) - far));
+      high[axis] = std::size_t(std::min(dims_[axis], int(at[axis]) + far));
+    }
+    const auto for_each = [&](const auto& visit) {
+      for (std::size_t x = low[0]; x <= high[0]; ++x)
+        for (std::size_t y = low[1]; y <= high[1]; ++y)
+          for (std::size_t z = low[2]; z <= high[2]; ++z) {
+            const std::size_t n = x * stride_[0] + y * stride_[1] + z;
+            const int apart =
+                std::abs(int(x) - int(at[0])) + std::abs(int(y) - int(at[1])) + std::abs(int(z) - int(at[2]));
+            if (apart > 0 && apart <= far) visit(n);
+          }
+    };
+    double capacity = 0;
+    for_each([&](std::size_t n) { capacity += cells_.capacity[n]; });
+    if (!(capacity > 0)) continue;
+    for_each([&](std::size_t n) { cells_.heat[n] += rest * (cells_.capacity[n] / capacity); });
+    rest = 0;
+  }
+  if (cells_.capacity[cell] > 0)
+    cells_.heat[cell] += rest;
+  else
+    balance_.chips += rest;
+}
+
+void HeatField::add_cutting_heat(double heat) {
+  waiting_ += heat;
+  double went = 0;
+  for (const std::size_t cell : went_) went += cells_.went[cell];
+  if (!(went > 0)) return;
+  if (waiting_ > 0)
+    for (const std::size_t cell : went_) spread(cell, waiting_ * (cells_.went[cell] / went));
+  for (const std::size_t cell : went_) cells_.went[cell] = 0;
+  went_.clear();
+  waiting_ = 0;
+}
+
+}  // namespace hapticut

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/workpiece/block.hpp"
+
+namespace hapticut::surface {
+
+/// What each block of a region holds, as one number: the id of its material where it is uniform, kEmpty of an empty
+/// one, and else kMixed and more, which is a place in a table.
+class BlockCodes {
+ public:
+  static constexpr std::uint32_t kMixed = 256;
+  static constexpr double kMostBlocks = 268'435'456;  // 2^28, 1 GiB
+
+  /// The region around these voxels and the samples of cells that reach out of it.
+  /// @param step  [voxels] a power of two, of which the region's ends are multiples
+  /// @throws Error when there are too many blocks
+  BlockCodes(const IndexBox& voxels, int step) {
+    double blocks = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      // Edges whose upper end is the lowest voxel belong to the block before it.
+      first_[axis] = voxels.empty() ? 0 : (voxels.min[axis] - 1) & ~(step - 1);
+      const int last = voxels.empty() ? -1 : voxels.max[axis] | (step - 1);
+      dims_[axis] = (last + 1 - first_[axis]) / kBlockEdge;
+      blocks *= dims_[axis];
+    }
+    if (blocks > kMostBlocks)
+      throw Error("the workpiece spans " + format_number(blocks) +
+                  " blocks of 8 x 8 x 8 voxels; a surface is found of " + format_number(kMostBlocks) +
+                  " at most. Cut it to what is needed, or use larger voxels.");
+    codes_.resize(std::size_t(blocks), kEmpty);
+  }
+
+  [[nodiscard]] const VoxelIndex& first() const { return first_; }        // voxel
+  [[nodiscard]] const std::array<int, 3>& dims() const { return dims_; }  // blocks along each axis
+  [[nodiscard]] std::size_t count() const { return codes_.size(); }
+
+  /// @return false when the block that starts there is not in the region
+  [[nodiscard]] bool contains(const VoxelIndex& origin) const {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (origin[axis] < first_[axis] || origin[axis] >= first_[axis] + kBlockEdge * dims_[axis]) return false;
+    return true;
+  }
+
+  [[nodiscard]] std::uint32_t at(const VoxelIndex& origin) const {
+    return contains(origin) ? codes_[place_of(origin)] : kEmpty;
+  }
+  std::uint32_t& operator[](const VoxelIndex& origin) { return codes_[place_of(origin)]; }
+
+  /// Whether no surface can pass the cells of a block: it and its neighbours are all empty, or all full.
+  [[nodiscard]] bool is_plain(const VoxelIndex& origin) const {
+    const bool empty = at(origin) == kEmpty;
+    for (int i = -1; i <= 1; ++i)
+      for (int j = -1; j <= 1; ++j)
+        for (int k = -1; k <= 1; ++k) {
+          const std::uint32_t code =
+              at({origin[0] + kBlockEdge * i, origin[1] + kBlockEdge * j, origin[2] + kBlockEdge * k});
+          if (code >= kMixed || (code == kEmpty) != empty) return false;
+        }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::size_t place_of(const VoxelIndex& origin) const {
+    std::size_t place = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      place = place * std::size_t(dims_[axis]) + std::size_t((origin[axis] - first_[axis]) / kBlockEdge);
+    return place;
+  }
+
+  VoxelIndex first_;
+  std::array<int, 3> dims_;
+  std::vector<std::uint32_t> codes_;
+};
+
+/// The blocks in and around one, looked up once for all of their rows.
+struct CodesAround {
+  std::array<std::uint32_t, 27> codes;
+
+  CodesAround(const BlockCodes& all, const VoxelIndex& origin) {
+    for (int n = 0; n < 27; ++n)
+      codes[std::size_t(n)] = all.at({origin[0] + kBlockEdge * (n / 9 - 1), origin[1] + kBlockEdge * (n / 3 % 3 - 1),
+                                      origin[2] + kBlockEdge * (n % 3 - 1)});
+  }
+  [[nodiscard]] std::uint32_t at(const std::array<int, 3>& neighbour) const {
+    return codes[std::size_t((neighbour[0] + 1) * 9 + (neighbour[1] + 1) * 3 + neighbour[2] + 1)];
+  }
+};
+
+}  // namespace hapticut::surface

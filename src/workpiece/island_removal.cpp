@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of an island leaves with a block, and whether it still is one.
+#include <algorithm>
+
+#include "hapticut/workpiece/islands.hpp"
+#include "workpiece/block_masks.hpp"
+
+namespace hapticut {
+namespace {
+
+/// The voxels of an island in the block that begins there.
+BlockMask voxels_at(const Island& island, const VoxelIndex& origin) noexcept {
+  const auto at = std::ranges::lower_bound(island.blocks, origin, {}, &BlockVoxels::origin);
+  return at != island.blocks.end() && at->origin == origin ? at->voxels : BlockMask{};
+}
+
+/// The voxels of a block that belong to an island or touch it.
+BlockMask around(const Island& island, const BlockVoxels& block) noexcept {
+  BlockMask mask = grown(block.voxels);
+  for (int side = 0; side < kSides; ++side)
+    mask = mask | across(voxels_at(island, beside(block.origin, side)), side ^ 1);
+  return mask;
+}
+
+BlockMask filled_enough(const Island& island, const BlockView& block) noexcept {
+  return filled_voxels(block, float(island.least_fill));
+}
+
+}  // namespace
+
+bool is_loose(const Island& island, std::size_t block, const Workpiece& workpiece) noexcept {
+  const BlockVoxels& here = island.blocks[block];
+  const BlockMask others = without(filled_enough(island, workpiece.block(here.origin)), here.voxels);
+  return !any(around(island, here) & others);
+}
+
+BlockVoxels with_skin(const Island& island, std::size_t block, const Workpiece& workpiece) noexcept {
+  const BlockVoxels& here = island.blocks[block];
+  const BlockView now = workpiece.block(here.origin);
+  const BlockMask there = filled_voxels(now, 0), skin = without(there, filled_enough(island, now));
+  return {here.origin, there & (here.voxels | (skin & around(island, here)))};
+}
+
+}  // namespace hapticut

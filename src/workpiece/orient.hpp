@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hapticut/core/mesh.hpp"
+
+namespace hapticut {
+
+/// Turns triangles round until those that share a side go through it in opposite directions, as on one side of a
+/// surface; a piece where most do already keeps its side. Sides of three and more triangles join nothing. Some programs
+/// write the corners of faces in any order, and no winding number can tell what such a surface encloses.
+void orient_alike(TriangleMesh& mesh);
+
+}  // namespace hapticut

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/workpiece/work_estimate.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/workpiece/mesh_builder.hpp"
+
+namespace hapticut {
+
+void require_allowed(const WorkEstimate& estimate, bool large) {
+  if (large || (estimate.memory_bytes <= kMostMemoryUnasked && estimate.seconds <= kMostSecondsUnasked)) return;
+  throw Error("the workpiece would take about " + format_number(estimate.voxels) + " voxels, " +
+              format_number(estimate.memory_bytes) + " bytes and " + format_number(estimate.seconds) +
+              " s of work; check its unit and size, choose a larger voxel size, or say that so much is meant (--large, "
+              "MeshImport::large, VolumeBuildOptions::large).");
+}
+
+WorkEstimate estimate_work(const std::vector<MeshShell>& shells, const MeshImport& options) {
+  // Measured on one core of 2.5 GHz.
+  constexpr double kSecondsPerPoint = 4e-8, kSecondsPerCutVoxel = 1e-5, kSecondsPerBlock = 2e-6;
+  constexpr double kBytesPerVoxel = 1.3, kBytesPerCutVoxel = 40;
+  const double h = options.voxel_size, points = std::pow(options.subsamples, 3);
+  WorkEstimate estimate;
+  Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity()), max = -min;
+  for (const MeshShell& shell : shells)
+    for (const auto& t : shell.mesh.triangles) {
+      const Vec3 &a = shell.mesh.vertices[t[0]], &b = shell.mesh.vertices[t[1]], &c = shell.mesh.vertices[t[2]];
+      min = min.cwiseMin(a).cwiseMin(b).cwiseMin(c);
+      max = max.cwiseMax(a).cwiseMax(b).cwiseMax(c);
+      // As many voxels as its area has seen along the three axes, and a row of them along its edges.
+      const Vec3 area = 0.5 * (b - a).cross(c - a).cwiseAbs();
+      const double around = (b - a).norm() + (c - b).norm() + (a - c).norm();
+      estimate.cut_voxels += area.sum() / (h * h) + 0.5 * around / h;
+    }
+  estimate.voxels = 1;
+  for (int axis = 0; axis < 3; ++axis) estimate.voxels *= std::ceil((max[axis] - min[axis]) / h) + 1;
+  estimate.cut_voxels = std::min(estimate.cut_voxels, estimate.voxels);
+  estimate.memory_bytes = kBytesPerVoxel * estimate.voxels + kBytesPerCutVoxel * estimate.cut_voxels;
+  estimate.seconds = (kSecondsPerCutVoxel + points * kSecondsPerPoint) * estimate.cut_voxels +
+                     kSecondsPerBlock * estimate.voxels / kBlockVoxels;
+  return estimate;
+}
+
+}  // namespace hapticut
