@@ -10,16 +10,27 @@
 
 namespace hapticut {
 
+namespace {
+
+/// What a device says before its first reading.
+DeviceState nothing_read() {
+  DeviceState state;
+  state.valid = false;
+  return state;
+}
+
+}  // namespace
+
 struct Device::Latest {
   std::mutex readers;
-  TripleBuffer<DeviceState> state;
+  TripleBuffer<DeviceState> state{nothing_read()};
   TripleBuffer<DeviceOutput> output;
 };
 
 Device::Device(std::string name, DeviceCapabilities capabilities)
     : name_(std::move(name)), capabilities_(std::move(capabilities)), latest_(std::make_unique<Latest>()) {}
 
-Device::~Device() = default;
+Device::~Device() { HAPTICUT_ASSERT(phase_ == Phase::idle); }
 
 DeviceState Device::state() const {
   const std::lock_guard lock(latest_->readers);
@@ -82,18 +93,24 @@ class RunScope {
 
 RunReport Device::run(const DeviceCallback& callback, const RunOptions& options) {
   if (!callback) throw Error("Device::run was given no callback; pass a function from DeviceState to DeviceCommand.");
-  require_not_negative(options.seconds, "RunOptions::seconds [s]");
-  if (running_.exchange(true))
+  require_fields_within(options, "RunOptions::");
+  Phase idle = Phase::idle;
+  if (!phase_.compare_exchange_strong(idle, Phase::beginning))
     throw Error("The device \"" + name_ + "\" runs already; stop it before running it again.");
-  struct Running {
-    std::atomic<bool>& flag;
-    ~Running() { flag.store(false); }
-  } const running{running_};
+  struct Idle {
+    std::atomic<Phase>& phase;
+    ~Idle() { phase.store(Phase::idle); }
+  } const idle_again{phase_};
   {
     const std::lock_guard lock(guard_mutex_);
     guard_ = std::make_unique<SafetyGuard>(capabilities_, options.guard, &requests_);
   }
-  requests_.forget_stop();
+  struct Off {
+    SafetyGuard& guard;
+    ~Off() { guard.stop(); }
+  } const off_again{*guard_};
+  requests_.forget_stop();  // and none from here on: who sees the device run may stop it
+  phase_.store(Phase::running, std::memory_order_release);
   RunScope scope(options);
   Servo servo(*this, *guard_, callback, options);
   servo.slot_ = scope.slot();
@@ -111,7 +128,6 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& options)
   }
   RunReport report = std::move(servo.report_);
   report.guard = guard_->state();
-  guard_->stop();
   for (std::size_t n = 0; n < kSafetyEvents; ++n) report.events[n] = guard_->log().count(SafetyEvent(n));
   report.log = guard_->log().drain();
   scope.give_back();
@@ -139,11 +155,9 @@ Wrench Servo::tick(const DeviceState& reading) noexcept {
     }
   callback_ended_ = callback_ended_ || command.stop;
   time_is_up_ = time_is_up_ || (seconds_ > 0 && reading.time - begin_ >= seconds_);
-  if (reading.fault == DeviceFault::disconnected || reading.fault == DeviceFault::driver_error) {
-    lost_ = true;
-    report_.fault = reading.fault;
-  }
-  Wrench wrench = guard_.release(command.wrench);
+  if (reading.fault == DeviceFault::disconnected || reading.fault == DeviceFault::driver_error)
+    report_lost(reading.fault);
+  Wrench wrench = guard_.release(command.wrench, command.contact);
   slot.quiet.store(wrench.force.isZero(0) && wrench.torque.isZero(0), std::memory_order_release);
   publish(state);
   report_.compute.add(monotonic_time() - began);
@@ -166,7 +180,8 @@ bool Servo::should_end() const noexcept {
 }
 
 Wrench Servo::farewell(int n) const noexcept {
-  const bool gently = !lost_ && !exception_ && guard_.state() != ArmingState::fault && n < kFarewellTicks;
+  const bool emergency = device_.requests_.emergency() || run_slots::slot(slot_).emergency.load();
+  const bool gently = !lost_ && !exception_ && !emergency && guard_.state() != ArmingState::fault && n < kFarewellTicks;
   if (!gently) return {};
   const double share = 1 - double(n + 1) / kFarewellTicks;
   return {share * guard_.output().applied.force, share * guard_.output().applied.torque};

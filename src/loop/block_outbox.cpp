@@ -5,6 +5,7 @@
 #include <boost/lockfree/spsc_queue.hpp>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/loop/realtime_loop.hpp"
 
 namespace hapticut {
 namespace {
@@ -20,7 +21,8 @@ struct BlockOutbox::Queue {
 
 BlockOutbox::BlockOutbox(const IndexBox& region, std::size_t capacity) {
   if (region.empty()) throw Error("The region of a BlockOutbox is empty; give it the voxels that may be cut.");
-  require_between(double(capacity), 1, 1e6, "the capacity of a BlockOutbox [blocks]");
+  require_within(double(capacity), range_of(&RealtimeLoopOptions::block_capacity),
+                 "the capacity of a BlockOutbox [blocks]");
   double blocks = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     first_[axis] = block_start(region.min[axis]);

@@ -9,6 +9,8 @@
 #include <variant>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/force/contact_materials.hpp"
+#include "hapticut/force/stiffness.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 
 namespace hapticut {
@@ -45,7 +47,7 @@ commands::ExchangeWorkpiece SimulationModel::prepare_workpiece(Workpiece workpie
 
 void SimulationModel::check(const LoopCommand& command) const {
   if (const auto* spindle = std::get_if<commands::SetSpindleSpeed>(&command)) validate(Spindle{spindle->speed});
-  if (const auto* scale = std::get_if<commands::SetScale>(&command)) require_positive(scale->scale, "SetScale::scale");
+  if (const auto* scale = std::get_if<commands::SetScale>(&command)) check_scale(scale->scale);
   if (const auto* friction = std::get_if<commands::SetFriction>(&command))
     if (friction->friction) validate(*friction->friction);
   if (const auto* effects = std::get_if<commands::SetEffects>(&command))
@@ -55,10 +57,27 @@ void SimulationModel::check(const LoopCommand& command) const {
   const auto* other = std::get_if<commands::ExchangeWorkpiece>(&command);
   if ((tool && tool->tool.empty()) || (materials && materials->materials.empty()) || (other && !other->simulation))
     throw Error("the command was sent already, and what it brings with it; prepare another one.");
-  if (other && coupled_ && other->simulation->config().contact_time != ContactTime::end)
+  if (other && gains_ && other->simulation->config().contact_time != ContactTime::end)
     throw Error(
         "the other workpiece's simulation evaluates contact in the middle of a step, where the coupling would swing. "
         "Make it with SimulationConfig::contact_time = ContactTime::end.");
+  const double scale = first_map_.scale;
+  if (tool)
+    require_renderable(largest_contact_stiffness(tool->tool.tool().head()), config_, relative_stiffness_, scale);
+  if (materials)
+    require_renderable(contact_stiffness_, config_, largest_relative_stiffness(materials->materials.materials()),
+                       scale);
+  if (other)
+    require_renderable(largest_contact_stiffness(other->simulation->tool().head()), other->simulation->config(),
+                       largest_relative_stiffness(other->simulation->workpiece().materials()), scale);
+}
+
+void SimulationModel::check_scale(double scale) const {
+  require_positive(scale, "SetScale::scale");
+  WorkspaceMapOptions map = first_map_;
+  map.scale = scale;
+  if (gains_) validate(gains_in_world(*gains_, map));
+  require_renderable(contact_stiffness_, config_, relative_stiffness_, scale);
 }
 
 // --- the loop's side ------------------------------------------------------------------------------------------------
@@ -87,12 +106,14 @@ bool SimulationModel::apply(const commands::OpenClutch& /*command*/) noexcept {
 
 bool SimulationModel::apply(const commands::CloseClutch& /*command*/) noexcept {
   map_.engage(X_BS_);
+  unfelt_ = true;
   device_->interrupt(SafetyEvent::reclutched);
   return true;
 }
 
 bool SimulationModel::apply(const commands::SetScale& command) noexcept {
   if (!map_.set_scale(command.scale, X_BS_)) return false;
+  if (coupling_) coupling_->set_gains(gains_in_world(*gains_, map_.options()));
   device_->interrupt(SafetyEvent::reclutched);
   return true;
 }
@@ -114,24 +135,27 @@ bool SimulationModel::apply(const commands::Redo& /*command*/) noexcept {
 bool SimulationModel::begin(Travel way, std::size_t marks) noexcept {
   if (travel_ != Travel::none || marks == 0) return false;
   travel_ = way;
-  let_go();
+  tool_.force_held = false;
+  feel_nothing(StepStatus::ok);
+  if (coupling_) coupling_->leave(VirtualCoupling::Rejoin::free);
   return true;
 }
 
-/// Nothing is felt, and nothing that was felt counts any more.
-void SimulationModel::let_go() noexcept {
+/// Nothing that was felt counts any more, and nobody knows what is touched.
+void SimulationModel::feel_nothing(StepStatus status) noexcept {
   tool_.force = tool_.torque = Vec3::Zero();
   tool_.contact_depth = tool_.spindle_speed = 0;
   tool_.contact_voxels = 0;
-  tool_.status = StepStatus::ok;
-  tool_.force_held = false;
-  if (coupling_) coupling_->release();
+  tool_.status = status;
+  touches_ = true;
 }
 
 /// The material that the tool is in now must not be felt at once.
 void SimulationModel::after_exchange() noexcept {
-  let_go();
-  exchanged_ = true;
+  tool_.force_held = may_cut_ = false;
+  unfelt_ = true;
+  feel_nothing(StepStatus::ok);
+  if (coupling_) coupling_->leave(VirtualCoupling::Rejoin::free);
   if (spindle_needs_force_) simulation_->halt_spindle();  // or it would cut while it runs down
   device_->interrupt(SafetyEvent::model_swapped);
 }
@@ -175,24 +199,25 @@ bool SimulationModel::apply(const commands::SetRemoval& command) noexcept {
 bool SimulationModel::apply(const commands::HoldForce& command) noexcept {
   if (command.hold == tool_.force_held) return true;
   if (command.hold) {
-    if (travel_ != Travel::none || exchanged_) return false;  // nothing is felt that could be held
+    if (travel_ != Travel::none || unfelt_) return false;  // nothing is felt that could be held
     tool_.force_held = true;
     return true;
   }
   // The tool went on meanwhile: what it has met is not to be felt at once.
-  let_go();
-  exchanged_ = true;
+  tool_.force_held = false;
+  unfelt_ = true;
   device_->interrupt(SafetyEvent::reclutched);
   return true;
 }
 
 bool SimulationModel::apply(commands::ExchangeWorkpiece& command) noexcept {
-  if (coupled_ && command.simulation->config().contact_time != ContactTime::end) return false;
+  if (gains_ && command.simulation->config().contact_time != ContactTime::end) return false;
   simulation_->exchange(*command.simulation);
   std::swap(bounds_, command.bounds);
   if (coupling_) coupling_->exchange_lists(command.lists);
   travel_ = Travel::none;
   spindle_speed_ = simulation_->spindle_setting();
+  books_energy_ = is_foundation(simulation_->config());
   ++tool_.workpiece;
   after_exchange();
   return true;

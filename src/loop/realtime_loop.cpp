@@ -16,6 +16,7 @@ namespace hapticut {
 struct RealtimeLoop::State {
   State(Device& a_device, LoopModel& a_model, const RealtimeLoopOptions& some_options)
       : device(a_device), model(a_model), options(some_options) {
+    require_fields_within(options, "RealtimeLoopOptions::");
     if (!options.region.empty()) outbox = std::make_unique<BlockOutbox>(options.region, options.block_capacity);
     copy = [this](ChangedBlock& block) { model.copy(block); };
   }
@@ -71,6 +72,7 @@ DeviceCommand RealtimeLoop::State::tick(const DeviceState& reading) noexcept {
 
   LoopSnapshot& snapshot = snapshots.writing();
   command.wrench = model.step(reading, dt > 0 ? dt : nominal, snapshot);
+  command.contact = model.contact();
   if (outbox) {
     model.mark_changes(*outbox);
     outbox->send(copy, options.blocks_per_tick);

@@ -3,12 +3,18 @@
 
 #include <algorithm>
 #include <bit>
+#include <memory>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/force/contact_materials.hpp"
+#include "hapticut/force/laws/foundation.hpp"
+#include "hapticut/force/stiffness.hpp"
 
 namespace hapticut {
 namespace {
+
+double dissipated(const EnergyLedger& e) { return e.cutting + e.released + e.damping + e.rubbing + e.sliding; }
 
 bool has_force(ArmingState arming) { return arming == ArmingState::ramp || arming == ArmingState::on; }
 
@@ -19,41 +25,69 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
       voxel_size_(simulation.workpiece().voxel_size()),
       undo_blocks_(options.undo_blocks),
       region_(simulation.workpiece().bounds()),
-      coupled_(options.coupling.has_value()),
+      first_map_(options.map),
+      gains_(options.coupling),
+      renders_(gains_ ? 0 : device.capabilities().stiffness),
+      relative_stiffness_(largest_relative_stiffness(simulation.workpiece().materials())),
+      contact_stiffness_(largest_contact_stiffness(simulation.tool().head())),
       simulation_(&simulation),
       device_(&device),
       map_(options.map),
       bounds_(region_),
       spindle_needs_force_(options.spindle_needs_force),
       undo_blocks_per_tick_(options.undo_blocks_per_tick),
-      spindle_speed_(simulation.spindle_setting()) {
-  require_positive(double(options.undo_blocks_per_tick), "SimulationModelOptions::undo_blocks_per_tick");
-  if (options.coupling) coupling_.emplace(simulation, *options.coupling);
+      spindle_speed_(simulation.spindle_setting()),
+      books_energy_(is_foundation(simulation.config())) {
+  require_fields_within(options, "SimulationModelOptions::");
+  require_renderable(contact_stiffness_, config_, relative_stiffness_, options.map.scale);
+  if (gains_) coupling_.emplace(simulation, gains_in_world(*gains_, options.map)).leave(VirtualCoupling::Rejoin::free);
   if (options.undo_blocks > 0) simulation.reserve_undo(options.undo_blocks);
+  if (options.islands) watch_ = std::make_unique<IslandWatch>(simulation, *options.islands);
+}
+
+/// Of other laws nobody knows how stiff they are, nor whether they book all that they store.
+bool SimulationModel::is_foundation(const SimulationConfig& config) noexcept {
+  return config.law == nullptr || dynamic_cast<const FoundationLaw*>(config.law.get()) != nullptr;
+}
+
+/// Where the law is not the default one the guard watches alone.
+void SimulationModel::require_renderable(double contact_stiffness, const SimulationConfig& config,
+                                         double relative_stiffness, double scale) const {
+  constexpr double kRounding = 1.01;
+  if (renders_ == 0 || !is_foundation(config)) return;
+  const double renders = renders_ / (scale * first_map_.force_scale);  // [N/m] of what is in the world
+  const double most = renders / (contact_stiffness * relative_stiffness);
+  if (config.reference_stiffness <= kRounding * most) return;
+  throw Error("the device renders " + format_number(renders) + " N/m, and driven directly it would meet up to " +
+              format_number(renders * config.reference_stiffness / most) +
+              " N/m, and buzz. Put a virtual coupling between (SimulationModelOptions::coupling with contact_time = "
+              "end; --coupling virtual), or lower the reference stiffness to " +
+              format_number(most) + " N/m^4.");
 }
 
 Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept {
   changed_ = {};
+  contact_ = {true, {}, {}};  // for all that is known
   Wrench wrench;
   if (state.valid) X_BS_ = state.X_BS;
   if (travel_ != Travel::none) {
     travel(state);
-  } else if (std::exchange(exchanged_, false)) {
-    stay_with_hand(state);  // the guard hears of it at the next reading
-  } else if (state.valid) {
+  } else if (!state.valid || !map_.engaged()) {
+    rest();
+  } else {
     turn_spindle(device_->last_arming());
     const Wrench felt = move_tool(state, dt);
-    wrench = tool_.force_held ? hold_force(state) : felt;
-  } else if (coupling_) {
-    coupling_->release();  // the hand may be anywhere by the next reading
+    if (!std::exchange(unfelt_, false)) wrench = tool_.force_held ? hold_force(state) : felt;
   }
+  if (watch_) watch_->tick();
   show(snapshot);
   return wrench;
 }
 
-/// A part of the way to the last mark, or from it. The tool is with the hand, as it will be when it can feel again.
+/// A part of the way to the last mark, or from it.
 void SimulationModel::travel(const DeviceState& state) noexcept {
-  stay_with_hand(state);
+  if (state.valid && !coupling_) X_WH_ = map_.to_world(state.X_BS);
+  may_cut_ = false;
   const bool done =
       travel_ == Travel::back ? simulation_->undo(undo_blocks_per_tick_) : simulation_->redo(undo_blocks_per_tick_);
   if (done) travel_ = Travel::none;
@@ -62,9 +96,12 @@ void SimulationModel::travel(const DeviceState& state) noexcept {
   device_->interrupt(SafetyEvent::model_swapped);
 }
 
-void SimulationModel::stay_with_hand(const DeviceState& state) noexcept {
-  if (state.valid) X_WH_ = map_.to_world(state.X_BS);
+/// The hand is not known, or the clutch is open: the tool stays where it is, and cuts nothing.
+void SimulationModel::rest() noexcept {
+  feel_nothing(StepStatus::ok);
   may_cut_ = false;
+  if (coupling_) coupling_->leave(VirtualCoupling::Rejoin::near);
+  if (spindle_needs_force_ && simulation_->spindle_setting() != 0) simulation_->halt_spindle();
 }
 
 /// What was felt when it was to be held, in W, at the hand as it is now.
@@ -75,17 +112,19 @@ Wrench SimulationModel::hold_force(const DeviceState& state) const noexcept {
 void SimulationModel::turn_spindle(ArmingState arming) noexcept {
   if (!has_force(arming) || tool_.force_held)
     may_cut_ = false;
-  else if (tool_.contact_voxels == 0)
+  else if (!touches_)
     may_cut_ = true;
-  const double wanted = spindle_needs_force_ && !may_cut_ ? 0 : spindle_speed_;
-  if (wanted != simulation_->spindle_setting()) simulation_->set_spindle_speed(wanted);
+  if (spindle_needs_force_ && !may_cut_) {
+    if (simulation_->spindle_setting() != 0) simulation_->halt_spindle();  // or it would cut while it runs down
+  } else if (spindle_speed_ != simulation_->spindle_setting()) {
+    simulation_->set_spindle_speed(spindle_speed_);
+  }
 }
 
 /// Steps, with the coupling or without.  @return what the hand feels, about Ho of the hand, in W
 Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept {
   if (coupling_) {
     const CoupledResult& result = coupling_->step(pose, velocity, dt);
-    if (result.parts == 0) return {};  // it refused the input
     X_WH_ = result.X_WH;
     changed_ = result.changed_blocks;
     tool_.removed_volume += result.removed_volume;
@@ -102,10 +141,17 @@ Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, dou
 
 Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept {
   const std::uint64_t steps = simulation_->steps();
+  const double before = dissipated(simulation_->last_result().energy);
   const Wrench felt = follow_hand(map_.to_world(state.X_BS), map_.to_world(state.X_BS, state.velocity), dt);
-  if (simulation_->steps() == steps) return {};  // the coupling refused the input
+  tool_.seen |= tool_.status;
+  if (simulation_->steps() == steps) {  // the tool waits for its hand
+    feel_nothing(tool_.status);
+    return {};
+  }
   const StepResult& result = simulation_->last_result();
+  touches_ = has_any(tool_.status, kRejected) || result.contact.voxels > 0;
   ++tool_.steps;
+  tool_.dissipated += dissipated(result.energy) - before;
   if (!tool_.force_held) {
     tool_.force = felt.force;
     tool_.torque = felt.torque;
@@ -113,8 +159,23 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
   tool_.contact_depth = result.contact.depth;
   tool_.contact_voxels = result.contact.voxels;
   tool_.spindle_speed = result.spindle.speed;
-  tool_.seen |= tool_.status;
+  contact_ = describe_contact(state, felt);
   return map_.to_device(state.X_BS, felt);
+}
+
+/// What the guard shall know of a step.
+ModelContact SimulationModel::describe_contact(const DeviceState& state, const Wrench& felt) const noexcept {
+  const StepResult& result = simulation_->last_result();
+  ModelContact contact;
+  contact.touching = touches_;
+  const Wrench& pure = coupling_ ? coupling_->last_result().coupling : result.model;
+  contact.effects = map_.to_device(state.X_BS, {felt.force - pure.force, felt.torque - pure.torque});
+  if (!books_energy_) return contact;
+  double stored = result.energy.elastic + result.energy.anchored;
+  if (coupling_) stored += coupling_->last_result().energy.spring + coupling_->last_result().energy.kinetic;
+  const WorkspaceMapOptions& map = map_.options();
+  contact.stored = std::max(map.force_scale / map.scale, map.torque_scale) * std::max(stored, 0.0);
+  return contact;
 }
 
 void SimulationModel::show(LoopSnapshot& snapshot) const noexcept {
@@ -124,15 +185,20 @@ void SimulationModel::show(LoopSnapshot& snapshot) const noexcept {
   snapshot.tool.redo_marks = simulation_->redo_marks();
   snapshot.tool.undoing = travel_ == Travel::back;
   snapshot.tool.redoing = travel_ == Travel::forth;
+  snapshot.tool.islands = watch_ ? watch_->count() : 0;
 }
 
 void SimulationModel::mark_changes(BlockOutbox& outbox) noexcept {
   for (const VoxelIndex& origin : changed_.origins) outbox.mark(origin);
+  if (watch_)
+    for (const VoxelIndex& origin : watch_->changed()) outbox.mark(origin);
   if (changed_.complete) return;
   for (int i = block_start(bounds_.min[0]); i <= bounds_.max[0]; i += kBlockEdge)
     for (int j = block_start(bounds_.min[1]); j <= bounds_.max[1]; j += kBlockEdge)
       for (int k = block_start(bounds_.min[2]); k <= bounds_.max[2]; k += kBlockEdge) outbox.mark({i, j, k});
 }
+
+std::vector<Island> SimulationModel::islands_left() { return watch_ ? watch_->left() : std::vector<Island>(); }
 
 void SimulationModel::copy(ChangedBlock& block) noexcept {
   block.workpiece = tool_.workpiece;

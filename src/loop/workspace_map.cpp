@@ -7,10 +7,22 @@
 
 namespace hapticut {
 
+CouplingGains gains_in_world(const CouplingGains& felt, const WorkspaceMapOptions& map) noexcept {
+  CouplingGains gains = felt;
+  const double scale = map.scale * map.force_scale;
+  gains.stiffness /= scale;
+  gains.damping /= scale;
+  gains.mass /= scale;
+  gains.largest_force /= map.force_scale;
+  gains.angular_stiffness /= map.torque_scale;
+  gains.angular_damping /= map.torque_scale;
+  gains.inertia /= map.torque_scale;
+  gains.largest_torque /= map.torque_scale;
+  return gains;
+}
+
 WorkspaceMap::WorkspaceMap(const WorkspaceMapOptions& options) : options_(options), X_WS_home_(options.X_WB) {
-  require_positive(options.scale, "WorkspaceMapOptions::scale");
-  require_positive(options.force_scale, "WorkspaceMapOptions::force_scale");
-  require_positive(options.torque_scale, "WorkspaceMapOptions::torque_scale");
+  require_fields_within(options, "WorkspaceMapOptions::");
   constexpr double kInexact = 1e-6;
   for (const Pose& X : {options.X_WB, options.X_SH})
     if (!is_finite(X) || !is_rotation(X.rotation, kInexact))

@@ -26,6 +26,8 @@ namespace {
 
 constexpr std::int64_t kNanoseconds = 1'000'000'000;
 
+static_assert(range_of(&RealtimeOptions::cpu).high == CPU_SETSIZE - 1);
+
 std::atomic<int> memory_locks{0};
 
 std::int64_t nanoseconds(clockid_t clock) noexcept {
@@ -50,9 +52,7 @@ constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
 }  // namespace
 
 RealtimeScope::RealtimeScope(const RealtimeOptions& options) {
-  require_between(options.priority, 0, 99, "RealtimeOptions::priority");
-  require_between(options.cpu, -1, CPU_SETSIZE - 1, "RealtimeOptions::cpu");
-  require_between(double(options.stack), 0, 4 * 1024 * 1024, "RealtimeOptions::stack [bytes]");
+  require_fields_within(options, "RealtimeOptions::");
   if (options.lock_memory) lock_memory();
   if (options.cpu >= 0) pin(options.cpu);
   if (options.priority > 0) set_priority(options.priority);

@@ -12,14 +12,7 @@ const char* name_of(ArmingState state) {
   return known != nullptr ? known : "unknown";
 }
 
-Arming::Arming(const ArmingOptions& options) : options_(options) {
-  require_between(options.valid_ticks, 1, 10000, "ArmingOptions::valid_ticks");
-  require_positive(options.free_force, "ArmingOptions::free_force [N]");
-  require_positive(options.free_torque, "ArmingOptions::free_torque [N·m]");
-  require_between(options.free_ticks, 1, 10000, "ArmingOptions::free_ticks");
-  require_between(options.ramp, 0.02, 60, "ArmingOptions::ramp [s]");
-  require_between(options.short_ramp, 0.02, 60, "ArmingOptions::short_ramp [s]");
-}
+Arming::Arming(const ArmingOptions& options) : options_(options) { require_fields_within(options, "ArmingOptions::"); }
 
 void Arming::start(SafetyLog& log) noexcept {
   state_ = ArmingState::armed;
@@ -59,7 +52,8 @@ void Arming::reset(SafetyLog& log) noexcept {
   start(log);
 }
 
-double Arming::tick(double dt, bool reading_ok, double force, double torque, SafetyLog& log) noexcept {
+double Arming::tick(double dt, bool reading_ok, double force, double torque, std::optional<bool> touching,
+                    SafetyLog& log) noexcept {
   switch (state_) {
     case ArmingState::off:
     case ArmingState::fault:
@@ -74,7 +68,8 @@ double Arming::tick(double dt, bool reading_ok, double force, double torque, Saf
       return 0;
 
     case ArmingState::wait_free: {
-      const bool is_free = reading_ok && force < options_.free_force && torque < options_.free_torque;
+      const bool is_quiet = force < options_.free_force && torque < options_.free_torque;
+      const bool is_free = reading_ok && (touching ? !*touching : is_quiet);
       if (reading_ok && !looked_) {
         looked_ = true;
         if (!is_free) log.report(SafetyEvent::start_inside, force);

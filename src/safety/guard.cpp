@@ -19,8 +19,9 @@ constexpr double kImplausiblySmall = 1e-6;  // [m] of all motion within a second
 
 constexpr double kFastTurn = 10;  // [rad/s] at which damping may take all the torque there is
 
-/// The options with the damping that a device can render, where the options name no damping.
-PassivityOptions with_damping(PassivityOptions options, double damping) {
+/// The options with the stiffness and the damping that a device can render, where the options name none.
+PassivityOptions rendered_by(PassivityOptions options, double stiffness, double damping) {
+  if (options.stiffness == 0) options.stiffness = stiffness;
   if (options.greatest_damping == 0) options.greatest_damping = damping;
   return options;
 }
@@ -64,20 +65,17 @@ SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOpti
       ramp_damping_(options.ramp_damping < 0 ? kRampDampingShare * capabilities.damping : options.ramp_damping),
       gate_(capabilities, options.gate),
       arming_(options.arming),
-      passivity_(with_damping(options.passivity, capabilities.damping), greatest_force_),
-      turning_passivity_(with_damping(options.passivity, greatest_torque_ / kFastTurn), greatest_torque_),
+      passivity_(
+          rendered_by(options.passivity, or_default(options.stiffness, capabilities.stiffness), capabilities.damping),
+          greatest_force_),
+      turning_passivity_(
+          rendered_by(options.passivity, capabilities.rotational_stiffness, greatest_torque_ / kFastTurn),
+          greatest_torque_),
       thermal_(greatest_force_, capabilities.continuous_force, options.thermal),
       requests_(requests != nullptr ? requests : &own_requests_) {
-  require_positive(options.period, "GuardOptions::period [s]");
-  require_not_negative(options.greatest_force, "GuardOptions::greatest_force [N]");
-  require_not_negative(options.greatest_torque, "GuardOptions::greatest_torque [N·m]");
-  require_not_negative(options.slew, "GuardOptions::slew [N/s]");
-  require_not_negative(options.torque_slew, "GuardOptions::torque_slew [N·m/s]");
-  require_not_negative(options.stiffness, "GuardOptions::stiffness [N/m]");
-  require_positive(options.fastest_contact, "GuardOptions::fastest_contact [m/s]");
+  require_fields_within(options, "GuardOptions::");
   require_between(options.late, options.period, 1, "GuardOptions::late [s]");
   require_between(options.pause, options.late, 10, "GuardOptions::pause [s]");
-  require_between(options.not_finite_ticks, 1, 50, "GuardOptions::not_finite_ticks");
   (void)Watchdog(options.watchdog);
   if (capabilities.output_degrees_of_freedom < 3) greatest_force_ = 0;
   if (capabilities.output_degrees_of_freedom < 6) greatest_torque_ = 0;
@@ -236,10 +234,12 @@ Wrench SafetyGuard::finite_or_none(const Wrench& commanded) noexcept {
   return {};
 }
 
-Wrench SafetyGuard::make_passive(const Wrench& wrench) noexcept {
+Wrench SafetyGuard::make_passive(const Wrench& wrench, const ModelContact& contact) noexcept {
+  const Wrench effects = is_finite(contact.effects) ? contact.effects : Wrench{};
   Wrench w;
-  w.force = passivity_.control(wrench.force, output_.applied.force, motion_, dt_);
-  w.torque = turning_passivity_.control(wrench.torque, output_.applied.torque, turn_, dt_);
+  w.force = passivity_.control({wrench.force, effects.force, output_.applied.force, motion_, dt_, contact.stored});
+  w.torque =
+      turning_passivity_.control({wrench.torque, effects.torque, output_.applied.torque, turn_, dt_, contact.stored});
   const double taken = std::max(passivity_.taken(), turning_passivity_.taken());
   if (taken > 0) {
     output_.changes |= OutputChange::damped;
@@ -279,15 +279,16 @@ Wrench SafetyGuard::bound(const Wrench& wrench) noexcept {
   return grown;
 }
 
-Wrench SafetyGuard::release(const Wrench& commanded) noexcept {
+Wrench SafetyGuard::release(const Wrench& commanded, const ModelContact& contact) noexcept {
   output_.commanded = commanded;
   output_.changes = OutputChange::none;
   const Wrench finite = finite_or_none(commanded);
   if (requests_->emergency()) fail_in_emergency();
-  const double share = arming_.tick(dt_, reading_ok_, finite.force.norm(), finite.torque.norm(), log_);
+  const double share =
+      arming_.tick(dt_, reading_ok_, finite.force.norm(), finite.torque.norm(), contact.touching, log_);
   Wrench wrench;
   if (share > 0) {
-    before_ramp_ = bound(make_passive(finite));
+    before_ramp_ = bound(make_passive(finite, contact));
     wrench = {share * before_ramp_.force, share * before_ramp_.torque};
     if (share < 1) {
       output_.changes |= OutputChange::ramped;

@@ -9,49 +9,45 @@
 
 namespace hapticut {
 
-namespace {
-
-constexpr double kSoftest = 100;  // [N/m] or [N·m/rad]; a softer spring stores more than is remembered
-
-}  // namespace
-
 PassivityController::PassivityController(const PassivityOptions& options, double greatest)
     : options_(options), greatest_(options.greatest > 0 ? options.greatest : greatest) {
-  require_not_negative(options.credit, "PassivityOptions::credit [J]");
-  require_not_negative(options.allowance, "PassivityOptions::allowance [J]");
-  require_not_negative(options.greatest, "PassivityOptions::greatest [N]");
-  require_positive(options.slowest, "PassivityOptions::slowest [m/s]");
-  require_between(options.delay, 0, kLongestDelay, "PassivityOptions::delay [ticks]");
-  require_between(options.free_ticks, 1, 100000, "PassivityOptions::free_ticks");
-  require_not_negative(options.greatest_damping, "PassivityOptions::greatest_damping [N·s/m]");
-  if (options_.credit == 0) options_.credit = greatest_ * greatest_ / (2 * kSoftest);
+  require_fields_within(options, "PassivityOptions::");
+  if (options_.credit == 0) options_.credit = std::numeric_limits<double>::infinity();
   if (options_.greatest_damping == 0) options_.greatest_damping = std::numeric_limits<double>::infinity();
   restart();
 }
 
 void PassivityController::restart() noexcept {
-  stored_ = taken_ = 0;
-  free_ = next_ = 0;
+  stored_ = taken_ = asked_ = 0;
+  effects_.setZero();
+  next_ = 0;
   under_way_.fill(Vec3::Zero());
 }
 
-Vec3 PassivityController::control(const Vec3& force, const Vec3& applied, const Vec3& motion, double dt) noexcept {
+Vec3 PassivityController::control(const Tick& tick) noexcept {
   taken_ = 0;
-  if (!options_.enabled) return force;
-  Vec3 acted = applied;
+  if (!options_.enabled) return tick.force;
+  const double applied = tick.applied.norm();
+  Vec3 acted = tick.applied - (applied < asked_ ? applied / asked_ : 1.0) * effects_;
+  asked_ = tick.force.norm();
+  effects_ = tick.effects;
   if (options_.delay > 0) {
     std::swap(acted, under_way_[std::size_t(next_)]);
     next_ = (next_ + 1) % options_.delay;
   }
-  stored_ = std::min(stored_ - acted.dot(motion), options_.credit);
-  free_ = force.norm() < options_.free && applied.norm() < options_.free ? free_ + 1 : 0;
-  if (free_ >= options_.free_ticks) stored_ = 0;
+  if ((tick.force - tick.effects).norm() < options_.free) {
+    stored_ = 0;
+    return tick.force;
+  }
+  const double moved = tick.motion.norm(), speed = moved / tick.dt;
+  const double held = (0.5 + options_.delay) * options_.stiffness * moved * moved;
+  const double most = std::min(options_.credit, tick.stored.value_or(options_.credit));
+  stored_ = std::min(stored_ - acted.dot(tick.motion) + held, most);
 
   const double owed = -stored_ - options_.allowance;
-  const double speed = motion.norm() / dt;
-  if (owed <= 0 || speed < options_.slowest) return force;
-  taken_ = std::min({owed / (speed * dt), greatest_, options_.greatest_damping * speed});
-  return force - taken_ / motion.norm() * motion;
+  if (owed <= 0 || speed < options_.slowest) return tick.force;
+  taken_ = std::min({owed / moved, greatest_, options_.greatest_damping * speed});
+  return tick.force - taken_ / moved * tick.motion;
 }
 
 }  // namespace hapticut

@@ -15,12 +15,7 @@ PoseGate::PoseGate(const DeviceCapabilities& capabilities, const PoseGateOptions
       low_(capabilities.workspace_low - Vec3::Constant(options.workspace_margin)),
       high_(capabilities.workspace_high + Vec3::Constant(options.workspace_margin)),
       bounded_((capabilities.workspace_high - capabilities.workspace_low).minCoeff() > 0) {
-  require_positive(options.fastest, "PoseGateOptions::fastest [m/s]");
-  require_positive(options.fastest_turn, "PoseGateOptions::fastest_turn [rad/s]");
-  require_not_negative(options.workspace_margin, "PoseGateOptions::workspace_margin [m]");
-  require_between(options.rotation_tolerance, 0, 0.1, "PoseGateOptions::rotation_tolerance");
-  require_between(options.hold_ticks, 1, 50, "PoseGateOptions::hold_ticks");
-  require_between(options.frozen_ticks, 2, 1000, "PoseGateOptions::frozen_ticks");
+  require_fields_within(options, "PoseGateOptions::");
 }
 
 void PoseGate::restart() noexcept {

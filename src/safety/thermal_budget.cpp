@@ -18,12 +18,9 @@ ThermalBudget::ThermalBudget(double peak, double continuous, const ThermalOption
     : options_(options), peak_(peak), continuous_(continuous > 0 ? std::min(continuous, peak) : 0), limit_(peak) {
   require_not_negative(peak, "DeviceCapabilities::peak_force [N]");
   require_not_negative(continuous, "DeviceCapabilities::continuous_force [N]");
-  require_positive(options.time_constant, "ThermalOptions::time_constant [s]");
-  require_positive(options.warm, "ThermalOptions::warm");
+  require_fields_within(options, "ThermalOptions::");
   require_between(options.cool, 0, options.warm, "ThermalOptions::cool");
-  require_between(options.hot, 0, 1, "ThermalOptions::hot");
   require_between(options.cold, 0, options.hot, "ThermalOptions::cold");
-  require_positive(options.rate, "ThermalOptions::rate [1/s]");
 }
 
 void ThermalBudget::tick(double force, double temperature, double dt) noexcept {

@@ -13,10 +13,8 @@
 namespace hapticut {
 
 Watchdog::Watchdog(const WatchdogOptions& options) : options_(options) {
-  require_positive(options.period, "WatchdogOptions::period [s]");
-  require_between(options.late_ticks, 1, 1000, "WatchdogOptions::late_ticks");
-  require_between(options.fade_ticks, options.late_ticks, 1000, "WatchdogOptions::fade_ticks");
-  require_positive(options.fade, "WatchdogOptions::fade [s]");
+  require_fields_within(options, "WatchdogOptions::");
+  require_between(options.fade_ticks, options.late_ticks, 1000, "WatchdogOptions::fade_ticks [ticks]");
   require_between(options.fault_ticks * options.period, options.fade_ticks * options.period + options.fade, 10,
                   "WatchdogOptions::fault_ticks, in seconds,");
 }

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/device_state.hpp"
 #include "hapticut/realtime/histogram.hpp"
 #include "hapticut/realtime/realtime.hpp"
@@ -28,18 +29,33 @@ using DeviceCallback = std::function<DeviceCommand(const DeviceState&)>;
 
 /// How a run goes.
 struct RunOptions {
-  double seconds = 0;           ///< [s] of device time after which it ends; 0: when it is stopped
-  bool simulated_time = false;  ///< devices that are simulated: as fast as the callback allows, with exact periods
-  bool stop_on_signals = true;  ///< SIGINT, SIGTERM and SIGHUP end the run without force, then act as they would
+  double seconds = 0;
+  bool simulated_time = false;
+  bool stop_on_signals = true;
 
-  /// SIGSEGV, SIGABRT, SIGFPE, SIGBUS and SIGILL in another thread take the force away first, within 0.3 s, and then go
-  /// on to the handlers that were there before. It is the emergency stop: where the process lives on, because its
-  /// runtime handles the signal (Java, .NET, Mono), `reset_fault` brings the force back. For programs of your own;
-  /// inside another program (Unity, Python) leave it off.
+  /// SIGSEGV, SIGABRT, SIGFPE, SIGBUS and SIGILL in another thread take the force away within 0.3 s, and then go on to
+  /// the handlers that were there before. It is the emergency stop: where the process lives on, because its runtime
+  /// handles the signal (Java, .NET, Mono), `reset_fault` brings the force back. For programs of your own; inside
+  /// another program (Unity, Python) leave it off.
   bool stop_on_crash = false;
-  RealtimeOptions realtime;  ///< for devices whose loop runs in our thread
-  GuardOptions guard;        ///< the safety pipeline; it cannot be switched off
+  RealtimeOptions realtime;
+  GuardOptions guard;
 };
+
+constexpr auto fields_of(Of<RunOptions>) {
+  using O = RunOptions;
+  return std::tuple{
+      field("seconds", &O::seconds, "s", Range::not_negative(),
+            "of device time after which it ends; 0: when it is stopped"),
+      field("simulated_time", &O::simulated_time,
+            "devices that are simulated: as fast as the callback allows, with exact periods"),
+      field("stop_on_signals", &O::stop_on_signals,
+            "SIGINT, SIGTERM and SIGHUP end the run without force, then act as they would"),
+      field("stop_on_crash", &O::stop_on_crash, "a crash of another thread takes the force away first"),
+      field("realtime", &O::realtime, "for devices whose loop runs in our thread"),
+      field("guard", &O::guard, "the safety pipeline; it cannot be switched off"),
+  };
+}
 
 /// What a run was like.
 struct RunReport {
@@ -66,6 +82,7 @@ class Servo;
 /// `run` belongs to one thread; everything else may be called from any thread, also while it runs.
 class Device {
  public:
+  /// Closes the device.  @pre no run is under way
   virtual ~Device();
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
@@ -85,12 +102,14 @@ class Device {
   void reset_fault() noexcept { requests_.reset_fault(); }                      ///< see Requests::reset_fault
   void interrupt(SafetyEvent reason) noexcept { requests_.interrupt(reason); }  ///< see Requests::interrupt
 
-  [[nodiscard]] bool is_running() const noexcept { return running_.load(std::memory_order_acquire); }
+  /// Whether a run is under way, which `stop` would end.
+  [[nodiscard]] bool is_running() const noexcept { return phase_.load(std::memory_order_acquire) == Phase::running; }
 
-  /// The last reading that the guard let through.
+  /// The last reading that the guard let through; not `valid` before the first.
   [[nodiscard]] DeviceState state() const;
 
-  /// What was commanded and what was applied in the last tick, and why they differ.
+  /// What was commanded and what was applied in the last tick, and why they differ. After a run: in its last tick,
+  /// before the force was faded out.
   [[nodiscard]] DeviceOutput output() const;
 
   [[nodiscard]] ArmingState arming() const;
@@ -124,10 +143,11 @@ class Device {
  private:
   friend class Servo;
   struct Latest;
+  enum class Phase : std::uint8_t { idle, beginning, running };
 
   std::string name_;
   DeviceCapabilities capabilities_;
-  std::atomic<bool> running_{false};
+  std::atomic<Phase> phase_{Phase::idle};
   Requests requests_;
   std::unique_ptr<Latest> latest_;
   mutable std::mutex guard_mutex_;  // for readers in other threads; the loop never takes it
@@ -149,12 +169,18 @@ class Servo {
   [[nodiscard]] bool should_end() const noexcept;
 
   /// The force of the n-th tick after the end, n = 0, 1, ...: faded to zero over kFarewellTicks, or zero at once when
-  /// something is wrong.
+  /// something is wrong or an emergency stop comes.
   [[nodiscard]] Wrench farewell(int n) const noexcept;
   static constexpr int kFarewellTicks = 20;
 
   void report_wake_up(double late) noexcept { report_.wake_up.add(late); }
   void report_missed(std::uint64_t ticks) noexcept { report_.missed += ticks; }
+
+  /// That the device was lost, where no reading says so. Only after the loop has ended.
+  void report_lost(DeviceFault fault) noexcept {
+    lost_ = true;
+    report_.fault = fault;
+  }
 
   /// Only before the loop begins and after it has ended.
   void warn(std::string text) { report_.warnings.push_back(std::move(text)); }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/device/device.hpp"
 
 /// @file
@@ -14,25 +15,34 @@ namespace hapticut {
 
 /// How a device of Force Dimension is opened.
 struct ForceDimensionOptions {
-  /// A serial number ("1234"), or a model: "omega.7" is one of either hand, "omega.7-left" and "omega.7-right" one of
-  /// that hand. Empty: the first that is free.
+  /// "omega.7" is one of either hand, "omega.7-left" and "omega.7-right" one of that hand.
   std::string device_name;
 
-  /// Lets the device calibrate itself by moving, where it is not calibrated: let go of it first. false: calibrate it by
-  /// hand; there is no force before.
+  /// Let go of it before it moves. Until it is calibrated there is no force.
   bool calibrate = false;
+  double effector_mass = 0;
 
-  double effector_mass = 0;  ///< [kg] that gravity compensation carries at the tip; 0: what the device knows of itself
-
-  /// [s] without a command after which the device itself switches its forces off, 2 to 31.875 ms, in steps of 125 us.
-  /// While a callback hangs, our own watchdog fades the force out from 10 ms on and goes on commanding; a shorter time
-  /// here lets the device be faster than that.
+  /// In steps of 125 us. While a callback hangs, our own watchdog fades the force out from 10 ms on and goes on
+  /// commanding; a shorter time here lets the device be faster than that.
   double watchdog = 20e-3;
 
-  /// [s] the clock of the readings; null: the monotonic clock. With a clock of your own a run may be in simulated
-  /// time: it is asked once per tick.
+  /// With a clock of your own a run may be in simulated time: it is asked once per tick.
   std::function<double()> clock;
 };
+
+constexpr auto fields_of(Of<ForceDimensionOptions>) {
+  using O = ForceDimensionOptions;
+  return std::tuple{
+      field("device_name", &O::device_name, "a serial number (1234), or a model; empty: the first that is free"),
+      field("calibrate", &O::calibrate,
+            "the device calibrates itself by moving, where it is not calibrated; false: calibrate it by hand"),
+      field("effector_mass", &O::effector_mass, "kg", Range::not_negative(),
+            "that gravity compensation carries at the tip; 0: what the device knows of itself"),
+      field("watchdog", &O::watchdog, "s", Range::between(2e-3, 31.875e-3),
+            "without a command after which the device itself switches its forces off"),
+      field("clock", &O::clock, "of the readings, in seconds; null: the monotonic clock"),
+  };
+}
 
 /// Opens a device.
 ///

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/device/device.hpp"
 
 /// @file
@@ -14,27 +15,37 @@ namespace hapticut {
 
 /// How an OpenHaptics device is opened.
 struct OpenHapticsOptions {
-  /// As it is called in the maker's setup program; empty: the default device.
   std::string device_name;
 
-  /// When the driver refuses the name, try its usual names of the default device, and say so in the warnings of the
-  /// run. Never done while another device is open, which would be found instead.
+  /// The warnings of the run say so. Never done while another device is open, which would be found instead.
   bool other_names = true;
-
-  /// Devices that are calibrated by holding their links at right angles (Phantom Premium). true: a person holds them so
-  /// while the device is opened.
   bool reset_encoders = false;
-
-  /// For applications with a deployment licence; empty: a development licence is installed.
   std::string license_vendor, license_application, license_password;
-
-  double rate = 1000;        ///< [Hz] that is asked for; drivers that refuse keep their own
-  double start_timeout = 5;  ///< [s] for the first tick of the driver's servo loop
-  double silence = 0.5;      ///< [s] without a tick after which the driver counts as lost
-
-  /// [s] the clock of the readings; null: the monotonic clock.
+  double rate = 1000;
+  double start_timeout = 5;
+  double silence = 0.5;
   std::function<double()> clock;
 };
+
+constexpr auto fields_of(Of<OpenHapticsOptions>) {
+  using O = OpenHapticsOptions;
+  return std::tuple{
+      field("device_name", &O::device_name, "as it is called in the maker's setup program; empty: the default device"),
+      field("other_names", &O::other_names,
+            "when the driver refuses the name, try its usual names of the default device"),
+      field("reset_encoders", &O::reset_encoders,
+            "a person holds the links at right angles while the device is opened; calibrates a Phantom Premium"),
+      field("license_vendor", &O::license_vendor,
+            "of an application with a deployment licence; empty: a development licence is installed"),
+      field("license_application", &O::license_application, "the same"),
+      field("license_password", &O::license_password, "the same"),
+      field("rate", &O::rate, "Hz", Range::positive(), "that is asked for; drivers that refuse keep their own"),
+      field("start_timeout", &O::start_timeout, "s", Range::positive(),
+            "for the first tick of the driver's servo loop"),
+      field("silence", &O::silence, "s", Range::positive(), "without a tick after which the driver counts as lost"),
+      field("clock", &O::clock, "of the readings, in seconds; null: the monotonic clock"),
+  };
+}
 
 /// Opens a device. All devices must be opened before the first of them runs: the driver's scheduler must not be
 /// running.

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/device/device.hpp"
 #include "hapticut/loop/block_outbox.hpp"
 #include "hapticut/loop/commands.hpp"
@@ -23,6 +24,9 @@ class LoopModel {
   /// @return [N], [N·m] on the stylus about its point, in B
   virtual Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept = 0;
 
+  /// What is known of the contact behind the wrench of the last `step`, for the guard.
+  [[nodiscard]] virtual ModelContact contact() const noexcept { return {}; }
+
   /// Whether a command makes sense; in the thread that sends it, before it is sent.
   /// @throws Error naming what is out of range; then it is not sent
   virtual void check(const LoopCommand& /*command*/) const {}
@@ -42,10 +46,20 @@ class LoopModel {
 /// How the loop exchanges data.
 struct RealtimeLoopOptions {
   RunOptions run;
-  IndexBox region;                   ///< voxels whose changes are sent; empty: no changes are
-  std::size_t block_capacity = 256;  ///< [blocks] under way at once
-  std::size_t blocks_per_tick = 16;  ///< sent at most
+  IndexBox region;
+  std::size_t block_capacity = 256;
+  std::size_t blocks_per_tick = 16;
 };
+
+constexpr auto fields_of(Of<RealtimeLoopOptions>) {
+  using O = RealtimeLoopOptions;
+  return std::tuple{
+      field("run", &O::run, "of the device"),
+      field("region", &O::region, "voxels whose changes are sent; empty: no changes are"),
+      field("block_capacity", &O::block_capacity, "blocks", Range::between(1, 1e6), "under way at once"),
+      field("blocks_per_tick", &O::blocks_per_tick, "blocks", Range::not_negative(), "sent at most"),
+  };
+}
 
 /// A device, a model and the exchange of both with other threads: commands in by a bounded queue, the latest state out
 /// by a triple buffer, changed blocks out by a bounded queue. The loop never waits for any of them. Stop, emergency

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <vector>
 
+#include "hapticut/core/description.hpp"
+#include "hapticut/loop/island_watch.hpp"
 #include "hapticut/loop/realtime_loop.hpp"
 #include "hapticut/loop/workspace_map.hpp"
 #include "hapticut/simulation/coupling.hpp"
@@ -13,21 +17,39 @@ namespace hapticut {
 
 /// How a simulation is driven by a device.
 struct SimulationModelOptions {
-  WorkspaceMapOptions map;  ///< from the device's base to the world
+  WorkspaceMapOptions map;
 
-  /// Between hand and tool; empty: the device is driven directly by the contact, which must then be as soft as the
-  /// device (`stiffness_for_device`).
+  /// As the device feels them: at another scale of the map the gains in the world are others. Without a coupling, the
+  /// contact must be as soft as what the device renders (`stiffness_for_device`).
   std::optional<CouplingGains> coupling;
 
-  /// While the guard holds the force back, and from then on until the tool has touched nothing, the spindle stands:
-  /// nothing is cut that the hand cannot feel, and a tool that begins inside the material does not eat its way out.
+  /// Nothing is cut that the hand cannot feel, and a tool that begins inside the material does not eat its way out.
   bool spindle_needs_force = true;
 
-  /// Blocks that may be cut after the undo marks, together; 2.7 kB each, for the way back and forth: see
-  /// Workpiece::reserve_undo. 0: reserves nothing.
+  /// 2.7 kB each, for the way back and forth: see Workpiece::reserve_undo.
   std::size_t undo_blocks = 0;
-  std::size_t undo_blocks_per_tick = 64;  ///< > 0, put back at most, or forth; 0.5 us each
+  std::size_t undo_blocks_per_tick = 64;
+
+  /// Not by itself, because when a piece leaves is no matter of the steps alone: two runs may differ, and a recording
+  /// ends there.
+  std::optional<IslandWatchOptions> islands;
 };
+
+constexpr auto fields_of(Of<SimulationModelOptions>) {
+  using O = SimulationModelOptions;
+  return std::tuple{
+      field("map", &O::map, "from the device's base to the world"),
+      field("coupling", &O::coupling, "between hand and tool; empty: the device is driven directly by the contact"),
+      field("spindle_needs_force", &O::spindle_needs_force,
+            "the spindle stands while the guard holds the force back, and from then on until the tool has touched "
+            "nothing"),
+      field("undo_blocks", &O::undo_blocks, "blocks", Range::not_negative(),
+            "that may be cut after the undo marks, together; 0: reserves nothing"),
+      field("undo_blocks_per_tick", &O::undo_blocks_per_tick, "blocks", Range::positive(),
+            "put back at most, or forth; 0.5 us each"),
+      field("islands", &O::islands, "pieces that are cut loose leave; empty: they stay where they are"),
+  };
+}
 
 /// A simulation as the model of a loop: the device moves its tool, its force goes to the device, and the blocks that it
 /// changes go to the thread that shows them.
@@ -37,8 +59,8 @@ struct SimulationModelOptions {
 class SimulationModel final : public LoopModel {
  public:
   /// @param device  whose guard must know of clutch and scale; the one that the loop runs
-  /// @throws Error when the map is not valid, the coupling does not suit the simulation, or the workpiece is too large
-  ///         for undo
+  /// @throws Error when the map is not valid, the coupling does not suit the simulation, the workpiece is too large for
+  ///         undo, or the device would be driven directly by a contact that is stiffer than what it renders
   SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options = {});
 
   /// The voxels whose blocks may change: RealtimeLoopOptions::region for pictures of the workpiece.
@@ -57,10 +79,14 @@ class SimulationModel final : public LoopModel {
   /// @throws Error as the constructor of Simulation
   [[nodiscard]] commands::ExchangeWorkpiece prepare_workpiece(Workpiece workpiece, Tool tool) const;
 
+  /// Takes the pieces that have left: IslandWatch::left. None without SimulationModelOptions::islands.
+  [[nodiscard]] std::vector<Island> islands_left();
+
   void check(const LoopCommand& command) const override;
 
   // --- the loop's side ----------------------------------------------------------------------------------------------
   Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override;
+  [[nodiscard]] ModelContact contact() const noexcept override { return contact_; }
   bool obey(LoopCommand& command) noexcept override;
   void mark_changes(BlockOutbox& outbox) noexcept override;
   void copy(ChangedBlock& block) noexcept override;
@@ -68,12 +94,17 @@ class SimulationModel final : public LoopModel {
  private:
   enum class Travel { none, back, forth };  // over an undo mark
 
+  void require_renderable(double contact_stiffness, const SimulationConfig& config, double relative_stiffness,
+                          double scale) const;
+  void check_scale(double scale) const;
+  [[nodiscard]] static bool is_foundation(const SimulationConfig& config) noexcept;
   [[nodiscard]] Wrench follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept;
   [[nodiscard]] Wrench move_tool(const DeviceState& state, double dt) noexcept;
   [[nodiscard]] Wrench hold_force(const DeviceState& state) const noexcept;
   void turn_spindle(ArmingState arming) noexcept;
   void travel(const DeviceState& state) noexcept;
-  void stay_with_hand(const DeviceState& state) noexcept;
+  void rest() noexcept;
+  [[nodiscard]] ModelContact describe_contact(const DeviceState& state, const Wrench& felt) const noexcept;
   void show(LoopSnapshot& snapshot) const noexcept;
 
   bool apply(const commands::SetSpindleSpeed& command) noexcept;
@@ -92,7 +123,7 @@ class SimulationModel final : public LoopModel {
   bool apply(const commands::HoldForce& command) noexcept;
   bool apply(commands::ExchangeWorkpiece& command) noexcept;
   bool begin(Travel way, std::size_t marks) noexcept;
-  void let_go() noexcept;
+  void feel_nothing(StepStatus status) noexcept;
   void after_exchange() noexcept;
 
   // As it was when the model was made; the senders of commands read it while the loop runs.
@@ -100,7 +131,11 @@ class SimulationModel final : public LoopModel {
   const double voxel_size_;  // [m]
   const std::size_t undo_blocks_;
   const IndexBox region_;
-  const bool coupled_;
+  const WorkspaceMapOptions first_map_;
+  const std::optional<CouplingGains> gains_;  // of the coupling, as the device feels them
+  const double renders_;                      // [N/m] the device; 0: not known, or a coupling stands between
+  const double relative_stiffness_;           // [1] largest of the materials
+  const double contact_stiffness_;            // [m^3] of the head, of unit k_v
 
   Simulation* simulation_;
   Device* device_;
@@ -115,9 +150,13 @@ class SimulationModel final : public LoopModel {
   Pose X_WH_;             // of the tool's handle
   ToolSnapshot tool_;
   Travel travel_ = Travel::none;
-  bool exchanged_ = false;  // since the last tick: something else may be where the tool is
-  bool may_cut_ = false;    // there is a force, and the tool was free since it came back
-  ChangedBlocks changed_;   // in this tick
+  bool unfelt_ = false;    // the next wrench, because the guard hears of its reason at the next reading only
+  bool touches_ = true;    // something, for all that is known
+  bool may_cut_ = false;   // there is a force, and the tool was free since it came back
+  bool books_energy_;      // the law, so that it is known what is stored
+  ModelContact contact_;   // of the last tick
+  ChangedBlocks changed_;  // in this tick
+  std::unique_ptr<IslandWatch> watch_;
 };
 
 /// Content of a block of a workpiece, for pictures and copies.

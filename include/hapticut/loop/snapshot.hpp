@@ -15,6 +15,7 @@ struct ToolSnapshot {
   Vec3 force = Vec3::Zero();   ///< [N] what the hand is meant to feel, in W
   Vec3 torque = Vec3::Zero();  ///< [N·m] about Ho, in W
   double removed_volume = 0;   ///< [m^3] since the loop began
+  double dissipated = 0;       ///< [J] by cutting and rubbing, since the loop began
   double contact_depth = 0;    ///< [m]
   int contact_voxels = 0;
   double spindle_speed = 0;            ///< [rad/s]
@@ -23,6 +24,7 @@ struct ToolSnapshot {
   std::uint64_t steps = 0;             ///< since the loop began
   std::size_t undo_marks = 0;          ///< that can be returned to
   std::size_t redo_marks = 0;          ///< undone ones that can be gone forth over
+  std::uint64_t islands = 0;           ///< pieces that were cut loose and have left
   bool undoing = false;         ///< on the way back to a mark: nothing is felt or cut, and what is of a step is 0
   bool redoing = false;         ///< on the way forth: the same
   bool force_held = false;      ///< by HoldForce

@@ -1,19 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/device_state.hpp"
+#include "hapticut/simulation/coupling.hpp"
 
 namespace hapticut {
 
 /// How the hand's space lies in the world.
 struct WorkspaceMapOptions {
-  Pose X_WB;                ///< pose of the device's base in the world: where its origin is, where it looks
-  double scale = 1;         ///< [1] > 0, metres in the world per metre of the hand
-  double force_scale = 1;   ///< [1] > 0, newtons at the hand per newton in the world; `scale` preserves power
-  double torque_scale = 1;  ///< [1] > 0, the same for torques; 1 preserves power
-  Pose X_SH;                ///< pose of the tool's handle in the stylus frame; its lever is not scaled
-  bool orientation = true;  ///< false for devices of three degrees of freedom: the tool keeps its orientation
+  Pose X_WB;
+  double scale = 1;
+  double force_scale = 1;
+  double torque_scale = 1;
+  Pose X_SH;
+  bool orientation = true;
 };
+
+constexpr auto fields_of(Of<WorkspaceMapOptions>) {
+  using O = WorkspaceMapOptions;
+  return std::tuple{
+      field("X_WB", &O::X_WB, "pose of the device's base in the world: where its origin is, where it looks"),
+      field("scale", &O::scale, "1", Range::positive(), "metres in the world per metre of the hand"),
+      field("force_scale", &O::force_scale, "1", Range::positive(),
+            "newtons at the hand per newton in the world; scale preserves power"),
+      field("torque_scale", &O::torque_scale, "1", Range::positive(), "the same for torques; 1 preserves power"),
+      field("X_SH", &O::X_SH, "pose of the tool's handle in the stylus frame; its lever is not scaled"),
+      field("orientation", &O::orientation,
+            "false for devices of three degrees of freedom: the tool keeps its orientation"),
+  };
+}
+
+/// The gains in the world of a coupling that shall feel at the hand as `felt`: stiffness, damping and mass are smaller
+/// by scale and force_scale, the limits by force_scale, and what turns by torque_scale.
+[[nodiscard]] CouplingGains gains_in_world(const CouplingGains& felt, const WorkspaceMapOptions& map) noexcept;
 
 /// Takes poses from a device to the world and forces back, with a scale and a clutch.
 ///
@@ -48,7 +68,8 @@ class WorkspaceMap {
   bool set_scale(double scale, const Pose& X_BS) noexcept;
 
   [[nodiscard]] bool engaged() const { return engaged_; }
-  [[nodiscard]] double scale() const { return options_.scale; }
+  [[nodiscard]] double scale() const { return options_.scale; }                  ///< [1] world over hand, as it is now
+  [[nodiscard]] const WorkspaceMapOptions& options() const { return options_; }  ///< as they are now
 
   /// X_WH, the pose of the handle.
   [[nodiscard]] Pose to_world(const Pose& X_BS) const noexcept;

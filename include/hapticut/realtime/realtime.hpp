@@ -6,16 +6,31 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/core/description.hpp"
+
 namespace hapticut {
 
 /// How a thread is made fit for a 1 kHz loop.
 struct RealtimeOptions {
-  int priority = 80;               ///< [1 ... 99] of SCHED_FIFO; 0: leave the scheduler as it is
-  bool lock_memory = true;         ///< keep the process in memory, and let malloc give nothing back
-  bool flush_denormals = true;     ///< numbers below 1e-308 count as zero: they are slow and mean nothing here
-  int cpu = -1;                    ///< the only processor that the thread may use; -1: any
-  std::size_t stack = 256 * 1024;  ///< [bytes] of the stack that are touched in advance
+  int priority = 80;
+  bool lock_memory = true;
+  bool flush_denormals = true;
+  int cpu = -1;
+  std::size_t stack = 256 * 1024;
 };
+
+constexpr auto fields_of(Of<RealtimeOptions>) {
+  using O = RealtimeOptions;
+  return std::tuple{
+      field("priority", &O::priority, "1", Range::between(0, 99), "of SCHED_FIFO; 0: leave the scheduler as it is"),
+      field("lock_memory", &O::lock_memory, "keep the process in memory, and let malloc give nothing back"),
+      field("flush_denormals", &O::flush_denormals,
+            "numbers below 1e-308 count as zero: they are slow and mean nothing here"),
+      field("cpu", &O::cpu, "1", Range::between(-1, 1023), "the only processor that the thread may use; -1: any"),
+      field("stack", &O::stack, "bytes", Range::between(0, 4 * 1024 * 1024),
+            "of the stack that are touched in advance"),
+  };
+}
 
 /// Makes the calling thread fit for a loop for as long as it lives, and puts it back afterwards.
 ///

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
+#include "hapticut/core/description.hpp"
 #include "hapticut/safety/safety_log.hpp"
 
 namespace hapticut {
@@ -9,7 +12,7 @@ namespace hapticut {
 enum class ArmingState : std::uint8_t {
   off,        ///< before the run and after it: no force
   armed,      ///< the run has begun; waiting for valid readings: no force
-  wait_free,  ///< waiting until the model asks for no force, that is until the tool touches nothing: no force
+  wait_free,  ///< waiting until the tool touches nothing: no force
   ramp,       ///< the force is faded in
   on,         ///< the full force
   fault,      ///< latched until reset: no force
@@ -27,13 +30,28 @@ constexpr auto names_of(Of<ArmingState>) {
 
 /// When a force is allowed, and how it begins.
 struct ArmingOptions {
-  int valid_ticks = 10;       ///< [ticks] of accepted readings in a row before the device counts as ready
-  double free_force = 0.2;    ///< [N] below which the tool counts as free
-  double free_torque = 0.02;  ///< [N·m]
-  int free_ticks = 4;         ///< [ticks] in a row that the tool must be free
-  double ramp = 1.5;          ///< [s] over which the first force is faded in
-  double short_ramp = 0.25;   ///< [s] after a late tick, a clutch or another interruption that was announced
+  int valid_ticks = 10;
+  double free_force = 0.2;
+  double free_torque = 0.02;
+  int free_ticks = 4;
+  double ramp = 1.5;
+  double short_ramp = 0.25;
 };
+
+constexpr auto fields_of(Of<ArmingOptions>) {
+  using O = ArmingOptions;
+  return std::tuple{
+      field("valid_ticks", &O::valid_ticks, "ticks", Range::between(1, 10000),
+            "of accepted readings in a row before the device counts as ready"),
+      field("free_force", &O::free_force, "N", Range::positive(),
+            "below which the tool counts as free, of a model that does not say whether it touches anything"),
+      field("free_torque", &O::free_torque, "N m", Range::positive(), "the same of the torque"),
+      field("free_ticks", &O::free_ticks, "ticks", Range::between(1, 10000), "in a row that the tool must be free"),
+      field("ramp", &O::ramp, "s", Range::between(0.02, 60), "over which the first force is faded in"),
+      field("short_ramp", &O::short_ramp, "s", Range::between(0.02, 60),
+            "after a late tick, a clutch or another interruption that was announced"),
+  };
+}
 
 /// The state machine that decides whether the hand may feel a force: off, armed, wait until free, fade in, on, fault.
 ///
@@ -61,8 +79,10 @@ class Arming {
   /// @param reading_ok   the gate accepted the reading
   /// @param force        [N] that the model asks for
   /// @param torque       [N·m] that the model asks for
+  /// @param touching     whether the tool touches anything; empty: judged by force and torque
   /// @return [1] the share of the force that is allowed
-  double tick(double dt, bool reading_ok, double force, double torque, SafetyLog& log) noexcept;
+  double tick(double dt, bool reading_ok, double force, double torque, std::optional<bool> touching,
+              SafetyLog& log) noexcept;
 
   [[nodiscard]] ArmingState state() const { return state_; }
 

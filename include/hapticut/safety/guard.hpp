@@ -32,18 +32,49 @@ struct GuardOptions {
   ThermalOptions thermal;
   WatchdogOptions watchdog;
 
-  double period = 1e-3;          ///< [s] > 0 of a tick
-  double greatest_force = 0;     ///< [N] of the output; 0: the device's peak; never more than it
-  double greatest_torque = 0;    ///< [N·m] of the output; 0: the device's peak; never more than it
-  double slew = 0;               ///< [N/s] by which the force may grow; 0: 1.25 x stiffness x fastest_contact
-  double torque_slew = 0;        ///< [N·m/s]; 0: as long to the peak as for the force
-  double stiffness = 0;          ///< [N/m] that the device feels, scales included; 0: what the device promises
-  double fastest_contact = 0.5;  ///< [m/s] at which a surface is met
-  double ramp_damping = -1;      ///< [N·s/m] while the force fades in; < 0: a fifth of what the device promises
-  double late = 5e-3;            ///< [s] a tick that comes later than this needs a free tool again
-  double pause = 20e-3;          ///< [s] ... and, later than this, the long fade-in
-  int not_finite_ticks = 3;      ///< [ticks] in a row of a wrench that is not finite before the fault
+  double period = 1e-3;
+  double greatest_force = 0;
+  double greatest_torque = 0;
+  double slew = 0;
+  double torque_slew = 0;
+  double stiffness = 0;
+  double fastest_contact = 0.5;
+  double ramp_damping = -1;
+  double late = 5e-3;
+  double pause = 20e-3;
+  int not_finite_ticks = 3;
 };
+
+constexpr auto fields_of(Of<GuardOptions>) {
+  using O = GuardOptions;
+  return std::tuple{
+      field("gate", &O::gate, "what a reading must be to be believed"),
+      field("arming", &O::arming, "when a force is allowed, and how it begins"),
+      field("passivity", &O::passivity, "how much energy the model may put into the hand"),
+      field("thermal", &O::thermal, "when the motors count as too warm"),
+      field("watchdog", &O::watchdog, "how long a force may live without a new one"),
+      field("period", &O::period, "s", Range::positive(), "of a tick"),
+      field("greatest_force", &O::greatest_force, "N", Range::not_negative(),
+            "of the output; 0: the device's peak; never more than it"),
+      field("greatest_torque", &O::greatest_torque, "N m", Range::not_negative(),
+            "of the output; 0: the device's peak; never more than it"),
+      field("slew", &O::slew, "N/s", Range::not_negative(),
+            "by which the force may grow; 0: 1.25 x stiffness x fastest_contact, and no less is allowed"),
+      field("torque_slew", &O::torque_slew, "N m/s", Range::not_negative(),
+            "the same of the torque; 0: as long to the peak as for the force"),
+      field("stiffness", &O::stiffness, "N/m", Range::not_negative(),
+            "that the device feels, scales included; 0: what the device promises"),
+      field("fastest_contact", &O::fastest_contact, "m/s", Range::positive(), "at which a surface is met"),
+      field("ramp_damping", &O::ramp_damping, "N s/m",
+            "while the force fades in; < 0: a fifth of what the device promises"),
+      field("late", &O::late, "s", Range::between(0, 1),
+            "a tick that comes later than this needs a free tool again; not below period"),
+      field("pause", &O::pause, "s", Range::between(0, 10),
+            "... and, later than this, the long fade-in; not below late"),
+      field("not_finite_ticks", &O::not_finite_ticks, "ticks", Range::between(1, 50),
+            "in a row of a wrench that is not finite before the fault"),
+  };
+}
 
 /// The safety pipeline between a device and the code that computes its force. Always on; every stage can only take
 /// force away (or, damping, oppose the motion).
@@ -73,8 +104,9 @@ class SafetyGuard {
   [[nodiscard]] const DeviceState& admitted() const noexcept { return gate_.state(); }
 
   /// Turns the wrench that the model asks for into the one that the device may render.
+  /// @param contact  what the model knows of the contact behind it
   /// @realtime no allocation, no lock
-  Wrench release(const Wrench& commanded) noexcept;
+  Wrench release(const Wrench& commanded, const ModelContact& contact = {}) noexcept;
 
   /// What a watchdog in another thread, or a bench, sees of a loop that does not answer: enters each verdict once in a
   /// silence, and latches the fault where WatchdogOptions::latch says so. One thread at a time; `alive` ends a silence.
@@ -109,7 +141,7 @@ class SafetyGuard {
   void fail_in_emergency() noexcept;
   void watch_units(const DeviceState& reading) noexcept;
   [[nodiscard]] Wrench finite_or_none(const Wrench& commanded) noexcept;
-  [[nodiscard]] Wrench make_passive(const Wrench& wrench) noexcept;
+  [[nodiscard]] Wrench make_passive(const Wrench& wrench, const ModelContact& contact) noexcept;
   [[nodiscard]] Wrench bound(const Wrench& wrench) noexcept;
 
   DeviceCapabilities capabilities_;

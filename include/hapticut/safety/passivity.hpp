@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 
 namespace hapticut {
@@ -10,27 +12,54 @@ namespace hapticut {
 /// How the passivity controller watches. Energies in [J], for the translation; the rotation has its own instance.
 struct PassivityOptions {
   bool enabled = true;
-  double credit = 5e-3;  ///< [J] that the model may have absorbed and give back later: more is forgotten
-  double allowance = 0;  ///< [J] that the model may generate, for a device whose own friction takes it
-  double greatest = 0;   ///< [N or N·m] of the damping; 0: the device's peak
-  /// [N·s/m or N·m·s/rad] of the damping at most; 0: no bound. Without one, a force of any size answers the smallest
-  /// motion. SafetyGuard fills in what the device can render.
+  double credit = 0;
+  double allowance = 0;
+
+  /// What a force that is held between ticks gives back of a passive spring, k |dx|^2/2 a tick, is not held against
+  /// it; with `delay`, 1 + 2 delay times as much. SafetyGuard fills in what the device renders.
+  double stiffness = 0;
+  double greatest = 0;
+
+  /// Without a bound, a force of any size answers the smallest motion. SafetyGuard fills in what the device can render.
   double greatest_damping = 0;
-  double slowest = 1e-6;  ///< [m/s or rad/s] below which nothing is damped
-  double free = 1e-3;     ///< [N or N·m] a shorter force counts as zero
-  int delay = 0;          ///< [ticks] 0 ... 8 between a written force and the one that acts, beyond the hold
-  int free_ticks = 20;    ///< without a force after which the account is closed
+  double slowest = 1e-6;
+  double free = 1e-3;
+  int delay = 0;
 };
+
+constexpr auto fields_of(Of<PassivityOptions>) {
+  using O = PassivityOptions;
+  return std::tuple{
+      field("enabled", &O::enabled, "false: watches nothing and damps nothing"),
+      field("credit", &O::credit, "J", Range::not_negative(),
+            "that the model may have absorbed and give back later: more is forgotten; 0: what it says that it has "
+            "stored, or all of it"),
+      field("allowance", &O::allowance, "J", Range::not_negative(),
+            "that the model may generate, for a device whose own friction takes it"),
+      field("stiffness", &O::stiffness, "N/m or N m/rad", Range::not_negative(),
+            "of the stiffest contact that counts as passive; 0: what the device renders"),
+      field("greatest", &O::greatest, "N or N m", Range::not_negative(), "of the damping; 0: the device's peak"),
+      field("greatest_damping", &O::greatest_damping, "N s/m or N m s/rad", Range::not_negative(),
+            "of the damping at most; 0: no bound"),
+      field("slowest", &O::slowest, "m/s or rad/s", Range::positive(), "below which nothing is damped"),
+      field("free", &O::free, "N or N m", Range::not_negative(), "a shorter force counts as zero"),
+      field("delay", &O::delay, "ticks", Range::between(0, 8),
+            "between a written force and the one that acts, beyond the hold"),
+  };
+}
 
 /// Watches how much energy a model puts into a hand, and takes out by damping what it should not have.
 ///
-/// The account is exact for a force that is held between ticks (Stramigioli et al., Ryu et al.):
+/// The account is of the contact: the force that was applied less its effects (weight, vibration). It is exact for a
+/// force that is held between ticks (Stramigioli et al., Ryu et al.), and open while there is a force:
 ///
-///     W(n) = W(n-1) - F(n-1) · (x(n) - x(n-1)),   F on the device as it was applied,
+///     W(n) = min(W(n-1) - F(n-1) · dx + (1 + 2 delay) k |dx|^2/2,  stored),   dx = x(n) - x(n-1)
 ///
-/// W > 0 is energy that went into the model. When W falls below minus the allowance, a damping force `-a v` is added
-/// with `a = -W / (v^2 T)`, bounded by a damping and a force (time-domain passivity control, Hannaford and Ryu 2002).
-/// It acts one tick late and is bounded by the device: a strong help, not a proof.
+/// W > 0 is energy that went into the model and that it has stored; what it cut and rubbed away is forgotten. The term
+/// with k is what holding the force of a passive spring gives back by itself. When W falls below minus the allowance,
+/// a damping force `-a v` is added with `a = -W / (v^2 T)`, bounded by a damping and a force (time-domain passivity
+/// control, Hannaford and Ryu 2002). It acts one tick late and is bounded by the device: a strong help, not a proof.
+/// With the last force the account is closed: nothing is damped in free air.
 ///
 /// A spindle that drags the tool sideways does generate energy; the controller then holds the hand back gently, which
 /// is what a guard is for.
@@ -40,12 +69,18 @@ class PassivityController {
   /// @throws Error when an option is out of range
   PassivityController(const PassivityOptions& options, double greatest);
 
-  /// @param force     [N] that the model asks for
-  /// @param applied   [N] written to the device at the last tick
-  /// @param motion    [m] of the device since the last tick
-  /// @param dt        [s] since the last tick
+  /// What is known in a tick.
+  struct Tick {
+    Vec3 force = Vec3::Zero();     ///< [N] that the model asks for
+    Vec3 effects = Vec3::Zero();   ///< [N] of it that are not of contact
+    Vec3 applied = Vec3::Zero();   ///< [N] written to the device at the last tick
+    Vec3 motion = Vec3::Zero();    ///< [m] of the device since the last tick
+    double dt = 0;                 ///< [s] since the last tick
+    std::optional<double> stored;  ///< [J] by the model; empty: not known
+  };
+
   /// @return [N] the force with what damping it takes
-  [[nodiscard]] Vec3 control(const Vec3& force, const Vec3& applied, const Vec3& motion, double dt) noexcept;
+  [[nodiscard]] Vec3 control(const Tick& tick) noexcept;
 
   void restart() noexcept;
 
@@ -56,8 +91,9 @@ class PassivityController {
   PassivityOptions options_;
   double greatest_;
   double stored_ = 0, taken_ = 0;
-  int free_ = 0;
-  static constexpr int kLongestDelay = 8;
+  double asked_ = 0;             // [N] for at the last tick
+  Vec3 effects_ = Vec3::Zero();  // [N] of that
+  static constexpr auto kLongestDelay = std::size_t(range_of(&PassivityOptions::delay).high);
   std::array<Vec3, kLongestDelay> under_way_;
   int next_ = 0;
 };

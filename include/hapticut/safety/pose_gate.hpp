@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/device_state.hpp"
 #include "hapticut/safety/safety_log.hpp"
 
@@ -10,15 +11,35 @@ namespace hapticut {
 
 /// What a reading must be to be believed.
 struct PoseGateOptions {
-  double fastest = 2.0;              ///< [m/s] > 0; a hand with a stylus reaches 1 to 2
-  double fastest_turn = 30;          ///< [rad/s] > 0
-  double workspace_margin = 0.05;    ///< [m] beyond the device's own box that is still believed
-  double rotation_tolerance = 1e-3;  ///< [1] of the entries of R R^T - 1; inexact ones are made exact
-  int hold_ticks = 20;               ///< bad readings in a row after which the gate gives up
-  int frozen_ticks = 30;             ///< ticks of a position that stands still bit by bit while others move
-  double frozen_turn = 0.1;          ///< [rad] within 0.1 s that contradict a position that stands still
-  double frozen_speed = 5e-3;        ///< [m/s] reported speed that contradicts a position that stands still
+  double fastest = 2.0;
+  double fastest_turn = 30;
+  double workspace_margin = 0.05;
+  double rotation_tolerance = 1e-3;
+  int hold_ticks = 20;
+  int frozen_ticks = 30;
+  double frozen_turn = 0.1;
+  double frozen_speed = 5e-3;
 };
+
+constexpr auto fields_of(Of<PoseGateOptions>) {
+  using O = PoseGateOptions;
+  return std::tuple{
+      field("fastest", &O::fastest, "m/s", Range::positive(), "a hand with a stylus reaches 1 to 2"),
+      field("fastest_turn", &O::fastest_turn, "rad/s", Range::positive(), "the same of its turning"),
+      field("workspace_margin", &O::workspace_margin, "m", Range::not_negative(),
+            "beyond the device's own box that is still believed"),
+      field("rotation_tolerance", &O::rotation_tolerance, "1", Range::between(0, 0.1),
+            "of the entries of R R^T - 1; inexact ones are made exact"),
+      field("hold_ticks", &O::hold_ticks, "ticks", Range::between(1, 50),
+            "bad readings in a row after which the gate gives up"),
+      field("frozen_ticks", &O::frozen_ticks, "ticks", Range::between(2, 1000),
+            "of a position that stands still bit by bit while others move"),
+      field("frozen_turn", &O::frozen_turn, "rad", Range::limit(),
+            "within 0.1 s that contradict a position that stands still"),
+      field("frozen_speed", &O::frozen_speed, "m/s", Range::limit(),
+            "reported speed that contradicts a position that stands still"),
+  };
+}
 
 /// The first stage of the safety pipeline: lets plausible readings through, holds the last good one in place of others.
 /// @realtime no allocation, no lock
@@ -57,5 +78,14 @@ class PoseGate {
   int resting_ = 0, contradicted_ = 0;
   Pose X_BS_still_;
 };
+
+constexpr auto names_of(Of<PoseGate::Verdict>) {
+  using enum PoseGate::Verdict;
+  return std::array{
+      Named{accepted, "accepted"},
+      Named{held, "held"},
+      Named{lost, "lost"},
+  };
+}
 
 }  // namespace hapticut

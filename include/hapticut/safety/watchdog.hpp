@@ -6,22 +6,37 @@
 #include <functional>
 #include <memory>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/safety/safety_log.hpp"
 
 namespace hapticut {
 
 /// How long a force may live without a new one.
 struct WatchdogOptions {
-  double period = 1e-3;  ///< [s] > 0 of a tick
-  int late_ticks = 3;    ///< after which it is reported
-  int fade_ticks = 10;   ///< after which the last force is faded out
-  double fade = 0.03;    ///< [s] of the fading
-  int fault_ticks = 50;  ///< after which it is reported as a fault
+  double period = 1e-3;
+  int late_ticks = 3;
+  int fade_ticks = 10;
+  double fade = 0.03;
+  int fault_ticks = 50;
 
-  /// What a loop finds that comes back after fault_ticks. false: what it finds after any pause: no force until the tool
-  /// was free, and then the long fade-in. true: the fault state, which lasts until `reset_fault`.
+  /// false: what a loop finds after any pause: no force until the tool was free, and then the long fade-in. true: the
+  /// fault state, which lasts until `reset_fault`.
   bool latch = false;
 };
+
+constexpr auto fields_of(Of<WatchdogOptions>) {
+  using O = WatchdogOptions;
+  return std::tuple{
+      field("period", &O::period, "s", Range::positive(), "of a tick"),
+      field("late_ticks", &O::late_ticks, "ticks", Range::between(1, 1000), "after which it is reported"),
+      field("fade_ticks", &O::fade_ticks, "ticks", Range::between(1, 1000),
+            "after which the last force is faded out, not below late_ticks"),
+      field("fade", &O::fade, "s", Range::positive(), "of the fading"),
+      field("fault_ticks", &O::fault_ticks, "ticks", Range::positive(),
+            "after which it is reported as a fault, not before the force has faded out"),
+      field("latch", &O::latch, "what a loop finds that comes back after fault_ticks"),
+  };
+}
 
 /// What to do about a model that has not answered for a while. Pure logic; callers bring the time.
 class Watchdog {
@@ -41,6 +56,16 @@ class Watchdog {
  private:
   WatchdogOptions options_;
 };
+
+constexpr auto names_of(Of<Watchdog::Verdict>) {
+  using enum Watchdog::Verdict;
+  return std::array{
+      Named{alive, "alive"},
+      Named{late, "late"},
+      Named{fading, "fading"},
+      Named{dead, "dead"},
+  };
+}
 
 /// A thread that watches a heartbeat by the wall clock, for devices that keep rendering the last force when no new one
 /// is written.

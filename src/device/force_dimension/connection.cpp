@@ -20,7 +20,6 @@ namespace hapticut::force_dimension {
 namespace {
 
 constexpr double kWatchdogUnit = 125e-6;  // [s]
-constexpr double kShortestWatchdog = 2e-3, kLongestWatchdog = 255 * kWatchdogUnit;
 
 // Of a device that is not in the table: less than any that is.
 constexpr double kCarefulStiffness = 400;  // [N/m]
@@ -101,8 +100,7 @@ int open_by_name(const std::string& name) {
 }  // namespace
 
 Connection::Connection(const ForceDimensionOptions& options) : options_(options) {
-  require_between(options.watchdog, kShortestWatchdog, kLongestWatchdog, "ForceDimensionOptions::watchdog [s]");
-  require_not_negative(options.effector_mass, "ForceDimensionOptions::effector_mass [kg]");
+  require_fields_within(options, "ForceDimensionOptions::");
   open(options.device_name);
   try {
     describe_device();

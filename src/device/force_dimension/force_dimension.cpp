@@ -59,6 +59,7 @@ class ForceDimensionDevice final : public PolledDevice {
   int failures_ = 0;                    // calls in a row
   std::uint64_t saturated_ = 0;
   std::array<std::uint64_t, std::size_t(ForceOff::count)> switched_off_{};
+  Wrench rendered_;
   DeviceFault fatal_ = DeviceFault::none;
   int fatal_error_ = 0;
   std::array<char, 128> fatal_words_{};
@@ -81,6 +82,7 @@ void ForceDimensionDevice::begin_run(const RunOptions& options) {
   ours_ = false;
   cause_ = ForceOff::none;
   failures_ = fatal_error_ = 0;
+  rendered_ = {};
   fatal_ = DeviceFault::none;
   fatal_words_.fill('\0');
   switched_off_.fill(0);
@@ -163,7 +165,13 @@ Wrench ForceDimensionDevice::write(const Wrench& wrench) noexcept {
   const bool counts = on_ || (calibrated_ && !ours_ && comes_back(cause_));
   if (counts) note(written);
   if (answered_ && (written.ok || !counts)) failures_ = 0;
-  return on_ ? wrench : Wrench{};
+  // A command that did not get through leaves the one before it, but not in a device that is gone; forces that come
+  // back begin without any.
+  if (!on_ || fatal_ == DeviceFault::disconnected)
+    rendered_ = {};
+  else if (written.ok)
+    rendered_ = wrench;
+  return rendered_;
 }
 
 // While the loop does not answer: a smaller share of its last force, which also feeds the device's watchdog and carries

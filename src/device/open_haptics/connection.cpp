@@ -18,6 +18,10 @@ namespace {
 constexpr double kPerMillimetre = 1000;  // [1/m] N/mm to N/m
 constexpr int kTriesToReopen = 10;
 
+// The guard lets a force go at once and grow slowly, also to the other side: the driver must bear a step of this many
+// times the peak force.
+constexpr double kGreatestStep = 1.25;  // [1]
+
 std::atomic<int> open_connections{0};
 
 /// Numbers are read with a decimal point while the driver reads its files: with a decimal comma some drivers read
@@ -191,6 +195,10 @@ void Connection::enable_force(bool on) {
       for (const HDenum safety :
            {HDenum(HD_FORCE_RAMPING), HDenum(HD_MAX_FORCE_CLAMPING), HDenum(HD_SOFTWARE_FORCE_LIMIT)})
         hdEnable(safety);
+      // The default of a few newtons would switch the motors of a strong device off when it lets go.
+      const HDdouble needed = kGreatestStep * capabilities_.peak_force;
+      const double allowed = number(HD_SOFTWARE_FORCE_IMPULSE_LIMIT);
+      if (allowed > 0 && allowed < needed) hdSetDoublev(HD_SOFTWARE_FORCE_IMPULSE_LIMIT, &needed);
       hdEnable(HD_FORCE_OUTPUT);
     } else {
       hdDisable(HD_FORCE_OUTPUT);

@@ -54,9 +54,7 @@ class OpenHapticsDevice final : public Device {
   OpenHapticsDevice(const OpenHapticsOptions& options, const std::string& name)
       : Device(name, {}), options_(options), connection_(options) {
     set_capabilities(connection_.capabilities());
-    require_positive(options.rate, "OpenHapticsOptions::rate [Hz]");
-    require_positive(options.start_timeout, "OpenHapticsOptions::start_timeout [s]");
-    require_positive(options.silence, "OpenHapticsOptions::silence [s]");
+    require_fields_within(options, "OpenHapticsOptions::");
     if (!options_.clock) options_.clock = monotonic_time;
   }
 
@@ -221,7 +219,14 @@ std::string OpenHapticsDevice::drive(Servo& servo, const RunOptions& options) {
   });
   connection_.enable_force(true);
   phase_.store(Phase::running, std::memory_order_release);
-  const HDSchedulerHandle handle = scheduler.join(on_tick, this, options_.rate);
+  HDSchedulerHandle handle{};
+  try {
+    handle = scheduler.join(on_tick, this, options_.rate);
+  } catch (...) {
+    connection_.enable_force(false);
+    servo_ = nullptr;
+    throw;
+  }
 
   using Clock = std::chrono::steady_clock;
   const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
@@ -243,7 +248,10 @@ std::string OpenHapticsDevice::drive(Servo& servo, const RunOptions& options) {
   servo_ = nullptr;
   if (silent && last == 0)
     throw Error("The OpenHaptics scheduler runs but never calls back; check that no other program uses the device.");
-  if (silent) return "the driver stopped calling back; " + describe(DeviceFault::disconnected);
+  if (silent) {
+    servo.report_lost(DeviceFault::disconnected);
+    return "the driver stopped calling back; " + describe(DeviceFault::disconnected);
+  }
   if (!fatal_.any()) return "stopped";
   servo.warn("OpenHaptics: " + fatal_.describe());
   return describe(fault_ == DeviceFault::none ? DeviceFault::disconnected : fault_);

@@ -17,8 +17,7 @@ constexpr double kLongestRun = 1e6;  // [s] that a text may ask for
 MockOptions with_defaults(MockOptions options) {
   if (!options.path) options.path = scripted_path("rest");
   if (options.device.mass == 0) options.device = device_model("touch");
-  require_not_negative(options.velocity_filter, "MockOptions::velocity_filter [Hz]");
-  require_not_negative(options.end, "MockOptions::end [s]");
+  require_fields_within(options, "MockOptions::");
   return options;
 }
 
@@ -58,7 +57,8 @@ bool MockDevice::read(DeviceState& state) noexcept {
   else
     plant_.set_target(options_.path(time));
   const Pose X_BS = plant_.measured_pose();
-  const Twist raw = twist_between(X_BS_last_, X_BS, options_.period);
+  Twist raw = twist_between(X_BS_last_, X_BS, options_.period);
+  if (!is_finite(raw.linear) || !is_finite(raw.angular)) raw = {};  // or a pose that is no number would stay for ever
   const double memory =
       options_.velocity_filter > 0 ? std::exp(-2 * units::kPi * options_.velocity_filter * options_.period) : 0;
   velocity_.linear = memory * velocity_.linear + (1 - memory) * raw.linear;

@@ -17,8 +17,9 @@ DeviceCapabilities capabilities_of_a_mouse(const MouseOptions& options) {
   model.workspace_half_width = options.reach;
   DeviceCapabilities c = capabilities(model);
   c.model = "mouse";
-  c.continuous_force = 0;  // nothing gets warm
-  c.continuous_torque = 0;
+  c.continuous_force = 0;           // nothing gets warm
+  c.output_degrees_of_freedom = 3;  // its gimbal turns with the keys, whatever the torque
+  c.peak_torque = c.continuous_torque = c.rotational_stiffness = 0;
   c.hard_realtime = false;
   return c;
 }
@@ -44,12 +45,7 @@ MouseDevice::MouseDevice(const MouseOptions& options)
       options_(options),
       plant_(device_model(options.device), hand_model(options.hand), {}),
       inputs_(std::make_unique<Inputs>()) {
-  require_positive(options.per_pixel, "MouseOptions::per_pixel [m]");
-  require_positive(options.per_notch, "MouseOptions::per_notch [m]");
-  require_not_negative(options.key_speed, "MouseOptions::key_speed [m/s]");
-  require_not_negative(options.key_turn, "MouseOptions::key_turn [rad/s]");
-  require_positive(options.reach, "MouseOptions::reach [m]");
-  require_positive(options.fastest, "MouseOptions::fastest [m/s]");
+  require_fields_within(options, "MouseOptions::");
 }
 
 MouseDevice::~MouseDevice() = default;
@@ -83,6 +79,7 @@ void MouseDevice::begin_run(const RunOptions& options) {
   simulated_ = options.simulated_time;
   tick_ = 0;
   turn_ = 0;
+  for (std::atomic<double>* moved : {&inputs_->x, &inputs_->y, &inputs_->z}) moved->store(0);  // before the run
   target_ = {};
   wanted_.setZero();
   plant_ = Plant(plant_.device(), plant_.hand(), {period_, period_ / 50, false, false, false});

@@ -32,14 +32,9 @@ Plant::Plant(const DeviceModel& device, const HandModel& hand, const PlantOption
       options_(options),
       tip_mass_(device.mass + (hand.pad_stiffness > 0 ? 0 : hand.mass)),
       tip_damping_(device.damping + (hand.pad_stiffness > 0 ? 0 : hand.damping)) {
-  require_positive(options.period, "PlantOptions::period [s]");
-  require_positive(options.fine_step, "PlantOptions::fine_step [s]");
-  require_positive(device.mass, "DeviceModel::mass [kg]");
-  require_not_negative(device.damping, "DeviceModel::damping [N·s/m]");
-  require_not_negative(device.dry_friction, "DeviceModel::dry_friction [N]");
-  require_not_negative(device.encoder_step, "DeviceModel::encoder_step [m]");
-  require_positive(device.rotational_inertia, "DeviceModel::rotational_inertia [kg·m^2]");
-  require_not_negative(hand.stiffness, "HandModel::stiffness [N/m]");
+  require_fields_within(options, "PlantOptions::");
+  require_fields_within(device, "DeviceModel::");
+  require_fields_within(hand, "HandModel::");
   if (has_pad()) require_positive(hand.mass, "HandModel::mass [kg]");
   tick_ = propagator(options.period);
   fine_ = propagator(options.fine_step);

@@ -94,6 +94,26 @@ TEST(MouseDevice, IsPushedBackByTheForce) {
   EXPECT_NEAR(mouse.set_point().z(), -10e-3, 1e-9);
 }
 
+TEST(MouseDevice, ForgetsWhatMovedBeforeTheRunButNotWhatIsHeld) {
+  MouseDevice mouse;
+  mouse.pointer_moved(200, 100);
+  mouse.wheel_turned(3);
+  mouse.button(1, true);
+  const DeviceState state = after(
+      mouse, [] {}, 500);
+  EXPECT_EQ(state.X_BS.translation, Vec3::Zero()) << "relative to the point where the run began";
+  EXPECT_TRUE(state.pressed(1));
+}
+
+TEST(MouseDevice, HasNoTorqueWhateverDeviceItStandsFor) {
+  MouseOptions options;
+  options.device = "premium6dof";
+  const DeviceCapabilities c = MouseDevice(options).capabilities();
+  EXPECT_EQ(c.output_degrees_of_freedom, 3);
+  EXPECT_EQ(c.peak_torque, 0);
+  EXPECT_EQ(c.peak_force, 8.5);
+}
+
 TEST(MouseDevice, IsOpenedByNameAndPromisesNoRate) {
   const auto mouse = open_device("mouse");
   EXPECT_FALSE(mouse->capabilities().hard_realtime);

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <dhdsim.h>
 #include <gtest/gtest.h>
-#include <hdsim.h>
 
 #include <array>
-#include <atomic>
 #include <limits>
-#include <thread>
 #include <variant>
 
 #include "hapticut/device/force_dimension.hpp"
-#include "hapticut/device/open_haptics.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/loop/block_outbox.hpp"
 #include "hapticut/loop/realtime_loop.hpp"
@@ -19,6 +15,7 @@
 #include "hapticut/workpiece/builders.hpp"
 #include "support/allocation_count.hpp"
 #include "support/cutting.hpp"
+#include "support/loop_rig.hpp"
 
 namespace hapticut::loop_allocation_test {
 namespace {
@@ -48,19 +45,6 @@ RunOptions quick() {
   return options;
 }
 
-TEST(LoopOfAMock, AllocatesNothingAndTakesNoLock) {
-  test::CallCounts counts;
-  RunOptions options = quick();
-  options.simulated_time = true;
-  const RunReport report = open_device("mock:spiral,hand=nominal-pad,device=premium6dof")
-                               ->run(CountingCallback{10, 9000, 0, &counts}, options);
-  EXPECT_EQ(report.ticks, 9000U);
-  EXPECT_EQ(counts.allocations, 0);
-  EXPECT_EQ(counts.deallocations, 0);
-  EXPECT_EQ(counts.locks, 0);
-  EXPECT_GT(report.events[std::size_t(SafetyEvent::saturated)], 0U);
-}
-
 /// A simulation in the loop that cuts, is marked, and goes back again and again; changed blocks on their way out.
 struct UndoingLoop {
   explicit UndoingLoop(bool coupled)
@@ -81,7 +65,7 @@ struct UndoingLoop {
     options.map.X_WB = Pose::from_translation(Vec3(0, 0, kRadius));
     options.undo_blocks = 500;  // less than is cut: marks are forgotten on the way
     options.undo_blocks_per_tick = 1;
-    if (coupled) options.coupling = coupling_gains(device->capabilities());
+    if (coupled) options.coupling = test::loop_rig::touch_gains();
     return options;
   }
   DeviceCommand tick(const DeviceState& state) {
@@ -90,7 +74,7 @@ struct UndoingLoop {
     if (ticks % 500 == 1 && ticks % 2000 > 1000) (void)model.obey(mark);
     if (ticks % 2000 == 1999) (void)model.obey(undo);
     if (ticks % 4000 == 2199) (void)model.obey(redo);
-    const DeviceCommand command{model.step(state, 1e-3, snapshot), ticks >= 9000};
+    const DeviceCommand command{model.step(state, 1e-3, snapshot), ticks >= 9000, model.contact()};
     model.mark_changes(outbox);
     outbox.send(copy, 16);
     ticks_back += snapshot.tool.undoing ? 1 : 0;
@@ -100,7 +84,7 @@ struct UndoingLoop {
   }
 
   static constexpr double kRadius = 1.5e-3;  // [m]
-  std::unique_ptr<Device> device = open_device("mock:spiral");
+  std::unique_ptr<Device> device = test::loop_rig::stiff_mock("spiral");
   Simulation simulation;
   SimulationModel model;
   BlockOutbox outbox;
@@ -220,27 +204,6 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
       EXPECT_GT(watched.obeyed_[kind], 2) << kind;
     }
   }
-}
-
-TEST(LoopOfOpenHaptics, AllocatesNothing) {
-  hdsim_reset();
-  const hdsim_device premium = hdsim_premium6dof("Default Device");
-  hdsim_add_device(&premium);
-  OpenHapticsOptions options;
-  options.clock = hdsim_time;
-  const auto device = open_open_haptics(options);
-  test::CallCounts counts;
-  std::atomic<bool> ended{false};
-  std::thread runner([&] {
-    device->run(CountingCallback{10, 9000, 0, &counts}, quick());
-    ended = true;
-  });
-  while (!ended) {
-    if (hdsim_run_ticks(1) == 0) std::this_thread::yield();
-  }
-  runner.join();
-  EXPECT_EQ(counts.allocations, 0);
-  EXPECT_EQ(counts.deallocations, 0);
 }
 
 TEST(LoopOfForceDimension, AllocatesNothingAlsoWhenTheDeviceSwitchesItsForcesOffAndOn) {

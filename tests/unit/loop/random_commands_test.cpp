@@ -58,6 +58,7 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   MockOptions hand;
   hand.path = wandering;
   hand.device = device_model("touch");
+  if (!coupled) hand.device.rendered_stiffness = 1e6;  // or it may not be driven directly
   MockDevice a_device(hand);
   Device* const device = &a_device;
   SimulationConfig with;

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/device_state.hpp"
 
 /// @file
@@ -13,20 +14,42 @@ namespace hapticut {
 /// A device as mechanics sees it, the same along every axis: an apparent mass at the tip with viscous and dry friction,
 /// read through an encoder.
 struct DeviceModel {
-  std::string_view name;               ///< what `device_model` is asked for
-  double mass = 0;                     ///< [kg] apparent at the tip
-  double damping = 0;                  ///< [N·s/m]
-  double dry_friction = 0;             ///< [N] Coulomb
-  double encoder_step = 0;             ///< [m]
-  double peak_force = 0;               ///< [N]
-  double continuous_force = 0;         ///< [N]
-  double rendered_stiffness = 0;       ///< [N/m] greatest that it is said to render
-  double rendered_damping = 0;         ///< [N·s/m] greatest that it is said to render
-  double rotational_inertia = 2e-5;    ///< [kg·m^2] of the gimbal
-  double rotational_damping = 2e-4;    ///< [N·m·s/rad]
-  double peak_torque = 0;              ///< [N·m] 0: the gimbal has no motors
-  double workspace_half_width = 0.08;  ///< [m] of the cube around the origin
+  std::string_view name;
+  double mass = 0;
+  double damping = 0;
+  double dry_friction = 0;
+  double encoder_step = 0;
+  double peak_force = 0;
+  double continuous_force = 0;
+  double rendered_stiffness = 0;
+  double rendered_damping = 0;
+  double rotational_inertia = 2e-5;
+  double rotational_damping = 2e-4;
+  double peak_torque = 0;
+  double workspace_half_width = 0.08;
 };
+
+constexpr auto fields_of(Of<DeviceModel>) {
+  using M = DeviceModel;
+  return std::tuple{
+      field("name", &M::name, "what device_model is asked for"),
+      field("mass", &M::mass, "kg", Range::positive(), "apparent at the tip"),
+      field("damping", &M::damping, "N s/m", Range::not_negative(), "viscous"),
+      field("dry_friction", &M::dry_friction, "N", Range::not_negative(), "Coulomb"),
+      field("encoder_step", &M::encoder_step, "m", Range::not_negative(), "to which positions are read"),
+      field("peak_force", &M::peak_force, "N", Range::not_negative(), "greatest that the motors can give"),
+      field("continuous_force", &M::continuous_force, "N", Range::not_negative(), "that the motors bear for ever"),
+      field("rendered_stiffness", &M::rendered_stiffness, "N/m", Range::not_negative(),
+            "greatest that it is said to render"),
+      field("rendered_damping", &M::rendered_damping, "N s/m", Range::not_negative(),
+            "greatest that it is said to render"),
+      field("rotational_inertia", &M::rotational_inertia, "kg m^2", Range::positive(), "of the gimbal"),
+      field("rotational_damping", &M::rotational_damping, "N m s/rad", Range::not_negative(), "of the gimbal"),
+      field("peak_torque", &M::peak_torque, "N m", Range::not_negative(), "0: the gimbal has no motors"),
+      field("workspace_half_width", &M::workspace_half_width, "m", Range::not_negative(),
+            "of the cube around the origin"),
+  };
+}
 
 /// The presets `touch`, `premium15`, `premium6dof` and `omega`: published data where there are any; the omega is a
 /// guess of its class (docs/devices.md).
@@ -41,16 +64,33 @@ struct DeviceModel {
 /// A hand: a mass on a spring and a damper to where it wants to be. Bonded to the stylus (`pad_stiffness` 0), or behind
 /// the soft pad of the fingers.
 struct HandModel {
-  std::string_view name;         ///< what `hand_model` is asked for
-  double mass = 0;               ///< [kg]
-  double damping = 0;            ///< [N·s/m]
-  double stiffness = 0;          ///< [N/m] towards the set point
-  double pad_stiffness = 0;      ///< [N/m] between stylus and hand; 0: bonded
-  double pad_damping = 0;        ///< [N·s/m]
-  double inertia = 0;            ///< [kg·m^2] that the fingers add to the gimbal
-  double angular_damping = 0;    ///< [N·m·s/rad]
-  double angular_stiffness = 0;  ///< [N·m/rad] towards the orientation of the set point
+  std::string_view name;
+  double mass = 0;
+  double damping = 0;
+  double stiffness = 0;
+  double pad_stiffness = 0;
+  double pad_damping = 0;
+  double inertia = 0;
+  double angular_damping = 0;
+  double angular_stiffness = 0;
 };
+
+constexpr auto fields_of(Of<HandModel>) {
+  using M = HandModel;
+  return std::tuple{
+      field("name", &M::name, "what hand_model is asked for"),
+      field("mass", &M::mass, "kg", Range::not_negative(), "of the hand; behind a pad it must not be 0"),
+      field("damping", &M::damping, "N s/m", Range::not_negative(), "of its motion"),
+      field("stiffness", &M::stiffness, "N/m", Range::not_negative(), "towards the set point"),
+      field("pad_stiffness", &M::pad_stiffness, "N/m", Range::not_negative(), "between stylus and hand; 0: bonded"),
+      field("pad_damping", &M::pad_damping, "N s/m", Range::not_negative(), "between stylus and hand"),
+      field("inertia", &M::inertia, "kg m^2", Range::not_negative(), "that the fingers add to the gimbal"),
+      field("angular_damping", &M::angular_damping, "N m s/rad", Range::not_negative(),
+            "that the fingers add to the gimbal"),
+      field("angular_stiffness", &M::angular_stiffness, "N m/rad", Range::not_negative(),
+            "towards the orientation of the set point"),
+  };
+}
 
 /// The presets `released`, `light`, `nominal`, `firm`, and with the pad of the fingers `light-pad`, `nominal-pad`,
 /// `firm-pad`.

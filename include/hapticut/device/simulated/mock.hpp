@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/device/device.hpp"
 #include "hapticut/device/simulated/plant.hpp"
 
@@ -25,16 +26,34 @@ using ScriptedPath = std::function<Pose(double time)>;
 
 /// What a mock device is made of.
 struct MockOptions {
-  ScriptedPath path;             ///< null: rest
-  DeviceModel device;            ///< see device_model
-  HandModel hand;                ///< see hand_model
-  bool rigid = true;             ///< true: the stylus is on the path whatever the force; false: force and hand move it
-  bool dry_friction = true;      ///< of the device, when not rigid
-  bool encoder = true;           ///< positions in steps of the encoder, when not rigid
-  double velocity_filter = 100;  ///< [Hz] of the reported velocity
-  double period = 1e-3;          ///< [s] of simulated time per tick
-  double end = 0;                ///< [s] after which there are no more readings; 0: never
+  ScriptedPath path;
+  DeviceModel device;
+  HandModel hand;
+  bool rigid = true;
+  bool dry_friction = true;
+  bool encoder = true;
+  double velocity_filter = 100;
+  double period = 1e-3;
+  double end = 0;
 };
+
+constexpr auto fields_of(Of<MockOptions>) {
+  using O = MockOptions;
+  return std::tuple{
+      field("path", &O::path,
+            "function from time [s] to the pose X_BS, in Python of shape (4, 4), that the hand wants to follow; null: "
+            "rest"),
+      field("device", &O::device, "see device_model; without a mass: touch"),
+      field("hand", &O::hand, "see hand_model"),
+      field("rigid", &O::rigid, "true: the stylus is on the path whatever the force; false: force and hand move it"),
+      field("dry_friction", &O::dry_friction, "of the device, when not rigid"),
+      field("encoder", &O::encoder, "positions in steps of the encoder, when not rigid"),
+      field("velocity_filter", &O::velocity_filter, "Hz", Range::not_negative(),
+            "of the reported velocity; 0: not filtered"),
+      field("period", &O::period, "s", Range::positive(), "of simulated time per tick"),
+      field("end", &O::end, "s", Range::not_negative(), "after which there are no more readings; 0: never"),
+  };
+}
 
 /// A device that is not there: it follows a script, held by a simulated hand that its force can move. The motion knows
 /// no wall clock: the n-th reading is that of n periods, so every run gives the same readings for the same forces.

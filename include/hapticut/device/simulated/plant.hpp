@@ -3,18 +3,31 @@
 
 #include <Eigen/Core>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/device/simulated/device_models.hpp"
 
 namespace hapticut {
 
 /// What of the mechanics is simulated.
 struct PlantOptions {
-  double period = 1e-3;       ///< [s] > 0 for which a force is held: one tick of the servo loop
-  double fine_step = 20e-6;   ///< [s] of `creep`
-  bool dry_friction = false;  ///< Coulomb friction of the device; integrated with steps of 10 us instead of exactly
-  bool encoder = false;       ///< the position is read in steps of the encoder
-  bool rotation = false;      ///< the gimbal turns under torque; otherwise it follows the set point
+  double period = 1e-3;
+  double fine_step = 20e-6;
+  bool dry_friction = false;
+  bool encoder = false;
+  bool rotation = false;
 };
+
+constexpr auto fields_of(Of<PlantOptions>) {
+  using O = PlantOptions;
+  return std::tuple{
+      field("period", &O::period, "s", Range::positive(), "for which a force is held: one tick of the servo loop"),
+      field("fine_step", &O::fine_step, "s", Range::positive(), "of Plant::creep"),
+      field("dry_friction", &O::dry_friction,
+            "Coulomb friction of the device; integrated with steps of 10 us instead of exactly"),
+      field("encoder", &O::encoder, "the position is read in steps of the encoder"),
+      field("rotation", &O::rotation, "the gimbal turns under torque; otherwise it follows the set point"),
+  };
+}
 
 /// A device in a hand, moved by the force it renders: the mechanics of the closed-loop bench and of the mock device.
 ///
