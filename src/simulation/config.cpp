@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/simulation/config.hpp"
 
+#include <utility>
+
 #include "hapticut/core/errors.hpp"
+#include "hapticut/force/stiffness.hpp"
 
 namespace hapticut {
 
@@ -12,6 +15,16 @@ void validate(const SimulationConfig& config) {
   if (config.voxel_budget != 0)
     require_between(double(config.voxel_budget), 4096, 1e9, "SimulationConfig::voxel_budget");
   require_between(config.longest_dt, config.shortest_dt, 1.0, "SimulationConfig::longest_dt [s]");
+}
+
+SimulationConfig complete(SimulationConfig config, const ToolHead& head, double voxel_size) {
+  if (config.quadrature == Quadrature::automatic)
+    config.quadrature =
+        config.law == nullptr || config.law->integrates_parts() ? Quadrature::sub_voxel : Quadrature::centroid;
+  if (config.reference_stiffness == 0)
+    config.reference_stiffness =
+        config.quadrature == Quadrature::sub_voxel ? stiffness_for_grid(head, voxel_size) : kStiffnessOfPoints;
+  return config;
 }
 
 }  // namespace hapticut

@@ -52,15 +52,10 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
       bounds_(workpiece.bounds()) {
   ContactMaterials materials = contact_materials(workpiece.materials(), config.reference_stiffness);
   exchange_materials(materials);
-  if (quadrature_ == Quadrature::sub_voxel) {
-    if (law_ != nullptr)
-      throw Error(
-          "SimulationConfig::quadrature = sub_voxel was given with a law of your own, which is asked for the "
-          "force at points. Choose centroid, or the default law.");
-    if (voxel_budget_ != 0)
-      throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
-                  " was given with quadrature = sub_voxel, which has no level of detail. Leave it at 0.");
-  }
+  if (quadrature_ == Quadrature::sub_voxel && law_ != nullptr && !law_->integrates_parts())
+    throw Error(
+        "SimulationConfig::quadrature = sub_voxel was given with a law of your own that is asked for the force at "
+        "points. Choose automatic or centroid, the default law, or a law that integrates_parts().");
   if (law_ != nullptr && voxel_budget_ != 0)
     throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
                 " was given with a law of your own; only the default law has a level of detail. Leave it at 0.");
@@ -86,6 +81,8 @@ void ContactStages::exchange_materials(ContactMaterials& materials) noexcept {
   std::swap(materials_, materials);
   for (std::size_t id = 0; id < materials_.size(); ++id) cutting_ratios_[id] = materials_[id].cutting_ratio;
   damped_ = std::any_of(materials_.begin(), materials_.end(), [](const auto& m) { return m.damping != 0; });
+  any_chips_ = std::any_of(materials_.begin(), materials_.end(),
+                           [](const auto& m) { return m.edge_length > 0 || m.size_length > 0; });
   set_cutting_share(share);
 }
 
@@ -153,9 +150,8 @@ Encounter ContactStages::press_and_cut(std::span<const CuttableBlock> blocks, co
 }
 
 Encounter ContactStages::press(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
-                               Stiffness& stiffness_T) noexcept {
+                               Stiffness* stiffness_T) noexcept {
   if (law_ != nullptr) {
-    stiffness_T.setZero();
     Encounter encounter = ask_law(blocks, at, [](const CuttableBlock&, bool) {});
     encounter.drop_what_is_not_finite();
     return encounter;
@@ -169,9 +165,9 @@ Encounter ContactStages::press(std::span<const CuttableBlock> blocks, const Head
       const CuttableBlock& block = blocks[first + n];
       tasks_[n] = {block.view, new_fill_.data(), at.motion.cuts() && can_cut(block), {}};
     }
-    kernels::press_blocks(job, std::span(tasks_).first(count), sums, &stiffness);
+    kernels::press_blocks(job, std::span(tasks_).first(count), sums, stiffness_T != nullptr ? &stiffness : nullptr);
   }
-  stiffness_T = stiffness.total(double(job.level_of_detail) * voxel_volume_);
+  if (stiffness_T != nullptr) *stiffness_T = stiffness.total(double(job.level_of_detail) * voxel_volume_);
   return encounter_of(job, sums);
 }
 
@@ -284,9 +280,18 @@ float* ContactStages::fill_target(const CuttableBlock& block) noexcept {
   return block.fill != nullptr ? block.fill : new_fill_.data();
 }
 
+/// Whether something was cut from a full block, and not only felt.
+bool ContactStages::is_cut(const BlockChange& change) const noexcept {
+  for (std::uint32_t strips = change.strips; strips != 0; strips &= strips - 1) {
+    const float* first = new_fill_.data() + BlockChange::kStrip * std::countr_zero(strips);
+    if (std::any_of(first, first + BlockChange::kStrip, [](float fill) { return fill != 1; })) return true;
+  }
+  return false;
+}
+
 /// Gives a block that was cut for the first time the new fills as its own, and notes its emptied voxels.
 void ContactStages::keep_change(const CuttableBlock& block, const BlockChange& change) noexcept {
-  if (change.strips == 0) return;
+  if (change.strips == 0 || (block.fill == nullptr && !is_cut(change))) return;
   workpiece_.forget_redo();
   list_change(block.view.origin);
   if (block.fill == nullptr) {

@@ -41,6 +41,11 @@ struct Encounter {
     energies.elastic += lumped.elastic;
     energies.damping += lumped.damped;
   }
+  /// [m] How thick the layer is that carries the force: with springs, pressure p = k t^2/2 at depth t has the mean
+  /// depth by force 2 (energy/force) = 2 t/3.
+  [[nodiscard]] double engaged_layer() const noexcept {
+    return resultant.normal_force > 0 ? 3 * energies.elastic_before / resultant.normal_force : 0.0;
+  }
   /// A custom law that gave what is not a number gives nothing.
   void drop_what_is_not_finite() noexcept {
     if (is_finite(resultant.wrench_T.force) && is_finite(resultant.wrench_T.torque) && std::isfinite(energies.sum()))
@@ -89,9 +94,17 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
                                         RemovalRecord& removal) noexcept;
 
   /// What `press_and_cut` would return, without a change to any block.
+  [[nodiscard]] Encounter try_cut(std::span<const CuttableBlock> blocks, const HeadPlacement& at) noexcept {
+    return press(blocks, at, nullptr);
+  }
+
+  /// The same with the stiffness.
   /// @param stiffness_T  of the contact about To, in T; zero where the law has none: see `knows_stiffness`
   [[nodiscard]] Encounter press(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
-                                Stiffness& stiffness_T) noexcept;
+                                Stiffness& stiffness_T) noexcept {
+    stiffness_T.setZero();
+    return press(blocks, at, &stiffness_T);
+  }
 
   /// Whether `press` gives a stiffness: FoundationLaw does.
   [[nodiscard]] bool knows_stiffness() const noexcept { return law_ == nullptr; }
@@ -122,7 +135,11 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
 
   /// Forgets which blocks have changed, at the beginning of a step.
   void forget_changes() noexcept;
+  void list_change(const VoxelIndex& origin) noexcept;
   [[nodiscard]] const ChangedBlocks& changed() const noexcept { return changed_blocks_; }
+
+  /// Whether some material's energy depends on the chip: then motions have a tooth_rate.
+  [[nodiscard]] bool any_chips() const noexcept { return any_chips_; }
 
   /// Scales the cutting ratio of all materials while the spindle is slow: see `standing_share`.
   void set_cutting_share(double share) noexcept;
@@ -130,6 +147,8 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
  private:
   static constexpr std::size_t kPressedAtOnce = 8;  // blocks that share single-precision sums
 
+  [[nodiscard]] Encounter press(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                Stiffness* stiffness_T) noexcept;
   [[nodiscard]] kernels::ContactJob job_at(std::span<const CuttableBlock> blocks,
                                            const HeadPlacement& at) const noexcept;
   [[nodiscard]] Encounter encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums) const noexcept;
@@ -143,8 +162,8 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   [[nodiscard]] int level_of_detail(std::span<const CuttableBlock> blocks) const noexcept;
   [[nodiscard]] bool can_cut(const CuttableBlock& block) const noexcept;
   [[nodiscard]] float* fill_target(const CuttableBlock& block) noexcept;
+  [[nodiscard]] bool is_cut(const BlockChange& change) const noexcept;
   void keep_change(const CuttableBlock& block, const BlockChange& change) noexcept;
-  void list_change(const VoxelIndex& origin) noexcept;
 
   Workpiece& workpiece_;
   const ToolHead& head_;
@@ -154,6 +173,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   std::array<float, 256> cutting_ratios_ = {};  // [1] of the materials at full spin
   double cutting_share_ = 1;                    // [1] of them that holds now
   bool damped_ = false;                         // some material has damping
+  bool any_chips_ = false;                      // the energy of some material depends on the chip
   double voxel_volume_;                         // [m^3]
   std::size_t most_voxels_ = 0, most_blocks_ = 0;
   std::size_t voxel_budget_;  // 0: no limit

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/simulation/coupling.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <utility>
 
@@ -12,32 +12,45 @@ namespace hapticut {
 namespace {
 
 constexpr double kSolved = 1e-4;  // [voxels] a correction that moves no point of the head farther ends the iteration
+constexpr double kLeastDescent = 1e-4, kLeastShare = 1.0 / 64;   // [1] of a correction: what it must gain, and of it
+constexpr double kNear = 2e-3;                                   // [m] how far a hand may be from where it was refused
+constexpr double kLeastDampingRatio = 0.5, kDampingRatio = 0.7;  // [1] below which a tool rings, and what is chosen
+constexpr double kLightest = 1e-3;                               // [kg] of a tool that a hand could hold
+
+/// [J] of a spring whose force a limit holds from some stretch on.
+double energy_of(double stretch, double stiffness, double largest) {
+  const double full = largest / stiffness;
+  return stretch > full ? largest * (stretch - 0.5 * full) : 0.5 * stiffness * stretch * stretch;
+}
 
 }  // namespace
 
-void validate(const CouplingGains& gains) {
-  require_positive(gains.mass, "CouplingGains::mass [kg]");
-  require_positive(gains.stiffness, "CouplingGains::stiffness [N/m]");
-  require_between(gains.damping, 0, 1e6, "CouplingGains::damping [N·s/m]");
-  if (!(gains.largest_force > 0))
-    throw Error("CouplingGains::largest_force = " + format_number(gains.largest_force) +
-                " N; must be positive. Leave it infinite for a device without a limit.");
-  require_between(gains.angular_stiffness, 0, 1e6, "CouplingGains::angular_stiffness [N·m/rad]");
-  require_between(gains.angular_damping, 0, 1e6, "CouplingGains::angular_damping [N·m·s/rad]");
-  require_positive(gains.inertia, "CouplingGains::inertia [kg·m^2]");
-  require_between(gains.newton_steps, 1, 10, "CouplingGains::newton_steps");
-}
+void validate(const CouplingGains& gains) { require_fields_within(gains, "CouplingGains::"); }
 
-CouplingGains coupling_gains(const DeviceCapabilities& device, double mass) {
+CouplingGains coupling_gains(const DeviceCapabilities& device, std::optional<double> mass) {
   if (!(device.stiffness > 0))
     throw Error("the device " + device.model +
                 " promises no stiffness, so no coupling can be chosen for it; set CouplingGains yourself.");
   CouplingGains gains;
-  gains.mass = mass;
   gains.stiffness = device.stiffness;
-  gains.damping = 2 * std::sqrt(gains.stiffness * mass);
+  const auto heaviest = [&](double ratio) { return std::pow(device.damping / (2 * ratio), 2) / gains.stiffness; };
+  const double common = gains.mass;
+  gains.mass = mass.value_or(device.damping > 0 ? std::min(common, heaviest(kDampingRatio)) : common);
+  if (!mass && gains.mass < kLightest)
+    throw Error(
+        "a stiffness of " + format_number(device.stiffness) + " N/m with a damping of " +
+        format_number(device.damping) + " N s/m, which the device " + device.model +
+        " promises, would ring with any tool of more than " + format_number(heaviest(kLeastDampingRatio)) +
+        " kg. Give the stiffness that it renders in DeviceCapabilities::stiffness, or set CouplingGains yourself.");
+  gains.inertia *= gains.mass / common;
+  if (device.damping > 0 && gains.mass > heaviest(kLeastDampingRatio))
+    throw Error("CouplingGains::mass [kg] = " + format_number(gains.mass) + " would ring on the device " +
+                device.model + ", whose damping is " + format_number(device.damping) + " N s/m. Choose at most " +
+                format_number(heaviest(kLeastDampingRatio)) + " kg.");
+  gains.damping = 2 * std::sqrt(gains.stiffness * gains.mass);
   if (device.damping > 0) gains.damping = std::min(gains.damping, device.damping);
   if (device.peak_force > 0) gains.largest_force = device.peak_force;
+  if (device.peak_torque > 0) gains.largest_torque = device.peak_torque;
   if (device.output_degrees_of_freedom == 6 && device.rotational_stiffness > 0) {
     gains.angular_stiffness = device.rotational_stiffness;
     gains.angular_damping = 2 * std::sqrt(gains.angular_stiffness * gains.inertia);
@@ -63,7 +76,6 @@ VirtualCoupling::Lists::Lists(const WorstCase& worst_case, const SimulationConfi
 }
 
 void VirtualCoupling::exchange_lists(Lists& lists) noexcept {
-  release();
   begin_tick();  // nothing refers to the old lists any more
   std::swap(lists_, lists);
 }
@@ -95,14 +107,23 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
   const Twist velocity = hand_velocity;  // NOLINT(performance-unnecessary-copy-initialization)
   begin_tick();
   const StepStatus refused = check_input(simulation_->config(), pose, velocity, dt);
-  if (refused != StepStatus::ok) return let_go(refused);
-  if (!std::exchange(held_, true)) {
-    X_WD_ = result_.X_WH = advance(pose, velocity, -dt);
-    result_.velocity = velocity;
-    result_.energy = {};  // of this grip; the hand brought the tool to its speed before it
-    result_.energy.hand_work = result_.energy.kinetic = kinetic_energy(velocity);
-    simulation_->let_go();
+  if (refused != StepStatus::ok) return wait(refused);
+  if (waits_ && !may_go_on_from_here(pose)) {
+    if (simulation_->touches(pose)) {
+      if (!held_) result_.X_WH = pose;
+      return wait(StepStatus::tool_waits);
+    }
+    held_ = false;
   }
+  if (!std::exchange(held_, true)) {
+    result_.X_WH = advance(pose, velocity, -dt);
+    result_.velocity = velocity;
+    begin_grip(pose, velocity, dt);
+  } else if (waits_) {
+    begin_grip(pose, velocity, dt);
+  }
+  waits_ = false;
+  rejoin_ = Rejoin::near;
   const Twist hand_path = twist_between(X_WD_, pose, dt);
   const Pose X_WD_before = X_WD_;
   result_.parts = plan_parts(dt);
@@ -110,7 +131,7 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
     const Pose X_WD = part == result_.parts ? pose : advance(X_WD_before, hand_path, dt * part / result_.parts);
     const bool last = part == result_.parts;
     const StepStatus status = move({X_WD, dt / result_.parts, last, dt}, hand_path, velocity);
-    if (has_any(status, kRejected)) return let_go(status);
+    if (has_any(status, kRejected)) return wait(status);
     result_.status |= status;
   }
   result_.hand = {simulation_->last_result().force, simulation_->last_result().torque};
@@ -153,7 +174,7 @@ StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const
 
   result_.X_WH = X_WH;
   result_.velocity = tool;
-  book(before, answer.after(), tool_before, hand_path, hand, stepped.energy.hand_work - work_before, part.dt);
+  book(before, answer.after(), tool_before, hand_path, stepped.energy.hand_work - work_before, part.dt);
   X_WD_ = part.X_WD;
   return stepped.status;
 }
@@ -176,27 +197,43 @@ void VirtualCoupling::keep_lists(const StepResult& stepped) noexcept {
   result_.changed_blocks.origins = lists_.changed;
 }
 
+VirtualCoupling::Limited VirtualCoupling::limited(const Vec3& spring, const Vec3& damper, double largest) noexcept {
+  Limited l = {spring + damper, spring, Mat3::Identity()};
+  if (const double size = l.force.norm(); size > largest) {
+    const Vec3 along = l.force / size;
+    l.slope = largest / size * (Mat3::Identity() - along * along.transpose());
+    l.force = largest * along;
+  }
+  if (const double size = spring.norm(); size > largest) l.spring *= largest / size;
+  return l;
+}
+
 VirtualCoupling::Pull VirtualCoupling::pull(const Pose& X_WH, const Twist& tool, const Pose& X_WD,
                                             const Twist& hand) const noexcept {
   Pull p;
   p.stretch = X_WD.translation - X_WH.translation;
   p.turn = turns() ? vector_from_rotation(X_WD.rotation * X_WH.rotation.transpose()) : Vec3(Vec3::Zero());
-  const double length = p.stretch.norm();
-  p.stiffness = gains_.stiffness * length > gains_.largest_force ? gains_.largest_force / length : gains_.stiffness;
-  p.wrench.force = p.stiffness * p.stretch + gains_.damping * (hand.linear - tool.linear);
-  p.wrench.torque = gains_.angular_stiffness * p.turn + gains_.angular_damping * (hand.angular - tool.angular);
+  p.linear = limited(gains_.stiffness * p.stretch, gains_.damping * (hand.linear - tool.linear), gains_.largest_force);
+  p.angular = limited(gains_.angular_stiffness * p.turn, gains_.angular_damping * (hand.angular - tool.angular),
+                      gains_.largest_torque);
+  p.wrench = {p.linear.force, p.angular.force};
   return p;
 }
 
-/// The twist of the tool at the end of the tick, with which all forces are in balance.
+/// The twist of the tool at the end of the tick, with which all forces are in balance: Newton's method, whose
+/// corrections are halved until less is lacking. The contact's stiffness with the drag of the spin in it is not
+/// symmetric; docs/decisions/0005-implicit-coupling.md says when there is one solution.
 Twist VirtualCoupling::solve(const Pose& pose, const Twist& hand, double dt) noexcept {
   const Twist before = result_.velocity;
-  Twist tool = before;
+  Twist tool = before, from = before;
   const Twist hand_path = twist_between(result_.X_WH, pose, dt);
   if (!turns()) tool.angular = hand_path.angular;
-  const double reach = simulation_->tool().head().reach() + simulation_->tool().X_HT().translation.norm();
+  const double lever = reach();
   const double solved = kSolved * simulation_->workpiece().voxel_size() / dt;  // [m/s]
-  Vec3 last = Vec3::Zero();                                                    // correction
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();                          // correction from `from`
+  double share = 1, lacked = std::numeric_limits<double>::infinity();          // [1] of it that was tried, [N]
+  Twist nearest = before;
+  double least = lacked;  // [N]
   bool slid = false, from_rest = false;
 
   for (int n = 0; n < gains_.newton_steps; ++n) {
@@ -206,36 +243,51 @@ Twist VirtualCoupling::solve(const Pose& pose, const Twist& hand, double dt) noe
     const ContactProbe contact =
         simulation_->probe(X_WH, tool, dt, turns() ? ProbedMotions::all : ProbedMotions::translations);
     const Pull p = pull(X_WH, tool, pose, hand);
+    const Vec3 force = contact.wrench.force + p.wrench.force - gains_.mass / dt * (tool.linear - before.linear);
+    const Vec3 torque = contact.wrench.torque + p.wrench.torque - gains_.inertia / dt * (tool.angular - before.angular);
+    const double lacks = force.norm() + (turns() ? torque.norm() / lever : 0);
+    if (lacks < least) least = lacks, nearest = tool;
+    if (lacks > (1 - kLeastDescent * share) * lacked && share > kLeastShare) {
+      share *= 0.5;
+      tool.linear = from.linear + share * linear;
+      if (turns()) tool.angular = from.angular + share * angular;
+      continue;
+    }
 
     Stiffness a = dt * contact.stiffness;
-    a.diagonal().head<3>().array() += gains_.mass / dt + gains_.damping + dt * p.stiffness;
-    a.diagonal().tail<3>().array() += gains_.inertia / dt + gains_.angular_damping + dt * gains_.angular_stiffness;
-    Vector6 lacking;
-    lacking << contact.wrench.force + p.wrench.force - gains_.mass / dt * (tool.linear - before.linear),
-        contact.wrench.torque + p.wrench.torque - gains_.inertia / dt * (tool.angular - before.angular);
-    Vec3 linear, angular = Vec3::Zero();
+    a.topLeftCorner<3, 3>() += (gains_.damping + dt * gains_.stiffness) * p.linear.slope;
+    a.bottomRightCorner<3, 3>() += (gains_.angular_damping + dt * gains_.angular_stiffness) * p.angular.slope;
+    a.diagonal().head<3>().array() += gains_.mass / dt;
+    a.diagonal().tail<3>().array() += gains_.inertia / dt;
+    const Vec3 last = linear;
     if (turns()) {
-      const Vector6 correction = a.ldlt().solve(lacking);
+      Vector6 lacking;
+      lacking << force, torque;
+      const Vector6 correction = a.partialPivLu().solve(lacking);
       linear = correction.head<3>();
       angular = correction.tail<3>();
     } else {
-      linear = Mat3(a.topLeftCorner<3, 3>()).ldlt().solve(Vec3(lacking.head<3>()));
+      linear = Mat3(a.topLeftCorner<3, 3>()).partialPivLu().solve(force);
     }
     if (slid && contact.sliding && !from_rest && linear.dot(last) < -0.5 * last.squaredNorm()) {
       // To and fro between sliding one way and the other: the head sticks, or nearly so, and that is found from rest.
       from_rest = true;
       tool.linear.setZero();
       if (turns()) tool.angular.setZero();
-      last.setZero();
+      linear.setZero();
+      lacked = std::numeric_limits<double>::infinity();
       continue;
     }
+    from = tool;
+    lacked = lacks;
+    share = 1;
     tool.linear += linear;
-    tool.angular += angular;
-    last = linear;
+    if (turns()) tool.angular += angular;
     slid = contact.sliding;
-    if (linear.norm() + angular.norm() * reach < solved) break;
+    if (linear.norm() + (turns() ? angular.norm() * lever : 0) < solved) return tool;
   }
-  return tool;
+  result_.status |= StepStatus::not_in_balance;
+  return nearest;
 }
 
 double VirtualCoupling::kinetic_energy(const Twist& tool) const noexcept {
@@ -244,30 +296,28 @@ double VirtualCoupling::kinetic_energy(const Twist& tool) const noexcept {
 }
 
 double VirtualCoupling::spring_energy(const Pull& p) const noexcept {
-  const double length = p.stretch.norm(), full = gains_.largest_force / gains_.stiffness;
-  const double linear =
-      length > full ? gains_.largest_force * (length - 0.5 * full) : 0.5 * gains_.stiffness * length * length;
-  return linear + 0.5 * gains_.angular_stiffness * p.turn.squaredNorm();
+  const double linear = energy_of(p.stretch.norm(), gains_.stiffness, gains_.largest_force);
+  return turns() ? linear + energy_of(p.turn.norm(), gains_.angular_stiffness, gains_.largest_torque) : linear;
 }
 
 void VirtualCoupling::book(const Pull& before, const Pull& after, const Twist& tool_before, const Twist& hand_path,
-                           const Twist& hand, double tool_work, double dt) noexcept {
+                           double tool_work, double dt) noexcept {
   CouplingEnergy& energy = result_.energy;
   const Twist& tool = result_.velocity;
   const Wrench& w = after.wrench;
   const Vec3 torque = turns() ? w.torque : Vec3(-result_.coupling.torque);
   energy.hand_work += (w.force.dot(hand_path.linear) + torque.dot(hand_path.angular)) * dt;
   energy.tool_work += tool_work;
-  energy.damper += gains_.damping * (hand.linear - tool.linear).dot(hand_path.linear - tool.linear) * dt;
+  const Vec3 way = (hand_path.linear - tool.linear) * dt;
+  energy.damper += (after.linear.force - after.linear.spring).dot(way);
   const double mass_loss = 0.5 * gains_.mass * (tool.linear - tool_before.linear).squaredNorm();
   energy.kinetic = kinetic_energy(tool);
   // What the spring's end force does on the way, less what it stores more.
-  const Vec3 stretched = after.stretch - before.stretch;
-  double spring_loss = after.stiffness * after.stretch.dot(stretched);
+  double spring_loss = after.linear.spring.dot(way);
   if (turns()) {
     const Vec3 turning = (hand_path.angular - tool.angular) * dt;
-    energy.damper += gains_.angular_damping * (hand.angular - tool.angular).dot(turning);
-    spring_loss += gains_.angular_stiffness * after.turn.dot(turning);
+    energy.damper += (after.angular.force - after.angular.spring).dot(turning);
+    spring_loss += after.angular.spring.dot(turning);
     energy.implicit += 0.5 * gains_.inertia * (tool.angular - tool_before.angular).squaredNorm();
   }
   const double stored = spring_energy(after);
@@ -275,8 +325,41 @@ void VirtualCoupling::book(const Pull& before, const Pull& after, const Twist& t
   energy.spring = stored;
 }
 
-const CoupledResult& VirtualCoupling::let_go(StepStatus status) noexcept {
-  held_ = false;
+/// The hand takes the tool: it brought it to its speed before, and stretched the spring.
+void VirtualCoupling::begin_grip(const Pose& pose, const Twist& velocity, double dt) noexcept {
+  X_WD_ = advance(pose, velocity, -dt);
+  result_.energy = {};
+  result_.energy.kinetic = kinetic_energy(result_.velocity);
+  result_.energy.spring = spring_energy(pull(result_.X_WH, result_.velocity, X_WD_, velocity));
+  result_.energy.hand_work = result_.energy.kinetic + result_.energy.spring;
+  simulation_->let_go();
+}
+
+/// Whether the hand is about where it was when the tool was left.
+bool VirtualCoupling::is_near(const Pose& pose) const noexcept {
+  const double turn = vector_from_rotation(pose.rotation * X_WD_.rotation.transpose()).norm();
+  return (pose.translation - X_WD_.translation).norm() + turn * reach() <= kNear;
+}
+
+/// Whether a tool that waits may be pulled after its hand from where it is.
+bool VirtualCoupling::may_go_on_from_here(const Pose& pose) const noexcept {
+  return held_ && is_near(pose) && (rejoin_ == Rejoin::near || !simulation_->touches(result_.X_WH));
+}
+
+/// [m] of the farthest point of the head from the handle
+double VirtualCoupling::reach() const noexcept {
+  return simulation_->tool().head().reach() + simulation_->tool().X_HT().translation.norm();
+}
+
+void VirtualCoupling::leave(Rejoin rejoin) noexcept {
+  begin_tick();
+  if (rejoin == Rejoin::free) rejoin_ = rejoin;
+  wait(StepStatus::ok);
+}
+
+/// Nothing is given to the hand, and the tool stays.
+const CoupledResult& VirtualCoupling::wait(StepStatus status) noexcept {
+  waits_ = true;
   simulation_->let_go();
   result_.hand = result_.coupling = {};
   result_.velocity = {};

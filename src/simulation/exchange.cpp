@@ -80,6 +80,7 @@ void Simulation::State::set_material_friction() noexcept {
 /// The next step is the first of the tool: nothing is known of where it was.
 void Simulation::State::start_afresh() noexcept {
   has_pose = false;
+  left_from.reset();
   tell_of_exchange();
 }
 
@@ -94,8 +95,8 @@ bool Simulation::exchange(PreparedTool& prepared) noexcept {
   p.worst_case = worst;
   s.result.removed_voxels = {};
   s.motor = SpindleMotor(s.tool.spindle());
-  s.motor_torque = 0;
-  s.contact_stages.set_cutting_share(1 - standing_share(s.motor.speed(), s.tool.head().largest_radius()));
+  s.load = {};
+  s.share_cutting();
   s.start_afresh();
   return true;
 }
@@ -119,13 +120,15 @@ void Simulation::exchange(Simulation& prepared) noexcept {
   s.config.removal = old.config.removal;
   s.set_material_friction();
   s.exchanges = old.exchanges;
-  s.observer = std::exchange(prepared.state_->observer, nullptr);
+  s.observers = std::exchange(prepared.state_->observers, {});
   s.start_afresh();
 }
 
 void Simulation::halt_spindle() noexcept {
   state_->motor.halt();
-  state_->contact_stages.set_cutting_share(0);
+  state_->halted_since = true;
+  state_->load = {};
+  state_->share_cutting();
 }
 
 void Simulation::set_tool(Tool tool) {

@@ -19,6 +19,16 @@ ContactProbe Simulation::probe(const Pose& pose, const Twist& velocity, double d
   return probed;
 }
 
+bool Simulation::touches(const Pose& pose) const noexcept {
+  return check_input(state_->config, pose, {}, state_->config.shortest_dt) == StepStatus::ok && state_->touches(pose);
+}
+
+/// Whether the head at a pose would touch material.
+bool Simulation::State::touches(const Pose& pose) noexcept {
+  const HeadPlacement at = plan_sub_step(pose, 0, config.shortest_dt, {}, {}).head;
+  return contact_stages.try_cut(contact_stages.find_blocks(at), at).resultant.voxels > 0;
+}
+
 /// What is felt from one pose to another.
 ContactProbe Simulation::State::probe_way(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
                                           double dt) noexcept {

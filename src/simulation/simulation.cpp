@@ -2,6 +2,7 @@
 // Setting a simulation up, and looking into it.
 #include "hapticut/simulation/simulation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -39,7 +40,7 @@ void validate_head(const ToolHead& head, double voxel_size) {
 Simulation::State::State(Workpiece given_workpiece, Tool given_tool, SimulationConfig given_config)
     : workpiece(std::move(given_workpiece)),
       tool(std::move(given_tool)),
-      config(std::move(given_config)),
+      config(complete(std::move(given_config), tool.head(), workpiece.voxel_size())),
       contact_stages(workpiece, tool.head(), config),
       motor(tool.spindle()),
       removal(config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity
@@ -52,7 +53,7 @@ void Simulation::State::prepare_workpiece() {
   X_VW = workpiece.frame().X_WV.inverse();
   voxel_volume = std::pow(workpiece.voxel_size(), 3);
   set_material_friction();
-  contact_stages.set_cutting_share(1 - standing_share(motor.speed(), tool.head().largest_radius()));
+  share_cutting();
 }
 
 Simulation::Simulation(Workpiece workpiece, Tool tool, SimulationConfig config) {
@@ -76,13 +77,24 @@ double Simulation::spindle_setting() const noexcept { return state_->motor.setti
 const StepInput& Simulation::last_input() const noexcept { return state_->input; }
 std::uint64_t Simulation::steps() const noexcept { return state_->steps; }
 std::uint64_t Simulation::workpiece_exchanges() const noexcept { return state_->exchanges; }
-StepObserver* Simulation::observer() const noexcept { return state_->observer; }
 
-void Simulation::set_observer(StepObserver* observer) {
-  if (observer != nullptr && state_->observer != nullptr && observer != state_->observer)
-    throw Error(
-        "the simulation has another observer, a recorder perhaps; close that, or set the observer to null first.");
-  state_->observer = observer;
+std::span<StepObserver* const> Simulation::observers() const noexcept { return state_->observers.all(); }
+
+void Simulation::add_observer(StepObserver& observer) {
+  Observers& present = state_->observers;
+  if (std::ranges::find(present.all(), &observer) != present.all().end())
+    throw Error("the simulation has this observer already; add it once.");
+  if (present.count == kMostObservers)
+    throw Error("the simulation has " + std::to_string(kMostObservers) +
+                " observers, which is all it can have; remove one first.");
+  present.places[present.count++] = &observer;
+}
+
+void Simulation::remove_observer(StepObserver& observer) noexcept {
+  Observers& present = state_->observers;
+  const auto end =
+      std::remove(present.places.begin(), present.places.begin() + std::ptrdiff_t(present.count), &observer);
+  present.count = std::size_t(end - present.places.begin());
 }
 
 const std::array<double, 256>& Simulation::removed_volume_by_material() const {
@@ -96,8 +108,7 @@ const StageTimes& Simulation::stage_times() const { return state_->times; }
 void Simulation::set_spindle_speed(double speed) {
   validate(Spindle{speed});
   state_->motor.set(speed);
-  state_->contact_stages.set_cutting_share(1 -
-                                           standing_share(state_->motor.speed(), state_->tool.head().largest_radius()));
+  state_->share_cutting();
 }
 
 void Simulation::set_effects(const Effects& effects) {
@@ -140,7 +151,7 @@ void Simulation::reset(Workpiece workpiece) {
   validate_pair(workpiece, state_->tool);
   auto fresh = std::make_unique<State>(std::move(workpiece), state_->tool, state_->config);
   if (const std::size_t blocks = state_->workpiece.undo_blocks(); blocks > 0) fresh->workpiece.reserve_undo(blocks);
-  fresh->observer = state_->observer;
+  fresh->observers = state_->observers;
   fresh->exchanges = state_->exchanges;
   state_ = std::move(fresh);
   state_->tell_of_exchange();

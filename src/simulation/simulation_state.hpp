@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "hapticut/force/deep_contact.hpp"
 #include "hapticut/force/friction.hpp"
@@ -27,6 +28,21 @@ struct SubStep {
 struct FrictionMemory {
   StickSlip anchor;        // in W
   MaterialId touched = 1;  // material at the contact point
+};
+
+/// What the contact takes of the motor.
+struct SpindleLoad {
+  double torque = 0;       // [N·m] about +z; of a stalled head, what it would take to turn it
+  double hand_speed = 0;   // [m/s] of the head's fastest point, but for the spin
+  double first_speed = 0;  // [rad/s] of the motor, as the load of the sub-step before tells
+  bool settled = false;    // that was its speed
+};
+
+/// Who is told of steps.
+struct Observers {
+  std::array<StepObserver*, Simulation::kMostObservers> places = {};
+  std::size_t count = 0;
+  [[nodiscard]] std::span<StepObserver* const> all() const noexcept { return {places.data(), count}; }
 };
 
 /// What the anchor of dry friction does to the head in a sub-step.
@@ -57,10 +73,19 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
     return check_input(config, input.pose, input.velocity, input.dt);
   }
   void place_at(const Pose& pose) noexcept;
+  void follow_jump(const Pose& pose) noexcept;
   [[nodiscard]] int plan_sweep(const Pose& from, const Pose& pose) const noexcept;
   [[nodiscard]] SubStep plan_sub_step(const Pose& from, int index, double duration, const Twist& path,
                                       const Twist& felt) const noexcept;
   [[nodiscard]] std::span<const CuttableBlock> find_blocks(const SubStep& sub_step) noexcept;
+  void drive_spindle(std::span<const CuttableBlock> blocks, SubStep& sub_step) noexcept;
+  void turn_head(HeadMotion& motion) const noexcept;
+  [[nodiscard]] double turning_spin() const noexcept;
+  void load_spindle(double torque, SubStep& sub_step) noexcept;
+  [[nodiscard]] double torque_to_turn(const Encounter& encounter) const noexcept;
+  void book_stalled(const SubStep& sub_step, Encounter& encounter) noexcept;
+  void advance_spindle(const SubStep& sub_step, const Encounter& encounter) noexcept;
+  void share_cutting() noexcept;
   [[nodiscard]] Encounter press_and_cut(std::span<const CuttableBlock> blocks, const SubStep& sub_step) noexcept;
   void remove_emptied() noexcept;
   void hold_deep_contact(const SubStep& sub_step, Encounter& encounter) noexcept;
@@ -81,15 +106,17 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void finish_step(int sub_steps) noexcept;
   void reject(StepStatus status) noexcept;
   void tell_of_step(const Simulation& simulation) const noexcept {
-    if (observer != nullptr)
-      observer->on_step({simulation, steps - 1, input, free_blocks, after_letting_go, output_path, hand, result});
+    for (StepObserver* observer : observers.all())
+      observer->on_step(
+          {simulation, steps - 1, input, free_blocks, after_letting_go, after_halt, output_path, hand, result});
   }
   void tell_of_exchange() noexcept {
     ++exchanges;
-    if (observer != nullptr) observer->on_exchange();
+    for (StepObserver* observer : observers.all()) observer->on_exchange();
   }
 
   // The same without a change: `Simulation::probe`.
+  [[nodiscard]] bool touches(const Pose& pose) noexcept;
   [[nodiscard]] ContactProbe probe_way(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
                                        double dt) noexcept;
   [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
@@ -109,9 +136,11 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
 
   // What one step hands to the next.
   bool has_pose = false;
-  Pose X_WH;  // at the end of the last accepted step
+  Pose X_WH;                      // at the end of the last accepted step
+  std::optional<Pose> left_from;  // the same, before jumps that took it elsewhere
   SpindleMotor motor;
-  double motor_torque = 0;   // [N·m] of the last sub-step, the load of the motor
+  SpindleLoad load;
+  double cutting_share = 1;  // [1] of the cutting ratio: what slow heads and stalled ones have of it
   DeepContact deep_contact;  // in W
   FrictionMemory friction_memory;
   Output output;
@@ -121,12 +150,15 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   std::size_t free_blocks = 0;    // when the last step began
   bool let_go_since = false;      // the last step
   bool after_letting_go = false;  // the last step was
+  bool halted_since = false;      // the spindle, since the last step
+  bool after_halt = false;        // the last step was
   OutputPath output_path = OutputPath::direct;
   HandOutput hand;  // of the coupling, in the last step
   std::uint64_t exchanges = 0;
-  StepObserver* observer = nullptr;
+  Observers observers;
 
   RemovalRecord removal;
+  std::array<double, 256> island_volume = {};  // [m^3] by MaterialId
   StepResult result;
   mutable StageTimes times;
 };

@@ -24,7 +24,7 @@ AnchorForce Simulation::State::pull_of_anchor(const SubStep& sub_step, const Enc
   const double share = standing_share(motor.speed(), tool.head().largest_radius());
   const bool touches = share > 0 && encounter.resultant.voxels > 0;
   Wrench normal_T;
-  if (touches) normal_T = motor.speed() == 0 ? encounter.resultant.wrench_T : normal_wrench(sub_step);
+  if (touches) normal_T = sub_step.head.motion.spin == 0 ? encounter.resultant.wrench_T : normal_wrench(sub_step);
   if (normal_T.force.isZero(0)) {
     pull.dissipated = anchor.stored();
     anchor.release();

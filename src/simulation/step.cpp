@@ -32,22 +32,26 @@ void Simulation::State::take_step(HandCoupling* coupling) noexcept {
   const auto& [pose, velocity, dt] = input;
   if (const StepStatus refused = check_step_input(); refused != StepStatus::ok) return reject(refused);
   if (!std::exchange(has_pose, true)) place_at(advance(pose, velocity, -dt));
-  const int sub_steps = plan_sweep(X_WH, pose);
-  if (sub_steps > config.longest_sweep) {
-    place_at(pose);
-    return reject(StepStatus::jump_rejected);
+  int sub_steps = plan_sweep(X_WH, pose);
+  if (sub_steps > config.longest_sweep && left_from && plan_sweep(*left_from, pose) <= config.longest_sweep) {
+    X_WH = *left_from;
+    sub_steps = plan_sweep(X_WH, pose);
   }
+  if (sub_steps > config.longest_sweep) return follow_jump(pose);
+  left_from.reset();
 
   const Twist path = twist_between(X_WH, pose, dt);
   for (int i = 0; i < sub_steps; ++i) {
-    const SubStep sub_step = plan_sub_step(X_WH, i, dt / sub_steps, path, velocity);
+    SubStep sub_step = plan_sub_step(X_WH, i, dt / sub_steps, path, velocity);
     const std::span<const CuttableBlock> blocks = find_blocks(sub_step);
+    drive_spindle(blocks, sub_step);
     Encounter encounter = press_and_cut(blocks, sub_step);
     remove_emptied();
     hold_deep_contact(sub_step, encounter);
     add_friction(sub_step, encounter);
     book_energy(sub_step, encounter);
     transport_to_handle(sub_step, encounter, 1.0 / sub_steps);
+    advance_spindle(sub_step, encounter);
   }
   give_output(coupling);
   finish_step(sub_steps);
@@ -58,6 +62,7 @@ void Simulation::State::begin_step(const StepInput& given) noexcept {
   ++steps;
   free_blocks = workpiece.reserved_blocks();
   after_letting_go = std::exchange(let_go_since, false);
+  after_halt = std::exchange(halted_since, false);
   output_path = OutputPath::direct;
   removal.clear();
   contact_stages.forget_changes();
@@ -89,6 +94,18 @@ void Simulation::State::place_at(const Pose& pose) noexcept {
   X_WH = pose;
 }
 
+/// A head that turns is not put into material that it has not cut its way into, farther away than its radius: it stays.
+/// Else it is put there; that may have been an error of the device, so where it came from is kept until a step is
+/// taken.
+void Simulation::State::follow_jump(const Pose& pose) noexcept {
+  const Vec3 shift = pose * tool.X_HT().translation - X_WH * tool.X_HT().translation;
+  if (motor.setting() != 0 && shift.norm() > tool.head().largest_radius() && touches(pose))
+    return reject(StepStatus::jump_rejected | StepStatus::tool_waits);
+  if (!left_from) left_from = X_WH;
+  place_at(pose);
+  reject(StepStatus::jump_rejected);
+}
+
 /// Number of equal parts in which no point of the head moves farther than half a voxel.
 int Simulation::State::plan_sweep(const Pose& from, const Pose& pose) const noexcept {
   const StageTimer timer = timed(&StageTimes::plan_sweep);
@@ -115,12 +132,13 @@ SubStep Simulation::State::plan_sub_step(const Pose& from, int index, double dur
                           sub_step.path_T.angular.cast<float>(),
                           felt_T.linear.cast<float>(),
                           felt_T.angular.cast<float>(),
-                          float(motor.speed()),
+                          0,
                           float(duration),
                           float(workpiece.voxel_size()),
                           config.removal,
                           float(tool.head().largest_radius()),
                           float(lead)};
+  turn_head(sub_step.head.motion);
   return sub_step;
 }
 
@@ -131,7 +149,9 @@ std::span<const CuttableBlock> Simulation::State::find_blocks(const SubStep& sub
 
 Encounter Simulation::State::press_and_cut(std::span<const CuttableBlock> blocks, const SubStep& sub_step) noexcept {
   const StageTimer timer = timed(&StageTimes::press_and_cut);
-  return contact_stages.press_and_cut(blocks, sub_step.head, removal);
+  Encounter encounter = contact_stages.press_and_cut(blocks, sub_step.head, removal);
+  if (motor.stalled()) book_stalled(sub_step, encounter);
+  return encounter;
 }
 
 void Simulation::State::remove_emptied() noexcept {
@@ -157,7 +177,7 @@ DeepContact::Outcome Simulation::State::hold(const SubStep& sub_step, const Enco
   const double filled = encounter.resultant.volume * voxel_volume / tool.head().volume();
   const Mat3& R_WT = sub_step.X_WT.rotation;
   // The force of a spinning ball also has a part along its surface; the normal one alone costs a second look.
-  const bool look = motor.speed() != 0 && deep.wants_normal_force(filled);
+  const bool look = sub_step.head.motion.spin != 0 && deep.wants_normal_force(filled);
   const Vec3 normal_T = look ? normal_wrench(sub_step).force : encounter.resultant.wrench_T.force;
   const Vec3 way = sub_step.duration * (R_WT * sub_step.path_T.linear);
   const double lead = double(sub_step.head.motion.lead);
@@ -198,12 +218,14 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
                                                 config.handle_torque_scale);
   }
 
-  motor_torque = -wrench_T.torque.z();
-  result.spindle.torque += share * motor_torque;
+  result.spindle.torque -= share * wrench_T.torque.z();
+  result.spindle.speed = motor.speed();
   result.contact = contact_of(encounter);
   if (encounter.blocks_exhausted) result.status |= StepStatus::blocks_exhausted;
   if (encounter.force_not_finite) result.status |= StepStatus::force_not_finite;
   if (encounter.level_of_detail > 1) result.status |= StepStatus::detail_reduced;
+  if (encounter.energies.cutting > 0 && encounter.engaged_layer() > kThickLayer * tool.head().largest_radius())
+    result.status |= StepStatus::engaged_layer_thick;
 }
 
 /// What the hand is given: the force of the model, or of the coupling, with what is added to it, within its limits.
@@ -217,8 +239,8 @@ void Simulation::State::give_output(HandCoupling* coupling) noexcept {
   }
   if (output_path != OutputPath::kept) {
     const Effects& effects = config.effects;
-    const EffectsInput at = {from.X_WD, from.X_WD * tool.X_HT(), motor.speed() != 0 && result.contact.voxels > 0,
-                             result.spindle.torque * motor.speed(), from.dt};
+    const EffectsInput at = {from.X_WD, from.X_WD * tool.X_HT(), result.spindle.speed != 0 && result.contact.voxels > 0,
+                             result.spindle.torque * result.spindle.speed, from.dt};
     (void)output.give(effects, at, from.wrench);
     if (effects.vibration && at.touching && effects.vibration->frequency * from.dt >= kFastestVibration)
       result.status |= StepStatus::vibration_left_out;
@@ -236,17 +258,10 @@ void Simulation::let_go() noexcept {
 void Simulation::State::finish_step(int sub_steps) noexcept {
   X_WH = input.pose;
   result.sub_steps = sub_steps;
-  result.spindle.speed = motor.speed();
   result.removed_voxels = removal.voxels();
   result.removed_volume = removal.volume();
   if (removal.overflowed()) result.status |= StepStatus::removed_list_full;
   if (4 * workpiece.reserved_blocks() <= config.reserved_blocks) result.status |= StepStatus::blocks_low;
-  if (removal.volume() > 0 && result.contact.depth > kThickLayer * tool.head().largest_radius())
-    result.status |= StepStatus::engaged_layer_thick;
-
-  if (motor.loaded()) result.status |= StepStatus::power_limited;
-  motor.advance(motor_torque, input.dt);
-  contact_stages.set_cutting_share(1 - standing_share(motor.speed(), tool.head().largest_radius()));
 }
 
 /// A step that is not taken.

@@ -30,12 +30,13 @@ constexpr auto names_of(Of<ContactTime>) {
 /// How a simulation computes. Every field has a default that works; all are checked when the simulation is made.
 struct SimulationConfig {
   /// That of each material must be within 1 ... 1e25. A regularisation, not a material constant: cutting forces do not
-  /// depend on it while the engaged layer is thin. See force/stiffness.hpp for the bounds that accuracy and a directly
-  /// driven device put on it.
-  double reference_stiffness = 1e13;
+  /// depend on it while the engaged layer is thin. 0: as stiff as head and grid allow (`stiffness_for_grid`); where the
+  /// quadrature is one of points, kStiffnessOfPoints. A device that is driven without a coupling renders much less: see
+  /// force/stiffness.hpp.
+  double reference_stiffness = 0;
 
   RemovalLaw removal = RemovalLaw::constant_energy;
-  Quadrature quadrature = Quadrature::centroid;
+  Quadrature quadrature = Quadrature::automatic;
 
   /// With `end`, springs that are being pressed push harder than what they store in the sub-step; the difference is
   /// booked as damping. Custom laws that do not read HeadMotion::lead store what they would half a sub-step
@@ -81,8 +82,8 @@ struct SimulationConfig {
 constexpr auto fields_of(Of<SimulationConfig>) {
   using C = SimulationConfig;
   return std::tuple{
-      field("reference_stiffness", &C::reference_stiffness, "N/m^4", Range::positive(),
-            "k_v, foundation stiffness of a material of relative stiffness 1"),
+      field("reference_stiffness", &C::reference_stiffness, "N/m^4", Range::between(0, 1e25),
+            "k_v, foundation stiffness of a material of relative stiffness 1; 0: as stiff as head and grid allow"),
       field("removal", &C::removal, "how material is taken away"),
       field("quadrature", &C::quadrature, "where in a partly filled voxel its force is taken"),
       field("contact_time", &C::contact_time, "where on its way the head meets the material"),
@@ -112,5 +113,9 @@ constexpr auto fields_of(Of<SimulationConfig>) {
 
 /// @throws Error naming the field, its value and the allowed range
 void validate(const SimulationConfig& config);
+
+/// The same with what is left to the simulation: what `reference_stiffness` 0 and Quadrature::automatic stand for with
+/// this head in this grid. Simulation::config is the outcome for the head that the simulation was made with.
+[[nodiscard]] SimulationConfig complete(SimulationConfig config, const ToolHead& head, double voxel_size);
 
 }  // namespace hapticut

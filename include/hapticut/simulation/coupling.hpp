@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/device_state.hpp"
 #include "hapticut/simulation/simulation.hpp"
 
@@ -15,38 +19,60 @@ namespace hapticut {
 
 /// The spring and damper between the hand's handle and that of the simulated tool, and the mass of the latter.
 struct CouplingGains {
-  double mass = 0.05;      ///< [kg] > 0 of the simulated tool, at its handle point
-  double stiffness = 700;  ///< [N/m] > 0, k_T
-  double damping = 12;     ///< [N·s/m] >= 0, b_T
-  double largest_force = std::numeric_limits<double>::infinity();  ///< [N] > 0 of the spring
+  double mass = 0.05;
+  double stiffness = 700;
+  double damping = 12;
+  double largest_force = std::numeric_limits<double>::infinity();
+  double largest_torque = std::numeric_limits<double>::infinity();
 
-  /// [N·m/rad] >= 0, k_R. 0: the tool has the orientation of the hand, as it must where the device has no motors for
-  /// torque; the torque of the contact is then passed through.
+  /// A device without motors for torque needs 0; the torque of the contact is then passed through.
   double angular_stiffness = 0;
-  double angular_damping = 0;  ///< [N·m·s/rad] >= 0, b_R
-  double inertia = 2e-5;       ///< [kg·m^2] > 0 of the simulated tool about its handle point, the same about all axes
-
-  int newton_steps = 5;  ///< 1 ... 10, at most in one tick; one is enough where the tool moves steadily
+  double angular_damping = 0;
+  double inertia = 2e-5;
+  int newton_steps = 20;
 };
+
+constexpr auto fields_of(Of<CouplingGains>) {
+  using G = CouplingGains;
+  return std::tuple{
+      field("mass", &G::mass, "kg", Range::positive(), "of the simulated tool, at its handle point"),
+      field("stiffness", &G::stiffness, "N/m", Range::positive(), "k_T"),
+      field("damping", &G::damping, "N s/m", Range::between(0, 1e6), "b_T"),
+      field("largest_force", &G::largest_force, "N", Range::limit(), "of spring and damper together"),
+      field("largest_torque", &G::largest_torque, "N m", Range::limit(), "of spring and damper together"),
+      field("angular_stiffness", &G::angular_stiffness, "N m/rad", Range::between(0, 1e6),
+            "k_R; 0: the tool has the orientation of the hand"),
+      field("angular_damping", &G::angular_damping, "N m s/rad", Range::between(0, 1e6), "b_R"),
+      field("inertia", &G::inertia, "kg m^2", Range::positive(),
+            "of the simulated tool about its handle point, the same about all axes"),
+      field(
+          "newton_steps", &G::newton_steps, "1", Range::between(1, 50),
+          "at most in one part of a tick; one is enough where the tool moves steadily, corners of hard faces take ten"),
+  };
+}
 
 /// @throws Error naming the field, its value and the allowed range
 void validate(const CouplingGains& gains);
 
 /// Gains that respect what the device says it renders: its stiffness, the damping that just keeps the tool from
-/// swinging but no more than the device's, and no more force than its peak.
-/// @param mass  [kg] of the simulated tool
-/// @throws Error when the device promises no stiffness
-[[nodiscard]] CouplingGains coupling_gains(const DeviceCapabilities& device, double mass = 0.05);
+/// swinging but no more than the device's, and no more force and torque than its peak. The tool's inertia goes with its
+/// mass.
+/// @param mass  [kg] of the simulated tool; by default 0.05, or less where the device's damping would be below 0.7 of
+/// the critical one
+/// @throws Error when the device promises no stiffness, or so little damping that a tool of this mass would ring, at
+/// less than half of the critical damping (the message has the largest mass that does not), or by default one of less
+/// than a gram
+[[nodiscard]] CouplingGains coupling_gains(const DeviceCapabilities& device, std::optional<double> mass = {});
 
 /// Where the work of the hand went on its way to the tool, since it took the tool; accumulated, but `spring` and
-/// `kinetic`, which are stored at the end of the last tick. All in [J].
+/// `kinetic`, which are stored at the end of the last tick.
 struct CouplingEnergy {
-  double hand_work = 0;  ///< work done by the hand on the coupling
-  double tool_work = 0;  ///< what of it reached the simulation: EnergyLedger::hand_work
-  double spring = 0;     ///< stored in the coupling
-  double damper = 0;     ///< dissipated in it
-  double kinetic = 0;    ///< of the simulated tool
-  double implicit = 0;   ///< what the implicit steps of spring and mass dissipate, never negative
+  double hand_work = 0;
+  double tool_work = 0;
+  double spring = 0;
+  double damper = 0;
+  double kinetic = 0;
+  double implicit = 0;
 
   /// [J] hand_work less everything else; 0 when the ledger closes. Left over: what is not solved to the last digit.
   [[nodiscard]] double imbalance() const { return hand_work - tool_work - spring - damper - kinetic - implicit; }
@@ -57,6 +83,18 @@ struct CouplingEnergy {
     return turnover > 0 ? imbalance() / turnover : 0.0;
   }
 };
+
+constexpr auto fields_of(Of<CouplingEnergy>) {
+  using E = CouplingEnergy;
+  return std::tuple{
+      field("hand_work", &E::hand_work, "J", "work done by the hand on the coupling"),
+      field("tool_work", &E::tool_work, "J", "what of it reached the simulation: EnergyLedger::hand_work"),
+      field("spring", &E::spring, "J", "stored in the coupling"),
+      field("damper", &E::damper, "J", "dissipated in it"),
+      field("kinetic", &E::kinetic, "J", "of the simulated tool"),
+      field("implicit", &E::implicit, "J", "what the implicit steps of spring and mass dissipate, never negative"),
+  };
+}
 
 /// What one tick of the coupling gives.
 struct CoupledResult {
@@ -94,11 +132,13 @@ class VirtualCoupling {
 
   /// The hand has moved: moves the tool after it, through the material.
   ///
-  /// In the first tick, and after `release`, the tool is put where the hand is.
+  /// In the first tick, and after `release`, the tool is put where the hand is; after `leave`, it waits for the hand.
   /// @param pose      X_WD of the hand's handle at the end of the tick
   /// @param velocity  [m/s] of its Ho and [rad/s], in W, as the device estimates it; drives the damper
   /// @param dt        [s] since the last call
-  /// @return valid until the next call. An input that is refused gives no force; then the tool starts afresh.
+  /// @return valid until the next call. An input that is refused gives no force, and the tool stays where it was. It
+  /// goes on from there when the hand comes back within 2 mm of where it was, is put
+  /// where the hand is when that is in no material, and waits otherwise: StepStatus::tool_waits.
   /// @realtime no allocation, no lock, no exception; in each part at most newton_steps + 1 contacts are evaluated; with
   /// a custom law 4 newton_steps + 1, or 7 newton_steps + 1 where the coupling turns the tool
   const CoupledResult& step(const Pose& pose, const Twist& velocity, double dt) noexcept;
@@ -110,12 +150,28 @@ class VirtualCoupling {
     std::vector<VoxelIndex> changed;
   };
 
-  /// Lets go, and goes on with other lists, because the simulation has another tool; `lists` are the old ones then.
+  /// Goes on with other lists, because the simulation has another tool; `lists` are the old ones then. What that tool
+  /// is in must not be felt: `leave` or `release` as well.
   /// @realtime no allocation, no lock; O(1)
   void exchange_lists(Lists& lists) noexcept;
 
   /// Lets go: the next tick puts the tool where the hand is.
-  void release() noexcept { held_ = false; }
+  void release() noexcept { held_ = waits_ = false; }
+
+  /// When a tool that was left goes with its hand again.
+  enum class Rejoin : std::uint8_t {
+    near,  ///< when the hand is within 2 mm of where it was, and goes on from there; or as `free`
+    free,  ///< the same where the tool touches nothing by then; or when it would touch nothing where the hand is: put
+           ///< there
+  };
+
+  /// Leaves the tool where it is, standing; before the first step, where the hand will be. Until they join, `step`
+  /// gives no force: StepStatus::tool_waits.
+  /// @realtime no allocation, no lock; O(1)
+  void leave(Rejoin rejoin) noexcept;
+
+  /// Other gains from the next step on.  @pre they are valid
+  void set_gains(const CouplingGains& gains) noexcept { gains_ = gains; }
 
   [[nodiscard]] const CouplingGains& gains() const { return gains_; }
   [[nodiscard]] const CoupledResult& last_result() const { return result_; }
@@ -124,11 +180,19 @@ class VirtualCoupling {
  private:
   using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
 
+  /// Spring and damper within their limit: the force is that in a ball of its size that is nearest to their sum, so
+  /// that the damper takes whatever the spring, which has an energy of its own in it, does not store.
+  struct Limited {
+    Vec3 force, spring;  // [N] or [N m] of both, and of the spring alone
+    Mat3 slope;          // [1] of the force against the sum
+  };
+  [[nodiscard]] static Limited limited(const Vec3& spring, const Vec3& damper, double largest) noexcept;
+
   /// The coupling with the tool at a pose.
   struct Pull {
     Vec3 stretch, turn;  // [m], [rad] from the tool to the hand
-    double stiffness;    // [N/m] secant of the spring
-    Wrench wrench;       // on the tool
+    Limited linear, angular;
+    Wrench wrench;  // on the tool
   };
 
   static constexpr int kMostParts = 8;
@@ -151,17 +215,28 @@ class VirtualCoupling {
   [[nodiscard]] Twist solve(const Pose& pose, const Twist& hand, double dt) noexcept;
   [[nodiscard]] double kinetic_energy(const Twist& tool) const noexcept;
   [[nodiscard]] double spring_energy(const Pull& pull) const noexcept;
-  void book(const Pull& before, const Pull& after, const Twist& tool_before, const Twist& hand_path, const Twist& hand,
-            double tool_work, double dt) noexcept;
-  const CoupledResult& let_go(StepStatus status) noexcept;
+  void book(const Pull& before, const Pull& after, const Twist& tool_before, const Twist& hand_path, double tool_work,
+            double dt) noexcept;
+  void begin_grip(const Pose& pose, const Twist& velocity, double dt) noexcept;
+  [[nodiscard]] bool is_near(const Pose& pose) const noexcept;
+  [[nodiscard]] bool may_go_on_from_here(const Pose& pose) const noexcept;
+  [[nodiscard]] double reach() const noexcept;
+  const CoupledResult& wait(StepStatus status) noexcept;
   [[nodiscard]] bool turns() const { return gains_.angular_stiffness > 0; }
 
   Simulation* simulation_;
   CouplingGains gains_;
   bool held_ = false;
+  bool waits_ = false;  // since it was left, or an input refused
+  Rejoin rejoin_ = Rejoin::near;
   Pose X_WD_;  // of the hand, at the end of the last part
   Lists lists_;
   CoupledResult result_;
 };
+
+constexpr auto names_of(Of<VirtualCoupling::Rejoin>) {
+  using enum VirtualCoupling::Rejoin;
+  return std::array{Named{near, "near"}, Named{free, "free"}};
+}
 
 }  // namespace hapticut

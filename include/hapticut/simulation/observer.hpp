@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "hapticut/simulation/step.hpp"
+#include "hapticut/workpiece/islands.hpp"
 
 namespace hapticut {
 
@@ -44,12 +45,13 @@ struct ObservedStep {
   const StepInput& input;        ///< what it was given
   std::size_t free_blocks;       ///< reserved blocks that were left when it began
   bool let_go;                   ///< the hand had let go before it: see Simulation::let_go
+  bool halted;                   ///< the spindle had been halted before it: see Simulation::halt_spindle
   OutputPath path;               ///< of its force
   const HandOutput& hand;        ///< of the coupling, where `path` is coupled
   const StepResult& result;      ///< what came of it
 };
 
-/// Is told of every step of a simulation, also of those that a loop or a coupling makes: see Simulation::set_observer.
+/// Is told of every step of a simulation, also of those that a loop or a coupling makes: see Simulation::add_observer.
 class StepObserver {
  public:
   virtual ~StepObserver() = default;
@@ -60,6 +62,9 @@ class StepObserver {
 
   /// Between two steps, when something else has changed what steps meet: see Simulation::workpiece_exchanges.
   virtual void on_exchange() noexcept {}
+
+  /// Between two steps, when voxels were taken out that nothing has cut: see Simulation::remove_voxels.
+  virtual void on_removal(const BlockVoxels& /*removed*/) noexcept {}
 };
 
 }  // namespace hapticut

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "hapticut/simulation/config.hpp"
 #include "hapticut/simulation/exchange.hpp"
@@ -68,12 +69,18 @@ class Simulation {
   [[nodiscard]] ContactProbe probe(const Pose& pose, const Twist& velocity, double dt,
                                    ProbedMotions motions = ProbedMotions::all) const noexcept;
 
+  /// Whether the head would be in material with the handle at a pose; false where the pose is none.
+  /// @realtime no allocation, no lock; evaluates the contact once
+  [[nodiscard]] bool touches(const Pose& pose) const noexcept;
+
   [[nodiscard]] const Workpiece& workpiece() const;
   [[nodiscard]] const Tool& tool() const;
+
+  /// As given, with what was left to the simulation (`complete`).
   [[nodiscard]] const SimulationConfig& config() const;
   [[nodiscard]] const StepResult& last_result() const;
 
-  /// What the last step has changed.  @realtime no allocation, no lock; O(1)
+  /// What the last step has changed, and removals since.  @realtime no allocation, no lock; O(1)
   [[nodiscard]] ChangedBlocks changed_blocks() const noexcept;
 
   /// [rad/s] that was asked of the spindle last; while it ramps or is loaded its speed is StepResult::spindle.
@@ -86,13 +93,18 @@ class Simulation {
   [[nodiscard]] std::uint64_t steps() const noexcept;
 
   /// How often something else than a step has changed what steps meet: `restore`, `reset`, `undo`, `redo`, `set_tool`,
-  /// `set_materials`, `set_friction`, `set_removal` and the exchanges of a loop. The observer is told of each.
+  /// `set_materials`, `set_friction`, `set_removal` and the exchanges of a loop. The observers are told of each.
   [[nodiscard]] std::uint64_t workpiece_exchanges() const noexcept;
 
-  /// Sets the observer, which is told of every step from now on; null takes it away. It must live until then.
-  /// @throws Error when there is another observer already
-  void set_observer(StepObserver* observer);
-  [[nodiscard]] StepObserver* observer() const noexcept;
+  static constexpr std::size_t kMostObservers = 8;
+
+  /// Adds an observer, which is told of every step from now on, after those that are there already. It must live until
+  /// it is removed. Observers stay with this simulation when its workpiece is exchanged.
+  /// @throws Error when it is one already, or there are kMostObservers
+  void add_observer(StepObserver& observer);
+
+  void remove_observer(StepObserver& observer) noexcept;  ///< nothing happens when it is none
+  [[nodiscard]] std::span<StepObserver* const> observers() const noexcept;
 
   /// [m^3] taken away since construction or reset, by MaterialId.
   [[nodiscard]] const std::array<double, 256>& removed_volume_by_material() const;
@@ -178,6 +190,24 @@ class Simulation {
   /// @return true when it is done, or nothing was undone
   /// @realtime no allocation, no lock; O(most)
   bool redo(std::size_t most) noexcept;
+
+  // --- pieces cut loose, between steps -------------------------------------------------------------------------------
+  /// Goes on with the removal of an island, by up to `most` blocks (and at least one), 1 us each: first it is seen
+  /// whether it still is one, then it leaves block by block. The tool goes on as it does; `changed_blocks` names the
+  /// blocks as well. To be called until it says that it is over.
+  /// @return true when the island is gone, or cannot go: IslandRemoval::joined
+  /// @realtime no allocation, no lock; O(most)
+  bool remove_island(IslandRemoval& removal, std::size_t most) noexcept;
+
+  /// Takes voxels of one block away without cutting them. Their volume is no removed volume, but
+  /// `island_volume_by_material`; what had been pressed in them is EnergyLedger::entered of the next step. Undo brings
+  /// them back.
+  /// @return false, and nothing has changed, when no reserved block is left for it
+  /// @realtime no allocation, no lock; O(512)
+  bool remove_voxels(const BlockVoxels& voxels) noexcept;
+
+  /// [m^3] that `remove_voxels` and `remove_island` took away since construction or reset, by MaterialId.
+  [[nodiscard]] const std::array<double, 256>& island_volume_by_material() const noexcept;
 
   /// Starts again with another workpiece: tool position, energies, removed volumes and undo marks are forgotten. It
   /// gets as much memory for undo as the old one had.

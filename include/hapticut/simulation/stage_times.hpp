@@ -12,12 +12,14 @@ struct StageTimes {
   double plan_sweep = 0;
   double plan_sub_step = 0;
   double find_blocks = 0;
+  double drive_spindle = 0;
   double press_and_cut = 0;
   double remove_emptied = 0;
   double hold_deep_contact = 0;
   double add_friction = 0;
   double book_energy = 0;
   double transport_to_handle = 0;
+  double advance_spindle = 0;
   double give_output = 0;
 };
 
@@ -28,12 +30,14 @@ constexpr auto fields_of(Of<StageTimes>) {
       field("plan_sweep", &T::plan_sweep, "s", "number of sub-steps"),
       field("plan_sub_step", &T::plan_sub_step, "s", "pose and twist of a sub-step"),
       field("find_blocks", &T::find_blocks, "s", "blocks that the head may touch"),
+      field("drive_spindle", &T::drive_spindle, "s", "speed of a motor with limits under the load"),
       field("press_and_cut", &T::press_and_cut, "s", "force, energies and new fills"),
       field("remove_emptied", &T::remove_emptied, "s", "voxels that became empty"),
       field("hold_deep_contact", &T::hold_deep_contact, "s", "a ball pushed beyond its radius"),
       field("add_friction", &T::add_friction, "s", "dry friction of a head that stands"),
       field("book_energy", &T::book_energy, "s", "work of hand and motor"),
       field("transport_to_handle", &T::transport_to_handle, "s", "force and torque about Ho"),
+      field("advance_spindle", &T::advance_spindle, "s", "ramp and inertia of the motor"),
       field("give_output", &T::give_output, "s", "what the hand feels"),
   };
 }

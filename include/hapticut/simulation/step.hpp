@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
@@ -41,7 +43,9 @@ enum class StepStatus : std::uint32_t {
   /// Cure: pass the seconds since the last call; after a pause call with a fresh pose and the nominal period.
   dt_rejected = 1U << 2,
   /// The head moved farther than SimulationConfig::longest_sweep half voxels: a jump, not a motion. No force, workpiece
-  /// untouched; the next step starts from this pose. Cure: bring the hand back smoothly, or raise longest_sweep.
+  /// untouched. The next step starts from this pose, or from where the tool was when it is nearer to that; a head that
+  /// turns stays where that would put it into material farther away than its radius (tool_waits). Cure: bring the hand
+  /// back smoothly, or raise longest_sweep.
   jump_rejected = 1U << 3,
 
   /// A quarter of the reserved blocks or fewer are left. Output unaffected. Cure: Simulation::reserve_blocks soon.
@@ -53,11 +57,13 @@ enum class StepStatus : std::uint32_t {
   /// Cure: raise SimulationConfig::removed_voxel_capacity.
   removed_list_full = 1U << 6,
 
-  /// The spindle ran slower than its set speed, because the cut asked for more than its power limit.
+  /// The spindle is loaded beyond its largest power, or at its limit of power or torque: it slows down, and more load
+  /// stalls it. Cure: press less, or Spindle::power_limit, torque_limit, droop.
   power_limited = 1U << 8,
-  /// The spindle cuts with material deeper than a tenth of the head's radius below the cutting surface: the foundation
-  /// is too soft for the feed, and forces come out low. Cure: raise SimulationConfig::reference_stiffness (with a
-  /// virtual coupling, where a device must not feel it directly), or feed slower.
+  /// The spindle cuts in a layer thicker than a tenth of the head's radius, weighed by the force that its depths carry:
+  /// the foundation is too soft for the feed, and forces come out wrong. Cure: leave
+  /// SimulationConfig::reference_stiffness to its default, or raise it (with a virtual coupling, where a device must
+  /// not feel it directly), or feed slower.
   engaged_layer_thick = 1U << 9,
   /// The step was too long for the vibration's frequency, which was left out. Cure: call the step at
   /// SimulationConfig::update_rate, or lower Vibration::frequency.
@@ -68,6 +74,15 @@ enum class StepStatus : std::uint32_t {
   /// The force law gave a force or an energy that is not a finite number. No force from it; what it has cut stays cut.
   /// Cure: check the law of your own.
   force_not_finite = 1U << 12,
+  /// The load holds the spindle, and nothing is cut. Cure: press less; it runs again by itself.
+  spindle_stalled = 1U << 13,
+  /// The iteration of a coupling ended before its forces were in balance: what is left is work that nobody did
+  /// (CouplingEnergy::imbalance). Cure: a heavier tool, a lower reference_stiffness, or more
+  /// CouplingGains::newton_steps.
+  not_in_balance = 1U << 14,
+  /// After an input that was refused, or a jump, the hand is elsewhere inside the material: the tool waits where it
+  /// was. No force, nothing is cut. Cure: move the hand out of the material, or back to the tool.
+  tool_waits = 1U << 15,
 };
 
 constexpr auto names_of(Of<StepStatus>) {
@@ -86,6 +101,9 @@ constexpr auto names_of(Of<StepStatus>) {
       Named{vibration_left_out, "vibration_left_out"},
       Named{detail_reduced, "detail_reduced"},
       Named{force_not_finite, "force_not_finite"},
+      Named{spindle_stalled, "spindle_stalled"},
+      Named{not_in_balance, "not_in_balance"},
+      Named{tool_waits, "tool_waits"},
   };
 }
 
@@ -97,6 +115,15 @@ constexpr StepStatus& operator|=(StepStatus& a, StepStatus b) { return a = a | b
 /// Whether any of the given bits is set.
 [[nodiscard]] constexpr bool has_any(StepStatus status, StepStatus bits) {
   return (std::uint32_t(status) & std::uint32_t(bits)) != 0;
+}
+
+/// The names of all bits that are set: "ok", "power_limited", "blocks_low | engaged_layer_thick".
+[[nodiscard]] inline std::string describe(StepStatus status) {
+  std::string names;
+  for_each_bit<StepStatus>([&](StepStatus bit, std::string_view name) {
+    if (has_any(status, bit)) names += (names.empty() ? "" : " | ") + std::string(name);
+  });
+  return names.empty() ? "ok" : names;
 }
 
 /// The bits of an input that was not accepted.
@@ -145,7 +172,8 @@ constexpr auto fields_of(Of<ContactProbe>) {
   using P = ContactProbe;
   return std::tuple{
       field("wrench", &P::wrench, "about Ho, in W, on the tool; without effects and limits"),
-      field("stiffness", &P::stiffness, "about Ho, in W; positive semidefinite"),
+      field("stiffness", &P::stiffness,
+            "about Ho, in W, by which the wrench falls with a small motion; symmetric where the head does not spin"),
       field("contact", &P::contact, "what the head would touch"),
       field("sliding", &P::sliding, "dry friction drags its anchor along: see StickSlip"),
   };
