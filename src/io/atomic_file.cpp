@@ -2,12 +2,18 @@
 #include "io/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <cstdio>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "hapticut/core/errors.hpp"
@@ -22,23 +28,64 @@ namespace fs = std::filesystem;
               ". Check the folder, its permissions and the free disk space.");
 }
 
-std::string reason_of(int error_number) { return std::generic_category().message(error_number); }
+std::string text_of_errno(int error_number) { return std::generic_category().message(error_number); }
+
+constexpr std::string_view kTemporaryPrefix = ".hapticut-";
+constexpr std::size_t kLongestName = 255;  // [bytes] of a file
+
+/// Of processes that see each other by number: this machine, and the space that its numbers are counted in.
+std::string home_of_processes() {
+  char host[256] = {};
+  ::gethostname(host, sizeof host - 1);
+  std::error_code code;
+  const std::string space = fs::read_symlink("/proc/self/ns/pid", code).string();
+  std::array<char, 24> text;
+  std::snprintf(text.data(), text.size(), "%08zx", std::hash<std::string>{}(host + space) & 0xffffffffU);
+  return text.data();
+}
+
+/// ".hapticut-HOME-PROCESS-NUMBER-NAME"; of a long name only its end, which has the extension.
+std::string temporary_name(const std::string& name) {
+  static std::atomic<unsigned> counter{0};
+  static const std::string home = home_of_processes();
+  const std::string start =
+      std::string(kTemporaryPrefix) + home + "-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + "-";
+  return start + name.substr(name.size() - std::min(name.size(), kLongestName - start.size()));
+}
+
+/// The process that made a temporary file here and is gone, or 0.
+pid_t gone_maker_of(const std::string& name) {
+  static const std::string start = std::string(kTemporaryPrefix) + home_of_processes() + "-";
+  pid_t maker = 0;
+  if (!name.starts_with(start)) return 0;
+  const char* first = name.data() + start.size();
+  const auto [end, error] = std::from_chars(first, name.data() + name.size(), maker);
+  if (error != std::errc{} || end == first || *end != '-' || maker <= 0) return 0;
+  return ::kill(maker, 0) != 0 && errno == ESRCH ? maker : 0;
+}
+
+/// Removes what programs that were killed have left in a folder.
+void remove_leftovers(const fs::path& folder) {
+  std::error_code code;
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, code), end; !code && entry != end;
+       entry.increment(code))
+    if (gone_maker_of(entry->path().filename().string()) != 0) ::unlink(entry->path().c_str());
+}
 
 }  // namespace
 
 AtomicFile::AtomicFile(const fs::path& path) : path_(path) {
-  static std::atomic<unsigned> counter{0};
   std::error_code code;
   if (!path.has_filename()) fail(path, "it has no file name");
   if (fs::is_symlink(path, code)) path_ = fs::weakly_canonical(path, code);  // keep the link, replace what it names
   const fs::file_status status = fs::status(path_, code);
   if (fs::exists(status) && !fs::is_regular_file(status)) fail(path, "it exists and is not a regular file");
-  const std::string name =
-      ".hapticut-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + "-" + path_.filename().string();
-  temporary_path_ = path_.parent_path() / name;
+  if (path_.filename().string().size() > kLongestName) fail(path, text_of_errno(ENAMETOOLONG));
+  remove_leftovers(path_.parent_path());
+  temporary_path_ = path_.parent_path() / temporary_name(path_.filename().string());
   // O_EXCL: no other file is ever overwritten under the temporary name.
   const int file = ::open(temporary_path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-  if (file < 0) fail(path, reason_of(errno));
+  if (file < 0) fail(path, text_of_errno(errno));
   ::close(file);
 }
 
@@ -48,12 +95,12 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::commit() {
   const int file = ::open(temporary_path_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) fail(path_, reason_of(errno));
+  if (file < 0) fail(path_, text_of_errno(errno));
   const bool synced = ::fsync(file) == 0;
   const int sync_error = errno;
   ::close(file);
-  if (!synced) fail(path_, reason_of(sync_error));
-  if (::rename(temporary_path_.c_str(), path_.c_str()) != 0) fail(path_, reason_of(errno));
+  if (!synced) fail(path_, text_of_errno(sync_error));
+  if (::rename(temporary_path_.c_str(), path_.c_str()) != 0) fail(path_, text_of_errno(errno));
   committed_ = true;
 }
 
@@ -68,7 +115,7 @@ void write_atomically(const fs::path& path, const std::function<void(std::ostrea
     stream.flush();
     stream.close();
   } catch (const std::ios_base::failure&) {
-    fail(path, errno != 0 ? reason_of(errno) : "writing failed");
+    fail(path, errno != 0 ? text_of_errno(errno) : "writing failed");
   }
   file.commit();
 }

@@ -10,7 +10,8 @@
 namespace hapticut {
 
 /// A file being written. Write to `temporary_path()`; `commit()` puts it in place. Without a commit the
-/// temporary file is removed and what was at `path` before is still there.
+/// temporary file is removed and what was at `path` before is still there. A program that is killed leaves it, and the
+/// next file that is written into the same folder removes it.
 class AtomicFile {
  public:
   /// @throws Error when the folder does not exist or cannot be written to, or when `path` is something else than a

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <new>
+#include <stdexcept>
 #include <string>
 
 #include "hapticut/core/errors.hpp"
@@ -12,6 +14,23 @@ namespace hapticut {
 /// @throws Error that names the file and the reason
 [[noreturn]] inline void cannot_read(const std::filesystem::path& path, const std::string& reason) {
   throw Error("cannot read '" + path.string() + "': " + reason);
+}
+
+/// Runs a part of the reading that says "it" of the file.
+/// @throws Error with the name of the file in front of whatever went wrong
+template <class Work>
+auto naming(const std::filesystem::path& path, const Work& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    const std::string reason = error.what();
+    if (reason.starts_with("cannot read ")) throw;  // it names a file already
+    cannot_read(path, reason);
+  } catch (const std::bad_alloc&) {
+    cannot_read(path, "there is not enough memory for it. Crop or downsample it first.");
+  } catch (const std::length_error&) {
+    cannot_read(path, "there is not enough memory for it. Crop or downsample it first.");
+  }
 }
 
 /// Size of a regular file that can be opened for reading.

@@ -19,10 +19,11 @@ class CsvFile {
  public:
   /// @param what  what the file is, and where its name was given: "file of poses", "--poses"
   /// @throws Error when it cannot be read
-  CsvFile(const std::filesystem::path& path, const std::string& what, const std::string& flag)
-      : name_(path.string()), stream_(path) {
+  CsvFile(const std::filesystem::path& path, const std::string& what, const std::string& flag) : name_(path.string()) {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error) || !stream_)
+    // Not opened before: a pipe would be waited for, and a device read for ever.
+    if (std::filesystem::is_regular_file(path, error)) stream_.open(path);
+    if (!stream_.is_open())
       throw Error(name_ + ": this " + what + " cannot be read. Check the name given to " + flag + ".");
   }
 

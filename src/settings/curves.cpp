@@ -4,12 +4,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 
 namespace hapticut::settings {
 namespace {
 
 constexpr double kAngleStep = 0.5 * units::deg;
+constexpr double kMostPoints = 1e7;  // of a curve; a drill of more steps is refused as well
+
+/// @param turns  [1] of the curve
+/// @param cause  the settings that make it so long
+void require_points(double turns, const char* cause) {
+  const double points = turns * 2 * units::kPi / kAngleStep;
+  if (!(points <= kMostPoints))
+    throw Error("the path would have " + format_number(points) + " points; at most " + format_number(kMostPoints) +
+                " are possible. Change " + cause + ".");
+}
 
 /// A point on the way round an axis.
 struct Station {
@@ -50,15 +61,20 @@ Pose CurvePlane::frame() const {
 }
 
 std::vector<Vec3> circle(const CurvePlane& plane, double radius, double turns, double start_angle) {
+  require_points(std::abs(turns), "path.turns");
   return wind_all(plane, {{start_angle, radius, 0}, {start_angle + 2 * units::kPi * turns, radius, 0}});
 }
 
 std::vector<Vec3> spiral(const CurvePlane& plane, double start_radius, double end_radius, double pitch, double depth) {
   const double turns = std::hypot(end_radius - start_radius, depth) / pitch;
+  require_points(turns, "path.depth_mm or path.pitch_mm");
   return wind_all(plane, {{0, start_radius, 0}, {2 * units::kPi * turns, end_radius, depth}});
 }
 
 std::vector<Vec3> cavity(const CurvePlane& plane, const CavityShape& shape) {
+  const double widest = std::max(shape.top_radius, shape.bottom_radius);
+  require_points((shape.depth / shape.layer + 1) * (widest / shape.pitch + 2),
+                 "path.depth_mm, path.layer_mm or path.pitch_mm");
   const int layers = std::max(1, int(std::ceil(shape.depth / shape.layer - 1e-9)));
   std::vector<Station> stations;
   double angle = 0;

@@ -57,7 +57,7 @@ Material MaterialChanges::find(const std::string& name) const {
     throw Error("there is no material " + base + "; the presets are " + known + "." + suggestion(base, presets) +
                 " For one of your own write [material." + base + "] with based_on = \"a preset\".");
   }
-  Material material = find_preset(base);
+  Material material = find_preset(base, cutter);
   material.name = name;
   if (change != changes_.end()) apply(change->second, material);
   return material;

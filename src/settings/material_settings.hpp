@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/tool/cutter.hpp"
 #include "hapticut/workpiece/material.hpp"
 #include "settings/setting.hpp"
 
@@ -21,6 +22,8 @@ struct MaterialChange {
 /// The materials of a run: the presets, changed by the user, and the user's own.
 class MaterialChanges {
  public:
+  CutterKind cutter = CutterKind::carbide_bur;  ///< that presets are to be cut with
+
   /// The one setting that reads all tables of `[material]`.
   [[nodiscard]] Setting setting();
 

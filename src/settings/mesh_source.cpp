@@ -29,6 +29,8 @@ Workpiece make_workpiece_from_mesh(const WorkpieceSettings& s) {
   const std::vector<NamedMesh> objects = read_mesh(s.source, s.unit_mm.value_or(1));
   MeshImport options;
   options.voxel_size = s.voxel_mm.value_or(0.1) * units::mm;
+  options.large = s.large;
+  options.tell = s.tell;
   if (s.material.empty() == s.shells.empty())
     throw Error("a mesh needs either workpiece.material or workpiece.shells; its objects are " + names_of(objects) +
                 ". Set --material, or --shell MATERIAL=OBJECT for each.");

@@ -32,7 +32,8 @@ Scene make_scene(const SceneSettings& s, bool with_motion) {
   std::optional<Motion> motion;
   if (with_motion) motion = make_motion(s.path, tool);
   SimulationConfig config = make_config(s.simulation);
-  return {make_workpiece(s.workpiece), std::move(tool), std::move(config), std::move(motion)};
+  Workpiece workpiece = make_workpiece(s.workpiece, tool.cutter().kind);
+  return {std::move(workpiece), std::move(tool), std::move(config), std::move(motion)};
 }
 
 Scene from_toml(std::string_view text) { return read_scene(text, "scene"); }

@@ -128,9 +128,10 @@ class Reader {
 
 std::string text_of_file(const std::filesystem::path& path, const std::string& advice) {
   std::error_code error;
-  std::ifstream file(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, error) || !file)
-    throw Error(path.string() + ": there is no such settings file." + advice);
+  std::ifstream file;
+  // Not opened before: a pipe would be waited for, and a device read for ever.
+  if (std::filesystem::is_regular_file(path, error)) file.open(path, std::ios::binary);
+  if (!file.is_open()) throw Error(path.string() + ": there is no such settings file." + advice);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 

@@ -259,12 +259,21 @@ std::vector<Setting> settings_of(ToolSettings& t) {
              "L handle: between stylus and spindle axis [90]"),
       number("tool.spindle_rpm", "--spindle_rpm", t.spindle_rpm, Range::any(),
              "spindle speed, positive counter-clockwise seen from the shank; 0: stands, nothing is cut"),
+      choice("tool.motor", "--motor", t.motor,
+             "what turns the spindle and how it yields to a load [air_turbine above 200000 rpm, electric below]"),
       number("tool.power_limit_W", "--power_limit_W", t.power_limit_W, Range::positive(),
-             "power of the spindle, above which it slows down [no limit]"),
+             "power of the spindle, above which it slows down [of the motor]"),
+      number("tool.torque_limit_Nmm", "--torque_limit_Nmm", t.torque_limit_Nmm, Range::positive(),
+             "torque of the spindle, above which it stalls [of the motor]"),
+      number("tool.rotor_inertia_gmm2", "--rotor_inertia_gmm2", t.rotor_inertia_gmm2, Range::not_negative(),
+             "moment of inertia of all that turns, as the head turns [of the motor]"),
       number("tool.acceleration_rpm_per_s", "--acceleration_rpm_per_s", t.acceleration_rpm_per_s, Range::positive(),
              "how fast the spindle recovers its speed after a load [at once]"),
       number("tool.droop_rpm_per_Nmm", "--droop_rpm_per_Nmm", t.droop_rpm_per_Nmm, Range::not_negative(),
-             "speed that the spindle loses per load torque, as an air turbine does [0]"),
+             "speed that the spindle loses per load torque, as an air turbine does [of the motor]"),
+      choice("tool.cutter", "--cutter", t.cutter,
+             "what the head cuts with [twist_drill of a twist drill, carbide_bur of others]"),
+      integer("tool.lips", "--lips", t.lips, 1, 1000, "cutting edges that pass a place in a turn [as common cutters]"),
   };
 }
 
@@ -272,11 +281,16 @@ Tool make_tool(const ToolSettings& s) {
   ToolHead head = make_head(s);
   Handle handle = make_handle(s);
   const double rpm = required(s.spindle_rpm, "tool.spindle_rpm", "every tool");
-  Spindle spindle{rpm * units::rpm};
+  Spindle spindle = common_spindle(s.motor.value_or(common_motor(rpm)), rpm);
   if (s.power_limit_W) spindle.power_limit = *s.power_limit_W;
   if (s.acceleration_rpm_per_s) spindle.acceleration_limit = *s.acceleration_rpm_per_s * units::rpm;
+  if (s.torque_limit_Nmm) spindle.torque_limit = *s.torque_limit_Nmm * units::N_mm;
+  if (s.rotor_inertia_gmm2) spindle.rotor_inertia = *s.rotor_inertia_gmm2 * 1e-9;
   if (s.droop_rpm_per_Nmm) spindle.droop = *s.droop_rpm_per_Nmm * units::rpm / units::N_mm;
-  return Tool(std::move(head), std::move(handle), spindle);
+  const bool drills = s.head == ToolSettings::Head::twist_drill;
+  Cutter cutter = common_cutter(s.cutter.value_or(drills ? CutterKind::twist_drill : CutterKind::carbide_bur));
+  if (s.lips > 0) cutter.lips = int(s.lips);
+  return Tool(std::move(head), std::move(handle), spindle, cutter);
 }
 
 }  // namespace hapticut::settings

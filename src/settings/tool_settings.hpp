@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/tool/motors.hpp"
 #include "hapticut/tool/tool.hpp"
 #include "settings/setting.hpp"
 
@@ -43,7 +44,10 @@ struct ToolSettings {
   std::optional<HandleKind> handle;
   std::optional<double> handle_length_mm, handle_neck_mm, handle_bend_deg;
   std::optional<double> spindle_rpm;
-  std::optional<double> power_limit_W, acceleration_rpm_per_s, droop_rpm_per_Nmm;
+  std::optional<CutterKind> cutter;
+  std::size_t lips = 0;  ///< 0: not given
+  std::optional<MotorKind> motor;
+  std::optional<double> power_limit_W, acceleration_rpm_per_s, droop_rpm_per_Nmm, torque_limit_Nmm, rotor_inertia_gmm2;
 };
 
 [[nodiscard]] std::vector<Setting> settings_of(ToolSettings& tool);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/volume/volume_filters.hpp"
@@ -32,24 +31,17 @@ bool is_raw(const Source& s) {
 }
 
 RawLayout raw_layout(const Source& s) {
-  static const std::map<std::string, ValueType> kTypes = {
-      {"uint8", ValueType::uint8},    {"int8", ValueType::int8},     {"uint16", ValueType::uint16},
-      {"int16", ValueType::int16},    {"uint32", ValueType::uint32}, {"int32", ValueType::int32},
-      {"uint64", ValueType::uint64},  {"int64", ValueType::int64},   {"float32", ValueType::float32},
-      {"float64", ValueType::float64}};
   if (s.raw.dims.empty() || s.raw.type.empty() || !s.spacing_mm)
     throw Error(
         "a file without a header needs all of workpiece.raw_dims, raw_type and spacing_mm; set --raw_dims, --raw_type "
         "and --spacing_mm.");
-  const auto type = kTypes.find(s.raw.type);
-  if (type == kTypes.end())
-    throw Error("workpiece.raw_type = " + s.raw.type + "; must be uint8, int8, uint16, int16, uint32, int32, uint64, " +
-                "int64, float32 or float64.");
+  const auto type = value_named<ValueType>(s.raw.type);
+  if (!type) throw Error("workpiece.raw_type = " + s.raw.type + "; must be one of " + list_of_names<ValueType>() + ".");
   for (const double n : s.raw.dims)
     if (n != std::floor(n)) throw Error("workpiece.raw_dims must be whole numbers: samples along x, y, z.");
   return {{int(s.raw.dims[0]), int(s.raw.dims[1]), int(s.raw.dims[2])},
           *s.spacing_mm * units::mm,
-          type->second,
+          *type,
           s.raw.big_endian,
           s.raw.skip_bytes};
 }
@@ -77,6 +69,8 @@ VolumeBuildOptions build_options(const Source& s) {
   VolumeBuildOptions options;
   options.voxel_size = s.voxel_mm.value_or(0) * units::mm;
   options.crop = crop_box(s);
+  options.large = s.large;
+  options.tell = s.tell;
   return options;
 }
 
@@ -169,6 +163,8 @@ VolumeSummary summarize_volume(const Source& s, std::optional<double> threshold)
                         box_of_volume(volume),
                         lowest,
                         highest,
+                        std::size_t(std::count_if(volume.values.begin(), volume.values.end(),
+                                                  [](float value) { return std::isnan(value); })),
                         volume.values.size() * sizeof(float)};
   if (threshold) summary.voxels_at_or_above = count_from(volume, *threshold);
   summary.voxels_by_label = count_labels(volume);

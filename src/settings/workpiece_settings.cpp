@@ -141,6 +141,8 @@ std::vector<Setting> settings_of(WorkpieceSettings& w) {
       number("workpiece.unit_mm", "--unit_mm", w.unit_mm, positive,
              "mesh, .vdb of another program: length of one unit of the file [1]"),
       text("workpiece.grid", "--grid", w.grid, ".vdb of another program: name of the grid"),
+      boolean("workpiece.large", "--large", w.large,
+              "mesh, volume: make it also where it takes more than 4 GiB or ten minutes"),
   };
   settings.push_back(w.materials.setting());
   return settings;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/workpiece/work_estimate.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 #include "settings/material_settings.hpp"
 #include "settings/setting.hpp"
@@ -55,6 +56,8 @@ struct WorkpieceSettings {
   } raw;                          ///< file of samples without a header
   std::optional<double> unit_mm;  ///< mesh, .vdb of another program: length of one unit of the file
   std::string grid;               ///< .vdb of another program
+  bool large = false;             ///< lifts the limits of how much work is begun
+  WorkObserver tell = {};         ///< is told of the work; no setting
   MaterialChanges materials;
 };
 
@@ -64,7 +67,8 @@ struct WorkpieceSettings {
 [[nodiscard]] bool is_volume(const WorkpieceSettings& settings);
 
 /// Builds or reads the workpiece.
+/// @param cutter  that its presets are to be cut with; materials of a .vdb file stay what they are
 /// @throws Error when it cannot be read, something is missing, or something was set that this source does not use
-[[nodiscard]] Workpiece make_workpiece(const WorkpieceSettings& settings);
+[[nodiscard]] Workpiece make_workpiece(WorkpieceSettings settings, CutterKind cutter = CutterKind::carbide_bur);
 
 }  // namespace hapticut::settings

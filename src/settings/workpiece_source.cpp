@@ -48,6 +48,7 @@ std::set<std::string> given_settings(const Source& s) {
   note("raw_skip_bytes", s.raw.skip_bytes > 0);
   note("unit_mm", s.unit_mm.has_value());
   note("grid", !s.grid.empty());
+  note("large", s.large);
   return given;
 }
 
@@ -111,9 +112,26 @@ Workpiece read_vdb(const Source& s) {
   return load_vdb(s.source, import);
 }
 
+/// Runs what turns a file into a workpiece.
+/// @throws Error that names the file, which what is wrong with its content does not
+template <class Make>
+Workpiece naming_source(const Source& s, const Make& make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    const std::string reason = error.what();
+    if (reason.find(s.source) != std::string::npos) throw;
+    throw Error("cannot make a workpiece of '" + s.source + "': " + reason);
+  }
+}
+
 Workpiece make_molar(const Source& s) {
   refuse_all_but(s, {"voxel_mm"});
-  return with_changed_materials(build_molar(voxel_size(s)), s.materials);
+  Workpiece molar = build_molar(voxel_size(s));
+  MaterialTable table;
+  for (const Material& material : molar.materials().all()) table.add(s.materials.find(material.name));
+  molar.set_materials(std::move(table));
+  return molar;
 }
 
 }  // namespace
@@ -125,7 +143,8 @@ bool is_volume(const WorkpieceSettings& s) {
   return std::filesystem::exists(s.source);
 }
 
-Workpiece make_workpiece(const WorkpieceSettings& s) {
+Workpiece make_workpiece(WorkpieceSettings s, CutterKind cutter) {
+  s.materials.cutter = cutter;
   if (s.source.empty())
     throw Error(
         "the workpiece is missing. Set --workpiece to block, slab, molar or a file, or source under [workpiece] in "
@@ -139,13 +158,13 @@ Workpiece make_workpiece(const WorkpieceSettings& s) {
   if (extension_in_lower_case(s.source) == ".vdb") return read_vdb(s);
 #ifdef HAPTICUT_HAS_IO
   if (is_mesh_file(s.source)) {
-    refuse_all_but(s, {"voxel_mm", "material", "shells", "unit_mm"});
-    return make_workpiece_from_mesh(s);
+    refuse_all_but(s, {"voxel_mm", "material", "shells", "unit_mm", "large"});
+    return naming_source(s, [&] { return make_workpiece_from_mesh(s); });
   }
   refuse_all_but(s, {"voxel_mm", "labels", "grey", "grade_low", "grade_high", "grade_at_low", "grade_at_high",
                      "spacing_mm", "crop_mm", "largest_component", "fill_cavities", "close_gaps_mm", "dicom_series",
-                     "raw_dims", "raw_type", "raw_big_endian", "raw_skip_bytes"});
-  return make_workpiece_from_volume(s);
+                     "raw_dims", "raw_type", "raw_big_endian", "raw_skip_bytes", "large"});
+  return naming_source(s, [&] { return make_workpiece_from_volume(s); });
 #else
   throw Error("'" + s.source +
               "' cannot be read, because this program was built without its io component; only .vdb "

@@ -46,16 +46,21 @@ inline Wrench let_through(int device, long n) {
   return {Vec3(f[1], f[2], f[0]), Vec3(t[1], t[2], t[0])};
 }
 
-class ForceDimensionTest : public testing::Test {
- protected:
-  void SetUp() override { dhdsim_reset(); }
-  void TearDown() override { dhdsim_reset(); }
+/// What every end of a run must leave.
+inline void expect_safe(int device) {
+  const dhdsim_counters c = dhdsim_get_counters(device);
+  EXPECT_EQ(c.zero_force_before_off, 1);
+  EXPECT_EQ(c.force_on, 0);
+  EXPECT_EQ(c.brakes_on, 1);
+  EXPECT_EQ(c.brakes_commanded, 1);
+  EXPECT_EQ(c.expert_mode, 0);
+  EXPECT_EQ(c.expert_mode_violations, 0);
+  EXPECT_TRUE(let_through(device).force.isZero(0));
+}
 
-  static int add(int type, int serial = 1234) {
-    const dhdsim_device device = dhdsim_device_of(type, serial);
-    return dhdsim_add_device(&device);
-  }
-
+/// Runs in simulated time, by the clock of the stand-in.
+class ForceDimensionRuns {
+ public:
   /// The clock of the device is the stand-in's, which goes on by a millisecond before each reading.
   ForceDimensionOptions options_for(const std::string& name = "") {
     ForceDimensionOptions options;
@@ -68,7 +73,7 @@ class ForceDimensionTest : public testing::Test {
     return options;
   }
 
-  /// A run in simulated time; `before_reading` is called with the number of the tick.
+  /// `before_reading` is called with the number of the tick.
   RunReport run(Device& device, const DeviceCallback& callback, RunOptions options = quick(),
                 const std::function<void(long tick)>& before_reading = nullptr) {
     tick_ = 0;
@@ -77,28 +82,27 @@ class ForceDimensionTest : public testing::Test {
     return device.run(callback, options);
   }
 
+ private:
+  long tick_ = 0;
+  std::function<void(long tick)> before_reading_;
+};
+
+class ForceDimensionTest : public testing::Test, protected ForceDimensionRuns {
+ protected:
+  void SetUp() override { dhdsim_reset(); }
+  void TearDown() override { dhdsim_reset(); }
+
+  static int add(int type, int serial = 1234) {
+    const dhdsim_device device = dhdsim_device_of(type, serial);
+    return dhdsim_add_device(&device);
+  }
+
   /// Whether one of the sentences contains the words.
   static bool says(const std::vector<std::string>& sentences, const std::string& words) {
     for (const std::string& sentence : sentences)
       if (sentence.find(words) != std::string::npos) return true;
     return false;
   }
-
-  /// What every end of a run must leave.
-  static void expect_safe(int device) {
-    const dhdsim_counters c = dhdsim_get_counters(device);
-    EXPECT_EQ(c.zero_force_before_off, 1);
-    EXPECT_EQ(c.force_on, 0);
-    EXPECT_EQ(c.brakes_on, 1);
-    EXPECT_EQ(c.brakes_commanded, 1);
-    EXPECT_EQ(c.expert_mode, 0);
-    EXPECT_EQ(c.expert_mode_violations, 0);
-    EXPECT_TRUE(let_through(device).force.isZero(0));
-  }
-
- private:
-  long tick_ = 0;
-  std::function<void(long tick)> before_reading_;
 };
 
 }  // namespace hapticut::test

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <string>
 #include <variant>
 
 #include "hapticut/device/simulated/mock.hpp"
@@ -16,6 +17,19 @@
 namespace hapticut::test::loop_rig {
 
 inline constexpr double kRadius = 1.5e-3;  // [m] of the ball
+
+/// A mock that is said to render the contacts of these tests, so that it may be driven directly.
+inline std::unique_ptr<Device> stiff_mock(const std::string& path, double seconds = 0) {
+  MockOptions options;
+  options.path = scripted_path(path);
+  options.device = device_model("touch");
+  options.device.rendered_stiffness = 1e6;
+  options.end = seconds;
+  return std::make_unique<MockDevice>(std::move(options));
+}
+
+/// The coupling of the device that `stiff_mock` says to be stiffer.
+inline CouplingGains touch_gains() { return coupling_gains(capabilities(device_model("touch"))); }
 
 inline Workpiece block(double voxel = 2e-4, double depth = 8e-3) {
   return build_block({Vec3(-8e-3, -8e-3, -depth), Vec3(8e-3, 8e-3, 0)}, voxel, plain_material());
@@ -52,7 +66,7 @@ class Rig {
           DeviceState state = reading;
           state.X_BS.translation.z() = height(n);
           before(n);
-          DeviceCommand command{model.step(state, 1e-3, snapshot), false};
+          DeviceCommand command{model.step(state, 1e-3, snapshot), false, model.contact()};
           commanded = command.wrench.force;
           after(n);
           command.stop = ++n >= ticks;
@@ -66,7 +80,7 @@ class Rig {
   }
   [[nodiscard]] std::uint64_t events(SafetyEvent event) const { return report.events[std::size_t(event)]; }
 
-  std::unique_ptr<Device> device = open_device("mock:rest");
+  std::unique_ptr<Device> device = stiff_mock("rest");
   Simulation simulation;
   SimulationModel model;
   LoopSnapshot snapshot;
@@ -79,7 +93,7 @@ class Rig {
     SimulationModelOptions options;
     options.map.X_WB = Pose::from_translation(Vec3(0, 0, kRadius));
     options.undo_blocks = 2000;
-    if (coupled) options.coupling = coupling_gains(device->capabilities());
+    if (coupled) options.coupling = touch_gains();
     return options;
   }
 };

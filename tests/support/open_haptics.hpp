@@ -48,6 +48,40 @@ inline Vec3 rendered(int device) {
   return force;
 }
 
+/// How a run in ticks has ended.
+struct OpenHapticsOutcome {
+  RunReport report;
+  std::exception_ptr exception;
+};
+
+/// Runs a device in a thread of its own while this thread is the clock, until the run has ended.
+inline OpenHapticsOutcome run_in_ticks(Device& device, const DeviceCallback& callback, const RunOptions& options,
+                                       const std::function<void(long tick)>& before_tick) {
+  OpenHapticsOutcome outcome;
+  std::atomic<bool> ended{false};
+  std::thread runner([&] {
+    try {
+      outcome.report = device.run(callback, options);
+    } catch (...) {
+      outcome.exception = std::current_exception();
+    }
+    ended = true;
+  });
+  for (long tick = 0; !ended;) {
+    if (hdsim_is_running() == 0) {
+      std::this_thread::yield();
+      continue;
+    }
+    if (before_tick) before_tick(tick);
+    if (hdsim_run_ticks(1) > 0)
+      ++tick;
+    else
+      std::this_thread::yield();
+  }
+  runner.join();
+  return outcome;
+}
+
 class OpenHapticsTest : public testing::Test {
  protected:
   void SetUp() override { hdsim_reset(); }
@@ -62,36 +96,10 @@ class OpenHapticsTest : public testing::Test {
     return hdsim_add_device(&premium);
   }
 
-  /// Runs a device in a thread of its own while this thread is the clock, until the run has ended.
-  struct Outcome {
-    RunReport report;
-    std::exception_ptr exception;
-  };
+  using Outcome = OpenHapticsOutcome;
   static Outcome run(Device& device, const DeviceCallback& callback, const RunOptions& options = quick(),
                      const std::function<void(long tick)>& before_tick = nullptr) {
-    Outcome outcome;
-    std::atomic<bool> ended{false};
-    std::thread runner([&] {
-      try {
-        outcome.report = device.run(callback, options);
-      } catch (...) {
-        outcome.exception = std::current_exception();
-      }
-      ended = true;
-    });
-    for (long tick = 0; !ended;) {
-      if (hdsim_is_running() == 0) {
-        std::this_thread::yield();
-        continue;
-      }
-      if (before_tick) before_tick(tick);
-      if (hdsim_run_ticks(1) > 0)
-        ++tick;
-      else
-        std::this_thread::yield();
-    }
-    runner.join();
-    return outcome;
+    return run_in_ticks(device, callback, options, before_tick);
   }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/recording/hdf5.hpp"
 
+#include <cstdlib>
+
 namespace hapticut::hdf5 {
 namespace {
 
@@ -38,6 +40,12 @@ Quiet::Quiet() {
 }
 
 Quiet::~Quiet() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+
+void be_quiet_at_exit() {
+  // What is registered last runs first, so before HDF5's own end.
+  static const bool registered = std::atexit([] { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }) == 0;
+  (void)registered;
+}
 
 void fail(const std::string& what) {
   std::string reason;

@@ -34,6 +34,9 @@ class Quiet {
   void* data_ = nullptr;
 };
 
+/// Keeps HDF5 from printing when the program ends, where it closes what is left of a damaged file.
+void be_quiet_at_exit();
+
 /// @throws Failure that says what was tried, and HDF5's reason
 [[noreturn]] void fail(const std::string& what);
 

@@ -64,6 +64,22 @@ std::string now_as_text() {
   return text;
 }
 
+/// A link stays, and what it names is replaced.
+std::filesystem::path final_path(const std::filesystem::path& path) {
+  std::error_code code;
+  return std::filesystem::is_symlink(path, code) ? std::filesystem::weakly_canonical(path, code) : path;
+}
+
+/// Where a recording grows: at its path, so that others can read it meanwhile; beside it where an older one is, which
+/// stays until the new one is complete.
+std::filesystem::path growing_path(const std::filesystem::path& path) {
+  std::error_code code;
+  const std::filesystem::path at = final_path(path);
+  if (!std::filesystem::exists(at, code)) return at;
+  constexpr std::size_t kLongestName = 251;  // [bytes] with what is put behind it
+  return at.parent_path() / (at.filename().string().substr(0, kLongestName) + ".new");
+}
+
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
   throw Error("cannot write the recording '" + path.string() + "': " + reason +
               ". Check the folder, its permissions and the free disk space.");
@@ -73,14 +89,15 @@ std::string now_as_text() {
 
 struct Recorder::State {
   State(std::filesystem::path a_path, Simulation& a_simulation, const RecorderOptions& some_options)
-      : path(std::move(a_path)), simulation(a_simulation), options(some_options) {}
+      : path(std::move(a_path)), growing(growing_path(path)), simulation(a_simulation), options(some_options) {}
 
   void note(const ObservedStep& step) noexcept;
   void write_batch(const std::vector<Message>& batch);
   void flush();
   std::string end_writing();
 
-  std::filesystem::path path;
+  std::filesystem::path path;     // where the recording is to be
+  std::filesystem::path growing;  // and where it is until it is complete
   Simulation& simulation;
   RecorderOptions options;
 
@@ -101,6 +118,7 @@ struct Recorder::State {
   EffectNumbers last_effects{};
   std::vector<std::byte> rows;
   std::uint64_t unflushed = 0;  // [bytes] that HDF5 may still hold
+  std::uint64_t written = 0;    // steps
 
   std::unique_ptr<BackgroundWriter<Message>> writer;  // between the two; the last to be made, the first to go
 };
@@ -112,8 +130,6 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     throw Error("the simulation to be recorded has made " + std::to_string(simulation.steps()) +
                 " steps, so a replay could not begin where it does; record from its first step, or reset it to a clone "
                 "of its workpiece first.");
-  if (simulation.observer() != nullptr)
-    throw Error("the simulation to be recorded is observed already, by another recorder perhaps; close it first.");
   const hdf5::Quiet quiet;
   state_ = std::make_unique<State>(path, simulation, options);
   State& s = *state_;
@@ -123,7 +139,8 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
   }
   s.last_effects = pack(simulation.config().effects);
   try {
-    AtomicFile target(path);
+    { const AtomicFile may_be_written(path); }
+    AtomicFile target(s.growing);
     RecordingInfo info;
     const BuildInfo build = build_info();
     info.version = build.version;
@@ -135,11 +152,12 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     info.note = options.note;
     write_recording_header(target.temporary_path(), info, simulation, s.options);
     target.commit();
-    s.room = std::make_unique<RoomOnDisk>(path);
-    s.room->require(std::filesystem::file_size(path) + kHeadroom);
+    s.room = std::make_unique<RoomOnDisk>(s.growing);
+    s.room->require(std::filesystem::file_size(s.growing) + kHeadroom);
 
     // From here on the file is in order at any moment: single writer, multiple readers.
-    s.file = hdf5::File(H5Fopen(path.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, newest_format().get()), "opening it");
+    s.file =
+        hdf5::File(H5Fopen(s.growing.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, newest_format().get()), "opening it");
     const hdf5::Group steps = hdf5::open_group(s.file.get(), kStepsGroup);
     for (const Column& column : recording_columns()) {
       if (column.side == Column::Side::device && s.options.device.empty()) continue;
@@ -159,11 +177,11 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
       options.steps, s.message, options.flush_period,
       BackgroundWriter<Message>::Sink{[&s](const std::vector<Message>& batch) { s.write_batch(batch); },
                                       [&s] { s.flush(); }});
-  simulation.set_observer(this);
+  simulation.add_observer(*this);
 }
 
 Recorder::~Recorder() {
-  if (state_->simulation.observer() == this) state_->simulation.set_observer(nullptr);
+  state_->simulation.remove_observer(*this);
   if (state_->writer->running()) (void)state_->end_writing();
 }
 
@@ -181,6 +199,7 @@ void Recorder::set_device_tick(const DeviceTick& tick) noexcept {
 }
 
 void Recorder::on_exchange() noexcept { state_->over = true; }
+void Recorder::on_removal(const BlockVoxels& /*removed*/) noexcept { state_->over = true; }
 
 void Recorder::on_step(const ObservedStep& step) noexcept {
   State& s = *state_;
@@ -213,6 +232,7 @@ void Recorder::State::note(const ObservedStep& step) noexcept {
   row.reserved_blocks = simulation.config().reserved_blocks;
   row.free_blocks = step.free_blocks;
   row.let_go = step.let_go;
+  row.halted = step.halted;
   row.path = step.path;
   row.hand = step.path == OutputPath::coupled ? step.hand : HandOutput{};
   note_result(step.result, row);
@@ -263,6 +283,7 @@ void Recorder::State::write_batch(const std::vector<Message>& batch) {
     for (std::size_t row = 0; row < batch.size(); ++row) column.pack(batch[row].step, rows.data() + row * column.bytes);
     appenders[n].append(rows.data(), batch.size());
   }
+  written += batch.size();
 }
 
 void Recorder::close() {
@@ -270,15 +291,24 @@ void Recorder::close() {
   if (!s.writer->running()) throw Error("the recorder of '" + s.path.string() + "' is closed already.");
   s.over = true;  // later steps are lost, and do not wait
   const std::string failure = s.end_writing();
-  if (!failure.empty()) fail(s.path, failure);
   const hdf5::Quiet quiet;
   try {
-    hdf5::File file(H5Fopen(s.path.c_str(), H5F_ACC_RDWR, newest_format().get()), "opening it");
-    write_recording_end(file.get(), s.lost.load(), s.simulation.workpiece().hash());
+    hdf5::File file(H5Fopen(s.growing.c_str(), H5F_ACC_RDWR, newest_format().get()), "opening it");
+    const std::uint64_t all = s.recorded.load() + s.lost.load();
+    write_recording_end(file.get(), failure.empty() ? s.lost.load() : all - s.written, s.simulation.workpiece().hash());
     if (file.reset() < 0) hdf5::fail("closing it");
   } catch (const hdf5::Failure& error) {
     s.ending_failed.store(true, std::memory_order_release);
-    fail(s.path, error.what());
+    fail(s.path, failure.empty() ? error.what() : failure);
+  }
+  s.room.reset();
+  if (!failure.empty())
+    fail(s.path, failure + "; its first " + std::to_string(s.written) + " steps are in '" + s.growing.string() + "'");
+  std::error_code code;
+  if (const auto last = final_path(s.path); s.growing != last) std::filesystem::rename(s.growing, last, code);
+  if (code) {
+    s.ending_failed.store(true, std::memory_order_release);
+    fail(s.path, code.message() + "; it is complete in '" + s.growing.string() + "'");
   }
 }
 

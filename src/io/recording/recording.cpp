@@ -2,7 +2,6 @@
 #include "hapticut/io/recording/recording.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <span>
 
@@ -11,8 +10,8 @@
 #include "io/recording/recording_access.hpp"
 #include "io/recording/recording_file.hpp"
 #include "io/recording/recording_settings.hpp"
-#include "io/recording/scratch_file.hpp"
 #include "io/recording/settings_archive.hpp"
+#include "io/vdb/vdb_bytes.hpp"
 
 namespace hapticut {
 namespace {
@@ -24,8 +23,26 @@ auto reading(const std::filesystem::path& path, const Function& function) {
   const hdf5::Quiet quiet;
   try {
     return function();
+  } catch (const std::bad_alloc&) {
+    hdf5::be_quiet_at_exit();
+    cannot_read(path, "there is not enough memory for it; it is too large or damaged.");
   } catch (const std::exception& error) {
-    cannot_read(path, std::string(error.what()) + ".");
+    hdf5::be_quiet_at_exit();
+    const std::string reason = error.what();
+    cannot_read(path, reason + (reason.ends_with('.') ? "" : "."));
+  }
+}
+
+/// Runs a part of the reading that builds what the settings in the file describe.
+/// @throws Error  that says so: the reader has no other place to look for them
+template <class Function>
+auto settings_in_file(const Function& function) {
+  try {
+    return function();
+  } catch (const hdf5::Failure&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error(std::string("in the settings inside it: ") + error.what());
   }
 }
 
@@ -215,12 +232,7 @@ Workpiece Recording::workpiece() const {
         return load_vdb(source);
       }
       const auto bytes = hdf5::read_array<std::uint8_t>(group.get(), kWorkpieceBytes);
-      const ScratchFile scratch(".vdb");
-      std::ofstream stream(scratch.path(), std::ios_base::binary);
-      stream.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
-      stream.close();
-      if (!stream) throw Error("the temporary file '" + scratch.path().string() + "' cannot be written");
-      return load_vdb(scratch.path());
+      return workpiece_of_vdb(std::string(bytes.begin(), bytes.end()));
     }();
     workpiece.set_materials(state_->materials);
     if (full_hash(workpiece) != expected)
@@ -238,14 +250,16 @@ Recording read_recording(const std::filesystem::path& path) {
     s.path = path;
     s.file = open_file(path);
     s.info = read_info(s.file.get());
-    s.config = read_config(s.file.get());
-    s.default_law = read_default_law(s.file.get());
-    s.tool.emplace(read_tool(s.file.get()));
-    s.materials = read_materials(s.file.get());
-    if (!s.info.device.empty()) s.capabilities = read_capabilities(s.file.get());
-    s.effects = read_effects(s.file.get(), s.config.update_rate);
-    s.config.effects = s.effects.front().effects;
-    validate(s.config);
+    settings_in_file([&] {
+      s.config = read_config(s.file.get());
+      s.default_law = read_default_law(s.file.get());
+      s.tool.emplace(read_tool(s.file.get()));
+      s.materials = read_materials(s.file.get());
+      if (!s.info.device.empty()) s.capabilities = read_capabilities(s.file.get());
+      s.effects = read_effects(s.file.get(), s.config.update_rate);
+      s.config.effects = s.effects.front().effects;
+      validate(s.config);
+    });
     if (!hdf5::exists(s.file.get(), kWorkpieceGroup)) throw Error("it lacks the group 'workpiece'");
     open_columns(s);
     find_gaps(s);

@@ -122,6 +122,7 @@ std::vector<Column> make_columns() {
              HAPTICUT_MEMBER(reserved_blocks)),
       column(input, "free_blocks", "1", none, "blocks for cutting left before the step", HAPTICUT_MEMBER(free_blocks)),
       column(input, "let_go", "1", none, "1: the hand had let go before the step", HAPTICUT_MEMBER(let_go)),
+      column(input, "halted", "1", none, "1: the spindle had been halted before the step", HAPTICUT_MEMBER(halted)),
       column(input, "output_path", "1", none, "OutputPath: direct, coupled, kept", HAPTICUT_MEMBER(path)),
       column(input, "hand_rotation", "1", "X_WD", "of the hand behind a coupling, row by row",
              HAPTICUT_MEMBER(hand.X_WD.rotation)),

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <bit>
-#include <fstream>
 #include <iterator>
 
-#include "hapticut/io/vdb/vdb.hpp"
 #include "io/recording/recording_columns.hpp"
 #include "io/recording/recording_file.hpp"
 #include "io/recording/recording_settings.hpp"
 #include "io/recording/room_on_disk.hpp"
-#include "io/recording/scratch_file.hpp"
 #include "io/recording/settings_archive.hpp"
+#include "io/vdb/vdb_bytes.hpp"
 
 namespace hapticut {
 namespace {
@@ -47,14 +45,7 @@ void write_info(hid_t file, const RecordingInfo& info) {
                         "device, S stylus; X_AB takes coordinates of B to A");
 }
 
-std::vector<std::uint8_t> vdb_bytes_of(const Workpiece& workpiece) {
-  const ScratchFile scratch(".vdb");
-  save_vdb(workpiece, scratch.path());
-  std::ifstream stream(scratch.path(), std::ios_base::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-void write_workpiece(hid_t file, const Workpiece& workpiece, const std::vector<std::uint8_t>& vdb,
+void write_workpiece(hid_t file, const Workpiece& workpiece, const std::string& vdb,
                      const std::filesystem::path& source) {
   const hdf5::Group group = hdf5::create_group(file, kWorkpieceGroup);
   hdf5::write_attribute(group.get(), "hash", workpiece.hash());
@@ -63,7 +54,8 @@ void write_workpiece(hid_t file, const Workpiece& workpiece, const std::vector<s
     hdf5::write_attribute(group.get(), "file", std::filesystem::absolute(source).string());
     return;
   }
-  const hdf5::DataSet set = hdf5::write_array(group.get(), kWorkpieceBytes, vdb.data(), {vdb.size()});
+  const hdf5::DataSet set =
+      hdf5::write_array(group.get(), kWorkpieceBytes, reinterpret_cast<const std::uint8_t*>(vdb.data()), {vdb.size()});
   hdf5::write_attribute(set.get(), "meaning", "the workpiece before the first step, an OpenVDB file byte by byte");
 }
 
@@ -113,8 +105,8 @@ hdf5::Properties newest_format() {
 
 void write_recording_header(const std::filesystem::path& path, const RecordingInfo& info, const Simulation& simulation,
                             const RecorderOptions& options) {
-  std::vector<std::uint8_t> vdb;
-  if (options.workpiece_file.empty()) vdb = vdb_bytes_of(simulation.workpiece());
+  std::string vdb;
+  if (options.workpiece_file.empty()) vdb = vdb_bytes(simulation.workpiece());
   RoomOnDisk(path).require(vdb.size() + kHeaderRoom);
   hdf5::File file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, newest_format().get()), "creating it");
   write_info(file.get(), info);

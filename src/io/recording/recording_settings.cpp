@@ -126,6 +126,7 @@ void write_settings(hid_t file, const SimulationConfig& config, const Tool& tool
     write_head(write, tool.head());
     write_handle(write, tool.handle());
     visit_fields(write, "spindle_", tool.spindle());
+    visit_fields(write, "cutter_", tool.cutter());
     write.close();
   }
   const hdf5::Group group = hdf5::create_group(file, "materials");
@@ -166,10 +167,12 @@ Tool read_tool(hid_t file) {
   SettingsReader read = settings_of(file, group, "tool");
   Spindle spindle;
   visit_fields(read, "spindle_", spindle);
+  Cutter cutter;
+  visit_fields(read, "cutter_", cutter);
   ToolHead head = read_head(read);
   const Handle handle = read_handle(read);
   read.close();
-  return Tool(std::move(head), handle, spindle);
+  return Tool(std::move(head), handle, spindle, cutter);
 }
 
 MaterialTable read_materials(hid_t file) {

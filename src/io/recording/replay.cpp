@@ -14,6 +14,7 @@ constexpr std::uint64_t kReplayedAtOnce = 1024;  // steps
 
 /// Sets what was set between the steps of the recording.
 void prepare(Simulation& simulation, const RecordedStep& step) {
+  if (step.halted) simulation.halt_spindle();
   if (simulation.spindle_setting() != step.spindle_setting) simulation.set_spindle_speed(step.spindle_setting);
   if (simulation.config().reserved_blocks != step.reserved_blocks ||
       simulation.workpiece().reserved_blocks() != step.free_blocks)
@@ -65,6 +66,9 @@ Simulation simulation_of(const Recording& recording, std::shared_ptr<const Force
                 "' was made with a force law of its own, which no file can hold; pass the same law to the replay "
                 "(ReplayOptions::law; hapticut replay --law).");
   SimulationConfig config = recording.config();
+  // Another law is asked as it can be.
+  if (law && !law->integrates_parts() && config.quadrature == Quadrature::sub_voxel)
+    config.quadrature = Quadrature::automatic;
   config.law = std::move(law);
   return Simulation(recording.workpiece(), recording.tool(), std::move(config));
 }

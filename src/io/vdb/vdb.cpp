@@ -14,6 +14,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/openvdb.hpp"
 #include "io/atomic_file.hpp"
+#include "io/vdb/vdb_bytes.hpp"
 #include "io/vdb/vdb_check.hpp"
 #include "workpiece/grids.hpp"
 #include "workpiece/state.hpp"
@@ -97,6 +98,8 @@ auto reading(const std::filesystem::path& path, const Function& function) {
     return function();
   } catch (const Error& error) {
     throw Error(cannot_read + error.what());
+  } catch (const std::bad_alloc&) {
+    throw Error(cannot_read + "there is not enough memory for it; it is too large or damaged.");
   } catch (const std::exception& error) {
     throw Error(cannot_read + "it is not a readable .vdb file (OpenVDB: " + error.what() + ").");
   }
@@ -110,7 +113,11 @@ struct VdbFile {
 
 std::string read_file(const std::filesystem::path& path) {
   std::error_code code;
-  if (std::filesystem::is_directory(path, code)) throw Error("it is a folder; give a .vdb file.");
+  const auto status = std::filesystem::status(path, code);
+  if (std::filesystem::is_directory(status)) throw Error("it is a folder; give a .vdb file.");
+  // A pipe or a device could be read for ever.
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw Error("it is no regular file; give a .vdb file.");
   errno = 0;
   std::ifstream stream(path, std::ios_base::binary);
   if (!stream) throw Error(std::generic_category().message(errno) + "; check the path and its permissions.");
@@ -120,9 +127,8 @@ std::string read_file(const std::filesystem::path& path) {
   return std::move(bytes).str();
 }
 
-VdbFile read_grids(const std::filesystem::path& path) {
+VdbFile read_grids(std::string bytes) {
   openvdb::initialize();
-  std::string bytes = read_file(path);
   VdbFile file;
   file.entries = check_vdb(bytes);
   std::istringstream stream(std::move(bytes), std::ios_base::binary);
@@ -234,8 +240,8 @@ void copy_fill(const openvdb::FloatTree& density, FillTree& fill) {
   }
 }
 
-Workpiece parse(const std::filesystem::path& path) {
-  const VdbFile file = read_grids(path);
+Workpiece parse(std::string bytes) {
+  const VdbFile file = read_grids(std::move(bytes));
   const auto density = require_grid<openvdb::FloatGrid>(file, "density");
   const auto material = require_grid<openvdb::Int32Grid>(file, "material");
   const auto centroid = require_grid<openvdb::Int32Grid>(file, "centroid");
@@ -253,7 +259,7 @@ Workpiece parse(const std::filesystem::path& path) {
 }
 
 Workpiece parse_foreign(const std::filesystem::path& path, const VdbImport& options) {
-  const VdbFile file = read_grids(path);
+  const VdbFile file = read_grids(read_file(path));
   openvdb::FloatGrid::Ptr chosen;
   int candidates = 0;
   for (const auto& grid : file.grids) {
@@ -273,9 +279,9 @@ Workpiece parse_foreign(const std::filesystem::path& path, const VdbImport& opti
   return workpiece_from_grid(*chosen, options.material, import);
 }
 
-}  // namespace
-
-void save_vdb(const Workpiece& workpiece, const std::filesystem::path& path) {
+/// Calls `write` with what writes the grids of a workpiece to a stream.
+template <class Write>
+void with_grids(const Workpiece& workpiece, const Write& write) {
   openvdb::initialize();
   const auto material = material_grid(workpiece, kUnit);
   describe(workpiece, *material);
@@ -284,11 +290,31 @@ void save_vdb(const Workpiece& workpiece, const std::filesystem::path& path) {
       openvdb::Int32Grid::create(std::make_shared<openvdb::Int32Tree>(WorkpieceAccess::trees(workpiece).centroid));
   centroid->setTransform(material->transformPtr());
   centroid->setName("centroid");
-  write_atomically(path, [&](std::ostream& stream) { FileWriter().write_file(stream, {density, material, centroid}); });
+  write([&](std::ostream& stream) { FileWriter().write_file(stream, {density, material, centroid}); });
+}
+
+}  // namespace
+
+void save_vdb(const Workpiece& workpiece, const std::filesystem::path& path) {
+  with_grids(workpiece, [&](const std::function<void(std::ostream&)>& write) { write_atomically(path, write); });
+}
+
+std::string vdb_bytes(const Workpiece& workpiece) {
+  std::ostringstream stream(std::ios_base::binary);
+  with_grids(workpiece, [&](const std::function<void(std::ostream&)>& write) { write(stream); });
+  return std::move(stream).str();
 }
 
 Workpiece load_vdb(const std::filesystem::path& path) {
-  return reading(path, [&] { return parse(path); });
+  return reading(path, [&] { return parse(read_file(path)); });
+}
+
+Workpiece workpiece_of_vdb(std::string bytes) {
+  try {
+    return parse(std::move(bytes));
+  } catch (const openvdb::Exception& error) {
+    throw Error(std::string("it is not a readable .vdb file (OpenVDB: ") + error.what() + ").");
+  }
 }
 
 Workpiece load_vdb(const std::filesystem::path& path, const VdbImport& options) {

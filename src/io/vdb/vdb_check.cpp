@@ -4,6 +4,7 @@
 #include <openvdb/Grid.h>
 #include <openvdb/version.h>
 
+#include <cctype>
 #include <utility>
 
 namespace hapticut {
@@ -19,6 +20,15 @@ constexpr char kHalf[] = "_HalfFloat";
 
 std::string_view take_string(ByteReader& in) { return in.take(in.take<std::uint32_t>()); }
 
+/// OpenVDB stops at the first character that does not belong there, and takes the rest for what follows.
+bool is_unique_id(std::string_view id) {
+  for (std::size_t n = 0; n < id.size(); ++n) {
+    const bool dash = n == 8 || n == 13 || n == 18 || n == 23;
+    if (dash ? id[n] != '-' : std::isxdigit(static_cast<unsigned char>(id[n])) == 0) return false;
+  }
+  return true;
+}
+
 /// @return whether the file has a table of offsets
 bool check_header(ByteReader& in) {
   if (in.take<std::int64_t>() != openvdb::OPENVDB_MAGIC) throw Error("it is not a .vdb file.");
@@ -31,7 +41,7 @@ bool check_header(ByteReader& in) {
   in.take(8);  // version of the library
   const auto offsets = in.take<std::uint8_t>();
   if (offsets > 1) damaged("header is unreadable");
-  in.take(36);  // unique id
+  if (!is_unique_id(in.take(36))) damaged("unique id is unreadable");
   return offsets == 1;
 }
 

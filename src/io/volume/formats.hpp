@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 
 #include "io/volume/raw_image.hpp"
 
@@ -11,7 +13,26 @@
 namespace hapticut {
 
 [[nodiscard]] RawImage read_nrrd(const std::filesystem::path& path);
+
+/// Gives the content of a file that a header names.
+using DataFile = std::function<std::string(const std::string& name)>;
+
+/// Looks beside the file that names them.
+/// @throws Error when there is no such file, or it is something else
+[[nodiscard]] DataFile data_files_beside(const std::filesystem::path& path);
+
+/// @param bytes  the whole file, or its header where the data are elsewhere
+/// @throws Error a sentence that begins with "it" or "its"
+[[nodiscard]] RawImage parse_nrrd(std::string_view bytes, const DataFile& data_file);
+[[nodiscard]] RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file);
+
 [[nodiscard]] RawImage read_nifti(const std::filesystem::path& path);
+
+/// NIfTI-1 or NIfTI-2 in one file.
+/// @param bytes  the whole file, unpacked
+/// @throws Error a sentence that begins with "it" or "its"
+[[nodiscard]] RawImage parse_nifti(std::string_view bytes);
+
 [[nodiscard]] RawImage read_meta_image(const std::filesystem::path& path);
 [[nodiscard]] RawImage read_invesalius(const std::filesystem::path& path);
 
@@ -34,7 +55,12 @@ inline constexpr double kDeflate = 1032;
 inline constexpr double kAnyCompression = 1e5;  ///< of runs of one value by Zstandard: 2^15; JPEG 2000 stays below
 
 /// @param best_ratio  [1] of needed to available bytes
-/// @throws Error when a file is too small to hold what its header claims, even at the best ratio of its compression
+/// @throws Error when there is less than a header claims, even at the best ratio of its compression: a sentence that
+///         begins with "its"
+void require_bytes(double needed, double available, double best_ratio);
+
+/// The same.
+/// @throws Error with the name of the file before it
 void require_bytes(const std::filesystem::path& path, double needed, double available, double best_ratio);
 
 }  // namespace hapticut

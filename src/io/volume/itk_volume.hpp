@@ -3,14 +3,30 @@
 
 #include <itkImage.h>
 
+#include <new>
 #include <string>
 
+#include "hapticut/core/errors.hpp"
 #include "hapticut/core/volume.hpp"
-#include "io/volume/itk_image.hpp"
 
 /// @file
 /// Volumes as images of ITK's filters, and back. Filters see the grid's own axes; the pose stays outside.
 namespace hapticut {
+
+/// While it lives, ITK prints nothing.
+class QuietItk {
+ public:
+  QuietItk();
+  ~QuietItk();
+  QuietItk(const QuietItk&) = delete;
+  QuietItk& operator=(const QuietItk&) = delete;
+
+ private:
+  bool warned_;
+};
+
+/// The sentence of an ITK exception that says what is wrong.
+[[nodiscard]] std::string reason_of(const itk::ExceptionObject& exception);
 
 /// An image that reads the values of a volume in place; the volume must outlive it.
 template <class Value>

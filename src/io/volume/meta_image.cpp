@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <zlib.h>
-
 #include <algorithm>
-#include <cmath>
-#include <fstream>
+#include <cstring>
 #include <locale>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "io/file_errors.hpp"
+#include "io/mesh/text_lines.hpp"
 #include "io/volume/formats.hpp"
+#include "io/volume/unpack.hpp"
 
 namespace hapticut {
 namespace {
@@ -35,51 +35,44 @@ struct MetaHeader {
 // on some that are not headers at all. The format is a list of `name = value`, so it is read here.
 
 /// Takes nothing but short lines of plain text.
-MetaHeader parse_header(const fs::path& path) {
+MetaHeader parse_meta_header(std::string_view bytes) {
   constexpr std::size_t kMaxLine = 255, kMaxLines = 200;
-  std::ifstream file(path, std::ios::binary);
   MetaHeader header;
-  std::string line;
-  for (std::size_t count = 0; count < kMaxLines; ++count) {
-    line.clear();
-    for (char c = 0; line.size() <= kMaxLine && file.get(c);) {
-      ++header.end;
-      if (c == '\n') break;
-      line += c;
-    }
-    if (!line.empty() && line.back() == '\r') line.pop_back();
+  for (std::size_t count = 0; count < kMaxLines && header.end < bytes.size(); ++count) {
+    const std::size_t end = std::min(bytes.find('\n', header.end), bytes.size());
+    std::string_view line = bytes.substr(header.end, end - header.end);
+    header.end = std::min(end + 1, bytes.size());
+    if (line.ends_with('\r')) line.remove_suffix(1);
     const bool plain =
         std::all_of(line.begin(), line.end(), [](unsigned char k) { return k == '\t' || (k >= 32 && k < 127); });
     const std::size_t equals = line.find('=');
-    if (!plain || line.size() > kMaxLine || equals == std::string::npos || equals == 0) break;
-    const auto trimmed = [](std::string text) {
-      text.erase(0, std::min(text.find_first_not_of(" \t"), text.size()));
-      text.erase(text.find_last_not_of(" \t") + 1);
-      return text;
+    if (!plain || line.size() > kMaxLine || equals == std::string_view::npos || equals == 0) break;
+    const auto trimmed = [](std::string_view text) {
+      text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+      return std::string(text.substr(0, text.find_last_not_of(" \t") + 1));
     };
     const std::string name = trimmed(line.substr(0, equals));
     header.fields[name] = trimmed(line.substr(equals + 1));
-    if (name != "ElementDataFile") continue;
-    return header;
+    if (name == "ElementDataFile") return header;
   }
-  cannot_read(path, "it is not a MetaImage file, or its header is damaged.");
+  throw Error("it is not a MetaImage file, or its header is damaged.");
 }
 
-ValueType value_type(const fs::path& path, const std::string& name) {
+ValueType type_of_meta(const std::string& name) {
   static const std::map<std::string, ValueType> kTypes = {
       {"MET_UCHAR", ValueType::uint8},       {"MET_CHAR", ValueType::int8},       {"MET_USHORT", ValueType::uint16},
       {"MET_SHORT", ValueType::int16},       {"MET_UINT", ValueType::uint32},     {"MET_INT", ValueType::int32},
       {"MET_ULONG_LONG", ValueType::uint64}, {"MET_LONG_LONG", ValueType::int64}, {"MET_FLOAT", ValueType::float32},
       {"MET_DOUBLE", ValueType::float64}};
   const auto found = kTypes.find(name);
-  if (found == kTypes.end()) cannot_read(path, "its values are of type '" + name + "', which is not read.");
+  if (found == kTypes.end()) throw Error("its values are of type '" + name + "', which is not read.");
   return found->second;
 }
 
 /// The numbers of a field that has several names; `otherwise` when it is absent.
 template <std::size_t kCount>
-std::array<double, kCount> numbers(const fs::path& path, const MetaHeader& header,
-                                   const std::vector<std::string>& names, std::array<double, kCount> otherwise) {
+std::array<double, kCount> numbers(const MetaHeader& header, const std::vector<std::string>& names,
+                                   std::array<double, kCount> otherwise) {
   for (const std::string& name : names) {
     const auto found = header.fields.find(name);
     if (found == header.fields.end()) continue;
@@ -87,24 +80,22 @@ std::array<double, kCount> numbers(const fs::path& path, const MetaHeader& heade
     text.imbue(std::locale::classic());
     for (double& number : otherwise)
       if (!(text >> number))
-        cannot_read(path, "its field '" + name + "' is '" + found->second + "'; it must be " + std::to_string(kCount) +
-                              " numbers.");
+        throw Error("its field '" + name + "' is '" + found->second + "'; it must be " + std::to_string(kCount) +
+                    " numbers.");
     break;
   }
   return otherwise;
 }
 
 /// Each row of the file's matrix is the direction of one axis.
-FileGeometry geometry_in(const fs::path& path, const MetaHeader& header) {
-  const auto dims = numbers<3>(path, header, {"DimSize"}, {0, 0, 0});
-  require_sane_dims(path, dims);
-  const auto spacing = numbers<3>(path, header, {"ElementSpacing", "ElementSize"}, {1, 1, 1});
-  const auto origin = numbers<3>(path, header, {"Offset", "Position", "Origin"}, {0, 0, 0});
-  const auto matrix =
-      numbers<9>(path, header, {"TransformMatrix", "Orientation", "Rotation"}, {1, 0, 0, 0, 1, 0, 0, 0, 1});
+FileGeometry geometry_in(const MetaHeader& header) {
+  const auto dims = numbers<3>(header, {"DimSize"}, {0, 0, 0});
+  require_sane_dims(dims);
+  const auto spacing = numbers<3>(header, {"ElementSpacing", "ElementSize"}, {1, 1, 1});
+  const auto origin = numbers<3>(header, {"Offset", "Position", "Origin"}, {0, 0, 0});
+  const auto matrix = numbers<9>(header, {"TransformMatrix", "Orientation", "Rotation"}, {1, 0, 0, 0, 1, 0, 0, 0, 1});
   FileGeometry geometry;
   for (unsigned axis = 0; axis < 3; ++axis) {
-    if (dims[axis] != std::floor(dims[axis])) cannot_read(path, "its field 'DimSize' is not three whole numbers.");
     geometry.dims[axis] = int(dims[axis]);
     geometry.spacing_mm[axis] = spacing[axis];
     geometry.origin_mm[axis] = origin[axis];
@@ -113,81 +104,68 @@ FileGeometry geometry_in(const fs::path& path, const MetaHeader& header) {
   return geometry;
 }
 
-/// Unpacks zlib or gzip data; exactly `image.bytes.size()` bytes must come out.
-void inflate(const fs::path& path, const std::string& packed, RawImage& image) {
-  z_stream stream{};
-  if (inflateInit2(&stream, 15 + 32) != Z_OK) cannot_read(path, "its data cannot be unpacked.");
-  // zlib counts in 32 bits: hand over large data in pieces.
-  constexpr std::size_t kPiece = std::size_t(1) << 30U;
-  std::size_t in = 0, out = 0;
-  int status = Z_OK;
-  while (status == Z_OK) {
-    const std::size_t give = std::min(kPiece, packed.size() - in), take = std::min(kPiece, image.bytes.size() - out);
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data())) + in;  // zlib does not write to it
-    stream.next_out = reinterpret_cast<Bytef*>(image.bytes.data()) + out;
-    stream.avail_in = uInt(give);
-    stream.avail_out = uInt(take);
-    status = ::inflate(&stream, Z_NO_FLUSH);
-    in += give - stream.avail_in;
-    out += take - stream.avail_out;
-    if (out == image.bytes.size()) break;
-  }
-  inflateEnd(&stream);
-  if (out != image.bytes.size()) cannot_read(path, "its compressed data are damaged or cut short.");
+/// [bytes] before the values in a file of their own; -1: they are its last ones.
+std::int64_t header_size(const MetaHeader& header, bool local) {
+  const std::string text = header.get("HeaderSize", "0");
+  const std::optional<std::int64_t> skip = parse_whole(text);
+  if (!skip || *skip < -1 || (local && *skip > 0))
+    throw Error("its field 'HeaderSize' is " + in_quotes(text) + "; it must be a number of bytes, or -1" +
+                (local ? ", and 0 where the values follow in the same file." : "."));
+  if (*skip != 0 && header.is_true("CompressedData"))
+    throw Error("its field 'HeaderSize' is " + in_quotes(text) + "; with compressed data it must be 0.");
+  return *skip;
 }
 
-void read_values(const fs::path& path, const MetaHeader& header, RawImage& image) {
+void take_values(const MetaHeader& header, std::string_view bytes, const DataFile& data_file, RawImage& image) {
   const std::string name = header.get("ElementDataFile", "");
   const bool local = name == "LOCAL" || name == "Local" || name == "local";
-  const fs::path data_path = local ? path : path.parent_path() / name;
-  const double available = double(readable_size(data_path)) - double(local ? header.end : 0);
+  const std::string elsewhere = local ? std::string() : data_file(name);
+  const std::string_view data = local ? bytes.substr(header.end) : std::string_view(elsewhere);
+  const std::int64_t skip = header_size(header, local);
   const double needed =
       double(image.geometry.dims[0]) * image.geometry.dims[1] * image.geometry.dims[2] * double(size_of(image.type));
   const bool compressed = header.is_true("CompressedData");
-  require_bytes(path, needed, available, compressed ? kDeflate : kNotCompressed);
-
-  std::ifstream file(data_path, std::ios::binary);
-  file.seekg(std::streamoff(local ? header.end : 0));
-  image.bytes.resize(std::size_t(needed));
+  require_bytes(needed, double(data.size()) - double(std::max<std::int64_t>(skip, 0)),
+                compressed ? kDeflate : kNotCompressed);
+  const auto count = std::size_t(needed);
+  image.bytes.resize(count);
   if (compressed) {
-    std::string packed{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    inflate(path, packed, image);
+    const std::string values = unpack_gzip(data, count);
+    if (values.size() != count) throw Error("its compressed data are damaged or cut short.");
+    std::memcpy(image.bytes.data(), values.data(), count);
   } else {
-    const std::string skip = header.get("HeaderSize", "0");
-    if (skip == "-1") {
-      file.seekg(-std::streamoff(needed), std::ios::end);
-    } else {
-      file.seekg(std::strtoll(skip.c_str(), nullptr, 10), std::ios::cur);
-    }
-    file.read(reinterpret_cast<char*>(image.bytes.data()), std::streamsize(image.bytes.size()));
-    if (file.gcount() != std::streamsize(image.bytes.size())) cannot_read(path, "it is cut short.");
+    std::memcpy(image.bytes.data(), data.data() + (skip == -1 ? data.size() - count : std::size_t(skip)), count);
   }
   if (header.is_true("BinaryDataByteOrderMSB") || header.is_true("ElementByteOrderMSB")) swap_bytes(image);
 }
 
 }  // namespace
 
-RawImage read_meta_image(const fs::path& path) {
-  (void)readable_size(path);
-  const MetaHeader header = parse_header(path);
+RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file) {
+  const MetaHeader header = parse_meta_header(bytes);
   const int dimensions = std::atoi(header.get("NDims", "0").c_str());
   if (dimensions != 3)
-    cannot_read(path, "it has " + std::to_string(dimensions) +
-                          " dimensions; a volume has three. Take one volume out of it, or put its slices together.");
+    throw Error("it has " + std::to_string(dimensions) +
+                " dimensions; a volume has three. Take one volume out of it, or put its slices together.");
   const std::string channels = header.get("ElementNumberOfChannels", "1");
-  if (channels != "1") cannot_read(path, "it has " + channels + " values per sample; a volume has one.");
-  const ValueType type = value_type(path, header.get("ElementType", "none"));
+  if (channels != "1") throw Error("it has " + channels + " values per sample; a volume has one.");
+  const ValueType type = type_of_meta(header.get("ElementType", "none"));
   const std::string data = header.get("ElementDataFile", "");
   if (data.empty() || data.rfind("LIST", 0) == 0 || data.find('%') != std::string::npos)
-    cannot_read(path, "its data are in several files; save them as one.");
+    throw Error("its data are in several files; save them as one.");
   if (header.fields.count("BinaryData") != 0 && !header.is_true("BinaryData"))
-    cannot_read(path, "its data are text; save them as binary data.");
+    throw Error("its data are text; save them as binary data.");
 
   RawImage image;
-  image.geometry = geometry_in(path, header);
+  image.geometry = geometry_in(header);
   image.type = type;
-  read_values(path, header, image);
+  take_values(header, bytes, data_file, image);
   return image;
+}
+
+RawImage read_meta_image(const fs::path& path) {
+  const std::uint64_t size = readable_size(path);
+  return naming(path, [&] { return parse_meta_image(first_bytes(path, std::size_t(size)), data_files_beside(path)); });
 }
 
 }  // namespace hapticut

@@ -1,118 +1,230 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <itkNiftiImageIO.h>
-#include <zlib.h>
-
-#include <array>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <cstring>
-#include <memory>
+#include <optional>
 
 #include "io/file_errors.hpp"
 #include "io/volume/formats.hpp"
-#include "io/volume/itk_image.hpp"
+#include "io/volume/unpack.hpp"
 
 namespace hapticut {
 namespace {
 
-/// The fields of a NIfTI-1 or NIfTI-2 header that say how large it is.
-struct NiftiSize {
-  std::array<double, 8> dim{};  ///< number of dimensions, then their sizes
-  double bytes_per_value = 0;
-  double data_offset = 0;
+constexpr std::size_t kNifti1 = 348, kNifti2 = 540;  // [bytes] of the headers
+
+/// What a NIfTI header says, in the units of the file.
+struct NiftiHeader {
+  bool swapped = false;
+  std::array<double, 8> dim{}, pixdim{};  ///< [0]: number of dimensions; handedness of the quaternion
+  int type = 0;
+  double offset = 0;  ///< [bytes] of the values
+  double slope = 0, intercept = 0;
+  int units = 0, qform = 0, sform = 0;  ///< codes
+  std::array<double, 6> quaternion{};   ///< b, c, d, and where the first sample lies
+  Eigen::Matrix<double, 3, 4, Eigen::RowMajor | Eigen::DontAlign> rows;
 };
 
-template <class Number>
-Number number_at(const std::array<char, 540>& header, std::size_t offset, bool swapped) {
-  std::array<char, sizeof(Number)> bytes;
-  std::memcpy(bytes.data(), header.data() + offset, sizeof(Number));
-  if (swapped) std::reverse(bytes.begin(), bytes.end());
-  Number number;
-  std::memcpy(&number, bytes.data(), sizeof(Number));
-  return number;
-}
+/// Takes the fields of a header by their places.
+class NiftiFields {
+ public:
+  NiftiFields(std::string_view bytes, bool swapped) : bytes_(bytes), swapped_(swapped) {}
 
-/// 0: not a type that is read.
-double bytes_of_datatype(int code) {
-  switch (code) {
-    case 2:    // uint8
-    case 256:  // int8
-      return 1;
-    case 4:    // int16
-    case 512:  // uint16
-      return 2;
-    case 8:    // int32
-    case 16:   // float32
-    case 768:  // uint32
-      return 4;
-    case 64:    // float64
-    case 1024:  // int64
-    case 1280:  // uint64
-      return 8;
-    default:
-      return 0;
+  template <class Number>
+  [[nodiscard]] Number at(std::size_t place) const {
+    std::array<char, sizeof(Number)> raw;
+    std::memcpy(raw.data(), bytes_.substr(place, sizeof(Number)).data(), sizeof(Number));
+    if (swapped_) std::reverse(raw.begin(), raw.end());
+    Number number;
+    std::memcpy(&number, raw.data(), sizeof(Number));
+    return number;
   }
-}
 
-NiftiSize size_in_header(const std::filesystem::path& path) {
-  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
-  if (!file) cannot_read(path, "it cannot be opened.");
-  std::array<char, 540> header{};
-  const int count = gzread(file.get(), header.data(), unsigned(header.size()));
-  if (count < 348) cannot_read(path, "it is too short for a NIfTI header, or its compression is damaged.");
+  template <class Number, class Numbers>
+  void take(std::size_t place, Numbers& numbers) const {
+    for (auto& number : numbers) {
+      number = double(at<Number>(place));
+      place += sizeof(Number);
+    }
+  }
+
+ private:
+  std::string_view bytes_;
+  bool swapped_;
+};
+
+NiftiHeader parse_nifti_header(std::string_view bytes) {
+  if (bytes.size() < kNifti1) throw Error("it is too short for a NIfTI header.");
   for (const bool swapped : {false, true}) {
-    NiftiSize size;
-    const auto magic = number_at<std::int32_t>(header, 0, swapped);
-    if (magic == 348) {
-      for (std::size_t n = 0; n < 8; ++n) size.dim[n] = number_at<std::int16_t>(header, 40 + 2 * n, swapped);
-      size.bytes_per_value = bytes_of_datatype(number_at<std::int16_t>(header, 70, swapped));
-      size.data_offset = double(number_at<float>(header, 108, swapped));
-      return size;
+    const NiftiFields fields(bytes, swapped);
+    NiftiHeader h;
+    h.swapped = swapped;
+    auto rows = h.rows.reshaped<Eigen::RowMajor>();
+    const auto length = fields.at<std::int32_t>(0);
+    if (length == std::int32_t(kNifti1)) {
+      const std::string_view magic = bytes.substr(344, 4);
+      if (magic == std::string_view("ni1\0", 4)) throw Error("its values are in another file; save both as one .nii.");
+      if (magic != std::string_view("n+1\0", 4)) throw Error("it has the header of an ANALYZE file; save it as NIfTI.");
+      fields.take<std::int16_t>(40, h.dim);
+      h.type = fields.at<std::int16_t>(70);
+      fields.take<float>(76, h.pixdim);
+      h.offset = double(fields.at<float>(108));
+      h.slope = double(fields.at<float>(112));
+      h.intercept = double(fields.at<float>(116));
+      h.units = fields.at<std::uint8_t>(123);
+      h.qform = fields.at<std::int16_t>(252);
+      h.sform = fields.at<std::int16_t>(254);
+      fields.take<float>(256, h.quaternion);
+      fields.take<float>(280, rows);
+      return h;
     }
-    if (magic == 540 && count == 540) {
-      size.bytes_per_value = bytes_of_datatype(number_at<std::int16_t>(header, 12, swapped));
-      for (std::size_t n = 0; n < 8; ++n) size.dim[n] = double(number_at<std::int64_t>(header, 16 + 8 * n, swapped));
-      size.data_offset = double(number_at<std::int64_t>(header, 168, swapped));
-      return size;
+    if (length == std::int32_t(kNifti2) && bytes.size() >= kNifti2) {
+      if (bytes.substr(4, 4) != std::string_view("n+2\0", 4))
+        throw Error("its values are in another file, or its header is damaged; save it as one .nii.");
+      h.type = fields.at<std::int16_t>(12);
+      fields.take<std::int64_t>(16, h.dim);
+      fields.take<double>(104, h.pixdim);
+      h.offset = double(fields.at<std::int64_t>(168));
+      h.slope = fields.at<double>(176);
+      h.intercept = fields.at<double>(184);
+      h.qform = fields.at<std::int32_t>(344);
+      h.sform = fields.at<std::int32_t>(348);
+      fields.take<double>(352, h.quaternion);
+      fields.take<double>(400, rows);
+      h.units = fields.at<std::int32_t>(500);
+      return h;
     }
   }
-  cannot_read(path, "it is not a NIfTI file.");
+  throw Error("it is not a NIfTI file.");
 }
 
-bool is_deflated(const std::filesystem::path& path) { return first_bytes(path, 2) == "\x1f\x8b"; }
-
-/// Reads a compressed file through to its end, so that a damaged one is not taken for a complete one.
-void require_complete(const std::filesystem::path& path, double needed) {
-  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
-  std::vector<char> buffer(1U << 20U);
-  double total = 0;
-  for (int count = 1; count > 0;) {
-    count = file ? gzread(file.get(), buffer.data(), unsigned(buffer.size())) : -1;
-    if (count < 0) cannot_read(path, "its compressed data are damaged or cut short.");
-    total += count;
+ValueType type_of_nifti(int code) {
+  switch (code) {
+    case 2:
+      return ValueType::uint8;
+    case 4:
+      return ValueType::int16;
+    case 8:
+      return ValueType::int32;
+    case 16:
+      return ValueType::float32;
+    case 64:
+      return ValueType::float64;
+    case 256:
+      return ValueType::int8;
+    case 512:
+      return ValueType::uint16;
+    case 768:
+      return ValueType::uint32;
+    case 1024:
+      return ValueType::int64;
+    case 1280:
+      return ValueType::uint64;
+    default:
+      throw Error("its values are of type " + std::to_string(code) +
+                  ", which is not read; save it as grey values or labels.");
   }
-  if (total < needed) cannot_read(path, "it is cut short.");
+}
+
+Mat3 rotation_of(const NiftiHeader& h) {
+  const double b = h.quaternion[0], c = h.quaternion[1], d = h.quaternion[2];
+  const double square = b * b + c * c + d * d;
+  // Rounding may leave a little more than 1, of half a turn.
+  const Eigen::Quaterniond q(std::sqrt(std::max(0.0, 1 - square)), b, c, d);
+  return q.normalized().toRotationMatrix();
+}
+
+/// Where the grid lies: by the affine map where the file has one, else by the quaternion, else along the axes of the
+/// patient with the first sample at the origin.
+FileGeometry geometry_of_nifti(const NiftiHeader& h) {
+  FileGeometry geometry;
+  for (std::size_t axis = 0; axis < 3; ++axis) geometry.dims[axis] = int(h.dim[axis + 1]);
+  const Vec3 pixdim(std::abs(h.pixdim[1]), std::abs(h.pixdim[2]), std::abs(h.pixdim[3]));
+  geometry.spacing_mm = pixdim;
+  if (h.sform > 0 || h.qform > 0) {
+    Mat3 axes = h.rows.leftCols<3>();
+    geometry.origin_mm = h.rows.col(3);
+    if (h.sform <= 0) {
+      axes = rotation_of(h) * Vec3(pixdim.x(), pixdim.y(), h.pixdim[0] < 0 ? -pixdim.z() : pixdim.z()).asDiagonal();
+      geometry.origin_mm = Vec3(h.quaternion[3], h.quaternion[4], h.quaternion[5]);
+    }
+    // Files have x to the right and y to the front.
+    const Vec3 signs(-1, -1, 1);
+    axes = signs.asDiagonal() * axes;
+    geometry.origin_mm = signs.cwiseProduct(geometry.origin_mm).eval();
+    for (int axis = 0; axis < 3; ++axis) {
+      geometry.spacing_mm[axis] = axes.col(axis).norm();
+      geometry.direction.col(axis) = axes.col(axis) / axes.col(axis).norm();
+    }
+  }
+  constexpr int kMetre = 1, kMicron = 3, kSpace = 7;
+  const double unit_mm = (h.units & kSpace) == kMetre ? 1e3 : (h.units & kSpace) == kMicron ? 1e-3 : 1;
+  geometry.spacing_mm *= unit_mm;
+  geometry.origin_mm *= unit_mm;
+  return geometry;
+}
+
+double bytes_needed(const NiftiHeader& h) {
+  if (!(h.dim[0] >= 3 && h.dim[0] <= 7))
+    throw Error("it has " + format_number(h.dim[0]) + " dimensions; a volume has three.");
+  require_sane_dims({h.dim[1], h.dim[2], h.dim[3]});
+  for (std::size_t n = 4; n <= std::size_t(h.dim[0]); ++n)
+    if (h.dim[n] > 1)
+      throw Error("it has " + format_number(h.dim[n]) +
+                  " volumes or values per sample; take one volume out of it first.");
+  if (!(h.offset >= double(kNifti1)) || h.offset != std::floor(h.offset))
+    throw Error("its values would begin at byte " + format_number(h.offset) + ", within its header.");
+  return h.offset + h.dim[1] * h.dim[2] * h.dim[3] * double(size_of(type_of_nifti(h.type)));
+}
+
+/// Values of which the file says how they are scaled; a slope of 0 means that they are not.
+void scale(const NiftiHeader& h, RawImage& image) {
+  if (h.slope == 0 || !std::isfinite(h.slope) || (h.slope == 1 && h.intercept == 0)) return;
+  if (!std::isfinite(h.intercept)) throw Error("the offset of its values is not a finite number.");
+  std::vector<std::byte> scaled(image.bytes.size() / size_of(image.type) * sizeof(float));
+  with_value_type(image.type, [&](auto stored) {
+    const std::byte* from = image.bytes.data();
+    for (std::size_t to = 0; to < scaled.size(); to += sizeof(float), from += sizeof stored) {
+      std::memcpy(&stored, from, sizeof stored);
+      const auto value = float(double(stored) * h.slope + h.intercept);
+      std::memcpy(scaled.data() + to, &value, sizeof value);
+    }
+  });
+  image.bytes = std::move(scaled);
+  image.type = ValueType::float32;
 }
 
 }  // namespace
 
-RawImage read_nifti(const std::filesystem::path& path) {
-  const auto file_size = double(readable_size(path));
-  const NiftiSize size = size_in_header(path);
-  if (!(size.dim[0] >= 3 && size.dim[0] <= 7))
-    cannot_read(path, "it has " + format_number(size.dim[0]) + " dimensions; a volume has three.");
-  require_sane_dims(path, {size.dim[1], size.dim[2], size.dim[3]});
-  for (std::size_t n = 4; n <= std::size_t(size.dim[0]); ++n)
-    if (size.dim[n] > 1)
-      cannot_read(path, "it has " + format_number(size.dim[n]) +
-                            " volumes or values per sample; take one volume out of it first.");
-  if (size.bytes_per_value == 0)
-    cannot_read(path, "its values are of a type that is not read; save it as grey values or labels.");
-  const double needed = size.data_offset + size.dim[1] * size.dim[2] * size.dim[3] * size.bytes_per_value;
-  const bool deflated = is_deflated(path);
-  require_bytes(path, needed, file_size, deflated ? kDeflate : kNotCompressed);
-  const auto io = itk::NiftiImageIO::New();
-  RawImage image = read_itk_image(*io, path);
-  if (deflated) require_complete(path, needed);
+RawImage parse_nifti(std::string_view bytes) {
+  const NiftiHeader header = parse_nifti_header(bytes);
+  const double needed = bytes_needed(header);
+  require_bytes(needed, double(bytes.size()), kNotCompressed);
+  RawImage image;
+  image.type = type_of_nifti(header.type);
+  image.geometry = geometry_of_nifti(header);
+  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
+  image.bytes.assign(first + std::size_t(header.offset), first + std::size_t(needed));
+  if (header.swapped) swap_bytes(image);
+  scale(header, image);
   return image;
+}
+
+RawImage read_nifti(const std::filesystem::path& path) {
+  const std::uint64_t size = readable_size(path);
+  return naming(path, [&] {
+    const std::string start = first_bytes(path, kNifti2);
+    if (!start.starts_with("\x1f\x8b")) {
+      require_bytes(bytes_needed(parse_nifti_header(start)), double(size), kNotCompressed);
+      return parse_nifti(first_bytes(path, std::size_t(size)));
+    }
+    const std::string packed = first_bytes(path, std::size_t(size));
+    const double needed = bytes_needed(parse_nifti_header(start_of_gzip(packed, kNifti2)));
+    require_bytes(needed, double(size), kDeflate);
+    constexpr std::uint64_t kMore = 1U << 20U;  // [bytes] that may follow the values
+    return parse_nifti(unpack_gzip(packed, std::uint64_t(needed) + kMore));
+  });
 }
 
 }  // namespace hapticut

@@ -1,179 +1,162 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <archive.h>
-#include <itkNrrdImageIO.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
+#include <bit>
+#include <cctype>
+#include <cmath>
 #include <cstring>
-#include <fstream>
-#include <memory>
+#include <limits>
+#include <type_traits>
 
 #include "io/file_errors.hpp"
 #include "io/volume/formats.hpp"
-#include "io/volume/itk_image.hpp"
 #include "io/volume/nrrd_header.hpp"
+#include "io/volume/number_text.hpp"
+#include "io/volume/unpack.hpp"
 
 namespace hapticut {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that goes away with this object.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "hapticut-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-      throw Error("cannot make a folder in '" + fs::temp_directory_path().string() + "': " + std::strerror(errno) +
-                  ".");
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
+// The library that other programs read this format with copies lines of a header into a buffer of fixed length, and
+// takes `left-anterior-superior` for `right-anterior-superior`'s mirror image; so the format is read here.
 
- private:
-  fs::path path_;
-};
+constexpr std::size_t kMaxNrrdHeader = std::size_t(1) << 20U;
 
-/// The bytes of the data file from where they begin, unpacked.
-class PayloadStream {
- public:
-  PayloadStream(const fs::path& path, const NrrdHeader& header)
-      : path_(path),
-        file_(std::fopen(header.data_file.c_str(), "rb"), std::fclose),
-        archive_(archive_read_new(), archive_read_free) {
-    if (!file_) cannot_read(path, "its data file '" + header.data_file.string() + "' cannot be opened.");
-    std::fseek(file_.get(), long(header.data_offset), SEEK_SET);
-    for (std::int64_t line = 0; line < header.line_skip; ++line)
-      for (int c = 0; c != '\n';)
-        if ((c = std::fgetc(file_.get())) == EOF) cannot_read(path, "it has fewer lines than it says to skip.");
-    // Reading by descriptor starts where the file stands, not where the buffered stream has read to.
-    ::lseek(::fileno(file_.get()), std::ftell(file_.get()), SEEK_SET);
-    archive_read_support_format_raw(archive_.get());
-    if (header.encoding == "gzip") archive_read_support_filter_gzip(archive_.get());
-    if (header.encoding == "bzip2") archive_read_support_filter_bzip2(archive_.get());
-    archive_entry* entry = nullptr;
-    if (archive_read_open_fd(archive_.get(), ::fileno(file_.get()), 1U << 16U) != ARCHIVE_OK ||
-        archive_read_next_header(archive_.get(), &entry) != ARCHIVE_OK)
-      fail();
-    const int filter = header.encoding == "gzip"    ? ARCHIVE_FILTER_GZIP
-                       : header.encoding == "bzip2" ? ARCHIVE_FILTER_BZIP2
-                                                    : ARCHIVE_FILTER_NONE;
-    if (archive_filter_code(archive_.get(), 0) != filter)
-      cannot_read(path, "its data are not in the encoding '" + header.encoding + "' that it claims.");
-  }
+std::uint64_t samples_of(const NrrdHeader& header) {
+  const auto& dims = header.geometry.dims;
+  return std::uint64_t(dims[0]) * std::uint64_t(dims[1]) * std::uint64_t(dims[2]);
+}
 
-  /// The next bytes; none at the end.
-  std::size_t read(std::vector<char>& buffer) {
-    const auto count = archive_read_data(archive_.get(), buffer.data(), buffer.size());
-    if (count < 0) fail();
-    return std::size_t(count);
-  }
-
- private:
-  [[noreturn]] void fail() {
-    const char* reason = archive_error_string(archive_.get());
-    cannot_read(path_, "its data cannot be unpacked (" + std::string(reason != nullptr ? reason : "no data") + ").");
-  }
-
-  const fs::path& path_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-  std::unique_ptr<archive, int (*)(archive*)> archive_;
-};
-
-/// Whether data begin with the header of a NIfTI file, and where its values start.
-std::uint64_t nifti_values_offset(const std::vector<char>& first) {
-  if (first.size() < 352 || std::memcmp(first.data() + 344, "n+1", 4) != 0) return 0;
+/// Whether unpacked data begin with the header of a NIfTI file, and where its values start.
+std::uint64_t nifti_header_in(const std::string& data) {
+  if (data.size() < 352 || std::memcmp(data.data() + 344, "n+1", 4) != 0) return 0;
   float offset = 0;
-  std::memcpy(&offset, first.data() + 108, sizeof offset);
+  std::memcpy(&offset, data.data() + 108, sizeof offset);
   return offset >= 348 && offset < 1e9F ? std::uint64_t(offset) : 0;
 }
 
 /// Where the values begin among `total` unpacked bytes.
-std::uint64_t values_offset(const NrrdHeader& header, const std::vector<char>& first, std::uint64_t total,
-                            std::uint64_t needed) {
+std::uint64_t values_offset(const NrrdHeader& header, std::uint64_t nifti, std::uint64_t total, std::uint64_t needed) {
   if (header.byte_skip > 0) return std::uint64_t(header.byte_skip);
   if (header.byte_skip < 0) {
     // -1 means: the last bytes of the data; -1 - n: n bytes before that, but not before the first byte.
-    const auto before_end = needed + std::uint64_t(-(header.byte_skip + 1));
+    const std::uint64_t before_end = needed + std::uint64_t(-(header.byte_skip + 1));
     return before_end < total ? total - before_end : 0;
   }
   // A data file that is a whole NIfTI file: its own header is not part of the values.
-  const std::uint64_t nifti = nifti_values_offset(first);
   return nifti + needed == total ? nifti : 0;
 }
 
-/// Unpacks the data into a plain file beside a plain header, for what ITK does not read: bzip2, counting back from the
-/// end, a NIfTI file as data file.
-void write_plain_copy(const fs::path& path, const NrrdHeader& header, std::uint64_t needed, const fs::path& folder) {
-  PayloadStream payload(path, header);
-  std::ofstream data(folder / "data.raw", std::ios::binary);
-  std::vector<char> buffer(1U << 20U), first;
-  std::uint64_t total = 0;
-  while (const std::size_t count = payload.read(buffer)) {
-    if (first.size() < 352) first.insert(first.end(), buffer.begin(), buffer.begin() + std::ptrdiff_t(count));
-    data.write(buffer.data(), std::streamsize(count));
-    total += count;
-    if (total > 2 * needed + (1U << 20U)) cannot_read(path, "it holds far more data than its header says.");
+std::size_t after_lines(std::string_view data, std::int64_t count) {
+  std::size_t at = 0;
+  for (; count > 0; --count) {
+    const std::size_t end = data.find('\n', at);
+    if (end == std::string_view::npos) throw Error("it has fewer lines than it says to skip.");
+    at = end + 1;
   }
-  const std::uint64_t offset = values_offset(header, first, total, needed);
-  require_bytes(path, double(offset) + double(needed), double(total), kNotCompressed);
-  std::ofstream plain(folder / "plain.nhdr");
-  plain << header.fields << "encoding: raw\nbyte skip: " << offset << "\ndata file: data.raw\n";
-  plain.close();
-  data.close();
-  if (!plain || !data)
-    cannot_read(path, "its data could not be unpacked into '" + folder.string() + "'; is the disk full?");
+  return at;
 }
 
-bool needs_plain_copy(const NrrdHeader& header) {
-  if (header.encoding == "bzip2" || header.byte_skip < -1) return true;
-  if (header.encoding == "raw") return false;
-  return header.data_offset == 0 && header.encoding == "gzip" && header.byte_skip == 0;  // perhaps a NIfTI file
+/// Numbers as text, in the type that the header names.
+template <class Value>
+void append_value(double number, std::vector<std::byte>& bytes) {
+  if constexpr (std::is_integral_v<Value>) {
+    const double end = std::ldexp(1.0, std::numeric_limits<Value>::digits);  // the first that does not fit
+    if (!(number >= double(std::numeric_limits<Value>::min()) && number < end && number == std::floor(number)))
+      throw Error("it has the value " + format_number(number) + ", which does not fit its type.");
+  }
+  const auto value = Value(number);
+  const auto* first = reinterpret_cast<const std::byte*>(&value);
+  bytes.insert(bytes.end(), first, first + sizeof value);
+}
+
+std::vector<std::byte> parse_text_values(std::string_view text, ValueType type, std::uint64_t count) {
+  std::vector<std::byte> bytes;
+  TextLines words(text);
+  for (std::uint64_t n = 0; n < count; ++n) {
+    std::string_view word = words.word_of_any_line();
+    if (word.ends_with(',')) word.remove_suffix(1);
+    const std::optional<double> number = parse_real(word);
+    if (!number)
+      throw Error(word.empty() ? "it has " + std::to_string(n) + " values instead of " + std::to_string(count) + "."
+                               : in_quotes(word) + " among its values is not a number.");
+    with_value_type(type, [&](auto zero) { append_value<decltype(zero)>(*number, bytes); });
+  }
+  return bytes;
+}
+
+std::string from_hex(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdefABCDEF";
+  std::string bytes;
+  int high = -1;
+  for (const char c : text) {
+    if (std::isspace(static_cast<unsigned char>(c)) != 0) continue;
+    const std::size_t place = kDigits.find(c);
+    if (place == std::string_view::npos) throw Error("its values are not hexadecimal digits.");
+    const int digit = int(place < 16 ? place : place - 6);
+    if (high >= 0) bytes += char(16 * high + digit);
+    high = high < 0 ? digit : -1;
+  }
+  return bytes;
+}
+
+std::vector<std::byte> parse_nrrd_values(const NrrdHeader& header, std::string_view data, std::uint64_t samples) {
+  const std::uint64_t needed = samples * size_of(header.type);
+  data.remove_prefix(after_lines(data, header.line_skip));
+  if (header.encoding == "ascii") {
+    require_bytes(double(samples), double(data.size()), kNotCompressed);
+    return parse_text_values(data, header.type, samples);
+  }
+  std::string unpacked;
+  std::string_view values = data;
+  if (header.encoding == "hex") values = unpacked = from_hex(data);
+  if (header.encoding == "gzip" || header.encoding == "bzip2") {
+    require_bytes(double(needed), double(data.size()), kDeflate);
+    // A header or what is to be skipped may stand before the values.
+    const std::uint64_t most = 2 * needed + std::uint64_t(std::max<std::int64_t>(header.byte_skip, 0)) + (1U << 20U);
+    values = unpacked = header.encoding == "gzip" ? unpack_gzip(data, most) : unpack_bzip2(data, most);
+  }
+  const std::uint64_t nifti = header.encoding == "raw" ? 0 : nifti_header_in(unpacked);
+  const std::uint64_t offset = values_offset(header, nifti, values.size(), needed);
+  require_bytes(double(offset) + double(needed), double(values.size()), kNotCompressed);
+  const auto* first = reinterpret_cast<const std::byte*>(values.data()) + offset;
+  return {first, first + needed};
 }
 
 }  // namespace
 
-RawImage read_nrrd(const fs::path& path) {
-  (void)readable_size(path);
-  const NrrdHeader header = parse_nrrd_header(path);
-  if (header.sizes.size() != 3)
-    cannot_read(path, "it has " + std::to_string(header.sizes.size()) +
-                          " dimensions; a volume has three. Take one volume out of it, or put its slices together.");
-  require_sane_dims(path, {header.sizes[0], header.sizes[1], header.sizes[2]});
-  if (header.bytes_per_value == 0) cannot_read(path, "its values are of a type that is not read.");
-  const double samples = header.sizes[0] * header.sizes[1] * header.sizes[2];
-  const double needed = samples * double(header.bytes_per_value);
-  if (!header.data_file.empty()) {
-    std::error_code code;
-    const auto size = fs::file_size(header.data_file, code);
-    if (code) cannot_read(path, "its data file '" + header.data_file.string() + "' cannot be opened.");
-    const auto available = double(size) - double(header.data_offset);
-    if (header.encoding == "raw")
-      require_bytes(path, needed + double(std::max<std::int64_t>(header.byte_skip, 0)), available, kNotCompressed);
-    if (header.encoding == "gzip") require_bytes(path, needed, available, kDeflate);
-    if (header.encoding == "ascii" || header.encoding == "hex") require_bytes(path, samples, available, kNotCompressed);
-  }
-
-  const auto io = itk::NrrdImageIO::New();
+RawImage parse_nrrd(std::string_view bytes, const DataFile& data_file) {
+  const NrrdHeader header = parse_nrrd_header(bytes);
   RawImage image;
-  if (!header.data_file.empty() && needs_plain_copy(header)) {
-    const TemporaryFolder folder;
-    write_plain_copy(path, header, std::uint64_t(needed), folder.path());
-    image = read_itk_image(*io, folder.path() / "plain.nhdr");
+  image.type = header.type;
+  image.geometry = header.geometry;
+  const std::uint64_t samples = samples_of(header), files = std::max<std::size_t>(1, header.data_files.size());
+  if (samples % files != 0) throw Error("its samples cannot be shared among its " + std::to_string(files) + " files.");
+  if (header.data_files.empty()) {
+    image.bytes = parse_nrrd_values(header, bytes.substr(header.end), samples);
   } else {
-    image = read_itk_image(*io, path);
+    for (const std::string& name : header.data_files) {
+      const std::vector<std::byte> part = parse_nrrd_values(header, data_file(name), samples / files);
+      image.bytes.insert(image.bytes.end(), part.begin(), part.end());
+    }
   }
-  image.geometry.spacing_mm *= header.unit_mm;
-  image.geometry.origin_mm *= header.unit_mm;
+  if (header.big_endian != (std::endian::native == std::endian::big)) swap_bytes(image);
   return image;
+}
+
+RawImage read_nrrd(const fs::path& path) {
+  const std::uint64_t size = readable_size(path);
+  return naming(path, [&] {
+    const NrrdHeader header = parse_nrrd_header(first_bytes(path, kMaxNrrdHeader));
+    // Nothing large is read for a header that asks for more than there is.
+    const double needed = double(samples_of(header)) * double(size_of(header.type));
+    if (header.data_files.empty() && header.encoding == "raw")
+      require_bytes(needed + double(std::max<std::int64_t>(header.byte_skip, 0)), double(size) - double(header.end),
+                    kNotCompressed);
+    return parse_nrrd(first_bytes(path, header.data_files.empty() ? std::size_t(size) : kMaxNrrdHeader),
+                      data_files_beside(path));
+  });
 }
 
 }  // namespace hapticut

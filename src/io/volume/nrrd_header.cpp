@@ -2,160 +2,315 @@
 #include "io/volume/nrrd_header.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <optional>
-#include <sstream>
 
-#include "io/file_errors.hpp"
+#include "hapticut/core/errors.hpp"
+#include "io/mesh/text_lines.hpp"
+#include "io/volume/number_text.hpp"
 
 namespace hapticut {
 namespace {
 
-constexpr std::size_t kMaxHeaderBytes = std::size_t(1) << 20U;
+constexpr std::size_t kMaxNrrdLine = 1 << 14;  // [bytes] of a header; a list of data files has a line for each
+constexpr std::size_t kMaxNrrdFiles = 1 << 16;
 
-std::string trimmed(std::string text) {
-  text.erase(0, std::min(text.find_first_not_of(" \t\r"), text.size()));
-  text.erase(text.find_last_not_of(" \t\r") + 1);
-  return text;
+std::string_view trimmed_nrrd(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r"), text.size()));
+  return text.substr(0, text.find_last_not_of(" \t\r") + 1);
 }
 
-std::size_t bytes_of(const std::string& type) {
-  static const std::map<std::string, std::size_t> kBytes = {{"signed char", 1},
-                                                            {"int8", 1},
-                                                            {"int8_t", 1},
-                                                            {"uchar", 1},
-                                                            {"unsigned char", 1},
-                                                            {"uint8", 1},
-                                                            {"uint8_t", 1},
-                                                            {"short", 2},
-                                                            {"short int", 2},
-                                                            {"signed short", 2},
-                                                            {"signed short int", 2},
-                                                            {"int16", 2},
-                                                            {"int16_t", 2},
-                                                            {"ushort", 2},
-                                                            {"unsigned short", 2},
-                                                            {"unsigned short int", 2},
-                                                            {"uint16", 2},
-                                                            {"uint16_t", 2},
-                                                            {"int", 4},
-                                                            {"signed int", 4},
-                                                            {"int32", 4},
-                                                            {"int32_t", 4},
-                                                            {"uint", 4},
-                                                            {"unsigned int", 4},
-                                                            {"uint32", 4},
-                                                            {"uint32_t", 4},
-                                                            {"longlong", 8},
-                                                            {"long long", 8},
-                                                            {"long long int", 8},
-                                                            {"signed long long", 8},
-                                                            {"signed long long int", 8},
-                                                            {"int64", 8},
-                                                            {"int64_t", 8},
-                                                            {"ulonglong", 8},
-                                                            {"unsigned long long", 8},
-                                                            {"unsigned long long int", 8},
-                                                            {"uint64", 8},
-                                                            {"uint64_t", 8},
-                                                            {"float", 4},
-                                                            {"double", 8}};
-  const auto found = kBytes.find(type);
-  return found == kBytes.end() ? 0 : found->second;
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
 }
 
-std::string encoding_of(const std::string& name) {
-  if (name == "gz") return "gzip";
-  if (name == "bz2") return "bzip2";
-  if (name == "txt" || name == "text") return "ascii";
-  return name;
+std::optional<ValueType> type_of_nrrd(const std::string& name) {
+  static const std::map<std::string, ValueType> kTypes = {{"signed char", ValueType::int8},
+                                                          {"int8", ValueType::int8},
+                                                          {"int8_t", ValueType::int8},
+                                                          {"uchar", ValueType::uint8},
+                                                          {"unsigned char", ValueType::uint8},
+                                                          {"uint8", ValueType::uint8},
+                                                          {"uint8_t", ValueType::uint8},
+                                                          {"short", ValueType::int16},
+                                                          {"short int", ValueType::int16},
+                                                          {"signed short", ValueType::int16},
+                                                          {"signed short int", ValueType::int16},
+                                                          {"int16", ValueType::int16},
+                                                          {"int16_t", ValueType::int16},
+                                                          {"ushort", ValueType::uint16},
+                                                          {"unsigned short", ValueType::uint16},
+                                                          {"unsigned short int", ValueType::uint16},
+                                                          {"uint16", ValueType::uint16},
+                                                          {"uint16_t", ValueType::uint16},
+                                                          {"int", ValueType::int32},
+                                                          {"signed int", ValueType::int32},
+                                                          {"int32", ValueType::int32},
+                                                          {"int32_t", ValueType::int32},
+                                                          {"uint", ValueType::uint32},
+                                                          {"unsigned int", ValueType::uint32},
+                                                          {"uint32", ValueType::uint32},
+                                                          {"uint32_t", ValueType::uint32},
+                                                          {"longlong", ValueType::int64},
+                                                          {"long long", ValueType::int64},
+                                                          {"long long int", ValueType::int64},
+                                                          {"signed long long", ValueType::int64},
+                                                          {"int64", ValueType::int64},
+                                                          {"signed long long int", ValueType::int64},
+                                                          {"int64_t", ValueType::int64},
+                                                          {"ulonglong", ValueType::uint64},
+                                                          {"unsigned long long", ValueType::uint64},
+                                                          {"unsigned long long int", ValueType::uint64},
+                                                          {"uint64", ValueType::uint64},
+                                                          {"uint64_t", ValueType::uint64},
+                                                          {"float", ValueType::float32},
+                                                          {"double", ValueType::float64}};
+  const auto found = kTypes.find(name);
+  return found == kTypes.end() ? std::nullopt : std::optional(found->second);
 }
 
 /// The unit that every axis has, e.g. `"mm" "mm" "mm"`; what is empty or unknown counts as millimetres.
-std::optional<double> unit_of(const std::string& list) {
-  static const std::map<std::string, double> kUnits = {{"m", 1e3},   {"meter", 1e3}, {"cm", 10},       {"mm", 1},
-                                                       {"um", 1e-3}, {"µm", 1e-3},   {"micron", 1e-3}, {"nm", 1e-6}};
+double unit_of_nrrd(std::string_view list) {
+  static const std::map<std::string_view, double> kUnits = {
+      {"m", 1e3}, {"meter", 1e3}, {"cm", 10}, {"mm", 1}, {"um", 1e-3}, {"µm", 1e-3}, {"micron", 1e-3}, {"nm", 1e-6}};
   std::optional<double> unit;
   std::size_t from = list.find('"');
-  while (from != std::string::npos) {
+  while (from != std::string_view::npos) {
     const std::size_t to = list.find('"', from + 1);
-    if (to == std::string::npos) break;
+    if (to == std::string_view::npos) break;
     const auto known = kUnits.find(list.substr(from + 1, to - from - 1));
     const double this_one = known == kUnits.end() ? 1 : known->second;
-    if (unit && *unit != this_one) return std::nullopt;
+    if (unit && *unit != this_one) throw Error("its axes have different units: " + in_quotes(list) + ".");
     unit = this_one;
     from = list.find('"', to + 1);
   }
   return unit.value_or(1);
 }
 
-std::int64_t integer(const std::filesystem::path& path, const std::string& field, const std::string& value) {
-  std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-  if (error != std::errc{} || end != value.data() + value.size())
-    cannot_read(path, "its field '" + field + "' is '" + value + "', which is not a whole number.");
-  return number;
+/// What the axes of `space` are in those of the patient: x to the left, y to the back, z to the head.
+Vec3 signs_of_space(const std::string& name) {
+  static const std::map<std::string, Vec3> kSigns = {{"right-anterior-superior", Vec3(-1, -1, 1)},
+                                                     {"ras", Vec3(-1, -1, 1)},
+                                                     {"left-anterior-superior", Vec3(1, -1, 1)},
+                                                     {"las", Vec3(1, -1, 1)},
+                                                     {"left-posterior-superior", Vec3(1, 1, 1)},
+                                                     {"lps", Vec3(1, 1, 1)},
+                                                     {"scanner-xyz", Vec3(1, 1, 1)},
+                                                     {"3d-right-handed", Vec3(1, 1, 1)},
+                                                     {"3d-left-handed", Vec3(1, 1, 1)}};
+  const auto found = kSigns.find(name);
+  if (found == kSigns.end())
+    throw Error("its field 'space' is " + in_quotes(name) +
+                "; left-posterior-superior, right-anterior-superior, left-anterior-superior, scanner-xyz and "
+                "3D-right-handed or 3D-left-handed are read.");
+  return found->second;
 }
 
-void take_field(const std::filesystem::path& path, const std::string& name, const std::string& value,
-                NrrdHeader& header, bool& kept) {
-  kept = false;
-  if (name == "byte skip" || name == "byteskip") {
-    header.byte_skip = integer(path, name, value);
-  } else if (name == "line skip" || name == "lineskip") {
-    header.line_skip = integer(path, name, value);
-  } else if (name == "encoding") {
-    header.encoding = value;
-    std::transform(value.begin(), value.end(), header.encoding.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    header.encoding = encoding_of(header.encoding);
-  } else if (name == "data file" || name == "datafile") {
-    const bool several = value.rfind("LIST", 0) == 0 || value.find('%') != std::string::npos;
-    header.data_file = several ? std::filesystem::path() : path.parent_path() / value;
-  } else {
-    kept = true;
-    if (name == "type") header.bytes_per_value = bytes_of(value);
-    if (name == "sizes") {
-      std::istringstream sizes(value);
-      for (double size = 0; sizes >> size;) header.sizes.push_back(size);
+/// The lines of a header, and what they say before it is put together.
+class NrrdFields {
+ public:
+  explicit NrrdFields(std::string_view bytes) : bytes_(bytes) {
+    if (!bytes.starts_with("NRRD000")) throw Error("it is not an NRRD file.");
+    bool ended = false;
+    while (!ended && at_ < bytes_.size()) {
+      const std::string_view line = take_line();
+      ended = line.empty();
+      take(line);
+      if (!ended && fields_.contains("data file") && is_list()) {
+        take_list();
+        ended = true;
+      }
     }
-    if (name == "space units" || name == "units") {
-      const auto unit = unit_of(value);
-      if (!unit) cannot_read(path, "its axes have different units: " + value + ".");
-      header.unit_mm = *unit;
+    if (!ended && !fields_.contains("data file")) throw Error("its NRRD header has no end.");
+  }
+
+  [[nodiscard]] bool has(const char* name) const { return fields_.contains(name); }
+
+  [[nodiscard]] std::string_view get(const char* name) const {
+    const auto found = fields_.find(name);
+    if (found == fields_.end()) throw Error(std::string("its NRRD header has no field '") + name + "'.");
+    return found->second;
+  }
+
+  [[noreturn]] void fail(const char* name, const std::string& must_be) const {
+    throw Error(std::string("its field '") + name + "' is " + in_quotes(get(name)) + "; it must be " + must_be + ".");
+  }
+
+  [[nodiscard]] std::int64_t whole(const char* name, std::int64_t otherwise) const {
+    if (!has(name)) return otherwise;
+    const std::optional<std::int64_t> number = parse_whole(get(name));
+    if (!number) fail(name, "a whole number");
+    return *number;
+  }
+
+  /// Three numbers between blanks.
+  [[nodiscard]] Vec3 three(const char* name) const {
+    const std::optional<std::vector<double>> numbers = numbers_in(get(name), " \t");
+    if (!numbers || numbers->size() != 3) fail(name, "three numbers");
+    return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  }
+
+  /// Vectors of three numbers: `(1,0,0) (0,1,0) (0,0,1)`.
+  [[nodiscard]] std::vector<Vec3> vectors(const char* name, std::size_t count) const {
+    std::vector<Vec3> found;
+    std::string_view text = get(name);
+    const std::string must_be = count == 1 ? "a vector (x,y,z)" : std::to_string(count) + " vectors (x,y,z)";
+    while (!text.empty()) {
+      const std::size_t close = text.find(')');
+      if (text.front() != '(' || close == std::string_view::npos || found.size() == count) fail(name, must_be);
+      const std::optional<std::vector<double>> numbers = numbers_in(text.substr(1, close - 1), " \t,");
+      if (!numbers || numbers->size() != 3) fail(name, must_be);
+      found.emplace_back((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+      text = trimmed_nrrd(text.substr(close + 1));
+    }
+    if (found.size() != count) fail(name, must_be);
+    return found;
+  }
+
+  [[nodiscard]] const std::vector<std::string>& list() const { return list_; }
+  [[nodiscard]] bool is_list() const { return get("data file").starts_with("LIST"); }
+  [[nodiscard]] std::size_t end() const { return at_; }
+
+ private:
+  std::string_view take_line() {
+    const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
+    if (end - at_ > kMaxNrrdLine)
+      throw Error("a line of its NRRD header is longer than " + std::to_string(kMaxNrrdLine) + " bytes.");
+    const std::string_view line = trimmed_nrrd(bytes_.substr(at_, end - at_));
+    at_ = std::min(end + 1, bytes_.size());
+    return line;
+  }
+
+  void take(std::string_view line) {
+    if (line.starts_with('#')) return;
+    const std::size_t colon = line.find(": ");
+    if (colon == std::string_view::npos || line.find(":=") < colon) return;
+    static const std::map<std::string, std::string> kOtherNames = {{"datafile", "data file"},
+                                                                   {"lineskip", "line skip"},
+                                                                   {"byteskip", "byte skip"},
+                                                                   {"axismins", "axis mins"},
+                                                                   {"centers", "centerings"}};
+    std::string name = lower_case(line.substr(0, colon));
+    if (const auto other = kOtherNames.find(name); other != kOtherNames.end()) name = other->second;
+    if (!fields_.emplace(name, trimmed_nrrd(line.substr(colon + 2))).second)
+      throw Error("its field " + in_quotes(name) + " is there twice.");
+  }
+
+  void take_list() {
+    while (at_ < bytes_.size() && list_.size() < kMaxNrrdFiles)
+      if (const std::string_view line = take_line(); !line.empty()) list_.emplace_back(line);
+  }
+
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+  std::map<std::string, std::string_view, std::less<>> fields_;
+  std::vector<std::string> list_;
+};
+
+/// `slice%03d.raw 1 30 1`: a name, the first number, the last one, the step.
+std::vector<std::string> numbered_files(const NrrdFields& fields) {
+  constexpr const char* kMustBe = "a name with one %d, its first number, the last one and the step";
+  const std::string_view value = fields.get("data file");
+  const std::size_t blank = value.find_first_of(" \t", value.find('%'));
+  const std::string_view name = value.substr(0, blank);
+  const auto numbers = blank == std::string_view::npos ? std::nullopt : numbers_in(value.substr(blank), " \t");
+  const std::size_t percent = name.find('%'), d = name.find('d', percent);
+  if (!numbers || numbers->size() < 3 || d == std::string_view::npos || name.find('%', percent + 1) < d)
+    fields.fail("data file", kMustBe);
+  const std::string_view width = name.substr(percent + 1, d - percent - 1);
+  const std::optional<std::int64_t> digits = width.empty() ? 0 : parse_whole(width);
+  const double first = (*numbers)[0], last = (*numbers)[1], step = (*numbers)[2];
+  if (!digits || *digits < 0 || *digits > 9 || !(std::abs(step) >= 1) ||
+      !((last - first) / step >= 0 && (last - first) / step < double(kMaxNrrdFiles)) || !(std::abs(first) < 1e9))
+    fields.fail("data file", kMustBe);
+  std::vector<std::string> files;
+  for (int n = 0; n <= int((last - first) / step); ++n) {
+    std::string number = std::to_string(std::int64_t(first + n * step));
+    if (number.size() < std::size_t(*digits))
+      number.insert(0, std::size_t(*digits) - number.size(), width[0] == '0' ? '0' : ' ');
+    files.push_back(std::string(name.substr(0, percent)) + number + std::string(name.substr(d + 1)));
+  }
+  return files;
+}
+
+FileGeometry geometry_of_nrrd(const NrrdFields& fields) {
+  FileGeometry geometry;
+  const Vec3 sizes = fields.three("sizes");
+  require_sane_dims({sizes.x(), sizes.y(), sizes.z()});
+  for (int axis = 0; axis < 3; ++axis) geometry.dims[std::size_t(axis)] = int(sizes[axis]);
+  if (fields.has("space directions")) {
+    const Vec3 signs = fields.has("space") ? signs_of_space(lower_case(fields.get("space"))) : Vec3(1, 1, 1);
+    const std::vector<Vec3> axes = fields.vectors("space directions", 3);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 along = axes[std::size_t(axis)].cwiseProduct(signs);
+      geometry.spacing_mm[axis] = along.norm();
+      geometry.direction.col(axis) = along / along.norm();
+    }
+    if (fields.has("space origin")) geometry.origin_mm = fields.vectors("space origin", 1)[0].cwiseProduct(signs);
+  } else {
+    if (fields.has("spacings")) geometry.spacing_mm = fields.three("spacings");
+    for (double& spacing : geometry.spacing_mm) spacing = std::isnan(spacing) ? 1 : std::abs(spacing);
+    if (fields.has("axis mins")) {
+      geometry.origin_mm = fields.three("axis mins");
+      for (int axis = 0; axis < 3; ++axis)
+        if (std::isnan(geometry.origin_mm[axis])) geometry.origin_mm[axis] = 0;
+      // The smallest place of an axis is the edge of its first sample, unless it says that it is its middle.
+      if (!fields.has("centerings") || !fields.get("centerings").starts_with("node"))
+        geometry.origin_mm += geometry.spacing_mm / 2;
     }
   }
+  const char* units = fields.has("space units") ? "space units" : "units";
+  const double unit_mm = fields.has(units) ? unit_of_nrrd(fields.get(units)) : 1;
+  geometry.spacing_mm *= unit_mm;
+  geometry.origin_mm *= unit_mm;
+  return geometry;
 }
 
 }  // namespace
 
-NrrdHeader parse_nrrd_header(const std::filesystem::path& path) {
-  const std::string text = first_bytes(path, kMaxHeaderBytes);
-  if (text.rfind("NRRD000", 0) != 0) cannot_read(path, "it is not an NRRD file.");
+NrrdHeader parse_nrrd_header(std::string_view bytes) {
+  const NrrdFields fields(bytes);
+  const std::int64_t dimensions = fields.whole("dimension", 0);
+  if (dimensions != 3)
+    throw Error("it has " + std::to_string(dimensions) +
+                " dimensions; a volume has three. Take one volume out of it, or put its slices together.");
   NrrdHeader header;
-  header.data_file = path;
-  bool attached = true, ended = false;
-  std::size_t from = 0;
-  while (!ended && from < text.size()) {
-    std::size_t to = text.find('\n', from);
-    if (to == std::string::npos) to = text.size();
-    const std::string line = trimmed(text.substr(from, to - from));
-    from = std::min(to + 1, text.size());
-    ended = line.empty();
-    const std::size_t colon = line.find(": ");
-    const bool field = line[0] != '#' && colon != std::string::npos && line.find(":=") > colon;
-    bool kept = true;
-    if (field) {
-      const std::string name = line.substr(0, colon);
-      attached &= name != "data file" && name != "datafile";
-      take_field(path, name, trimmed(line.substr(colon + 2)), header, kept);
-    }
-    if (kept && !ended) header.fields += line + "\n";
+  const std::optional<ValueType> type = type_of_nrrd(lower_case(fields.get("type")));
+  if (!type) fields.fail("type", "a type of numbers");
+  header.type = *type;
+  header.geometry = geometry_of_nrrd(fields);
+  header.encoding = lower_case(fields.get("encoding"));
+  if (header.encoding == "gz") header.encoding = "gzip";
+  if (header.encoding == "bz2") header.encoding = "bzip2";
+  if (header.encoding == "txt" || header.encoding == "text") header.encoding = "ascii";
+  const bool text = header.encoding == "ascii" || header.encoding == "hex";
+  if (!text && header.encoding != "raw" && header.encoding != "gzip" && header.encoding != "bzip2")
+    fields.fail("encoding", "raw, gzip, bzip2, ascii or hex");
+  if (size_of(header.type) > 1 && header.encoding != "ascii") {
+    const std::string endian = lower_case(fields.get("endian"));
+    if (endian != "little" && endian != "big") fields.fail("endian", "little or big");
+    header.big_endian = endian == "big";
   }
-  if (attached && !ended) cannot_read(path, "its NRRD header has no end.");
-  if (header.sizes.empty()) cannot_read(path, "its NRRD header has no field 'sizes'.");
-  if (attached) header.data_offset = from;
+  header.byte_skip = fields.whole("byte skip", 0);
+  header.line_skip = fields.whole("line skip", 0);
+  if (header.line_skip < 0) fields.fail("line skip", "0 or more");
+  if (fields.has("data file")) {
+    const std::string_view name = fields.get("data file");
+    if (fields.is_list())
+      header.data_files = fields.list();
+    else if (name.find('%') != std::string_view::npos)
+      header.data_files = numbered_files(fields);
+    else
+      header.data_files = {std::string(name)};
+    if (header.data_files.empty() || header.data_files.front().empty())
+      fields.fail("data file", "the name of a file, or a list of names");
+  }
+  header.end = fields.end();
   return header;
 }
 

@@ -2,26 +2,30 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "io/volume/raw_image.hpp"
+
+/// @file
+/// The header of an NRRD file: a text of `field: value` up to an empty line.
 namespace hapticut {
 
-/// What the header of an NRRD file says about its data. Geometry is left to ITK.
 struct NrrdHeader {
-  std::string fields;  ///< the lines that say nothing about where and how the data are stored
-  std::vector<double> sizes;
-  std::size_t bytes_per_value = 0;  ///< 0: a type that is not read
-  std::string encoding;             ///< raw, gzip, bzip2, ascii, hex
-  std::int64_t byte_skip = 0;       ///< negative: counted from the end of the data
+  ValueType type = ValueType::uint8;
+  FileGeometry geometry;
+  std::string encoding;  ///< raw, gzip, bzip2, ascii, hex
+  bool big_endian = false;
+  std::int64_t byte_skip = 0;  ///< negative: counted from the end of the data
   std::int64_t line_skip = 0;
-  std::filesystem::path data_file;  ///< the file itself, or the one that it names; empty: several files
-  std::uint64_t data_offset = 0;    ///< in data_file
-  double unit_mm = 1;               ///< [mm] what its lengths count
+  std::vector<std::string> data_files;  ///< names beside the header, in order of the slowest axis; empty: this file
+  std::size_t end = 0;                  ///< [bytes] where data in the same file begin
 };
 
-/// @throws Error when it is not an NRRD header
-[[nodiscard]] NrrdHeader parse_nrrd_header(const std::filesystem::path& path);
+/// @param bytes  the beginning of a file
+/// @throws Error a sentence that begins with "it" or "its", when this is no header of a volume with three axes and one
+/// value per sample
+[[nodiscard]] NrrdHeader parse_nrrd_header(std::string_view bytes);
 
 }  // namespace hapticut

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <type_traits>
 
 #include "hapticut/core/units.hpp"
@@ -15,37 +16,10 @@
 namespace hapticut {
 namespace {
 
-/// Calls `use(Type{})` with the C++ type of the values.
-template <class Use>
-void with_type(ValueType type, const Use& use) {
-  switch (type) {
-    case ValueType::uint8:
-      return use(std::uint8_t{});
-    case ValueType::int8:
-      return use(std::int8_t{});
-    case ValueType::uint16:
-      return use(std::uint16_t{});
-    case ValueType::int16:
-      return use(std::int16_t{});
-    case ValueType::uint32:
-      return use(std::uint32_t{});
-    case ValueType::int32:
-      return use(std::int32_t{});
-    case ValueType::uint64:
-      return use(std::uint64_t{});
-    case ValueType::int64:
-      return use(std::int64_t{});
-    case ValueType::float32:
-      return use(float{});
-    case ValueType::float64:
-      return use(double{});
-  }
-}
-
 /// Converts value by value; `convert` may throw.
 template <class Value, class Convert>
 void convert_values(const RawImage& image, std::vector<Value>& values, const Convert& convert) {
-  with_type(image.type, [&](auto zero) {
+  with_value_type(image.type, [&](auto zero) {
     using Stored = decltype(zero);
     const std::byte* from = image.bytes.data();
     for (Value& value : values) {
@@ -76,6 +50,14 @@ Volume<Value> to_volume(const RawImage& image, const std::filesystem::path& path
     cannot_read(path, "its spacing is not positive along every axis. Give the spacing yourself.");
   if (!is_finite(geometry.origin_mm) || !geometry.direction.allFinite())
     cannot_read(path, "its origin or direction is not finite.");
+  const Vec3 extent = Vec3(geometry.dims[0], geometry.dims[1], geometry.dims[2]).cwiseProduct(geometry.spacing_mm);
+  constexpr double kLongest = 1e5;  // [mm]
+  if (!(extent.maxCoeff() <= kLongest))
+    cannot_read(path, "it is " + format_number(extent.maxCoeff() * 1e-3) + " m long; at most " +
+                          format_number(kLongest * 1e-3) + " m are allowed. Check its spacing, or give another one.");
+  constexpr double kFarthest = 1e9;  // [mm]
+  if (!(geometry.origin_mm.cwiseAbs().maxCoeff() <= kFarthest))
+    cannot_read(path, "its origin is more than " + format_number(kFarthest * 1e-3) + " m away. Check its header.");
   // Headers round directions to some digits; more than this is not rounding.
   constexpr double kRounding = 1e-3;
   const Mat3 gram = geometry.direction.transpose() * geometry.direction;
@@ -96,24 +78,34 @@ Volume<Value> to_volume(const RawImage& image, const std::filesystem::path& path
 
 std::size_t size_of(ValueType type) {
   std::size_t size = 0;
-  with_type(type, [&](auto zero) { size = sizeof zero; });
+  with_value_type(type, [&](auto zero) { size = sizeof zero; });
   return size;
 }
 
-void require_sane_dims(const std::filesystem::path& path, const std::array<double, 3>& dims) {
+void require_sane_dims(const std::array<double, 3>& dims) {
   const std::string claim = format_number(dims[0]) + " x " + format_number(dims[1]) + " x " + format_number(dims[2]);
   for (const double n : dims)
-    if (!(n >= 1)) cannot_read(path, "it claims " + claim + " samples; there must be at least one along every axis.");
+    if (!(n >= 1) || n != std::floor(n))
+      throw Error("it claims " + claim +
+                  " samples; there must be a whole number of them along every axis, at least 1.");
   if (!(dims[0] * dims[1] * dims[2] <= double(kMaxVolumeSamples)))
-    cannot_read(path, "it claims " + claim + " samples; at most " + format_number(double(kMaxVolumeSamples)) +
-                          " are read. Crop or downsample it first.");
+    throw Error("it claims " + claim + " samples; at most " + format_number(double(kMaxVolumeSamples)) +
+                " are read. Crop or downsample it first.");
+}
+
+void require_sane_dims(const std::filesystem::path& path, const std::array<double, 3>& dims) {
+  naming(path, [&] { require_sane_dims(dims); });
+}
+
+void require_bytes(double needed, double available, double best_ratio) {
+  const bool compressed = best_ratio > kNotCompressed;
+  if (needed > available * best_ratio + (compressed ? 1024 : 0))
+    throw Error("its header claims " + format_number(needed) + " bytes of data, but there are only " +
+                format_number(available) + (compressed ? " compressed ones." : ".") + " Is it cut short?");
 }
 
 void require_bytes(const std::filesystem::path& path, double needed, double available, double best_ratio) {
-  const bool compressed = best_ratio > kNotCompressed;
-  if (needed > available * best_ratio + (compressed ? 1024 : 0))
-    cannot_read(path, "its header claims " + format_number(needed) + " bytes of data, but there are only " +
-                          format_number(available) + (compressed ? " compressed ones." : ".") + " Is it cut short?");
+  naming(path, [&] { require_bytes(needed, available, best_ratio); });
 }
 
 void swap_bytes(RawImage& image) {
@@ -123,7 +115,13 @@ void swap_bytes(RawImage& image) {
 
 GreyVolume to_grey_volume(const RawImage& image, const std::filesystem::path& path,
                           const std::optional<Vec3>& spacing) {
-  return to_volume<float>(image, path, spacing, [](auto value) { return float(value); });
+  return to_volume<float>(image, path, spacing, [&](auto value) {
+    const auto grey = double(value);
+    if (std::abs(grey) > double(std::numeric_limits<float>::max()))  // not of what is no number
+      cannot_read(path, "it has the value " + format_number(grey) +
+                            ", which is too large for a grey value. Check its type and byte order.");
+    return float(value);
+  });
 }
 
 LabelVolume to_label_volume(const RawImage& image, const std::filesystem::path& path,
@@ -135,6 +133,16 @@ LabelVolume to_label_volume(const RawImage& image, const std::filesystem::path& 
                             ", but labels are whole numbers from 0 to 65535. Read it as a grey volume instead.");
     return std::uint16_t(value);
   });
+}
+
+DataFile data_files_beside(const std::filesystem::path& path) {
+  return [folder = path.parent_path()](const std::string& name) {
+    const std::filesystem::path file = folder / name;
+    std::error_code code;
+    if (!std::filesystem::is_regular_file(file, code))
+      throw Error("its data file '" + file.string() + "' cannot be opened.");
+    return first_bytes(file, std::size_t(readable_size(file)));
+  };
 }
 
 std::uint64_t readable_size(const std::filesystem::path& path) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
@@ -30,9 +31,40 @@ struct RawImage {
 
 [[nodiscard]] std::size_t size_of(ValueType type);
 
-/// Checks that there are between 1 and kMaxVolumeSamples samples.
+/// Calls `use(Type{})` with the C++ type of the values.
+template <class Use>
+void with_value_type(ValueType type, const Use& use) {
+  switch (type) {
+    case ValueType::uint8:
+      return use(std::uint8_t{});
+    case ValueType::int8:
+      return use(std::int8_t{});
+    case ValueType::uint16:
+      return use(std::uint16_t{});
+    case ValueType::int16:
+      return use(std::int16_t{});
+    case ValueType::uint32:
+      return use(std::uint32_t{});
+    case ValueType::int32:
+      return use(std::int32_t{});
+    case ValueType::uint64:
+      return use(std::uint64_t{});
+    case ValueType::int64:
+      return use(std::int64_t{});
+    case ValueType::float32:
+      return use(float{});
+    case ValueType::float64:
+      return use(double{});
+  }
+}
+
+/// Checks that there are between 1 and kMaxVolumeSamples samples, a whole number along every axis.
 /// @param dims  any numbers that a header may claim
-/// @throws Error
+/// @throws Error a sentence that begins with "it"
+void require_sane_dims(const std::array<double, 3>& dims);
+
+/// The same.
+/// @throws Error with the name of the file before it
 void require_sane_dims(const std::filesystem::path& path, const std::array<double, 3>& dims);
 
 /// Reverses the bytes of every value.

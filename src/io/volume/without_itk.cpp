@@ -2,8 +2,6 @@
 // What stands in the library for everything that needs ITK, where it was built without it.
 #include "hapticut/core/errors.hpp"
 #include "hapticut/io/volume/volume_filters.hpp"
-#include "io/file_errors.hpp"
-#include "io/volume/formats.hpp"
 
 namespace hapticut {
 namespace {
@@ -15,16 +13,6 @@ const std::string kNeedsItk =
 [[noreturn]] void cannot_do(const std::string& what) { throw Error(what + kNeedsItk); }
 
 }  // namespace
-
-RawImage read_nrrd(const std::filesystem::path& path) { cannot_read(path, "reading NRRD files" + kNeedsItk); }
-
-RawImage read_nifti(const std::filesystem::path& path) { cannot_read(path, "reading NIfTI files" + kNeedsItk); }
-
-RawImage read_dicom_file(const std::filesystem::path& path) { cannot_read(path, "reading DICOM files" + kNeedsItk); }
-
-RawImage read_dicom_series(const std::filesystem::path& folder, const std::string&) {
-  cannot_read(folder, "it has no PNG or TIFF slices, and reading DICOM files" + kNeedsItk);
-}
 
 GreyVolume resample(const GreyVolume&, double) { cannot_do("resampling a volume"); }
 

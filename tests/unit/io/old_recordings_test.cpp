@@ -113,7 +113,8 @@ TEST(OldRecordings, OfEveryFormatAreReadAndReplayed) {
     // Made again by this version on this machine: bits are promised only where neither differs, numbers always.
     const ReplayReport report = replay(recording);
     EXPECT_EQ(report.steps, std::uint64_t(kSteps));
-    EXPECT_LT(report.largest_force_difference, 0.01 * largest);
+    // 2.2 %: voxels about the axis cut by their mean slip since these were made (decision 3).
+    EXPECT_LT(report.largest_force_difference, 0.03 * largest);
     const ReplayReport again = replay(recording);
     EXPECT_EQ(again.workpiece_hash, report.workpiece_hash);
     EXPECT_EQ(again.largest_force_difference, report.largest_force_difference);

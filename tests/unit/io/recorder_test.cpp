@@ -237,17 +237,6 @@ TEST(Recorder, RecordsTheStepsThatSomebodyElseMakes) {
   EXPECT_EQ(recorder.lost(), 0U);
 }
 
-TEST(Recorder, IsTheOnlyOneOfItsSimulation) {
-  const TemporaryFolder folder;
-  Simulation simulation = find_scene("axial_flat").make();
-  {
-    const Recorder recorder(folder / "a.h5", simulation, patient());
-    EXPECT_THROW(Recorder(folder / "b.h5", simulation, patient()), Error);
-  }
-  EXPECT_EQ(simulation.observer(), nullptr);
-  Recorder(folder / "b.h5", simulation, patient()).close();
-}
-
 TEST(Recorder, GoesOnSteppingWhenTheDiskIsFullAndSaysSoAtTheEnd) {
   const TemporaryFolder folder;
   Simulation simulation = find_scene("axial_flat").make();

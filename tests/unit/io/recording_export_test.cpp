@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -98,6 +100,49 @@ TEST(RecordingExport, SaysWhatCannotBeWritten) {
   const Recording recording = read_recording(folder / "a.h5");
   EXPECT_THROW(write_csv(recording, folder / "no/such/a.csv"), Error);
   EXPECT_THROW(write_npz(recording, folder / "no/such/a.npz"), Error);
+}
+
+// A tone of the recorded spindle is in the file, and it lasts as long as the steps.
+TEST(RecordingExport, WritesTheSoundOfTheDrill) {
+  const TemporaryFolder folder;
+  test::record_scene(folder / "a.h5", "axial_flat", kSteps);
+  const Recording recording = read_recording(folder / "a.h5");
+  write_wav(recording, folder / "a.wav", 16'000);
+  const std::string bytes = test::read_bytes(folder / "a.wav");
+  const auto number_at = [&](std::size_t place, int length) {
+    std::uint32_t value = 0;
+    for (int n = 0; n < length; ++n) value |= std::uint32_t(std::uint8_t(bytes[place + std::size_t(n)])) << (8 * n);
+    return value;
+  };
+  ASSERT_GT(bytes.size(), 44U);
+  EXPECT_EQ(bytes.substr(0, 4) + bytes.substr(8, 8), "RIFFWAVEfmt ");
+  EXPECT_EQ(number_at(4, 4), bytes.size() - 8);
+  EXPECT_EQ(number_at(20, 2), 1U) << "PCM";
+  EXPECT_EQ(number_at(22, 2), 1U) << "one channel";
+  EXPECT_EQ(number_at(24, 4), 16'000U);
+  EXPECT_EQ(number_at(34, 2), 16U);
+  EXPECT_EQ(number_at(40, 4), bytes.size() - 44);
+  double seconds = 0, speed = 0;
+  for (const RecordedStep& step : recording.read(0, kSteps)) seconds += step.input.dt, speed = step.spindle.speed;
+  const std::size_t count = (bytes.size() - 44) / 2;
+  EXPECT_NEAR(double(count), 16'000 * seconds, 1);
+  // Its strength in the second half, once the spindle has run up, and beside the tone.
+  const auto strength = [&](double frequency) {
+    double cosine = 0, sine = 0;
+    for (std::size_t n = count / 2; n < count; ++n) {
+      const double sample = std::int16_t(number_at(44 + 2 * n, 2)) / 32767.0,
+                   angle = 2 * units::kPi * frequency * double(n) / 16'000;
+      const double window = 1 - std::cos(4 * units::kPi * double(n) / double(count));
+      cosine += window * sample * std::cos(angle), sine += window * sample * std::sin(angle);
+    }
+    return 4 * std::hypot(cosine, sine) / double(count);
+  };
+  const double turns = std::abs(speed) / (2 * units::kPi);
+  ASSERT_GT(turns, 50);
+  EXPECT_GT(strength(turns), 0.05);
+  EXPECT_LT(strength(1.3 * turns), 0.5 * strength(turns));
+  EXPECT_THROW(write_wav(recording, folder / "a.wav", 1000), Error);
+  EXPECT_THROW(write_wav(recording, folder / "no/such/a.wav"), Error);
 }
 
 }  // namespace

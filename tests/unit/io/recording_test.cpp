@@ -198,8 +198,9 @@ TEST(Recording, SaysWhereAReplayLeavesIt) {
   const ReplayReport report = replay(recording, options);
   EXPECT_FALSE(report.identical);
   ASSERT_TRUE(report.first_difference);
-  const RecordedStep step = recording.read(report.first_difference->step, 1)[0];
-  EXPECT_GT(step.contact.voxels, 0);
+  // Parts of voxels are touched a little before or after their centroids are.
+  const std::vector<RecordedStep> steps = recording.read(report.first_difference->step, 50);
+  EXPECT_GT(steps.back().contact.voxels, 0);
   EXPECT_GT(report.largest_force_difference, 0);
   EXPECT_NE(report.first_difference->recorded, report.first_difference->replayed);
 }

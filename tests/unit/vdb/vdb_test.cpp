@@ -84,16 +84,7 @@ TEST(Vdb, AWorkpieceComesBackBitByBit) {
   for (MaterialId id = 1; id <= 2; ++id) {
     const Material& a = saved.materials()[id];
     const Material& b = loaded.materials()[id];
-    EXPECT_EQ(a.name, b.name);
-    EXPECT_EQ(a.relative_stiffness, b.relative_stiffness);
-    EXPECT_EQ(a.damping, b.damping);
-    EXPECT_EQ(a.cutting_ratio, b.cutting_ratio);
-    EXPECT_EQ(a.specific_cutting_energy, b.specific_cutting_energy);
-    EXPECT_EQ(a.edge_pressure, b.edge_pressure);
-    EXPECT_EQ(a.static_friction, b.static_friction);
-    EXPECT_EQ(a.dynamic_friction, b.dynamic_friction);
-    EXPECT_EQ(a.tangential_stiffness, b.tangential_stiffness);
-    EXPECT_EQ(a.density, b.density);
+    for_each_field<Material>([&](const auto& field) { EXPECT_EQ(a.*field.member, b.*field.member) << field.name; });
   }
   int with_centroid = 0;
   saved.for_each_block([&](const BlockView& block) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hapticut/core/mesh.hpp"
-#include "hapticut/workpiece/surface.hpp"
+#include "hapticut/surface/extract_surface.hpp"
 
 /// @file
 /// Pictures of surfaces without a window or a graphics card.

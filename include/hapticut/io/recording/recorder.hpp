@@ -39,18 +39,20 @@ struct RecorderOptions {
 /// into a bounded memory without lock, and a thread of the recorder's own writes it to an HDF5 file. The file is in
 /// order at any moment: a process that is killed loses the last fraction of a second, not the recording.
 ///
-/// When the workpiece is exchanged, or put back by `undo`, the recording is over: the steps go on, unrecorded.
+/// When the workpiece is exchanged, put back by `undo`, or a piece that was cut loose leaves, the recording is over:
+/// the steps go on, unrecorded.
 ///
 /// `step` and `set_device_tick` belong to the thread that makes the steps; the rest may be called from any.
 class Recorder final : public StepObserver {
  public:
-  /// Writes what there is before the first step, and replaces what was at `path`.
+  /// Writes what there is before the first step. Where `path` exists, the recording grows beside it, in the same name
+  /// with `.new` behind it, and `close` puts it in place.
   /// @param simulation  that has made no step yet, or was just reset; it must stay where it is until the end
-  /// @throws Error when the simulation has made steps or is observed already, an option is out of range, or the file
+  /// @throws Error when the simulation has made steps, an option is out of range, or the file
   ///         cannot be written
   Recorder(const std::filesystem::path& path, Simulation& simulation, const RecorderOptions& options = {});
 
-  /// Ends without the hash at the end, when `close` was not called.
+  /// Ends without the hash at the end, and beside an older recording, when `close` was not called.
   ~Recorder() override;
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -67,12 +69,14 @@ class Recorder final : public StepObserver {
   /// @realtime no allocation, no lock, unless RecorderOptions::wait_when_full
   void on_step(const ObservedStep& step) noexcept override;
   void on_exchange() noexcept override;
+  void on_removal(const BlockVoxels& removed) noexcept override;
 
   [[nodiscard]] std::uint64_t recorded() const noexcept;  ///< steps that were taken over
   [[nodiscard]] std::uint64_t lost() const noexcept;      ///< steps that found the memory full or came after the end
   [[nodiscard]] bool failed() const noexcept;  ///< the disk is full, or the like, or `close` failed, and says what
 
-  /// Writes what is left, and the hash of the workpiece, and ends the recording.
+  /// Writes what is left, and the hash of the workpiece, and ends the recording. On a full disk what fits is kept, and
+  /// says how many steps are missing.
   /// @throws Error when something could not be written, also earlier
   void close();
 

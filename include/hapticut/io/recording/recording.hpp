@@ -30,6 +30,7 @@ struct RecordedStep {
   std::uint64_t reserved_blocks = 0;  ///< that were asked for
   std::uint64_t free_blocks = 0;      ///< left of them before the step
   bool let_go = false;                ///< the hand had let go before the step: see Simulation::let_go
+  bool halted = false;                ///< the spindle had been halted before the step: see Simulation::halt_spindle
   OutputPath path = OutputPath::direct;
   HandOutput hand;  ///< of the coupling, where `path` is coupled
 
@@ -116,5 +117,11 @@ void write_csv(const Recording& recording, const std::filesystem::path& path);
 /// Writes the steps as a NumPy archive (.npz): one array a column, of the names and shapes of the recording.
 /// @throws Error as above
 void write_npz(const Recording& recording, const std::filesystem::path& path);
+
+/// Writes what the drill sounded like (DrillSound) as a WAV file of one channel with 16 bits. It is as long as the
+/// steps took together; the flutes are the lips of the cutter.
+/// @param sample_rate  [Hz] 8000 ... 192 000, rounded to a whole number
+/// @throws Error as above, when the rate is out of range, or when the file would be longer than 4 GB
+void write_wav(const Recording& recording, const std::filesystem::path& path, double sample_rate = 48'000);
 
 }  // namespace hapticut

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 
 /// @file
@@ -31,6 +32,15 @@ struct VdbImport {
   double unit_mm = 1;      ///< [mm] length of one world unit of the file
   enum class Kind { from_class, level_set, fog_volume } kind = Kind::from_class;  ///< what its values mean
 };
+
+constexpr auto names_of(Of<VdbImport::Kind>) {
+  using enum VdbImport::Kind;
+  return std::array{
+      Named{from_class, "from_class"},
+      Named{level_set, "level_set"},
+      Named{fog_volume, "fog_volume"},
+  };
+}
 
 /// Reads a level set or fog volume that another program wrote.
 /// @throws Error when the file is missing or damaged, there is no such float grid, or it does not describe a solid

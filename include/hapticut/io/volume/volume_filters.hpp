@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/volume.hpp"
 
 /// @file
@@ -20,6 +21,15 @@ enum class LabelInterpolation : std::uint8_t {
   nearest,  ///< the label of the nearest sample: steps stay steps
   smooth    ///< the label with the largest share in a Gaussian of half a spacing: rounds steps
 };
+
+constexpr auto names_of(Of<LabelInterpolation>) {
+  using enum LabelInterpolation;
+  return std::array{
+      Named{nearest, "nearest"},
+      Named{smooth, "smooth"},
+  };
+}
+
 [[nodiscard]] LabelVolume resample(const LabelVolume& volume, double voxel_size,
                                    LabelInterpolation interpolation = LabelInterpolation::nearest);
 

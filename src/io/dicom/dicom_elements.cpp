@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/dicom/dicom_elements.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "hapticut/core/errors.hpp"
+#include "io/volume/number_text.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr std::size_t kPreamble = 128;
+constexpr std::uint32_t kUndefined = 0xffffffff;  // length of what ends with a delimiter
+constexpr int kDeepest = 16;                      // sequences within sequences
+constexpr std::uint32_t kItem = dicom_tag(0xfffe, 0xe000), kItemEnd = dicom_tag(0xfffe, 0xe00d),
+                        kSequenceEnd = dicom_tag(0xfffe, 0xe0dd), kTransferSyntax = dicom_tag(2, 0x10),
+                        kPixelData = dicom_tag(0x7fe0, 0x10);
+
+/// Whether an element is kept: the identity, the kind and the place of a picture, and how its values are stored.
+bool is_kept(std::uint32_t tag) {
+  constexpr std::uint32_t kOther[] = {dicom_tag(8, 8), dicom_tag(8, 0x16), dicom_tag(0x18, 0x50), dicom_tag(0x18, 0x88),
+                                      dicom_tag(0x3004, 0xc)};
+  const std::uint32_t group = tag >> 16U;
+  return group == 0x20 || group == 0x28 || std::find(std::begin(kOther), std::end(kOther), tag) != std::end(kOther);
+}
+
+/// Functional groups of all frames and of each, and what they hold: the plane's place and direction, its measures, the
+/// scale of its values.
+bool is_kept_sequence(std::uint32_t tag) {
+  constexpr std::uint32_t kKept[] = {dicom_tag(0x5200, 0x9229), dicom_tag(0x5200, 0x9230), dicom_tag(0x20, 0x9113),
+                                     dicom_tag(0x20, 0x9116),   dicom_tag(0x28, 0x9110),   dicom_tag(0x28, 0x9145)};
+  return std::find(std::begin(kKept), std::end(kKept), tag) != std::end(kKept);
+}
+
+class DicomWalker {
+ public:
+  explicit DicomWalker(std::string_view bytes) : bytes_(bytes), at_(kPreamble + 4) {}
+
+  DicomFile walk_file() {
+    while (at_ + 8 <= bytes_.size() && bytes_[at_] == 2 && bytes_[at_ + 1] == 0) {
+      const Element e = take_element();
+      const std::string_view value = take(e.length);
+      if (e.tag == kTransferSyntax)
+        file_.syntax = value.substr(0, value.find_last_not_of(std::string_view(" \0", 2)) + 1);
+    }
+    if (!file_.syntax.starts_with("1.2.840.10008.1.2")) fail("it does not say how its values are stored.");
+    if (file_.syntax == "1.2.840.10008.1.2.1.99") fail("its elements are compressed; save it without that.");
+    explicit_ = file_.syntax != "1.2.840.10008.1.2";
+    file_.big_endian = big_endian_ = file_.syntax == "1.2.840.10008.1.2.2";
+    walk_elements(bytes_.size(), false, 0, &file_.data);
+    if (!has_picture_) fail(std::string(kNoDicomPicture) + ".");
+    const bool plain = file_.syntax == "1.2.840.10008.1.2" || file_.syntax == "1.2.840.10008.1.2.1" || big_endian_;
+    if (plain == file_.compressed) fail("its picture is not stored in the way that it says.");
+    return std::move(file_);
+  }
+
+ private:
+  struct Element {
+    std::uint32_t tag;
+    std::string_view kind;  // two letters; empty where the file does not say
+    std::uint32_t length;
+  };
+
+  [[noreturn]] static void fail(const std::string& reason) { throw Error(reason); }
+  [[noreturn]] static void fail_cut() { fail("it is damaged or cut short. Get a complete copy."); }
+
+  std::string_view take(std::size_t count) {
+    if (count > bytes_.size() - at_) fail_cut();
+    const std::string_view part = bytes_.substr(at_, count);
+    at_ += count;
+    return part;
+  }
+
+  template <class Number>
+  Number take_number() {
+    std::array<char, sizeof(Number)> raw;
+    std::memcpy(raw.data(), take(sizeof(Number)).data(), sizeof(Number));
+    if (big_endian_) std::reverse(raw.begin(), raw.end());
+    Number number;
+    std::memcpy(&number, raw.data(), sizeof(Number));
+    return number;
+  }
+
+  std::uint32_t take_tag() {
+    const auto group = take_number<std::uint16_t>();
+    return dicom_tag(group, take_number<std::uint16_t>());
+  }
+
+  Element take_element() {
+    constexpr std::string_view kShort = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
+    constexpr std::string_view kLong = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
+    Element e = {take_tag(), {}, 0};
+    if (!explicit_ || e.tag >> 16U == 0xfffe) {
+      e.length = take_number<std::uint32_t>();
+      return e;
+    }
+    e.kind = take(2);
+    const bool letters = std::all_of(e.kind.begin(), e.kind.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+    if (letters && kLong.find(e.kind) != std::string_view::npos) {
+      take(2);
+      e.length = take_number<std::uint32_t>();
+    } else if (letters && kShort.find(e.kind) != std::string_view::npos) {
+      e.length = take_number<std::uint16_t>();
+    } else {
+      fail("an element of it is of an unknown kind; it is damaged. Get a complete copy.");
+    }
+    return e;
+  }
+
+  /// @param delimited  ends at a delimiter rather than at `end`
+  /// @param item       where to keep elements, or nothing
+  void walk_elements(std::size_t end, bool delimited, int depth, DicomItem* item) {
+    if (depth > kDeepest) fail("its sequences are nested too deeply.");
+    std::uint32_t before = 0;
+    while (at_ < end) {
+      const Element e = take_element();
+      if (delimited && e.tag == kItemEnd) return;
+      if (e.tag <= before) fail("its elements are not in order; it is damaged. Get a complete copy.");
+      before = e.tag;
+      const bool sequence = e.kind == "SQ" || (e.length == kUndefined && (e.kind.empty() || e.kind == "UN"));
+      if (e.tag == kPixelData && depth == 0)
+        walk_picture(e);
+      else if (e.tag == kPixelData && e.length == kUndefined)
+        walk_fragments(nullptr);
+      else if (sequence)
+        walk_items(e, depth, item != nullptr && is_kept_sequence(e.tag) ? &item->sequences[e.tag] : nullptr);
+      else if (const std::string_view value = take(e.length); item != nullptr && is_kept(e.tag))
+        item->values[e.tag] = value;
+    }
+    if (delimited || at_ != end) fail_cut();
+  }
+
+  void walk_items(const Element& e, int depth, std::vector<DicomItem>* items) {
+    const bool delimited = e.length == kUndefined, was_explicit = explicit_;
+    if (!delimited && e.length > bytes_.size() - at_) fail_cut();
+    if (e.kind == "UN") explicit_ = false;  // of such a sequence the kinds are unknown too
+    const std::size_t end = delimited ? bytes_.size() : at_ + e.length;
+    for (bool ended = false; !ended;) {
+      if (at_ >= end) {
+        if (delimited) fail_cut();
+        break;
+      }
+      const std::uint32_t at = take_tag();
+      const auto length = take_number<std::uint32_t>();
+      ended = delimited && at == kSequenceEnd;
+      if (ended) break;
+      if (at != kItem) fail("a sequence of it is damaged. Get a complete copy.");
+      if (length != kUndefined && length > end - at_) fail_cut();
+      DicomItem* item = items != nullptr ? &items->emplace_back() : nullptr;
+      walk_elements(length == kUndefined ? end : at_ + length, length == kUndefined, depth + 1, item);
+    }
+    explicit_ = was_explicit;
+  }
+
+  void walk_picture(const Element& e) {
+    has_picture_ = true;
+    file_.compressed = e.length == kUndefined;
+    file_.words = e.kind == "OW";
+    if (file_.compressed)
+      walk_fragments(&file_.fragments);
+    else
+      file_.picture = take(e.length);
+    if (file_.fragments.empty()) return;
+    file_.offsets = file_.fragments.front();
+    file_.fragments.erase(file_.fragments.begin());
+  }
+
+  /// Compressed values.
+  void walk_fragments(std::vector<std::string_view>* fragments) {
+    for (;;) {
+      const std::uint32_t at = take_tag();
+      const auto length = take_number<std::uint32_t>();
+      if (at == kSequenceEnd) return;
+      if (at != kItem) fail("its compressed values are damaged. Get a complete copy.");
+      const std::string_view fragment = take(length);
+      if (fragments != nullptr) fragments->push_back(fragment);
+    }
+  }
+
+  std::string_view bytes_;
+  std::size_t at_;
+  bool explicit_ = true, big_endian_ = false, has_picture_ = false;
+  DicomFile file_;
+};
+
+}  // namespace
+
+bool DicomItem::has(std::uint32_t tag) const { return values.contains(tag); }
+
+std::string DicomItem::text(std::uint32_t tag) const {
+  const auto found = values.find(tag);
+  if (found == values.end()) return {};
+  std::string_view value = found->second;
+  value.remove_prefix(std::min(value.find_first_not_of(' '), value.size()));
+  return std::string(value.substr(0, value.find_last_not_of(std::string_view(" \0", 2)) + 1));
+}
+
+std::vector<double> DicomItem::numbers(std::uint32_t tag, std::size_t count, const char* name) const {
+  const std::string value = text(tag);
+  if (value.empty()) return {};
+  const std::optional<std::vector<double>> found = numbers_in(value, "\\ ");
+  if (!found || found->size() != count ||
+      !std::all_of(found->begin(), found->end(), [](double number) { return std::isfinite(number); }))
+    throw Error(std::string("its ") + name + " is " + in_quotes(value) + "; there must be " + std::to_string(count) +
+                (count == 1 ? " number." : " numbers."));
+  return *found;
+}
+
+const DicomItem* DicomItem::item(std::uint32_t tag) const {
+  const auto found = sequences.find(tag);
+  return found == sequences.end() || found->second.size() != 1 ? nullptr : &found->second.front();
+}
+
+int DicomFile::number(std::uint32_t tag, const char* name) const {
+  const auto found = data.values.find(tag);
+  if (found == data.values.end() || found->second.size() != 2)
+    throw Error(std::string("its ") + name + " is missing or not one number.");
+  const int first = static_cast<unsigned char>(found->second[0]), second = static_cast<unsigned char>(found->second[1]);
+  return big_endian ? 256 * first + second : 256 * second + first;
+}
+
+bool begins_like_dicom(std::string_view bytes) {
+  return bytes.size() >= kPreamble + 4 && bytes.substr(kPreamble, 4) == "DICM";
+}
+
+DicomFile parse_dicom(std::string_view bytes) {
+  if (!begins_like_dicom(bytes)) throw Error("it is not a DICOM file.");
+  return DicomWalker(bytes).walk_file();
+}
+
+}  // namespace hapticut

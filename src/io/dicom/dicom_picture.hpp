@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <utility>
+
+#include "io/dicom/dicom_elements.hpp"
+#include "io/volume/raw_image.hpp"
+
+namespace hapticut {
+
+/// What the header of a DICOM file says of its picture.
+struct DicomPicture {
+  FileGeometry geometry;  ///< dims[2] counts the frames
+  int allocated = 16;     ///< [bit] of a stored value
+  int stored = 16;        ///< [bit] of it that count
+  int high = 15;          ///< the highest of them
+  bool has_sign = false;
+  std::vector<std::pair<double, double>> scale;  ///< slope and intercept, of all frames or of each
+  std::string series;                            ///< Series Instance UID
+
+  [[nodiscard]] std::size_t frame_samples() const {
+    return std::size_t(geometry.dims[0]) * std::size_t(geometry.dims[1]);
+  }
+  [[nodiscard]] std::size_t frame_bytes() const { return frame_samples() * std::size_t(allocated) / 8; }
+};
+
+/// @throws Error a sentence that begins with "it" or "its", when the picture is not one of grey values, or where it
+///         lies cannot be told
+[[nodiscard]] DicomPicture describe_picture(const DicomFile& file);
+
+/// Unpacks one frame that the library itself does not: JPEG, JPEG-LS, JPEG 2000.
+/// @return as many bytes as the frame has, in little-endian order
+using FrameDecoder =
+    std::function<std::string(const DicomFile&, const DicomPicture&, const std::vector<std::string_view>& fragments)>;
+
+/// The values of all frames, as stored and then scaled: those of MONOCHROME1, which are shown inverted, are not
+/// inverted.
+/// @throws Error as above, when there are fewer values than the header says, or they cannot be unpacked
+[[nodiscard]] RawImage picture_values(const DicomFile& file, const DicomPicture& picture, const FrameDecoder& decode);
+
+/// The same for one frame packed by run lengths.
+/// @throws Error when the frame is damaged
+[[nodiscard]] std::string unpack_rle(std::string_view packed, std::size_t samples, std::size_t bytes_per_sample);
+
+/// @throws Error when the header of a JPEG 2000 stream asks for another picture than that of the file
+void require_jpeg_2000_of(std::string_view stream, const DicomPicture& picture);
+
+}  // namespace hapticut

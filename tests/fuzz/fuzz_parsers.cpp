@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// A fuzzer of one format, FUZZ_FORMAT: the bytes that libFuzzer makes go to the parser that checks them. Parsers say
+// what is wrong by throwing Error; everything else is a finding.
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "hapticut/core/errors.hpp"
+#include "io/dicom/dicom_picture.hpp"
+#include "io/mesh/mesh_formats.hpp"
+#include "io/volume/formats.hpp"
+
+namespace hapticut::test {
+namespace {
+
+MeshBytes as_mesh(std::string_view bytes) { return {reinterpret_cast<const std::byte*>(bytes.data()), bytes.size()}; }
+
+[[maybe_unused]] void fuzz_dicom(std::string_view bytes) {
+  const DicomFile file = parse_dicom(bytes);
+  const DicomPicture picture = describe_picture(file);
+  (void)picture_values(file, picture, [](const auto&, const DicomPicture& p, const auto& fragments) {
+    if (!fragments.empty()) require_jpeg_2000_of(fragments.front(), p);
+    return std::string(p.frame_bytes(), '\0');
+  });
+}
+
+[[maybe_unused]] void fuzz_nrrd(std::string_view bytes) {
+  (void)parse_nrrd(bytes, [&](const std::string&) { return std::string(bytes); });
+}
+
+[[maybe_unused]] void fuzz_nifti(std::string_view bytes) { (void)parse_nifti(bytes); }
+[[maybe_unused]] void fuzz_meta(std::string_view bytes) {
+  (void)parse_meta_image(bytes, [&](const std::string&) { return std::string(bytes); });
+}
+[[maybe_unused]] void fuzz_stl(std::string_view bytes) { (void)to_meshes(parse_stl(as_mesh(bytes)), 1e-3); }
+[[maybe_unused]] void fuzz_ply(std::string_view bytes) { (void)to_meshes(parse_ply(as_mesh(bytes)), 1e-3); }
+[[maybe_unused]] void fuzz_obj(std::string_view bytes) { (void)to_meshes(parse_obj(as_mesh(bytes)), 1e-3); }
+[[maybe_unused]] void fuzz_off(std::string_view bytes) { (void)to_meshes(parse_off(as_mesh(bytes)), 1e-3); }
+
+}  // namespace
+}  // namespace hapticut::test
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    hapticut::test::FUZZ_FORMAT({reinterpret_cast<const char*>(data), size});
+  } catch (const hapticut::Error&) {
+  }
+  return 0;
+}

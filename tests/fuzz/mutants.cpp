@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads many damaged files: hapticut_mutants COUNT [SEED [FOLDER_OF_FINDINGS [MORE_SEEDS...]]]. Each mutant is a right
+// file with some bytes changed, and must be read, or refused by one sentence that names it, within 20 s and 4 GB.
+// MORE_SEEDS are files; what their names end in says how they are read. The last line counts what was found; the exit
+// code is 0 when nothing was.
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <stdexcept>
+
+#include "fuzz/readers.hpp"
+#include "fuzz/seeds.hpp"
+
+namespace hapticut::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr unsigned kLongest = 20;                 // [s] of a mutant
+constexpr rlim_t kMostMemory = rlim_t(4) << 30U;  // [bytes]
+
+struct MutantSeed {
+  std::string format;
+  fs::path path;
+  std::string bytes;
+};
+
+/// What a worker tells of itself.
+struct Shared {
+  std::uint64_t index;
+  std::uint64_t read, refused;
+};
+
+class Mutator {
+ public:
+  explicit Mutator(std::uint64_t seed) : random_(seed) {}
+
+  std::size_t below(std::size_t end) { return end == 0 ? 0 : std::size_t(random_() % end); }
+
+  std::string mutant_of(std::string bytes, const std::string& other) {
+    for (std::size_t n = 1 + below(below(4) == 0 ? 16 : 3); n > 0; --n) change(bytes, other);
+    return bytes;
+  }
+
+ private:
+  void change(std::string& bytes, const std::string& other) {
+    const std::size_t at = below(bytes.size()), length = 1 + below(below(2) == 0 ? 8 : 200);
+    switch (below(9)) {
+      case 0:
+        if (!bytes.empty()) bytes[at] = char(bytes[at] ^ (1 << below(8)));
+        break;
+      case 1:
+        if (!bytes.empty()) bytes[at] = char(random_());
+        break;
+      case 2:
+        bytes.insert(at, length, char(random_()));
+        break;
+      case 3:
+        bytes.erase(at, length);
+        break;
+      case 4:
+        bytes.insert(at, bytes.substr(below(bytes.size()), length));
+        break;
+      case 5:
+        bytes.resize(at);
+        break;
+      case 6:
+        if (!other.empty()) bytes.replace(at, length, other.substr(below(other.size()), length));
+        break;
+      case 7:
+        put_number(bytes, at);
+        break;
+      default:
+        change_text_number(bytes, at);
+    }
+  }
+
+  /// A number that is often at an edge, in 1, 2, 4 or 8 bytes of either order.
+  void put_number(std::string& bytes, std::size_t at) {
+    constexpr std::uint64_t kEdges[] = {0,
+                                        1,
+                                        0x7f,
+                                        0x80,
+                                        0xff,
+                                        0x7fff,
+                                        0xffff,
+                                        0x7fffffff,
+                                        0x80000000,
+                                        0xffffffff,
+                                        0x7ff0000000000000,
+                                        0x7ff8000000000000,
+                                        0x7e37e43c8800759c,
+                                        1U << 20U,
+                                        ~0ULL};
+    std::string number = little(kEdges[below(std::size(kEdges))]).substr(0, std::size_t(1) << below(4));
+    if (below(2) == 0) number = {number.rbegin(), number.rend()};
+    if (at + number.size() <= bytes.size()) bytes.replace(at, number.size(), number);
+  }
+
+  void change_text_number(std::string& bytes, std::size_t at) {
+    constexpr const char* kNumbers[] = {"0",      "-1",    "1e308", "-1e308",     "nan", "inf", "99999999999999999999",
+                                        "1e-320", "65535", "65536", "4294967296", "-0",  "1e5", "2147483647"};
+    const std::size_t first = bytes.find_first_of("0123456789", at);
+    if (first == std::string::npos) return;
+    const std::size_t last = std::min(bytes.find_first_not_of("0123456789.eE+-", first), bytes.size());
+    bytes.replace(first, last - first, kNumbers[below(std::size(kNumbers))]);
+  }
+
+  std::mt19937_64 random_;
+};
+
+/// @return what is wrong with a refusal; empty: nothing
+std::string fault_of(const std::string& sentence, const fs::path& file) {
+  if (sentence.find('\n') != std::string::npos) return "more than one line";
+  if (sentence.find(file.filename().string()) == std::string::npos &&
+      sentence.find(file.parent_path().filename().string()) == std::string::npos)
+    return "does not name the file";
+  if (sentence.find("ITK") != std::string::npos) return "names a library";
+  return "";
+}
+
+/// One mutant of many: which seed, and how it is changed, follow from its number alone.
+void read_mutant(const std::vector<MutantSeed>& seeds, std::uint64_t seed, std::uint64_t index, const fs::path& folder,
+                 Shared& shared) {
+  Mutator mutator(seed * 1'000'003 + index);
+  const MutantSeed& chosen = seeds[mutator.below(seeds.size())];
+  const std::string bytes = mutator.mutant_of(chosen.bytes, seeds[mutator.below(seeds.size())].bytes);
+  fs::path path = folder / chosen.path.filename();
+  write_bytes(path, bytes);
+  write_bytes(folder.parent_path() / "format", chosen.format);
+  if (chosen.format == "slices") write_bytes(folder / ("a2" + path.extension().string()), chosen.bytes);
+  if (const std::size_t place = chosen.bytes.find("\\0.7000"); chosen.format == "dicom" && place != std::string::npos)
+    write_bytes(folder / "companion2.dcm", std::string(chosen.bytes).replace(place, 7, "\\1.4000"));
+  std::string fault;
+  try {
+    read_as(chosen.format, path);
+    ++shared.read;
+  } catch (const Error& error) {
+    ++shared.refused;
+    fault = fault_of(error.what(), path);
+    if (!fault.empty()) fault += ": " + std::string(error.what());
+  } catch (const std::exception& error) {
+    fault = std::string("not our error: ") + error.what();
+  }
+  if (!fault.empty()) {
+    std::printf("mutant %llu of %s: %s\n", static_cast<unsigned long long>(index), chosen.path.filename().c_str(),
+                fault.c_str());
+    std::fflush(stdout);
+    ::_exit(3);
+  }
+  for (const auto& entry : fs::directory_iterator(folder)) fs::remove(entry.path());
+}
+
+/// Numbers in a file that processes share.
+Shared& shared_in(const fs::path& file) {
+  const int handle = ::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+  if (handle < 0 || ::ftruncate(handle, sizeof(Shared)) != 0) throw std::runtime_error("no shared file");
+  void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED, handle, 0);
+  ::close(handle);
+  return *static_cast<Shared*>(memory);
+}
+
+std::vector<MutantSeed> seeds_in(const fs::path& folder) {
+  std::vector<MutantSeed> seeds;
+  for (const char* format : kFormats) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder / format)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) seeds.push_back({format, file, read_bytes(file)});
+  }
+  return seeds;
+}
+
+/// Runs this program again: a fork would not take the threads along that libraries have started.
+/// @return how it ended
+int run_again(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "hapticut_mutants");
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  pid_t process = 0;
+  if (::posix_spawn(&process, "/proc/self/exe", nullptr, nullptr, pointers.data(), environ) != 0) return -1;
+  int status = 0;
+  ::waitpid(process, &status, 0);
+  return status;
+}
+
+int work(const fs::path& folder, std::uint64_t count, std::uint64_t seed) {
+  const rlimit memory = {kMostMemory, kMostMemory};
+  ::setrlimit(RLIMIT_AS, &memory);
+  const int errors = ::open((folder / "stderr").c_str(), O_CREAT | O_WRONLY | O_APPEND, 0600);
+  ::dup2(errors, STDERR_FILENO);
+  Shared& shared = shared_in(folder / "shared");
+  const std::vector<MutantSeed> seeds = seeds_in(folder / "seeds");
+  while (shared.index < count) {
+    ::alarm(kLongest);
+    read_mutant(seeds, seed, shared.index, folder / "work", shared);
+    ++shared.index;
+  }
+  return 0;  // as a program ends: libraries have their last word
+}
+
+std::string format_of(const fs::path& path) {
+  static const std::map<std::string, std::string> kEndings = {
+      {".nrrd", "nrrd"}, {".nii", "nifti"},    {".mha", "meta"},     {".dcm", "dicom"},
+      {".stl", "stl"},   {".ply", "ply"},      {".obj", "obj"},      {".off", "off"},
+      {".vdb", "vdb"},   {".h5", "recording"}, {".toml", "settings"}};
+  const auto found = kEndings.find(path.extension().string());
+  return found == kEndings.end() ? "" : found->second;
+}
+
+int run(int argc, char** argv) {
+  const std::uint64_t count = std::strtoull(argv[1], nullptr, 10),
+                      seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "seeds");
+  fs::create_directories(folder / "work");
+  const std::string root = (folder / "").string();
+  if (run_again({"--seeds", (folder / "seeds").string()}) != 0) throw std::runtime_error("the seeds cannot be written");
+  for (int n = 4; n < argc; ++n)
+    if (const std::string format = format_of(argv[n]); !format.empty())
+      fs::copy_file(argv[n], folder / "seeds" / format / fs::path(argv[n]).filename());
+  const std::size_t seed_count = seeds_in(folder / "seeds").size();
+  Shared& shared = shared_in(folder / "shared");
+  int findings = 0;
+  while (shared.index < count) {
+    const int status = run_again({"--work", root, std::to_string(count), std::to_string(seed)});
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) break;
+    ++findings;
+    if (WIFSIGNALED(status))
+      std::printf("mutant %llu (%s): signal %d\n", static_cast<unsigned long long>(shared.index),
+                  read_bytes(folder / "format").c_str(), WTERMSIG(status));
+    std::fflush(stdout);
+    if (argc > 3) {
+      const fs::path kept = fs::path(argv[3]) / std::to_string(shared.index);
+      fs::create_directories(kept);
+      fs::copy(folder / "work", kept, fs::copy_options::overwrite_existing);
+    }
+    for (const auto& entry : fs::directory_iterator(folder / "work")) fs::remove(entry.path());
+    ++shared.index;
+  }
+  const std::string printed = read_bytes(folder / "stderr");
+  if (!printed.empty()) {
+    ++findings;
+    std::printf("printed on stderr: %s\n", printed.substr(0, 500).c_str());
+  }
+  rusage usage{};
+  ::getrusage(RUSAGE_CHILDREN, &usage);
+  std::printf("%llu mutants of %zu files: %llu read, %llu refused, at most %ld MB, %d findings\n",
+              static_cast<unsigned long long>(count), seed_count, static_cast<unsigned long long>(shared.read),
+              static_cast<unsigned long long>(shared.refused), usage.ru_maxrss / 1024, findings);
+  return findings == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace hapticut::test
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    std::fputs("hapticut_mutants COUNT [SEED [FOLDER_OF_FINDINGS [MORE_SEEDS...]]]\n", stderr);
+    return 2;
+  }
+  const std::string mode = argv[1];
+  if (mode == "--seeds") return hapticut::test::write_seeds(argv[2]), 0;
+  if (mode == "--work")
+    return hapticut::test::work(argv[2], std::strtoull(argv[3], nullptr, 10), std::strtoull(argv[4], nullptr, 10));
+  return hapticut::test::run(argc, argv);
+}

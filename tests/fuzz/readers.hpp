@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/io/mesh/meshes.hpp"
+#include "hapticut/io/recording/recording.hpp"
+#include "hapticut/io/vdb/vdb.hpp"
+#include "hapticut/io/volume/volumes.hpp"
+#include "settings/pose_file.hpp"
+#include "settings/profile_file.hpp"
+#include "settings/scene_settings.hpp"
+#include "settings/settings_file.hpp"
+
+/// @file
+/// Reads a file as what its folder of seeds says it is.
+namespace hapticut::test {
+
+/// @throws Error when it is refused; anything else that is thrown is a finding
+inline void read_as(const std::string& format, const std::filesystem::path& path) {
+  // A slice is one of two.
+  const bool series = std::filesystem::exists(path.parent_path() / "companion2.dcm");
+  if (format == "dicom" && series)
+    (void)read_grey_volume(path.parent_path());
+  else if (format == "slices")
+    (void)read_grey_volume(path.parent_path(), {.spacing = Vec3::Constant(1e-3)});
+  else if (format == "stl" || format == "ply" || format == "obj" || format == "off")
+    (void)read_mesh(path);
+  else if (format == "vdb")
+    (void)load_vdb(path);
+  else if (format == "recording") {
+    const Recording recording = read_recording(path);
+    (void)recording.read(0, 100);
+    (void)recording.workpiece();
+  } else if (format == "settings") {
+    settings::SceneSettings scene;
+    settings::read_settings_file(path, settings_of(scene));
+  } else if (format == "poses")
+    (void)settings::read_poses(path, Mat3::Identity());
+  else if (format == "profile")
+    (void)settings::read_profile(path);
+  else
+    (void)read_grey_volume(path);
+}
+
+}  // namespace hapticut::test

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "hapticut/workpiece/builders.hpp"
+
+/// @file
+/// Balls cut out of a workpiece without a simulation, by what the step itself calls: quick enough for thousands.
+namespace hapticut::test {
+
+/// Voxels at the face of the ball stay filled by as much as a plane there leaves of them.
+/// @param center, radius  [voxels]
+/// @return the blocks that were changed
+inline std::vector<VoxelIndex> cut_ball(Workpiece& workpiece, const Vec3& center, double radius) {
+  std::vector<VoxelIndex> changed;
+  VoxelIndex low, high;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    low[axis] = block_start(int(std::floor(center[Eigen::Index(axis)] - radius - 1)));
+    high[axis] = int(std::ceil(center[Eigen::Index(axis)] + radius + 1));
+  }
+  workpiece.forget_redo();
+  for (int i = low[0]; i <= high[0]; i += kBlockEdge)
+    for (int j = low[1]; j <= high[1]; j += kBlockEdge)
+      for (int k = low[2]; k <= high[2]; k += kBlockEdge) {
+        const BlockView before = workpiece.block({i, j, k});
+        if (before.empty()) continue;
+        std::array<float, kBlockVoxels> left;
+        bool cuts = false;
+        for (int n = 0; n < kBlockVoxels; ++n) {
+          const double distance = (Vec3(i + (n >> 6), j + (n >> 3 & 7), k + (n & 7)) - center).norm() - radius;
+          left[std::size_t(n)] = std::min(before.fill_of(n), float(std::clamp(distance + 0.5, 0.0, 1.0)));
+          cuts = cuts || left[std::size_t(n)] < before.fill_of(n);
+        }
+        if (!cuts) continue;
+        workpiece.remember(before);
+        std::array<std::uint64_t, 8> emptied = {};
+        for (int n = 0; n < kBlockVoxels; ++n)
+          if (left[std::size_t(n)] == 0 && before.fill_of(n) > 0) emptied[std::size_t(n >> 6)] |= 1ULL << (n & 63);
+        float* fill = workpiece.writable_fill({i, j, k});
+        if (fill == nullptr) continue;  // the pool is exhausted: the block stays as it is
+        std::copy(left.begin(), left.end(), fill);
+        workpiece.empty_voxels({i, j, k}, emptied.data());
+        changed.push_back({i, j, k});
+      }
+  return changed;
+}
+
+/// A block of two materials whose faces lie within voxels, with a tilted seam between them.
+inline Workpiece two_materials(double edge, double voxel_size) {
+  Material upper, lower;
+  upper.name = "upper", lower.name = "lower";
+  const double h = 0.5 * edge;
+  const auto distance = [h](const Vec3& p) {
+    return std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) - h;
+  };
+  return build_body({{Vec3::Constant(-h), Vec3::Constant(h)},
+                     distance,
+                     [](const Vec3& p) { return MaterialId(p.dot(Vec3(1, 2, 5)) < 0 ? 2 : 1); }},
+                    voxel_size, MaterialTable({upper, lower}));
+}
+
+}  // namespace hapticut::test

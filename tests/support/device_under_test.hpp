@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hapticut/core/errors.hpp"
+#include "support/device_runs.hpp"
+
+/// @file
+/// A device as the contract suite sees it: opened, moved by a hand, run, and watched at its motors.
+namespace hapticut::test {
+
+/// What a hand does with a device, and what befalls it, in one tick.
+struct Happening {
+  Pose X_BS = {};
+  Twist velocity = {};
+  std::uint32_t buttons = 0;
+  bool not_a_number = false;  ///< its sensors give a position that is no number
+  bool unplugged = false;
+};
+
+using Story = std::function<Happening(long tick)>;
+
+/// What a kind of device has. The contract asks nothing else of it.
+struct DeviceTraits {
+  bool follows = true;      ///< it reads the poses and velocities of the story
+  bool is_live = true;      ///< ... as they are told, so that they may depend on its force
+  bool has_buttons = true;  ///< those of the story
+  bool has_cable = true;    ///< it can be unplugged
+  bool has_motors = true;   ///< it renders forces
+  bool is_makers = false;   ///< it stands behind its maker's library: opened only once, in real time only
+  bool own_thread = false;  ///< its driver's thread runs the loop
+  const char* name = "";    ///< by which `open_device` finds it; empty: not by name
+};
+
+/// One device, and how a test gets at both of its sides. One at a time: makers' stand-ins are one for the process.
+class DeviceUnderTest {
+ public:
+  DeviceUnderTest() { commanded.reserve(kLongest); }
+  virtual ~DeviceUnderTest() = default;
+  DeviceUnderTest(const DeviceUnderTest&) = delete;
+  DeviceUnderTest& operator=(const DeviceUnderTest&) = delete;
+
+  /// Opens the device, in a clock that the test drives. `story` must be there.
+  virtual std::unique_ptr<Device> open() = 0;
+
+  /// Opens it as an application does, for a run by the wall clock in which nothing happens to it.
+  virtual std::unique_ptr<Device> open_for_wall_clock() { return open(); }
+
+  /// Runs it as fast as the callback allows, while the story happens to it.  @throws what `Device::run` throws
+  virtual RunReport run(Device& device, const DeviceCallback& callback, RunOptions options = quick()) {
+    options.simulated_time = true;
+    return device.run(callback, options);
+  }
+
+  /// Every wrench that the motors got since the device was first opened.
+  [[nodiscard]] virtual long commands() const { return long(commanded.size()); }
+  [[nodiscard]] virtual Wrench command(long n) const { return commanded[std::size_t(n)]; }
+
+  /// What the motors hold now.
+  [[nodiscard]] virtual Wrench held() const { return commands() > 0 ? command(commands() - 1) : Wrench{}; }
+
+  /// Expects of the maker's library that a run has left it in order.
+  virtual void expect_left_in_order() const {}
+
+  Story story = [](long) { return Happening{}; };
+
+ protected:
+  static constexpr std::size_t kLongest = 100000;  // ticks before watching would allocate
+  std::vector<Wrench> commanded;                   // of devices whose motors are watched from here
+};
+
+/// A simulated device that tells what its motors got.
+template <class Simulated>
+class Watched : public Simulated {
+ public:
+  template <class... Arguments>
+  explicit Watched(std::vector<Wrench>& commanded, Arguments&&... arguments)
+      : Simulated(std::forward<Arguments>(arguments)...), commanded_(commanded) {}
+
+ protected:
+  Wrench write(const Wrench& wrench) noexcept override {
+    commanded_.push_back(Simulated::write(wrench));
+    return commanded_.back();
+  }
+
+ private:
+  std::vector<Wrench>& commanded_;
+};
+
+/// A kind of device in the list that the contract is instantiated for.
+struct NamedDevice {
+  std::string name;
+  DeviceTraits traits;
+  std::function<std::unique_ptr<DeviceUnderTest>()> make;
+};
+
+inline void PrintTo(const NamedDevice& named, std::ostream* out) { *out << named.name; }
+
+template <class Kind, class... Arguments>
+NamedDevice named_device(std::string name, Arguments... arguments) {
+  return {std::move(name), Kind::kTraits, [=] { return std::make_unique<Kind>(arguments...); }};
+}
+
+/// A test of the contract: the device of its parameter.
+class DeviceContractTest : public testing::TestWithParam<NamedDevice> {
+ protected:
+  [[nodiscard]] static const DeviceTraits& traits() { return GetParam().traits; }
+
+  void TearDown() override { tested.expect_left_in_order(); }
+
+  /// Runs for some ticks of no force, and says what it read last.
+  DeviceState rest(Device& device, long ticks = 20) {
+    DeviceState last;
+    const RunReport report = tested.run(device, [&, n = 0L](const DeviceState& state) mutable {
+      last = state;
+      return DeviceCommand{{}, ++n >= ticks};
+    });
+    EXPECT_EQ(report.ticks, std::uint64_t(ticks));
+    EXPECT_EQ(report.fault, DeviceFault::none);
+    return last;
+  }
+
+  /// What is said when something cannot be done.
+  template <class Work>
+  static std::string refusal(const Work& work) {
+    try {
+      work();
+    } catch (const Error& e) {
+      return e.what();
+    }
+    ADD_FAILURE() << "nothing was refused";
+    return "";
+  }
+
+  /// Expects that the motors got nothing from the n-th command on.
+  void expect_no_force_since(long n) const {
+    for (; n < tested.commands(); ++n) {
+      ASSERT_TRUE(tested.command(n).force.isZero(0)) << n << " of " << tested.commands();
+      ASSERT_TRUE(tested.command(n).torque.isZero(0)) << n << " of " << tested.commands();
+    }
+    expect_no_force_now();
+  }
+  void expect_no_force_now() const { EXPECT_TRUE(tested.held().force.isZero(0) && tested.held().torque.isZero(0)); }
+
+ private:
+  std::unique_ptr<DeviceUnderTest> made_ = GetParam().make();
+
+ protected:
+  DeviceUnderTest& tested = *made_;
+};
+
+/// @return whether one of the sentences contains the words
+inline bool contains(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+}  // namespace hapticut::test

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "hapticut/surface/surface_stream.hpp"
+
+/// @file
+/// Pages of a surface put together, as somebody who draws them has them.
+namespace hapticut::test {
+
+using Pages = std::map<VoxelIndex, SurfacePage>;
+
+/// What a viewer has after it took all that waits; empty pages are gone.
+inline void take_pages(SurfaceStream& stream, Pages& pages) {
+  SurfacePage page;
+  while (stream.next_page(page)) {
+    if (page.vertices.empty())
+      pages.erase(page.origin);
+    else
+      pages[page.origin] = page;
+  }
+}
+
+inline Pages pages_of(const Workpiece& workpiece) {
+  SurfaceStream stream(workpiece);
+  Pages pages;
+  take_pages(stream, pages);
+  return pages;
+}
+
+/// Byte by byte, but for the versions.
+inline bool are_equal(const Pages& a, const Pages& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+    return one.first == other.first && one.second.vertices == other.second.vertices &&
+           one.second.indices == other.second.indices;
+  });
+}
+
+/// [1/512 voxel] in the grid, not rounded once more.
+inline VoxelIndex grid_position(const SurfacePage& page, const SurfaceVertex& vertex) {
+  VoxelIndex at;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    at[axis] = page.origin[axis] * SurfaceVertex::kStepsPerVoxel + vertex.position[axis];
+  return at;
+}
+
+/// All pages as one mesh, vertices at the same place being one.
+inline TriangleMesh welded(const Pages& pages, const GridFrame& frame) {
+  TriangleMesh mesh;
+  std::map<VoxelIndex, std::uint32_t> numbers;
+  for (const auto& [origin, page] : pages)
+    for (std::size_t n = 0; n < page.indices.size(); n += 3) {
+      std::array<std::uint32_t, 3> triangle;
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const SurfaceVertex& vertex = page.vertices.at(page.indices[n + corner]);
+        const auto [place, is_new] =
+            numbers.try_emplace(grid_position(page, vertex), std::uint32_t(mesh.vertices.size()));
+        if (is_new) mesh.vertices.push_back(vertex_position(frame, page, vertex));
+        triangle[corner] = place->second;
+      }
+      mesh.triangles.push_back(triangle);
+    }
+  return mesh;
+}
+
+/// How often the edges of a mesh are passed.
+struct EdgeCount {
+  bool balanced = true;        ///< each as often one way as the other
+  std::size_t twice = 0;       ///< once each way
+  std::size_t more_often = 0;  ///< twice each way: two bodies touch along it
+};
+
+inline EdgeCount count_edges(const TriangleMesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> edges;
+  for (const auto& t : mesh.triangles)
+    for (std::size_t n = 0; n < 3; ++n) {
+      const auto a = t[n], b = t[(n + 1) % 3];
+      auto& [there, back] = edges[{std::min(a, b), std::max(a, b)}];
+      ++(a < b ? there : back);
+    }
+  EdgeCount count;
+  for (const auto& [edge, passed] : edges) {
+    count.balanced = count.balanced && passed.first == passed.second && edge.first != edge.second;
+    ++(passed.first == 1 ? count.twice : count.more_often);
+  }
+  return count;
+}
+
+}  // namespace hapticut::test

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/atomic_file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "hapticut/core/errors.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace hapticut::atomic_file_test {
+namespace {
+
+using test::TemporaryFolder;
+
+TEST(AtomicFile, WhatAKilledProgramLeftIsRemovedByTheNext) {
+  const TemporaryFolder folder;
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    const AtomicFile file(folder / "a.txt");
+    ::_exit(0);  // as if it were killed: nothing is tidied up
+  }
+  ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+  EXPECT_EQ(folder.file_count(), 1U);
+  const AtomicFile other(folder / "b.txt");
+  EXPECT_EQ(folder.file_count(), 1U) << "the file of the dead process is gone, that of this one is there";
+  const AtomicFile third(folder / "c.txt");
+  EXPECT_EQ(folder.file_count(), 2U) << "what a living process writes stays";
+}
+
+TEST(AtomicFile, NamesMayBeAsLongAsTheSystemAllows) {
+  const TemporaryFolder folder;
+  for (const std::size_t length : {200U, 240U, 255U}) {
+    const std::string name = std::string(length - 4, 'a') + ".txt";
+    write_atomically(folder / name, [](std::ostream& stream) { stream << "text"; });
+    EXPECT_EQ(test::read_bytes(folder / name), "text");
+  }
+  EXPECT_THROW(AtomicFile(folder / std::string(256, 'a')), Error);
+}
+
+}  // namespace
+}  // namespace hapticut::atomic_file_test

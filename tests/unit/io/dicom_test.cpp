@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// DICOM files that the test writes itself: what is left out of a folder, run lengths, and the program that unpacks the
+// rest.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/io/volume/volumes.hpp"
+#include "io/dicom/dicom_picture.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/volume_files.hpp"
+
+namespace hapticut::dicom_test {
+namespace {
+
+using test::TemporaryFolder;
+using test::write_bytes;
+
+const std::string kPixelElement = std::string("\xe0\x7f\x10\0OW\0\0", 8);
+
+std::string slice(int number) {
+  return test::dicom_slice(4, 3, number, 0.7 * number, std::vector<std::int16_t>(12, std::int16_t(number)));
+}
+
+/// The same slice with its values in one compressed part.
+std::string compressed(int number, const std::string& syntax, const std::string& packed) {
+  std::string bytes = slice(number);
+  bytes.resize(bytes.rfind(kPixelElement));
+  const std::string plain = std::string("\x02\0\x10\0UI\x14\0", 8) + std::string("1.2.840.10008.1.2.1\0", 20);
+  std::string kind("\x02\0\x10\0UI", 6);
+  const std::string padded = syntax + std::string(syntax.size() % 2, '\0');
+  bytes.replace(bytes.find(plain), plain.size(),
+                kind.append(test::little(std::uint16_t(padded.size()))).append(padded));
+  const auto item = [](const std::string& content) {
+    return std::string("\xfe\xff\0\xe0", 4) + test::little(std::uint32_t(content.size())) + content;
+  };
+  bytes += std::string("\xe0\x7f\x10\0OB\0\0\xff\xff\xff\xff", 12);
+  bytes += item("");
+  bytes += item(packed);
+  bytes += std::string("\xfe\xff\xdd\xe0\0\0\0\0", 8);
+  return bytes;
+}
+
+std::string name(int number) {
+  std::string text = "s";
+  text += std::to_string(number);
+  return text;
+}
+
+std::string error_of(const std::filesystem::path& path) {
+  try {
+    (void)read_grey_volume(path);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Dicom, FilesWithoutAPictureInAFolderAreLeftOut) {
+  const TemporaryFolder folder;
+  for (int n = 1; n <= 3; ++n) write_bytes(folder / name(n), slice(n));
+  std::string report = slice(9);
+  report.resize(report.rfind(kPixelElement));
+  write_bytes(folder / "DICOMDIR", report);
+  EXPECT_EQ(read_grey_volume(folder / "").dims, (std::array<int, 3>{4, 3, 3}));
+}
+
+TEST(Dicom, RunLengthsAreUnpacked) {
+  // Two bytes of each value, the higher ones first: 12 zeros; then 3 times 7 and 9 different ones.
+  const std::string high = std::string("\xf5\0", 2),
+                    low = std::string("\xfe\x07\x08\x01\x02\x03\x04\x05\x06\x07\x08\x09");
+  std::string header =
+      test::little(std::uint32_t(2)) + test::little(std::uint32_t(64)) + test::little(std::uint32_t(66));
+  header.resize(64, '\0');
+  const std::string packed = header + high + low;
+  const std::string values = unpack_rle(packed, 12, 2);
+  EXPECT_EQ(values, test::little(std::vector<std::int16_t>{7, 7, 7, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  for (std::size_t length = 0; length < packed.size(); ++length)
+    EXPECT_THROW((void)unpack_rle(std::string_view(packed).substr(0, length), 12, 2), Error) << length;
+  const TemporaryFolder folder;
+  for (int n = 1; n <= 2; ++n) write_bytes(folder / name(n), compressed(n, "1.2.840.10008.1.2.5", packed));
+  EXPECT_EQ(read_grey_volume(folder / "").values[3], 1 - 1000);  // Hounsfield units
+}
+
+TEST(Dicom, ADecoderThatDiesOrIsAbsentIsOneSentence) {
+  const TemporaryFolder folder;
+  for (int n = 1; n <= 2; ++n) write_bytes(folder / name(n), compressed(n, "1.2.840.10008.1.2.4.80", "no picture"));
+  EXPECT_NE(error_of(folder / "").find("JPEG-LS, cannot be unpacked"), std::string::npos) << error_of(folder / "");
+  ::setenv("HAPTICUT_DECODER", "/bin/false", 1);
+  EXPECT_NE(error_of(folder / "").find("JPEG-LS, cannot be unpacked"), std::string::npos) << error_of(folder / "");
+  ::setenv("HAPTICUT_DECODER", "/no/such/program", 1);
+  EXPECT_NE(error_of(folder / "").find("cannot be started"), std::string::npos) << error_of(folder / "");
+  ::unsetenv("HAPTICUT_DECODER");
+}
+
+}  // namespace
+}  // namespace hapticut::dicom_test
