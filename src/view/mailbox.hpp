@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "hapticut/view/view_server.hpp"
+
+/// @file
+/// What lies between the threads of the program and that of the server: of everything the newest, and of nothing more
+/// than is bounded.
+namespace hapticut::view {
+
+using SharedMessage = std::shared_ptr<const Message>;
+
+struct SoundPiece {
+  std::uint64_t number;
+  double seconds;
+  SharedMessage message;
+};
+
+class Mailbox {
+ public:
+  Mailbox(Scene scene, std::size_t commands) : scene_(std::move(scene)), most_commands_(commands) {}
+
+  // --- from the program; each returns whether the server must be woken ----------------------------------------------
+  bool put(const SurfacePage& page) {
+    auto message = std::make_shared<const Message>(encode(page));
+    const std::lock_guard lock(mutex_);
+    pages_[page.origin] = std::move(message);
+    if (is_new_.insert_or_assign(page.origin, true).second) news_.push_back(page.origin);
+    return !std::exchange(woken_, true);
+  }
+  bool put(const LoopSnapshot& snapshot) {
+    auto message = std::make_shared<const Message>(encode(snapshot));
+    const std::lock_guard lock(mutex_);
+    snapshot_ = std::move(message);
+    ++snapshots_;
+    return !std::exchange(woken_, true);
+  }
+  bool put(std::span<const float> samples, std::uint32_t sample_rate) {
+    if (samples.empty() || sample_rate == 0) return false;
+    auto message = std::make_shared<const Message>(encode_sound(samples, sample_rate));
+    const std::lock_guard lock(mutex_);
+    sound_.push_back({++sounds_, double(samples.size()) / sample_rate, std::move(message)});
+    sounding_ += sound_.back().seconds;
+    for (; sounding_ > kSoundKept && sound_.size() > 1; sound_.pop_front()) sounding_ -= sound_.front().seconds;
+    return !std::exchange(woken_, true);
+  }
+  bool put(Scene scene) {
+    const std::lock_guard lock(mutex_);
+    scene_ = std::move(scene);
+    ++scenes_;
+    pages_.clear(), news_.clear(), is_new_.clear();
+    snapshot_.reset();
+    return !std::exchange(woken_, true);
+  }
+  std::optional<ViewCommand> take_command() {
+    const std::lock_guard lock(mutex_);
+    if (commands_.empty()) return std::nullopt;
+    std::optional<ViewCommand> command(std::move(commands_.front()));
+    commands_.pop_front();
+    return command;
+  }
+
+  // --- from the server ----------------------------------------------------------------------------------------------
+  /// Pages that are new since the last call.
+  std::vector<VoxelIndex> take_news() {
+    const std::lock_guard lock(mutex_);
+    woken_ = false;
+    is_new_.clear();
+    return std::exchange(news_, {});
+  }
+  std::vector<VoxelIndex> all_pages() {
+    const std::lock_guard lock(mutex_);
+    std::vector<VoxelIndex> origins;
+    for (const auto& [origin, message] : pages_) origins.push_back(origin);
+    return origins;
+  }
+  SharedMessage page(const VoxelIndex& origin) {
+    const std::lock_guard lock(mutex_);
+    const auto found = pages_.find(origin);
+    return found == pages_.end() ? nullptr : found->second;
+  }
+  std::pair<std::uint64_t, SharedMessage> snapshot() {
+    const std::lock_guard lock(mutex_);
+    return {snapshots_, snapshot_};
+  }
+  std::pair<std::uint64_t, Scene> scene() {
+    const std::lock_guard lock(mutex_);
+    return {scenes_, scene_};
+  }
+  std::uint64_t scenes() {
+    const std::lock_guard lock(mutex_);
+    return scenes_;
+  }
+  std::uint64_t sounds() {
+    const std::lock_guard lock(mutex_);
+    return sounds_;
+  }
+  /// The oldest piece that is younger than a number.
+  std::optional<SoundPiece> sound_after(std::uint64_t number) {
+    const std::lock_guard lock(mutex_);
+    for (const SoundPiece& piece : sound_)
+      if (piece.number > number) return piece;
+    return std::nullopt;
+  }
+  void put_command(ViewCommand command) {
+    const std::lock_guard lock(mutex_);
+    if (!commands_.empty() && std::holds_alternative<MoveHand>(command) &&
+        std::holds_alternative<MoveHand>(commands_.back())) {
+      commands_.back() = std::move(command);  // where the hand was meanwhile is no matter
+      return;
+    }
+    commands_.push_back(std::move(command));
+    if (commands_.size() <= most_commands_) return;
+    const auto may_go = [](const ViewCommand& one) {
+      return !std::holds_alternative<Stop>(one) && !std::holds_alternative<WriterLeft>(one);
+    };
+    const auto oldest = std::find_if(commands_.begin(), commands_.end(), may_go);
+    commands_.erase(oldest == commands_.end() ? commands_.begin() : oldest);
+  }
+
+ private:
+  static constexpr double kSoundKept = 1;  // [s]
+
+  std::mutex mutex_;
+  Scene scene_;
+  std::uint64_t scenes_ = 1, snapshots_ = 0, sounds_ = 0;
+  std::map<VoxelIndex, SharedMessage> pages_;
+  std::map<VoxelIndex, bool> is_new_;
+  std::vector<VoxelIndex> news_;  // in the order in which they came
+  SharedMessage snapshot_;
+  std::deque<SoundPiece> sound_;
+  double sounding_ = 0;  // [s]
+  std::size_t most_commands_;
+  std::deque<ViewCommand> commands_;
+  bool woken_ = false;
+};
+
+}  // namespace hapticut::view

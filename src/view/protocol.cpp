@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hapticut/view/protocol.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace hapticut::view {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "vertices and indices are sent as they lie in memory");
+
+constexpr double kFarthest = 1e3;            // [m] of a point that a page may name
+constexpr double kRotationTolerance = 1e-3;  // of a matrix in single precision
+
+class Writer {
+ public:
+  explicit Writer(MessageKind kind) { message_ = {std::uint8_t(kind), kProtocolVersion, 0, 0}; }
+
+  template <class Number>
+  Writer& add(Number number) {
+    static_assert(std::is_arithmetic_v<Number>);
+    return add_bytes(&number, sizeof number);
+  }
+  Writer& add(const Vec3& v) { return add(v.x()).add(v.y()).add(v.z()); }
+  Writer& add(const Pose& pose) {
+    for (int row = 0; row < 3; ++row) add(Vec3(pose.rotation.row(row)));
+    return add(pose.translation);
+  }
+  Writer& add_bytes(const void* bytes, std::size_t count) {
+    const auto* first = static_cast<const std::uint8_t*>(bytes);
+    message_.insert(message_.end(), first, first + count);
+    return *this;
+  }
+  void reserve(std::size_t bytes) { message_.reserve(bytes); }
+  [[nodiscard]] Message take() { return std::move(message_); }
+
+ private:
+  Message message_;
+};
+
+class Reader {
+ public:
+  explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+  /// 0 where the message has ended, which `is_complete` then denies.
+  template <class Number>
+  Number take() {
+    Number number = 0;
+    if (bytes_.size() - at_ < sizeof number) {
+      failed_ = true;
+      return number;
+    }
+    std::memcpy(&number, bytes_.data() + at_, sizeof number);
+    at_ += sizeof number;
+    return number;
+  }
+  double take_number() {
+    const auto number = take<double>();
+    failed_ = failed_ || !std::isfinite(number);
+    return number;
+  }
+  bool take_bool() {
+    const auto byte = take<std::uint8_t>();
+    failed_ = failed_ || byte > 1;
+    return byte == 1;
+  }
+  Vec3 take_point() {
+    Vec3 point;
+    for (int axis = 0; axis < 3; ++axis) point[axis] = take_number();
+    failed_ = failed_ || !(point.cwiseAbs().maxCoeff() <= kFarthest);
+    return point;
+  }
+  Pose take_pose() {
+    Pose pose;
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column) pose.rotation(row, column) = take_number();
+    pose.translation = take_point();
+    const Mat3 excess = pose.rotation * pose.rotation.transpose() - Mat3::Identity();
+    failed_ = failed_ || !(excess.cwiseAbs().maxCoeff() < kRotationTolerance) || !(pose.rotation.determinant() > 0);
+    return pose;
+  }
+  void refuse_if(bool wrong) { failed_ = failed_ || wrong; }
+
+  [[nodiscard]] bool is_complete() const { return !failed_ && at_ == bytes_.size(); }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  std::size_t at_ = 0;
+  bool failed_ = false;
+};
+
+std::optional<ViewCommand> payload_of(CommandKind kind, Reader& reader) {
+  switch (kind) {
+    case CommandKind::set_spindle_speed: {
+      const double speed = reader.take_number();
+      reader.refuse_if(std::abs(speed) > kFastestSpindle);
+      return commands::SetSpindleSpeed{speed};
+    }
+    case CommandKind::set_undo_mark:
+      return commands::SetUndoMark{};
+    case CommandKind::undo:
+      return commands::Undo{};
+    case CommandKind::redo:
+      return commands::Redo{};
+    case CommandKind::hold_force:
+      return commands::HoldForce{reader.take_bool()};
+    case CommandKind::set_removal: {
+      const auto law = reader.take<std::uint8_t>();
+      reader.refuse_if(law >= names_of(Of<RemovalLaw>{}).size());
+      return commands::SetRemoval{RemovalLaw(law)};
+    }
+    case CommandKind::set_force_mask: {
+      commands::SetForceMask command;
+      for (bool& axis : command.enabled.force) axis = reader.take_bool();
+      for (bool& axis : command.enabled.torque) axis = reader.take_bool();
+      return command;
+    }
+    case CommandKind::move_hand: {
+      MoveHand command;
+      command.X_WH = reader.take_pose();
+      command.pressed = reader.take_bool();
+      return command;
+    }
+    case CommandKind::stop:
+      return Stop{};
+    case CommandKind::look_at:
+      return LookAt{reader.take_point()};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Message encode_hello(const Scene& scene, bool writer) {
+  Writer message(MessageKind::hello);
+  message.add(std::uint32_t(writer ? 1 : 0)).add(scene.frame.voxel_size).add(scene.frame.X_WV);
+  message.add(std::uint32_t(scene.materials.size()));
+  for (const ShownMaterial& material : scene.materials) {
+    const auto length = std::uint8_t(std::min<std::size_t>(material.name.size(), 255));
+    message.add(material.color.red).add(material.color.green).add(material.color.blue).add(length);
+    message.add_bytes(material.name.data(), length);
+  }
+  return message.take();
+}
+
+Message encode(const SurfacePage& page) {
+  Writer message(MessageKind::page);
+  message.reserve(32 + sizeof(SurfaceVertex) * page.vertices.size() + 2 * page.indices.size());
+  for (const int index : page.origin) message.add(std::int32_t(index));
+  message.add(page.version).add(std::uint32_t(page.vertices.size())).add(std::uint32_t(page.indices.size()));
+  message.add_bytes(page.vertices.data(), sizeof(SurfaceVertex) * page.vertices.size());
+  message.add_bytes(page.indices.data(), 2 * page.indices.size());
+  return message.take();
+}
+
+Message encode(const LoopSnapshot& snapshot) {
+  const ToolSnapshot& tool = snapshot.tool;
+  Writer message(MessageKind::snapshot);
+  const std::uint32_t flags = (tool.undoing ? 1U : 0U) | (tool.redoing ? 2U : 0U) | (tool.force_held ? 4U : 0U);
+  message.add(std::uint32_t(snapshot.arming)).add(snapshot.tick).add(snapshot.X_WT).add(tool.force).add(tool.torque);
+  message.add(tool.removed_volume).add(tool.dissipated).add(tool.contact_depth).add(tool.spindle_speed);
+  message.add(std::uint32_t(tool.contact_voxels)).add(std::uint32_t(tool.status)).add(std::uint32_t(tool.seen));
+  message.add(std::uint32_t(tool.undo_marks)).add(std::uint32_t(tool.redo_marks)).add(flags);
+  message.add(tool.workpiece).add(std::uint32_t(snapshot.blocks_waiting));
+  return message.take();
+}
+
+Message encode_sound(std::span<const float> samples, std::uint32_t sample_rate) {
+  Writer message(MessageKind::sound);
+  message.reserve(12 + 2 * samples.size());
+  message.add(sample_rate).add(std::uint32_t(samples.size()));
+  for (const float sample : samples)
+    message.add(std::int16_t(std::lround(32767.0F * std::clamp(std::isfinite(sample) ? sample : 0.0F, -1.0F, 1.0F))));
+  return message.take();
+}
+
+std::optional<ViewCommand> decode_command(std::span<const std::uint8_t> message) {
+  Reader reader(message);
+  const auto kind = CommandKind(reader.take<std::uint8_t>());
+  reader.refuse_if(reader.take<std::uint8_t>() != kProtocolVersion);
+  reader.refuse_if(reader.take<std::uint16_t>() != 0);
+  std::optional<ViewCommand> command = payload_of(kind, reader);
+  if (!reader.is_complete()) command.reset();
+  return command;
+}
+
+}  // namespace hapticut::view

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one file that includes Boost.Beast.
+#include "hapticut/view/view_server.hpp"
+
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <chrono>
+#include <deque>
+#include <list>
+#include <random>
+#include <set>
+#include <thread>
+
+#include "view/mailbox.hpp"
+#include "view/page_files.hpp"
+
+namespace hapticut::view {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using Tcp = asio::ip::tcp;
+using ErrorCode = beast::error_code;
+using Clock = std::chrono::steady_clock;
+using Request = http::request<http::empty_body>;
+
+constexpr auto kPatience = std::chrono::seconds(10);  // for a request, and for whoever does not answer a ping
+constexpr unsigned kLongestHead = 8192;               // bytes of a request
+
+std::string new_token() {
+  std::random_device random;
+  std::string token;
+  for (int n = 0; n < 4; ++n) {
+    char text[9];
+    std::snprintf(text, sizeof text, "%08x", unsigned(random()));
+    token += text;
+  }
+  return token;
+}
+
+/// In a time that does not tell how much of it is right.
+bool is_same(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  unsigned difference = 0;
+  for (std::size_t n = 0; n < a.size(); ++n) difference |= unsigned(a[n] ^ b[n]);
+  return difference == 0;
+}
+
+std::string_view view_of_text(beast::string_view text) { return {text.data(), text.size()}; }
+
+/// What all connections share; only the server's thread touches it, but for the counts.
+struct Hall {
+  Hall(Scene scene, const ViewServerOptions& given)
+      : options(given), mailbox(std::move(scene), given.commands_waiting), files(read_page_files(given.page)) {}
+
+  [[nodiscard]] bool is_our_host(std::string_view host) const {
+    const std::string at = ":" + std::to_string(port);
+    return host == "127.0.0.1" + at || host == "localhost" + at;
+  }
+
+  ViewServerOptions options;
+  Mailbox mailbox;
+  std::map<std::string, PageFile, std::less<>> files;
+  std::string token = new_token();
+  int port = 0;
+  std::size_t open = 0;  // sockets
+  bool has_writer = false;
+  std::atomic<std::size_t> connected = 0;
+  std::atomic<std::uint64_t> refused = 0;
+};
+
+/// A page that is connected.
+class Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  Connection(Hall& hall, beast::tcp_stream&& stream, std::list<std::weak_ptr<Connection>>& all)
+      : hall_(hall), all_(all), socket_(std::move(stream)), tokens_(most_at_once()) {}
+  ~Connection() {
+    --hall_.open;
+    if (!accepted_) return;
+    --hall_.connected;
+    if (!writer_) return;
+    hall_.has_writer = false;
+    hall_.mailbox.put_command(WriterLeft{});
+  }
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  void accept(const Request& request) {
+    beast::get_lowest_layer(socket_).expires_never();
+    websocket::stream_base::timeout patience{};
+    patience.handshake_timeout = kPatience;
+    patience.idle_timeout = kPatience;
+    patience.keep_alive_pings = true;
+    socket_.set_option(patience);
+    socket_.read_message_max(kLongestCommand);
+    socket_.binary(true);
+    socket_.async_accept(request, [self = shared_from_this()](ErrorCode error) {
+      if (!error) self->begin();
+    });
+  }
+
+  void tell(const std::vector<VoxelIndex>& pages) {
+    for (const VoxelIndex& origin : pages)
+      if (is_due_.insert(origin).second) due_.push_back(origin);
+    pump();
+  }
+
+ private:
+  void begin() {
+    accepted_ = true;
+    ++hall_.connected;
+    writer_ = !std::exchange(hall_.has_writer, true);
+    heard_ = hall_.mailbox.sounds();
+    all_.push_back(weak_from_this());
+    read();
+    tell(hall_.mailbox.all_pages());
+  }
+
+  void read() {
+    socket_.async_read(buffer_, [self = shared_from_this()](ErrorCode error, std::size_t) {
+      if (error == websocket::error::message_too_big) ++self->hall_.refused;
+      if (error) return self->drop();
+      self->hear();
+    });
+  }
+
+  void hear() {
+    const auto bytes = buffer_.data();
+    auto command = decode_command({static_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    buffer_.consume(buffer_.size());
+    const auto now = Clock::now();
+    const double more = hall_.options.commands_per_second * std::chrono::duration<double>(now - last_).count();
+    tokens_ = std::min(most_at_once(), tokens_ + more) - 1;
+    last_ = now;
+    if (!command || !writer_ || tokens_ < 0 || !socket_.got_binary()) {
+      ++hall_.refused;
+      return close();
+    }
+    hall_.mailbox.put_command(std::move(*command));
+    read();
+  }
+
+  [[nodiscard]] double most_at_once() const { return std::max(1.0, hall_.options.commands_per_second); }
+
+  void close() {
+    closing_ = true;
+    socket_.async_close(websocket::close_reason(websocket::close_code::policy_error),
+                        [self = shared_from_this()](ErrorCode) {});
+  }
+
+  void drop() {
+    closing_ = true;
+    beast::get_lowest_layer(socket_).close();
+  }
+
+  /// The next message: what the page must know first, then in turn what is newest of the loop and of the surface.
+  SharedMessage next() {
+    if (const std::uint64_t scenes = hall_.mailbox.scenes(); scenes != scene_) {
+      const auto [number, scene] = hall_.mailbox.scene();
+      scene_ = number;
+      due_.clear(), is_due_.clear();
+      for (const VoxelIndex& origin : hall_.mailbox.all_pages())
+        if (is_due_.insert(origin).second) due_.push_back(origin);
+      return std::make_shared<const Message>(encode_hello(scene, writer_));
+    }
+    if (const auto piece = hall_.mailbox.sound_after(heard_)) {
+      heard_ = piece->number;
+      return piece->message;
+    }
+    const auto [number, snapshot] = hall_.mailbox.snapshot();
+    const bool is_new = snapshot != nullptr && number != snapshot_;
+    if (is_new && (due_.empty() || !was_snapshot_)) {
+      snapshot_ = number;
+      was_snapshot_ = true;
+      return snapshot;
+    }
+    was_snapshot_ = false;
+    while (!due_.empty()) {
+      const VoxelIndex origin = due_.front();
+      due_.pop_front();
+      is_due_.erase(origin);
+      if (SharedMessage page = hall_.mailbox.page(origin)) return page;
+    }
+    return nullptr;
+  }
+
+  void pump() {
+    if (writing_ || closing_ || !accepted_) return;
+    SharedMessage message = next();
+    if (message == nullptr) return;
+    writing_ = true;
+    socket_.async_write(asio::buffer(*message), [self = shared_from_this(), message](ErrorCode error, std::size_t) {
+      self->writing_ = false;
+      if (error) return self->drop();
+      self->pump();
+    });
+  }
+
+  Hall& hall_;
+  std::list<std::weak_ptr<Connection>>& all_;
+  websocket::stream<beast::tcp_stream> socket_;
+  beast::flat_buffer buffer_;
+  bool accepted_ = false, writer_ = false, writing_ = false, closing_ = false, was_snapshot_ = false;
+  std::deque<VoxelIndex> due_;  // pages that it does not have in their newest version
+  std::set<VoxelIndex> is_due_;
+  std::uint64_t scene_ = 0, snapshot_ = 0, heard_ = 0;  // the last that were sent
+  double tokens_;                                       // commands that it may send at once
+  Clock::time_point last_ = Clock::now();
+};
+
+/// One request: a file, or the beginning of a connection.
+class Visit : public std::enable_shared_from_this<Visit> {
+ public:
+  Visit(Hall& hall, Tcp::socket&& socket, std::list<std::weak_ptr<Connection>>& all)
+      : hall_(hall), all_(all), stream_(std::move(socket)) {
+    ++hall_.open;
+  }
+  ~Visit() {
+    if (!handed_over_) --hall_.open;
+  }
+  Visit(const Visit&) = delete;
+  Visit& operator=(const Visit&) = delete;
+
+  void begin() {
+    parser_.header_limit(kLongestHead);
+    parser_.body_limit(0);
+    stream_.expires_after(kPatience);
+    http::async_read(stream_, buffer_, parser_, [self = shared_from_this()](ErrorCode error, std::size_t) {
+      if (!error) self->answer();
+    });
+  }
+
+ private:
+  void answer() {
+    const Request& request = parser_.get();
+    const std::string_view target = view_of_text(request.target());
+    const std::string_view path = target.substr(0, target.find('?'));
+    if (!hall_.is_our_host(view_of_text(request[http::field::host])))
+      return refuse(http::status::forbidden, "this server answers to 127.0.0.1 and localhost alone.");
+    if (websocket::is_upgrade(request)) return connect(request, path, target);
+    if (request.method() != http::verb::get && request.method() != http::verb::head)
+      return refuse(http::status::method_not_allowed, "only GET and HEAD are answered.");
+    const auto file = hall_.files.find(path);
+    if (file == hall_.files.end())
+      return reply(http::status::not_found, "text/plain",
+                   hall_.files.empty() ? "This server was started without a page." : "There is no such file.");
+    reply(http::status::ok, file->second.type, file->second.content);
+  }
+
+  void connect(const Request& request, std::string_view path, std::string_view target) {
+    const std::string_view origin = view_of_text(request[http::field::origin]);
+    constexpr std::string_view kScheme = "http://", kToken = "?token=";
+    if (path != "/socket" || origin.substr(0, kScheme.size()) != kScheme ||
+        !hall_.is_our_host(origin.substr(std::min(origin.size(), kScheme.size()))))
+      return refuse(http::status::forbidden, "only pages of this server may connect.");
+    const std::string_view rest = target.substr(path.size());
+    if (rest.substr(0, kToken.size()) != kToken || !is_same(rest.substr(kToken.size()), hall_.token))
+      return refuse(http::status::unauthorized, "the token is wrong; open the address that the program has printed.");
+    handed_over_ = true;
+    std::make_shared<Connection>(hall_, std::move(stream_), all_)->accept(request);
+  }
+
+  void refuse(http::status status, const std::string& why) {
+    ++hall_.refused;
+    reply(status, "text/plain", why);
+  }
+
+  void reply(http::status status, const char* type, const std::string& content) {
+    auto response = std::make_shared<http::response<http::string_body>>(status, parser_.get().version());
+    response->set(http::field::content_type, type);
+    response->set(http::field::cache_control, "no-store");
+    response->set("Content-Security-Policy",
+                  "default-src 'self'; connect-src 'self' ws://127.0.0.1:* ws://localhost:*; "
+                  "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:");
+    response->set("X-Content-Type-Options", "nosniff");
+    response->set("Referrer-Policy", "no-referrer");  // the token is in the address
+    response->keep_alive(false);
+    response->content_length(content.size());
+    if (parser_.get().method() != http::verb::head) response->body() = content;
+    http::async_write(stream_, *response, [self = shared_from_this(), response](ErrorCode, std::size_t) {
+      ErrorCode ignored;
+      self->stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
+    });
+  }
+
+  Hall& hall_;
+  std::list<std::weak_ptr<Connection>>& all_;
+  beast::tcp_stream stream_;
+  beast::flat_buffer buffer_;
+  http::request_parser<http::empty_body> parser_;
+  bool handed_over_ = false;
+};
+
+}  // namespace
+
+struct ViewServer::State {
+  State(Scene scene, const ViewServerOptions& options) : hall(std::move(scene), options) {
+    const Tcp::endpoint here(asio::ip::address_v4::loopback(), std::uint16_t(options.port));
+    ErrorCode error;
+    acceptor.open(here.protocol(), error);
+    if (!error) acceptor.set_option(Tcp::acceptor::reuse_address(true), error);
+    if (!error) acceptor.bind(here, error);
+    if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+    if (error)
+      throw Error("the page cannot be served at port " + std::to_string(options.port) +
+                  " of 127.0.0.1: " + error.message() + ". Choose another port, or 0 for any that is free.");
+    hall.port = acceptor.local_endpoint().port();
+    listen();
+    thread = std::thread([this] {
+      while (!context.stopped()) {
+        try {
+          context.run();
+        } catch (const std::exception&) {  // no memory for one message: that one is lost
+        }
+      }
+    });
+  }
+  ~State() {
+    context.stop();
+    thread.join();
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  void listen() {
+    acceptor.async_accept([this](ErrorCode error, Tcp::socket socket) {
+      if (error == asio::error::operation_aborted) return;
+      if (error) return listen_later();
+      if (hall.open < hall.options.most_connections)
+        std::make_shared<Visit>(hall, std::move(socket), all)->begin();
+      else
+        ++hall.refused;
+      listen();
+    });
+  }
+
+  /// Where the system has no socket left it would say so at once, again and again.
+  void listen_later() {
+    pause.expires_after(std::chrono::milliseconds(100));
+    pause.async_wait([this](ErrorCode error) {
+      if (!error) listen();
+    });
+  }
+
+  void wake() {
+    asio::post(context, [this] {
+      const std::vector<VoxelIndex> news = hall.mailbox.take_news();
+      for (auto one = all.begin(); one != all.end();) {
+        const auto connection = one->lock();
+        if (connection != nullptr) connection->tell(news);
+        one = connection != nullptr ? std::next(one) : all.erase(one);
+      }
+    });
+  }
+
+  Hall hall;  // outlives the connections, which the context keeps
+  std::list<std::weak_ptr<Connection>> all;
+  asio::io_context context{1};
+  Tcp::acceptor acceptor{context};
+  asio::steady_timer pause{context};
+  std::thread thread;
+};
+
+ViewServer::ViewServer(Scene scene, const ViewServerOptions& options) {
+  require_fields_within(options, "ViewServerOptions::");
+  state_ = std::make_unique<State>(std::move(scene), options);
+}
+ViewServer::~ViewServer() = default;
+
+int ViewServer::port() const { return state_->hall.port; }
+std::string ViewServer::token() const { return state_->hall.token; }
+std::string ViewServer::address() const { return "http://127.0.0.1:" + std::to_string(port()) + "/?token=" + token(); }
+
+void ViewServer::send(const SurfacePage& page) {
+  if (state_->hall.mailbox.put(page)) state_->wake();
+}
+void ViewServer::send(const LoopSnapshot& snapshot) {
+  if (state_->hall.mailbox.put(snapshot)) state_->wake();
+}
+void ViewServer::send_sound(std::span<const float> samples, std::uint32_t sample_rate) {
+  if (state_->hall.mailbox.put(samples, sample_rate)) state_->wake();
+}
+void ViewServer::show(Scene scene) {
+  if (state_->hall.mailbox.put(std::move(scene))) state_->wake();
+}
+std::optional<ViewCommand> ViewServer::receive() { return state_->hall.mailbox.take_command(); }
+std::size_t ViewServer::connections() const { return state_->hall.connected; }
+std::uint64_t ViewServer::refused() const { return state_->hall.refused; }
+
+}  // namespace hapticut::view
