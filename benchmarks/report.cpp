@@ -85,11 +85,15 @@ void print_targets(const Results& r) {
     print_row("hapticut / vdb_accessor, mean, W2 R 2, " + std::string(h) + " mm", target,
               r.ratio(at + "hapticut", at + "vdb_accessor", "mean_us"));
   }
-  for (const auto& [h, target] : {std::pair("0.1", 1.2), std::pair("0.05", 1.0)}) {
+  for (const char* h : {"0.1", "0.05"}) {
     const std::string at = std::string("step/W2/h") + h + "/R2/";
-    print_row("hapticut / dense_simd, p50, W2 R 2, " + std::string(h) + " mm", target,
+    print_row("hapticut / dense_simd, p50, W2 R 2, " + std::string(h) + " mm", 0.7,
               r.ratio(at + "hapticut", at + "dense_simd", "p50_us"));
+    print_row("hapticut / the same at points, p50, W2 R 2, " + std::string(h) + " mm", 1,
+              r.ratio(at + "hapticut", at + "hapticut_points", "p50_us"));
   }
+  print_row("hapticut at 0.1 mm / at points at 0.05 mm, p50, W2 R 2", 0.5,
+            r.ratio("step/W2/h0.1/R2/hapticut", "step/W2/h0.05/R2/hapticut_points", "p50_us"));
   for (const char* h : {"0.1", "0.05"})
     for (const char* path : {"W1/h%/R2/", "W3/h%/R2/", "W3/h%/R3/"}) {
       std::string at = "step/" + std::string(path);
@@ -119,6 +123,10 @@ void print_targets(const Results& r) {
   print_row("allocations in 60 s", 0, r.value("deadline/h0.05/R2", "allocations"));
   print_row("load 256 M voxels in layers [ms]", 5000, r.value("load/layers", "real_time"));
   print_row("load 256 M voxels, mixed [ms]", 5000, r.value("load/mixed", "real_time"));
+  print_row("64 dirty blocks to pages [ms]", 4, r.value("surface/dirty64", "ms_of_64_blocks"));
+  print_row("a block of them [us]", 37, r.value("surface/dirty64", "us_per_block"));
+  print_row("from a cut to its pages, p99 [ms]", 33, r.value("surface/latency", "age_p99_ms"));
+  print_row("64 nearest pages of 256 M voxels [ms]", 1000, r.value("surface/first", "nearest_64_pages_ms"));
   print_row("bytes per voxel, mixed", 1.5, r.value("load/mixed", "bytes_per_voxel"));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the cost of a step depends on: the head, the size of the workpiece, its materials, the number of simulations;
 // and a minute of cutting against the deadline. Names: heads/..., sizes/..., materials/..., batch/..., deadline/...,
-// load/...
+// load/...; surface/... stand in surfaces.cpp.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
@@ -16,6 +16,7 @@
 #include "hapticut/tool/profile.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/volume_builders.hpp"
+#include "surfaces.hpp"
 #include "tick_times.hpp"
 
 namespace hapticut::bench {
@@ -249,6 +250,7 @@ int main(int argc, char** argv) {
   add_materials();
   add_batches();
   add_minutes();
+  add_surfaces();
   for (const std::string kind : {"layers", "mixed"})
     benchmark::RegisterBenchmark(("load/" + kind).c_str(), [kind](benchmark::State& state) { run_load(state, kind); })
         ->UseManualTime()

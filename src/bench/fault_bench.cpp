@@ -21,17 +21,12 @@ constexpr double kStroke = 8e-3;          // [m] sideways
 constexpr double kStrokeFrequency = 2.3;  // [Hz]; fast enough to contradict a frozen position at every phase but one
 constexpr double kOffset = 5e-3;          // [m] of clutch and calibration
 
-constexpr std::array<InjectedFault, 16> kFaults = {
-    InjectedFault::nan_pose,      InjectedFault::frozen_pose,      InjectedFault::stale_reading,
-    InjectedFault::jump_30mm,     InjectedFault::missed_1,         InjectedFault::missed_5,
-    InjectedFault::missed_20,     InjectedFault::missed_100,       InjectedFault::buried_5mm,
-    InjectedFault::reclutch,      InjectedFault::calibration_jump, InjectedFault::units_x1000,
-    InjectedFault::force_x1000,   InjectedFault::nan_force,        InjectedFault::unplugged,
-    InjectedFault::emergency_stop};
-constexpr std::array<std::string_view, kFaults.size()> kNames = {
-    "nan_pose",    "frozen_pose", "stale_reading", "jump_30mm",     "missed_1",         "missed_5",
-    "missed_20",   "missed_100",  "buried_5mm",    "reclutch",      "calibration_jump", "units_x1000",
-    "force_x1000", "nan_force",   "unplugged",     "emergency_stop"};
+constexpr auto kFaults = [] {
+  constexpr auto kNamed = names_of(Of<InjectedFault>{});
+  std::array<InjectedFault, kNamed.size()> faults{};
+  for (std::size_t i = 0; i < faults.size(); ++i) faults[i] = kNamed[i].value;
+  return faults;
+}();
 
 int missed_ticks(InjectedFault fault) {
   switch (fault) {
@@ -86,7 +81,7 @@ DeviceState spoiled(const DeviceState& reading, const DeviceState& at_fault, Inj
 
 }  // namespace
 
-std::string_view name_of(InjectedFault fault) { return kNames[std::size_t(fault)]; }
+std::string_view name_of(InjectedFault fault) { return name_or_null(fault); }
 std::span<const InjectedFault> injected_faults() { return kFaults; }
 
 FaultResponse measure_fault_response(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness,

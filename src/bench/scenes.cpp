@@ -37,11 +37,9 @@ StepInput plunge(int tick) {
 Scene axial_flat() {
   return {"axial_flat", "A flat head of 1 mm radius plunges into a block at 2 mm/s.",
           [] {
-            SimulationConfig config;
-            config.reference_stiffness = 1e14;
             return Simulation(
                 build_block({Vec3(-2, -2, -9) * mm, Vec3(2, 2, 0) * mm}, 0.1 * mm, bone_like("bone", 3e8, 1e5)),
-                Tool(FlatHead{1 * mm, 5 * mm}, RayHandle{20 * mm}, Spindle{2000}), config);
+                Tool(FlatHead{1 * mm, 5 * mm}, RayHandle{20 * mm}, Spindle{2000}));
           },
           [](int tick) {
             StepInput input = plunge(tick);
@@ -66,11 +64,9 @@ Scene circular_groove() {
   static const LHandle handle{100 * mm, 15 * mm, 70 * deg};
   return {"circular_groove", "A ball of 1.5 mm radius on an angled handpiece cuts a deepening circular groove.",
           [] {
-            SimulationConfig config;
-            config.reference_stiffness = 1e13;
             return Simulation(
                 build_block({Vec3(-6, -6, -6) * mm, Vec3(6, 6, 0) * mm}, 0.1 * mm, bone_like("bone", 1e8, 1e5)),
-                Tool(SphereHead{1.5 * mm}, handle, Spindle{-3000}), config);
+                Tool(SphereHead{1.5 * mm}, handle, Spindle{-3000}));
           },
           [](int tick) {
             // The head's path is prescribed; the handle follows from it.

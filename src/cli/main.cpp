@@ -2,6 +2,7 @@
 // The program: turns the settings of each subcommand into flags, applies the settings file and then the flags, and
 // runs.
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <deque>
 #include <string>
@@ -124,6 +125,7 @@ int main_with(int argc, char** argv) {
 }  // namespace hapticut::cli
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, and is said
   try {
     return hapticut::cli::main_with(argc, argv);
   } catch (const std::exception& error) {  // out of memory while the arguments are read

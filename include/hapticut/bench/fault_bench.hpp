@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "hapticut/bench/stability.hpp"
+#include "hapticut/core/description.hpp"
 #include "hapticut/safety/guard.hpp"
 
 namespace hapticut {
@@ -28,6 +29,28 @@ enum class InjectedFault : std::uint8_t {
   unplugged,         ///< the device stops answering
   emergency_stop,    ///< the emergency stop is pulled
 };
+
+constexpr auto names_of(Of<InjectedFault>) {
+  using enum InjectedFault;
+  return std::array{
+      Named{nan_pose, "nan_pose"},
+      Named{frozen_pose, "frozen_pose"},
+      Named{stale_reading, "stale_reading"},
+      Named{jump_30mm, "jump_30mm"},
+      Named{missed_1, "missed_1"},
+      Named{missed_5, "missed_5"},
+      Named{missed_20, "missed_20"},
+      Named{missed_100, "missed_100"},
+      Named{buried_5mm, "buried_5mm"},
+      Named{reclutch, "reclutch"},
+      Named{calibration_jump, "calibration_jump"},
+      Named{units_x1000, "units_x1000"},
+      Named{force_x1000, "force_x1000"},
+      Named{nan_force, "nan_force"},
+      Named{unplugged, "unplugged"},
+      Named{emergency_stop, "emergency_stop"},
+  };
+}
 
 [[nodiscard]] std::string_view name_of(InjectedFault fault);
 [[nodiscard]] std::span<const InjectedFault> injected_faults();

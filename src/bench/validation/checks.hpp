@@ -45,6 +45,8 @@ struct Experiment {
 [[nodiscard]] std::vector<Experiment> static_experiments();       ///< C1-C16, C19
 [[nodiscard]] std::vector<Experiment> term_experiments();         ///< friction, effects, spindle: C17, C18
 [[nodiscard]] std::vector<Experiment> cutting_experiments();      ///< C20-C32, C34
+[[nodiscard]] std::vector<Experiment> grid_experiments();         ///< cuts in every direction of the grid
+[[nodiscard]] std::vector<Experiment> pushed_experiments();       ///< the same under a constant force of the hand
 [[nodiscard]] std::vector<Experiment> law_experiments();          ///< the alternative laws, the thesis: C33
 [[nodiscard]] std::vector<Experiment> measurement_experiments();  ///< rows B1 and DC4 of published measurements
 [[nodiscard]] std::vector<Experiment> defect_experiments();  ///< of the thesis, in its model and in the default one

@@ -52,21 +52,6 @@ struct DiamondBur {
   [[nodiscard]] static constexpr double power(double load) { return kCuttingRatio * load * kSpeed * kRadius; }
   /// [J/m^3] u of enamel with this bur.
   [[nodiscard]] static constexpr double energy() { return power(kLoad) / kRemoval; }
-  /// [N] for the chips alone, to remove a volume in a second with its side.
-  [[nodiscard]] static constexpr double chip_load(double removal, double u) {
-    return u * removal / (kCuttingRatio * kSpeed * kRadius);
-  }
-  static constexpr double kContactArea = 1e-6;  ///< [m^2] of the side in contact, on which the edges rub: assumption
-  /// [N] that a hand feels: chips and edges.
-  [[nodiscard]] static constexpr double load(double removal, double u, double edge_pressure, double area) {
-    return edge_pressure * area + chip_load(removal, u);
-  }
-  /// [m^3/s] that a load removes; 0 where the edges carry all of it.
-  [[nodiscard]] static constexpr double removal(double load, double u, double edge_pressure, double area) {
-    const double on_chips = load - edge_pressure * area;
-    return on_chips > 0 ? power(on_chips) / u : 0.0;
-  }
-
   /// A plate of enamel whose edge the side of the bur wears down, in the library: 0.3 mm thick, 1 mm of the bur long.
   class Plate {
    public:
@@ -84,6 +69,22 @@ struct DiamondBur {
 
     Simulation simulation_;
   };
+};
+
+/// A carbide bur at high speed, pushed along its axis into tooth (DC9: White 1998, Proc SPIE 3248). The source gives
+/// the rates; load, blades and the speed under load are those of a usual handpiece: assumptions.
+struct CarbideBur {
+  static constexpr double kRadius = 0.42 * units::mm;
+  static constexpr double kSpeed = 250000 * units::rpm;
+  static constexpr double kLoad = 0.98;                   ///< [N]
+  static constexpr double kInEnamel = 0.273 * units::mm;  ///< [m/s]
+  static constexpr double kInDentin = 0.493 * units::mm;  ///< [m/s]
+  static constexpr double kScatter = 0.17;                ///< [1] of the rate in enamel, as the source gives it
+
+  /// [m/s] by C36.
+  [[nodiscard]] static double rate_of(double load, const Material& material);
+  /// [m/s] in the library.
+  [[nodiscard]] static double rate_under(double load, const Material& material);
 };
 
 /// The page docs/measurements.md.

@@ -22,19 +22,23 @@ namespace {
 
 struct CalibrateSettings {
   std::string file, json;
+  std::optional<ChipTerm> term;
+  [[nodiscard]] ChipTerm fitted() const { return term.value_or(ChipTerm::edge_length); }
 };
 
-constexpr std::array kColumns = {"radius_mm", "spindle_rpm", "feed_mm_per_s", "thrust_N", "torque_Nmm"};
+constexpr std::array kColumns = {"radius_mm", "spindle_rpm", "feed_mm_per_s", "thrust_N", "torque_Nmm", "lips"};
+constexpr std::size_t kNeeded = 5;  // a file may leave `lips` out: two, as a twist drill has
 
 std::string joined_columns() {
   std::string all;
-  for (const char* name : kColumns) all += (all.empty() ? "" : ", ") + std::string(name);
-  return all;
+  for (std::size_t n = 0; n < kNeeded; ++n) all += (all.empty() ? "" : ", ") + std::string(kColumns[n]);
+  return all + " and, if you like, " + kColumns[kNeeded];
 }
 
-/// The number of a column.
+/// The number of a column; 0 of a thrust or torque that was not measured, whose cell is empty.
 /// @throws Error naming file, line, column and value
 double number_at(const CsvFile& file, const std::vector<std::string>& cells, std::size_t column) {
+  if (cells[column].empty() && (column == 3 || column == 4)) return 0;
   const std::optional<double> value = parse_number(cells[column]);
   // A spindle may turn either way.
   const bool may_be_negative = column == 1;
@@ -49,13 +53,17 @@ std::vector<DrillingTest> read_tests(const std::string& path) {
   CsvFile file(path, "file of drilling tests", "hapticut calibrate");
   std::vector<std::string> cells;
   if (!file.next(cells)) file.fail("the file is empty; its first line must be " + joined_columns() + ".");
-  if (!std::equal(cells.begin(), cells.end(), kColumns.begin(), kColumns.end()))
+  const std::size_t columns = cells.size();
+  if ((columns != kNeeded && columns != kColumns.size()) ||
+      !std::equal(cells.begin(), cells.end(), kColumns.begin(), kColumns.begin() + std::ptrdiff_t(columns)))
     file.fail("the first line must name the columns " + joined_columns() + ", in this order.");
   std::vector<DrillingTest> tests;
   while (file.next(cells)) {
     const auto value = [&](std::size_t column) { return number_at(file, cells, column); };
-    tests.push_back(
-        {value(0) * units::mm, value(1) * units::rpm, value(2) * units::mm_per_s, value(3), value(4) * units::N_mm});
+    tests.push_back({value(0) * units::mm, value(1) * units::rpm, value(2) * units::mm_per_s, value(3),
+                     value(4) * units::N_mm, columns > kNeeded ? value(5) : DrillingTest{}.lips});
+    if (tests.back().thrust == 0 && tests.back().torque == 0)
+      file.fail("both thrust_N and torque_Nmm are empty; give what was measured, or leave the line out.");
   }
   if (tests.empty()) file.fail("there is no drilling test; give one in a line, under the names of the columns.");
   return tests;
@@ -65,31 +73,37 @@ void run_calibrate(const CalibrateSettings& s) {
   if (s.file.empty()) throw UsageError("the file of drilling tests is missing. Use: hapticut calibrate TESTS.csv.");
   require_writable(s.json);
   const std::vector<DrillingTest> tests = read_tests(s.file);
-  const Calibration c = calibrate(tests);
+  const Calibration c = calibrate(tests, s.fitted());
   Table table("hapticut calibrate: " + s.file + ", " + std::to_string(tests.size()) +
               (tests.size() == 1 ? " test" : " tests"));
   table.add("specific_cutting_energy", rounded(c.specific_cutting_energy, 4) + " J/m^3" +
                                            (c.chip_identified ? "" : ": the tests do not identify it"));
-  table.add("cutting_ratio", rounded(c.cutting_ratio, 4));
-  table.add("edge_pressure", rounded(c.edge_pressure, 4) + " Pa" +
-                                 (c.edge_identified ? "" : ", taken as 0: the tests do not identify it"));
+  table.add("cutting_ratio", rounded(c.cutting_ratio, 4) + (c.ratio_identified ? "" : ": assumed, not measured"));
+  const std::string not_known = c.edge_identified ? "" : ", taken as 0: the tests do not identify it";
+  if (s.fitted() == ChipTerm::edge_length) table.add("edge_length", rounded(c.edge_length, 4) + " m" + not_known);
+  if (s.fitted() == ChipTerm::size_length) table.add("size_length", rounded(c.size_length, 4) + " m" + not_known);
+  if (s.fitted() == ChipTerm::edge_pressure)
+    table.add("edge_pressure", rounded(c.edge_pressure, 4) + " Pa" + not_known);
   table.add("residuals", "thrust " + rounded(100 * c.thrust_residual, 3) + " %, torque " +
                              rounded(100 * c.torque_residual, 3) + " % (root mean square)");
   Json rows = Json::array();
   for (const DrillingTest& t : tests) {
-    const AxialCutForce model = axial_cut_force(c, t.radius, t.spindle_speed, t.feed_speed);
-    rows.push_back({{"thrust_N", t.thrust},
+    const AxialCutForce model = axial_cut_force(c, t.radius, t.spindle_speed, t.feed_speed, t.lips);
+    const auto measured = [](double value) { return value > 0 ? Json(value) : Json(nullptr); };
+    rows.push_back({{"thrust_N", measured(t.thrust)},
                     {"model_thrust_N", model.thrust},
-                    {"torque_Nmm", t.torque / units::N_mm},
+                    {"torque_Nmm", measured(t.torque / units::N_mm)},
                     {"model_torque_Nmm", model.torque / units::N_mm}});
   }
   std::fputs(table.text().c_str(), stdout);
   if (!c.edge_identified)
-    std::fputs(tests.size() == 1
-                   ? "To tell edge from chip, add tests at another feed per turn: u, kappa and p_e are one equation "
-                     "short.\n"
-                   : "To tell edge from chip, add tests whose feeds per turn differ more than they scatter.\n",
-               stdout);
+    std::fputs(
+        tests.size() == 1
+            ? "To tell edge from chip, add tests at another feed per turn: u, kappa and the edge are one equation "
+              "short.\n"
+            : "To tell edge from chip, add tests whose feeds per turn differ more than they scatter.\n",
+        stdout);
+  if (!c.ratio_identified) std::fputs("To know the cutting ratio, add tests with the thrust and the torque.\n", stdout);
   if (!c.chip_identified)
     std::fputs(
         "The edge carries nearly all of thrust and torque; to know the chip, add tests at a larger feed per "
@@ -98,6 +112,9 @@ void run_calibrate(const CalibrateSettings& s) {
   write_json(s.json, {{"specific_cutting_energy", c.specific_cutting_energy},
                       {"cutting_ratio", c.cutting_ratio},
                       {"edge_pressure", c.edge_pressure},
+                      {"edge_length", c.edge_length},
+                      {"size_length", c.size_length},
+                      {"ratio_identified", c.ratio_identified},
                       {"edge_identified", c.edge_identified},
                       {"chip_identified", c.chip_identified},
                       {"thrust_residual", c.thrust_residual},
@@ -110,8 +127,10 @@ void run_calibrate(const CalibrateSettings& s) {
 Command calibrate_command() {
   auto settings = std::make_shared<CalibrateSettings>();
   return {"calibrate",
-          "Fit cutting energy, cutting ratio and edge pressure to drilling tests",
+          "Fit cutting energy, cutting ratio and what edges or thin chips add, to drilling tests",
           {text("calibrate.tests", "TESTS", settings->file, "CSV file of drilling tests"),
+           choice("calibrate.term", "--term", settings->term,
+                  "what is fitted beside u and kappa: how forces do not go to zero with the chip [edge_length]"),
            text("output.json", "--json", settings->json, "report for machines")},
           [settings] { run_calibrate(*settings); }};
 }

@@ -52,6 +52,7 @@ void run_drill(const DrillSettings& s) {
   report.warnings = warnings_of(result, simulation);
   std::fputs(to_table(report, result, simulation).c_str(), stdout);
   write_files(s.output, to_json(report, result, simulation), result, simulation.workpiece());
+  recorder.require_complete();
 
   std::size_t rejected = 0;
   for_each_bit<StepStatus>([&](StepStatus bit, const char* /*name*/) {
@@ -66,6 +67,7 @@ void run_drill(const DrillSettings& s) {
 
 Command drill_command() {
   auto settings = std::make_shared<DrillSettings>();
+  settings->scene.workpiece.tell = tell_of_work;
   return {"drill", "Move a tool along a path through a workpiece at a fixed rate and report forces and removal",
           settings_of(*settings), [settings] { run_drill(*settings); }};
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -31,6 +32,19 @@ bool has_materials(const WorkpieceSettings& s) {
 }
 
 #ifdef HAPTICUT_HAS_IO
+/// The directions of the grid's axes, in those of the patient: to the left, to the back, to the head.
+std::string axes_text(const Mat3& rotation) {
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    text += std::string(axis > 0 ? ", " : "") + "ijk"[axis] + " along";
+    for (int row = 0; row < 3; ++row) {
+      const double c = rotation(row, axis);
+      text += " " + rounded(std::abs(c) < 1e-9 ? 0 : c, 4);
+    }
+  }
+  return text;
+}
+
 void inspect_volume(const InspectSettings& s) {
   const VolumeSummary v = [&] {
     const ProgressBar progress("reading " + s.workpiece.source);
@@ -38,16 +52,22 @@ void inspect_volume(const InspectSettings& s) {
   }();
   const Vec3 spacing = v.spacing / units::mm;
   const double voxel = spacing.prod();
-  Json report = {
-      {"source", s.workpiece.source}, {"dims", v.dims},        {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}},
-      {"pose", to_json(v.X_WG)},      {"box", to_json(v.box)}, {"lowest", v.lowest},
-      {"highest", v.highest}};
+  Json report = {{"source", s.workpiece.source},
+                 {"dims", v.dims},
+                 {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}},
+                 {"pose", to_json(v.X_WG)},
+                 {"box", to_json(v.box)},
+                 {"lowest", v.lowest},
+                 {"highest", v.highest},
+                 {"not_a_number", v.not_a_number}};
   Table table("hapticut inspect: " + s.workpiece.source);
   table.add("samples",
             std::to_string(v.dims[0]) + " x " + std::to_string(v.dims[1]) + " x " + std::to_string(v.dims[2]));
   table.add("spacing", rounded(spacing.x()) + " x " + rounded(spacing.y()) + " x " + rounded(spacing.z()) + " mm");
   table.add("box", box_text(v.box) + (v.X_WG.rotation.isIdentity(1e-9) ? "" : ", axes turned"));
-  table.add("values", rounded(v.lowest, 6) + " to " + rounded(v.highest, 6));
+  table.add("axes", axes_text(v.X_WG.rotation));
+  table.add("values", rounded(v.lowest, 6) + " to " + rounded(v.highest, 6) +
+                          (v.not_a_number > 0 ? ", " + std::to_string(v.not_a_number) + " are not a number" : ""));
   Json voxels = Json::object(), volumes = Json::object();
   for (const auto& [label, count] : v.voxels_by_label) {
     const std::string name = "label " + std::to_string(label);
@@ -105,6 +125,7 @@ void run_inspect(const InspectSettings& s) {
 
 Command inspect_command() {
   auto settings = std::make_shared<InspectSettings>();
+  settings->workpiece.tell = tell_of_work;
   std::vector<Setting> all = settings_of(settings->workpiece);
   all.front().flag = "SOURCE";
   all.push_back(text("output.json", "--json", settings->json, "report for machines"));

@@ -29,7 +29,6 @@ enum class Up { y, z };
 enum class Coupling { virtual_tool, none };
 
 constexpr std::size_t kReservedBlocks = 16384;  // there is no time to refill them between steps
-constexpr double kCoupledStiffness = 1e16;      // [N/m^4] that bone has behind a coupling: a ball sinks in by 0.1 mm
 
 struct LoopSettings {
   std::string device;
@@ -142,11 +141,8 @@ void run_loop(LoopSettings s) {
       s.coupling.value_or(device->capabilities().stiffness > 0 ? Coupling::virtual_tool : Coupling::none) ==
       Coupling::virtual_tool;
   const Tool tool = make_tool(s.tool);
-  Workpiece workpiece = with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece); });
+  Workpiece workpiece = with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece, tool.cutter().kind); });
   const WorkpieceSummary summary = summarize(s.workpiece.source, workpiece);
-  if (s.simulation.config.reference_stiffness == 0)  // the user did not choose it
-    s.simulation.config.reference_stiffness =
-        coupled && !s.simulation.thesis_mode ? kCoupledStiffness : SimulationConfig().reference_stiffness;
   SimulationConfig config = make_config(s.simulation);
   if (coupled) config.contact_time = ContactTime::end;
   Simulation simulation(std::move(workpiece), tool, std::move(config));
@@ -173,6 +169,7 @@ void run_loop(LoopSettings s) {
   report.steps_lost = recorder.close();
   std::fputs(to_table(report).c_str(), stdout);
   write_json(s.json, to_json(report));
+  recorder.require_complete();
   if (report.run.fault != DeviceFault::none)
     throw Error("the run ended because of the device: " + describe(report.run.fault) + ".");
   if (s.seconds > 0 && StopSignals::came() != 0)
@@ -184,8 +181,8 @@ void run_loop(LoopSettings s) {
 
 Command loop_command() {
   auto settings = std::make_shared<LoopSettings>();
+  settings->workpiece.tell = tell_of_work;
   settings->simulation.config.reserved_blocks = kReservedBlocks;
-  settings->simulation.config.reference_stiffness = 0;
   return {"loop", "Cut with a device in real time, or with one that stands for a device", settings_of(*settings),
           [settings] { run_loop(*settings); }};
 }

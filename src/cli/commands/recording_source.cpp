@@ -33,7 +33,11 @@ RunRecorder::RunRecorder(const std::string& path, Simulation& simulation, Pace p
 
 std::uint64_t RunRecorder::close() {
   if (!state_) return 0;
-  state_->recorder.close();
+  try {
+    state_->recorder.close();
+  } catch (const Error& error) {
+    failure_ = error.what();
+  }
   return state_->recorder.lost();
 }
 
@@ -52,5 +56,9 @@ void use_recordings_if_possible() {}
 #endif
 
 RunRecorder::~RunRecorder() = default;
+
+void RunRecorder::require_complete() const {
+  if (!failure_.empty()) throw Error(failure_);
+}
 
 }  // namespace hapticut::cli

@@ -25,12 +25,16 @@ class RunRecorder {
   RunRecorder(const RunRecorder&) = delete;
   RunRecorder& operator=(const RunRecorder&) = delete;
 
+  /// Ends the recording; what goes wrong is kept for `require_complete`, so that a report can be written first.
   /// @return steps that were lost
-  /// @throws Error when something could not be written
   std::uint64_t close();
+
+  /// @throws Error when something could not be written
+  void require_complete() const;
 
  private:
   struct State;
+  std::string failure_;
   std::unique_ptr<State> state_;
 };
 

@@ -94,13 +94,15 @@ void run_replay(const ReplaySettings& s) {
 void run_export(const ExportSettings& s) {
   const Recording recording = read_recording(s.recording);
   const std::string extension = std::filesystem::path(s.target).extension().string();
-  if (extension != ".csv" && extension != ".npz")
-    throw Error("cannot write '" + s.target + "': its name must end in one of .csv, .npz.");
+  if (extension != ".csv" && extension != ".npz" && extension != ".wav")
+    throw Error("cannot write '" + s.target + "': its name must end in one of .csv, .npz, .wav.");
   require_writable(s.target);
   if (extension == ".csv")
     write_csv(recording, s.target);
-  else
+  else if (extension == ".npz")
     write_npz(recording, s.target);
+  else
+    write_wav(recording, s.target);
   std::printf("%s: %llu steps\n", s.target.c_str(), (unsigned long long)recording.size());
 }
 #else
@@ -130,9 +132,9 @@ Command replay_command() {
 Command export_command() {
   auto settings = std::make_shared<ExportSettings>();
   return {"export",
-          "Write the steps of a recording as CSV or NumPy",
+          "Write the steps of a recording as CSV, NumPy or sound",
           {text("export.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
-           text("export.target", "TARGET", settings->target, "file to write, .csv or .npz")},
+           text("export.target", "TARGET", settings->target, "file to write, .csv, .npz or .wav")},
           [settings] {
             if (settings->recording.empty() || settings->target.empty())
               throw UsageError("a file is missing. Use: hapticut export RECORDING TARGET.");

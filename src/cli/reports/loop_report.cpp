@@ -6,7 +6,6 @@
 #include "cli/reports/table.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/core/units.hpp"
-#include "hapticut/force/stiffness.hpp"
 
 namespace hapticut::cli {
 namespace {
@@ -42,16 +41,6 @@ std::uint64_t deadline_misses(const LatencyHistogram& compute, double period) {
 
 std::vector<std::string> warnings_of(const LoopReport& r) {
   std::vector<std::string> warnings = r.run.warnings;
-  const DeviceCapabilities& device = r.device.capabilities();
-  if (device.stiffness > 0 && !r.coupled) {
-    const double most = stiffness_for_device(r.simulation.tool().head(), device.stiffness);
-    if (r.simulation.config().reference_stiffness > most)
-      warnings.push_back("the device is driven directly, and a flat face of this material is stiffer than the " +
-                         rounded(device.stiffness) +
-                         " N/m that it renders: the hand may feel it buzz, and the guard brakes it; lower "
-                         "simulation.reference_stiffness_N_per_m4 to " +
-                         rounded(most, 3) + ".");
-  }
   if (r.device.name() == "mouse")
     warnings.emplace_back(
         "this program has no window, so the mouse moved nothing; MouseDevice is for the windows of other programs.");

@@ -7,7 +7,7 @@
 #include "cli/reports/json_file.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
-#include "hapticut/workpiece/surface.hpp"
+#include "hapticut/surface/extract_surface.hpp"
 #include "io/atomic_file.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/mesh/meshes.hpp"

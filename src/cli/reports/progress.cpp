@@ -58,6 +58,14 @@ void ProgressBar::draw() {
   drawn_ = true;
 }
 
+void tell_of_work(const WorkEstimate& estimate) {
+  constexpr double kWorthAWord = 10;  // [s]
+  if (estimate.seconds < kWorthAWord) return;
+  std::fprintf(stderr, "%shapticut: about %.2g voxels, %.2g MB and %.2g s of work.\n",
+               ::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "", estimate.voxels, estimate.memory_bytes * 1e-6,
+               estimate.seconds);
+}
+
 void ProgressBar::wipe() {
   if (std::exchange(drawn_, false)) std::fputs("\r\033[K", stderr);
 }

@@ -9,6 +9,8 @@
 #include <string>
 #include <thread>
 
+#include "hapticut/workpiece/work_estimate.hpp"
+
 namespace hapticut::cli {
 
 /// A bar on stderr, drawn at once and wiped away when the work is done; nothing at all when stderr is not a terminal. A
@@ -42,6 +44,9 @@ class ProgressBar {
   bool drawn_ = false;
   std::thread drawer_;  // on a terminal only
 };
+
+/// Says on stderr how much work begins, where it takes more than some seconds.
+void tell_of_work(const WorkEstimate& estimate);
 
 /// What `make` makes of a source, with a bar while it does.
 template <class Make>

@@ -81,7 +81,8 @@ TEST_F(ForceSettings, TheThesissSpinTorqueTakesItsConstants) {
 TEST_F(ForceSettings, FrictionOfTheStandingSpindleIsThatGiven) {
   const std::string drag = "--path line --from_mm 1.5,3,2.7 --to_mm 4.5,3,2.7 --feed_mm_per_s 20 ";
   const auto ratio = [&](const std::string& settings) {
-    const auto columns = steps(settings, kStanding, drag);
+    // Soft, so that 0.3 mm of depth are the push of a hand.
+    const auto columns = steps("--reference_stiffness 1e13 " + settings, kStanding, drag);
     return -columns.at("force_x_N").back() / columns.at("force_z_N").back();
   };
   EXPECT_NEAR(ratio(""), 0.3, 0.02) << "that of the material";
@@ -208,7 +209,7 @@ TEST_F(EffectsSettings, FilterAxesAndLimitsShapeTheOutput) {
   const auto slow = steps("--force_growth_N_per_s 10 --torque_growth_Nmm_per_s 0.1", test::kBall);
   for (std::size_t i = 1; i < slow.at("force_z_N").size(); ++i) {
     EXPECT_LE(slow.at("force_z_N")[i] - slow.at("force_z_N")[i - 1], 0.01 + 1e-6);
-    EXPECT_LE(std::abs(slow.at("torque_z_Nmm")[i]) - std::abs(slow.at("torque_z_Nmm")[i - 1]), 1e-4 + 1e-9);
+    EXPECT_LE(std::abs(slow.at("torque_z_Nmm")[i]) - std::abs(slow.at("torque_z_Nmm")[i - 1]), 1e-4 + 1e-8);
   }
   const auto ramp = steps("--ramp_s 100", test::kBall);
   EXPECT_LT(ramp.at("force_z_N").back(), 0.01 * plain.at("force_z_N").back());

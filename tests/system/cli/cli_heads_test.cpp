@@ -19,7 +19,7 @@ class HeadSettings : public test::Program {
  protected:
   static constexpr const char* kBone = "--workpiece block --size_mm 6,6,3 --material cortical_bone --voxel_mm 0.2 ";
   static constexpr const char* kPlunge =
-      " --spindle_rpm 30000 --reference_stiffness 1e14 --path line --from_mm 3,3,3.1 --to_mm 3,3,2.1 --feed_mm_per_s "
+      " --spindle_rpm 30000 --path line --from_mm 3,3,3.1 --to_mm 3,3,2.1 --feed_mm_per_s "
       "10 ";
 
   nlohmann::json plunge(const std::string& head) { return drill(kBone + head + kPlunge); }

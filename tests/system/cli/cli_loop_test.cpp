@@ -2,6 +2,7 @@
 // hapticut loop, run as a user runs it.
 #include <gtest/gtest.h>
 
+#include "hapticut/workpiece/material_presets.hpp"
 #include "support/program.hpp"
 
 namespace hapticut::cli_loop_test {
@@ -30,7 +31,7 @@ TEST_F(Loop, CutsWithAMockDeviceAndReportsEveryField) {
     EXPECT_TRUE(report.contains(nlohmann::json::json_pointer(pointer))) << pointer;
   EXPECT_EQ(report["ticks"], 4001);
   EXPECT_EQ(report["steps"], 4001);
-  EXPECT_GT(report["removed_volume_mm3"], 5);
+  EXPECT_GT(report["removed_volume_mm3"], 1);
   EXPECT_LE(report["force_N"]["largest_applied"], report["device"]["peak_force_N"]);
   EXPECT_EQ(report["safety_events"]["engaged"], 1);
   EXPECT_GT(report["graphics"]["blocks"], 10);
@@ -118,17 +119,24 @@ TEST_F(Loop, RefusesWhatItCannotDo) {
 }
 
 TEST_F(Loop, HasACouplingWhereTheDeviceNeedsOne) {
-  const std::string arguments =
-      "mock:press,hand=nominal --seconds 3 --simulated-time --reference-stiffness 1e15 " + kCoarse;
-  const nlohmann::json coupled = loop(arguments);
-  EXPECT_EQ(coupled["coupling"], "virtual");
-  const nlohmann::json direct = loop(arguments + "--coupling none");
-  EXPECT_EQ(direct["coupling"], "none");
-  const auto warns = [](const nlohmann::json& report) {
-    return report["warnings"].dump().find("driven directly") != std::string::npos;
-  };
-  EXPECT_FALSE(warns(coupled));
-  EXPECT_TRUE(warns(direct));
+  const std::string arguments = "mock:press,hand=nominal --seconds 3 --simulated-time " + kCoarse;
+  EXPECT_EQ(loop(arguments)["coupling"], "virtual");
+  const Outcome direct = run("loop " + arguments + "--coupling none");
+  EXPECT_EQ(direct.code, 1);
+  EXPECT_NE(direct.errors.find("renders 700 N/m"), std::string::npos) << direct.errors;
+  EXPECT_NE(direct.errors.find("--coupling virtual"), std::string::npos) << direct.errors;
+  EXPECT_EQ(loop(arguments + "--coupling none --reference-stiffness 2e12")["coupling"], "none");
+}
+
+TEST_F(Loop, PressedWithAFlatBurCutsInEveryPreset) {
+  for (const std::string_view material : preset_names()) {
+    const nlohmann::json report = loop(
+        "mock:press,hand=nominal --seconds 3 --simulated-time --head flat --radius_mm 1 --height_mm 4 --workpiece "
+        "block --size_mm 24,24,8 --voxel_mm 0.2 --material " +
+        std::string(material));
+    ASSERT_FALSE(report.is_null()) << material;
+    EXPECT_GT(report["removed_volume_mm3"].get<double>(), 1e-3) << material;
+  }
 }
 
 #ifdef HAPTICUT_HAS_IO

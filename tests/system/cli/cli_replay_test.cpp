@@ -52,6 +52,8 @@ TEST_F(Replay, ExportsTextAndArrays) {
   EXPECT_NEAR(columns.at("energy_cutting").back() / drilled["energy_J"]["cutting"].get<double>(), 1, 1e-12);
   EXPECT_EQ(run("export " + path("a.h5") + " " + path("a.npz")).code, 0);
   EXPECT_EQ(read_bytes(folder / "a.npz").substr(0, 2), "PK");
+  EXPECT_EQ(run("export " + path("a.h5") + " " + path("a.wav")).code, 0);
+  EXPECT_EQ(read_bytes(folder / "a.wav").substr(0, 4), "RIFF");
   EXPECT_EQ(run("export " + path("a.h5") + " " + path("a.doc")).code, 1);
 }
 

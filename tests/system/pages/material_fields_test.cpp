@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each field of a material, as the struct describes it, goes through settings, .vdb files and recordings and comes out
-// as it went in: a field that is forgotten somewhere comes out with its default.
+// Each field of a material, as the struct describes it, goes through settings, grades, .vdb files and recordings and
+// comes out as it went in: a field that is forgotten somewhere comes out with its default.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -8,6 +8,7 @@
 
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "hapticut/workpiece/volume_builders.hpp"
 #include "settings/material_settings.hpp"
 #include "support/temporary_folder.hpp"
 #ifdef HAPTICUT_HAS_IO
@@ -70,6 +71,15 @@ TEST(MaterialFields, AreAllSettings) {
   });
   EXPECT_EQ(n, settings.size());
   expect_same(changes.find("unusual"), "the settings");
+}
+
+TEST(MaterialFields, AreAllGraded) {
+  Grade grade{.low = 0, .high = 1, .at_low = unusual(), .at_high = unusual(), .steps = 1};
+  for_each_number([&](const auto& field) { grade.at_high.*field.member *= 2; });
+  const Material middle = materials_of(grade).at(0);
+  for_each_number([&](const auto& field) {
+    EXPECT_EQ(middle.*field.member, 1.5 * (unusual().*field.member)) << field.name << " was lost by the grade";
+  });
 }
 
 TEST(MaterialFields, AreAllInVdbFiles) {

@@ -101,7 +101,7 @@ TEST(Simulation, CountsItsStepsAndTellsOfThemAndOfTheExchangesOfItsWorkpiece) {
   const Scene& scene = find_scene("axial_flat");
   Simulation simulation = scene.make();
   Counter told;
-  simulation.set_observer(&told);
+  simulation.add_observer(told);
   EXPECT_EQ(simulation.steps(), 0U);
   const WorkpieceSnapshot fresh = simulation.snapshot();
   for (int tick = 0; tick < 3; ++tick) simulation.step(scene.input(tick).pose, {}, 1e-3);
@@ -118,10 +118,19 @@ TEST(Simulation, CountsItsStepsAndTellsOfThemAndOfTheExchangesOfItsWorkpiece) {
   simulation.step(nowhere, {}, 1e-3);
   EXPECT_EQ(told.steps, 4) << "a step whose input was rejected is a step";
   Counter another;
-  EXPECT_THROW(simulation.set_observer(&another), Error);
-  simulation.set_observer(nullptr);
+  simulation.add_observer(another);
+  EXPECT_THROW(simulation.add_observer(told), Error);
   simulation.step(scene.input(0).pose, {}, 1e-3);
-  EXPECT_EQ(told.steps, 4);
+  EXPECT_EQ(told.steps, 5);
+  EXPECT_EQ(another.steps, 1);
+  simulation.remove_observer(told);
+  simulation.step(scene.input(1).pose, {}, 1e-3);
+  EXPECT_EQ(told.steps, 5);
+  EXPECT_EQ(another.steps, 2);
+  std::array<Counter, Simulation::kMostObservers> many;
+  for (std::size_t n = 1; n < many.size(); ++n) simulation.add_observer(many[n]);
+  EXPECT_THROW(simulation.add_observer(many[0]), Error);
+  EXPECT_EQ(simulation.observers().size(), Simulation::kMostObservers);
   simulation.set_spindle_speed(-7);
   EXPECT_EQ(simulation.spindle_setting(), -7);
 }

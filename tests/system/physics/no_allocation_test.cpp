@@ -10,6 +10,7 @@
 
 #include "hapticut/bench/scenes.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/heat/heat_collector.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/allocation_count.hpp"
@@ -73,6 +74,57 @@ TEST_P(NoAllocation, In10000StepsOfTheScene) {
     EXPECT_GT(removed, 0);
   }
   EXPECT_FALSE(has_any(status, StepStatus::blocks_exhausted | StepStatus::removed_list_full));
+}
+
+TEST(NoAllocation, WhileHeatAndChangedBlocksAreCollectedAndNobodyTakesThem) {
+  const Scene& scene = find_scene("axial_flat");
+  Simulation simulation = scene.make();
+  HeatCollectorOptions options;
+  options.pulses = 100;
+  options.blocks.block_capacity = 50;
+  HeatCollector collector(simulation, options);
+  double removed = 0;
+  test::arm_call_counts();
+  for (int tick = 0; tick < 2000; ++tick) {
+    const StepInput input = scene.input(tick);
+    removed += simulation.step(input.pose, input.velocity, input.dt).removed_volume;
+  }
+  const test::CallCounts counts = test::disarm_call_counts();
+  EXPECT_EQ(counts.allocations, 0);
+  EXPECT_EQ(counts.deallocations, 0);
+  EXPECT_EQ(counts.locks, 0);
+  EXPECT_GT(removed, 0);
+  HeatPulse pulse;
+  EXPECT_TRUE(collector.receive(pulse));
+}
+
+TEST(NoAllocation, WhileAnIslandLeavesBetweenSteps) {
+  Material bone;
+  bone.name = "bone";
+  const double voxel = 0.1 * units::mm;
+  Workpiece bar = build_block({Vec3::Zero(), voxel * Vec3(24, 24, 80)}, voxel, bone);
+  Simulation simulation(std::move(bar), Tool(SphereHead{0.6 * units::mm}));
+  simulation.reserve_undo(100);
+  simulation.set_undo_mark();
+  BlockVoxels layer;  // between the two halves
+  for (std::uint64_t& word : layer.voxels) word = 0x0101010101010101ULL;
+  for (const int x : {0, 8, 16})
+    for (const int y : {0, 8, 16}) {
+      layer.origin = {x, y, 48};
+      ASSERT_TRUE(simulation.remove_voxels(layer));
+    }
+  const std::vector<Island> islands = find_islands(simulation.workpiece());
+  ASSERT_EQ(islands.size(), 1U);
+  IslandRemoval removal{islands[0]};
+  test::arm_call_counts();
+  while (!simulation.remove_island(removal, 5)) {
+  }
+  const test::CallCounts counts = test::disarm_call_counts();
+  EXPECT_EQ(counts.allocations, 0);
+  EXPECT_EQ(counts.deallocations, 0);
+  EXPECT_EQ(counts.locks, 0);
+  EXPECT_FALSE(removal.joined);
+  EXPECT_EQ(simulation.workpiece().solid_voxels(), 24 * 24 * 48);
 }
 
 TEST(NoAllocationOnBadInput, WhenTheInputIsRejectedOrThePoolIsExhausted) {

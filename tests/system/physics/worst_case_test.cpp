@@ -132,9 +132,10 @@ TEST(StageTimes, AreMeasuredOnlyWhenAskedFor) {
     Simulation simulation(deep_block(), Tool(SphereHead{1 * mm}, RayHandle{}, Spindle{2000}), config);
     (void)simulation.step(Pose::from_translation(Vec3::Zero()), {}, 1e-3);
     const StageTimes& times = simulation.stage_times();
-    for (const double time : {times.check_input, times.plan_sweep, times.plan_sub_step, times.find_blocks,
-                              times.press_and_cut, times.remove_emptied, times.hold_deep_contact, times.add_friction,
-                              times.book_energy, times.transport_to_handle, times.give_output}) {
+    for (const double time :
+         {times.check_input, times.plan_sweep, times.plan_sub_step, times.find_blocks, times.press_and_cut,
+          times.remove_emptied, times.hold_deep_contact, times.add_friction, times.book_energy,
+          times.transport_to_handle, times.drive_spindle, times.advance_spindle, times.give_output}) {
       if (asked) {
         EXPECT_GT(time, 0);
       } else {

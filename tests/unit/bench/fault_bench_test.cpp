@@ -100,8 +100,6 @@ TEST(Passivity, TheControllerTakesTheSpeedOutOfABounceAsInTheTable) {
         LinearWall w;
         w.stiffness = stiffness;
         PassivityOptions options;
-        options.credit = 1;  // as in the table: nothing is forgotten
-        options.free_ticks = 100000;
         options.delay = delay;
         return ForceModel([w, controller = PassivityController(options, 3.3), last = Vec3(0, 0, 0),
                            held = Vec3(0, 0, 0), started = false](const DeviceState& s) mutable {
@@ -109,7 +107,7 @@ TEST(Passivity, TheControllerTakesTheSpeedOutOfABounceAsInTheTable) {
           const Vec3 motion = started ? Vec3(s.X_BS.translation - last) : Vec3::Zero();
           started = true;
           last = s.X_BS.translation;
-          wrench.force = controller.control(wrench.force, held, motion, 1e-3);
+          wrench.force = controller.control({wrench.force, Vec3::Zero(), held, motion, 1e-3, {}});
           if (wrench.force.norm() > 3.3) wrench.force *= 3.3 / wrench.force.norm();
           held = wrench.force;
           return wrench;

@@ -22,6 +22,14 @@ struct SteadyCut {
   double feed_speed;               ///< [m/s] v_f > 0
   double edge_pressure = 0;        ///< [Pa] p_e, counted by C22 and C23 only
 
+  double tooth_rate = 0;   ///< [1/s] f_z, counted by C35 ... C38 only, as are
+  double edge_length = 0;  ///< [m] h_e
+  double size_length = 0;  ///< [m] and h_s
+
+  /// [m/s] `sqrt(h_s f_z v_f)` and `h_e f_z`: what speeds would cost as much as thin chips and edges do.
+  [[nodiscard]] double size_speed() const { return std::sqrt(size_length * tooth_rate * feed_speed); }
+  [[nodiscard]] double edge_speed() const { return edge_length * tooth_rate; }
+
   /// [N/m] u v_f/omega: torque per area, and force per length across the feed.
   [[nodiscard]] double chip() const { return specific_cutting_energy * feed_speed / spin; }
 };
@@ -122,6 +130,61 @@ struct SteadyCut {
           Vec3(0, 0, -units::kPi * a * a * cut.chip())};
 }
 
+/// C35: a flat head fed axially where the energy depends on the chip, `u (1 + h_e f_z/v + sqrt(h_s f_z/v))`: with
+/// V = v_f + sqrt(h_s f_z v_f) + h_e f_z in place of v_f, that of C22.
+/// @return of the force its z, of the torque its z
+[[nodiscard]] inline Wrench axial_chip_wrench(const SteadyCut& cut, double R) {
+  SteadyCut dearer = cut;
+  dearer.feed_speed += cut.size_speed() + cut.edge_speed();
+  return {Vec3(0, 0, axial_cutting_force_of_a_flat_head(dearer, R)),
+          Vec3(0, 0, axial_cutting_torque_of_a_flat_head(dearer, R))};
+}
+
+/// C36: feed of a flat head under a constant force where the energy depends on the chip: with
+/// V = kappa omega (F - pi R^2 p_e)/(2 pi R u) - h_e f_z and b = sqrt(h_s f_z), `((sqrt(b^2 + 4 V) - b)/2)^2`, or 0.
+/// @param force  [N]
+/// @return [m/s]
+[[nodiscard]] inline double feed_with_chips_under(double force, const SteadyCut& cut, double R) {
+  const double beyond_edges = feed_of_a_flat_head_under(force, cut, R) - cut.edge_speed();
+  if (beyond_edges <= 0) return 0;
+  const double b_squared = cut.size_length * cut.tooth_rate;
+  return std::pow(2 * beyond_edges / (std::sqrt(b_squared + 4 * beyond_edges) + std::sqrt(b_squared)), 2);
+}
+
+/// [1] Integral of cos^n between -pi/2 and pi/2, `sqrt(pi) Gamma((n + 1)/2)/Gamma(n/2 + 1)`.
+[[nodiscard]] inline double integral_of_cosine(double n) {
+  return std::sqrt(units::kPi) * std::tgamma((n + 1) / 2) / std::tgamma(n / 2 + 1);
+}
+
+/// C37: a cylinder in a slot of its own width where the energy depends on the chip, which is thickest in the middle,
+///
+///     F_x = -(u h/(kappa omega)) [(pi/2) v_f + 1.748 sqrt(h_s f_z v_f) + 2 h_e f_z],   F_y = kappa F_x
+///     T_z = -(u R h/omega) [2 v_f + 2.396 sqrt(h_s f_z v_f) + pi h_e f_z]
+///
+/// @param height  [m] h
+/// @return about the axis, at half the height
+[[nodiscard]] inline Wrench slotting_chip_wrench(const SteadyCut& cut, double R, double height) {
+  const double u_h = cut.specific_cutting_energy * height / cut.spin;
+  const auto sum = [&](double n) {
+    return integral_of_cosine(n + 1) * cut.feed_speed + integral_of_cosine(n + 0.5) * cut.size_speed() +
+           integral_of_cosine(n) * cut.edge_speed();
+  };
+  return {Vec3(-u_h / cut.cutting_ratio * sum(1), -u_h * sum(1), 0), Vec3(0, 0, -u_h * R * sum(0))};
+}
+
+/// C38: a ball plunged along its axis, deeper than its radius, where the energy depends on the chip,
+///
+///     F_z = (2 pi R u/(kappa omega)) [(pi/4) v_f + 0.874 sqrt(h_s f_z v_f) + h_e f_z]
+///     T_z = -(2 pi R^2 u/omega) [v_f/2 + (2/3) sqrt(h_s f_z v_f) + h_e f_z]
+[[nodiscard]] inline Wrench ball_plunge_chip_wrench(const SteadyCut& cut, double R) {
+  const double u_R = 2 * units::kPi * R * cut.specific_cutting_energy / cut.spin;
+  return {
+      Vec3(0, 0,
+           u_R / cut.cutting_ratio *
+               (units::kPi / 4 * cut.feed_speed + integral_of_cosine(1.5) / 2 * cut.size_speed() + cut.edge_speed())),
+      Vec3(0, 0, -u_R * R * (cut.feed_speed / 2 + 2.0 / 3 * cut.size_speed() + cut.edge_speed()))};
+}
+
 /// C30: what the cut costs, `u dV/dt`. With law A the motor pays it alone, `|T_z| omega`, and the work of the hand is
 /// released elastic energy; with law G both pay, `|T_z| omega + F_f v_f`. Without edge pressure.
 /// @param volume_rate  [m^3/s] dV/dt that is removed
@@ -199,10 +262,15 @@ struct SteadyCut {
   return 2 * cut.chip() / (cut.cutting_ratio * rho * layer * layer);
 }
 
-/// C34: filled volume in a flat head that is fed axially, `(2 pi^1.5/3) R^2 delta(R)`.
+/// C34: filled volume in a flat head that is fed axially, up to a sharp surface: `(4 pi/3) R^2 delta(R)`.
 /// @param layer  [m] delta at the rim
 /// @return [m^3]
 [[nodiscard]] inline double engaged_volume_under_a_flat_head(double R, double layer) {
+  return 4 * units::kPi / 3 * R * R * layer;
+}
+
+/// C34: the same where points of material decay on their way through the layer, `(2 pi^1.5/3) R^2 delta(R)`.
+[[nodiscard]] inline double decaying_volume_under_a_flat_head(double R, double layer) {
   return 2 * std::pow(units::kPi, 1.5) / 3 * R * R * layer;
 }
 

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+// A head that cuts.
+#include "bench/gestures/gesture_list.hpp"
+#include "bench/gestures/rigs.hpp"
+#include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/tool/cutter.hpp"
+
+namespace hapticut::gestures {
+namespace {
+
+namespace forms = closed_forms;
+using forms::SteadyCut;
+
+double thrust_of(const Tick& tick) { return tick.felt.force.z(); }
+
+SteadyCut cut_of(const Material& m, const Tool& tool, double feed) {
+  SteadyCut cut{m.specific_cutting_energy, m.cutting_ratio, std::abs(tool.spindle().speed), feed};
+  cut.tooth_rate = tooth_rate(tool.cutter(), tool.spindle().speed);
+  cut.edge_length = m.edge_length;
+  cut.size_length = m.size_length;
+  return cut;
+}
+
+// --- G15 -------------------------------------------------------------------------------------------------------------
+
+/// A plunge at constant feed, driven directly. @return [N] mean thrust of the last fifth
+double thrust_of_plunge(Report& report, const Tool& tool, const Material& material, double feed, double depth) {
+  Rig rig(report, slab(1.5 * mm, depth + 0.4 * mm, report.voxel(), material), tool, Held::directly);
+  Hand hand(tool, Vec3(0, 0, 0.02 * mm));
+  const Span fed = rig.play(hand.move({0, 0, -depth}, depth / feed));
+  rig.judge();
+  return rig.story.mean(fed.tail(0.2), thrust_of);
+}
+
+/// C29 of a drill's point where the energy depends on the chip: each place of it recedes with the sine of half the
+/// point angle times the feed.
+double thrust_of_drill(const SteadyCut& cut, double R, double half_angle) {
+  SteadyCut normal = cut;
+  normal.feed_speed *= std::sin(half_angle);
+  return forms::axial_chip_wrench(normal, R).force.z();
+}
+
+void cut_by_default(Report& report) {
+  const auto hold_to = [&](const std::string& scene, const Tool& tool, const Material& material, double feed,
+                           double depth, double expected, const std::string& why) {
+    report.scene(scene);
+    const double seen = thrust_of_plunge(report, tool, material, feed, depth);
+    report.near("thrust", seen, expected, 0.1, "N", why);
+    report.quantity("thrust", seen, "N", 0.1);
+  };
+  const Tool flat = tool_of(FlatHead{1 * mm, 3 * mm, FlatRule::bottom_only}, Spindle{2000});
+  hold_to("flat 2 mm, u 3e8 J/m^3, 2 mm/s, directly", flat, plain(), 2 * mm, 0.3 * mm,
+          forms::axial_cutting_force_of_a_flat_head(cut_of(plain(), flat, 2 * mm), 1 * mm), "C20");
+  const Tool ball = tool_of(SphereHead{1 * mm}, Spindle{2000});
+  hold_to("ball 2 mm, u 3e8 J/m^3, 4 mm/s, directly", ball, plain(), 4 * mm, 1.3 * mm,
+          forms::ball_plunge_wrench(cut_of(plain(), ball, 4 * mm), 1 * mm, 1.2 * mm).force.z(), "C28");
+  const Material bone = presets::cortical_bone(CutterKind::twist_drill);
+  const Tool drill = tool_of(twist_drill_head(2 * mm, 4 * mm), Spindle::rpm(1000), {CutterKind::twist_drill, 2});
+  hold_to("twist drill 2 mm, 1000 rpm, cortical bone, 2 mm/s, directly", drill, bone, 2 * mm, 1 * mm,
+          thrust_of_drill(cut_of(bone, drill, 2 * mm), 1 * mm, 59 * units::deg), "C29 with chips");
+  const Material enamel = presets::enamel_with_diamond();
+  const Tool diamond = tool_of(FlatHead{0.6 * mm, 3 * mm, FlatRule::bottom_only}, Spindle::rpm(300000),
+                               common_cutter(CutterKind::fine_diamond));
+  hold_to("fine diamond 1.2 mm, 300 000 rpm, enamel, 0.5 mm/s, directly", diamond, enamel, 0.5 * mm, 0.15 * mm,
+          forms::axial_chip_wrench(cut_of(enamel, diamond, 0.5 * mm), 0.6 * mm).force.z(), "C35");
+}
+
+// --- G18 -------------------------------------------------------------------------------------------------------------
+
+void side_milling(Report& report) {
+  constexpr double kRadius = 1 * mm, kHeight = 1 * mm, kFeed = 4 * mm, kWay = 1.6 * mm;
+  for (const bool climb : {true, false}) {
+    report.scene(std::string("cylinder 2 mm, 1 mm deep, half of it engaged, ") + (climb ? "climb" : "conventional") +
+                 ", directly");
+    std::string seen;
+    bool pass = true;
+    for (const double kappa : {0.5, 1.6, 3.3}) {
+      Material material = plain();
+      material.cutting_ratio = kappa;
+      // The feed is along +x, the spin about +z: on the side of +y a chip begins at its full thickness.
+      const double low = climb ? 0 : -1.7 * mm, high = climb ? 1.7 * mm : 0;
+      Workpiece piece = build_block({Vec3(-1.57 * mm, low, -kHeight), Vec3(3 * mm, high, 0)}, report.voxel(), material);
+      const Tool tool = tool_of(FlatHead{kRadius, 3 * mm, FlatRule::side_only}, Spindle{3000});
+      Rig rig(report, std::move(piece), tool, Held::directly);
+      Hand hand(tool, Vec3(-2.6 * mm, 0, -kHeight - 0.5 * mm));
+      const Span fed = rig.play(hand.move({kWay + 1 * mm, 0, 0}, (kWay + 1 * mm) / kFeed)).tail(0.15);
+      const Wrench form = forms::side_milling_wrench(cut_of(material, tool, kFeed), kRadius, kHeight,
+                                                     climb ? 0 : -kPi / 2, climb ? kPi / 2 : 0);
+      const Vec3 force(rig.story.mean(fed, [](const Tick& t) { return t.felt.force.x(); }),
+                       rig.story.mean(fed, [](const Tick& t) { return t.felt.force.y(); }), 0);
+      const double error = (force - form.force).norm() / form.force.norm();
+      seen += (seen.empty() ? "" : ", ") +
+              ("kappa " + shown(kappa, "") + ": " + shown(force.norm(), "N") + ", off by " + shown(100 * error, "%"));
+      pass = pass && error <= 0.1;
+      if (kappa == 0.5) rig.judge();
+      if (kappa == 0.5) report.quantity("force", force.norm(), "N", 0.05);
+    }
+    report.that("force", "C25 in direction and size, within 10 %", seen, pass);
+  }
+}
+
+// --- G19 -------------------------------------------------------------------------------------------------------------
+
+void undercut(Report& report) {
+  report.scene("ball 0.8 mm through the stem of a mushroom, directly");
+  const Box box{Vec3(-1.2, -1.2, -2.4) * mm, Vec3(1.2, 1.2, 0) * mm};
+  Workpiece piece = carved(box, report.voxel(), plain(), [](const Vec3& p) {
+    const double stem = std::max(std::hypot(p.x(), p.y()) - 0.3 * mm, std::max(-1.8 * mm - p.z(), p.z() + 0.5 * mm));
+    const double cap = std::max(-0.8 * mm - p.z(), std::hypot(p.x(), p.y()) - 1 * mm);
+    return std::min({stem, cap, p.z() + 1.7 * mm});
+  });
+  const Tool ball = tool_of(SphereHead{0.4 * mm}, Spindle::rpm(40000));
+  Rig rig(report, std::move(piece), ball, Held::directly);
+  Hand hand(Pose::from_translation(Vec3(-1.6, 0, -1.25) * mm));
+  for (const double side : {-0.3, 0.0, 0.3})
+    hand.to(Pose::from_translation(Vec3(-1.2, side, -1.25) * mm), 0.05)
+        .move({2.2 * mm, 0, 0}, 0.15)
+        .move({-2.2 * mm, 0, 0}, 0.1);
+  rig.play(hand.hold(0.05));
+  double island = 0;
+  const Workpiece& left = rig.simulation.workpiece();
+  const double voxel = report.voxel();
+  const IndexBox bounds = left.bounds();
+  for (int i = bounds.min[0]; i <= bounds.max[0]; ++i)
+    for (int j = bounds.min[1]; j <= bounds.max[1]; ++j)
+      for (int k = bounds.min[2]; k <= bounds.max[2]; ++k) {
+        const Vec3 p = left.frame().X_WV * Vec3(voxel * Vec3(i, j, k));
+        if (p.z() > -0.7 * mm) island += left.fill_at({i, j, k});
+      }
+  report.at_most("island", 1e9 * island * std::pow(voxel, 3), 0, "mm^3",
+                 "the cap is free: removed, or handed out as a body, within 50 ms");
+  rig.judge();
+}
+
+// --- G20 -------------------------------------------------------------------------------------------------------------
+
+void break_through(Report& report) {
+  constexpr double kPlate = 0.6 * mm, kGap = 2 * mm, kForce = 5, kRadius = 1 * mm;
+  report.scene("ball 2 mm, 30 000 rpm, omega in a nominal hand that wants 5 N, u 3e8 J/m^3, coupled");
+  const Box box{Vec3(-1.5, -1.5, -4.6) * mm, Vec3(1.5, 1.5, 0) * mm};
+  Workpiece piece = carved(box, report.voxel(), plain(), [](const Vec3& p) {
+    return std::min(-kPlate - p.z(), p.z() + kPlate + kGap);  // between the plates
+  });
+  const Tool ball = tool_of(SphereHead{kRadius}, Spindle::rpm(30000));
+  ChainOptions options;
+  options.device = "omega";
+  options.hand = "nominal";
+  Chain chain(report, std::move(piece), ball, options);
+  const double reach = kForce / hand_model("nominal").stiffness;
+  Hand hand(Pose::from_translation(Vec3(0, 0, kRadius + 0.5 * mm)));
+  chain.play(hand.move({0, 0, -0.5 * mm - reach}, 0.3).hold(0.9));
+  // Through: the ball's lowest point has passed the gap.
+  const Story& story = chain.story;
+  std::size_t through = story.ticks.size(), meets = story.ticks.size();
+  const auto tip = [](const Tick& tick) { return tick.X_WH.translation.z() - kRadius; };
+  for (std::size_t n = 0; n < story.ticks.size(); ++n) {
+    if (through == story.ticks.size() && tip(story.ticks[n]) < -kPlate - 0.5 * mm) through = n;
+    if (meets == story.ticks.size() && tip(story.ticks[n]) < -kPlate - kGap) meets = n;
+  }
+  const bool came = meets < story.ticks.size();
+  report.that("breaks through", "within 1.2 s", came ? shown(story.ticks[meets].time, "s") : "not", came);
+  if (!came) return chain.judge();
+  double down = 0, up = 0;
+  for (std::size_t n = through + 1; n < story.ticks.size(); ++n) {
+    const double v = (tip(story.ticks[n]) - tip(story.ticks[n - 1])) / report.period;
+    if (n <= meets)
+      down = std::max(down, -v);
+    else
+      up = std::max(up, v);
+  }
+  report.at_most("rebound", up / down, 1.05, "", "speed back over speed of the plunge");
+  report.at_most("plunge", down, 1, "m/s");
+  const Span after{meets, std::min(meets + std::size_t(std::lround(0.03 / report.period)), story.ticks.size())};
+  // What C28 lets a ball cut under the largest force of the plunge, from the surface on.
+  const double most = story.most(after, force_of);
+  double bound = 0.05 * mm;
+  for (std::size_t n = after.first; n < after.last; ++n) {
+    const double per_speed = forms::ball_plunge_wrench(cut_of(plain(), ball, 1), kRadius, bound).force.z();
+    bound += most / per_speed * report.period;
+  }
+  report.at_most("into the second plate", 1e3 * -(kPlate + kGap + story.least(after, tip)), 1e3 * bound, "mm",
+                 "what C28 lets the largest force cut in 30 ms, and 0.05 mm");
+  chain.judge();
+}
+
+// --- G21 -------------------------------------------------------------------------------------------------------------
+
+void wiggle_in_slot(Report& report) {
+  constexpr double kRadius = 1 * mm;
+  report.scene("cylinder 2 mm, 30 000 rpm, slot of its width, Premium of six motors, u 3e9 J/m^3, coupled");
+  const Box box{Vec3(-3, -2, -2.5) * mm, Vec3(3, 2, 0) * mm};
+  Material hard = plain();
+  hard.specific_cutting_energy = 3e9;
+  Workpiece piece = carved(box, report.voxel(), hard,
+                           [](const Vec3& p) { return std::min(kRadius * 1.01 - std::abs(p.y()), p.z() + 2 * mm); });
+  const Tool bur = tool_of(FlatHead{kRadius, 4 * mm}, Spindle::rpm(30000));
+  ChainOptions options;
+  options.device = "premium6dof";
+  Chain chain(report, std::move(piece), bur, options);
+  Hand hand(bur, Vec3(0, 0, 0.3 * mm));
+  hand.move({0, 0, -1.5 * mm}, 0.2);
+  for (int n = 0; n < 3; ++n)
+    hand.move({0.3 * mm, 0.8 * mm, 0}, 0.08)
+        .turn({3 * units::deg, 0, 0}, hand.end().translation, 0.05)
+        .move({-0.3 * mm, -1.6 * mm, 0}, 0.16)
+        .turn({-3 * units::deg, 0, 0}, hand.end().translation, 0.05)
+        .move({0, 0.8 * mm, 0}, 0.08);
+  const double moved = hand.seconds();
+  chain.play(hand.move({0, 1 * mm, 0}, 0.1).hold(0.4));
+  const Span rest = chain.story.within(moved + 0.3, moved + 0.5);
+  report.at_most("sd of the steady force", 100 * chain.story.unsteadiness(rest, force_of), 5, "%",
+                 "of its mean, about a straight line");
+  chain.judge();
+}
+
+// --- G25 -------------------------------------------------------------------------------------------------------------
+
+void along_the_grid(Report& report) {
+  struct Bur {
+    std::string name;
+    ToolHead head;
+    double rpm, radius;
+    Material material;
+  };
+  for (const Bur& bur :
+       {Bur{"cylinder 3 mm, 40 000 rpm", cylinder_head(3 * mm, 5 * mm), 40000, 1.5 * mm, presets::cortical_bone()},
+        Bur{"tapered fissure 1 mm, 300 000 rpm", tapered_head(0.8 * mm, 1 * mm, 4 * mm), 300000, 0.4 * mm,
+            presets::enamel()}}) {
+    report.scene(bur.name + ", " + bur.material.name + ", loop mock:press, coupled");
+    const Tool tool = tool_of(bur.head, Spindle::rpm(bur.rpm));
+    Chain chain(report, build_block({Vec3(-2, -2, -4) * mm, Vec3(2, 2, 0) * mm}, report.voxel(), bur.material), tool);
+    // The script of mock:press: from 5 mm above to 5 mm below in 2 s, and there.
+    Hand hand(tool, Vec3(0, 0, 5 * mm));
+    chain.play(hand.move({0, 0, -10 * mm}, 2).hold(0.5));
+    const Span held = chain.story.within(2.1, 2.5);
+    const double force = chain.story.mean(held, thrust_of);
+    const Tick &from = chain.story.ticks[held.first], &to = chain.story.ticks[held.last - 1];
+    const double feed = (from.X_WH.translation.z() - to.X_WH.translation.z()) / (to.time - from.time);
+    const double expected = forms::feed_with_chips_under(force, cut_of(bur.material, tool, 1e-3), bur.radius);
+    report.quantity("feed", 1e3 * feed, "mm/s", 0.1);
+    report.near("feed", 1e3 * feed, 1e3 * expected, 0.2, "mm/s",
+                "C36 under the " + shown(force, "N") + " that is felt");
+    chain.judge();
+  }
+}
+
+}  // namespace
+
+std::vector<Gesture> cutting_gestures() {
+  return {{"G15", "cut, all settings left to the program", cut_by_default},
+          {"G18", "mill with the side, climb and conventional", side_milling},
+          {"G19", "undercut a piece until it is free", undercut},
+          {"G20", "break through a plate onto a second one", break_through},
+          {"G21", "wiggle a turning bur in its slot", wiggle_in_slot},
+          {"G25", "press a flat-ended bur along the grid, by default", along_the_grid}};
+}
+
+}  // namespace hapticut::gestures

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// Further shapes of trouble, in the loop of a device: tapping, the rim of the workspace, commands in contact.
+#include "bench/gestures/gesture_list.hpp"
+#include "bench/gestures/rigs.hpp"
+#include "hapticut/safety/guard.hpp"
+
+namespace hapticut::gestures {
+namespace {
+
+constexpr double kHead = 1 * mm;  // [m] radius of the ball
+constexpr double kNow = 0.5;      // [s] when it happens
+
+Tool ball_at(double speed) { return tool_of(SphereHead{kHead}, Spindle{speed}); }
+Workpiece cortical(const Report& report) { return slab(1.6 * mm, 3 * mm, report.voxel(), presets::cortical_bone()); }
+
+/// Pressed by 2.8 N from 0.2 s on.
+Hand pressed_hand(const Tool& tool) {
+  Hand hand(tool, Vec3(0, 0, 0.2 * mm));
+  return hand.move({0, 0, -4.2 * mm}, 0.2);
+}
+
+double applied_of(const Tick& tick) { return tick.applied.force.norm(); }
+
+/// [m] of the tool between a moment and the end of a span.
+double moved_since(const Story& story, double time, const Span& span) {
+  const Vec3 from = story.at(time).X_WH.translation;
+  return story.most(span, [&](const Tick& tick) { return (tick.X_WH.translation - from).norm(); });
+}
+
+void once(Chain& chain, const std::function<void()>& happens) {
+  chain.before = [happens, done = false](double time) mutable {
+    if (time >= kNow && !std::exchange(done, true)) happens();
+  };
+}
+
+/// What holds whatever was told to the loop in a cut: nothing moves, nothing is cut until there is a force again.
+void demand_quiet(Report& report, Chain& chain, double until) {
+  const Story& story = chain.story;
+  const Span after = story.within(kNow + 2e-3, until);
+  report.at_most("tool jumps", 1e3 * moved_since(story, kNow - report.period, after), 0.2, "mm");
+  double unfelt = 0;
+  for (std::size_t n = after.first; n < after.last; ++n)
+    if (applied_of(story.ticks[n]) == 0) unfelt += story.ticks[n].removed;
+  report.at_most("cut without a force", 1e9 * unfelt, 1e-6, "mm^3");
+  double most = 0;
+  for (std::size_t n = after.first; n < after.last; ++n) {
+    const Vec3 &last = story.ticks[n - 1].applied.force, &now = story.ticks[n].applied.force;
+    most = std::max(most, (now - growth_limited(last, now, 0)).norm());
+  }
+  const double slew = SafetyGuard(capabilities(device_model("touch")), {}).slew();
+  report.at_most("force step", most, 1.001 * slew * report.period, "N", "the slew limit");
+}
+
+// --- G28 -------------------------------------------------------------------------------------------------------------
+
+void press_far_tip(Report& report) {
+  constexpr double kArm = 80 * mm;
+  report.scene(
+      "ball 2 mm on a handle of 80 mm that lies flat, standing, pressed on cortical bone, Premium of six motors, "
+      "coupled");
+  const Tool tool(SphereHead{kHead}, RayHandle{kArm});
+  ChainOptions options;
+  options.device = "premium6dof";
+  Chain chain(report, cortical(report), tool, options);
+  // The handle lies along x: the head is in the middle, the hand 80 mm beside it.
+  Hand hand(Pose{rotation_from_vector(Vec3(0, kPi / 2, 0)), Vec3(kArm, 0, kHead + 0.2 * mm)});
+  hand.move({0, 0, -13 * mm}, 0.5);
+  const double pressed = hand.seconds();
+  chain.play(hand.hold(0.5));
+  const Span rest = chain.story.within(pressed + 0.3, pressed + 0.5);
+  report.at_most("sd of the steady force", 100 * chain.story.unsteadiness(rest, force_of), 5, "%",
+                 "of its mean, about a straight line");
+  chain.judge();
+}
+
+// --- G30 -------------------------------------------------------------------------------------------------------------
+
+void lean_on_wall(Report& report) {
+  for (const double kappa : {0.5, 3.3}) {
+    Material material = plain();
+    material.cutting_ratio = kappa;
+    material.specific_cutting_energy = 3e9;
+    report.scene("side of a cylinder of 2 mm, 30 000 rpm, leant with 0.3 N on a wall of u 3e9 J/m^3, kappa " +
+                 shown(kappa, "") + ", Touch in a nominal hand, coupled");
+    const Tool bur = tool_of(FlatHead{kHead, 4 * mm}, Spindle::rpm(30000));
+    ChainOptions options;
+    options.hand = "nominal";
+    Chain chain(report, build_block({Vec3(-9, 0, -2) * mm, Vec3(9, 1, 0) * mm}, report.voxel(), material), bur,
+                options);
+    Hand hand(bur, Vec3(0.2 * mm, -kHead - 0.3 * mm, -1.5 * mm));
+    hand.move({0, 0.3 * mm + 0.3 / 210, 0}, 0.3);  // spring of the hand and coupling in a row: 210 N/m
+    const double leant = hand.seconds();
+    chain.play(hand.hold(0.7));
+    const Span rest = chain.story.within(leant + 0.4, leant + 0.7);
+    report.at_most("sd of the steady force", 100 * chain.story.unsteadiness(rest, force_of), 5, "%",
+                   "of its mean, about a straight line");
+    chain.judge();
+  }
+}
+
+// --- G37 -------------------------------------------------------------------------------------------------------------
+
+void tap(Report& report) {
+  report.scene(
+      "ball 2 mm, standing, 10 taps a second from 2 mm above to 2 mm below enamel, Touch in a nominal hand, coupled");
+  ChainOptions options;
+  options.hand = "nominal";
+  Chain chain(report, slab(1.6 * mm, 2 * mm, report.voxel(), presets::enamel()), ball_at(0), options);
+  Hand hand(ball_at(0), Vec3(0, 0, 2 * mm));
+  for (int n = 0; n < 10; ++n) hand.move({0, 0, -4 * mm}, 0.05).move({0, 0, 4 * mm}, 0.05);
+  const double taps = hand.seconds();
+  chain.play(hand.hold(0.3));
+  const Span rest = chain.story.within(taps + 0.2, taps + 0.3);
+  report.at_most("force after the last tap", chain.story.most(rest, applied_of), 0.01, "N", "0.2 s after it");
+  report.at_most("removed", 1e9 * chain.story.sum(chain.story.all(), removed_of), 1e-6, "mm^3");
+  chain.judge();
+}
+
+// --- G31 -------------------------------------------------------------------------------------------------------------
+
+void begin_inside(Report& report) {
+  report.scene(
+      "ball 2 mm, 40 000 rpm, 1 mm deep in cortical bone when the run begins, then drawn out and pressed, coupled");
+  Chain chain(report, cortical(report), ball_at(40000 * rpm));
+  Hand hand(ball_at(40000 * rpm), Vec3(0, 0, -1 * mm));
+  hand.hold(0.2);
+  const double inside = hand.seconds();
+  hand.move({0, 0, 2 * mm}, 0.2).hold(1.7);
+  chain.play(hand.move({0, 0, -2 * mm}, 0.2).hold(0.1));
+  const Span before = {0, chain.story.within(inside, inside + 1).first};
+  report.at_most("cut inside", 1e9 * chain.story.sum(before, removed_of), 1e-6, "mm^3");
+  report.at_most("felt inside", chain.story.most(before, applied_of), 0, "N");
+  const Vec3 from = chain.story.ticks.front().X_WH.translation;
+  report.at_most("tool is thrown",
+                 1e3 * chain.story.most(before, [&](const Tick& t) { return (t.X_WH.translation - from).norm(); }), 2,
+                 "mm", "the way out of the bone");
+  report.that("arms when free", "on", name_of(chain.story.ticks.back().arming),
+              chain.story.ticks.back().arming == ArmingState::on);
+  chain.judge();
+}
+
+// --- G32 -------------------------------------------------------------------------------------------------------------
+
+void over_the_rim(Report& report) {
+  report.scene("ball 2 mm that cuts cortical bone at the rim of a Touch's workspace, 2 mm beyond it and back, coupled");
+  ChainOptions options;
+  const double rim = device_model("touch").workspace_half_width + 0.05;  // [m] to which a reading is believed
+  options.map.X_WB.translation.x() = -(rim - 1 * mm);
+  Chain chain(report, cortical(report), ball_at(40000 * rpm), options);
+  Hand in_world = pressed_hand(ball_at(40000 * rpm));
+  Pose start = in_world.at(0), down = in_world.end();
+  start.translation.x() += rim - 1 * mm;
+  down.translation.x() += rim - 1 * mm;
+  Hand hand(start);
+  hand.to(down, 0.2).hold(0.3).move({3 * mm, 0, 0}, 0.1).hold(0.3).move({-3 * mm, 0, 0}, 0.1).hold(0.3);
+  chain.play(hand);
+  demand_quiet(report, chain, hand.seconds());
+  chain.judge();
+}
+
+// --- G33 ... G36 -----------------------------------------------------------------------------------------------------
+
+void change_scale(Report& report) {
+  report.scene("ball 2 mm that cuts cortical bone, scale from 1 to 3, coupled");
+  Chain chain(report, cortical(report), ball_at(40000 * rpm));
+  once(chain, [&] { chain.tell(commands::SetScale{3}); });
+  Hand hand = pressed_hand(ball_at(40000 * rpm));
+  hand.hold(0.4);
+  const double rests = hand.seconds();
+  hand.move({0, 0, 3 * mm}, 0.2).hold(0.4);
+  const double again = hand.seconds();
+  chain.play(hand.move({0, 0, -2.3 * mm}, 0.2));
+  demand_quiet(report, chain, rests);
+  // How the force grows with the hand when it presses again.
+  const Story& story = chain.story;
+  double slope = 0;
+  for (std::size_t n = story.within(again, again + 0.05).first; n + 20 < story.ticks.size(); ++n) {
+    const Tick &from = story.ticks[n], &to = story.ticks[n + 20];
+    const double moved = from.X_WD.translation.z() - to.X_WD.translation.z();
+    if (moved > 0.1 * mm && from.felt.force.z() > 0.3 && to.felt.force.z() < 2.5)
+      slope = std::max(slope, (to.felt.force.z() - from.felt.force.z()) / moved);
+  }
+  report.at_most("stiffness that is felt", slope, 1.1 * device_model("touch").rendered_stiffness, "N/m",
+                 "what the device renders");
+  chain.judge();
+}
+
+void hold_and_leave(Report& report) {
+  report.scene("ball 2 mm that cuts cortical bone, force held, hand 10 mm up and back, force released, coupled");
+  Chain chain(report, cortical(report), ball_at(40000 * rpm));
+  bool held = false, released = false;
+  chain.before = [&](double time) {
+    if (time >= kNow && !std::exchange(held, true)) chain.tell(commands::HoldForce{true});
+    if (time >= kNow + 0.5 && !std::exchange(released, true)) chain.tell(commands::HoldForce{false});
+  };
+  Hand hand = pressed_hand(ball_at(40000 * rpm));
+  chain.play(hand.hold(0.35).move({0, 0, 10 * mm}, 0.2).move({0, 0, -10 * mm}, 0.2).hold(0.3));
+  const Span after = chain.story.within(kNow + 0.5, kNow + 0.75);
+  report.at_most("cut while held", 1e9 * chain.story.sum(chain.story.within(kNow + 2e-3, kNow + 0.5), removed_of), 1e-6,
+                 "mm^3");
+  report.at_most("tool jumps at the end", 1e3 * moved_since(chain.story, kNow + 0.5 - report.period, after), 0.2, "mm");
+  report.at_most("cut after it", 1e9 * chain.story.sum(after, removed_of), 1e-6, "mm^3", "it was not free yet");
+  chain.judge();
+}
+
+void undo_in_cavity(Report& report) {
+  report.scene("ball 2 mm in the cavity that it cut in cortical bone, undone, then drawn out, coupled");
+  ChainOptions options;
+  options.undo_blocks = 4000;
+  Chain chain(report, cortical(report), ball_at(40000 * rpm), options);
+  chain.tell(commands::SetUndoMark{});
+  once(chain, [&] { chain.tell(commands::Undo{}); });
+  Hand hand = pressed_hand(ball_at(40000 * rpm));
+  hand.hold(0.5);
+  const double rests = hand.seconds();
+  chain.play(hand.move({0, 0, 8 * mm}, 0.3).hold(0.4));
+  demand_quiet(report, chain, rests);
+  report.that(
+      "arms when free", "ramp or on", name_of(chain.story.ticks.back().arming),
+      chain.story.ticks.back().arming == ArmingState::on || chain.story.ticks.back().arming == ArmingState::ramp);
+  chain.judge();
+}
+
+void stop_and_go(Report& report) {
+  report.scene("ball 2 mm that cuts cortical bone, spindle switched off for 0.3 s and on again, coupled");
+  Chain chain(report, cortical(report), ball_at(40000 * rpm));
+  bool off = false, on = false;
+  chain.before = [&](double time) {
+    if (time >= kNow && !std::exchange(off, true)) chain.tell(commands::SetSpindleSpeed{0});
+    if (time >= kNow + 0.3 && !std::exchange(on, true)) chain.tell(commands::SetSpindleSpeed{40000 * rpm});
+  };
+  Hand hand = pressed_hand(ball_at(40000 * rpm));
+  chain.play(hand.hold(1));
+  const Story& story = chain.story;
+  const auto height = [&](double time) { return story.at(time).X_WH.translation.z(); };
+  const double cutting = height(kNow - 0.1) - height(kNow);
+  report.at_most("force step of stopping",
+                 100 * std::abs(force_of(story.at(kNow + 0.05)) / force_of(story.at(kNow - 2e-3)) - 1), 10, "%");
+  report.at_most("sinks while it stands", 1e3 * (height(kNow + 0.02) - height(kNow + 0.29)), 0.01, "mm");
+  report.near("feed when it turns again", 1e3 * (height(kNow + 0.4) - height(kNow + 0.5)), 1e3 * cutting, 0.25, "mm",
+              "in 0.1 s, as before");
+  chain.judge();
+}
+
+}  // namespace
+
+std::vector<Gesture> further_loop_gestures() {
+  return {{"G28", "press the tip of a long tool, on a device that turns the hand", press_far_tip},
+          {"G30", "lean the side of a turning bur on a wall", lean_on_wall},
+          {"G31", "begin the run inside the bone", begin_inside},
+          {"G32", "cut over the rim of the workspace", over_the_rim},
+          {"G33", "hold the force, leave and come back", hold_and_leave},
+          {"G34", "undo with the tool in the cavity", undo_in_cavity},
+          {"G35", "change the scale in a cut, press again", change_scale},
+          {"G36", "switch the spindle off in a cut and on again", stop_and_go},
+          {"G37", "tap on enamel ten times a second", tap}};
+}
+
+}  // namespace hapticut::gestures

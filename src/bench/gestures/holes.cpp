@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// A tool in a hole: its own one, or one that fits.
+#include "bench/gestures/gesture_list.hpp"
+#include "bench/gestures/rigs.hpp"
+#include "hapticut/tool/profile.hpp"
+
+namespace hapticut::gestures {
+namespace {
+
+constexpr double kDrillRadius = 1 * mm;  // [m]
+constexpr double kDrillLength = 6 * mm;  // [m]
+constexpr double kHoleDepth = 3 * mm;    // [m] of the tip
+constexpr Vec3::Scalar kFeed = 5 * mm;   // [m/s]
+constexpr double kPoint = 118 * units::deg;
+
+/// A head that makes a hole, and the height of its point.
+struct Borer {
+  std::string name;
+  ToolHead head;
+  double point;  // [m]
+};
+
+std::vector<Borer> borers() {
+  return {{"twist drill 2 mm", twist_drill_head(2 * kDrillRadius, kDrillLength, kPoint),
+           kDrillRadius / std::tan(kPoint / 2)},
+          {"cylinder 2 mm", cylinder_head(2 * kDrillRadius, kDrillLength), 0},
+          {"round-end cylinder 2 mm", round_end_cylinder_head(2 * kDrillRadius, kDrillLength), kDrillRadius},
+          {"flat 2 mm, bottom_only", FlatHead{kDrillRadius, kDrillLength, FlatRule::bottom_only}, 0}};
+}
+
+Material bone_of(bool cortical) {
+  return cortical ? presets::cortical_bone(CutterKind::twist_drill) : presets::trabecular_bone(CutterKind::twist_drill);
+}
+
+/// A drill that has gone down to kHoleDepth and stands there, turning; driven directly.
+struct Drilled {
+  Drilled(Report& report, const Borer& borer, const Material& bone)
+      : tool(tool_of(borer.head, Spindle::rpm(3000), {CutterKind::twist_drill, 2})),
+        rig(report, slab(1.8 * mm, 4 * mm, report.voxel(), bone), tool, Held::directly, at_the_end()),
+        hand(tool, Vec3(0, 0, 0.1 * mm)) {
+    hand.move({0, 0, -0.1 * mm - kHoleDepth}, (0.1 * mm + kHoleDepth) / kFeed).hold(0.05);
+    rig.play(hand);
+  }
+  static SimulationConfig at_the_end() {
+    SimulationConfig config;
+    config.contact_time = ContactTime::end;
+    return config;
+  }
+  [[nodiscard]] Hand from_here() const { return Hand(hand.end()); }
+
+  Tool tool;
+  Rig rig;
+  Hand hand;
+};
+
+double side_of(const Tick& tick) { return tick.felt.force.head<2>().norm(); }
+double axial_of(const Tick& tick) { return std::abs(tick.felt.force.z()); }
+
+void drill_lift_push(Report& report) {
+  constexpr double kLift = 0.6 * mm, kPush = 0.5 * mm;
+  for (const Borer& borer : borers()) {
+    report.scene(borer.name + ", cortical bone, directly");
+    const Material bone = bone_of(true);
+    Drilled drilled(report, borer, bone);
+    drilled.rig.simulation.set_spindle_speed(0);
+    Hand lift = drilled.from_here();
+    lift.move({0, 0, kLift}, 0.06).hold(0.02);
+    drilled.rig.play(lift);
+    // Round a closed path: sideways, out, back over the hole, and down again to where it was.
+    const double before = drilled.rig.simulation.last_result().energy.hand_work;
+    Hand push(lift.end());
+    push.move({kPush, 0, 0}, 0.1).hold(0.02);
+    const Span pushed = drilled.rig.play(push);
+    const Story& story = drilled.rig.story;
+    Hand out(push.end());
+    out.move({0, 0, kHoleDepth}, 0.3).move({-kPush, 0, 0}, 0.02).move({0, 0, -kHoleDepth}, 0.3);
+    const Span round = {pushed.first, drilled.rig.play(out).last};
+    const double cost = story.ticks.back().energy.hand_work - before;
+    double turned = 0;
+    for (std::size_t n = round.first; n < round.last; ++n)
+      turned += std::abs(story.ticks[n].energy.hand_work - story.ticks[n - 1].energy.hand_work);
+
+    const double length = kHoleDepth - kLift - borer.point;
+    const double crush = strength_of(bone) * 2 * kDrillRadius * length;
+    const double k = drilled.rig.simulation.config().reference_stiffness * bone.relative_stiffness;
+    const double springs = 2.0 / 3 * k * kPush * kPush * kDrillRadius * length;
+    const double side = story.most(pushed, side_of), axial = story.most(pushed, axial_of);
+    report.between("side force", side, 0.5 * std::min(crush, springs), 1.1 * crush, "N",
+                   "half of (2/3) k x^2 R L or of strength times 2 R L ... the latter");
+    report.quantity("side force", side, "N", 0.3);
+    report.at_most("axial force", axial, kPush / (3 * length) * side + 1, "N", "x/(3L) of the side force, and 1 N");
+    report.at_least("closed path", 1e3 * cost, -1e-3 * 1e3 * turned, "mJ",
+                    "sideways, out, back and in again: a thousandth of the turnover");
+    drilled.rig.judge();
+  }
+  report.scene("twist drill 2 mm, trabecular bone, coupled");
+  Drilled drilled(report, borers().front(), bone_of(false));
+  drilled.rig.simulation.set_spindle_speed(0);
+  drilled.rig.couple(gains_of_touch());
+  Hand hand = drilled.from_here();
+  drilled.rig.play(hand.move({0, 0, kLift}, 0.2).hold(0.1));
+  const Pose lifted = drilled.rig.story.ticks.back().X_WH;
+  Hand push(hand.end());
+  drilled.rig.play(push.move({1 * mm, 0, 0}, 0.2).hold(0.3));
+  const Vec3 strayed = drilled.rig.story.ticks.back().X_WH.translation - lifted.translation;
+  report.at_most("strays sideways", 1e3 * strayed.head<2>().norm(), 0.1, "mm", "0.7 N of spring");
+  report.at_most("climbs", 1e3 * std::abs(strayed.z()), 0.1, "mm");
+  drilled.rig.judge();
+}
+
+void tilt_in_hole(Report& report) {
+  constexpr double kSpeed = 20 * units::deg;  // [rad/s]
+  const Borer borer = borers().front();
+  report.scene(borer.name + ", cortical bone, turning, tilted about the middle of its hole, directly");
+  Drilled drilled(report, borer, bone_of(true));
+  const Vec3 middle(0, 0, -0.5 * kHoleDepth);
+  const double length = kHoleDepth - borer.point;
+  double before = 0;
+  for (const double angle : {1.0, 2.0, 5.0}) {
+    Hand tilt(before == 0 ? drilled.hand.end() : drilled.rig.story.ticks.back().X_WD);
+    tilt.turn({0, (angle - before) * units::deg, 0}, middle, (angle - before) * units::deg / kSpeed);
+    drilled.rig.play(tilt);
+    before = angle;
+    const Tick& tick = drilled.rig.story.ticks.back();
+    const double couple = transport(tick.felt, tick.X_WD.translation - middle).torque.y();
+    const std::string at = " at " + shown(angle, "deg");
+    report.at_most("couple" + at, 1e3 * couple, 0, "N mm", "against the tilt");
+    report.at_most("ejection" + at, std::abs(tick.felt.force.z()), 0.15 * std::abs(couple) / (length / 3) + 0.3, "N",
+                   "15 % of the side forces couple/(L/3), and 0.3 N");
+  }
+  drilled.rig.judge();
+}
+
+void pull_standing_drill(Report& report) {
+  constexpr double kPull = 1;  // [N]
+  for (const Borer& borer : {borers()[0], borers()[1], borers()[2]}) {
+    report.scene(borer.name + ", standing in its hole in trabecular bone, coupled");
+    Drilled drilled(report, borer, bone_of(false));
+    drilled.rig.simulation.set_spindle_speed(0);
+    drilled.rig.couple(gains_of_touch());
+    Hand hand = drilled.from_here();
+    drilled.rig.play(hand.hold(0.1));
+    const Pose before = drilled.rig.story.ticks.back().X_WH;
+    Hand pull(hand.end());
+    drilled.rig.play(pull.move({kPull / gains_of_touch().stiffness, 0, 0}, 0.3).hold(0.5));
+    const Vec3 strayed = drilled.rig.story.ticks.back().X_WH.translation - before.translation;
+    report.at_most("strays sideways", 1e3 * strayed.head<2>().norm(), 0.1, "mm");
+    report.at_most("climbs", 1e3 * std::abs(strayed.z()), 0.1, "mm");
+    drilled.rig.judge();
+  }
+}
+
+/// A ball on a shank, as a profile: today nothing else tells the library of a shank.
+ToolHead ball_on_shank(double ball, double shank, double length) {
+  return ProfileHead(Profile{0,
+                             {{ball, ball, ball},
+                              {shank, 2 * ball, 0, EdgeKind::smooth},
+                              {shank, length, 0, EdgeKind::smooth},
+                              {0, length, 0, EdgeKind::smooth}}});
+}
+
+void shank_on_rim(Report& report) {
+  constexpr double kHole = 0.8 * mm, kDepth = 4 * mm, kBall = 0.4 * mm, kShank = 0.6 * mm, kAngle = 4 * units::deg;
+  for (const double speed : {0.0, 30000.0}) {
+    report.scene(std::string("ball 0.8 mm on a shank of 1.2 mm, ") + (speed > 0 ? "turning" : "standing") +
+                 ", tilted in a hole of 1.6 mm, directly");
+    const Tool tool = tool_of(ball_on_shank(kBall, kShank, 8 * mm), Spindle::rpm(speed));
+    Rig rig(report, with_hole(2 * mm, kDepth + 0.5 * mm, report.voxel(), presets::cortical_bone(), kHole, kDepth), tool,
+            Held::directly);
+    Hand hand(tool, Vec3(0, 0, -kDepth + 0.1 * mm));
+    const Vec3 ball_center(0, 0, -kDepth + 0.1 * mm + kBall);
+    const Span tilted = rig.play(hand.hold(0.02).turn({0, kAngle, 0}, ball_center, 0.4).hold(0.05));
+    report.at_least("rim pushes", rig.story.most(tilted, side_of), 1, "N",
+                    "the shank is " + shown(1e3 * (kDepth * std::tan(kAngle) - kHole + kShank), "mm") +
+                        " in the rim; a body beyond the head cannot be told but as smooth edges of a profile");
+    report.at_most("shank cuts", 1e9 * rig.story.sum(tilted, removed_of), 1e-6, "mm^3");
+    rig.judge();
+  }
+}
+
+void press_fit(Report& report) {
+  constexpr double kPin = 1 * mm, kHole = 0.95 * mm, kIn = 2 * mm;
+  report.scene("cylinder 2 mm, standing, 2 mm deep in a hole of 1.9 mm in cortical bone, directly");
+  const Material bone = presets::cortical_bone();
+  const Tool pin = tool_of(cylinder_head(2 * kPin, 4 * mm));
+  Rig rig(report, with_hole(1.8 * mm, 3.4 * mm, report.voxel(), bone, kHole, 2.8 * mm), pin, Held::directly);
+  Hand hand(pin, Vec3(0, 0, -kIn));
+  rig.play(hand.hold(0.02));
+  rig.story.begin(rig.simulation);  // it appeared in the hole
+  const double k = rig.simulation.config().reference_stiffness * bone.relative_stiffness;
+  const auto squeeze = [&](double length) {  // sum of the normal forces: pressure k w^2/2 on the wall
+    return k * std::pow(kPin - kHole, 2) / 2 * 2 * kPi * kHole * length;
+  };
+  constexpr double kPulled = 0.2 * mm;
+  Hand turn(hand.end());
+  const Span turned = rig.play(turn.turn({0, 0, 0.3}, Vec3::Zero(), 0.15));
+  report.near("torque", 1e3 * -rig.story.mean(turned.tail(0.2), [](const Tick& t) { return t.felt.torque.z(); }),
+              1e3 * bone.dynamic_friction * squeeze(kIn) * kHole, 0.2, "N mm", "mu times the sum of normal forces, R");
+  Hand pull(turn.end());
+  const Span pulled = rig.play(pull.move({0, 0, kPulled}, 0.1));
+  report.near("pull", -rig.story.mean(pulled.tail(0.2), [](const Tick& t) { return t.felt.force.z(); }),
+              bone.dynamic_friction * squeeze(kIn - kPulled), 0.2, "N", "mu times the sum of normal forces");
+  rig.judge();
+}
+
+}  // namespace
+
+std::vector<Gesture> hole_gestures() {
+  return {{"G1", "drill 3 mm, stop, lift 0.6 mm, push sideways, lift out", drill_lift_push},
+          {"G2", "tilt the turning drill in its own hole", tilt_in_hole},
+          {"G3", "pull the standing drill sideways in its hole by 1 N", pull_standing_drill},
+          {"G4", "lean the shank on the rim of a deep narrow hole", shank_on_rim},
+          {"G12", "pull and turn a pin with a press fit of 0.05 mm", press_fit}};
+}
+
+}  // namespace hapticut::gestures

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The motor that turns the head, beyond its stall torque.
+#include "bench/gestures/gesture_list.hpp"
+#include "bench/gestures/rigs.hpp"
+
+namespace hapticut::gestures {
+namespace {
+
+/// How often the spindle goes from nearly its full speed to nearly none, or back, between two ticks.
+int toggles_in(const Story& story, const Span& span, double full) {
+  int count = 0;
+  for (std::size_t n = span.first + 1; n < span.last; ++n) {
+    const double a = std::abs(story.ticks[n - 1].speed), b = std::abs(story.ticks[n].speed);
+    if (std::max(a, b) > 0.5 * full && std::min(a, b) < 0.05 * full) ++count;
+  }
+  return count;
+}
+
+void stall(Report& report) {
+  struct Motor {
+    std::string name;
+    Spindle spindle;
+    bool stalls;
+  };
+  constexpr double kFree = 300000 * rpm, kStallTorque = 2e-4;  // [rad/s], [N·m]: 1.57 W at most
+  Spindle turbine{kFree};
+  turbine.droop = kFree / kStallTorque;
+  Spindle limited = Spindle::rpm(40000);
+  limited.power_limit = 3;
+  for (const Motor& motor : {Motor{"air turbine, 300 000 rpm, stall 0.2 N mm", turbine, true},
+                             Motor{"motor of 3 W, 40 000 rpm", limited, false}}) {
+    report.scene(motor.name + ", ball 1 mm pushed into cortical bone, directly");
+    const Tool ball = tool_of(SphereHead{0.5 * mm}, motor.spindle);
+    Rig rig(report, slab(1.2 * mm, 1.5 * mm, report.voxel(), presets::cortical_bone()), ball, Held::directly);
+    Hand hand(ball, Vec3(0, 0, 0.05 * mm));
+    hand.move({0, 0, -0.45 * mm}, 0.0225);
+    const double pushed = hand.seconds();
+    hand.hold(0.1);
+    const double held = hand.seconds();
+    rig.play(hand.move({0, 0, 0.6 * mm}, 0.3).hold(0.05));
+    const Story& story = rig.story;
+    const Span hold = story.within(pushed + 0.02, held), release = story.within(held, hand.seconds());
+    report.at_most("toggles", toggles_in(story, {0, release.first}, motor.spindle.speed), motor.stalls ? 1 : 0, "",
+                   "between two ticks from full speed to none or back, until the release");
+    report.at_most("toggles of the release", toggles_in(story, release, motor.spindle.speed), motor.stalls ? 1 : 0, "");
+    if (motor.stalls)
+      report.at_most("speed in the hold", story.most(hold, [](const Tick& t) { return std::abs(t.speed); }) / rpm,
+                     0.01 * motor.spindle.speed / rpm, "rpm", "it stands");
+    report.at_most("sd of the force in the hold", 100 * story.unsteadiness(hold, force_of), 5, "%",
+                   "of its mean, about a straight line");
+    report.at_least("speed after the release", std::abs(story.ticks.back().speed) / rpm,
+                    0.99 * motor.spindle.speed / rpm, "rpm", "it runs again");
+    rig.judge();
+  }
+}
+
+}  // namespace
+
+std::vector<Gesture> motor_gestures() { return {{"G7", "push beyond the stall torque, hold, release", stall}}; }
+
+}  // namespace hapticut::gestures

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hapticut/core/units.hpp"
+#include "hapticut/tool/catalogue.hpp"
+#include "hapticut/tool/tool.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
+
+/// @file
+/// What the gestures are made with: pieces, heads, and what the hand does, by key frames.
+namespace hapticut::gestures {
+
+using units::kPi;
+using units::mm;
+using units::rpm;
+
+// --- materials -------------------------------------------------------------------------------------------------------
+
+/// [Pa] at which a material is crushed. Middle of what text books give for compression: cortical bone 130 ... 220 MPa,
+/// trabecular bone 2 ... 12 MPa, enamel 380 MPa, dentin 300 MPa. `Material` has no such number yet; what is not named
+/// here counts as cortical bone.
+[[nodiscard]] inline double strength_of(const Material& material) {
+  if (material.name == "trabecular_bone") return 5e6;
+  if (material.name == "enamel" || material.name == "enamel_with_diamond") return 380e6;
+  if (material.name == "dentin") return 300e6;
+  return 150e6;
+}
+
+/// [m] depth at which the pressure k w^2/2 of the foundation reaches a strength.
+[[nodiscard]] inline double crushing_depth(double k_v, double strength) { return std::sqrt(2 * strength / k_v); }
+
+/// u = 3e8 J/m^3 whatever the chip, kappa = 0.5, mu = 0.3.
+[[nodiscard]] inline Material plain() {
+  Material material;
+  material.name = "plain";
+  return material;
+}
+
+// --- pieces ----------------------------------------------------------------------------------------------------------
+
+/// The half space z < 0, as far as is needed, on a grid whose lines match neither the surface nor the head.
+[[nodiscard]] inline Workpiece slab(double half_width, double depth, double voxel, Material material) {
+  return build_block({Vec3(-half_width - 0.21 * voxel, -half_width - 0.37 * voxel, -depth - 0.61 * voxel),
+                      Vec3(half_width, half_width, 0)},
+                     voxel, std::move(material));
+}
+
+/// [m] of a point from a box, negative inside; a bound outside of the corners.
+[[nodiscard]] inline double box_distance(const Box& box, const Vec3& p) {
+  return std::max((box.min - p).maxCoeff(), (p - box.max).maxCoeff());
+}
+
+/// What of a box is where `distance` is negative, of one material.
+template <class Distance>
+[[nodiscard]] Workpiece carved(const Box& box, double voxel, Material material, const Distance& distance) {
+  const Vec3 aside = voxel * Vec3(0.21, 0.37, 0.61);
+  return build_body({{box.min - aside, box.max + aside},
+                     [=](const Vec3& p) { return std::max(box_distance(box, p), distance(p)); },
+                     [](const Vec3&) { return MaterialId(1); }},
+                    voxel, MaterialTable({std::move(material)}), 4);
+}
+
+/// The half space with a hole: straight, with a flat bottom, or one that a drill of this point angle leaves.
+[[nodiscard]] inline Workpiece with_hole(double half_width, double depth, double voxel, Material material,
+                                         double radius, double hole_depth, double point_angle = kPi) {
+  const double slope = point_angle < kPi ? 1 / std::tan(point_angle / 2) : 0;  // [1] rise of the point
+  const Box box{Vec3(-half_width, -half_width, -depth), Vec3(half_width, half_width, 0)};
+  return carved(box, voxel, std::move(material), [=](const Vec3& p) {
+    const double rho = std::hypot(p.x(), p.y());
+    const double bottom = (-hole_depth + slope * rho - p.z()) / std::hypot(1, slope);
+    return -std::max(rho - radius, bottom);  // outside of the hole is solid
+  });
+}
+
+// --- heads -----------------------------------------------------------------------------------------------------------
+
+struct NamedHead {
+  std::string name;
+  ToolHead head;
+};
+
+/// One of each of the catalogue.
+[[nodiscard]] inline std::vector<NamedHead> catalogue() {
+  return {{"round 1 mm", round_head(1 * mm)},
+          {"inverted cone 1.4 mm", inverted_cone_head(1.4 * mm, 0.9 * mm, 1.2 * mm)},
+          {"cylinder 1 mm", cylinder_head(1 * mm, 4 * mm)},
+          {"round-end cylinder 1.2 mm", round_end_cylinder_head(1.2 * mm, 4 * mm)},
+          {"tapered 1.6 mm", tapered_head(0.9 * mm, 1.6 * mm, 4 * mm)},
+          {"round-end tapered 1.6 mm", round_end_tapered_head(0.8 * mm, 1.6 * mm, 4 * mm)},
+          {"needle 1.2 mm", needle_head(1.2 * mm, 4 * mm)},
+          {"flame 1.4 mm", flame_head(1.4 * mm, 4 * mm, 0.9 * mm, 2 * mm)},
+          {"pear 1.4 mm", pear_head(1.4 * mm, 2.6 * mm, 0.8 * mm)},
+          {"wheel 2.4 mm", wheel_head(2.4 * mm, 0.8 * mm, 1 * mm)},
+          {"christmas tree 2 mm", christmas_tree_head(2 * mm, 3 * mm, 3)},
+          {"twist drill 2 mm", twist_drill_head(2 * mm, 4 * mm)}};
+}
+
+/// [m^2] of a head's section at a height above its tip.
+[[nodiscard]] inline double section_area(const ToolHead& head, double height) {
+  constexpr int kSteps = 200;
+  const HeadBox box = head.bounding_box();
+  const double step = box.max.x() / kSteps, z = box.min.z() + height;
+  double radius = 0;
+  head.visit_springs<double>([&](const auto& springs) {
+    for (int n = 0; n < kSteps; ++n)
+      if (springs.margin(n * step, z) > 0) radius = (n + 0.5) * step;
+    return 0;
+  });
+  return kPi * radius * radius;
+}
+
+/// [m] how far below the surface the strength times the section of a head carries a force.
+[[nodiscard]] inline double crushed_depth(const ToolHead& head, double force, const Material& material) {
+  constexpr double kStep = 2e-6;
+  double depth = kStep;
+  while (section_area(head, depth) * strength_of(material) < force && depth < 2 * mm) depth += kStep;
+  return depth;
+}
+
+/// [m] how far the tip of a tool is below its handle point.
+[[nodiscard]] inline double tip_below_hand(const Tool& tool) {
+  return -(tool.X_HT().translation.z() + tool.head().bounding_box().min.z());
+}
+
+/// A tool held at the place where the device feels it.
+[[nodiscard]] inline Tool tool_of(ToolHead head, const Spindle& spindle = {}, Cutter cutter = {}) {
+  return Tool(std::move(head), RayHandle{}, spindle, cutter);
+}
+
+// --- hands -----------------------------------------------------------------------------------------------------------
+
+/// Where a hand goes, by key frames with constant speed in between.
+class Hand {
+ public:
+  explicit Hand(const Pose& start) { frames_.push_back({0, start}); }
+  /// With the tip of an upright tool at a place.
+  Hand(const Tool& tool, const Vec3& tip) : Hand(Pose::from_translation(tip + Vec3(0, 0, tip_below_hand(tool)))) {}
+
+  Hand& hold(double seconds) { return to(end(), seconds); }
+  Hand& move(const Vec3& by, double seconds) {
+    Pose pose = end();
+    pose.translation += by;
+    return to(pose, seconds);
+  }
+  /// @param by     [rad] about an axis of W
+  /// @param pivot  [m] the point that stays, in W
+  Hand& turn(const Vec3& by, const Vec3& pivot, double seconds) {
+    constexpr int kParts = 16;  // chords of the arc
+    const Mat3 part = rotation_from_vector(by / kParts);
+    for (int n = 0; n < kParts; ++n) {
+      const Pose pose = end();
+      to({part * pose.rotation, pivot + part * (pose.translation - pivot)}, seconds / kParts);
+    }
+    return *this;
+  }
+  Hand& to(const Pose& pose, double seconds) {
+    frames_.push_back({frames_.back().time + seconds, pose});
+    return *this;
+  }
+
+  [[nodiscard]] double seconds() const { return frames_.back().time; }  ///< [s] so far
+  [[nodiscard]] Pose end() const { return frames_.back().pose; }  ///< by value: the frames move in memory as they grow
+  [[nodiscard]] Pose at(double time) const {
+    if (time <= 0) return frames_.front().pose;
+    for (std::size_t n = 1; n < frames_.size(); ++n) {
+      const Frame &from = frames_[n - 1], &to = frames_[n];
+      if (time > to.time) continue;
+      const double span = to.time - from.time, share = span > 0 ? (time - from.time) / span : 1;
+      return advance(from.pose, twist_between(from.pose, to.pose, 1), share);
+    }
+    return end();
+  }
+
+ private:
+  struct Frame {
+    double time;  // [s]
+    Pose pose;
+  };
+  std::vector<Frame> frames_;
+};
+
+}  // namespace hapticut::gestures

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/gestures/rigs.hpp"
+
+#include <utility>
+
+namespace hapticut::gestures {
+namespace {
+
+/// The same piece, grid and all, turned about the origin.
+Workpiece turned(Workpiece piece, const Mat3& turn) {
+  if (turn.isIdentity(0)) return piece;
+  GridFrame frame = piece.frame();
+  frame.X_WV = Pose{turn, Vec3::Zero()} * frame.X_WV;
+  return Workpiece::from_blocks(
+      piece.bounds(), frame, piece.materials(), [&](const VoxelIndex& origin, BlockContent& content) {
+        for (int n = 0; n < kBlockVoxels; ++n) {
+          const VoxelIndex at = {origin[0] + n / 64, origin[1] + n / 8 % 8, origin[2] + n % 8};
+          content.material[std::size_t(n)] = piece.material_at(at);
+          content.fill[std::size_t(n)] = float(piece.fill_at(at));
+          content.centroid[std::size_t(n)] = piece.centroid_at(at);
+        }
+        return BlockKind::mixed();
+      });
+}
+
+Wrench turned_back(const Wrench& wrench, const Mat3& turn) {
+  return {turn.transpose() * wrench.force, turn.transpose() * wrench.torque};
+}
+
+SimulationConfig with_contact_time(SimulationConfig config, bool coupled) {
+  if (coupled) config.contact_time = ContactTime::end;
+  config.reserved_blocks = std::max<std::size_t>(config.reserved_blocks, 4096);
+  return config;
+}
+
+Tick tick_of(const Simulation& simulation, double time, const Mat3& turn) {
+  const StepResult& result = simulation.last_result();
+  Tick tick;
+  tick.time = time;
+  tick.model = turned_back(result.model, turn);
+  tick.depth = result.contact.depth;
+  tick.voxels = result.contact.voxels;
+  tick.speed = result.spindle.speed;
+  tick.energy = result.energy;
+  tick.status = result.status;
+  return tick;
+}
+
+}  // namespace
+
+CouplingGains gains_of_touch(std::optional<double> mass) {
+  return coupling_gains(capabilities(device_model("touch")), mass);
+}
+
+Rig::Rig(Report& report, Workpiece workpiece, Tool tool, Held held, SimulationConfig config,
+         const std::optional<CouplingGains>& gains)
+    : simulation(turned(std::move(workpiece), report.turn), std::move(tool),
+                 with_contact_time(std::move(config), held == Held::by_coupling)),
+      story(Limits{}),
+      report_(report) {
+  story.probing = report.probing;
+  story.turn = report.turn;
+  simulation.add_observer(story);
+  if (held == Held::by_coupling) couple(gains.value_or(gains_of_touch()));
+}
+
+Rig::~Rig() { simulation.remove_observer(story); }
+
+void Rig::couple(const CouplingGains& gains) {
+  coupling_.emplace(simulation, gains);
+  story.limits = {gains.largest_force, 0, gains.stiffness, false};
+}
+
+Span Rig::play(const Hand& hand, const std::function<void(Pose&, double time)>& spoil) {
+  const std::size_t first = story.ticks.size();
+  const double dt = report_.period;
+  const Mat3& turn = report_.turn;
+  const long ticks = std::lround(hand.seconds() / dt);
+  if (first == 0) story.begin(simulation);
+  for (long n = 1; n <= ticks; ++n) {
+    const Pose meant = hand.at(double(n) * dt);
+    const Twist path = twist_between(last_.value_or(hand.at(double(n - 1) * dt)), meant, dt);
+    Pose pose = Pose{turn, Vec3::Zero()} * meant;
+    const Twist velocity{turn * path.linear, turn * path.angular};
+    if (spoil) spoil(pose, double(n) * dt);
+    Wrench felt;
+    Pose X_WH = pose;
+    double removed = 0;
+    if (coupling_) {
+      const CoupledResult& result = coupling_->step(pose, velocity, dt);
+      felt = result.hand;
+      X_WH = result.X_WH;
+      removed = result.removed_volume;
+    } else {
+      const StepResult& result = simulation.step(pose, velocity, dt);
+      felt = {result.force, result.torque};
+      removed = result.removed_volume;
+    }
+    last_ = meant;
+    Tick tick = tick_of(simulation, time_ + double(n) * dt, turn);
+    tick.X_WD = meant;
+    tick.X_WH = Pose{turn.transpose(), Vec3::Zero()} * X_WH;
+    tick.felt = tick.applied = turned_back(felt, turn);
+    tick.removed = removed;
+    story.add(tick, simulation, coupling_ ? &*coupling_ : nullptr);
+  }
+  time_ += double(ticks) * dt;
+  return {first, story.ticks.size()};
+}
+
+// --- the chain -------------------------------------------------------------------------------------------------------
+
+/// A mock whose readings may be spoiled and whose motors are watched.
+class Chain::WatchedMock final : public MockDevice {
+ public:
+  WatchedMock(Chain& chain, MockOptions options) : MockDevice(std::move(options)), chain_(chain) {}
+  static MockOptions options_of(Chain& chain, double period) {
+    MockOptions options;
+    options.device = device_model(chain.options_.device);
+    options.rigid = chain.options_.hand.empty();
+    if (!options.rigid) options.hand = hand_model(chain.options_.hand);
+    options.period = period;
+    options.path = [&chain](double time) { return chain.path_(time); };
+    return options;
+  }
+
+ protected:
+  bool read(DeviceState& state) noexcept override {
+    if (!MockDevice::read(state)) return false;
+    if (chain_.spoil) chain_.spoil(state, state.time - chain_.script_begin_);
+    return true;
+  }
+  Wrench write(const Wrench& wrench) noexcept override {
+    Wrench given = MockDevice::write(wrench);
+    chain_.applied(given);
+    return given;
+  }
+
+ private:
+  Chain& chain_;
+};
+
+Chain::Chain(Report& a_report, Workpiece workpiece, Tool tool, ChainOptions options)
+    : simulation(turned(std::move(workpiece), a_report.turn), std::move(tool),
+                 with_contact_time(options.config, options.coupled)),
+      story({device_model(options.device).peak_force, device_model(options.device).peak_torque,
+             device_model(options.device).rendered_stiffness, true}),
+      report_(a_report),
+      options_(std::move(options)),
+      device_(std::make_unique<WatchedMock>(*this, WatchedMock::options_of(*this, a_report.period))) {
+  story.probing = report_.probing;
+  story.turn = report_.turn;
+  options_.map.X_WB = Pose{report_.turn, Vec3::Zero()} * options_.map.X_WB;
+  SimulationModelOptions model;
+  model.map = options_.map;
+  if (options_.coupled) model.coupling = options_.gains.value_or(coupling_gains(device_->capabilities()));
+  model.undo_blocks = options_.undo_blocks;
+  model_ = std::make_unique<SimulationModel>(simulation, *device_, model);
+  simulation.add_observer(story);
+}
+
+Chain::~Chain() { simulation.remove_observer(story); }
+
+Device& Chain::device() { return *device_; }
+
+bool Chain::tell(LoopCommand command) {
+  model_->check(command);
+  return model_->obey(command);
+}
+
+Span Chain::play(const Hand& hand) {
+  const std::size_t first = story.ticks.size();
+  if (first == 0) story.begin(simulation);
+  script_begin_ = options_.arming;
+  seconds_ = hand.seconds();
+  count_ = 0;
+  path_ = [hand, begin = script_begin_](double time) { return hand.at(time - begin); };
+  RunOptions run;
+  run.simulated_time = true;
+  run.stop_on_signals = false;
+  run.guard = options_.guard;
+  run.guard.period = report_.period;
+  report = device_->run([this](const DeviceState& reading) { return tick(reading); }, run);
+  under_way_.reset();
+  return {first, story.ticks.size()};
+}
+
+DeviceCommand Chain::tick(const DeviceState& reading) {
+  const double scripted = double(count_) * report_.period;  // the reading's own time may be spoiled
+  const double time = scripted - script_begin_;
+  if (before) before(time);
+  const double dt = count_ == 0 ? report_.period : reading.time - last_time_;
+  last_time_ = reading.time;
+  DeviceCommand command;
+  command.wrench = model_->step(reading, dt > 0 ? dt : report_.period, snapshot_);
+  command.contact = model_->contact();
+  Tick tick = tick_of(simulation, time, report_.turn);
+  tick.X_WD = path_(scripted);
+  if (!options_.hand.empty() && reading.valid) tick.X_WD = reading.X_BS;
+  tick.X_WH = Pose{report_.turn.transpose(), Vec3::Zero()} * snapshot_.X_WT * simulation.tool().X_HT().inverse();
+  tick.felt = command.wrench;
+  tick.effects = command.contact.effects;
+  tick.removed = snapshot_.tool.removed_volume - std::exchange(last_removed_, snapshot_.tool.removed_volume);
+  tick.depth = snapshot_.tool.contact_depth;
+  tick.voxels = snapshot_.tool.contact_voxels;
+  tick.arming = device_->last_arming();
+  under_way_ = tick;
+  ++count_;
+  command.stop = time >= seconds_ || (ends && ends(time));
+  return command;
+}
+
+/// The motors have it: the tick is complete.
+void Chain::applied(const Wrench& wrench) {
+  if (!under_way_) return;
+  under_way_->applied = wrench;
+  story.add(*under_way_, simulation, nullptr);
+  under_way_.reset();
+}
+
+}  // namespace hapticut::gestures

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/gestures/story.hpp"
+
+#include <cstring>
+#include <limits>
+
+#include "bench/gestures/pieces.hpp"
+#include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/tool/cutter.hpp"
+#include "hapticut/workpiece/block.hpp"
+
+namespace hapticut::gestures {
+namespace {
+
+constexpr double kShare = 1e-3;        // [1] of the turnover that may be gained or swallowed
+constexpr double kUnexplained = 1e-2;  // [1] of what a coupling turns over
+constexpr double kNothing = 1e-9;      // [J] less than a hand can turn over
+constexpr double kNoVolume = 1e-15;    // [m^3] a thousandth of a thousandth of a cubic millimetre
+constexpr double kRounding = 1.001;    // [1]
+
+double stored_in(const EnergyLedger& energy) { return energy.elastic + energy.anchored; }
+
+/// [m] how far a voxel that is at least half full is below the surface of the head, whichever part of it: by its
+/// centre.
+double solid_depth(const Simulation& simulation, const Pose& X_WT) {
+  const Workpiece& workpiece = simulation.workpiece();
+  const GridFrame& frame = workpiece.frame();
+  const HeadBox box = simulation.tool().head().bounding_box();
+  const Pose X_VT = frame.X_WV.inverse() * X_WT, X_TV = X_VT.inverse();
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p((corner & 1) != 0 ? box.max.x() : box.min.x(), (corner & 2) != 0 ? box.max.y() : box.min.y(),
+                 (corner & 4) != 0 ? box.max.z() : box.min.z());
+    low = low.cwiseMin(X_VT * p);
+    high = high.cwiseMax(X_VT * p);
+  }
+  const IndexBox bounds = workpiece.bounds();
+  VoxelIndex first, last;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = std::size_t(axis);
+    first[a] = block_start(std::max(bounds.min[a], int(std::floor(low[axis] / frame.voxel_size))));
+    last[a] = std::min(bounds.max[a], int(std::ceil(high[axis] / frame.voxel_size)));
+  }
+  double deepest = 0;
+  simulation.tool().head().visit_springs<double>([&](const auto& springs) {
+    for (int i = first[0]; i <= last[0]; i += kBlockEdge)
+      for (int j = first[1]; j <= last[1]; j += kBlockEdge)
+        for (int k = first[2]; k <= last[2]; k += kBlockEdge) {
+          const BlockView block = workpiece.block({i, j, k});
+          if (block.empty()) continue;
+          for (int n = 0; n < kBlockVoxels; ++n) {
+            if (block.fill_of(n) < 0.5F) continue;
+            const VoxelIndex at = {i + n / 64, j + n / 8 % 8, k + n % 8};
+            const Vec3 p = X_TV * Vec3(frame.voxel_size * Vec3(at[0], at[1], at[2]));
+            deepest = std::max(deepest, double(springs.margin(std::hypot(p.x(), p.y()), p.z())));
+          }
+        }
+    return 0;
+  });
+  return deepest;
+}
+
+/// [m] C34 half a voxel beside the axis, of the material that needs the thickest.
+double thickest_layer(const Simulation& simulation, double feed) {
+  const Tool& tool = simulation.tool();
+  const double spin = std::abs(simulation.last_result().spindle.speed);
+  double layer = 0;
+  if (spin == 0) return layer;
+  for (const Material& m : simulation.workpiece().materials().all()) {
+    closed_forms::SteadyCut cut{m.specific_cutting_energy, m.cutting_ratio, spin, feed};
+    cut.tooth_rate = tooth_rate(tool.cutter(), spin);
+    cut.edge_length = m.edge_length;
+    cut.size_length = m.size_length;
+    cut.feed_speed += cut.size_speed() + cut.edge_speed();
+    const double k = simulation.config().reference_stiffness * m.relative_stiffness;
+    layer = std::max(layer, 1.1 * closed_forms::engaged_layer(cut, k, 0.5 * simulation.workpiece().voxel_size()));
+  }
+  return layer;
+}
+
+std::uint64_t mixed(std::uint64_t hash, double value) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return (hash ^ bits) * 0x100000001b3ULL;
+}
+
+}  // namespace
+
+void Story::begin(const Simulation& simulation) {
+  has_begun_ = true;
+  start_ = simulation.last_result().energy;
+  stored_at_start_ = stored_in(start_);
+  turnover_ = least_given_ = most_entered_ = step_error_ = 0;
+  hand_given_ = least_hand_given_ = hand_turnover_ = unexplained_ = deepest_ = unfelt_ = 0;
+  most_felt_ = most_applied_ = most_torque_ = most_power_ = excess_power_ = 0;
+  allowed_depth_ = 0;
+  for (const Material& material : simulation.workpiece().materials().all()) {
+    const double k = simulation.config().reference_stiffness * material.relative_stiffness;
+    allowed_depth_ = std::max(allowed_depth_, 1.1 * crushing_depth(k, strength_of(material)));
+  }
+}
+
+void Story::look_at_energy(const Tick& tick, double voxel) {
+  const Tick& last = ticks.back();
+  const double hand = tick.energy.hand_work - last.energy.hand_work;
+  const double motor = tick.energy.motor_work - last.energy.motor_work;
+  turnover_ += std::abs(hand) + std::abs(motor);
+  least_given_ =
+      std::min(least_given_, tick.energy.hand_work - start_.hand_work + tick.energy.motor_work - start_.motor_work);
+  most_entered_ = std::max(most_entered_, std::abs(tick.energy.entered - start_.entered));
+  // The change of force along the motion, which no sub-step makes longer than half a voxel.
+  const Twist motion = twist_between(last.X_WH, tick.X_WH, 1);
+  const double error = std::abs((tick.model.force - last.model.force).dot(motion.linear) +
+                                (tick.model.torque - last.model.torque).dot(motion.angular));
+  const double way = motion.linear.norm();
+  if (std::isfinite(error)) step_error_ += error * (way > 0.5 * voxel ? 0.5 * voxel / way : 1);
+  // The force that was applied last is held while the hand moves on; a spring that is held gives back half of its
+  // stiffness times the motion squared by itself.
+  const Twist path = twist_between(last.X_WD, tick.X_WD, 1);
+  const double asked = last.felt.force.norm(), given = last.applied.force.norm();
+  const double share = given < asked ? given / asked : 1;  // [1] that the guard let pass, of the effects too
+  const double work = -(last.applied.force - share * last.effects.force).dot(path.linear) -
+                      (last.applied.torque - share * last.effects.torque).dot(path.angular);
+  if (!std::isfinite(work)) return;
+  hand_given_ += work + std::max(0.0, motor) + 0.5 * limits.spring * path.linear.squaredNorm();
+  hand_turnover_ += std::abs(work) + std::abs(motor);
+  least_hand_given_ = std::min(least_hand_given_, hand_given_);
+}
+
+void Story::add(const Tick& tick, const Simulation& simulation, const VirtualCoupling* coupling) {
+  if (!ticks.empty() && has_begun_) look_at_energy(tick, simulation.workpiece().voxel_size());
+  const double last_depth = ticks.empty() ? 0 : ticks.back().depth;
+  // A tool that is fed by force has its engaged layer, which is thickest at the axis.
+  if (limits.force == 0 && tick.removed > 0 && !ticks.empty() && tick.time > ticks.back().time)
+    allowed_depth_ = std::max(
+        allowed_depth_, thickest_layer(simulation, (tick.X_WH.translation - ticks.back().X_WH.translation).norm() /
+                                                       (tick.time - ticks.back().time)));
+  ticks.push_back(tick);
+  // Looking at every voxel is slow: where the step says that there is something, now and then, and when it comes.
+  constexpr std::size_t kEvery = 5;  // [ticks]
+  const bool is_known = !has_any(tick.status, kRejected);
+  if (is_known && tick.depth <= allowed_depth_)
+    deepest_ = std::max(deepest_, tick.depth);
+  else if (ticks.size() % kEvery == 0 || tick.depth > 1.5 * last_depth)
+    deepest_ =
+        std::max(deepest_, solid_depth(simulation, Pose{turn, Vec3::Zero()} * tick.X_WH * simulation.tool().X_HT()));
+  if (limits.has_guard && tick.applied.force.isZero(0) && tick.applied.torque.isZero(0)) unfelt_ += tick.removed;
+  most_felt_ = std::max(most_felt_, tick.felt.force.norm());
+  most_applied_ = std::max(most_applied_, tick.applied.force.norm());
+  most_torque_ = std::max({most_torque_, tick.felt.torque.norm(), tick.applied.torque.norm()});
+  if (coupling == nullptr) return;
+  const CouplingEnergy& e = coupling->last_result().energy;
+  const double turned = std::abs(e.hand_work) + std::abs(e.tool_work) + e.damper + e.implicit;
+  if (turned > 1e-6) unexplained_ = std::max(unexplained_, std::abs(e.imbalance()) / turned);
+}
+
+void Story::on_step(const ObservedStep& step) noexcept {
+  const SpindleState& spindle = step.result.spindle;
+  const Spindle& motor = step.simulation.tool().spindle();
+  const double w = std::abs(spindle.speed), torque = std::max(0.0, spindle.torque * (spindle.speed < 0 ? -1 : 1));
+  const double power = w * torque;
+  most_power_ = std::max(most_power_, power);
+  double most = motor.power_limit;
+  if (motor.droop > 0)
+    most = std::min(most, w * std::max(0.0, std::abs(step.simulation.spindle_setting()) - w) / motor.droop);
+  if (std::isfinite(most)) excess_power_ = std::max(excess_power_, power - kRounding * most);
+  if (!probing || has_any(step.result.status, kRejected)) return;
+  for (const double aside : {1e-4, -1e-4}) {
+    Pose elsewhere = step.input.pose;
+    elsewhere.translation += Vec3(aside, -0.5 * aside, aside);
+    (void)step.simulation.probe(elsewhere, step.input.velocity, step.input.dt);
+  }
+}
+
+Span Story::within(double from, double to) const {
+  Span span{ticks.size(), ticks.size()};
+  for (std::size_t n = 0; n < ticks.size(); ++n) {
+    if (ticks[n].time >= from - 1e-9 && span.first == ticks.size()) span.first = n;
+    if (ticks[n].time >= to - 1e-9) {
+      span.last = n;
+      break;
+    }
+  }
+  span.first = std::min(span.first, span.last);
+  return span;
+}
+
+const Tick& Story::at(double time) const {
+  std::size_t n = 0;
+  while (n + 1 < ticks.size() && ticks[n + 1].time <= time + 1e-9) ++n;
+  return ticks[n];
+}
+
+void Story::judge_energy(Report& report) const {
+  const double given = least_given_ + stored_at_start_;
+  const double gain = std::max(0.0, -given), allowed = kShare * turnover_ + kNothing;
+  const double hand_gain = std::max(0.0, -least_hand_given_ - stored_at_start_);
+  const double hand_allowed = kShare * hand_turnover_ + kNothing;
+  const auto share = [&](double energy, double of) { return shown(of > 0 ? 100 * energy / of : 0, "%"); };
+  std::string seen = "gained " + share(gain, turnover_) + ", entered " + share(most_entered_, turnover_);
+  const bool vanishes = most_entered_ <= allowed + step_error_;
+  if (most_entered_ > allowed) seen += " (steps explain " + share(step_error_, turnover_) + ")";
+  if (hand_gain > hand_allowed)
+    seen += ", at the device gained " + shown(1e3 * hand_gain, "mJ") + " of " + shown(1e3 * hand_turnover_, "mJ");
+  if (unexplained_ > kUnexplained) seen += ", unexplained by the coupling " + shown(100 * unexplained_, "%");
+  report.that("invariant 1", "gained, entered at most 0.1 % of the turnover; unexplained at most 1 %", seen,
+              gain <= allowed && vanishes && hand_gain <= hand_allowed && unexplained_ <= kUnexplained);
+}
+
+void Story::judge(Report& report, const Simulation& simulation) const {
+  judge_energy(report);
+  if (limits.has_guard)
+    report.at_most("invariant 2", 1e9 * unfelt_, 1e9 * kNoVolume, "mm^3", "cut while the device gets no force");
+  report.at_most("invariant 3", 1e3 * deepest_, 1e3 * allowed_depth_, "mm",
+                 "solid material in the head: as deep as crushing presses it, or as the engaged layer");
+  if (limits.force > 0) {
+    std::string seen = shown(most_felt_, "N") + " asked, " + shown(most_applied_, "N") + " given";
+    std::string expected = "at most " + shown(limits.force, "N") + " of spring and damper together";
+    if (limits.torque > 0) {
+      seen += ", " + shown(1e3 * most_torque_, "N mm") + " asked";
+      expected += ", " + shown(1e3 * limits.torque, "N mm");
+    }
+    report.that("invariant 4", expected, seen,
+                most_felt_ <= kRounding * limits.force && most_applied_ <= kRounding * limits.force &&
+                    (limits.torque == 0 || most_torque_ <= kRounding * limits.torque));
+  }
+  const Spindle& motor = simulation.tool().spindle();
+  if (motor.droop > 0 || std::isfinite(motor.power_limit))
+    report.that("invariant 5", "within the motor's characteristic",
+                shown(most_power_, "W") + ", beyond it " + shown(excess_power_, "W"), excess_power_ <= 0);
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const Tick& tick : ticks)
+    for (const double value : {tick.felt.force.x(), tick.felt.force.y(), tick.felt.force.z(), tick.X_WH.translation.x(),
+                               tick.X_WH.translation.z(), tick.energy.hand_work})
+      hash = mixed(hash, value);
+  report.add_bits(hash);
+  report.add_bits(simulation.workpiece().hash());
+}
+
+}  // namespace hapticut::gestures

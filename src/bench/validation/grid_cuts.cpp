@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/validation/grid_cuts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/validation/tolerances.hpp"
+
+namespace hapticut::validation {
+namespace {
+
+using units::deg;
+using units::mm;
+
+constexpr double kQuick = 10 * mm;  // [m/s] on the way to where a cut begins
+
+/// Steps along a line and calls `see` with what each step gave.
+template <class See>
+void go(Simulation& simulation, const Way& way, const Vec3& from, const Vec3& to, double speed, double tick,
+        const See& see) {
+  const int steps = int(std::lround((to - from).norm() / (speed * tick)));
+  const Vec3 velocity = (to - from).normalized() * speed;
+  for (int n = 0; n < steps; ++n) {
+    const Pose pose = {way.R_VT, way.R_VT * (from + velocity * (tick * (n + 1))) + way.p_V};
+    see(double(n) / steps, simulation.step(pose, {way.R_VT * velocity, Vec3::Zero()}, tick));
+  }
+}
+
+/// The worst of all ways and stiffnesses.
+struct Worst {
+  double mean = 0, torque = 0, ripple = 0, closure = 0;  // [1]
+
+  void take(const Course& course, const Wrench& expected) {
+    const double size = expected.force.norm();
+    mean = std::max(mean, (course.mean - expected.force).cwiseAbs().maxCoeff() / size);
+    torque = std::max(torque, std::abs(course.torque_z / expected.torque.z() - 1));
+    ripple = std::max(ripple, course.ripple.maxCoeff() / size);
+    closure = std::max(closure, std::abs(course.closure));
+  }
+};
+
+Worst worst_of(const GridCut& cut, double voxel) {
+  Worst worst;
+  for (const Way& way : ways(voxel)) {
+    const Workpiece block = oriented_block(way, cut.box, voxel, cut.material());
+    for (const double stiffness : kStiffFoundations) {
+      Simulation simulation = cut.at_begin(way, block.clone(), stiffness);
+      worst.take(follow(simulation, cut, way), cut.expected);
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+std::vector<Way> ways(double voxel) {
+  const auto about = [](double angle, const Vec3& axis) {
+    return Eigen::AngleAxisd(angle * deg, axis).toRotationMatrix();
+  };
+  const Vec3 between = Vec3(0.1, 0.2, 0.3) * voxel;
+  return {{Mat3::Identity(), Vec3::Zero()},
+          {Mat3::Identity(), Vec3(0.37, 0.21, 0.43) * voxel},
+          {about(10, Vec3::UnitY()), between},
+          {about(29, Vec3::UnitZ()) * about(17, Vec3::UnitX()), between},
+          {about(45, Vec3::UnitY()), between},
+          {about(45, Vec3::UnitZ()), between},
+          {Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 1, 1)).toRotationMatrix(), between}};
+}
+
+Workpiece oriented_block(const Way& way, const Box& box_T, double voxel, const Material& material) {
+  const Vec3 middle = (box_T.min + box_T.max) / 2, half = (box_T.max - box_T.min) / 2;
+  const Vec3 reach = way.R_VT.cwiseAbs() * half, center = way.R_VT * middle + way.p_V;
+  const auto on_grid = [&](const Vec3& p) { return Vec3((p / voxel).array().floor() * voxel); };
+  const BodyDescription body = {
+      {on_grid(center - reach) - Vec3::Constant(2 * voxel), on_grid(center + reach) + Vec3::Constant(3 * voxel)},
+      [=](const Vec3& p) { return ((way.R_VT.transpose() * (p - way.p_V) - middle).cwiseAbs() - half).maxCoeff(); },
+      [](const Vec3&) { return MaterialId(1); }};
+  return build_body(body, voxel, MaterialTable({material}));
+}
+
+Material GridCut::material() const {
+  Material material = plain_material();
+  material.edge_pressure = cut.edge_pressure;
+  material.edge_length = cut.edge_length;
+  material.size_length = cut.size_length;
+  return material;
+}
+
+Simulation GridCut::at_begin(const Way& way, Workpiece block, double stiffness) const {
+  SimulationConfig config;
+  config.reference_stiffness = stiffness;
+  Simulation simulation(std::move(block), Tool(head, RayHandle{}, Spindle{cut.spin}, kCutter), config);
+  go(simulation, way, start, begin, kQuick, kTick, [](double /*part*/, const StepResult& /*result*/) {});
+  return simulation;
+}
+
+Course follow(Simulation& simulation, const GridCut& cut, const Way& way) {
+  Course course;
+  std::vector<Vec3> forces;
+  go(simulation, way, cut.begin, cut.end, cut.cut.feed_speed, cut.tick, [&](double part, const StepResult& result) {
+    if (part < 1 - cut.measured) return;
+    forces.emplace_back(way.R_VT.transpose() * result.force);
+    course.torque_z += (way.R_VT.transpose() * result.torque).z();
+  });
+  const double count = double(forces.size());
+  course.torque_z /= count;
+  for (const Vec3& force : forces) course.mean += force / count;
+  Vec3 slope = Vec3::Zero();
+  const auto place = [&](std::size_t n) { return double(n) - (count - 1) / 2; };
+  for (std::size_t n = 0; n < forces.size(); ++n) slope += place(n) * forces[n] * 12 / (count * (count * count - 1));
+  for (std::size_t n = 0; n < forces.size(); ++n)
+    course.ripple += (forces[n] - course.mean - place(n) * slope).cwiseAbs2() / count;
+  course.ripple = course.ripple.cwiseSqrt();
+  course.closure = simulation.last_result().energy.closure();
+  return course;
+}
+
+GridCut milled(const char* id, const char* what, const ToolHead& head, const Box& box, double height,
+               const Wrench& expected) {
+  return {id,  what,    head, box, Vec3(-1.5 * mm, 0, height), Vec3(0.1 * mm, 0, height), Vec3(1.1 * mm, 0, height),
+          0.7, expected};
+}
+
+std::vector<Check> in_every_direction(const GridCut& cut, const Limits& limits, double voxel) {
+  const Worst worst = worst_of(cut, voxel);
+  const std::string size = voxel > 0.07 * mm ? "0.1 mm" : "0.05 mm", id = std::string(cut.id) + " grid " + size;
+  const std::string of = std::string(cut.what) + ", worst of 7 directions and 3 stiffnesses: ";
+  return {{id, of + "force off by", "1", 0, worst.mean, limits.mean, 1},
+          {id + " torque", of + "torque off by", "1", 0, worst.torque, limits.torque, 1},
+          {id + " ripple", of + "ripple", "1", 0, worst.ripple, limits.ripple, 1},
+          {id + " ledger", of + "closure", "1", 0, worst.closure, kSinglePrecision, 1}};
+}
+
+std::vector<Check> in_every_direction(const GridCut& cut, const Limits& coarse, const Limits& fine) {
+  std::vector<Check> checks = in_every_direction(cut, coarse, 0.1 * mm);
+  for (Check& check : in_every_direction(cut, fine, 0.05 * mm)) checks.push_back(std::move(check));
+  return checks;
+}
+
+}  // namespace hapticut::validation

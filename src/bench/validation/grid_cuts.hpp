@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/validation/bench.hpp"
+#include "bench/validation/checks.hpp"
+
+/// @file
+/// Cuts in every direction of the grid: the worst mean and the worst ripple.
+namespace hapticut::validation {
+
+/// How the tool stands in the grid, and where a point of its path lies between the voxels.
+struct Way {
+  Mat3 R_VT;
+  Vec3 p_V;
+};
+/// Seven of them.
+[[nodiscard]] std::vector<Way> ways(double voxel);
+
+/// A block whose edges are along the tool's axes, on a grid whose axes need not be.
+[[nodiscard]] Workpiece oriented_block(const Way& way, const Box& box_T, double voxel, const Material& material);
+
+/// What is the same in all cuts, unless they say otherwise.
+inline constexpr forms::SteadyCut kSlowCut = {3e8, 0.5, 2000, 2 * units::mm, 0};
+
+/// One cut, in the tool's axes: fed from `start` quickly to `begin`, then at the speed of the cut to `end`; the last
+/// part of that way is measured.
+struct GridCut {
+  const char* id;
+  const char* what;
+  ToolHead head;
+  Box box;
+  Vec3 start, begin, end;
+  double measured;  ///< [1] of the way
+  Wrench expected;
+  forms::SteadyCut cut = kSlowCut;
+  double tick = kTick;  ///< [s]
+
+  static constexpr Cutter kCutter = {CutterKind::carbide_bur, 2};
+
+  [[nodiscard]] Material material() const;
+  /// At the start of the cut's own way, with the quick one behind it.
+  [[nodiscard]] Simulation at_begin(const Way& way, Workpiece block, double stiffness) const;
+};
+
+/// Fed sideways at a height of the head's origin.
+[[nodiscard]] GridCut milled(const char* id, const char* what, const ToolHead& head, const Box& box, double height,
+                             const Wrench& expected);
+
+/// Mean force over the measured way, and its standard deviation about a straight line.
+struct Course {
+  Vec3 mean = Vec3::Zero(), ripple = Vec3::Zero();
+  double torque_z = 0, closure = 0;
+};
+[[nodiscard]] Course follow(Simulation& simulation, const GridCut& cut, const Way& way);
+
+/// [1] how far the worst of a case may be off.
+struct Limits {
+  double mean, torque, ripple;
+};
+
+/// On voxels of a size, or of 0.1 and 0.05 mm, and on foundations as stiff as the step allows and stiffer.
+[[nodiscard]] std::vector<Check> in_every_direction(const GridCut& cut, const Limits& limits, double voxel);
+[[nodiscard]] std::vector<Check> in_every_direction(const GridCut& cut, const Limits& coarse, const Limits& fine);
+
+inline const std::vector<double> kStiffFoundations = {1e16, 0, 1e17};  ///< [N/m^4] 0: the default
+
+inline const Box kPlate = {Vec3(-0.4, -1.4, -1) * units::mm, Vec3(2.6, 1.4, 0) * units::mm};
+inline const Box kBlock = {Vec3(-1.4, -1.4, -1.3) * units::mm, Vec3(1.4, 1.4, 0) * units::mm};
+
+}  // namespace hapticut::validation

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// C23, C24, C28 and C36 under a hand that pushes: how fast a tool goes in every direction of the grid.
+#include <algorithm>
+#include <cmath>
+
+#include "bench/validation/bench.hpp"
+#include "bench/validation/checks.hpp"
+#include "bench/validation/grid_cuts.hpp"
+
+namespace hapticut::validation {
+namespace {
+
+using units::mm;
+
+constexpr double kPushed = 0.04;  // [1] of the speed
+
+/// The speed of a cut that is pushed along its feed, and the force meanwhile.
+struct Push {
+  double speed, force;  // [m/s], [N]
+};
+
+/// A hand's constant force through a damper, which is soft against a layer of bone and firm against the hand.
+Push push(Simulation& simulation, const GridCut& cut, const Way& way, double hand) {
+  constexpr double kDamper = 1000, kStep = 2.5e-4, kFastest = 5 * mm;  // [N s/m], [s], [m/s]
+  constexpr int kSteps = 1200, kFrom = 600;
+  const Vec3 along = (cut.end - cut.begin).normalized();
+  double way_gone = 0, force = 0, begin = 0;
+  Push pushed = {};
+  for (int n = 0; n < kSteps; ++n) {
+    const double speed = std::clamp((hand - force) / kDamper, -kFastest, kFastest);
+    way_gone += speed * kStep;
+    const Pose pose = {way.R_VT, way.R_VT * (cut.begin + way_gone * along) + way.p_V};
+    const StepResult& result = simulation.step(pose, {way.R_VT * along * speed, Vec3::Zero()}, kStep);
+    force = -(way.R_VT.transpose() * result.force).dot(along);
+    if (n == kFrom) begin = way_gone;
+    if (n >= kFrom) pushed.force += force / (kSteps - kFrom);
+  }
+  pushed.speed = (way_gone - begin) / (kStep * (kSteps - kFrom));
+  return pushed;
+}
+
+/// The worst of all directions and stiffnesses.
+/// @param speed_under  [m/s] by the closed form, under a force [N]
+template <class SpeedUnder>
+Check pushed(const char* id, const char* what, const GridCut& cut, double hand, double voxel,
+             const SpeedUnder& speed_under) {
+  double worst = 0;
+  for (const Way& way : ways(voxel)) {
+    const Workpiece block = oriented_block(way, cut.box, voxel, cut.material());
+    for (const double stiffness : kStiffFoundations) {
+      Simulation simulation = cut.at_begin(way, block.clone(), stiffness);
+      const Push found = push(simulation, cut, way, hand);
+      worst = std::max(worst, std::abs(found.speed / speed_under(found.force) - 1));
+    }
+  }
+  return {id, std::string(what) + ", worst of 7 directions and 3 stiffnesses: speed off by", "1", 0, worst, kPushed, 1};
+}
+
+/// Where the force goes with the speed.
+auto in_proportion(const GridCut& cut) {
+  const Vec3 along = (cut.end - cut.begin).normalized();
+  return [speed = cut.cut.feed_speed, of = -cut.expected.force.dot(along)](double force) { return speed * force / of; };
+}
+
+GridCut drill_with(const forms::SteadyCut& cut) {
+  return {"",
+          "",
+          FlatHead{kR, 8 * mm, FlatRule::bottom_only},
+          kBlock,
+          Vec3(0, 0, 0.1) * mm,
+          Vec3(0, 0, -0.3) * mm,
+          Vec3(0, 0, -0.9) * mm,
+          1,
+          {},
+          cut};
+}
+
+std::vector<Check> drills() {
+  std::vector<Check> checks;
+  for (const double edge : {0.0, 5e5}) {
+    forms::SteadyCut cut = kSlowCut;
+    cut.edge_pressure = edge;
+    const double hand = forms::axial_cutting_force_of_a_flat_head(cut, kR);
+    for (const double voxel : {0.1 * mm, 0.05 * mm})
+      checks.push_back(pushed(edge > 0 ? (voxel > 0.07 * mm ? "C23 pushed edge 0.1 mm" : "C23 pushed edge 0.05 mm")
+                                       : (voxel > 0.07 * mm ? "C23 pushed 0.1 mm" : "C23 pushed 0.05 mm"),
+                              edge > 0 ? "flat head pushed, p_e = 0.5 MPa" : "flat head pushed", drill_with(cut), hand,
+                              voxel, [=](double force) { return forms::feed_of_a_flat_head_under(force, cut, kR); }));
+  }
+  forms::SteadyCut chips = kSlowCut;
+  chips.tooth_rate = tooth_rate(GridCut::kCutter, chips.spin);
+  chips.edge_length = chips.feed_speed / chips.tooth_rate;
+  chips.size_length = 2 * chips.edge_length;
+  checks.push_back(pushed("C36 pushed 0.1 mm", "flat head pushed, chips", drill_with(chips),
+                          forms::axial_chip_wrench(chips, kR).force.z(), 0.1 * mm,
+                          [=](double force) { return forms::feed_with_chips_under(force, chips, kR); }));
+  return checks;
+}
+
+std::vector<Check> slots_and_balls() {
+  const GridCut slot = milled("", "", FlatHead{kR, 4 * mm, FlatRule::side_only}, kPlate, -1.5 * mm,
+                              forms::slotting_wrench(kSlowCut, kR, 1 * mm));
+  GridCut ball = {"",
+                  "",
+                  SphereHead{kR},
+                  kBlock,
+                  Vec3(0, 0, 1.1) * mm,
+                  Vec3(0, 0, -0.1) * mm,
+                  Vec3(0, 0, -0.7) * mm,
+                  1,
+                  forms::ball_plunge_wrench(kSlowCut, kR, kR)};
+  ball.box.min.z() = -2.2 * mm;
+  return {pushed("C24 pushed 0.1 mm", "cylinder pushed along a slot", slot, -slot.expected.force.x(), 0.1 * mm,
+                 in_proportion(slot)),
+          pushed("C28 pushed 0.1 mm", "ball pushed down beyond its radius", ball, ball.expected.force.z(), 0.1 * mm,
+                 in_proportion(ball))};
+}
+
+}  // namespace
+
+std::vector<Experiment> pushed_experiments() {
+  return {{"pushed drills", drills}, {"pushed along a slot and down", slots_and_balls}};
+}
+
+}  // namespace hapticut::validation
