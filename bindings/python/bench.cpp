@@ -15,9 +15,7 @@ namespace {
 
 void bind_plant(py::module_& m) {
   using O = PlantOptions;
-  bind_struct<O>(m, "PlantOptions", field("period", &O::period), field("fine_step", &O::fine_step),
-                 field("dry_friction", &O::dry_friction), field("encoder", &O::encoder),
-                 field("rotation", &O::rotation));
+  bind_described<O>(m, "PlantOptions");
   py::class_<Plant>(m, "Plant", doc("Plant"))
       .def(py::init<const DeviceModel&, const HandModel&, const O&>(), py::arg("device"), py::arg("hand"),
            py::arg("options") = O{}, doc("Plant::Plant"))
@@ -165,11 +163,7 @@ void bind_contact_bench(py::module_& m) {
 }
 
 void bind_faults(py::module_& m) {
-  py::enum_<InjectedFault> faults(m, "InjectedFault", doc("InjectedFault"));
-  for (const InjectedFault fault : injected_faults()) {
-    const std::string fault_name(name_of(fault));
-    faults.value(fault_name.c_str(), fault, doc(std::string("InjectedFault::") + fault_name));
-  }
+  bind_enum<InjectedFault>(m, "InjectedFault");
   m.def(
       "injected_faults", [] { return std::vector<InjectedFault>(injected_faults().begin(), injected_faults().end()); },
       "All of them.");

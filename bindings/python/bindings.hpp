@@ -23,6 +23,11 @@ void bind_guard(pybind11::module_& m);
 void bind_guard_stages(pybind11::module_& m);
 void bind_bench(pybind11::module_& m);
 void bind_recordings(pybind11::module_& m);
+void bind_changed_block(pybind11::module_& m);
+void bind_surface(pybind11::module_& m);
+void bind_islands(pybind11::module_& m);
 void bind_loop(pybind11::module_& m);
+void bind_heat(pybind11::module_& m);
+void bind_sound(pybind11::module_& m);
 
 }  // namespace hapticut::python

@@ -87,7 +87,7 @@ void bind_meshes(py::module_& m) {
           py::return_value_policy::reference_internal, doc("MeshShell::mesh"))
       .def_readwrite("material", &MeshShell::material, doc("MeshShell::material"));
   bind_struct<MeshImport>(m, "MeshImport", field("voxel_size", &MeshImport::voxel_size),
-                          field("subsamples", &MeshImport::subsamples));
+                          field("subsamples", &MeshImport::subsamples), field("large", &MeshImport::large));
   m.def(
       "build_from_shells",
       [](const std::vector<MeshShell>& shells, const MaterialTable& materials, const MeshImport& options) {

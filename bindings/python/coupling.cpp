@@ -98,19 +98,14 @@ py::array run(PythonCoupling& self, const Float64Array& poses, const Float64Arra
 
 void bind_gains(py::module_& m) {
   using G = CouplingGains;
-  bind_struct<G>(m, "CouplingGains", field("mass", &G::mass), field("stiffness", &G::stiffness),
-                 field("damping", &G::damping), field("largest_force", &G::largest_force),
-                 field("angular_stiffness", &G::angular_stiffness), field("angular_damping", &G::angular_damping),
-                 field("inertia", &G::inertia), field("newton_steps", &G::newton_steps));
+  bind_described<G>(m, "CouplingGains");
   m.def("validate", py::overload_cast<const G&>(&validate), py::arg("gains"), doc("validate"));
-  m.def("coupling_gains", &coupling_gains, py::arg("device"), py::arg("mass") = 0.05, doc("coupling_gains"));
+  m.def("coupling_gains", &coupling_gains, py::arg("device"), py::arg("mass") = py::none(), doc("coupling_gains"));
 }
 
 void bind_coupled_result(py::module_& m) {
   using E = CouplingEnergy;
-  bind_result<E>(m, "CouplingEnergy", member("hand_work", &E::hand_work), member("tool_work", &E::tool_work),
-                 member("spring", &E::spring), member("damper", &E::damper), member("kinetic", &E::kinetic),
-                 member("implicit", &E::implicit))
+  bind_described_result<E>(m, "CouplingEnergy")
       .def("imbalance", &E::imbalance, doc("CouplingEnergy::imbalance"))
       .def("closure", &E::closure, doc("CouplingEnergy::closure"));
   using R = PythonCoupledResult;
@@ -159,7 +154,9 @@ void bind_coupling(py::module_& m) {
   bind_gains(m);
   bind_coupled_result(m);
   using C = PythonCoupling;
-  py::class_<C>(m, "VirtualCoupling", doc("VirtualCoupling"))
+  py::class_<C> coupling(m, "VirtualCoupling", doc("VirtualCoupling"));
+  bind_enum<VirtualCoupling::Rejoin>(coupling, "Rejoin", "VirtualCoupling::Rejoin");
+  coupling
       .def(py::init([](const std::shared_ptr<PythonSimulation>& simulation, const CouplingGains& gains) {
              simulation->occupancy.require_readable("The simulation");
              return C{simulation, VirtualCoupling(simulation->simulation, gains)};
@@ -188,8 +185,23 @@ void bind_coupling(py::module_& m) {
             self.coupling.release();
           },
           doc("VirtualCoupling::release"))
+      .def(
+          "leave",
+          [](C& self, VirtualCoupling::Rejoin rejoin) {
+            self.simulation->occupancy.require_writable("The simulation");
+            self.coupling.leave(rejoin);
+          },
+          py::arg("rejoin"), doc("VirtualCoupling::leave"))
+      .def(
+          "set_gains",
+          [](C& self, const CouplingGains& gains) {
+            self.simulation->occupancy.require_writable("The simulation");
+            validate(gains);
+            self.coupling.set_gains(gains);
+          },
+          py::arg("gains"), doc("VirtualCoupling::set_gains"))
       .def_property_readonly(
-          "gains", [](const C& self) { return self.coupling.gains(); }, "As given.")
+          "gains", [](const C& self) { return self.coupling.gains(); }, "As they are now.")
       .def_property_readonly(
           "last_result",
           [](const C& self) {

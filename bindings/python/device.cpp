@@ -4,7 +4,6 @@
 
 #include <limits>
 #include <optional>
-#include <set>
 
 #include "bindings.hpp"
 #include "hapticut/device/simulated/mock.hpp"
@@ -23,64 +22,6 @@ namespace hapticut::python {
 
 namespace {
 
-/// Names of models are looked at, not owned; those that Python gives stay for the life of the program.
-std::string_view kept(const std::string& name) {
-  static std::set<std::string> names;
-  return *names.insert(name).first;
-}
-
-template <class S>
-auto name_field(std::string_view S::*member) {
-  return computed<S, std::string>(
-      "name", [member](const S& s) { return std::string(s.*member); },
-      [member](S& s, const std::string& name) { s.*member = kept(name); });
-}
-
-void bind_models(py::module_& m) {
-  using D = DeviceModel;
-  bind_struct<D>(m, "DeviceModel", name_field(&D::name), field("mass", &D::mass), field("damping", &D::damping),
-                 field("dry_friction", &D::dry_friction), field("encoder_step", &D::encoder_step),
-                 field("peak_force", &D::peak_force), field("continuous_force", &D::continuous_force),
-                 field("rendered_stiffness", &D::rendered_stiffness), field("rendered_damping", &D::rendered_damping),
-                 field("rotational_inertia", &D::rotational_inertia),
-                 field("rotational_damping", &D::rotational_damping), field("peak_torque", &D::peak_torque),
-                 field("workspace_half_width", &D::workspace_half_width));
-  m.def(
-      "device_models", [] { return std::vector<D>(device_models().begin(), device_models().end()); },
-      doc("device_models"));
-  m.def("device_model", &device_model, py::return_value_policy::copy, py::arg("name"), doc("device_model"));
-  m.def("capabilities", &capabilities, py::arg("model"), doc("capabilities"));
-  using H = HandModel;
-  bind_struct<H>(m, "HandModel", name_field(&H::name), field("mass", &H::mass), field("damping", &H::damping),
-                 field("stiffness", &H::stiffness), field("pad_stiffness", &H::pad_stiffness),
-                 field("pad_damping", &H::pad_damping), field("inertia", &H::inertia),
-                 field("angular_damping", &H::angular_damping), field("angular_stiffness", &H::angular_stiffness));
-  m.def(
-      "hand_models", [] { return std::vector<H>(hand_models().begin(), hand_models().end()); }, doc("hand_models"));
-  m.def("hand_model", &hand_model, py::return_value_policy::copy, py::arg("name"), doc("hand_model"));
-}
-
-void bind_runs(py::module_& m) {
-  using O = RunOptions;
-  bind_struct<O>(m, "RunOptions", field("seconds", &O::seconds), field("simulated_time", &O::simulated_time),
-                 field("stop_on_signals", &O::stop_on_signals), field("stop_on_crash", &O::stop_on_crash),
-                 field("realtime", &O::realtime), field("guard", &O::guard));
-  using R = RunReport;
-  bind_result<R>(m, "RunReport", member("ticks", &R::ticks), member("missed", &R::missed),
-                 member("wake_up", &R::wake_up), member("compute", &R::compute), member("end", &R::end),
-                 member("fault", &R::fault), member("guard", &R::guard), member("log", &R::log),
-                 member("warnings", &R::warnings))
-      .def_property_readonly(
-          "events",
-          [](const R& report) {
-            py::dict events;
-            for (std::size_t i = 0; i < kSafetyEvents; ++i)
-              if (report.events[i] > 0) events[py::str(std::string(name_of(SafetyEvent(i))))] = report.events[i];
-            return events;
-          },
-          "dict from the name of a SafetyEvent to the number of ticks that reported it.");
-}
-
 /// A path that may be a function of Python: what it raises cannot come out of the device's loop. It goes to
 /// sys.unraisablehook, and the reading is one that the guard does not believe, so that there is no force.
 ScriptedPath safe_path(const ScriptedPath& given) {
@@ -97,6 +38,51 @@ ScriptedPath safe_path(const ScriptedPath& given) {
     }
     return Pose::from_translation(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
   };
+}
+
+}  // namespace
+
+/// Null is None.
+template <>
+struct InPython<ScriptedPath> {
+  using Type = std::optional<ScriptedPath>;
+  static Type there(const ScriptedPath& path) { return path ? Type(path) : std::nullopt; }
+  static ScriptedPath back(const Type& given) { return given && *given ? safe_path(*given) : nullptr; }
+};
+
+namespace {
+
+void bind_models(py::module_& m) {
+  using D = DeviceModel;
+  bind_described<D>(m, "DeviceModel");
+  m.def(
+      "device_models", [] { return std::vector<D>(device_models().begin(), device_models().end()); },
+      doc("device_models"));
+  m.def("device_model", &device_model, py::return_value_policy::copy, py::arg("name"), doc("device_model"));
+  m.def("capabilities", &capabilities, py::arg("model"), doc("capabilities"));
+  using H = HandModel;
+  bind_described<H>(m, "HandModel");
+  m.def(
+      "hand_models", [] { return std::vector<H>(hand_models().begin(), hand_models().end()); }, doc("hand_models"));
+  m.def("hand_model", &hand_model, py::return_value_policy::copy, py::arg("name"), doc("hand_model"));
+}
+
+void bind_runs(py::module_& m) {
+  bind_described<RunOptions>(m, "RunOptions");
+  using R = RunReport;
+  bind_result<R>(m, "RunReport", member("ticks", &R::ticks), member("missed", &R::missed),
+                 member("wake_up", &R::wake_up), member("compute", &R::compute), member("end", &R::end),
+                 member("fault", &R::fault), member("guard", &R::guard), member("log", &R::log),
+                 member("warnings", &R::warnings))
+      .def_property_readonly(
+          "events",
+          [](const R& report) {
+            py::dict events;
+            for (std::size_t i = 0; i < kSafetyEvents; ++i)
+              if (report.events[i] > 0) events[py::str(std::string(name_of(SafetyEvent(i))))] = report.events[i];
+            return events;
+          },
+          "dict from the name of a SafetyEvent to the number of ticks that reported it.");
 }
 
 void bind_devices(py::module_& m) {
@@ -135,14 +121,7 @@ void bind_devices(py::module_& m) {
       "The kinds of devices there are, usable or not: dicts of scheme, usage and missing (empty, or what to install).");
 
   m.def("scripted_path", &scripted_path, py::arg("name"), doc("scripted_path"));
-  using O = MockOptions;
-  using OptionalPath = std::optional<ScriptedPath>;
-  const auto path = computed<O, OptionalPath>(
-      "path", [](const O& o) { return o.path ? OptionalPath(o.path) : std::nullopt; },
-      [](O& o, const OptionalPath& given) { o.path = given && *given ? safe_path(*given) : nullptr; });
-  bind_struct<O>(m, "MockOptions", path, field("device", &O::device), field("hand", &O::hand),
-                 field("rigid", &O::rigid), field("dry_friction", &O::dry_friction), field("encoder", &O::encoder),
-                 field("velocity_filter", &O::velocity_filter), field("period", &O::period), field("end", &O::end));
+  bind_described<MockOptions>(m, "MockOptions");
   py::class_<MockDevice, Device>(m, "MockDevice", doc("MockDevice"))
       .def(py::init<MockOptions, std::string>(), py::arg("options"), py::arg("name") = "mock",
            doc("MockDevice::MockDevice"));
@@ -155,25 +134,9 @@ void bind_devices(py::module_& m) {
       .def("size", &PlaybackDevice::size, doc("PlaybackDevice::size"))
       .def("__len__", &PlaybackDevice::size);
 
-  bind_enum<MoveKey>(m, "MoveKey",
-                     {{"left", MoveKey::left},
-                      {"right", MoveKey::right},
-                      {"down", MoveKey::down},
-                      {"up", MoveKey::up},
-                      {"away", MoveKey::away},
-                      {"nearer", MoveKey::nearer},
-                      {"turn_left", MoveKey::turn_left},
-                      {"turn_right", MoveKey::turn_right}});
+  bind_enum<MoveKey>(m, "MoveKey");
   using M = MouseOptions;
-  const auto device = computed<M, std::string>(
-      "device", [](const M& o) { return std::string(o.device); },
-      [](M& o, const std::string& given) { o.device = kept(given); });
-  const auto hand = computed<M, std::string>(
-      "hand", [](const M& o) { return std::string(o.hand); },
-      [](M& o, const std::string& given) { o.hand = kept(given); });
-  bind_struct<M>(m, "MouseOptions", field("per_pixel", &M::per_pixel), field("per_notch", &M::per_notch),
-                 field("key_speed", &M::key_speed), field("key_turn", &M::key_turn), field("reach", &M::reach),
-                 field("fastest", &M::fastest), device, hand);
+  bind_described<M>(m, "MouseOptions");
   py::class_<MouseDevice, Device>(m, "MouseDevice", doc("MouseDevice"))
       .def(py::init<const M&>(), py::arg("options") = M{}, doc("MouseDevice::MouseDevice"))
       .def("pointer_moved", &MouseDevice::pointer_moved, py::arg("dx"), py::arg("dy"),
@@ -186,9 +149,7 @@ void bind_devices(py::module_& m) {
 
 void bind_map(py::module_& m) {
   using O = WorkspaceMapOptions;
-  bind_struct<O>(m, "WorkspaceMapOptions", field("X_WB", &O::X_WB), field("scale", &O::scale),
-                 field("force_scale", &O::force_scale), field("torque_scale", &O::torque_scale),
-                 field("X_SH", &O::X_SH), field("orientation", &O::orientation));
+  bind_described<O>(m, "WorkspaceMapOptions");
   using M = WorkspaceMap;
   py::class_<M>(m, "WorkspaceMap", doc("WorkspaceMap"))
       .def(py::init<const O&>(), py::arg("options") = O{}, doc("WorkspaceMap::WorkspaceMap"))
@@ -197,13 +158,16 @@ void bind_map(py::module_& m) {
       .def("place", &M::place, py::arg("X_BS"), py::arg("X_WH"), doc("WorkspaceMap::place"))
       .def("set_scale", &M::set_scale, py::arg("scale"), py::arg("X_BS"), doc("WorkspaceMap::set_scale"))
       .def_property_readonly("engaged", &M::engaged, "Whether the clutch is closed.")
-      .def_property_readonly("scale", &M::scale, doc("WorkspaceMapOptions::scale"))
+      .def_property_readonly("scale", &M::scale, doc("WorkspaceMap::scale"))
+      .def_property_readonly(
+          "options", [](const M& map) { return map.options(); }, doc("WorkspaceMap::options"))
       .def("to_world", py::overload_cast<const Pose&>(&M::to_world, py::const_), py::arg("X_BS"),
            doc("WorkspaceMap::to_world"))
       .def("to_world", py::overload_cast<const Pose&, const Twist&>(&M::to_world, py::const_), py::arg("X_BS"),
            py::arg("stylus"), doc("WorkspaceMap::to_world#2"))
       .def("to_device", &M::to_device, py::arg("X_BS"), py::arg("tool"), doc("WorkspaceMap::to_device"))
       .def("felt_stiffness", &M::felt_stiffness, py::arg("world"), doc("WorkspaceMap::felt_stiffness"));
+  m.def("gains_in_world", &gains_in_world, py::arg("felt"), py::arg("map"), doc("gains_in_world"));
 }
 
 }  // namespace

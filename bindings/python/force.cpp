@@ -40,6 +40,7 @@ void bind_laws(py::module_& m) {
       .def_readonly_static("kLargestExponent", &Foundation::kLargestExponent, doc("FoundationLaw::kLargestExponent"))
       .def_readonly_static("kLeastEnergyShare", &Foundation::kLeastEnergyShare, doc("FoundationLaw::kLeastEnergyShare"))
       .def_readonly_static("kSmallestPart", &Foundation::kSmallestPart, doc("FoundationLaw::kSmallestPart"))
+      .def_readonly_static("kSmallestLoss", &Foundation::kSmallestLoss, doc("FoundationLaw::kSmallestLoss"))
       .def_readonly_static("kAxisZone", &Foundation::kAxisZone, doc("FoundationLaw::kAxisZone"))
       .def_readonly_static("kAxisSlip", &Foundation::kAxisSlip, doc("FoundationLaw::kAxisSlip"));
   m.attr("kSmallestFill") = kSmallestFill;
@@ -137,27 +138,30 @@ void bind_force(py::module_& m) {
   bind_laws(m);
   bind_friction(m);
   m.def("stiffness_for_accuracy", &stiffness_for_accuracy, py::arg("head"), py::arg("material"),
-        py::arg("spindle_speed"), py::arg("feed_speed"), doc("stiffness_for_accuracy"));
+        py::arg("spindle_speed"), py::arg("feed_speed"), py::arg("cutter") = Cutter{}, doc("stiffness_for_accuracy"));
   m.def("largest_contact_stiffness", &largest_contact_stiffness, py::arg("head"), doc("largest_contact_stiffness"));
   m.def("stiffness_for_device", &stiffness_for_device, py::arg("head"), py::arg("device_stiffness"),
         doc("stiffness_for_device"));
 
   bind_struct<DrillingTest>(m, "DrillingTest", required("radius", &DrillingTest::radius),
                             required("spindle_speed", &DrillingTest::spindle_speed),
-                            required("feed_speed", &DrillingTest::feed_speed),
-                            required("thrust", &DrillingTest::thrust), required("torque", &DrillingTest::torque));
+                            required("feed_speed", &DrillingTest::feed_speed), field("thrust", &DrillingTest::thrust),
+                            field("torque", &DrillingTest::torque), field("lips", &DrillingTest::lips));
+  bind_enum<ChipTerm>(m, "ChipTerm");
   bind_struct<Calibration>(
       m, "Calibration", field("specific_cutting_energy", &Calibration::specific_cutting_energy),
       field("cutting_ratio", &Calibration::cutting_ratio), field("edge_pressure", &Calibration::edge_pressure),
+      field("edge_length", &Calibration::edge_length), field("size_length", &Calibration::size_length),
+      field("ratio_identified", &Calibration::ratio_identified),
       field("edge_identified", &Calibration::edge_identified), field("chip_identified", &Calibration::chip_identified),
       field("thrust_residual", &Calibration::thrust_residual), field("torque_residual", &Calibration::torque_residual));
   bind_result<AxialCutForce>(m, "AxialCutForce", member("thrust", &AxialCutForce::thrust),
                              member("torque", &AxialCutForce::torque));
   m.def("axial_cut_force", &axial_cut_force, py::arg("constants"), py::arg("radius"), py::arg("spindle_speed"),
-        py::arg("feed_speed"), "Steady thrust and torque of a flat head fed axially (C22).");
+        py::arg("feed_speed"), py::arg("lips") = 2.0, "Steady thrust and torque of a flat head fed axially (C22).");
   m.def(
-      "calibrate", [](const std::vector<DrillingTest>& tests) { return calibrate(tests); }, py::arg("tests"),
-      doc("calibrate"));
+      "calibrate", [](const std::vector<DrillingTest>& tests, ChipTerm term) { return calibrate(tests, term); },
+      py::arg("tests"), py::arg("term") = ChipTerm::edge_length, doc("calibrate"));
 }
 
 }  // namespace hapticut::python

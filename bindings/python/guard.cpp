@@ -16,8 +16,9 @@ void bind_states(py::module_& m) {
   bind_described<DeviceCapabilities>(m, "DeviceCapabilities");
   using S = DeviceState;
   bind_described<S>(m, "DeviceState").def("pressed", &S::pressed, py::arg("button"), "Whether a button is pressed.");
+  bind_described<ModelContact>(m, "ModelContact");
   bind_struct<DeviceCommand>(m, "DeviceCommand", field("wrench", &DeviceCommand::wrench),
-                             field("stop", &DeviceCommand::stop));
+                             field("stop", &DeviceCommand::stop), field("contact", &DeviceCommand::contact));
   bind_bits<OutputChange>(m, "OutputChange");
   bind_described<DeviceOutput>(m, "DeviceOutput");
   m.def("describe", py::overload_cast<DeviceFault>(&describe), py::arg("fault"), doc("describe"));
@@ -31,9 +32,7 @@ void bind_states(py::module_& m) {
 }
 
 void bind_log(py::module_& m) {
-  py::enum_<SafetyEvent> events(m, "SafetyEvent", doc("SafetyEvent"));
-  for (const auto& one : names_of(Of<SafetyEvent>{}))
-    events.value(one.name, one.value, doc(std::string("SafetyEvent::") + one.name));
+  bind_enum<SafetyEvent>(m, "SafetyEvent");
   using L = SafetyLogEntry;
   py::class_<L>(m, "SafetyLogEntry", doc("SafetyLogEntry"))
       .def_readonly("time", &L::time, doc("SafetyLogEntry::time"))
@@ -55,35 +54,12 @@ void bind_log(py::module_& m) {
 }
 
 void bind_options(py::module_& m) {
-  using G = PoseGateOptions;
-  bind_struct<G>(m, "PoseGateOptions", field("fastest", &G::fastest), field("fastest_turn", &G::fastest_turn),
-                 field("workspace_margin", &G::workspace_margin), field("rotation_tolerance", &G::rotation_tolerance),
-                 field("hold_ticks", &G::hold_ticks), field("frozen_ticks", &G::frozen_ticks),
-                 field("frozen_turn", &G::frozen_turn), field("frozen_speed", &G::frozen_speed));
-  using A = ArmingOptions;
-  bind_struct<A>(m, "ArmingOptions", field("valid_ticks", &A::valid_ticks), field("free_force", &A::free_force),
-                 field("free_torque", &A::free_torque), field("free_ticks", &A::free_ticks), field("ramp", &A::ramp),
-                 field("short_ramp", &A::short_ramp));
-  using P = PassivityOptions;
-  bind_struct<P>(m, "PassivityOptions", field("enabled", &P::enabled), field("credit", &P::credit),
-                 field("allowance", &P::allowance), field("greatest", &P::greatest),
-                 field("greatest_damping", &P::greatest_damping), field("slowest", &P::slowest),
-                 field("free", &P::free), field("delay", &P::delay), field("free_ticks", &P::free_ticks));
-  using T = ThermalOptions;
-  bind_struct<T>(m, "ThermalOptions", field("time_constant", &T::time_constant), field("warm", &T::warm),
-                 field("cool", &T::cool), field("hot", &T::hot), field("cold", &T::cold), field("rate", &T::rate));
-  using W = WatchdogOptions;
-  bind_struct<W>(m, "WatchdogOptions", field("period", &W::period), field("late_ticks", &W::late_ticks),
-                 field("fade_ticks", &W::fade_ticks), field("fade", &W::fade), field("fault_ticks", &W::fault_ticks),
-                 field("latch", &W::latch));
-  using O = GuardOptions;
-  bind_struct<O>(m, "GuardOptions", field("gate", &O::gate), field("arming", &O::arming),
-                 field("passivity", &O::passivity), field("thermal", &O::thermal), field("watchdog", &O::watchdog),
-                 field("period", &O::period), field("greatest_force", &O::greatest_force),
-                 field("greatest_torque", &O::greatest_torque), field("slew", &O::slew),
-                 field("torque_slew", &O::torque_slew), field("stiffness", &O::stiffness),
-                 field("fastest_contact", &O::fastest_contact), field("ramp_damping", &O::ramp_damping),
-                 field("late", &O::late), field("pause", &O::pause), field("not_finite_ticks", &O::not_finite_ticks));
+  bind_described<PoseGateOptions>(m, "PoseGateOptions");
+  bind_described<ArmingOptions>(m, "ArmingOptions");
+  bind_described<PassivityOptions>(m, "PassivityOptions");
+  bind_described<ThermalOptions>(m, "ThermalOptions");
+  bind_described<WatchdogOptions>(m, "WatchdogOptions");
+  bind_described<GuardOptions>(m, "GuardOptions");
 }
 
 }  // namespace
@@ -116,7 +92,8 @@ void bind_guard(py::module_& m) {
       .def("start", &SafetyGuard::start, doc("SafetyGuard::start"))
       .def("stop", &SafetyGuard::stop, doc("SafetyGuard::stop"))
       .def("admit", &SafetyGuard::admit, py::return_value_policy::copy, py::arg("reading"), doc("SafetyGuard::admit"))
-      .def("release", &SafetyGuard::release, py::arg("commanded"), doc("SafetyGuard::release"))
+      .def("release", &SafetyGuard::release, py::arg("commanded"), py::arg("contact") = ModelContact{},
+           doc("SafetyGuard::release"))
       .def("applied", &SafetyGuard::applied, py::arg("wrench"), doc("SafetyGuard::applied"))
       .def_property_readonly("requests", &SafetyGuard::requests, py::return_value_policy::reference_internal,
                              doc("SafetyGuard::requests"))
@@ -137,9 +114,7 @@ void bind_guard(py::module_& m) {
       .def_property_readonly("slew", &SafetyGuard::slew, doc("SafetyGuard::slew"))
       .def_property_readonly("greatest_force", &SafetyGuard::greatest_force, doc("SafetyGuard::greatest_force"));
 
-  using R = RealtimeOptions;
-  bind_struct<R>(m, "RealtimeOptions", field("priority", &R::priority), field("lock_memory", &R::lock_memory),
-                 field("flush_denormals", &R::flush_denormals), field("cpu", &R::cpu), field("stack", &R::stack));
+  bind_described<RealtimeOptions>(m, "RealtimeOptions");
   using H = LatencyHistogram;
   py::class_<H>(m, "LatencyHistogram", doc("LatencyHistogram"))
       .def(py::init<>())

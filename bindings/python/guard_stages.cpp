@@ -14,9 +14,7 @@ namespace hapticut::python {
 void bind_guard_stages(py::module_& m) {
   using G = PoseGate;
   py::class_<G> gate(m, "PoseGate", doc("PoseGate"));
-  bind_enum<G::Verdict>(gate, "Verdict",
-                        {{"accepted", G::Verdict::accepted}, {"held", G::Verdict::held}, {"lost", G::Verdict::lost}},
-                        "PoseGate::Verdict");
+  bind_enum<G::Verdict>(gate, "Verdict", "PoseGate::Verdict");
   gate.def(py::init<const DeviceCapabilities&, const PoseGateOptions&>(), py::arg("capabilities"),
            py::arg("options") = PoseGateOptions{}, doc("PoseGate::PoseGate"))
       .def("check", &G::check, py::arg("reading"), py::arg("dt"), py::arg("log"), doc("PoseGate::check"))
@@ -32,16 +30,26 @@ void bind_guard_stages(py::module_& m) {
            doc("Arming::interrupt"))
       .def("fail", &A::fail, py::arg("log"), py::arg("value") = 0.0, "Enters the fault state, until it is reset.")
       .def("reset", &A::reset, py::arg("log"), doc("Arming::reset"))
-      .def("tick", &A::tick, py::arg("dt"), py::arg("reading_ok"), py::arg("force"), py::arg("torque"), py::arg("log"),
-           doc("Arming::tick"))
+      .def(
+          "tick",
+          [](A& a, double dt, bool reading_ok, double force, double torque, SafetyLog& log,
+             std::optional<bool> touching) { return a.tick(dt, reading_ok, force, torque, touching, log); },
+          py::arg("dt"), py::arg("reading_ok"), py::arg("force"), py::arg("torque"), py::arg("log"),
+          py::arg("touching") = py::none(), doc("Arming::tick"))
       .def_property_readonly("state", &A::state, "Whether a force is allowed.");
 
   using P = PassivityController;
   py::class_<P>(m, "PassivityController", doc("PassivityController"))
       .def(py::init<const PassivityOptions&, double>(), py::arg("options"), py::arg("greatest"),
            doc("PassivityController::PassivityController"))
-      .def("control", &P::control, py::arg("force"), py::arg("applied"), py::arg("motion"), py::arg("dt"),
-           doc("PassivityController::control"))
+      .def(
+          "control",
+          [](P& p, const Vec3& force, const Vec3& applied, const Vec3& motion, double dt, const Vec3& effects,
+             std::optional<double> stored) {
+            return p.control({force, effects, applied, motion, dt, stored});
+          },
+          py::arg("force"), py::arg("applied"), py::arg("motion"), py::arg("dt"),
+          py::arg("effects") = Vec3(Vec3::Zero()), py::arg("stored") = py::none(), doc("PassivityController::control"))
       .def("restart", &P::restart, "Forgets what was stored.")
       .def_property_readonly("stored", &P::stored, doc("PassivityController::stored"))
       .def_property_readonly("taken", &P::taken, doc("PassivityController::taken"));
@@ -56,12 +64,7 @@ void bind_guard_stages(py::module_& m) {
 
   using W = Watchdog;
   py::class_<W> watchdog(m, "Watchdog", doc("Watchdog"));
-  bind_enum<W::Verdict>(watchdog, "Verdict",
-                        {{"alive", W::Verdict::alive},
-                         {"late", W::Verdict::late},
-                         {"fading", W::Verdict::fading},
-                         {"dead", W::Verdict::dead}},
-                        "Watchdog::Verdict");
+  bind_enum<W::Verdict>(watchdog, "Verdict", "Watchdog::Verdict");
   watchdog.def(py::init<const WatchdogOptions&>(), py::arg("options") = WatchdogOptions{}, doc("Watchdog::Watchdog"))
       .def("verdict", &W::verdict, py::arg("seconds_without"), "What that long a silence means.")
       .def("scale", &W::scale, py::arg("seconds_without"), doc("Watchdog::scale"))

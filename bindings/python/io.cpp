@@ -24,11 +24,7 @@ using Released = py::call_guard<py::gil_scoped_release>;
 
 void bind_vdb(py::module_& m) {
   py::class_<VdbImport> import(m, "VdbImport", doc("VdbImport"));
-  bind_enum<VdbImport::Kind>(import, "Kind",
-                             {{"from_class", VdbImport::Kind::from_class},
-                              {"level_set", VdbImport::Kind::level_set},
-                              {"fog_volume", VdbImport::Kind::fog_volume}},
-                             "VdbImport::Kind");
+  bind_enum<VdbImport::Kind>(import, "Kind", "VdbImport::Kind");
   import
       .def(py::init([](const Material& material, const std::string& grid, double unit_mm, VdbImport::Kind kind) {
              return VdbImport{material, grid, unit_mm, kind};
@@ -159,17 +155,7 @@ void bind_volume_files(py::module_& m) {
       },
       py::arg("folder"), py::arg("label_of"), py::arg("spacing"),
       (std::string(doc("read_color_slices")) + "\n\nlabel_of is a dict from (red, green, blue) to a label.").c_str());
-  bind_enum<ValueType>(m, "ValueType",
-                       {{"uint8", ValueType::uint8},
-                        {"int8", ValueType::int8},
-                        {"uint16", ValueType::uint16},
-                        {"int16", ValueType::int16},
-                        {"uint32", ValueType::uint32},
-                        {"int32", ValueType::int32},
-                        {"uint64", ValueType::uint64},
-                        {"int64", ValueType::int64},
-                        {"float32", ValueType::float32},
-                        {"float64", ValueType::float64}});
+  bind_enum<ValueType>(m, "ValueType");
   bind_struct<RawLayout>(m, "RawLayout", field("dims", &RawLayout::dims), field("spacing", &RawLayout::spacing),
                          field("type", &RawLayout::type), field("big_endian", &RawLayout::big_endian),
                          field("skip", &RawLayout::skip));
@@ -197,8 +183,7 @@ void bind_volume_files(py::module_& m) {
 void bind_filters(py::module_& m) {
   using Grey = const GreyVolume&;
   using Labels = const LabelVolume&;
-  bind_enum<LabelInterpolation>(m, "LabelInterpolation",
-                                {{"nearest", LabelInterpolation::nearest}, {"smooth", LabelInterpolation::smooth}});
+  bind_enum<LabelInterpolation>(m, "LabelInterpolation");
   m.def(
       "resample", [](Grey v, double voxel_size) { return resample(v, voxel_size); }, py::arg("volume"),
       py::arg("voxel_size"), doc("resample"), Released());

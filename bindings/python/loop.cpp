@@ -186,11 +186,12 @@ void bind_messages(py::module_& m) {
     return [status](const T& snapshot) { return std::uint32_t(snapshot.*status); };
   };
   bind_result<T>(m, "ToolSnapshot", member("force", &T::force), member("torque", &T::torque),
-                 member("removed_volume", &T::removed_volume), member("contact_depth", &T::contact_depth),
-                 member("contact_voxels", &T::contact_voxels), member("spindle_speed", &T::spindle_speed),
-                 member("steps", &T::steps), member("undo_marks", &T::undo_marks), member("redo_marks", &T::redo_marks),
-                 member("undoing", &T::undoing), member("redoing", &T::redoing), member("force_held", &T::force_held),
-                 member("workpiece", &T::workpiece))
+                 member("removed_volume", &T::removed_volume), member("dissipated", &T::dissipated),
+                 member("contact_depth", &T::contact_depth), member("contact_voxels", &T::contact_voxels),
+                 member("spindle_speed", &T::spindle_speed), member("steps", &T::steps),
+                 member("undo_marks", &T::undo_marks), member("redo_marks", &T::redo_marks),
+                 member("islands", &T::islands), member("undoing", &T::undoing), member("redoing", &T::redoing),
+                 member("force_held", &T::force_held), member("workpiece", &T::workpiece))
       .def_property_readonly("status", bits(&T::status), doc("ToolSnapshot::status"))
       .def_property_readonly("seen", bits(&T::seen), doc("ToolSnapshot::seen"));
   using S = LoopSnapshot;
@@ -199,32 +200,11 @@ void bind_messages(py::module_& m) {
                  member("commands_dropped", &S::commands_dropped), member("commands_refused", &S::commands_refused),
                  member("blocks_waiting", &S::blocks_waiting), member("blocks_outside", &S::blocks_outside),
                  member("X_WT", &S::X_WT), member("tool", &S::tool));
-  using B = ChangedBlock;
-  py::class_<B>(m, "ChangedBlock", doc("ChangedBlock"))
-      .def_readonly("origin", &B::origin, doc("ChangedBlock::origin"))
-      .def_readonly("version", &B::version, doc("ChangedBlock::version"))
-      .def_readonly("workpiece", &B::workpiece, doc("ChangedBlock::workpiece"))
-      .def_property_readonly(
-          "material",
-          [](const py::object& self) {
-            return view(py::dtype::of<std::uint8_t>(), {kBlockEdge, kBlockEdge, kBlockEdge},
-                        {kBlockEdge * kBlockEdge, kBlockEdge, 1}, self.cast<const B&>().material.data(), self);
-          },
-          "(8, 8, 8) uint8 material ids; read-only.")
-      .def_property_readonly(
-          "fill",
-          [](const py::object& self) {
-            return view(py::dtype::of<float>(), {kBlockEdge, kBlockEdge, kBlockEdge},
-                        {4 * kBlockEdge * kBlockEdge, 4 * kBlockEdge, 4}, self.cast<const B&>().fill.data(), self);
-          },
-          "[1] (8, 8, 8) float32 filled shares; read-only.");
 }
 
 void bind_model(py::module_& m) {
   using O = SimulationModelOptions;
-  bind_struct<O>(m, "SimulationModelOptions", field("map", &O::map), field("coupling", &O::coupling),
-                 field("spindle_needs_force", &O::spindle_needs_force), field("undo_blocks", &O::undo_blocks),
-                 field("undo_blocks_per_tick", &O::undo_blocks_per_tick));
+  bind_described<O>(m, "SimulationModelOptions");
   using M = PythonModel;
   py::class_<M>(m, "SimulationModel", doc("SimulationModel"))
       .def(py::init([](const std::shared_ptr<PythonSimulation>& simulation, Device& device, const O& options) {
@@ -233,6 +213,9 @@ void bind_model(py::module_& m) {
            py::arg("simulation"), py::arg("device"), py::arg("options") = O{}, doc("SimulationModel::SimulationModel"))
       .def_property_readonly(
           "region", [](const M& self) { return self.model->region(); }, doc("SimulationModel::region"))
+      .def(
+          "islands_left", [](const M& self) { return self.model->islands_left(); },
+          doc("SimulationModel::islands_left"))
       .def(
           "prepare_tool", [](const M& self, const Tool& tool) { return self.model->prepare_tool(tool); },
           py::arg("tool"), doc("SimulationModel::prepare_tool"))
@@ -255,8 +238,7 @@ void bind_loop(py::module_& m) {
   bind_messages(m);
   bind_model(m);
   using O = RealtimeLoopOptions;
-  bind_struct<O>(m, "RealtimeLoopOptions", field("run", &O::run), field("region", &O::region),
-                 field("block_capacity", &O::block_capacity), field("blocks_per_tick", &O::blocks_per_tick));
+  bind_described<O>(m, "RealtimeLoopOptions");
   using L = PythonLoop;
   py::class_<L>(
       m, "RealtimeLoop",
@@ -288,6 +270,28 @@ void bind_loop(py::module_& m) {
           "Takes one changed block; None when there is none.")
       .def_property_readonly_static(
           "kCommands", [](const py::object&) { return RealtimeLoop::kCommands; }, doc("RealtimeLoop::kCommands"));
+}
+
+void bind_changed_block(py::module_& m) {
+  using B = ChangedBlock;
+  py::class_<B>(m, "ChangedBlock", doc("ChangedBlock"))
+      .def_readonly("origin", &B::origin, doc("ChangedBlock::origin"))
+      .def_readonly("version", &B::version, doc("ChangedBlock::version"))
+      .def_readonly("workpiece", &B::workpiece, doc("ChangedBlock::workpiece"))
+      .def_property_readonly(
+          "material",
+          [](const py::object& self) {
+            return view(py::dtype::of<std::uint8_t>(), {kBlockEdge, kBlockEdge, kBlockEdge},
+                        {kBlockEdge * kBlockEdge, kBlockEdge, 1}, self.cast<const B&>().material.data(), self);
+          },
+          "(8, 8, 8) uint8 material ids; read-only.")
+      .def_property_readonly(
+          "fill",
+          [](const py::object& self) {
+            return view(py::dtype::of<float>(), {kBlockEdge, kBlockEdge, kBlockEdge},
+                        {4 * kBlockEdge * kBlockEdge, 4 * kBlockEdge, 4}, self.cast<const B&>().fill.data(), self);
+          },
+          "[1] (8, 8, 8) float32 filled shares; read-only.");
 }
 
 }  // namespace hapticut::python

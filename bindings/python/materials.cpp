@@ -32,7 +32,7 @@ void bind_materials(py::module_& m) {
       .def(py::pickle([](const MaterialTable& table) { return table.all(); },
                       [](const std::vector<Material>& materials) { return MaterialTable(materials); }));
 
-  m.def("find_preset", &find_preset, py::arg("name"), doc("find_preset"));
+  m.def("find_preset", &find_preset, py::arg("name"), py::arg("cutter") = CutterKind::carbide_bur, doc("find_preset"));
   m.def(
       "preset_names",
       [] {

@@ -11,37 +11,60 @@ namespace {
 
 namespace py = pybind11;
 
-/// pybind11 hands None as a null pointer to methods that are member functions of C++ and name no argument: says of one
-/// that its object may not be None.
-void refuse_none_as_self(py::handle function) {
+/// What pybind11 keeps about a function, property or method, or null where it is none of pybind11's.
+py::detail::function_record* record_of(py::handle function) {
   if (function && PyInstanceMethod_Check(function.ptr())) function = PyInstanceMethod_GET_FUNCTION(function.ptr());
-  if (!function || !PyCFunction_Check(function.ptr())) return;
+  if (!function || !PyCFunction_Check(function.ptr())) return nullptr;
   PyObject* self = PyCFunction_GET_SELF(function.ptr());
-  if (self == nullptr) return;
+  if (self == nullptr) return nullptr;
 #if PYBIND11_VERSION_HEX >= 0x03000000
-  py::detail::function_record* record = py::detail::function_record_ptr_from_PyObject(self);
+  return py::detail::function_record_ptr_from_PyObject(self);
 #else
-  if (!PyCapsule_CheckExact(self)) return;
-  auto* record = py::reinterpret_borrow<py::capsule>(self).get_pointer<py::detail::function_record>();
+  if (!PyCapsule_CheckExact(self)) return nullptr;
+  return py::reinterpret_borrow<py::capsule>(self).get_pointer<py::detail::function_record>();
 #endif
-  for (; record != nullptr; record = record->next)
-    if (record->is_method && record->args.empty())  // the name is freed with the record
-      record->args.emplace_back(strdup("self"), nullptr, py::handle(), true, false);
 }
 
-/// Does so for all methods and properties of the classes in a module or class.
-void refuse_none_in(py::handle scope) {
+/// Calls a function for each record of the functions, methods and properties in a module or class: one per overload.
+void for_each_record(py::handle scope, void (*change)(py::detail::function_record&)) {
+  const auto change_all = [change](py::handle function) {
+    for (auto* record = record_of(function); record != nullptr; record = record->next) change(*record);
+  };
   for (const auto& entry : scope.attr("__dict__").attr("copy")().cast<py::dict>()) {
     const py::handle value = entry.second;
     if (PyType_Check(value.ptr())) {
-      if (value.attr("__module__").cast<std::string>() == "hapticut._hapticut") refuse_none_in(value);
+      if (value.attr("__module__").cast<std::string>() == "hapticut._hapticut") for_each_record(value, change);
     } else if (PyObject_TypeCheck(value.ptr(), &PyProperty_Type) != 0) {
-      refuse_none_as_self(value.attr("fget"));
-      refuse_none_as_self(value.attr("fset"));
+      change_all(value.attr("fget"));
+      change_all(value.attr("fset"));
+    } else if (PyObject_TypeCheck(value.ptr(), &PyStaticMethod_Type) != 0) {
+      change_all(value.attr("__func__"));
     } else {
-      refuse_none_as_self(value);
+      change_all(value);
     }
   }
+}
+
+/// pybind11 hands None as a null pointer to methods that are member functions of C++ and name no argument: says of one
+/// that its object may not be None.
+void refuse_none_as_self(py::detail::function_record& record) {
+  if (record.is_method && record.args.empty())  // the name is freed with the record
+    record.args.emplace_back(strdup("self"), nullptr, py::handle(), true, false);
+}
+
+/// Leaves the name of this module out of a text, which becomes shorter where it is.
+void leave_out_module(char* text) {
+  constexpr const char* kModule = "hapticut._hapticut.";
+  for (char* found = text; found != nullptr && (found = std::strstr(found, kModule)) != nullptr;) {
+    const char* rest = found + std::strlen(kModule);
+    std::memmove(found, rest, std::strlen(rest) + 1);
+  }
+}
+
+/// `Box` in the place of `hapticut._hapticut.Box`, which nobody writes, in what `help` and errors say of a function.
+void shorten_signature(py::detail::function_record& record) {
+  leave_out_module(record.signature);
+  if (record.def != nullptr) leave_out_module(const_cast<char*>(record.def->ml_doc));  // pybind11's own copy
 }
 
 }  // namespace
@@ -52,7 +75,6 @@ PYBIND11_MODULE(_hapticut, m) {
   const auto error = py::register_exception<hapticut::Error>(m, "Error", PyExc_RuntimeError);
   error.attr("__doc__") =
       "Something that was asked for cannot be done. The message says what was given, what is allowed and what to do.";
-  m.attr("_pybind11_version") = PYBIND11_TOSTRING(PYBIND11_VERSION_MAJOR) "." PYBIND11_TOSTRING(PYBIND11_VERSION_MINOR);
   bind_core(m);
   bind_tool(m);
   bind_materials(m);
@@ -61,6 +83,9 @@ PYBIND11_MODULE(_hapticut, m) {
   bind_force(m);
   bind_effects(m);
   bind_results(m);
+  bind_changed_block(m);
+  bind_surface(m);
+  bind_islands(m);
   bind_simulation(m);
   bind_io(m);
   bind_guard(m);
@@ -70,8 +95,12 @@ PYBIND11_MODULE(_hapticut, m) {
   bind_bench(m);
   bind_recordings(m);
   bind_loop(m);
+  bind_heat(m);
+  bind_sound(m);
 
-  refuse_none_in(m);
+  for_each_record(m, &refuse_none_as_self);
+  // Called by the package: the stub is written from the names in full.
+  m.def("_shorten_signatures", [] { for_each_record(py::module_::import("hapticut._hapticut"), &shorten_signature); });
 
   py::list names;
   for (const py::handle name : py::module_::import("builtins").attr("dir")(m))

@@ -30,6 +30,9 @@ void bind_recorder(py::module_& m) {
       .def(py::init([](const std::filesystem::path& path, const std::shared_ptr<PythonSimulation>& simulation,
                        const O& given, py::object driven_by) {
              simulation->occupancy.require_writable("The simulation");
+             if (!simulation->recorder.expired())
+               throw Error(
+                   "the simulation to be recorded is observed already, by another recorder; let go of it first.");
              O options = given;
              if (!driven_by.is_none()) options.driven_by = &driven_by.cast<const Device&>();
              auto held = std::make_shared<R>(R{simulation, std::move(driven_by), nullptr});
@@ -159,6 +162,8 @@ void bind_recording(py::module_& m) {
   m.def("read_recording", &read_recording, py::arg("path"), doc("read_recording"), released);
   m.def("write_csv", &write_csv, py::arg("recording"), py::arg("path"), doc("write_csv"), released);
   m.def("write_npz", &write_npz, py::arg("recording"), py::arg("path"), doc("write_npz"), released);
+  m.def("write_wav", &write_wav, py::arg("recording"), py::arg("path"), py::arg("sample_rate") = 48000.0,
+        doc("write_wav"), released);
 }
 
 void bind_replay(py::module_& m) {

@@ -15,6 +15,9 @@ void bind_result_of_step(py::module_& m) {
   m.def(
       "has_any", [](std::uint32_t bits, StepStatus wanted) { return has_any(StepStatus(bits), wanted); },
       py::arg("status"), py::arg("bits"), doc("has_any"));
+  m.def(
+      "describe_status", [](std::uint32_t status) { return describe(StepStatus(status)); }, py::arg("status"),
+      "The names of all bits that are set: \"ok\", \"blocks_low | engaged_layer_thick\".");
   bind_described_result<Contact>(m, "Contact");
   bind_described_result<SpindleState>(m, "SpindleState");
   using E = EnergyLedger;
@@ -52,7 +55,8 @@ void bind_result_of_step(py::module_& m) {
       .def("__repr__", [](const py::object& self) {
         const auto text = [&](const char* name) { return std::string(py::repr(self.attr(name))); };
         return "StepResult(force=" + text("force") + ", torque=" + text("torque") +
-               ", removed_volume=" + text("removed_volume") + ", status=" + text("status") + ")";
+               ", removed_volume=" + text("removed_volume") +
+               ", status=" + describe(self.cast<const R&>().result.status) + ")";
       });
 
   bind_described_result<ContactProbe>(m, "ContactProbe")

@@ -97,7 +97,7 @@ void bind_the_simulation(py::module_& m) {
           "Raises\n------\nError\n    When an array has another shape or type, or holds a number that is not finite; "
           "nothing was simulated then.\n    Everything else that is wrong with an input is reported by `status`, as "
           "step "
-          "does.")
+          "does.\n\nWarns\n-----\nUserWarning\n    When none of the steps was taken.")
       .def(
           "probe",
           [](S& self, const FewNumbers& pose, const FewNumbers& velocity, double dt, ProbedMotions motions) {
@@ -245,6 +245,20 @@ void bind_the_simulation(py::module_& m) {
             return self.simulation.undo(most);
           },
           py::arg("most"), doc("Simulation::undo"))
+      .def(
+          "remove_island",
+          [](S& self, IslandRemoval& removal, std::size_t most) {
+            self.occupancy.require_writable("The simulation");
+            return self.simulation.remove_island(removal, most);
+          },
+          py::arg("removal"), py::arg("most"), doc("Simulation::remove_island"))
+      .def_property_readonly(
+          "island_volume_by_material",
+          [](const S& self) {
+            const auto& volumes = read(self).island_volume_by_material();
+            return py::array_t<double>(py::ssize_t(volumes.size()), volumes.data());
+          },
+          "[m^3] (256,) that left with islands since construction or reset, by material id.")
       .def_property_readonly(
           "redo_marks", [](const S& self) { return read(self).redo_marks(); },
           "How many undone marks `redo` can go forth over.")

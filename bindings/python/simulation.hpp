@@ -28,6 +28,8 @@ class PythonSimulation : public std::enable_shared_from_this<PythonSimulation> {
   std::vector<RemovedInRun> removed;  ///< of the last run
   std::weak_ptr<void> recorder;       ///< that observes it, if any; code that makes steps without the lock holds it
 
+  std::vector<std::shared_ptr<StepObserver>> observers;  ///< that were made in Python; the first to go
+
   void remember(std::span<const RemovedVoxel> voxels, std::size_t step) {
     for (const RemovedVoxel& voxel : voxels)
       removed.push_back({std::int64_t(step), {voxel.index[0], voxel.index[1], voxel.index[2]}, voxel.material});

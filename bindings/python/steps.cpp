@@ -81,6 +81,14 @@ py::array block_origins(std::span<const VoxelIndex> origins) {
   return array;
 }
 
+std::vector<VoxelIndex> origins_from(const py::array_t<std::int32_t, py::array::c_style>& given) {
+  if (given.ndim() != 2 || given.shape(1) != 3)
+    throw Error("origins are " + describe_given(given) + "; they must be int32 of shape (n, 3), as changed_blocks().");
+  std::vector<VoxelIndex> origins;
+  for (py::ssize_t n = 0; n < given.shape(0); ++n) origins.push_back({given.at(n, 0), given.at(n, 1), given.at(n, 2)});
+  return origins;
+}
+
 PythonStepResult make_step(PythonSimulation& simulation, const FewNumbers& pose, const FewNumbers& velocity, double dt,
                            const Stepper& step) {
   const StepInput input = step_input(pose, velocity, dt);
@@ -96,6 +104,8 @@ py::array make_steps(PythonSimulation& simulation, const Float64Array& poses, co
   auto* const rows = static_cast<std::byte*>(trace.mutable_data());
   simulation.occupancy.require_writable("The simulation");  // last: what is above may let other threads run
   simulation.removed.clear();
+  StepStatus seen = StepStatus::ok;
+  std::size_t taken = 0;
   {
     const std::shared_ptr<void> recorder = simulation.recorder.lock();
     const ReleasedWriting released(simulation.occupancy);
@@ -104,10 +114,15 @@ py::array make_steps(PythonSimulation& simulation, const Float64Array& poses, co
       const StepInput now = input[i];
       const StepResult& result = step(now);
       time += now.dt;
+      seen |= result.status;
+      taken += has_any(result.status, kRejected) ? 0 : 1;
       write_trace_row(result, time, rows + width * i);
       simulation.remember(result.removed_voxels, i);
     }
   }
+  if (taken == 0 && input.steps > 0)
+    py::module_::import("hapticut._runs")
+        .attr("none_taken")("none of the " + std::to_string(input.steps) + " steps was taken: " + describe(seen));
   return trace;
 }
 

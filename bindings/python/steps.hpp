@@ -37,6 +37,10 @@ struct RunInput {
 /// (n, 3) int32, copied.
 [[nodiscard]] py::array block_origins(std::span<const VoxelIndex> origins);
 
+/// The way back.
+/// @throws Error unless it is an (n, 3) array
+[[nodiscard]] std::vector<VoxelIndex> origins_from(const py::array_t<std::int32_t, py::array::c_style>& given);
+
 /// One step, its pose and velocity checked.
 /// @throws Error as above
 [[nodiscard]] PythonStepResult make_step(PythonSimulation& simulation, const FewNumbers& pose,

@@ -9,6 +9,7 @@
 #include <concepts>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -122,34 +123,53 @@ concept Bits = std::is_enum_v<T> && requires(T bits) {
 template <class S>
 inline constexpr bool kNumbersAreRequired = false;
 
-namespace detail {
+/// What Python has in place of a type of C++: `Type`, and the way there and back. To be specialised.
+template <class T>
+struct InPython {};
 
-template <class T>
-struct PointeeOf {};
-template <class T>
-struct PointeeOf<std::shared_ptr<const T>> {
-  using type = T;
+template <Bits T>
+struct InPython<T> {
+  using Type = std::uint32_t;
+  static Type there(const T& bits) { return Type(bits); }
+  static T back(Type number) { return T(number); }
 };
+
+/// Null is None.
+template <class T>
+struct InPython<std::shared_ptr<const T>> {
+  using Type = std::optional<std::shared_ptr<T>>;
+  static Type there(const std::shared_ptr<const T>& object) {
+    return object ? Type(std::const_pointer_cast<T>(object)) : std::nullopt;
+  }
+  static std::shared_ptr<const T> back(const Type& given) { return given.value_or(nullptr); }
+};
+
+/// A name that is looked at, not owned; what Python gives stays for the life of the program.
+template <>
+struct InPython<std::string_view> {
+  using Type = std::string;
+  static Type there(std::string_view name) { return std::string(name); }
+  static std::string_view back(const Type& given) {
+    static std::set<std::string> names;
+    return *names.insert(given).first;
+  }
+};
+
+namespace detail {
 
 /// A field as Python sees it.
 template <class S, class T>
 auto in_python(const hapticut::Field<S, T>& field, const std::string& scope) {
   std::string text = doc_of_described(field, scope);
-  const auto member = field.member;
-  if constexpr (Bits<T>) {
-    return computed<S, std::uint32_t>(
-        field.name, [member](const S& s) { return std::uint32_t(s.*member); },
-        [member](S& s, std::uint32_t given) { s.*member = T(given); }, std::move(text));
-  } else if constexpr (requires { typename PointeeOf<T>::type; }) {
-    using Pointee = typename PointeeOf<T>::type;
-    using Given = std::optional<std::shared_ptr<Pointee>>;
-    return computed<S, Given>(
-        field.name,
-        [member](const S& s) { return s.*member ? Given(std::const_pointer_cast<Pointee>(s.*member)) : std::nullopt; },
-        [member](S& s, const Given& given) { s.*member = given.value_or(nullptr); }, std::move(text));
+  if constexpr (requires { typename InPython<T>::Type; }) {
+    using Type = typename InPython<T>::Type;
+    const auto member = field.member;
+    return computed<S, Type>(
+        field.name, [member](const S& s) { return InPython<T>::there(s.*member); },
+        [member](S& s, const Type& given) { s.*member = InPython<T>::back(given); }, std::move(text));
   } else {
     constexpr bool kRequired = kNumbersAreRequired<S> && std::is_same_v<T, double>;
-    return Field<S, T, kRequired>{field.name, member, std::move(text)};
+    return Field<S, T, kRequired>{field.name, field.member, std::move(text)};
   }
 }
 
@@ -288,26 +308,15 @@ py::class_<S> bind_described_result(py::handle parent, const char* name) {
   return binding;
 }
 
-/// Binds an enumeration; its values' docstrings are the comments of the header.
-template <class E, class Values>
-py::enum_<E> bind_values(py::handle parent, const char* name, const Values& values, const std::string& scope) {
-  py::enum_<E> binding(parent, name, doc_or_none(scope));
-  for (const auto& one : values) binding.value(one.name, one.value, doc_or_none(scope + "::" + one.name));
-  return binding;
-}
-
-/// One that names its values itself.
+/// Binds an enumeration that names its values; their docstrings are the comments of the header.
+/// @param scope  its name in C++, within namespace hapticut, where that is another than in Python
 template <NamedEnum E>
-py::enum_<E> bind_enum(py::handle parent, const char* name) {
-  return bind_values<E>(parent, name, names_of(Of<E>{}), name);
-}
-
-template <class E>
-py::enum_<E> bind_enum(py::handle parent, const char* name, std::initializer_list<std::pair<const char*, E>> values,
-                       const char* scope = nullptr) {
-  std::vector<Named<E>> named;
-  for (const auto& [value_name, value] : values) named.push_back({value, value_name});
-  return bind_values<E>(parent, name, named, scope != nullptr ? scope : name);
+py::enum_<E> bind_enum(py::handle parent, const char* name, const char* scope = nullptr) {
+  const std::string in_cpp = scope != nullptr ? scope : name;
+  py::enum_<E> binding(parent, name, doc_or_none(in_cpp));
+  for (const Named<E>& one : names_of(Of<E>{}))
+    binding.value(one.name, one.value, doc_or_none(in_cpp + "::" + one.name));
+  return binding;
 }
 
 /// Binds an enumeration of bits: `a | b` and `a & b` are whole numbers, and so are those with a number; with an array

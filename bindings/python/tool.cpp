@@ -4,6 +4,7 @@
 
 #include "bindings.hpp"
 #include "hapticut/tool/catalogue.hpp"
+#include "hapticut/tool/motors.hpp"
 #include "hapticut/tool/profile_mesh.hpp"
 #include "structs.hpp"
 #include "tool_head.hpp"
@@ -112,26 +113,44 @@ void bind_tool(py::module_& m) {
   bind_heads(m);
   bind_handles(m);
   m.attr("kFastestSpindle") = kFastestSpindle;
-  bind_described<Spindle>(m, "Spindle");
+  bind_described<Spindle>(m, "Spindle")
+      .def_static("rpm", &Spindle::rpm, py::arg("speed"), doc("Spindle::rpm"))
+      .def("is_limited", &Spindle::is_limited, doc("Spindle::is_limited"));
   m.def("validate", py::overload_cast<const Spindle&>(&validate), py::arg("spindle"), doc("validate"));
   py::class_<SpindleMotor>(m, "SpindleMotor", doc("SpindleMotor"))
       .def(py::init<const Spindle&>(), py::arg("spindle"))
       .def("set", &SpindleMotor::set, py::arg("setting"), doc("SpindleMotor::set"))
       .def("halt", &SpindleMotor::halt, doc("SpindleMotor::halt"))
+      .def("drive", &SpindleMotor::drive, py::arg("torque"), py::arg("dt"), doc("SpindleMotor::drive"))
       .def("advance", &SpindleMotor::advance, py::arg("torque"), py::arg("dt"), doc("SpindleMotor::advance"))
       .def_property_readonly("speed", &SpindleMotor::speed, doc("SpindleMotor::speed"))
       .def_property_readonly("setting", &SpindleMotor::setting, doc("SpindleMotor::setting"))
-      .def_property_readonly("loaded", &SpindleMotor::loaded, doc("SpindleMotor::loaded"));
+      .def("is_limited", &SpindleMotor::is_limited, doc("Spindle::is_limited"))
+      .def_property_readonly("stall_torque", &SpindleMotor::stall_torque, doc("SpindleMotor::stall_torque"))
+      .def_property_readonly("loaded", &SpindleMotor::loaded, doc("SpindleMotor::loaded"))
+      .def_property_readonly("stalled", &SpindleMotor::stalled, doc("SpindleMotor::stalled"));
+  bind_enum<MotorKind>(m, "MotorKind");
+  m.def("common_motor", &common_motor, py::arg("speed"), doc("common_motor"));
+  m.def("common_spindle", py::overload_cast<MotorKind, double>(&common_spindle), py::arg("motor"), py::arg("speed"),
+        doc("common_spindle"));
+  m.def("common_spindle", py::overload_cast<double>(&common_spindle), py::arg("speed"), doc("common_spindle"));
+  bind_enum<CutterKind>(m, "CutterKind");
+  bind_described<Cutter>(m, "Cutter");
+  m.def("validate", py::overload_cast<const Cutter&>(&validate), py::arg("cutter"), doc("validate"));
+  m.def("common_cutter", &common_cutter, py::arg("kind"), doc("common_cutter"));
+  m.def("tooth_rate", &tooth_rate, py::arg("cutter"), py::arg("spindle_speed"), doc("tooth_rate"));
   py::class_<Tool>(m, "Tool", doc("Tool"))
-      .def(py::init<ToolHead, Handle, Spindle>(), py::arg("head"), py::arg("handle") = Handle(RayHandle{}),
-           py::arg("spindle") = Spindle{}, doc("Tool::Tool"))
+      .def(py::init<ToolHead, Handle, Spindle, Cutter>(), py::arg("head"), py::arg("handle") = Handle(RayHandle{}),
+           py::arg("spindle") = Spindle{}, py::arg("cutter") = Cutter{}, doc("Tool::Tool"))
       .def_property_readonly("head", &Tool::head, py::return_value_policy::copy, "The cutting head.")
       .def_property_readonly("handle", &Tool::handle, py::return_value_policy::copy, "RayHandle or LHandle.")
       .def_property_readonly("spindle", &Tool::spindle, py::return_value_policy::copy, "The motor.")
+      .def_property_readonly("cutter", &Tool::cutter, py::return_value_policy::copy, "What the head cuts with.")
       .def_property_readonly("X_HT", &Tool::X_HT, doc("Tool::X_HT"))
       .def("__repr__", [](const py::object& self) {
         return "Tool(" + std::string(py::repr(self.attr("head"))) + ", " + std::string(py::repr(self.attr("handle"))) +
-               ", " + std::string(py::repr(self.attr("spindle"))) + ")";
+               ", " + std::string(py::repr(self.attr("spindle"))) + ", " + std::string(py::repr(self.attr("cutter"))) +
+               ")";
       });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// include/hapticut/workpiece: the workpiece itself and its surface
+// include/hapticut/workpiece: the workpiece itself
 #include "workpiece.hpp"
 
 #include <algorithm>
@@ -10,7 +10,6 @@
 #include "bindings.hpp"
 #include "core.hpp"
 #include "hapticut/workpiece/contact.hpp"
-#include "hapticut/workpiece/surface.hpp"
 #include "hapticut/workpiece/volume_builders.hpp"
 #include "simulation.hpp"
 #include "structs.hpp"
@@ -195,12 +194,12 @@ void bind_values(py::module_& m) {
                               member("mass", &MaterialAmount::mass));
   py::class_<WorkpieceSnapshot>(m, "WorkpieceSnapshot", doc("WorkpieceSnapshot"));
   bind_enum<Quadrature>(m, "Quadrature");
-  bind_enum<UnclaimedLabels>(m, "UnclaimedLabels",
-                             {{"refuse", UnclaimedLabels::refuse}, {"leave_out", UnclaimedLabels::leave_out}});
+  bind_enum<UnclaimedLabels>(m, "UnclaimedLabels");
   bind_struct<VolumeBuildOptions>(
       m, "VolumeBuildOptions", field("voxel_size", &VolumeBuildOptions::voxel_size),
       field("crop_samples", &VolumeBuildOptions::crop_samples), field("crop", &VolumeBuildOptions::crop),
-      field("antialias", &VolumeBuildOptions::antialias), field("subsamples", &VolumeBuildOptions::subsamples));
+      field("antialias", &VolumeBuildOptions::antialias), field("subsamples", &VolumeBuildOptions::subsamples),
+      field("large", &VolumeBuildOptions::large));
   bind_struct<GreyRange>(m, "GreyRange", "GreyRange", required("from_", &GreyRange::from),
                          required("to", &GreyRange::to), required("material", &GreyRange::material));
   bind_struct<Grade>(m, "Grade", required("low", &Grade::low), required("high", &Grade::high),
@@ -366,28 +365,6 @@ void bind_workpiece(py::module_& m) {
   py::class_<PythonWorkpiece> binding(m, "Workpiece", doc("Workpiece"));
   bind_makers(binding);
   bind_state(binding);
-
-  py::class_<WorkpieceSurface>(m, "WorkpieceSurface", doc("WorkpieceSurface"))
-      .def_property_readonly(
-          "mesh", [](const WorkpieceSurface& s) -> const TriangleMesh& { return s.mesh; },
-          py::return_value_policy::reference_internal, doc("WorkpieceSurface::mesh"))
-      .def_property_readonly(
-          "materials",
-          [](const py::object& self) {
-            const auto& ids = self.cast<const WorkpieceSurface&>().materials;
-            return view(py::dtype::of<std::uint8_t>(), {py::ssize_t(ids.size())}, {1}, ids.data(), self);
-          },
-          "(n,) uint8 of each vertex: the material of the voxel nearest to it that is not empty; read-only.");
-  m.def(
-      "extract_surface",
-      [](const PythonWorkpiece& w) { return w.read_released([](const Workpiece& x) { return extract_surface(x); }); },
-      py::arg("workpiece"), doc("extract_surface"));
-  m.def(
-      "extract_surface",
-      [](const PythonWorkpiece& w, MaterialId material) {
-        return w.read_released([material](const Workpiece& x) { return extract_surface(x, material); });
-      },
-      py::arg("workpiece"), py::arg("material"), doc("extract_surface#2"));
 }
 
 }  // namespace hapticut::python

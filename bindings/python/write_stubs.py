@@ -1,43 +1,58 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the stubs of the compiled module from what it says about itself: write_stubs.py [OUTPUT]
+"""Writes the types of the compiled module from what it says about itself: write_stubs.py MODULE FOLDER
 
-Needs an installed hapticut that was built with pybind11 of the version given below, and pybind11-stubgen. The stubs in
-hapticut/_hapticut.pyi are written with it, and a test does the same again and compares.
+MODULE is the file of the module as it was built. Its stub _hapticut.pyi goes to FOLDER, and with it py.typed, which tells
+type checkers that there is one. Needs pybind11-stubgen. Without it, or where the module cannot be imported (because it
+waits for a sanitizer, say), nothing is written, a sentence says why, and the build goes on: types are no part of what
+runs.
 """
 import ast
+import importlib
 import sys
 import tempfile
+import types
 from pathlib import Path
-
-PYBIND11 = "3.1"
-STUBGEN = "3.0"
+from typing import Optional
 
 
-def stubs() -> str:
-    """The text of _hapticut.pyi."""
+def import_alone(module: Path) -> None:
+    """Imports the compiled module without the package around it, which tells of each name where the user finds it."""
+    package = types.ModuleType("hapticut")
+    package.__path__ = [str(module.parent)]
+    sys.modules["hapticut"] = package
+    importlib.import_module("hapticut._hapticut")
+
+
+def stub() -> str:
+    """The text of _hapticut.pyi, of the module that was imported."""
     from pybind11_stubgen import main
 
     with tempfile.TemporaryDirectory() as folder:
-        arguments = sys.argv
-        sys.argv = ["pybind11-stubgen", "--output-dir", folder, "--exit-code",
-                    "--ignore-invalid-expressions", r"(?s)^(\w+\().*",
-                    "--enum-class-locations", r"^Kind$:hapticut._hapticut.VdbImport",
-                    "--enum-class-locations", ".*:hapticut._hapticut", "hapticut._hapticut"]
-        try:
-            main()
-        finally:
-            sys.argv = arguments
+        main(["--output-dir", folder, "--exit-code", "--ignore-invalid-expressions", r"(?s)^(\w+\().*",
+              "--enum-class-locations", r"^Kind$:hapticut._hapticut.VdbImport",
+              "--enum-class-locations", ".*:hapticut._hapticut", "hapticut._hapticut"])
         text = (Path(folder) / "hapticut" / "_hapticut.pyi").read_text(encoding="utf-8")
-    tree = ast.parse(text)
-    for node in ast.walk(tree):
-        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node) is not None:
-            # Docstrings are those of the headers, and change with them; `help` shows them.
-            node.body = node.body[1:] or [ast.Expr(ast.Constant(...))]
-    return "# SPDX-License-Identifier: Apache-2.0\n# Written by write_stubs.py.\n" + ast.unparse(tree) + "\n"
+    ast.parse(text)
+    return "# SPDX-License-Identifier: Apache-2.0\n# Written by pybind11-stubgen.\n" + text
+
+
+def why_none(module: Path, folder: Path) -> Optional[str]:
+    """Writes both files. @return why they could not be written, or None"""
+    for name in ("_hapticut.pyi", "py.typed"):
+        (folder / name).unlink(missing_ok=True)
+    try:
+        import_alone(module)
+        text = stub()
+    except (Exception, SystemExit) as error:
+        return f"{type(error).__name__}: {error}"
+    (folder / "_hapticut.pyi").write_text(text, encoding="utf-8")
+    (folder / "py.typed").touch()
+    return None
 
 
 if __name__ == "__main__":
-    del sys.path[0]  # this folder, whose hapticut has no compiled part
-    default = Path(__file__).parent / "hapticut" / "_hapticut.pyi"
-    Path(sys.argv[1] if len(sys.argv) > 1 else default).write_text(stubs(), encoding="utf-8")
+    reason = why_none(Path(sys.argv[1]), Path(sys.argv[2]))
+    if reason is not None:
+        print(f"hapticut for Python is built without types, because they could not be written ({reason}).",
+              file=sys.stderr)

@@ -14,9 +14,9 @@ folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 box = hapticut.Box([-5 * mm, -2.5 * mm, -3 * mm], [5 * mm, 2.5 * mm, 0])
 slab = hapticut.build_layered_slab(box, 0.1 * mm, [hapticut.Layer(hapticut.presets.enamel(), 0.6 * mm),
                                                    hapticut.Layer(hapticut.presets.dentin(), 2.4 * mm)])
-tool = hapticut.Tool(hapticut.round_end_cylinder_head(1.6 * mm, 4 * mm), hapticut.RayHandle(30 * mm),
+tool = hapticut.Tool(hapticut.catalogue.round_end_cylinder_head(1.6 * mm, 4 * mm), hapticut.RayHandle(30 * mm),
                      hapticut.Spindle(200_000 * rpm))
-simulation = hapticut.Simulation(slab, tool, hapticut.SimulationConfig(reference_stiffness=1e14))
+simulation = hapticut.Simulation(slab, tool)
 
 # Down to a depth of 1.2 mm in 0.6 s, then 6 mm along x in 3 s.
 down, along = 600, 3000

@@ -2,7 +2,7 @@
 """A tooth from an array of CT grey values: thresholds make labels of them, labels materials, and a burr drills it.
 
 The array is made here, from the built-in molar as a scanner would see it, so that the example needs no file; with a
-file it would be `hapticut.read_grey_volume("scan.nrrd").values`."""
+file it would be `hapticut.io.read_grey_volume("scan.nrrd").values`."""
 import sys
 from pathlib import Path
 
@@ -32,8 +32,8 @@ bounds = tooth.bounds()
 middle = [(low + high) // 2 for low, high in zip(bounds.min, bounds.max)]
 column = tooth.fill_array(hapticut.IndexBox([middle[0], middle[1], 0], [middle[0], middle[1], bounds.max[2]]))
 surface = tooth.frame.center([middle[0], middle[1], int(np.flatnonzero(column[0, 0] > 0.5)[-1])])
-burr = hapticut.Tool(hapticut.round_head(1.8 * mm), spindle=hapticut.Spindle(150_000 * rpm))
-simulation = hapticut.Simulation(tooth, burr, hapticut.SimulationConfig(reference_stiffness=1e14))
+burr = hapticut.Tool(hapticut.catalogue.round_head(1.8 * mm), spindle=hapticut.Spindle(150_000 * rpm))
+simulation = hapticut.Simulation(tooth, burr)
 n = 1250
 hand = np.tile(surface + [0, 0, 1.1 * mm], (n, 1))
 hand[:, 2] -= 2.5 * mm * np.arange(1, n + 1) / n

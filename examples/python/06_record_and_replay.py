@@ -5,7 +5,8 @@ import sys
 from pathlib import Path
 
 import hapticut
-from hapticut import plot
+from hapticut import io, plot
+from hapticut.device import DeviceCommand, RunOptions, open_device
 from hapticut.units import mm
 
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
@@ -15,21 +16,21 @@ tool = hapticut.Tool(hapticut.SphereHead(2 * mm), spindle=hapticut.Spindle(3000.
 # The device is driven directly, so the foundation may not be stiffer than it can render.
 config = hapticut.SimulationConfig(reference_stiffness=hapticut.stiffness_for_device(tool.head, 600.0))
 simulation = hapticut.Simulation(block, tool, config)
-device = hapticut.open_device("mock:spiral,device=touch,hand=nominal")
+device = open_device("mock:spiral,device=touch,hand=nominal")
 file = folder / "recording.h5"
 
 # A mock is quicker than the disk; a real device may not wait, and need not.
-options = hapticut.RecorderOptions(device.name, wait_when_full=True)
-with hapticut.Recorder(file, simulation, options) as recorder:
+options = io.RecorderOptions(device.name, wait_when_full=True)
+with io.Recorder(file, simulation, options) as recorder:
     def tick(state):
         """One millisecond: from the reading to the force."""
         result = recorder.step(state.X_BS, state.velocity, 1e-3)
-        return hapticut.DeviceCommand(hapticut.Wrench(result.force, result.torque))
+        return DeviceCommand(hapticut.Wrench(result.force, result.torque))
 
-    report = device.run(tick, hapticut.RunOptions(seconds=4, simulated_time=True))
+    report = device.run(tick, RunOptions(seconds=4, simulated_time=True))
 
-recording = hapticut.read_recording(file)
-replay = hapticut.replay(recording)
+recording = io.read_recording(file)
+replay = io.replay(recording)
 print(f"{report.ticks} ticks ({report.end}), {file.stat().st_size / 1e6:.1f} MB; the replay of {replay.steps} steps is "
       f"{'identical, bit by bit' if replay.identical else f'different: {replay.first_difference}'}")
 plot.force(recording.read()["trace"]).figure.savefig(folder / "replay.png", dpi=120)

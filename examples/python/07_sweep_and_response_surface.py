@@ -23,14 +23,11 @@ def drill(parameters, rng):
     block = hapticut.build_block(box, 0.05 * mm, material)
     head = hapticut.FlatHead(RADIUS, 1 * mm, hapticut.FlatRule.bottom_only)
     tool = hapticut.Tool(head, spindle=hapticut.Spindle(parameters["speed"]))
-    # Stiff enough for a thin engaged layer; the force does not depend on it then.
-    k = 4 * hapticut.stiffness_for_accuracy(tool.head, material, parameters["speed"], parameters["feed"])
-    config = hapticut.SimulationConfig(reference_stiffness=k / material.relative_stiffness)
     n = int(round(0.3 * mm / (parameters["feed"] * ms)))
     hand = np.zeros((n, 3))
     hand[:, :2] = rng.uniform(-0.02 * mm, 0.02 * mm, 2)  # where the hand sets the burr down
     hand[:, 2] = -0.3 * mm * np.arange(1, n + 1) / n
-    simulation = hapticut.Simulation(block, tool, config)
+    simulation = hapticut.Simulation(block, tool)
     trace = simulation.run(hapticut.Pose.from_translation(hand), np.zeros((n, 6)), 1 * ms)[n // 2:]
     return {"thrust": trace["force"][:, 2].mean(), "torque": -trace["torque"][:, 2].mean()}
 

@@ -7,12 +7,13 @@ measurement at another speed is at hand, so the prediction stands beside the clo
 import numpy as np
 
 import hapticut
+from hapticut.calibration import DrillingTest, axial_cut_force, calibrate
 from hapticut.units import N_mm, mm, ms, rpm
 
 RADIUS, SPEED = 1.25 * mm, 1000 * rpm
 FEED = 0.1 * mm * SPEED / (2 * np.pi)  # [m/s]
-test = hapticut.DrillingTest(RADIUS, SPEED, FEED, thrust=20.07, torque=41.2 * N_mm)
-found = hapticut.calibrate([test])
+test = DrillingTest(RADIUS, SPEED, FEED, thrust=20.07, torque=41.2 * N_mm)
+found = calibrate([test])
 print(f"u = {found.specific_cutting_energy / 1e9:.3f} GJ/m^3, kappa = {found.cutting_ratio:.2f} "
       "(the flutes of a drill rub, so this is not a burr's)")
 bone = hapticut.Material("bovine bone", cutting_ratio=found.cutting_ratio, edge_pressure=found.edge_pressure,
@@ -24,9 +25,7 @@ def simulate(speed, feed):
     """Steady thrust [N] and torque [N·m], from 0.6 to 0.9 mm depth."""
     box = hapticut.Box([-1.6 * mm, -1.6 * mm, -1.2 * mm], [1.6 * mm, 1.6 * mm, 0])
     block = hapticut.build_block(box, 0.05 * mm, bone)
-    config = hapticut.SimulationConfig(
-        reference_stiffness=4 * hapticut.stiffness_for_accuracy(head, bone, speed, feed))
-    simulation = hapticut.Simulation(block, hapticut.Tool(head, spindle=hapticut.Spindle(speed)), config)
+    simulation = hapticut.Simulation(block, hapticut.Tool(head, spindle=hapticut.Spindle(speed)))
     n = round(0.9 * mm / (feed * ms))
     hand = np.outer(-feed * ms * np.arange(1, n + 1), [0, 0, 1]) + [0.007 * mm, 0.011 * mm, 0]
     trace = simulation.run(hapticut.Pose.from_translation(hand), np.zeros((n, 6)), 1 * ms)[2 * n // 3:]
@@ -35,6 +34,6 @@ def simulate(speed, feed):
 
 for name, speed in (("measured at 1000 rpm", SPEED), ("predicted at 2000 rpm", 2 * SPEED)):
     thrust, torque = simulate(speed, FEED)
-    theory = hapticut.axial_cut_force(found, RADIUS, speed, FEED)
+    theory = axial_cut_force(found, RADIUS, speed, FEED)
     print(f"{name}: simulation {thrust:.2f} N, {torque / N_mm:.1f} N mm; closed form {theory.thrust:.2f} N, "
           f"{theory.torque / N_mm:.1f} N mm")

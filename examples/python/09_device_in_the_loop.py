@@ -9,15 +9,17 @@ import time
 import numpy as np
 
 import hapticut
+from hapticut.device import RunOptions, open_device
+from hapticut.loop import (RealtimeLoop, RealtimeLoopOptions, SimulationModel, SimulationModelOptions,
+                           WorkspaceMapOptions, commands)
 from hapticut.units import mm, mm3, rpm
 
 name = sys.argv[2] if len(sys.argv) > 2 else "mock:spiral,hand=nominal"
 is_mock = name.startswith("mock:")
-device = hapticut.open_device(name)
+device = open_device(name)
 
 box = hapticut.Box([-15 * mm, -15 * mm, -10 * mm], [15 * mm, 15 * mm, 0])
-# Far stiffer than what the device renders; and the time of contact that the coupling needs.
-config = hapticut.SimulationConfig(reference_stiffness=1e15, contact_time=hapticut.ContactTime.end)
+config = hapticut.SimulationConfig(contact_time=hapticut.ContactTime.end)  # what the coupling needs
 simulation = hapticut.Simulation(hapticut.build_block(box, 0.25 * mm, hapticut.presets.cortical_bone()),
                                  hapticut.Tool(hapticut.SphereHead(1.5 * mm), spindle=hapticut.Spindle(30000 * rpm)),
                                  config)
@@ -26,13 +28,13 @@ X_WB = np.eye(4)
 X_WB[2, 3] = 1.5 * mm  # the ball stands on the bone where the stylus is at its origin
 if not is_mock:
     X_WB[:3, :3] = [[1, 0, 0], [0, 0, -1], [0, 1, 0]]  # y of a device points up, z of the world does
-options = hapticut.SimulationModelOptions(map=hapticut.WorkspaceMapOptions(X_WB=X_WB),
-                                          coupling=hapticut.coupling_gains(device.capabilities), undo_blocks=4096)
-model = hapticut.SimulationModel(simulation, device, options)
+options = SimulationModelOptions(map=WorkspaceMapOptions(X_WB=X_WB),
+                                 coupling=hapticut.coupling_gains(device.capabilities), undo_blocks=4096)
+model = SimulationModel(simulation, device, options)
 
-run = hapticut.RunOptions(seconds=6, simulated_time=is_mock)  # a mock: as fast as it goes
-loop = hapticut.RealtimeLoop(model, hapticut.RealtimeLoopOptions(run=run, region=model.region))
-loop.send(hapticut.commands.SetUndoMark())
+run = RunOptions(seconds=6, simulated_time=is_mock)  # a mock: as fast as it goes
+loop = RealtimeLoop(model, RealtimeLoopOptions(run=run, region=model.region))
+loop.send(commands.SetUndoMark())
 loop.start()
 greatest, blocks = 0.0, 0
 while loop.is_running:
@@ -45,6 +47,6 @@ report = loop.wait()
 print(f"{report.ticks} ticks ({report.end}), guard {report.guard.name}, removed "
       f"{simulation.removed_volume_by_material[1] / mm3:.4f} mm^3, at most {greatest:.2f} N seen, {blocks} changed blocks")
 
-while not simulation.undo(64):  # between runs; in a run: loop.send(hapticut.commands.Undo())
+while not simulation.undo(64):  # between runs; in a run: loop.send(commands.Undo())
     pass
 print(f"undone: {simulation.workpiece.amounts()[0].volume / mm3:.0f} mm^3 of bone again")

@@ -39,7 +39,7 @@ def tool() -> hapticut.Tool:
 
 @pytest.fixture
 def simulation(block: hapticut.Workpiece, tool: hapticut.Tool) -> hapticut.Simulation:
-    return hapticut.Simulation(block, tool, hapticut.SimulationConfig(reference_stiffness=1e14))
+    return hapticut.Simulation(block, tool, hapticut.SimulationConfig(reference_stiffness=1e16))
 
 
 @pytest.fixture

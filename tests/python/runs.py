@@ -29,6 +29,14 @@ def drill(parameters, rng):
             "draw": rng.random(), "force": trace["force"]}
 
 
+def takes_no_step(parameters, rng):
+    """Of two runs, one in steps of 10 s."""
+    block = hapticut.build_block(hapticut.Box([-1 * mm] * 3, [1 * mm] * 3), 0.2 * mm, hapticut.presets.clay())
+    simulation = hapticut.Simulation(block, hapticut.Tool(hapticut.SphereHead(0.5 * mm)))
+    trace = simulation.run(np.tile(np.eye(4), (3, 1, 1)), np.zeros((3, 6)), parameters["dt"])
+    return {"peak_force": trace["force"].max()}
+
+
 def sometimes_raises(parameters, rng):
     if parameters["x"] == 3:
         raise ValueError("three is\ntoo much")

@@ -34,7 +34,7 @@ def test_every_example_is_known_here():
 @pytest.mark.parametrize("name", EXPECTED)
 def test_example(name, tmp_path):
     words, pictures, arguments = EXPECTED[name]
-    if "Recorder" in (FOLDER / f"{name}.py").read_text(encoding="utf-8") and not hapticut.kWithIo:
+    if "Recorder" in (FOLDER / f"{name}.py").read_text(encoding="utf-8") and not hapticut.io.kWithIo:
         pytest.skip("hapticut was built without file formats (HAPTICUT_WITH_IO)")
     for module in ("matplotlib", "pandas", "scipy"):
         if module in (FOLDER / f"{name}.py").read_text(encoding="utf-8") or (module == "matplotlib" and pictures):

@@ -10,147 +10,151 @@ import pytest
 import hapticut as h
 from hapticut.units import mm
 
-needs_io = pytest.mark.skipif(not h.kWithIo, reason="hapticut was built without file formats (HAPTICUT_WITH_IO)")
+needs_io = pytest.mark.skipif(not h.io.kWithIo, reason="hapticut was built without file formats (HAPTICUT_WITH_IO)")
 
 
 @needs_io
 def test_meshes_and_pictures_go_to_files(block, tmp_path):
     surface = h.extract_surface(block)
-    h.write_stl(surface.mesh, tmp_path / "a.stl")
-    h.write_ply(surface.mesh, tmp_path / "a.ply")
-    colored = h.colored(surface, block.materials)
-    h.write_ply(colored, tmp_path / "b.ply")
-    h.write_obj(surface.mesh, tmp_path / "a.obj")
-    [named] = h.read_mesh(tmp_path / "a.ply")
-    h.write_obj([named, named], tmp_path / "two.obj")
-    assert [n.name for n in h.read_mesh(tmp_path / "two.obj")] == ["object 1", "object 2"]
-    assert np.array_equal(h.read_mesh(tmp_path / "a.obj")[0].mesh.triangles, named.mesh.triangles)
+    h.io.write_stl(surface.mesh, tmp_path / "a.stl")
+    h.io.write_ply(surface.mesh, tmp_path / "a.ply")
+    colored = h.io.colored(surface, block.materials)
+    h.io.write_ply(colored, tmp_path / "b.ply")
+    h.io.write_obj(surface.mesh, tmp_path / "a.obj")
+    [named] = h.io.read_mesh(tmp_path / "a.ply")
+    h.io.write_obj([named, named], tmp_path / "two.obj")
+    assert [n.name for n in h.io.read_mesh(tmp_path / "two.obj")] == ["object 1", "object 2"]
+    assert np.array_equal(h.io.read_mesh(tmp_path / "a.obj")[0].mesh.triangles, named.mesh.triangles)
     assert isinstance(named.name, str) and np.allclose(named.mesh.vertices.max(axis=0), [3 * mm, 3 * mm, 0], atol=1e-6)
-    h.write_picture([colored], h.PictureOptions(width=200, height=150), tmp_path / "a.png")
+    h.io.write_picture([colored], h.io.PictureOptions(width=200, height=150), tmp_path / "a.png")
     assert (tmp_path / "a.png").read_bytes()[:4] == b"\x89PNG"
-    assert isinstance(h.material_color("enamel"), h.Color)
+    assert isinstance(h.io.material_color("enamel"), h.Color)
 
 
 @needs_io
 def test_volumes_are_worked_on(tmp_path, block):
-    grey = h.GreyVolume(np.arange(8 * 9 * 10, dtype=np.float32).reshape(8, 9, 10), [1 * mm] * 3)
-    h.write_nrrd(tmp_path / "grey.nrrd", grey)
-    again = h.read_grey_volume(tmp_path / "grey.nrrd", h.VolumeReadOptions(spacing=[2 * mm] * 3))
+    grey = h.volume.GreyVolume(np.arange(8 * 9 * 10, dtype=np.float32).reshape(8, 9, 10), [1 * mm] * 3)
+    h.io.write_nrrd(tmp_path / "grey.nrrd", grey)
+    again = h.io.read_grey_volume(tmp_path / "grey.nrrd", h.io.VolumeReadOptions(spacing=[2 * mm] * 3))
     assert np.array_equal(again.values, grey.values) and np.allclose(again.spacing, 2 * mm)
-    assert np.allclose(h.with_spacing(grey, [3 * mm] * 3).spacing, 3 * mm)
-    assert h.crop_to_samples(grey, h.IndexBox([1, 1, 1], [3, 4, 5])).dims == (3, 4, 5)
-    assert h.box_around(grey, 700.0).max == [7, 8, 9]
-    assert h.grey_range(grey) == [0, 719] and h.count_from(grey, 700) == 20 and h.count_labels(grey) == {}
-    assert np.allclose(h.box_of_volume(grey).max, [7.5 * mm, 8.5 * mm, 9.5 * mm])
-    assert h.crop_to_box(grey, h.Box([3 * mm] * 3, [4 * mm] * 3)).dims == (6, 6, 6)
-    assert h.count_from(h.keep_largest_component(grey, 700), 700) == 20
-    labels = h.label_range(grey, 100.0, 200.0, 5)
-    assert h.count_labels(labels) == {0: 620, 5: 100} and h.unused_label(labels) == 6
+    assert np.allclose(h.volume.with_spacing(grey, [3 * mm] * 3).spacing, 3 * mm)
+    assert h.volume.crop_to_samples(grey, h.IndexBox([1, 1, 1], [3, 4, 5])).dims == (3, 4, 5)
+    assert h.volume.box_around(grey, 700.0).max == [7, 8, 9]
+    assert h.volume.grey_range(grey) == [0, 719] and h.volume.count_from(grey, 700) == 20
+    assert h.volume.count_labels(grey) == {}
+    assert np.allclose(h.volume.box_of_volume(grey).max, [7.5 * mm, 8.5 * mm, 9.5 * mm])
+    assert h.volume.crop_to_box(grey, h.Box([3 * mm] * 3, [4 * mm] * 3)).dims == (6, 6, 6)
+    assert h.volume.count_from(h.volume.keep_largest_component(grey, 700), 700) == 20
+    labels = h.volume.label_range(grey, 100.0, 200.0, 5)
+    assert h.volume.count_labels(labels) == {0: 620, 5: 100} and h.volume.unused_label(labels) == 6
     assert set(np.unique(labels.values)) == {0, 5} and np.count_nonzero(labels.values) == 100
-    assert h.resample(grey, 2 * mm).dims == (4, 5, 5)
-    assert h.resample(labels, 0.5 * mm, h.LabelInterpolation.smooth).dims == (16, 18, 20)
+    assert h.volume.resample(grey, 2 * mm).dims == (4, 5, 5)
+    assert h.volume.resample(labels, 0.5 * mm, h.volume.LabelInterpolation.smooth).dims == (16, 18, 20)
     shell = np.zeros((9, 9, 9), np.uint8)
     shell[1:8, 1:8, 1:8] = 1
     shell[3:6, 3:6, 3:6] = 0
     shell[0, 0, 0] = 1
-    volume = h.keep_largest_component(h.LabelVolume(shell, [1 * mm] * 3))
+    volume = h.volume.keep_largest_component(h.volume.LabelVolume(shell, [1 * mm] * 3))
     assert volume.values[0, 0, 0] == 0
-    assert np.count_nonzero(h.fill_cavities(volume, 2).values == 2) == 27
-    assert np.count_nonzero(h.close_gaps(volume, 1 * mm, 2).values == 2) > 0
-    assert np.allclose(h.with_spacing(volume, [2 * mm] * 3).spacing, 2 * mm)
-    assert h.crop_to_samples(volume, h.box_around(volume)).dims == (7, 7, 7)
-    h.write_nrrd(tmp_path / "work.nrrd", block)
+    assert np.count_nonzero(h.volume.fill_cavities(volume, 2).values == 2) == 27
+    assert np.count_nonzero(h.volume.close_gaps(volume, 1 * mm, 2).values == 2) > 0
+    assert np.allclose(h.volume.with_spacing(volume, [2 * mm] * 3).spacing, 2 * mm)
+    assert h.volume.crop_to_samples(volume, h.volume.box_around(volume)).dims == (7, 7, 7)
+    h.io.write_nrrd(tmp_path / "work.nrrd", block)
     assert (tmp_path / "work_density.nrrd").exists()
     (tmp_path / "raw").write_bytes(bytes(range(24)))
-    layout = h.RawLayout(dims=[2, 3, 4], spacing=[1 * mm] * 3, type=h.ValueType.uint8)
-    assert h.read_raw_grey_volume(tmp_path / "raw", layout).values[1, 2, 3] == 23
-    assert h.read_raw_label_volume(tmp_path / "raw", layout).values[1, 0, 0] == 1
-    for read in (h.read_invesalius_project, lambda path: h.read_color_slices(path, {(1, 2, 3): 4}, [1 * mm] * 3)):
+    layout = h.io.RawLayout(dims=[2, 3, 4], spacing=[1 * mm] * 3, type=h.io.ValueType.uint8)
+    assert h.io.read_raw_grey_volume(tmp_path / "raw", layout).values[1, 2, 3] == 23
+    assert h.io.read_raw_label_volume(tmp_path / "raw", layout).values[1, 0, 0] == 1
+    for read in (h.io.read_invesalius_project, lambda path: h.io.read_color_slices(path, {(1, 2, 3): 4}, [1 * mm] * 3)):
         with pytest.raises(h.Error):
             read(tmp_path / "nothing")
-    assert h.kMaxVolumeSamples > 0
+    assert h.io.kMaxVolumeSamples > 0
 
 
 def test_vdb_files_of_others_need_to_say_what_they_are(block, tmp_path):
-    h.save_vdb(block, tmp_path / "a.vdb")
-    how = h.VdbImport(h.presets.clay(), grid="density", kind=h.VdbImport.Kind.fog_volume)
-    assert h.load_vdb(tmp_path / "a.vdb", how).solid_voxels() == block.solid_voxels()
+    h.io.save_vdb(block, tmp_path / "a.vdb")
+    how = h.io.VdbImport(h.presets.clay(), grid="density", kind=h.io.VdbImport.Kind.fog_volume)
+    assert h.io.load_vdb(tmp_path / "a.vdb", how).solid_voxels() == block.solid_voxels()
     assert (how.material.name, how.grid, how.unit_mm, how.kind.name) == ("clay", "density", 1.0, "fog_volume")
     how.grid = "nowhere"
     with pytest.raises(h.Error, match="nowhere"):
-        h.load_vdb(tmp_path / "a.vdb", how)
+        h.io.load_vdb(tmp_path / "a.vdb", how)
 
 
 @needs_io
 def test_recordings_are_replayed_bit_by_bit(simulation, plunge, tmp_path):
     poses, velocities = plunge
-    with h.Recorder(tmp_path / "a.h5", simulation, h.RecorderOptions(note="test", wait_when_full=True)) as recorder:
+    options = h.io.RecorderOptions(note="test", wait_when_full=True)
+    with h.io.Recorder(tmp_path / "a.h5", simulation, options) as recorder:
         first = recorder.step(poses[0], velocities[0], 1e-3)
         trace = recorder.run(poses[1:].copy(), velocities[1:].copy(), 1e-3)
         assert recorder.lost == 0 and not recorder.failed
     assert recorder.recorded == len(poses)
-    recording = h.read_recording(tmp_path / "a.h5")
+    recording = h.io.read_recording(tmp_path / "a.h5")
     assert len(recording) == len(poses) and recording.info.note == "test" and recording.info.closed
     assert not recording.has_device and recording.default_law and recording.path.name == "a.h5"
     assert recording.info.workpiece_hash_at_end == simulation.workpiece.hash()
-    assert repr(recording.tool) == repr(simulation.tool) and recording.config.reference_stiffness == 1e14
+    assert repr(recording.tool) == repr(simulation.tool) and recording.config.reference_stiffness == 1e16
     assert recording.effects[0].first_step == 0
     columns = recording.read()
     assert np.array_equal(columns["poses"], poses) and np.array_equal(columns["trace"]["force"][1:], trace["force"])
     assert np.array_equal(columns["trace"]["force"][0], first.force) and len(recording.read(590)["dt"]) == 10
     seen = []
-    report = h.replay(recording, progress=seen.append)
+    report = h.io.replay(recording, progress=seen.append)
     assert report.identical and report.steps == len(poses) and report.first_difference is None
     assert report.workpiece_hash == simulation.workpiece.hash() and report.left_out == 0
-    other = h.simulation_of(recording)
+    other = h.io.simulation_of(recording)
     again = other.run(columns["poses"], columns["velocities"], columns["dt"])
     assert np.array_equal(again["force"][1:], trace["force"])
     assert recording.workpiece().hash() != other.workpiece.hash()
-    h.write_csv(recording, tmp_path / "a.csv")
-    h.write_npz(recording, tmp_path / "a.npz")
+    h.io.write_csv(recording, tmp_path / "a.csv")
+    h.io.write_npz(recording, tmp_path / "a.npz")
+    h.io.write_wav(recording, tmp_path / "a.wav", 8000)
+    assert (tmp_path / "a.wav").stat().st_size == pytest.approx(44 + 2 * 8 * len(poses), abs=2)
     assert len((tmp_path / "a.csv").read_text().splitlines()) == len(poses) + 1
-    assert len(np.load(tmp_path / "a.npz")["force"]) == len(poses) and h.kRecordingFormat >= 1
-    with pytest.raises(h.Error, match="steps"):
-        h.Recorder(tmp_path / "b.h5", simulation)
+    assert len(np.load(tmp_path / "a.npz")["force"]) == len(poses) and h.io.kRecordingFormat >= 1
+    with pytest.raises(h.Error, match="by another recorder"):
+        h.io.Recorder(tmp_path / "b.h5", simulation)
     with pytest.raises(h.Error):
-        h.read_recording(tmp_path / "a.csv")
+        h.io.read_recording(tmp_path / "a.csv")
 
 
 def test_a_mock_device_runs_a_function_of_python():
-    device = h.open_device("mock:press,device=touch,hand=nominal")
+    device = h.device.open_device("mock:press,device=touch,hand=nominal")
     assert device.capabilities.peak_force > 0 and device.name.startswith("mock")
-    wall = h.LinearWall(stiffness=300.0)
+    wall = h.bench.LinearWall(stiffness=300.0)
     ticks = []
 
     def tick(state):
         assert state.valid and state.X_BS.shape == (4, 4) and not state.pressed(0)
         ticks.append(state.time)
-        return h.DeviceCommand(wall(state))
+        return h.device.DeviceCommand(wall(state))
 
-    report = device.run(tick, h.RunOptions(seconds=5, simulated_time=True))
-    assert report.ticks == len(ticks) and report.end and report.fault == h.DeviceFault.none
+    report = device.run(tick, h.device.RunOptions(seconds=5, simulated_time=True))
+    assert report.ticks == len(ticks) and report.end and report.fault == h.device.DeviceFault.none
     assert device.output.commanded.force[2] > 0 and device.output.changes >= 0
     assert report.compute.count == report.ticks and report.compute.quantile(0.5) <= report.compute.max
     assert report.compute.buckets.shape == (2000,) and report.compute.min <= report.compute.mean
-    assert "engaged" in report.events and device.count(h.SafetyEvent.engaged) == report.events["engaged"]
-    assert any(entry.event == h.SafetyEvent.engaged for entry in report.log) and h.describe(report.log[0])
+    assert "engaged" in report.events and device.count(h.safety.SafetyEvent.engaged) == report.events["engaged"]
+    assert any(entry.event == h.safety.SafetyEvent.engaged for entry in report.log) and h.device.describe(report.log[0])
     assert not device.is_running and isinstance(report.warnings, list)
-    assert device.state.X_BS.shape == (4, 4) and device.arming == h.ArmingState.off
-    device.stop(), device.emergency_stop(), device.reset_fault(), device.interrupt(h.SafetyEvent.reclutched)
+    assert device.state.X_BS.shape == (4, 4) and device.arming == h.safety.ArmingState.off
+    device.stop(), device.emergency_stop(), device.reset_fault(), device.interrupt(h.safety.SafetyEvent.reclutched)
     assert isinstance(device.drain_log(), list)
 
 
 def test_an_exception_in_a_tick_comes_out_of_the_run():
-    device = h.MockDevice(h.MockOptions(path=h.scripted_path("rest")))
+    device = h.device.MockDevice(h.device.MockOptions(path=h.device.scripted_path("rest")))
 
     def tick(state):
         raise KeyError("in the loop")
 
     with pytest.raises(KeyError, match="in the loop"):
-        device.run(tick, h.RunOptions(seconds=1, simulated_time=True))
+        device.run(tick, h.device.RunOptions(seconds=1, simulated_time=True))
     with pytest.raises(h.Error, match="mock"):
-        h.open_device("nonsense")
-    assert {driver["scheme"] for driver in h.device_drivers()} >= {"mock", "mouse"}
+        h.device.open_device("nonsense")
+    assert {driver["scheme"] for driver in h.device.device_drivers()} >= {"mock", "mouse"}
 
 
 @pytest.mark.parametrize("path", [lambda t: {}["gone"], lambda t: np.zeros(3)])
@@ -159,37 +163,39 @@ def test_a_path_that_fails_takes_the_force_away_and_says_so(path, monkeypatch):
 
     said = []
     monkeypatch.setattr(sys, "unraisablehook", lambda what: said.append(what.exc_value))
-    device = h.MockDevice(h.MockOptions(path=path))
+    device = h.device.MockDevice(h.device.MockOptions(path=path))
     forces = []
-    report = device.run(lambda s: forces.append(device.output.applied.force.any()) or h.DeviceCommand(h.Wrench([1, 0, 0])),
-                        h.RunOptions(seconds=0.2, simulated_time=True))
+    push = h.device.DeviceCommand(h.Wrench([1, 0, 0]))
+    report = device.run(lambda s: forces.append(device.output.applied.force.any()) or push,
+                        h.device.RunOptions(seconds=0.2, simulated_time=True))
     assert said and "pose_not_finite" in report.events and not any(forces)
 
 
 def test_a_path_and_a_mouse_may_come_from_python():
-    options = h.MockOptions(path=lambda t: h.Pose.from_translation([0, 0, 1e-3 * t]), end=0.1)
-    assert options.path(2.0)[2, 3] == 2e-3 and h.MockOptions().path is None
+    options = h.device.MockOptions(path=lambda t: h.Pose.from_translation([0, 0, 1e-3 * t]), end=0.1)
+    assert options.path(2.0)[2, 3] == 2e-3 and h.device.MockOptions().path is None
     heights = []
-    h.MockDevice(options).run(lambda s: heights.append(s.X_BS[2, 3]) or h.DeviceCommand(),
-                              h.RunOptions(simulated_time=True))
+    h.device.MockDevice(options).run(lambda s: heights.append(s.X_BS[2, 3]) or h.device.DeviceCommand(),
+                                     h.device.RunOptions(simulated_time=True))
     assert heights[-1] == pytest.approx(1e-4, rel=0.05)
-    mouse = h.MouseDevice(h.MouseOptions(hand="firm"))
-    mouse.pointer_moved(20.0, 0.0), mouse.wheel_turned(1.0), mouse.button(0, True), mouse.key(h.MoveKey.left, True)
-    mouse.key(h.MoveKey.left, False)
-    mouse.run(lambda s: h.DeviceCommand(), h.RunOptions(seconds=0.2, simulated_time=True))
+    mouse = h.device.MouseDevice(h.device.MouseOptions(hand="firm"))
+    mouse.pointer_moved(20.0, 0.0), mouse.wheel_turned(1.0), mouse.button(0, True)
+    mouse.key(h.device.MoveKey.left, True)
+    mouse.key(h.device.MoveKey.left, False)
+    mouse.run(lambda s: h.device.DeviceCommand(), h.device.RunOptions(seconds=0.2, simulated_time=True))
     assert mouse.set_point.shape == (3,)
-    assert isinstance(h.open_mock("rest"), h.MockDevice)
+    assert isinstance(h.device.open_mock("rest"), h.device.MockDevice)
 
 
 def test_models_maps_and_the_guard():
-    assert "touch" in [model.name for model in h.device_models()] and h.hand_model("firm").mass > 0
-    assert "nominal" in [model.name for model in h.hand_models()]
-    touch = h.device_model("touch")
+    assert "touch" in [model.name for model in h.device.device_models()] and h.device.hand_model("firm").mass > 0
+    assert "nominal" in [model.name for model in h.device.hand_models()]
+    touch = h.device.device_model("touch")
     touch.name = "mine"
-    assert touch.name == "mine" and h.device_model("touch").name == "touch"
-    assert h.capabilities(touch).peak_force == touch.peak_force
-    options = h.WorkspaceMapOptions(scale=2.0)
-    mapped = h.WorkspaceMap(options)
+    assert touch.name == "mine" and h.device.device_model("touch").name == "touch"
+    assert h.device.capabilities(touch).peak_force == touch.peak_force
+    options = h.loop.WorkspaceMapOptions(scale=2.0)
+    mapped = h.loop.WorkspaceMap(options)
     X = h.Pose.from_translation([1e-3, 0, 0])
     mapped.place(np.eye(4), np.eye(4))
     assert np.allclose(mapped.to_world(X)[0, 3], 2e-3) and mapped.engaged and mapped.scale == 2.0
@@ -200,58 +206,62 @@ def test_models_maps_and_the_guard():
     mapped.engage(X)
     assert mapped.set_scale(3.0, X) and not mapped.set_scale(-1.0, X)
 
-    limits = h.output_limits(h.capabilities(h.device_model("touch")), fastest_contact=0.5)
+    limits = h.safety.output_limits(h.device.capabilities(h.device.device_model("touch")), fastest_contact=0.5)
     assert limits.largest_force == 3.3 and limits.force_growth == 437.5 and np.isinf(limits.largest_torque)
-    guard = h.SafetyGuard(h.capabilities(h.device_model("touch")))
+    guard = h.safety.SafetyGuard(h.device.capabilities(h.device.device_model("touch")))
     guard.start()
     for n in range(40):
-        admitted = guard.admit(h.DeviceState(time=1e-3 * n, sequence=n))
+        admitted = guard.admit(h.device.DeviceState(time=1e-3 * n, sequence=n))
         applied = guard.release(h.Wrench())
-    assert admitted.valid and not applied.force.any() and guard.state in (h.ArmingState.ramp, h.ArmingState.on)
+    assert admitted.valid and not applied.force.any()
+    assert guard.state in (h.safety.ArmingState.ramp, h.safety.ArmingState.on)
     guard.applied(applied), guard.requests.emergency_stop(), guard.requests.reset_fault()
-    guard.requests.interrupt(h.SafetyEvent.reclutched)
-    assert guard.count(h.SafetyEvent.armed) >= 1 and guard.drain_log() and guard.slew > 0 and guard.greatest_force > 0
+    guard.requests.interrupt(h.safety.SafetyEvent.reclutched)
+    assert guard.count(h.safety.SafetyEvent.armed) >= 1 and guard.drain_log()
+    assert guard.slew > 0 and guard.greatest_force > 0
     assert guard.output.changes >= 0
     guard.stop()
-    histogram = h.LatencyHistogram()
+    histogram = h.loop.LatencyHistogram()
     histogram.add(5e-6)
     assert histogram.count == 1 and histogram.longer == 0 and histogram.max == 5e-6
 
 
 def test_the_bench_finds_the_limit_of_colgate_and_schenkel():
-    config = h.ClosedLoopConfig(device=h.device_model("premium15"), hand=h.hand_model("released"))
+    config = h.bench.ClosedLoopConfig(device=h.device.device_model("premium15"), hand=h.device.hand_model("released"))
 
     def wall(stiffness):
-        return h.LinearWall(stiffness=stiffness, one_sided=False)
+        return h.bench.LinearWall(stiffness=stiffness, one_sided=False)
 
-    found = h.largest_stable_stiffness(config, wall, h.StabilitySearch(low=50, high=200))
+    found = h.bench.largest_stable_stiffness(config, wall, h.bench.StabilitySearch(low=50, high=200))
     # 2 %: the windows of the search are finite.
     assert found == pytest.approx(2 * config.device.damping / config.period, rel=0.02)
-    assert h.is_stable(config, wall, 0.5 * found) and not h.is_stable(config, wall, 1.2 * found)
-    one_sided = lambda stiffness: h.LinearWall(stiffness=stiffness)  # noqa: E731
-    bounced = h.measure_bounce(config, one_sided, 500.0, h.BounceTest(phases=2))
-    assert bounced.penetration > 0 and bounced.generated_energy >= 0 and bounced.peak_force > 0 and bounced.restitution >= bounced.mean_restitution
-    held = h.ClosedLoopConfig(device=h.device_model("touch"), hand=h.hand_model("nominal"))
-    buzz = h.measure_buzz(held, one_sided, 200.0, h.PressTest(seconds=1.0, measured=0.5))
+    assert h.bench.is_stable(config, wall, 0.5 * found) and not h.bench.is_stable(config, wall, 1.2 * found)
+    one_sided = lambda stiffness: h.bench.LinearWall(stiffness=stiffness)  # noqa: E731
+    bounced = h.bench.measure_bounce(config, one_sided, 500.0, h.bench.BounceTest(phases=2))
+    assert bounced.penetration > 0 and bounced.generated_energy >= 0 and bounced.peak_force > 0
+    assert bounced.restitution >= bounced.mean_restitution
+    held = h.bench.ClosedLoopConfig(device=h.device.device_model("touch"), hand=h.device.hand_model("nominal"))
+    buzz = h.bench.measure_buzz(held, one_sided, 200.0, h.bench.PressTest(seconds=1.0, measured=0.5))
     assert buzz.position_rms < 50e-6 and buzz.frequency >= 0 and buzz.generated_power < 5e-3
     assert not buzz.buzzes() and math.isfinite(buzz.force_peak_to_peak)
-    options = h.GuardOptions(stiffness=300.0)
-    assert len(h.injected_faults()) == len(h.InjectedFault.__members__)
-    response = h.measure_fault_response(held, one_sided, 300.0, options, h.InjectedFault.unplugged)
+    options = h.safety.GuardOptions(stiffness=300.0)
+    assert len(h.bench.injected_faults()) == len(h.bench.InjectedFault.__members__)
+    response = h.bench.measure_fault_response(held, one_sided, 300.0, options, h.bench.InjectedFault.unplugged)
     assert 0 <= response.time_to_zero < 0.1 and response.oldest_force <= 0.05 and response.greatest_growth >= 0
     assert response.greatest_force <= held.device.peak_force
-    guard = h.SafetyGuard(h.capabilities(held.device), options)
-    assert h.obeys_the_rules(response, guard, 1e-3) and response.end in list(h.ArmingState.__members__.values())
+    guard = h.safety.SafetyGuard(h.device.capabilities(held.device), options)
+    assert h.bench.obeys_the_rules(response, guard, 1e-3)
+    assert response.end in list(h.safety.ArmingState.__members__.values())
 
 
 def test_a_plant_and_a_closed_loop_step_by_step():
-    plant = h.Plant(h.device_model("touch"), h.hand_model("released"))
+    plant = h.device.Plant(h.device.device_model("touch"), h.device.hand_model("released"))
     plant.reset(np.eye(4)), plant.set_target(np.eye(4)), plant.set_velocity([0.1, 0, 0])
     assert plant.kinetic_energy > 0 and np.allclose(plant.target, np.eye(4))
     plant.advance(h.Wrench()), plant.creep(h.Wrench())
     assert plant.pose[0, 3] > 0 and np.allclose(plant.measured_pose, plant.pose) and plant.velocity.shape == (6,)
     assert plant.device.name == "touch" and plant.hand.name == "released" and plant.options.period == 1e-3
-    loop = h.ClosedLoop(h.ClosedLoopConfig(device=plant.device, hand=plant.hand))
+    loop = h.bench.ClosedLoop(h.bench.ClosedLoopConfig(device=plant.device, hand=plant.hand))
     loop.reset(np.eye(4))
     loop.read()
     loop.write(h.Wrench([1, 0, 0], [0, 0, 0]))
@@ -259,6 +269,6 @@ def test_a_plant_and_a_closed_loop_step_by_step():
     loop.tick(lambda state: h.Wrench())
     assert loop.plant.pose[0, 3] > 0 and loop.generated_energy > 0 and loop.device_dissipation > 0
     assert loop.applied.force.shape == (3,) and loop.config.delay == 0
-    wall = h.LinearWall(stiffness=1.0)
+    wall = h.bench.LinearWall(stiffness=1.0)
     wall.stiffness, wall.damping, wall.filter, wall.one_sided, wall.height, wall.period = 2.0, 0.0, 0.0, True, 0.1, 1e-3
-    assert wall(h.DeviceState()).force[2] == pytest.approx(0.2)
+    assert wall(h.device.DeviceState()).force[2] == pytest.approx(0.2)

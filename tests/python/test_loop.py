@@ -11,14 +11,14 @@ import pytest
 import hapticut as h
 from hapticut.units import mm
 
-needs_io = pytest.mark.skipif(not h.kWithIo, reason="hapticut was built without file formats (HAPTICUT_WITH_IO)")
+needs_io = pytest.mark.skipif(not h.io.kWithIo, reason="hapticut was built without file formats (HAPTICUT_WITH_IO)")
 FACING = [[1, 0, 0], [0, 0, -1], [0, 1, 0]]  # the device's y is up, the world's z
 
 
 @pytest.fixture
 def coupled(block, tool) -> h.Simulation:
     """A stiff simulation, as an implicit coupling wants it."""
-    return h.Simulation(block, tool, h.SimulationConfig(reference_stiffness=1e14, contact_time=h.ContactTime.end))
+    return h.Simulation(block, tool, h.SimulationConfig(reference_stiffness=1e16, contact_time=h.ContactTime.end))
 
 
 def driven(simulation, device, **undo):
@@ -27,9 +27,10 @@ def driven(simulation, device, **undo):
     X_WB[:3, :3] = FACING
     X_WB[2, 3] = (1.5 + 20) * mm + 8 * mm
     X_SH[:3, :3] = np.transpose(FACING)  # the tool stands upright
-    options = h.SimulationModelOptions(map=h.WorkspaceMapOptions(X_WB=X_WB, X_SH=X_SH),
-                                       coupling=h.coupling_gains(h.capabilities(h.device_model("touch"))), **undo)
-    return h.SimulationModel(simulation, device, options)
+    gains = h.coupling_gains(h.device.capabilities(h.device.device_model("touch")))
+    workspace = h.loop.WorkspaceMapOptions(X_WB=X_WB, X_SH=X_SH)
+    options = h.loop.SimulationModelOptions(map=workspace, coupling=gains, **undo)
+    return h.loop.SimulationModel(simulation, device, options)
 
 
 def down_and_up(t):
@@ -38,17 +39,17 @@ def down_and_up(t):
 
 
 def test_a_loop_drives_a_simulation_in_a_thread_of_its_own(coupled):
-    device = h.MockDevice(h.MockOptions(path=down_and_up, device=h.device_model("touch")))
+    device = h.device.MockDevice(h.device.MockOptions(path=down_and_up, device=h.device.device_model("touch")))
     model = driven(coupled, device)
-    run = h.RunOptions(seconds=2.5, simulated_time=True)
-    loop = h.RealtimeLoop(model, h.RealtimeLoopOptions(run=run, region=model.region))
+    run = h.device.RunOptions(seconds=2.5, simulated_time=True)
+    loop = h.loop.RealtimeLoop(model, h.loop.RealtimeLoopOptions(run=run, region=model.region))
     assert not loop.is_running and not model.region.empty()
-    assert loop.send(h.commands.SetSpindleSpeed(500.0)) and loop.send(h.commands.SetScale(1.0))
+    assert loop.send(h.loop.commands.SetSpindleSpeed(500.0)) and loop.send(h.loop.commands.SetScale(1.0))
     loop.start()
     refused, blocks, clutched = 0, {}, False
     while loop.is_running:
         if not clutched and loop.latest().tick > 0:  # lets go and takes it again, far above
-            clutched = loop.send(h.commands.OpenClutch()) and loop.send(h.commands.CloseClutch())
+            clutched = loop.send(h.loop.commands.OpenClutch()) and loop.send(h.loop.commands.CloseClutch())
         try:
             coupled.step(np.eye(4), np.zeros(6), 1e-3)
         except h.Error as error:
@@ -60,10 +61,11 @@ def test_a_loop_drives_a_simulation_in_a_thread_of_its_own(coupled):
     report = loop.wait()
     while (block := loop.receive()) is not None:
         blocks[tuple(block.origin)] = block
-    assert refused > 0 and clutched and 2500 <= report.ticks <= 2501 and report.fault == h.DeviceFault.none, report.end
+    assert refused > 0 and clutched and 2500 <= report.ticks <= 2501
+    assert report.fault == h.device.DeviceFault.none, report.end
     snapshot = loop.latest()
     tool = snapshot.tool
-    assert snapshot.tick >= 2499 and snapshot.device.valid and snapshot.arming == h.ArmingState.on
+    assert snapshot.tick >= 2499 and snapshot.device.valid and snapshot.arming == h.safety.ArmingState.on
     assert snapshot.commands_dropped == 0 and snapshot.X_WT.shape == (4, 4) and snapshot.commands_refused == 0
     assert tool.steps == coupled.steps > 0 and tool.contact_voxels > 0 and tool.contact_depth > 0
     assert tool.removed_volume == pytest.approx(coupled.removed_volume_by_material.sum()) and tool.removed_volume > 0
@@ -83,12 +85,13 @@ def test_a_loop_drives_a_simulation_in_a_thread_of_its_own(coupled):
 
 def test_a_cut_is_undone_while_the_loop_goes_on(coupled):
     whole = coupled.workpiece.hash()
-    device = h.MockDevice(h.MockOptions(path=down_and_up, device=h.device_model("touch")))
+    device = h.device.MockDevice(h.device.MockOptions(path=down_and_up, device=h.device.device_model("touch")))
     model = driven(coupled, device, undo_blocks=4000, undo_blocks_per_tick=1)
-    h.SimulationModel(coupled, device)  # reserves nothing, and takes nothing away
+    with pytest.raises(h.Error, match="driven directly"):
+        h.loop.SimulationModel(coupled, device)
     assert coupled.workpiece.undo_blocks == 4000
-    loop = h.RealtimeLoop(model, h.RealtimeLoopOptions(run=h.RunOptions(simulated_time=True)))
-    assert loop.send(h.commands.SetUndoMark())
+    loop = h.loop.RealtimeLoop(model, h.loop.RealtimeLoopOptions(run=h.device.RunOptions(simulated_time=True)))
+    assert loop.send(h.loop.commands.SetUndoMark())
     loop.start()
 
     def wait_for(condition):
@@ -100,35 +103,36 @@ def test_a_cut_is_undone_while_the_loop_goes_on(coupled):
         return tool
 
     assert wait_for(lambda tool: tool.removed_volume > 1e-9).undo_marks == 1
-    loop.send(h.commands.SetSpindleSpeed(0.0))
-    loop.send(h.commands.Undo())
+    loop.send(h.loop.commands.SetSpindleSpeed(0.0))
+    loop.send(h.loop.commands.Undo())
     assert wait_for(lambda tool: tool.undo_marks == 0 and not tool.undoing).removed_volume > 1e-9
-    assert loop.send(h.commands.Redo())
+    assert loop.send(h.loop.commands.Redo())
     assert wait_for(lambda tool: tool.undo_marks == 1 and not tool.redoing).redo_marks == 0
-    loop.send(h.commands.Undo())
+    loop.send(h.loop.commands.Undo())
     assert wait_for(lambda tool: tool.undo_marks == 0 and not tool.undoing).redo_marks == 1
     report = loop.stop()
-    assert report.events["model_swapped"] > 1 and report.fault == h.DeviceFault.none
+    assert report.events["model_swapped"] > 1 and report.fault == h.device.DeviceFault.none
     assert coupled.workpiece.hash() == whole
 
 
 def test_everything_may_be_exchanged_while_the_loop_goes_on(coupled):
-    device = h.MockDevice(h.MockOptions(path=down_and_up, device=h.device_model("touch")))
+    device = h.device.MockDevice(h.device.MockOptions(path=down_and_up, device=h.device.device_model("touch")))
     model = driven(coupled, device, undo_blocks=1000)
-    loop = h.RealtimeLoop(model, h.RealtimeLoopOptions(run=h.RunOptions(simulated_time=True), region=model.region))
+    options = h.loop.RealtimeLoopOptions(run=h.device.RunOptions(simulated_time=True), region=model.region)
+    loop = h.loop.RealtimeLoop(model, options)
     voxel, config = coupled.workpiece.voxel_size, coupled.config
     ball = h.Tool(h.SphereHead(2 * mm), spindle=h.Spindle(200.0))
     materials = h.MaterialTable(coupled.workpiece.materials.all())
     other = coupled.workpiece.clone()
     loop.start()
-    commands = [h.commands.SetTool(ball, voxel, config), model.prepare_tool(ball), h.commands.SetMaterials(materials, config),
-                model.prepare_materials(materials), h.commands.SetFriction(h.DryFriction(0.4, 0.3, 1000.0)),
-                h.commands.SetFriction(), h.commands.SetEffects(h.Effects()),
-                h.commands.SetForceMask(h.AxisMask(force=[True, True, False])), h.commands.SetForceMask(),
-                h.commands.SetRemoval(h.RemovalLaw.none), h.commands.SetRemoval(h.RemovalLaw.constant_energy),
-                h.commands.HoldForce(), h.commands.HoldForce(hold=False), h.commands.ExchangeWorkpiece(other, ball, config),
+    c = h.loop.commands
+    commands = [c.SetTool(ball, voxel, config), model.prepare_tool(ball), c.SetMaterials(materials, config),
+                model.prepare_materials(materials), c.SetFriction(h.DryFriction(0.4, 0.3, 1000.0)), c.SetFriction(),
+                c.SetEffects(h.effects.Effects()), c.SetForceMask(h.effects.AxisMask(force=[True, True, False])),
+                c.SetForceMask(), c.SetRemoval(h.RemovalLaw.none), c.SetRemoval(h.RemovalLaw.constant_energy),
+                c.HoldForce(), c.HoldForce(hold=False), c.ExchangeWorkpiece(other, ball, config),
                 model.prepare_workpiece(other, ball)]
-    assert str(commands[-2].bounds) == str(commands[-1].bounds) and repr(h.commands.Undo()) == "commands.Undo()"
+    assert str(commands[-2].bounds) == str(commands[-1].bounds) and repr(c.Undo()) == "commands.Undo()"
     for command in commands:  # one by one: what is exchanged in a tick gives no force that could be held in it
         assert loop.send(command)
         after = loop.latest().tick + 2
@@ -137,10 +141,10 @@ def test_everything_may_be_exchanged_while_the_loop_goes_on(coupled):
     with pytest.raises(h.Error, match="sent already"):
         loop.send(commands[0])
     with pytest.raises(h.Error, match="SetScale"):
-        loop.send(h.commands.SetScale(-1.0))
+        loop.send(h.loop.commands.SetScale(-1.0))
     with pytest.raises(TypeError):
         loop.send("stop")
-    assert loop.send(h.commands.SetTool(ball, 2 * voxel, config)) and loop.send(h.commands.Redo())
+    assert loop.send(h.loop.commands.SetTool(ball, 2 * voxel, config)) and loop.send(h.loop.commands.Redo())
     deadline = time.monotonic() + 60
     while loop.latest().commands_refused < 2 and time.monotonic() < deadline:
         time.sleep(1e-3)
@@ -169,31 +173,32 @@ def test_a_simulation_is_given_another_tool_and_other_materials(coupled):
 
 
 def test_requests_are_a_mailbox():
-    requests = h.Requests()
+    requests = h.safety.Requests()
     requests.stop(), requests.reset_fault(), requests.emergency_stop()
     assert requests.stop_wanted and requests.emergency and not requests.reset_wanted
     assert not requests.take_reset()
     requests.reset_fault(), requests.forget_stop()
     assert requests.take_reset() and not requests.emergency and not requests.stop_wanted
-    requests.interrupt(h.SafetyEvent.model_swapped)
-    assert requests.take_interruption() == h.SafetyEvent.model_swapped
+    requests.interrupt(h.safety.SafetyEvent.model_swapped)
+    assert requests.take_interruption() == h.safety.SafetyEvent.model_swapped
 
 
 def test_a_loop_may_be_stopped_and_told_that_something_is_wrong(coupled):
-    device = h.MockDevice(h.MockOptions(path=h.scripted_path("rest"), device=h.device_model("touch")))
-    loop = h.RealtimeLoop(driven(coupled, device))
+    device = h.device.MockDevice(h.device.MockOptions(path=h.device.scripted_path("rest"),
+                                                      device=h.device.device_model("touch")))
+    loop = h.loop.RealtimeLoop(driven(coupled, device))
     loop.start()
     with pytest.raises(h.Error):
         loop.start()
     loop.requests.emergency_stop()
     deadline = time.monotonic() + 30
-    while loop.latest().arming != h.ArmingState.fault and time.monotonic() < deadline:
+    while loop.latest().arming != h.safety.ArmingState.fault and time.monotonic() < deadline:
         time.sleep(1e-3)
     report = loop.stop()
     assert report.events.get("emergency_stop", 0) > 0 and report.wake_up.count > 0 and report.missed >= 0
-    assert report.guard in (h.ArmingState.fault, h.ArmingState.off)
+    assert report.guard in (h.safety.ArmingState.fault, h.safety.ArmingState.off)
     coupled.step(np.eye(4), np.zeros(6), 1e-3)  # ours again
-    forgotten = h.RealtimeLoop(driven(coupled, device))
+    forgotten = h.loop.RealtimeLoop(driven(coupled, device))
     forgotten.start()
     del forgotten  # stops, and lets go
     coupled.step(np.eye(4), np.zeros(6), 1e-3)
@@ -201,68 +206,69 @@ def test_a_loop_may_be_stopped_and_told_that_something_is_wrong(coupled):
 
 @needs_io
 def test_a_recorded_loop_is_replayed_and_played_back(coupled, tmp_path):
-    capabilities = h.capabilities(h.device_model("touch"))
-    device = h.MockDevice(h.MockOptions(path=down_and_up, device=h.device_model("touch")))
-    with h.Recorder(tmp_path / "loop.h5", coupled, h.RecorderOptions(wait_when_full=True), driven_by=device):
-        run = h.RunOptions(seconds=1.5, simulated_time=True)
-        loop = h.RealtimeLoop(driven(coupled, device), h.RealtimeLoopOptions(run=run))
+    capabilities = h.device.capabilities(h.device.device_model("touch"))
+    device = h.device.MockDevice(h.device.MockOptions(path=down_and_up, device=h.device.device_model("touch")))
+    with h.io.Recorder(tmp_path / "loop.h5", coupled, h.io.RecorderOptions(wait_when_full=True), driven_by=device):
+        run = h.device.RunOptions(seconds=1.5, simulated_time=True)
+        loop = h.loop.RealtimeLoop(driven(coupled, device), h.loop.RealtimeLoopOptions(run=run))
         loop.start()
         report = loop.wait()
-    recording = h.read_recording(tmp_path / "loop.h5")
+    recording = h.io.read_recording(tmp_path / "loop.h5")
     assert recording.has_device and recording.capabilities.peak_force == capabilities.peak_force
     info = recording.info
-    assert info.device == "mock" and info.format == h.kRecordingFormat and info.lost == 0 and info.remarks == []
+    assert info.device == "mock" and info.format == h.io.kRecordingFormat and info.lost == 0 and info.remarks == []
     assert info.version == h.build_info().version and info.commit == h.build_info().commit
     assert info.compiler and info.cpu and info.begun.endswith("Z") and not recording.effects[0].effects.vibration
-    replayed = h.replay(recording)
+    replayed = h.io.replay(recording)
     assert replayed.identical and replayed.largest_force_difference == 0
-    again = h.open_device(f"replay:{tmp_path / 'loop.h5'}")
-    assert isinstance(again, h.PlaybackDevice) and len(again) == len(recording) <= report.ticks
-    assert again.run(lambda s: h.DeviceCommand(), h.RunOptions(simulated_time=True)).ticks == len(again)
-    assert h.open_playback(tmp_path / "loop.h5").size() == len(again)
-    assert len(h.open_playback(tmp_path / "loop.h5", h.PlaybackRange(100, 50))) == 50
-    assert h.PlaybackRange().first == 0 and h.PlaybackRange().count >= h.kMostPlayedSteps >= 3_600_000  # an hour
+    again = h.device.open_device(f"replay:{tmp_path / 'loop.h5'}")
+    assert isinstance(again, h.device.PlaybackDevice) and len(again) == len(recording) <= report.ticks
+    assert again.run(lambda s: h.device.DeviceCommand(), h.device.RunOptions(simulated_time=True)).ticks == len(again)
+    assert h.io.open_playback(tmp_path / "loop.h5").size() == len(again)
+    assert len(h.io.open_playback(tmp_path / "loop.h5", h.io.PlaybackRange(100, 50))) == 50
+    assert h.io.PlaybackRange().first == 0
+    assert h.io.PlaybackRange().count >= h.io.kMostPlayedSteps >= 3_600_000  # an hour
     with pytest.raises(h.Error, match="none to play back"):
-        h.open_playback(tmp_path / "loop.h5", h.PlaybackRange(first=len(recording)))
+        h.io.open_playback(tmp_path / "loop.h5", h.io.PlaybackRange(first=len(recording)))
     with pytest.raises(h.Error, match="gone.h5"):
-        h.open_device(f"replay:{tmp_path / 'gone.h5'}")
+        h.device.open_device(f"replay:{tmp_path / 'gone.h5'}")
 
 
 @needs_io
 def test_a_coupled_tool_is_recorded_step_by_step(coupled, plunge, tmp_path):
     coupling = h.VirtualCoupling(coupled, h.CouplingGains())
-    recorder = h.Recorder(tmp_path / "coupled.h5", coupled, h.RecorderOptions(wait_when_full=True))
+    recorder = h.io.Recorder(tmp_path / "coupled.h5", coupled, h.io.RecorderOptions(wait_when_full=True))
     for pose, velocity in zip(*plunge):
         felt = coupling.step(pose, velocity, 1e-3).hand
     recorder.close()
     fresh = h.Simulation(coupled.workpiece, coupled.tool, coupled.config)
-    first = h.Recorder(tmp_path / "first.h5", fresh)
+    first = h.io.Recorder(tmp_path / "first.h5", fresh)
     with pytest.raises(h.Error, match="observed already"):
-        h.Recorder(tmp_path / "second.h5", fresh)
+        h.io.Recorder(tmp_path / "second.h5", fresh)
     first.close()
-    recording = h.read_recording(tmp_path / "coupled.h5")
-    assert recorder.recorded == len(plunge[0]) and h.replay(recording).identical
+    recording = h.io.read_recording(tmp_path / "coupled.h5")
+    assert recorder.recorded == len(plunge[0]) and h.io.replay(recording).identical
     last = recording.read(len(recording) - 1)["trace"]
     assert np.array_equal(last["force"][0], felt.force) and not np.array_equal(last["model"]["force"][0], felt.force)
-    tick = h.DeviceTick(state=h.DeviceState(sequence=3), arming=h.ArmingState.on)
+    tick = h.loop.DeviceTick(state=h.device.DeviceState(sequence=3), arming=h.safety.ArmingState.on)
     assert tick.state.sequence == 3 and tick.output.changes == 0
 
 
 @needs_io
 def test_a_loop_of_ones_own_says_what_the_device_did(simulation, plunge, tmp_path):
-    options = h.RecorderOptions(device="mine", wait_when_full=True)
-    with h.Recorder(tmp_path / "own.h5", simulation, options) as recorder:
-        recorder.set_device_tick(h.DeviceTick(state=h.DeviceState(sequence=3, time=7.0)))
+    options = h.io.RecorderOptions(device="mine", wait_when_full=True)
+    with h.io.Recorder(tmp_path / "own.h5", simulation, options) as recorder:
+        recorder.set_device_tick(h.loop.DeviceTick(state=h.device.DeviceState(sequence=3, time=7.0)))
         simulation.step(plunge[0][0], plunge[1][0], 1e-3)
-    recording = h.read_recording(tmp_path / "own.h5")
+    recording = h.io.read_recording(tmp_path / "own.h5")
     assert recording.has_device and recording.read()["trace"]["time"][0] == 7.0
 
 
 @needs_io
 def test_a_replay_by_another_law_says_where_it_leaves_the_recording(simulation, plunge, tmp_path):
-    with h.Recorder(tmp_path / "a.h5", simulation, h.RecorderOptions(wait_when_full=True)) as recorder:
+    with h.io.Recorder(tmp_path / "a.h5", simulation, h.io.RecorderOptions(wait_when_full=True)) as recorder:
         recorder.run(*plunge, 1e-3)
-    report = h.replay(h.read_recording(tmp_path / "a.h5"), h.ThesisLaw(h.ThesisLaw.Constants(damping=2.0)))
+    report = h.io.replay(h.io.read_recording(tmp_path / "a.h5"), h.ThesisLaw(h.ThesisLaw.Constants(damping=2.0)))
     difference = report.first_difference
     assert not report.identical and report.largest_force_difference > 0 and math.isfinite(difference.replayed)
     assert 0 <= difference.step < 600 and difference.column and difference.element >= 0

@@ -2,7 +2,6 @@
 """What is installed: its version, its stubs, its speed to import, and that all of it can be called."""
 from __future__ import annotations
 
-import difflib
 import inspect
 import os
 import re
@@ -32,7 +31,13 @@ def test_the_version_is_that_of_the_project():
 
 
 def test_types_are_marked_and_there():
-    assert (PACKAGE / "py.typed").exists() and (PACKAGE / "_hapticut.pyi").exists()
+    there = [(PACKAGE / name).exists() for name in ("py.typed", "_hapticut.pyi")]
+    if "site-packages" not in str(PACKAGE) and not any(there):
+        pytest.skip("built with CMake where pybind11-stubgen is not installed")
+    assert all(there)
+    stub = (PACKAGE / "_hapticut.pyi").read_text(encoding="utf-8")
+    # With what an editor shows beside a name.
+    assert "class Spindle:" in stub and stub.count('"""') > 2000
 
 
 def test_every_public_name_has_a_docstring_and_says_no_cpp_type():
@@ -76,7 +81,7 @@ def test_every_docstring_of_what_takes_or_gives_arrays_says_their_shape():
 
     def look_at_class(prefix, cls):
         for name, thing in vars(cls).items():
-            if isinstance(thing, type) and thing.__module__ == core.__name__:
+            if isinstance(thing, type) and thing.__module__.startswith("hapticut"):
                 look_at_class(f"{prefix}.{name}", thing)
             elif not name.startswith("_") and (isinstance(thing, (property, staticmethod)) or callable(thing)):
                 look(f"{prefix}.{name}", getattr(thing, "__func__", thing))
@@ -105,24 +110,15 @@ def test_the_modules_of_python_are_found_when_they_are_used():
         hapticut.nonsense
 
 
-def test_the_committed_stubs_are_those_of_this_module(tmp_path):
-    pytest.importorskip("pybind11_stubgen", reason="pybind11-stubgen is not installed")
+def test_where_the_types_cannot_be_written_there_are_none_and_a_sentence_says_why(tmp_path):
+    for name in ("_hapticut.pyi", "py.typed"):
+        (tmp_path / name).touch()  # of an earlier build
+    (tmp_path / "pybind11_stubgen.py").write_text("raise ImportError('as if it were not installed')", encoding="utf-8")
     script = REPOSITORY / "bindings" / "python" / "write_stubs.py"
-    wanted = dict(re.findall(r'^(PYBIND11|STUBGEN) = "([^"]+)"', script.read_text(encoding="utf-8"), re.M))
-    from importlib.metadata import version
-
-    built, tool = hapticut._hapticut._pybind11_version, version("pybind11-stubgen")
-    if built != wanted["PYBIND11"] or not tool.startswith(wanted["STUBGEN"]):
-        pytest.skip(f"signatures are written by pybind11 {built} and stubgen {tool} here, not {wanted}")
-    if not hapticut.kWithIo:
-        pytest.skip("hapticut was built without file formats (HAPTICUT_WITH_IO)")
-    subprocess.run([sys.executable, str(script), str(tmp_path / "new.pyi")], check=True, capture_output=True)
-    committed = REPOSITORY / "bindings/python/hapticut/_hapticut.pyi"
-    old, new = (path.read_text(encoding="utf-8").splitlines() for path in (committed, tmp_path / "new.pyi"))
-    if old != new:
-        changes = [line for line in difflib.unified_diff(old, new, "committed", "of this module", n=0, lineterm="")]
-        pytest.fail("the committed stubs are out of date: run `python bindings/python/write_stubs.py` with this module "
-                    "installed, and commit what it writes.\n" + "\n".join(changes[:20]), pytrace=False)
+    done = subprocess.run([sys.executable, str(script), hapticut._hapticut.__file__, str(tmp_path)], check=True,
+                          capture_output=True, text=True, env={**os.environ, "PYTHONPATH": str(tmp_path)})
+    assert "built without types" in done.stderr and "as if it were not installed" in done.stderr
+    assert [path.name for path in tmp_path.iterdir() if path.is_file()] == ["pybind11_stubgen.py"]
 
 
 def test_mypy_finds_nothing(tmp_path):
@@ -183,5 +179,6 @@ def test_cmake_installs_the_same_tree(tmp_path):
 
     by_cmake, by_pip = tree(tmp_path / "hapticut"), tree(PACKAGE)
     assert sorted(by_cmake) == sorted(by_pip)
-    # pip's module has no symbols for a debugger; all else is the same.
-    assert all(content == by_pip[name] for name, content in by_cmake.items() if not name.endswith(".so"))
+    # pip's module and program have no symbols for a debugger; all else is the same.
+    assert all(content == by_pip[name] for name, content in by_cmake.items()
+               if not name.endswith((".so", "hapticut-decoder")))

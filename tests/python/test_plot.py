@@ -57,7 +57,7 @@ def test_removed_volumes_are_bars_in_cubic_millimetres(simulation, plunge):
 def test_latency_counts_what_misses_the_deadline():
     times = np.full(1000, 50e-6)
     times[:7] = 1.5e-3
-    histogram = hapticut.LatencyHistogram()
+    histogram = hapticut.loop.LatencyHistogram()
     for seconds in times:
         histogram.add(seconds)
     for given in (times, histogram):
@@ -65,7 +65,7 @@ def test_latency_counts_what_misses_the_deadline():
         assert any("7 of 1000 later" in text for text in texts), texts
         assert any(text.startswith("median 5") for text in texts)
     with pytest.raises(hapticut.Error, match="empty"):
-        plot.latency(hapticut.LatencyHistogram())
+        plot.latency(hapticut.loop.LatencyHistogram())
     for wrong in ([np.nan], [-1e-3], []):
         with pytest.raises(hapticut.Error, match="finite"):
             plot.latency(np.array(wrong))
@@ -75,7 +75,7 @@ def test_latency_counts_what_misses_the_deadline():
 
 
 def test_latency_shows_what_is_longer_than_the_buckets_of_a_histogram():
-    histogram = hapticut.LatencyHistogram()
+    histogram = hapticut.loop.LatencyHistogram()
     for seconds in (50e-6, 60e-6, 5e-3):
         histogram.add(seconds)
     ax = plot.latency(histogram)

@@ -135,7 +135,7 @@ def test_the_surface_of_a_block_is_a_closed_box(block):
 
 
 def test_a_mesh_becomes_a_workpiece():
-    mesh = hapticut.mesh_of_revolution(hapticut.SphereHead(1 * mm) and hapticut.round_head(2 * mm).profile(), 48)
+    mesh = hapticut.mesh_of_revolution(hapticut.catalogue.round_head(2 * mm).profile(), 48)
     workpiece = hapticut.build_from_mesh(mesh, DENTIN, hapticut.MeshImport(voxel_size=0.1 * mm))
     assert workpiece.amounts()[0].volume == pytest.approx(4 / 3 * np.pi * mm**3, rel=0.02)  # 48 facets around
     again = hapticut.TriangleMesh(np.array(mesh.vertices), np.array(mesh.triangles))
@@ -151,25 +151,25 @@ def test_a_mesh_becomes_a_workpiece():
 
 
 def test_vdb_files_bring_back_every_bit(block, tmp_path):
-    hapticut.save_vdb(block, tmp_path / "block.vdb")
-    assert hapticut.load_vdb(str(tmp_path / "block.vdb")).hash() == block.hash()
+    hapticut.io.save_vdb(block, tmp_path / "block.vdb")
+    assert hapticut.io.load_vdb(str(tmp_path / "block.vdb")).hash() == block.hash()
     with pytest.raises(hapticut.Error, match="nothing.vdb"):
-        hapticut.load_vdb(tmp_path / "nothing.vdb")
+        hapticut.io.load_vdb(tmp_path / "nothing.vdb")
 
 
 def test_volumes_go_through_files(tmp_path):
-    if not hapticut.kWithIo:
+    if not hapticut.io.kWithIo:
         pytest.skip("hapticut was built without file formats (HAPTICUT_WITH_IO)")
-    volume = hapticut.LabelVolume(labels(), [0.2 * mm, 0.3 * mm, 0.4 * mm],
-                                  hapticut.Pose.from_translation([1 * mm, 0, 0]))
-    hapticut.write_nrrd(tmp_path / "labels.nrrd", volume)
-    again = hapticut.read_label_volume(tmp_path / "labels.nrrd")
+    volume = hapticut.volume.LabelVolume(labels(), [0.2 * mm, 0.3 * mm, 0.4 * mm],
+                                         hapticut.Pose.from_translation([1 * mm, 0, 0]))
+    hapticut.io.write_nrrd(tmp_path / "labels.nrrd", volume)
+    again = hapticut.io.read_label_volume(tmp_path / "labels.nrrd")
     assert np.array_equal(again.values, labels()) and again.dims == labels().shape
     assert np.allclose(again.spacing, volume.spacing) and np.allclose(again.X_WG, volume.X_WG)
     assert np.allclose(again.position(1, 0, 0), [1.2 * mm, 0, 0])
-    assert hapticut.box_around(again, [7]).min == [4, 3, 1]
+    assert hapticut.volume.box_around(again, [7]).min == [4, 3, 1]
     with pytest.raises(hapticut.Error, match="gone.nrrd"):
-        hapticut.read_grey_volume(tmp_path / "gone.nrrd")
+        hapticut.io.read_grey_volume(tmp_path / "gone.nrrd")
 
 
 def test_structs_copy_pickle_and_print(block):
@@ -178,7 +178,7 @@ def test_structs_copy_pickle_and_print(block):
 
     material = hapticut.presets.enamel()
     assert repr(pickle.loads(pickle.dumps(material))) == repr(material) == repr(copy.deepcopy(material))
-    config = hapticut.SimulationConfig(effects=hapticut.Effects(gravity=hapticut.Gravity(mass=0.1)))
+    config = hapticut.SimulationConfig(effects=hapticut.effects.Effects(gravity=hapticut.effects.Gravity(mass=0.1)))
     assert pickle.loads(pickle.dumps(config)).effects.gravity.mass == 0.1
     config.effects.limits.largest_force = 3.0
     assert config.effects.limits.largest_force == 3.0

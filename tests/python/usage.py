@@ -10,6 +10,8 @@ from typing import Any
 import hapticut
 
 core = hapticut._hapticut
+MODULES = [hapticut, *(module for name, module in vars(hapticut).items()
+                       if inspect.ismodule(module) and name in hapticut.__all__)]  # all but sweep and plot
 PROTOCOL = {"__init__", "__call__", "__len__", "__getitem__", "__contains__", "__iter__", "__enter__", "__exit__"}
 
 bound: set[str] = set()  # all there are
@@ -54,8 +56,8 @@ def _watch(name: str, thing: Any) -> None:
             _watch_class(name, thing)
     elif inspect.isroutine(thing):
         noted = _noted(name, thing)
-        for module in (core, hapticut, hapticut.presets):
-            if getattr(module, name, None) is thing:
+        for module in (core, *MODULES):
+            if vars(module).get(name) is thing:
                 setattr(module, name, noted)
 
 

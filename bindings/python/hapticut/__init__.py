@@ -6,30 +6,205 @@ unless a name says otherwise. Arrays are float64: points ``(n, 3)``, poses ``(4,
 ``(6,)`` linear then angular. What cannot be done raises ``hapticut.Error`` with what was given, what is allowed and
 what to do.
 
-``hapticut.presets`` holds ready-made materials, ``hapticut.units`` factors to SI; ``hapticut.sweep`` and
-``hapticut.plot`` are imported when they are first used.
+Here is what builds a workpiece and a tool and moves the one through the other. Beside it:
+
+``catalogue``, ``presets``, ``units``
+    ready-made heads, ready-made materials, factors to SI
+``calibration``, ``effects``
+    materials from measurements; what is added to the force of the model before a hand feels it
+``volume``, ``io``
+    scans and what is done with them; files of volumes, meshes, voxels, recordings and pictures
+``device``, ``loop``, ``safety``
+    what a hand holds, the 1 kHz thread, the guard between the two
+``heat``, ``islands``
+    temperatures beside the steps; pieces that were cut loose
+``surface``, ``sound``
+    what is seen and heard beside the steps
+``bench``
+    closed loops, stability and faults, without a device
+``sweep``, ``plot``
+    many runs on many processors, pictures; imported when they are first used
 """
 from __future__ import annotations
 
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from . import _hapticut, presets, units
-from ._hapticut import *  # noqa: F403
-from ._pose import Pose
+from . import (
+    bench as bench,
+    calibration as calibration,
+    catalogue as catalogue,
+    device as device,
+    effects as effects,
+    heat as heat,
+    io as io,
+    islands as islands,
+    loop as loop,
+    presets as presets,
+    safety as safety,
+    sound as sound,
+    surface as surface,
+    units as units,
+    volume as volume,
+)
+from ._export import export, where_is
+from ._hapticut import (
+    # Words that all share
+    BuildInfo as BuildInfo,
+    Color as Color,
+    ColoredMesh as ColoredMesh,
+    Error as Error,
+    TriangleMesh as TriangleMesh,
+    Wrench as Wrench,
+    advance as advance,
+    build_info as build_info,
+    is_rotation as is_rotation,
+    orthonormalized as orthonormalized,
+    rotation_from_vector as rotation_from_vector,
+    transport as transport,
+    twist_between as twist_between,
+    vector_from_rotation as vector_from_rotation,
+
+    # Tool: head, handle, spindle
+    ConeHead as ConeHead,
+    Cutter as Cutter,
+    CutterKind as CutterKind,
+    EdgeKind as EdgeKind,
+    FlatHead as FlatHead,
+    FlatRule as FlatRule,
+    HandleTorque as HandleTorque,
+    HeadBox as HeadBox,
+    LHandle as LHandle,
+    MeridianSpring as MeridianSpring,
+    MotorKind as MotorKind,
+    Profile as Profile,
+    ProfileEdge as ProfileEdge,
+    ProfileHead as ProfileHead,
+    RayHandle as RayHandle,
+    RecognizedProfile as RecognizedProfile,
+    SphereHead as SphereHead,
+    Spindle as Spindle,
+    SpindleState as SpindleState,
+    Spring as Spring,
+    Tool as Tool,
+    ToolHead as ToolHead,
+    common_spindle as common_spindle,
+    head_in_handle as head_in_handle,
+    kFastestSpindle as kFastestSpindle,
+    mesh_of_revolution as mesh_of_revolution,
+    profile_from_mesh as profile_from_mesh,
+    thesis_handle_torque as thesis_handle_torque,
+
+    # Workpiece: materials and voxels
+    Box as Box,
+    GridFrame as GridFrame,
+    IndexBox as IndexBox,
+    Material as Material,
+    MaterialAmount as MaterialAmount,
+    MaterialTable as MaterialTable,
+    Workpiece as Workpiece,
+    WorkpieceSnapshot as WorkpieceSnapshot,
+    WorkpieceSurface as WorkpieceSurface,
+    extract_surface as extract_surface,
+    find_preset as find_preset,
+    kBlockEdge as kBlockEdge,
+    kBlockVoxels as kBlockVoxels,
+    kEmpty as kEmpty,
+    kMaxMaterials as kMaxMaterials,
+    preset_color as preset_color,
+    preset_names as preset_names,
+
+    # Workpiece: built from shapes, meshes and scans
+    BodyDescription as BodyDescription,
+    Grade as Grade,
+    GreyRange as GreyRange,
+    LabelMaterial as LabelMaterial,
+    Layer as Layer,
+    MeshImport as MeshImport,
+    MeshShell as MeshShell,
+    MolarParameters as MolarParameters,
+    UnclaimedLabels as UnclaimedLabels,
+    VolumeBuildOptions as VolumeBuildOptions,
+    build_block as build_block,
+    build_body as build_body,
+    build_from_grey as build_from_grey,
+    build_from_labels as build_from_labels,
+    build_from_mesh as build_from_mesh,
+    build_from_shells as build_from_shells,
+    build_layered_slab as build_layered_slab,
+    build_molar as build_molar,
+    build_sphere as build_sphere,
+    describe_molar as describe_molar,
+    kMolarCaries as kMolarCaries,
+    kMolarDentin as kMolarDentin,
+    kMolarEnamel as kMolarEnamel,
+    kMolarPulp as kMolarPulp,
+    materials_of as materials_of,
+
+    # Force: laws, friction, how stiff the foundation is
+    ContactMechanicsLaw as ContactMechanicsLaw,
+    DampingMatrixLaw as DampingMatrixLaw,
+    DeepContact as DeepContact,
+    DryFriction as DryFriction,
+    ForceLaw as ForceLaw,
+    FoundationLaw as FoundationLaw,
+    HertzianBurrLaw as HertzianBurrLaw,
+    Quadrature as Quadrature,
+    RemovalLaw as RemovalLaw,
+    StickSlip as StickSlip,
+    ThesisLaw as ThesisLaw,
+    TwistDrillLaw as TwistDrillLaw,
+    contact_point as contact_point,
+    kFullSpinSpeed as kFullSpinSpeed,
+    kSmallestFill as kSmallestFill,
+    largest_contact_stiffness as largest_contact_stiffness,
+    standing_share as standing_share,
+    stiffness_for_accuracy as stiffness_for_accuracy,
+    stiffness_for_device as stiffness_for_device,
+
+    # Simulation: one step, and runs of many
+    Contact as Contact,
+    ContactProbe as ContactProbe,
+    ContactTime as ContactTime,
+    EnergyLedger as EnergyLedger,
+    ProbedMotions as ProbedMotions,
+    Simulation as Simulation,
+    SimulationConfig as SimulationConfig,
+    StageTimes as StageTimes,
+    StepInput as StepInput,
+    StepResult as StepResult,
+    StepStatus as StepStatus,
+    ThesisMode as ThesisMode,
+    WorstCase as WorstCase,
+    check_input as check_input,
+    describe_status as describe_status,
+    has_any as has_any,
+    kRejected as kRejected,
+    most_blocks as most_blocks,
+    most_voxels as most_voxels,
+    thesis_mode as thesis_mode,
+    validate as validate,
+
+    # Simulation: coupled to a hand
+    CoupledResult as CoupledResult,
+    CouplingEnergy as CouplingEnergy,
+    CouplingGains as CouplingGains,
+    VirtualCoupling as VirtualCoupling,
+    coupling_gains as coupling_gains,
+)
+from ._pose import Pose as Pose
 
 if TYPE_CHECKING:
     from . import plot as plot
     from .sweep import sweep as sweep
+else:
 
-__version__: str = _hapticut.build_info().version
-__all__ = [name for name in dir(_hapticut) if not name.startswith("_")] + ["Pose", "plot", "presets", "sweep", "units"]
+    def __getattr__(name: str) -> Any:
+        if name in ("plot", "sweep"):
+            return importlib.import_module(f"{__name__}.{name}")
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}{where_is(name)}")
 
 
-def __getattr__(name: str) -> Any:
-    if name in ("plot", "sweep"):
-        return importlib.import_module(f"{__name__}.{name}")
-    hint = ""
-    if not _hapticut.kWithIo:
-        hint = "; this build has no file formats but .vdb (HAPTICUT_WITH_IO was off: see `pip install -v .`)"
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}{hint}")
+export(__name__, "Pose", "bench", "calibration", "catalogue", "device", "effects", "heat", "io", "islands", "loop",
+       "plot", "presets", "safety", "sound", "surface", "sweep", "units", "volume")
+__version__: str = build_info().version

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _hapticut as core
+from ._export import export
 
 try:
     import matplotlib.pyplot as plt
@@ -21,6 +22,8 @@ except ImportError:
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.axes import Axes
+
+__all__ = ["colors_of", "force", "latency", "removed_volume", "slice_through", "surface", "sweep_matrix", "torque"]
 
 AXIS_COLORS = ("#c0392b", "#1e8449", "#2471a3")  # x, y, z
 INK = "#2c3e50"
@@ -168,7 +171,7 @@ def sweep_matrix(table: pd.DataFrame, x: str, y: str, value: str, ax: Optional[A
         raise core.Error(f"x and y are both {x!r}; a matrix needs two columns.")
     if table[value].dtype.kind not in "biuf":
         raise core.Error(f"column {value!r} does not hold numbers.")
-    good = table[table["error"].fillna("") == ""] if "error" in table.columns else table  # read back, "" is NaN
+    good = table[table["error"].fillna("") == ""] if "error" in table.columns else table
     cells = good.pivot_table(index=y, columns=x, values=value, aggfunc="mean")
     if cells.size == 0:
         raise core.Error("there is no run without an error to draw.")
@@ -285,3 +288,6 @@ def surface(workpiece: core.Workpiece, ax: Optional[Axes] = None, elevation: flo
     ax.plot([low, low + bar], [bottom, bottom], color=INK, linewidth=2, solid_capstyle="butt")
     ax.text(low, bottom, f"{bar:g} mm", ha="left", va="bottom", color=INK, fontsize=9)
     return ax
+
+
+export(__name__)

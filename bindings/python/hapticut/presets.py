@@ -1,15 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """Ready-made materials. ``docs/materials.md`` names the source of every number.
 
-All but ``enamel_with_diamond`` hold for a carbide round or fissure burr of 1 ... 4 mm that takes chips from a few micrometres to some tens of
-micrometres; for a tool of another kind set ``specific_cutting_energy``, ``cutting_ratio`` and ``edge_pressure`` again.
+Each is as a kind of cutter meets it, by default a carbide bur: ``presets.dentin(CutterKind.twist_drill)``.
 """
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from . import _hapticut
+from ._export import export
 from ._hapticut import Material, find_preset
 
+if TYPE_CHECKING:
+    from ._hapticut import CutterKind
 
-def enamel() -> Material:
+__all__ = ["amalgam", "caries", "clay", "cortical_bone", "dentin", "enamel", "enamel_with_diamond", "pulp",
+           "trabecular_bone"]
+
+
+def enamel(cutter: CutterKind = _hapticut.CutterKind.carbide_bur) -> Material:
     """Human enamel."""
-    return find_preset("enamel")
+    return find_preset("enamel", cutter)
 
 
 def enamel_with_diamond() -> Material:
@@ -17,36 +28,39 @@ def enamel_with_diamond() -> Material:
     return find_preset("enamel_with_diamond")
 
 
-def dentin() -> Material:
+def dentin(cutter: CutterKind = _hapticut.CutterKind.carbide_bur) -> Material:
     """Human dentin."""
-    return find_preset("dentin")
+    return find_preset("dentin", cutter)
 
 
-def pulp() -> Material:
+def pulp(cutter: CutterKind = _hapticut.CutterKind.carbide_bur) -> Material:
     """Dental pulp, a soft tissue."""
-    return find_preset("pulp")
+    return find_preset("pulp", cutter)
 
 
-def caries() -> Material:
+def caries(cutter: CutterKind = _hapticut.CutterKind.carbide_bur) -> Material:
     """Decayed hard tissue."""
-    return find_preset("caries")
+    return find_preset("caries", cutter)
 
 
-def amalgam() -> Material:
+def amalgam(cutter: CutterKind = _hapticut.CutterKind.carbide_bur) -> Material:
     """Set high-copper amalgam."""
-    return find_preset("amalgam")
+    return find_preset("amalgam", cutter)
 
 
-def cortical_bone() -> Material:
+def cortical_bone(cutter: CutterKind = _hapticut.CutterKind.carbide_bur) -> Material:
     """Cortical bone."""
-    return find_preset("cortical_bone")
+    return find_preset("cortical_bone", cutter)
 
 
-def trabecular_bone() -> Material:
+def trabecular_bone(cutter: CutterKind = _hapticut.CutterKind.carbide_bur) -> Material:
     """Trabecular (cancellous) bone with its marrow, as a continuum."""
-    return find_preset("trabecular_bone")
+    return find_preset("trabecular_bone", cutter)
 
 
-def clay() -> Material:
+def clay(cutter: CutterKind = _hapticut.CutterKind.carbide_bur) -> Material:
     """Modelling clay, for exercises and for comparing devices."""
-    return find_preset("clay")
+    return find_preset("clay", cutter)
+
+
+export(__name__)

@@ -2,6 +2,10 @@
 """Factors from the units of the dental chair to SI: ``0.6 * units.mm`` is a length in metres."""
 import math
 
+from ._export import export
+
+__all__ = ["N_mm", "N_per_mm3_per_mm", "deg", "kPi", "mN_m", "mm", "mm3", "mm_per_s", "ms", "rpm", "um"]
+
 kPi = math.pi
 mm = 1e-3  #: [m]
 um = 1e-6  #: [m]
@@ -13,3 +17,5 @@ mN_m = 1e-3  #: [N·m]
 N_mm = 1e-3  #: [N·m]
 mm3 = 1e-9  #: [m^3]
 N_per_mm3_per_mm = 1e12  #: [N/m^4] stiffness of the volumetric foundation
+
+export(__name__)

@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from typing import TYPE_CHECKING, Any, Optional, Union
 
+from .._export import export
 from .._hapticut import Error
 from .chunks import Run, generator
 from .scheduler import Scheduler, SerialExecutor
@@ -44,7 +45,7 @@ def sweep(space: Union[Space, Mapping[str, Sequence[Any]], Sequence[Mapping[str,
     run
         Called as ``run(parameters, rng)`` with a dict and a `numpy.random.Generator` of its own. Returns a dict of
         numbers and texts, which become columns, and of arrays, which `load_traces` finds again. A run that raises is a
-        row with its error. With a pool of processes it must be at the top level of a module, and a script needs
+        row with its error; so is one whose simulation took none of its steps. With a pool of processes it must be at the top level of a module, and a script needs
         ``if __name__ == "__main__":`` around what it does.
     executor
         None: a pool of one process per processor. Else any `concurrent.futures.Executor`, which stays open:
@@ -65,7 +66,7 @@ def sweep(space: Union[Space, Mapping[str, Sequence[Any]], Sequence[Mapping[str,
     Returns
     -------
     pandas.DataFrame
-        One row per run in the order of the space: run, parameters, summary columns, error ("" where there is none);
+        One row per run in the order of the space: run, parameters, summary columns, error (missing where there is none);
         ``attrs["units"]``. The same is in ``table.parquet`` in the folder, or ``table.csv`` where pyarrow is missing.
 
     Raises
@@ -147,4 +148,5 @@ class _CallableModule(types.ModuleType):
         return sweep(*arguments, **keywords)
 
 
+export(__name__)
 sys.modules[__name__].__class__ = _CallableModule

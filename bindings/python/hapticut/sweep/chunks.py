@@ -12,6 +12,7 @@ from typing import Any, Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from .._runs import none_taken_is_an_error
 from .spaces import RESERVED, Parameters, plain
 
 Run = Callable[[Parameters, np.random.Generator], Mapping[str, Any]]
@@ -74,7 +75,9 @@ def run_chunk(pickled: bytes, seed: int, first: Sequence[int], parameters: Seque
     for index, row_parameters in zip(first, parameters):
         row = Row(index)
         try:
-            _outcome(row, function(dict(row_parameters), generator(seed, index)), taken)
+            with none_taken_is_an_error():
+                result = function(dict(row_parameters), generator(seed, index))
+            _outcome(row, result, taken)
         except (Exception, SystemExit) as error:
             row = Row(index)
             text = traceback.format_exception_only(type(error), error)[-1].strip().replace("\n", " ")

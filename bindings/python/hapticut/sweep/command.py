@@ -200,6 +200,6 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         text = "interrupted; what was finished is kept" if isinstance(error, KeyboardInterrupt) else str(error)
         print(f"hapticut-sweep: {text}", file=sys.stderr)
         return 1
-    failed = int((table["error"] != "").sum())
+    failed = int(table["error"].notna().sum())
     print(f"{len(table)} runs, {failed} failed; the table is in {out}")
     return 0 if failed == 0 else 2

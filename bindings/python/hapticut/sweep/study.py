@@ -148,7 +148,7 @@ class Study:
             data[name] = [parameters[name] for parameters in self.space]
         for name in columns:
             data[name] = [self.done[index]["summary"].get(name) for index in range(len(self.space))]
-        data["error"] = [self.done[index]["error"] for index in range(len(self.space))]
+        data["error"] = [self.done[index]["error"] or None for index in range(len(self.space))]
         table = pd.DataFrame(data)
         table.attrs["units"] = {name: unit for name, unit in self.units.items() if name in table.columns}
         return table

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How the modules of the package share out what the compiled one holds.
+
+Each imports its names as themselves (``Box as Box``), which is how type checkers tell what a module offers from what it
+uses; `export` does the same for those who look at a module that runs.
+"""
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from . import _hapticut
+
+_hapticut._shorten_signatures()
+
+
+def export(module: str, *more: str) -> None:
+    """Makes ``__all__`` of a module that has none: what it imported from the compiled one, whose ``__module__`` it
+    becomes, and some names more. ``dir`` shows that list, and a name that is missing is looked for in the others."""
+    namespace = vars(sys.modules[module])
+    if "__all__" not in namespace:
+        compiled = [name for name in namespace if name in _hapticut.__all__]
+        namespace["__all__"] = sorted([*compiled, *more])
+        for name in compiled:
+            move(namespace[name], module)
+
+    def listed() -> list[str]:
+        return sorted([*namespace["__all__"], *(name for name in namespace if name.startswith("__"))])
+
+    def missing(name: str) -> Any:
+        raise AttributeError(f"module {module!r} has no attribute {name!r}{where_is(name)}")
+
+    namespace.setdefault("__dir__", listed)
+    namespace.setdefault("__getattr__", missing)
+
+
+def move(thing: Any, module: str) -> None:
+    """Says of a function, or of a class and those inside of it, where it is imported from."""
+    if isinstance(thing, type):
+        for inner in vars(thing).values():
+            if isinstance(inner, type) and inner.__module__ == _hapticut.__name__:
+                move(inner, module)
+    if hasattr(thing, "__module__"):
+        thing.__module__ = module
+
+
+def where_is(name: str) -> str:
+    """The end of the sentence that a name is not in a module."""
+    for place, module in sorted(sys.modules.items()):
+        if f"{place}.".startswith(f"{__package__}.") and "._" not in place and name in getattr(module, "__all__", ()):
+            return f"; it is {place}.{name}"
+    if not _hapticut.kWithIo:
+        return "; this build has no file formats but .vdb (HAPTICUT_WITH_IO was off: see `pip install -v .`)"
+    return ""

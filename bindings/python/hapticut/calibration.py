@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The numbers of a material from tests with a drill, and the other way round."""
+from ._export import export
+from ._hapticut import (
+    AxialCutForce as AxialCutForce,
+    Calibration as Calibration,
+    ChipTerm as ChipTerm,
+    DrillingTest as DrillingTest,
+    axial_cut_force as axial_cut_force,
+    calibrate as calibrate,
+)
+
+export(__name__)

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Heads of dental burs by their names and sizes, common cutters, and motors."""
+from ._export import export
+from ._hapticut import (
+    SpindleMotor as SpindleMotor,
+    christmas_tree_head as christmas_tree_head,
+    common_cutter as common_cutter,
+    common_motor as common_motor,
+    cylinder_head as cylinder_head,
+    flame_head as flame_head,
+    inverted_cone_head as inverted_cone_head,
+    kTreeWaist as kTreeWaist,
+    needle_head as needle_head,
+    pear_head as pear_head,
+    round_end_cylinder_head as round_end_cylinder_head,
+    round_end_tapered_head as round_end_tapered_head,
+    round_head as round_head,
+    tapered_head as tapered_head,
+    tooth_rate as tooth_rate,
+    twist_drill_head as twist_drill_head,
+    wheel_head as wheel_head,
+)
+
+export(__name__)

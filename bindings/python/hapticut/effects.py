@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is added to the model's force before a hand feels it, in the order of the step."""
+from ._export import export
+from ._hapticut import (
+    Effects as Effects,
+    EffectsInput as EffectsInput,
+    Output as Output,
+
+    # Gravity, vibration, delta filter, axis mask
+    AxisMask as AxisMask,
+    DeltaFilter as DeltaFilter,
+    Gravity as Gravity,
+    Vibration as Vibration,
+    VibrationPhase as VibrationPhase,
+    filtered as filtered,
+    gravity_wrench as gravity_wrench,
+    kFastestVibration as kFastestVibration,
+    masked as masked,
+
+    # Limits of the output
+    OutputLimits as OutputLimits,
+    growth_limited as growth_limited,
+    least_force_growth as least_force_growth,
+    saturated as saturated,
+)
+
+export(__name__)

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/heat
+#include <memory>
+
+#include "bindings.hpp"
+#include "hapticut/heat/heat_collector.hpp"
+#include "hapticut/heat/heat_field.hpp"
+#include "simulation.hpp"
+#include "steps.hpp"
+#include "structs.hpp"
+#include "tool_head.hpp"
+
+namespace hapticut::python {
+
+namespace {
+
+using Cell = std::array<int, 3>;
+
+/// (nx, ny, nz) of a number that each cell has.
+template <class Number>
+py::array cells_of(const HeatField& field, const Number& number) {
+  const Cell dims = field.dims();
+  py::array_t<double> all({dims[0], dims[1], dims[2]});
+  double* next = all.mutable_data();
+  for (int i = 0; i < dims[0]; ++i)
+    for (int j = 0; j < dims[1]; ++j)
+      for (int k = 0; k < dims[2]; ++k) *next++ = number(Cell{i, j, k});
+  return all;
+}
+
+/// @throws IndexError when there is no such cell
+const Cell& inside(const HeatField& field, const Cell& cell) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (cell[axis] < 0 || cell[axis] >= field.dims()[axis]) throw py::index_error("there is no such cell");
+  return cell;
+}
+
+void bind_collector(py::module_& m) {
+  using C = HeatCollector;
+  bind_described_result<HeatPulse>(m, "HeatPulse");
+  bind_described<HeatCollectorOptions>(m, "HeatCollectorOptions");
+  py::class_<C, std::shared_ptr<C>>(
+      m, "HeatCollector", (std::string(doc("HeatCollector")) + "\n\nIt lasts as long as its simulation.").c_str())
+      .def(py::init([](const std::shared_ptr<PythonSimulation>& simulation, const HeatCollectorOptions& options) {
+             simulation->occupancy.require_writable("The simulation");
+             auto collector = std::make_shared<C>(simulation->simulation, options);
+             simulation->observers.push_back(collector);
+             return collector;
+           }),
+           py::keep_alive<1, 2>(), py::arg("simulation"), py::arg("options") = HeatCollectorOptions{},
+           doc("HeatCollector::HeatCollector"))
+      .def(
+          "receive",
+          [](C& self) {
+            std::optional<HeatPulse> pulse(std::in_place);
+            if (!self.receive(*pulse)) pulse.reset();
+            return pulse;
+          },
+          "Takes one pulse; None when there is none. HeatField.take takes them all.")
+      .def(
+          "receive_block",
+          [](C& self) {
+            std::optional<ChangedBlock> block(std::in_place);
+            if (!self.receive(*block)) block.reset();
+            return block;
+          },
+          "Takes one changed block; None when there is none.");
+  m.def("touching_point", &touching_point, py::arg("head"), py::arg("wrench_T"), doc("touching_point"));
+}
+
+}  // namespace
+
+void bind_heat(py::module_& m) {
+  bind_collector(m);
+  bind_described<ThermalProperties>(m, "ThermalProperties");
+  bind_described<HeatConfig>(m, "HeatConfig");
+  bind_described_result<StructureHeat>(m, "StructureHeat");
+  bind_described_result<HeatBalance>(m, "HeatBalance")
+      .def("imbalance", &HeatBalance::imbalance, doc("HeatBalance::imbalance"));
+  m.def("cem43", &cem43, py::arg("temperature"), py::arg("time"), doc("cem43"));
+  using F = HeatField;
+  py::class_<F>(m, "HeatField", doc("HeatField"))
+      .def(py::init(
+               [](const PythonWorkpiece& workpiece, const HeatConfig& config) { return F(workpiece.read(), config); }),
+           py::arg("workpiece"), py::arg("config") = HeatConfig{}, doc("HeatField::HeatField"))
+      .def("take", &F::take, py::arg("collector"), doc("HeatField::take"))
+      .def("add_heat", &F::add_heat, py::arg("p_WQ"), py::arg("heat"), py::arg("radius") = 0.0,
+           doc("HeatField::add_heat"))
+      .def("add_cutting_heat", &F::add_cutting_heat, py::arg("heat"), doc("HeatField::add_cutting_heat"))
+      .def(
+          "update",
+          [](F& self, const PythonWorkpiece& workpiece, const py::array_t<std::int32_t, py::array::c_style>& origins) {
+            self.update(workpiece.read(), origins_from(origins));
+          },
+          py::arg("workpiece"), py::arg("origins"), doc("HeatField::update#2"))
+      .def(
+          "update",
+          [](F& self, const ChangedBlock& block) {
+            self.update(block.origin, block.material.data(), block.fill.data());
+          },
+          py::arg("block"), doc("HeatField::update"))
+      .def("advance", &F::advance, py::arg("dt"), doc("HeatField::advance"))
+      .def("set_irrigation", &F::set_irrigation, py::arg("coefficient"), doc("HeatField::set_irrigation"))
+      .def_property_readonly(
+          "config", [](const F& self) { return self.config(); }, "A copy of what it was made with.")
+      .def("structures", &F::structures, doc("HeatField::structures"))
+      .def("balance", &F::balance, doc("HeatBalance"))
+      .def("temperature_at", &F::temperature_at, py::arg("p_WQ"), doc("HeatField::temperature_at"))
+      .def_property_readonly(
+          "dims", [](const F& self) { return self.dims(); }, "How many cells there are along each axis.")
+      .def_property_readonly(
+          "cell_size", [](const F& self) { return self.cell_size(); }, "[m] edge of a cell.")
+      .def(
+          "center", [](const F& self, const Cell& cell) { return self.center(cell); }, py::arg("cell"),
+          "[m] (3,) of a cell, in W.")
+      .def(
+          "temperature", [](const F& self, const Cell& cell) { return self.temperature(inside(self, cell)); },
+          py::arg("cell"), "[deg C] of a cell; nan where it holds no material.")
+      .def(
+          "peak", [](const F& self, const Cell& cell) { return self.peak(inside(self, cell)); }, py::arg("cell"),
+          "[deg C] of a cell, largest so far.")
+      .def(
+          "dose", [](const F& self, const Cell& cell) { return self.dose(inside(self, cell)); }, py::arg("cell"),
+          "[min] CEM43 of a cell.")
+      .def(
+          "temperatures",
+          [](const F& self) { return cells_of(self, [&](const Cell& cell) { return self.temperature(cell); }); },
+          "[deg C] (nx, ny, nz) of all cells; nan where they hold no material.")
+      .def(
+          "peaks", [](const F& self) { return cells_of(self, [&](const Cell& cell) { return self.peak(cell); }); },
+          "[deg C] (nx, ny, nz) largest so far.")
+      .def(
+          "doses", [](const F& self) { return cells_of(self, [&](const Cell& cell) { return self.dose(cell); }); },
+          "[min] (nx, ny, nz) CEM43.");
+}
+
+}  // namespace hapticut::python

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// include/hapticut/workpiece/islands.hpp
+#include "hapticut/workpiece/islands.hpp"
+
+#include <vector>
+
+#include "bindings.hpp"
+#include "hapticut/loop/island_watch.hpp"
+#include "steps.hpp"
+#include "structs.hpp"
+#include "workpiece.hpp"
+
+namespace hapticut::python {
+
+namespace {
+
+/// (n, 3) int32
+py::array indices_of(const Island& island) {
+  py::array_t<std::int32_t> indices({py::ssize_t(island.voxels), py::ssize_t(3)});
+  std::int32_t* next = indices.mutable_data();
+  for (const BlockVoxels& block : island.blocks)
+    for (int n = 0; n < kBlockVoxels; ++n) {
+      if ((block.voxels[std::size_t(n >> 6)] >> (n & 63) & 1) == 0) continue;
+      *next++ = block.origin[0] + (n >> 6);
+      *next++ = block.origin[1] + (n >> 3 & 7);
+      *next++ = block.origin[2] + (n & 7);
+    }
+  return indices;
+}
+
+}  // namespace
+
+void bind_islands(py::module_& m) {
+  bind_described<IslandOptions>(m, "IslandOptions");
+  bind_described<ChangeFeedOptions>(m, "ChangeFeedOptions");
+  bind_described<IslandWatchOptions>(m, "IslandWatchOptions");
+  py::class_<Island>(m, "Island", doc("Island"))
+      .def_property_readonly("indices", &indices_of, "(n, 3) int32 of its voxels, block by block.")
+      .def_readonly("voxels", &Island::voxels, doc("Island::voxels"))
+      .def_readonly("least_fill", &Island::least_fill, doc("Island::least_fill"));
+  using F = IslandFinder;
+  py::class_<F>(m, "IslandFinder", doc("IslandFinder"))
+      .def(py::init([](const PythonWorkpiece& workpiece, const IslandOptions& options) {
+             return F(workpiece.read(), options);
+           }),
+           py::arg("workpiece"), py::arg("options") = IslandOptions{}, doc("IslandFinder::IslandFinder"))
+      .def(
+          "update",
+          [](F& self, const PythonWorkpiece& workpiece, const py::array_t<std::int32_t, py::array::c_style>& origins) {
+            self.update(workpiece.read(), origins_from(origins));
+          },
+          py::arg("workpiece"), py::arg("origins"), doc("IslandFinder::update#2"))
+      .def(
+          "update", [](F& self, const ChangedBlock& block) { self.update(block.origin, block.fill.data()); },
+          py::arg("block"), doc("IslandFinder::update"))
+      .def("find", &F::find, doc("IslandFinder::find"));
+  m.def(
+      "find_islands",
+      [](const PythonWorkpiece& workpiece, const IslandOptions& options) {
+        return workpiece.read_released([&](const Workpiece& w) { return find_islands(w, options); });
+      },
+      py::arg("workpiece"), py::arg("options") = IslandOptions{}, doc("find_islands"));
+  using R = IslandRemoval;
+  py::class_<R>(m, "IslandRemoval", doc("IslandRemoval"))
+      .def(py::init([](const Island& island) { return R{island}; }), py::arg("island"), doc("IslandRemoval"))
+      .def_readonly("island", &R::island, doc("IslandRemoval::island"))
+      .def_readonly("checked", &R::checked, doc("IslandRemoval::checked"))
+      .def_readonly("removed", &R::removed, doc("IslandRemoval::removed"))
+      .def_readonly("joined", &R::joined, doc("IslandRemoval::joined"))
+      .def_property_readonly(
+          "is_over", [](const R& self) { return self.is_over(); }, "Whether it has left, or stays.");
+}
+
+}  // namespace hapticut::python
