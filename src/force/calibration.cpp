@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/spatial.hpp"
@@ -15,38 +16,63 @@ namespace {
 
 using units::kPi;
 
-constexpr double kLeastSpread = 1.05;  // [1] of feed per turn over radius, to tell edge from chip
+constexpr double kLeastSpread = 1.05;  // [1] of the chips, to tell edge from chip
 constexpr double kLargestError = 0.5;  // [1] standard error over the constant
-constexpr double kSmallEdge = 0.1;     // [1] of the thrust; an edge known to this is known, be it 0
+constexpr double kSmallEdge = 0.1;     // [1] of thrust and torque; an edge known to this is known, be it 0
 
-double chip_over_radius(const DrillingTest& t) { return t.feed_speed / (std::abs(t.spindle_speed) * t.radius); }
+/// A thrust or a torque over its measured value, linear in u and in the second constant: chip u + edge e = 1. Both are
+/// for kappa = 1: thrusts go with 1/kappa, but for that of p_e; the torque of p_e goes with kappa.
+struct Row {
+  double chip, edge;
+  bool is_thrust, of_pressure;
 
-/// The best u and p_e for a kappa, and the sum of squares that they leave.
+  [[nodiscard]] double chip_at(double kappa) const { return is_thrust ? chip / kappa : chip; }
+  [[nodiscard]] double edge_at(double kappa) const {
+    if (of_pressure) return is_thrust ? edge : edge * kappa;
+    return is_thrust ? edge / kappa : edge;
+  }
+  /// d/d ln kappa of what chip and edge give
+  [[nodiscard]] double change(double kappa, double u, double e) const {
+    const double of_edge = of_pressure ? (is_thrust ? 0.0 : edge_at(kappa) * e) : (is_thrust ? -edge_at(kappa) * e : 0);
+    return (is_thrust ? -chip_at(kappa) * u : 0) + of_edge;
+  }
+};
+
+std::vector<Row> rows_of(std::span<const DrillingTest> tests, ChipTerm term) {
+  std::vector<Row> rows;
+  for (const DrillingTest& t : tests) {
+    const double omega = std::abs(t.spindle_speed), tooth_rate = t.lips * omega / (2 * kPi), R = t.radius;
+    const double chip = t.feed_speed / omega;  // [m/rad], as `edge`, which multiplies u h_e or u sqrt(h_s)
+    const double edge =
+        term == ChipTerm::size_length ? std::sqrt(tooth_rate * t.feed_speed) / omega : t.lips / (2 * kPi);
+    const bool pressure = term == ChipTerm::edge_pressure;
+    if (t.thrust > 0)
+      rows.push_back(
+          {2 * kPi * R * chip / t.thrust, (pressure ? kPi * R * R : 2 * kPi * R * edge) / t.thrust, true, pressure});
+    if (t.torque > 0)
+      rows.push_back({kPi * R * R * chip / t.torque,
+                      (pressure ? 2 * kPi / 3 * R * R * R : kPi * R * R * edge) / t.torque, false, pressure});
+  }
+  return rows;
+}
+
+/// The best constants for a kappa, and the sum of squares that they leave.
 struct Fit {
   double kappa = 0, u = 0, edge = 0, squares = std::numeric_limits<double>::infinity();
 };
 
-Fit fit_at(double kappa, std::span<const DrillingTest> tests, bool with_edge) {
-  // Rows (a, b) . (u, p_e) = 1: thrust and torque over their measured values.
+Fit fit_at(double kappa, const std::vector<Row>& rows, bool with_edge) {
   double aa = 0, ab = 0, bb = 0, a1 = 0, b1 = 0;
-  const auto for_each_row = [&](const auto& visit) {
-    for (const DrillingTest& t : tests) {
-      const double R = t.radius, x = t.feed_speed / std::abs(t.spindle_speed);
-      visit(2 * kPi * R * x / kappa / t.thrust, kPi * R * R / t.thrust);
-      visit(kPi * R * R * x / t.torque, 2 * kPi / 3 * kappa * R * R * R / t.torque);
-    }
-  };
-  for_each_row([&](double a, double b) { aa += a * a, ab += a * b, bb += b * b, a1 += a, b1 += b; });
-  const auto squares = [&](double u, double edge) {
-    double sum = 0;
-    for_each_row([&](double a, double b) { sum += std::pow(a * u + b * edge - 1, 2); });
-    return sum;
-  };
+  for (const Row& row : rows) {
+    const double a = row.chip_at(kappa), b = row.edge_at(kappa);
+    aa += a * a, ab += a * b, bb += b * b, a1 += a, b1 += b;
+  }
   Fit best{kappa};
   const auto consider = [&](double u, double edge) {
     if (!(u >= 0) || !(edge >= 0)) return;
-    const double s = squares(u, edge);
-    if (s < best.squares) best = {kappa, u, edge, s};
+    double squares = 0;
+    for (const Row& row : rows) squares += std::pow(row.chip_at(kappa) * u + row.edge_at(kappa) * edge - 1, 2);
+    if (squares < best.squares) best = {kappa, u, edge, squares};
   };
   consider(a1 / aa, 0);
   const double determinant = aa * bb - ab * ab;
@@ -57,9 +83,10 @@ Fit fit_at(double kappa, std::span<const DrillingTest> tests, bool with_edge) {
 
 /// The best fit of all kappa: on a logarithmic grid, then by halving the step about the best.
 /// @throws Error when it lies at an end of the grid, or no kappa fits
-Fit best_fit(std::span<const DrillingTest> tests, bool with_edge) {
+Fit best_fit(const std::vector<Row>& rows, bool with_edge, bool ratio_identified) {
   constexpr int kGrid = 69, kHalvings = 37;  // steps of 0.1 to each side, 0.001 to 1000, down to 1e-12
-  const auto squares = [&](double log_kappa) { return fit_at(std::exp(log_kappa), tests, with_edge).squares; };
+  if (!ratio_identified) return fit_at(kAssumedRatio, rows, with_edge);
+  const auto squares = [&](double log_kappa) { return fit_at(std::exp(log_kappa), rows, with_edge).squares; };
   double best = 0, step = 0.1;
   const auto try_at = [&](double at) {
     if (squares(at) < squares(best)) best = at;
@@ -71,10 +98,10 @@ Fit best_fit(std::span<const DrillingTest> tests, bool with_edge) {
     try_at(middle - step);
     try_at(middle + step);
   }
-  const Fit fit = fit_at(std::exp(best), tests, with_edge);
+  const Fit fit = fit_at(std::exp(best), rows, with_edge);
   if (at_an_end || !std::isfinite(fit.squares))
     throw Error(
-        "no cutting ratio between 0.001 and 1000 explains the drilling tests; that of drills in bone is 2.5 to "
+        "no cutting ratio between 0.001 and 1000 explains the drilling tests; that of drills in bone is 0.4 to "
         "5.3. Check the units of radius, feed, thrust and torque.");
   return fit;
 }
@@ -84,74 +111,90 @@ struct Known {
   bool chip = true, edge = false;
 };
 
-/// From the standard errors that the fit's residuals leave in u and p_e.
-Known known_by(const Fit& fit, std::span<const DrillingTest> tests) {
-  double thrust = 0, chips = 0, sections = 0;  // sums over the tests; chips: thrust per u
-  for (const DrillingTest& t : tests) {
-    thrust += t.thrust;
-    chips += 2 * kPi * t.radius * t.feed_speed / (fit.kappa * std::abs(t.spindle_speed));
-    sections += kPi * t.radius * t.radius;
-  }
-  const double whole_u = thrust / chips, whole_edge = thrust / sections;  // that alone would give the thrust
-  // How the relative errors of thrust and torque change with ln kappa, u and p_e, the latter two in these units.
+/// From the standard errors that the fit's residuals leave in u and in the second constant.
+Known known_by(const Fit& fit, const std::vector<Row>& rows, bool ratio_identified) {
+  double chips = 0, edges = 0;
+  for (const Row& row : rows) chips += row.chip_at(fit.kappa), edges += row.edge_at(fit.kappa);
+  const double whole_u = double(rows.size()) / chips, whole_edge = double(rows.size()) / edges;  // each alone
   Mat3 normal = Mat3::Zero();
-  for (const DrillingTest& t : tests) {
-    const double R = t.radius, x = t.feed_speed / std::abs(t.spindle_speed);
-    const double chip_thrust = 2 * kPi * R * x / fit.kappa / t.thrust, edge_thrust = kPi * R * R / t.thrust;
-    const double chip_torque = kPi * R * R * x / t.torque, edge_torque = 2 * kPi / 3 * fit.kappa * R * R * R / t.torque;
-    const Vec3 of_thrust(-chip_thrust * fit.u, chip_thrust * whole_u, edge_thrust * whole_edge);
-    const Vec3 of_torque(edge_torque * fit.edge, chip_torque * whole_u, edge_torque * whole_edge);
-    normal += of_thrust * of_thrust.transpose() + of_torque * of_torque.transpose();
+  for (const Row& row : rows) {
+    const Vec3 change(ratio_identified ? row.change(fit.kappa, fit.u, fit.edge) : 0, row.chip_at(fit.kappa) * whole_u,
+                      row.edge_at(fit.kappa) * whole_edge);
+    normal += change * change.transpose();
   }
-  const double variance = fit.squares / (2.0 * double(tests.size()) - 3);
-  const Vec3 errors = (variance * normal.inverse().diagonal()).cwiseSqrt();
+  if (!ratio_identified) normal(0, 0) = 1;
+  const double freedom = double(rows.size()) - (ratio_identified ? 3 : 2);
+  if (freedom <= 0) return {};
+  const Vec3 errors = (fit.squares / freedom * normal.inverse().diagonal()).cwiseSqrt();
   return {errors.y() < kLargestError * fit.u / whole_u,
           errors.z() < std::max(kLargestError * fit.edge / whole_edge, kSmallEdge)};
 }
 
+void require_measured(const DrillingTest& t) {
+  require_positive(t.radius, "DrillingTest::radius [m]");
+  require_positive(std::abs(t.spindle_speed), "DrillingTest::spindle_speed [rad/s]");
+  require_positive(t.feed_speed, "DrillingTest::feed_speed [m/s]");
+  require_positive(t.lips, "DrillingTest::lips [1]");
+  if (t.thrust != 0) require_positive(t.thrust, "DrillingTest::thrust [N]");
+  if (t.torque != 0 || t.thrust == 0) require_positive(t.torque, "DrillingTest::torque [N m]");
+}
+
 }  // namespace
 
-AxialCutForce axial_cut_force(const Calibration& c, double radius, double spindle_speed, double feed_speed) {
-  const double x = feed_speed / std::abs(spindle_speed);
+AxialCutForce axial_cut_force(const Calibration& c, double radius, double spindle_speed, double feed_speed,
+                              double lips) {
+  const double omega = std::abs(spindle_speed), tooth_rate = lips * omega / (2 * kPi);
+  const double x =
+      (feed_speed + std::sqrt(c.size_length * tooth_rate * feed_speed) + c.edge_length * tooth_rate) / omega;
   return {kPi * radius * radius * c.edge_pressure + 2 * kPi * radius * c.specific_cutting_energy * x / c.cutting_ratio,
           2 * kPi / 3 * c.cutting_ratio * c.edge_pressure * std::pow(radius, 3) +
               c.specific_cutting_energy * kPi * radius * radius * x};
 }
 
-Calibration calibrate(std::span<const DrillingTest> tests) {
+Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
   if (tests.empty()) throw Error("there is no drilling test to calibrate on; at least one is needed.");
   double least = std::numeric_limits<double>::infinity(), most = 0;
+  bool thrusts = false, torques = false;
   for (const DrillingTest& t : tests) {
-    require_positive(t.radius, "DrillingTest::radius [m]");
-    require_positive(std::abs(t.spindle_speed), "DrillingTest::spindle_speed [rad/s]");
-    require_positive(t.feed_speed, "DrillingTest::feed_speed [m/s]");
-    require_positive(t.thrust, "DrillingTest::thrust [N]");
-    require_positive(t.torque, "DrillingTest::torque [N m]");
-    least = std::min(least, chip_over_radius(t));
-    most = std::max(most, chip_over_radius(t));
+    require_measured(t);
+    const double section = term == ChipTerm::edge_pressure ? t.radius : t.lips;  // what the edge goes with
+    const double chip = t.feed_speed / (std::abs(t.spindle_speed) * section);
+    least = std::min(least, chip);
+    most = std::max(most, chip);
+    thrusts |= t.thrust > 0;
+    torques |= t.torque > 0;
   }
+  const std::vector<Row> rows = rows_of(tests, term);
   Fit fit;
   Calibration c;
+  c.ratio_identified = thrusts && torques;
   if (most > kLeastSpread * least) {
-    fit = best_fit(tests, true);
-    const Known known = known_by(fit, tests);
+    fit = best_fit(rows, true, c.ratio_identified);
+    const Known known = known_by(fit, rows, c.ratio_identified);
     c.edge_identified = known.edge;
     c.chip_identified = known.chip;
   }
   if (!c.edge_identified) {
-    fit = best_fit(tests, false);
+    fit = best_fit(rows, false, c.ratio_identified);
     c.chip_identified = true;
   }
   c.specific_cutting_energy = fit.u;
   c.cutting_ratio = fit.kappa;
-  c.edge_pressure = fit.edge;
-  for (const DrillingTest& t : tests) {
-    const AxialCutForce model = axial_cut_force(c, t.radius, t.spindle_speed, t.feed_speed);
-    c.thrust_residual += std::pow(model.thrust / t.thrust - 1, 2) / double(tests.size());
-    c.torque_residual += std::pow(model.torque / t.torque - 1, 2) / double(tests.size());
+  if (fit.edge > 0) {
+    if (term == ChipTerm::edge_pressure) c.edge_pressure = fit.edge;
+    // Where the edge carries all, u is the least that a material may have: its length is what it must be for that.
+    const double u = c.specific_cutting_energy = term == ChipTerm::edge_pressure ? fit.u : std::max(fit.u, 1e-3);
+    if (term == ChipTerm::edge_length) c.edge_length = fit.edge / u;
+    if (term == ChipTerm::size_length) c.size_length = std::pow(fit.edge / u, 2);
   }
-  c.thrust_residual = std::sqrt(c.thrust_residual);
-  c.torque_residual = std::sqrt(c.torque_residual);
+  double thrust_count = 0, torque_count = 0;
+  for (const DrillingTest& t : tests) {
+    const AxialCutForce model = axial_cut_force(c, t.radius, t.spindle_speed, t.feed_speed, t.lips);
+    if (t.thrust > 0) c.thrust_residual += std::pow(model.thrust / t.thrust - 1, 2), ++thrust_count;
+    if (t.torque > 0) c.torque_residual += std::pow(model.torque / t.torque - 1, 2), ++torque_count;
+  }
+  c.thrust_residual = std::sqrt(c.thrust_residual / std::max(thrust_count, 1.0));
+  c.torque_residual = std::sqrt(c.torque_residual / std::max(torque_count, 1.0));
   return c;
 }
 

@@ -28,6 +28,8 @@ struct ContactSums {
     kCredited,
     kCouple,
     kFill,
+    kChips,   // cutting energy beyond u: of thin chips
+    kNormal,  // the reaction along the normals, whatever their directions; only where the head cuts
     kTerms
   };
   static constexpr int kLanes = BlockChange::kStrip;

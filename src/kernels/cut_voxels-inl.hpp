@@ -9,6 +9,7 @@
 
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/workpiece/cut_voxel.hpp"
+#include "kernels/chip-inl.hpp"
 #include "kernels/press_sums-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -35,31 +36,25 @@ class SectionVectors {
     return hn::IfThenElse(fill <= half, height, span() - height);
   }
 
-  /// DepthIntegrals but for the energy.
-  struct Integrals {
-    Vec depth, cutting, volume;
+  /// Of DepthIntegrals, what a voxel in contact has.
+  struct Pressed {
+    Vec depth, volume;
   };
-  [[nodiscard]] HWY_INLINE Integrals integrals(Vec height, Vec depth, Vec least) const {
-    const Floats d;
-    const Vec zero = hn::Zero(d), deep = hn::Max(zero, depth - least);
-    const Vec x[3] = {height, hn::Max(zero, height - p_), hn::Max(zero, height - q_)};
-    const auto of_corners = [&](const auto& ramp) HWY_ATTR { return ramp(x[0]) - ramp(x[1]) - ramp(x[2]); };
-    const auto depths = [&](Vec to) HWY_ATTR {  // 6 times the integral of the depth
-      return of_corners([&](Vec ramp) HWY_ATTR {
-        const Vec m = hn::Min(ramp, to), most = hn::Max(ramp, to);
-        return m * m * hn::MulSub(broadcast(3.0F), most, m);
-      });
-    };
-    const auto volume = [&](Vec to) HWY_ATTR {  // twice
-      return of_corners([&](Vec ramp) HWY_ATTR {
-        const Vec m = hn::Min(ramp, to);
-        return m * (ramp + ramp - m);
-      });
-    };
-    const Vec inverse = broadcast(1.0F) / (p_ * q_), half = broadcast(0.5F), sixth = broadcast(1.0F / 6);
-    const Vec cut = hn::MulAdd(half * least, volume(deep), sixth * depths(deep));
-    return {inverse * sixth * depths(depth), inverse * cut, inverse * half * volume(depth)};
+  [[nodiscard]] HWY_INLINE Pressed pressed(Vec height, Vec depth) const {
+    const Corners x = corners(height);
+    const Vec inverse = broadcast(1.0F) / (p_ * q_);
+    return {inverse * broadcast(1.0F / 6) * depths(x, depth), inverse * broadcast(0.5F) * volumes(x, depth)};
   }
+
+  /// DepthIntegrals::cutting.
+  /// @param beyond  CutDepth::beyond
+  [[nodiscard]] HWY_INLINE Vec cutting(Vec height, Vec least, Vec beyond) const {
+    const Corners x = corners(height);
+    return hn::MulAdd(broadcast(0.5F) * least, volumes(x, beyond), broadcast(1.0F / 6) * depths(x, beyond)) / (p_ * q_);
+  }
+
+  /// Of the depth over a whole voxel.
+  [[nodiscard]] HWY_INLINE Vec variance() const { return hn::MulAdd(p_, p_, q_ * q_) * broadcast(1.0F / 12); }
 
   /// DepthIntegrals::energy; zero where the depth is not positive.
   [[nodiscard]] HWY_INLINE Vec energy(Vec height, Vec depth) const {
@@ -75,14 +70,40 @@ class SectionVectors {
   }
 
  private:
+  struct Corners {
+    Vec all, without_p, without_q;
+  };
+  [[nodiscard]] HWY_INLINE Corners corners(Vec height) const {
+    const Vec zero = hn::Zero(Floats());
+    return {height, hn::Max(zero, height - p_), hn::Max(zero, height - q_)};
+  }
+
+  /// 6 p q times the integral of the depth.
+  [[nodiscard]] HWY_INLINE static Vec depths(const Corners& x, Vec to) {
+    const auto of = [&](Vec ramp) HWY_ATTR {
+      const Vec m = hn::Min(ramp, to), most = hn::Max(ramp, to);
+      return m * m * hn::MulSub(broadcast(3.0F), most, m);
+    };
+    return of(x.all) - of(x.without_p) - of(x.without_q);
+  }
+
+  /// 2 p q times the volume.
+  [[nodiscard]] HWY_INLINE static Vec volumes(const Corners& x, Vec to) {
+    const auto of = [&](Vec ramp) HWY_ATTR {
+      const Vec m = hn::Min(ramp, to);
+      return m * (ramp + ramp - m);
+    };
+    return of(x.all) - of(x.without_p) - of(x.without_q);
+  }
+
   Vec p_, q_;
 };
 
 /// LayerRecession::of in vectors.
-HWY_INLINE Vec share_of_recession(Vec top, Vec least, Vec rate, Vec speed, float duration) {
+HWY_INLINE Vec share_of_recession(Vec top, const CutDepthVectors& cut, Vec rate, Vec speed, float duration) {
   const Floats d;
   const Vec zero = hn::Zero(d), one = broadcast(1.0F), dt = broadcast(duration);
-  const Vec begin = hn::NegMulAdd(speed, broadcast(duration / 2), top);
+  const Vec least = cut.least, begin = hn::NegMulAdd(speed, broadcast(duration / 2), top);
   const Vec late = (least - begin) / hn::Max(speed, broadcast(1e-20F));
   const Vec time = hn::IfThenElse(begin < least, hn::Max(zero, dt - late), dt);
   const Vec t = hn::Max(begin, least), least_squared = least * least;
@@ -96,7 +117,7 @@ HWY_INLINE Vec share_of_recession(Vec top, Vec least, Vec rate, Vec speed, float
   const Vec lack = hn::IfThenElse(small, lack_of_small, (one - c) / hn::Max(balance, broadcast(0.01F)));
   const Vec gone =
       hn::MulAdd(time * c, hn::MulSub(t, t, least_squared), speed * time * time * hn::MulAdd(time * gain, lack, t * c));
-  const Vec at_middle = dt * hn::MulSub(top, top, least_squared);
+  const Vec at_middle = dt * cut.excess;
   return gone / (hn::MulAdd(t * rate, time * c, one) * hn::Max(at_middle, broadcast(1e-36F)));
 }
 
@@ -104,8 +125,10 @@ HWY_INLINE Vec share_of_recession(Vec top, Vec least, Vec rate, Vec speed, float
 struct PressedParts {
   Vec rubbing, cut;              // [N/m^3] springs: of what is not deep enough to be cut, and of what is
   Vec left;                      // [1] fill after the sub-step
+  Vec energy;                    // [J/m^3] u of what is cut, as its chips are
   Vec credit, price;             // [1] fill that went without work, and [J/m^3] what it would have cost
   Vec before, after, lead_work;  // [J/m^3] stored at the beginning and the end; of a contact evaluated after the middle
+  Vec released;                  // [J/m^3] what went in less what is stored; zero where nothing is cut
   Vec elastic, volume, depth;    // [N/m^3] springs as they stand; [1] what is in contact; [m] its integral of the depth
 
   /// [N/m^4] change of the force with depth, as the springs yield while they are cut
@@ -116,6 +139,25 @@ struct PressedParts {
     return hn::IfThenElseZero(damped > zero, material.stiffness * yields * hn::MulAdd(volume, damped, damper));
   }
 };
+
+/// What follows for voxels that are whole, and wholly inside the head all the time: of the depth in their middle.
+HWY_INLINE PressedParts press_whole(const HeadMotion& m, const MaterialVectors& material, const Sample& s, Vec variance,
+                                    Vec fill, Mask inside) {
+  const Vec half = broadcast(0.5F), l = broadcast(m.voxel_size), advance = s.rate * broadcast(m.duration);
+  const Vec later = hn::MulAdd(advance, broadcast(0.5F - m.lead), s.depth);
+  PressedParts p;
+  p.cut = p.credit = p.released = hn::Zero(Floats());
+  p.left = fill;
+  p.energy = p.price = material.energy;
+  p.volume = hn::IfThenElseZero(inside, broadcast(1.0F));
+  p.depth = hn::IfThenElseZero(inside, s.depth);
+  p.elastic = p.rubbing = material.stiffness * p.depth;
+  p.after = half * material.stiffness * hn::IfThenElseZero(inside, hn::MulAdd(later, later, variance * l * l));
+  p.lead_work = material.stiffness * p.volume * advance * advance * broadcast(m.lead);
+  p.before = hn::NegMulAdd(p.rubbing, advance, p.after + p.lead_work);
+  return p;
+}
+
 HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVectors& material, const Sample& s, Vec fill,
                                        Vec damped, bool may_cut, bool release) {
   const Floats d;
@@ -123,30 +165,52 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
   const Vec l = broadcast(m.voxel_size), per_l = broadcast(1 / m.voxel_size);
   const Mask inside = s.top > zero;
   const SectionVectors section(s.largest);
+  if (!may_cut) {
+    const Vec reach = hn::MulAdd(half * l, section.span(), hn::Abs(s.rate) * broadcast(m.duration));
+    const Mask whole = hn::And(fill >= broadcast(1.0F), s.depth > reach);
+    if (hn::AllTrue(d, hn::Or(whole, hn::Not(inside))))
+      return press_whole(m, material, s, section.variance(), fill, inside);
+  }
   const Vec far_plane = hn::MulSub(s.depth, per_l, half * section.span());
   const Vec top = s.top * per_l, height = top - far_plane, stiff = material.stiffness * l;
-  const auto part = section.integrals(height, top, material.cutting_depth * per_l);
+  const auto part = section.pressed(height, top);
   PressedParts p;
   p.volume = hn::IfThenElseZero(inside, part.volume);
   p.depth = hn::IfThenElseZero(inside, part.depth) * l;
   p.elastic = p.rubbing = hn::IfThenElseZero(inside, stiff * part.depth);
   p.cut = p.credit = zero;
   p.left = fill;
-  p.price = material.energy;
-  const Mask is_cut = hn::And(inside, s.top > material.cutting_depth);
-  if (may_cut && !hn::AllFalse(d, is_cut)) {
-    if (release)
-      p.price = hn::Max(hn::NegMulAdd(half * material.stiffness * s.top, s.top, p.price),
+  p.energy = p.price = material.energy;
+  Mask is_cut = hn::MaskFromVec(zero);
+  CutDepthVectors cut(s.top, material.cutting_depth);
+  const Vec work = half * material.cutting_ratio * material.stiffness * damped * s.slip_path;
+  const float slip_time = m.duration * m.level_of_detail;
+  const Vec speed = hn::Max(zero, s.rate), per_time = broadcast(1 / slip_time);
+  if (may_cut) {
+    if (m.tooth_rate > 0) {
+      const Vec rate = work * per_time * material.inverse_energy;
+      const ChordVectors chord = chord_of_chips(material, m.tooth_rate, rate, s.top, far_plane * l, speed);
+      p.energy = p.price = chord.energy;
+      cut = chord.cut;
+    }
+    is_cut = hn::And(inside, cut.excess > zero);
+  }
+  if (!hn::AllFalse(d, is_cut)) {
+    const Vec cutting = section.cutting(height, cut.least * per_l, cut.beyond(s.top) * per_l);
+    Vec path = work / p.price;  // k_d dt
+    Vec share = share_of_recession(s.top, cut, path * per_time, speed, slip_time);
+    if (release) {  // helped by what is stored where the layer's top is on average
+      const Vec squared = hn::MulAdd(share, cut.excess, cut.least * cut.least);
+      p.price = hn::Max(hn::NegMulAdd(half * material.stiffness, squared, p.price),
                         p.price * broadcast(FoundationLaw::kLeastEnergyShare));
-    const float slip_time = m.duration * m.level_of_detail;
-    const Vec path = half * material.cutting_ratio * material.stiffness * damped * s.slip_path / p.price;  // k_d dt
-    const Vec share = share_of_recession(s.top, material.cutting_depth, path * broadcast(1 / slip_time),
-                                         hn::Max(zero, s.rate), slip_time);
-    const Vec gone = (path + path) * l * part.cutting * share / hn::Max(fill, broadcast(FoundationLaw::kSmallestPart));
+      path = work / p.price;
+      share = share_of_recession(s.top, cut, path * per_time, speed, slip_time);
+    }
+    const Vec gone = (path + path) * l * cutting * share / hn::Max(fill, broadcast(FoundationLaw::kSmallestPart));
     const Vec exponent = hn::IfThenElseZero(is_cut, hn::Min(gone, broadcast(FoundationLaw::kLargestExponent)));
     const Vec mean = mean_of_decay(exponent);
-    p.cut = hn::IfThenElseZero(is_cut, stiff * part.cutting * share * mean);
-    p.rubbing = hn::IfThenElse(is_cut, stiff * hn::Max(zero, part.depth - part.cutting), p.rubbing);
+    p.cut = hn::IfThenElseZero(is_cut, stiff * cutting * share * mean);
+    p.rubbing = hn::IfThenElse(is_cut, stiff * hn::Max(zero, part.depth - cutting), p.rubbing);
     p.left = hn::NegMulAdd(fill * exponent, mean, fill);
     const Mask finished = hn::And(hn::And(is_cut, exponent > zero), p.left < broadcast(FoundationLaw::kSmallestPart));
     // Never zero, so that it also says which lanes are finished.
@@ -155,12 +219,20 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
   }
   const Vec advance = s.rate * broadcast(m.duration), moved = advance * per_l;
   const Vec energy = stiff * l;
-  const Vec earlier = hn::NegMulAdd(moved, broadcast(0.5F + m.lead), top);
-  p.before = hn::IfThenElseZero(inside, energy * section.energy(height, earlier));
-  const Vec height_left = section.height_of(p.left);
+  const Vec height_left = may_cut ? section.height_of(p.left) : height;
   const Vec later = hn::MulAdd(moved, broadcast(0.5F - m.lead), height_left + far_plane);
   p.after = hn::IfThenElseZero(hn::And(inside, p.left > zero), energy * section.energy(height_left, later));
   p.lead_work = material.stiffness * p.volume * advance * advance * broadcast(m.lead);
+  // Where nothing is cut nothing is released, and nowhere less: what the midpoint rule lacks has entered.
+  p.before = hn::NegMulAdd(p.rubbing + p.cut, advance, p.after + p.lead_work);
+  p.released = zero;
+  const Mask taken = fill - p.left > broadcast(FoundationLaw::kSmallestLoss) * fill;
+  if (may_cut && !hn::AllFalse(d, taken)) {
+    const Vec earlier = hn::NegMulAdd(moved, broadcast(0.5F + m.lead), top);
+    const Vec surplus = hn::MulSub(energy, section.energy(height, earlier), p.before);
+    p.released = hn::IfThenElseZero(taken, hn::Max(zero, surplus));
+    p.before = p.before + p.released;
+  }
   return p;
 }
 

@@ -21,7 +21,7 @@ constexpr float kHalfStrip = 3.6F;
 constexpr float kToCentroid = 0.9F;
 /// [voxels] From the middle of a block to the farthest place of it that lies in the zone about the axis: half the
 /// diagonal of the 7 x 7 x 7 edges between its voxels, the way to a centroid, and the zone, rounded up.
-constexpr float kNearAxis = 7.5F;
+constexpr float kNearAxis = 7.0F + FoundationLaw::kAxisZone;
 
 /// Voxels of a few blocks, one after the other in the order of the blocks. What follows the last one repeats the first,
 /// so that every lane of a vector can be computed. Only vectors of a whole strip gather.

@@ -20,6 +20,11 @@ HWY_INLINE Vectors surface_velocity(const HeadMotion& m, const Vectors& r) {
   return velocity_at(r, m.velocity, m.angular_velocity + Eigen::Vector3f(0, 0, m.spin));
 }
 
+/// [m^2/s^2] square of the slip at the voxels' centres: of what is not along the normal
+HWY_INLINE Vec slip_of_centers(const Vectors& velocity, Vec rate) {
+  return hn::Max(hn::Zero(Floats()), hn::NegMulAdd(rate, rate, dot(velocity, velocity)));
+}
+
 /// [m/s] how fast voxels come nearer along the normal: n (v + omega x r) = v n + omega (r x n)
 template <bool kCentral>
 HWY_INLINE Vec rate_of_depth(const Vectors& r, const Sample& s, const Eigen::Vector3f& v,
@@ -31,12 +36,21 @@ HWY_INLINE Vec rate_of_depth(const Vectors& r, const Sample& s, const Eigen::Vec
   return hn::MulAdd(s.lever(r), turning, rate);
 }
 
-/// [m^2/s^2] square of the mean slip that a voxel near the axis has beyond that of its centre
-HWY_INLINE Vec axis_slip_squared(const HeadMotion& m, const Vectors& r) {
-  const Vec rho_squared = hn::MulAdd(r.x, r.x, r.y * r.y);
-  const Vec zone = hn::NegMulAdd(rho_squared, broadcast(FoundationLaw::axis_zone_factor(m)), broadcast(1.0F));
-  const Vec inner = hn::Max(hn::Zero(Floats()), zone);
-  return broadcast(FoundationLaw::axis_slip_squared(m)) * (inner * inner);
+/// [m^2/s^2] FoundationLaw::AxisSlip::squared, less that of the voxel's centre
+HWY_INLINE Vec slip_about_axis(const HeadMotion& m, const Vectors& r, Vec of_center) {
+  using Slip = FoundationLaw::AxisSlip;
+  const Slip slip(m);
+  const Vec one = broadcast(1.0F), q = hn::MulAdd(r.x, r.x, r.y * r.y) * broadcast(slip.per_edge);
+  const Vec below = hn::MulAdd(q * q, hn::MulAdd(q, broadcast(Slip::kSteep), broadcast(Slip::kFlat)), one);
+  const Vec peak = broadcast(Slip::kPeak) * hn::NegMulAdd(q, broadcast(Slip::kZero), one);
+  const Vec excess = broadcast(slip.per_slip) * (peak / below + broadcast(Slip::kFar));
+  const Vec beyond = hn::Max(excess, broadcast(slip.least) - of_center);
+  return hn::IfThenElseZero(q < broadcast(FoundationLaw::kAxisZone * FoundationLaw::kAxisZone), beyond);
+}
+
+/// [m^2/s^2] The same of voxels that were sampled: what the couple about the axis does work against.
+HWY_INLINE Vec slip_beyond_centers(const HeadMotion& m, const Vectors& r, const Sample& s) {
+  return slip_about_axis(m, r, slip_of_centers(surface_velocity(m, r), s.rate));
 }
 
 /// [1] the largest |n_i| along the grid's axes, which are the columns of `axes`

@@ -27,7 +27,7 @@ namespace strips {
 /// @tparam kOfParts  Quadrature::sub_voxel: voxels are integrated over their filled parts
 template <class Springs, Mode kMode, bool kOfParts>
 class Press {
-  static constexpr bool kGathers = kWidth == kStripLanes && (kMode != Mode::standing || Springs::kCostly);
+  static constexpr bool kGathers = kWidth == kStripLanes && (kMode != Mode::standing || Springs::kCostly || kOfParts);
 
  public:
   /// @param voxels, samples  room for those of a few blocks
@@ -150,9 +150,8 @@ class Press {
     } else {
       const Vectors v = surface_velocity(m_, r);
       s.rate = hn::MulAdd(s.radial, hn::MulAdd(r.x, v.x, r.y * v.y), s.axial * v.z);
-      // What is not along the normal is slip.
-      Vec slip_squared = hn::Max(hn::Zero(d), hn::NegMulAdd(s.rate, s.rate, dot(v, v)));
-      if (near_axis_) slip_squared = slip_squared + axis_slip_squared(m_, r);
+      Vec slip_squared = slip_of_centers(v, s.rate);
+      if (near_axis_) slip_squared = slip_squared + slip_about_axis(m_, r, slip_squared);
       constexpr float kRegular = FoundationLaw::kSlipRegularization * FoundationLaw::kSlipRegularization;
       s.inverse_slip = inverse_root(slip_squared + broadcast(kRegular));
       s.slip_path = slip_squared * s.inverse_slip * broadcast(m_.duration * m_.level_of_detail);
@@ -190,19 +189,19 @@ class Press {
       const Vec kappa = material.cutting_ratio;
       Mask is_cut = hn::MaskFromVec(zero);
       if (kMode == Mode::cutting && may_cut_) {
-        is_cut = w > material.cutting_depth;
         Vec work = kappa * stiff_depth * s.slip_path;  // [J/m^3] tangential, per filled volume
         if (damped_) work = work * damped;
-        work = hn::IfThenElseZero(is_cut, work);
-        const Vec u = material.energy;
-        Vec price = u, exponent;
-        if (release_) {
-          const Vec stored = half * stiff_depth * w;
-          price = hn::Max(u - stored, u * broadcast(FoundationLaw::kLeastEnergyShare));
-          exponent = work / price;
-        } else {
-          exponent = work * material.inverse_energy;
+        Vec u = material.energy, least = material.cutting_depth;
+        if (m_.tooth_rate > 0) {
+          const ChordVectors chord = chord_of_point(material, m_, work, w, phi, s.rate);
+          u = chord.energy, least = chord.cut.least;
         }
+        is_cut = w > least;
+        work = hn::IfThenElseZero(is_cut, work);
+        Vec price = u, exponent;
+        if (release_)
+          price = hn::Max(hn::NegMulAdd(half * stiff_depth, w, u), u * broadcast(FoundationLaw::kLeastEnergyShare));
+        exponent = release_ || m_.tooth_rate > 0 ? work / price : work * material.inverse_energy;
         exponent = hn::Min(exponent, broadcast(FoundationLaw::kLargestExponent));
         mean_fill = phi * mean_of_decay(exponent);
         gone = mean_fill * exponent;
@@ -220,6 +219,7 @@ class Press {
         const Vec removed_stiffness = material.stiffness * gone;
         sums.twice_removed = hn::MulAdd(removed_stiffness * end, end, sums.twice_removed);
         if (release_) sums.helped = hn::MulAdd(u - price, gone, sums.helped);
+        if (m_.tooth_rate > 0) sums.chips = hn::MulAdd(u - material.energy, gone, sums.chips);
         book_removed(gone, first, inside);
         if constexpr (kGathers) {
           hn::Store(hn::IfThenElse(inside, left, old_fill), d, voxels_.fill_after + first);
@@ -229,14 +229,17 @@ class Press {
         }
       }
       const Vec spring_left = stiff_depth * mean_fill;
-      if constexpr (kMode == Mode::cutting) sums.lag = hn::MulAdd(spring - spring_left, half_advance, sums.lag);
+      if constexpr (kMode == Mode::cutting) {
+        sums.lag = hn::MulAdd(spring - spring_left, half_advance, sums.lag);
+        sums.pressed = sums.pressed + spring_left;
+      }
       const Vec normal = normal_force(sums, spring_left, damped, half_advance);
       const Vec rubbed = kappa * normal, tangential = rubbed * s.inverse_slip;
       // Along the normal and, of the surface's velocity, what is not along it.
       sums.add_reaction(r, s, hn::NegMulAdd(tangential, s.rate, normal), tangential, surface_velocity(m_, r));
       const Mask rubs = hn::AndNot(is_cut, inside);
       if (!hn::AllFalse(d, rubs)) sums.rubbing = sums.rubbing + hn::IfThenElseZero(rubs, rubbed * s.slip_path);
-      if (near_axis_) sums.couple = hn::MulAdd(tangential, axis_slip_squared(m_, r), sums.couple);
+      if (near_axis_) sums.couple = hn::MulAdd(tangential, slip_beyond_centers(m_, r, s), sums.couple);
     }
     if (implicit_) [[unlikely]] {
       if (m_.lead > 0) add_lead(sums, w, phi, mean_fill, gone, half_advance);
@@ -264,7 +267,8 @@ class Press {
         mark_emptied(first, bits_of(finished));
       }
       const Vec gone = fill - p.left;
-      if (release_) sums.helped = hn::MulAdd(material.energy - p.price, gone, sums.helped);
+      if (release_) sums.helped = hn::MulAdd(p.energy - p.price, gone, sums.helped);
+      if (m_.tooth_rate > 0) sums.chips = hn::MulAdd(p.energy - material.energy, gone, sums.chips);
       book_removed(gone, first, inside);
       if constexpr (kGathers) {
         hn::Store(hn::IfThenElse(inside, p.left, old_fill), d, voxels_.fill_after + first);
@@ -278,16 +282,16 @@ class Press {
     const Vec tangential = kappa * normal * s.inverse_slip;
     sums.add_reaction(r, s, hn::NegMulAdd(tangential, s.rate, normal), tangential, surface_velocity(m_, r));
     sums.rubbing = hn::MulAdd(kappa * p.rubbing * damped, s.slip_path, sums.rubbing);
-    if (near_axis_) sums.couple = hn::MulAdd(tangential, axis_slip_squared(m_, r), sums.couple);
+    if (near_axis_) sums.couple = hn::MulAdd(tangential, slip_beyond_centers(m_, r, s), sums.couple);
+    sums.pressed = sums.pressed + spring;
 
-    // What was released is what went in less what is stored.
     sums.twice_middle = sums.twice_middle + (p.before + p.after);
     sums.elastic_change = hn::MulAdd(half, p.after - p.before, sums.elastic_change);
-    sums.lag = hn::MulAdd(half, p.after - p.before + p.lead_work - spring * advance, sums.lag);
+    sums.lag = hn::NegMulAdd(half, p.released, sums.lag);
     sums.damping = sums.damping + hn::MulAdd(normal - spring, advance, p.lead_work);
     if (stiffness_ != nullptr) [[unlikely]]
-      stiffness_[part].add(p.slope(material, damped, m_.duration), r, {r.x * s.radial, r.y * s.radial, s.axial});
-    sums.fill = sums.fill + fill;
+      add_springs(m_, p.slope(material, damped, m_.duration), normal, kappa, r, s, stiffness_[part]);
+    sums.fill = sums.fill + p.volume;
     sums.depth = hn::Max(sums.depth, s.top);
   }
 
@@ -340,14 +344,14 @@ class Press {
   }
 
   HWY_INLINE void add_stiffness(StiffnessVectors& sums, Vec spring, Vec damped, const Vectors& r, const Sample& s) {
+    const MaterialVectors& material = material_.vectors();
+    const Vec kappa = m_.spin == 0 ? broadcast(0.0F) : material.cutting_ratio, normal = spring * s.depth * damped;
     if (damped_) {
-      const Vec damper = material_.vectors().damping * s.depth * broadcast(1.0F / m_.duration);
-      const Vec slope = hn::IfThenElseZero(damped > hn::Zero(Floats()), damped + damper);
-      spring = spring * slope;
+      const Vec damper = material.damping * s.depth * broadcast(1.0F / m_.duration);
+      spring = spring * hn::IfThenElseZero(damped > hn::Zero(Floats()), damped + damper);
     }
-    sums.add(spring, r, {r.x * s.radial, r.y * s.radial, s.axial});
+    add_springs(m_, spring, normal, kappa, r, s, sums);
   }
-
   /// [N/m^3] of filled and empty volume alike, from that of the springs; books what the damping takes.
   HWY_INLINE Vec normal_force(PressSums& sums, Vec spring, Vec damped, Vec half_advance) {
     if (!damped_) return spring;

@@ -58,14 +58,15 @@ class SampleList {
 /// Running sums of one vector of lanes.
 struct PressSums {
   Vec force_x, force_y, force_z, torque_x, torque_y, torque_z;
-  Vec twice_middle, elastic_change, twice_removed, lag, helped, damping, rubbing, credited, couple, fill, depth;
+  Vec twice_middle, elastic_change, twice_removed, lag, helped, chips, damping, rubbing, credited, couple, fill, depth,
+      pressed;
   int voxels = 0;
 
   HWY_INLINE PressSums() {
     const Vec zero = broadcast(0.0F);
     force_x = force_y = force_z = torque_x = torque_y = torque_z = zero;
-    twice_middle = elastic_change = twice_removed = lag = helped = zero;
-    damping = rubbing = credited = couple = fill = depth = zero;
+    twice_middle = elastic_change = twice_removed = lag = helped = chips = zero;
+    damping = rubbing = credited = couple = fill = depth = pressed = zero;
   }
   /// @param normal   [N/m^3] along the normal
   /// @param central  it has no torque
@@ -121,7 +122,9 @@ struct PressSums {
       add(ContactSums::kRemovedElastic, half * twice_removed);
       add(ContactSums::kLag, lag);
       add(ContactSums::kHelped, helped);
+      add(ContactSums::kChips, chips);
       add(ContactSums::kCredited, credited);
+      add(ContactSums::kNormal, pressed);
     }
     totals.voxels += voxels;
     totals.depth = std::max(totals.depth, hn::GetLane(hn::MaxOfLanes(Floats(), depth)));

@@ -14,7 +14,7 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 HWY_ATTR void SumResultant(const ContactBlock& b, Resultant& total) {
   const Floats d;
-  LaneSum force_x, force_y, force_z, torque_x, torque_y, torque_z, fill, deepest;
+  LaneSum force_x, force_y, force_z, torque_x, torque_y, torque_z, fill, deepest, normal;
   for (int row = 0; row < b.rows; ++row)
     for (std::size_t part = 0; part < kParts; ++part) {
       const std::size_t n = std::size_t(row) * kLanes + part * kWidth;
@@ -27,12 +27,16 @@ HWY_ATTR void SumResultant(const ContactBlock& b, Resultant& total) {
       torque_y.part[part] = torque_y.part[part] + hn::MulSub(z, fx, x * fz);
       torque_z.part[part] = torque_z.part[part] + hn::MulSub(x, fy, y * fx);
       fill.part[part] = fill.part[part] + hn::Load(d, &b.fill[n]);
+      const Vec along = hn::MulAdd(fx, hn::Load(d, &b.normal_x[n]),
+                                   hn::MulAdd(fy, hn::Load(d, &b.normal_y[n]), fz * hn::Load(d, &b.normal_z[n])));
+      normal.part[part] = normal.part[part] + along;
       deepest.part[part] = hn::Max(deepest.part[part], hn::Load(d, &b.depth[n]));
     }
   total.wrench_T.force += Vec3(force_x.total(), force_y.total(), force_z.total());
   total.wrench_T.torque += Vec3(torque_x.total(), torque_y.total(), torque_z.total());
   total.voxels += b.samples;
   total.volume += fill.total();
+  total.normal_force -= normal.total();
   for (const Vec& v : deepest.part) total.depth = std::max(total.depth, double(hn::GetLane(hn::MaxOfLanes(d, v))));
 }
 

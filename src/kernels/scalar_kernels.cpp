@@ -62,7 +62,9 @@ Pressed pressed(const ContactJob& job, const ContactSums& sums, double /*voxel_v
   all.resultant.voxels *= int(job.level_of_detail);
   all.resultant.volume *= weight;
   all.energies.elastic_before *= weight;
-  all.energies.elastic += (weight - 1) * sums.energies.elastic_before;
+  all.resultant.normal_force *= weight;
+  // What waited for its turn takes up the work, and loses nothing.
+  all.energies.elastic += (weight - 1) * (sums.energies.elastic + sums.energies.released);
   all.energies.damping *= weight;
   all.energies.cutting = 0;
   return all;

@@ -7,6 +7,8 @@
 #define HAPTICUT_KERNELS_STIFFNESS_INL_HPP
 #endif
 
+#include "kernels/motion-inl.hpp"
+#include "kernels/press_sums-inl.hpp"
 #include "kernels/strips-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,18 +24,13 @@ class StiffnessVectors {
   }
 
   /// @param slope  [N/m^4] of the springs; zero in lanes without one
-  HWY_INLINE void add(Vec slope, const Vectors& r, const Vectors& n) {
-    const Vec direction[6] = {n.x,
-                              n.y,
-                              n.z,
-                              hn::MulSub(r.y, n.z, r.z * n.y),
-                              hn::MulSub(r.z, n.x, r.x * n.z),
-                              hn::MulSub(r.x, n.y, r.y * n.x)};
-    int term = 0;
-    for (int row = 0; row < 6; ++row) {
-      const Vec along = slope * direction[row];
-      for (int column = row; column < 6; ++column, ++term)
-        terms_[term] = hn::MulAdd(along, direction[column], terms_[term]);
+  /// @param q      the force that one along the normals n brings with it
+  HWY_INLINE void add(Vec slope, const Vectors& r, const Vectors& n, const Vectors& q) {
+    const Vec row[6] = {q.x, q.y, q.z, cross_x(r, q), cross_y(r, q), cross_z(r, q)};
+    const Vec column[6] = {n.x, n.y, n.z, cross_x(r, n), cross_y(r, n), cross_z(r, n)};
+    for (int i = 0; i < 6; ++i) {
+      const Vec along = slope * row[i];
+      for (int j = 0; j < 6; ++j) terms_[6 * i + j] = hn::MulAdd(along, column[j], terms_[6 * i + j]);
     }
   }
 
@@ -47,8 +44,30 @@ class StiffnessVectors {
   }
 
  private:
+  static HWY_INLINE Vec cross_x(const Vectors& r, const Vectors& n) { return hn::MulSub(r.y, n.z, r.z * n.y); }
+  static HWY_INLINE Vec cross_y(const Vectors& r, const Vectors& n) { return hn::MulSub(r.z, n.x, r.x * n.z); }
+  static HWY_INLINE Vec cross_z(const Vectors& r, const Vectors& n) { return hn::MulSub(r.x, n.y, r.y * n.x); }
+
   Vec terms_[StiffnessSums::kTerms];
 };
+
+/// Springs along the normals with what the spin drags along, and how that turns with the slip.
+/// @param slope   [N/m^4]
+/// @param normal  [N/m^3] force along the normals
+/// @param kappa   [1] 0: the spindle stands
+HWY_INLINE void add_springs(const HeadMotion& m, Vec slope, Vec normal, Vec kappa, const Vectors& r, const Sample& s,
+                            StiffnessVectors& sums) {
+  const Vectors n = {r.x * s.radial, r.y * s.radial, s.axial}, v = surface_velocity(m, r);
+  const Vec drag = kappa * s.inverse_slip, along = hn::NegMulAdd(drag, s.rate, broadcast(1.0F));
+  sums.add(
+      slope, r, n,
+      {hn::MulAdd(along, n.x, drag * v.x), hn::MulAdd(along, n.y, drag * v.y), hn::MulAdd(along, n.z, drag * v.z)});
+  if (m.spin == 0) return;
+  const Vectors b = {hn::MulSub(n.y, v.z, n.z * v.y), hn::MulSub(n.z, v.x, n.x * v.z), hn::MulSub(n.x, v.y, n.y * v.x)};
+  const Vec square = dot(b, b), least = broadcast(1e-12F);
+  sums.add(hn::IfThenElseZero(square > least, drag * normal / (hn::Max(square, least) * broadcast(m.duration))), r, b,
+           b);
+}
 
 }  // namespace strips
 

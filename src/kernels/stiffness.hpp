@@ -10,12 +10,14 @@
 
 namespace hapticut::kernels {
 
-/// Sums of the contact's stiffness over samples: the upper triangle of `Sum s J^T J`, `J = (n, r x n)`, row by row.
+/// Sums of the contact's stiffness over samples, `Sum s (q, r x q) (n, r x n)^T`, row by row: a spring answers to a
+/// motion along its normal n by a force along q, n and what the spin drags along with it, kappa times the slip's
+/// direction. Without spin the sum is symmetric and positive semidefinite.
 ///
-/// The force `f(w) n` of a spring answers to a motion by `f' J^T J` and by the turning of its normal. The second part
-/// is left out (Gauss and Newton's approximation), which keeps the sum positive semidefinite.
+/// Where the spin drags, it does so along the slip, and a motion across that turns it: a damper along n x slip, taken
+/// over the sub-step. How normals turn is left out (Gauss and Newton's approximation).
 struct StiffnessSums {
-  static constexpr std::size_t kTerms = 21;
+  static constexpr std::size_t kTerms = 36;
   static constexpr std::size_t kLanes = BlockChange::kStrip;
 
   alignas(64) std::array<std::array<double, kLanes>, kTerms> lanes = {};  ///< [N/m^4], [N/m^3], [N/m^2]
@@ -23,13 +25,11 @@ struct StiffnessSums {
   /// @param voxel_volume  [m^3]
   [[nodiscard]] Stiffness total(double voxel_volume) const {
     Stiffness k;
-    std::size_t term = 0;
-    for (int row = 0; row < 6; ++row)
-      for (int column = row; column < 6; ++column, ++term) {
-        double sum = 0;
-        for (const double lane : lanes[term]) sum += lane;
-        k(row, column) = k(column, row) = sum * voxel_volume;
-      }
+    for (std::size_t term = 0; term < kTerms; ++term) {
+      double sum = 0;
+      for (const double lane : lanes[term]) sum += lane;
+      k(int(term / 6), int(term % 6)) = sum * voxel_volume;
+    }
     return k;
   }
 };
@@ -45,25 +45,35 @@ inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const Cont
     const Eigen::Vector3f r(b.x[i], b.y[i], b.z[i]), n(b.normal_x[i], b.normal_y[i], b.normal_z[i]);
     const float damping = materials[b.material_of(int(i))].damping;
     const float damped = 1 + damping * (m.felt_velocity + m.felt_angular_velocity.cross(r)).dot(n);
-    if (!(damped > 0)) continue;
     const Eigen::Vector3f force(b.force_x[i], b.force_y[i], b.force_z[i]);
+    if (!(damped > 0 && force.dot(n) < 0)) continue;
     float in_contact = 1, depth = b.depth[i];  // [1] of the sample, and [m] its mean depth
     if (b.sub_voxel) {
       const VoxelSection<float> section(b.largest[i]);
       const float top = b.top[i] / m.voxel_size;
       const float height = top - b.depth[i] / m.voxel_size + section.span() / 2;
-      const DepthIntegrals<float> part = section.integrals(height, top, 0);
+      const DepthIntegrals<float> part = section.integrals(height, top);
       in_contact = part.volume;
       depth = part.depth * m.voxel_size;
     }
     const double spring = -double(force.dot(n)) / (volume * double(depth) * double(damped));  // k phi
     const double slope = spring * double(in_contact * damped + damping * depth / m.duration);
-    const Eigen::Vector3d direction = n.cast<double>(), arm = r.cross(n).cast<double>();
-    const double j[6] = {direction.x(), direction.y(), direction.z(), arm.x(), arm.y(), arm.z()};
-    std::size_t term = 0;
-    for (int row = 0; row < 6; ++row)
-      for (int column = row; column < 6; ++column, ++term)
-        sums.lanes[term][i % StiffnessSums::kLanes] += slope * j[row] * j[column];
+    const Eigen::Vector3d arm = r.cast<double>(), along = force.cast<double>() / double(force.dot(n));
+    const auto add = [&](double strength, const Eigen::Vector3d& q, const Eigen::Vector3d& way) {
+      Eigen::Matrix<double, 6, 1> row, column;
+      row << q, arm.cross(q);
+      column << way, arm.cross(way);
+      for (std::size_t term = 0; term < StiffnessSums::kTerms; ++term)
+        sums.lanes[term][i % StiffnessSums::kLanes] += strength * row[int(term / 6)] * column[int(term % 6)];
+    };
+    add(slope, along, n.cast<double>());
+    // The drag turns with the slip: the two are parallel, and a motion across them turns both.
+    const Eigen::Vector3f velocity = m.velocity + (m.angular_velocity + Eigen::Vector3f(0, 0, m.spin)).cross(r);
+    const Eigen::Vector3d across = n.cross(velocity).cast<double>();
+    const double slip = across.norm();
+    if (m.spin == 0 || slip < 1e-6) continue;
+    const double drag = double((force - force.dot(n) * n).norm()) / volume;
+    add(drag / (slip * double(m.duration)), across / slip, across / slip);
   }
 }
 

@@ -84,7 +84,7 @@ HWY_INLINE Vec mean_of_decay(Vec x) {
 
 /// Material constants of the lanes of one vector.
 struct MaterialVectors {
-  Vec stiffness, damping, cutting_ratio, energy, inverse_energy, cutting_depth;
+  Vec stiffness, damping, cutting_ratio, energy, inverse_energy, cutting_depth, edge_length, size_length;
 
   HWY_INLINE explicit MaterialVectors(const ContactMaterial& m)
       : stiffness(broadcast(m.stiffness)),
@@ -92,10 +92,12 @@ struct MaterialVectors {
         cutting_ratio(broadcast(m.cutting_ratio)),
         energy(broadcast(m.cutting_energy)),
         inverse_energy(broadcast(1.0F / m.cutting_energy)),
-        cutting_depth(broadcast(m.cutting_depth)) {}
+        cutting_depth(broadcast(m.cutting_depth)),
+        edge_length(broadcast(m.edge_length)),
+        size_length(broadcast(m.size_length)) {}
 
   HWY_INLINE MaterialVectors(const ContactMaterials& table, const MaterialId* ids) {
-    alignas(64) float lanes[6][kWidth];
+    alignas(64) float lanes[8][kWidth];
     for (std::size_t i = 0; i < kWidth; ++i) {
       const ContactMaterial& m = table[ids[i]];
       lanes[0][i] = m.stiffness;
@@ -104,6 +106,8 @@ struct MaterialVectors {
       lanes[3][i] = m.cutting_energy;
       lanes[4][i] = 1.0F / m.cutting_energy;
       lanes[5][i] = m.cutting_depth;
+      lanes[6][i] = m.edge_length;
+      lanes[7][i] = m.size_length;
     }
     const Floats d;
     stiffness = hn::Load(d, lanes[0]);
@@ -112,6 +116,8 @@ struct MaterialVectors {
     energy = hn::Load(d, lanes[3]);
     inverse_energy = hn::Load(d, lanes[4]);
     cutting_depth = hn::Load(d, lanes[5]);
+    edge_length = hn::Load(d, lanes[6]);
+    size_length = hn::Load(d, lanes[7]);
   }
 };
 

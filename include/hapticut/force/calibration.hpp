@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <span>
+
+#include "hapticut/core/description.hpp"
 
 namespace hapticut {
 
@@ -10,40 +13,64 @@ struct DrillingTest {
   double radius;         ///< [m] > 0
   double spindle_speed;  ///< [rad/s] not 0
   double feed_speed;     ///< [m/s] > 0
-  double thrust;         ///< [N] > 0, steady
-  double torque;         ///< [N·m] > 0, steady
+  double thrust;         ///< [N] steady; 0: not measured
+  double torque;         ///< [N·m] steady; 0: not measured
+  double lips = 2;       ///< [1] z > 0
 };
+
+/// What is fitted beside u and kappa: how thrust and torque do not go to zero with the chip.
+enum class ChipTerm {
+  edge_length,   ///< h_e, an edge force per length of lip
+  size_length,   ///< h_s, more energy for thinner chips
+  edge_pressure  ///< p_e, a pressure on the whole section
+};
+
+constexpr auto names_of(Of<ChipTerm>) {
+  using enum ChipTerm;
+  return std::array{
+      Named{edge_length, "edge_length"},
+      Named{size_length, "size_length"},
+      Named{edge_pressure, "edge_pressure"},
+  };
+}
 
 /// The constants of a material with a kind of tool that explain drilling tests.
 struct Calibration {
   double specific_cutting_energy = 0;  ///< [J/m^3] u
   double cutting_ratio = 0;            ///< [1] kappa
   double edge_pressure = 0;            ///< [Pa] p_e
-  /// The tests tell edge from chip: the standard error of p_e is less than half of it, or than a tenth of the thrust.
-  /// Otherwise p_e was taken as 0.
+  double edge_length = 0;              ///< [m] h_e
+  double size_length = 0;              ///< [m] h_s
+  /// The tests tell edge from chip: the standard error of the term that was asked for is less than half of it, or than
+  /// a tenth of thrust and torque. Otherwise it was taken as 0.
   bool edge_identified = false;
   /// The tests tell how much energy the chip costs: the standard error of u is less than half of it. Otherwise the edge
   /// carries nearly all of thrust and torque, and u may be 0.
   bool chip_identified = true;
-  double thrust_residual = 0;  ///< [1] root mean square of (model - measured)/measured
+  /// Thrust and torque were both measured. Otherwise kappa was taken as kAssumedRatio: thrusts alone fix u/kappa only.
+  bool ratio_identified = true;
+  double thrust_residual = 0;  ///< [1] root mean square of (model - measured)/measured, of those measured
   double torque_residual = 0;  ///< [1]
 };
 
-/// Steady thrust and torque of a flat head fed axially (C22).
-struct AxialCutForce {
-  double thrust;  ///< [N]      pi R^2 p_e + 2 pi R u v_f/(kappa omega)
-  double torque;  ///< [N·m]    (2 pi/3) kappa p_e R^3 + u pi R^2 v_f/omega
-};
-[[nodiscard]] AxialCutForce axial_cut_force(const Calibration& constants, double radius, double spindle_speed,
-                                            double feed_speed);
+inline constexpr double kAssumedRatio = 0.5;  ///< [1] kappa where tests do not tell: that of burs
 
-/// Fits u, kappa and p_e to drilling tests by least squares of the relative errors of thrust and torque.
+/// Steady thrust and torque of a flat head fed axially (C22, C35).
+struct AxialCutForce {
+  double thrust;  ///< [N]      pi R^2 p_e + 2 pi R u V/(kappa omega),   V = v_f + sqrt(h_s f_z v_f) + h_e f_z
+  double torque;  ///< [N·m]    (2 pi/3) kappa p_e R^3 + u pi R^2 V/omega
+};
+/// @param lips  [1] z
+[[nodiscard]] AxialCutForce axial_cut_force(const Calibration& constants, double radius, double spindle_speed,
+                                            double feed_speed, double lips = 2);
+
+/// Fits u, kappa and one more constant to drilling tests by least squares of the relative errors of what was measured.
 ///
-/// For a given kappa both are linear in u and p_e, neither of which may be negative; kappa is searched from 0.001 to
-/// 1000. One test, or several at the same feed per turn over radius, cannot tell edge from chip, nor can tests that
-/// scatter more than the edge adds: then p_e = 0.
+/// For a given kappa thrust and torque are linear in u and in u h_e, u sqrt(h_s) or p_e, neither of which may be
+/// negative; kappa is searched from 0.001 to 1000. One test, or several at the same chip, cannot tell edge from chip,
+/// nor can tests that scatter more than the edge adds: then the simpler law, without it, is fitted.
 /// @throws Error when there is no test, a number of one is out of its range, or no kappa within that range explains
 ///         them
-[[nodiscard]] Calibration calibrate(std::span<const DrillingTest> tests);
+[[nodiscard]] Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term = ChipTerm::edge_length);
 
 }  // namespace hapticut

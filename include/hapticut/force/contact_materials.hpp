@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -13,6 +14,14 @@ namespace hapticut {
 /// [N/m^4] What the contact is computed with in single precision: far beyond any material, and squares of it are still
 /// finite.
 inline constexpr double kSoftestContact = 1, kStiffestContact = 1e25;
+
+/// [1] Of the stiffest material.
+[[nodiscard]] inline double largest_relative_stiffness(const MaterialTable& table) {
+  double largest = 0;
+  for (int id = 1; id <= table.size(); ++id)
+    largest = std::max(largest, table.find(MaterialId(id))->relative_stiffness);
+  return largest;
+}
 
 /// The materials of a workpiece as the force laws read them: `k_v = relative_stiffness * reference_stiffness`,
 /// `w0 = sqrt(2 p_e / k_v)`.
@@ -27,8 +36,13 @@ inline constexpr double kSoftestContact = 1, kStiffestContact = 1e25;
     require_between(
         stiffness, kSoftestContact, kStiffestContact,
         ("SimulationConfig::reference_stiffness times relative_stiffness of '" + m.name + "' [N/m^4]").c_str());
-    constants[std::size_t(id)] = {float(stiffness), float(m.damping), float(m.cutting_ratio),
-                                  float(m.specific_cutting_energy), float(std::sqrt(2 * m.edge_pressure / stiffness))};
+    constants[std::size_t(id)] = {float(stiffness),
+                                  float(m.damping),
+                                  float(m.cutting_ratio),
+                                  float(m.specific_cutting_energy),
+                                  float(std::sqrt(2 * m.edge_pressure / stiffness)),
+                                  float(m.edge_length),
+                                  float(m.size_length)};
   }
   return constants;
 }

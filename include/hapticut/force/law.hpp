@@ -30,11 +30,12 @@ constexpr auto names_of(Of<RemovalLaw>) {
 
 /// Constants of one material as the hot loop needs them.
 struct ContactMaterial {
-  float stiffness;       ///< [N/m^4] k_v
-  float damping;         ///< [s/m] chi
-  float cutting_ratio;   ///< [1] kappa
-  float cutting_energy;  ///< [J/m^3] u
-  float cutting_depth;   ///< [m] w0 = sqrt(2 p_e / k_v), below which nothing is cut
+  float stiffness;                         ///< [N/m^4] k_v
+  float damping;                           ///< [s/m] chi
+  float cutting_ratio;                     ///< [1] kappa
+  float cutting_energy;                    ///< [J/m^3] u
+  float cutting_depth;                     ///< [m] w0 = sqrt(2 p_e / k_v), below which nothing is cut
+  float edge_length = 0, size_length = 0;  ///< [m] h_e and h_s of chips (force/chip.hpp)
 };
 using ContactMaterials =
     std::array<ContactMaterial, 256>;  ///< by MaterialId; entry 0 has no stiffness and costs 1 J/m^3
@@ -54,6 +55,7 @@ struct HeadMotion {
   /// n: an n-th of the samples is evaluated in a sub-step, in turn, and makes up for the slip of n of them.
   float level_of_detail = 1;
   const WholeContact* whole = nullptr;  ///< only for laws that need moments
+  float tooth_rate = 0;  ///< [1/s] f_z, at which lips pass; 0 where no material's energy depends on chips
 
   /// Whether a spinning head takes material away.
   [[nodiscard]] bool cuts() const noexcept { return spin != 0 && removal != RemovalLaw::none; }
@@ -118,6 +120,11 @@ class ForceLaw {
   /// Whether a ball pushed beyond its radius is held by DeepContact: only where the law's own force of a ball falls
   /// with depth beyond the radius, as that of springs that push from the centre, and the law claims to be right there.
   [[nodiscard]] virtual bool holds_deep_contact() const noexcept { return false; }
+
+  /// Whether `evaluate` knows blocks with `sub_voxel`, whose entries are parts of voxels and not points: with the depth
+  /// of the voxel's centre, that of the part's `top`, and `largest` for VoxelSection, which integrates over the part.
+  /// Where it does not, SimulationConfig::quadrature must be one of points.
+  [[nodiscard]] virtual bool integrates_parts() const noexcept { return false; }
 
   /// Writes `force_x/y/z` and `fill_after` of all `lanes()` entries. An entry of no fill must get no force and stay
   /// empty. Where the sum of forces or energies is not finite there is no force, and

@@ -10,10 +10,11 @@ namespace hapticut {
 
 /// What the blocks of one sub-step add up to.
 struct Resultant {
-  Wrench wrench_T;    ///< [N], [N·m] on the tool about To, in T
-  int voxels = 0;     ///< samples inside the head
-  double volume = 0;  ///< [voxels] filled volume inside the head
-  double depth = 0;   ///< [m] greatest depth
+  Wrench wrench_T;          ///< [N], [N·m] on the tool about To, in T
+  int voxels = 0;           ///< samples inside the head
+  double volume = 0;        ///< [voxels] filled volume inside the head
+  double depth = 0;         ///< [m] greatest depth
+  double normal_force = 0;  ///< [N] sum of the forces along the samples' normals, whatever their directions
 };
 
 /// Stage `sum_resultant`: `F = Sum g_i`, `T = Sum r_i x g_i` over one block, added to `total`.
@@ -21,7 +22,7 @@ struct Resultant {
 /// Single-precision partial sums per lane within a block, double precision across blocks, always in the same order.
 /// @realtime no allocation, no lock; O(samples)
 inline void sum_resultant(const ContactBlock& b, Resultant& total) {
-  enum Term { kForceX, kForceY, kForceZ, kTorqueX, kTorqueY, kTorqueZ, kFill, kTerms };
+  enum Term { kForceX, kForceY, kForceZ, kTorqueX, kTorqueY, kTorqueZ, kFill, kNormal, kTerms };
   float sums[kTerms][kLanes] = {};
   float deepest[kLanes] = {};
   for (int group = 0; group < b.lanes(); group += kLanes)
@@ -35,7 +36,8 @@ inline void sum_resultant(const ContactBlock& b, Resultant& total) {
       sums[kTorqueX][lane] += y * fz - z * fy;
       sums[kTorqueY][lane] += z * fx - x * fz;
       sums[kTorqueZ][lane] += x * fy - y * fx;
-      sums[kFill][lane] += b.fill[n];
+      sums[kFill][lane] += b.sub_voxel ? b.immersed[n] : b.fill[n];
+      sums[kNormal][lane] -= fx * b.normal_x[n] + fy * b.normal_y[n] + fz * b.normal_z[n];
       deepest[lane] = std::max(deepest[lane], b.sub_voxel ? b.top[n] : b.depth[n]);
     }
   const auto sum = [&](Term term) {
@@ -47,6 +49,7 @@ inline void sum_resultant(const ContactBlock& b, Resultant& total) {
   total.wrench_T.torque += Vec3(sum(kTorqueX), sum(kTorqueY), sum(kTorqueZ));
   total.voxels += b.samples;
   total.volume += sum(kFill);
+  total.normal_force += sum(kNormal);
   for (const float depth : deepest) total.depth = std::max(total.depth, double(depth));
 }
 

@@ -6,6 +6,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/tool/cutter.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/material.hpp"
 
@@ -14,10 +15,31 @@
 /// apart: accuracy wants it stiff, a device that is driven directly wants it soft. A virtual coupling separates the
 /// two.
 namespace hapticut {
+
+/// [N/m^4] Where the force is taken at points, one to a voxel, a stiffer foundation's thin layer would be met and lost
+/// as the head moves on.
+inline constexpr double kStiffnessOfPoints = 1e13;
+
+inline constexpr double kPressureOfCuts = 1e6;  ///< [Pa] of the interface in a common cut, from 0.1 to 10 MPa
+inline constexpr double kLayerOfVoxel = 0.1;    ///< [1] engaged layer at that pressure, at most, of a voxel
+inline constexpr double kLayerOfRadius = 0.02;  ///< [1] and of the head's radius
+
+/// The k_v that a simulation chooses by default: under kPressureOfCuts the interface between head and material, whose
+/// pressure is k_v t^2/2 at depth t, is pressed in by a tenth of a voxel or a fiftieth of the head's radius, whichever
+/// is less. From there on a thinner layer changes forces by less than a percent, while the contact goes on to cost the
+/// fewer voxels the thinner it is (docs/decisions/0009-cut-voxels.md).
+/// @param voxel_size  [m] > 0
+/// @return [N/m^4] for a material of relative stiffness 1
+/// @throws Error when the voxel size is not positive
+[[nodiscard]] inline double stiffness_for_grid(const ToolHead& head, double voxel_size) {
+  require_positive(voxel_size, "voxel size [m]");
+  const double layer = std::min(kLayerOfVoxel * voxel_size, kLayerOfRadius * head.largest_radius());
+  return 2 * kPressureOfCuts / (layer * layer);
+}
 namespace detail {
 
-inline constexpr int kSections = 200;  // planes through the head, in each direction
-inline constexpr int kSection = 200;   // points across one of them
+inline constexpr int kSections = 64;  // planes through the head, in each direction
+inline constexpr int kSection = 64;   // points across one of them
 
 // A flat solid that advances by dd into the head adds a slice of thickness dd to what is immersed, so with N the normal
 // of its face, `dF/dd = k_v Int w |n . N| dA` over the section of the head by that face.
@@ -34,36 +56,39 @@ inline constexpr int kSection = 200;   // points across one of them
   return sum;
 }
 
-/// The integral over the section parallel to the axis, at distance c from it.  [m^3]
+/// The integral over the section parallel to the axis, at distance c from it: twice that over a half of it.  [m^3]
 [[nodiscard]] inline double lateral_section(const ToolHead& head, double c, const HeadBox& box) {
   double sum = 0;
-  const double dy = (box.max.y() - box.min.y()) / kSection;
+  const double dy = box.max.y() / kSection;
   const double dz = (box.max.z() - box.min.z()) / kSection;
   for (int i = 0; i < kSection; ++i)
     for (int k = 0; k < kSection; ++k) {
-      const auto [depth, direction] = head.spring_at({c, box.min.y() + (i + 0.5) * dy, box.min.z() + (k + 0.5) * dz});
+      const auto [depth, direction] = head.spring_at({c, (i + 0.5) * dy, box.min.z() + (k + 0.5) * dz});
       if (depth > 0) sum += depth * std::abs(direction.x());
     }
-  return sum * dy * dz;
+  return 2 * sum * dy * dz;
 }
 
 }  // namespace detail
 
-/// The k_v from which on the engaged layer of a steady cut is thinner than a tenth of the head's radius:
-/// `200 u v_f / (kappa omega R^3)`. Below it cutting forces come out low.
-/// @param material       u and kappa are used; kappa must be > 0
+/// The reference stiffness from which on the engaged layer of a steady cut is thinner than a tenth of the head's
+/// radius: k_v = `200 u V/(kappa omega R^3)`, V = v_f + sqrt(h_s f_z v_f) + h_e f_z (C35), over the material's relative
+/// stiffness. Below it cutting forces come out low.
+/// @param material       u, h_e, h_s, kappa and the relative stiffness are used; kappa must be > 0
 /// @param spindle_speed  [rad/s] not 0
 /// @param feed_speed     [m/s] > 0
-/// @return [N/m^4]
+/// @param cutter         its lips make the chips
+/// @return [N/m^4] for SimulationConfig::reference_stiffness
 /// @throws Error when one of them is out of range
 [[nodiscard]] inline double stiffness_for_accuracy(const ToolHead& head, const Material& material, double spindle_speed,
-                                                   double feed_speed) {
+                                                   double feed_speed, const Cutter& cutter = {}) {
   require_positive(std::abs(spindle_speed), "spindle speed [rad/s]");
   require_positive(feed_speed, "feed speed [m/s]");
   require_positive(material.cutting_ratio, "Material::cutting_ratio [1]");
-  const double radius = head.largest_radius();
-  return 200 * material.specific_cutting_energy * feed_speed /
-         (material.cutting_ratio * std::abs(spindle_speed) * radius * radius * radius);
+  const double radius = head.largest_radius(), teeth = tooth_rate(cutter, spindle_speed);
+  const double speed = feed_speed + std::sqrt(material.size_length * teeth * feed_speed) + material.edge_length * teeth;
+  return 200 * material.specific_cutting_energy * speed /
+         (material.relative_stiffness * material.cutting_ratio * std::abs(spindle_speed) * radius * radius * radius);
 }
 
 /// The greatest contact stiffness of a head pressed into a flat solid of unit k_v, along its axis or sideways:

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "hapticut/core/errors.hpp"
@@ -21,6 +22,8 @@ using units::rpm;
 constexpr double kSearched = 1e-6;  // [1] kappa is searched to 1e-12 of its logarithm, where squares are flat to 1e-8
 constexpr double kNoNoise = 1e-4;   // [1] what a search among all kappa leaves of tests that fit exactly
 
+constexpr ChipTerm kPressure = ChipTerm::edge_pressure;
+
 DrillingTest made_by(const Calibration& constants, double radius, double speed, double feed) {
   const AxialCutForce force = axial_cut_force(constants, radius, speed, feed);
   return {radius, speed, feed, force.thrust, force.torque};
@@ -35,7 +38,7 @@ RC_GTEST_PROP(Calibration, ReturnsTheConstantsThatMadeTheTests, ()) {
   for (int n = 0; n < 6; ++n)
     tests.push_back(
         made_by(made, *number_between(0.5, 2) * mm, *number_between(50, 5000), *number_between(0.2, 5) * mm * (n + 1)));
-  const Calibration found = calibrate(tests);
+  const Calibration found = calibrate(tests, ChipTerm::edge_pressure);
   RC_PRE(found.edge_identified);  // six random feeds per turn hardly ever agree within a twentieth
   RC_ASSERT(found.thrust_residual < kNoNoise);
   RC_ASSERT(found.torque_residual < kNoNoise);
@@ -45,6 +48,31 @@ RC_GTEST_PROP(Calibration, ReturnsTheConstantsThatMadeTheTests, ()) {
     RC_ASSERT(std::abs(again.thrust / t.thrust - 1) < 10 * kNoNoise);
     RC_ASSERT(std::abs(again.torque / t.torque - 1) < 10 * kNoNoise);
   }
+}
+
+// Without noise, two feeds or two speeds fix what an edge or thin chips add, from thrust and torque or from one of
+// them.
+RC_GTEST_PROP(Calibration, ReturnsTheLengthsOfChipsThatMadeTheTests, ()) {
+  const ChipTerm term = *rc::gen::element(ChipTerm::edge_length, ChipTerm::size_length);
+  Calibration made;
+  made.specific_cutting_energy = *number_between(5e7, 2e9);
+  made.cutting_ratio = *number_between(0.2, 6);
+  (term == ChipTerm::edge_length ? made.edge_length : made.size_length) = *number_between(5, 50) * 1e-6;
+  const bool by_speed = *rc::gen::arbitrary<bool>();
+  const int missing = *rc::gen::inRange(0, 3);  // nothing, thrust, torque
+  std::vector<DrillingTest> tests;
+  for (const double factor : {0.5, 1.0, 2.0}) {
+    tests.push_back(by_speed ? made_by(made, 1 * mm, 100 * factor, 1 * mm) : made_by(made, 1 * mm, 100, factor * mm));
+    if (missing == 1) tests.back().thrust = 0;
+    if (missing == 2) tests.back().torque = 0;
+  }
+  const Calibration found = calibrate(tests, term);
+  RC_ASSERT(found.edge_identified && found.chip_identified);
+  RC_ASSERT(found.ratio_identified == (missing == 0));
+  const double ratio = missing == 2 ? made.cutting_ratio / kAssumedRatio : 1;  // thrusts fix u/kappa
+  RC_ASSERT(std::abs(found.specific_cutting_energy / made.specific_cutting_energy * ratio - 1) < kNoNoise);
+  RC_ASSERT(std::abs(found.edge_length - made.edge_length) <= kNoNoise * made.edge_length);
+  RC_ASSERT(std::abs(found.size_length - made.size_length) <= 2 * kNoNoise * made.size_length);
 }
 
 // One condition: u = M omega/(pi R^2 v_f), kappa = 2 M/(R F), p_e = 0. Bovine bone, a 2.5 mm drill at 1000 rpm (Orelaja
@@ -81,10 +109,11 @@ std::vector<DrillingTest> scattered(const std::vector<Scattered>& all) {
 }
 
 TEST(Calibration, ClaimsAnEdgeOnlyWhereTheTestsDifferMoreThanTheyScatter) {
-  const Calibration near = calibrate(scattered({{1 * mm, -0.02, -0.02}, {1.06 * mm, 0.02, 0.02}}));
+  const Calibration near = calibrate(scattered({{1 * mm, -0.02, -0.02}, {1.06 * mm, 0.02, 0.02}}), kPressure);
   EXPECT_FALSE(near.edge_identified) << "feeds that differ by 6 %, tests that scatter by 2 %";
   EXPECT_EQ(near.edge_pressure, 0);
-  const Calibration far = calibrate(scattered({{0.2 * mm, 0.02, -0.02}, {1 * mm, -0.02, 0.02}, {2 * mm, 0.01, 0.01}}));
+  const Calibration far =
+      calibrate(scattered({{0.2 * mm, 0.02, -0.02}, {1 * mm, -0.02, 0.02}, {2 * mm, 0.01, 0.01}}), kPressure);
   EXPECT_TRUE(far.edge_identified);
   EXPECT_TRUE(far.chip_identified);
   EXPECT_NEAR(far.edge_pressure / 1e6, 1, 0.05) << "about what the tests scatter by";
@@ -92,7 +121,7 @@ TEST(Calibration, ClaimsAnEdgeOnlyWhereTheTestsDifferMoreThanTheyScatter) {
 
 TEST(Calibration, SaysThatTheChipIsNotKnownWhereTheEdgeCarriesAll) {
   const Calibration c =
-      calibrate(scattered({{0.001 * mm, 0.02, 0.01}, {0.003 * mm, -0.02, -0.01}, {0.002 * mm, 0.01, 0}}));
+      calibrate(scattered({{0.001 * mm, 0.02, 0.01}, {0.003 * mm, -0.02, -0.01}, {0.002 * mm, 0.01, 0}}), kPressure);
   EXPECT_TRUE(c.edge_identified);
   EXPECT_FALSE(c.chip_identified);
   EXPECT_NEAR(c.edge_pressure / 1e6, 1, 0.05);
@@ -121,7 +150,7 @@ TEST(Calibration, PredictsTheTrendsThatOthersMeasured) {
 
 TEST(CalibrationInput, OutOfRangeIsRefusedByName) {
   EXPECT_THROW((void)calibrate({}), Error);
-  DrillingTest bad{1 * mm, 100, 1 * mm, 10, 0};
+  DrillingTest bad{1 * mm, 100, 1 * mm, 10, -1};
   try {
     (void)calibrate({&bad, 1});
     FAIL();

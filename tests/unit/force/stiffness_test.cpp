@@ -38,6 +38,12 @@ TEST(Stiffness, AccuracyAsksForAnEngagedLayerOfATenthOfTheRadius) {
   const double layer =
       closed_forms::engaged_layer({bone.specific_cutting_energy, bone.cutting_ratio, speed, feed}, k, radius);
   EXPECT_NEAR(layer / radius, 0.1, 1e-12);
+  Material porous = bone;
+  porous.relative_stiffness = 0.02;
+  EXPECT_NEAR(stiffness_for_accuracy(SphereHead{radius}, porous, speed, feed) / k, 50, 1e-9) << "to be passed on";
+  Material chips = bone;
+  chips.size_length = 1e-4;
+  EXPECT_GT(stiffness_for_accuracy(SphereHead{radius}, chips, speed, feed), 2 * k) << "thin chips press harder";
 }
 
 TEST(Stiffness, TheDeviceBoundKeepsTheContactBelowTheDevicesStiffness) {

@@ -63,8 +63,8 @@ ContactMaterials three_materials(float damping) {
   ContactMaterials materials = {};
   materials[0].cutting_energy = 1;
   materials[1] = {1e13F, damping, 0.5F, 3e8F, 0.0F};
-  materials[2] = {4e12F, 2 * damping, 0.3F, 1e8F, 1e-5F};
-  materials[3] = {2e14F, 0.0F, 0.9F, 5e9F, 3e-6F};
+  materials[2] = {4e12F, 2 * damping, 0.3F, 1e8F, 1e-5F, 1e-5F, 3e-5F};  // of chips only where lips have a rate
+  materials[3] = {2e14F, 0.0F, 0.9F, 5e9F, 3e-6F, 0.0F, 1e-4F};
   return materials;
 }
 
@@ -133,14 +133,14 @@ TEST_P(KernelTarget, AgreesWithTheScalarReferenceInSamplingAndSumming) {
       const Mat3 rotation = rotation_from_vector(3 * vector());
       const Vec3 block_middle = rotation * Vec3::Constant(3.5 * kVoxel);
       const GridInHead grid({rotation, middle - block_middle + 0.4 * mm * vector()}, kVoxel);
-      const HeadMotion motion{(2e-2 * vector()).cast<float>(),
-                              (2.0 * vector()).cast<float>(),
-                              (2e-2 * vector()).cast<float>(),
-                              (2.0 * vector()).cast<float>(),
-                              trial % 5 == 0 ? 0.0F : 2000.0F,
-                              1e-3F,
-                              float(kVoxel),
-                              RemovalLaw(trial % 3)};
+      HeadMotion motion{(2e-2 * vector()).cast<float>(),
+                        (2.0 * vector()).cast<float>(),
+                        (2e-2 * vector()).cast<float>(),
+                        (2.0 * vector()).cast<float>(),
+                        trial % 5 == 0 ? 0.0F : 2000.0F,
+                        1e-3F,
+                        float(kVoxel),
+                        RemovalLaw(trial % 3)};
       const ContactMaterials materials = three_materials(trial % 2 == 0 ? 0.0F : 20.0F);
       const Quadrature quadrature = trial % 7 == 0 ? Quadrature::voxel_center : Quadrature::centroid;
 
@@ -222,17 +222,18 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       const Vec3 middle = 0.5 * (head.bounding_box().min + head.bounding_box().max);
       const Mat3 rotation = rotation_from_vector(3 * vector());
       const GridInHead grid({rotation, middle - rotation * Vec3::Constant(3.5 * kVoxel) + 0.4 * mm * vector()}, kVoxel);
-      const HeadMotion motion{(2e-2 * vector()).cast<float>(),
-                              (2.0 * vector()).cast<float>(),
-                              (2e-2 * vector()).cast<float>(),
-                              (2.0 * vector()).cast<float>(),
-                              trial % 5 == 0 ? 0.0F : 2000.0F,
-                              5e-3F,
-                              float(kVoxel),
-                              RemovalLaw(trial % 3),
-                              0,
-                              trial % 8 < 4 ? 0.0F : 0.5F,
-                              float(1 + trial % 11 % 3)};
+      HeadMotion motion{(2e-2 * vector()).cast<float>(),
+                        (2.0 * vector()).cast<float>(),
+                        (2e-2 * vector()).cast<float>(),
+                        (2.0 * vector()).cast<float>(),
+                        trial % 5 == 0 ? 0.0F : 2000.0F,
+                        5e-3F,
+                        float(kVoxel),
+                        RemovalLaw(trial % 3),
+                        0,
+                        trial % 8 < 4 ? 0.0F : 0.5F,
+                        float(1 + trial % 11 % 3)};
+      if (trial % 13 < 5) motion.tooth_rate = 600;
       const bool damped = trial % 2 != 0;
       const ContactMaterials materials = three_materials(damped ? 20.0F : 0.0F);
       const kernels::ContactJob job = {head,
@@ -287,6 +288,10 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
         EXPECT_NEAR(found.released, energies.released, 10 * kRounding * energy);
       }
       EXPECT_NEAR(found.damping / weight, energies.damping, kRounding * energy);
+      double cutting = found.cutting;
+      for (std::size_t id = 1; id <= 3; ++id)
+        cutting += double(materials[id].cutting_energy) * sums.removed[id] * volume;
+      EXPECT_NEAR(cutting, energies.cutting, 10 * kRounding * energy);
       EXPECT_NEAR(found.rubbing, energies.rubbing, kRounding * energy);
       EXPECT_NEAR(found.credited, energies.credited, 10 * kRounding * energy);
       const Stiffness k = stiffness.total(volume), k_expected = expected.stiffness.total(volume);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/force/law.hpp"
+#include "hapticut/workpiece/cut_voxel.hpp"
+
+/// @file
+/// Cutting energy that depends on the chip. A lip that takes a chip of thickness h spends, per volume,
+///
+///     u_eff = u (1 + h_e/h + sqrt(h_s/h)),    h = v/f_z,   f_z = z |omega|/(2 pi)
+///
+/// v: speed at which the interface itself recedes, z: lips. h_e is a force per length of lip, u h_e, which ploughs and
+/// takes nothing away; h_s the size effect of thin chips. At a pressure p and a slip s the interface therefore recedes
+/// by
+///
+///     q = kappa s p/u = v + sqrt(h_s f_z v) + h_e f_z        v(q) = 0 up to q = h_e f_z, and then y^2,
+///                                                            y = 2 (q - h_e f_z)/(b + sqrt(b^2 + 4 (q - h_e f_z))),
+///                                                            b = sqrt(h_s f_z)
+///
+/// In the elastic layer of the foundation, whose pressure at depth t is k_v t^2/2, a voxel between the depths b and t
+/// gives v(q(t)) - v(q(b)) of it: the sum over a column is v of the pressure on its top, however thick the layer is.
+/// Between two depths that is the law of a constant energy u/sigma above a threshold q_0, the chord of v(q):
+///
+///     sigma = (y_1 + y_2)/(y_1 + y_2 + b)         q_0 = h_e f_z + b y_1 y_2/(y_1 + y_2)
+///
+/// so that the layer's equation (LayerRecession) stays what it was. In a voxel that holds the bottom of the layer,
+/// where any chord through the top gives the same, its other end is the speed of the head, to which the recession
+/// tends; less where more than half of the voxel is in the layer, down to none where all of it is.
+/// docs/decisions/0010-chips.md compares this with what else was tried.
+namespace hapticut {
+
+/// What a voxel is cut by in place of u and w0.
+template <class Real>
+struct ChipChord {
+  Real energy;         ///< [J/m^3] u/sigma
+  CutDepth<Real> cut;  ///< [m] from where the pressure reaches the threshold, p_e included
+
+  static constexpr Real kSlowest = Real(1e-9);  ///< [sqrt(m/s)] of y_1 + y_2
+
+  /// @param tooth_rate  [1/s] f_z
+  /// @param rate        [1/(m s)] kappa k_v s/(2 u) >= 0, with the damping's factor
+  /// @param top,bottom  [m] depths of the part of a voxel; bottom <= 0: it holds the bottom of the layer
+  /// @param speed       [m/s] of the head towards it
+  static ChipChord of(const ContactMaterial& material, Real tooth_rate, Real rate, Real top, Real bottom, Real speed) {
+    const Real edge = material.edge_length * tooth_rate, square = material.size_length * tooth_rate;
+    const Real b = std::sqrt(square), w0 = material.cutting_depth;
+    const auto root_of_speed = [&](Real depth) {
+      const Real q = std::max(Real(0), rate * (depth * depth - w0 * w0) - edge);
+      return 2 * q / std::max(b + std::sqrt(square + 4 * q), kSlowest);
+    };
+    const Real at_top = root_of_speed(top);
+    const Real outside = std::min(Real(1), -2 * bottom / (top - bottom));  // [1] of half of the voxel
+    const Real other = bottom > 0 ? root_of_speed(bottom) : outside * std::sqrt(std::max(Real(0), speed));
+    const Real dearer = 1 + b / std::max(at_top + other, kSlowest);  // 1/sigma
+    const Real excess = rate > 0 ? at_top * at_top * dearer / rate : Real(0);
+    return {material.cutting_energy * dearer, {std::sqrt(std::max(Real(0), top * top - excess)), excess}};
+  }
+};
+
+}  // namespace hapticut

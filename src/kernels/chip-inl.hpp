@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cutting energy that depends on the chip; included once per instruction set.
+#if defined(HAPTICUT_KERNELS_CHIP_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAPTICUT_KERNELS_CHIP_INL_HPP
+#undef HAPTICUT_KERNELS_CHIP_INL_HPP
+#else
+#define HAPTICUT_KERNELS_CHIP_INL_HPP
+#endif
+
+#include "hapticut/force/chip.hpp"
+#include "kernels/strips-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hapticut::kernels::HWY_NAMESPACE {
+
+namespace strips {
+
+/// CutDepth in vectors.
+struct CutDepthVectors {
+  Vec least, excess;
+
+  HWY_INLINE CutDepthVectors(Vec top, Vec from) : least(from), excess((top - from) * (top + from)) {}
+  [[nodiscard]] HWY_INLINE Vec beyond(Vec top) const {
+    return hn::IfThenElseZero(excess > hn::Zero(Floats()), excess / (top + least));
+  }
+};
+
+/// ChipChord in vectors: where its comments say why.
+struct ChordVectors {
+  Vec energy;
+  CutDepthVectors cut;
+};
+
+/// @param rate  [1/(m s)] kappa k_v s/(2 u), with the damping's factor
+HWY_INLINE ChordVectors chord_of_chips(const MaterialVectors& material, float tooth_rate, Vec rate, Vec top, Vec bottom,
+                                       Vec speed) {
+  using Chord = ChipChord<float>;
+  const Vec zero = hn::Zero(Floats()), slowest = broadcast(Chord::kSlowest), four = broadcast(4.0F);
+  const Vec edge = material.edge_length * broadcast(tooth_rate), square = material.size_length * broadcast(tooth_rate);
+  const Vec b = hn::Sqrt(square), w0 = material.cutting_depth, w0_squared = w0 * w0;
+  const auto root_of_speed = [&](Vec depth) HWY_ATTR {
+    const Vec q = hn::Max(zero, hn::MulSub(rate, hn::MulSub(depth, depth, w0_squared), edge));
+    return (q + q) / hn::Max(b + hn::Sqrt(hn::MulAdd(four, q, square)), slowest);
+  };
+  const Vec at_top = root_of_speed(top);
+  const Vec outside = hn::Min(broadcast(1.0F), broadcast(-2.0F) * bottom / (top - bottom));
+  const Vec other = hn::IfThenElse(bottom > zero, root_of_speed(bottom), outside * hn::Sqrt(hn::Max(zero, speed)));
+  const Vec dearer = broadcast(1.0F) + b / hn::Max(at_top + other, slowest);  // 1/sigma
+  ChordVectors chord = {material.energy * dearer, CutDepthVectors(top, zero)};
+  chord.cut.excess = hn::IfThenElseZero(rate > zero, at_top * at_top * dearer / rate);
+  chord.cut.least = hn::Sqrt(hn::Max(zero, hn::MulSub(top, top, chord.cut.excess)));
+  return chord;
+}
+
+/// The same of a point, which stands for the filled part of its voxel; where it is not cut, `least` is its own depth.
+/// @param work   [J/m^3] of the sub-step, kappa k_v w s dt
+HWY_INLINE ChordVectors chord_of_point(const MaterialVectors& material, const HeadMotion& m, Vec work, Vec depth,
+                                       Vec fill, Vec speed) {
+  const Vec zero = hn::Zero(Floats()), half_edge = broadcast(0.5F * m.voxel_size) * fill;
+  const Vec power = work * broadcast(0.5F / (m.duration * m.level_of_detail)) * material.inverse_energy;
+  const Vec rate = hn::IfThenElseZero(depth > zero, power / depth);
+  ChordVectors chord = chord_of_chips(material, m.tooth_rate, rate, depth + half_edge, depth - half_edge, speed);
+  chord.cut.least = hn::IfThenElse(chord.cut.excess > zero, chord.cut.least, depth);
+  return chord;
+}
+
+}  // namespace strips
+
+}  // namespace hapticut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
