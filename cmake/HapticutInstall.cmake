@@ -14,7 +14,7 @@ install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDI
 
 # A shared library is found beside its users, wherever the whole is installed.
 file(RELATIVE_PATH _from_programs "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
-foreach(_target hapticut_bench hapticut_io hapticut_settings hapticut_cli)
+foreach(_target hapticut_bench hapticut_io hapticut_settings hapticut_view hapticut_cli)
   if(TARGET ${_target} AND BUILD_SHARED_LIBS)
     set_target_properties(${_target} PROPERTIES INSTALL_RPATH "$ORIGIN;$ORIGIN/${_from_programs}")
   endif()
@@ -25,7 +25,7 @@ if(TARGET hapticut)
   install(TARGETS hapticut EXPORT hapticutTargets)
   install(EXPORT hapticutTargets NAMESPACE hapticut:: DESTINATION "${HAPTICUT_CMAKE_DIR}")
 endif()
-foreach(_component physics bench io settings openhaptics forcedimension)
+foreach(_component physics bench io settings view openhaptics forcedimension)
   if(TARGET hapticut_${_component})
     set_target_properties(hapticut_${_component} PROPERTIES EXPORT_NAME ${_component})
     install(TARGETS hapticut_${_component} EXPORT hapticut_${_component}Targets)

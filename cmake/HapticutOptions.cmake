@@ -15,6 +15,7 @@ endif()
 
 option(HAPTICUT_INSTALL "Install hapticut together with this project" ${PROJECT_IS_TOP_LEVEL})
 option(HAPTICUT_PHYSICS_ONLY "Only hapticut::physics: headers, which need Eigen and nothing else" OFF)
+option(HAPTICUT_WITH_FUZZERS "Fuzzers of the readers of files, with clang++; part of the tests" OFF)
 option(HAPTICUT_WARNINGS_AS_ERRORS "Treat warnings in hapticut's own code as errors" ${PROJECT_IS_TOP_LEVEL})
 
 # hapticut_rooms(target [BATCH n]): with CMAKE_UNITY_BUILD the files of a folder are compiled as one, for most of the time
@@ -54,6 +55,7 @@ set(HAPTICUT_NEEDS_IO "HDF5|HDF5_FOUND|libhdf5-dev" "PNG|PNG_FOUND|libpng-dev" "
 set(HAPTICUT_NEEDS_ITK "ITK|ITK_FOUND|libinsighttoolkit5-dev")
 set(HAPTICUT_NEEDS_ASSIMP "assimp|assimp_FOUND|libassimp-dev")
 set(HAPTICUT_NEEDS_SETTINGS "tomlplusplus|tomlplusplus_FOUND|libtomlplusplus-dev")
+set(HAPTICUT_NEEDS_VIEW "Boost|Boost_FOUND|libboost-dev")
 set(HAPTICUT_NEEDS_CLI "CLI11|CLI11_FOUND|libcli11-dev" "tomlplusplus|tomlplusplus_FOUND|libtomlplusplus-dev"
     "nlohmann_json|nlohmann_json_FOUND|nlohmann-json3-dev")
 set(HAPTICUT_NEEDS_TESTS "GTest|GTest_FOUND|libgtest-dev" "rapidcheck|rapidcheck_FOUND|librapidcheck-dev")
@@ -64,7 +66,7 @@ set(HAPTICUT_NEEDS_PYTHON "Python|Python_FOUND|python3-dev" "pybind11|pybind11_F
 # Parts of the library hapticut::io, which is the same target with and without them.
 set(HAPTICUT_PARTS_OF_IO ITK ASSIMP)
 
-set(HAPTICUT_ITK_MODULES ITKCommon ITKIOImageBase ITKIONRRD ITKIONIFTI ITKIOGDCM
+set(HAPTICUT_ITK_MODULES ITKCommon ITKIOImageBase ITKIOGDCM
     ITKImageFunction ITKImageGrid ITKDistanceMap)
 
 # hapticut_component(NAME "what it is"): AUTO (default) switches it on when all it needs is found, ON insists, OFF skips.

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Checks everything: installs what is missing, builds, runs every test, checks format and lint, compiles with clang++,
-# runs the unit tests under the address and undefined-behaviour sanitizers, and the tests of what threads exchange under
-# the thread sanitizer. The last line is `N passed, N failed, N skipped`, where a test is one test of ctest or one of the
-# checks above; the exit code is 0 only when nothing failed.
+# runs the unit tests under the address and undefined-behaviour sanitizers (but the longest, whose code others run too),
+# and the tests of what threads exchange under the thread sanitizer. The last line is `N passed, N failed, N skipped`,
+# where a test is one test of ctest or one of the checks above; the exit code is 0 only when nothing failed.
 #
-#   scripts/test.sh [--quick] [--lint-all] [--no-install] [--jobs N]
+#   scripts/test.sh [--quick] [--fuzz] [--lint-all] [--no-install] [--jobs N]
 #
 #   --quick       format, release build and its tests only
+#   --fuzz        also run the fuzzer of each format for 60 s, and 20 000 mutants of right files
 #   --lint-all    clang-tidy on every source of the library, not only on those changed in the last six hours before HEAD
 #   --no-install  do not install packages
 #   --jobs N      run N compilers and tests at once (default: one per processor)
@@ -15,12 +16,14 @@ set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 
 quick=false
+fuzz=false
 lint_all=false
 install=true
 jobs=$(nproc)
 while [ $# -gt 0 ]; do
   case $1 in
     --quick) quick=true ;;
+    --fuzz) fuzz=true ;;
     --lint-all) lint_all=true ;;
     --no-install) install=false ;;
     --jobs)
@@ -123,7 +126,7 @@ read_report() {
 
 configure() {
   cmake --preset "$1" -DHAPTICUT_WITH_IO=ON -DHAPTICUT_WITH_ITK=ON -DHAPTICUT_WITH_ASSIMP=ON \
-    -DHAPTICUT_WITH_SETTINGS=ON -DHAPTICUT_WITH_CLI=ON -DHAPTICUT_WITH_TESTS=ON
+    -DHAPTICUT_WITH_SETTINGS=ON -DHAPTICUT_WITH_VIEW=ON -DHAPTICUT_WITH_CLI=ON -DHAPTICUT_WITH_TESTS=ON
 }
 build() { cmake --build --preset "$1" -j "$jobs" "${@:2}"; }
 our_sources() { git ls-files -z -- '*.hpp' '*.cpp'; }
@@ -154,6 +157,14 @@ lint_is_clean() {
   sources_to_lint | compiled_to_lint | xargs -0 -r -n 1 -P "$jobs" clang-tidy -p build/lint --quiet
 }
 
+# fuzz_format FORMAT: a minute of its fuzzer, from the seeds that our own writers make. The report says how many inputs ran.
+fuzz_format() {
+  local corpus="$PWD/$logs/corpus/$1"
+  mkdir -p "$corpus"
+  ASAN_OPTIONS=allocator_may_return_null=1 "build/fuzz/tests/fuzz/fuzz_$1" -max_total_time=60 -timeout=20 \
+    -rss_limit_mb=4096 -artifact_prefix="$logs/$1-" "$corpus" "$logs/seeds/$1"
+}
+
 if $install; then
   scripts/install-deps.sh --for test || exit 1
 fi
@@ -168,14 +179,27 @@ if ! $quick; then
     run_tests clang -R '^Package\.(IsFound|LetsAnOutsideProject)'
     check "configure: clang-tidy" configure lint && check "clang-tidy" lint_is_clean
   fi
-  if check "configure: sanitizers" configure asan-ubsan && check "build: sanitizers" build asan-ubsan -t unit_tests; then
+  if check "configure: sanitizers" configure asan-ubsan &&
+    check "build: sanitizers" build asan-ubsan -t unit_tests test_device_contract; then
     run_tests asan-ubsan
   fi
   # Only what threads exchange: the rest of the library is built for it without its optional parts.
-  if check "configure: thread sanitizer" cmake --preset tsan -DHAPTICUT_WITH_IO=OFF -DHAPTICUT_WITH_CLI=OFF \
+  if check "configure: thread sanitizer" cmake --preset tsan -DHAPTICUT_WITH_IO=OFF -DHAPTICUT_WITH_CLI=OFF -DHAPTICUT_WITH_VIEW=ON \
       -DHAPTICUT_WITH_TESTS=ON &&
-    check "build: thread sanitizer" build tsan -t test_realtime test_loop test_device test_safety; then
+    check "build: thread sanitizer" build tsan -t test_realtime test_loop test_device test_device_contract \
+      test_safety test_view; then
     run_tests tsan
+  fi
+fi
+
+if $fuzz; then
+  check "mutants" build/release/tests/fuzz/hapticut_mutants 20000 "$RANDOM" "$logs/mutants"
+  if build/release/tests/fuzz/hapticut_mutants --seeds "$logs/seeds" &&
+    check "configure: fuzzers" cmake --preset fuzz && check "build: fuzzers" build fuzz -t fuzzers; then
+    for folder in "$logs"/seeds/*; do
+      format=${folder##*/}
+      [ -x "build/fuzz/tests/fuzz/fuzz_$format" ] && check "fuzz: $format" fuzz_format "$format"
+    done
   fi
 fi
 

@@ -30,7 +30,6 @@ Series step_down(const std::string& name, const ToolHead& head, bool thesis) {
   material.name = "cube";
   material.relative_stiffness = 0.4;
   SimulationConfig config;
-  config.reference_stiffness = thesis ? 1e13 : 1e17;  // the default model cuts in a layer of 2 um
   ThesisLaw::Constants constants;
   constants.required_power = 0;  // whatever is touched goes
   if (thesis) config.law = std::make_shared<ThesisLaw>(constants);

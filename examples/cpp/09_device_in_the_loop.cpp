@@ -17,7 +17,6 @@ int main(int argc, char** argv) try {
 
   const Box box{Vec3(-15, -15, -10) * mm, Vec3(15, 15, 0) * mm};
   SimulationConfig config;
-  config.reference_stiffness = 1e15;       // [N/m^4] far stiffer than what the device renders
   config.contact_time = ContactTime::end;  // what the coupling needs
   Simulation simulation(build_block(box, 0.25 * mm, presets::cortical_bone()),
                         Tool(SphereHead{1.5 * mm}, RayHandle{}, Spindle{30000 * rpm}), config);

@@ -19,6 +19,7 @@
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/handle.hpp"
 #include "hapticut/tool/head.hpp"
+#include "hapticut/tool/motors.hpp"
 #include "hapticut/tool/profile.hpp"
 #include "hapticut/tool/profile_mesh.hpp"
 #include "hapticut/tool/profile_table.hpp"
@@ -30,14 +31,15 @@
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/changes.hpp"
 #include "hapticut/workpiece/contact.hpp"
+#include "hapticut/workpiece/islands.hpp"
 #include "hapticut/workpiece/material.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "hapticut/workpiece/mesh_builder.hpp"
 #include "hapticut/workpiece/molar.hpp"
 #include "hapticut/workpiece/removal.hpp"
-#include "hapticut/workpiece/surface.hpp"
 #include "hapticut/workpiece/volume_builders.hpp"
 #include "hapticut/workpiece/volume_operations.hpp"
+#include "hapticut/workpiece/work_estimate.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 //
 #include "hapticut/force/calibration.hpp"
@@ -74,6 +76,10 @@
 #include "hapticut/simulation/thesis_mode.hpp"
 #include "hapticut/simulation/worst_case.hpp"
 //
+#include "hapticut/surface/extract_surface.hpp"
+#include "hapticut/surface/surface_page.hpp"
+#include "hapticut/surface/surface_stream.hpp"
+//
 #include "hapticut/safety/arming.hpp"
 #include "hapticut/safety/guard.hpp"
 #include "hapticut/safety/passivity.hpp"
@@ -95,9 +101,17 @@
 #include "hapticut/device/simulated/playback.hpp"
 //
 #include "hapticut/loop/block_outbox.hpp"
+#include "hapticut/loop/change_feed.hpp"
 #include "hapticut/loop/commands.hpp"
 #include "hapticut/loop/device_tick.hpp"
+#include "hapticut/loop/island_watch.hpp"
 #include "hapticut/loop/realtime_loop.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "hapticut/loop/snapshot.hpp"
 #include "hapticut/loop/workspace_map.hpp"
+//
+#include "hapticut/heat/heat_collector.hpp"
+#include "hapticut/heat/heat_field.hpp"
+//
+#include "hapticut/sound/drill_sound.hpp"
+#include "hapticut/sound/loop_listener.hpp"

@@ -20,6 +20,7 @@
 //
 #include "hapticut/tool/handle.hpp"
 #include "hapticut/tool/head.hpp"
+#include "hapticut/tool/motors.hpp"
 #include "hapticut/tool/shapes.hpp"
 #include "hapticut/tool/spindle.hpp"
 #include "hapticut/tool/tool.hpp"

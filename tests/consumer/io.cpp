@@ -36,9 +36,9 @@ bool reads_meta_image() {
 bool volumes_work() {
 #ifdef WITHOUT_ITK_AND_ASSIMP
   std::ofstream("consumer.glb") << "glTF";
-  return fails_with("HAPTICUT_WITH_ITK=ON", [] { (void)read_label_volume("consumer_ball.nrrd"); }) &&
-         fails_with("libinsighttoolkit5-dev", [] { (void)read_grey_volume("consumer.nii"); }) &&
+  return read_label_volume("consumer_ball.nrrd").dims[0] >= 20 &&
          fails_with("HAPTICUT_WITH_ITK=ON", [] { (void)resample(read_grey_volume("consumer.mhd"), 1e-3); }) &&
+         fails_with("libinsighttoolkit5-dev", [] { (void)resample(read_grey_volume("consumer.mhd"), 1e-3); }) &&
          fails_with("HAPTICUT_WITH_ASSIMP=ON", [] { (void)read_mesh("consumer.glb"); });
 #else
   return read_label_volume("consumer_ball.nrrd").dims[0] >= 20;
