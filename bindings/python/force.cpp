@@ -2,9 +2,7 @@
 // include/hapticut/force: laws, friction, stiffness and calibration
 #include "bindings.hpp"
 #include "hapticut/force/calibration.hpp"
-#include "hapticut/force/contact_point.hpp"
 #include "hapticut/force/deep_contact.hpp"
-#include "hapticut/force/friction.hpp"
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/laws/contact_mechanics.hpp"
 #include "hapticut/force/laws/damping_matrix.hpp"
@@ -12,6 +10,7 @@
 #include "hapticut/force/laws/hertzian_burr.hpp"
 #include "hapticut/force/laws/thesis.hpp"
 #include "hapticut/force/laws/twist_drill.hpp"
+#include "hapticut/force/limit_surface.hpp"
 #include "hapticut/force/stiffness.hpp"
 #include "structs.hpp"
 #include "tool_head.hpp"
@@ -89,25 +88,41 @@ void bind_friction(py::module_& m) {
   m.attr("kFullSpinSpeed") = kFullSpinSpeed;
   m.def("standing_share", &standing_share, py::arg("spin"), py::arg("radius"), doc("standing_share"));
 
-  py::class_<StickSlip> stick_slip(m, "StickSlip", doc("StickSlip"));
-  py::class_<StickSlip::Outcome>(stick_slip, "Outcome", "What a motion of the contact point gave.")
-      .def_readonly("force", &StickSlip::Outcome::force, doc("StickSlip::Outcome::force"))
-      .def_readonly("dissipated", &StickSlip::Outcome::dissipated, doc("StickSlip::Outcome::dissipated"))
-      .def_readonly("stiffness", &StickSlip::Outcome::stiffness, doc("StickSlip::Outcome::stiffness"));
-  stick_slip.def(py::init<>())
+  py::class_<SpreadFriction>(m, "SpreadFriction", doc("SpreadFriction"))
+      .def(py::init<>())
+      .def(
+          "add",
+          [](SpreadFriction& self, const Vec3& r, const Vec3& n, double normal, const DryFriction& friction,
+             double spring) { self.add(r, n, normal, friction, spring); },
+          py::arg("r"), py::arg("n"), py::arg("normal"), py::arg("friction"), py::arg("spring") = 0.0,
+          doc("SpreadFriction::add"))
+      .def_static("at_point", &SpreadFriction::at_point, py::arg("normal_force"), py::arg("friction"),
+                  py::arg("spring") = 0.0, doc("SpreadFriction::at_point"))
+      .def_readonly("directions", &SpreadFriction::directions, doc("SpreadFriction::directions"))
+      .def_readonly("static_limit", &SpreadFriction::static_limit, doc("SpreadFriction::static_limit"))
+      .def_readonly("dynamic_limit", &SpreadFriction::dynamic_limit, doc("SpreadFriction::dynamic_limit"))
+      .def_readonly("anchors", &SpreadFriction::anchors, doc("SpreadFriction::anchors"))
+      .def_readonly("springs", &SpreadFriction::springs, doc("SpreadFriction::springs"))
+      .def_property_readonly("stiffness", &SpreadFriction::stiffness, doc("SpreadFriction::stiffness"));
+
+  py::class_<LimitSurface> limit_surface(m, "LimitSurface", doc("LimitSurface"));
+  py::class_<LimitSurface::Outcome>(limit_surface, "Outcome", "What a motion of the tool gave.")
+      .def_readonly("wrench", &LimitSurface::Outcome::wrench, doc("LimitSurface::Outcome::wrench"))
+      .def_readonly("dissipated", &LimitSurface::Outcome::dissipated, doc("LimitSurface::Outcome::dissipated"))
+      .def_readonly("stiffness", &LimitSurface::Outcome::stiffness, doc("LimitSurface::Outcome::stiffness"));
+  limit_surface.def(py::init<>())
       .def(
           "move",
-          [](StickSlip& self, const Vec3& normal_force, const Vec3& displacement, const DryFriction& friction,
-             double share) { return self.move(normal_force, displacement, friction, share); },
-          py::arg("normal_force"), py::arg("displacement"), py::arg("friction"), py::arg("share") = 1.0,
-          doc("StickSlip::move"))
-      .def_property_readonly("stored", &StickSlip::stored, doc("StickSlip::stored"))
-      .def_property_readonly("anchored", &StickSlip::anchored, doc("StickSlip::anchored"))
-      .def_property_readonly("sliding", &StickSlip::sliding, "It slides.")
-      .def_property_readonly(
-          "stretch", [](const StickSlip& s) { return s.stretch(); }, doc("StickSlip::stretch"))
-      .def_property_readonly("stiffness", &StickSlip::stiffness, doc("StickSlip::stiffness"))
-      .def("release", &StickSlip::release, doc("StickSlip::release"));
+          [](LimitSurface& self, const SpreadFriction& contact, const Twist& displacement, double share, double lead) {
+            return self.move(contact, displacement, share, lead);
+          },
+          py::arg("contact"), py::arg("displacement"), py::arg("share") = 1.0, py::arg("lead") = 0.0,
+          doc("LimitSurface::move"))
+      .def_property_readonly("stored", &LimitSurface::stored, doc("LimitSurface::stored"))
+      .def_property_readonly("anchored", &LimitSurface::anchored, doc("LimitSurface::anchored"))
+      .def_property_readonly("sliding", &LimitSurface::sliding, "It slides.")
+      .def_property_readonly("stiffness", &LimitSurface::stiffness, doc("LimitSurface::stiffness"))
+      .def("release", &LimitSurface::release, doc("LimitSurface::release"));
 
   py::class_<DeepContact> deep(m, "DeepContact", doc("DeepContact"));
   using Outcome = DeepContact::Outcome;
@@ -129,7 +144,6 @@ void bind_friction(py::module_& m) {
           "normal", [](const DeepContact& d) { return d.normal(); }, doc("DeepContact::normal"))
       .def_property_readonly("stored", &DeepContact::stored, doc("DeepContact::stored"))
       .def("release", &DeepContact::release, "Lets go.");
-  m.def("contact_point", &contact_point, py::arg("head"), py::arg("wrench_T"), doc("contact_point"));
 }
 
 }  // namespace

@@ -44,7 +44,6 @@
 //
 #include "hapticut/force/calibration.hpp"
 #include "hapticut/force/contact_materials.hpp"
-#include "hapticut/force/contact_point.hpp"
 #include "hapticut/force/contact_stiffness.hpp"
 #include "hapticut/force/deep_contact.hpp"
 #include "hapticut/force/effects/axis_mask.hpp"
@@ -60,7 +59,9 @@
 #include "hapticut/force/laws/lumped.hpp"
 #include "hapticut/force/laws/thesis.hpp"
 #include "hapticut/force/laws/twist_drill.hpp"
+#include "hapticut/force/limit_surface.hpp"
 #include "hapticut/force/resultant.hpp"
+#include "hapticut/force/spread_friction.hpp"
 #include "hapticut/force/stiffness.hpp"
 #include "hapticut/force/whole_contact.hpp"
 //

@@ -28,8 +28,9 @@ struct ContactSums {
     kCredited,
     kCouple,
     kFill,
-    kChips,   // cutting energy beyond u: of thin chips
-    kNormal,  // the reaction along the normals, whatever their directions; only where the head cuts
+    kChips,    // cutting energy beyond u: of thin chips, and less than none of what was crushed
+    kCrushed,  // what crushing took
+    kNormal,   // the reaction along the normals, whatever their directions; only where the head cuts
     kTerms
   };
   static constexpr int kLanes = BlockChange::kStrip;

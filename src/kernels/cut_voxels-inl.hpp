@@ -36,6 +36,16 @@ class SectionVectors {
     return hn::IfThenElse(fill <= half, height, span() - height);
   }
 
+  [[nodiscard]] HWY_INLINE Vec area_at(Vec height) const {
+    const Corners x = corners(hn::Max(hn::Zero(Floats()), height));
+    return hn::Max(hn::Zero(Floats()), x.all - x.without_p - x.without_q) / (p_ * q_);
+  }
+  [[nodiscard]] HWY_INLINE Vec fill_below(Vec height) const {
+    const Corners x = corners(hn::Max(hn::Zero(Floats()), height));
+    const Vec squares = x.all * x.all - x.without_p * x.without_p - x.without_q * x.without_q;
+    return squares / (broadcast(2.0F) * p_ * q_);
+  }
+
   /// Of DepthIntegrals, what a voxel in contact has.
   struct Pressed {
     Vec depth, volume;
@@ -129,6 +139,10 @@ struct PressedParts {
   Vec credit, price;             // [1] fill that went without work, and [J/m^3] what it would have cost
   Vec before, after, lead_work;  // [J/m^3] stored at the beginning and the end; of a contact evaluated after the middle
   Vec released;                  // [J/m^3] what went in less what is stored; zero where nothing is cut
+  Vec kept;                      // [1] fill that was not crushed
+  Vec yielding;                  // [1] of the volume in contact that presses no more however deep it gets
+  Vec top;                       // [m] of what is left by crushing
+  Mask crushed;                  // only where some are
   Vec elastic, volume, depth;    // [N/m^3] springs as they stand; [1] what is in contact; [m] its integral of the depth
 
   /// [N/m^4] change of the force with depth, as the springs yield while they are cut
@@ -136,7 +150,8 @@ struct PressedParts {
     const Vec zero = hn::Zero(Floats());
     const Vec yields = (rubbing + cut) / hn::Max(elastic, broadcast(1e-20F));
     const Vec damper = material.damping * depth * broadcast(1 / duration);
-    return hn::IfThenElseZero(damped > zero, material.stiffness * yields * hn::MulAdd(volume, damped, damper));
+    return hn::IfThenElseZero(damped > zero,
+                              material.stiffness * yields * hn::MulAdd(volume - yielding, damped, damper));
   }
 };
 
@@ -146,7 +161,9 @@ HWY_INLINE PressedParts press_whole(const HeadMotion& m, const MaterialVectors& 
   const Vec half = broadcast(0.5F), l = broadcast(m.voxel_size), advance = s.rate * broadcast(m.duration);
   const Vec later = hn::MulAdd(advance, broadcast(0.5F - m.lead), s.depth);
   PressedParts p;
-  p.cut = p.credit = p.released = hn::Zero(Floats());
+  p.cut = p.credit = p.released = p.yielding = hn::Zero(Floats());
+  p.kept = fill;
+  p.top = s.top;
   p.left = fill;
   p.energy = p.price = material.energy;
   p.volume = hn::IfThenElseZero(inside, broadcast(1.0F));
@@ -158,6 +175,8 @@ HWY_INLINE PressedParts press_whole(const HeadMotion& m, const MaterialVectors& 
   return p;
 }
 
+/// @tparam kCrushes  some of them are deep enough to be crushed
+template <bool kCrushes>
 HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVectors& material, const Sample& s, Vec fill,
                                        Vec damped, bool may_cut, bool release) {
   const Floats d;
@@ -165,53 +184,68 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
   const Vec l = broadcast(m.voxel_size), per_l = broadcast(1 / m.voxel_size);
   const Mask inside = s.top > zero;
   const SectionVectors section(s.largest);
-  if (!may_cut) {
+  PressedParts p;
+  if (!may_cut && !kCrushes) {
     const Vec reach = hn::MulAdd(half * l, section.span(), hn::Abs(s.rate) * broadcast(m.duration));
     const Mask whole = hn::And(fill >= broadcast(1.0F), s.depth > reach);
     if (hn::AllTrue(d, hn::Or(whole, hn::Not(inside))))
       return press_whole(m, material, s, section.variance(), fill, inside);
   }
   const Vec far_plane = hn::MulSub(s.depth, per_l, half * section.span());
-  const Vec top = s.top * per_l, height = top - far_plane, stiff = material.stiffness * l;
+  const Vec full_height = hn::MulSub(s.top, per_l, far_plane), stiff = material.stiffness * l;
+  Vec height = full_height;
+  p.top = s.top;
+  p.kept = fill;
+  p.yielding = zero;
+  if constexpr (kCrushes) {
+    p.crushed = s.top > material.crushing_depth;
+    p.top = hn::IfThenElse(p.crushed, material.crushing_depth, s.top);
+    height = hn::IfThenElse(p.crushed, hn::Max(zero, hn::MulSub(p.top, per_l, far_plane)), height);
+    const Vec below = section.fill_below(height);
+    const Vec kept = hn::IfThenElseZero(below >= broadcast(FoundationLaw::kSmallestPart), below);
+    p.kept = hn::IfThenElse(p.crushed, kept, fill);
+    p.yielding = hn::IfThenElseZero(p.crushed, p.top * per_l * section.area_at(height));
+  }
+  const Vec top = p.top * per_l;
   const auto part = section.pressed(height, top);
-  PressedParts p;
   p.volume = hn::IfThenElseZero(inside, part.volume);
   p.depth = hn::IfThenElseZero(inside, part.depth) * l;
   p.elastic = p.rubbing = hn::IfThenElseZero(inside, stiff * part.depth);
   p.cut = p.credit = zero;
-  p.left = fill;
+  p.left = p.kept;
   p.energy = p.price = material.energy;
   Mask is_cut = hn::MaskFromVec(zero);
-  CutDepthVectors cut(s.top, material.cutting_depth);
+  CutDepthVectors cut(p.top, material.cutting_depth);
   const Vec work = half * material.cutting_ratio * material.stiffness * damped * s.slip_path;
   const float slip_time = m.duration * m.level_of_detail;
   const Vec speed = hn::Max(zero, s.rate), per_time = broadcast(1 / slip_time);
   if (may_cut) {
     if (m.tooth_rate > 0) {
       const Vec rate = work * per_time * material.inverse_energy;
-      const ChordVectors chord = chord_of_chips(material, m.tooth_rate, rate, s.top, far_plane * l, speed);
+      const ChordVectors chord = chord_of_chips(material, m.tooth_rate, rate, p.top, far_plane * l, speed);
       p.energy = p.price = chord.energy;
       cut = chord.cut;
     }
     is_cut = hn::And(inside, cut.excess > zero);
+    if constexpr (kCrushes) is_cut = hn::And(is_cut, p.kept > zero);
   }
   if (!hn::AllFalse(d, is_cut)) {
-    const Vec cutting = section.cutting(height, cut.least * per_l, cut.beyond(s.top) * per_l);
+    const Vec cutting = section.cutting(height, cut.least * per_l, cut.beyond(p.top) * per_l);
     Vec path = work / p.price;  // k_d dt
-    Vec share = share_of_recession(s.top, cut, path * per_time, speed, slip_time);
+    Vec share = share_of_recession(p.top, cut, path * per_time, speed, slip_time);
     if (release) {  // helped by what is stored where the layer's top is on average
       const Vec squared = hn::MulAdd(share, cut.excess, cut.least * cut.least);
       p.price = hn::Max(hn::NegMulAdd(half * material.stiffness, squared, p.price),
                         p.price * broadcast(FoundationLaw::kLeastEnergyShare));
       path = work / p.price;
-      share = share_of_recession(s.top, cut, path * per_time, speed, slip_time);
+      share = share_of_recession(p.top, cut, path * per_time, speed, slip_time);
     }
-    const Vec gone = (path + path) * l * cutting * share / hn::Max(fill, broadcast(FoundationLaw::kSmallestPart));
+    const Vec gone = (path + path) * l * cutting * share / hn::Max(p.kept, broadcast(FoundationLaw::kSmallestPart));
     const Vec exponent = hn::IfThenElseZero(is_cut, hn::Min(gone, broadcast(FoundationLaw::kLargestExponent)));
     const Vec mean = mean_of_decay(exponent);
     p.cut = hn::IfThenElseZero(is_cut, stiff * cutting * share * mean);
     p.rubbing = hn::IfThenElse(is_cut, stiff * hn::Max(zero, part.depth - cutting), p.rubbing);
-    p.left = hn::NegMulAdd(fill * exponent, mean, fill);
+    p.left = hn::NegMulAdd(p.kept * exponent, mean, p.kept);
     const Mask finished = hn::And(hn::And(is_cut, exponent > zero), p.left < broadcast(FoundationLaw::kSmallestPart));
     // Never zero, so that it also says which lanes are finished.
     p.credit = hn::IfThenElseZero(finished, hn::Max(p.left, broadcast(1e-30F)));
@@ -226,10 +260,14 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
   // Where nothing is cut nothing is released, and nowhere less: what the midpoint rule lacks has entered.
   p.before = hn::NegMulAdd(p.rubbing + p.cut, advance, p.after + p.lead_work);
   p.released = zero;
+  if constexpr (kCrushes) {  // what is crushed to the last is finished too
+    const Mask none_kept = hn::And(p.crushed, p.kept <= zero);
+    p.credit = hn::IfThenElse(none_kept, broadcast(1e-30F), p.credit);
+  }
   const Mask taken = fill - p.left > broadcast(FoundationLaw::kSmallestLoss) * fill;
-  if (may_cut && !hn::AllFalse(d, taken)) {
-    const Vec earlier = hn::NegMulAdd(moved, broadcast(0.5F + m.lead), top);
-    const Vec surplus = hn::MulSub(energy, section.energy(height, earlier), p.before);
+  if ((may_cut || kCrushes) && !hn::AllFalse(d, taken)) {
+    const Vec earlier = hn::NegMulAdd(moved, broadcast(0.5F + m.lead), s.top * per_l);
+    const Vec surplus = hn::MulSub(energy, section.energy(full_height, earlier), p.before);
     p.released = hn::IfThenElseZero(taken, hn::Max(zero, surplus));
     p.before = p.before + p.released;
   }

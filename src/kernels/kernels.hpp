@@ -7,6 +7,7 @@
 
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/resultant.hpp"
+#include "hapticut/force/spread_friction.hpp"
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/contact.hpp"
 #include "hapticut/workpiece/removal.hpp"
@@ -49,8 +50,10 @@
 ///     strips-inl.hpp            lanes, masks, materials and velocities of a strip
 ///     gather-inl.hpp            which voxels of a block may be inside the head
 ///     press_sums-inl.hpp        what is added up
-///     stiffness-inl.hpp         and what a coupling wants besides
+///     stiffness-inl.hpp         and what a coupling wants besides,
+///     friction-inl.hpp          and dry friction
 ///     materials-inl.hpp         constants of the voxels in work, and what was removed of each material
+///     places-inl.hpp            where they come from, and where goes what is left
 ///     motion-inl.hpp            how the head's surface moves at them
 ///     cut_voxels-inl.hpp        the default law on parts of voxels (Quadrature::sub_voxel)
 ///     press-inl.hpp             the default law: Press::sample, then Press::press_voxels
@@ -109,9 +112,17 @@ namespace hapticut::kernels {
 struct ContactSums : Pressed {           // the scalar reference adds up what it finds
   std::array<double, 256> removed = {};  ///< [voxels] filled volume that was removed, by MaterialId
 };
+struct FrictionSums {  // likewise
+  SpreadFriction sum;
+  [[nodiscard]] SpreadFriction total(double /*voxel_volume*/, double weight) const {
+    SpreadFriction all = sum;
+    return all *= weight;
+  }
+};
 }  // namespace hapticut::kernels
 #else
 #include "kernels/contact_sums.hpp"
+#include "kernels/friction_sums.hpp"
 #endif
 
 namespace hapticut::kernels {
@@ -120,7 +131,7 @@ namespace hapticut::kernels {
 struct PressTask {
   BlockView block;
   float* fill_after = nullptr;  ///< [512] the fills of changed strips are written here; may be `block.fill`
-  bool may_cut = true;          ///< false: felt but not cut
+  bool may_cut = true;          ///< false: felt but not cut, nor crushed
   BlockChange change;           ///< the result
 };
 
@@ -128,11 +139,13 @@ struct PressTask {
 /// registers: what the step runs unless it was given another law.
 /// @param sums       of the sub-step, to add to; `pressed` says what they mean
 /// @param stiffness  sums to add to; null: not wanted
+/// @param friction   likewise; of a head that stands
 void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
-                  StiffnessSums* stiffness = nullptr) noexcept;
+                  StiffnessSums* stiffness = nullptr, FrictionSums* friction = nullptr) noexcept;
 
 /// What the blocks that were pressed give together. Voxels that waited for their turn are represented by those that had
-/// it; what was removed is exact. LawEnergies::cutting is left to callers, who know the materials of `removed`.
+/// it; what was removed is exact. LawEnergies::cutting is what it took beyond u of all that was removed: callers, who
+/// know the materials of `removed`, add that.
 /// @param voxel_volume  [m^3]
 [[nodiscard]] Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept;
 

@@ -24,6 +24,9 @@ class LoadedMaterials {
 
   [[nodiscard]] HWY_INLINE const MaterialVectors& vectors() const { return vectors_; }
 
+  /// The material of all of them, or kEmpty where they differ.
+  [[nodiscard]] HWY_INLINE MaterialId one() const { return id_; }
+
   /// Loads the constants of a material, unless they are those of the voxels before.
   HWY_INLINE void load(MaterialId one) {
     if (one == id_) return;

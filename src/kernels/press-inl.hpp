@@ -9,9 +9,10 @@
 
 #include "hapticut/force/laws/foundation.hpp"
 #include "kernels/cut_voxels-inl.hpp"
+#include "kernels/friction-inl.hpp"
 #include "kernels/gather-inl.hpp"
-#include "kernels/materials-inl.hpp"
 #include "kernels/motion-inl.hpp"
+#include "kernels/places-inl.hpp"
 #include "kernels/press_sums-inl.hpp"
 #include "kernels/stiffness-inl.hpp"
 #include "kernels/strips-inl.hpp"
@@ -26,26 +27,29 @@ namespace strips {
 /// standing head, gathering would cost more than the empty lanes do (measured: decision 4).
 /// @tparam kOfParts  Quadrature::sub_voxel: voxels are integrated over their filled parts
 template <class Springs, Mode kMode, bool kOfParts>
-class Press {
+class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Springs::kCostly || kOfParts)> {
   static constexpr bool kGathers = kWidth == kStripLanes && (kMode != Mode::standing || Springs::kCostly || kOfParts);
+  using Origin = Places<kGathers>;
+  using Origin::book_removed, Origin::load_listed_materials, Origin::mark_emptied, Origin::material_of,
+      Origin::write_fills;
+  using Origin::material_, Origin::tasks_, Origin::totals_, Origin::voxels_;
 
  public:
   /// @param voxels, samples  room for those of a few blocks
   HWY_INLINE Press(const Springs& springs, const ContactJob& job, VoxelList& voxels, SampleList& samples,
-                   ContactSums& totals, StiffnessVectors* stiffness)
-      : springs_(springs),
+                   ContactSums& totals, StiffnessVectors* stiffness, FrictionVectors* friction)
+      : Origin(job.materials, voxels, totals),
+        springs_(springs),
         gather_(springs, job),
         job_(job),
         m_(job.motion),
-        voxels_(voxels),
         samples_(samples),
-        totals_(totals),
         stiffness_(stiffness),
+        friction_(friction),
         damped_(job.damped),
         release_(m_.removal == RemovalLaw::elastic_release),
         implicit_(m_.lead > 0 || stiffness != nullptr),
-        axes_((job.grid.voxel_steps / double(m_.voxel_size)).template cast<float>()),
-        material_(job.materials, totals) {}
+        axes_((job.grid.voxel_steps / double(m_.voxel_size)).template cast<float>()) {}
 
   HWY_INLINE void press(std::span<PressTask> tasks) {
     PressSums sums[kParts];  // close at hand in the loop
@@ -55,7 +59,7 @@ class Press {
         gather(int(n), sums[0]);
       } else {
         tasks_ = &tasks[n];
-        may_cut_ = may_cut(*tasks_);
+        allow(*tasks_);
         near_axis_ = kMode != Mode::standing && gather_.near_axis(tasks_->block);
         if (is_whole(tasks_->block))
           press_where_they_are<true>(sums);
@@ -86,12 +90,12 @@ class Press {
   /// Appends the voxels of a block to the list, and presses those listed when they are enough.
   HWY_INLINE void gather(int number, PressSums& sums) {
     PressTask& task = tasks_[number];
-    if (may_cut(task) != may_cut_) press_listed(sums);
-    may_cut_ = may_cut(task);
+    if (task.may_cut != may_write_) press_listed(sums);
+    allow(task);
     const std::uint32_t strips = gather_.append(task.block, number, voxels_);
     if (strips == 0) return;
     near_axis_ |= kMode != Mode::standing && gather_.near_axis(task.block);
-    if (kMode == Mode::cutting && may_cut_) begin_strips(task, strips);
+    if (kMode == Mode::cutting && writes()) begin_strips(task, strips);
     if (voxels_.count >= VoxelList::kEnough) press_listed(sums);
   }
 
@@ -113,14 +117,17 @@ class Press {
       press_voxels(first, 0, voxels_.place(first), hn::Load(d, voxels_.fill + first),
                    samples_.template load<kOfParts>(first), sums);
     }
-    if (kMode == Mode::cutting && may_cut_) write_fills();
+    if (kMode == Mode::cutting && writes()) write_fills();
     voxels_.clear();
     near_axis_ = false;
   }
 
-  [[nodiscard]] HWY_INLINE bool may_cut(const PressTask& task) const {
-    return task.may_cut && (!kOfParts || m_.cuts());
+  HWY_INLINE void allow(const PressTask& task) {
+    may_write_ = task.may_cut;
+    may_cut_ = may_write_ && (!kOfParts || m_.cuts());
+    may_crush_ = kOfParts && may_write_ && m_.crushes;
   }
+  [[nodiscard]] HWY_INLINE bool writes() const { return may_cut_ || may_crush_; }
 
   /// Stage sample_contact.
   /// @param r       [m] places of voxels, in T
@@ -184,7 +191,9 @@ class Press {
 
     Vec mean_fill = phi, gone = zero;
     if constexpr (kMode == Mode::standing) {
-      sums.add_normal(r, s, normal_force(sums, spring, damped, half_advance), Springs::kCentral);
+      const Vec normal = normal_force(sums, spring, damped, half_advance);
+      sums.add_normal(r, s, normal, Springs::kCentral);
+      if (friction_ != nullptr) add_friction(first, part, normal, phi, r, s);
     } else {
       const Vec kappa = material.cutting_ratio;
       Mask is_cut = hn::MaskFromVec(zero);
@@ -252,6 +261,14 @@ class Press {
   /// The same for parts of voxels.
   HWY_INLINE void press_parts(int first, std::size_t part, const Vectors& r, Vec old_fill, const Sample& s,
                               PressSums& sums) {
+    if (may_crush_ && !hn::AllFalse(Floats(), s.top > material_.vectors().crushing_depth)) [[unlikely]]
+      press_parts<true>(first, part, r, old_fill, s, sums);
+    else
+      press_parts<false>(first, part, r, old_fill, s, sums);
+  }
+  template <bool kCrushes>
+  HWY_INLINE void press_parts(int first, std::size_t part, const Vectors& r, Vec old_fill, const Sample& s,
+                              PressSums& sums) {
     const Floats d;
     const Vec zero = hn::Zero(d), half = broadcast(0.5F);
     const Mask inside = s.top > zero;
@@ -259,17 +276,23 @@ class Press {
     const MaterialVectors& material = material_.vectors();
     const Vec damped =
         damped_ ? hn::Max(zero, hn::MulAdd(material.damping, s.felt_rate, broadcast(1.0F))) : broadcast(1.0F);
-    const PressedParts p = press_parts_of(m_, material, s, fill, damped, may_cut_, release_);
-    if (may_cut_) {
+    const PressedParts p = press_parts_of<kCrushes>(m_, material, s, fill, damped, may_cut_, release_);
+    if (kCrushes || writes()) {
       const Mask finished = p.credit > zero;
       if (!hn::AllFalse(d, finished)) {
         sums.credited = hn::MulAdd(p.price, p.credit, sums.credited);
         mark_emptied(first, bits_of(finished));
       }
-      const Vec gone = fill - p.left;
-      if (release_) sums.helped = hn::MulAdd(p.energy - p.price, gone, sums.helped);
-      if (m_.tooth_rate > 0) sums.chips = hn::MulAdd(p.energy - material.energy, gone, sums.chips);
-      book_removed(gone, first, inside);
+      const Vec cut = p.kept - p.left;
+      if (release_) sums.helped = hn::MulAdd(p.energy - p.price, cut, sums.helped);
+      if (m_.tooth_rate > 0) sums.chips = hn::MulAdd(p.energy - material.energy, cut, sums.chips);
+      if constexpr (kCrushes) {
+        sums.chips = hn::NegMulAdd(material.energy, fill - p.kept, sums.chips);
+        // Less what of it helped cutting, which is booked there.
+        const Vec taken = release_ ? hn::NegMulAdd(p.energy - p.price, cut, p.released) : p.released;
+        sums.crushed = sums.crushed + hn::IfThenElseZero(p.crushed, taken);
+      }
+      book_removed(fill - p.left, first, inside);
       if constexpr (kGathers) {
         hn::Store(hn::IfThenElse(inside, p.left, old_fill), d, voxels_.fill_after + first);
       } else {
@@ -291,37 +314,19 @@ class Press {
     sums.damping = sums.damping + hn::MulAdd(normal - spring, advance, p.lead_work);
     if (stiffness_ != nullptr) [[unlikely]]
       add_springs(m_, p.slope(material, damped, m_.duration), normal, kappa, r, s, stiffness_[part]);
+    if (friction_ != nullptr) add_friction(first, part, normal, p.volume, r, s);
     sums.fill = sums.fill + p.volume;
-    sums.depth = hn::Max(sums.depth, s.top);
+    sums.depth = hn::Max(sums.depth, p.top);
   }
 
-  HWY_INLINE void mark_emptied(int first, unsigned lanes) const {
-    for (; lanes != 0; lanes &= lanes - 1) {
-      const int n = first + std::countr_zero(lanes), voxel = voxel_of(n);
-      BlockChange& change = task_of(n).change;
-      change.any_emptied = true;
-      change.emptied[std::size_t(voxel >> 6)] |= std::uint64_t(1) << (voxel & 63);
-    }
-  }
-
-  /// Of voxel n of the list, or of the block where there is none: the block's task and the place in the block.
-  [[nodiscard]] HWY_INLINE PressTask& task_of(int n) const {
-    return kGathers ? tasks_[unsigned(voxels_.index[n]) / kBlockVoxels] : *tasks_;
-  }
-  [[nodiscard]] HWY_INLINE int voxel_of(int n) const { return kGathers ? voxels_.index[n] % kBlockVoxels : n; }
-  [[nodiscard]] HWY_INLINE MaterialId material_of(int n) const {
-    const BlockView& block = task_of(n).block;
-    return block.material == nullptr ? block.uniform_material : block.material[voxel_of(n)];
-  }
-
-  /// What the sub-step left of the listed voxels goes back to where they came from.
-  HWY_INLINE void write_fills() const {
-    const float* after = voxels_.fill_after;
-    for (int n = 0; n < voxels_.runs; ++n) {
-      const unsigned first = unsigned(voxels_.run_first[n]), lanes = voxels_.run_lanes[n];
-      spread(after, lanes, tasks_[first / kBlockVoxels].fill_after + first % kBlockVoxels);
-      after += std::popcount(lanes);
-    }
+  HWY_INLINE void add_friction(int first, std::size_t part, Vec normal, Vec filled, const Vectors& r, const Sample& s) {
+    const FrictionConstants constants(job_.materials, [&](int lane) HWY_ATTR {
+      return material_.one() != kEmpty ? material_.one() : material_of(first + lane);
+    });
+    // Copies, so that the ones in the loop need no address.
+    const Vectors place = r;
+    const Vec radial = s.radial, axial = s.axial;
+    friction_[part].add(normal, filled, constants, place, radial, axial);
   }
 
   /// The energies of a sub-step whose contact is evaluated after its middle: corrects the sums from the depth w there
@@ -360,36 +365,18 @@ class Press {
     return normal;
   }
 
-  HWY_INLINE void load_listed_materials(int first) {
-    MaterialId ids[kStripLanes];
-    for (int lane = 0; lane < kStripLanes; ++lane) ids[lane] = material_of(first + lane);
-    material_.load(ids, kAllLanes);
-  }
-  /// Books what was removed, by material.
-  HWY_INLINE void book_removed(Vec removed, int first, Mask inside) {
-    if (material_.book(removed)) return;
-    alignas(64) float lanes[kWidth];
-    hn::Store(removed, Floats(), lanes);
-    for (unsigned bits = bits_of(inside); bits != 0; bits &= bits - 1) {
-      const int lane = std::countr_zero(bits);
-      totals_.removed[material_of(first + lane)] += double(lanes[lane]);
-    }
-  }
-
   const Springs& springs_;
   const Gather<Springs> gather_;
   const ContactJob& job_;
   const HeadMotion& m_;
-  VoxelList& voxels_;
   SampleList& samples_;
-  ContactSums& totals_;
   StiffnessVectors* const stiffness_;  // [kParts]; null: not wanted
+  FrictionVectors* const friction_;    // likewise
   const bool damped_, release_, implicit_;
   const Eigen::Matrix3f axes_;  // of the grid, in T
-  PressTask* tasks_ = nullptr;  // all of them where voxels are listed, the present one where they are not
-  bool may_cut_ = true;         // of the voxels listed, or of the block where there is no list
-  bool near_axis_ = false;      // some of them are near the spindle's axis
-  LoadedMaterials material_;
+  // Of the voxels listed, or of the block where there is no list:
+  bool may_write_ = true, may_cut_ = true, may_crush_ = false;
+  bool near_axis_ = false;  // some of them are near the spindle's axis
 };
 
 }  // namespace strips

@@ -16,14 +16,20 @@ namespace strips {
 
 template <class Springs, Mode kMode, bool kOfParts = false>
 HWY_INLINE void PressAll(const Springs& springs, const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
-                         StiffnessSums* stiffness) {
+                         StiffnessSums* stiffness, FrictionSums* friction) {
   VoxelList voxels;  // empty
   SampleList samples;
   StiffnessVectors by_part[kParts];
   if (stiffness != nullptr)
     for (StiffnessVectors& part : by_part) part.clear();
-  Press<Springs, kMode, kOfParts> press(springs, job, voxels, samples, sums, stiffness == nullptr ? nullptr : by_part);
+  FrictionVectors friction_by_part[kParts];
+  if (friction != nullptr)
+    for (FrictionVectors& part : friction_by_part) part.clear();
+  Press<Springs, kMode, kOfParts> press(springs, job, voxels, samples, sums, stiffness == nullptr ? nullptr : by_part,
+                                        friction == nullptr ? nullptr : friction_by_part);
   press.press(tasks);
+  if (friction != nullptr)
+    for (std::size_t part = 0; part < kParts; ++part) friction_by_part[part].flush(part, *friction);
   if (stiffness != nullptr)
     for (std::size_t part = 0; part < kParts; ++part) by_part[part].flush(part, *stiffness);
 }
@@ -31,16 +37,17 @@ HWY_INLINE void PressAll(const Springs& springs, const ContactJob& job, std::spa
 }  // namespace strips
 
 HWY_ATTR void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
-                          StiffnessSums* stiffness) {
+                          StiffnessSums* stiffness, FrictionSums* friction) {
   using strips::Mode;
   visit_springs(job.head, [&](const auto& springs) HWY_ATTR {
     using Springs = std::decay_t<decltype(springs)>;
     if (job.quadrature == Quadrature::sub_voxel)  // whether the head turns and cuts, it asks as it runs
-      return strips::PressAll<Springs, Mode::cutting, true>(springs, job, tasks, sums, stiffness);
-    if (job.motion.spin == 0) return strips::PressAll<Springs, Mode::standing>(springs, job, tasks, sums, stiffness);
+      return strips::PressAll<Springs, Mode::cutting, true>(springs, job, tasks, sums, stiffness, friction);
+    if (job.motion.spin == 0)
+      return strips::PressAll<Springs, Mode::standing>(springs, job, tasks, sums, stiffness, friction);
     if (job.motion.removal == RemovalLaw::none)
-      return strips::PressAll<Springs, Mode::rubbing>(springs, job, tasks, sums, stiffness);
-    return strips::PressAll<Springs, Mode::cutting>(springs, job, tasks, sums, stiffness);
+      return strips::PressAll<Springs, Mode::rubbing>(springs, job, tasks, sums, stiffness, friction);
+    return strips::PressAll<Springs, Mode::cutting>(springs, job, tasks, sums, stiffness, friction);
   });
 }
 

@@ -58,14 +58,14 @@ class SampleList {
 /// Running sums of one vector of lanes.
 struct PressSums {
   Vec force_x, force_y, force_z, torque_x, torque_y, torque_z;
-  Vec twice_middle, elastic_change, twice_removed, lag, helped, chips, damping, rubbing, credited, couple, fill, depth,
-      pressed;
+  Vec twice_middle, elastic_change, twice_removed, lag, helped, chips, crushed, damping, rubbing, credited, couple,
+      fill, depth, pressed;
   int voxels = 0;
 
   HWY_INLINE PressSums() {
     const Vec zero = broadcast(0.0F);
     force_x = force_y = force_z = torque_x = torque_y = torque_z = zero;
-    twice_middle = elastic_change = twice_removed = lag = helped = chips = zero;
+    twice_middle = elastic_change = twice_removed = lag = helped = chips = crushed = zero;
     damping = rubbing = credited = couple = fill = depth = pressed = zero;
   }
   /// @param normal   [N/m^3] along the normal
@@ -123,6 +123,7 @@ struct PressSums {
       add(ContactSums::kLag, lag);
       add(ContactSums::kHelped, helped);
       add(ContactSums::kChips, chips);
+      add(ContactSums::kCrushed, crushed);
       add(ContactSums::kCredited, credited);
       add(ContactSums::kNormal, pressed);
     }

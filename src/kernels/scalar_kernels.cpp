@@ -22,7 +22,8 @@ BlockView with_turn(const ContactJob& job, const BlockView& block,
   return view;
 }
 
-void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, StiffnessSums* stiffness) noexcept {
+void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, StiffnessSums* stiffness,
+                 FrictionSums* friction) noexcept {
   thread_local ContactBlock contact;
   task.change = {};
   std::array<std::uint64_t, kBlockEdge> solid;
@@ -30,12 +31,13 @@ void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, Stif
   sample_contact(job.head, block, job.grid, job.quadrature, contact);
   if (contact.samples == 0) return;
   HeadMotion motion = job.motion;
-  if (!task.may_cut) motion.removal = RemovalLaw::none;
+  if (!task.may_cut) motion.removal = RemovalLaw::none, motion.crushes = false;
   const LawTotals totals = FoundationLaw().evaluate(motion, job.materials, contact);
   hapticut::sum_resultant(contact, sums.resultant);
   sums.resultant.wrench_T.torque.z() += totals.spin_couple;
   sums.energies += totals.energies;
   if (stiffness != nullptr) add_stiffness(contact, motion, job.materials, *stiffness);
+  if (friction != nullptr) friction->sum.add(contact, motion, job.materials);
   if (totals.may_remove) task.change = find_changes(contact, task.block, task.fill_after, sums.removed);
 }
 
@@ -49,12 +51,12 @@ void sample_contact(const ToolHead& head, const BlockView& block, const GridInHe
 
 void sum_resultant(const ContactBlock& block, Resultant& total) noexcept { hapticut::sum_resultant(block, total); }
 
-void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
-                  StiffnessSums* stiffness) noexcept {
-  for (PressTask& task : tasks) press_block(job, task, sums, stiffness);
+void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums, StiffnessSums* stiffness,
+                  FrictionSums* friction) noexcept {
+  for (PressTask& task : tasks) press_block(job, task, sums, stiffness, friction);
 }
 
-Pressed pressed(const ContactJob& job, const ContactSums& sums, double /*voxel_volume*/) noexcept {
+Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept {
   const double weight = job.level_of_detail;
   Pressed all = sums;
   all.resultant.wrench_T.force *= weight;
@@ -64,9 +66,10 @@ Pressed pressed(const ContactJob& job, const ContactSums& sums, double /*voxel_v
   all.energies.elastic_before *= weight;
   all.resultant.normal_force *= weight;
   // What waited for its turn takes up the work, and loses nothing.
-  all.energies.elastic += (weight - 1) * (sums.energies.elastic + sums.energies.released);
+  all.energies.elastic += (weight - 1) * (sums.energies.elastic + sums.energies.released + sums.energies.crushed);
   all.energies.damping *= weight;
-  all.energies.cutting = 0;
+  for (std::size_t id = 1; id < sums.removed.size(); ++id)
+    all.energies.cutting -= double(job.materials[id].cutting_energy) * sums.removed[id] * voxel_volume;
   return all;
 }
 

@@ -17,7 +17,8 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 void SampleContact(const ToolHead& head, const BlockView& block, const GridInHead& grid, Quadrature quadrature,
                    ContactBlock& out);
-void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums, StiffnessSums* stiffness);
+void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums, StiffnessSums* stiffness,
+                 FrictionSums* friction);
 void SumResultant(const ContactBlock& block, Resultant& total);
 
 }  // namespace hapticut::kernels::HWY_NAMESPACE
@@ -38,9 +39,9 @@ void sample_contact(const ToolHead& head, const BlockView& block, const GridInHe
   HWY_DYNAMIC_DISPATCH(SampleContact)(head, block, grid, quadrature, out);
 }
 
-void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
-                  StiffnessSums* stiffness) noexcept {
-  HWY_DYNAMIC_DISPATCH(PressBlocks)(job, tasks, sums, stiffness);
+void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums, StiffnessSums* stiffness,
+                  FrictionSums* friction) noexcept {
+  HWY_DYNAMIC_DISPATCH(PressBlocks)(job, tasks, sums, stiffness, friction);
 }
 
 void sum_resultant(const ContactBlock& block, Resultant& total) noexcept {
@@ -68,7 +69,8 @@ Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_vol
   if (job.quadrature == Quadrature::sub_voxel) {  // whose change and lag hold what was removed, once
     const double taken_up = 2 * (change - lag);
     energies.elastic = energies.elastic_before + (2 * change + (weight - 1) * taken_up) / weight;
-    energies.released = -2 * lag / weight - total(Term::kHelped) / weight;
+    energies.crushed = total(Term::kCrushed) / weight;
+    energies.released = -2 * lag / weight - total(Term::kHelped) / weight - energies.crushed;
   } else {
     energies.elastic = middle + change - removed;
     energies.released = removed - 2 * lag - total(Term::kHelped) / weight;

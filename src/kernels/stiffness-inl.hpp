@@ -25,7 +25,7 @@ class StiffnessVectors {
 
   /// @param slope  [N/m^4] of the springs; zero in lanes without one
   /// @param q      the force that one along the normals n brings with it
-  HWY_INLINE void add(Vec slope, const Vectors& r, const Vectors& n, const Vectors& q) {
+  HWY_NOINLINE void add(Vec slope, const Vectors& r, const Vectors& n, const Vectors& q) {
     const Vec row[6] = {q.x, q.y, q.z, cross_x(r, q), cross_y(r, q), cross_z(r, q)};
     const Vec column[6] = {n.x, n.y, n.z, cross_x(r, n), cross_y(r, n), cross_z(r, n)};
     for (int i = 0; i < 6; ++i) {

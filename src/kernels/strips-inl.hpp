@@ -84,7 +84,8 @@ HWY_INLINE Vec mean_of_decay(Vec x) {
 
 /// Material constants of the lanes of one vector.
 struct MaterialVectors {
-  Vec stiffness, damping, cutting_ratio, energy, inverse_energy, cutting_depth, edge_length, size_length;
+  Vec stiffness, damping, cutting_ratio, energy, inverse_energy, cutting_depth, edge_length, size_length,
+      crushing_depth;
 
   HWY_INLINE explicit MaterialVectors(const ContactMaterial& m)
       : stiffness(broadcast(m.stiffness)),
@@ -94,10 +95,11 @@ struct MaterialVectors {
         inverse_energy(broadcast(1.0F / m.cutting_energy)),
         cutting_depth(broadcast(m.cutting_depth)),
         edge_length(broadcast(m.edge_length)),
-        size_length(broadcast(m.size_length)) {}
+        size_length(broadcast(m.size_length)),
+        crushing_depth(broadcast(m.crushing_depth)) {}
 
   HWY_INLINE MaterialVectors(const ContactMaterials& table, const MaterialId* ids) {
-    alignas(64) float lanes[8][kWidth];
+    alignas(64) float lanes[9][kWidth];
     for (std::size_t i = 0; i < kWidth; ++i) {
       const ContactMaterial& m = table[ids[i]];
       lanes[0][i] = m.stiffness;
@@ -108,6 +110,7 @@ struct MaterialVectors {
       lanes[5][i] = m.cutting_depth;
       lanes[6][i] = m.edge_length;
       lanes[7][i] = m.size_length;
+      lanes[8][i] = m.crushing_depth;
     }
     const Floats d;
     stiffness = hn::Load(d, lanes[0]);
@@ -118,6 +121,7 @@ struct MaterialVectors {
     cutting_depth = hn::Load(d, lanes[5]);
     edge_length = hn::Load(d, lanes[6]);
     size_length = hn::Load(d, lanes[7]);
+    crushing_depth = hn::Load(d, lanes[8]);
   }
 };
 

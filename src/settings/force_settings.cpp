@@ -158,7 +158,9 @@ std::vector<Setting> settings_of(ForceSettings& s) {
                   "of the standing spindle, for all materials, not above the static one [the static one]"),
            number("force.tangential_stiffness_N_per_m", "--tangential_stiffness_N_per_m",
                   s.tangential_stiffness_N_per_m, range_of(&DryFriction::tangential_stiffness),
-                  "of the sticking anchor, for all materials [1000 where friction is given here]"),
+                  "of the sticking anchor, for all materials; 0: as the contact has along its normals [0 where "
+                  "friction is given "
+                  "here]"),
            boolean("force.deep_contact", "--deep_contact", s.deep_contact,
                    "a ball pushed beyond its radius keeps pushing back [true]"),
            choice("force.handle_torque", "--handle_torque", s.handle_torque,

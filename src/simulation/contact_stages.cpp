@@ -83,6 +83,10 @@ void ContactStages::exchange_materials(ContactMaterials& materials) noexcept {
   damped_ = std::any_of(materials_.begin(), materials_.end(), [](const auto& m) { return m.damping != 0; });
   any_chips_ = std::any_of(materials_.begin(), materials_.end(),
                            [](const auto& m) { return m.edge_length > 0 || m.size_length > 0; });
+  least_crushing_depth_ = ContactMaterial::kNeverCrushed;
+  if (law_ == nullptr && quadrature_ == Quadrature::sub_voxel)
+    for (const ContactMaterial& m : materials_)
+      least_crushing_depth_ = std::min(least_crushing_depth_, m.crushing_depth);
   set_cutting_share(share);
 }
 
@@ -112,6 +116,13 @@ int ContactStages::level_of_detail(std::span<const CuttableBlock> blocks) const 
     for (int slab = 0; slab < kBlockEdge; ++slab)
       solid += block.view.solid == nullptr ? 64 : std::size_t(std::popcount(block.view.solid[slab]));
   return std::max(1, int((std::min(solid, most_voxels_) + voxel_budget_ - 1) / voxel_budget_));
+}
+
+void ContactStages::set_friction(MaterialId id, const DryFriction& friction) noexcept {
+  ContactMaterial& material = materials_[id];
+  material.static_friction = float(friction.static_friction);
+  material.dynamic_friction = float(friction.dynamic_friction);
+  material.tangential_stiffness = float(friction.tangential_stiffness);
 }
 
 void ContactStages::set_cutting_share(double share) noexcept {
@@ -156,19 +167,35 @@ Encounter ContactStages::press(std::span<const CuttableBlock> blocks, const Head
     encounter.drop_what_is_not_finite();
     return encounter;
   }
+  if (at.motion.cuts() || !at.motion.crushes) return press_once(blocks, at, stiffness_T);
+  // A head that does not cut hardly ever crushes: so it is looked at when something is that deep.
+  HeadPlacement gently = at;
+  gently.motion.crushes = false;
+  const Encounter encounter = press_once(blocks, gently, stiffness_T);
+  return crushes(encounter) ? press_once(blocks, at, stiffness_T) : encounter;
+}
+
+Encounter ContactStages::press_once(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                    Stiffness* stiffness_T) noexcept {
   const kernels::ContactJob job = job_at(blocks, at);
+  const bool removes = at.motion.cuts() || at.motion.crushes;
   kernels::ContactSums sums;
   kernels::StiffnessSums stiffness;
+  kernels::FrictionSums friction;
+  const bool stands = at.motion.spin == 0;
   for (std::size_t first = 0; first < blocks.size(); first += kPressedAtOnce) {
     const std::size_t count = std::min(kPressedAtOnce, blocks.size() - first);
     for (std::size_t n = 0; n < count; ++n) {  // the new fills are not read
       const CuttableBlock& block = blocks[first + n];
-      tasks_[n] = {block.view, new_fill_.data(), at.motion.cuts() && can_cut(block), {}};
+      tasks_[n] = {block.view, new_fill_.data(), removes && can_cut(block), {}};
     }
-    kernels::press_blocks(job, std::span(tasks_).first(count), sums, stiffness_T != nullptr ? &stiffness : nullptr);
+    kernels::press_blocks(job, std::span(tasks_).first(count), sums, stiffness_T != nullptr ? &stiffness : nullptr,
+                          stands ? &friction : nullptr);
   }
   if (stiffness_T != nullptr) *stiffness_T = stiffness.total(double(job.level_of_detail) * voxel_volume_);
-  return encounter_of(job, sums);
+  Encounter encounter = encounter_of(job, sums);
+  if (stands) encounter.friction_T = friction.total(voxel_volume_, double(job.level_of_detail));
+  return encounter;
 }
 
 kernels::ContactJob ContactStages::job_at(std::span<const CuttableBlock> blocks,
@@ -189,34 +216,46 @@ Encounter ContactStages::encounter_of(const kernels::ContactJob& job, const kern
   encounter.energies = pressed.energies;
   encounter.level_of_detail = int(job.level_of_detail);
   const auto materials = std::size_t(workpiece_.materials().size());
+  double& cutting = encounter.energies.cutting;
   for (std::size_t id = 1; id <= materials; ++id)
-    encounter.energies.cutting += double(materials_[id].cutting_energy) * (sums.removed[id] * voxel_volume_);
+    cutting += double(materials_[id].cutting_energy) * (sums.removed[id] * voxel_volume_);
+  // Of what was crushed, the difference of a sum in double and one in single precision is left.
+  cutting = job.motion.cuts() ? std::max(0.0, cutting) : 0.0;
   return encounter;
 }
 
-/// FoundationLaw, block by block in one pass of vector instructions.
+/// FoundationLaw, block by block in one pass of vector instructions. A head that does not cut is only pressed, unless
+/// something is so deep that it is crushed.
 Encounter ContactStages::cut_by_default_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                             RemovalRecord& removal) noexcept {
+  if (!at.motion.cuts()) {
+    HeadPlacement gently = at;
+    gently.motion.crushes = false;
+    const Encounter encounter = press_once(blocks, gently, nullptr);
+    if (!at.motion.crushes || !crushes(encounter)) return encounter;
+  }
   const kernels::ContactJob job = job_at(blocks, at);
   kernels::ContactSums sums;
+  kernels::FrictionSums friction;
+  const bool stands = at.motion.spin == 0;
   bool exhausted = false;
-  const bool cuts = at.motion.cuts();
   for (std::size_t first = 0; first < blocks.size();) {
     std::size_t count = 0;
     while (first + count < blocks.size() && count < kPressedAtOnce) {
       const CuttableBlock& block = blocks[first + count];
-      const bool writable = cuts && can_cut(block);
-      exhausted |= cuts && !writable;
+      const bool writable = can_cut(block);
+      exhausted |= !writable;
       if (writable && block.fill != nullptr) workpiece_.remember(block.view);
       tasks_[count++] = {block.view, fill_target(block), writable, {}};
-      if (cuts && block.fill == nullptr) break;  // its new fills must be kept before another block needs their place
+      if (block.fill == nullptr) break;  // its new fills must be kept before another block needs their place
     }
-    kernels::press_blocks(job, std::span(tasks_).first(count), sums);
+    kernels::press_blocks(job, std::span(tasks_).first(count), sums, nullptr, stands ? &friction : nullptr);
     for (std::size_t n = 0; n < count; ++n) keep_change(blocks[first + n], tasks_[n].change);
     first += count;
   }
   Encounter encounter = encounter_of(job, sums);
   encounter.blocks_exhausted = exhausted;
+  if (stands) encounter.friction_T = friction.total(voxel_volume_, double(job.level_of_detail));
   for (int id = 1; id <= workpiece_.materials().size(); ++id)
     if (const double removed = sums.removed[std::size_t(id)]; removed != 0)
       removal.add_volume(MaterialId(id), removed * voxel_volume_);
@@ -251,6 +290,7 @@ Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const He
     const LawTotals totals = law_->evaluate(writable ? motion : without_removal, materials_, contact_);
     encounter.add(totals);
     kernels::sum_resultant(contact_, encounter.resultant);
+    if (motion.spin == 0) encounter.friction_T.add(contact_, motion, materials_);
     leave(block, totals.may_remove && writable);
   }
   return encounter;

@@ -28,7 +28,8 @@ struct Encounter {
   LawEnergies energies;
   bool blocks_exhausted = false;
   bool force_not_finite = false;
-  int level_of_detail = 1;  // an n-th of the voxels was evaluated
+  int level_of_detail = 1;    // an n-th of the voxels was evaluated
+  SpreadFriction friction_T;  // of a head that stands, about To, in T
 
   void add(const LawTotals& block) {
     energies += block.energies;
@@ -138,8 +139,14 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   void list_change(const VoxelIndex& origin) noexcept;
   [[nodiscard]] const ChangedBlocks& changed() const noexcept { return changed_blocks_; }
 
+  /// Whether some material can be crushed, as the default law does it.
+  [[nodiscard]] bool any_crushing() const noexcept { return least_crushing_depth_ < ContactMaterial::kNeverCrushed; }
+
   /// Whether some material's energy depends on the chip: then motions have a tooth_rate.
   [[nodiscard]] bool any_chips() const noexcept { return any_chips_; }
+
+  /// Dry friction of a material.
+  void set_friction(MaterialId id, const DryFriction& friction) noexcept;
 
   /// Scales the cutting ratio of all materials while the spindle is slow: see `standing_share`.
   void set_cutting_share(double share) noexcept;
@@ -152,6 +159,11 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   [[nodiscard]] kernels::ContactJob job_at(std::span<const CuttableBlock> blocks,
                                            const HeadPlacement& at) const noexcept;
   [[nodiscard]] Encounter encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums) const noexcept;
+  [[nodiscard]] bool crushes(const Encounter& pressed) const noexcept {
+    return pressed.resultant.depth > double(least_crushing_depth_);
+  }
+  [[nodiscard]] Encounter press_once(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                     Stiffness* stiffness_T) noexcept;
   [[nodiscard]] Encounter cut_by_default_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                              RemovalRecord& removal) noexcept;
   [[nodiscard]] Encounter cut_by_given_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
@@ -170,11 +182,12 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   std::shared_ptr<const ForceLaw> law_;  // null: FoundationLaw, for which there are kernels
   Quadrature quadrature_;
   ContactMaterials materials_;
-  std::array<float, 256> cutting_ratios_ = {};  // [1] of the materials at full spin
-  double cutting_share_ = 1;                    // [1] of them that holds now
-  bool damped_ = false;                         // some material has damping
-  bool any_chips_ = false;                      // the energy of some material depends on the chip
-  double voxel_volume_;                         // [m^3]
+  std::array<float, 256> cutting_ratios_ = {};                   // [1] of the materials at full spin
+  double cutting_share_ = 1;                                     // [1] of them that holds now
+  bool damped_ = false;                                          // some material has damping
+  bool any_chips_ = false;                                       // the energy of some material depends on the chip
+  float least_crushing_depth_ = ContactMaterial::kNeverCrushed;  // [m] of the materials
+  double voxel_volume_;                                          // [m^3]
   std::size_t most_voxels_ = 0, most_blocks_ = 0;
   std::size_t voxel_budget_;  // 0: no limit
   unsigned turn_ = 0;         // of the level of detail

@@ -69,11 +69,10 @@ const MaterialTable& PreparedMaterials::materials() const noexcept { return stat
 
 /// The friction of each material that the standing head meets.
 void Simulation::State::set_material_friction() noexcept {
-  for (std::size_t id = 0; id < material_friction.size(); ++id) {
-    const Material* m = workpiece.materials().find(MaterialId(id));
-    if (m == nullptr) continue;
-    material_friction[id] =
-        config.friction.value_or(DryFriction{m->static_friction, m->dynamic_friction, m->tangential_stiffness});
+  for (int id = 1; id <= workpiece.materials().size(); ++id) {
+    const Material& m = *workpiece.materials().find(MaterialId(id));
+    const DryFriction own = {m.static_friction, m.dynamic_friction, m.tangential_stiffness};
+    contact_stages.set_friction(MaterialId(id), config.friction.value_or(own));
   }
 }
 

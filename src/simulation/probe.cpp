@@ -35,10 +35,10 @@ ContactProbe Simulation::State::probe_way(const Pose& from, const Pose& pose, in
   ContactProbe probed;
   const Twist path = twist_between(from, pose, dt);
   DeepContact deep = deep_contact;
-  FrictionMemory memory = friction_memory;
+  LimitSurface friction = anchor;
   for (int i = 0; i < sub_steps; ++i) {
     const SubStep sub_step = plan_sub_step(from, i, dt / sub_steps, path, velocity);
-    const ContactProbe part = probe_sub_step(sub_step, deep, memory);
+    const ContactProbe part = probe_sub_step(sub_step, deep, friction);
     const double share = 1.0 / sub_steps, moves = (i + 1) * share;  // with the end of the way
     probed.wrench.force += share * part.wrench.force;
     probed.wrench.torque += share * part.wrench.torque;
@@ -82,7 +82,7 @@ Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& pos
 }
 
 ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepContact& deep,
-                                               FrictionMemory& memory) noexcept {
+                                               LimitSurface& friction) noexcept {
   Stiffness stiffness_T;
   Encounter encounter = contact_stages.press(contact_stages.find_blocks(sub_step.head), sub_step.head, stiffness_T);
   Wrench& wrench_T = encounter.resultant.wrench_T;
@@ -92,17 +92,14 @@ ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepCont
   const Vec3 along = R_WT.transpose() * deep.normal();
   stiffness_T.topLeftCorner<3, 3>() += deep.stiffness() * along * along.transpose();
 
-  const AnchorForce pull = pull_of_anchor(sub_step, encounter, memory);
-  wrench_T.force += pull.wrench_T.force;
-  wrench_T.torque += pull.wrench_T.torque;
-  Stiffness at_anchor = Stiffness::Zero();
-  at_anchor.topLeftCorner<3, 3>() = pull.stiffness_T;
-  // The anchor pulls at Q: about To that is the stiffness of a body point p_TQ away.
-  stiffness_T += transport(at_anchor, Mat3::Identity(), pull.p_TQ);
+  const LimitSurface::Outcome pull = pull_of_anchor(sub_step, encounter, friction);
+  wrench_T.force += R_WT.transpose() * pull.wrench.force;
+  wrench_T.torque += R_WT.transpose() * pull.wrench.torque;
+  stiffness_T += transport(pull.stiffness, R_WT.transpose(), Vec3::Zero());
 
   const Vec3 p_HoTo_W = sub_step.X_WT.translation - sub_step.X_WH.translation;
   return {transport(Wrench{R_WT * wrench_T.force, R_WT * wrench_T.torque}, p_HoTo_W),
-          transport(stiffness_T, R_WT, p_HoTo_W), contact_of(encounter), memory.anchor.sliding()};
+          transport(stiffness_T, R_WT, p_HoTo_W), contact_of(encounter), friction.sliding()};
 }
 
 }  // namespace hapticut

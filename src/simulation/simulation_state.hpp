@@ -7,6 +7,7 @@
 
 #include "hapticut/force/deep_contact.hpp"
 #include "hapticut/force/friction.hpp"
+#include "hapticut/force/limit_surface.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "simulation/contact_stages.hpp"
 #include "simulation/stage_timer.hpp"
@@ -24,12 +25,6 @@ struct SubStep {
   HeadPlacement head;  // the same for the stages that see voxels
 };
 
-/// What dry friction remembers from step to step.
-struct FrictionMemory {
-  StickSlip anchor;        // in W
-  MaterialId touched = 1;  // material at the contact point
-};
-
 /// What the contact takes of the motor.
 struct SpindleLoad {
   double torque = 0;       // [N·m] about +z; of a stalled head, what it would take to turn it
@@ -43,14 +38,6 @@ struct Observers {
   std::array<StepObserver*, Simulation::kMostObservers> places = {};
   std::size_t count = 0;
   [[nodiscard]] std::span<StepObserver* const> all() const noexcept { return {places.data(), count}; }
-};
-
-/// What the anchor of dry friction does to the head in a sub-step.
-struct AnchorForce {
-  Wrench wrench_T;                  // on the tool about To, in T
-  double dissipated = 0;            // [J]
-  Mat3 stiffness_T = Mat3::Zero();  // [N/m] of the place where it pulls, in T
-  Vec3 p_TQ = Vec3::Zero();         // [m] that place, in T
 };
 
 /// @throws Error when a head does not suit voxels of a size [m]
@@ -92,10 +79,9 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   [[nodiscard]] DeepContact::Outcome hold(const SubStep& sub_step, const Encounter& encounter,
                                           DeepContact& deep) noexcept;
   void add_friction(const SubStep& sub_step, Encounter& encounter) noexcept;
-  [[nodiscard]] AnchorForce pull_of_anchor(const SubStep& sub_step, const Encounter& encounter,
-                                           FrictionMemory& memory) noexcept;
-  [[nodiscard]] Wrench normal_wrench(const SubStep& sub_step) noexcept;
-  [[nodiscard]] const DryFriction& friction_at(const Vec3& p_WQ, MaterialId& touched) const noexcept;
+  [[nodiscard]] LimitSurface::Outcome pull_of_anchor(const SubStep& sub_step, const Encounter& encounter,
+                                                     LimitSurface& anchor) noexcept;
+  [[nodiscard]] Encounter press_standing(const SubStep& sub_step) noexcept;
   void book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept;
   void transport_to_handle(const SubStep& sub_step, const Encounter& encounter, double share) noexcept;
   [[nodiscard]] Contact contact_of(const Encounter& encounter) const noexcept {
@@ -122,7 +108,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   [[nodiscard]] Stiffness measure_stiffness(const Pose& from, const Pose& pose, int sub_steps, const Twist& velocity,
                                             double dt, ProbedMotions motions, const Wrench& felt) noexcept;
   [[nodiscard]] ContactProbe probe_sub_step(const SubStep& sub_step, DeepContact& deep,
-                                            FrictionMemory& memory) noexcept;
+                                            LimitSurface& friction) noexcept;
 
   Workpiece workpiece;
   Tool tool;
@@ -130,7 +116,6 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
 
   // Derived from them at set-up.
   ContactStages contact_stages;
-  std::array<DryFriction, 256> material_friction;  // of the materials, or of the configuration
   Pose X_VW;
   double voxel_volume = 0;  // [m^3]
 
@@ -142,7 +127,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   SpindleLoad load;
   double cutting_share = 1;  // [1] of the cutting ratio: what slow heads and stalled ones have of it
   DeepContact deep_contact;  // in W
-  FrictionMemory friction_memory;
+  LimitSurface anchor;       // of dry friction, in W
   Output output;
 
   StepInput input;  // of the last step

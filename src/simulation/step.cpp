@@ -87,8 +87,7 @@ StepStatus check_input(const SimulationConfig& config, const Pose& pose, const T
 
 void Simulation::State::place_at(const Pose& pose) noexcept {
   result.energy.sliding += std::exchange(result.energy.anchored, 0);
-  friction_memory.anchor.release();
-  friction_memory.touched = 1;
+  anchor.release();
   deep_contact.release();
   output.restart();
   X_WH = pose;
@@ -178,7 +177,7 @@ DeepContact::Outcome Simulation::State::hold(const SubStep& sub_step, const Enco
   const Mat3& R_WT = sub_step.X_WT.rotation;
   // The force of a spinning ball also has a part along its surface; the normal one alone costs a second look.
   const bool look = sub_step.head.motion.spin != 0 && deep.wants_normal_force(filled);
-  const Vec3 normal_T = look ? normal_wrench(sub_step).force : encounter.resultant.wrench_T.force;
+  const Vec3 normal_T = look ? press_standing(sub_step).resultant.wrench_T.force : encounter.resultant.wrench_T.force;
   const Vec3 way = sub_step.duration * (R_WT * sub_step.path_T.linear);
   const double lead = double(sub_step.head.motion.lead);
   const Vec3 from = sub_step.X_WT.translation - (0.5 + lead) * way;
@@ -195,6 +194,7 @@ void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& en
   energy.entered += encounter.energies.elastic_before - energy.elastic;
   energy.elastic = encounter.energies.elastic;
   energy.cutting += encounter.energies.cutting;
+  energy.crushed += encounter.energies.crushed;
   energy.released += encounter.energies.released;
   energy.damping += encounter.energies.damping;
   energy.rubbing += encounter.energies.rubbing;
@@ -221,6 +221,7 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   result.spindle.torque -= share * wrench_T.torque.z();
   result.spindle.speed = motor.speed();
   result.contact = contact_of(encounter);
+  if (encounter.energies.crushed > 0) result.status |= StepStatus::material_crushed;
   if (encounter.blocks_exhausted) result.status |= StepStatus::blocks_exhausted;
   if (encounter.force_not_finite) result.status |= StepStatus::force_not_finite;
   if (encounter.level_of_detail > 1) result.status |= StepStatus::detail_reduced;

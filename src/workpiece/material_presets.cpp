@@ -43,15 +43,16 @@ const Preset& preset_named(std::string_view name) {
   throw Error("there is no material preset '" + std::string(name) + "'; choose one of: " + known + ".");
 }
 
-/// What a material is, whatever cuts it: relative stiffness, tangential stiffness [N/m] and density [kg/m^3].
-Material solid(const char* name, double stiffness, double tangential_stiffness, double density) {
+/// What a material is, whatever cuts it: relative stiffness, density [kg/m^3] and
+/// compressive strength [Pa].
+Material solid(const char* name, double stiffness, double density, double strength) {
   return {.name = name,
           .relative_stiffness = stiffness,
           .damping = 0,
           .cutting_ratio = 0.5,
+          .compressive_strength = strength,
           .static_friction = 0.3,
           .dynamic_friction = 0.3,
-          .tangential_stiffness = tangential_stiffness,
           .density = density};
 }
 
@@ -93,7 +94,7 @@ namespace presets {
 
 Material enamel(CutterKind cutter) {
   constexpr Cut kBlades = {0.5, 0.35e9, 0, kSizeOfEnamel}, kFine = {0.5, 114e9, 0, 0}, kCoarse = {0.5, 37e9, 0, 0};
-  return cut_by(cutter, {kBlades, kFine, kCoarse, kBlades, kBlades, kCoarse}, solid("enamel", 1, 1000, 2950));
+  return cut_by(cutter, {kBlades, kFine, kCoarse, kBlades, kBlades, kCoarse}, solid("enamel", 1, 2950, 384e6));
 }
 
 Material enamel_with_diamond() {
@@ -102,23 +103,27 @@ Material enamel_with_diamond() {
   return material;
 }
 
-Material dentin(CutterKind cutter) { return cut_by(cutter, cuts_of_bone(1), solid("dentin", 0.24, 1000, 2150)); }
+Material dentin(CutterKind cutter) { return cut_by(cutter, cuts_of_bone(1), solid("dentin", 0.24, 2150, 297e6)); }
 
-Material pulp(CutterKind) { return cut_by_any({0.5, 5e6, 0, 0}, solid("pulp", 0.01, 100, 1000)); }
+Material pulp(CutterKind) { return cut_by_any({0.5, 5e6, 0, 0}, solid("pulp", 0.01, 1000, 2.5e6)); }
 
-Material caries(CutterKind cutter) { return cut_by(cutter, cuts_of_bone(0.44), solid("caries", 0.1, 500, 1700)); }
+Material caries(CutterKind cutter) {
+  return cut_by(cutter, cuts_of_bone(0.44), solid("caries", 0.1, 1700, 130e6));
+}
 
-Material amalgam(CutterKind) { return cut_by_any({0.5, 89e6, 0, kSizeOfEnamel}, solid("amalgam", 0.6, 1000, 11600)); }
+Material amalgam(CutterKind) {
+  return cut_by_any({0.5, 89e6, 0, kSizeOfEnamel}, solid("amalgam", 0.6, 11600, 400e6));
+}
 
 Material cortical_bone(CutterKind cutter) {
-  return cut_by(cutter, cuts_of_bone(1), solid("cortical_bone", 0.18, 1000, 1900));
+  return cut_by(cutter, cuts_of_bone(1), solid("cortical_bone", 0.18, 1900, 150e6));
 }
 
 Material trabecular_bone(CutterKind cutter) {
-  return cut_by(cutter, cuts_of_bone(1.0 / 6), solid("trabecular_bone", 0.02, 500, 1180));
+  return cut_by(cutter, cuts_of_bone(1.0 / 6), solid("trabecular_bone", 0.02, 1180, 5e6));
 }
 
-Material clay(CutterKind) { return cut_by_any({0.5, 1e6, 0, 0}, solid("clay", 0.01, 100, 1800)); }
+Material clay(CutterKind) { return cut_by_any({0.5, 1e6, 0, 0}, solid("clay", 0.01, 1800, 0.3e6)); }
 
 }  // namespace presets
 

@@ -116,10 +116,11 @@ void require_cut_pays(const Tool& tool) {
 void require_friction(double normal) {
   const DryFriction friction{bone().static_friction, bone().dynamic_friction, 1000};
   validate(friction);
-  StickSlip anchor;
+  LimitSurface anchor;
+  const SpreadFriction contact = SpreadFriction::at_point(Vec3(0, 0, normal), friction);
   Vec3 force = Vec3::Zero();
   for (int step = 0; step < 100; ++step)
-    force = anchor.move(Vec3(0, 0, normal), Vec3(0.01 * mm, 0, 0), friction, standing_share(0, kRadius)).force;
+    force = anchor.move(contact, {Vec3(0.01 * mm, 0, 0), Vec3::Zero()}, standing_share(0, kRadius)).wrench.force;
   require(anchor.sliding() && is_near(-force.x(), friction.dynamic_friction * normal, 1e-9), "friction is not mu_d N");
 }
 
@@ -140,7 +141,6 @@ void require_words(const Tool& tool) {
   SpindleMotor motor(tool.spindle());
   motor.advance(1e-3, 1e-3);
   require(motor.speed() > 0, "the spindle stands");
-  require(contact_point(tool.head(), {Vec3::UnitZ(), Vec3::Zero()}).z() < 0, "the contact point is not below");
   DeepContact deep;
   require(deep.move(Vec3::Zero(), -Vec3::UnitZ() * mm, 0.1, Vec3::UnitZ(), kRadius).force.isZero(), "it was held");
   Gravity gravity;

@@ -58,7 +58,7 @@ Outcome run(const NamedLaw& named, const Cut& cut) {
   const double lowest = named.head.bounding_box().min.z();
   Outcome outcome;
   const auto losses = [](const EnergyLedger& e) {
-    return std::array<double, 6>{e.cutting, e.released, e.damping, e.rubbing, e.sliding, e.credited};
+    return std::array<double, 7>{e.crushed, e.cutting, e.released, e.damping, e.rubbing, e.sliding, e.credited};
   };
   auto before = losses({});
   double hand = 0, motor = 0;

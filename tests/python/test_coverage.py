@@ -228,13 +228,20 @@ def test_a_workpiece_tells_what_it_is(block):
 def test_friction_and_deep_contact_by_themselves():
     friction = h.DryFriction(0.4, 0.2, 1000.0)
     h.validate(friction)
-    anchor = h.StickSlip()
-    stuck = anchor.move([0, 0, 1], [1e-4, 0, 0], friction)
-    assert anchor.anchored and not anchor.sliding and stuck.dissipated == 0 and stuck.force[0] < 0
-    assert np.allclose(stuck.stiffness, np.diag([500, 500, 0]))  # it is a mean: the anchor stretches on the way
-    slid = anchor.move([0, 0, 1], [1e-2, 0, 0], friction)
-    assert anchor.sliding and np.linalg.norm(slid.force) == pytest.approx(0.2) and anchor.stretch.shape == (3,)
-    assert anchor.stored > 0 and anchor.stiffness == 1000
+    anchor = h.LimitSurface()
+    contact = h.SpreadFriction.at_point([0, 0, 1], friction)
+    stuck = anchor.move(contact, h.Twist([1e-4, 0, 0], [0, 0, 0]))
+    assert anchor.anchored and not anchor.sliding and stuck.dissipated < 1e-18 and stuck.wrench.force[0] < 0
+    assert np.allclose(stuck.stiffness[:3, :3], np.diag([500, 500, 0]))  # it is a mean: the anchor stretches on the way
+    slid = anchor.move(contact, h.Twist([1e-2, 0, 0], [0, 0, 0]))
+    assert anchor.sliding and np.linalg.norm(slid.wrench.force) == pytest.approx(0.2)
+    assert anchor.stored > 0 and anchor.stiffness == pytest.approx(1000)
+    ring = h.SpreadFriction()
+    for x, y in [(1e-3, 0), (0, 1e-3), (-1e-3, 0), (0, -1e-3)]:
+        ring.add([x, y, 0], [0, 0, 1], 0.25, friction)
+    assert ring.static_limit == pytest.approx(0.4) and ring.dynamic_limit == pytest.approx(0.2) and ring.anchors > 0
+    turned = h.LimitSurface().move(ring, h.Twist([0, 0, 0], [0, 0, 1.0]))
+    assert turned.wrench.torque[2] == pytest.approx(-0.2e-3) and ring.directions.shape == (6, 6)
     anchor.release()
     assert not anchor.anchored
     assert h.standing_share(0.0, 1e-3) == 1 and h.standing_share(1e3, 1e-3) == 0 and h.kFullSpinSpeed == 0.01
@@ -246,8 +253,6 @@ def test_friction_and_deep_contact_by_themselves():
     assert deep.held and out.force[2] > 0 and out.stored == deep.stored > 0 and out.stored_before == out.released == 0
     deep.release()
     assert not deep.held
-    point = h.contact_point(h.SphereHead(1e-3), h.Wrench([0, 0, 1], [0, 0, 0]))
-    assert np.allclose(point, [0, 0, -1e-3], atol=1e-8)
 
 
 def test_laws_by_themselves():

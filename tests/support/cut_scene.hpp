@@ -42,7 +42,8 @@ struct CutScene {
 };
 
 struct CutOutcome {
-  std::vector<Wrench> wrenches_V;  // about To, in the frame of the grid
+  std::vector<Wrench> wrenches_V;   // about To, in the frame of the grid
+  std::vector<double> most_normal;  // [N] which the sum of all normal forces cannot pass
   double removed_volume = 0;
   EnergyLedger energy;
   double turnover = 0;         // [J] of both works, to and fro
@@ -51,8 +52,8 @@ struct CutOutcome {
 };
 
 /// The irreversible terms of a ledger.
-inline std::array<double, 6> losses(const EnergyLedger& e) {
-  return {e.cutting, e.released, e.damping, e.rubbing, e.sliding, e.credited};
+inline std::array<double, 7> losses(const EnergyLedger& e) {
+  return {e.cutting, e.crushed, e.released, e.damping, e.rubbing, e.sliding, e.credited};
 }
 
 inline CutOutcome run(const CutScene& scene, int steps = 40) {
@@ -100,6 +101,9 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
     RC_ASSERT(!has_any(result.status, kRejected));
     const Wrench at_head = transport(Wrench{result.force, result.torque}, -p_HoTo_W);
     outcome.wrenches_V.push_back({R_WV.transpose() * at_head.force, R_WV.transpose() * at_head.torque});
+    const double stiffest =
+        config.reference_stiffness * std::max(scene.soft.relative_stiffness, scene.hard.relative_stiffness);
+    outcome.most_normal.push_back(stiffest * result.contact.depth * result.contact.volume);
     outcome.removed_volume += result.removed_volume;
     const EnergyLedger& after = result.energy;
     outcome.turnover += std::abs(after.hand_work - before.hand_work) + std::abs(after.motor_work - before.motor_work);

@@ -24,7 +24,7 @@ inline constexpr double kSoftestContact = 1, kStiffestContact = 1e25;
 }
 
 /// The materials of a workpiece as the force laws read them: `k_v = relative_stiffness * reference_stiffness`,
-/// `w0 = sqrt(2 p_e / k_v)`.
+/// `w0 = sqrt(2 p_e / k_v)`, and the same for the strength.
 /// @param reference_stiffness  [N/m^4] of a material of relative stiffness 1
 /// @throws Error when k_v of a material is not between kSoftestContact and kStiffestContact
 [[nodiscard]] inline ContactMaterials contact_materials(const MaterialTable& table, double reference_stiffness) {
@@ -42,7 +42,9 @@ inline constexpr double kSoftestContact = 1, kStiffestContact = 1e25;
                                   float(m.specific_cutting_energy),
                                   float(std::sqrt(2 * m.edge_pressure / stiffness)),
                                   float(m.edge_length),
-                                  float(m.size_length)};
+                                  float(m.size_length),
+                                  m.compressive_strength > 0 ? float(std::sqrt(2 * m.compressive_strength / stiffness))
+                                                             : ContactMaterial::kNeverCrushed};
   }
   return constants;
 }

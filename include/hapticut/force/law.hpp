@@ -36,6 +36,11 @@ struct ContactMaterial {
   float cutting_energy;                    ///< [J/m^3] u
   float cutting_depth;                     ///< [m] w0 = sqrt(2 p_e / k_v), below which nothing is cut
   float edge_length = 0, size_length = 0;  ///< [m] h_e and h_s of chips (force/chip.hpp)
+  float crushing_depth = kNeverCrushed;    ///< [m] sqrt(2 sigma / k_v), below which nothing stays
+  float static_friction = 0;               ///< [1] mu_s
+  float dynamic_friction = 0;              ///< [1] mu_d
+  float tangential_stiffness = 0;          ///< [N/m] k_t
+  static constexpr float kNeverCrushed = 1e3F;
 };
 using ContactMaterials =
     std::array<ContactMaterial, 256>;  ///< by MaterialId; entry 0 has no stiffness and costs 1 J/m^3
@@ -56,6 +61,7 @@ struct HeadMotion {
   float level_of_detail = 1;
   const WholeContact* whole = nullptr;  ///< only for laws that need moments
   float tooth_rate = 0;  ///< [1/s] f_z, at which lips pass; 0 where no material's energy depends on chips
+  bool crushes = false;  ///< what is deeper than its crushing_depth goes, whether the head turns or not
 
   /// Whether a spinning head takes material away.
   [[nodiscard]] bool cuts() const noexcept { return spin != 0 && removal != RemovalLaw::none; }
@@ -65,7 +71,7 @@ struct HeadMotion {
 struct LawEnergies {
   double elastic_before = 0;  ///< stored in the samples at the beginning of the sub-step
   double elastic = 0;         ///< and at its end
-  double cutting = 0, released = 0, damping = 0, rubbing = 0, credited = 0;
+  double cutting = 0, released = 0, damping = 0, rubbing = 0, credited = 0, crushed = 0;
 
   LawEnergies& operator+=(const LawEnergies& other) {
     elastic_before += other.elastic_before;
@@ -75,12 +81,13 @@ struct LawEnergies {
     damping += other.damping;
     rubbing += other.rubbing;
     credited += other.credited;
+    crushed += other.crushed;
     return *this;
   }
 
   /// Of all; finite only where each of them is.
   [[nodiscard]] double sum() const {
-    return elastic_before + elastic + cutting + released + damping + rubbing + credited;
+    return elastic_before + elastic + cutting + released + damping + rubbing + credited + crushed;
   }
 };
 

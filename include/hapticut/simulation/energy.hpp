@@ -11,13 +11,14 @@ namespace hapticut {
 /// `anchored`, which are the energies stored at the end of the last step. All in [J]; all losses are never negative.
 ///
 ///     hand_work + motor_work + entered + credited
-///         = elastic + cutting + released + damping + rubbing + anchored + sliding
+///         = elastic + cutting + crushed + released + damping + rubbing + anchored + sliding
 ///
 struct EnergyLedger {
   double hand_work = 0;
   double motor_work = 0;
   double elastic = 0;
   double cutting = 0;
+  double crushed = 0;
   double released = 0;
   double damping = 0;
   double rubbing = 0;
@@ -34,7 +35,7 @@ struct EnergyLedger {
   /// [J] what the right side lacks; 0 when the ledger closes.
   [[nodiscard]] double imbalance() const {
     return hand_work + motor_work + entered + credited -
-           (elastic + cutting + released + damping + rubbing + anchored + sliding);
+           (elastic + cutting + crushed + released + damping + rubbing + anchored + sliding);
   }
 
   /// [1] imbalance relative to what was turned over; 0 before any work.
@@ -51,6 +52,7 @@ constexpr auto fields_of(Of<EnergyLedger>) {
       field("motor_work", &E::motor_work, "J", "work done by the spindle motor on the tool"),
       field("elastic", &E::elastic, "J", "stored in the foundation now"),
       field("cutting", &E::cutting, "J", "specific cutting energy times removed volume"),
+      field("crushed", &E::crushed, "J", "compressive strength times crushed volume"),
       field("released", &E::released, "J", "elastic energy of removed material that did not help cutting"),
       field("damping", &E::damping, "J", "Hunt-Crossley damping"),
       field("rubbing", &E::rubbing, "J",

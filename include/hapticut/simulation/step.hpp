@@ -83,6 +83,9 @@ enum class StepStatus : std::uint32_t {
   /// After an input that was refused, or a jump, the hand is elsewhere inside the material: the tool waits where it
   /// was. No force, nothing is cut. Cure: move the hand out of the material, or back to the tool.
   tool_waits = 1U << 15,
+  /// The head pressed harder than a material's compressive_strength and crushed it. Cure: press less; let the tool
+  /// turn.
+  material_crushed = 1U << 16,
 };
 
 constexpr auto names_of(Of<StepStatus>) {
@@ -104,6 +107,7 @@ constexpr auto names_of(Of<StepStatus>) {
       Named{spindle_stalled, "spindle_stalled"},
       Named{not_in_balance, "not_in_balance"},
       Named{tool_waits, "tool_waits"},
+      Named{material_crushed, "material_crushed"},
   };
 }
 
@@ -175,7 +179,7 @@ constexpr auto fields_of(Of<ContactProbe>) {
       field("stiffness", &P::stiffness,
             "about Ho, in W, by which the wrench falls with a small motion; symmetric where the head does not spin"),
       field("contact", &P::contact, "what the head would touch"),
-      field("sliding", &P::sliding, "dry friction drags its anchor along: see StickSlip"),
+      field("sliding", &P::sliding, "dry friction drags its anchor along: see LimitSurface"),
   };
 }
 

@@ -77,6 +77,17 @@ class VoxelSection {
     return fill <= Real(0.5) ? height : span() - height;
   }
 
+  /// [1] area of the section at a height
+  [[nodiscard]] Real area_at(Real height) const {
+    const auto ramp = [](Real x) { return std::max(Real(0), x); };
+    return std::max(Real(0), ramp(height) - ramp(height - p_) - ramp(height - q_)) / (p_ * q_);
+  }
+  /// [1] filled fraction below a height <= span(): the inverse of `height_of`
+  [[nodiscard]] Real fill_below(Real height) const {
+    const auto square = [](Real x) { return x > 0 ? x * x : Real(0); };
+    return (square(height) - square(height - p_) - square(height - q_)) / (2 * p_ * q_);
+  }
+
   /// @param height  [1] of the filled part, from `height_of`
   /// @param depth   [1] > 0 of the top of the filled part
   /// @param cut     [1] of that top

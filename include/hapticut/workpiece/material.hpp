@@ -28,9 +28,10 @@ struct Material {
   double edge_pressure = 0;
   double edge_length = 0;
   double size_length = 0;
+  double compressive_strength = 0;
   double static_friction = 0.3;
   double dynamic_friction = 0.3;
-  double tangential_stiffness = 1000;
+  double tangential_stiffness = 0;
   double density = 1000;
 };
 
@@ -55,10 +56,13 @@ constexpr auto fields_of(Of<Material>) {
             "h_e: a lip ploughs with u h_e per length, which takes nothing away"),
       field("size_length", &M::size_length, "m", Range::between(0, 1),
             "h_s: chips of thickness h take u sqrt(h_s/h) more energy"),
+      field("compressive_strength", &M::compressive_strength, "Pa", Range::not_negative(),
+            "sigma: pressure that crushes it under any head; 0: it is never crushed"),
       field("static_friction", &M::static_friction, "1", Range::not_negative(),
             "of the standing spindle, not below dynamic_friction"),
       field("dynamic_friction", &M::dynamic_friction, "1", Range::not_negative(), "of the standing spindle"),
-      field("tangential_stiffness", &M::tangential_stiffness, "N/m", Range::positive(), "of the sticking anchor"),
+      field("tangential_stiffness", &M::tangential_stiffness, "N/m", Range::not_negative(),
+            "of the sticking anchor; 0: as the contact has along its normals"),
       field("density", &M::density, "kg/m^3", Range::positive(), "mass over volume"),
   };
 }

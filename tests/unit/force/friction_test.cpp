@@ -6,8 +6,7 @@
 #include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
-#include "hapticut/force/contact_point.hpp"
-#include "hapticut/force/friction.hpp"
+#include "hapticut/force/limit_surface.hpp"
 #include "support/generators.hpp"
 
 namespace hapticut::friction_test {
@@ -17,17 +16,30 @@ using test::arbitrary_vector;
 using test::number_between;
 using units::mm;
 
+/// What a contact at one point gives.
+struct AtPoint {
+  Vec3 force;
+  double dissipated;
+  Mat3 stiffness;
+};
+AtPoint move_point(LimitSurface& anchor, const Vec3& normal, const Vec3& move, const DryFriction& friction,
+                   double share = 1, double lead = 0) {
+  const auto outcome = anchor.move(SpreadFriction::at_point(normal, friction), {move, Vec3::Zero()}, share, lead);
+  EXPECT_EQ(outcome.wrench.torque, Vec3(0, 0, 0));
+  return {outcome.wrench.force, outcome.dissipated, outcome.stiffness.topLeftCorner<3, 3>()};
+}
+
 /// A drag at constant normal force from rest.
 struct Drag {
   double work = 0, peak = 0, plateau = 0, dissipated = 0, stored = 0;
 };
 
 Drag drag(const DryFriction& friction, double normal, double length, int steps, double lead = 0) {
-  StickSlip contact;
+  LimitSurface contact;
   Drag d;
   const Vec3 move(length / steps, 0, 0);
   for (int i = 0; i < steps; ++i) {
-    const StickSlip::Outcome seen = contact.move(Vec3(0, 0, normal), move, friction, 1, lead);
+    const AtPoint seen = move_point(contact, Vec3(0, 0, normal), move, friction, 1, lead);
     d.work -= seen.force.dot(move);
     d.peak = std::max(d.peak, seen.force.norm());
     d.plateau = seen.force.norm();
@@ -60,18 +72,18 @@ TEST_P(DragTest, DoesTheWorkOfC17) {
 INSTANTIATE_TEST_SUITE_P(StaticOverDynamic, DragTest, testing::Values(0.3, 0.4, 0.5));
 
 // Proves: friction cone; slipping.
-RC_GTEST_PROP(StickSlip, NeverLeavesTheConeAndNeverDissipatesLessThanNothing, ()) {
+RC_GTEST_PROP(LimitSurface, NeverLeavesTheConeAndNeverDissipatesLessThanNothing, ()) {
   DryFriction friction;
   friction.dynamic_friction = *number_between(0, 0.8);
   friction.static_friction = friction.dynamic_friction + *number_between(0, 0.5);
   friction.tangential_stiffness = *number_between(10, 5000);
-  StickSlip contact;
+  LimitSurface contact;
   double work = 0, dissipated = 0, scale = 1e-9;
   for (int i = 0; i < 100; ++i) {
     const Vec3 normal = *rc::gen::inRange(0, 20) == 0 ? Vec3(0, 0, 0) : *arbitrary_vector(5);
     const Vec3 move = *arbitrary_vector(0.5 * mm);
     const double share = *number_between(0, 1);
-    const auto outcome = contact.move(normal, move, friction, share);
+    const auto outcome = move_point(contact, normal, move, friction, share);
     RC_ASSERT(outcome.force.norm() <= friction.static_friction * share * normal.norm() * (1 + 1e-9));
     RC_ASSERT(std::abs(outcome.force.dot(normal)) <= 1e-9 * (1 + normal.squaredNorm()));
     RC_ASSERT(outcome.dissipated >= 0);
@@ -83,23 +95,23 @@ RC_GTEST_PROP(StickSlip, NeverLeavesTheConeAndNeverDissipatesLessThanNothing, ()
 }
 
 // Proves: energy of the anchor.
-TEST(StickSlip, ReturnsTheEnergyOfAMotionThatNeverSlipped) {
-  StickSlip contact;
+TEST(LimitSurface, ReturnsTheEnergyOfAMotionThatNeverSlipped) {
+  LimitSurface contact;
   double work = 0;
   for (int i = 0; i < 100; ++i) {
     const Vec3 move((i < 50 ? 1 : -1) * 2e-6, (i < 25 || i >= 75 ? 1 : -1) * 1e-6, 0);
-    work -= contact.move(Vec3(0, 0, 1), move, DryFriction{}).force.dot(move);
+    work -= move_point(contact, Vec3(0, 0, 1), move, DryFriction{0.3, 0.3, 1000}).force.dot(move);
   }
   EXPECT_FALSE(contact.sliding());
   EXPECT_NEAR(work, 0, 1e-18);
 }
 
-TEST(StickSlip, HasNoAnchorWithoutContact) {
-  StickSlip contact;
-  (void)contact.move(Vec3(0, 0, 1), Vec3(1e-4, 0, 0), DryFriction{});
+TEST(LimitSurface, HasNoAnchorWithoutContact) {
+  LimitSurface contact;
+  (void)move_point(contact, Vec3(0, 0, 1), Vec3(1e-4, 0, 0), DryFriction{0.3, 0.3, 1000});
   const double stored = contact.stored();
   EXPECT_GT(stored, 0);
-  const auto outcome = contact.move(Vec3::Zero(), Vec3(1e-4, 0, 0), DryFriction{});
+  const auto outcome = move_point(contact, Vec3::Zero(), Vec3(1e-4, 0, 0), DryFriction{0.3, 0.3, 1000});
   EXPECT_FALSE(contact.anchored());
   EXPECT_EQ(outcome.force, Vec3(0, 0, 0));
   EXPECT_EQ(outcome.dissipated, stored);
@@ -131,24 +143,25 @@ TEST(DryFrictionInput, IsRefusedWithItsValueAndTheCure) {
     return "";
   };
   EXPECT_EQ(message({0.3, 0.3, 1000}), "");
+  EXPECT_EQ(message({0.3, 0.3, 0}), "") << "as stiff as the contact";
   EXPECT_NE(message({0.3, 0.4, 1000}).find("dynamic_friction = 0.4; must not exceed static_friction = 0.3"),
             std::string::npos);
   EXPECT_NE(message({-0.1, 0, 1000}).find("static_friction"), std::string::npos);
   EXPECT_NE(message({0.3, -0.1, 1000}).find("dynamic_friction"), std::string::npos);
-  EXPECT_NE(message({0.3, 0.3, 0}).find("tangential_stiffness"), std::string::npos);
+  EXPECT_NE(message({0.3, 0.3, -1}).find("tangential_stiffness"), std::string::npos);
   EXPECT_NE(message({std::nan(""), 0.3, 1000}).find("nan"), std::string::npos);
 }
 
 /// What implicit steps need: the force of the end is the slope of a convex function of where the step ends, so that a
 /// step has exactly one solution, and `stiffness` is its slope.
-RC_GTEST_PROP(StickSlip, AtTheEndOfAStepOpposesEveryFurtherMotion, ()) {
+RC_GTEST_PROP(LimitSurface, AtTheEndOfAStepOpposesEveryFurtherMotion, ()) {
   const DryFriction friction{*number_between(0.2, 1), *number_between(0, 0.2), *number_between(100, 1e6)};
   const Vec3 normal = *number_between(0.1, 5) * (Vec3(0, 0, 1) + 0.3 * *arbitrary_vector(1)).normalized();
-  StickSlip before;
-  for (int n = 0; n < 3; ++n) (void)before.move(normal, *arbitrary_vector(1 * mm), friction, 1, 0.5);
+  LimitSurface before;
+  for (int n = 0; n < 3; ++n) (void)move_point(before, normal, *arbitrary_vector(1 * mm), friction, 1, 0.5);
   const auto move = [&](const Vec3& displacement) {
-    StickSlip anchor = before;
-    return anchor.move(normal, displacement, friction, 1, 0.5);
+    LimitSurface anchor = before;
+    return move_point(anchor, normal, displacement, friction, 1, 0.5);
   };
   const Vec3 a = *arbitrary_vector(1 * mm), b = *arbitrary_vector(1 * mm);
   RC_ASSERT((move(a).force - move(b).force).dot(a - b) <= 1e-12);
@@ -162,20 +175,6 @@ RC_GTEST_PROP(StickSlip, AtTheEndOfAStepOpposesEveryFurtherMotion, ()) {
   const bool sticks_and_slides = (move(a + h * direction).stiffness - move(a - h * direction).stiffness).norm() >
                                  1e-3 * friction.tangential_stiffness;  // a kink in between
   if (!sticks_and_slides) RC_ASSERT((stiffness * direction - slope).norm() <= 1e-4 * friction.tangential_stiffness);
-}
-
-// Proves: sticking.
-TEST(ContactPoint, IsWhereTheLineOfActionLeavesTheHeadTowardsTheMaterial) {
-  const auto expect_point = [](const ToolHead& head, const Wrench& wrench, const Vec3& point) {
-    EXPECT_LT((contact_point(head, wrench) - point).norm(), 1e-6 * head.reach()) << contact_point(head, wrench);
-  };
-  const Vec3 up(0, 0, 2), left(-3, 0, 0);
-  expect_point(SphereHead{1 * mm}, {up, Vec3::Zero()}, Vec3(0, 0, -1 * mm));
-  expect_point(SphereHead{1 * mm}, {left, Vec3::Zero()}, Vec3(1 * mm, 0, 0));
-  const FlatHead flat{1 * mm, 4 * mm};
-  const Vec3 on_disk(0.5 * mm, 0.2 * mm, 0), on_wall(1 * mm, 0, 3 * mm);
-  expect_point(flat, {up, on_disk.cross(up)}, on_disk);
-  expect_point(flat, {left, on_wall.cross(left)}, on_wall);
 }
 
 }  // namespace

@@ -62,9 +62,10 @@ struct RandomBlock {
 ContactMaterials three_materials(float damping) {
   ContactMaterials materials = {};
   materials[0].cutting_energy = 1;
-  materials[1] = {1e13F, damping, 0.5F, 3e8F, 0.0F};
-  materials[2] = {4e12F, 2 * damping, 0.3F, 1e8F, 1e-5F, 1e-5F, 3e-5F};  // of chips only where lips have a rate
-  materials[3] = {2e14F, 0.0F, 0.9F, 5e9F, 3e-6F, 0.0F, 1e-4F};
+  materials[1] = {1e13F, damping, 0.5F, 3e8F, 0.0F, 0.0F, 0.0F, 1.2e-4F, 0.3F, 0.25F, 0.0F};
+  materials[2] = {4e12F, 2 * damping, 0.3F, 1e8F,  1e-5F, 1e-5F, 3e-5F,  // of chips only where lips have a rate
+                  2e-4F, 0.2F,        0.2F, 500.0F};
+  materials[3] = {2e14F, 0.0F, 0.9F, 5e9F, 3e-6F, 0.0F, 1e-4F, ContactMaterial::kNeverCrushed, 0.6F, 0.1F, 0.0F};
   return materials;
 }
 
@@ -189,6 +190,7 @@ struct Reference {
   BlockChange change;
   std::array<float, kBlockVoxels> fill_after = {};
   kernels::StiffnessSums stiffness;
+  SpreadFriction friction;
 
   Reference(const kernels::ContactJob& job, const BlockView& block) {
     ContactBlock contact;
@@ -206,6 +208,7 @@ struct Reference {
     totals = FoundationLaw().evaluate(job.motion, job.materials, contact);
     sum_resultant(contact, resultant);
     kernels::add_stiffness(contact, job.motion, job.materials, stiffness);
+    friction.add(contact, job.motion, job.materials);
     if (totals.may_remove) change = find_changes(contact, block, fill_after.data(), removed);
   }
 };
@@ -214,7 +217,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto vector = [&] { return Vec3(unit(random), unit(random), unit(random)); };
-  long samples = 0, emptied = 0, stiff = 0;
+  long samples = 0, emptied = 0, stiff = 0, rubbed = 0, crushed = 0;
   int blocks = 0, at_the_rim = 0;
   for (const ToolHead& head : all_heads())
     for (int trial = 0; trial < 100; ++trial) {
@@ -234,6 +237,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
                         trial % 8 < 4 ? 0.0F : 0.5F,
                         float(1 + trial % 11 % 3)};
       if (trial % 13 < 5) motion.tooth_rate = 600;
+      motion.crushes = trial % 17 < 9;
       const bool damped = trial % 2 != 0;
       const ContactMaterials materials = three_materials(damped ? 20.0F : 0.0F);
       const kernels::ContactJob job = {head,
@@ -253,7 +257,8 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       kernels::PressTask task{block.view, fill_after.data(), true, {}};
       kernels::ContactSums sums;
       kernels::StiffnessSums stiffness;
-      kernels::press_blocks(job, std::span(&task, 1), sums, &stiffness);
+      kernels::FrictionSums friction;
+      kernels::press_blocks(job, std::span(&task, 1), sums, &stiffness, motion.spin == 0 ? &friction : nullptr);
       ++blocks;
       // A voxel whose depth is 0 within rounding may be a sample in one and not in the other; skip the rare block.
       const double volume = kVoxel * kVoxel * kVoxel;
@@ -279,7 +284,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
 
       const LawEnergies &energies = expected.totals.energies, &found = pressed.energies;
       const double energy = energies.elastic_before + energies.cutting + energies.released + energies.rubbing +
-                            std::abs(energies.damping) + 1e-30;
+                            energies.crushed + std::abs(energies.damping) + 1e-30;
       EXPECT_NEAR(found.elastic_before / weight, energies.elastic_before, 2 * kRounding * energy);
       // Where strips take turns, what is stored counts for all and what was removed once: only n = 1 says which is
       // which.
@@ -288,15 +293,26 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
         EXPECT_NEAR(found.released, energies.released, 10 * kRounding * energy);
       }
       EXPECT_NEAR(found.damping / weight, energies.damping, kRounding * energy);
-      double cutting = found.cutting;
+      double whole = 0;  // as if nothing had been crushed
       for (std::size_t id = 1; id <= 3; ++id)
-        cutting += double(materials[id].cutting_energy) * sums.removed[id] * volume;
-      EXPECT_NEAR(cutting, energies.cutting, 10 * kRounding * energy);
+        whole += double(materials[id].cutting_energy) * sums.removed[id] * volume;
+      EXPECT_NEAR(whole + found.cutting, energies.cutting, 10 * kRounding * (energy + whole));
       EXPECT_NEAR(found.rubbing, energies.rubbing, kRounding * energy);
       EXPECT_NEAR(found.credited, energies.credited, 10 * kRounding * energy);
+      EXPECT_NEAR(found.crushed, energies.crushed, 10 * kRounding * energy);
+      crushed += found.crushed > 0 ? 1 : 0;
       const Stiffness k = stiffness.total(volume), k_expected = expected.stiffness.total(volume);
-      EXPECT_LT((k - k_expected).norm(), 20 * kRounding * (k_expected.norm() + 1e-9));
+      EXPECT_LT((k - k_expected).norm(), 40 * kRounding * (k_expected.norm() + 1e-9));
       stiff += k.norm() > 0 ? 1 : 0;
+      if (motion.spin == 0) {
+        const SpreadFriction all = friction.total(volume, 1);
+        EXPECT_LT((all.directions - expected.friction.directions).norm(),
+                  20 * kRounding * expected.friction.static_limit);
+        EXPECT_NEAR(all.static_limit, expected.friction.static_limit, kRounding * scale);
+        EXPECT_NEAR(all.dynamic_limit, expected.friction.dynamic_limit, kRounding * scale);
+        EXPECT_NEAR(all.stiffness(), expected.friction.stiffness(), 1e-3 * expected.friction.stiffness() + 1e-9);
+        rubbed += all.static_limit > 0 ? 1 : 0;
+      }
       for (std::size_t id = 1; id <= 3; ++id) EXPECT_NEAR(sums.removed[id], expected.removed[id], kRounding * 512);
 
       // A voxel may be finished in one and keep the last thousandth in the other; count those, compare the rest.
@@ -316,6 +332,8 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
   EXPECT_GT(samples, 10000) << "the heads must meet the blocks, or the test says nothing";
   EXPECT_LE(at_the_rim, kAtTheRim * blocks);
   EXPECT_GT(stiff, 100);
+  EXPECT_GT(rubbed, 20);
+  EXPECT_GT(crushed, 20);
   EXPECT_GT(emptied, 20) << "some voxels must be cut out, or the test says nothing";
 }
 

@@ -194,6 +194,25 @@ template <class DepthAt>
   return force;
 }
 
+// --- crushing --------------------------------------------------------------------------------------------------------
+
+/// C39: a flat head standing on its bottom alone (`bottom_only`), once it has crushed: `F_z = sigma pi R^2`.
+/// @param strength  [Pa] sigma
+/// @return [N]
+[[nodiscard]] inline double flat_bottom_crushing_force(double strength, double radius) {
+  return strength * units::kPi * radius * radius;
+}
+
+/// C40: a ball that crushes, deeper than the crushing depth w0 = sqrt(2 sigma/k_v) and no deeper than its radius:
+/// `F_z = pi sigma (2 R d - d^2 - (4/3) R w0 + w0^2/2)`; sigma times the projected area where w0 vanishes.
+/// @param strength        [Pa] sigma
+/// @param crushing_depth  [m] w0
+/// @return [N]
+[[nodiscard]] inline double cap_crushing_force(double strength, double crushing_depth, double radius, double depth) {
+  const double w0 = crushing_depth;
+  return units::kPi * strength * (2 * radius * depth - depth * depth - 4.0 / 3 * radius * w0 + w0 * w0 / 2);
+}
+
 // --- friction, limits, handles ---------------------------------------------------------------------------------------
 
 /// C17: work to drag a standing contact over a length from rest, under a constant normal force:

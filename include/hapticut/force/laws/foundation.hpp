@@ -79,7 +79,7 @@ class FoundationLaw final : public ForceLaw {
 
  private:
   // Partial sums per lane, in units of [N m] = l^3 times an energy density; fixed order, so the same bits every time.
-  enum Term { kElasticBefore, kElastic, kCutting, kReleased, kDamping, kRubbing, kCredited, kCouple, kTerms };
+  enum Term { kElasticBefore, kElastic, kCutting, kReleased, kDamping, kRubbing, kCredited, kCrushed, kCouple, kTerms };
   struct Sums {
     float of[kTerms][kLanes];
 
@@ -92,7 +92,7 @@ class FoundationLaw final : public ForceLaw {
       };
       const double couple = spin != 0 ? -total(kCouple) / double(spin) : 0.0;
       return {{total(kElasticBefore), total(kElastic), total(kCutting), total(kReleased), total(kDamping),
-               total(kRubbing), total(kCredited)},
+               total(kRubbing), total(kCredited), total(kCrushed)},
               couple,
               may_remove};
     }
@@ -208,6 +208,10 @@ class FoundationLaw final : public ForceLaw {
   ///
   /// where g is how far the layer recedes within the sub-step, over what it would at the speed of its middle
   /// (LayerRecession). Cutting takes what is deepest, so that what only rubs stays.
+  ///
+  /// Before all that, what the foundation would press harder than the material bears is gone: no part reaches deeper
+  /// than the crushing depth sqrt(2 sigma/k_v), where a column's pressure k_v w^2/2 is sigma. What had gone into it and
+  /// is no longer stored is what crushing took: sigma times the volume, within the error of the step.
   static LawTotals evaluate_parts(const HeadMotion& m, const ContactMaterials& materials, bool spinning, bool cutting,
                                   ContactBlock& b) noexcept {
     const float l = m.voxel_size, dt = m.duration, slip_time = dt * m.level_of_detail, voxel_volume = l * l * l;
@@ -215,18 +219,27 @@ class FoundationLaw final : public ForceLaw {
     Sums sums = {};
     for (int n = 0; n < b.lanes(); ++n) {
       b.force_x[n] = b.force_y[n] = b.force_z[n] = 0;
-      const float phi = b.fill_after[n] = b.fill[n];
-      if (!(phi > 0)) continue;
+      b.fill_after[n] = b.fill[n];
+      if (!(b.fill[n] > 0)) continue;
       const int lane = n % kLanes;
       const ContactMaterial& material = materials[b.material_of(n)];
       const SurfaceMotion s = surface_motion(m, b, n, axis_slip);
       const float damped = std::max(0.0F, 1.0F + material.damping * s.felt_w_dot);
-      const float k = material.stiffness, top = b.top[n], advance = s.w_dot * dt;
+      const float k = material.stiffness, advance = s.w_dot * dt;
       const float kappa = spinning ? material.cutting_ratio : 0.0F;
       const float power = 0.5F * kappa * k * damped * s.slip, speed = std::max(0.0F, s.w_dot);
       const VoxelSection<float> section(b.largest[n]);
       const float far_plane = (b.depth[n] / l) - section.span() / 2;  // depth of the far corner
-      const float height = top / l - far_plane;
+      const float full_height = b.top[n] / l - far_plane;
+      const bool crushed = m.crushes && b.top[n] > material.crushing_depth;
+      if (crushed) b.top[n] = material.crushing_depth;
+      const float top = b.top[n], height = crushed ? std::max(0.0F, top / l - far_plane) : full_height;
+      float phi = b.fill[n];
+      if (crushed) {
+        phi = section.fill_below(height);
+        if (phi < kSmallestPart) phi = 0;
+        b.fill_after[n] = phi;
+      }
       float u = material.cutting_energy;
       auto cut_depth = CutDepth<float>::of(top, material.cutting_depth);
       if (m.tooth_rate > 0) {
@@ -234,9 +247,10 @@ class FoundationLaw final : public ForceLaw {
         u = chord.energy, cut_depth = chord.cut;
       }
       const DepthIntegrals<float> part = section.integrals(height, top / l, cut_depth.scaled(1 / l));
+      if (crushed) b.immersed[n] = part.volume;
 
       float rubbing = k * l * part.depth, cut = 0, loss = 0, left = phi, credit = 0, price = u;  // springs: [N/m^3]
-      if (cutting && cut_depth.excess > 0) {
+      if (cutting && cut_depth.excess > 0 && phi > 0) {
         float rate = power / price, share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time).share;
         if (m.removal == RemovalLaw::elastic_release) {  // helped by what is stored where the layer's top is on average
           const float w0 = cut_depth.least, squared = w0 * w0 + share * cut_depth.excess;
@@ -267,22 +281,22 @@ class FoundationLaw final : public ForceLaw {
       };
       const float after = left > 0 ? stored(section.height_of(left), (0.5F - m.lead) * advance) : 0.0F;
       const float lead_work = k * part.volume * m.lead * advance * advance;
-      const float taken = phi - left;
-      const bool releases = taken > kSmallestLoss * phi;
+      const float taken = phi - left, gone = b.fill[n] - left;
+      const bool releases = gone > kSmallestLoss * b.fill[n];
       // Where nothing is cut nothing is released, and nowhere less: what the midpoint rule lacks has entered.
       const float stays = after + lead_work - spring * advance;
-      const float released = releases ? std::max(0.0F, stored(height, -(0.5F + m.lead) * advance) - stays) : 0.0F;
+      const float released = releases ? std::max(0.0F, stored(full_height, -(0.5F + m.lead) * advance) - stays) : 0.0F;
       const float before = stays + released;
       sums.of[kElasticBefore][lane] += before;
       sums.of[kElastic][lane] += after;
       sums.of[kCutting][lane] += u * taken;
-      if (releases) sums.of[kReleased][lane] += released - (u - price) * taken;
+      if (releases) sums.of[crushed ? kCrushed : kReleased][lane] += released - (u - price) * taken;
       sums.of[kDamping][lane] += (normal - spring) * advance + lead_work;
       sums.of[kRubbing][lane] += kappa * rubbing * damped * s.slip * slip_time;
       sums.of[kCredited][lane] += price * credit;
       sums.of[kCouple][lane] += tangential * s.extra;
     }
-    return sums.totals(voxel_volume, spinning ? m.spin : 0.0F, cutting);
+    return sums.totals(voxel_volume, spinning ? m.spin : 0.0F, cutting || m.crushes);
   }
 };
 

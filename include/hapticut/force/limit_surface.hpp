@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "hapticut/core/spatial.hpp"
+#include "hapticut/force/spread_friction.hpp"
+
+/// @file
+/// Dry friction of a contact that is spread over a surface: a pin in its hole, a bur in a groove, a disc on a plate
+/// (docs/model.md, friction of the standing head).
+namespace hapticut {
+
+/// Stick and slip of a spread contact: an anchor that is a pose, which the tool drags over the material.
+///
+/// A displacement xi of the tool from its anchor, a twist about the reference point, moves the points of the contact by
+/// |xi| = sqrt(xi . B xi), root mean square by the friction force each can bear, B = A/(Sum mu_s f). While it sticks,
+/// the anchor stays, and the wrench is -k_t B xi. When k_t |xi| would exceed Sum mu_s f it slides: xi is scaled so that
+/// it is Sum mu_d f, until it falls below that. Where all points slip alike that is Coulomb's law; a disc that turns on
+/// its face has 6 % more than its exact torque, and the mean over random twists of pins, discs, grooves and cones is 4
+/// to 13 % more, never less (by Cauchy and Schwarz). What it dissipates is never negative.
+///
+/// Where the contact changes, so do B and k_t; neither the stored energy nor the force may grow by that, so xi is
+/// scaled.
+///
+/// For implicit steps (`lead` = 0.5) the force is that of the end, and the step in which it begins to slide still has
+/// mu_s: so the force never falls as the tool moves on, and every step has a solution.
+class LimitSurface {
+ public:
+  struct Outcome {
+    Wrench wrench;          ///< on the tool, about the reference point
+    double dissipated = 0;  ///< [J] >= 0
+
+    /// By how much the wrench falls with a small displacement; symmetric, positive semidefinite.
+    Stiffness stiffness = Stiffness::Zero();
+  };
+
+  /// Moves the tool over the material.
+  /// @param contact       about the reference point, a point of the tool, in axes that do not turn
+  /// @param displacement  [m], [rad] of the tool at that point, in the same axes
+  /// @param share         [1] of the coefficients in force: see `standing_share`
+  /// @param lead          [1] of the sub-step after its middle that the force is that of: 0, or 0.5 for its end
+  /// @realtime no allocation, no lock
+  Outcome move(const SpreadFriction& contact, const Twist& displacement, double share = 1, double lead = 0) noexcept {
+    const double before = stored_;
+    const double stiffness = contact.stiffness();
+    if (!(share * contact.static_limit > 0 && stiffness > 0)) {
+      release();
+      return {{}, before, Stiffness::Zero()};
+    }
+    anchored_ = true;
+    stiffness_ = stiffness;
+    const Stiffness shape = contact.directions / contact.static_limit;
+    const double static_slip = share * contact.static_limit / stiffness_;
+    const double dynamic_slip = share * contact.dynamic_limit / stiffness_;
+
+    Vector6 start = offset();
+    const double length = slip(shape, start);
+    if (length > 0) {
+      const double kept = std::min({1.0, std::sqrt(2 * stored_ / stiffness_) / length, static_slip / length});
+      scale(start, kept);
+      start *= kept;
+    }
+    position_ += displacement.linear;
+    rotation_ = rotation_from_vector(displacement.angular) * rotation_;
+    const Vector6 end = offset(), seen = start + (0.5 + lead) * (end - start);
+    const double at_end = slip(shape, end), limit = sliding_ ? dynamic_slip : static_slip;
+    Vector6 moved;
+    moved << displacement.linear, displacement.angular;
+
+    Outcome outcome;
+    Vector6 wrench;
+    if (std::max(slip(shape, seen), at_end) <= limit) {
+      sliding_ = false;
+      wrench = -stiffness_ * (shape * seen);
+      stored_ = 0.5 * stiffness_ * at_end * at_end;
+      outcome.stiffness = (0.5 + lead) * stiffness_ * shape;
+    } else {
+      sliding_ = true;
+      const double kept = std::min(1.0, (lead > 0 ? limit : dynamic_slip) / at_end);
+      scale(end, kept);
+      wrench = -stiffness_ * kept * (shape * end);
+      stored_ = 0.5 * stiffness_ * kept * kept * at_end * at_end;
+      const Vector6 along = shape * end / at_end;
+      outcome.stiffness = kept * stiffness_ * (shape - along * along.transpose());
+    }
+    outcome.wrench = {wrench.head<3>(), wrench.tail<3>()};
+    outcome.dissipated = std::max(0.0, before - stored_ - wrench.dot(moved));
+    return outcome;
+  }
+
+  [[nodiscard]] double stored() const { return stored_; }    ///< [J] energy of the anchor
+  [[nodiscard]] bool anchored() const { return anchored_; }  ///< there is contact
+  [[nodiscard]] bool sliding() const { return sliding_; }
+  [[nodiscard]] double stiffness() const { return stiffness_; }  ///< [N/m] k_t
+
+  /// Lets go of the anchor.
+  void release() noexcept { *this = {}; }
+
+ private:
+  using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
+
+  /// [m], [rad] of the tool from its anchor
+  [[nodiscard]] Vector6 offset() const {
+    Vector6 xi;
+    xi << position_, vector_from_rotation(rotation_);
+    return xi;
+  }
+  [[nodiscard]] static double slip(const Stiffness& shape, const Vector6& xi) {
+    return std::sqrt(std::max(0.0, xi.dot(shape * xi)));
+  }
+  void scale(const Vector6& xi, double factor) {
+    position_ = factor * xi.head<3>();
+    rotation_ = rotation_from_vector(Vec3(factor * xi.tail<3>()));
+  }
+
+  Vec3 position_ = Vec3::Zero();      // [m] of the tool from its anchor
+  Mat3 rotation_ = Mat3::Identity();  // likewise
+  double stored_ = 0;                 // [J]
+  double stiffness_ = 0;              // [N/m]
+  bool anchored_ = false;
+  bool sliding_ = false;
+};
+
+}  // namespace hapticut

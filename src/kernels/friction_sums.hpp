@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "hapticut/force/spread_friction.hpp"
+#include "hapticut/workpiece/removal.hpp"
+
+namespace hapticut::kernels {
+
+/// Sums over the samples of a standing head, lane by lane, of which SpreadFriction is made: with the friction limit q =
+/// mu_s f of each and its moment m = (n, r x n), whose last number is 0 on a head of revolution,
+///
+///     A = Sum q P^T P - Sum q m m^T,   P^T P = [ 1       -[r]x         ]
+///                                              [ [r]x    |r|^2 - r r^T ]
+///
+struct FrictionSums {
+  enum Term {
+    kStatic,                 // q [N/m^3]
+    kDynamic,                // mu_d f
+    kAnchor,                 // q k_t where k_t is given
+    kSpring,                 // k_v phi where it is not
+    kFirst,                  // q r
+    kSecond = kFirst + 3,    // q r r^T, its upper half row by row
+    kNormals = kSecond + 6,  // q m m^T of the first five of m, likewise
+    kTerms = kNormals + 15
+  };
+  static constexpr std::size_t kLanes = BlockChange::kStrip;
+
+  alignas(64) std::array<std::array<double, kLanes>, kTerms> lanes = {};
+
+  /// @param voxel_volume  [m^3]
+  /// @param weight        [1] of each sample, for those that wait for their turn
+  [[nodiscard]] SpreadFriction total(double voxel_volume, double weight) const {
+    std::array<double, kTerms> sums = {};
+    for (std::size_t term = 0; term < kTerms; ++term)
+      for (const double lane : lanes[term]) sums[term] += lane * voxel_volume * weight;
+    const double q = sums[kStatic];
+    const Vec3 first(sums[kFirst], sums[kFirst + 1], sums[kFirst + 2]);
+    Mat3 second, arm;
+    for (int i = 0, term = kSecond; i < 3; ++i)
+      for (int j = i; j < 3; ++j, ++term) second(i, j) = second(j, i) = sums[std::size_t(term)];
+    arm << 0, -first.z(), first.y(), first.z(), 0, -first.x(), -first.y(), first.x(), 0;
+
+    SpreadFriction contact;
+    contact.directions << q * Mat3::Identity(), -arm, arm, second.trace() * Mat3::Identity() - second;
+    for (int i = 0, term = kNormals; i < 5; ++i)
+      for (int j = i; j < 5; ++j, ++term) {
+        contact.directions(i, j) -= sums[std::size_t(term)];
+        if (i != j) contact.directions(j, i) -= sums[std::size_t(term)];
+      }
+    contact.static_limit = q;
+    contact.dynamic_limit = sums[kDynamic];
+    contact.anchors = sums[kAnchor];
+    contact.springs = kTangentialShare * sums[kSpring];
+    return contact;
+  }
+};
+
+}  // namespace hapticut::kernels

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the voxels that the press kernel works on come from, and where goes what is left of them; included once per
+// instruction set.
+#if defined(HAPTICUT_KERNELS_PLACES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAPTICUT_KERNELS_PLACES_INL_HPP
+#undef HAPTICUT_KERNELS_PLACES_INL_HPP
+#else
+#define HAPTICUT_KERNELS_PLACES_INL_HPP
+#endif
+
+#include "kernels/gather-inl.hpp"
+#include "kernels/materials-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hapticut::kernels::HWY_NAMESPACE {
+
+namespace strips {
+
+/// @tparam kGathers  they are listed; else they are those of one block, in their order
+template <bool kGathers>
+class Places {
+ protected:
+  HWY_INLINE Places(const ContactMaterials& materials, VoxelList& voxels, ContactSums& totals)
+      : voxels_(voxels), totals_(totals), material_(materials, totals) {}
+
+  HWY_INLINE void mark_emptied(int first, unsigned lanes) const {
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const int n = first + std::countr_zero(lanes), voxel = voxel_of(n);
+      BlockChange& change = task_of(n).change;
+      change.any_emptied = true;
+      change.emptied[std::size_t(voxel >> 6)] |= std::uint64_t(1) << (voxel & 63);
+    }
+  }
+
+  /// Of voxel n of the list, or of the block where there is none: the block's task and the place in the block.
+  [[nodiscard]] HWY_INLINE PressTask& task_of(int n) const {
+    return kGathers ? tasks_[unsigned(voxels_.index[n]) / kBlockVoxels] : *tasks_;
+  }
+  [[nodiscard]] HWY_INLINE int voxel_of(int n) const { return kGathers ? voxels_.index[n] % kBlockVoxels : n; }
+  [[nodiscard]] HWY_INLINE MaterialId material_of(int n) const {
+    const BlockView& block = task_of(n).block;
+    return block.material == nullptr ? block.uniform_material : block.material[voxel_of(n)];
+  }
+
+  /// What the sub-step left of the listed voxels goes back to where they came from.
+  HWY_INLINE void write_fills() const {
+    const float* after = voxels_.fill_after;
+    for (int n = 0; n < voxels_.runs; ++n) {
+      const unsigned first = unsigned(voxels_.run_first[n]), lanes = voxels_.run_lanes[n];
+      spread(after, lanes, tasks_[first / kBlockVoxels].fill_after + first % kBlockVoxels);
+      after += std::popcount(lanes);
+    }
+  }
+
+  HWY_INLINE void load_listed_materials(int first) {
+    MaterialId ids[kStripLanes];
+    for (int lane = 0; lane < kStripLanes; ++lane) ids[lane] = material_of(first + lane);
+    material_.load(ids, kAllLanes);
+  }
+  /// Books what was removed, by material.
+  HWY_INLINE void book_removed(Vec removed, int first, Mask inside) {
+    if (material_.book(removed)) return;
+    alignas(64) float lanes[kWidth];
+    hn::Store(removed, Floats(), lanes);
+    for (unsigned bits = bits_of(inside); bits != 0; bits &= bits - 1) {
+      const int lane = std::countr_zero(bits);
+      totals_.removed[material_of(first + lane)] += double(lanes[lane]);
+    }
+  }
+
+  VoxelList& voxels_;
+  ContactSums& totals_;
+  PressTask* tasks_ = nullptr;  // all of them where voxels are listed, the present one where they are not
+  LoadedMaterials material_;
+};
+
+}  // namespace strips
+
+}  // namespace hapticut::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a head presses harder than its strength is crushed, whether the spindle turns or not.
+#include <gtest/gtest.h>
+
+#include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
+#include "support/cutting.hpp"
+#include "support/fed_tool.hpp"
+
+namespace hapticut::crushing_test {
+namespace {
+
+namespace forms = closed_forms;
+using test::plain_material;
+using units::deg;
+using units::kPi;
+using units::mm;
+
+constexpr double kRadius = 1 * mm;
+constexpr double kStrength = 100e6;  // [Pa]
+const Vec3 kAside(0.0293 * mm, 0.0113 * mm, 0);
+
+Material brittle(double strength = kStrength) {
+  Material material = plain_material();
+  material.compressive_strength = strength;
+  material.static_friction = material.dynamic_friction = 0;  // which would bear a part of the load
+  return material;
+}
+double crushing_depth(double stiffness) { return std::sqrt(2 * kStrength / stiffness); }
+
+/// A standing head on a block whose face is z = 0 in the tool's own axes, which lie in the grid as `R` says.
+struct Press {
+  Press(const ToolHead& head, double stiffness, double voxel, const Mat3& R_WT = Mat3::Identity(),
+        double thickness = 2 * mm, RemovalLaw removal = RemovalLaw::constant_energy, double spin = 0)
+      : R(R_WT),
+        simulation(block(R_WT, voxel, thickness), Tool(head, RayHandle{}, Spindle{spin}), config(stiffness, removal)) {}
+
+  static Workpiece block(const Mat3& R, double voxel, double thickness) {
+    const BodyDescription body = {{Vec3::Constant(-3 * mm), Vec3::Constant(3 * mm)},
+                                  [R, thickness](const Vec3& p) {
+                                    const Vec3 q = R.transpose() * p;
+                                    const double across = std::max(std::abs(q.x()), std::abs(q.y())) - 1.6 * mm;
+                                    return std::max({q.z(), -thickness - q.z(), across});
+                                  },
+                                  [](const Vec3&) { return MaterialId(1); }};
+    return build_body(body, voxel, MaterialTable({brittle()}));
+  }
+  static SimulationConfig config(double stiffness, RemovalLaw removal) {
+    SimulationConfig config;
+    config.reference_stiffness = stiffness;
+    config.removal = removal;
+    config.deep_contact = false;
+    return config;
+  }
+  /// Moves the lowest point from one depth to another, and returns what is felt along the axis at the end.
+  double move(double from, double to, double lowest, double step = 2e-6) {
+    const int steps = std::max(1, int(std::lround(std::abs(to - from) / step)));
+    for (int n = 1; n <= steps; ++n) {
+      const double z = lowest - (from + (to - from) * n / steps);
+      Pose pose;
+      pose.rotation = R;
+      pose.translation = R * (kAside + Vec3(0, 0, z));
+      const double speed = (to - from) / steps / 1e-3;
+      force_T = R.transpose() * simulation.step(pose, {R * Vec3(0, 0, -speed), Vec3::Zero()}, 1e-3).force;
+      forces.push_back(force_T.z());
+    }
+    return forces.back();
+  }
+  [[nodiscard]] const EnergyLedger& energy() const { return simulation.last_result().energy; }
+  [[nodiscard]] double crushed() const { return simulation.removed_volume_by_material()[1]; }
+
+  Mat3 R;
+  Simulation simulation;
+  Vec3 force_T;
+  std::vector<double> forces;
+};
+
+const std::vector<test::Way>& ways() {
+  static const std::vector<test::Way> all = [] {
+    std::vector<test::Way> of = {{"along the grid", Mat3::Identity()}};
+    of.insert(of.end(), test::kWays.begin(), test::kWays.end());
+    return of;
+  }();
+  return all;
+}
+
+// Proves: crushing.
+TEST(Crushing, C39AFlatHeadGoesDownAtItsStrength) {
+  const double expected = forms::flat_bottom_crushing_force(kStrength, kRadius);
+  for (const test::Way& way : ways())
+    for (const double stiffness : {1e16, 1e17})
+      for (const double voxel : {0.1 * mm, 0.05 * mm}) {
+        SCOPED_TRACE(std::string(way.name) + ", k_v " + std::to_string(stiffness) + ", voxel " +
+                     std::to_string(voxel / mm) + " mm");
+        Press press(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, stiffness, voxel, way.R_WT);
+        const double depth = 0.6 * mm, begun = 1.2 * crushing_depth(stiffness);
+        (void)press.move(-0.01 * mm, begun, 0);
+        press.forces.clear();
+        (void)press.move(begun, depth, 0);
+        double mean = 0, square = 0;
+        for (const double f : press.forces) mean += f / double(press.forces.size());
+        for (const double f : press.forces) square += (f - mean) * (f - mean) / double(press.forces.size());
+        EXPECT_NEAR(mean / expected, 1, 0.01);
+        EXPECT_LT(std::sqrt(square) / mean, 0.01);
+        EXPECT_NEAR(press.energy().crushed / (kStrength * press.crushed()), 1, 0.01);
+        EXPECT_LT(std::abs(press.energy().closure()), 1e-6);
+        EXPECT_LT(std::abs(press.energy().entered), 1e-3 * press.energy().hand_work);
+        EXPECT_EQ(press.energy().cutting, 0);
+        EXPECT_TRUE(has_any(press.simulation.last_result().status, StepStatus::material_crushed));
+      }
+}
+
+// Proves: crushing.
+TEST(Crushing, C40ABallGoesDownAtItsStrengthTimesItsArea) {
+  for (const test::Way& way : ways())
+    for (const double stiffness : {1e16, 1e17}) {
+      Press press(SphereHead{kRadius}, stiffness, 0.1 * mm, way.R_WT);
+      const double w0 = crushing_depth(stiffness);
+      double depth = 0;
+      for (const double next : {0.3 * mm, 0.45 * mm, 0.6 * mm}) {
+        SCOPED_TRACE(std::string(way.name) + ", k_v " + std::to_string(stiffness) + ", depth " +
+                     std::to_string(next / mm) + " mm");
+        const double force = press.move(depth, next, kRadius), at = next - 1e-6;  // the mean of the last step
+        depth = next;
+        EXPECT_NEAR(force / forms::cap_crushing_force(kStrength, w0, kRadius, at), 1, 0.02);
+      }
+      EXPECT_NEAR(press.energy().crushed / (kStrength * press.crushed()), 1, 0.02);
+      EXPECT_LT(std::abs(press.energy().closure()), 1e-6);
+    }
+}
+
+// What is left pushes back as far as it was pressed in, and no more: out and in again crushes nothing.
+TEST(Crushing, WhatIsLeftIsElastic) {
+  Press press(SphereHead{kRadius}, 1e16, 0.1 * mm);
+  const double force = press.move(0, 0.5 * mm, kRadius), crushed = press.crushed();
+  const double hand = press.energy().hand_work, elastic = press.energy().elastic;
+  (void)press.move(0.5 * mm, 0.2 * mm, kRadius);
+  EXPECT_NEAR(press.forces.back(), 0, 1e-3 * force);
+  EXPECT_NEAR(press.energy().hand_work, hand - elastic, 1e-3 * hand);
+  (void)press.move(0.2 * mm, 0.5 * mm, kRadius);
+  EXPECT_NEAR(press.forces.back() / force, 1, 0.01);
+  EXPECT_NEAR(press.crushed() / crushed, 1, 2e-3);
+}
+
+// A plate gives way to a standing ball, which leaves a hole; what the hand did is the strength times the hole.
+TEST(Crushing, APlateIsPunchedThrough) {
+  for (const double thickness : {0.2 * mm, 0.5 * mm}) {
+    Press press(SphereHead{kRadius}, 1e17, 0.1 * mm, test::kWays[0].R_WT, thickness);
+    (void)press.move(0, 2 * kRadius + 2 * thickness, kRadius);
+    const double hole = kPi * std::pow(kRadius - crushing_depth(1e17), 2) * thickness;
+    SCOPED_TRACE(std::to_string(thickness / mm) + " mm");
+    EXPECT_NEAR(press.crushed() / hole, 1, 0.04);
+    EXPECT_NEAR(press.energy().hand_work / (kStrength * press.crushed()), 1, 0.02);
+    EXPECT_NEAR(press.energy().elastic, 0, 1e-4 * press.energy().hand_work);
+  }
+}
+
+TEST(Crushing, NothingIsCrushedWhereNothingMayBeRemoved) {
+  Press press(SphereHead{kRadius}, 1e16, 0.1 * mm, Mat3::Identity(), 2 * mm, RemovalLaw::none);
+  (void)press.move(0, 0.5 * mm, kRadius);
+  EXPECT_EQ(press.crushed(), 0);
+  EXPECT_NEAR(press.forces.back() / forms::cap_force(1e16, kRadius, 0.5 * mm - 1e-6), 1, 0.01);
+}
+
+TEST(Crushing, IsAskedForTheSameByAProbe) {
+  Press press(SphereHead{kRadius}, 1e16, 0.1 * mm, test::kWays[0].R_WT);
+  (void)press.move(0, 0.4 * mm, kRadius);
+  Pose next;
+  next.rotation = press.R;
+  next.translation = press.R * (kAside + Vec3(0, 0, kRadius - 0.41 * mm));
+  const Twist twist = {press.R * Vec3(0, 0, -0.01 * mm / 1e-3), Vec3::Zero()};
+  const ContactProbe probed = press.simulation.probe(next, twist, 1e-3);
+  const StepResult& stepped = press.simulation.step(next, twist, 1e-3);
+  EXPECT_TRUE(has_any(stepped.status, StepStatus::material_crushed));
+  EXPECT_EQ(probed.wrench.force, stepped.model.force);
+}
+
+// A turning head that is pressed into what it cannot cut as fast crushes what is beyond the strength as well.
+TEST(Crushing, ATurningHeadBearsNoMoreThanAStandingOne) {
+  Press press(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 1e16, 0.1 * mm, test::kWays[0].R_WT, 2 * mm,
+              RemovalLaw::constant_energy, 20);
+  const double force = press.move(0, 0.6 * mm, 0, 1e-5);
+  EXPECT_LE(force, 1.02 * forms::flat_bottom_crushing_force(kStrength, kRadius));
+  EXPECT_GT(press.energy().cutting, 0);
+  EXPECT_GT(press.energy().crushed, 0);
+  EXPECT_LT(std::abs(press.energy().closure()), 1e-5);
+}
+
+}  // namespace
+}  // namespace hapticut::crushing_test
