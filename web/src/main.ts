@@ -46,10 +46,12 @@ class Page {
   private pointer: Pointer;
   private last = performance.now();
   private drawn = 0;
+  private pause = 0; // ms between pictures: without a graphics card the loop needs the processor more
 
   constructor() {
     try {
       this.picture = new Picture(canvas);
+      this.pause = this.picture.software ? 150 : 0;
     } catch {
       const blank = byId("blank");
       blank.hidden = false;
@@ -139,7 +141,7 @@ class Page {
       if (this.path.length > 20_000) this.path.shift();
       this.link.send(commands.moveHand(X_WH, pressed));
     }
-    if (this.changed || this.eye.changed) this.draw(now, seconds);
+    if ((this.changed || this.eye.changed) && now - this.drawn >= this.pause) this.draw(now, seconds);
     this.curves.draw();
   }
 

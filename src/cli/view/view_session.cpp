@@ -34,6 +34,15 @@ bool same_handle(const Tool& a, const Tool& b) {
          a.X_HT().translation == b.X_HT().translation;
 }
 
+/// Nobody's hand is in a pointer: a machine that is busy with the picture shall not make it wait until the tool is free.
+void forgive(GuardOptions& guard) {
+  guard.arming.ramp = 0.3;
+  guard.late = 1;
+  guard.pause = 5;
+  guard.watchdog.late_ticks = guard.watchdog.fade_ticks = 1000;
+  guard.watchdog.fault_ticks = 5000;
+}
+
 std::string free_name() {
   for (int n = 1;; ++n)
     if (std::string name = "session-" + std::to_string(n) + ".h5"; !std::filesystem::exists(name)) return name;
@@ -98,7 +107,7 @@ void ViewSession::build_loop() {
   RealtimeLoopOptions loop;
   loop.run.stop_on_crash = true;  // the process is ours
   loop.run.guard.arming.short_ramp = 0.1;
-  if (device_ == nullptr) loop.run.guard.arming.ramp = 0.3;  // nobody's hand is in it
+  if (device_ == nullptr) forgive(loop.run.guard);
   loop.region = model_->region();
   loop_ = std::make_unique<RealtimeLoop>(device(), *watched_, loop);
 }
