@@ -50,9 +50,14 @@ export async function openPage(browser, url, options = {}) {
   return page;
 }
 
-/** Waits until something that the page computes is so. */
-export const until = (page, condition, argument, timeout = 30_000) =>
-  page.waitForFunction(condition, argument, { timeout, polling: 50 });
+/** Waits until something that the page computes is so. The page's own rules forbid to evaluate texts in it. */
+export async function until(page, condition, argument, timeout = 30_000) {
+  for (const end = Date.now() + timeout; ;) {
+    if (await page.evaluate(condition, argument)) return;
+    if (Date.now() > end) throw new Error(`never came about: ${condition}, ${JSON.stringify(argument)}`);
+    await page.waitForTimeout(50);
+  }
+}
 
 export const isReady = (page) => until(page, () => hapticut.snapshot?.arming === 4 && hapticut.workpiece.triangles > 1000 &&
   hapticut.instruments !== null);

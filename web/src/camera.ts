@@ -36,7 +36,7 @@ export class Eye {
   frame(box: three.Box3) {
     const ball = box.getBoundingSphere(new three.Sphere());
     this.target.copy(ball.center);
-    this.distance = (1.15 * ball.radius) / Math.sin(((this.camera.fov / 2) * Math.PI) / 180);
+    this.distance = (1.02 * ball.radius) / Math.sin(((this.camera.fov / 2) * Math.PI) / 180);
     this.changed = true;
   }
 

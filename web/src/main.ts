@@ -51,7 +51,7 @@ class Page {
   constructor() {
     try {
       this.picture = new Picture(canvas);
-      this.pause = this.picture.software ? 150 : 0;
+      this.pause = this.picture.software ? 250 : 0;
     } catch {
       const blank = byId("blank");
       blank.hidden = false;
@@ -81,7 +81,7 @@ class Page {
       case "hello":
         this.workpiece.begin(message);
         this.writer = message.writer;
-        this.indicators.role(message.writer ? "leads" : "looks on");
+        if (!document.body.classList.contains("replay")) this.indicators.role(message.writer ? "leads" : "looks on");
         this.indicators.materials(message.materials);
         this.panels.enable(message.writer);
         this.began = performance.now();

@@ -79,6 +79,7 @@ export class Picture {
   convergence = 60; // mm
   occlusion = true;
   software: boolean;
+  softwareRatio = 0.75; // pixels drawn over pixels shown, without a graphics card
   private eyes: EyeTarget[] = [];
   private screen = new three.Scene();
   private flat = new three.Camera();
@@ -115,7 +116,7 @@ export class Picture {
 
   /** @param width  of the canvas on the page */
   resize(width: number, height: number) {
-    this.renderer.setPixelRatio(this.software ? 1 : Math.min(2, devicePixelRatio));
+    this.renderer.setPixelRatio(this.software ? this.softwareRatio : Math.min(2, devicePixelRatio));
     this.renderer.setSize(width, height, false);
     for (const eye of this.eyes) {
       eye.color.dispose();

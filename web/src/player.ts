@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A page that replays: its recording lies in it, or beside it.
 import type { Message } from "./protocol.ts";
-import { Player, readRecording, unpack } from "./replay.ts";
+import { fromBase64, Player, readRecording, unpack } from "./replay.ts";
 
 type ById = <T extends HTMLElement>(id: string) => T;
 interface Shows {
@@ -16,10 +16,10 @@ export function showPlayer(page: Shows, byId: ById): boolean {
   if (!inside) return false;
   document.body.classList.add("replay");
   page.indicators.role("replay");
-  const source = inside.getAttribute("src");
-  const bytes = source === null ? unpack(inside.textContent ?? "") : fetch(source).then(async (answer) =>
-    new Uint8Array(await answer.arrayBuffer()));
-  bytes.then((all) => play(new Player(readRecording(all), (message) => page.hear(message), () => page.curves.ring.clear()), byId))
+  const source = inside.dataset.from ?? null;
+  const packed = source === null ? Promise.resolve(fromBase64(inside.textContent ?? ""))
+    : fetch(source).then(async (answer) => new Uint8Array(await answer.arrayBuffer()));
+  packed.then(unpack).then((all) => play(new Player(readRecording(all), (message) => page.hear(message), () => page.curves.ring.clear()), byId))
     .catch((error: Error) => page.indicators.notice(error.message, 2));
   return true;
 }

@@ -25,10 +25,12 @@ export function readRecording(bytes: Uint8Array): Timed[] {
 }
 
 /** From the text of a page that has its recording in it. */
-export async function unpack(base64: string): Promise<Uint8Array> {
-  const raw = Uint8Array.from(atob(base64.replace(/\s/g, "")), (c) => c.charCodeAt(0));
+export const fromBase64 = (text: string) => Uint8Array.from(atob(text.replace(/\s/g, "")), (c) => c.charCodeAt(0));
+
+/** What gzip has compressed; anything else stays as it is. */
+export async function unpack(raw: Uint8Array): Promise<Uint8Array> {
   if (raw[0] !== 0x1f || raw[1] !== 0x8b) return raw;
-  const stream = new Blob([raw]).stream().pipeThrough(new DecompressionStream("gzip"));
+  const stream = new Blob([raw as BlobPart]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 

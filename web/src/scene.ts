@@ -14,7 +14,7 @@ float byteOf(float v) { return v > 127.0 ? v - 256.0 : v; }
 void main() {
   float packed = extra.y < 0.0 ? extra.y + 65536.0 : extra.y;
   float high = floor(packed / 256.0);
-  vec3 n = vec3(byteOf(packed - 256.0 * high), byteOf(high), extra.z);
+  vec3 n = vec3(byteOf(packed - 256.0 * high), byteOf(high), byteOf(extra.z));
   int id = int(extra.x + 0.5);
   vColor = colors[clamp(id, 0, 15)];
   vNormal = normalize(mat3(modelMatrix) * n);

@@ -15,7 +15,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "cli/view/page_folder.hpp"
 #include "cli/view/view_session.hpp"
+#ifdef HAPTICUT_HAS_IO
+#include "cli/view/replay_page.hpp"
+#endif
 #endif
 
 namespace hapticut::cli {
@@ -35,19 +39,6 @@ struct ViewSettings {
 using FrameClock = std::chrono::steady_clock;
 constexpr auto kViewFrame = std::chrono::microseconds(16'667);
 
-/// The built page: beside the program in a build tree and in an installed one.
-std::filesystem::path find_page(const std::string& given) {
-  if (!given.empty()) return given;
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-  for (const char* place : {"../../web/page", "../share/hapticut/web"})
-    if (std::filesystem::exists(program / place / "index.html", error))
-      return std::filesystem::weakly_canonical(program / place);
-  throw Error(
-      "the page is not beside this program, for it was built without npm. Install npm, configure and build "
-      "again, or name the folder of a built page by --page.");
-}
-
 /// Opens a browser in a process of its own, where there is a screen. @return whether it was begun
 bool open_browser(const std::string& address) {
   const auto is_set = [](const char* name) { return std::getenv(name) != nullptr; };
@@ -65,7 +56,7 @@ bool open_browser(const std::string& address) {
 class Viewer {
  public:
   Viewer(ViewScene scene, const view::ViewServerOptions& options, Device* device)
-      : device_(device), server_(shown_scene(scene), options) {
+      : device_(device), server_(shown_scene(scene.workpiece), options) {
     session_ = std::make_unique<ViewSession>(std::move(scene), server_, device_);
   }
 
@@ -93,7 +84,7 @@ class Viewer {
     try {
       ViewScene scene = make_view_scene(name);
       session_.reset();  // before the next uses its device
-      server_.show(shown_scene(scene));
+      server_.show(shown_scene(scene.workpiece));
       session_ = std::make_unique<ViewSession>(std::move(scene), server_, device_);
       server_.send_notice(view::Severity::tells, name + " is ready.");
     } catch (const Error& error) {
@@ -107,18 +98,48 @@ class Viewer {
   std::unique_ptr<ViewSession> session_;
 };
 
+void announce(const std::string& address, bool no_browser) {
+  std::printf("hapticut view: %s\nopen it in a browser of this machine; Ctrl-C ends it\n", address.c_str());
+  std::fflush(stdout);
+  if (!no_browser) open_browser(address);
+}
+
+#ifdef HAPTICUT_HAS_IO
+/// A recording is a page that needs no loop: it plays by itself.
+void show_recording(const ViewSettings& s, view::ViewServerOptions options) {
+  const Recording recording = read_recording(s.scene);
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("hapticut-view-" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  write_replay_folder(recording, options.page, folder);
+  options.page = folder;
+  const StopSignals signals;
+  const view::ViewServer server({}, options);
+  std::filesystem::remove_all(folder);  // the server has read it
+  announce(server.address(), s.no_browser);
+  while (StopSignals::came() == 0) std::this_thread::sleep_for(kViewFrame);
+}
+#endif
+
 void run_view(const ViewSettings& s) {
   view::ViewServerOptions options;
   options.page = find_page(s.page);
   options.port = int(s.port);
+  if (s.scene.ends_with(".h5")) {
+#ifdef HAPTICUT_HAS_IO
+    return show_recording(s, options);
+#else
+    throw Error("'" + s.scene +
+                "' cannot be read, because this program was built without its io component. Build it "
+                "with HAPTICUT_WITH_IO=ON.");
+#endif
+  }
   use_all_devices();
   std::unique_ptr<Device> device;
   if (!s.device.empty()) device = open_device(s.device);
   const StopSignals signals;
   Viewer viewer(make_view_scene(s.scene), options, device.get());
-  std::printf("hapticut view: %s\nopen it in a browser of this machine; Ctrl-C ends it\n", viewer.address().c_str());
-  std::fflush(stdout);
-  if (!s.no_browser) open_browser(viewer.address());
+  announce(viewer.address(), s.no_browser);
   viewer.run();
 }
 #else
@@ -131,17 +152,18 @@ void run_view(const ViewSettings&) {
 
 Command view_command() {
   auto settings = std::make_shared<ViewSettings>();
-  return {"view",
-          "Drill a scene in a browser, beside the real-time loop",
-          {text("view.scene", "SCENE", settings->scene,
-                "clay, molar, skull, a settings file (.toml), or a file that is a workpiece [molar]"),
-           text("view.device", "--device", settings->device,
-                "name of the device that leads: openhaptics, ... [the pointer of the page]"),
-           number("view.port", "--port", settings->port, Range::between(0, 65535),
-                  "of this machine to listen at; 0: any that is free [0]"),
-           text("view.page", "--page", settings->page, "folder of the built page [beside the program]"),
-           boolean("view.no_browser", "--no_browser", settings->no_browser, "opens no browser")},
-          [settings] { run_view(*settings); }};
+  return {
+      "view",
+      "Drill a scene in a browser, beside the real-time loop",
+      {text("view.scene", "SCENE", settings->scene,
+            "clay, molar, skull, a settings file (.toml), a workpiece, or a recording (.h5) to be replayed [molar]"),
+       text("view.device", "--device", settings->device,
+            "name of the device that leads: openhaptics, ... [the pointer of the page]"),
+       number("view.port", "--port", settings->port, Range::between(0, 65535),
+              "of this machine to listen at; 0: any that is free [0]"),
+       text("view.page", "--page", settings->page, "folder of the built page [beside the program]"),
+       boolean("view.no_browser", "--no_browser", settings->no_browser, "opens no browser")},
+      [settings] { run_view(*settings); }};
 }
 
 }  // namespace hapticut::cli

@@ -34,7 +34,8 @@ bool same_handle(const Tool& a, const Tool& b) {
          a.X_HT().translation == b.X_HT().translation;
 }
 
-/// Nobody's hand is in a pointer: a machine that is busy with the picture shall not make it wait until the tool is free.
+/// Nobody's hand is in a pointer: a machine that is busy with the picture shall not make it wait until the tool is
+/// free.
 void forgive(GuardOptions& guard) {
   guard.arming.ramp = 0.3;
   guard.late = 1;
@@ -44,15 +45,18 @@ void forgive(GuardOptions& guard) {
 }
 
 std::string free_name() {
-  for (int n = 1;; ++n)
-    if (std::string name = "session-" + std::to_string(n) + ".h5"; !std::filesystem::exists(name)) return name;
+  for (int n = 1;; ++n) {
+    std::string name("session-");
+    name.append(std::to_string(n)).append(".h5");
+    if (!std::filesystem::exists(name)) return name;
+  }
 }
 
 }  // namespace
 
-view::Scene shown_scene(const ViewScene& scene) {
-  view::Scene shown{scene.workpiece.frame(), {}};
-  const MaterialTable& materials = scene.workpiece.materials();
+view::Scene shown_scene(const Workpiece& workpiece) {
+  view::Scene shown{workpiece.frame(), {}};
+  const MaterialTable& materials = workpiece.materials();
   for (int n = 1; n <= materials.size(); ++n) {
     const std::string& name = materials[MaterialId(n)].name;
     shown.materials.push_back({name, color_of(name)});

@@ -17,7 +17,7 @@
 namespace hapticut::cli {
 
 /// What pages must know of a scene before anything else.
-[[nodiscard]] view::Scene shown_scene(const ViewScene& scene);
+[[nodiscard]] view::Scene shown_scene(const Workpiece& workpiece);
 
 /// A scene that is drilled, and shown: the loop in its thread, and beside it the thread that calls `frame` and `obey`,
 /// which feeds the server and hands commands on.
