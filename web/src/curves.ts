@@ -46,7 +46,7 @@ export class Curves {
   private plot(parent: HTMLElement, unit: string): uPlot {
     const ink = () => getComputedStyle(parent).color;
     const axis = (size: number): uPlot.Axis => ({
-      stroke: ink, size, font: "11px system-ui", grid: { stroke: "#8884", width: 1 }, ticks: { show: false },
+      stroke: ink, size, space: 20, font: "11px system-ui", grid: { stroke: "#8884", width: 1 }, ticks: { show: false },
     });
     return new uPlot({
       width: 300, height: 112, legend: { show: false }, cursor: { show: false },
@@ -57,7 +57,7 @@ export class Curves {
           return [-1.08 * most, 1.08 * most];
         } },
       },
-      axes: [{ ...axis(20), values: (_u, ticks) => ticks.map((t) => `${t} s`) },
+      axes: [{ ...axis(20), space: 50, values: (_u, ticks) => ticks.map((t) => `${t} s`) },
              { ...axis(46), values: (_u, ticks) => ticks.map((t) => `${+t.toPrecision(3)}`), label: unit, labelSize: 13,
                labelFont: "11px system-ui" }],
       series: [{}, ...kAxes.map((label, n) => ({ label, stroke: kColors[n], width: 1, points: { show: false } }))],

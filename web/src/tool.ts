@@ -35,7 +35,7 @@ function rod(from: three.Vector3, to: three.Vector3, radius: number, material: t
 }
 
 const metal = (color: number, roughness: number) =>
-  new three.MeshStandardMaterial({ color, roughness, metalness: 0.35, side: three.DoubleSide });
+  new three.MeshStandardMaterial({ color, roughness, metalness: 0.08, side: three.DoubleSide });
 
 export class ToolView {
   readonly group = new three.Group(); // at X_WT
@@ -129,7 +129,7 @@ export class ToolView {
     if (!this.arrow.visible) return;
     this.arrow.position.copy(at);
     this.arrow.setDirection(new three.Vector3(...force).normalize());
-    const long = this.reach * Math.min(6, 0.6 + 2 * Math.sqrt(size));
+    const long = this.reach * Math.min(3.5, 0.6 + 0.9 * Math.sqrt(size));
     this.arrow.setLength(long, Math.min(0.3 * long, 2), Math.min(0.16 * long, 1));
   }
 }
