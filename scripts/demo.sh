@@ -3,15 +3,19 @@
 # Drills a real skull CT and the built-in molar at a simulated 1 kHz. Installs what is missing, builds the command line
 # program, prints one table per run and writes out/demo/{skull,molar}.{json,csv,vdb,stl,png}.
 #
-#   scripts/demo.sh [--no-install] [--jobs N]
+#   scripts/demo.sh [--no-install] [--jobs N] [--view]
+#
+#   --view  shows the molar in a browser instead, to be drilled with a mouse: hapticut view
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 install=true
+view=false
 jobs=$(nproc)
 while [ $# -gt 0 ]; do
   case $1 in
     --no-install) install=false ;;
+    --view) view=true ;;
     --jobs)
       jobs=${2:-}
       [[ $jobs =~ ^[1-9][0-9]*$ ]] || { echo "demo.sh: --jobs needs a number, e.g. --jobs 2." >&2; exit 2; }
@@ -32,16 +36,25 @@ done
 if $install; then
   scripts/install-deps.sh --for demo
 fi
+more=()
+targets=()
+if $view; then
+  more=(-DHAPTICUT_WITH_VIEW=ON)
+  targets=(hapticut_page)
+fi
 mkdir -p out/demo
 log=out/demo/build.log
 echo "building (see $log)"
-if ! { cmake --preset release -DHAPTICUT_WITH_IO=ON -DHAPTICUT_WITH_CLI=ON &&
-  cmake --build --preset release -j "$jobs" -t hapticut_cli; } >"$log" 2>&1; then
+if ! { cmake --preset release -DHAPTICUT_WITH_IO=ON -DHAPTICUT_WITH_CLI=ON "${more[@]}" &&
+  cmake --build --preset release -j "$jobs" -t hapticut_cli "${targets[@]}"; } >"$log" 2>&1; then
   tail -n 40 "$log" >&2
   echo "demo.sh: the build failed; the whole output is in $log." >&2
   exit 1
 fi
 
+if $view; then
+  exec build/release/src/cli/hapticut view molar
+fi
 for name in skull molar; do
   echo
   build/release/src/cli/hapticut drill --settings "examples/demo/$name.toml" --json "out/demo/$name.json" \

@@ -7,9 +7,10 @@
 #   --for GROUP  core   compiler, CMake, OpenVDB, Eigen: the library alone
 #                build  core, and file formats and the command line (default)
 #                test   build, and what scripts/test.sh runs: test libraries, clang, formatter, linter, readers to check
-#                       our files against, what pip needs to build the Python package
-#                demo   build without ITK and Assimp, which are large and not needed for it, and the skull CT that
-#                       scripts/demo.sh drills
+#                       our files against, what pip needs to build the Python package, what builds the page, and a
+#                       browser to try it in
+#                demo   build without ITK and Assimp, which are large and not needed for it, the skull CT that
+#                       scripts/demo.sh drills, and what builds the page
 #                bench  build, and the benchmark library
 #   --list       print the packages of the group, one a line, and stop
 #   --check      install nothing; exit 1 and name what is missing
@@ -18,11 +19,13 @@ set -eu
 core='g++ cmake ninja-build git ca-certificates libopenvdb-dev libtbb-dev libimath-dev libboost-dev libeigen3-dev libhwy-dev'
 program="$core libhdf5-dev libpng-dev libtiff-dev libarchive-dev libexpat1-dev zlib1g-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev"
 build="$program libinsighttoolkit5-dev libassimp-dev"
+page=
+command -v node >/dev/null && command -v npm >/dev/null || page='nodejs npm'  # who has them from elsewhere keeps them
 bench="$build ccache libbenchmark-dev"
 test="$bench valgrind libgtest-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev
-  libopenvdb-tools python3-openvdb python3-venv python3-dev pybind11-dev mono-runtime mono-mcs"
+  libopenvdb-tools python3-openvdb python3-venv python3-dev pybind11-dev mono-runtime mono-mcs $page chromium"
 [ "$(uname -m 2>/dev/null)" = aarch64 ] || test="$test g++-aarch64-linux-gnu"
-demo="$program ccache invesalius-examples"
+demo="$program ccache invesalius-examples $page"
 
 complain() {
   printf '%s: %s\n' "install-deps.sh" "$1" >&2

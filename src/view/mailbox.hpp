@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -20,11 +21,16 @@ namespace hapticut::view {
 
 using SharedMessage = std::shared_ptr<const Message>;
 
-struct SoundPiece {
+/// One of what is kept for a second: sound, curves, notices.
+struct Piece {
   std::uint64_t number;
   double seconds;
   SharedMessage message;
 };
+
+/// Of these the newest is sent, once to each connection.
+enum class Slot : std::uint8_t { tool, controls, snapshot, instruments, count };
+inline constexpr std::size_t kSlots = std::size_t(Slot::count);
 
 class Mailbox {
  public:
@@ -38,20 +44,21 @@ class Mailbox {
     if (is_new_.insert_or_assign(page.origin, true).second) news_.push_back(page.origin);
     return !std::exchange(woken_, true);
   }
-  bool put(const LoopSnapshot& snapshot) {
-    auto message = std::make_shared<const Message>(encode(snapshot));
+  bool put(Slot slot, Message&& message) {
+    auto shared = std::make_shared<const Message>(std::move(message));
     const std::lock_guard lock(mutex_);
-    snapshot_ = std::move(message);
-    ++snapshots_;
+    Newest& newest = slots_[std::size_t(slot)];
+    newest.message = std::move(shared);
+    ++newest.number;
     return !std::exchange(woken_, true);
   }
-  bool put(std::span<const float> samples, std::uint32_t sample_rate) {
-    if (samples.empty() || sample_rate == 0) return false;
-    auto message = std::make_shared<const Message>(encode_sound(samples, sample_rate));
+  /// @param seconds  for which it is a part of what is kept
+  bool put_piece(Message&& message, double seconds) {
+    auto shared = std::make_shared<const Message>(std::move(message));
     const std::lock_guard lock(mutex_);
-    sound_.push_back({++sounds_, double(samples.size()) / sample_rate, std::move(message)});
-    sounding_ += sound_.back().seconds;
-    for (; sounding_ > kSoundKept && sound_.size() > 1; sound_.pop_front()) sounding_ -= sound_.front().seconds;
+    pieces_.push_back({++piece_, seconds, std::move(shared)});
+    waiting_ += seconds;
+    for (; waiting_ > kKept && pieces_.size() > 1; pieces_.pop_front()) waiting_ -= pieces_.front().seconds;
     return !std::exchange(woken_, true);
   }
   bool put(Scene scene) {
@@ -59,7 +66,7 @@ class Mailbox {
     scene_ = std::move(scene);
     ++scenes_;
     pages_.clear(), news_.clear(), is_new_.clear();
-    snapshot_.reset();
+    for (Newest& newest : slots_) newest.message.reset();
     return !std::exchange(woken_, true);
   }
   std::optional<ViewCommand> take_command() {
@@ -89,9 +96,11 @@ class Mailbox {
     const auto found = pages_.find(origin);
     return found == pages_.end() ? nullptr : found->second;
   }
-  std::pair<std::uint64_t, SharedMessage> snapshot() {
+  /// Its number and itself; null where there is none.
+  std::pair<std::uint64_t, SharedMessage> newest(Slot slot) {
     const std::lock_guard lock(mutex_);
-    return {snapshots_, snapshot_};
+    const Newest& newest = slots_[std::size_t(slot)];
+    return {newest.number, newest.message};
   }
   std::pair<std::uint64_t, Scene> scene() {
     const std::lock_guard lock(mutex_);
@@ -101,14 +110,14 @@ class Mailbox {
     const std::lock_guard lock(mutex_);
     return scenes_;
   }
-  std::uint64_t sounds() {
+  std::uint64_t last_piece() {
     const std::lock_guard lock(mutex_);
-    return sounds_;
+    return piece_;
   }
   /// The oldest piece that is younger than a number.
-  std::optional<SoundPiece> sound_after(std::uint64_t number) {
+  std::optional<Piece> piece_after(std::uint64_t number) {
     const std::lock_guard lock(mutex_);
-    for (const SoundPiece& piece : sound_)
+    for (const Piece& piece : pieces_)
       if (piece.number > number) return piece;
     return std::nullopt;
   }
@@ -129,17 +138,21 @@ class Mailbox {
   }
 
  private:
-  static constexpr double kSoundKept = 1;  // [s]
+  struct Newest {
+    std::uint64_t number = 0;
+    SharedMessage message;
+  };
+  static constexpr double kKept = 2;  // [s] of pieces: sound and curves are one second each
 
   std::mutex mutex_;
   Scene scene_;
-  std::uint64_t scenes_ = 1, snapshots_ = 0, sounds_ = 0;
+  std::uint64_t scenes_ = 1, piece_ = 0;
   std::map<VoxelIndex, SharedMessage> pages_;
   std::map<VoxelIndex, bool> is_new_;
   std::vector<VoxelIndex> news_;  // in the order in which they came
-  SharedMessage snapshot_;
-  std::deque<SoundPiece> sound_;
-  double sounding_ = 0;  // [s]
+  std::array<Newest, kSlots> slots_;
+  std::deque<Piece> pieces_;
+  double waiting_ = 0;  // [s]
   std::size_t most_commands_;
   std::deque<ViewCommand> commands_;
   bool woken_ = false;

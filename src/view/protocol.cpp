@@ -33,6 +33,11 @@ class Writer {
     message_.insert(message_.end(), first, first + count);
     return *this;
   }
+  /// With its length before it, of 16 bits.
+  Writer& add_text(std::string_view text) {
+    const auto length = std::uint16_t(std::min<std::size_t>(text.size(), 65535));
+    return add(length).add_bytes(text.data(), length);
+  }
   void reserve(std::size_t bytes) { message_.reserve(bytes); }
   [[nodiscard]] Message take() { return std::move(message_); }
 
@@ -81,6 +86,14 @@ class Reader {
     failed_ = failed_ || !(excess.cwiseAbs().maxCoeff() < kRotationTolerance) || !(pose.rotation.determinant() > 0);
     return pose;
   }
+  /// All that is left, as text.
+  std::string take_text(std::size_t most) {
+    const std::span<const std::uint8_t> rest = bytes_.subspan(at_);
+    at_ = bytes_.size();
+    const auto is_control = [](std::uint8_t byte) { return byte < 0x20 || byte == 0x7f; };
+    refuse_if(rest.empty() || rest.size() > most || std::any_of(rest.begin(), rest.end(), is_control));
+    return {rest.begin(), rest.end()};
+  }
   void refuse_if(bool wrong) { failed_ = failed_ || wrong; }
 
   [[nodiscard]] bool is_complete() const { return !failed_ && at_ == bytes_.size(); }
@@ -127,6 +140,13 @@ std::optional<ViewCommand> payload_of(CommandKind kind, Reader& reader) {
       return Stop{};
     case CommandKind::look_at:
       return LookAt{reader.take_point()};
+    case CommandKind::set_control: {
+      const auto id = reader.take<std::uint16_t>();
+      reader.refuse_if(reader.take<std::uint16_t>() != 0);
+      return SetControl{id, reader.take_number()};
+    }
+    case CommandKind::load:
+      return Load{reader.take_text(kLongestName)};
   }
   return std::nullopt;
 }
@@ -173,6 +193,55 @@ Message encode_sound(std::span<const float> samples, std::uint32_t sample_rate) 
   message.add(sample_rate).add(std::uint32_t(samples.size()));
   for (const float sample : samples)
     message.add(std::int16_t(std::lround(32767.0F * std::clamp(std::isfinite(sample) ? sample : 0.0F, -1.0F, 1.0F))));
+  return message.take();
+}
+
+Message encode(const Tool& tool) {
+  Writer message(MessageKind::tool);
+  const auto* bent = std::get_if<LHandle>(&tool.handle());
+  message.add(tool.X_HT()).add(std::uint32_t(bent != nullptr ? 1 : 0));
+  message.add(bent != nullptr ? bent->length : std::get<RayHandle>(tool.handle()).length);
+  message.add(bent != nullptr ? bent->neck : 0.0).add(bent != nullptr ? bent->bend : 0.0);
+  const Profile profile = tool.head().profile();
+  message.add(profile.tip).add(std::uint32_t(profile.edges.size()));
+  for (const ProfileEdge& edge : profile.edges)
+    message.add(edge.rho).add(edge.z).add(edge.radius).add(std::uint32_t(edge.kind == EdgeKind::cutting ? 1 : 0));
+  return message.take();
+}
+
+Message encode(std::span<const Control> controls) {
+  Writer message(MessageKind::controls);
+  message.add(std::uint32_t(controls.size()));
+  for (const Control& control : controls) {
+    message.add(control.id).add(std::uint8_t(control.kind)).add(std::uint8_t(0));
+    message.add(control.value).add(control.min).add(control.max);
+    message.add_text(control.panel).add_text(control.label).add_text(control.unit).add_text(control.choices);
+  }
+  return message.take();
+}
+
+Message encode(const Instruments& instruments) {
+  Writer message(MessageKind::instruments);
+  message.add(instruments.X_WG).add(instruments.power).add(instruments.ticks).add(instruments.missed);
+  message.add(instruments.bucket).add(std::uint32_t(instruments.latency.size()));
+  for (const std::uint32_t ticks : instruments.latency) message.add(ticks);
+  message.add(std::uint32_t(instruments.removed.size()));
+  for (const double volume : instruments.removed) message.add(volume);
+  return message.take();
+}
+
+Message encode_notice(Severity severity, std::string_view text) {
+  Writer message(MessageKind::notice);
+  return message.add(std::uint32_t(severity))
+      .add(std::uint32_t(text.size()))
+      .add_bytes(text.data(), text.size())
+      .take();
+}
+
+Message encode_trace(std::uint64_t first, std::span<const TraceSample> samples) {
+  static_assert(sizeof(TraceSample) == 24);
+  Writer message(MessageKind::trace);
+  message.add(first).add(std::uint32_t(samples.size())).add_bytes(samples.data(), samples.size_bytes());
   return message.take();
 }
 

@@ -2,7 +2,6 @@
 // The one file that includes Boost.Beast.
 #include "hapticut/view/view_server.hpp"
 
-#include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
@@ -13,12 +12,10 @@
 #include <chrono>
 #include <deque>
 #include <list>
-#include <random>
 #include <set>
 #include <thread>
 
-#include "view/mailbox.hpp"
-#include "view/page_files.hpp"
+#include "view/hall.hpp"
 
 namespace hapticut::view {
 namespace {
@@ -35,47 +32,7 @@ using Request = http::request<http::empty_body>;
 constexpr auto kPatience = std::chrono::seconds(10);  // for a request, and for whoever does not answer a ping
 constexpr unsigned kLongestHead = 8192;               // bytes of a request
 
-std::string new_token() {
-  std::random_device random;
-  std::string token;
-  for (int n = 0; n < 4; ++n) {
-    char text[9];
-    std::snprintf(text, sizeof text, "%08x", unsigned(random()));
-    token += text;
-  }
-  return token;
-}
-
-/// In a time that does not tell how much of it is right.
-bool is_same(std::string_view a, std::string_view b) {
-  if (a.size() != b.size()) return false;
-  unsigned difference = 0;
-  for (std::size_t n = 0; n < a.size(); ++n) difference |= unsigned(a[n] ^ b[n]);
-  return difference == 0;
-}
-
 std::string_view view_of_text(beast::string_view text) { return {text.data(), text.size()}; }
-
-/// What all connections share; only the server's thread touches it, but for the counts.
-struct Hall {
-  Hall(Scene scene, const ViewServerOptions& given)
-      : options(given), mailbox(std::move(scene), given.commands_waiting), files(read_page_files(given.page)) {}
-
-  [[nodiscard]] bool is_our_host(std::string_view host) const {
-    const std::string at = ":" + std::to_string(port);
-    return host == "127.0.0.1" + at || host == "localhost" + at;
-  }
-
-  ViewServerOptions options;
-  Mailbox mailbox;
-  std::map<std::string, PageFile, std::less<>> files;
-  std::string token = new_token();
-  int port = 0;
-  std::size_t open = 0;  // sockets
-  bool has_writer = false;
-  std::atomic<std::size_t> connected = 0;
-  std::atomic<std::uint64_t> refused = 0;
-};
 
 /// A page that is connected.
 class Connection : public std::enable_shared_from_this<Connection> {
@@ -118,7 +75,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     accepted_ = true;
     ++hall_.connected;
     writer_ = !std::exchange(hall_.has_writer, true);
-    heard_ = hall_.mailbox.sounds();
+    heard_ = hall_.mailbox.last_piece();
     all_.push_back(weak_from_this());
     read();
     tell(hall_.mailbox.all_pages());
@@ -171,23 +128,33 @@ class Connection : public std::enable_shared_from_this<Connection> {
         if (is_due_.insert(origin).second) due_.push_back(origin);
       return std::make_shared<const Message>(encode_hello(scene, writer_));
     }
-    if (const auto piece = hall_.mailbox.sound_after(heard_)) {
+    if (const auto piece = hall_.mailbox.piece_after(heard_)) {
       heard_ = piece->number;
       return piece->message;
     }
-    const auto [number, snapshot] = hall_.mailbox.snapshot();
-    const bool is_new = snapshot != nullptr && number != snapshot_;
-    if (is_new && (due_.empty() || !was_snapshot_)) {
-      snapshot_ = number;
-      was_snapshot_ = true;
-      return snapshot;
-    }
-    was_snapshot_ = false;
+    if (due_.empty() || !was_newest_)
+      if (SharedMessage message = next_newest()) {
+        was_newest_ = true;
+        return message;
+      }
+    was_newest_ = false;
     while (!due_.empty()) {
       const VoxelIndex origin = due_.front();
       due_.pop_front();
       is_due_.erase(origin);
       if (SharedMessage page = hall_.mailbox.page(origin)) return page;
+    }
+    return nullptr;
+  }
+
+  /// Of what only the newest matters, one after the other.
+  SharedMessage next_newest() {
+    for (std::size_t n = 0; n < kSlots; ++n) {
+      slot_ = (slot_ + 1) % kSlots;
+      const auto [number, message] = hall_.mailbox.newest(Slot(slot_));
+      if (message == nullptr || number == sent_[slot_]) continue;
+      sent_[slot_] = number;
+      return message;
     }
     return nullptr;
   }
@@ -208,11 +175,13 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::list<std::weak_ptr<Connection>>& all_;
   websocket::stream<beast::tcp_stream> socket_;
   beast::flat_buffer buffer_;
-  bool accepted_ = false, writer_ = false, writing_ = false, closing_ = false, was_snapshot_ = false;
+  bool accepted_ = false, writer_ = false, writing_ = false, closing_ = false, was_newest_ = false;
   std::deque<VoxelIndex> due_;  // pages that it does not have in their newest version
   std::set<VoxelIndex> is_due_;
-  std::uint64_t scene_ = 0, snapshot_ = 0, heard_ = 0;  // the last that were sent
-  double tokens_;                                       // commands that it may send at once
+  std::uint64_t scene_ = 0, heard_ = 0;  // the last that were sent
+  std::array<std::uint64_t, kSlots> sent_{};
+  std::size_t slot_ = 0;
+  double tokens_;  // commands that it may send at once
   Clock::time_point last_ = Clock::now();
 };
 
@@ -383,10 +352,29 @@ void ViewServer::send(const SurfacePage& page) {
   if (state_->hall.mailbox.put(page)) state_->wake();
 }
 void ViewServer::send(const LoopSnapshot& snapshot) {
-  if (state_->hall.mailbox.put(snapshot)) state_->wake();
+  if (state_->hall.mailbox.put(Slot::snapshot, encode(snapshot))) state_->wake();
+}
+void ViewServer::send(const Tool& tool) {
+  if (state_->hall.mailbox.put(Slot::tool, encode(tool))) state_->wake();
+}
+void ViewServer::send(std::span<const Control> controls) {
+  if (state_->hall.mailbox.put(Slot::controls, encode(controls))) state_->wake();
+}
+void ViewServer::send(const Instruments& instruments) {
+  if (state_->hall.mailbox.put(Slot::instruments, encode(instruments))) state_->wake();
 }
 void ViewServer::send_sound(std::span<const float> samples, std::uint32_t sample_rate) {
-  if (state_->hall.mailbox.put(samples, sample_rate)) state_->wake();
+  if (samples.empty() || sample_rate == 0) return;
+  const double seconds = double(samples.size()) / sample_rate;
+  if (state_->hall.mailbox.put_piece(encode_sound(samples, sample_rate), seconds)) state_->wake();
+}
+void ViewServer::send_trace(std::uint64_t first, std::span<const TraceSample> samples, double rate) {
+  if (samples.empty() || !(rate > 0)) return;
+  if (state_->hall.mailbox.put_piece(encode_trace(first, samples), double(samples.size()) / rate)) state_->wake();
+}
+void ViewServer::send_notice(Severity severity, std::string_view text) {
+  constexpr double kShare = 0.02;  // [s] so that many of them do not stay for ever
+  if (state_->hall.mailbox.put_piece(encode_notice(severity, text), kShare)) state_->wake();
 }
 void ViewServer::show(Scene scene) {
   if (state_->hall.mailbox.put(std::move(scene))) state_->wake();

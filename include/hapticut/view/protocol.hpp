@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -14,13 +16,14 @@
 #include "hapticut/loop/commands.hpp"
 #include "hapticut/loop/snapshot.hpp"
 #include "hapticut/surface/surface_page.hpp"
+#include "hapticut/tool/tool.hpp"
 
 /// @file
 /// What the server of the page and the page say to each other: binary messages, little-endian, each with a head of four
 /// bytes: its kind, the version of the protocol, and two that are 0. docs/view.md has the tables.
 namespace hapticut::view {
 
-inline constexpr std::uint8_t kProtocolVersion = 1;
+inline constexpr std::uint8_t kProtocolVersion = 2;
 inline constexpr std::size_t kLongestCommand = 128;  ///< bytes; a page never has reason to send more
 
 using Message = std::vector<std::uint8_t>;
@@ -28,7 +31,17 @@ using Message = std::vector<std::uint8_t>;
 // --- to the page
 // ------------------------------------------------------------------------------------------------------
 
-enum class MessageKind : std::uint8_t { hello = 1, page = 2, snapshot = 3, sound = 4 };
+enum class MessageKind : std::uint8_t {
+  hello = 1,
+  page = 2,
+  snapshot = 3,
+  sound = 4,
+  tool = 5,
+  controls = 6,
+  trace = 7,
+  notice = 8,
+  instruments = 9,
+};
 
 /// What a material is called and how it is shown.
 struct ShownMaterial {
@@ -50,6 +63,46 @@ struct Scene {
 /// @param samples  -1 ... 1, of one channel
 [[nodiscard]] Message encode_sound(std::span<const float> samples, std::uint32_t sample_rate);
 
+/// One thing that a page can turn, as the program describes it; the page draws it.
+struct Control {
+  enum class Kind : std::uint8_t { number = 0, on_off = 1, choice = 2, button = 3 };
+
+  std::uint16_t id = 0;  ///< names it in SetControl
+  Kind kind = Kind::number;
+  double value = 0;          ///< of a switch 0 or 1, of a choice its number, of a button 1: it can be pressed
+  double min = 0, max = 1;   ///< what is accepted
+  std::string panel, label;  ///< where it stands, what it is called
+  std::string unit;
+  std::string choices = {};  ///< names with | between them
+};
+
+/// Force and torque of a tick, for curves.
+struct TraceSample {
+  std::array<float, 3> force;   ///< [N]
+  std::array<float, 3> torque;  ///< [N·m]
+};
+
+/// What a notice is about.
+enum class Severity : std::uint32_t { tells = 0, warns = 1, failed = 2 };
+
+/// What a page shows beside the scene.
+struct Instruments {
+  Pose X_WG;                             ///< the head where the hand wants it
+  double power = 0;                      ///< [W] of the tool
+  std::uint64_t ticks = 0, missed = 0;   ///< since the loop began; ticks that came more than a period late
+  double bucket = 0;                     ///< [s] width of the buckets below
+  std::vector<std::uint32_t> latency{};  ///< ticks by how late they were, the last bucket with all that were later
+  std::vector<double> removed{};         ///< [m^3] by material from 1
+};
+
+[[nodiscard]] Message encode(const Tool& tool);
+[[nodiscard]] Message encode(std::span<const Control> controls);
+[[nodiscard]] Message encode(const Instruments& instruments);
+[[nodiscard]] Message encode_notice(Severity severity, std::string_view text);
+
+/// @param first  tick of the first sample
+[[nodiscard]] Message encode_trace(std::uint64_t first, std::span<const TraceSample> samples);
+
 // --- from the page
 // ----------------------------------------------------------------------------------------------------
 
@@ -64,6 +117,8 @@ enum class CommandKind : std::uint8_t {
   move_hand = 8,
   stop = 9,
   look_at = 10,
+  set_control = 11,
+  load = 12,
 };
 
 /// Where the pointer wants the hand.
@@ -79,12 +134,25 @@ struct LookAt {
   Vec3 p_WQ = Vec3::Zero();  ///< [m]
 };
 
+/// Turns what `Control::id` names. Whether there is such a one, and whether the value is within its range, knows who
+/// described it.
+struct SetControl {
+  std::uint16_t id = 0;
+  double value = 0;
+};
+
+/// Another scene, by its name or the path of a file.
+struct Load {
+  std::string name;  ///< UTF-8 without control characters, at most kLongestName bytes
+};
+inline constexpr std::size_t kLongestName = 120;
+
 /// Said by the server itself: the writer has gone. A hand without a device must stop, and a real one be faded out.
 struct WriterLeft {};
 
 using ViewCommand =
     std::variant<commands::SetSpindleSpeed, commands::SetUndoMark, commands::Undo, commands::Redo, commands::HoldForce,
-                 commands::SetRemoval, commands::SetForceMask, MoveHand, Stop, LookAt, WriterLeft>;
+                 commands::SetRemoval, commands::SetForceMask, MoveHand, Stop, LookAt, SetControl, Load, WriterLeft>;
 
 /// @return nothing when the message is not one of these in every byte: another version or length, a number that is not
 ///         finite, a matrix that is no rotation, a value that has no meaning

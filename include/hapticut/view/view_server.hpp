@@ -63,8 +63,17 @@ class ViewServer {
 
   void send(const SurfacePage& page);       ///< one without vertices takes back what there was
   void send(const LoopSnapshot& snapshot);  ///< replaces one that was not sent yet
-  /// Those of the last second are kept for who reads slowly, no more.
+  void send(const Tool& tool);              ///< each of these three too
+  void send(std::span<const Control> controls);
+  void send(const Instruments& instruments);
+
+  /// Sound, curves and notices of the last second are kept for who reads slowly, no more.
   void send_sound(std::span<const float> samples, std::uint32_t sample_rate);
+  /// @param first  tick of the first sample
+  /// @param rate   [Hz] of the loop
+  void send_trace(std::uint64_t first, std::span<const TraceSample> samples, double rate);
+  /// @param text  one sentence, UTF-8
+  void send_notice(Severity severity, std::string_view text);
 
   /// Another workpiece: all pages of the old one are forgotten, and every connection is told of the new one.
   void show(Scene scene);

@@ -12,6 +12,7 @@
 #include "cli/reports/loop_report.hpp"
 #include "cli/reports/progress.hpp"
 #include "cli/reports/report.hpp"
+#include "cli/view/hand_map.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/loop/simulation_model.hpp"
@@ -25,7 +26,6 @@ using namespace settings;
 
 namespace {
 
-enum class Up { y, z };
 enum class Coupling { virtual_tool, none };
 
 constexpr std::size_t kReservedBlocks = 16384;  // there is no time to refill them between steps
@@ -86,17 +86,9 @@ bool is_scripted(const std::string& device) { return device.starts_with("mock:")
 
 WorkspaceMapOptions map_of(const LoopSettings& s, const DeviceCapabilities& capabilities, const Box& box,
                            const Tool& tool) {
-  WorkspaceMapOptions map;
-  map.scale = s.scale;
-  if (s.up.value_or(is_scripted(s.device) ? Up::z : Up::y) == Up::y)
-    map.X_WB.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // to the right stays, up becomes z, to the user becomes -y
-  const double tip_above_hand = tool.X_HT().translation.z() + tool.head().bounding_box().min.z();
-  const Vec3 top(0.5 * (box.min.x() + box.max.x()), 0.5 * (box.min.y() + box.max.y()), box.max.z() - tip_above_hand);
-  map.X_WB.translation = s.origin_mm ? Vec3(*s.origin_mm * units::mm) : top;
-  if (capabilities.input_degrees_of_freedom < 6) {
-    map.orientation = false;
-    map.X_SH.rotation = map.X_WB.rotation.transpose();  // the tool stands upright
-  }
+  const Up up = s.up.value_or(is_scripted(s.device) ? Up::z : Up::y);
+  WorkspaceMapOptions map = map_above(capabilities, box, tool, up, s.scale);
+  if (s.origin_mm) map.X_WB.translation = *s.origin_mm * units::mm;
   return map;
 }
 

@@ -12,6 +12,10 @@
 #include "settings/force_settings.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/recording/replay.hpp"
+#ifdef HAPTICUT_HAS_VIEW
+#include "cli/view/page_folder.hpp"
+#include "cli/view/replay_page.hpp"
+#endif
 #endif
 
 namespace hapticut::cli {
@@ -26,7 +30,7 @@ struct ReplaySettings {
 };
 
 struct ExportSettings {
-  std::string recording, target;
+  std::string recording, target, page;
 };
 
 #ifdef HAPTICUT_HAS_IO
@@ -91,16 +95,29 @@ void run_replay(const ReplaySettings& s) {
                 s.recording + "' follow a lost one, so they could not be made again.");
 }
 
+void write_html(const Recording& recording, const ExportSettings& s) {
+#ifdef HAPTICUT_HAS_VIEW
+  write_replay_page(recording, find_page(s.page), s.target);
+#else
+  (void)recording;
+  throw Error("'" + s.target +
+              "' cannot be written, because this program was built without its view component. Build "
+              "it with HAPTICUT_WITH_VIEW=ON.");
+#endif
+}
+
 void run_export(const ExportSettings& s) {
   const Recording recording = read_recording(s.recording);
   const std::string extension = std::filesystem::path(s.target).extension().string();
-  if (extension != ".csv" && extension != ".npz" && extension != ".wav")
-    throw Error("cannot write '" + s.target + "': its name must end in one of .csv, .npz, .wav.");
+  if (extension != ".csv" && extension != ".npz" && extension != ".wav" && extension != ".html")
+    throw Error("cannot write '" + s.target + "': its name must end in one of .csv, .npz, .wav, .html.");
   require_writable(s.target);
   if (extension == ".csv")
     write_csv(recording, s.target);
   else if (extension == ".npz")
     write_npz(recording, s.target);
+  else if (extension == ".html")
+    write_html(recording, s);
   else
     write_wav(recording, s.target);
   std::printf("%s: %llu steps\n", s.target.c_str(), (unsigned long long)recording.size());
@@ -132,9 +149,10 @@ Command replay_command() {
 Command export_command() {
   auto settings = std::make_shared<ExportSettings>();
   return {"export",
-          "Write the steps of a recording as CSV, NumPy or sound",
+          "Write the steps of a recording as CSV, NumPy, sound or a page that replays it",
           {text("export.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
-           text("export.target", "TARGET", settings->target, "file to write, .csv, .npz or .wav")},
+           text("export.target", "TARGET", settings->target, "file to write, .csv, .npz, .wav or .html"),
+           text("export.page", "--page", settings->page, ".html: folder of the built page [beside the program]")},
           [settings] {
             if (settings->recording.empty() || settings->target.empty())
               throw UsageError("a file is missing. Use: hapticut export RECORDING TARGET.");

@@ -92,6 +92,7 @@ ReplayReport replay(const Recording& recording, const ReplayOptions& options) {
       report.largest_force_difference =
           std::max(report.largest_force_difference, (replayed.force - recorded.force).norm());
       ++report.steps;
+      if (options.stepped) options.stepped(simulation, recorded);
     }
     if (options.progress) options.progress(report.steps);
   }

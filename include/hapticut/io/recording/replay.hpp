@@ -35,6 +35,9 @@ struct ReplayOptions {
 
   /// Called now and then with the steps that are done.
   std::function<void(std::uint64_t steps)> progress;
+
+  /// Called after each step with the simulation as it is then, for pictures.
+  std::function<void(const Simulation& simulation, const RecordedStep& step)> stepped;
 };
 
 /// Makes all steps of a recording again and compares them bit by bit with what was recorded.

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+# cmake -D NPM=... -D NODE=... -D WEB=... -D TARGET=... -P BuildPage.cmake
+# Builds the page in web/build, unless what it is made of is what it was, and copies it to TARGET. What npm fetches is
+# kept in web/node_modules. Without it, or without a network, the rest of the build goes on.
+file(MAKE_DIRECTORY "${WEB}/build")
+file(LOCK "${WEB}/build/lock" GUARD PROCESS TIMEOUT 600 RESULT_VARIABLE locked)
+
+file(GLOB_RECURSE sources LIST_DIRECTORIES false "${WEB}/src/*")
+list(SORT sources)
+set(content "")
+foreach(source IN LISTS sources ITEMS "${WEB}/build.mjs" "${WEB}/package-lock.json")
+  file(SHA256 "${source}" hash)
+  string(APPEND content "${source} ${hash}\n")
+endforeach()
+string(SHA256 stamp "${content}")
+file(SHA256 "${WEB}/package-lock.json" packages)
+
+function(read_stamp file variable)
+  set(${variable} "" PARENT_SCOPE)
+  if(EXISTS "${file}")
+    file(READ "${file}" text)
+    set(${variable} "${text}" PARENT_SCOPE)
+  endif()
+endfunction()
+
+function(give_up why)
+  file(REMOVE "${TARGET}/stamp")
+  message(NOTICE "The page of hapticut view was not built: ${why} Everything else is whole.")
+endfunction()
+
+read_stamp("${WEB}/node_modules/.hapticut-packages" installed)
+if(NOT installed STREQUAL packages)
+  execute_process(COMMAND "${NPM}" ci --no-audit --no-fund --loglevel=error WORKING_DIRECTORY "${WEB}"
+    RESULT_VARIABLE failed OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(failed)
+    give_up("`npm ci` in ${WEB} failed. It needs a network once; run it there to see why.")
+    return()
+  endif()
+  file(WRITE "${WEB}/node_modules/.hapticut-packages" "${packages}")
+endif()
+
+read_stamp("${WEB}/build/page/stamp" built)
+if(NOT built STREQUAL stamp)
+  file(REMOVE_RECURSE "${WEB}/build/page")
+  execute_process(COMMAND "${NODE}" build.mjs WORKING_DIRECTORY "${WEB}" RESULT_VARIABLE failed ERROR_VARIABLE output)
+  if(failed)
+    message(FATAL_ERROR "the page cannot be built:\n${output}")
+  endif()
+  file(WRITE "${WEB}/build/page/stamp" "${stamp}")
+endif()
+
+read_stamp("${TARGET}/stamp" copied)
+if(NOT copied STREQUAL stamp)
+  file(REMOVE_RECURSE "${TARGET}")
+  file(COPY "${WEB}/build/page/" DESTINATION "${TARGET}")
+endif()

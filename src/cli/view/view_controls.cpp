@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/view/view_controls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hapticut/core/units.hpp"
+#include "hapticut/tool/catalogue.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+constexpr const char* kHeads =
+    "of the scene|sphere|cone|flat|inverted_cone|cylinder|round_end_cylinder|tapered|round_end_tapered|needle|flame|"
+    "pear|wheel|christmas_tree|twist_drill";
+
+constexpr double kMostWatts = 1000;
+constexpr int kShownMaterials = 15;
+constexpr const char* kAxisNames[] = {"force x", "force y", "force z", "torque x", "torque y", "torque z"};
+
+/// A number of a material in a panel.
+struct MaterialNumber {
+  const char* label;
+  const char* unit;
+  double Material::*member;
+  double factor;  // SI over shown
+  double min, max;
+};
+constexpr MaterialNumber kMaterialNumbers[] = {
+    {"stiffness", "", &Material::relative_stiffness, 1, 1e-3, 100},
+    {"damping", "s/m", &Material::damping, 1, 0, 1000},
+    {"cutting energy", "J/mm³", &Material::specific_cutting_energy, 1e9, 1e-4, 100},
+    {"cutting ratio", "", &Material::cutting_ratio, 1, 0, 10},
+    {"static friction", "", &Material::static_friction, 1, 0, 2},
+    {"dynamic friction", "", &Material::dynamic_friction, 1, 0, 2},
+};
+
+}  // namespace
+
+ViewControls::ViewControls(const Tool& tool, const MaterialTable& materials, const Effects& effects, bool can_record)
+    : materials_(materials), effects_(effects), tool_(tool) {
+  add_application(tool, can_record);
+  add_tool(tool);
+  add_materials();
+  add_additional(effects);
+}
+
+void ViewControls::number(std::uint16_t id, const std::string& panel, const std::string& label, const std::string& unit,
+                          double value, double min, double max) {
+  using Kind = view::Control::Kind;
+  controls_.push_back({id, Kind::number, std::clamp(value, min, max), min, max, panel, label, unit});
+}
+
+void ViewControls::on_off(std::uint16_t id, const std::string& panel, const std::string& label, bool value) {
+  controls_.push_back({id, view::Control::Kind::on_off, value ? 1.0 : 0.0, 0, 1, panel, label, ""});
+}
+
+void ViewControls::add_application(const Tool& tool, bool can_record) {
+  using Kind = view::Control::Kind;
+  on_off(kHaptics, "application", "Haptics", true);
+  on_off(kCutting, "application", "Cutting", true);
+  on_off(kSpindle, "application", "Spindle", tool.spindle().speed != 0);
+  controls_.push_back(
+      {kRemoval, Kind::choice, 0, 0, 1, "application", "Removal", "", "constant_energy|elastic_release"});
+  if (can_record) on_off(kRecord, "application", "Record", false);
+  controls_.push_back({kReset, Kind::button, 1, 0, 1, "application", "Reset", ""});
+  controls_.push_back({kRestart, Kind::button, 1, 0, 1, "application", "Restart", ""});
+}
+
+void ViewControls::add_tool(const Tool& tool) {
+  using Kind = view::Control::Kind;
+  const HeadBox box = tool.head().bounding_box();
+  controls_.push_back({kHead, Kind::choice, 0, 0, 14, "tool", "Head", "", kHeads});
+  number(kDiameter, "tool", "Diameter", "mm", 2 * tool.head().largest_radius() / units::mm, 0.2, 30);
+  number(kLength, "tool", "Length", "mm", (box.max.z() - box.min.z()) / units::mm, 0.2, 60);
+  number(kAngle, "tool", "Cone angle", "°", 30, 1, 80);
+  const double rpm = std::abs(tool.spindle().speed) / units::rpm;
+  number(kSpeed, "tool", "Speed", "rpm", rpm > 0 ? rpm : 40000, 0, 500000);
+  number(kPower, "tool", "Power limit", "W", std::min(tool.spindle().power_limit, kMostWatts), 0.1, kMostWatts);
+  const auto* bent = std::get_if<LHandle>(&tool.handle());
+  const double length = bent != nullptr ? bent->length : std::get<RayHandle>(tool.handle()).length;
+  controls_.push_back({kHandle, Kind::choice, bent != nullptr ? 1.0 : 0.0, 0, 1, "tool", "Handle", "", "ray|L"});
+  number(kHandleLength, "tool", "Handle length", "mm", length / units::mm, 0, 300);
+  number(kNeck, "tool", "Neck", "mm", bent != nullptr ? bent->neck / units::mm : 15, 0, 100);
+  number(kBend, "tool", "Bend", "°", bent != nullptr ? bent->bend / units::deg : 90, -180, 180);
+}
+
+void ViewControls::add_materials() {
+  for (int n = 0; n < std::min(materials_.size(), kShownMaterials); ++n) {
+    const Material& material = materials_[MaterialId(n + 1)];
+    std::string name = material.name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    auto id = std::uint16_t(kMaterial + 10 * n);
+    for (const MaterialNumber& one : kMaterialNumbers)
+      number(id++, "material", name + " " + one.label, one.unit, material.*one.member / one.factor, one.min, one.max);
+  }
+}
+
+void ViewControls::add_additional(const Effects& effects) {
+  const Gravity gravity = effects.gravity.value_or(Gravity{.mass = 0.1});
+  const Vibration vibration = effects.vibration.value_or(Vibration{});
+  const DeltaFilter filter = effects.delta_filter.value_or(DeltaFilter{});
+  on_off(kGravity, "additional", "Gravity", effects.gravity.has_value());
+  number(kMass, "additional", "Mass", "kg", gravity.mass, 0, 2);
+  on_off(kSound, "additional", "Sound of the drill", true);
+  number(kVolume, "additional", "Volume", "", 0.5, 0, 1);
+  on_off(kFilter, "additional", "Filter", effects.delta_filter.has_value());
+  number(kDelta, "additional", "Filter passes", "N", filter.delta, 1e-3, 10);
+  number(kEpsilon, "additional", "Filter step", "N", filter.epsilon, 1e-4, 1);
+  on_off(kVibration, "vibration", "Vibration", effects.vibration.has_value());
+  number(kFrequency, "vibration", "Frequency", "Hz", vibration.frequency, 1, 449);
+  number(kAmplitude, "vibration", "Amplitude", "N", vibration.amplitude, 0, 2);
+  number(kPerWatt, "vibration", "Growth", "N/W", vibration.amplitude_per_watt, 0, 1);
+  number(kLargest, "vibration", "Largest", "N", std::max(vibration.largest_amplitude, vibration.amplitude), 0, 5);
+  for (std::uint16_t axis = 0; axis < 6; ++axis)
+    on_off(std::uint16_t(kMask + axis), "outputs", kAxisNames[axis],
+           axis < 3 ? effects.enabled.force[axis] : effects.enabled.torque[axis - 3U]);
+}
+
+double& ViewControls::at(std::uint16_t id) {
+  static double nowhere = 0;
+  const auto found = std::ranges::find(controls_, id, &view::Control::id);
+  return found == controls_.end() ? nowhere = 0 : found->value;
+}
+
+double ViewControls::at(std::uint16_t id) const {
+  const auto found = std::ranges::find(controls_, id, &view::Control::id);
+  return found == controls_.end() ? 0 : found->value;
+}
+
+Change ViewControls::change_of(std::uint16_t id) {
+  if (id >= kMaterial) return Change::materials;
+  if (id >= kMask) return Change::effects;
+  if (id >= kGravity) return id == kSound || id == kVolume ? Change::haptics : Change::effects;
+  if (id == kSpeed || id == kSpindle) return Change::spindle;
+  if (id >= kHead) return Change::tool;
+  switch (id) {
+    case kHaptics:
+      return Change::effects;
+    case kCutting:
+    case kRemoval:
+      return Change::removal;
+    case kRecord:
+      return Change::record;
+    case kReset:
+      return Change::reset;
+    case kRestart:
+      return Change::restart;
+    default:
+      return Change::none;
+  }
+}
+
+Change ViewControls::set(const view::SetControl& command) {
+  const auto found = std::ranges::find(controls_, command.id, &view::Control::id);
+  if (found == controls_.end() || !(command.value >= found->min && command.value <= found->max)) return Change::none;
+  if (found->kind != view::Control::Kind::number && command.value != std::floor(command.value)) return Change::none;
+  const Change change = change_of(command.id);
+  if (found->kind == view::Control::Kind::button) return change;
+  last_ = command.id;
+  before_ = std::exchange(found->value, command.value);
+  return change;
+}
+
+void ViewControls::take_back() { at(last_) = before_; }
+
+void ViewControls::set_spindle(double speed) {
+  at(kSpindle) = speed != 0 ? 1 : 0;
+  if (speed != 0) at(kSpeed) = std::min(std::abs(speed) / units::rpm, 500000.0);
+}
+
+double ViewControls::spindle_speed() const { return at(kSpindle) != 0 ? at(kSpeed) * units::rpm : 0; }
+
+RemovalLaw ViewControls::removal() const {
+  if (at(kCutting) == 0) return RemovalLaw::none;
+  return at(kRemoval) == 0 ? RemovalLaw::constant_energy : RemovalLaw::elastic_release;
+}
+
+AxisMask ViewControls::mask() const {
+  AxisMask mask;
+  for (std::uint16_t axis = 0; axis < 3; ++axis) {
+    mask.force[axis] = haptics() && at(std::uint16_t(kMask + axis)) != 0;
+    mask.torque[axis] = haptics() && at(std::uint16_t(kMask + 3 + axis)) != 0;
+  }
+  return mask;
+}
+
+Effects ViewControls::effects() const {
+  Effects effects = effects_;
+  effects.gravity.reset(), effects.vibration.reset(), effects.delta_filter.reset();
+  if (at(kGravity) != 0) {
+    effects.gravity = effects_.gravity.value_or(Gravity{});
+    effects.gravity->mass = at(kMass);
+  }
+  if (at(kVibration) != 0)
+    effects.vibration = Vibration{at(kFrequency), at(kAmplitude), at(kPerWatt), std::max(at(kLargest), at(kAmplitude))};
+  if (at(kFilter) != 0) effects.delta_filter = DeltaFilter{at(kDelta), std::min(at(kEpsilon), at(kDelta))};
+  effects.enabled = mask();
+  return effects;
+}
+
+MaterialTable ViewControls::materials() const {
+  std::vector<Material> changed;
+  for (int n = 0; n < materials_.size(); ++n) {
+    Material& material = changed.emplace_back(materials_[MaterialId(n + 1)]);
+    if (n >= kShownMaterials) continue;
+    auto id = std::uint16_t(kMaterial + 10 * n);
+    for (const MaterialNumber& one : kMaterialNumbers) material.*one.member = at(id++) * one.factor;
+    material.static_friction = std::max(material.static_friction, material.dynamic_friction);
+  }
+  return MaterialTable(std::move(changed));
+}
+
+ToolHead ViewControls::head() const {
+  const double d = at(kDiameter) * units::mm, length = at(kLength) * units::mm;
+  switch (int(at(kHead))) {
+    case 1:
+      return round_head(d);
+    case 2:
+      return ConeHead{at(kAngle) * units::deg, length};
+    case 3:
+      return FlatHead{d / 2, length};
+    case 4:
+      return inverted_cone_head(d, 0.6 * d, length);
+    case 5:
+      return cylinder_head(d, length);
+    case 6:
+      return round_end_cylinder_head(d, length);
+    case 7:
+      return tapered_head(0.6 * d, d, length);
+    case 8:
+      return round_end_tapered_head(0.6 * d, d, length);
+    case 9:
+      return needle_head(d, length);
+    case 10:
+      return flame_head(d, length, 0.4 * d, std::max(0.5 * d, 0.4 * length));
+    case 11:
+      return pear_head(d, length, 0.4 * d);
+    case 12:
+      return wheel_head(d, length, 0.4 * d);
+    case 13:
+      return christmas_tree_head(d, length, 4);
+    case 14:
+      return twist_drill_head(d, length);
+    default:
+      return tool_.head();
+  }
+}
+
+Tool ViewControls::tool() const {
+  const double length = at(kHandleLength) * units::mm;
+  Handle handle = RayHandle{length};
+  if (at(kHandle) != 0) handle = LHandle{length, at(kNeck) * units::mm, at(kBend) * units::deg};
+  Spindle spindle = tool_.spindle();
+  spindle.speed = spindle_speed();
+  if (at(kPower) < kMostWatts) spindle.power_limit = at(kPower);
+  const Cutter cutter = int(at(kHead)) == 14 ? common_cutter(CutterKind::twist_drill) : tool_.cutter();
+  return Tool(head(), handle, spindle, cutter);
+}
+
+}  // namespace hapticut::cli

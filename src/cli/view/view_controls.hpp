@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hapticut/simulation/output.hpp"
+#include "hapticut/tool/tool.hpp"
+#include "hapticut/view/protocol.hpp"
+#include "hapticut/workpiece/material.hpp"
+
+namespace hapticut::cli {
+
+/// What a change of a control means for the loop.
+enum class Change : std::uint8_t { none, haptics, removal, spindle, tool, materials, effects, restart, reset, record };
+
+/// The panels of a page: what can be turned, how it stands, what it makes. The state of a session is nowhere else.
+class ViewControls {
+ public:
+  ViewControls(const Tool& tool, const MaterialTable& materials, const Effects& effects, bool can_record);
+
+  [[nodiscard]] std::span<const view::Control> all() const { return controls_; }
+
+  /// @return what it changes; Change::none when there is no such control, or the value is not allowed
+  [[nodiscard]] Change set(const view::SetControl& command);
+
+  /// Puts back what the last `set` has changed.
+  void take_back();
+
+  void show_recording(bool on) { at(kRecord) = on ? 1 : 0; }
+  void set_spindle(double speed);
+
+  [[nodiscard]] bool haptics() const { return at(kHaptics) != 0; }
+  [[nodiscard]] bool sound() const { return at(kSound) != 0; }
+  [[nodiscard]] double volume() const { return at(kVolume); }
+  [[nodiscard]] bool recording() const { return at(kRecord) != 0; }
+  [[nodiscard]] double spindle_speed() const;  ///< [rad/s] that is wanted
+  [[nodiscard]] RemovalLaw removal() const;
+  [[nodiscard]] AxisMask mask() const;
+  [[nodiscard]] Effects effects() const;
+  /// @throws Error when the sizes do not fit together
+  [[nodiscard]] Tool tool() const;
+  [[nodiscard]] MaterialTable materials() const;
+
+ private:
+  enum Id : std::uint16_t {
+    kHaptics = 1,
+    kCutting,
+    kRemoval,
+    kSpindle,
+    kRecord,
+    kReset,
+    kRestart,
+    kHead = 20,
+    kDiameter,
+    kLength,
+    kAngle,
+    kSpeed,
+    kPower,
+    kHandle,
+    kHandleLength,
+    kNeck,
+    kBend,
+    kGravity = 40,
+    kMass,
+    kVibration,
+    kSound,
+    kVolume,
+    kFilter,
+    kDelta,
+    kEpsilon,
+    kFrequency = 50,
+    kAmplitude,
+    kPerWatt,
+    kLargest,
+    kMask = 60,
+    kMaterial = 100,  // and ten for each
+  };
+
+  void add_application(const Tool& tool, bool can_record);
+  void add_tool(const Tool& tool);
+  void add_additional(const Effects& effects);
+  void add_materials();
+  void number(std::uint16_t id, const std::string& panel, const std::string& label, const std::string& unit,
+              double value, double min, double max);
+  void on_off(std::uint16_t id, const std::string& panel, const std::string& label, bool value);
+  [[nodiscard]] double& at(std::uint16_t id);
+  [[nodiscard]] double at(std::uint16_t id) const;
+  [[nodiscard]] static Change change_of(std::uint16_t id);
+  [[nodiscard]] ToolHead head() const;
+
+  std::vector<view::Control> controls_;
+  MaterialTable materials_;
+  Effects effects_;
+  Tool tool_;
+  std::uint16_t last_ = 0;
+  double before_ = 0;
+};
+
+}  // namespace hapticut::cli

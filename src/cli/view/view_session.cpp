@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/view/view_session.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+#include "cli/view/hand_map.hpp"
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
+
+namespace hapticut::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kReach = 0.06;                            // [m] of the pointer around the workpiece
+constexpr auto kPagesTime = std::chrono::milliseconds(8);  // of a frame
+constexpr double kSampleRate = 48'000;                     // [Hz]
+constexpr std::size_t kUndoBlocks = 16'384;                // 2.7 kB each
+constexpr Color kNoColor = {176, 180, 186};
+
+Color color_of(const std::string& name) {
+  for (const std::string_view known : preset_names())
+    if (known == name) return preset_color(name);
+  return kNoColor;
+}
+
+Box grown(const Box& box, double by) { return {box.min - Vec3::Constant(by), box.max + Vec3::Constant(by)}; }
+
+bool same_handle(const Tool& a, const Tool& b) {
+  return a.handle().index() == b.handle().index() && a.X_HT().rotation == b.X_HT().rotation &&
+         a.X_HT().translation == b.X_HT().translation;
+}
+
+/// Nobody's hand is in a pointer: a machine that is busy with the picture shall not make it wait until the tool is
+/// free.
+void forgive(GuardOptions& guard) {
+  guard.arming.ramp = 0.3;
+  guard.late = 1;
+  guard.pause = 5;
+  guard.watchdog.late_ticks = guard.watchdog.fade_ticks = 1000;
+  guard.watchdog.fault_ticks = 5000;
+}
+
+std::string free_name() {
+  for (int n = 1;; ++n) {
+    std::string name("session-");
+    name.append(std::to_string(n)).append(".h5");
+    if (!std::filesystem::exists(name)) return name;
+  }
+}
+
+}  // namespace
+
+view::Scene shown_scene(const Workpiece& workpiece) {
+  view::Scene shown{workpiece.frame(), {}};
+  const MaterialTable& materials = workpiece.materials();
+  for (int n = 1; n <= materials.size(); ++n) {
+    const std::string& name = materials[MaterialId(n)].name;
+    shown.materials.push_back({name, color_of(name)});
+  }
+  return shown;
+}
+
+ViewSession::ViewSession(ViewScene scene, view::ViewServer& server, Device* device)
+    : scene_(std::move(scene)),
+      server_(server),
+      device_(device),
+      pointer_(grown(scene_.box, kReach)),
+      simulation_(std::move(scene_.workpiece), scene_.tool, scene_.config),
+      controls_(scene_.tool, simulation_.workpiece().materials(), scene_.config.effects,
+#ifdef HAPTICUT_HAS_IO
+                true),
+#else
+                false),
+#endif
+      tool_(scene_.tool),
+      stream_(simulation_.workpiece()),
+      sound_({.flutes = scene_.tool.cutter().lips}) {
+  simulation_.reserve_undo(kUndoBlocks);
+  pointer_.put(waiting_place(scene_));
+  build_loop();
+  server_.send(tool_);
+  server_.send(controls_.all());
+  start();
+}
+
+ViewSession::~ViewSession() {
+  loop_->stop();
+  recorder_.reset();
+}
+
+/// The model and the loop around the simulation as it is, with the tool that it has.
+void ViewSession::build_loop() {
+  loop_.reset(), watched_.reset(), model_.reset();
+  SimulationModelOptions options;
+  options.undo_blocks = kUndoBlocks;
+  const DeviceCapabilities& c = device().capabilities();
+  if (device_ == nullptr) {
+    map_ = {};
+    map_.X_SH = tool_.X_HT().inverse();  // its stylus is the head
+  } else {
+    map_ = map_above(c, scene_.box, tool_, Up::y, 1);
+  }
+  options.map = map_;
+  if (c.stiffness > 0) options.coupling = coupling_gains(c);
+  model_ = std::make_unique<SimulationModel>(simulation_, device(), options);
+  watched_ = std::make_unique<WatchedModel>(*model_, simulation_, 1e-3);
+  RealtimeLoopOptions loop;
+  loop.run.stop_on_crash = true;  // the process is ours
+  loop.run.guard.arming.short_ramp = 0.1;
+  if (device_ == nullptr) forgive(loop.run.guard);
+  loop.region = model_->region();
+  loop_ = std::make_unique<RealtimeLoop>(device(), *watched_, loop);
+}
+
+void ViewSession::start() {
+  if (!paused_) return;
+  paused_ = false;
+  watched_->begin_run();
+  loop_->start();
+}
+
+/// The run ends, and a force is faded out; everything else stays as it is.
+void ViewSession::pause() {
+  if (paused_) return;
+  const RunReport report = loop_->stop();
+  paused_ = true;
+  take_blocks();
+  if (report.fault != DeviceFault::none)
+    server_.send_notice(view::Severity::failed, "The device has stopped: " + describe(report.fault) +
+                                                    ". Check its cable and power, and move the tool to go on.");
+}
+
+void ViewSession::obey(const view::ViewCommand& command) {
+  try {
+    if (!std::holds_alternative<view::WriterLeft>(command) && !std::holds_alternative<view::Load>(command)) start();
+    std::visit([this](const auto& one) { handle(one); }, command);
+  } catch (const Error& error) {
+    server_.send_notice(view::Severity::failed, error.what());
+  }
+}
+
+void ViewSession::send(LoopCommand&& command) {
+  if (!loop_->send(std::move(command)))
+    server_.send_notice(view::Severity::warns, "The loop has too much to do: try it again.");
+}
+
+void ViewSession::handle(const commands::SetSpindleSpeed& command) {
+  send(command);
+  controls_.set_spindle(command.speed);
+  server_.send(controls_.all());
+}
+
+void ViewSession::handle(const view::MoveHand& command) {
+  if (device_ != nullptr) return;  // that hand leads
+  if (command.pressed && !pressed_) begin_cut();
+  pressed_ = command.pressed;
+  pointer_.move_to(command.X_WH * tool_.X_HT());
+}
+
+/// A mark to come back to, unless nothing has changed since the last.
+void ViewSession::begin_cut() {
+  const double removed = loop_->latest().tool.removed_volume;
+  if (removed == removed_at_mark_) return;
+  removed_at_mark_ = removed;
+  send(commands::SetUndoMark{});
+}
+
+void ViewSession::handle(const view::SetControl& command) {
+  const Change what = controls_.set(command);
+  if (what == Change::none)
+    return server_.send_notice(view::Severity::warns, "That value is out of range, or there is no such control.");
+  try {
+    change(what);
+  } catch (const Error& error) {
+    controls_.take_back();
+    server_.send_notice(view::Severity::failed, error.what());
+  }
+  server_.send(controls_.all());
+}
+
+void ViewSession::change(Change what) {
+  switch (what) {
+    case Change::removal:
+      return send(commands::SetRemoval{controls_.removal()});
+    case Change::spindle:
+      return send(commands::SetSpindleSpeed{controls_.spindle_speed()});
+    case Change::tool:
+      return change_tool();
+    case Change::materials:
+      return send(model_->prepare_materials(controls_.materials()));
+    case Change::effects:
+      return send(commands::SetEffects{controls_.effects()});
+    case Change::restart:
+      wants_restart_ = true;
+      return;
+    case Change::reset:
+      return device().reset_fault();
+    case Change::record:
+      return record(controls_.recording());
+    case Change::haptics:
+    case Change::none:
+      return;
+  }
+}
+
+/// A head is changed while the spindle turns; another handle moves the hand, so the run ends before.
+void ViewSession::change_tool() {
+  Tool tool = controls_.tool();
+  if (same_handle(tool, tool_)) {
+    send(model_->prepare_tool(tool));
+  } else {
+    pause();
+    simulation_.set_tool(tool);
+    tool_ = tool;
+    build_loop();
+    start();
+  }
+  tool_ = std::move(tool);
+  server_.send(tool_);
+}
+
+/// A recorder is put in while nothing runs.
+void ViewSession::record(bool on) {
+  pause();
+  if (on) {
+    recording_ = free_name();
+    recorder_ = std::make_unique<RunRecorder>(recording_, simulation_, Pace::of_a_hand, &device());
+    server_.send_notice(view::Severity::tells, "Recording to " + recording_ + ".");
+  } else if (recorder_ != nullptr) {
+    recorder_->close();
+    recorder_->require_complete();
+    recorder_.reset();
+    server_.send_notice(view::Severity::tells,
+                        recording_ + " is complete: see it by hapticut view " + recording_ + ".");
+  }
+  start();
+}
+
+void ViewSession::take_blocks() {
+  ChangedBlock block;
+  while (loop_->receive(block)) stream_.update(block.origin, block.material.data(), block.fill.data());
+}
+
+void ViewSession::send_pages() {
+  const auto end = Clock::now() + kPagesTime;
+  SurfacePage page;
+  while (Clock::now() < end && stream_.next_page(page)) server_.send(page);
+}
+
+void ViewSession::frame(double seconds) {
+  if (!paused_ && !loop_->is_running()) pause();
+  take_blocks();
+  send_pages();
+  const LoopSnapshot& snapshot = loop_->latest();
+  if (paused_) {
+    LoopSnapshot standing = snapshot;
+    standing.arming = ArmingState::off;
+    standing.tool.force = standing.tool.torque = Vec3::Zero();
+    standing.tool.spindle_speed = 0;
+    server_.send(standing);
+    return;
+  }
+  server_.send(snapshot);
+  const WatchedModel::Trace trace = watched_->take_trace();
+  server_.send_trace(trace.first, trace.samples, 1000);
+  server_.send(instruments(snapshot, seconds));
+  send_sound(snapshot, seconds);
+  tell_guard();
+  if (device_ != nullptr) {  // nobody presses: a cut begins at a touch
+    const bool touches = snapshot.tool.contact_voxels > 0;
+    if (touches && !touched_) begin_cut();
+    touched_ = touches;
+  }
+}
+
+view::Instruments ViewSession::instruments(const LoopSnapshot& snapshot, double seconds) {
+  view::Instruments shown;
+  const Pose X_WH = WorkspaceMap(map_).to_world(snapshot.device.X_BS);
+  shown.X_WG = X_WH * tool_.X_HT();
+  if (device_ == nullptr) shown.X_WG = snapshot.device.X_BS;
+  const double power = std::max(0.0, snapshot.tool.dissipated - std::exchange(dissipated_, snapshot.tool.dissipated));
+  power_ += 0.2 * (power / std::max(seconds, 1e-3) - power_);
+  shown.power = power_;
+  watched_->tell(shown, std::size_t(simulation_.workpiece().materials().size()));
+  return shown;
+}
+
+void ViewSession::send_sound(const LoopSnapshot& snapshot, double seconds) {
+  owed_samples_ = std::min(owed_samples_ + seconds * kSampleRate, 0.1 * kSampleRate);
+  samples_.resize(std::size_t(owed_samples_));
+  owed_samples_ -= double(samples_.size());
+  sound_.render(samples_, kSampleRate, listener_.listen(snapshot));
+  if (!controls_.sound() || server_.connections() == 0) return;
+  for (float& sample : samples_) sample *= float(2 * controls_.volume());
+  server_.send_sound(samples_, std::uint32_t(kSampleRate));
+}
+
+/// Why the guard holds the force back, in its own words.
+void ViewSession::tell_guard() {
+  for (const SafetyLogEntry& entry : device().drain_log()) {
+    const bool good = entry.event == SafetyEvent::engaged || entry.event == SafetyEvent::fading_in ||
+                      entry.event == SafetyEvent::armed || entry.event == SafetyEvent::fault_reset;
+    const bool noise = entry.event == SafetyEvent::saturated || entry.event == SafetyEvent::slew_limited ||
+                       entry.event == SafetyEvent::passivity || entry.event == SafetyEvent::late_wake_up ||
+                       entry.event == SafetyEvent::pose_units;  // a pointer may stand still
+    if (!noise) server_.send_notice(good ? view::Severity::tells : view::Severity::warns, describe(entry));
+  }
+}
+
+}  // namespace hapticut::cli

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/commands/recording_source.hpp"
+#include "cli/view/pointer_hand.hpp"
+#include "cli/view/view_controls.hpp"
+#include "cli/view/view_scenes.hpp"
+#include "cli/view/watched_model.hpp"
+#include "hapticut/sound/loop_listener.hpp"
+#include "hapticut/surface/surface_stream.hpp"
+#include "hapticut/view/view_server.hpp"
+
+namespace hapticut::cli {
+
+/// What pages must know of a scene before anything else.
+[[nodiscard]] view::Scene shown_scene(const Workpiece& workpiece);
+
+/// A scene that is drilled, and shown: the loop in its thread, and beside it the thread that calls `frame` and `obey`,
+/// which feeds the server and hands commands on.
+class ViewSession {
+ public:
+  /// @param device  null: the pointer of the page
+  ViewSession(ViewScene scene, view::ViewServer& server, Device* device);
+  ~ViewSession();
+  ViewSession(const ViewSession&) = delete;
+  ViewSession& operator=(const ViewSession&) = delete;
+
+  /// What a page asks for. What cannot be is said to it in a sentence.
+  void obey(const view::ViewCommand& command);
+
+  /// Sixty times a second: what has changed to the server.
+  /// @param seconds  since the last call
+  void frame(double seconds);
+
+  [[nodiscard]] bool wants_restart() const { return wants_restart_; }
+  [[nodiscard]] const std::string& name() const { return scene_.name; }
+
+ private:
+  void build_loop();
+  void start();
+  void pause();
+  void change(Change change);
+  void change_tool();
+  void record(bool on);
+  void begin_cut();
+  void send(LoopCommand&& command);
+  void take_blocks();
+  void send_pages();
+  void send_sound(const LoopSnapshot& snapshot, double seconds);
+  void tell_guard();
+  [[nodiscard]] view::Instruments instruments(const LoopSnapshot& snapshot, double seconds);
+  [[nodiscard]] Device& device() { return device_ != nullptr ? *device_ : pointer_; }
+
+  void handle(const commands::SetSpindleSpeed& command);
+  void handle(const commands::SetUndoMark& command) { send(command); }
+  void handle(const commands::Undo& command) { send(command); }
+  void handle(const commands::Redo& command) { send(command); }
+  void handle(const commands::HoldForce& command) { send(command); }
+  void handle(const commands::SetRemoval& command) { send(command); }
+  void handle(const commands::SetForceMask& command) { send(command); }
+  void handle(const view::MoveHand& command);
+  void handle(const view::Stop&) { device().emergency_stop(); }
+  void handle(const view::LookAt& command) { stream_.look_at(command.p_WQ); }
+  void handle(const view::SetControl& command);
+  void handle(const view::Load&) {}  // of whoever makes sessions
+  void handle(const view::WriterLeft&) { pause(); }
+
+  ViewScene scene_;  // its workpiece has gone into the simulation
+  view::ViewServer& server_;
+  Device* device_;
+  PointerHand pointer_;
+  Simulation simulation_;
+  ViewControls controls_;
+  Tool tool_;
+  WorkspaceMapOptions map_;
+  SurfaceStream stream_;
+  std::unique_ptr<SimulationModel> model_;
+  std::unique_ptr<WatchedModel> watched_;
+  std::unique_ptr<RealtimeLoop> loop_;
+  std::unique_ptr<RunRecorder> recorder_;
+  std::string recording_;
+  LoopListener listener_;
+  DrillSound sound_;
+  std::vector<float> samples_;
+  double owed_samples_ = 0, dissipated_ = 0, power_ = 0;
+  double removed_at_mark_ = -1;
+  bool pressed_ = false, touched_ = false, wants_restart_ = false, paused_ = true;
+};
+
+}  // namespace hapticut::cli

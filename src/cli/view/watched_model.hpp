@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <vector>
+
+#include "hapticut/loop/simulation_model.hpp"
+#include "hapticut/view/protocol.hpp"
+
+namespace hapticut::cli {
+
+/// A model and what a page wants to know of each of its ticks: force of the hand and torque of the contact, how late it
+/// was, what was removed of which material. Filled by the loop, taken by one other thread, and neither waits.
+class WatchedModel final : public LoopModel {
+ public:
+  static constexpr std::size_t kTicks = 4096;    ///< of the trace that are kept
+  static constexpr double kBucket = 25e-6;       ///< [s]
+  static constexpr std::size_t kBuckets = 60;    ///< of lateness; the last has all that were later
+  static constexpr std::size_t kMaterials = 16;  ///< whose volumes are told
+
+  WatchedModel(SimulationModel& model, const Simulation& simulation, double period)
+      : model_(model), simulation_(simulation), period_(period) {}
+
+  // --- for the other thread -----------------------------------------------------------------------------------------
+  struct Trace {
+    std::uint64_t first = 0;
+    std::vector<view::TraceSample> samples;
+  };
+  /// What has come since the last call, at most kTicks.
+  [[nodiscard]] Trace take_trace() {
+    const std::uint64_t written = written_.load(std::memory_order_acquire);
+    Trace trace{taken_, {}};
+    for (; taken_ < written; ++taken_) trace.samples.push_back(ring_[taken_ % kTicks]);
+    free_from_.store(taken_, std::memory_order_release);
+    return trace;
+  }
+  void tell(view::Instruments& instruments, std::size_t materials) const {
+    instruments.bucket = kBucket;
+    instruments.latency.resize(kBuckets);
+    for (std::size_t n = 0; n < kBuckets; ++n) instruments.latency[n] = latency_[n].load(std::memory_order_relaxed);
+    instruments.missed = missed_.load(std::memory_order_relaxed);
+    instruments.ticks = ticks_.load(std::memory_order_relaxed);
+    instruments.removed.resize(std::min(materials, kMaterials));
+    for (std::size_t n = 0; n < instruments.removed.size(); ++n)
+      instruments.removed[n] = removed_[n].load(std::memory_order_relaxed);
+  }
+
+  // --- the loop's side ----------------------------------------------------------------------------------------------
+  Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
+    note_time(monotonic_time());
+    const Wrench wrench = model_.step(state, dt, snapshot);
+    note(snapshot.tool);
+    const std::array<double, 256>& removed = simulation_.removed_volume_by_material();
+    for (std::size_t n = 0; n < kMaterials; ++n) removed_[n].store(removed[n + 1], std::memory_order_relaxed);
+    return wrench;
+  }
+  /// A pause in which nothing ran is not lateness.
+  void begin_run() noexcept { last_ = 0; }
+
+  [[nodiscard]] ModelContact contact() const noexcept override { return model_.contact(); }
+  void check(const LoopCommand& command) const override { model_.check(command); }
+  bool obey(LoopCommand& command) noexcept override { return model_.obey(command); }
+  void mark_changes(BlockOutbox& outbox) noexcept override { model_.mark_changes(outbox); }
+  void copy(ChangedBlock& block) noexcept override { model_.copy(block); }
+
+ private:
+  void note_time(double now) noexcept {
+    if (last_ > 0) {
+      const double late = std::max(0.0, now - last_ - period_);
+      latency_[std::min(kBuckets - 1, std::size_t(late / kBucket))].fetch_add(1, std::memory_order_relaxed);
+      if (late > period_) missed_.fetch_add(std::uint64_t(late / period_), std::memory_order_relaxed);
+    }
+    last_ = now;
+    ticks_.fetch_add(1, std::memory_order_relaxed);
+  }
+  void note(const ToolSnapshot& tool) noexcept {
+    const std::uint64_t at = written_.load(std::memory_order_relaxed);
+    if (at - free_from_.load(std::memory_order_acquire) >= kTicks) return;  // nobody looks
+    const bool touches = tool.contact_voxels > 0;
+    view::TraceSample& sample = ring_[at % kTicks];
+    for (Eigen::Index n = 0; n < 3; ++n) {
+      sample.force[std::size_t(n)] = float(tool.force[n]);
+      sample.torque[std::size_t(n)] = touches ? float(simulation_.last_result().model.torque[n]) : 0.0F;
+    }
+    written_.store(at + 1, std::memory_order_release);
+  }
+
+  SimulationModel& model_;
+  const Simulation& simulation_;
+  double period_, last_ = 0;
+  std::array<view::TraceSample, kTicks> ring_{};
+  std::atomic<std::uint64_t> written_{0}, free_from_{0}, missed_{0}, ticks_{0};
+  std::uint64_t taken_ = 0;
+  std::array<std::atomic<std::uint32_t>, kBuckets> latency_{};
+  std::array<std::atomic<double>, kMaterials> removed_{};
+};
+
+}  // namespace hapticut::cli

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who may come in, and what is left when somebody goes without a word.
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import { readdirSync } from "node:fs";
+import http from "node:http";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { drill, isReady, middle, openPage, startBrowser, startProgram, until } from "./viewer.mjs";
+
+let program, browser;
+before(async () => {
+  program = await startProgram("clay");
+  browser = await startBrowser();
+});
+after(async () => {
+  await browser?.close();
+  await program?.stop();
+});
+
+test("the second page looks on, and leads when the first has gone", async () => {
+  const first = await openPage(browser, program.url);
+  await isReady(first);
+  const second = await openPage(browser, program.url);
+  await until(second, () => document.getElementById("role").textContent === "looks on");
+  await until(second, () => hapticut.workpiece.triangles > 1000);
+  assert.ok(await second.locator('details[data-panel="tool"] fieldset').isDisabled());
+  await first.context().close();
+  await until(second, () => hapticut.snapshot.arming === 0, undefined, 10_000); // off: nobody leads
+  assert.deepEqual(await second.evaluate(() => hapticut.snapshot.force), [0, 0, 0]);
+  await second.reload();
+  await isReady(second);
+  assert.equal(await second.locator("#role").textContent(), "leads");
+  await second.context().close();
+});
+
+test("a page with a wrong token is told so in a sentence", async () => {
+  const page = await openPage(browser, program.url.replace(/token=.*/, "token=" + "0".repeat(32)));
+  await until(page, () => /token/.test(document.getElementById("notice").textContent));
+  await page.context().close();
+});
+
+test("a page from elsewhere is refused", async () => {
+  const { port, search } = new URL(program.url);
+  const status = await new Promise((resolve) => {
+    const request = http.request({ port, host: "127.0.0.1", path: "/socket" + search, headers: {
+      Connection: "Upgrade", Upgrade: "websocket", "Sec-WebSocket-Version": "13",
+      "Sec-WebSocket-Key": "AAAAAAAAAAAAAAAAAAAAAA==", Origin: "http://example.org" } }, (r) => resolve(r.statusCode));
+    request.on("upgrade", () => resolve(101));
+    request.end();
+  });
+  assert.equal(status, 403);
+});
+
+test("a scene that is not there, and a port in use, are one sentence each", async () => {
+  const page = await openPage(browser, program.url);
+  await isReady(page);
+  await page.evaluate(() => hapticut.load("no_such_thing.vdb"));
+  await until(page, () => /no scene 'no_such_thing.vdb'/.test(document.getElementById("notice").textContent));
+  await isReady(page);
+  await page.context().close();
+  const other = spawnSync(process.env.HAPTICUT_PROGRAM, ["view", "clay", "--no-browser", "--page", process.env.HAPTICUT_PAGE,
+                          "--port", new URL(program.url).port], { encoding: "utf8" });
+  assert.equal(other.status, 1);
+  assert.match(other.stderr, /port .* Choose another port/);
+});
+
+test("a program that is killed leaves a recording that opens, and a page that says so", async () => {
+  const page = await openPage(browser, program.url);
+  await isReady(page);
+  await page.getByRole("button", { name: "Record" }).click();
+  await until(page, () => document.getElementById("record").getAttribute("aria-pressed") === "true");
+  await until(page, () => hapticut.snapshot.arming === 4);
+  const { x, y } = await middle(page);
+  await drill(page, { x, y }, [{ x: x + 10, y }]);
+  await page.waitForTimeout(1500);
+  await program.stop("SIGKILL");
+  await until(page, () => /program has ended/.test(document.getElementById("notice").textContent));
+  const file = readdirSync(program.folder).find((name) => name.endsWith(".h5"));
+  assert.ok(file, "a recording");
+  execFileSync(process.env.HAPTICUT_PROGRAM, ["export", join(program.folder, file), join(program.folder, "steps.csv")]);
+  await page.context().close();
+});

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// The molar is drilled with the mouse.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { drill, isReady, middle, openPage, removed, startBrowser, startProgram, until } from "./viewer.mjs";
+
+let program, browser, page;
+before(async () => {
+  program = await startProgram("molar");
+  browser = await startBrowser();
+  page = await openPage(browser, program.url);
+  await isReady(page);
+});
+after(async () => {
+  await browser?.close();
+  await program?.stop();
+});
+
+const open = (panel) => page.locator("details", { has: page.locator("summary", { hasText: panel }) })
+  .evaluate((details) => { details.open = true; });
+const valueOf = (label) => page.evaluate((name) => hapticut.panels.control(name).value, label);
+const button = (name) => page.getByRole("button", { name, exact: true });
+
+test("a mouse drills the tooth, the curve shows it, undo and redo go over it", async () => {
+  const { x, y } = await middle(page);
+  await drill(page, { x, y: y - 40 }, Array.from({ length: 20 }, (_, n) => ({ x: x + n, y: y - 40 })));
+  const gone = await removed(page);
+  assert.ok(gone > 0.1, `${gone} mm^3`);
+  const [low, high] = await page.evaluate(() => [0, 1, 2].map((axis) => hapticut.curves.ring.decimate(axis, 50))
+    .reduce(([a, b], { low, high }) => [Math.min(a, ...low.filter(Number.isFinite)), Math.max(b, ...high.filter(Number.isFinite))],
+            [0, 0]));
+  assert.ok(high - low > 0.01, `the curve goes from ${low} to ${high} N`);
+  const before = await page.evaluate(() => hapticut.workpiece.triangles);
+  await button("Undo").click();
+  await until(page, () => hapticut.snapshot.undoMarks === 0 && hapticut.snapshot.redoMarks === 1 && !hapticut.snapshot.undoing);
+  await until(page, (then) => hapticut.workpiece.triangles !== then, before);
+  await button("Redo").click();
+  await until(page, () => hapticut.snapshot.redoMarks === 0 && !hapticut.snapshot.redoing);
+  await until(page, (then) => hapticut.workpiece.triangles === then, before);
+});
+
+test("every control of every panel of the program changes what it says", async () => {
+  const controls = await page.evaluate(() => JSON.parse(JSON.stringify([...hapticut.panels.controls.values()])));
+  assert.ok(controls.length > 50, `${controls.length} controls`);
+  for (const panel of new Set(controls.map((one) => one.panel)))
+    await open(panel.charAt(0).toUpperCase() + panel.slice(1));
+  for (const { label, control, panel, value, min, max, choices } of controls) {
+    if (control === "button" || label === "Record" || label === "Haptics") continue;
+    const scope = page.locator(`details[data-panel="${panel}"]`);
+    let wanted;
+    if (control === "switch") {
+      wanted = value === 0 ? 1 : 0;
+      await scope.getByRole("checkbox", { name: label, exact: true }).setChecked(wanted === 1);
+    } else if (control === "choice") {
+      wanted = (value + 1) % choices.length;
+      await scope.getByRole("combobox", { name: label, exact: true }).selectOption(String(wanted));
+    } else {
+      wanted = value * 1.05 > max || value === 0 ? Math.min(max, Math.max(min, (value + min) / 2 || max / 20)) : value * 1.05;
+      wanted = Number(wanted.toPrecision(3));
+      const field = scope.getByRole("textbox", { name: label });
+      await field.first().fill(String(wanted));
+      await field.first().press("Enter");
+    }
+    await until(page, ([name, to]) => Math.abs(hapticut.panels.control(name).value - to) <= 1e-6 * Math.abs(to),
+                [label, wanted], 5000).catch(() => assert.fail(`${label}: ${value} did not become ${wanted}`));
+  }
+  assert.equal(await page.evaluate(() => document.getElementById("notice").dataset.severity ?? "0"), "0",
+               await page.locator("#notice").textContent());
+});
+
+test("a value that is out of range is marked and not sent", async () => {
+  const field = page.locator('details[data-panel="tool"]').getByRole("textbox", { name: "Diameter" });
+  const before = await valueOf("Diameter");
+  await field.fill("9000");
+  await field.press("Enter");
+  assert.equal(await field.getAttribute("aria-invalid"), "true");
+  assert.equal(await valueOf("Diameter"), before);
+  await field.fill(String(before));
+  await field.press("Enter");
+});
+
+test("the emergency stop takes the force, and a reset brings it back", async () => {
+  await page.keyboard.press("Escape");
+  await until(page, () => hapticut.snapshot.arming === 5);
+  assert.match(await page.getByRole("status", { name: "Guard" }).textContent(), /fault/);
+  assert.match(await page.locator("#cure").textContent(), /Reset/);
+  await button("Reset").click();
+  await until(page, () => hapticut.snapshot.arming === 4);
+});
+
+test("another scene is loaded, the tool changes while it cuts, and the sound has the spindle's tone", async () => {
+  await open("Load");
+  await page.getByRole("button", { name: "clay", exact: true }).click();
+  await until(page, () => hapticut.panels.control("clay stiffness") !== undefined && hapticut.snapshot?.arming === 4);
+  await until(page, () => hapticut.workpiece.triangles > 1000);
+  await button("top").click();
+  const { x, y } = await middle(page);
+  await page.mouse.move(x, y);
+  await page.waitForTimeout(500);
+  await page.mouse.down();
+  await until(page, () => hapticut.snapshot.removed > 1e-10);
+  await page.evaluate(() => hapticut.panels.set("Head", 3));
+  await until(page, () => hapticut.panels.control("Head").value === 3 && hapticut.snapshot.arming === 4);
+  await page.mouse.up();
+  const rpm = 60 * 2000;
+  await page.evaluate((speed) => hapticut.panels.set("Speed", speed), rpm);
+  await until(page, () => Math.abs(hapticut.snapshot.speed / (2 * Math.PI) - 2000) < 20);
+  await page.waitForTimeout(1200);
+  const tone = await page.evaluate(() => {
+    const samples = hapticut.speaker.recent.slice(-4800);
+    let best = [0, 0];
+    for (let f = 1900; f <= 2100; f += 2) {
+      let re = 0, im = 0;
+      samples.forEach((s, n) => { re += s * Math.cos(2 * Math.PI * f * n / 48000); im += s * Math.sin(2 * Math.PI * f * n / 48000); });
+      if (Math.hypot(re, im) > best[1]) best = [f, Math.hypot(re, im)];
+    }
+    return best[0];
+  });
+  assert.ok(Math.abs(tone - 2000) <= 20, `${tone} Hz`);
+});
+
+test("stereo has two halves, and two colours", async () => {
+  await open("Stereo");
+  const pixels = (mode) => page.evaluate(async (name) => {
+    const select = [...document.querySelectorAll('details[data-panel="stereo"] select')][0];
+    select.value = name;
+    select.dispatchEvent(new Event("change"));
+    await new Promise((done) => setTimeout(done, 900));
+    const gl = hapticut.picture.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight;
+    const data = new Uint8Array(4 * w * h);
+    gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, data);
+    const ground = data.slice(0, 3);
+    let left = 0, right = 0, colored = 0;
+    for (let n = 0; n < w * h; ++n) {
+      const [r, g, b] = [data[4 * n], data[4 * n + 1], data[4 * n + 2]];
+      if (Math.abs(r - ground[0]) + Math.abs(g - ground[1]) + Math.abs(b - ground[2]) < 40) continue;
+      if (n % w < w / 2) ++left; else ++right;
+      if (r > g + 50 || b > r + 50) ++colored; // dentin is less red than that
+    }
+    return { left, right, colored, all: w * h };
+  }, mode);
+  const flat = await pixels("off");
+  const halves = await pixels("side-by-side");
+  assert.ok(Math.abs(halves.left - halves.right) < 0.15 * halves.left, JSON.stringify(halves));
+  const red = await pixels("anaglyph");
+  assert.ok(red.colored > flat.colored + 0.002 * red.all, JSON.stringify([flat, red]));
+  await pixels("off");
+});
+
+test("nothing went wrong in the page", () => assert.deepEqual(page.mistakes, []));

@@ -1,0 +1,19 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# One test of the page: run.sh logic | FILE_test.mjs. Says what is missing where it cannot run.
+set -eu
+if [ ! -d "$HAPTICUT_WEB/node_modules" ] || [ ! -f "$HAPTICUT_PAGE/index.html" ]; then
+  echo "SKIPPED: the page was not built, for npm could fetch nothing; run npm ci in web and build again."
+  exit 0
+fi
+if [ "$1" = logic ]; then
+  cd "$HAPTICUT_WEB"
+  "$HAPTICUT_NODE" node_modules/typescript/bin/tsc --noEmit
+  "$HAPTICUT_NODE" build.mjs --tests
+  exec "$HAPTICUT_NODE" --test build/tests/*_test.mjs
+fi
+if [ ! -x "$HAPTICUT_CHROMIUM" ]; then
+  echo "SKIPPED: there is no chromium; install it by scripts/install-deps.sh --for test."
+  exit 0
+fi
+exec "$HAPTICUT_NODE" --test "$(dirname "$0")/$1"

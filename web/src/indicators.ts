@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page says in words and numbers: the guard, the notices, the meters.
+import { quantile } from "./curves.ts";
+import { guardState, statusTexts } from "./guard.ts";
+import { element, type Panels } from "./panels.ts";
+import type { Hello, Instruments, Snapshot } from "./protocol.ts";
+import type { TraceRing } from "./trace.ts";
+
+type ById = <T extends HTMLElement>(id: string) => T;
+
+export class Indicators {
+  private numbers = new Map<string, HTMLElement>();
+  private removed: HTMLElement[] = [];
+
+  constructor(private byId: ById) {}
+
+  role(text: string) { this.byId("role").textContent = text; }
+  notice(text: string, severity: number) {
+    const notice = this.byId("notice");
+    notice.textContent = notice.title = text;
+    notice.dataset.severity = String(severity);
+  }
+  lost(text: string) {
+    this.role("apart");
+    this.byId("role").dataset.tone = "fault";
+    this.notice(text, 2);
+  }
+
+  materials(materials: Hello["materials"]) {
+    const body = this.byId("removed").querySelector("tbody")!;
+    body.replaceChildren();
+    this.removed = materials.map(({ name, color }) => {
+      const swatch = element("span", { class: "swatch" }), value = element("td", {}, "0 mm³");
+      swatch.style.background = `rgb(${color.join()})`;
+      body.append(element("tr", {}, element("td", {}, swatch, name.replaceAll("_", " ")), value));
+      return value;
+    });
+  }
+
+  controls(panels: Panels) {
+    const recording = panels.control("Record")?.value === 1;
+    this.byId("record").setAttribute("aria-pressed", String(recording));
+  }
+
+  show(snapshot: Snapshot, instruments: Instruments | null, trace: TraceRing) {
+    const state = guardState(snapshot.arming);
+    const guard = this.byId("guard");
+    guard.textContent = `guard: ${state.name}`;
+    guard.dataset.tone = this.byId("rim").dataset.tone = state.tone;
+    const texts = statusTexts(snapshot.status);
+    this.byId("cure").textContent = [state.text, ...texts].slice(0, 2).join(" ");
+    const norm = (v: number[]) => Math.hypot(...v);
+    this.number("force", `${norm(snapshot.force).toFixed(2)} N`);
+    this.number("torque", `${(1e3 * norm([3, 4, 5].map((n) => trace.newest(n)))).toFixed(1)} mN m`);
+    this.number("spindle", `${Math.round((snapshot.speed * 30) / Math.PI).toLocaleString("en")} rpm`);
+    this.number("load", `${(instruments?.power ?? 0).toFixed(2)} W`);
+    this.number("depth", `${(1e3 * snapshot.depth).toFixed(2)} mm`);
+    this.number("removed", `${(1e9 * snapshot.removed).toFixed(2)} mm³`);
+    (this.byId("undo") as HTMLButtonElement).disabled = snapshot.undoMarks === 0;
+    (this.byId("redo") as HTMLButtonElement).disabled = snapshot.redoMarks === 0;
+    if (!instruments) return;
+    this.removed.forEach((cell, n) => { cell.textContent = `${(1e9 * (instruments.removed[n] ?? 0)).toFixed(2)} mm³`; });
+    const p99 = quantile(instruments.latency, instruments.bucket, 0.99);
+    this.byId("lateness").textContent = `99 % below ${Math.round(p99)} µs, ${instruments.missed} missed`;
+  }
+
+  private number(name: string, text: string) {
+    let cell = this.numbers.get(name);
+    if (!cell) {
+      cell = element("dd", { "aria-label": name });
+      this.byId("numbers").append(element("dt", {}, name), cell);
+      this.numbers.set(name, cell);
+    }
+    if (cell.textContent !== text) cell.textContent = text;
+  }
+}

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+// What server and page say to each other; docs/view.md has the tables.
+
+export const kVersion = 2;
+
+export type Vec3 = [number, number, number];
+
+/** Rotation row by row, translation in metres. */
+export interface Pose {
+  rotation: number[];
+  translation: Vec3;
+}
+
+export const identity: Pose = { rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1], translation: [0, 0, 0] };
+
+export interface Hello {
+  kind: "hello";
+  writer: boolean;
+  voxelSize: number;
+  X_WV: Pose;
+  materials: { name: string; color: Vec3 }[];
+}
+
+export interface SurfacePage {
+  kind: "page";
+  origin: Vec3;
+  version: number;
+  vertices: Int16Array; // six numbers of 16 bits a vertex
+  indices: Uint16Array;
+}
+
+export interface Snapshot {
+  kind: "snapshot";
+  arming: number;
+  tick: number;
+  X_WT: Pose;
+  force: Vec3;
+  torque: Vec3;
+  removed: number;
+  dissipated: number;
+  depth: number;
+  speed: number; // rad/s
+  voxels: number;
+  status: number;
+  seen: number;
+  undoMarks: number;
+  redoMarks: number;
+  undoing: boolean;
+  redoing: boolean;
+  held: boolean;
+  workpiece: number;
+  blocksWaiting: number;
+}
+
+export interface Sound {
+  kind: "sound";
+  rate: number;
+  samples: Int16Array;
+}
+
+export interface ToolEdge {
+  rho: number;
+  z: number;
+  radius: number;
+  cutting: boolean;
+}
+
+export interface Tool {
+  kind: "tool";
+  X_HT: Pose;
+  angled: boolean;
+  length: number;
+  neck: number;
+  bend: number;
+  tip: number;
+  edges: ToolEdge[];
+}
+
+export type ControlKind = "number" | "switch" | "choice" | "button";
+
+export interface Control {
+  id: number;
+  control: ControlKind;
+  panel: string;
+  label: string;
+  unit: string;
+  choices: string[];
+  value: number;
+  min: number;
+  max: number;
+}
+
+export interface Controls {
+  kind: "controls";
+  controls: Control[];
+}
+
+export interface Trace {
+  kind: "trace";
+  first: number; // tick of the first sample
+  samples: Float32Array; // force x y z, torque x y z of each tick
+}
+
+export interface Notice {
+  kind: "notice";
+  severity: number; // 0 tells, 1 warns, 2 something failed
+  text: string;
+}
+
+export interface Instruments {
+  kind: "instruments";
+  X_WG: Pose; // the head where the hand wants it
+  power: number; // W
+  ticks: number;
+  missed: number;
+  bucket: number; // s
+  latency: Uint32Array;
+  removed: number[]; // m^3, by material from 1
+}
+
+export type Message =
+  | Hello | SurfacePage | Snapshot | Sound | Tool | Controls | Trace | Notice | Instruments;
+
+class Reader {
+  private at = 0;
+  private view: DataView;
+  constructor(private bytes: Uint8Array) {
+    this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  }
+  u8() { return this.view.getUint8(this.at++); }
+  u16() { return this.move(2, this.view.getUint16(this.at, true)); }
+  u32() { return this.move(4, this.view.getUint32(this.at, true)); }
+  i32() { return this.move(4, this.view.getInt32(this.at, true)); }
+  u64() { return this.move(8, Number(this.view.getBigUint64(this.at, true))); }
+  f64() { return this.move(8, this.view.getFloat64(this.at, true)); }
+  vec(): Vec3 { return [this.f64(), this.f64(), this.f64()]; }
+  pose(): Pose {
+    const rotation = Array.from({ length: 9 }, () => this.f64());
+    return { rotation, translation: this.vec() };
+  }
+  text(length: number) { return new TextDecoder().decode(this.take(length)); }
+  take(length: number) {
+    if (this.at + length > this.bytes.length) throw new RangeError("the message is too short");
+    const part = this.bytes.slice(this.at, this.at + length);
+    return this.move(length, part);
+  }
+  get complete() { return this.at === this.bytes.length; }
+  private move<T>(length: number, value: T): T {
+    this.at += length;
+    return value;
+  }
+}
+
+const kControls: ControlKind[] = ["number", "switch", "choice", "button"];
+
+function read(kind: number, r: Reader): Message | null {
+  switch (kind) {
+    case 1: {
+      const writer = r.u32() === 1, voxelSize = r.f64(), X_WV = r.pose();
+      const materials = Array.from({ length: r.u32() }, () => {
+        const color: Vec3 = [r.u8(), r.u8(), r.u8()];
+        return { color, name: r.text(r.u8()) };
+      });
+      return { kind: "hello", writer, voxelSize, X_WV, materials };
+    }
+    case 2: {
+      const origin: Vec3 = [r.i32(), r.i32(), r.i32()];
+      const version = r.u64(), vertices = r.u32(), indices = r.u32();
+      return {
+        kind: "page", origin, version,
+        vertices: new Int16Array(r.take(12 * vertices).buffer),
+        indices: new Uint16Array(r.take(2 * indices).buffer),
+      };
+    }
+    case 3: {
+      const arming = r.u32(), tick = r.u64(), X_WT = r.pose(), force = r.vec(), torque = r.vec();
+      const removed = r.f64(), dissipated = r.f64(), depth = r.f64(), speed = r.f64();
+      const voxels = r.u32(), status = r.u32(), seen = r.u32(), undoMarks = r.u32(), redoMarks = r.u32();
+      const flags = r.u32(), workpiece = r.u32(), blocksWaiting = r.u32();
+      return {
+        kind: "snapshot", arming, tick, X_WT, force, torque, removed, dissipated, depth, speed, voxels, status, seen,
+        undoMarks, redoMarks, undoing: (flags & 1) !== 0, redoing: (flags & 2) !== 0, held: (flags & 4) !== 0,
+        workpiece, blocksWaiting,
+      };
+    }
+    case 4: {
+      const rate = r.u32(), count = r.u32();
+      return { kind: "sound", rate, samples: new Int16Array(r.take(2 * count).buffer) };
+    }
+    case 5: {
+      const X_HT = r.pose(), angled = r.u32() === 1, length = r.f64(), neck = r.f64(), bend = r.f64(), tip = r.f64();
+      const edges = Array.from({ length: r.u32() }, () => (
+        { rho: r.f64(), z: r.f64(), radius: r.f64(), cutting: r.u32() === 1 }));
+      return { kind: "tool", X_HT, angled, length, neck, bend, tip, edges };
+    }
+    case 6: {
+      const controls = Array.from({ length: r.u32() }, (): Control => {
+        const id = r.u16(), control = kControls[r.u8()] ?? "number";
+        r.u8();
+        const value = r.f64(), min = r.f64(), max = r.f64();
+        const [panel, label, unit, choices] = [0, 0, 0, 0].map(() => r.text(r.u16()));
+        return { id, control, panel, label, unit, choices: choices ? choices.split("|") : [], value, min, max };
+      });
+      return { kind: "controls", controls };
+    }
+    case 7: {
+      const first = r.u64(), count = r.u32();
+      return { kind: "trace", first, samples: new Float32Array(r.take(24 * count).buffer) };
+    }
+    case 8: {
+      const severity = r.u32();
+      return { kind: "notice", severity, text: r.text(r.u32()) };
+    }
+    case 9: {
+      const X_WG = r.pose(), power = r.f64(), ticks = r.u64(), missed = r.u64(), bucket = r.f64();
+      const latency = Uint32Array.from({ length: r.u32() }, () => r.u32());
+      const removed = Array.from({ length: r.u32() }, () => r.f64());
+      return { kind: "instruments", X_WG, power, ticks, missed, bucket, latency, removed };
+    }
+    default:
+      return null;
+  }
+}
+
+/** @returns nothing for what is not one of these messages in every byte */
+export function decode(bytes: Uint8Array): Message | null {
+  try {
+    const r = new Reader(bytes);
+    const kind = r.u8();
+    if (r.u8() !== kVersion || r.u16() !== 0) return null;
+    const message = read(kind, r);
+    return r.complete ? message : null;
+  } catch {
+    return null;
+  }
+}
+
+class Writer {
+  private bytes: number[];
+  private number = new DataView(new ArrayBuffer(8));
+  constructor(kind: number) { this.bytes = [kind, kVersion, 0, 0]; }
+  u8(value: number) { this.bytes.push(value & 255); return this; }
+  u16(value: number) { return this.u8(value).u8(value >> 8); }
+  f64(value: number) {
+    this.number.setFloat64(0, value, true);
+    for (let n = 0; n < 8; ++n) this.bytes.push(this.number.getUint8(n));
+    return this;
+  }
+  all(values: number[]) { values.forEach((value) => this.f64(value)); return this; }
+  text(value: string) { this.bytes.push(...new TextEncoder().encode(value)); return this; }
+  take() { return Uint8Array.from(this.bytes); }
+}
+
+export const commands = {
+  spindleSpeed: (speed: number) => new Writer(1).f64(speed).take(),
+  undoMark: () => new Writer(2).take(),
+  undo: () => new Writer(3).take(),
+  redo: () => new Writer(4).take(),
+  hold: (hold: boolean) => new Writer(5).u8(hold ? 1 : 0).take(),
+  moveHand: (X_WH: Pose, pressed: boolean) =>
+    new Writer(8).all(X_WH.rotation).all(X_WH.translation).u8(pressed ? 1 : 0).take(),
+  stop: () => new Writer(9).take(),
+  lookAt: (point: Vec3) => new Writer(10).all(point).take(),
+  setControl: (id: number, value: number) => new Writer(11).u16(id).u16(0).f64(value).take(),
+  load: (name: string) => new Writer(12).text(name).take(),
+};
