@@ -38,6 +38,7 @@ bool same_handle(const Tool& a, const Tool& b) {
 /// free.
 void forgive(GuardOptions& guard) {
   guard.arming.ramp = 0.3;
+  guard.arming.short_ramp = 0.1;
   guard.late = 1;
   guard.pause = 5;
   guard.watchdog.late_ticks = guard.watchdog.fade_ticks = 1000;
@@ -110,7 +111,6 @@ void ViewSession::build_loop() {
   watched_ = std::make_unique<WatchedModel>(*model_, simulation_, 1e-3);
   RealtimeLoopOptions loop;
   loop.run.stop_on_crash = true;  // the process is ours
-  loop.run.guard.arming.short_ramp = 0.1;
   if (device_ == nullptr) forgive(loop.run.guard);
   loop.region = model_->region();
   loop_ = std::make_unique<RealtimeLoop>(device(), *watched_, loop);
