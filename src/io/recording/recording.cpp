@@ -211,6 +211,11 @@ void read_rows(const OpenColumn& open, std::uint64_t first, std::uint64_t count,
       H5Dread(open.set.get(), type_of(column.kind).memory, target.get(), source.get(), H5P_DEFAULT, rows.data()), what);
 }
 
+void read_rows(const Recording& recording, const OpenColumn& column, std::uint64_t first, std::uint64_t count,
+               std::vector<std::byte>& rows) {
+  reading(recording.path(), [&] { read_rows(column, first, count, rows); });
+}
+
 Recording::Recording(std::unique_ptr<OpenRecording> state) : state_(std::move(state)) {}
 Recording::Recording(Recording&&) noexcept = default;
 Recording& Recording::operator=(Recording&&) noexcept = default;

@@ -42,7 +42,12 @@ struct RecordingAccess {
 [[nodiscard]] Recording recording_of_bytes(std::string bytes, const std::filesystem::path& name);
 
 /// Packed rows of one column.
-/// @throws Failure
+/// @throws Failure, which does not name the file
 void read_rows(const OpenColumn& column, std::uint64_t first, std::uint64_t count, std::vector<std::byte>& rows);
+
+/// The same of a column of a recording, without a text of HDF5 on stderr.
+/// @throws Error with the name of the file
+void read_rows(const Recording& recording, const OpenColumn& column, std::uint64_t first, std::uint64_t count,
+               std::vector<std::byte>& rows);
 
 }  // namespace hapticut

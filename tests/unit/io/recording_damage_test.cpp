@@ -4,8 +4,10 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/io/recording/recording.hpp"
 #include "io/recording/recording_access.hpp"
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
@@ -130,6 +132,36 @@ TEST(DamagedRecording, CountsTheLostStepsUpToTheLargestNumber) {
     const hdf5::DataSet set = hdf5::open_data_set(file, "steps/number");
     hdf5::checked(H5Dwrite(set.get(), H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers), "changing");
   });
+}
+
+// The places of a column's values are looked up when it is read, so an export is the first to see that they are wrong.
+TEST(DamagedRecording, IsNamedByAnExportThatCannotReadAColumn) {
+  const TemporaryFolder folder;
+  const std::string bytes = test::read_bytes(recorded(folder));
+  int refused = 0;
+  const std::string index = "EAIB";  // begins the places of a data set that grows
+  for (std::size_t at = bytes.find(index); at != std::string::npos && refused < 3; at = bytes.find(index, at + 1)) {
+    std::string wrong = bytes;
+    wrong[at + index.size()] = char(wrong[at + index.size()] ^ 1);
+    test::write_bytes(folder / "b.h5", wrong);
+    std::optional<Recording> recording;
+    try {
+      recording.emplace(read_recording(folder / "b.h5"));
+    } catch (const Error&) {
+      continue;  // of a column that the reader needs
+    }
+    for (const auto& write : {write_csv, write_npz}) {
+      try {
+        write(*recording, folder / "out");
+        ADD_FAILURE() << at;
+      } catch (const Error& error) {
+        EXPECT_TRUE(std::string(error.what()).starts_with("cannot read '" + (folder / "b.h5").string()))
+            << error.what();
+      }
+    }
+    ++refused;
+  }
+  EXPECT_GT(refused, 0);
 }
 
 }  // namespace
