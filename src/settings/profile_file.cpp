@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -57,7 +58,7 @@ class ProfileFile {
 
   double length(const std::string& cell) const {
     const std::optional<double> value = parse_number(cell);
-    if (!value) fail("'" + cell + "' is not a number.");
+    if (!value || !std::isfinite(*value)) fail("'" + cell + "' is not a number.");
     return *value * units::mm;
   }
 

@@ -54,6 +54,7 @@ TEST(ProfileOfText, HasItsTipAtZero) {
 TEST(ProfileOfText, SaysTheLineThatIsWrong) {
   EXPECT_TRUE(refusal_of(kReadProfile, "rho_mm,z_mm,color\n").starts_with("a.csv:1: there is no column color"));
   EXPECT_TRUE(refusal_of(kReadProfile, "rho_mm,z_mm\n0,0\n1,x\n").starts_with("a.csv:3: 'x' is not a number"));
+  EXPECT_TRUE(refusal_of(kReadProfile, "rho_mm,z_mm\n0,nan\n").starts_with("a.csv:2: 'nan' is not a number"));
   EXPECT_TRUE(refusal_of(kReadProfile, "rho_mm,z_mm\n1,0\n").starts_with("a.csv:2: rho_mm = 1"));
 }
 
