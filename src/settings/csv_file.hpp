@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,16 +23,23 @@ class CsvFile {
   /// @throws Error when it cannot be read
   CsvFile(const std::filesystem::path& path, const std::string& what, const std::string& flag) : name_(path.string()) {
     std::error_code error;
+    auto file = std::make_unique<std::ifstream>();
     // Not opened before: a pipe would be waited for, and a device read for ever.
-    if (std::filesystem::is_regular_file(path, error)) stream_.open(path);
-    if (!stream_.is_open())
+    if (std::filesystem::is_regular_file(path, error)) file->open(path);
+    if (!file->is_open())
       throw Error(name_ + ": this " + what + " cannot be read. Check the name given to " + flag + ".");
+    stream_ = std::move(file);
   }
+
+  /// The same of a text.
+  /// @param name  in messages, where that of a file would be
+  CsvFile(std::string text, std::string name)
+      : name_(std::move(name)), stream_(std::make_unique<std::istringstream>(std::move(text))) {}
 
   /// The cells of the next line; false: there is none.
   /// @throws Error when they are not as many as in the first line
   bool next(std::vector<std::string>& cells) {
-    for (std::string line; std::getline(stream_, line);) {
+    for (std::string line; std::getline(*stream_, line);) {
       if (++line_ == 1 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
       line = trimmed(line);
       if (line.empty() || line.front() == '#') continue;
@@ -60,7 +69,7 @@ class CsvFile {
   }
 
   std::string name_;
-  std::ifstream stream_;
+  std::unique_ptr<std::istream> stream_;
   int line_ = 0;
   std::size_t columns_ = 0;
 };

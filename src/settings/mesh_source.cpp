@@ -12,7 +12,8 @@ namespace {
 
 std::string names_of(const std::vector<NamedMesh>& objects) {
   std::string names;
-  for (const NamedMesh& object : objects) names += (names.empty() ? "" : ", ") + object.name;
+  for (const NamedMesh& object : objects)
+    names += (names.empty() ? "" : ", ") + (object.name.empty() ? "one without a name" : object.name);
   return names;
 }
 

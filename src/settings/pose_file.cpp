@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "hapticut/core/units.hpp"
 #include "settings/csv_file.hpp"
@@ -11,7 +12,8 @@
 namespace hapticut::settings {
 namespace {
 
-constexpr double kRotationTolerance = 1e-3;  // [1] what six printed digits are off by is well below this
+constexpr std::size_t kMostPoses = 10'000'000;  // as of a path; each takes ten times the room of its line
+constexpr double kRotationTolerance = 1e-3;     // [1] what six printed digits are off by is well below this
 
 /// The places of some columns, or nothing when none of them is there.
 template <std::size_t kCount>
@@ -19,8 +21,7 @@ using Columns = std::optional<std::array<std::size_t, kCount>>;
 
 class PoseFile {
  public:
-  PoseFile(const std::filesystem::path& path, const Mat3& rotation)
-      : lines_(path, "file of poses", "--poses"), rotation_(rotation) {}
+  PoseFile(CsvFile lines, const Mat3& rotation) : lines_(std::move(lines)), rotation_(rotation) {}
 
   std::vector<TimedPose> read() {
     std::vector<TimedPose> poses;
@@ -28,6 +29,8 @@ class PoseFile {
     if (!lines_.next(cells)) fail("the file is empty; its first line must name the columns t_s, x_mm, y_mm, z_mm ...");
     read_names(cells);
     while (lines_.next(cells)) {
+      if (poses.size() == kMostPoses)
+        fail("there are more than " + format_number(double(kMostPoses)) + " poses; leave some out, or cut the path.");
       poses.push_back(read_pose(cells));
       if (poses.size() > 1 && !(poses.back().t > poses[poses.size() - 2].t))
         fail("t_s = " + format_number(poses.back().t) + "; times must increase from line to line.");
@@ -108,7 +111,11 @@ class PoseFile {
 }  // namespace
 
 std::vector<TimedPose> read_poses(const std::filesystem::path& path, const Mat3& rotation) {
-  return PoseFile(path, rotation).read();
+  return PoseFile(CsvFile(path, "file of poses", "--poses"), rotation).read();
+}
+
+std::vector<TimedPose> poses_of_text(std::string text, std::string name, const Mat3& rotation) {
+  return PoseFile(CsvFile(std::move(text), std::move(name)), rotation).read();
 }
 
 }  // namespace hapticut::settings

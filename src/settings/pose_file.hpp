@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "hapticut/settings/motion.hpp"
@@ -15,5 +16,9 @@ namespace hapticut::settings {
 /// @param rotation  of every pose when the file has none
 /// @throws Error `file:line: ...`
 [[nodiscard]] std::vector<TimedPose> read_poses(const std::filesystem::path& path, const Mat3& rotation);
+
+/// The same of a text.
+/// @param name  in messages, where that of a file would be
+[[nodiscard]] std::vector<TimedPose> poses_of_text(std::string text, std::string name, const Mat3& rotation);
 
 }  // namespace hapticut::settings

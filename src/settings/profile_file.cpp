@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "hapticut/core/units.hpp"
 #include "settings/csv_file.hpp"
@@ -18,7 +20,7 @@ namespace {
 
 class ProfileFile {
  public:
-  explicit ProfileFile(const std::filesystem::path& path) : lines_(path, "profile", "--profile") {}
+  explicit ProfileFile(CsvFile lines) : lines_(std::move(lines)) {}
 
   Profile read() {
     std::vector<std::string> cells;
@@ -56,7 +58,7 @@ class ProfileFile {
 
   double length(const std::string& cell) const {
     const std::optional<double> value = parse_number(cell);
-    if (!value) fail("'" + cell + "' is not a number.");
+    if (!value || !std::isfinite(*value)) fail("'" + cell + "' is not a number.");
     return *value * units::mm;
   }
 
@@ -77,7 +79,7 @@ class ProfileFile {
 };
 
 Profile profile_in(const std::filesystem::path& path) {
-  if (path.extension() == ".csv") return ProfileFile(path).read();
+  if (path.extension() == ".csv") return ProfileFile(CsvFile(path, "profile", "--profile")).read();
 #ifdef HAPTICUT_HAS_IO
   const std::vector<NamedMesh> objects = read_mesh(path);
   if (objects.size() != 1)
@@ -91,13 +93,18 @@ Profile profile_in(const std::filesystem::path& path) {
 #endif
 }
 
-}  // namespace
-
-Profile read_profile(const std::filesystem::path& path) {
-  Profile profile = profile_in(path);
+Profile with_tip_at_zero(Profile profile) {
   for (ProfileEdge& e : profile.edges) e.z -= profile.tip;
   profile.tip = 0;
   return profile;
+}
+
+}  // namespace
+
+Profile read_profile(const std::filesystem::path& path) { return with_tip_at_zero(profile_in(path)); }
+
+Profile profile_of_text(std::string text, std::string name) {
+  return with_tip_at_zero(ProfileFile(CsvFile(std::move(text), std::move(name))).read());
 }
 
 }  // namespace hapticut::settings

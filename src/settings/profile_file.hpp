@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "hapticut/tool/profile.hpp"
 
@@ -18,5 +19,9 @@ namespace hapticut::settings {
 /// that is a body of revolution, with its shank towards +z.
 /// @throws Error `file:line: ...`, or as profile_from_mesh
 [[nodiscard]] Profile read_profile(const std::filesystem::path& path);
+
+/// The same of the text of a CSV file.
+/// @param name  in messages, where that of a file would be
+[[nodiscard]] Profile profile_of_text(std::string text, std::string name);
 
 }  // namespace hapticut::settings

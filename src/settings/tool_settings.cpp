@@ -45,6 +45,17 @@ struct HeadKind {
   ToolHead (*make)(const ToolSettings& s);
 };
 
+/// @throws Error that names the file, whether it cannot be read or its profile is no head
+ToolHead head_of_profile(const std::string& file) {
+  try {
+    return ProfileHead(read_profile(file));
+  } catch (const Error& error) {
+    const std::string reason = error.what();
+    if (reason.find(file) != std::string::npos) throw;
+    throw Error(file + ": " + reason);
+  }
+}
+
 double mm_of(const std::optional<double>& value) { return *value * units::mm; }
 
 const std::vector<HeadKind>& head_kinds() {
@@ -76,7 +87,7 @@ const std::vector<HeadKind>& head_kinds() {
        "a head of a profile",
        {},
        {},
-       [](const ToolSettings& s) -> ToolHead { return ProfileHead(read_profile(s.profile)); }},
+       [](const ToolSettings& s) { return head_of_profile(s.profile); }},
       {Head::round,
        "round",
        "a round head",

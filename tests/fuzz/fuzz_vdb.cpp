@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The walk through a .vdb file that stands before OpenVDB, and OpenVDB behind it.
+// The walk through a .vdb file that stands before OpenVDB, and OpenVDB behind it: as a workpiece that was saved, else
+// as a level set or fog volume of another program.
 #include <cstdint>
 #include <string>
 
@@ -7,9 +8,16 @@
 #include "io/vdb/vdb_bytes.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace hapticut;
+  const std::string bytes(reinterpret_cast<const char*>(data), size);
   try {
-    (void)hapticut::workpiece_of_vdb(std::string(reinterpret_cast<const char*>(data), size));
-  } catch (const hapticut::Error&) {
+    (void)workpiece_of_vdb(bytes);
+    return 0;
+  } catch (const Error&) {
+  }
+  try {
+    (void)workpiece_of_vdb(bytes, VdbImport{.material = {.name = "any"}});
+  } catch (const Error&) {
   }
   return 0;
 }

@@ -38,6 +38,7 @@ struct MutantSeed {
 struct Shared {
   std::uint64_t index;
   std::uint64_t read, refused;
+  char format[16];  ///< of the mutant at hand; in a file of its own, a slow disk would be waited for each time
 };
 
 class Mutator {
@@ -136,7 +137,7 @@ void read_mutant(const std::vector<MutantSeed>& seeds, std::uint64_t seed, std::
   const std::string bytes = mutator.mutant_of(chosen.bytes, seeds[mutator.below(seeds.size())].bytes);
   fs::path path = folder / chosen.path.filename();
   write_bytes(path, bytes);
-  write_bytes(folder.parent_path() / "format", chosen.format);
+  shared.format[chosen.format.copy(shared.format, sizeof shared.format - 1)] = '\0';
   if (chosen.format == "slices") write_bytes(folder / ("a2" + path.extension().string()), chosen.bytes);
   if (const std::size_t place = chosen.bytes.find("\\0.7000"); chosen.format == "dicom" && place != std::string::npos)
     write_bytes(folder / "companion2.dcm", std::string(chosen.bytes).replace(place, 7, "\\1.4000"));
@@ -237,8 +238,8 @@ int run(int argc, char** argv) {
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) break;
     ++findings;
     if (WIFSIGNALED(status))
-      std::printf("mutant %llu (%s): signal %d\n", static_cast<unsigned long long>(shared.index),
-                  read_bytes(folder / "format").c_str(), WTERMSIG(status));
+      std::printf("mutant %llu (%s): signal %d\n", static_cast<unsigned long long>(shared.index), shared.format,
+                  WTERMSIG(status));
     std::fflush(stdout);
     if (argc > 3) {
       const fs::path kept = fs::path(argv[3]) / std::to_string(shared.index);

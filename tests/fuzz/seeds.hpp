@@ -97,8 +97,19 @@ inline void texts(const std::filesystem::path& folder) {
               "[material.mine]\nbased_on = \"cortical_bone\"\nrelative_stiffness = 0.9\n[tool]\nhead = \"sphere\"\n"
               "radius_mm = 1\nspindle_rpm = 3e4\n[path]\nkind = \"line\"\nfrom_mm = [-2, 3, 2.5]\nto_mm = [8, 3, 2.5]\n"
               "feed_mm_per_s = 20\n");
+  write_bytes(folder / "settings/b.toml",
+              "[workpiece]\nsource = \"slab\"\nsize_mm = [6.5, 6.5, 3]\n[[workpiece.layers]]\nmaterial = \"enamel\"\n"
+              "thickness_mm = 1.0\n[tool]\nhead = \"pear\"\ndiameter_mm = 1.2\nlength_mm = 3\nhandle = \"L\"\n"
+              "handle_length_mm = 100\nhandle_neck_mm = 12\nhandle_bend_deg = 115\n[path]\nkind = \"spiral\"\n"
+              "center_mm = [0, 0, 0]\nstart_radius_mm = 0\nend_radius_mm = 2\npitch_mm = 0.5\ndepth_mm = 1\n"
+              "feed_mm_per_s = 4\napproach_mm = 1\n[simulation]\nrate_Hz = 500\nthesis_mode = true\n[output]\n"
+              "json = \"a.json\"\n");
   write_bytes(folder / "poses/a.csv",
               "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n# a comment\n1,2,3,4,0.7,0.7,0,0\n");
+  write_bytes(folder / "poses/b.csv",
+              "\xEF\xBB\xBFr00,r01,r02,r10,r11,r12,r20,r21,r22,t_s,x_mm,y_mm,z_mm,remark\r\n"
+              "1,0,0,0,1,0,0,0,1,0,1e-3,2,3,a\r\n0,-1,0,1,0,0,0,0,1,0.5,4,5,6,\r\n");
+  write_bytes(folder / "profile/b.csv", "z_mm, rho_mm\n1,0\n1.5,0.75\n4,0.75\n4,0\n");
   write_bytes(folder / "profile/a.csv",
               "rho_mm,z_mm,radius_mm,kind\n0,0,0,cutting\n0.5,0.2,1,cutting\n0.5,3,0,smooth\n");
 }
@@ -113,6 +124,7 @@ inline void write_seeds(const std::filesystem::path& folder) {
   seeds::texts(folder);
   const Box box = {Vec3::Zero(), Vec3::Constant(2e-3)};
   save_vdb(build_block(box, 0.15e-3, presets::cortical_bone()), folder / "vdb/a.vdb");
+  save_vdb(build_sphere(Vec3::Zero(), 0.5e-3, 0.15e-3, presets::dentin()), folder / "vdb/partly_filled.vdb");
   record_scene(folder / "recording/a.h5", "axial_flat", 20);
 }
 

@@ -30,6 +30,28 @@ std::string buffer_for(const DataType& type, const std::string& name) {
   return std::string(length, '\0');
 }
 
+/// @throws Failure when there is nothing of this name, or it leads elsewhere
+void require_here(hid_t parent, const std::string& name) {
+  H5L_info_t info;
+  checked(H5Lget_info(parent, name.c_str(), &info, H5P_DEFAULT), "looking for " + name);
+  if (info.type != H5L_TYPE_HARD) throw Failure("its '" + name + "' is only a link to another place");
+}
+
+hsize_t size_of_file(hid_t object) {
+  const File file(H5Iget_file_id(object), "looking at the file");
+  hsize_t size = 0;
+  checked(H5Fget_filesize(file.get(), &size), "looking at the file");
+  return size;
+}
+
+/// @throws Failure when a file of this size cannot hold so much
+void require_room(double bytes, hsize_t file_size, const std::string& name) {
+  constexpr double kBestOfDeflate = 1032;  // times smaller
+  if (bytes > kBestOfDeflate * double(file_size))
+    throw Failure("its '" + name + "' claims " + format_number(bytes) +
+                  " bytes, more than the file can hold; it is damaged. Get a complete copy");
+}
+
 std::string until_null(const std::string& text) { return text.substr(0, text.find('\0')); }
 
 }  // namespace
@@ -65,6 +87,7 @@ Group create_group(hid_t parent, const std::string& name) {
 }
 
 Group open_group(hid_t parent, const std::string& name) {
+  require_here(parent, name);
   return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), "opening " + name};
 }
 
@@ -88,6 +111,8 @@ void write_attribute(hid_t object, const std::string& name, std::uint64_t number
 std::string read_text_attribute(hid_t object, const std::string& name) {
   const Attribute attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), "opening " + name);
   const DataType type(H5Aget_type(attribute.get()), "looking at " + name);
+  const DataSpace space(H5Aget_space(attribute.get()), "looking at " + name);
+  if (H5Sget_simple_extent_npoints(space.get()) != 1) throw Failure("its '" + name + "' is no text");
   std::string text = buffer_for(type, name);
   checked(H5Aread(attribute.get(), type.get(), text.data()), "reading " + name);
   return until_null(text);
@@ -108,9 +133,43 @@ bool has_attribute(hid_t object, const std::string& name) { return H5Aexists(obj
 
 std::vector<hsize_t> shape_of(hid_t data_set) {
   const DataSpace space(H5Dget_space(data_set), "looking at a data set");
+  if (H5Sget_simple_extent_type(space.get()) == H5S_NULL) throw Failure("one of its data sets holds nothing");
   std::vector<hsize_t> shape(std::size_t(checked(H5Sget_simple_extent_ndims(space.get()), "looking at a data set")));
   checked(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr), "looking at a data set");
   return shape;
+}
+
+DataSet open_data_set(hid_t parent, const std::string& name) {
+  require_here(parent, name);
+  DataSet set(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), "opening " + name);
+  const Properties made(H5Dget_create_plist(set.get()), "looking at " + name);
+  const H5D_layout_t layout = H5Pget_layout(made.get());
+  if (layout == H5D_CHUNKED) {
+    std::array<hsize_t, H5S_MAX_RANK> chunk{};
+    const int rank = checked(H5Pget_chunk(made.get(), int(chunk.size()), chunk.data()), "looking at " + name);
+    const DataType type(H5Dget_type(set.get()), "looking at " + name);
+    auto bytes = double(H5Tget_size(type.get()));
+    for (int n = 0; n < rank; ++n) bytes *= double(chunk[std::size_t(n)]);
+    require_room(bytes, size_of_file(set.get()), name);
+  } else if ((layout != H5D_CONTIGUOUS && layout != H5D_COMPACT) || H5Pget_external_count(made.get()) != 0) {
+    throw Failure("its '" + name + "' lies in another file");
+  }
+  return set;
+}
+
+H5T_class_t number_class(const DataSet& set, const std::string& name) {
+  const DataType type(H5Dget_type(set.get()), "looking at " + name);
+  const H5T_class_t kind = H5Tget_class(type.get());
+  if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || H5Tget_size(type.get()) > sizeof(double))
+    throw Failure("its '" + name + "' holds no numbers");
+  return kind;
+}
+
+hsize_t count_of(const DataSet& set, const std::string& name, std::size_t bytes) {
+  double count = 1;  // whose product does not run over
+  for (const hsize_t length : shape_of(set.get())) count *= double(length);
+  require_room(count * double(bytes), size_of_file(set.get()), name);
+  return hsize_t(count);
 }
 
 DataSet write_text(hid_t parent, const std::string& name, const std::string& text) {
@@ -123,7 +182,7 @@ DataSet write_text(hid_t parent, const std::string& name, const std::string& tex
 }
 
 std::string read_text(hid_t parent, const std::string& name) {
-  const DataSet set(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), "opening " + name);
+  const DataSet set = open_data_set(parent, name);
   const DataType type(H5Dget_type(set.get()), "looking at " + name);
   const DataSpace space(H5Dget_space(set.get()), "looking at " + name);
   if (H5Sget_simple_extent_npoints(space.get()) != 1) throw Failure("its '" + name + "' is no text");

@@ -105,6 +105,19 @@ void write_attribute(hid_t object, const std::string& name, std::uint64_t number
 /// Lengths along the dimensions of a data set.
 [[nodiscard]] std::vector<hsize_t> shape_of(hid_t data_set);
 
+/// Opens a data set that lies in the file itself. HDF5 would follow a link, or a list of places, to any file or device.
+/// @throws Failure when there is none, or what it holds is elsewhere
+[[nodiscard]] DataSet open_data_set(hid_t parent, const std::string& name);
+
+/// H5T_INTEGER or H5T_FLOAT.
+/// @throws Failure when it holds anything else
+[[nodiscard]] H5T_class_t number_class(const DataSet& set, const std::string& name);
+
+/// How many numbers a data set holds.
+/// @param bytes  of each in memory
+/// @throws Failure when the file is too short for them
+[[nodiscard]] hsize_t count_of(const DataSet& set, const std::string& name, std::size_t bytes);
+
 /// A data set of a fixed number of rows.
 template <class Number>
 DataSet write_array(hid_t parent, const std::string& name, const Number* values, const std::vector<hsize_t>& shape) {
@@ -120,16 +133,10 @@ DataSet write_array(hid_t parent, const std::string& name, const Number* values,
 /// @throws Failure when there is none, or it holds something else than numbers
 template <class Number>
 std::vector<Number> read_array(hid_t parent, const std::string& name) {
-  const DataSet set(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), "opening " + name);
-  hsize_t count = 1;
-  for (const hsize_t length : shape_of(set.get())) count *= length;
-  const DataType type(H5Dget_type(set.get()), "looking at " + name);
-  const H5T_class_t kind = H5Tget_class(type.get());
-  if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw Failure("its '" + name + "' holds no numbers");
-  constexpr hsize_t kMost = hsize_t(1) << 32;
-  if (count > kMost) throw Failure("its '" + name + "' has " + std::to_string(count) + " entries, which is too many");
-  std::vector<Number> values(count);
-  if (count > 0)
+  const DataSet set = open_data_set(parent, name);
+  (void)number_class(set, name);
+  std::vector<Number> values(count_of(set, name, sizeof(Number)));
+  if (!values.empty())
     checked(H5Dread(set.get(), type_of(Number()).memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
             "reading " + name);
   return values;

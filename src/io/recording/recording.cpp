@@ -2,6 +2,8 @@
 #include "hapticut/io/recording/recording.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <cstring>
 #include <limits>
 #include <span>
 
@@ -46,27 +48,47 @@ auto settings_in_file(const Function& function) {
   }
 }
 
+constexpr std::size_t kHead = 12;  // [bytes] of a file that say what it is
+
 /// Whether a writer has the file open, or was killed while it had: a bit in the head of the file (HDF5 File Format
 /// Specification, superblock version 3).
-bool has_writer(const std::filesystem::path& path) {
+bool has_writer(std::string_view head) {
   constexpr std::size_t kVersion = 8, kFlags = 11;
   constexpr unsigned kWriterWithReaders = 4;
-  const std::string head = first_bytes(path, kFlags + 1);
   return head.size() > kFlags && head[kVersion] == 3 && (unsigned(head[kFlags]) & kWriterWithReaders) != 0;
 }
 
+/// @param id    what HDF5 made of the file
+/// @param head  its first bytes
+hdf5::File require_open(hid_t id, std::string_view head) {
+  hdf5::File file(id);
+  if (file.valid()) return file;
+  if (!head.starts_with("\x89HDF")) throw Error("it is not an HDF5 file, so not a recording of hapticut");
+  hdf5::fail("it is a damaged HDF5 file; opening it");
+}
+
 hdf5::File open_file(const std::filesystem::path& path) {
+  const std::string head = first_bytes(path, kHead);
   const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS), "preparing");
   constexpr unsigned kAttempts = 12;  // to read what the writer is just changing; HDF5's own 100 take minutes
   unsigned mode = H5F_ACC_RDONLY;
-  if (has_writer(path)) {
+  if (has_writer(head)) {
     mode |= H5F_ACC_SWMR_READ;
     hdf5::checked(H5Pset_metadata_read_attempts(access.get(), kAttempts), "preparing");
   }
-  hdf5::File file(H5Fopen(path.c_str(), mode, access.get()));
-  if (file.valid()) return file;
-  if (first_bytes(path, 4) != "\x89HDF") throw Error("it is not an HDF5 file, so not a recording of hapticut");
-  hdf5::fail("it is a damaged HDF5 file; opening it");
+  return require_open(H5Fopen(path.c_str(), mode, access.get()), head);
+}
+
+/// The same of bytes, of which HDF5 makes a copy.
+hdf5::File open_bytes(std::string bytes) {
+  constexpr std::size_t kGrowth = 1 << 16;  // [bytes] that would be added; nothing is
+  // HDF5 takes two that are open under the same name for the same.
+  static std::atomic<std::uint64_t> opened{0};
+  const std::string name = "bytes " + std::to_string(opened++);
+  const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS), "preparing");
+  hdf5::checked(H5Pset_fapl_core(access.get(), kGrowth, /*backing_store=*/0), "preparing");
+  hdf5::checked(H5Pset_file_image(access.get(), bytes.data(), bytes.size()), "preparing");
+  return require_open(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access.get()), std::string_view(bytes).substr(0, kHead));
 }
 
 RecordingInfo read_info(hid_t file) {
@@ -94,7 +116,7 @@ std::vector<RecordedEffects> read_effects(hid_t file, double update_rate) {
   const hdf5::Group group = hdf5::open_group(file, kEffectsGroup);
   const auto first = hdf5::read_array<std::uint64_t>(group.get(), kFirstSteps);
   const auto values = hdf5::read_array<double>(group.get(), kEffectValues);
-  const hdf5::DataSet set(H5Dopen2(group.get(), kEffectValues, H5P_DEFAULT), "opening the effects");
+  const hdf5::DataSet set = hdf5::open_data_set(group.get(), kEffectValues);
   const std::string names = hdf5::read_text_attribute(set.get(), "columns");
   const std::size_t width = std::size_t(std::count(names.begin(), names.end(), ',')) + 1;
   const std::vector<hsize_t> shape = hdf5::shape_of(set.get());
@@ -123,13 +145,11 @@ void open_columns(OpenRecording& s) {
     if (!listed.contains(column.name)) continue;  // it came later: the steps have its default
     ++known;
     if (!hdf5::exists(group.get(), column.name)) throw Error("it lacks the column '" + name + "'");
-    hdf5::DataSet set(H5Dopen2(group.get(), column.name.c_str(), H5P_DEFAULT), "opening " + name);
+    hdf5::DataSet set = hdf5::open_data_set(group.get(), column.name);
     const std::vector<hsize_t> shape = hdf5::shape_of(set.get());
-    const hdf5::DataType type(H5Dget_type(set.get()), "looking at " + name);
-    const bool real = H5Tget_class(type.get()) == H5T_FLOAT, whole = H5Tget_class(type.get()) == H5T_INTEGER;
     if (shape.size() != column.shape.size() + 1 ||
         !std::equal(column.shape.begin(), column.shape.end(), shape.begin() + 1) ||
-        !(column.kind == ColumnKind::real ? real : whole))
+        hdf5::number_class(set, name) != (column.kind == ColumnKind::real ? H5T_FLOAT : H5T_INTEGER))
       throw Error("its column '" + name + "' has another shape or type than a recording's");
     // A writer that was killed may have left some columns longer than others.
     s.size = std::min<std::uint64_t>(s.size, shape[0]);
@@ -152,8 +172,10 @@ void find_gaps(OpenRecording& s) {
     const std::uint64_t count = std::min(kStatusesAtOnce, s.size - first);
     read_rows(numbers, first, count, rows);
     for (std::uint64_t n = 0; n < count; ++n) {
-      const auto number = std::uint64_t(number_at(*numbers.column, rows.data() + n * numbers.column->bytes, 0));
-      if (number < expected) throw Error("the numbers of its steps do not increase");
+      std::uint64_t number = 0;
+      std::memcpy(&number, rows.data() + n * sizeof number, sizeof number);
+      if (number < expected || number == std::numeric_limits<std::uint64_t>::max())
+        throw Error("the numbers of its steps do not increase");
       if (number > expected && s.before_first_gap == s.size) s.before_first_gap = first + n;
       s.info.lost += number - expected;
       expected = number + 1;
@@ -187,6 +209,11 @@ void read_rows(const OpenColumn& open, std::uint64_t first, std::uint64_t count,
   const hdf5::DataSpace target(H5Screate_simple(int(length.size()), length.data(), nullptr), what);
   hdf5::checked(
       H5Dread(open.set.get(), type_of(column.kind).memory, target.get(), source.get(), H5P_DEFAULT, rows.data()), what);
+}
+
+void read_rows(const Recording& recording, const OpenColumn& column, std::uint64_t first, std::uint64_t count,
+               std::vector<std::byte>& rows) {
+  reading(recording.path(), [&] { read_rows(column, first, count, rows); });
 }
 
 Recording::Recording(std::unique_ptr<OpenRecording> state) : state_(std::move(state)) {}
@@ -242,13 +269,16 @@ Workpiece Recording::workpiece() const {
   });
 }
 
-Recording read_recording(const std::filesystem::path& path) {
-  (void)readable_size(path);
+namespace {
+
+/// @param open  opens the file
+template <class Open>
+std::unique_ptr<OpenRecording> parse_recording(const std::filesystem::path& path, const Open& open) {
   auto state = std::make_unique<OpenRecording>();
   reading(path, [&] {
     OpenRecording& s = *state;
     s.path = path;
-    s.file = open_file(path);
+    s.file = open();
     s.info = read_info(s.file.get());
     settings_in_file([&] {
       s.config = read_config(s.file.get());
@@ -265,7 +295,18 @@ Recording read_recording(const std::filesystem::path& path) {
     find_gaps(s);
     remark(s.info, s.size);
   });
-  return Recording(std::move(state));
+  return state;
+}
+
+}  // namespace
+
+Recording read_recording(const std::filesystem::path& path) {
+  (void)readable_size(path);
+  return Recording(parse_recording(path, [&] { return open_file(path); }));
+}
+
+Recording recording_of_bytes(std::string bytes, const std::filesystem::path& name) {
+  return RecordingAccess::make(parse_recording(name, [&] { return open_bytes(std::move(bytes)); }));
 }
 
 }  // namespace hapticut

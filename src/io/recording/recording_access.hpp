@@ -33,10 +33,21 @@ struct OpenRecording {
 /// The door from export and replay to the columns.
 struct RecordingAccess {
   static const OpenRecording& state(const Recording& recording) { return *recording.state_; }
+  static Recording make(std::unique_ptr<OpenRecording> state) { return Recording(std::move(state)); }
 };
 
+/// A recording from the bytes of its file, which no writer may have had open.
+/// @param name  in messages, where that of a file would be
+/// @throws Error as read_recording
+[[nodiscard]] Recording recording_of_bytes(std::string bytes, const std::filesystem::path& name);
+
 /// Packed rows of one column.
-/// @throws Failure
+/// @throws Failure, which does not name the file
 void read_rows(const OpenColumn& column, std::uint64_t first, std::uint64_t count, std::vector<std::byte>& rows);
+
+/// The same of a column of a recording, without a text of HDF5 on stderr.
+/// @throws Error with the name of the file
+void read_rows(const Recording& recording, const OpenColumn& column, std::uint64_t first, std::uint64_t count,
+               std::vector<std::byte>& rows);
 
 }  // namespace hapticut

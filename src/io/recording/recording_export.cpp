@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <memory>
+#include <string_view>
 
 #include "io/atomic_file.hpp"
 #include "io/recording/recording_access.hpp"
@@ -107,7 +108,6 @@ class ZipWriter {
 }  // namespace
 
 void write_csv(const Recording& recording, const std::filesystem::path& path) {
-  const hdf5::Quiet quiet;
   const std::vector<OpenColumn>& columns = RecordingAccess::state(recording).columns;
   write_atomically(path, [&](std::ostream& stream) {
     std::string line;
@@ -117,7 +117,7 @@ void write_csv(const Recording& recording, const std::filesystem::path& path) {
     std::vector<std::vector<std::byte>> rows(columns.size());
     for (std::uint64_t first = 0; first < recording.size(); first += kRowsAtOnce) {
       const std::uint64_t count = std::min(kRowsAtOnce, recording.size() - first);
-      for (std::size_t n = 0; n < columns.size(); ++n) read_rows(columns[n], first, count, rows[n]);
+      for (std::size_t n = 0; n < columns.size(); ++n) read_rows(recording, columns[n], first, count, rows[n]);
       for (std::uint64_t row = 0; row < count; ++row) {
         line.clear();
         for (std::size_t n = 0; n < columns.size(); ++n) {
@@ -134,7 +134,6 @@ void write_csv(const Recording& recording, const std::filesystem::path& path) {
 }
 
 void write_npz(const Recording& recording, const std::filesystem::path& path) {
-  const hdf5::Quiet quiet;
   AtomicFile target(path);
   try {
     ZipWriter zip(target.temporary_path());
@@ -145,14 +144,13 @@ void write_npz(const Recording& recording, const std::filesystem::path& path) {
       zip.begin(column.name + ".npy", head.size() + recording.size() * column.bytes);
       zip.write(head.data(), head.size());
       for (std::uint64_t first = 0; first < recording.size(); first += kRowsAtOnce) {
-        read_rows(open, first, std::min(kRowsAtOnce, recording.size() - first), rows);
+        read_rows(recording, open, first, std::min(kRowsAtOnce, recording.size() - first), rows);
         zip.write(rows.data(), rows.size());
       }
     }
     zip.close();
-  } catch (const hdf5::Failure&) {
-    throw;
   } catch (const Error& error) {
+    if (std::string_view(error.what()).starts_with("cannot read ")) throw;
     throw Error("cannot write '" + path.string() + "': " + error.what() +
                 ". Check the folder, its permissions and the free disk space.");
   }

@@ -14,6 +14,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/openvdb.hpp"
 #include "io/atomic_file.hpp"
+#include "io/file_errors.hpp"
 #include "io/vdb/vdb_bytes.hpp"
 #include "io/vdb/vdb_check.hpp"
 #include "workpiece/grids.hpp"
@@ -90,18 +91,17 @@ class FileWriter : public openvdb::io::Stream {
 };
 
 /// Runs a part of the reading.
-/// @throws Error  with the name of the file in front of whatever went wrong
+/// @throws Error  whatever went wrong, as a sentence about "it"
 template <class Function>
-auto reading(const std::filesystem::path& path, const Function& function) {
-  const std::string cannot_read = "cannot read '" + path.string() + "': ";
+auto reading(const Function& function) {
   try {
     return function();
-  } catch (const Error& error) {
-    throw Error(cannot_read + error.what());
+  } catch (const Error&) {
+    throw;
   } catch (const std::bad_alloc&) {
-    throw Error(cannot_read + "there is not enough memory for it; it is too large or damaged.");
+    throw Error("there is not enough memory for it; it is too large or damaged.");
   } catch (const std::exception& error) {
-    throw Error(cannot_read + "it is not a readable .vdb file (OpenVDB: " + error.what() + ").");
+    throw Error(std::string("it is not a readable .vdb file (OpenVDB: ") + error.what() + ").");
   }
 }
 
@@ -258,8 +258,8 @@ Workpiece parse(std::string bytes) {
   return WorkpieceAccess::make(frame, std::move(materials), std::move(trees));
 }
 
-Workpiece parse_foreign(const std::filesystem::path& path, const VdbImport& options) {
-  const VdbFile file = read_grids(read_file(path));
+Workpiece parse_foreign(std::string bytes, const VdbImport& options) {
+  const VdbFile file = read_grids(std::move(bytes));
   openvdb::FloatGrid::Ptr chosen;
   int candidates = 0;
   for (const auto& grid : file.grids) {
@@ -306,20 +306,20 @@ std::string vdb_bytes(const Workpiece& workpiece) {
 }
 
 Workpiece load_vdb(const std::filesystem::path& path) {
-  return reading(path, [&] { return parse(read_file(path)); });
+  return naming(path, [&] { return workpiece_of_vdb(read_file(path)); });
 }
 
 Workpiece workpiece_of_vdb(std::string bytes) {
-  try {
-    return parse(std::move(bytes));
-  } catch (const openvdb::Exception& error) {
-    throw Error(std::string("it is not a readable .vdb file (OpenVDB: ") + error.what() + ").");
-  }
+  return reading([&] { return parse(std::move(bytes)); });
+}
+
+Workpiece workpiece_of_vdb(std::string bytes, const VdbImport& options) {
+  return reading([&] { return parse_foreign(std::move(bytes), options); });
 }
 
 Workpiece load_vdb(const std::filesystem::path& path, const VdbImport& options) {
   require_positive(options.unit_mm, "VdbImport::unit_mm [mm]");
-  return reading(path, [&] { return parse_foreign(path, options); });
+  return naming(path, [&] { return workpiece_of_vdb(read_file(path), options); });
 }
 
 }  // namespace hapticut

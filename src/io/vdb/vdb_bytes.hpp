@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 
 /// @file
@@ -13,5 +14,8 @@ namespace hapticut {
 
 /// @throws Error a sentence that begins with "it" or "its", when the bytes are no file that `save_vdb` writes
 [[nodiscard]] Workpiece workpiece_of_vdb(std::string bytes);
+
+/// The same of a file of another program.
+[[nodiscard]] Workpiece workpiece_of_vdb(std::string bytes, const VdbImport& options);
 
 }  // namespace hapticut

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdlib>
+#include <sstream>
 
 #include "io/vdb/vdb_check.hpp"
 
@@ -116,11 +117,12 @@ class TreeWalk {
     const bool all = (storage_.compression & COMPRESS_ACTIVE_MASK) == 0 || kind == NO_MASK_AND_ALL_VALS;
     const std::uint64_t count = all ? entries : active.count();
     if (storage_.half && count == 0) return;
-    walk_chunk(count * (storage_.half ? 2 : kValueSize));
+    walk_chunk(count * (storage_.half ? 2 : kValueSize), entries != kLeaf);
   }
 
-  /// @param size  [bytes] when it is not compressed
-  void walk_chunk(std::uint64_t size) {
+  /// @param size     [bytes] when it is not compressed
+  /// @param in_node  false: in a leaf
+  void walk_chunk(std::uint64_t size, bool in_node) {
     using namespace openvdb::io;
     const bool blosc = (storage_.compression & COMPRESS_BLOSC) != 0;
     if (!blosc && (storage_.compression & COMPRESS_ZIP) == 0) {
@@ -133,15 +135,33 @@ class TreeWalk {
       in_.take(size);
       return;
     }
-    ByteReader chunk(in_.take(std::uint64_t(length)));
-    if (!blosc) return;
-    if (std::size_t(length) < kFewestBytesOfBlosc) damaged("compressed values are too short");
-    // Versions and flags; bytes after and before decompression, between them the size of a block.
-    chunk.take(4);
-    const auto unpacked = chunk.take<std::uint32_t>();
-    chunk.take(4);
-    const auto packed = chunk.take<std::uint32_t>();
-    if (unpacked != size || packed != std::uint64_t(length)) damaged("compressed values have an impossible length");
+    const std::string_view packed = in_.take(std::uint64_t(length));
+    if (blosc) check_head_of_blosc(packed, size);
+    if (in_node) unpack(packed, size, blosc);
+  }
+
+  /// Versions and flags; bytes after and before decompression, between them the size of a block.
+  static void check_head_of_blosc(std::string_view packed, std::uint64_t size) {
+    if (packed.size() < kFewestBytesOfBlosc) damaged("compressed values are too short");
+    ByteReader head(packed);
+    head.take(4);
+    const auto unpacked_bytes = head.take<std::uint32_t>();
+    head.take(4);
+    const auto packed_bytes = head.take<std::uint32_t>();
+    if (unpacked_bytes != size || packed_bytes != packed.size()) damaged("compressed values have an impossible length");
+  }
+
+  /// OpenVDB loses the memory of a node whose values it cannot unpack, 270 kB each time; that of a leaf it does not.
+  static void unpack(std::string_view packed, std::uint64_t size, bool blosc) {
+    const auto length = std::int64_t(packed.size());
+    std::string chunk(reinterpret_cast<const char*>(&length), sizeof length);
+    std::istringstream stream(chunk.append(packed), std::ios_base::binary);
+    std::string values(size, '\0');
+    try {
+      (blosc ? openvdb::io::bloscFromStream : openvdb::io::unzipFromStream)(stream, values.data(), values.size());
+    } catch (const openvdb::Exception&) {
+      damaged("compressed values cannot be unpacked");
+    }
   }
 
   ByteReader& in_;

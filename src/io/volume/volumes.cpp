@@ -42,6 +42,8 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
   (void)readable_size(path);
   if (name.ends_with(".raw"))
     cannot_read(path, "a raw file does not say how large it is; use read_raw_grey_volume or read_raw_label_volume.");
+  if (name.ends_with(".h5"))
+    cannot_read(path, "its ending is that of a recording, which is no volume; use read_recording, or hapticut replay.");
   cannot_read(path,
               "its ending is not that of a format that is read: .nrrd .nhdr .nii .nii.gz .mhd .mha .inv3 .dcm, or a "
               "folder with "

@@ -117,7 +117,7 @@ TEST_F(HeadSettings, ABadProfileFileIsNamedWithItsLine) {
   expect("rho_mm,z_mm\n0,0\n1,wide\n", {"p.csv:3", "'wide' is not a number"});
   expect("rho_mm,z_mm\n1,0\n1,1\n", {"p.csv:2", "first point is the tip"});
   expect("rho_mm,z_mm,kind\n0,0,cutting\n1,1,sharp\n", {"p.csv:3", "kind = sharp", "cutting or smooth"});
-  expect("rho_mm,z_mm\n0,0\n1,0\n1,2\n", {"not closed"});
+  expect("rho_mm,z_mm\n0,0\n1,0\n1,2\n", {"p.csv", "not closed"});
 }
 
 }  // namespace

@@ -67,6 +67,18 @@ TEST(Dicom, FilesWithoutAPictureInAFolderAreLeftOut) {
   EXPECT_EQ(read_grey_volume(folder / "").dims, (std::array<int, 3>{4, 3, 3}));
 }
 
+// A damaged name of a series has a line break in it.
+TEST(Dicom, SeveralSeriesAreListedInOneLine) {
+  const TemporaryFolder folder;
+  write_bytes(folder / name(1), slice(1));
+  std::string other = slice(2);
+  other.replace(other.find("1.2.3.6"), 4, "1.\n2");
+  write_bytes(folder / name(2), other);
+  const std::string refusal = error_of(folder / "");
+  EXPECT_NE(refusal.find("several DICOM series"), std::string::npos) << refusal;
+  EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
+}
+
 TEST(Dicom, RunLengthsAreUnpacked) {
   // Two bytes of each value, the higher ones first: 12 zeros; then 3 times 7 and 9 different ones.
   const std::string high = std::string("\xf5\0", 2),

@@ -177,5 +177,44 @@ TEST(DamagedVdb, LengthsBeyondTheFileAreNotBelieved) {
   }
 }
 
+/// Places of the chunks that Blosc has packed: 8 bytes of length, then a head of 16 bytes that ends with it.
+std::vector<std::size_t> packed_chunks(const std::string& bytes) {
+  constexpr std::size_t kLength = 8, kLengthInHead = 12, kHead = 16;
+  std::vector<std::size_t> places;
+  for (std::size_t at = 0; at + kLength + kHead <= bytes.size(); ++at) {
+    std::int64_t length = 0;
+    std::uint32_t in_head = 0;
+    std::memcpy(&length, bytes.data() + at, sizeof length);
+    std::memcpy(&in_head, bytes.data() + at + kLength + kLengthInHead, sizeof in_head);
+    const bool version = bytes[at + kLength] == 2;
+    if (version && length > std::int64_t(kHead) && length == std::int64_t(in_head)) places.push_back(at + kLength);
+  }
+  return places;
+}
+
+// OpenVDB refuses them as well, and loses the memory of the node, so it must not see them.
+TEST(DamagedVdb, ValuesOfANodeThatCannotBeUnpackedAreRefusedBeforeOpenVdb) {
+  const TemporaryFolder folder;
+  Material clay;
+  clay.name = "clay";
+  save_vdb(build_block({Vec3::Zero(), Vec3::Constant(3 * mm)}, 0.15 * mm, clay), folder / "a.vdb");
+  const std::string bytes = test::read_bytes(folder / "a.vdb");
+  const std::vector<std::size_t> chunks = packed_chunks(bytes);
+  ASSERT_FALSE(chunks.empty());
+  int in_nodes = 0;
+  for (const std::size_t chunk : chunks) {
+    std::string wrong = bytes;
+    wrong[chunk] = 99;  // version of Blosc
+    test::write_bytes(folder / "a.vdb", wrong);
+    try {
+      (void)load_vdb(folder / "a.vdb");
+      ADD_FAILURE() << chunk;
+    } catch (const Error& error) {
+      if (std::string(error.what()).find("compressed values cannot be unpacked") != std::string::npos) ++in_nodes;
+    }
+  }
+  EXPECT_GT(in_nodes, 0);
+}
+
 }  // namespace
 }  // namespace hapticut::vdb_damage_test
