@@ -107,13 +107,9 @@ Material dentin(CutterKind cutter) { return cut_by(cutter, cuts_of_bone(1), soli
 
 Material pulp(CutterKind) { return cut_by_any({0.5, 5e6, 0, 0}, solid("pulp", 0.01, 1000, 2.5e6)); }
 
-Material caries(CutterKind cutter) {
-  return cut_by(cutter, cuts_of_bone(0.44), solid("caries", 0.1, 1700, 130e6));
-}
+Material caries(CutterKind cutter) { return cut_by(cutter, cuts_of_bone(0.44), solid("caries", 0.1, 1700, 130e6)); }
 
-Material amalgam(CutterKind) {
-  return cut_by_any({0.5, 89e6, 0, kSizeOfEnamel}, solid("amalgam", 0.6, 11600, 400e6));
-}
+Material amalgam(CutterKind) { return cut_by_any({0.5, 89e6, 0, kSizeOfEnamel}, solid("amalgam", 0.6, 11600, 400e6)); }
 
 Material cortical_bone(CutterKind cutter) {
   return cut_by(cutter, cuts_of_bone(1), solid("cortical_bone", 0.18, 1900, 150e6));

@@ -294,8 +294,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       }
       EXPECT_NEAR(found.damping / weight, energies.damping, kRounding * energy);
       double whole = 0;  // as if nothing had been crushed
-      for (std::size_t id = 1; id <= 3; ++id)
-        whole += double(materials[id].cutting_energy) * sums.removed[id] * volume;
+      for (std::size_t id = 1; id <= 3; ++id) whole += double(materials[id].cutting_energy) * sums.removed[id] * volume;
       EXPECT_NEAR(whole + found.cutting, energies.cutting, 10 * kRounding * (energy + whole));
       EXPECT_NEAR(found.rubbing, energies.rubbing, kRounding * energy);
       EXPECT_NEAR(found.credited, energies.credited, 10 * kRounding * energy);
