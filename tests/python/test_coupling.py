@@ -200,8 +200,8 @@ def test_the_stages_of_the_guard_by_themselves():
         passive.control(push, push, -way, 1e-3, stored=1e-3)
     assert passive.stored == 1e-3
     passive.restart()
-    for _ in range(5):  # a weight, beside a force of contact
-        passive.control(push + 1e-2, push, way, 1e-3, effects=push)
+    for tick in range(5):  # a weight, beside a force of contact against the motion
+        passive.control(push - 1e-2, (push - 1e-2) * (tick > 0), way, 1e-3, effects=push)
     assert passive.taken == 0
 
     budget = h.safety.ThermalBudget(3.3, 0.88)

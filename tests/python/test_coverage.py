@@ -230,17 +230,17 @@ def test_friction_and_deep_contact_by_themselves():
     h.validate(friction)
     anchor = h.LimitSurface()
     contact = h.SpreadFriction.at_point([0, 0, 1], friction)
-    stuck = anchor.move(contact, h.Twist([1e-4, 0, 0], [0, 0, 0]))
+    stuck = anchor.move(contact, [1e-4, 0, 0, 0, 0, 0])
     assert anchor.anchored and not anchor.sliding and stuck.dissipated < 1e-18 and stuck.wrench.force[0] < 0
     assert np.allclose(stuck.stiffness[:3, :3], np.diag([500, 500, 0]))  # it is a mean: the anchor stretches on the way
-    slid = anchor.move(contact, h.Twist([1e-2, 0, 0], [0, 0, 0]))
+    slid = anchor.move(contact, [1e-2, 0, 0, 0, 0, 0])
     assert anchor.sliding and np.linalg.norm(slid.wrench.force) == pytest.approx(0.2)
     assert anchor.stored > 0 and anchor.stiffness == pytest.approx(1000)
     ring = h.SpreadFriction()
     for x, y in [(1e-3, 0), (0, 1e-3), (-1e-3, 0), (0, -1e-3)]:
         ring.add([x, y, 0], [0, 0, 1], 0.25, friction)
     assert ring.static_limit == pytest.approx(0.4) and ring.dynamic_limit == pytest.approx(0.2) and ring.anchors > 0
-    turned = h.LimitSurface().move(ring, h.Twist([0, 0, 0], [0, 0, 1.0]))
+    turned = h.LimitSurface().move(ring, [0, 0, 0, 0, 0, 1.0])
     assert turned.wrench.torque[2] == pytest.approx(-0.2e-3) and ring.directions.shape == (6, 6)
     anchor.release()
     assert not anchor.anchored
