@@ -49,7 +49,7 @@ class WatchedModel final : public LoopModel {
   // --- the loop's side ----------------------------------------------------------------------------------------------
   Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
     note_time(monotonic_time());
-    const Wrench wrench = model_.step(state, dt, snapshot);
+    Wrench wrench = model_.step(state, dt, snapshot);
     note(snapshot.tool);
     const std::array<double, 256>& removed = simulation_.removed_volume_by_material();
     for (std::size_t n = 0; n < kMaterials; ++n) removed_[n].store(removed[n + 1], std::memory_order_relaxed);

@@ -86,7 +86,7 @@ hdf5::File open_bytes(std::string bytes) {
   static std::atomic<std::uint64_t> opened{0};
   const std::string name = "bytes " + std::to_string(opened++);
   const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS), "preparing");
-  hdf5::checked(H5Pset_fapl_core(access.get(), kGrowth, /*backing_store=*/0), "preparing");
+  hdf5::checked(H5Pset_fapl_core(access.get(), kGrowth, /*backing_store=*/false), "preparing");
   hdf5::checked(H5Pset_file_image(access.get(), bytes.data(), bytes.size()), "preparing");
   return require_open(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access.get()), std::string_view(bytes).substr(0, kHead));
 }
