@@ -171,7 +171,7 @@ Encounter ContactStages::press(std::span<const CuttableBlock> blocks, const Head
   // A head that does not cut hardly ever crushes: so it is looked at when something is that deep.
   HeadPlacement gently = at;
   gently.motion.crushes = false;
-  const Encounter encounter = press_once(blocks, gently, stiffness_T);
+  Encounter encounter = press_once(blocks, gently, stiffness_T);
   return crushes(encounter) ? press_once(blocks, at, stiffness_T) : encounter;
 }
 
@@ -231,7 +231,7 @@ Encounter ContactStages::cut_by_default_law(std::span<const CuttableBlock> block
   if (!at.motion.cuts()) {
     HeadPlacement gently = at;
     gently.motion.crushes = false;
-    const Encounter encounter = press_once(blocks, gently, nullptr);
+    Encounter encounter = press_once(blocks, gently, nullptr);
     if (!at.motion.crushes || !crushes(encounter)) return encounter;
   }
   const kernels::ContactJob job = job_at(blocks, at);
