@@ -33,7 +33,10 @@ void bind_shapes(py::module_& m) {
   py::class_<S>(m, "MeridianSpring", doc("MeridianSpring"))
       .def_readonly("depth", &S::depth, doc("MeridianSpring::depth"))
       .def_readonly("n_radial", &S::n_radial, doc("MeridianSpring::n_radial"))
-      .def_readonly("n_axial", &S::n_axial, doc("MeridianSpring::n_axial"));
+      .def_readonly("n_axial", &S::n_axial, doc("MeridianSpring::n_axial"))
+      .def_readonly("smooth", &S::smooth, doc("MeridianSpring::smooth"))
+      .def_property_readonly("on_smooth", &S::on_smooth, "Whether the surface is smooth.")
+      .def_property_readonly("scale", &S::scale, doc("MeridianSpring::scale"));
   py::class_<ProfileHead>(m, "ProfileHead", doc("ProfileHead"))
       .def(py::init<Profile, double>(), py::arg("profile"), py::arg("tolerance") = 0.01,
            doc("ProfileHead::ProfileHead"))
@@ -50,7 +53,10 @@ void bind_heads(py::module_& m) {
   bind_result<HeadBox>(m, "HeadBox", member("min", &HeadBox::min), member("max", &HeadBox::max));
   py::class_<Spring>(m, "Spring", doc("Spring"))
       .def_readonly("depth", &Spring::depth, doc("Spring::depth"))
-      .def_readonly("direction", &Spring::direction, doc("Spring::direction"));
+      .def_readonly("direction", &Spring::direction, doc("Spring::direction"))
+      .def_readonly("smooth", &Spring::smooth, doc("Spring::smooth"))
+      .def_property_readonly("on_smooth", &Spring::on_smooth, "Whether the surface is smooth.")
+      .def_property_readonly("scale", &Spring::scale, doc("Spring::scale"));
   py::class_<ToolHead>(m, "ToolHead", doc("ToolHead"))
       .def(py::init<ToolHead::Shape>(), py::arg("shape"), doc("ToolHead::ToolHead"))
       .def_property_readonly("shape", &ToolHead::shape, py::return_value_policy::copy,

@@ -20,7 +20,12 @@ MeridianSpring<double> ProfileHead::exact_spring(double rho, double z) const {
   const MeridianSpring<double> none = {-1, 1, 0};
   if (!(ProfileSprings<double>(*table_).margin(rho, z) > 0)) return none;
   const std::size_t curve = meridian_->nearest(x);
-  return curve == detail::Meridian::kNone ? none : meridian_->curves()[curve].spring(x);
+  if (curve == detail::Meridian::kNone) return none;
+  const detail::MeridianCurve& nearest = meridian_->curves()[curve];
+  MeridianSpring<double> spring = nearest.spring(x);
+  spring.depth *= nearest.scale();
+  if (nearest.smooth()) spring.smooth = ProfileSprings<double>(*table_).square_from_corner(rho, z);
+  return spring;
 }
 
 }  // namespace hapticut

@@ -21,8 +21,13 @@ struct HeadBox {
 
 /// The spring at one point of a head, in T.
 struct Spring {
-  double depth;    ///< [m] below the cutting surface; <= 0: outside, no spring
+  double depth;    ///< [m] w below the surface, see MeridianSpring; <= 0: outside, no spring
   Vec3 direction;  ///< [1] n, a unit vector from the local spring centre through the point, into the material
+  double smooth;   ///< [m^2] as in MeridianSpring
+
+  [[nodiscard]] bool on_smooth() const { return smooth > 0; }
+  /// [1] by which w changes per distance along n: kSmoothScale at smooth surfaces, else 1.
+  [[nodiscard]] double scale() const { return on_smooth() ? kSmoothScale : 1; }
 };
 
 /// The cutting head of a tool: any shape, asked for many points at once.
@@ -129,7 +134,7 @@ class ToolHead {
     const MeridianSpring<double> s =
         visit_springs<double>([&](const auto& springs) { return springs.spring(rho, p_TQ.z()); });
     const double scale = rho > 0 ? s.n_radial / rho : 0.0;
-    return {s.depth, Vec3(scale * p_TQ.x(), scale * p_TQ.y(), s.n_axial)};
+    return {s.depth, Vec3(scale * p_TQ.x(), scale * p_TQ.y(), s.n_axial), s.smooth};
   }
 
  private:

@@ -94,11 +94,13 @@ RC_GTEST_PROP(Shapes, BothSpringsAreTheSumOfBottomAndSide, ()) {
   RC_ASSERT(std::abs(both.depth * both.n_axial + bottom.depth) < 1e-12);
 }
 
-RC_GTEST_PROP(Shapes, NearestIsTheShallowerOfBottomAndSide, ()) {
+RC_GTEST_PROP(Shapes, NearestIsTheShallowestOfBottomSideAndTop, ()) {
   const double radius = *number_between(0.1 * mm, 3 * mm), height = *number_between(0.1 * mm, 3 * mm);
   const double rho = *number_between(0, radius * 0.999), z = *number_between(1e-9, height * 0.999);
   const auto at = [&](FlatRule rule) { return spring_at(FlatHead{radius, height, rule}, rho, z).depth; };
-  RC_ASSERT(at(FlatRule::nearest) == std::min(at(FlatRule::bottom_only), at(FlatRule::side_only)));
+  const double cutting = std::min(at(FlatRule::bottom_only), at(FlatRule::side_only)),
+               top = kSmoothScale * (height - z);
+  RC_ASSERT(at(FlatRule::nearest) == std::min(cutting, top));
 }
 
 }  // namespace
