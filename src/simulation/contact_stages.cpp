@@ -124,16 +124,13 @@ void ContactStages::set_friction(MaterialId id, const DryFriction& friction) noe
   material.static_friction = float(friction.static_friction);
   material.dynamic_friction = float(friction.dynamic_friction);
   spinning_ratios_[id].sliding = material.dynamic_friction;
-  material.sliding_ratio = float(cutting_share_) * material.dynamic_friction;
+  share_ratios(id);
   material.tangential_stiffness = float(friction.tangential_stiffness);
 }
 
 void ContactStages::set_cutting_share(double share) noexcept {
   if (std::exchange(cutting_share_, share) == share) return;
-  for (std::size_t id = 1; id < materials_.size(); ++id) {
-    materials_[id].cutting_ratio = float(share) * spinning_ratios_[id].cutting;
-    materials_[id].sliding_ratio = float(share) * spinning_ratios_[id].sliding;
-  }
+  for (std::size_t id = 1; id < materials_.size(); ++id) share_ratios(id);
 }
 
 std::span<const CuttableBlock> ContactStages::find_blocks(const HeadPlacement& at) noexcept {

@@ -81,17 +81,18 @@ Vec2 MeridianEdge::at_angle(double angle) const {
   return center + radius() * Vec2(std::cos(absolute), std::sin(absolute));
 }
 
-bool MeridianCurve::in_charge(const Vec2& x) const {
+bool MeridianCurve::in_charge(const Vec2& x, double reach) const {
   // Neighbours overlap by rounding, so that a point between them, or on the axis, has one of them.
-  const double slack = kRounding * (edge.to - edge.from).norm();
+  const double slack = kRounding * (edge.to - edge.from).norm() + reach;
   if (kind == Kind::corner) return edge.end_tangent.dot(x - point) >= -slack && next.dot(x - point) <= slack;
   if (kind == Kind::line) {
     const double along = edge.start_tangent.dot(x - point);
     return along >= low - slack && along <= high + slack;
   }
-  if ((x - edge.center).norm() < kRounding * edge.radius()) return true;  // the centre lies in no direction
-  const double angle = edge.angle_of(x);
-  const auto within = [&](double a) { return a >= low - kRounding && a <= high + kRounding; };
+  const double distance = (x - edge.center).norm();
+  if (distance < kRounding * edge.radius() + reach) return true;  // the centre lies in no direction
+  const double angle = edge.angle_of(x), turn = kRounding + std::asin(reach / distance);
+  const auto within = [&](double a) { return a >= low - turn && a <= high + turn; };
   return within(angle) || within(angle - 2 * kPi);
 }
 
@@ -304,6 +305,16 @@ double Meridian::reach() const {
     const double distance = e.center.norm();
     const Vec2 outermost = distance > 0 ? Vec2(e.center / distance * (distance + e.radius())) : e.to;
     if (e.angle_of(outermost) <= std::abs(e.sweep)) most = std::max(most, outermost.norm());
+  }
+  return most;
+}
+
+double Meridian::cutting_radius() const {
+  double most = 0;
+  for (const MeridianEdge& e : edges_) {
+    if (e.kind == EdgeKind::smooth) continue;
+    most = std::max({most, e.from.x(), e.to.x()});
+    for (const double angle : extreme_angles(e)) most = std::max(most, e.at_angle(angle).x());
   }
   return most;
 }

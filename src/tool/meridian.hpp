@@ -42,7 +42,8 @@ struct MeridianCurve {
   Vec2 point = Vec2::Zero();  ///< [m] start; of a corner: the corner
   Vec2 next = Vec2::Zero();   ///< [1] of a corner: tangent of the edge after it
   double low = 0, high = 0;   ///< [m] or [rad] part of the edge's line or circle that is in charge
-  [[nodiscard]] bool in_charge(const Vec2& x) const;
+  /// @param reach  [m] of a point: whether it is at one of the points so near
+  [[nodiscard]] bool in_charge(const Vec2& x, double reach = 0) const;
   /// Distances, of whatever kind the edge is; MeridianSpring::smooth is not set.
   [[nodiscard]] MeridianSpring<double> spring(const Vec2& x) const;
   [[nodiscard]] bool smooth() const { return edge.kind == EdgeKind::smooth; }
@@ -65,6 +66,7 @@ class Meridian {
   [[nodiscard]] double size() const { return size_; }      ///< [m] larger of radius and height
   [[nodiscard]] double volume() const;                     ///< [m^3]
   [[nodiscard]] double reach() const;                      ///< [m]
+  [[nodiscard]] double cutting_radius() const;             ///< [m] largest rho of the cutting edges
   [[nodiscard]] std::vector<ProfilePiece<double>> pieces() const;
 
   static constexpr std::size_t kNone = ~std::size_t(0);

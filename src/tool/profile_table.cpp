@@ -45,11 +45,22 @@ class TableBuilder {
     copy_to_single();
   }
 
+  /// @param cell_size  [m] half of that before, or the first
   void divide(double cell_size) {
+    const std::vector<std::uint32_t> cells_before = std::move(t_.cells);
+    const std::vector<bool> settled_before = std::move(settled_);
+    const int columns_before = t_.columns;
     t_.cell_size = cell_size;
     t_.columns = int(std::ceil(t_.radius / cell_size));
     t_.rows = int(std::ceil((t_.top - t_.bottom) / cell_size));
     t_.cells.assign(std::size_t(t_.columns) * std::size_t(t_.rows), 0);
+    settled_.assign(t_.cells.size(), false);
+    for (std::size_t n = 0; !settled_before.empty() && n < t_.cells.size(); ++n) {
+      const std::size_t row = n / std::size_t(t_.columns) / 2, column = n % std::size_t(t_.columns) / 2;
+      const std::size_t parent = row * std::size_t(columns_before) + column;
+      settled_[n] = settled_before[parent];
+      if (settled_[n]) t_.cells[n] = cells_before[parent];
+    }
     t_.error = 0;
     for (int row = 0; row < t_.rows; row += kTile)
       for (int column = 0; column < t_.columns; column += kTile) fill_tile(column, row);
@@ -215,15 +226,24 @@ class TableBuilder {
     return meridian_.curves()[curve - 1].depth(x);
   }
 
-  /// Those of `curves` that may give the depth somewhere within `reach` of a point: depths change by at most
-  /// kSmoothScale per unit of length.
+  /// Those of `curves` that may give the depth somewhere within `reach` of a point: each depth changes by at most the
+  /// curve's scale per unit of length.
   [[nodiscard]] Curves may_be_nearest(const Curves& curves, const Vec2& middle, double reach) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t n : curves)
-      if (meridian_.curves()[n - 1].in_charge(middle)) least = std::min(least, std::abs(below(n, middle)));
+    double steepest = kSmoothScale;  // how fast the least grows
+    for (const std::uint32_t n : curves) {
+      const MeridianCurve& curve = meridian_.curves()[n - 1];
+      const double depth = std::abs(below(n, middle));
+      if (!(depth < least) || !curve.in_charge(middle)) continue;
+      least = depth;
+      steepest = curve.scale();
+    }
     Curves kept;
-    for (const std::uint32_t n : curves)
-      if (std::abs(below(n, middle)) <= least + 2 * kSmoothScale * reach) kept.push_back(n);
+    for (const std::uint32_t n : curves) {
+      const MeridianCurve& curve = meridian_.curves()[n - 1];
+      if (std::abs(below(n, middle)) <= least + (steepest + curve.scale()) * reach && curve.in_charge(middle, reach))
+        kept.push_back(n);
+    }
     return kept;
   }
 
@@ -238,16 +258,24 @@ class TableBuilder {
     const double half = kTile * t_.cell_size / 2;
     const Curves near = may_be_nearest(all, corner_of(column, row) + Vec2::Constant(half), std::sqrt(2.0) * half);
     for (int j = row; j < std::min(row + kTile, t_.rows); ++j)
-      for (int i = column; i < std::min(column + kTile, t_.columns); ++i)
-        t_.cells[std::size_t(j) * std::size_t(t_.columns) + std::size_t(i)] = best_cell(near, i, j);
+      for (int i = column; i < std::min(column + kTile, t_.columns); ++i) {
+        const std::size_t n = std::size_t(j) * std::size_t(t_.columns) + std::size_t(i);
+        if (!settled_[n]) t_.cells[n] = best_cell(near, i, j);
+      }
   }
 
+  /// A cell off the surface that is right about all its points, of all curves near it, is settled: its parts will be
+  /// the same.
   [[nodiscard]] std::uint32_t best_cell(const Curves& near_tile, int column, int row) {
+    const std::size_t number = std::size_t(row) * std::size_t(t_.columns) + std::size_t(column);
     const ProfileSprings<double> springs(t_);
     const double h = t_.cell_size, reach = h * std::sqrt(0.5);
     const Vec2 corner = corner_of(column, row), middle = corner + Vec2::Constant(h / 2);
     const double margin = springs.margin(middle.x(), middle.y());
-    if (margin < -reach * 1.001) return 0;
+    if (margin < -reach * 1.001) {
+      settled_[number] = true;
+      return 0;
+    }
     const bool on_surface = margin < reach * 1.001;
     const Curves near = may_be_nearest(near_tile, middle, reach);
 
@@ -276,16 +304,22 @@ class TableBuilder {
             if (a != b && consider(ProfileCell::pack(a, b, rule))) return;
     };
     choose();
-    t_.error = std::max(t_.error, bound_of(best, corner, near, on_surface));
+    const double bound = bound_of(best, corner, near, on_surface);
+    t_.error = std::max(t_.error, bound);
+    settled_[number] = !on_surface && bound <= exact && is_complete(best, near);
     return best;
   }
 
-  [[nodiscard]] double bound_of(std::uint32_t cell, const Vec2& corner, const Curves& near, bool on_surface) const {
+  /// Whether a cell has all of the curves.
+  [[nodiscard]] static bool is_complete(std::uint32_t cell, const Curves& near) {
     const std::uint32_t a = ProfileCell::first(cell), b = ProfileCell::second(cell);
-    const bool complete = std::all_of(near.begin(), near.end(), [&](std::uint32_t n) { return n == a || n == b; });
+    return std::all_of(near.begin(), near.end(), [&](std::uint32_t n) { return n == a || n == b; });
+  }
+
+  [[nodiscard]] double bound_of(std::uint32_t cell, const Vec2& corner, const Curves& near, bool on_surface) const {
     Curves nearest;
     const std::vector<Sample> samples =
-        take_samples(corner, complete ? kSamples : kFineSamples, near, on_surface, nearest);
+        take_samples(corner, is_complete(cell, near) ? kSamples : kFineSamples, near, on_surface, nearest);
     const double error = error_of(ProfileSprings<double>(t_), samples, cell);
     return error <= kExact * meridian_.size() ? error : error + kBetweenFineSamples * t_.cell_size;
   }
@@ -345,6 +379,7 @@ class TableBuilder {
 
   const Meridian& meridian_;
   ProfileTable t_;
+  std::vector<bool> settled_;  // by cell
 };
 
 }  // namespace

@@ -64,7 +64,7 @@ struct HeadMotion {
   float duration;                         ///< [s]
   float voxel_size;                       ///< [m] l
   RemovalLaw removal;
-  float head_radius = 0;  ///< [m] largest radius of the head
+  float head_radius = 0;  ///< [m] largest radius of what cuts of the head
   float lead = 0;         ///< [1] of the sub-step that the contact is evaluated after its middle; 0.5: at its end
   /// n: an n-th of the samples is evaluated in a sub-step, in turn, and makes up for the slip of n of them.
   float level_of_detail = 1;

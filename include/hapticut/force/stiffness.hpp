@@ -33,7 +33,7 @@ inline constexpr double kLayerOfRadius = 0.02;  ///< [1] and of the head's radiu
 /// @throws Error when the voxel size is not positive
 [[nodiscard]] inline double stiffness_for_grid(const ToolHead& head, double voxel_size) {
   require_positive(voxel_size, "voxel size [m]");
-  const double layer = std::min(kLayerOfVoxel * voxel_size, kLayerOfRadius * head.largest_radius());
+  const double layer = std::min(kLayerOfVoxel * voxel_size, kLayerOfRadius * head.cutting_radius());
   return 2 * kPressureOfCuts / (layer * layer);
 }
 namespace detail {
@@ -86,7 +86,7 @@ inline constexpr int kSection = 64;   // points across one of them
   require_positive(std::abs(spindle_speed), "spindle speed [rad/s]");
   require_positive(feed_speed, "feed speed [m/s]");
   require_positive(material.cutting_ratio, "Material::cutting_ratio [1]");
-  const double radius = head.largest_radius(), teeth = tooth_rate(cutter, spindle_speed);
+  const double radius = head.cutting_radius(), teeth = tooth_rate(cutter, spindle_speed);
   const double speed = feed_speed + std::sqrt(material.size_length * teeth * feed_speed) + material.edge_length * teeth;
   return 200 * material.specific_cutting_energy * speed /
          (material.relative_stiffness * material.cutting_ratio * std::abs(spindle_speed) * radius * radius * radius);

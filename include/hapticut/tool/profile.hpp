@@ -74,6 +74,8 @@ class ProfileHead {
   [[nodiscard]] double volume() const { return volume_; }  ///< [m^3] inside the profile, exact (Pappus)
   [[nodiscard]] double reach() const { return reach_; }    ///< [m] greatest distance from the frame's origin, exact
 
+  [[nodiscard]] double cutting_radius() const { return cutting_radius_; }  ///< [m] largest rho of what cuts, exact
+
   /// Depth and direction by asking every edge, without the table. For tests and set-up code: O(edges).
   [[nodiscard]] MeridianSpring<double> exact_spring(double rho, double z) const;
 
@@ -82,6 +84,7 @@ class ProfileHead {
   double tolerance_;
   double volume_ = 0;
   double reach_ = 0;
+  double cutting_radius_ = 0;
   std::shared_ptr<const detail::Meridian> meridian_;
   std::shared_ptr<const ProfileTable> table_;
 };
