@@ -36,7 +36,7 @@ class Page {
   writer = false;
   link: Link = { send: () => undefined, open: false };
   picture: Picture | null = null;
-  panels = new Panels(byId("panels"), (command) => this.link.send(command));
+  panels = new Panels(byId("panels"), (command) => this.tell(command));
   changed = true;
   private framed = false;
   private began = 0;
@@ -46,12 +46,11 @@ class Page {
   private pointer: Pointer;
   private last = performance.now();
   private drawn = 0;
-  private pause = 0; // ms between pictures: without a graphics card the loop needs the processor more
+  private charted = 0;
 
   constructor() {
     try {
       this.picture = new Picture(canvas);
-      this.pause = this.picture.software ? 250 : 0;
     } catch {
       const blank = byId("blank");
       blank.hidden = false;
@@ -88,6 +87,7 @@ class Page {
         this.framed = this.placed = false;
         this.snapshot = null;
         this.curves.ring.clear();
+        this.tell(commands.lookAt([0, 0, 0])); // who leads wakes what its predecessor has put to sleep
         break;
       case "page":
         this.workpiece.put(message);
@@ -139,9 +139,12 @@ class Page {
       const { X_WH, pressed } = this.hand;
       this.path.push({ time: now / 1e3, X_WH, pressed });
       if (this.path.length > 20_000) this.path.shift();
-      this.link.send(commands.moveHand(X_WH, pressed));
+      this.tell(commands.moveHand(X_WH, pressed));
     }
-    if ((this.changed || this.eye.changed) && now - this.drawn >= this.pause) this.draw(now, seconds);
+    const pause = this.picture?.pause(now) ?? 0; // without a graphics card the loop needs the processor more
+    if ((this.changed || this.eye.changed) && now - this.drawn >= pause) this.draw(now, seconds);
+    if (now - this.charted < pause) return;
+    this.charted = now;
     this.curves.draw();
   }
 
@@ -178,11 +181,16 @@ class Page {
     this.changed = true;
   }
 
-  stop() { this.link.send(commands.stop()); }
+  /** Who looks on says nothing: the server throws out a looker that sends. */
+  tell(command: Uint8Array) {
+    if (this.writer) this.link.send(command);
+  }
+
+  stop() { this.tell(commands.stop()); }
 
   private setUpButtons() {
-    byId("undo").onclick = () => this.link.send(commands.undo());
-    byId("redo").onclick = () => this.link.send(commands.redo());
+    byId("undo").onclick = () => this.tell(commands.undo());
+    byId("redo").onclick = () => this.tell(commands.redo());
     byId("stop").onclick = () => this.stop();
     byId("record").onclick = () => this.panels.set("Record", byId("record").getAttribute("aria-pressed") === "true" ? 0 : 1);
     byId("theme").onclick = () => this.setTheme(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
@@ -199,8 +207,8 @@ class Page {
     if (event.key === "Escape" && !byId<HTMLDialogElement>("help").open) this.stop();
     if (typing) return;
     const control = event.ctrlKey || event.metaKey;
-    if (control && event.key === "z") this.link.send(event.shiftKey ? commands.redo() : commands.undo());
-    else if (control && event.key === "y") this.link.send(commands.redo());
+    if (control && event.key === "z") this.tell(event.shiftKey ? commands.redo() : commands.undo());
+    else if (control && event.key === "y") this.tell(commands.redo());
     else if (event.key === "?") byId<HTMLDialogElement>("help").showModal();
     else if (!control && /^[0-7]$/.test(event.key) && !(event.target instanceof HTMLSelectElement)) {
       if (event.key === "0") this.whole();
@@ -209,7 +217,7 @@ class Page {
     event.preventDefault();
   }
 
-  load(name: string) { this.link.send(commands.load(name)); }
+  load(name: string) { this.tell(commands.load(name)); }
 }
 
 function loadPanel(page: Page) {
@@ -234,8 +242,5 @@ if (!page.picture) setInterval(() => page.frame(performance.now()), 16);
 if (!showPlayer(page, byId)) {
   loadPanel(page);
   page.link = connect(new URLSearchParams(location.search).get("token") ?? "", (message) => page.hear(message),
-                      (text, open) => {
-                        if (!open) page.indicators.lost(text);
-                        else if (text === "connected") page.link.send(commands.lookAt([0, 0, 0]));
-                      });
+                      (text, open) => { if (!open) page.indicators.lost(text); });
 }

@@ -81,6 +81,9 @@ export class Picture {
   software: boolean;
   softwareRatio = 0.75; // pixels drawn over pixels shown, without a graphics card
   private eyes: EyeTarget[] = [];
+  private gl: WebGL2RenderingContext;
+  private underWay: { fence: WebGLSync; since: number } | null = null; // the picture that the card has not finished
+  private took = 0; // ms for the last
   private screen = new three.Scene();
   private flat = new three.Camera();
   private quad = new three.Mesh(new three.PlaneGeometry(2, 2));
@@ -106,7 +109,7 @@ export class Picture {
     this.renderer.xr.enabled = true;
     this.quad.frustumCulled = false;
     this.screen.add(this.quad);
-    const gl = this.renderer.getContext();
+    const gl = (this.gl = this.renderer.getContext() as WebGL2RenderingContext);
     const names = gl.getExtension("WEBGL_debug_renderer_info");
     this.software = /swiftshader|llvmpipe|software/i.test(
       String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER)));
@@ -125,7 +128,31 @@ export class Picture {
     this.eyes = [];
   }
 
+  /**
+   * How long to wait between pictures, in ms. A processor that draws gets no next one while it has one under way, and
+   * then rests as long as it drew: what piles up would hold up every page of the browser.
+   */
+  pause(now: number): number {
+    if (!this.software) return 0;
+    if (this.underWay) {
+      const { fence, since } = this.underWay;
+      if (this.gl.getSyncParameter(fence, this.gl.SYNC_STATUS) !== this.gl.SIGNALED) return Infinity;
+      this.gl.deleteSync(fence);
+      this.took = now - since;
+      this.underWay = null;
+    }
+    return Math.max(250, 2 * this.took);
+  }
+
   draw(scene: three.Scene, camera: three.PerspectiveCamera, radius: number) {
+    this.drawEyes(scene, camera, radius);
+    if (!this.software) return;
+    const fence = this.gl.fenceSync(this.gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (fence) this.underWay = { fence, since: performance.now() };
+    this.gl.flush();
+  }
+
+  private drawEyes(scene: three.Scene, camera: three.PerspectiveCamera, radius: number) {
     const { x: width, y: height } = this.size;
     if (this.stereo === "off") {
       this.see(0, scene, camera, width, height, radius);
