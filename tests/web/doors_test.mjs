@@ -9,6 +9,7 @@ import { after, afterEach, before, test } from "node:test";
 import { drill, isReady, middle, openPage, startBrowser, startProgram, until } from "./viewer.mjs";
 
 let program, browser;
+const open = (url) => openPage(browser, url, { viewport: { width: 800, height: 450 } }); // two at once, without a GPU
 before(async () => {
   program = await startProgram("clay");
   browser = await startBrowser();
@@ -20,9 +21,9 @@ after(async () => {
 });
 
 test("the second page looks on, and leads when the first has gone", async () => {
-  const first = await openPage(browser, program.url);
+  const first = await open(program.url);
   await isReady(first);
-  const second = await openPage(browser, program.url);
+  const second = await open(program.url);
   await until(second, () => document.getElementById("role").textContent === "looks on");
   await until(second, () => hapticut.workpiece.triangles > 1000);
   await until(second, () => document.querySelector('details[data-panel="tool"] fieldset')?.disabled === true);
@@ -38,7 +39,7 @@ test("the second page looks on, and leads when the first has gone", async () => 
 });
 
 test("a page with a wrong token is told so in a sentence", async () => {
-  const page = await openPage(browser, program.url.replace(/token=.*/, "token=" + "0".repeat(32)));
+  const page = await open(program.url.replace(/token=.*/, "token=" + "0".repeat(32)));
   await until(page, () => /token/.test(document.getElementById("notice").textContent));
 });
 
@@ -55,7 +56,7 @@ test("a page from elsewhere is refused", async () => {
 });
 
 test("a scene that is not there, and a port in use, are one sentence each", async () => {
-  const page = await openPage(browser, program.url);
+  const page = await open(program.url);
   await isReady(page);
   await page.evaluate(() => hapticut.load("no_such_thing.vdb"));
   await until(page, () => /no scene 'no_such_thing.vdb'/.test(document.getElementById("notice").textContent));
@@ -68,7 +69,7 @@ test("a scene that is not there, and a port in use, are one sentence each", asyn
 });
 
 test("a program that is killed leaves a recording that opens, and a page that says so", async () => {
-  const page = await openPage(browser, program.url);
+  const page = await open(program.url);
   await isReady(page);
   await page.getByRole("button", { name: "Record" }).click();
   await until(page, () => document.getElementById("record").getAttribute("aria-pressed") === "true");

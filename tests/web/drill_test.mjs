@@ -8,7 +8,7 @@ let program, browser, page;
 before(async () => {
   program = await startProgram("molar");
   browser = await startBrowser();
-  page = await openPage(browser, program.url);
+  page = await openPage(browser, program.url, { viewport: { width: 1024, height: 576 } });
   await isReady(page);
 });
 after(async () => {
@@ -82,7 +82,7 @@ test("a value that is out of range is marked and not sent", async () => {
 test("the emergency stop takes the force, and a reset brings it back", async () => {
   await page.keyboard.press("Escape");
   await until(page, () => hapticut.snapshot.arming === 5);
-  assert.match(await page.getByRole("status", { name: "Guard" }).textContent(), /fault/);
+  await until(page, () => /fault/.test(document.getElementById("guard").textContent)); // with the next picture
   assert.match(await page.locator("#cure").textContent(), /Reset/);
   await button("Reset").click();
   await until(page, () => hapticut.snapshot.arming === 4);
@@ -125,7 +125,7 @@ test("stereo has two halves, and two colours", async () => {
     const select = [...document.querySelectorAll('details[data-panel="stereo"] select')][0];
     select.value = name;
     select.dispatchEvent(new Event("change"));
-    await new Promise((done) => setTimeout(done, 900));
+    for (const then = hapticut.frames; hapticut.frames < then + 3;) await new Promise((done) => setTimeout(done, 50));
     const gl = hapticut.picture.renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight;
     const data = new Uint8Array(4 * w * h);
     gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, data);

@@ -54,7 +54,10 @@ export async function openPage(browser, url, options = {}) {
 export async function until(page, condition, argument, timeout = 30_000) {
   for (const end = Date.now() + timeout; ;) {
     if (await page.evaluate(condition, argument)) return;
-    if (Date.now() > end) throw new Error(`never came about: ${condition}, ${JSON.stringify(argument)}`);
+    if (Date.now() > end) {
+      const notice = await page.evaluate(() => document.getElementById("notice").textContent);
+      throw new Error(`never came about: ${condition}, ${JSON.stringify(argument)}; the page says: ${notice}`);
+    }
     await page.waitForTimeout(50);
   }
 }

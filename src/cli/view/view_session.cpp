@@ -226,18 +226,32 @@ void ViewSession::change_tool() {
 /// A recorder is put in while nothing runs.
 void ViewSession::record(bool on) {
   pause();
-  if (on) {
-    recording_ = free_name();
-    recorder_ = std::make_unique<RunRecorder>(recording_, simulation_, Pace::of_a_hand, &device());
-    server_.send_notice(view::Severity::tells, "Recording to " + recording_ + ".");
-  } else if (recorder_ != nullptr) {
-    recorder_->close();
-    recorder_->require_complete();
-    recorder_.reset();
-    server_.send_notice(view::Severity::tells,
-                        recording_ + " is complete: see it by hapticut view " + recording_ + ".");
+  try {
+    on ? begin_recording() : end_recording();
+  } catch (const Error&) {
+    start();
+    throw;
   }
   start();
+}
+
+/// A replay begins with a first step: what was cut until then stays, and is of the workpiece; its sums begin anew.
+void ViewSession::begin_recording() {
+  simulation_.reset(simulation_.workpiece().clone());
+  removed_at_mark_ = -1;
+  dissipated_ = 0;
+  build_loop();
+  recording_ = free_name();
+  recorder_ = std::make_unique<RunRecorder>(recording_, simulation_, Pace::of_a_hand, &device());
+  server_.send_notice(view::Severity::tells, "Recording to " + recording_ + ".");
+}
+
+void ViewSession::end_recording() {
+  if (recorder_ == nullptr) return;
+  const std::unique_ptr<RunRecorder> recorder = std::move(recorder_);
+  recorder->close();
+  recorder->require_complete();
+  server_.send_notice(view::Severity::tells, recording_ + " is complete: see it by hapticut view " + recording_ + ".");
 }
 
 void ViewSession::take_blocks() {

@@ -46,6 +46,8 @@ class ViewSession {
   void change(Change change);
   void change_tool();
   void record(bool on);
+  void begin_recording();
+  void end_recording();
   void begin_cut();
   void send(LoopCommand&& command);
   void take_blocks();
