@@ -238,6 +238,8 @@ void ViewSession::record(bool on) {
 /// A replay begins with a first step: what was cut until then stays, and is of the workpiece; its sums begin anew.
 void ViewSession::begin_recording() {
   simulation_.reset(simulation_.workpiece().clone());
+  simulation_.set_removal(controls_.removal());
+  simulation_.set_spindle_speed(controls_.spindle_speed());
   removed_at_mark_ = -1;
   dissipated_ = 0;
   build_loop();
