@@ -11,30 +11,27 @@ namespace hapticut::c {
 namespace {
 
 constexpr std::size_t kSlots = 4096;
-constexpr std::uint64_t kSlotMask = 0xffff, kGenerationMask = (std::uint64_t(1) << 40) - 1;
-constexpr int kGenerationShift = 16, kKindShift = 56;
+constexpr std::uint64_t kSlotMask = 0xffff, kNumberMask = (std::uint64_t(1) << 40) - 1;
+constexpr int kNumberShift = 16, kKindShift = 56;
 constexpr std::uint32_t kClosing = 1U << 31;  // of Slot::users
 
 struct Slot {
   std::atomic<hapticut_handle> handle{0};
   std::atomic<std::uint32_t> users{0};  // threads that hold it
   std::shared_ptr<Object> object;       // changes only while nobody holds the slot
-  std::uint64_t generation = 0;
 };
 
 struct Table {
   std::array<Slot, kSlots> slots;
-  std::mutex mutex;  // of `free_slots`; never taken in a step
+  std::mutex mutex;  // of what follows; never taken in a step
   std::vector<std::size_t> free_slots;
+  std::uint64_t number = 0;  // of the last handle
 
   Table() {
     const auto now = std::uint64_t(std::chrono::steady_clock::now().time_since_epoch().count());
-    const std::uint64_t first = (now ^ (std::uint64_t(reinterpret_cast<std::uintptr_t>(this)) << 8)) & kGenerationMask;
+    number = (now ^ (std::uint64_t(reinterpret_cast<std::uintptr_t>(this)) << 8)) & kNumberMask;
     free_slots.reserve(kSlots);
-    for (std::size_t n = kSlots; n-- > 0;) {
-      slots[n].generation = first;
-      free_slots.push_back(n);
-    }
+    for (std::size_t n = kSlots; n-- > 0;) free_slots.push_back(n);
   }
 };
 
@@ -84,9 +81,9 @@ hapticut_handle add_object(Kind kind, std::shared_ptr<Object> object) {
   const std::size_t n = all.free_slots.back();
   all.free_slots.pop_back();
   Slot& slot = all.slots[n];
-  slot.generation = (slot.generation + 1) & kGenerationMask;
+  all.number = (all.number + 1) & kNumberMask;
   slot.object = std::move(object);
-  const hapticut_handle handle = std::uint64_t(kind) << kKindShift | slot.generation << kGenerationShift | n;
+  const hapticut_handle handle = std::uint64_t(kind) << kKindShift | all.number << kNumberShift | n;
   slot.handle.store(handle, std::memory_order_release);
   return handle;
 }

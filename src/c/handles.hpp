@@ -14,10 +14,10 @@
 /// @file
 /// Handles: numbers that name objects, tell their kind, and go stale when the object is released.
 ///
-///     bits 63 ... 56  kind    55 ... 16  generation of the slot    15 ... 0  slot
+///     bits 63 ... 56  kind    55 ... 16  number    15 ... 0  slot
 ///
-/// Generations begin at a number that each copy of the library draws when it is loaded, so that a handle of another
-/// copy is a stale one here. A slot whose object is released is used again, with the next generation.
+/// Numbers are those of the handles in their order, from one that each copy of the library draws when it is loaded: so
+/// a handle of another copy is a stale one here, and a slot that is used again has another handle.
 namespace hapticut::c {
 
 enum class Kind : std::uint8_t { none, simulation, snapshot, coupling, device, loop, surface, sound, recording };
