@@ -16,8 +16,8 @@ constexpr std::size_t kBlocksAtOnce = 1024;  // of an undo between steps
 class SnapshotObject final : public Object {
  public:
   static constexpr Kind kKind = Kind::snapshot;
-  SnapshotObject(WorkpieceSnapshot a_state, std::shared_ptr<SimulationObject> a_simulation)
-      : state(std::move(a_state)), simulation(std::move(a_simulation)) {}
+  SnapshotObject(WorkpieceSnapshot a_state, const std::shared_ptr<SimulationObject>& a_simulation)
+      : state(std::move(a_state)), simulation(a_simulation) {}
   const WorkpieceSnapshot state;
   const std::weak_ptr<SimulationObject> simulation;  // that it is of
 };
