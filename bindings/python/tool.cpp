@@ -6,6 +6,7 @@
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/motors.hpp"
 #include "hapticut/tool/profile_mesh.hpp"
+#include "hapticut/tool/shank.hpp"
 #include "structs.hpp"
 #include "tool_head.hpp"
 
@@ -33,7 +34,10 @@ void bind_shapes(py::module_& m) {
   py::class_<S>(m, "MeridianSpring", doc("MeridianSpring"))
       .def_readonly("depth", &S::depth, doc("MeridianSpring::depth"))
       .def_readonly("n_radial", &S::n_radial, doc("MeridianSpring::n_radial"))
-      .def_readonly("n_axial", &S::n_axial, doc("MeridianSpring::n_axial"));
+      .def_readonly("n_axial", &S::n_axial, doc("MeridianSpring::n_axial"))
+      .def_readonly("smooth", &S::smooth, doc("MeridianSpring::smooth"))
+      .def_property_readonly("on_smooth", &S::on_smooth, "Whether the surface is smooth.")
+      .def_property_readonly("scale", &S::scale, doc("MeridianSpring::scale"));
   py::class_<ProfileHead>(m, "ProfileHead", doc("ProfileHead"))
       .def(py::init<Profile, double>(), py::arg("profile"), py::arg("tolerance") = 0.01,
            doc("ProfileHead::ProfileHead"))
@@ -42,6 +46,7 @@ void bind_shapes(py::module_& m) {
       .def("exact_spring", &ProfileHead::exact_spring, py::arg("rho"), py::arg("z"), doc("ProfileHead::exact_spring"))
       .def_property_readonly("volume", &ProfileHead::volume, doc("ProfileHead::volume"))
       .def_property_readonly("reach", &ProfileHead::reach, doc("ProfileHead::reach"))
+      .def_property_readonly("cutting_radius", &ProfileHead::cutting_radius, doc("ProfileHead::cutting_radius"))
       .def_property_readonly(
           "table_error", [](const ProfileHead& head) { return head.table().error; }, doc("ProfileTable::error"));
 }
@@ -50,7 +55,10 @@ void bind_heads(py::module_& m) {
   bind_result<HeadBox>(m, "HeadBox", member("min", &HeadBox::min), member("max", &HeadBox::max));
   py::class_<Spring>(m, "Spring", doc("Spring"))
       .def_readonly("depth", &Spring::depth, doc("Spring::depth"))
-      .def_readonly("direction", &Spring::direction, doc("Spring::direction"));
+      .def_readonly("direction", &Spring::direction, doc("Spring::direction"))
+      .def_readonly("smooth", &Spring::smooth, doc("Spring::smooth"))
+      .def_property_readonly("on_smooth", &Spring::on_smooth, "Whether the surface is smooth.")
+      .def_property_readonly("scale", &Spring::scale, doc("Spring::scale"));
   py::class_<ToolHead>(m, "ToolHead", doc("ToolHead"))
       .def(py::init<ToolHead::Shape>(), py::arg("shape"), doc("ToolHead::ToolHead"))
       .def_property_readonly("shape", &ToolHead::shape, py::return_value_policy::copy,
@@ -59,6 +67,7 @@ void bind_heads(py::module_& m) {
       .def("reach", &ToolHead::reach, doc("ToolHead::reach"))
       .def("volume", &ToolHead::volume, doc("ToolHead::volume"))
       .def("largest_radius", &ToolHead::largest_radius, doc("ToolHead::largest_radius"))
+      .def("cutting_radius", &ToolHead::cutting_radius, doc("ToolHead::cutting_radius"))
       .def("description", &ToolHead::description, doc("ToolHead::description"))
       .def("profile", &ToolHead::profile, doc("ToolHead::profile"))
       .def("spring_at", &ToolHead::spring_at, py::arg("p_TQ"),
@@ -80,6 +89,11 @@ void bind_heads(py::module_& m) {
   m.def("flame_head", &flame_head, py::arg("diameter"), py::arg("length"), py::arg("neck_diameter"),
         py::arg("widest_height"), doc("flame_head"));
   m.def("pear_head", &pear_head, py::arg("diameter"), py::arg("length"), py::arg("neck_diameter"), doc("pear_head"));
+  bind_described<Shank>(m, "Shank");
+  bind_enum<ShankKind>(m, "ShankKind");
+  m.def("standard_shank", &standard_shank, py::arg("kind"), py::arg("neck_diameter"), doc("standard_shank"));
+  m.def("on_shank", &on_shank, py::arg("head"), py::arg("shank"), doc("on_shank"));
+  m.def("with_body", &with_body, py::arg("head"), py::arg("body"), doc("with_body"));
   m.def("wheel_head", &wheel_head, py::arg("diameter"), py::arg("thickness"), py::arg("shank_diameter"),
         doc("wheel_head"));
   m.def("christmas_tree_head", &christmas_tree_head, py::arg("diameter"), py::arg("length"), py::arg("tiers"),

@@ -23,6 +23,7 @@
 #include "hapticut/tool/profile.hpp"
 #include "hapticut/tool/profile_mesh.hpp"
 #include "hapticut/tool/profile_table.hpp"
+#include "hapticut/tool/shank.hpp"
 #include "hapticut/tool/shapes.hpp"
 #include "hapticut/tool/spindle.hpp"
 #include "hapticut/tool/tool.hpp"

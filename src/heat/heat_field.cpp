@@ -55,8 +55,8 @@ HeatField::HeatField(const Workpiece& workpiece, HeatConfig config)
                 " are possible. Raise HeatConfig::voxels_per_cell, or crop it.");
   cell_size_ = width * workpiece.voxel_size();
   cell_volume_ = std::pow(cell_size_, 3);
-  stride_[1] = std::size_t(dims_[2] + 2);
-  stride_[0] = stride_[1] * std::size_t(dims_[1] + 2);
+  stride_[1] = std::size_t(dims_[2]) + 2;
+  stride_[0] = stride_[1] * (std::size_t(dims_[1]) + 2);
   cells_ = Cells(std::size_t(count));
   volumes_.resize(std::size_t(count) * materials_);
   peaks_.resize(materials_);
@@ -229,24 +229,26 @@ double HeatField::take(HeatCollector& collector) {
   return time;
 }
 
-/// Calls `visit(cell, weight)` for the eight cells around a point; the weights add up to 1.
-template <class Visit>
-void HeatField::visit_around(const Vec3& p_WQ, const Visit& visit) const {
+HeatField::Around HeatField::cells_around(const Vec3& p_WQ) const {
+  Around around;
   const Vec3 p_V = frame_.X_WV.inverse() * p_WQ / frame_.voxel_size;
   std::array<int, 3> low;
   std::array<double, 3> part;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double at = (p_V[int(axis)] - first_[axis] + 0.5) / config_.voxels_per_cell - 0.5;
-    if (!(at > -1 && at < dims_[axis])) return;
+    if (!(at > -1 && at < dims_[axis])) return around;
     low[axis] = int(std::floor(at));
     part[axis] = at - low[axis];
   }
-  for (int corner = 0; corner < 8; ++corner) {
+  for (; around.count < 8; ++around.count) {
+    const int corner = around.count;
     const std::array<int, 3> up = {corner >> 2, corner >> 1 & 1, corner & 1};
     double weight = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) weight *= up[axis] == 1 ? part[axis] : 1 - part[axis];
-    visit(number_of({low[0] + up[0], low[1] + up[1], low[2] + up[2]}), weight);
+    around.cell[std::size_t(corner)] = number_of({low[0] + up[0], low[1] + up[1], low[2] + up[2]});
+    around.weight[std::size_t(corner)] = weight;
   }
+  return around;
 }
 
 /// In proportion to the surface of the cells whose centres are near.  @return false where none is
@@ -277,15 +279,15 @@ void HeatField::add_heat(const Vec3& p_WQ, double heat, double radius) {
   if (radius > 0 && add_to_surface(p_WQ, heat, radius)) return;
   double weights = 0, nearest = 0;
   std::size_t at = 0;
-  visit_around(p_WQ, [&](std::size_t cell, double weight) {
-    weights += weight * cells_.capacity[cell];
-    if (weight > nearest) nearest = weight, at = cell;
-  });
+  const Around around = cells_around(p_WQ);
+  for (std::size_t n = 0; n < std::size_t(around.count); ++n) {
+    weights += around.weight[n] * cells_.capacity[around.cell[n]];
+    if (around.weight[n] > nearest) nearest = around.weight[n], at = around.cell[n];
+  }
   if (weights > 0) {
     balance_.brought_in += heat;
-    visit_around(p_WQ, [&](std::size_t cell, double weight) {
-      cells_.heat[cell] += heat * weight * cells_.capacity[cell] / weights;
-    });
+    for (std::size_t n = 0; n < std::size_t(around.count); ++n)
+      cells_.heat[around.cell[n]] += heat * around.weight[n] * cells_.capacity[around.cell[n]] / weights;
   } else if (nearest > 0) {
     spread(at, heat);
   } else {

@@ -36,10 +36,10 @@ void HeatField::advance(double dt) {
   require_within(dt, Range::not_negative(), "HeatField::advance: dt [s]");
   refresh_changed();
   if (rate_ == 0) rate_ = fastest_rate();
-  const double parts = std::max(1.0, std::ceil(dt * rate_));
-  for (double n = 0; n < parts; ++n) {
-    step(dt / parts);
-    count_dose(dt / parts);
+  const auto parts = std::uint64_t(std::max(1.0, std::ceil(dt * rate_)));
+  for (std::uint64_t n = 0; n < parts; ++n) {
+    step(dt / double(parts));
+    count_dose(dt / double(parts));
   }
 }
 
@@ -115,11 +115,13 @@ HeatBalance HeatField::balance() const {
 
 double HeatField::temperature_at(const Vec3& p_WQ) const {
   double weights = 0, rise = 0;
-  visit_around(p_WQ, [&](std::size_t cell, double weight) {
-    if (!(cells_.capacity[cell] > 0)) return;
-    weights += weight;
-    rise += weight * cells_.heat[cell] / cells_.capacity[cell];
-  });
+  const Around around = cells_around(p_WQ);
+  for (std::size_t n = 0; n < std::size_t(around.count); ++n) {
+    const std::size_t cell = around.cell[n];
+    if (!(cells_.capacity[cell] > 0)) continue;
+    weights += around.weight[n];
+    rise += around.weight[n] * cells_.heat[cell] / cells_.capacity[cell];
+  }
   return weights > 0 ? config_.body_temperature + rise / weights : std::numeric_limits<double>::quiet_NaN();
 }
 

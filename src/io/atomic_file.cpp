@@ -2,7 +2,7 @@
 #include "io/atomic_file.hpp"
 
 #include <fcntl.h>
-#include <signal.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): <csignal> need not have kill
 #include <unistd.h>
 
 #include <algorithm>

@@ -21,8 +21,8 @@ HWY_INLINE Vectors surface_velocity(const HeadMotion& m, const Vectors& r) {
 }
 
 /// [m^2/s^2] square of the slip at the voxels' centres: of what is not along the normal
-HWY_INLINE Vec slip_of_centers(const Vectors& velocity, Vec rate) {
-  return hn::Max(hn::Zero(Floats()), hn::NegMulAdd(rate, rate, dot(velocity, velocity)));
+HWY_INLINE Vec slip_of_centers(const Vectors& velocity, const Sample& s) {
+  return hn::Max(hn::Zero(Floats()), hn::NegMulAdd(s.rate, s.closing, dot(velocity, velocity)));
 }
 
 /// [m/s] how fast voxels come nearer along the normal: n (v + omega x r) = v n + omega (r x n)
@@ -50,10 +50,10 @@ HWY_INLINE Vec slip_about_axis(const HeadMotion& m, const Vectors& r, Vec of_cen
 
 /// [m^2/s^2] The same of voxels that were sampled: what the couple about the axis does work against.
 HWY_INLINE Vec slip_beyond_centers(const HeadMotion& m, const Vectors& r, const Sample& s) {
-  return slip_about_axis(m, r, slip_of_centers(surface_velocity(m, r), s.rate));
+  return slip_about_axis(m, r, slip_of_centers(surface_velocity(m, r), s));
 }
 
-/// [1] the largest |n_i| along the grid's axes, which are the columns of `axes`
+/// [1] the largest |n_i| along the grid's axes, which are the columns of `axes`, of unit vectors n
 HWY_INLINE Vec largest_component(const Eigen::Matrix3f& axes, const Vectors& r, const Sample& s) {
   Vec largest = broadcast(kLeastLargest);
   for (int axis = 0; axis < 3; ++axis) {

@@ -14,6 +14,7 @@
 #include "kernels/motion-inl.hpp"
 #include "kernels/places-inl.hpp"
 #include "kernels/press_sums-inl.hpp"
+#include "kernels/smooth-inl.hpp"
 #include "kernels/stiffness-inl.hpp"
 #include "kernels/strips-inl.hpp"
 
@@ -109,13 +110,13 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
     for (int first = 0; first < count; first += kStripLanes) {
       const Mask listed = hn::FirstN(d, std::size_t(std::min(count - first, kStripLanes)));
       const Vec fill = hn::Load(d, voxels_.fill + first);
-      samples_.template store<kOfParts>(first, sample(voxels_.place(first), fill, listed, sums));
+      samples_.template store<kOfParts, Springs::kSmooth>(first, sample(voxels_.place(first), fill, listed, sums));
     }
     if (voxels_.material != kEmpty) material_.load(voxels_.material);
     for (int first = 0; first < count; first += kStripLanes) {
       if (voxels_.material == kEmpty) load_listed_materials(first);
       press_voxels(first, 0, voxels_.place(first), hn::Load(d, voxels_.fill + first),
-                   samples_.template load<kOfParts>(first), sums);
+                   samples_.template load<kOfParts, Springs::kSmooth>(first), sums);
     }
     if (kMode == Mode::cutting && writes()) write_fills();
     voxels_.clear();
@@ -139,6 +140,7 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
     s.felt_rate = s.inverse_slip = s.slip_path = s.top = s.largest = hn::Zero(d);
     s.radial = spring.radial;
     s.axial = spring.axial;
+    s.smooth = spring.smooth;
     Mask inside;
     if constexpr (kOfParts) {
       s.largest = largest_component(axes_, r, s);
@@ -151,13 +153,16 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
       inside = hn::And(spring.depth > hn::Zero(d), listed);
     }
     s.depth = hn::IfThenElseZero(inside, spring.depth);
+    s.radial = scaled<Springs::kSmooth>(s, s.radial), s.axial = scaled<Springs::kSmooth>(s, s.axial);
     sums.voxels += int(hn::CountTrue(d, inside));
     if constexpr (kMode == Mode::standing) {
-      s.rate = rate_of_depth<Springs::kCentral>(r, s, m_.velocity, m_.angular_velocity);
+      s.rate = s.closing = rate_of_depth<Springs::kCentral>(r, s, m_.velocity, m_.angular_velocity);
     } else {
       const Vectors v = surface_velocity(m_, r);
-      s.rate = hn::MulAdd(s.radial, hn::MulAdd(r.x, v.x, r.y * v.y), s.axial * v.z);
-      Vec slip_squared = slip_of_centers(v, s.rate);
+      s.rate = s.closing = hn::MulAdd(s.radial, hn::MulAdd(r.x, v.x, r.y * v.y), s.axial * v.z);
+      if constexpr (Springs::kSmooth)
+        s.closing = hn::IfThenElse(s.on_smooth(), s.rate * broadcast(1 / (kBeta * kBeta)), s.rate);
+      Vec slip_squared = slip_of_centers(v, s);
       if (near_axis_) slip_squared = slip_squared + slip_about_axis(m_, r, slip_squared);
       constexpr float kRegular = FoundationLaw::kSlipRegularization * FoundationLaw::kSlipRegularization;
       s.inverse_slip = inverse_root(slip_squared + broadcast(kRegular));
@@ -174,7 +179,7 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
     if constexpr (kOfParts) return press_parts(first, part, r, old_fill, s, sums);
     const Floats d;
     const Vec zero = hn::Zero(d), one = broadcast(1.0F), half = broadcast(0.5F);
-    const MaterialVectors& material = material_.vectors();
+    const MaterialVectors& material = material_at<Springs::kSmooth>(material_.vectors(), s, m_.voxel_size);
     const Vec w = s.depth;
     const Mask inside = w > zero;
     const Vec phi = hn::IfThenElseZero(inside, old_fill);
@@ -240,12 +245,12 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
       const Vec spring_left = stiff_depth * mean_fill;
       if constexpr (kMode == Mode::cutting) {
         sums.lag = hn::MulAdd(spring - spring_left, half_advance, sums.lag);
-        sums.pressed = sums.pressed + spring_left;
+        sums.pressed = sums.pressed + scaled<Springs::kSmooth>(s, spring_left);
       }
       const Vec normal = normal_force(sums, spring_left, damped, half_advance);
       const Vec rubbed = kappa * normal, tangential = rubbed * s.inverse_slip;
       // Along the normal and, of the surface's velocity, what is not along it.
-      sums.add_reaction(r, s, hn::NegMulAdd(tangential, s.rate, normal), tangential, surface_velocity(m_, r));
+      sums.add_reaction(r, s, hn::NegMulAdd(tangential, s.closing, normal), tangential, surface_velocity(m_, r));
       const Mask rubs = hn::AndNot(is_cut, inside);
       if (!hn::AllFalse(d, rubs)) sums.rubbing = sums.rubbing + hn::IfThenElseZero(rubs, rubbed * s.slip_path);
       if (near_axis_) sums.couple = hn::MulAdd(tangential, slip_beyond_centers(m_, r, s), sums.couple);
@@ -273,7 +278,7 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
     const Vec zero = hn::Zero(d), half = broadcast(0.5F);
     const Mask inside = s.top > zero;
     const Vec fill = hn::IfThenElseZero(inside, old_fill), advance = s.rate * broadcast(m_.duration);
-    const MaterialVectors& material = material_.vectors();
+    const MaterialVectors& material = material_at<Springs::kSmooth>(material_.vectors(), s, m_.voxel_size);
     const Vec damped =
         damped_ ? hn::Max(zero, hn::MulAdd(material.damping, s.felt_rate, broadcast(1.0F))) : broadcast(1.0F);
     const PressedParts p = press_parts_of<kCrushes>(m_, material, s, fill, damped, may_cut_, release_);
@@ -303,10 +308,10 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
     const Vec spring = p.rubbing + p.cut, normal = spring * damped;
     const Vec kappa = m_.spin == 0 ? zero : material.cutting_ratio;
     const Vec tangential = kappa * normal * s.inverse_slip;
-    sums.add_reaction(r, s, hn::NegMulAdd(tangential, s.rate, normal), tangential, surface_velocity(m_, r));
+    sums.add_reaction(r, s, hn::NegMulAdd(tangential, s.closing, normal), tangential, surface_velocity(m_, r));
     sums.rubbing = hn::MulAdd(kappa * p.rubbing * damped, s.slip_path, sums.rubbing);
     if (near_axis_) sums.couple = hn::MulAdd(tangential, slip_beyond_centers(m_, r, s), sums.couple);
-    sums.pressed = sums.pressed + spring;
+    sums.pressed = sums.pressed + scaled<Springs::kSmooth>(s, spring);
 
     sums.twice_middle = sums.twice_middle + (p.before + p.after);
     sums.elastic_change = hn::MulAdd(half, p.after - p.before, sums.elastic_change);
@@ -325,7 +330,11 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
     });
     // Copies, so that the ones in the loop need no address.
     const Vectors place = r;
-    const Vec radial = s.radial, axial = s.axial;
+    const Vec shorter =
+        Springs::kSmooth ? hn::IfThenElse(s.on_smooth(), broadcast(1 / kBeta), broadcast(1.0F)) : broadcast(1.0F);
+    const Vec radial = s.radial * shorter, axial = s.axial * shorter;
+    normal = scaled<Springs::kSmooth>(s, normal);
+    filled = scaled<Springs::kSmooth>(s, scaled<Springs::kSmooth>(s, filled));
     friction_[part].add(normal, filled, constants, place, radial, axial);
   }
 
@@ -349,7 +358,7 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
   }
 
   HWY_INLINE void add_stiffness(StiffnessVectors& sums, Vec spring, Vec damped, const Vectors& r, const Sample& s) {
-    const MaterialVectors& material = material_.vectors();
+    const MaterialVectors& material = material_at<Springs::kSmooth>(material_.vectors(), s, m_.voxel_size);
     const Vec kappa = m_.spin == 0 ? broadcast(0.0F) : material.cutting_ratio, normal = spring * s.depth * damped;
     if (damped_) {
       const Vec damper = material.damping * s.depth * broadcast(1.0F / m_.duration);

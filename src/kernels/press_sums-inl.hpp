@@ -22,13 +22,16 @@ enum class Mode { standing, rubbing, cutting };  // spindle stands; turns with r
 /// What stage sample_contact finds of a vector of voxels.
 struct Sample {
   Vec depth;  // [m] w, of the point or, of a part of a voxel, of the voxel's centre; zero in lanes that do not count
-  Vec radial, axial;  // of the outward normal, as in SpringVectors
+  Vec radial, axial;  // of the gradient of -w, as in SpringVectors: the normal, kBeta times as long where it is smooth
   Vec rate;           // [m/s] of the depth
+  Vec closing;        // [m/s] velocity along the gradient, over its length: the same but where it is smooth
   Vec felt_rate;      // [m/s] as the damping feels it; set where some material has damping
   Vec inverse_slip;   // [s/m] set where the head turns
   Vec slip_path;      // [m] in the sub-step, likewise
   Vec top, largest;   // of a part of a voxel: its greatest depth [m], zero in lanes that do not count, and max |n_i|
+  Vec smooth;         // [m^2] as in SpringVectors; read only of springs that are kSmooth
 
+  [[nodiscard]] HWY_INLINE Mask on_smooth() const { return smooth > hn::Zero(Floats()); }
   /// [m] r x n = (y lever, -x lever, 0)
   [[nodiscard]] HWY_INLINE Vec lever(const Vectors& r) const { return hn::NegMulAdd(r.z, radial, axial); }
 };
@@ -37,21 +40,29 @@ struct Sample {
 class SampleList {
  public:
   /// @tparam kOfParts  they are parts of voxels
-  template <bool kOfParts>
+  /// @tparam kSmooth   some may be on smooth surfaces
+  template <bool kOfParts, bool kSmooth>
   HWY_INLINE void store(int first, const Sample& s) {
-    const Vec values[kVectors] = {s.depth,        s.radial,    s.axial, s.rate,   s.felt_rate,
-                                  s.inverse_slip, s.slip_path, s.top,   s.largest};
-    for (int n = 0; n < (kOfParts ? kVectors : kOfPoints); ++n) hn::Store(values[n], Floats(), values_[n] + first);
+    const auto keep = [&](int n, Vec value) HWY_ATTR { hn::Store(value, Floats(), values_[n] + first); };
+    keep(0, s.depth), keep(1, s.radial), keep(2, s.axial), keep(3, s.rate), keep(4, s.felt_rate);
+    keep(5, s.inverse_slip), keep(6, s.slip_path);
+    if (kOfParts) keep(7, s.top), keep(8, s.largest);
+    if (kSmooth) keep(9, s.closing), keep(10, s.smooth);
   }
-  template <bool kOfParts>
+  template <bool kOfParts, bool kSmooth>
   [[nodiscard]] HWY_INLINE Sample load(int first) const {
-    const auto value = [&](int n)
-                           HWY_ATTR { return hn::Load(Floats(), values_[kOfParts || n < kOfPoints ? n : 0] + first); };
-    return {value(0), value(1), value(2), value(3), value(4), value(5), value(6), value(7), value(8)};
+    const auto value = [&](int n) HWY_ATTR { return hn::Load(Floats(), values_[n] + first); };
+    Sample s;
+    s.depth = value(0), s.radial = value(1), s.axial = value(2), s.rate = value(3), s.felt_rate = value(4);
+    s.inverse_slip = value(5), s.slip_path = value(6);
+    s.top = value(kOfParts ? 7 : 0), s.largest = value(kOfParts ? 8 : 0);
+    s.closing = kSmooth ? value(9) : s.rate;
+    s.smooth = kSmooth ? value(10) : hn::Zero(Floats());
+    return s;
   }
 
  private:
-  static constexpr int kOfPoints = 7, kVectors = 9;
+  static constexpr int kVectors = 11;
   alignas(64) float values_[kVectors][VoxelList::kRoom];
 };
 

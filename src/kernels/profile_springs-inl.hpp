@@ -9,6 +9,8 @@
 
 #include <hwy/highway.h>
 
+#include <span>
+
 #include "kernels/spring_vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,16 +20,18 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// What all profiles have in common: which points may be inside.
 struct ProfileBounds {
-  static constexpr bool kCentral = false;
+  static constexpr bool kCentral = false, kSmooth = true;
   float radius, bottom, top;         // [m] see ProfileTable
   const float* slab_radius_squared;  // [m^2]
   float slabs_per_length;            // [1/m]
+  std::span<const ProfileCorner<float>> corners;
   explicit ProfileBounds(const ProfileTable& t)
       : radius(float(t.radius)),
         bottom(float(t.bottom)),
         top(float(t.top)),
         slab_radius_squared(t.slab_radius_squared.data()),
-        slabs_per_length(ProfileTable::kSlabs / (top - bottom)) {}
+        slabs_per_length(ProfileTable::kSlabs / (top - bottom)),
+        corners(t.corners) {}
 
   template <class V>
   HWY_INLINE auto hits(V x, V y, V z, float margin) const {
@@ -43,8 +47,7 @@ struct ProfileBounds {
   template <class V, class M>
   HWY_INLINE SpringVectors<V> no_deeper_than_the_surface(M outside, SpringVectors<V> spring, V z) const {
     const auto ends = hn::And(outside, spring.depth > same(z, 0.0F));
-    const auto no_surface = hn::Or(ends, z >= same(z, top));
-    spring.depth = hn::IfThenElse(no_surface, same(z, kFarOutside), spring.depth);
+    spring.depth = hn::IfThenElse(ends, same(z, kFarOutside), spring.depth);
     return spring;
   }
 
@@ -52,10 +55,22 @@ struct ProfileBounds {
   template <class V>
   HWY_INLINE SpringVectors<V> bounded(SpringVectors<V> spring, V x, V y, V z) const {
     const V zero = same(z, 0.0F), rho = hn::Sqrt(hn::MulAdd(x, x, y * y));
-    const V beyond = hn::Max(rho - same(z, radius), same(z, bottom) - z);
+    const V beyond = hn::Max(rho - same(z, radius), hn::Max(same(z, bottom) - z, z - same(z, top)));
     spring = no_deeper_than_the_surface(beyond >= zero, spring, z);
     spring.depth = hn::IfThenElse(beyond > zero, hn::Min(spring.depth, hn::Neg(beyond)), spring.depth);
     return spring;
+  }
+
+  /// SpringVectors::smooth where `smooth` is set, else 0.
+  template <class V, class M>
+  HWY_INLINE V from_corners(M smooth, V rho, V z) const {
+    const hn::DFromV<V> d;
+    V least = hn::Zero(d);
+    if (hn::AllFalse(d, smooth)) return least;
+    least = same(z, 1.0F);
+    for (const ProfileCorner<float>& corner : corners)
+      least = hn::Min(least, square_from_corner(rho - same(z, corner.rho), z - same(z, corner.z)));
+    return hn::IfThenElseZero(smooth, least);
   }
 
   /// Whole part of 0 <= v < 2^22; of a whole number that, or one less. From 2^23 on the last bit is the unit.
@@ -89,7 +104,8 @@ class CurveSprings {
       : start_rho_(float(t.exact_curves.rho[n])),
         start_z_(float(t.exact_curves.z[n])),
         normal_rho_(float(t.exact_curves.normal_rho[n])),
-        normal_z_(float(t.exact_curves.normal_z[n])) {
+        normal_z_(float(t.exact_curves.normal_z[n])),
+        scale_(float(t.exact_curves.scale[n])) {
     const ProfileCurves<double>& c = t.exact_curves;
     const double k = c.curvature[n];
     if (k == 0) {
@@ -107,7 +123,7 @@ class CurveSprings {
     turn_ = k > 0 ? 1.0F : -1.0F;
   }
 
-  [[nodiscard]] bool needs_rho() const { return kind_ != Kind::arc_about_axis; }
+  [[nodiscard]] bool is_smooth() const { return scale_ > 1; }
 
   /// Where points are beyond the curve's starting point, towards the shank.
   template <class V>
@@ -116,17 +132,19 @@ class CurveSprings {
   }
 
   /// @param squared      [m^2] rho^2
-  /// @param inverse_rho  [1/m] read, like `rho`, only if needs_rho()
+  /// @param inverse_rho  [1/m]
+  /// @return without SpringVectors::smooth
   template <class V>
   HWY_INLINE SpringVectors<V> at(V squared, V inverse_rho, V rho, V z) const {
-    const V m_rho = same(z, normal_rho_), m_z = same(z, normal_z_);
+    const V m_rho = same(z, normal_rho_), m_z = same(z, normal_z_), none = same(z, 0.0F), scale = same(z, scale_);
     if (kind_ == Kind::line)
-      return {hn::MulAdd(m_rho, rho, hn::MulSub(m_z, z, same(z, offset_))), hn::Neg(m_rho * inverse_rho), hn::Neg(m_z)};
+      return {scale * hn::MulAdd(m_rho, rho, hn::MulSub(m_z, z, same(z, offset_))), hn::Neg(m_rho * inverse_rho),
+              hn::Neg(m_z), none};
     const V v_z = z - same(z, center_z_), turn = same(z, turn_);
     if (kind_ == Kind::arc_about_axis) {
       const V distance_squared = hn::MulAdd(v_z, v_z, squared);
       const V turned = turn * inverse_root(hn::Max(distance_squared, same(z, kLeastSquare)));
-      return {hn::NegMulAdd(distance_squared, turned, same(z, radius_)), turned, turned * v_z};
+      return {scale * hn::NegMulAdd(distance_squared, turned, same(z, radius_)), turned, turned * v_z, none};
     }
     // R - |x - c| without its cancellation, because the arc may be flat.
     const V v_rho = rho - same(z, center_rho_);
@@ -137,7 +155,7 @@ class CurveSprings {
     const V inward = hn::MulAdd(m_rho, q_rho, m_z * q_z);
     const V twice = hn::NegMulAdd(curvature, hn::MulAdd(q_rho, q_rho, q_z * q_z), inward + inward);
     const V root = curvature * (distance_squared * turned);
-    return {twice / (same(z, 1.0F) + root), turned * inverse_rho * v_rho, turned * v_z};
+    return {scale * twice / (same(z, 1.0F) + root), turned * inverse_rho * v_rho, turned * v_z, none};
   }
 
  private:
@@ -146,6 +164,7 @@ class CurveSprings {
 
   float start_rho_, start_z_;            // [m] see ProfileCurves
   float normal_rho_, normal_z_;          // [1]
+  float scale_;                          // [1]
   float offset_ = 0;                     // [m] of a line: from the origin, along its normal
   float center_rho_ = 0, center_z_ = 0;  // [m] of an arc
   float radius_ = 0, curvature_ = 0;     // [m], [1/m] of an arc; negative where it is hollow
@@ -153,33 +172,47 @@ class CurveSprings {
   Kind kind_;
 };
 
-/// A profile of which one rule decides everywhere: ProfileTable::everywhere.
+/// A profile of which one rule decides everywhere: ProfileTable::everywhere and lid.
 struct PlainProfileVectors : ProfileBounds {
   static constexpr bool kCostly = false;
   CellRule rule;
-  CurveSprings first, second;
+  bool has_lid;
+  CurveSprings first, second, lid;
   explicit PlainProfileVectors(const ProfileTable& t)
       : ProfileBounds(t),
         rule(ProfileCell::rule(t.everywhere)),
+        has_lid(t.lid != 0),
         first(t, ProfileCell::first(t.everywhere)),
-        second(t, ProfileCell::second(t.everywhere)) {}
+        second(t, ProfileCell::second(t.everywhere)),
+        lid(t, t.lid) {}
 
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
+    const hn::DFromV<V> d;
     const V squared = hn::MulAdd(x, x, y * y);
-    V inverse_rho = squared, rho = squared;
-    if (rule != CellRule::first || first.needs_rho()) {
-      inverse_rho = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
-      rho = squared * inverse_rho;
+    const V inverse_rho = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
+    const V rho = squared * inverse_rho;
+    SpringVectors<V> spring = first.at(squared, inverse_rho, rho, z);
+    auto smooth = hn::FirstN(d, first.is_smooth() ? hn::Lanes(d) : 0);
+    const auto take = [&](auto where, const CurveSprings& curve, const SpringVectors<V>& other) HWY_ATTR {
+      spring.depth = hn::IfThenElse(where, other.depth, spring.depth);
+      spring.radial = hn::IfThenElse(where, other.radial, spring.radial);
+      spring.axial = hn::IfThenElse(where, other.axial, spring.axial);
+      smooth = curve.is_smooth() ? hn::Or(smooth, where) : hn::AndNot(where, smooth);
+    };
+    if (rule != CellRule::first) {
+      const SpringVectors<V> other = second.at(squared, inverse_rho, rho, z);
+      take(rule == CellRule::sides    ? second.begins_before(rho, z)
+           : rule == CellRule::nearer ? other.depth < spring.depth
+                                      : other.depth > spring.depth,
+           second, other);
     }
-    const SpringVectors<V> one = first.at(squared, inverse_rho, rho, z);
-    if (rule == CellRule::first) return one;
-    const SpringVectors<V> other = second.at(squared, inverse_rho, rho, z);
-    const auto take = rule == CellRule::sides    ? second.begins_before(rho, z)
-                      : rule == CellRule::nearer ? other.depth < one.depth
-                                                 : other.depth > one.depth;
-    return {hn::IfThenElse(take, other.depth, one.depth), hn::IfThenElse(take, other.radial, one.radial),
-            hn::IfThenElse(take, other.axial, one.axial)};
+    if (has_lid) {
+      const SpringVectors<V> end = lid.at(squared, inverse_rho, rho, z);
+      take(end.depth < spring.depth, lid, end);
+    }
+    spring.smooth = from_corners(smooth, rho, z);
+    return spring;
   }
   template <class V>
   HWY_INLINE SpringVectors<V> near(V x, V y, V z) const {
@@ -190,30 +223,34 @@ struct PlainProfileVectors : ProfileBounds {
 /// Curves of a profile for a vector of points: see ProfileCurves.
 template <class V>
 struct CurveVectors {
-  V rho, z, normal_rho, normal_z, curvature;
+  V rho, z, normal_rho, normal_z, curvature, scale;
 
   /// Where points are beyond the curve's starting point, towards the shank.
   HWY_INLINE auto begins_before(V at_rho, V at_z) const { return normal_z * (at_rho - rho) >= normal_rho * (at_z - z); }
   /// These, but the other ones where the mask is set.
   template <class M>
   HWY_INLINE CurveVectors unless(M mask, const CurveVectors& other) const {
-    return {hn::IfThenElse(mask, other.rho, rho), hn::IfThenElse(mask, other.z, z),
-            hn::IfThenElse(mask, other.normal_rho, normal_rho), hn::IfThenElse(mask, other.normal_z, normal_z),
-            hn::IfThenElse(mask, other.curvature, curvature)};
+    return {hn::IfThenElse(mask, other.rho, rho),
+            hn::IfThenElse(mask, other.z, z),
+            hn::IfThenElse(mask, other.normal_rho, normal_rho),
+            hn::IfThenElse(mask, other.normal_z, normal_z),
+            hn::IfThenElse(mask, other.curvature, curvature),
+            hn::IfThenElse(mask, other.scale, scale)};
   }
 };
 
 /// Springs in the (rho, z) half-plane, before the last divisions: `ProfileSprings::below` for a vector of curves.
 template <class V>
 struct MeridianVectors {
-  V twice, root;  // depth = twice / (1 + root)
+  V twice, root;  // depth = twice / (1 + root), with the curve's scale
   V g_rho, g_z;   // direction = g / root
-  V inverse_root;
+  V inverse_root, scale;
 
   HWY_INLINE MeridianVectors(const CurveVectors<V>& c, V rho, V z) {
     const V q_rho = rho - c.rho, q_z = z - c.z;
     const V inward = hn::MulAdd(c.normal_rho, q_rho, c.normal_z * q_z);
-    twice = hn::NegMulAdd(c.curvature, hn::MulAdd(q_rho, q_rho, q_z * q_z), inward + inward);
+    scale = c.scale;
+    twice = scale * hn::NegMulAdd(c.curvature, hn::MulAdd(q_rho, q_rho, q_z * q_z), inward + inward);
     g_rho = hn::MulSub(c.curvature, q_rho, c.normal_rho), g_z = hn::MulSub(c.curvature, q_z, c.normal_z);
     const V squared = hn::MulAdd(g_rho, g_rho, g_z * g_z);
     inverse_root = kernels::HWY_NAMESPACE::inverse_root(hn::Max(squared, same(z, kLeastSquare)));
@@ -228,10 +265,13 @@ struct MeridianVectors {
     twice = hn::IfThenElse(mask, other.twice, twice), root = hn::IfThenElse(mask, other.root, root);
     g_rho = hn::IfThenElse(mask, other.g_rho, g_rho), g_z = hn::IfThenElse(mask, other.g_z, g_z);
     inverse_root = hn::IfThenElse(mask, other.inverse_root, inverse_root);
+    scale = hn::IfThenElse(mask, other.scale, scale);
   }
-  HWY_INLINE SpringVectors<V> spring(V inverse_rho) const {
-    return {twice / (same(root, 1.0F) + root), g_rho * inverse_root * inverse_rho, g_z * inverse_root};
+  /// @param smooth  of all
+  HWY_INLINE SpringVectors<V> spring(V inverse_rho, V smooth) const {
+    return {twice / (same(root, 1.0F) + root), g_rho * inverse_root * inverse_rho, g_z * inverse_root, smooth};
   }
+  [[nodiscard]] HWY_INLINE auto is_smooth() const { return scale > same(scale, 1.0F); }
 };
 
 /// The curve of its cell for every point: see ProfileSprings.
@@ -254,7 +294,8 @@ struct ProfileVectors : ProfileBounds {
     const V inverse_rho = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
     const V rho = squared * inverse_rho;
     const V cell_rho = hn::Min(rho, same(x, radius)), cell_z = hn::Max(z, same(x, bottom));
-    const auto cell = cell_at(table.cells_near, cell_rho, cell_z, z < same(z, top));
+    const auto cell =
+        cell_at(table.cells_near, cell_rho, cell_z, hn::FirstN(hn::DFromV<V>(), hn::Lanes(hn::DFromV<V>())));
     const auto ints = hn::DFromV<decltype(cell)>();
     const auto outside = hn::RebindMask(hn::DFromV<V>(), cell < hn::Zero(ints));  // ProfileCell::kOutside
     const auto of_head = hn::And(cell, hn::Set(ints, 0x7fffffff));
@@ -285,7 +326,10 @@ struct ProfileVectors : ProfileBounds {
     const auto rule = hn::ShiftRight<28>(cell);
 
     CurveVectors<V> curve = of_curves(hn::And(cell, curve_bits), d);
-    if (hn::AllTrue(ints, hn::Eq(rule, zero))) return MeridianVectors<V>(curve, rho, z).spring(inverse_rho);
+    const auto spring_of = [&](const MeridianVectors<V>& meridian) HWY_ATTR {
+      return meridian.spring(inverse_rho, from_corners(meridian.is_smooth(), rho, z));
+    };
+    if (hn::AllTrue(ints, hn::Eq(rule, zero))) return spring_of(MeridianVectors<V>(curve, rho, z));
     const CurveVectors<V> other = of_curves(hn::And(hn::ShiftRight<14>(cell), curve_bits), d);
     const auto is = [&](CellRule r) HWY_ATTR { return hn::RebindMask(d, hn::Eq(rule, hn::Set(ints, int(r)))); };
     curve = curve.unless(hn::And(is(CellRule::sides), other.begins_before(rho, z)), other);
@@ -294,10 +338,8 @@ struct ProfileVectors : ProfileBounds {
     const V deeper = meridian.deeper(second);
     const auto nearer = hn::And(is(CellRule::nearer), deeper < hn::Zero(d));
     const auto farther = hn::And(is(CellRule::farther), deeper > hn::Zero(d));
-    const auto shut = hn::And(is(CellRule::gate), hn::Le(second.twice, hn::Zero(d)));
     meridian.take(hn::Or(nearer, farther), second);
-    meridian.twice = hn::IfThenElse(shut, same(z, 2 * kFarOutside), meridian.twice);
-    return meridian.spring(inverse_rho);
+    return spring_of(meridian);
   }
 
   template <class I, class D>
@@ -308,14 +350,16 @@ struct ProfileVectors : ProfileBounds {
       // The numbers of all curves fit into a vector each: no need to gather them from memory.
       const auto order = hn::IndicesFromVec(d, curve);
       const auto of = [&](const float* all) HWY_ATTR { return hn::TableLookupLanes(hn::LoadU(d, all), order); };
-      return {of(table.rho), of(table.z), of(table.normal_rho), of(table.normal_z), of(table.curvature)};
+      return {of(table.rho),      of(table.z),         of(table.normal_rho),
+              of(table.normal_z), of(table.curvature), of(table.scale)};
     }
     if (hn::AllTrue(ints, hn::Eq(curve, hn::Set(ints, one)))) {
       const auto of = [&](const float* all) HWY_ATTR { return hn::Set(d, all[one]); };
-      return {of(table.rho), of(table.z), of(table.normal_rho), of(table.normal_z), of(table.curvature)};
+      return {of(table.rho),      of(table.z),         of(table.normal_rho),
+              of(table.normal_z), of(table.curvature), of(table.scale)};
     }
     const auto of = [&](const float* all) HWY_ATTR { return hn::GatherIndex(d, all, curve); };
-    return {of(table.rho), of(table.z), of(table.normal_rho), of(table.normal_z), of(table.curvature)};
+    return {of(table.rho), of(table.z), of(table.normal_rho), of(table.normal_z), of(table.curvature), of(table.scale)};
   }
 };
 

@@ -62,6 +62,7 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
       hn::Store(x * spring.radial, d, &out.normal_x[n]);
       hn::Store(y * spring.radial, d, &out.normal_y[n]);
       hn::Store(spring.axial, d, &out.normal_z[n]);
+      hn::Store(spring.smooth, d, &out.smooth[n]);
       hn::Store(hn::IfThenElseZero(is_inside, fill), d, &out.fill[n]);
     }
     if (inside != 0) keep_row(block, row, inside, out);

@@ -27,8 +27,16 @@ HWY_INLINE V same(V /*v*/, float value) {
 template <class V>
 struct SpringVectors {
   V depth, radial, axial;
+  V smooth;  // [m^2] MeridianSpring::smooth
 };
 
+/// MeridianSpring::smooth of points at these distances from a corner.
+template <class V>
+HWY_INLINE V square_from_corner(V along_rho, V along_z) {
+  return hn::MulAdd(along_rho, along_rho, hn::MulAdd(along_z, along_z, same(along_z, 1e-24F)));
+}
+
+constexpr float kBeta = float(kSmoothScale);
 constexpr float kFarOutside = -1;       // [m] where there is no surface near
 constexpr float kLeastSquare = 1e-24F;  // [m^2] keeps the direction on the axis, or in the centre, finite
 

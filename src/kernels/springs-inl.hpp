@@ -21,9 +21,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// inside the head itself: elsewhere its answer means nothing. `near(x, y, z)` also answers for points a little
 /// outside, with a negative depth, as the scalar springs do. All normals of a shape that is `kCentral` meet in the
 /// head's origin, so that its springs have no torque about it. `kCostly`: springs cost more than the rest of the work
-/// on a voxel.
+/// on a voxel. `kSmooth`: some of the surface may be smooth.
 struct SphereVectors {
-  static constexpr bool kCentral = true, kCostly = false;
+  static constexpr bool kCentral = true, kCostly = false, kSmooth = false;
   float radius;
   explicit SphereVectors(const SphereHead& head) : radius(float(head.radius)) {}
   template <class V>
@@ -36,7 +36,7 @@ struct SphereVectors {
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
     const V squared = hn::MulAdd(x, x, hn::MulAdd(y, y, z * z));
     const V inverse = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
-    return {hn::NegMulAdd(squared, inverse, same(x, radius)), inverse, z * inverse};
+    return {hn::NegMulAdd(squared, inverse, same(x, radius)), inverse, z * inverse, same(x, 0.0F)};
   }
   template <class V>
   HWY_INLINE SpringVectors<V> near(V x, V y, V z) const {
@@ -45,10 +45,13 @@ struct SphereVectors {
 };
 
 struct ConeVectors {
-  static constexpr bool kCentral = false, kCostly = false;
-  float sine, cosine, height;
+  static constexpr bool kCentral = false, kCostly = false, kSmooth = true;
+  float sine, cosine, height, base_radius;
   explicit ConeVectors(const ConeHead& head)
-      : sine(float(std::sin(head.half_angle))), cosine(float(std::cos(head.half_angle))), height(float(head.height)) {}
+      : sine(float(std::sin(head.half_angle))),
+        cosine(float(std::cos(head.half_angle))),
+        height(float(head.height)),
+        base_radius(float(head.height * std::tan(head.half_angle))) {}
   template <class V>
   HWY_INLINE auto hits(V x, V y, V z, float margin) const {
     const V edge = hn::MulAdd(z, same(x, sine / cosine), same(x, margin / cosine));
@@ -57,23 +60,24 @@ struct ConeVectors {
   }
   template <class V>
   HWY_INLINE SpringVectors<V> at(V x, V y, V z) const {
-    const V squared = hn::MulAdd(x, x, y * y);
-    const V radial = same(x, cosine) * inverse_root(hn::Max(squared, same(x, kLeastSquare)));
-    const V depth = hn::MulSub(z, same(x, sine), squared * radial);
-    const auto below_base = z < same(x, height);
-    return {hn::IfThenElseZero(below_base, depth), radial, same(x, -sine)};
+    const V zero = same(x, 0.0F), squared = hn::MulAdd(x, x, y * y);
+    const V inverse = inverse_root(hn::Max(squared, same(x, kLeastSquare))), rho = squared * inverse;
+    const V side = hn::MulSub(z, same(x, sine), rho * same(x, cosine));
+    const V above = same(x, height) - z, base = above * same(x, kBeta);
+    const auto on_base = base < side;
+    return {hn::Min(base, side), hn::IfThenElse(on_base, zero, inverse * same(x, cosine)),
+            hn::IfThenElse(on_base, same(x, 1.0F), same(x, -sine)),
+            hn::IfThenElseZero(on_base, square_from_corner(same(x, base_radius) - rho, above))};
   }
   template <class V>
   HWY_INLINE SpringVectors<V> near(V x, V y, V z) const {
-    SpringVectors<V> spring = at(x, y, z);
-    spring.depth = hn::IfThenElse(z < same(x, height), spring.depth, same(x, kFarOutside));
-    return spring;
+    return at(x, y, z);
   }
 };
 
 template <FlatRule kRule>
 struct FlatVectors {
-  static constexpr bool kCentral = false, kCostly = false;
+  static constexpr bool kCentral = false, kCostly = false, kSmooth = kRule == FlatRule::nearest;
   float radius, height;
   explicit FlatVectors(const FlatHead& head) : radius(float(head.radius)), height(float(head.height)) {}
   template <class V>
@@ -87,27 +91,30 @@ struct FlatVectors {
     const V zero = same(x, 0.0F);
     const V squared = hn::MulAdd(x, x, y * y);
     const V inverse = inverse_root(hn::Max(squared, same(x, kLeastSquare)));
-    const V side = hn::NegMulAdd(squared, inverse, same(x, radius));
-    const auto inside = hn::Min(hn::Min(z, same(x, height) - z), side) > zero;
+    const V side = hn::NegMulAdd(squared, inverse, same(x, radius)), above = same(x, height) - z;
+    const auto inside = hn::Min(hn::Min(z, above), side) > zero;
     if constexpr (kRule == FlatRule::bottom_only) {
-      return {hn::IfThenElseZero(inside, z), zero, same(x, -1.0F)};
+      return {hn::IfThenElseZero(inside, z), zero, same(x, -1.0F), zero};
     } else if constexpr (kRule == FlatRule::side_only) {
-      return {hn::IfThenElseZero(inside, side), inverse, zero};
+      return {hn::IfThenElseZero(inside, side), inverse, zero, zero};
     } else if constexpr (kRule == FlatRule::both) {
       const V depth_squared = hn::MulAdd(side, side, z * z);
       const V share = inverse_root(hn::Max(depth_squared, same(x, kLeastSquare)));
-      return {hn::IfThenElseZero(inside, depth_squared * share), side * share * inverse, hn::Neg(z * share)};
+      return {hn::IfThenElseZero(inside, depth_squared * share), side * share * inverse, hn::Neg(z * share), zero};
     } else {
-      const auto on_side = side < z;
-      return {hn::IfThenElseZero(inside, hn::Min(side, z)), hn::IfThenElseZero(on_side, inverse),
-              hn::IfThenZeroElse(on_side, same(x, -1.0F))};
+      const V cutting = hn::Min(side, z), top = above * same(x, kBeta);
+      const auto on_top = top < cutting, on_side = hn::AndNot(on_top, side < z);
+      const V upwards = hn::IfThenElse(on_top, same(x, 1.0F), same(x, -1.0F));
+      return {hn::Min(cutting, top), hn::IfThenElseZero(on_side, inverse), hn::IfThenZeroElse(on_side, upwards),
+              hn::IfThenElseZero(on_top, square_from_corner(side, above))};
     }
   }
   template <class V>
   HWY_INLINE SpringVectors<V> near(V x, V y, V z) const {
+    SpringVectors<V> spring = at(x, y, z);
+    if constexpr (kRule == FlatRule::nearest) return spring;
     const V zero = same(x, 0.0F), squared = hn::MulAdd(x, x, y * y);
     const V side = hn::NegMulAdd(squared, inverse_root(hn::Max(squared, same(x, kLeastSquare))), same(x, radius));
-    SpringVectors<V> spring = at(x, y, z);
     V depth = spring.depth;
     auto has_surface = z < same(x, height);
     if constexpr (kRule == FlatRule::bottom_only) {
@@ -116,10 +123,8 @@ struct FlatVectors {
     } else if constexpr (kRule == FlatRule::side_only) {
       depth = side;
       has_surface = hn::And(has_surface, z > zero);
-    } else if constexpr (kRule == FlatRule::both) {
-      has_surface = depth > zero;
     } else {
-      depth = hn::Min(side, z);
+      has_surface = depth > zero;
     }
     spring.depth = hn::IfThenElse(has_surface, depth, same(x, kFarOutside));
     return spring;

@@ -35,8 +35,8 @@ struct StiffnessSums {
 };
 
 /// Adds the stiffness of the samples of one block, after FoundationLaw has evaluated it: each is a spring and damper
-/// of `f' = k phi (max(0, 1 + chi w_dot) + chi w/dt)` along its normal, `phi` the mean fill of the sub-step. The
-/// reference for the vectors.
+/// of `f' = s^2 k phi (max(0, 1 + chi w_dot) + chi w/dt)` along its normal, `phi` the mean fill of the sub-step and `s`
+/// the surface's scale. The reference for the vectors.
 inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const ContactMaterials& materials,
                           StiffnessSums& sums) noexcept {
   const double volume = std::pow(double(m.voxel_size), 3);
@@ -44,7 +44,8 @@ inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const Cont
     if (!((b.sub_voxel ? b.top[i] : b.depth[i]) > 0)) continue;
     const Eigen::Vector3f r(b.x[i], b.y[i], b.z[i]), n(b.normal_x[i], b.normal_y[i], b.normal_z[i]);
     const float damping = materials[b.material_of(int(i))].damping;
-    const float damped = 1 + damping * (m.felt_velocity + m.felt_angular_velocity.cross(r)).dot(n);
+    const float scale = b.scale_of(int(i)),
+                damped = 1 + damping * scale * (m.felt_velocity + m.felt_angular_velocity.cross(r)).dot(n);
     const Eigen::Vector3f force(b.force_x[i], b.force_y[i], b.force_z[i]);
     if (!(damped > 0 && force.dot(n) < 0)) continue;
     float in_contact = 1, crushed = 0, depth = b.depth[i];  // [1] of the sample, and [m] its mean depth
@@ -59,7 +60,8 @@ inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const Cont
       depth = part.depth * m.voxel_size;
     }
     const double spring = -double(force.dot(n)) / (volume * double(depth) * double(damped));  // k phi
-    const double slope = spring * double((in_contact - crushed) * damped + damping * depth / m.duration);
+    const double slope =
+        double(scale) * spring * double((in_contact - crushed) * damped + damping * depth / m.duration);
     const Eigen::Vector3d arm = r.cast<double>(), along = force.cast<double>() / double(force.dot(n));
     const auto add = [&](double strength, const Eigen::Vector3d& q, const Eigen::Vector3d& way) {
       Eigen::Matrix<double, 6, 1> row, column;

@@ -85,7 +85,7 @@ HWY_INLINE Vec mean_of_decay(Vec x) {
 /// Material constants of the lanes of one vector.
 struct MaterialVectors {
   Vec stiffness, damping, cutting_ratio, energy, inverse_energy, cutting_depth, edge_length, size_length,
-      crushing_depth;
+      crushing_depth, sliding_ratio, land;
 
   HWY_INLINE explicit MaterialVectors(const ContactMaterial& m)
       : stiffness(broadcast(m.stiffness)),
@@ -96,10 +96,12 @@ struct MaterialVectors {
         cutting_depth(broadcast(m.cutting_depth)),
         edge_length(broadcast(m.edge_length)),
         size_length(broadcast(m.size_length)),
-        crushing_depth(broadcast(m.crushing_depth)) {}
+        crushing_depth(broadcast(m.crushing_depth)),
+        sliding_ratio(broadcast(m.sliding_ratio)),
+        land(broadcast(m.land)) {}
 
   HWY_INLINE MaterialVectors(const ContactMaterials& table, const MaterialId* ids) {
-    alignas(64) float lanes[9][kWidth];
+    alignas(64) float lanes[11][kWidth];
     for (std::size_t i = 0; i < kWidth; ++i) {
       const ContactMaterial& m = table[ids[i]];
       lanes[0][i] = m.stiffness;
@@ -111,6 +113,8 @@ struct MaterialVectors {
       lanes[6][i] = m.edge_length;
       lanes[7][i] = m.size_length;
       lanes[8][i] = m.crushing_depth;
+      lanes[9][i] = m.sliding_ratio;
+      lanes[10][i] = m.land;
     }
     const Floats d;
     stiffness = hn::Load(d, lanes[0]);
@@ -122,6 +126,8 @@ struct MaterialVectors {
     edge_length = hn::Load(d, lanes[6]);
     size_length = hn::Load(d, lanes[7]);
     crushing_depth = hn::Load(d, lanes[8]);
+    sliding_ratio = hn::Load(d, lanes[9]);
+    land = hn::Load(d, lanes[10]);
   }
 };
 

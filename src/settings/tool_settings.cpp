@@ -260,6 +260,9 @@ std::vector<Setting> settings_of(ToolSettings& t) {
              "of a twist_drill: full angle of its point [118]"),
       text("tool.profile", "--profile", t.profile,
            "of a head of kind profile: CSV file of its meridian, or a mesh of revolution in mm, shank towards +z"),
+      choice("tool.shank", "--shank", t.shank, "what holds the head and may lean on the workpiece [nothing]"),
+      number("tool.shank_neck_mm", "--shank_neck_mm", t.shank_neck_mm, Range::positive(),
+             "diameter of the neck between head and shank"),
       choice("tool.handle", "--handle", t.handle, {{"ray", HandleKind::ray}, {"L", HandleKind::angled}},
              "straight (ray) or angled (L) handpiece [ray]"),
       number("tool.handle_length_mm", "--handle_length_mm", t.handle_length_mm, Range::not_negative(),
@@ -290,6 +293,11 @@ std::vector<Setting> settings_of(ToolSettings& t) {
 
 Tool make_tool(const ToolSettings& s) {
   ToolHead head = make_head(s);
+  if (s.shank)
+    head = on_shank(head,
+                    standard_shank(*s.shank, required(s.shank_neck_mm, "tool.shank_neck_mm", "a shank") * units::mm));
+  else
+    refuse(s.shank_neck_mm, "tool.shank_neck_mm", "a head without a shank", "choose --shank");
   Handle handle = make_handle(s);
   const double rpm = required(s.spindle_rpm, "tool.spindle_rpm", "every tool");
   Spindle spindle = common_spindle(s.motor.value_or(common_motor(rpm)), rpm);

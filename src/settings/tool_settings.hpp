@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hapticut/tool/motors.hpp"
+#include "hapticut/tool/shank.hpp"
 #include "hapticut/tool/tool.hpp"
 #include "settings/setting.hpp"
 
@@ -41,6 +42,8 @@ struct ToolSettings {
   std::optional<double> point_angle_deg;
   std::size_t tiers = 0;  ///< 0: not given
   std::string profile;    ///< file
+  std::optional<ShankKind> shank;
+  std::optional<double> shank_neck_mm;
   std::optional<HandleKind> handle;
   std::optional<double> handle_length_mm, handle_neck_mm, handle_bend_deg;
   std::optional<double> spindle_rpm;

@@ -79,7 +79,8 @@ void ContactStages::exchange_materials(ContactMaterials& materials) noexcept {
   const double share = cutting_share_;
   set_cutting_share(1);
   std::swap(materials_, materials);
-  for (std::size_t id = 0; id < materials_.size(); ++id) cutting_ratios_[id] = materials_[id].cutting_ratio;
+  for (std::size_t id = 0; id < materials_.size(); ++id)
+    spinning_ratios_[id] = {materials_[id].cutting_ratio, materials_[id].sliding_ratio};
   damped_ = std::any_of(materials_.begin(), materials_.end(), [](const auto& m) { return m.damping != 0; });
   any_chips_ = std::any_of(materials_.begin(), materials_.end(),
                            [](const auto& m) { return m.edge_length > 0 || m.size_length > 0; });
@@ -122,13 +123,14 @@ void ContactStages::set_friction(MaterialId id, const DryFriction& friction) noe
   ContactMaterial& material = materials_[id];
   material.static_friction = float(friction.static_friction);
   material.dynamic_friction = float(friction.dynamic_friction);
+  spinning_ratios_[id].sliding = material.dynamic_friction;
+  share_ratios(id);
   material.tangential_stiffness = float(friction.tangential_stiffness);
 }
 
 void ContactStages::set_cutting_share(double share) noexcept {
   if (std::exchange(cutting_share_, share) == share) return;
-  for (std::size_t id = 1; id < materials_.size(); ++id)
-    materials_[id].cutting_ratio = float(share) * cutting_ratios_[id];
+  for (std::size_t id = 1; id < materials_.size(); ++id) share_ratios(id);
 }
 
 std::span<const CuttableBlock> ContactStages::find_blocks(const HeadPlacement& at) noexcept {

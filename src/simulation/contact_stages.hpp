@@ -182,7 +182,14 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   std::shared_ptr<const ForceLaw> law_;  // null: FoundationLaw, for which there are kernels
   Quadrature quadrature_;
   ContactMaterials materials_;
-  std::array<float, 256> cutting_ratios_ = {};                   // [1] of the materials at full spin
+  struct SpinningRatios {
+    float cutting, sliding;  // [1] of a material at full spin
+  };
+  std::array<SpinningRatios, 256> spinning_ratios_ = {};
+  void share_ratios(std::size_t id) noexcept {
+    materials_[id].cutting_ratio = float(cutting_share_) * spinning_ratios_[id].cutting;
+    materials_[id].sliding_ratio = float(cutting_share_) * spinning_ratios_[id].sliding;
+  }
   double cutting_share_ = 1;                                     // [1] of them that holds now
   bool damped_ = false;                                          // some material has damping
   bool any_chips_ = false;                                       // the energy of some material depends on the chip

@@ -59,14 +59,14 @@ void Simulation::State::turn_head(HeadMotion& motion) const noexcept {
 
 /// [rad/s] Fast enough beside a hand that all of the head's surface slips along the spin.
 double Simulation::State::turning_spin() const noexcept {
-  return std::copysign(std::min(std::abs(motor.setting()), kTurningSpeed / tool.head().largest_radius()),
+  return std::copysign(std::min(std::abs(motor.setting()), kTurningSpeed / tool.head().cutting_radius()),
                        motor.setting());
 }
 
 /// How much of the cutting ratio acts: all but what dry friction has of a slow head, or what the motor can hold.
 void Simulation::State::share_cutting() noexcept {
   cutting_share = motor.stalled() ? std::min(1.0, motor.stall_torque() / load.torque)
-                                  : 1 - standing_share(motor.speed(), tool.head().largest_radius());
+                                  : 1 - standing_share(motor.speed(), tool.head().cutting_radius());
   contact_stages.set_cutting_share(cutting_share);
 }
 

@@ -18,7 +18,7 @@ void Simulation::State::add_friction(const SubStep& sub_step, Encounter& encount
 /// @return about To, in W
 LimitSurface::Outcome Simulation::State::pull_of_anchor(const SubStep& sub_step, const Encounter& encounter,
                                                         LimitSurface& friction) noexcept {
-  const double share = standing_share(motor.speed(), tool.head().largest_radius());
+  const double share = standing_share(motor.speed(), tool.head().cutting_radius());
   SpreadFriction contact;  // none
   if (share > 0 && encounter.resultant.voxels > 0)
     contact = sub_step.head.motion.spin == 0 ? encounter.friction_T : press_standing(sub_step).friction_T;

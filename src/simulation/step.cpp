@@ -98,7 +98,7 @@ void Simulation::State::place_at(const Pose& pose) noexcept {
 /// taken.
 void Simulation::State::follow_jump(const Pose& pose) noexcept {
   const Vec3 shift = pose * tool.X_HT().translation - X_WH * tool.X_HT().translation;
-  if (motor.setting() != 0 && shift.norm() > tool.head().largest_radius() && touches(pose))
+  if (motor.setting() != 0 && shift.norm() > tool.head().cutting_radius() && touches(pose))
     return reject(StepStatus::jump_rejected | StepStatus::tool_waits);
   if (!left_from) left_from = X_WH;
   place_at(pose);
@@ -135,7 +135,7 @@ SubStep Simulation::State::plan_sub_step(const Pose& from, int index, double dur
                           float(duration),
                           float(workpiece.voxel_size()),
                           config.removal,
-                          float(tool.head().largest_radius()),
+                          float(tool.head().cutting_radius()),
                           float(lead)};
   turn_head(sub_step.head.motion);
   return sub_step;
@@ -225,7 +225,7 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   if (encounter.blocks_exhausted) result.status |= StepStatus::blocks_exhausted;
   if (encounter.force_not_finite) result.status |= StepStatus::force_not_finite;
   if (encounter.level_of_detail > 1) result.status |= StepStatus::detail_reduced;
-  if (encounter.energies.cutting > 0 && encounter.engaged_layer() > kThickLayer * tool.head().largest_radius())
+  if (encounter.energies.cutting > 0 && encounter.engaged_layer() > kThickLayer * tool.head().cutting_radius())
     result.status |= StepStatus::engaged_layer_thick;
 }
 

@@ -89,7 +89,8 @@ struct CodesAround {
                                       origin[2] + kBlockEdge * (n % 3 - 1)});
   }
   [[nodiscard]] std::uint32_t at(const std::array<int, 3>& neighbour) const {
-    return codes[std::size_t((neighbour[0] + 1) * 9 + (neighbour[1] + 1) * 3 + neighbour[2] + 1)];
+    const int n = (neighbour[0] + 1) * 9 + (neighbour[1] + 1) * 3 + neighbour[2] + 1;
+    return codes[std::size_t(n)];
   }
 };
 

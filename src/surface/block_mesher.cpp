@@ -142,7 +142,8 @@ class NetBuilder {
 
  private:
   std::uint16_t number_of(const std::array<int, 3>& cell) {
-    std::uint16_t& number = numbers_[std::size_t(((cell[0] + 1) * kCells + cell[1] + 1) * kCells + cell[2] + 1)];
+    const int at = ((cell[0] + 1) * kCells + cell[1] + 1) * kCells + cell[2] + 1;
+    std::uint16_t& number = numbers_[std::size_t(at)];
     if (number == kNoVertex) {
       number = std::uint16_t(net_.vertices.size());
       net_.vertices.push_back(vertex_of(samples_, cell));
@@ -174,7 +175,7 @@ void mesh_block(const BlockSamples& samples, BlockNet& net) {
   NetBuilder builder(samples, net);
   for (int x = 0; x < kBlockEdge; ++x)
     for (int y = 0; y < kBlockEdge; ++y) {
-      const auto i = std::size_t(x + 1), j = std::size_t(y + 1);
+      const std::size_t i = std::size_t(x) + 1, j = std::size_t(y) + 1;
       const std::uint32_t row = inside[i][j];
       const std::array<std::uint32_t, 3> changes = {(row ^ inside[i + 1][j]) & kOwned,
                                                     (row ^ inside[i][j + 1]) & kOwned, (row ^ row >> 1) & kOwned};

@@ -35,7 +35,8 @@ struct StoredBlock {
 
   void set(std::size_t n, MaterialId id, float filled) {
     const float bounded = id == kEmpty ? 0.0F : std::clamp(filled, 0.0F, 1.0F);
-    fill[n] = std::uint16_t(bounded * kFull + 0.5F);
+    const float steps = bounded * kFull + 0.5F;  // the whole part of which is what is next
+    fill[n] = std::uint16_t(steps);
     material[n] = fill[n] == 0 ? kEmpty : id;
   }
 
@@ -73,7 +74,8 @@ struct WaitingPage {
 /// Rounded within its cell, which can be read back from it: position >> 9. So vertices of different cells never
 /// coincide, and one that two blocks or two pages have is the same in both.
 std::int16_t rounded_position(int voxel, float in_cell) {
-  return std::int16_t(kSteps * voxel + std::clamp(int(in_cell * float(kSteps) + 0.5F), 0, kSteps - 1));
+  const float steps = in_cell * float(kSteps) + 0.5F;  // the whole part of which is what is next
+  return std::int16_t(kSteps * voxel + std::clamp(int(steps), 0, kSteps - 1));
 }
 
 void copy_view(const BlockView& view, StoredBlock& block) {
@@ -195,7 +197,8 @@ struct SurfaceStream::State {
             return;
           }
           const StoredBlock& block = *stored[code - BlockCodes::kMixed];
-          for (int n = 0; n < count; ++n) fill[n] = float(block.fill[std::size_t(first + n)]) * (1 / kFull);
+          for (int n = 0; n < count; ++n)
+            fill[n] = float(block.fill[std::size_t(first) + std::size_t(n)]) * (1 / kFull);
           std::copy_n(&block.material[std::size_t(first)], count, material);
         });
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tool/meridian.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "hapticut/core/errors.hpp"
@@ -80,17 +81,18 @@ Vec2 MeridianEdge::at_angle(double angle) const {
   return center + radius() * Vec2(std::cos(absolute), std::sin(absolute));
 }
 
-bool MeridianCurve::in_charge(const Vec2& x) const {
+bool MeridianCurve::in_charge(const Vec2& x, double reach) const {
   // Neighbours overlap by rounding, so that a point between them, or on the axis, has one of them.
-  const double slack = kRounding * (edge.to - edge.from).norm();
+  const double slack = kRounding * (edge.to - edge.from).norm() + reach;
   if (kind == Kind::corner) return edge.end_tangent.dot(x - point) >= -slack && next.dot(x - point) <= slack;
   if (kind == Kind::line) {
     const double along = edge.start_tangent.dot(x - point);
     return along >= low - slack && along <= high + slack;
   }
-  if ((x - edge.center).norm() < kRounding * edge.radius()) return true;  // the centre lies in no direction
-  const double angle = edge.angle_of(x);
-  const auto within = [&](double a) { return a >= low - kRounding && a <= high + kRounding; };
+  const double distance = (x - edge.center).norm();
+  if (distance < kRounding * edge.radius() + reach) return true;  // the centre lies in no direction
+  const double angle = edge.angle_of(x), turn = kRounding + std::asin(reach / distance);
+  const auto within = [&](double a) { return a >= low - turn && a <= high + turn; };
   return within(angle) || within(angle - 2 * kPi);
 }
 
@@ -195,57 +197,74 @@ void Meridian::check_crossings() const {
     }
 }
 
-void Meridian::make_curves() {
+/// A hollow corner between two edges of a kind, which are both at their ends there.
+void Meridian::add_corner(const MeridianEdge& before, const Vec2& point, const Vec2& next) {
+  if (cross(before.end_tangent, next) < -kRounding)
+    curves_.push_back({MeridianCurve::Kind::corner, before, point, next, 0, 0});
+}
+
+/// Whether a straight edge's line has the whole body on its left. If so it can be taken to go on: what it adds lies
+/// outside.
+bool Meridian::bounds_all(const MeridianEdge& edge) const {
+  if (!edge.straight()) return false;
+  const Vec2 normal = left_of(edge.start_tangent);
+  const auto inside = [&](const Vec2& p) { return normal.dot(p - edge.from) >= -kRounding * size_; };
+  return std::all_of(edges_.begin(), edges_.end(), [&](const MeridianEdge& e) {
+    if (!inside(e.to) || !inside(e.from)) return false;
+    if (e.straight() || e.curvature < 0) return true;
+    const Vec2 outermost = e.center - e.radius() * normal;
+    return e.angle_of(outermost) > std::abs(e.sweep) || inside(outermost);
+  });
+}
+
+/// @param begins_before, goes_on  a line is in charge before its start, or beyond its end
+void Meridian::add_edge(const MeridianEdge& edge, bool begins_before, bool goes_on) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const auto cuts = [&](std::size_t i) { return edges_[i].kind == EdgeKind::cutting; };
-  const auto add_corner = [&](const MeridianEdge& before, const Vec2& point, const Vec2& next) {
-    if (cross(before.end_tangent, next) < -kRounding)
-      curves_.push_back({MeridianCurve::Kind::corner, before, point, next, 0, 0});
-  };
+  MeridianCurve curve;
+  curve.edge = edge;
+  curve.point = edge.from;
+  curve.kind = edge.straight() ? MeridianCurve::Kind::line : MeridianCurve::Kind::arc;
+  curve.low = begins_before ? -kInfinity : 0;
+  curve.high = goes_on ? kInfinity : edge.straight() ? (edge.to - edge.from).norm() : std::abs(edge.sweep);
+  curves_.push_back(curve);
+}
+
+void Meridian::make_curves() {
   const auto mirrored = [](const Vec2& tangent) { return Vec2(tangent.x(), -tangent.y()); };
-  // Whether the cutting edge's line or circle stays out of the body beyond its end at a smooth edge, see ProfileHead.
-  const auto goes_on = [&](const MeridianEdge& e, double turn) {
-    if (e.straight()) return turn > kRounding;
-    return e.curvature > 0 && e.center.x() <= kRounding * size_;
-  };
   const auto add_end = [&](const MeridianEdge& e, const Vec2& point, const Vec2& beyond) {
     MeridianEdge before = e;
     before.end_tangent = beyond;
     curves_.push_back({MeridianCurve::Kind::corner, before, point, -beyond, 0, 0});
   };
   for (std::size_t i = 0; i < edges_.size(); ++i) {
-    if (!cuts(i)) continue;
     const MeridianEdge& e = edges_[i];
-    const bool first = i == 0, last = i + 1 == edges_.size();
-    const bool smooth_before = !first && !cuts(i - 1), smooth_after = !last && !cuts(i + 1);
-    const bool free_start = smooth_before && goes_on(e, cross(edges_[i - 1].end_tangent, e.start_tangent));
-    const bool free_end = smooth_after && goes_on(e, cross(e.end_tangent, edges_[i + 1].start_tangent));
+    const bool first = i == 0, last = i + 1 == edges_.size(), cuts = e.kind == EdgeKind::cutting;
+    // Where the kind changes, the cutting edge's end is nearer than the other's, whose depth grows faster.
+    const bool ends_before = !first && edges_[i - 1].kind != e.kind, ends = !last && edges_[i + 1].kind != e.kind;
+    // From which the body turns away, so that nothing of it is on the line.
+    const bool bounds = cuts && (ends_before || ends) && bounds_all(e);
+    const bool begins_before = bounds && ends_before && cross(edges_[i - 1].end_tangent, e.start_tangent) > kRounding;
+    const bool goes_on = bounds && ends && cross(e.end_tangent, edges_[i + 1].start_tangent) > kRounding;
     if (first) {  // a hollow tip: the corner with the other half of the meridian
       MeridianEdge other = e;
       other.end_tangent = mirrored(e.start_tangent);
       add_corner(other, e.from, e.start_tangent);
-    } else if (!smooth_before) {
+    } else if (!ends_before) {
       add_corner(edges_[i - 1], e.from, e.start_tangent);
-    } else if (!free_start) {
+    } else if (cuts && !begins_before) {
       add_end(e, e.from, -e.start_tangent);
     }
-    MeridianCurve curve;
-    curve.edge = e;
-    curve.point = e.from;
-    if (e.straight()) {
-      curve.kind = MeridianCurve::Kind::line;
-      curve.low = free_start ? -kInfinity : 0;
-      curve.high = free_end ? kInfinity : (e.to - e.from).norm();
-    } else {
-      curve.kind = MeridianCurve::Kind::arc;
-      const double sweep = std::abs(e.sweep), half_turn = std::max(sweep, kPi);
-      curve.low = free_start ? (free_end ? -2 * kPi : sweep - half_turn) : 0;
-      curve.high = free_end ? (free_start ? 2 * kPi : half_turn) : sweep;
-    }
-    curves_.push_back(curve);
-    if (smooth_after && !free_end) add_end(e, e.to, e.end_tangent);
+    add_edge(e, begins_before, goes_on);
+    if (ends && cuts && !goes_on) add_end(e, e.to, e.end_tangent);
     if (last) add_corner(e, e.to, mirrored(e.end_tangent));
   }
+}
+
+std::vector<ProfileCorner<double>> Meridian::corners() const {
+  std::vector<ProfileCorner<double>> corners;
+  for (std::size_t i = 1; i < edges_.size(); ++i)
+    if (edges_[i - 1].kind != edges_[i].kind) corners.push_back({edges_[i].from.x(), edges_[i].from.y()});
+  return corners;
 }
 
 std::size_t Meridian::nearest(const Vec2& x) const {
@@ -253,7 +272,7 @@ std::size_t Meridian::nearest(const Vec2& x) const {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t n = 0; n < curves_.size(); ++n) {
     if (!curves_[n].in_charge(x)) continue;
-    const double distance = std::abs(curves_[n].spring(x).depth);
+    const double distance = std::abs(curves_[n].depth(x));
     if (distance < least) {
       least = distance;
       best = n;
@@ -286,6 +305,16 @@ double Meridian::reach() const {
     const double distance = e.center.norm();
     const Vec2 outermost = distance > 0 ? Vec2(e.center / distance * (distance + e.radius())) : e.to;
     if (e.angle_of(outermost) <= std::abs(e.sweep)) most = std::max(most, outermost.norm());
+  }
+  return most;
+}
+
+double Meridian::cutting_radius() const {
+  double most = 0;
+  for (const MeridianEdge& e : edges_) {
+    if (e.kind == EdgeKind::smooth) continue;
+    most = std::max({most, e.from.x(), e.to.x()});
+    for (const double angle : extreme_angles(e)) most = std::max(most, e.at_angle(angle).x());
   }
   return most;
 }

@@ -33,8 +33,8 @@ struct MeridianEdge {
   [[nodiscard]] Vec2 at_angle(double angle) const;
 };
 
-/// A curve that may be the nearest one, and where it is in charge: the strip of a line, the sector of an arc, the wedge
-/// of a hollow corner or of the end of a cutting edge. Where the cutting surface goes on, so do strip and sector.
+/// A curve that may give the depth, and where it is in charge: the strip of a line, the sector of an arc, the wedge of
+/// a hollow corner or of the end of a cutting edge at a smooth one.
 struct MeridianCurve {
   enum class Kind { line, arc, corner };
   Kind kind = Kind::line;
@@ -42,8 +42,13 @@ struct MeridianCurve {
   Vec2 point = Vec2::Zero();  ///< [m] start; of a corner: the corner
   Vec2 next = Vec2::Zero();   ///< [1] of a corner: tangent of the edge after it
   double low = 0, high = 0;   ///< [m] or [rad] part of the edge's line or circle that is in charge
-  [[nodiscard]] bool in_charge(const Vec2& x) const;
+  /// @param reach  [m] of a point: whether it is at one of the points so near
+  [[nodiscard]] bool in_charge(const Vec2& x, double reach = 0) const;
+  /// Distances, of whatever kind the edge is; MeridianSpring::smooth is not set.
   [[nodiscard]] MeridianSpring<double> spring(const Vec2& x) const;
+  [[nodiscard]] bool smooth() const { return edge.kind == EdgeKind::smooth; }
+  [[nodiscard]] double scale() const { return smooth() ? kSmoothScale : 1; }
+  [[nodiscard]] double depth(const Vec2& x) const { return scale() * spring(x).depth; }  ///< [m] w
 };
 
 class Meridian {
@@ -52,7 +57,7 @@ class Meridian {
   explicit Meridian(const Profile& profile);
 
   [[nodiscard]] const std::vector<MeridianEdge>& edges() const { return edges_; }
-  /// Of the cutting edges, along the meridian.
+  /// Along the meridian.
   [[nodiscard]] const std::vector<MeridianCurve>& curves() const { return curves_; }
 
   [[nodiscard]] double radius() const { return radius_; }  ///< [m] largest rho
@@ -61,15 +66,22 @@ class Meridian {
   [[nodiscard]] double size() const { return size_; }      ///< [m] larger of radius and height
   [[nodiscard]] double volume() const;                     ///< [m^3]
   [[nodiscard]] double reach() const;                      ///< [m]
+  [[nodiscard]] double cutting_radius() const;             ///< [m] largest rho of the cutting edges
   [[nodiscard]] std::vector<ProfilePiece<double>> pieces() const;
 
   static constexpr std::size_t kNone = ~std::size_t(0);
-  /// The curve whose surface is nearest; kNone when none is in charge.
+  /// The corners where a cutting edge meets a smooth one.
+  [[nodiscard]] std::vector<ProfileCorner<double>> corners() const;
+
+  /// The curve of least depth; kNone when none is in charge.
   [[nodiscard]] std::size_t nearest(const Vec2& x) const;
 
  private:
   void make_edges(const Profile& profile);
   void make_curves();
+  void add_corner(const MeridianEdge& before, const Vec2& point, const Vec2& next);
+  void add_edge(const MeridianEdge& edge, bool begins_before, bool goes_on);
+  [[nodiscard]] bool bounds_all(const MeridianEdge& edge) const;
   void check_orientation() const;
   void check_crossings() const;
 

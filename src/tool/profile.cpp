@@ -11,6 +11,7 @@ ProfileHead::ProfileHead(Profile profile, double tolerance) : profile_(std::move
   auto meridian = std::make_shared<const detail::Meridian>(profile_);
   volume_ = meridian->volume();
   reach_ = meridian->reach();
+  cutting_radius_ = meridian->cutting_radius();
   table_ = std::make_shared<const ProfileTable>(detail::make_profile_table(*meridian, tolerance));
   meridian_ = std::move(meridian);
 }
@@ -20,7 +21,12 @@ MeridianSpring<double> ProfileHead::exact_spring(double rho, double z) const {
   const MeridianSpring<double> none = {-1, 1, 0};
   if (!(ProfileSprings<double>(*table_).margin(rho, z) > 0)) return none;
   const std::size_t curve = meridian_->nearest(x);
-  return curve == detail::Meridian::kNone ? none : meridian_->curves()[curve].spring(x);
+  if (curve == detail::Meridian::kNone) return none;
+  const detail::MeridianCurve& nearest = meridian_->curves()[curve];
+  MeridianSpring<double> spring = nearest.spring(x);
+  spring.depth *= nearest.scale();
+  if (nearest.smooth()) spring.smooth = ProfileSprings<double>(*table_).square_from_corner(rho, z);
+  return spring;
 }
 
 }  // namespace hapticut

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which curves decide in which cell. Every cell is sampled at 25 points, whose exact depths are known from the
 // meridian; of all the ways that the curves near the cell can decide, the one with the smallest error is kept. Where a
-// curve that may be nearest is left out, 289 points bound the error, and the cells are halved until it is within the
-// tolerance.
+// curve that may give the depth is left out, 1089 points bound the error, and the cells are halved until it is within
+// the tolerance.
 #include "hapticut/tool/profile_table.hpp"
 
 #include <string>
@@ -19,10 +19,10 @@ constexpr double kSlabRounding = 1e-5;  // [1] of the size: more than single pre
 constexpr std::size_t kMostCells = 1U << 20U;
 constexpr int kTile = 8;            // cells along the edge of a tile, for which curves are preselected
 constexpr int kSamples = 5;         // along the edge of a cell, to choose
-constexpr int kFineSamples = 17;    // along the edge of a cell, to bound the error
+constexpr int kFineSamples = 33;    // along the edge of a cell, to bound the error
 constexpr int kEdgeSamples = 1000;  // along an edge
-// Two depths, each changing by at most one per unit of length, between a point and the nearest sample.
-constexpr double kBetweenFineSamples = 2 * 0.70710678 / (kFineSamples - 1);  // [1] of the cell size
+// Two depths, each changing by at most kSmoothScale per unit of length, between a point and the nearest sample.
+constexpr double kBetweenFineSamples = 2 * kSmoothScale * 0.70710678 / (kFineSamples - 1);  // [1] of the cell size
 
 using Curves = std::vector<std::uint32_t>;
 
@@ -40,15 +40,27 @@ class TableBuilder {
     t_.bottom = meridian.bottom();
     t_.top = meridian.top();
     t_.exact_pieces = meridian.pieces();
+    t_.exact_corners = meridian.corners();
     write_curves();
     copy_to_single();
   }
 
+  /// @param cell_size  [m] half of that before, or the first
   void divide(double cell_size) {
+    const std::vector<std::uint32_t> cells_before = std::move(t_.cells);
+    const std::vector<bool> settled_before = std::move(settled_);
+    const int columns_before = t_.columns;
     t_.cell_size = cell_size;
     t_.columns = int(std::ceil(t_.radius / cell_size));
     t_.rows = int(std::ceil((t_.top - t_.bottom) / cell_size));
     t_.cells.assign(std::size_t(t_.columns) * std::size_t(t_.rows), 0);
+    settled_.assign(t_.cells.size(), false);
+    for (std::size_t n = 0; !settled_before.empty() && n < t_.cells.size(); ++n) {
+      const std::size_t row = n / std::size_t(t_.columns) / 2, column = n % std::size_t(t_.columns) / 2;
+      const std::size_t parent = row * std::size_t(columns_before) + column;
+      settled_[n] = settled_before[parent];
+      if (settled_[n]) t_.cells[n] = cells_before[parent];
+    }
     t_.error = 0;
     for (int row = 0; row < t_.rows; row += kTile)
       for (int column = 0; column < t_.columns; column += kTile) fill_tile(column, row);
@@ -63,34 +75,29 @@ class TableBuilder {
   [[nodiscard]] double error() const { return t_.error; }
 
  private:
-  void add_curve(const Vec2& p, const Vec2& m, double k) {
+  void add_curve(const Vec2& p, const Vec2& m, double k, double scale) {
     ProfileCurves<double>& c = t_.exact_curves;
     c.rho.push_back(p.x());
     c.z.push_back(p.y());
     c.normal_rho.push_back(m.x());
     c.normal_z.push_back(m.y());
     c.curvature.push_back(k);
+    c.scale.push_back(scale);
   }
 
   void write_curves() {
-    add_curve(Vec2::Zero(), Vec2::Zero(), 0);
+    add_curve(Vec2::Zero(), Vec2::Zero(), 0, 1);
     for (const MeridianCurve& curve : meridian_.curves()) {
       if (curve.kind == MeridianCurve::Kind::corner) {
         const double radius = kCornerRadius * meridian_.size();
         const Vec2 normal = left_of(curve.edge.end_tangent);
-        add_curve(curve.point + radius * normal, normal, -1 / radius);
+        add_curve(curve.point + radius * normal, normal, -1 / radius, curve.scale());
       } else {
-        add_curve(curve.point, left_of(curve.edge.start_tangent), curve.edge.curvature);
+        add_curve(curve.point, left_of(curve.edge.start_tangent), curve.edge.curvature, curve.scale());
       }
     }
-    first_gate_ = std::uint32_t(t_.exact_curves.rho.size());
-    for (const MeridianEdge& e : meridian_.edges())
-      if (e.kind == EdgeKind::smooth) {
-        gate_edges_.push_back(&e);
-        add_curve(e.from, left_of(e.start_tangent), e.curvature);
-      }
     t_.curve_count = t_.exact_curves.rho.size();
-    while (t_.exact_curves.rho.size() % 16 != 0) add_curve(Vec2::Zero(), Vec2::Zero(), 0);
+    while (t_.exact_curves.rho.size() % 16 != 0) add_curve(Vec2::Zero(), Vec2::Zero(), 0, 1);
   }
 
   void copy_to_single() {
@@ -102,6 +109,8 @@ class TableBuilder {
     copy(t_.exact_curves.normal_rho, t_.curves.normal_rho);
     copy(t_.exact_curves.normal_z, t_.curves.normal_z);
     copy(t_.exact_curves.curvature, t_.curves.curvature);
+    copy(t_.exact_curves.scale, t_.curves.scale);
+    for (const ProfileCorner<double>& c : t_.exact_corners) t_.corners.push_back({float(c.rho), float(c.z)});
     for (const ProfilePiece<double>& p : t_.exact_pieces)
       t_.pieces.push_back({float(p.rho_0), float(p.z_0), float(p.rho_1), float(p.z_1), float(p.center_rho),
                            float(p.center_z), float(p.radius), float(p.turn), float(p.side)});
@@ -125,26 +134,42 @@ class TableBuilder {
     }
   }
 
-  /// Sets ProfileTable::everywhere.
+  /// Sets ProfileTable::everywhere and lid.
   void find_rule() {
     Curves used;
     const auto use = [&](std::uint32_t curve) {
       if (curve != 0 && std::find(used.begin(), used.end(), curve) == used.end()) used.push_back(curve);
     };
     for (const std::uint32_t cell : t_.cells) {
-      if (ProfileCell::rule(cell) == CellRule::gate) return;
       use(ProfileCell::first(cell));
       if (ProfileCell::rule(cell) != CellRule::first) use(ProfileCell::second(cell));
-      if (used.size() > 2) return;
+      if (used.size() > 3) return;
     }
+    if (used.size() < 3) {
+      find_rule_of(used, 0);
+      return;
+    }
+    for (const std::uint32_t lid : used) {
+      Curves others = used;
+      std::erase(others, lid);
+      if (find_rule_of(others, lid)) return;
+    }
+  }
+
+  bool find_rule_of(const Curves& curves, std::uint32_t lid) {
     Curves rules;
-    for (const std::uint32_t a : used) rules.push_back(ProfileCell::pack(a, a, CellRule::first));
+    for (const std::uint32_t a : curves) rules.push_back(ProfileCell::pack(a, a, CellRule::first));
     for (const CellRule rule : {CellRule::sides, CellRule::nearer, CellRule::farther})
-      for (const std::uint32_t a : used)
-        for (const std::uint32_t b : used)
+      for (const std::uint32_t a : curves)
+        for (const std::uint32_t b : curves)
           if (a != b) rules.push_back(ProfileCell::pack(a, b, rule));
-    const auto right = std::find_if(rules.begin(), rules.end(), [&](auto rule) { return decides_everywhere(rule); });
-    if (right != rules.end()) t_.everywhere = *right;
+    t_.lid = lid;
+    for (const std::uint32_t rule : rules) {
+      t_.everywhere = rule;
+      if (decides_everywhere(rule)) return true;
+    }
+    t_.everywhere = t_.lid = 0;
+    return false;
   }
 
   [[nodiscard]] bool decides_everywhere(std::uint32_t rule) const {
@@ -198,18 +223,27 @@ class TableBuilder {
 
   /// Signed depth below a curve's line or circle, wherever it is in charge.
   [[nodiscard]] double below(std::uint32_t curve, const Vec2& x) const {
-    return meridian_.curves()[curve - 1].spring(x).depth;
+    return meridian_.curves()[curve - 1].depth(x);
   }
 
-  /// Those of `curves` that may be nearest somewhere within `reach` of a point: the distance to a curve changes by at
-  /// most one per unit of length.
+  /// Those of `curves` that may give the depth somewhere within `reach` of a point: each depth changes by at most the
+  /// curve's scale per unit of length.
   [[nodiscard]] Curves may_be_nearest(const Curves& curves, const Vec2& middle, double reach) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t n : curves)
-      if (meridian_.curves()[n - 1].in_charge(middle)) least = std::min(least, std::abs(below(n, middle)));
+    double steepest = kSmoothScale;  // how fast the least grows
+    for (const std::uint32_t n : curves) {
+      const MeridianCurve& curve = meridian_.curves()[n - 1];
+      const double depth = std::abs(below(n, middle));
+      if (!(depth < least) || !curve.in_charge(middle)) continue;
+      least = depth;
+      steepest = curve.scale();
+    }
     Curves kept;
-    for (const std::uint32_t n : curves)
-      if (std::abs(below(n, middle)) <= least + 2 * reach) kept.push_back(n);
+    for (const std::uint32_t n : curves) {
+      const MeridianCurve& curve = meridian_.curves()[n - 1];
+      if (std::abs(below(n, middle)) <= least + (steepest + curve.scale()) * reach && curve.in_charge(middle, reach))
+        kept.push_back(n);
+    }
     return kept;
   }
 
@@ -224,16 +258,24 @@ class TableBuilder {
     const double half = kTile * t_.cell_size / 2;
     const Curves near = may_be_nearest(all, corner_of(column, row) + Vec2::Constant(half), std::sqrt(2.0) * half);
     for (int j = row; j < std::min(row + kTile, t_.rows); ++j)
-      for (int i = column; i < std::min(column + kTile, t_.columns); ++i)
-        t_.cells[std::size_t(j) * std::size_t(t_.columns) + std::size_t(i)] = best_cell(near, i, j);
+      for (int i = column; i < std::min(column + kTile, t_.columns); ++i) {
+        const std::size_t n = std::size_t(j) * std::size_t(t_.columns) + std::size_t(i);
+        if (!settled_[n]) t_.cells[n] = best_cell(near, i, j);
+      }
   }
 
+  /// A cell off the surface that is right about all its points, of all curves near it, is settled: its parts will be
+  /// the same.
   [[nodiscard]] std::uint32_t best_cell(const Curves& near_tile, int column, int row) {
+    const std::size_t number = std::size_t(row) * std::size_t(t_.columns) + std::size_t(column);
     const ProfileSprings<double> springs(t_);
     const double h = t_.cell_size, reach = h * std::sqrt(0.5);
     const Vec2 corner = corner_of(column, row), middle = corner + Vec2::Constant(h / 2);
     const double margin = springs.margin(middle.x(), middle.y());
-    if (margin < -reach * 1.001) return 0;
+    if (margin < -reach * 1.001) {
+      settled_[number] = true;
+      return 0;
+    }
     const bool on_surface = margin < reach * 1.001;
     const Curves near = may_be_nearest(near_tile, middle, reach);
 
@@ -260,28 +302,29 @@ class TableBuilder {
         for (const std::uint32_t a : nearest)
           for (const std::uint32_t b : nearest)
             if (a != b && consider(ProfileCell::pack(a, b, rule))) return;
-      if (!on_surface) return;
-      for (std::uint32_t g = 0; g < gate_edges_.size(); ++g)
-        for (const std::uint32_t a : nearest)
-          if (consider(ProfileCell::pack(a, first_gate_ + g, CellRule::gate))) return;
     };
     choose();
-    t_.error = std::max(t_.error, bound_of(best, corner, near, on_surface));
+    const double bound = bound_of(best, corner, near, on_surface);
+    t_.error = std::max(t_.error, bound);
+    settled_[number] = !on_surface && bound <= exact && is_complete(best, near);
     return best;
   }
 
-  [[nodiscard]] double bound_of(std::uint32_t cell, const Vec2& corner, const Curves& near, bool on_surface) const {
+  /// Whether a cell has all of the curves.
+  [[nodiscard]] static bool is_complete(std::uint32_t cell, const Curves& near) {
     const std::uint32_t a = ProfileCell::first(cell), b = ProfileCell::second(cell);
-    const bool complete = std::all_of(near.begin(), near.end(), [&](std::uint32_t n) { return n == a || n == b; }) &&
-                          !(on_surface && !gate_edges_.empty());
+    return std::all_of(near.begin(), near.end(), [&](std::uint32_t n) { return n == a || n == b; });
+  }
+
+  [[nodiscard]] double bound_of(std::uint32_t cell, const Vec2& corner, const Curves& near, bool on_surface) const {
     Curves nearest;
     const std::vector<Sample> samples =
-        take_samples(corner, complete ? kSamples : kFineSamples, near, on_surface, nearest);
+        take_samples(corner, is_complete(cell, near) ? kSamples : kFineSamples, near, on_surface, nearest);
     const double error = error_of(ProfileSprings<double>(t_), samples, cell);
     return error <= kExact * meridian_.size() ? error : error + kBetweenFineSamples * t_.cell_size;
   }
 
-  /// Also collects the curves that are nearest at one of the samples.
+  /// Also collects the curves that give the depth at one of the samples.
   [[nodiscard]] std::vector<Sample> take_samples(const Vec2& corner, int count, const Curves& near, bool on_surface,
                                                  Curves& nearest) const {
     const ProfileSprings<double> springs(t_);
@@ -316,7 +359,7 @@ class TableBuilder {
     std::sort(close.begin(), close.end(), [&](std::uint32_t a, std::uint32_t b) {
       return std::abs(below(a, middle)) < std::abs(below(b, middle));
     });
-    close.resize(std::min<std::size_t>(close.size(), 4));
+    if (close.size() > 4) close.erase(close.begin() + 4, close.end());
     for (const std::uint32_t c : close)
       if (std::find(nearest.begin(), nearest.end(), c) == nearest.end()) nearest.push_back(c);
   }
@@ -336,8 +379,7 @@ class TableBuilder {
 
   const Meridian& meridian_;
   ProfileTable t_;
-  std::uint32_t first_gate_ = 0;
-  std::vector<const MeridianEdge*> gate_edges_;
+  std::vector<bool> settled_;  // by cell
 };
 
 }  // namespace

@@ -330,12 +330,12 @@ std::vector<Island> IslandFinder::find() {
   }
   search.grow_until_settled();
   std::vector<Island> islands;
-  for (IslandSearch::Parts& parts : search.islands()) islands.push_back(take_out(std::move(parts)));
+  for (const IslandSearch::Parts& parts : search.islands()) islands.push_back(take_out(parts));
   return islands;
 }
 
 /// A piece as an island, with the blocks around it that may hold its skin; it is taken to be gone.
-Island IslandFinder::take_out(std::vector<std::pair<std::size_t, BlockMask>> parts) {
+Island IslandFinder::take_out(const std::vector<std::pair<std::size_t, BlockMask>>& parts) {
   std::map<std::size_t, BlockMask> all;
   for (const auto& [block, voxels] : parts) {
     solid_[block] = without(solid_[block], voxels);
@@ -363,7 +363,7 @@ std::vector<Island> find_islands(const Workpiece& workpiece, const IslandOptions
     search.grow_all();
   }
   std::vector<Island> islands;
-  for (IslandSearch::Parts& parts : search.islands()) islands.push_back(finder.take_out(std::move(parts)));
+  for (const IslandSearch::Parts& parts : search.islands()) islands.push_back(finder.take_out(parts));
   return islands;
 }
 

@@ -23,12 +23,11 @@ using units::mm;
 struct NamedHead {
   std::string name;
   std::function<ToolHead()> make;
-  bool springs_fill_it = true;   ///< false: parts behind smooth edges have none
   bool springs_push_out = true;  ///< false: it has hollows whose walls face the axis
 };
 
-NamedHead profile(const test::NamedProfile& p, bool springs_fill_it = true) {
-  return {"Profile" + p.name, [p] { return ToolHead(ProfileHead(p.profile)); }, springs_fill_it, p.name != "Hollow"};
+NamedHead profile(const test::NamedProfile& p) {
+  return {"Profile" + p.name, [p] { return ToolHead(ProfileHead(p.profile)); }, p.name != "Hollow"};
 }
 
 std::vector<NamedHead> heads() {
@@ -42,7 +41,7 @@ std::vector<NamedHead> heads() {
                                 {"FlatBoth", of(FlatHead{0.8 * mm, 2 * mm, FlatRule::both})},
                                 {"FlatDisc", of(FlatHead{2 * mm, 0.4 * mm})}};
   for (const auto& p : test::closed_profiles()) all.push_back(profile(p));
-  for (const auto& p : test::profiles_with_smooth_edges()) all.push_back(profile(p, p.name != "Neck"));
+  for (const auto& p : test::profiles_with_smooth_edges()) all.push_back(profile(p));
   for (const test::CatalogueHead& head : test::catalogue_heads()) all.push_back({"Catalogue_" + head.name, head.make});
   return all;
 }
@@ -101,6 +100,16 @@ TEST_P(HeadContract, DirectionIsAUnitVectorWhereThereIsASpring) {
   });
 }
 
+TEST_P(HeadContract, DepthIsNothingAllOverItsSurfaceSoThatForcesMakeNoEnergy) {
+  const auto* flat = std::get_if<FlatHead>(&head().shape());
+  if (flat != nullptr && flat->rule != FlatRule::nearest) GTEST_SKIP() << "these rules are not conservative";
+  for_points([&](double rho, double z) {
+    const double m = margin(rho, z);
+    if (m <= 0) return;
+    ASSERT_LE(spring<double>(rho, z).depth, kSmoothScale * m + surface_error()) << rho << " " << z;
+  });
+}
+
 TEST_P(HeadContract, NoSpringReachesOutOfTheBox) {
   const HeadBox box = head().bounding_box();
   for_points([&](double rho, double z) {
@@ -116,7 +125,7 @@ TEST_P(HeadContract, SpringAndMarginAgreeOnWhatIsInside) {
     if (std::abs(m) <= surface_error()) return;
     if (spring<double>(rho, z).depth > 0) {
       ASSERT_GT(m, 0) << rho << " " << z;
-    } else if (GetParam().springs_fill_it) {
+    } else {
       ASSERT_LT(m, 0) << rho << " " << z;
     }
   });
@@ -125,7 +134,7 @@ TEST_P(HeadContract, SpringAndMarginAgreeOnWhatIsInside) {
 // The hot loop is in single precision: its depth is that of double precision up to the rounding of coordinates as large
 // as the head, a few units in the last place of the reach.
 TEST_P(HeadContract, SinglePrecisionGivesTheSameAnswerWithinRounding) {
-  const double rounding = 4 * double(std::numeric_limits<float>::epsilon()) * 1.3 * head().reach();
+  const double rounding = 4 * kSmoothScale * double(std::numeric_limits<float>::epsilon()) * 1.3 * head().reach();
   for_points([&](double rho, double z) {
     const MeridianSpring<double> exact = spring<double>(rho, z);
     const MeridianSpring<float> fast = spring<float>(rho, z);

@@ -15,6 +15,12 @@ namespace hapticut {
 /// finite.
 inline constexpr double kSoftestContact = 1, kStiffestContact = 1e25;
 
+/// [Pa] What a fast cut presses with at its rim. The corner of a cutting edge leaves the wall proud of the smooth side
+/// by about the depth of that layer, sqrt(2 p/k_v), and three of those are cut away behind it: with one and a half the
+/// torque of a drill in its hole is 20 % too high, with three it is right within 1 %.
+inline constexpr double kPressureOfLand = 1e6;
+inline constexpr double kLayersOfLand = 3;
+
 /// [1] Of the stiffest material.
 [[nodiscard]] inline double largest_relative_stiffness(const MaterialTable& table) {
   double largest = 0;
@@ -45,6 +51,8 @@ inline constexpr double kSoftestContact = 1, kStiffestContact = 1e25;
                                   float(m.size_length),
                                   m.compressive_strength > 0 ? float(std::sqrt(2 * m.compressive_strength / stiffness))
                                                              : ContactMaterial::kNeverCrushed};
+    constants[std::size_t(id)].sliding_ratio = float(m.dynamic_friction);
+    constants[std::size_t(id)].land = float(kLayersOfLand * std::sqrt(2 * kPressureOfLand / stiffness));
   }
   return constants;
 }

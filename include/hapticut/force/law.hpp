@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "hapticut/core/description.hpp"
@@ -40,7 +41,15 @@ struct ContactMaterial {
   float static_friction = 0;               ///< [1] mu_s
   float dynamic_friction = 0;              ///< [1] mu_d
   float tangential_stiffness = 0;          ///< [N/m] k_t
-  static constexpr float kNeverCrushed = 1e3F;
+  float sliding_ratio = 0;                 ///< [1] kappa of smooth surfaces: mu_d
+  float land = 0;                          ///< [m] how far from a cutting edge smooth surfaces cut
+  static constexpr float kNeverCrushed = 1e3F, kNeverCut = 1e3F;
+
+  /// [m^2] MeridianSpring::smooth up to which a surface cuts: never within less than two voxels.
+  [[nodiscard]] float square_of_land(float voxel_size) const {
+    const float most = std::max(land, 2 * voxel_size);
+    return most * most;
+  }
 };
 using ContactMaterials =
     std::array<ContactMaterial, 256>;  ///< by MaterialId; entry 0 has no stiffness and costs 1 J/m^3
@@ -55,7 +64,7 @@ struct HeadMotion {
   float duration;                         ///< [s]
   float voxel_size;                       ///< [m] l
   RemovalLaw removal;
-  float head_radius = 0;  ///< [m] largest radius of the head
+  float head_radius = 0;  ///< [m] largest radius of what cuts of the head
   float lead = 0;         ///< [1] of the sub-step that the contact is evaluated after its middle; 0.5: at its end
   /// n: an n-th of the samples is evaluated in a sub-step, in turn, and makes up for the slip of n of them.
   float level_of_detail = 1;

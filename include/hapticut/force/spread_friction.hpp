@@ -53,9 +53,10 @@ struct SpreadFriction {
       const double normal = -n.dot(Vec3(double(b.force_x[at]), double(b.force_y[at]), double(b.force_z[at])));
       if (!(normal > 0)) continue;
       const ContactMaterial& m = materials[b.material_of(i)];
+      const double scale = double(b.scale_of(i));
       add(Vec3(double(b.x[at]), double(b.y[at]), double(b.z[at])), n, normal,
           {double(m.static_friction), double(m.dynamic_friction), double(m.tangential_stiffness)},
-          double(m.stiffness) * double(b.sub_voxel ? b.immersed[at] : b.fill[at]) * volume);
+          scale * scale * double(m.stiffness) * double(b.sub_voxel ? b.immersed[at] : b.fill[at]) * volume);
     }
   }
 

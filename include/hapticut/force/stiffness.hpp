@@ -33,7 +33,7 @@ inline constexpr double kLayerOfRadius = 0.02;  ///< [1] and of the head's radiu
 /// @throws Error when the voxel size is not positive
 [[nodiscard]] inline double stiffness_for_grid(const ToolHead& head, double voxel_size) {
   require_positive(voxel_size, "voxel size [m]");
-  const double layer = std::min(kLayerOfVoxel * voxel_size, kLayerOfRadius * head.largest_radius());
+  const double layer = std::min(kLayerOfVoxel * voxel_size, kLayerOfRadius * head.cutting_radius());
   return 2 * kPressureOfCuts / (layer * layer);
 }
 namespace detail {
@@ -42,7 +42,8 @@ inline constexpr int kSections = 64;  // planes through the head, in each direct
 inline constexpr int kSection = 64;   // points across one of them
 
 // A flat solid that advances by dd into the head adds a slice of thickness dd to what is immersed, so with N the normal
-// of its face, `dF/dd = k_v Int w |n . N| dA` over the section of the head by that face.
+// of its face, `dF/dd = k_v Int s w |n . N| dA` over the section of the head by that face;
+// s is its scale, 1 or kSmoothScale.
 
 /// The integral over the section normal to the axis at height z.  [m^3]
 [[nodiscard]] inline double axial_section(const ToolHead& head, double z, double radius) {
@@ -50,8 +51,8 @@ inline constexpr int kSection = 64;   // points across one of them
   const double step = radius / kSection;
   for (int i = 0; i < kSection; ++i) {
     const double rho = (i + 0.5) * step;
-    const auto [depth, direction] = head.spring_at({rho, 0, z});
-    if (depth > 0) sum += depth * std::abs(direction.z()) * 2 * units::kPi * rho * step;
+    const Spring s = head.spring_at({rho, 0, z});
+    if (s.depth > 0) sum += s.scale() * s.depth * std::abs(s.direction.z()) * 2 * units::kPi * rho * step;
   }
   return sum;
 }
@@ -63,8 +64,8 @@ inline constexpr int kSection = 64;   // points across one of them
   const double dz = (box.max.z() - box.min.z()) / kSection;
   for (int i = 0; i < kSection; ++i)
     for (int k = 0; k < kSection; ++k) {
-      const auto [depth, direction] = head.spring_at({c, (i + 0.5) * dy, box.min.z() + (k + 0.5) * dz});
-      if (depth > 0) sum += depth * std::abs(direction.x());
+      const Spring s = head.spring_at({c, (i + 0.5) * dy, box.min.z() + (k + 0.5) * dz});
+      if (s.depth > 0) sum += s.scale() * s.depth * std::abs(s.direction.x());
     }
   return 2 * sum * dy * dz;
 }
@@ -85,7 +86,7 @@ inline constexpr int kSection = 64;   // points across one of them
   require_positive(std::abs(spindle_speed), "spindle speed [rad/s]");
   require_positive(feed_speed, "feed speed [m/s]");
   require_positive(material.cutting_ratio, "Material::cutting_ratio [1]");
-  const double radius = head.largest_radius(), teeth = tooth_rate(cutter, spindle_speed);
+  const double radius = head.cutting_radius(), teeth = tooth_rate(cutter, spindle_speed);
   const double speed = feed_speed + std::sqrt(material.size_length * teeth * feed_speed) + material.edge_length * teeth;
   return 200 * material.specific_cutting_energy * speed /
          (material.relative_stiffness * material.cutting_ratio * std::abs(spindle_speed) * radius * radius * radius);

@@ -193,8 +193,12 @@ class HeatField {
   void step(double dt);
   void count_dose(double dt);
   [[nodiscard]] double fastest_rate() const;
-  template <class Visit>
-  void visit_around(const Vec3& p_WQ, const Visit& visit) const;
+  struct Around {
+    int count = 0;  // 8, or 0 where there are no cells
+    std::array<std::size_t, 8> cell;
+    std::array<double, 8> weight;  // adding up to 1
+  };
+  [[nodiscard]] Around cells_around(const Vec3& p_WQ) const;
 
   HeatConfig config_;
   GridFrame frame_;

@@ -21,8 +21,13 @@ struct HeadBox {
 
 /// The spring at one point of a head, in T.
 struct Spring {
-  double depth;    ///< [m] below the cutting surface; <= 0: outside, no spring
+  double depth;    ///< [m] w below the surface, see MeridianSpring; <= 0: outside, no spring
   Vec3 direction;  ///< [1] n, a unit vector from the local spring centre through the point, into the material
+  double smooth;   ///< [m^2] as in MeridianSpring
+
+  [[nodiscard]] bool on_smooth() const { return smooth > 0; }
+  /// [1] by which w changes per distance along n: kSmoothScale at smooth surfaces, else 1.
+  [[nodiscard]] double scale() const { return on_smooth() ? kSmoothScale : 1; }
 };
 
 /// The cutting head of a tool: any shape, asked for many points at once.
@@ -72,6 +77,12 @@ class ToolHead {
 
   /// [m] largest radius of the head about its axis: sphere and flat R, cone the base radius, profile the largest rho.
   [[nodiscard]] double largest_radius() const { return bounding_box().max.x(); }
+
+  /// [m] largest radius of what cuts: that of the head without neck and shank.
+  [[nodiscard]] double cutting_radius() const {
+    const auto* profile = as<ProfileHead>();
+    return profile == nullptr ? largest_radius() : profile->cutting_radius();
+  }
 
   /// Shape and size as messages print them: "a cone of half angle 30 deg and height 2 mm".
   [[nodiscard]] std::string description() const {
@@ -129,7 +140,7 @@ class ToolHead {
     const MeridianSpring<double> s =
         visit_springs<double>([&](const auto& springs) { return springs.spring(rho, p_TQ.z()); });
     const double scale = rho > 0 ? s.n_radial / rho : 0.0;
-    return {s.depth, Vec3(scale * p_TQ.x(), scale * p_TQ.y(), s.n_axial)};
+    return {s.depth, Vec3(scale * p_TQ.x(), scale * p_TQ.y(), s.n_axial), s.smooth};
   }
 
  private:

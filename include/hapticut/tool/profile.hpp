@@ -15,8 +15,8 @@ class Meridian;
 
 /// What an edge of a profile does.
 enum class EdgeKind {
-  cutting,  ///< carries springs and cuts
-  smooth    ///< safe-sided or shank: only bounds the head
+  cutting,  ///< presses and cuts
+  smooth    ///< safe-sided, margin, neck or shank: presses and rubs, but cuts only close to a cutting edge
 };
 
 constexpr auto names_of(Of<EdgeKind>) {
@@ -52,14 +52,13 @@ struct Profile {
 
 /// A head of any profile of revolution.
 ///
-/// The depth of a point inside the head is its distance from the nearest cutting surface, `w = min |x - s|`, and the
-/// direction is that from the point to it.
+/// The depth of a point inside the head is its distance from the cutting surface or, if that is less, kSmoothScale
+/// times its distance from the smooth one, and the direction is that from the point to the surface whose it is. So a
+/// ConeHead and a FlatHead are profiles too.
 ///
-/// Where a cutting edge meets a smooth one, the cutting surface is taken to go on as it ends, if that leads out of the
-/// body: a straight edge from which the body turns away goes on as its line, an arc about a centre on the axis or
-/// beyond goes on as its circle. So a ConeHead and a FlatHead are profiles too, and a ball may carry a neck; what lies
-/// beyond the continued surface has no spring. Any other edge ends where it ends, and its end is the nearest point of
-/// what lies behind.
+/// A straight cutting edge that has the whole body on one side goes on as its line beyond a smooth edge that turns away
+/// from it; of any other, the end is the nearest point of what lies behind. A smooth edge cuts within a land of its cutting
+/// neighbours, which finishes the wall that the corner leaves (HeadMotion, ContactMaterial::land).
 class ProfileHead {
  public:
   /// @param tolerance  [1] bound on the error of depths, relative to the smaller of largest radius and height, in
@@ -75,6 +74,8 @@ class ProfileHead {
   [[nodiscard]] double volume() const { return volume_; }  ///< [m^3] inside the profile, exact (Pappus)
   [[nodiscard]] double reach() const { return reach_; }    ///< [m] greatest distance from the frame's origin, exact
 
+  [[nodiscard]] double cutting_radius() const { return cutting_radius_; }  ///< [m] largest rho of what cuts, exact
+
   /// Depth and direction by asking every edge, without the table. For tests and set-up code: O(edges).
   [[nodiscard]] MeridianSpring<double> exact_spring(double rho, double z) const;
 
@@ -83,6 +84,7 @@ class ProfileHead {
   double tolerance_;
   double volume_ = 0;
   double reach_ = 0;
+  double cutting_radius_ = 0;
   std::shared_ptr<const detail::Meridian> meridian_;
   std::shared_ptr<const ProfileTable> table_;
 };

@@ -12,7 +12,7 @@
 #include "hapticut/tool/shapes.hpp"
 
 /// @file
-/// The table behind a ProfileHead: which curve of the meridian is the nearest one, cell by cell.
+/// The table behind a ProfileHead: which curve of the meridian gives the least depth, cell by cell.
 ///
 /// The depth below a meridian of lines and arcs is not smooth (the direction jumps on the medial axis), so values on a
 /// grid would blur it. The table therefore holds no depths but, for each square cell of the (rho, z) half-plane, the
@@ -26,8 +26,7 @@ enum class CellRule : std::uint32_t {
   first,    ///< only the first curve
   nearer,   ///< the one with the smaller depth: a ridge of the medial axis
   farther,  ///< the one with the larger depth: a hollow corner
-  sides,    ///< the second from its starting point on, the first before it: a joint along the meridian
-  gate      ///< the first, but nothing beyond the second, a smooth edge that only bounds the head
+  sides     ///< the second from its starting point on, the first before it: a joint along the meridian
 };
 
 /// One cell packed in 32 bits: the first curve in bits 0-13, the second in bits 14-27, the rule in bits 28-30.
@@ -52,14 +51,22 @@ struct ProfileCell {
 /// curvature k through a point p with the unit normal m that points into the head; k > 0 bulges outwards, k = 0 is a
 /// straight line, k < 0 is hollow, and a hollow corner is a circle of a millionth of the head's size. With q = x - p,
 ///
-///     g = k q - m      depth w = (2 m.q - k q.q) / (1 + |g|)      n = g / |g|
+///     g = k q - m      depth w = s (2 m.q - k q.q) / (1 + |g|)      n = g / |g|
 ///
-/// which is R - |x - c| without its cancellation, and m.q for a line. Curve 0 is all zeros: no depth anywhere.
+/// which is s (R - |x - c|) without its cancellation, and s m.q for a line; s is 1 where the curve cuts and
+/// kSmoothScale where it is smooth. Curve 0 is all zeros: no depth anywhere.
 template <class Real>
 struct ProfileCurves {
   std::vector<Real> rho, z;                ///< [m] starting point p, in the direction from tip to shank
   std::vector<Real> normal_rho, normal_z;  ///< [1] m
   std::vector<Real> curvature;             ///< [1/m] k
+  std::vector<Real> scale;                 ///< [1] s
+};
+
+/// A corner of the meridian where a cutting edge meets a smooth one.
+template <class Real>
+struct ProfileCorner {
+  Real rho, z;  ///< [m]
 };
 
 /// A piece of the whole meridian, monotone in z and in rho, to ask whether a point is inside and how far from the
@@ -80,6 +87,8 @@ struct ProfileTable {
   ProfileCurves<double> exact_curves;  ///< the same in double precision
   std::vector<ProfilePiece<float>> pieces;
   std::vector<ProfilePiece<double>> exact_pieces;
+  std::vector<ProfileCorner<float>> corners;
+  std::vector<ProfileCorner<double>> exact_corners;
 
   /// Cell of column i and row j at `j * columns + i`; it covers rho in [i, i + 1) cell_size and
   /// z in bottom + [j, j + 1) cell_size.
@@ -94,12 +103,13 @@ struct ProfileTable {
   double top = 0;     ///< [m] largest z of the head: from it on there is no spring
 
   /// [m] Bound on the error of depths: the depth given at a point is the exact one within this, or the exact one of a
-  /// point within this distance. From 289 points of each cell that may have an error, and what can lie between them.
+  /// point within this distance. From 1089 points of each cell that may have an error, and what can lie between them.
   double error = 0;
 
   /// The cell that is right about all points within `radius`, `bottom` and `top`, or 0: most burs cut with one curve or
-  /// two, and need no table.
-  std::uint32_t everywhere = 0;
+  /// two, and need no table. Where `lid` is not 0 it is a curve too, and the depth the lesser of its and the cell's:
+  /// the smooth end that most heads have.
+  std::uint32_t everywhere = 0, lid = 0;
 
   /// [m^2] Square of the largest rho in each of a few slabs of equal height between `bottom` and `top`: enough to
   /// tell which points may have a spring. Each slab is grown on all sides by `error`, because that far outside the
@@ -111,19 +121,21 @@ struct ProfileTable {
 /// The part of a profile that the hot loop needs. Points into the table of its head, which must outlive it.
 template <class Real>
 struct ProfileSprings {
-  const Real *rho, *z, *normal_rho, *normal_z, *curvature;
+  const Real *rho, *z, *normal_rho, *normal_z, *curvature, *scale;
   const std::uint32_t *cells, *cells_near;
   const ProfilePiece<Real>* pieces;
-  std::size_t piece_count, curve_count;
+  const ProfileCorner<Real>* corners;
+  std::size_t piece_count, curve_count, corner_count;
   int columns, rows;
-  std::uint32_t everywhere;
+  std::uint32_t everywhere, lid;
   Real cells_per_length;  ///< [1/m]
   Real radius, bottom, top;
 
   explicit ProfileSprings(const ProfileTable& t)
-      : ProfileSprings(t, pick(t.curves, t.exact_curves), pick(t.pieces, t.exact_pieces)) {}
+      : ProfileSprings(t, pick(t.curves, t.exact_curves), pick(t.pieces, t.exact_pieces),
+                       pick(t.corners, t.exact_corners)) {}
 
-  /// Signed depth below one curve and the direction there.
+  /// Signed depth below one curve and the direction there; MeridianSpring::smooth is not set.
   [[nodiscard]] MeridianSpring<Real> below(std::uint32_t curve, Real at_rho, Real at_z) const {
     const Real q_rho = at_rho - rho[curve], q_z = at_z - z[curve];
     const Real m_rho = normal_rho[curve], m_z = normal_z[curve], k = curvature[curve];
@@ -131,17 +143,16 @@ struct ProfileSprings {
     const Real g_rho = k * q_rho - m_rho, g_z = k * q_z - m_z;
     const Real root = std::sqrt(g_rho * g_rho + g_z * g_z);
     const Real inverse = Real(1) / std::max(root, Real(1e-12));
-    return {twice / (Real(1) + root), g_rho * inverse, g_z * inverse};
+    return {scale[curve] * twice / (Real(1) + root), g_rho * inverse, g_z * inverse};
   }
 
   [[nodiscard]] MeridianSpring<Real> spring(Real at_rho, Real at_z) const {
-    if (!(at_z < top)) return {Real(-1), Real(1), Real(0)};
     const int column = std::min(int(std::min(at_rho, radius) * cells_per_length), columns - 1);
     const int row = std::clamp(int((std::max(at_z, bottom) - bottom) * cells_per_length), 0, rows - 1);
     const std::size_t index = std::size_t(row) * std::size_t(columns) + std::size_t(column);
     const std::uint32_t cell = everywhere != 0 ? everywhere : cells_near[index];
     MeridianSpring<Real> found = decide(ProfileCell::of_head(cell), at_rho, at_z);
-    const Real beyond = std::max(at_rho - radius, bottom - at_z);  // the bounds
+    const Real beyond = std::max({at_rho - radius, bottom - at_z, at_z - top});  // the bounds
     if ((beyond >= 0 || ProfileCell::is_outside(cell)) && found.depth > 0)
       found.depth = Real(-1);  // the curve ends before
     if (beyond > 0) found.depth = std::min(found.depth, -beyond);
@@ -150,24 +161,38 @@ struct ProfileSprings {
 
   /// The spring at a point by the rule of a cell.
   [[nodiscard]] MeridianSpring<Real> decide(std::uint32_t cell, Real at_rho, Real at_z) const {
-    const MeridianSpring<Real> first = below(ProfileCell::first(cell), at_rho, at_z);
+    std::uint32_t curve = ProfileCell::first(cell);
+    MeridianSpring<Real> found = below(curve, at_rho, at_z);
+    const auto take_if = [&](bool better, std::uint32_t other, const MeridianSpring<Real>& spring) {
+      if (!better) return;
+      curve = other;
+      found = spring;
+    };
     const CellRule rule = ProfileCell::rule(cell);
-    if (rule == CellRule::first) return first;
-    const std::uint32_t other = ProfileCell::second(cell);
-    const MeridianSpring<Real> second = below(other, at_rho, at_z);
-    switch (rule) {
-      case CellRule::nearer:
-        return second.depth < first.depth ? second : first;
-      case CellRule::farther:
-        return second.depth > first.depth ? second : first;
-      case CellRule::gate:
-        return second.depth > 0 ? first : MeridianSpring<Real>{Real(-1), Real(1), Real(0)};
-      default:
-        break;
+    if (rule != CellRule::first) {
+      const std::uint32_t other = ProfileCell::second(cell);
+      const MeridianSpring<Real> second = below(other, at_rho, at_z);
+      // The tangent at p, towards the shank, is m turned by -90 degrees.
+      const Real along = normal_z[other] * (at_rho - rho[other]) - normal_rho[other] * (at_z - z[other]);
+      take_if(rule == CellRule::nearer    ? second.depth < found.depth
+              : rule == CellRule::farther ? second.depth > found.depth
+                                          : along >= 0,
+              other, second);
     }
-    // The tangent at p, towards the shank, is m turned by -90 degrees.
-    const Real along = normal_z[other] * (at_rho - rho[other]) - normal_rho[other] * (at_z - z[other]);
-    return along >= 0 ? second : first;
+    if (lid != 0 && cell == everywhere) {
+      const MeridianSpring<Real> end = below(lid, at_rho, at_z);
+      take_if(end.depth < found.depth, lid, end);
+    }
+    if (scale[curve] > 1) found.smooth = square_from_corner(at_rho, at_z);
+    return found;
+  }
+
+  /// [m^2] MeridianSpring::smooth of a point on a smooth surface.
+  [[nodiscard]] Real square_from_corner(Real at_rho, Real at_z) const {
+    Real least = std::numeric_limits<Real>::max();
+    for (std::size_t n = 0; n < corner_count; ++n)
+      least = std::min(least, hapticut::square_from_corner(at_rho - corners[n].rho, at_z - corners[n].z));
+    return least;
   }
 
   /// Distance to the surface, positive inside. O(edges).
@@ -196,20 +221,25 @@ struct ProfileSprings {
     else
       return exact;
   }
-  ProfileSprings(const ProfileTable& t, const ProfileCurves<Real>& c, const std::vector<ProfilePiece<Real>>& p)
+  ProfileSprings(const ProfileTable& t, const ProfileCurves<Real>& c, const std::vector<ProfilePiece<Real>>& p,
+                 const std::vector<ProfileCorner<Real>>& ends)
       : rho(c.rho.data()),
         z(c.z.data()),
         normal_rho(c.normal_rho.data()),
         normal_z(c.normal_z.data()),
         curvature(c.curvature.data()),
+        scale(c.scale.data()),
         cells(t.cells.data()),
         cells_near(t.cells_near.data()),
         pieces(p.data()),
+        corners(ends.data()),
         piece_count(p.size()),
         curve_count(t.curve_count),
+        corner_count(ends.size()),
         columns(t.columns),
         rows(t.rows),
         everywhere(t.everywhere),
+        lid(t.lid),
         cells_per_length(Real(1 / t.cell_size)),
         radius(Real(t.radius)),
         bottom(Real(t.bottom)),

@@ -38,8 +38,9 @@ struct ContactBlock {
   std::array<std::uint8_t, kBlockRows> inside;  ///< bit set: the lane is a sample
 
   Array<float> x, y, z;                       ///< [m] quadrature point, from the head's origin To
-  Array<float> depth;                         ///< [m] w > 0, below the cutting surface
+  Array<float> depth;                         ///< [m] w > 0, below the head's surface
   Array<float> normal_x, normal_y, normal_z;  ///< [1] n, from the tool into the material
+  Array<float> smooth;                        ///< [m^2] 0: of a surface that cuts; see MeridianSpring::smooth
   Array<float> fill;                          ///< [1] phi before this sub-step
   Array<float> top;                           ///< [m] greatest depth of the filled part; valid only when `sub_voxel`
   Array<float> largest;                       ///< [1] largest |n_i| along the grid's axes, likewise
@@ -52,6 +53,8 @@ struct ContactBlock {
   /// Entries of the arrays in use.
   [[nodiscard]] int lanes() const { return rows * kLanes; }
   [[nodiscard]] MaterialId material_of(int n) const { return uniform ? one_material : material[std::size_t(n)]; }
+  /// [1] By how much entry n's depth changes per distance along its normal.
+  [[nodiscard]] float scale_of(int n) const { return smooth[std::size_t(n)] > 0 ? float(kSmoothScale) : 1.0F; }
 };
 
 /// Where the voxels of a grid are as seen from the head: voxel (i, j, k) is at `origin + i * step_x + ...` in T.
@@ -164,6 +167,7 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
       out.y[n] = y;
       out.z[n] = z;
       out.depth[n] = is_inside ? spring.depth : 0.0F;
+      out.smooth[n] = spring.smooth;
       out.normal_x[n] = radial * x;
       out.normal_y[n] = radial * y;
       out.normal_z[n] = spring.n_axial;

@@ -81,7 +81,7 @@ class IslandFinder {
   void update(const BlockView& block);
   [[nodiscard]] std::optional<std::size_t> number_of(const VoxelIndex& origin) const;
   [[nodiscard]] VoxelIndex origin_of(std::size_t number) const;
-  [[nodiscard]] Island take_out(std::vector<std::pair<std::size_t, Mask>> parts);
+  [[nodiscard]] Island take_out(const std::vector<std::pair<std::size_t, Mask>>& parts);
 
   friend class IslandSearch;
   friend std::vector<Island> find_islands(const Workpiece& workpiece, const IslandOptions& options);

@@ -20,12 +20,17 @@ struct Borer {
   double point;  // [m]
 };
 
+/// Cuts with its end only.
+ToolHead end_cutting_head(double radius, double length) {
+  return ProfileHead({0, {{radius, 0}, {radius, length, 0, EdgeKind::smooth}, {0, length, 0, EdgeKind::smooth}}});
+}
+
 std::vector<Borer> borers() {
   return {{"twist drill 2 mm", twist_drill_head(2 * kDrillRadius, kDrillLength, kPoint),
            kDrillRadius / std::tan(kPoint / 2)},
           {"cylinder 2 mm", cylinder_head(2 * kDrillRadius, kDrillLength), 0},
           {"round-end cylinder 2 mm", round_end_cylinder_head(2 * kDrillRadius, kDrillLength), kDrillRadius},
-          {"flat 2 mm, bottom_only", FlatHead{kDrillRadius, kDrillLength, FlatRule::bottom_only}, 0}};
+          {"end-cutting bur 2 mm", end_cutting_head(kDrillRadius, kDrillLength), 0}};
 }
 
 Material bone_of(bool cortical) {
@@ -53,6 +58,10 @@ struct Drilled {
   Hand hand;
 };
 
+/// [m^2] of a disk of radius R that is moved by x, out of where it was
+double crescent(double R, double x) {
+  return kPi * R * R - 2 * R * R * std::acos(x / (2 * R)) + x / 2 * std::sqrt(4 * R * R - x * x);
+}
 double side_of(const Tick& tick) { return tick.felt.force.head<2>().norm(); }
 double axial_of(const Tick& tick) { return std::abs(tick.felt.force.z()); }
 
@@ -80,15 +89,20 @@ void drill_lift_push(Report& report) {
     for (std::size_t n = round.first; n < round.last; ++n)
       turned += std::abs(story.ticks[n].energy.hand_work - story.ticks[n - 1].energy.hand_work);
 
-    const double length = kHoleDepth - kLift - borer.point;
-    const double crush = strength_of(bone) * 2 * kDrillRadius * length;
+    // The wall is pressed as far as springs or strength go, where it lies in front of the head; friction holds its
+    // flanks. The end leaves a layer under it, which it presses wherever it is out of its hole.
+    const double inside = kHoleDepth - kLift, length = inside - borer.point;
+    const double strength = strength_of(bone), outside = crescent(kDrillRadius, kPush);
     const double k = drilled.rig.simulation.config().reference_stiffness * bone.relative_stiffness;
-    const double springs = 2.0 / 3 * k * kPush * kPush * kDrillRadius * length;
+    const double springs = 2.0 / 3 * k * std::pow(kSmoothScale * kPush, 2) * kDrillRadius * length;
     const double side = story.most(pushed, side_of), axial = story.most(pushed, axial_of);
-    report.between("side force", side, 0.5 * std::min(crush, springs), 1.1 * crush, "N",
-                   "half of (2/3) k x^2 R L or of strength times 2 R L ... the latter");
+    report.between("side force", side, 0.5 * std::min(strength * 2 * kDrillRadius * length, springs),
+                   strength * ((1 + bone.static_friction) * 2 * kDrillRadius * inside + bone.static_friction * outside),
+                   "N",
+                   "half of strength times 2 R L or of (2/3) k (beta x)^2 R L ... strength and friction on all of it");
     report.quantity("side force", side, "N", 0.3);
-    report.at_most("axial force", axial, kPush / (3 * length) * side + 1, "N", "x/(3L) of the side force, and 1 N");
+    report.at_most("axial force", axial, kPush / (3 * length) * side + strength * outside, "N",
+                   "x/(3L) of the side force, and strength times what of the end is out of the hole");
     report.at_least("closed path", 1e3 * cost, -1e-3 * 1e3 * turned, "mJ",
                     "sideways, out, back and in again: a thousandth of the turnover");
     drilled.rig.judge();
@@ -115,6 +129,7 @@ void tilt_in_hole(Report& report) {
   Drilled drilled(report, borer, bone_of(true));
   const Vec3 middle(0, 0, -0.5 * kHoleDepth);
   const double length = kHoleDepth - borer.point;
+  const double thrust = drilled.rig.story.ticks.back().felt.force.z();  // of the edges on the ground, below what cuts
   double before = 0;
   for (const double angle : {1.0, 2.0, 5.0}) {
     Hand tilt(before == 0 ? drilled.hand.end() : drilled.rig.story.ticks.back().X_WD);
@@ -125,8 +140,8 @@ void tilt_in_hole(Report& report) {
     const double couple = transport(tick.felt, tick.X_WD.translation - middle).torque.y();
     const std::string at = " at " + shown(angle, "deg");
     report.at_most("couple" + at, 1e3 * couple, 0, "N mm", "against the tilt");
-    report.at_most("ejection" + at, std::abs(tick.felt.force.z()), 0.15 * std::abs(couple) / (length / 3) + 0.3, "N",
-                   "15 % of the side forces couple/(L/3), and 0.3 N");
+    report.at_most("ejection" + at, tick.felt.force.z() - thrust, 0.15 * std::abs(couple) / (length / 3) + 0.3, "N",
+                   "beyond " + shown(thrust, "N") + " before: 15 % of the side forces couple/(L/3), and 0.3 N");
   }
   drilled.rig.judge();
 }
@@ -150,7 +165,7 @@ void pull_standing_drill(Report& report) {
   }
 }
 
-/// A ball on a shank, as a profile: today nothing else tells the library of a shank.
+/// A ball on a shank.
 ToolHead ball_on_shank(double ball, double shank, double length) {
   return ProfileHead(Profile{0,
                              {{ball, ball, ball},
@@ -170,9 +185,14 @@ void shank_on_rim(Report& report) {
     Hand hand(tool, Vec3(0, 0, -kDepth + 0.1 * mm));
     const Vec3 ball_center(0, 0, -kDepth + 0.1 * mm + kBall);
     const Span tilted = rig.play(hand.hold(0.02).turn({0, kAngle, 0}, ball_center, 0.4).hold(0.05));
-    report.at_least("rim pushes", rig.story.most(tilted, side_of), 1, "N",
-                    "the shank is " + shown(1e3 * (kDepth * std::tan(kAngle) - kHole + kShank), "mm") +
-                        " in the rim; a body beyond the head cannot be told but as smooth edges of a profile");
+    // Pressed in by d at the rim and by less below, on both sides of where it is deepest: with w = beta d there
+    // F = (8/15) k beta^2 r sqrt(2/(R - r)) d^3.5/(3.5 tan a).
+    const double deep = -ball_center.z() * std::tan(kAngle) + kShank / std::cos(kAngle) - kHole;
+    const double k = rig.simulation.config().reference_stiffness * presets::cortical_bone().relative_stiffness;
+    const double force = 8.0 / 15 * k * std::pow(kSmoothScale, 2) * kShank * std::sqrt(2 / (kHole - kShank)) *
+                         std::pow(deep, 3.5) / (3.5 * std::tan(kAngle));
+    report.between("rim pushes", rig.story.most(tilted, side_of), force / 2, 2 * force, "N",
+                   "the shank is " + shown(1e3 * deep, "mm") + " in the rim");
     report.at_most("shank cuts", 1e9 * rig.story.sum(tilted, removed_of), 1e-6, "mm^3");
     rig.judge();
   }

@@ -94,19 +94,22 @@ void plates(Report& report) {
         const double gone = less > 1e-6 * volume ? less : 0;  // or the rounding of single precision
         const double most = rig.story.most(rig.story.all(), [](const Tick& tick) { return tick.felt.force.z(); });
         const double strength = strength_of(bone) * punch.area(t);
-        const double work = rig.simulation.last_result().energy.hand_work;
+        // The wall that is left presses on the side, and friction there adds to what the strength resists.
+        const double rubs = strength_of(bone) * bone.static_friction * 2 * kPi * punch.radius * t;
+        const double crushed = rig.simulation.last_result().energy.crushed;
         list(resists, shown(1e3 * t, "mm") + ":", shown(most, "N") + " of " + shown(strength, "N"));
         list(hole, shown(1e3 * t, "mm") + ":", shown(100 * gone / volume, "%"));
         list(energy, shown(1e3 * t, "mm") + ":",
-             shown(1e3 * work, "mJ") + " of " + shown(1e3 * strength_of(bone) * gone, "mJ"));
-        resisted = resisted && most > 0.6 * strength && most < 1.1 * strength;
+             shown(1e3 * crushed, "mJ") + " of " + shown(1e3 * strength_of(bone) * gone, "mJ"));
+        resisted = resisted && most > 0.6 * strength && most < 1.1 * (strength + rubs);
         left = left && gone > 0.6 * volume && gone < 1.1 * volume;
-        agrees = agrees && gone > 0 && std::abs(work - strength_of(bone) * gone) < 0.1 * work;
+        agrees = agrees && gone > 0 && std::abs(crushed - strength_of(bone) * gone) < 0.1 * crushed;
         if (t == 1 * mm) rig.judge();
       }
-      report.that("resists", "0.6 ... 1.1 of strength times crushed area", resists, resisted);
+      report.that("resists", "0.6 of strength times crushed area ... 1.1 of that and friction on the wall", resists,
+                  resisted);
       report.that("leaves a hole", "0.6 ... 1.1 of pi R^2 t", hole, left);
-      report.that("energy of the hole", "work is strength times crushed volume, within 10 %", energy, agrees);
+      report.that("energy of the hole", "what crushing took is strength times its volume, within 10 %", energy, agrees);
     }
 }
 

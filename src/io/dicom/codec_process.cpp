@@ -4,7 +4,7 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
-#include <signal.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): <csignal> need not have kill
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>

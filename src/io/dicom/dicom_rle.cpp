@@ -24,7 +24,7 @@ void unpack_segment(std::string_view segment, std::size_t samples, char* to, std
     to[step * done++] = value;
   };
   for (std::size_t at = 0; at < segment.size() && done < samples;) {
-    const int n = static_cast<signed char>(segment[at++]);
+    const int byte = std::uint8_t(segment[at++]), n = byte < 128 ? byte : byte - 256;
     if (n >= 0) {
       if (std::size_t(n) + 1 > segment.size() - at) fail_rle("a segment is cut short");
       for (int k = 0; k <= n; ++k) put(segment[at++]);

@@ -74,7 +74,7 @@ std::filesystem::path final_path(const std::filesystem::path& path) {
 /// stays until the new one is complete.
 std::filesystem::path growing_path(const std::filesystem::path& path) {
   std::error_code code;
-  const std::filesystem::path at = final_path(path);
+  std::filesystem::path at = final_path(path);
   if (!std::filesystem::exists(at, code)) return at;
   constexpr std::size_t kLongestName = 251;  // [bytes] with what is put behind it
   return at.parent_path() / (at.filename().string().substr(0, kLongestName) + ".new");

@@ -27,8 +27,8 @@ constexpr int kPosesPerPlane = 20;
 
 constexpr int kQuadraturePoints = 200;
 
-/// A head as the oracle sees it: its depth, which vanishes on all of its surface but the closed end, the disk at which
-/// it is cut off without springs and which must stay out of the material.
+/// A head as the oracle sees it: its depth, which vanishes on all of its surface, and its smooth end, a disk that stays
+/// out of the material (tests/system/physics/smooth_sides_test.cpp has it in there) but bounds the depth below it.
 struct OracleHead {
   const char* name;
   ToolHead head;
@@ -38,7 +38,8 @@ struct OracleHead {
 
   // What to expect of voxels, with the greatest depth w of the pose: error <= constant (l/w)^2. The midpoint rule gives
   // constants up to 0.5 with an upright head (C1, C4). Where the direction of the springs jumps inside the material, on
-  // the flat's cone between wall and bottom, lattice points of one and a half order come on top.
+  // the flat's cone between wall and bottom, between a cone's side and its base, lattice points of one and a half order
+  // come on top.
   double constant;
   double root_mean_square;  // [1] over all poses, at l = 0.05 mm; coarser with second order, finer with the least
   double least_order;
@@ -60,19 +61,21 @@ OracleHead cone() {
   const double a = 35 * deg, h = 1.6 * mm;
   return {"Cone",
           ConeHead{a, h},
-          [=](double rho, double z) { return z < h ? z * std::sin(a) - rho * std::cos(a) : -1.0; },
+          [=](double rho, double z) { return std::min(z * std::sin(a) - rho * std::cos(a), kSmoothScale * (h - z)); },
           h,
           h * std::tan(a),
-          1.0,
-          0.005,
-          1.7};
+          3.5,
+          0.008,
+          1.6};
 }
 
 OracleHead flat() {
   const double r = 0.8 * mm, h = 1.6 * mm;
   return {"FlatNearest",
           FlatHead{r, h},
-          [=](double rho, double z) { return z < h ? std::min(z, r - rho) : -1.0; },
+          [=](double rho, double z) {
+            return std::min({z, r - rho, kSmoothScale * (h - z)});
+          },
           h,
           r,
           3.5,
@@ -82,14 +85,15 @@ OracleHead flat() {
 
 OracleHead round_end() {
   const double r = 0.7 * mm, h = 1.6 * mm;
-  return {"ProfileRoundEnd",
-          round_end_cylinder_head(2 * r, h),
-          [=](double rho, double z) { return z < h ? r - std::hypot(rho, std::min(0.0, z - r)) : -1.0; },
-          h,
-          r,
-          1.5,
-          0.003,
-          1.7};
+  return {
+      "ProfileRoundEnd",
+      round_end_cylinder_head(2 * r, h),
+      [=](double rho, double z) { return std::min(r - std::hypot(rho, std::min(0.0, z - r)), kSmoothScale * (h - z)); },
+      h,
+      r,
+      1.5,
+      0.003,
+      1.7};
 }
 
 /// Sharper than a right angle at the tip's rim, where the direction of the springs jumps the more.
@@ -99,7 +103,7 @@ OracleHead inverted_cone() {
           inverted_cone_head(2 * tip, 2 * neck, h),
           [=](double rho, double z) {
             const double wall = ((tip - rho) * h - z * (tip - neck)) / std::hypot(h, tip - neck);
-            return z < h ? std::min(z, wall) : -1.0;
+            return std::min({z, wall, kSmoothScale * (h - z)});
           },
           h,
           neck,
@@ -123,7 +127,7 @@ OracleHead tree() {
           [=](double rho, double z) {
             const double limit = z < h / 2 ? z * R / h : inner + (2 * z / h - 1) * (R - inner);
             if (z >= h || rho >= limit) return -1.0;
-            double nearest = 1;
+            double nearest = kSmoothScale * (h - z);
             for (const Segment& s : segments) {
               const Eigen::Vector2d along = s.to - s.from, x(rho, z);
               const double share = std::clamp(along.dot(x - s.from) / along.squaredNorm(), 0.0, s.longest);

@@ -23,6 +23,7 @@ using units::mm;
 
 constexpr double kRadius = 1 * mm;
 constexpr double kHeight = 1.2 * mm;
+constexpr double kTall = 3 * kHeight;  // so that the smooth end is farther than what cuts
 constexpr double kCoarsest = 0.1 * mm;
 
 // Orders of root mean squares over twelve phases are known to about 0.2.
@@ -74,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(HalfAngles, ConeAngle, testing::Values(15, 30, 45),
 
 /// Force of a flat head at depth d below the surface of a half space.
 Vec3 press_flat(FlatRule rule, double depth, double l, const Vec3& phase) {
-  Simulation simulation(box_at_phase(half_space(kRadius, depth, l), l, phase), Tool(FlatHead{kRadius, kHeight, rule}),
+  Simulation simulation(box_at_phase(half_space(kRadius, depth, l), l, phase), Tool(FlatHead{kRadius, kTall, rule}),
                         static_config());
   return hold(simulation, Vec3(0, 0, -depth)).force;
 }
@@ -142,7 +143,7 @@ struct Wall {
 
 StepResult press_into_wall(const Wall& wall, FlatRule rule, double l, const Vec3& phase, double handle_length) {
   Simulation simulation(box_at_phase(wall.box(l), l, phase),
-                        Tool(FlatHead{kRadius, kHeight, rule}, RayHandle{handle_length}), static_config());
+                        Tool(FlatHead{kRadius, kTall, rule}, RayHandle{handle_length}), static_config());
   return hold(simulation, Vec3(0, 0, handle_length));
 }
 

@@ -73,11 +73,16 @@ TEST(Catalogue, TheFlameIsWidestWhereItIsSaidToBe) {
 TEST(Catalogue, TheTwistDrillCutsWithItsPointOnly) {
   const double point = 118 * deg;
   const ToolHead drill = twist_drill_head(2 * mm, 5 * mm, point);
-  const double rho = 0.9 * mm, z = 3 * mm;
+  const double rho = 0.2 * mm, z = 1.2 * mm;
   const auto at = drill.spring_at({rho, 0, z});
   EXPECT_NEAR(at.depth, z * std::sin(point / 2) - rho * std::cos(point / 2), kRounding * mm);
   EXPECT_LT((at.direction - Vec3(std::cos(point / 2), 0, -std::sin(point / 2))).norm(), 1e-9);
+  EXPECT_FALSE(at.on_smooth());
   EXPECT_LE(drill.spring_at({1.001 * mm, 0, z}).depth, 0);
+  const auto margin = drill.spring_at({0.9 * mm, 0, 3 * mm});
+  EXPECT_NEAR(margin.depth, kSmoothScale * 0.1 * mm, kRounding * mm);
+  EXPECT_LT((margin.direction - Vec3(1, 0, 0)).norm(), 1e-9);
+  EXPECT_TRUE(margin.on_smooth());
 }
 
 class CatalogueShape : public testing::TestWithParam<CatalogueHead> {};

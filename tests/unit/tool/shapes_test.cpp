@@ -67,7 +67,7 @@ RC_GTEST_PROP(Shapes, DirectionIsAUnitVector, ()) {
   RC_ASSERT(std::abs(std::hypot(s.n_radial, s.n_axial) - 1) < 1e-9);
 }
 
-// The springs push down the slope of their depth: with one spring per point, n = -grad w.
+// The springs push down the slope of their depth: with one spring per point, its scale times n is -grad w.
 RC_GTEST_PROP(Shapes, DirectionIsTheSteepestDescentOfDepth, ()) {
   const ToolHead head = *arbitrary_head();
   if (const auto* flat = std::get_if<FlatHead>(&head.shape())) RC_PRE(flat->rule != FlatRule::both);
@@ -79,9 +79,12 @@ RC_GTEST_PROP(Shapes, DirectionIsTheSteepestDescentOfDepth, ()) {
   const double radial = (spring_at(head, rho + kStep, z).depth - spring_at(head, rho - kStep, z).depth) / (2 * kStep);
   const double axial = (spring_at(head, rho, z + kStep).depth - spring_at(head, rho, z - kStep).depth) / (2 * kStep);
   const MeridianSpring<double> s = spring_at(head, rho, z);
+  for (int side = -1; side <= 1; side += 2)  // where the smooth end is as near
+    RC_PRE(spring_at(head, rho + side * kStep, z).on_smooth() == s.on_smooth() &&
+           spring_at(head, rho, z + side * kStep).on_smooth() == s.on_smooth());
   // Differences of numbers of 1e-3 over 2e-9, and the curvature 1/rho of the ball over the step.
-  RC_ASSERT(std::abs(s.n_radial + radial) < 1e-6 + kStep / rho);
-  RC_ASSERT(std::abs(s.n_axial + axial) < 1e-6 + kStep / rho);
+  RC_ASSERT(std::abs(s.scale() * s.n_radial + radial) < 2e-6 + kStep / rho);
+  RC_ASSERT(std::abs(s.scale() * s.n_axial + axial) < 2e-6 + kStep / rho);
 }
 
 RC_GTEST_PROP(Shapes, BothSpringsAreTheSumOfBottomAndSide, ()) {
@@ -94,11 +97,13 @@ RC_GTEST_PROP(Shapes, BothSpringsAreTheSumOfBottomAndSide, ()) {
   RC_ASSERT(std::abs(both.depth * both.n_axial + bottom.depth) < 1e-12);
 }
 
-RC_GTEST_PROP(Shapes, NearestIsTheShallowerOfBottomAndSide, ()) {
+RC_GTEST_PROP(Shapes, NearestIsTheShallowestOfBottomSideAndTop, ()) {
   const double radius = *number_between(0.1 * mm, 3 * mm), height = *number_between(0.1 * mm, 3 * mm);
   const double rho = *number_between(0, radius * 0.999), z = *number_between(1e-9, height * 0.999);
   const auto at = [&](FlatRule rule) { return spring_at(FlatHead{radius, height, rule}, rho, z).depth; };
-  RC_ASSERT(at(FlatRule::nearest) == std::min(at(FlatRule::bottom_only), at(FlatRule::side_only)));
+  const double cutting = std::min(at(FlatRule::bottom_only), at(FlatRule::side_only)),
+               top = kSmoothScale * (height - z);
+  RC_ASSERT(at(FlatRule::nearest) == std::min(cutting, top));
 }
 
 }  // namespace

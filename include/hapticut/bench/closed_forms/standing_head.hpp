@@ -6,6 +6,7 @@
 
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/tool/shapes.hpp"
 
 /// @file
 /// C1 ... C19: springs, friction, limits and handles, while the spindle stands.
@@ -211,6 +212,26 @@ template <class DepthAt>
 [[nodiscard]] inline double cap_crushing_force(double strength, double crushing_depth, double radius, double depth) {
   const double w0 = crushing_depth;
   return units::kPi * strength * (2 * radius * depth - depth * depth - 4.0 / 3 * radius * w0 + w0 * w0 / 2);
+}
+
+// --- smooth surfaces -------------------------------------------------------------------------------------------------
+
+/// C41: a smooth pin that fills a straight hole, pushed aside: with t the thickness of the wall in it in the direction
+/// phi, `F = k_v beta^2 L Int (R t^2/2 - t^3/3) cos(phi) dphi`, `t = R + x cos(phi) - sqrt(R^2 - x^2 sin^2(phi))`;
+/// (2/3) k_v beta^2 x^2 R L where x is small. beta = kSmoothScale.
+/// @param radius  [m] R of pin and hole
+/// @param length  [m] L of the hole
+/// @param push    [m] x
+/// @return [N] against the push
+[[nodiscard]] inline double pushed_pin_force(double k_v, double radius, double length, double push) {
+  constexpr int kDirections = 2000;
+  double sum = 0;
+  for (int n = 0; n < kDirections; ++n) {
+    const double phi = units::kPi / 2 * (n + 0.5) / kDirections, aside = push * std::sin(phi);
+    const double t = std::max(0.0, radius + push * std::cos(phi) - std::sqrt(radius * radius - aside * aside));
+    sum += (radius * t * t / 2 - t * t * t / 3) * std::cos(phi);
+  }
+  return k_v * kSmoothScale * kSmoothScale * length * 2 * sum * units::kPi / 2 / kDirections;
 }
 
 // --- friction, limits, handles ---------------------------------------------------------------------------------------

@@ -24,6 +24,10 @@ namespace hapticut {
 /// is u l^3 times the fill that it loses, exactly, for any step. Law G replaces u by max(u - k_v w^2/2, 1e-6 u). Along
 /// the path w_dot = (V + Omega x r) . n; the damping factor takes w_dot from the device's own velocity.
 ///
+/// At a smooth surface w changes by s = kSmoothScale per distance (MeridianSpring): there n stands for s n, and so f
+/// for s f, and kappa for s mu_d; nothing is cut but within the material's land of a cutting edge, where kappa is s
+/// kappa.
+///
 /// After the thesis's spring model (Uener 2007, eqs. 5.5-5.8, 5.15-5.16), with its dependence on voxel size and step
 /// repaired; see docs/decisions/0003-removal-and-ledger.md.
 class FoundationLaw final : public ForceLaw {
@@ -100,7 +104,8 @@ class FoundationLaw final : public ForceLaw {
 
   /// How the head's surface moves at a sample.
   struct SurfaceMotion {
-    float w_dot;       ///< [m/s] of the handpiece along n
+    float scale;       ///< [1] of the surface: s
+    float w_dot;       ///< [m/s] by which the handpiece's motion changes w
     float tx, ty, tz;  ///< [m/s] the slip: the rest of it plus the spin, which is tangential to any head of revolution
     float extra;       ///< [m^2/s^2] by how much the square of the slip is beyond that of the voxel's centre (AxisSlip)
     float inverse_slip, slip;
@@ -113,16 +118,28 @@ class FoundationLaw final : public ForceLaw {
     SurfaceMotion s;
     const float px = v.x() + o.y() * z - o.z() * y, py = v.y() + o.z() * x - o.x() * z,
                 pz = v.z() + o.x() * y - o.y() * x;
-    s.w_dot = px * nx + py * ny + pz * nz;
-    s.tx = px - s.w_dot * nx - m.spin * y, s.ty = py - s.w_dot * ny + m.spin * x, s.tz = pz - s.w_dot * nz;
+    s.scale = b.scale_of(n);
+    const float along = px * nx + py * ny + pz * nz;
+    s.w_dot = s.scale * along;
+    s.tx = px - along * nx - m.spin * y, s.ty = py - along * ny + m.spin * x, s.tz = pz - along * nz;
     const float of_center = s.tx * s.tx + s.ty * s.ty + s.tz * s.tz;
     const float slip_squared = axis_slip.squared(of_center, x * x + y * y);
     s.extra = slip_squared - of_center;
     s.inverse_slip = 1.0F / std::sqrt(slip_squared + kSlipRegularization * kSlipRegularization);
     s.slip = slip_squared * s.inverse_slip;
-    s.felt_w_dot = (h.x() + a.y() * z - a.z() * y) * nx + (h.y() + a.z() * x - a.x() * z) * ny +
-                   (h.z() + a.x() * y - a.y() * x) * nz;
+    s.felt_w_dot = s.scale * ((h.x() + a.y() * z - a.z() * y) * nx + (h.y() + a.z() * x - a.x() * z) * ny +
+                              (h.z() + a.x() * y - a.y() * x) * nz);
     return s;
+  }
+
+  /// The constants that hold for a sample: of a smooth surface others than of one that cuts.
+  static ContactMaterial at_surface(const ContactMaterial& material, const HeadMotion& m, float smooth, float scale) {
+    if (!(smooth > 0)) return material;
+    ContactMaterial there = material;
+    const bool cuts = smooth <= material.square_of_land(m.voxel_size);
+    there.cutting_ratio = scale * (cuts ? material.cutting_ratio : material.sliding_ratio);
+    if (!cuts) there.cutting_depth = ContactMaterial::kNeverCut;
+    return there;
   }
 
   template <bool kUniform>
@@ -141,11 +158,12 @@ class FoundationLaw final : public ForceLaw {
     for (int group = 0; group < b.lanes(); group += kLanes)
       for (int lane = 0; lane < kLanes; ++lane) {
         const int n = group + lane;
-        const ContactMaterial& material = kUniform ? first : materials[b.material[n]];
-        const float k = material.stiffness, w = b.depth[n], phi = b.fill[n];
-        const float nx = b.normal_x[n], ny = b.normal_y[n], nz = b.normal_z[n];
-
         const SurfaceMotion s = surface_motion(m, b, n, axis_slip);
+        const ContactMaterial& material =
+            at_surface(kUniform ? first : materials[b.material[n]], m, b.smooth[n], s.scale);
+        const float k = material.stiffness, w = b.depth[n], phi = b.fill[n];
+        const float nx = s.scale * b.normal_x[n], ny = s.scale * b.normal_y[n], nz = s.scale * b.normal_z[n];
+
         const float damped = std::max(0.0F, 1.0F + material.damping * s.felt_w_dot);
 
         // Removal: x, the mean fill and the loss of the sub-step.
@@ -222,8 +240,8 @@ class FoundationLaw final : public ForceLaw {
       b.fill_after[n] = b.fill[n];
       if (!(b.fill[n] > 0)) continue;
       const int lane = n % kLanes;
-      const ContactMaterial& material = materials[b.material_of(n)];
       const SurfaceMotion s = surface_motion(m, b, n, axis_slip);
+      const ContactMaterial& material = at_surface(materials[b.material_of(n)], m, b.smooth[n], s.scale);
       const float damped = std::max(0.0F, 1.0F + material.damping * s.felt_w_dot);
       const float k = material.stiffness, advance = s.w_dot * dt;
       const float kappa = spinning ? material.cutting_ratio : 0.0F;
@@ -270,9 +288,10 @@ class FoundationLaw final : public ForceLaw {
         b.fill_after[n] = left;
       }
       const float spring = rubbing + cut, normal = spring * damped, tangential = kappa * normal * s.inverse_slip;
-      b.force_x[n] = -voxel_volume * (normal * b.normal_x[n] + tangential * s.tx);
-      b.force_y[n] = -voxel_volume * (normal * b.normal_y[n] + tangential * s.ty);
-      b.force_z[n] = -voxel_volume * (normal * b.normal_z[n] + tangential * s.tz);
+      const float pushing = s.scale * normal;
+      b.force_x[n] = -voxel_volume * (pushing * b.normal_x[n] + tangential * s.tx);
+      b.force_y[n] = -voxel_volume * (pushing * b.normal_y[n] + tangential * s.ty);
+      b.force_z[n] = -voxel_volume * (pushing * b.normal_z[n] + tangential * s.tz);
 
       // [J/m^3] stored in a part of this height when the far corner has moved on
       const auto stored = [&](float part_height, float moved) {

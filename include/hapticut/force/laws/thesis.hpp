@@ -70,8 +70,8 @@ class ThesisLaw final : public ForceLaw {
       const double w = double(b.depth[n]);
       const Vec3 r(double(b.x[n]), double(b.y[n]), double(b.z[n]));
       const Vec3 direction(double(b.normal_x[n]), double(b.normal_y[n]), double(b.normal_z[n]));
-      const double k = double(materials[b.material_of(i)].stiffness) * l0_squared;
-      const double normal = k * l * w;
+      const double k = double(materials[b.material_of(i)].stiffness) * l0_squared, scale = double(b.scale_of(i));
+      const double normal = scale * k * l * w;
       const Vec3 force = -normal * direction - damper;
       b.force_x[n] = float(force.x());
       b.force_y[n] = float(force.y());
@@ -79,7 +79,7 @@ class ThesisLaw final : public ForceLaw {
       normal_sum += normal;
 
       const Vec3 velocity = V + Omega.cross(r);
-      const double advance = velocity.dot(direction) * dt;
+      const double advance = scale * velocity.dot(direction) * dt;
       const double before = std::max(0.0, w - advance / 2), after = std::max(0.0, w + advance / 2);
       totals.energies.elastic_before += 0.5 * k * l * before * before;
       totals.energies.damping += damper.dot(V + turning.cross(r)) * dt;

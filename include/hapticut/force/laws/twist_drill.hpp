@@ -48,7 +48,7 @@ class TwistDrillLaw final : public LumpedLaw {
                                  const ContactMoments& moments) const noexcept override {
     const double feed = std::max(0.0, -double(m.velocity.z())), spin = double(m.spin);
     if (spin == 0 || feed == 0) return {};
-    const double radius = std::min(moments.radius, head.largest_radius());
+    const double radius = std::min(moments.radius, head.cutting_radius());
     const double a = std::min(2 * units::kPi * feed / std::abs(spin), c_.largest_feed_per_turn);
     const double couple = torque(2 * radius, a);
     LumpedForce lumped;
