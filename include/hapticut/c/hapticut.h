@@ -3,26 +3,36 @@
  * hapticut in C: library hapticut_c, for programs in C, C#, Unity, Unreal and whatever else can call C.
  * docs/embedding.md.
  *
- * Results. Every function that can fail returns an int: HAPTICUT_OK, HAPTICUT_NOTHING (no error, and nothing there), or
- * an error < 0; `hapticut_last_error` is then the sentence about it. What was to be filled in is left alone after an
- * error. A step's bits of trouble are in its `status`, as in C++ (StepStatus); they are no errors. Handles. What is
- * made here is named by a number, never 0, until `hapticut_release`. A call with 0, with a handle that was released, of
- * another kind, or of another copy of the library returns HAPTICUT_ERROR_HANDLE. What needs another one keeps it alive:
- * handles may be released in any order, a loop that runs ends first. Structs. Each begins with `struct_size`, which the
- * caller sets to sizeof: the library reads and writes no more than that. So an old caller meets a new library: what it
- * does not know of has its default, which is always 0. A new caller may meet an old library: bytes that it does not
- * know must be 0 in what it reads, and are 0 in what it writes. hapticut_pose and hapticut_vertex have no size and
- * never change. 64-bit processors only. Threads. Any thread may call. One handle does one thing at a time: a second
- * thread that comes meanwhile gets HAPTICUT_ERROR_BUSY at once and may try again; nobody waits. While a loop runs, its
- * simulation and its device are the loop's: calls on them return HAPTICUT_ERROR_BUSY, except where it says so. Of a
- * loop three threads may do one each of: `hapticut_loop_latest`; `hapticut_loop_send` and `hapticut_loop_set_tool`;
- * `hapticut_loop_stop`. Emergency stop and reset never fail for a loop that runs. There is no callback: no code of the
- * caller runs in the 1 kHz thread. Real time. hapticut_step, _probe, _touches, _coupling_step, _loop_latest, _loop_send
- * and _sound_render neither allocate nor lock when they succeed. All else is set-up. Texts are UTF-8 and end with 0,
- * also when they were cut to fit. No exception leaves the library. Process. Nothing is process-wide unless
- * hapticut_loop_options asks for it: no signal handlers, no locked memory. Units and frames. SI. W world (that of the
- * workpiece), H handle of the tool, T its head, B base of the device, S its stylus. Right-handed; `X_WH` is the pose of
- * H in W. Forces and torques act on the tool.
+ * Results. Every function that can fail returns an int: HAPTICUT_OK, HAPTICUT_NOTHING (no error, and nothing
+ * there), or an error < 0; `hapticut_last_error` is then the sentence about it. What was to be filled in is left
+ * alone after an error. A step's bits of trouble are in its `status`, as in C++ (StepStatus); they are no errors.
+ * No exception leaves the library.
+ *
+ * Handles. What is made here is named by a number, never 0, until `hapticut_release`. A call with 0, with a handle
+ * that was released, of another kind, or of another copy of the library returns HAPTICUT_ERROR_HANDLE. What needs
+ * another one keeps it alive: handles may be released in any order, a loop that runs ends first.
+ *
+ * Structs. Each begins with `struct_size`, which the caller sets to sizeof: the library reads and writes no more
+ * than that. So an old caller meets a new library: what it does not know of has its default, which is always 0. A
+ * new caller may meet an old library: bytes that it does not know must be 0 in what it reads, and are 0 in what it
+ * writes. hapticut_pose and hapticut_vertex have no size and never change. 64-bit processors only.
+ *
+ * Texts. They are UTF-8 and end with 0, also when they were cut to fit.
+ *
+ * Threads. Any thread may call. One handle does one thing at a time: a second thread that comes meanwhile gets
+ * HAPTICUT_ERROR_BUSY at once and may try again; nobody waits. While a loop runs, its simulation and its device are
+ * the loop's: calls on them return HAPTICUT_ERROR_BUSY, except where it says so. Of a loop three threads may do one
+ * each of: `hapticut_loop_latest`; `hapticut_loop_send` and `hapticut_loop_set_tool`; `hapticut_loop_stop`.
+ * Emergency stop and reset never fail for a loop that runs. There is no callback: no code of the caller runs in the
+ * 1 kHz thread.
+ *
+ * Real time. hapticut_step, _probe, _touches, _coupling_step, _loop_latest, _loop_send and _sound_render neither
+ * allocate nor lock when they succeed. All else is set-up.
+ *
+ * Process. Nothing is process-wide unless hapticut_loop_options asks for it: no signal handlers, no locked memory.
+ *
+ * Units and frames. SI. W world (that of the workpiece), H handle of the tool, T its head, B base of the device, S
+ * its stylus. Right-handed; `X_WH` is the pose of H in W. Forces and torques act on the tool.
  */
 #ifndef HAPTICUT_C_HAPTICUT_H
 #define HAPTICUT_C_HAPTICUT_H
