@@ -55,6 +55,7 @@ set(HAPTICUT_NEEDS_IO "HDF5|HDF5_FOUND|libhdf5-dev" "PNG|PNG_FOUND|libpng-dev" "
 set(HAPTICUT_NEEDS_ITK "ITK|ITK_FOUND|libinsighttoolkit5-dev")
 set(HAPTICUT_NEEDS_ASSIMP "assimp|assimp_FOUND|libassimp-dev")
 set(HAPTICUT_NEEDS_SETTINGS "tomlplusplus|tomlplusplus_FOUND|libtomlplusplus-dev")
+set(HAPTICUT_NEEDS_C "tomlplusplus|tomlplusplus_FOUND|libtomlplusplus-dev")
 set(HAPTICUT_NEEDS_VIEW "Boost|Boost_FOUND|libboost-dev")
 set(HAPTICUT_NEEDS_CLI "CLI11|CLI11_FOUND|libcli11-dev" "tomlplusplus|tomlplusplus_FOUND|libtomlplusplus-dev"
     "nlohmann_json|nlohmann_json_FOUND|nlohmann-json3-dev")

@@ -23,6 +23,7 @@ page=
 command -v node >/dev/null && command -v npm >/dev/null || page='nodejs npm'  # who has them from elsewhere keeps them
 bench="$build ccache libbenchmark-dev"
 test="$bench valgrind libgtest-dev librapidcheck-dev clang clang-format clang-tidy libclang-rt-14-dev
+  libc++-dev libc++abi-dev pkg-config
   libopenvdb-tools python3-openvdb python3-venv python3-dev pybind11-dev mono-runtime mono-mcs $page chromium"
 [ "$(uname -m 2>/dev/null)" = aarch64 ] || test="$test g++-aarch64-linux-gnu"
 demo="$program ccache invesalius-examples $page"

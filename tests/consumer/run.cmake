@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Builds and runs the outside project against this build:
-#   cmake -DCASE=installed|physics|openvdb|io|settings|no_io|subdirectory|program_without_io|avx|no_openvdb -DSOURCE=... -DBUILD=... -DWORK=... -DCXX=... -P run.cmake
+#   cmake -DCASE=installed|physics|c|openvdb|io|settings|no_io|subdirectory|program_without_io|avx|no_openvdb -DSOURCE=... -DBUILD=... -DWORK=... -DCXX=... -P run.cmake
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -53,6 +53,26 @@ elseif(CASE STREQUAL "physics")
       "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_PREFIX_PATH=${WORK}/headers_prefix")
   if(code EQUAL 0 OR NOT output MATCHES "HAPTICUT_PHYSICS_ONLY=ON")
     message(FATAL_ERROR "a package of headers must say that it has no library:\n${output}")
+  endif()
+elseif(CASE STREQUAL "c")
+  # Headers of C++ and archives are taken away: nobody needs them here.
+  file(GLOB_RECURSE others "${WORK}/prefix/*.hpp" "${WORK}/prefix/*.a")
+  file(REMOVE ${others})
+  build_consumer(c "-DCMAKE_IGNORE_PATH=/usr/include\;/include" -DCOMPONENT=c)
+  set(by_cmake "${output}")
+  find_program(pkg_config pkg-config)
+  if(pkg_config)
+    file(GLOB_RECURSE described "${WORK}/prefix/hapticut_c.pc")
+    get_filename_component(folder "${described}" DIRECTORY)
+    must("${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${folder}" "${pkg_config}" --cflags --libs hapticut_c)
+    separate_arguments(flags UNIX_COMMAND "${output}")
+    must("${CC}" -std=c99 "${SOURCE}/tests/consumer/c.c" -o "${WORK}/by_pkg_config" ${flags})
+    file(GLOB_RECURSE library "${WORK}/prefix/libhapticut_c.so")
+    get_filename_component(folder "${library}" DIRECTORY)
+    must("${CMAKE_COMMAND}" -E env "LD_LIBRARY_PATH=${folder}:$ENV{LD_LIBRARY_PATH}" "${WORK}/by_pkg_config")
+    if(NOT output STREQUAL by_cmake)
+      message(FATAL_ERROR "by CMake it says ${by_cmake}, by pkg-config ${output}")
+    endif()
   endif()
 elseif(CASE MATCHES "^(openvdb|io|settings)$")
   build_consumer(${CASE} "-DCOMPONENT=${CASE}")

@@ -22,6 +22,7 @@ CITED = re.compile(r"(?:(?<![\w\\])|(?<=[CD]\d)|(?<=[CD]\d\d))([CD]\d{1,2})(?=[A
 MEASURED = re.compile(r"(?<![\w\\])(B\d{1,2}[a-f]?|DC\d[a-z]?)(?=[A-Z]\w*[a-z]|(?!\w))")
 PATH = re.compile(r"(?<![\w/.-])((?:docs|decisions|src|tests|examples|scripts|bindings|benchmarks|hapticut)/[\w./-]*\w"
                   r"\.(?:md|cpp|hpp|py|toml|sh|svg|png|json))(?!\w)")
+A_LANGUAGE = "C99"  # no closed form
 WRITTEN_BY_THE_BUILD = {"hapticut/version.hpp"}
 
 
@@ -47,6 +48,8 @@ def check_closed_forms(root: Path) -> tuple[list[str], int]:
     cited = 0
     for path, text in texts(root):
         for found in CITED.finditer(text):
+            if found[1] == A_LANGUAGE:
+                continue
             cited += 1
             if found[1] not in rows:
                 wrong.append(f"{path}:{line_of(text, found.start())} cites {found[1]}, which docs/model.md has not")

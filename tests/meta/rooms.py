@@ -12,14 +12,14 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 ROOMS = ["core", "tool", "workpiece", "force", "kernels", "simulation", "surface", "safety", "realtime", "device", "loop", "heat", "sound",
-         "io", "settings", "bench", "view", "cli"]
+         "io", "settings", "bench", "view", "c", "cli"]
 LONGEST = 400
 
 
 def sources(*folders):
     for folder in folders:
         for path in sorted((ROOT / folder).rglob("*")):
-            if path.suffix in (".hpp", ".cpp", ".h", ".py") and path.is_file():
+            if path.suffix in (".hpp", ".cpp", ".h", ".c", ".cs", ".py") and path.is_file():
                 yield path
 
 

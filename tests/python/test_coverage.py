@@ -88,7 +88,7 @@ def test_heads_have_an_extent_a_profile_and_a_depth(name):
     inside: h.Spring = head.spring_at([0.1 * head.largest_radius(), 0, 0.45 * box.min[2] + 0.55 * box.max[2]])
     assert inside.depth > 0 and np.linalg.norm(inside.direction) == pytest.approx(1)
     assert head.spring_at(box.max + 1 * mm).depth <= 0
-    assert not inside.on_smooth and inside.scale == 1 and inside.smooth == 0
+    assert inside.scale == (2 if inside.on_smooth else 1) and inside.on_smooth == (inside.smooth > 0)
     assert 0 < head.cutting_radius() <= head.largest_radius()
     profile = head.profile()
     again = h.ToolHead(h.ProfileHead(profile))

@@ -1,32 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hapticut/core/device_state.hpp"
-#include "hapticut/loop/workspace_map.hpp"
-#include "hapticut/tool/tool.hpp"
-#include "hapticut/workpiece/builders.hpp"
+#include "loop/hand_map.hpp"
 
 namespace hapticut::cli {
 
-/// Which axis of the device's base points up.
-enum class Up { y, z };
-
-/// Puts the origin of the device's base where the tool stands on the middle of the workpiece's top.
-/// @param scale  metres in the world per metre of the hand
-[[nodiscard]] inline WorkspaceMapOptions map_above(const DeviceCapabilities& capabilities, const Box& box,
-                                                   const Tool& tool, Up up, double scale) {
-  WorkspaceMapOptions map;
-  map.scale = scale;
-  if (up == Up::y)
-    map.X_WB.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // to the right stays, up becomes z, to the user becomes -y
-  const double tip_above_hand = tool.X_HT().translation.z() + tool.head().bounding_box().min.z();
-  map.X_WB.translation =
-      Vec3(0.5 * (box.min.x() + box.max.x()), 0.5 * (box.min.y() + box.max.y()), box.max.z() - tip_above_hand);
-  if (capabilities.input_degrees_of_freedom < 6) {
-    map.orientation = false;
-    map.X_SH.rotation = map.X_WB.rotation.transpose();  // the tool stands upright
-  }
-  return map;
-}
+using hapticut::map_above;
+using hapticut::Up;
 
 }  // namespace hapticut::cli

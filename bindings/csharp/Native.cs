@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// The functions of hapticut/c/hapticut.h, and how their errors become exceptions.
+using System;
+using System.Runtime.InteropServices;
+using System.Text;
+
+namespace Hapticut {
+
+  /// <summary>Something that was asked for cannot be done: the library's sentence says what and why.</summary>
+  public sealed class HapticutException : Exception {
+    /// <summary>hapticut_result, below 0.</summary>
+    public int Code { get; private set; }
+    internal HapticutException(int code, string sentence) : base(sentence) { Code = code; }
+
+    public const int Argument = -1, StaleHandle = -2, StructSize = -3, Busy = -4, Refused = -5, Full = -6, Memory = -7;
+  }
+
+  internal static class Text {
+    /// UTF-8, with a 0 at its end.
+    internal static byte[] Of(string text) {
+      if (text == null) throw new ArgumentNullException("text");
+      byte[] bytes = new byte[Encoding.UTF8.GetByteCount(text) + 1];
+      Encoding.UTF8.GetBytes(text, 0, text.Length, bytes, 0);
+      return bytes;
+    }
+
+    internal static string Of(byte[] bytes) {
+      if (bytes == null) return "";
+      int length = Array.IndexOf(bytes, (byte)0);
+      return Encoding.UTF8.GetString(bytes, 0, length < 0 ? bytes.Length : length);
+    }
+
+    internal static string At(IntPtr text) {
+      int length = 0;
+      while (Marshal.ReadByte(text, length) != 0) ++length;
+      byte[] bytes = new byte[length];
+      Marshal.Copy(text, bytes, 0, length);
+      return Encoding.UTF8.GetString(bytes);
+    }
+  }
+
+  internal static class Native {
+    const string Library = "hapticut_c";
+    internal const int Nothing = 1;
+
+    [DllImport(Library)] internal static extern uint hapticut_abi_version();
+    [DllImport(Library)] internal static extern IntPtr hapticut_version();
+    [DllImport(Library)] internal static extern IntPtr hapticut_last_error();
+    [DllImport(Library)] internal static extern int hapticut_release(IntPtr handle);
+    [DllImport(Library)] internal static extern int hapticut_status_text(uint status, byte[] text, UIntPtr capacity);
+
+    [DllImport(Library)] internal static extern int hapticut_simulation_from_toml(byte[] text, ref SimulationOptions options, out IntPtr made);
+    [DllImport(Library)] internal static extern int hapticut_simulation_from_file(byte[] path, ref SimulationOptions options, out IntPtr made);
+    [DllImport(Library)] internal static extern int hapticut_scene(Simulation of, ref SceneInfo info);
+    [DllImport(Library)] internal static extern int hapticut_material(Simulation of, uint id, ref MaterialInfo info);
+    [DllImport(Library)] internal static extern int hapticut_path_pose(Simulation of, double time, out Pose X_WH);
+    [DllImport(Library)] internal static extern int hapticut_step(Simulation of, ref StepInput input, ref StepResult result);
+    [DllImport(Library)] internal static extern int hapticut_touches(Simulation of, ref Pose X_WH, out int touches);
+    [DllImport(Library)] internal static extern int hapticut_set_spindle_speed(Simulation of, double speed);
+    [DllImport(Library)] internal static extern int hapticut_set_tool(Simulation of, byte[] text);
+    [DllImport(Library)] internal static extern int hapticut_save_workpiece(Simulation of, byte[] path);
+    [DllImport(Library)] internal static extern int hapticut_snapshot_take(Simulation of, out IntPtr made);
+    [DllImport(Library)] internal static extern int hapticut_snapshot_restore(Simulation of, Snapshot snapshot);
+    [DllImport(Library)] internal static extern int hapticut_set_undo_mark(Simulation of);
+    [DllImport(Library)] internal static extern int hapticut_undo(Simulation of);
+    [DllImport(Library)] internal static extern int hapticut_redo(Simulation of);
+
+    [DllImport(Library)] internal static extern int hapticut_device_open(byte[] name, out IntPtr made);
+    [DllImport(Library)] internal static extern int hapticut_device_describe(Device of, ref DeviceInfo info);
+    [DllImport(Library)] internal static extern int hapticut_loop_start(Simulation of, Device device, ref LoopOptions options, out IntPtr made);
+    [DllImport(Library)] internal static extern int hapticut_loop_is_running(Loop of, out int running);
+    [DllImport(Library)] internal static extern int hapticut_loop_latest(Loop of, ref LoopState state);
+    [DllImport(Library)] internal static extern int hapticut_loop_send(Loop of, ref Command command);
+    [DllImport(Library)] internal static extern int hapticut_loop_set_tool(Loop of, byte[] text);
+    [DllImport(Library)] internal static extern int hapticut_loop_emergency_stop(Loop of);
+    [DllImport(Library)] internal static extern int hapticut_loop_reset_fault(Loop of);
+    [DllImport(Library)] internal static extern int hapticut_loop_stop(Loop of, ref LoopReport report);
+
+    [DllImport(Library)] internal static extern int hapticut_surface_open(Simulation of, out IntPtr made);
+    [DllImport(Library)] internal static extern int hapticut_surface_poll(Surface of, ref NativePage page);
+    [DllImport(Library)] internal static extern int hapticut_surface_release_page(Surface of, ulong ticket);
+    [DllImport(Library)] internal static extern int hapticut_surface_look_at(Surface of, ref Vec3 p_WQ);
+    [DllImport(Library)] internal static extern int hapticut_surface_catch_up(Surface of);
+
+    [DllImport(Library)] internal static extern int hapticut_sound_open(ref SoundOptions options, out IntPtr made);
+    [DllImport(Library)] internal static extern int hapticut_sound_render(Sound of, ref SoundInput input, double rate, float[] samples, UIntPtr count);
+
+    // The second name takes a device that may be none.
+    [DllImport(Library)] internal static extern int hapticut_recording_start(Simulation of, Device device, byte[] path, out IntPtr made);
+    [DllImport(Library, EntryPoint = "hapticut_recording_start")]
+    internal static extern int hapticut_recording_start_alone(Simulation of, IntPtr none, byte[] path, out IntPtr made);
+    [DllImport(Library)] internal static extern int hapticut_recording_stop(Recording of, ref RecordingReport report);
+
+    /// Throws where a call has failed.  Returns false where there was nothing.
+    internal static bool Check(int code) {
+      if (code < 0) throw new HapticutException(code, Text.At(hapticut_last_error()));
+      return code != Nothing;
+    }
+
+    internal static uint SizeOf<T>() { return Size<T>.Value; }
+    static class Size<T> { internal static readonly uint Value = (uint)Marshal.SizeOf(typeof(T)); }
+  }
+
+  /// <summary>The library itself.</summary>
+  public static class Library {
+    public static string Version { get { return Text.At(Native.hapticut_version()); } }
+    public static uint AbiVersion { get { return Native.hapticut_abi_version(); } }
+
+    /// <summary>The names of the bits of a status.</summary>
+    public static string StatusText(uint status) {
+      byte[] text = new byte[512];
+      Native.Check(Native.hapticut_status_text(status, text, (UIntPtr)text.Length));
+      return Text.Of(text);
+    }
+  }
+
+  /// <summary>An object of the library's. The runtime lets go of it when nobody holds it, Dispose at once.</summary>
+  public abstract class LibraryObject : SafeHandle {
+    protected LibraryObject(IntPtr made) : base(IntPtr.Zero, true) { SetHandle(made); }
+    public override bool IsInvalid { get { return handle == IntPtr.Zero; } }
+    protected override bool ReleaseHandle() { return Native.hapticut_release(handle) == 0; }
+  }
+}

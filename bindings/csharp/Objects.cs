@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+// An object for each kind of handle.
+using System;
+using System.Runtime.InteropServices;
+
+namespace Hapticut {
+
+  /// <summary>A tool and a workpiece, from a scene in TOML. One thread at a time; none while a loop runs.</summary>
+  public sealed class Simulation : LibraryObject {
+    Simulation(IntPtr made) : base(made) {}
+
+    public static Simulation FromToml(string text, SimulationOptions options = default(SimulationOptions)) {
+      options.structSize = Native.SizeOf<SimulationOptions>();
+      IntPtr made;
+      Native.Check(Native.hapticut_simulation_from_toml(Text.Of(text), ref options, out made));
+      return new Simulation(made);
+    }
+
+    public static Simulation FromFile(string path, SimulationOptions options = default(SimulationOptions)) {
+      options.structSize = Native.SizeOf<SimulationOptions>();
+      IntPtr made;
+      Native.Check(Native.hapticut_simulation_from_file(Text.Of(path), ref options, out made));
+      return new Simulation(made);
+    }
+
+    public SceneInfo Scene {
+      get {
+        SceneInfo info = new SceneInfo { structSize = Native.SizeOf<SceneInfo>() };
+        Native.Check(Native.hapticut_scene(this, ref info));
+        return info;
+      }
+    }
+
+    /// <param name="id">1 ... SceneInfo.materials</param>
+    public MaterialInfo Material(uint id) {
+      MaterialInfo info = new MaterialInfo { structSize = Native.SizeOf<MaterialInfo>() };
+      Native.Check(Native.hapticut_material(this, id, ref info));
+      return info;
+    }
+
+    /// <summary>Where the handle is on the scene's path; false where it has none.</summary>
+    public bool PathPose(double time, out Pose X_WH) { return Native.Check(Native.hapticut_path_pose(this, time, out X_WH)); }
+
+    public StepResult Step(StepInput input) {
+      StepResult result = new StepResult { structSize = Native.SizeOf<StepResult>() };
+      input.structSize = Native.SizeOf<StepInput>();
+      Native.Check(Native.hapticut_step(this, ref input, ref result));
+      return result;
+    }
+
+    public bool Touches(Pose X_WH) {
+      int touches;
+      Native.Check(Native.hapticut_touches(this, ref X_WH, out touches));
+      return touches != 0;
+    }
+
+    /// <param name="speed">[rad/s]</param>
+    public void SetSpindleSpeed(double speed) { Native.Check(Native.hapticut_set_spindle_speed(this, speed)); }
+
+    /// <param name="toml">a table [tool] and nothing else</param>
+    public void SetTool(string toml) { Native.Check(Native.hapticut_set_tool(this, Text.Of(toml))); }
+
+    public void SaveWorkpiece(string path) { Native.Check(Native.hapticut_save_workpiece(this, Text.Of(path))); }
+
+    public Snapshot TakeSnapshot() {
+      IntPtr made;
+      Native.Check(Native.hapticut_snapshot_take(this, out made));
+      return new Snapshot(made);
+    }
+
+    public void Restore(Snapshot snapshot) { Native.Check(Native.hapticut_snapshot_restore(this, snapshot)); }
+    public void SetUndoMark() { Native.Check(Native.hapticut_set_undo_mark(this)); }
+    public bool Undo() { return Native.Check(Native.hapticut_undo(this)); }
+    public bool Redo() { return Native.Check(Native.hapticut_redo(this)); }
+  }
+
+  /// <summary>The state of a workpiece.</summary>
+  public sealed class Snapshot : LibraryObject {
+    internal Snapshot(IntPtr made) : base(made) {}
+  }
+
+  /// <summary>A haptic device, or what stands for one.</summary>
+  public sealed class Device : LibraryObject {
+    Device(IntPtr made) : base(made) {}
+
+    public static Device Open(string name) {
+      IntPtr made;
+      Native.Check(Native.hapticut_device_open(Text.Of(name), out made));
+      return new Device(made);
+    }
+
+    public DeviceInfo Info {
+      get {
+        DeviceInfo info = new DeviceInfo { structSize = Native.SizeOf<DeviceInfo>() };
+        Native.Check(Native.hapticut_device_describe(this, ref info));
+        return info;
+      }
+    }
+  }
+
+  /// <summary>A device that drives a simulation in a thread of the library's, which no garbage collection stops.</summary>
+  public sealed class Loop : LibraryObject {
+    Loop(IntPtr made) : base(made) {}
+
+    public static Loop Start(Simulation simulation, Device device, LoopOptions options = default(LoopOptions)) {
+      options.structSize = Native.SizeOf<LoopOptions>();
+      IntPtr made;
+      Native.Check(Native.hapticut_loop_start(simulation, device, ref options, out made));
+      return new Loop(made);
+    }
+
+    public bool IsRunning {
+      get {
+        int running;
+        Native.Check(Native.hapticut_loop_is_running(this, out running));
+        return running != 0;
+      }
+    }
+
+    public LoopState Latest() {
+      LoopState state = new LoopState { structSize = Native.SizeOf<LoopState>() };
+      Native.Check(Native.hapticut_loop_latest(this, ref state));
+      return state;
+    }
+
+    public void Send(CommandKind kind, double value = 0) {
+      Command command = new Command { structSize = Native.SizeOf<Command>(), kind = kind, value = value };
+      Native.Check(Native.hapticut_loop_send(this, ref command));
+    }
+
+    /// <param name="toml">a table [tool] and nothing else</param>
+    public void SetTool(string toml) { Native.Check(Native.hapticut_loop_set_tool(this, Text.Of(toml))); }
+
+    public void EmergencyStop() { Native.Check(Native.hapticut_loop_emergency_stop(this)); }
+    public void ResetFault() { Native.Check(Native.hapticut_loop_reset_fault(this)); }
+
+    public LoopReport Stop() {
+      LoopReport report = new LoopReport { structSize = Native.SizeOf<LoopReport>() };
+      Native.Check(Native.hapticut_loop_stop(this, ref report));
+      return report;
+    }
+  }
+
+  /// <summary>A page of triangles, copied; arrays are used again by the next poll into the same page.</summary>
+  public sealed class Page {
+    public int originX, originY, originZ;  // names the page
+    public ulong version;
+    public Pose X_WP;
+    public double step;  // [m] of a vertex' numbers
+    public int vertexCount, indexCount;
+    public byte[] vertices = new byte[0];  // 12 bytes each: Vertex
+    public short[] indices = new short[0];  // bits of 16-bit unsigned numbers
+
+    /// <summary>[m] in W</summary>
+    public Vec3 Position(int n) {
+      double x = step * BitConverter.ToInt16(vertices, 12 * n), y = step * BitConverter.ToInt16(vertices, 12 * n + 2),
+             z = step * BitConverter.ToInt16(vertices, 12 * n + 4);
+      return new Vec3(X_WP.position.x + X_WP.r00 * x + X_WP.r01 * y + X_WP.r02 * z,
+                      X_WP.position.y + X_WP.r10 * x + X_WP.r11 * y + X_WP.r12 * z,
+                      X_WP.position.z + X_WP.r20 * x + X_WP.r21 * y + X_WP.r22 * z);
+    }
+
+    public int Index(int n) { return (ushort)indices[n]; }
+
+    internal void Take(NativePage page) {
+      originX = page.originX; originY = page.originY; originZ = page.originZ;
+      version = page.version; X_WP = page.X_WP; step = page.step;
+      vertexCount = (int)page.vertexCount; indexCount = (int)page.indexCount;
+      if (vertices.Length < 12 * vertexCount) vertices = new byte[24 * vertexCount];
+      if (indices.Length < indexCount) indices = new short[2 * indexCount];
+      if (vertexCount > 0) Marshal.Copy(page.vertices, vertices, 0, 12 * vertexCount);
+      if (indexCount > 0) Marshal.Copy(page.indices, indices, 0, indexCount);
+    }
+  }
+
+  /// <summary>The surface of a workpiece, page by page; also while a loop runs, in one thread.</summary>
+  public sealed class Surface : LibraryObject {
+    Surface(IntPtr made) : base(made) {}
+
+    /// <summary>Before the first cut.</summary>
+    public static Surface Of(Simulation simulation) {
+      IntPtr made;
+      Native.Check(Native.hapticut_surface_open(simulation, out made));
+      return new Surface(made);
+    }
+
+    /// <summary>The next page that has become another one; false where none has.</summary>
+    public bool Poll(Page page) {
+      NativePage native = new NativePage { structSize = Native.SizeOf<NativePage>() };
+      if (!Native.Check(Native.hapticut_surface_poll(this, ref native))) return false;
+      try {
+        page.Take(native);
+      } finally {
+        Native.hapticut_surface_release_page(this, native.ticket);
+      }
+      return true;
+    }
+
+    public void LookAt(Vec3 p_WQ) { Native.Check(Native.hapticut_surface_look_at(this, ref p_WQ)); }
+    public void CatchUp() { Native.Check(Native.hapticut_surface_catch_up(this)); }
+  }
+
+  /// <summary>The sound of a drill; in the thread that asks for samples.</summary>
+  public sealed class Sound : LibraryObject {
+    Sound(IntPtr made) : base(made) {}
+
+    /// <param name="volume">above 0 ... 1; 0: 0.5</param>
+    public static Sound Open(uint flutes = 0, double volume = 0) {
+      SoundOptions options = new SoundOptions { structSize = Native.SizeOf<SoundOptions>(), flutes = flutes, volume = volume };
+      IntPtr made;
+      Native.Check(Native.hapticut_sound_open(ref options, out made));
+      return new Sound(made);
+    }
+
+    public void Render(SoundInput input, double sampleRate, float[] samples) {
+      input.structSize = Native.SizeOf<SoundInput>();
+      Native.Check(Native.hapticut_sound_render(this, ref input, sampleRate, samples, (UIntPtr)samples.Length));
+    }
+  }
+
+  /// <summary>A file to which every step goes.</summary>
+  public sealed class Recording : LibraryObject {
+    Recording(IntPtr made) : base(made) {}
+
+    /// <param name="device">whose loop will make the steps, or null</param>
+    public static Recording Start(Simulation simulation, Device device, string path) {
+      IntPtr made;
+      Native.Check(device != null
+                       ? Native.hapticut_recording_start(simulation, device, Text.Of(path), out made)
+                       : Native.hapticut_recording_start_alone(simulation, IntPtr.Zero, Text.Of(path), out made));
+      return new Recording(made);
+    }
+
+    public RecordingReport Stop() {
+      RecordingReport report = new RecordingReport { structSize = Native.SizeOf<RecordingReport>() };
+      Native.Check(Native.hapticut_recording_stop(this, ref report));
+      return report;
+    }
+  }
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+using UnityEditor;
+
+namespace Hapticut {
+
+  /// <summary>Loops end before the editor throws their objects away: a device must not go on without its scene.</summary>
+  [InitializeOnLoad]
+  static class StopBeforeReload {
+    static StopBeforeReload() { AssemblyReloadEvents.beforeAssemblyReload += HapticutScene.StopAll; }
+  }
+}

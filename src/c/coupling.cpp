@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// A virtual coupling in a loop of the caller's.
+#include "hapticut/simulation/coupling.hpp"
+#include "c/simulation_object.hpp"
+#include "c/structs.hpp"
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut::c {
+namespace {
+
+class CouplingObject final : public Object {
+ public:
+  static constexpr Kind kKind = Kind::coupling;
+  CouplingObject(std::shared_ptr<SimulationObject> a_simulation, const CouplingGains& gains)
+      : simulation(std::move(a_simulation)), tools(simulation->tools), coupling(simulation->simulation, gains) {}
+
+  const std::shared_ptr<SimulationObject> simulation;
+  const std::uint32_t tools;  // that the simulation had had
+  VirtualCoupling coupling;
+};
+
+/// Where 0 stands for the default.
+void set_if_given(double given, double& value) noexcept {
+  if (given != 0) value = given;
+}
+
+CouplingGains gains_of(const hapticut_coupling_gains& given) noexcept {
+  CouplingGains gains;
+  set_if_given(given.stiffness, gains.stiffness);
+  set_if_given(given.damping, gains.damping);
+  set_if_given(given.mass, gains.mass);
+  set_if_given(given.largest_force, gains.largest_force);
+  set_if_given(given.angular_stiffness, gains.angular_stiffness);
+  set_if_given(given.angular_damping, gains.angular_damping);
+  set_if_given(given.inertia, gains.inertia);
+  set_if_given(given.largest_torque, gains.largest_torque);
+  return gains;
+}
+
+}  // namespace
+}  // namespace hapticut::c
+
+using namespace hapticut;
+using namespace hapticut::c;
+
+extern "C" {
+
+int hapticut_coupling_open(hapticut_simulation simulation, const hapticut_coupling_gains* gains,
+                           hapticut_coupling* coupling) {
+  return guarded([&]() -> int {
+    require_argument(coupling, "coupling");
+    hapticut_coupling_gains own;
+    if (const int code = take_if_given(gains, "gains", own); code != HAPTICUT_OK) return code;
+    const IdleSimulation use(simulation);
+    if (!use) return use.code();
+    *coupling = add_object(Kind::coupling, std::make_shared<CouplingObject>(use.share(), gains_of(own)));
+    return HAPTICUT_OK;
+  });
+}
+
+int hapticut_coupling_step(hapticut_coupling coupling, const hapticut_step_input* input, hapticut_step_result* result) {
+  hapticut_step_input in;
+  if (const int code = take(input, "input", in); code != HAPTICUT_OK) return code;
+  if (const int code = check_size(result, "result"); code != HAPTICUT_OK) return code;
+  const Use<CouplingObject> use(coupling);
+  if (!use) return use.code();
+  SimulationObject& object = *use->simulation;
+  const IdleStay stay(object);
+  if (!stay) return stay.code();
+  if (object.tools.load() != use->tools)
+    return fail(HAPTICUT_ERROR_REFUSED,
+                "The simulation has another tool than this coupling was made for; open another.");
+  const Twist velocity{vector_of(in.linear_velocity), vector_of(in.angular_velocity)};
+  const CoupledResult& tick = use->coupling.step(pose_of(in.X_WH), velocity, in.dt);
+  hapticut_step_result own{};
+  put_step(object.simulation.last_result(), own);
+  own.status = std::uint32_t(tick.status);
+  put(tick.hand.force, own.force);
+  put(tick.hand.torque, own.torque);
+  own.removed_volume = tick.removed_volume;
+  own.removed_voxels = tick.removed_voxels.size();
+  own.sub_steps = std::uint32_t(tick.parts);
+  put(tick.X_WH, own.X_WH);
+  give(own, result);
+  return HAPTICUT_OK;
+}
+
+int hapticut_coupling_let_go(hapticut_coupling coupling) {
+  const Use<CouplingObject> use(coupling);
+  if (!use) return use.code();
+  const IdleStay stay(*use->simulation);
+  if (!stay) return stay.code();
+  use->coupling.release();
+  return HAPTICUT_OK;
+}
+
+}  // extern "C"

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "c/failure.hpp"
+#include "hapticut/c/hapticut.h"
+
+/// @file
+/// Handles: numbers that name objects, tell their kind, and go stale when the object is released.
+///
+///     bits 63 ... 56  kind    55 ... 16  number    15 ... 0  slot
+///
+/// Numbers are those of the handles in their order, from one that each copy of the library draws when it is loaded: so
+/// a handle of another copy is a stale one here, and a slot that is used again has another handle.
+namespace hapticut::c {
+
+enum class Kind : std::uint8_t { none, simulation, snapshot, coupling, device, loop, surface, sound, recording };
+inline constexpr std::size_t kKinds = 9;
+[[nodiscard]] const char* name_of(Kind kind) noexcept;
+
+/// Who may be in a call with an object at the same time: one thread in each lane.
+enum class Lane : std::uint8_t { first, looking, sending };
+
+class Object {
+ public:
+  Object() = default;
+  Object(const Object&) = delete;
+  Object& operator=(const Object&) = delete;
+  virtual ~Object() = default;
+
+  [[nodiscard]] bool enter(Lane lane) noexcept {
+    return !lanes_[std::size_t(lane)].exchange(true, std::memory_order_acquire);
+  }
+  void leave(Lane lane) noexcept { lanes_[std::size_t(lane)].store(false, std::memory_order_release); }
+
+ private:
+  std::array<std::atomic<bool>, 3> lanes_{};
+};
+
+/// A handle for an object.  @throws Refusal when there are too many
+[[nodiscard]] hapticut_handle add_object(Kind kind, std::shared_ptr<Object> object);
+
+/// Forgets the handle, and ends the object where nothing else needs it.
+int release_object(hapticut_handle handle) noexcept;
+
+/// Finds an object and holds its slot.  @return null, and `code` with its sentence, when the handle is none of this
+/// kind
+/// @realtime no allocation, no lock, when it succeeds
+[[nodiscard]] const std::shared_ptr<Object>* hold_slot(hapticut_handle handle, Kind kind, int& code) noexcept;
+void let_slot_go(hapticut_handle handle) noexcept;
+
+/// A thread's stay in a call: the object lives, and no other thread is in the same lane.
+/// @realtime as hold_slot
+template <class T>
+class Use {
+ public:
+  explicit Use(hapticut_handle handle, Lane lane = Lane::first) noexcept : handle_(handle), lane_(lane) {
+    shared_ = hold_slot(handle, T::kKind, code_);
+    if (shared_ == nullptr) return;
+    if (!(*shared_)->enter(lane)) {
+      let_slot_go(handle);
+      shared_ = nullptr;
+      code_ = fail(HAPTICUT_ERROR_BUSY, "Another thread is in a call with this handle; try again.");
+    }
+  }
+  ~Use() {
+    if (shared_ == nullptr) return;
+    (*shared_)->leave(lane_);
+    let_slot_go(handle_);
+  }
+  Use(const Use&) = delete;
+  Use& operator=(const Use&) = delete;
+
+  explicit operator bool() const noexcept { return shared_ != nullptr; }
+  [[nodiscard]] int code() const noexcept { return code_; }
+  T* operator->() const noexcept { return static_cast<T*>(shared_->get()); }
+  [[nodiscard]] std::shared_ptr<T> share() const { return std::static_pointer_cast<T>(*shared_); }
+
+ private:
+  hapticut_handle handle_;
+  Lane lane_;
+  const std::shared_ptr<Object>* shared_ = nullptr;
+  int code_ = HAPTICUT_OK;
+};
+
+/// A lane of an object that is known otherwise than by its handle.
+class Stay {
+ public:
+  explicit Stay(Object& object, Lane lane = Lane::first) noexcept
+      : object_(object), lane_(lane), in_(object.enter(lane)) {}
+  ~Stay() {
+    if (in_) object_.leave(lane_);
+  }
+  Stay(const Stay&) = delete;
+  Stay& operator=(const Stay&) = delete;
+  explicit operator bool() const noexcept { return in_; }
+
+ private:
+  Object& object_;
+  Lane lane_;
+  bool in_;
+};
+
+}  // namespace hapticut::c

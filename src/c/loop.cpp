@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// What other threads do with a loop that runs.
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "c/loop_object.hpp"
+#include "c/structs.hpp"
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut::c {
+namespace {
+
+bool switch_of(double value) {
+  if (value != 0 && value != 1)
+    throw Refusal(HAPTICUT_ERROR_ARGUMENT, "value = " + format_number(value) + "; it must be 0 or 1.");
+  return value == 1;
+}
+
+commands::SetForceMask mask_of(double value) {
+  if (!(value >= 0 && value <= 63 && value == std::floor(value)))
+    throw Refusal(HAPTICUT_ERROR_ARGUMENT,
+                  "value = " + format_number(value) + "; it must be a whole number from 0 to 63.");
+  const auto bits = unsigned(value);
+  commands::SetForceMask mask;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    mask.enabled.force[axis] = (bits >> axis & 1U) != 0;
+    mask.enabled.torque[axis] = (bits >> (axis + 3) & 1U) != 0;
+  }
+  return mask;
+}
+
+LoopCommand command_of(const hapticut_command& given, RemovalLaw removal) {
+  switch (given.kind) {
+    case HAPTICUT_COMMAND_SET_SPINDLE_SPEED:
+      return commands::SetSpindleSpeed{given.value};
+    case HAPTICUT_COMMAND_OPEN_CLUTCH:
+      return commands::OpenClutch{};
+    case HAPTICUT_COMMAND_CLOSE_CLUTCH:
+      return commands::CloseClutch{};
+    case HAPTICUT_COMMAND_SET_SCALE:
+      return commands::SetScale{given.value};
+    case HAPTICUT_COMMAND_SET_UNDO_MARK:
+      return commands::SetUndoMark{};
+    case HAPTICUT_COMMAND_UNDO:
+      return commands::Undo{};
+    case HAPTICUT_COMMAND_REDO:
+      return commands::Redo{};
+    case HAPTICUT_COMMAND_HOLD_FORCE:
+      return commands::HoldForce{switch_of(given.value)};
+    case HAPTICUT_COMMAND_SET_REMOVAL:
+      return commands::SetRemoval{switch_of(given.value) ? removal : RemovalLaw::none};
+    case HAPTICUT_COMMAND_SET_FORCE_MASK:
+      return mask_of(given.value);
+    default:
+      throw Refusal(HAPTICUT_ERROR_ARGUMENT,
+                    "kind = " + std::to_string(given.kind) + "; it must be one of hapticut_command_kind.");
+  }
+}
+
+int send(LoopObject& object, LoopCommand&& command) {
+  if (!object.running.load())
+    return fail(HAPTICUT_ERROR_REFUSED, "The loop was stopped; what the command is to change can be changed directly.");
+  if (object.loop.send(std::move(command))) return HAPTICUT_OK;
+  return fail(HAPTICUT_ERROR_FULL, "256 commands are under way; send it again after some ticks.");
+}
+
+/// What a request finds: no lane, for it must come through whatever the others do.
+template <class Ask>
+int request(hapticut_loop loop, Ask&& ask) noexcept {
+  int code = HAPTICUT_OK;
+  const std::shared_ptr<Object>* held = hold_slot(loop, Kind::loop, code);
+  if (held == nullptr) return code;
+  ask(static_cast<LoopObject*>(held->get())->loop.requests());
+  let_slot_go(loop);
+  return HAPTICUT_OK;
+}
+
+std::uint32_t flag(bool on, hapticut_loop_flag bit) noexcept { return on ? std::uint32_t(bit) : 0; }
+
+void put_snapshot(const LoopSnapshot& seen, hapticut_loop_state& own) noexcept {
+  const ToolSnapshot& tool = seen.tool;
+  own.status = std::uint32_t(tool.status);
+  own.tick = seen.tick;
+  own.arming = std::uint32_t(seen.arming);
+  own.fault = std::uint32_t(seen.device.fault);
+  own.flags = flag(seen.device.valid, HAPTICUT_LOOP_READING_VALID) |
+              flag(tool.contact_voxels > 0, HAPTICUT_LOOP_TOUCHING) | flag(tool.undoing, HAPTICUT_LOOP_UNDOING) |
+              flag(tool.redoing, HAPTICUT_LOOP_REDOING) | flag(tool.force_held, HAPTICUT_LOOP_FORCE_HELD);
+  own.buttons = seen.device.buttons;
+  own.output_changes = std::uint32_t(seen.output.changes);
+  own.status_seen = std::uint32_t(tool.seen);
+  own.time = seen.device.time;
+  put(seen.device.X_BS, own.X_BS);
+  put(seen.X_WT, own.X_WT);
+  put(tool.force, own.force);
+  put(tool.torque, own.torque);
+  put(seen.output.applied.force, own.applied_force);
+  put(seen.output.applied.torque, own.applied_torque);
+  own.spindle_speed = tool.spindle_speed;
+  own.removed_volume = tool.removed_volume;
+  own.dissipated = tool.dissipated;
+  own.contact_depth = tool.contact_depth;
+  own.contact_voxels = std::uint32_t(tool.contact_voxels);
+  own.undo_marks = std::uint32_t(tool.undo_marks);
+  own.redo_marks = std::uint32_t(tool.redo_marks);
+  own.commands_dropped = seen.commands_dropped;
+  own.commands_refused = seen.commands_refused;
+}
+
+}  // namespace
+}  // namespace hapticut::c
+
+using namespace hapticut;
+using namespace hapticut::c;
+
+extern "C" {
+
+int hapticut_loop_latest(hapticut_loop loop, hapticut_loop_state* state) {
+  if (const int code = check_size(state, "state"); code != HAPTICUT_OK) return code;
+  const Use<LoopObject> use(loop, Lane::looking);
+  if (!use) return use.code();
+  const LoopSnapshot& seen = use->loop.latest();
+  const SoundInput& heard = use->listener.listen(seen);
+  hapticut_loop_state own{};
+  put_snapshot(seen, own);
+  own.power = heard.power;
+  own.removal_rate = heard.removal_rate;
+  give(own, state);
+  return HAPTICUT_OK;
+}
+
+int hapticut_loop_send(hapticut_loop loop, const hapticut_command* command) {
+  hapticut_command own;
+  if (const int code = take(command, "command", own); code != HAPTICUT_OK) return code;
+  const Use<LoopObject> use(loop, Lane::sending);
+  if (!use) return use.code();
+  return guarded([&] { return send(*use.operator->(), command_of(own, use->simulation->removal)); });
+}
+
+int hapticut_loop_set_tool(hapticut_loop loop, const char* text) {
+  return guarded([&]() -> int {
+    require_argument(text, "text");
+    const Use<LoopObject> use(loop, Lane::sending);
+    if (!use) return use.code();
+    const int code = send(*use.operator->(), use->model.prepare_tool(tool_from_toml(text)));
+    if (code == HAPTICUT_OK) use->simulation->tools.fetch_add(1);
+    return code;
+  });
+}
+
+int hapticut_loop_emergency_stop(hapticut_loop loop) {
+  return request(loop, [](Requests& requests) { requests.emergency_stop(); });
+}
+
+int hapticut_loop_reset_fault(hapticut_loop loop) {
+  return request(loop, [](Requests& requests) { requests.reset_fault(); });
+}
+
+}  // extern "C"

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes: how they are made, and what they have.
+#include <string>
+#include <utility>
+
+#include "c/simulation_object.hpp"
+#include "c/structs.hpp"
+#include "hapticut/core/errors.hpp"
+#include "hapticut/io/vdb/vdb.hpp"
+#include "hapticut/settings/scene.hpp"
+#include "settings/settings_file.hpp"
+#include "settings/tool_settings.hpp"
+
+namespace hapticut::c {
+namespace {
+
+/// Axis-parallel in W, around all voxels that are not empty.
+Box box_of(const Workpiece& workpiece) {
+  const IndexBox bounds = workpiece.bounds();
+  const GridFrame& frame = workpiece.frame();
+  Box box{Vec3::Zero(), Vec3::Zero()};
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3 p_V;
+    for (int axis = 0; axis < 3; ++axis)
+      p_V[axis] = (corner >> axis & 1) != 0 ? bounds.max[std::size_t(axis)] + 0.5 : bounds.min[std::size_t(axis)] - 0.5;
+    const Vec3 p_W = frame.X_WV * (frame.voxel_size * p_V);
+    box.min = corner == 0 ? p_W : box.min.cwiseMin(p_W).eval();
+    box.max = corner == 0 ? p_W : box.max.cwiseMax(p_W).eval();
+  }
+  return box;
+}
+
+int make(settings::Scene scene, const hapticut_simulation_options& options, hapticut_simulation* to) {
+  if (options.for_coupling > 1)
+    throw Refusal(HAPTICUT_ERROR_ARGUMENT,
+                  "for_coupling = " + std::to_string(options.for_coupling) + "; it must be 0 or 1.");
+  if (options.for_coupling == 1) scene.config.contact_time = ContactTime::end;
+  Simulation simulation(std::move(scene.workpiece), std::move(scene.tool), std::move(scene.config));
+  if (options.undo_blocks > 0) simulation.reserve_undo(options.undo_blocks);
+  *to =
+      add_object(Kind::simulation, std::make_shared<SimulationObject>(std::move(simulation), std::move(scene.motion)));
+  return HAPTICUT_OK;
+}
+
+}  // namespace
+
+SimulationObject::SimulationObject(Simulation a_simulation, std::optional<settings::Motion> a_motion)
+    : simulation(std::move(a_simulation)),
+      motion(std::move(a_motion)),
+      first_tool(simulation.tool()),
+      removal(simulation.config().removal),
+      box(box_of(simulation.workpiece())),
+      bounds(simulation.workpiece().bounds()),
+      rate(simulation.config().update_rate) {}
+
+int SimulationObject::require_idle() const noexcept {
+  if (!driven.load(std::memory_order_acquire)) return HAPTICUT_OK;
+  return fail(HAPTICUT_ERROR_BUSY, "A loop drives this simulation; call hapticut_loop_stop before.");
+}
+
+void SimulationObject::retire(std::shared_ptr<void> observer) {
+  {
+    const std::lock_guard lock(mutex_);
+    retired_.push_back(std::move(observer));
+  }
+  if (const IdleStay stay(*this); stay) sweep();
+}
+
+void SimulationObject::sweep() {
+  std::vector<std::shared_ptr<void>> ended;
+  {
+    const std::lock_guard lock(mutex_);
+    ended.swap(retired_);
+  }
+}
+
+Tool tool_from_toml(const char* text) {
+  settings::ToolSettings tool;
+  (void)settings::read_settings(text, "tool", settings_of(tool));
+  return make_tool(tool);
+}
+
+}  // namespace hapticut::c
+
+using namespace hapticut;
+using namespace hapticut::c;
+
+extern "C" {
+
+int hapticut_simulation_from_toml(const char* text, const hapticut_simulation_options* options,
+                                  hapticut_simulation* simulation) {
+  return guarded([&]() -> int {
+    require_argument(text, "text");
+    require_argument(simulation, "simulation");
+    hapticut_simulation_options own;
+    if (const int code = take_if_given(options, "options", own); code != HAPTICUT_OK) return code;
+    return make(settings::from_toml(text), own, simulation);
+  });
+}
+
+int hapticut_simulation_from_file(const char* path, const hapticut_simulation_options* options,
+                                  hapticut_simulation* simulation) {
+  return guarded([&]() -> int {
+    require_argument(path, "path");
+    require_argument(simulation, "simulation");
+    hapticut_simulation_options own;
+    if (const int code = take_if_given(options, "options", own); code != HAPTICUT_OK) return code;
+    return make(settings::from_file(path), own, simulation);
+  });
+}
+
+int hapticut_scene(hapticut_simulation simulation, hapticut_scene_info* info) {
+  if (const int code = check_size(info, "info"); code != HAPTICUT_OK) return code;
+  const Use<SimulationObject> use(simulation);
+  if (!use) return use.code();
+  return guarded([&]() -> int {
+    // Frame and number of materials never change; of the tool it is the scene's.
+    const Workpiece& workpiece = use->simulation.workpiece();
+    const Tool& tool = use->first_tool;
+    hapticut_scene_info own{};
+    own.materials = std::uint32_t(workpiece.materials().size());
+    own.rate = use->rate;
+    own.voxel_size = workpiece.voxel_size();
+    put(use->box.min, own.box_min);
+    put(use->box.max, own.box_max);
+    put(workpiece.frame().X_WV, own.X_WV);
+    put(tool.X_HT(), own.X_HT);
+    put(tool.head().bounding_box().min, own.head_min);
+    put(tool.head().bounding_box().max, own.head_max);
+    own.spindle_speed = tool.spindle().speed;
+    own.path_duration = use->motion ? use->motion->duration() : 0;
+    own.flutes = std::uint32_t(tool.cutter().lips);
+    give(own, info);
+    return HAPTICUT_OK;
+  });
+}
+
+int hapticut_material(hapticut_simulation simulation, uint32_t id, hapticut_material_info* info) {
+  if (const int code = check_size(info, "info"); code != HAPTICUT_OK) return code;
+  const IdleSimulation use(simulation);
+  if (!use) return use.code();
+  return guarded([&]() -> int {
+    const Workpiece& workpiece = use->simulation.workpiece();
+    const int materials = workpiece.materials().size();
+    if (id < 1 || id > std::uint32_t(materials))
+      throw Refusal(HAPTICUT_ERROR_ARGUMENT, "id = " + std::to_string(id) +
+                                                 "; the materials of this scene have the ids 1 to " +
+                                                 std::to_string(materials) + ".");
+    hapticut_material_info own{};
+    own.removed_volume = use->simulation.removed_volume_by_material()[id];
+    own.volume = workpiece.amounts().at(id - 1).volume;
+    copy_text(workpiece.materials()[MaterialId(id)].name, own.name, sizeof own.name);
+    give(own, info);
+    return HAPTICUT_OK;
+  });
+}
+
+int hapticut_path_pose(hapticut_simulation simulation, double time, hapticut_pose* X_WH) {
+  return guarded([&]() -> int {
+    require_argument(X_WH, "X_WH");
+    const Use<SimulationObject> use(simulation);
+    if (!use) return use.code();
+    if (!use->motion) return HAPTICUT_NOTHING;
+    if (!std::isfinite(time)) throw Refusal(HAPTICUT_ERROR_ARGUMENT, "time is no finite number; it must be one.");
+    put(use->motion->pose_at(time) * use->first_tool.X_HT().inverse(), *X_WH);
+    return HAPTICUT_OK;
+  });
+}
+
+int hapticut_set_tool(hapticut_simulation simulation, const char* text) {
+  return guarded([&]() -> int {
+    require_argument(text, "text");
+    const IdleSimulation use(simulation);
+    if (!use) return use.code();
+    use->simulation.set_tool(tool_from_toml(text));
+    use->tools.fetch_add(1);
+    return HAPTICUT_OK;
+  });
+}
+
+int hapticut_save_workpiece(hapticut_simulation simulation, const char* path) {
+  return guarded([&]() -> int {
+    require_argument(path, "path");
+    const IdleSimulation use(simulation);
+    if (!use) return use.code();
+    if (!std::string_view(path).ends_with(".vdb"))
+      throw Refusal(HAPTICUT_ERROR_ARGUMENT, "path = '" + std::string(path) + "'; it must end with .vdb.");
+    save_vdb(use->simulation.workpiece(), path);
+    return HAPTICUT_OK;
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "c/handles.hpp"
+#include "c/structs.hpp"
+#include "hapticut/sound/drill_sound.hpp"
+
+namespace hapticut::c {
+namespace {
+
+class SoundObject final : public Object {
+ public:
+  static constexpr Kind kKind = Kind::sound;
+  explicit SoundObject(const SoundOptions& options) : sound(options) {}
+  DrillSound sound;
+};
+
+}  // namespace
+}  // namespace hapticut::c
+
+using namespace hapticut;
+using namespace hapticut::c;
+
+extern "C" {
+
+int hapticut_sound_open(const hapticut_sound_options* options, hapticut_sound* sound) {
+  return guarded([&]() -> int {
+    require_argument(sound, "sound");
+    hapticut_sound_options own;
+    if (const int code = take_if_given(options, "options", own); code != HAPTICUT_OK) return code;
+    SoundOptions given;
+    if (own.flutes != 0) given.flutes = int(std::min(own.flutes, 1'000'000U));
+    if (own.volume != 0) given.volume = own.volume;
+    if (own.half_power != 0) given.half_power = own.half_power;
+    *sound = add_object(Kind::sound, std::make_shared<SoundObject>(given));
+    return HAPTICUT_OK;
+  });
+}
+
+int hapticut_sound_render(hapticut_sound sound, const hapticut_sound_input* input, double sample_rate, float* samples,
+                          size_t count) {
+  hapticut_sound_input in;
+  if (const int code = take(input, "input", in); code != HAPTICUT_OK) return code;
+  if (samples == nullptr)
+    return fail(HAPTICUT_ERROR_ARGUMENT, "samples is a null pointer; it must point to something.");
+  const Use<SoundObject> use(sound);
+  if (!use) return use.code();
+  use->sound.render({samples, count}, sample_rate, {in.spindle_speed, in.power, in.removal_rate, in.touching != 0});
+  return HAPTICUT_OK;
+}
+
+}  // extern "C"

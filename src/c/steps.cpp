@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// The step, what goes with it, and the ways back.
+#include <cmath>
+#include <string>
+
+#include "c/simulation_object.hpp"
+#include "c/structs.hpp"
+#include "hapticut/core/build_info.hpp"
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut::c {
+namespace {
+
+constexpr std::size_t kBlocksAtOnce = 1024;  // of an undo between steps
+
+class SnapshotObject final : public Object {
+ public:
+  static constexpr Kind kKind = Kind::snapshot;
+  SnapshotObject(WorkpieceSnapshot a_state, const std::shared_ptr<SimulationObject>& a_simulation)
+      : state(std::move(a_state)), simulation(a_simulation) {}
+  const WorkpieceSnapshot state;
+  const std::weak_ptr<SimulationObject> simulation;  // that it is of
+};
+
+Twist twist_of(const hapticut_step_input& input) noexcept {
+  return {vector_of(input.linear_velocity), vector_of(input.angular_velocity)};
+}
+
+}  // namespace
+
+void put_step(const StepResult& stepped, hapticut_step_result& result) noexcept {
+  result.status = std::uint32_t(stepped.status);
+  result.removed_volume = stepped.removed_volume;
+  result.removed_voxels = stepped.removed_voxels.size();
+  result.spindle_speed = stepped.spindle.speed;
+  result.spindle_torque = stepped.spindle.torque;
+  result.contact_depth = stepped.contact.depth;
+  result.contact_volume = stepped.contact.volume;
+  result.contact_voxels = std::uint32_t(stepped.contact.voxels);
+  result.sub_steps = std::uint32_t(stepped.sub_steps);
+}
+
+}  // namespace hapticut::c
+
+using namespace hapticut;
+using namespace hapticut::c;
+
+extern "C" {
+
+uint32_t hapticut_abi_version(void) { return HAPTICUT_ABI_VERSION; }
+
+const char* hapticut_version(void) {
+  static const std::string* const text = [] {
+    try {
+      const BuildInfo info = build_info();
+      return new std::string(info.version + (info.commit.empty() ? "" : " " + info.commit));
+    } catch (...) {
+      return static_cast<std::string*>(nullptr);
+    }
+  }();
+  return text != nullptr ? text->c_str() : "";
+}
+
+const char* hapticut_last_error(void) { return last_failure(); }
+
+int hapticut_release(hapticut_handle handle) { return release_object(handle); }
+
+int hapticut_status_text(uint32_t status, char* text, size_t capacity) {
+  return guarded([&]() -> int {
+    require_argument(text, "text");
+    if (capacity == 0) throw Refusal(HAPTICUT_ERROR_ARGUMENT, "capacity = 0; there must be room for one character.");
+    copy_text(describe(StepStatus(status)), text, capacity);
+    return HAPTICUT_OK;
+  });
+}
+
+int hapticut_step(hapticut_simulation simulation, const hapticut_step_input* input, hapticut_step_result* result) {
+  hapticut_step_input in;
+  if (const int code = take(input, "input", in); code != HAPTICUT_OK) return code;
+  if (const int code = check_size(result, "result"); code != HAPTICUT_OK) return code;
+  const IdleSimulation use(simulation);
+  if (!use) return use.code();
+  const StepResult& stepped = use->simulation.step(pose_of(in.X_WH), twist_of(in), in.dt);
+  hapticut_step_result own{};
+  put_step(stepped, own);
+  put(stepped.force, own.force);
+  put(stepped.torque, own.torque);
+  own.X_WH = in.X_WH;
+  give(own, result);
+  return HAPTICUT_OK;
+}
+
+int hapticut_probe(hapticut_simulation simulation, const hapticut_step_input* input, hapticut_probe_result* result) {
+  hapticut_step_input in;
+  if (const int code = take(input, "input", in); code != HAPTICUT_OK) return code;
+  if (const int code = check_size(result, "result"); code != HAPTICUT_OK) return code;
+  const IdleSimulation use(simulation);
+  if (!use) return use.code();
+  const ContactProbe probe = use->simulation.probe(pose_of(in.X_WH), twist_of(in), in.dt);
+  hapticut_probe_result own{};
+  own.contact_voxels = std::uint32_t(probe.contact.voxels);
+  put(probe.wrench.force, own.force);
+  put(probe.wrench.torque, own.torque);
+  for (int row = 0; row < 6; ++row)
+    for (int column = 0; column < 6; ++column) own.stiffness[6 * row + column] = probe.stiffness(row, column);
+  own.contact_depth = probe.contact.depth;
+  give(own, result);
+  return HAPTICUT_OK;
+}
+
+int hapticut_touches(hapticut_simulation simulation, const hapticut_pose* X_WH, int* touches) {
+  if (X_WH == nullptr || touches == nullptr)
+    return fail(HAPTICUT_ERROR_ARGUMENT, "X_WH or touches is a null pointer; both must point to something.");
+  const IdleSimulation use(simulation);
+  if (!use) return use.code();
+  *touches = use->simulation.touches(pose_of(*X_WH)) ? 1 : 0;
+  return HAPTICUT_OK;
+}
+
+int hapticut_energy(hapticut_simulation simulation, hapticut_energy_ledger* ledger) {
+  if (const int code = check_size(ledger, "ledger"); code != HAPTICUT_OK) return code;
+  const IdleSimulation use(simulation);
+  if (!use) return use.code();
+  const EnergyLedger& energy = use->simulation.last_result().energy;
+  hapticut_energy_ledger own{};
+  own.hand_work = energy.hand_work;
+  own.motor_work = energy.motor_work;
+  own.elastic = energy.elastic;
+  own.cutting = energy.cutting;
+  own.crushed = energy.crushed;
+  own.released = energy.released;
+  own.damping = energy.damping;
+  own.rubbing = energy.rubbing;
+  own.anchored = energy.anchored;
+  own.sliding = energy.sliding;
+  own.credited = energy.credited;
+  own.entered = energy.entered;
+  own.imbalance = energy.imbalance();
+  give(own, ledger);
+  return HAPTICUT_OK;
+}
+
+int hapticut_set_spindle_speed(hapticut_simulation simulation, double speed) {
+  const IdleSimulation use(simulation);
+  if (!use) return use.code();
+  return guarded([&]() -> int {
+    use->simulation.set_spindle_speed(speed);
+    return HAPTICUT_OK;
+  });
+}
+
+int hapticut_snapshot_take(hapticut_simulation simulation, hapticut_snapshot* snapshot) {
+  return guarded([&]() -> int {
+    require_argument(snapshot, "snapshot");
+    const IdleSimulation use(simulation);
+    if (!use) return use.code();
+    *snapshot = add_object(Kind::snapshot, std::make_shared<SnapshotObject>(use->simulation.snapshot(), use.share()));
+    return HAPTICUT_OK;
+  });
+}
+
+int hapticut_snapshot_restore(hapticut_simulation simulation, hapticut_snapshot snapshot) {
+  const IdleSimulation use(simulation);
+  if (!use) return use.code();
+  const Use<SnapshotObject> state(snapshot);
+  if (!state) return state.code();
+  return guarded([&]() -> int {
+    if (state->simulation.lock() != use.share())
+      throw Refusal(HAPTICUT_ERROR_REFUSED, "The snapshot is of another simulation; take one of this simulation.");
+    use->simulation.restore(state->state);
+    return HAPTICUT_OK;
+  });
+}
+
+int hapticut_set_undo_mark(hapticut_simulation simulation) {
+  const IdleSimulation use(simulation);
+  if (!use) return use.code();
+  const std::size_t before = use->simulation.undo_marks();
+  use->simulation.set_undo_mark();
+  if (use->simulation.undo_marks() > 0 || before > 0) return HAPTICUT_OK;
+  return fail(HAPTICUT_ERROR_REFUSED,
+              "There is no memory for undo; make the simulation with hapticut_simulation_options.undo_blocks.");
+}
+
+int hapticut_undo(hapticut_simulation simulation) {
+  const IdleSimulation use(simulation);
+  if (!use) return use.code();
+  if (use->simulation.undo_marks() == 0) return HAPTICUT_NOTHING;
+  while (!use->simulation.undo(kBlocksAtOnce)) {
+  }
+  return HAPTICUT_OK;
+}
+
+int hapticut_redo(hapticut_simulation simulation) {
+  const IdleSimulation use(simulation);
+  if (!use) return use.code();
+  if (use->simulation.redo_marks() == 0) return HAPTICUT_NOTHING;
+  while (!use->simulation.redo(kBlocksAtOnce)) {
+  }
+  return HAPTICUT_OK;
+}
+
+}  // extern "C"

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <type_traits>
+
+#include "c/failure.hpp"
+#include "hapticut/c/hapticut.h"
+#include "hapticut/core/spatial.hpp"
+
+/// @file
+/// The structs of the interface against those of callers that are older or newer, and against C++.
+namespace hapticut::c {
+
+inline constexpr std::uint32_t kSmallestStruct = 8, kLargestStruct = 4096;
+
+/// Whether a caller's struct can be read or written.
+/// @param name  of the argument, for the sentence
+/// @realtime no allocation, no lock, when it can
+template <class S>
+[[nodiscard]] int check_size(const S* given, const char* name) noexcept {
+  static_assert(std::is_trivially_copyable_v<S> && offsetof(S, struct_size) == 0 && sizeof(S) % 8 == 0);
+  char text[160];
+  if (given == nullptr) {
+    std::snprintf(text, sizeof text, "%s is a null pointer; it must point to something.", name);
+    return fail(HAPTICUT_ERROR_ARGUMENT, text);
+  }
+  const std::uint32_t size = given->struct_size;
+  if (size >= kSmallestStruct && size <= kLargestStruct && size % 8 == 0) return HAPTICUT_OK;
+  std::snprintf(text, sizeof text, "%s->struct_size = %u; set it to sizeof(*%s), which is %zu here.", name,
+                unsigned(size), name, sizeof(S));
+  return fail(HAPTICUT_ERROR_STRUCT_SIZE, text);
+}
+
+/// Reads a caller's struct: what it does not have is 0.
+/// @realtime as check_size
+template <class S>
+[[nodiscard]] int take(const S* given, const char* name, S& own) noexcept {
+  if (const int code = check_size(given, name); code != HAPTICUT_OK) return code;
+  const auto* bytes = reinterpret_cast<const unsigned char*>(given);
+  const std::size_t size = given->struct_size;
+  if (std::any_of(bytes + std::min(size, sizeof(S)), bytes + size, [](unsigned char byte) { return byte != 0; })) {
+    char text[200];
+    std::snprintf(
+        text, sizeof text,
+        "%s has %zu bytes, and wants something in those after the first %zu, which this older library does not "
+        "know; install the library that belongs to the header.",
+        name, size, sizeof(S));
+    return fail(HAPTICUT_ERROR_STRUCT_SIZE, text);
+  }
+  std::memset(static_cast<void*>(&own), 0, sizeof(S));
+  std::memcpy(static_cast<void*>(&own), given, std::min(size, sizeof(S)));
+  return HAPTICUT_OK;
+}
+
+/// The same of a struct that may be left out.
+template <class S>
+[[nodiscard]] int take_if_given(const S* given, const char* name, S& own) noexcept {
+  std::memset(static_cast<void*>(&own), 0, sizeof(S));
+  return given == nullptr ? int(HAPTICUT_OK) : take(given, name, own);
+}
+
+/// Writes a caller's struct, whose size was checked: what it has no room for is left out.
+/// @realtime no allocation, no lock
+template <class S>
+void give(const S& own, S* to) noexcept {
+  const std::size_t size = to->struct_size;
+  auto* bytes = reinterpret_cast<unsigned char*>(to);
+  constexpr std::size_t kFirst = sizeof(to->struct_size);
+  std::memcpy(bytes + kFirst, reinterpret_cast<const unsigned char*>(&own) + kFirst,
+              std::min(size, sizeof(S)) - kFirst);
+  if (size > sizeof(S)) std::memset(bytes + sizeof(S), 0, size - sizeof(S));
+}
+
+[[nodiscard]] inline Vec3 vector_of(const double* values) noexcept { return {values[0], values[1], values[2]}; }
+
+[[nodiscard]] inline Pose pose_of(const hapticut_pose& given) noexcept {
+  Pose pose;
+  pose.translation = vector_of(given.position);
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) pose.rotation(row, column) = given.rotation[3 * row + column];
+  return pose;
+}
+
+inline void put(const Vec3& vector, double* to) noexcept {
+  for (int axis = 0; axis < 3; ++axis) to[axis] = vector[axis];
+}
+
+inline void put(const Pose& pose, hapticut_pose& to) noexcept {
+  put(pose.translation, to.position);
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) to.rotation[3 * row + column] = pose.rotation(row, column);
+}
+
+}  // namespace hapticut::c

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pages of the surface, for a thread that draws.
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "c/simulation_object.hpp"
+#include "c/structs.hpp"
+#include "hapticut/core/errors.hpp"
+#include "hapticut/loop/change_feed.hpp"
+#include "hapticut/surface/surface_stream.hpp"
+
+namespace hapticut::c {
+namespace {
+
+constexpr std::size_t kMostHeld = 4096;   // pages
+constexpr std::size_t kMostBlocks = 256;  // taken over in one call, so that a call is short
+
+class SurfaceObject final : public Object {
+ public:
+  static constexpr Kind kKind = Kind::surface;
+
+  /// @pre nobody works on the simulation
+  explicit SurfaceObject(std::shared_ptr<SimulationObject> a_simulation)
+      : simulation(std::move(a_simulation)),
+        feed(std::make_shared<ChangeFeed>(simulation->simulation)),
+        stream(simulation->simulation.workpiece()),
+        bounds(simulation->simulation.workpiece().bounds()) {}
+  ~SurfaceObject() override {
+    SimulationObject& owner = *simulation;
+    owner.retire(std::move(feed));
+  }
+
+  struct Held {
+    std::uint64_t ticket = 0;  // 0: free
+    SurfacePage page;
+  };
+
+  /// A page to be filled in, whose memory is used again.
+  Held& free_page() {
+    const auto found = std::find_if(pages.begin(), pages.end(), [](const auto& one) { return one->ticket == 0; });
+    if (found != pages.end()) return **found;
+    if (pages.size() == kMostHeld)
+      throw Refusal(HAPTICUT_ERROR_FULL, "4096 pages of this surface are held; call hapticut_surface_release_page.");
+    return *pages.emplace_back(std::make_unique<Held>());
+  }
+
+  const std::shared_ptr<SimulationObject> simulation;
+  std::shared_ptr<ChangeFeed> feed;
+  SurfaceStream stream;
+  const IndexBox bounds;
+  std::vector<std::unique_ptr<Held>> pages;
+  std::uint64_t tickets = 0;
+};
+
+void put_page(const SurfaceObject::Held& held, const GridFrame& frame, hapticut_page& own) {
+  static_assert(sizeof(SurfaceVertex) == sizeof(hapticut_vertex) &&
+                offsetof(SurfaceVertex, material) == offsetof(hapticut_vertex, material) &&
+                offsetof(SurfaceVertex, normal) == offsetof(hapticut_vertex, normal));
+  const SurfacePage& page = held.page;
+  own.vertex_count = std::uint32_t(page.vertices.size());
+  own.index_count = std::uint32_t(page.indices.size());
+  std::copy(page.origin.begin(), page.origin.end(), own.origin);
+  own.version = page.version;
+  own.vertices = reinterpret_cast<const hapticut_vertex*>(page.vertices.data());
+  own.indices = page.indices.data();
+  put(Pose{frame.X_WV.rotation, frame.center(page.origin)}, own.X_WP);
+  own.step = frame.voxel_size / SurfaceVertex::kStepsPerVoxel;
+  own.ticket = held.ticket;
+}
+
+}  // namespace
+}  // namespace hapticut::c
+
+using namespace hapticut;
+using namespace hapticut::c;
+
+extern "C" {
+
+int hapticut_surface_open(hapticut_simulation simulation, hapticut_surface* surface) {
+  return guarded([&]() -> int {
+    require_argument(surface, "surface");
+    const IdleSimulation use(simulation);
+    if (!use) return use.code();
+    use.share()->sweep();
+    *surface = add_object(Kind::surface, std::make_shared<SurfaceObject>(use.share()));
+    return HAPTICUT_OK;
+  });
+}
+
+int hapticut_surface_poll(hapticut_surface surface, hapticut_page* page) {
+  if (const int code = check_size(page, "page"); code != HAPTICUT_OK) return code;
+  const Use<SurfaceObject> use(surface);
+  if (!use) return use.code();
+  return guarded([&]() -> int {
+    if (page->struct_size < sizeof(hapticut_page))
+      throw Refusal(HAPTICUT_ERROR_STRUCT_SIZE,
+                    "page->struct_size is too small to hold the ticket by which a page is released.");
+    ChangedBlock block;
+    for (std::size_t n = 0; n < kMostBlocks && use->feed->receive(block); ++n)
+      if (!use->stream.update(block.origin, block.material.data(), block.fill.data()))
+        throw Error("The workpiece has grown beyond this surface; open another one.");
+    SurfaceObject::Held& held = use->free_page();
+    if (!use->stream.next_page(held.page)) return HAPTICUT_NOTHING;
+    held.ticket = ++use->tickets;
+    hapticut_page own{};
+    put_page(held, use->stream.frame(), own);
+    give(own, page);
+    return HAPTICUT_OK;
+  });
+}
+
+int hapticut_surface_release_page(hapticut_surface surface, uint64_t ticket) {
+  const Use<SurfaceObject> use(surface);
+  if (!use) return use.code();
+  const auto found =
+      std::find_if(use->pages.begin(), use->pages.end(), [&](const auto& one) { return one->ticket == ticket; });
+  if (ticket == 0 || found == use->pages.end())
+    return fail(HAPTICUT_ERROR_ARGUMENT, "No page of this surface that is held has this ticket.");
+  (*found)->ticket = 0;
+  return HAPTICUT_OK;
+}
+
+int hapticut_surface_look_at(hapticut_surface surface, const double* p_WQ) {
+  return guarded([&]() -> int {
+    require_argument(p_WQ, "p_WQ");
+    const Use<SurfaceObject> use(surface);
+    if (!use) return use.code();
+    use->stream.look_at(vector_of(p_WQ));
+    return HAPTICUT_OK;
+  });
+}
+
+int hapticut_surface_catch_up(hapticut_surface surface) {
+  const Use<SurfaceObject> use(surface);
+  if (!use) return use.code();
+  const IdleStay stay(*use->simulation);
+  if (!stay) return stay.code();
+  return guarded([&]() -> int {
+    for (ChangedBlock old; use->feed->receive(old);) {  // is older than what comes now
+    }
+    const Workpiece& workpiece = use->simulation->simulation.workpiece();
+    std::vector<VoxelIndex> row;
+    const IndexBox& bounds = use->bounds;
+    for (int x = block_start(bounds.min[0]); x <= bounds.max[0]; x += kBlockEdge)
+      for (int y = block_start(bounds.min[1]); y <= bounds.max[1]; y += kBlockEdge) {
+        row.clear();
+        for (int z = block_start(bounds.min[2]); z <= bounds.max[2]; z += kBlockEdge) row.push_back({x, y, z});
+        (void)use->stream.update(workpiece, row);  // all of them are within its bounds
+      }
+    return HAPTICUT_OK;
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Smooth surfaces, necks and shanks."""
+import pytest
+
+import hapticut as h
+
+mm = 1e-3
+
+
+def test_a_bur_on_a_shank_keeps_what_cuts():
+    ball = h.catalogue.round_head(1 * mm)
+    for kind, length in ((h.catalogue.ShankKind.friction_grip, 19), (h.catalogue.ShankKind.latch, 22), (h.catalogue.ShankKind.handpiece, 44.5)):
+        shank = h.catalogue.standard_shank(kind, 0.6 * mm)
+        bur = h.catalogue.on_shank(ball, shank)
+        assert bur.bounding_box().max[2] == pytest.approx(length * mm - 0.5 * mm)
+        assert bur.largest_radius() == pytest.approx(shank.diameter / 2)
+        assert bur.cutting_radius() == bur.shape.cutting_radius == pytest.approx(0.5 * mm)
+    with pytest.raises(h.Error, match="neck_diameter"):
+        h.catalogue.on_shank(ball, h.catalogue.Shank(neck_diameter=2 * mm, diameter=2 * mm, length=10 * mm))
+
+
+def test_the_neck_is_smooth_and_the_ball_cuts():
+    bur = h.catalogue.on_shank(
+        h.catalogue.round_head(1 * mm),
+        h.catalogue.Shank(neck_diameter=0.6 * mm, neck_length=1 * mm, taper_length=2 * mm, diameter=1.6 * mm, length=12 * mm))
+    ball: h.MeridianSpring = bur.shape.exact_spring(0, -0.3 * mm)
+    neck: h.MeridianSpring = bur.shape.exact_spring(0.2 * mm, 1 * mm)
+    assert ball.depth == pytest.approx(0.2 * mm) and not ball.on_smooth and ball.scale == 1 and ball.smooth == 0
+    assert neck.depth == pytest.approx(2 * 0.1 * mm) and neck.on_smooth and neck.scale == 2
+    assert neck.smooth == pytest.approx((0.1 * mm) ** 2 + (0.6 * mm) ** 2, rel=1e-6)
+    at = bur.spring_at([0.2 * mm, 0, 1 * mm])
+    assert at.on_smooth and at.scale == 2 and at.smooth == pytest.approx(neck.smooth, rel=1e-6)
+
+
+def test_the_nose_of_a_handpiece_is_a_body():
+    bur = h.catalogue.on_shank(h.catalogue.round_head(1 * mm),
+                               h.catalogue.standard_shank(h.catalogue.ShankKind.latch, 0.6 * mm))
+    edge = h.ProfileEdge
+    nose = h.Profile(tip=9 * mm, edges=[edge(rho=3 * mm, z=9 * mm), edge(rho=3 * mm, z=25 * mm), edge(z=25 * mm)])
+    held = h.catalogue.with_body(bur, nose)
+    assert held.largest_radius() == pytest.approx(3 * mm)
+    assert held.cutting_radius() == pytest.approx(0.5 * mm)

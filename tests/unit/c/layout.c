@@ -1,0 +1,6 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The layout of the structs as a compiler of C sees it. */
+#include "layout.h"
+
+const struct layout layout_in_c[] = {HAPTICUT_LAYOUT(HAPTICUT_LAYOUT_OF, HAPTICUT_LAYOUT_AT)};
+const size_t layouts_in_c = sizeof layout_in_c / sizeof layout_in_c[0];
