@@ -57,8 +57,8 @@ struct Profile {
 /// ConeHead and a FlatHead are profiles too.
 ///
 /// A straight cutting edge that has the whole body on one side goes on as its line beyond a smooth edge that turns away
-/// from it; of any other, the end is the nearest point of what lies behind. A smooth edge cuts within a land of its cutting
-/// neighbours, which finishes the wall that the corner leaves (HeadMotion, ContactMaterial::land).
+/// from it; of any other, the end is the nearest point of what lies behind. A smooth edge cuts within a land of its
+/// cutting neighbours, which finishes the wall that the corner leaves (HeadMotion, ContactMaterial::land).
 class ProfileHead {
  public:
   /// @param tolerance  [1] bound on the error of depths, relative to the smaller of largest radius and height, in
