@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <sys/types.h>
-
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/child_process.hpp"
 #include "io/dicom/dicom_picture.hpp"
 
 namespace hapticut {
@@ -16,10 +15,7 @@ namespace hapticut {
 /// fork.
 class CodecProcess {
  public:
-  CodecProcess() = default;
-  ~CodecProcess();
-  CodecProcess(const CodecProcess&) = delete;
-  CodecProcess& operator=(const CodecProcess&) = delete;
+  CodecProcess();
 
   /// Unpacks one frame.
   /// @param fragments  its compressed parts
@@ -30,13 +26,7 @@ class CodecProcess {
                      const std::vector<std::string_view>& fragments);
 
  private:
-  void start();
-  void stop();
-  bool send(std::string_view bytes) const;
-  bool receive(char* bytes, std::size_t count) const;
-
-  pid_t process_ = -1;
-  int socket_ = -1;
+  ChildProcess process_;
 };
 
 }  // namespace hapticut

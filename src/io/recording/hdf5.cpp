@@ -44,14 +44,6 @@ hsize_t size_of_file(hid_t object) {
   return size;
 }
 
-/// @throws Failure when a file of this size cannot hold so much
-void require_room(double bytes, hsize_t file_size, const std::string& name) {
-  constexpr double kBestOfDeflate = 1032;  // times smaller
-  if (bytes > kBestOfDeflate * double(file_size))
-    throw Failure("its '" + name + "' claims " + format_number(bytes) +
-                  " bytes, more than the file can hold; it is damaged. Get a complete copy");
-}
-
 std::string until_null(const std::string& text) { return text.substr(0, text.find('\0')); }
 
 }  // namespace
@@ -81,6 +73,21 @@ NumberType type_of(std::uint8_t) { return {H5T_NATIVE_UINT8, H5T_STD_U8LE}; }
 NumberType type_of(std::int32_t) { return {H5T_NATIVE_INT32, H5T_STD_I32LE}; }
 NumberType type_of(std::uint32_t) { return {H5T_NATIVE_UINT32, H5T_STD_U32LE}; }
 NumberType type_of(std::uint64_t) { return {H5T_NATIVE_UINT64, H5T_STD_U64LE}; }
+NumberType type_of(ColumnKind kind) {
+  switch (kind) {
+    case ColumnKind::flag:
+      return type_of(std::uint8_t());
+    case ColumnKind::int32:
+      return type_of(std::int32_t());
+    case ColumnKind::uint32:
+      return type_of(std::uint32_t());
+    case ColumnKind::uint64:
+      return type_of(std::uint64_t());
+    case ColumnKind::real:
+      break;
+  }
+  return type_of(double());
+}
 
 Group create_group(hid_t parent, const std::string& name) {
   return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "creating " + name};
@@ -89,6 +96,11 @@ Group create_group(hid_t parent, const std::string& name) {
 Group open_group(hid_t parent, const std::string& name) {
   require_here(parent, name);
   return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), "opening " + name};
+}
+
+Object open_object(hid_t parent, const std::string& name) {
+  require_here(parent, name);
+  return {H5Oopen(parent, name.c_str(), H5P_DEFAULT), "opening " + name};
 }
 
 bool exists(hid_t parent, const std::string& name) { return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0; }
@@ -157,19 +169,12 @@ DataSet open_data_set(hid_t parent, const std::string& name) {
   return set;
 }
 
-H5T_class_t number_class(const DataSet& set, const std::string& name) {
-  const DataType type(H5Dget_type(set.get()), "looking at " + name);
+H5T_class_t number_class(hid_t data_set, const std::string& name) {
+  const DataType type(H5Dget_type(data_set), "looking at " + name);
   const H5T_class_t kind = H5Tget_class(type.get());
   if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || H5Tget_size(type.get()) > sizeof(double))
     throw Failure("its '" + name + "' holds no numbers");
   return kind;
-}
-
-hsize_t count_of(const DataSet& set, const std::string& name, std::size_t bytes) {
-  double count = 1;  // whose product does not run over
-  for (const hsize_t length : shape_of(set.get())) count *= double(length);
-  require_room(count * double(bytes), size_of_file(set.get()), name);
-  return hsize_t(count);
 }
 
 DataSet write_text(hid_t parent, const std::string& name, const std::string& text) {

@@ -8,18 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "hapticut/core/errors.hpp"
+#include "io/recording/recording_source.hpp"
 
 /// @file
 /// The C interface of HDF5 with owners for its identifiers and exceptions for its error codes. The C interface, because
 /// HDF5's own C++ layer lacks single-writer-multiple-reader, which recordings live on.
 namespace hapticut::hdf5 {
-
-/// Something that HDF5 refused, in its own words.
-class Failure : public Error {
- public:
-  using Error::Error;
-};
 
 /// Keeps HDF5 from printing to stderr in this thread, for as long as it lives.
 class Quiet {
@@ -77,6 +71,7 @@ using Group = Handle<H5Gclose>;
 using DataSet = Handle<H5Dclose>;
 using DataSpace = Handle<H5Sclose>;
 using DataType = Handle<H5Tclose>;
+using Object = Handle<H5Oclose>;
 using Attribute = Handle<H5Aclose>;
 using Properties = Handle<H5Pclose>;
 
@@ -89,9 +84,14 @@ struct NumberType {
 [[nodiscard]] NumberType type_of(std::int32_t);
 [[nodiscard]] NumberType type_of(std::uint32_t);
 [[nodiscard]] NumberType type_of(std::uint64_t);
+[[nodiscard]] NumberType type_of(ColumnKind kind);
 
 [[nodiscard]] Group create_group(hid_t parent, const std::string& name);
 [[nodiscard]] Group open_group(hid_t parent, const std::string& name);
+
+/// Opens a group or data set that lies in the file itself.
+/// @throws Failure when there is none, or it is a link to another place
+[[nodiscard]] Object open_object(hid_t parent, const std::string& name);
 [[nodiscard]] bool exists(hid_t parent, const std::string& name);
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
@@ -111,12 +111,7 @@ void write_attribute(hid_t object, const std::string& name, std::uint64_t number
 
 /// H5T_INTEGER or H5T_FLOAT.
 /// @throws Failure when it holds anything else
-[[nodiscard]] H5T_class_t number_class(const DataSet& set, const std::string& name);
-
-/// How many numbers a data set holds.
-/// @param bytes  of each in memory
-/// @throws Failure when the file is too short for them
-[[nodiscard]] hsize_t count_of(const DataSet& set, const std::string& name, std::size_t bytes);
+[[nodiscard]] H5T_class_t number_class(hid_t data_set, const std::string& name);
 
 /// A data set of a fixed number of rows.
 template <class Number>
@@ -127,19 +122,6 @@ DataSet write_array(hid_t parent, const std::string& name, const Number* values,
               "creating " + name);
   checked(H5Dwrite(set.get(), type.memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "writing " + name);
   return set;
-}
-
-/// All of a data set of numbers.
-/// @throws Failure when there is none, or it holds something else than numbers
-template <class Number>
-std::vector<Number> read_array(hid_t parent, const std::string& name) {
-  const DataSet set = open_data_set(parent, name);
-  (void)number_class(set, name);
-  std::vector<Number> values(count_of(set, name, sizeof(Number)));
-  if (!values.empty())
-    checked(H5Dread(set.get(), type_of(Number()).memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-            "reading " + name);
-  return values;
 }
 
 /// A text as a data set of its own.

@@ -162,7 +162,7 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     for (const Column& column : recording_columns()) {
       if (column.side == Column::Side::device && s.options.device.empty()) continue;
       s.columns.push_back(&column);
-      s.appenders.emplace_back(steps.get(), column.name, type_of(column.kind).memory, column.shape);
+      s.appenders.emplace_back(steps.get(), column.name, hdf5::type_of(column.kind).memory, column.shape);
     }
     const hdf5::Group effects = hdf5::open_group(s.file.get(), kEffectsGroup);
     s.effects_appenders.emplace_back(effects.get(), kFirstSteps, H5T_NATIVE_UINT64, std::vector<hsize_t>{});

@@ -2,15 +2,16 @@
 #include "hapticut/io/recording/recording.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
 #include <limits>
 #include <span>
 
 #include "hapticut/io/vdb/vdb.hpp"
 #include "io/file_errors.hpp"
+#include "io/recording/hdf5_source.hpp"
 #include "io/recording/recording_access.hpp"
 #include "io/recording/recording_file.hpp"
+#include "io/recording/recording_process.hpp"
 #include "io/recording/recording_settings.hpp"
 #include "io/recording/settings_archive.hpp"
 #include "io/vdb/vdb_bytes.hpp"
@@ -22,14 +23,11 @@ namespace {
 /// @throws Error  with the name of the file in front of whatever went wrong
 template <class Function>
 auto reading(const std::filesystem::path& path, const Function& function) {
-  const hdf5::Quiet quiet;
   try {
     return function();
   } catch (const std::bad_alloc&) {
-    hdf5::be_quiet_at_exit();
     cannot_read(path, "there is not enough memory for it; it is too large or damaged.");
   } catch (const std::exception& error) {
-    hdf5::be_quiet_at_exit();
     const std::string reason = error.what();
     cannot_read(path, reason + (reason.ends_with('.') ? "" : "."));
   }
@@ -48,78 +46,34 @@ auto settings_in_file(const Function& function) {
   }
 }
 
-constexpr std::size_t kHead = 12;  // [bytes] of a file that say what it is
-
-/// Whether a writer has the file open, or was killed while it had: a bit in the head of the file (HDF5 File Format
-/// Specification, superblock version 3).
-bool has_writer(std::string_view head) {
-  constexpr std::size_t kVersion = 8, kFlags = 11;
-  constexpr unsigned kWriterWithReaders = 4;
-  return head.size() > kFlags && head[kVersion] == 3 && (unsigned(head[kFlags]) & kWriterWithReaders) != 0;
-}
-
-/// @param id    what HDF5 made of the file
-/// @param head  its first bytes
-hdf5::File require_open(hid_t id, std::string_view head) {
-  hdf5::File file(id);
-  if (file.valid()) return file;
-  if (!head.starts_with("\x89HDF")) throw Error("it is not an HDF5 file, so not a recording of hapticut");
-  hdf5::fail("it is a damaged HDF5 file; opening it");
-}
-
-hdf5::File open_file(const std::filesystem::path& path) {
-  const std::string head = first_bytes(path, kHead);
-  const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS), "preparing");
-  constexpr unsigned kAttempts = 12;  // to read what the writer is just changing; HDF5's own 100 take minutes
-  unsigned mode = H5F_ACC_RDONLY;
-  if (has_writer(head)) {
-    mode |= H5F_ACC_SWMR_READ;
-    hdf5::checked(H5Pset_metadata_read_attempts(access.get(), kAttempts), "preparing");
-  }
-  return require_open(H5Fopen(path.c_str(), mode, access.get()), head);
-}
-
-/// The same of bytes, of which HDF5 makes a copy.
-hdf5::File open_bytes(std::string bytes) {
-  constexpr std::size_t kGrowth = 1 << 16;  // [bytes] that would be added; nothing is
-  // HDF5 takes two that are open under the same name for the same.
-  static std::atomic<std::uint64_t> opened{0};
-  const std::string name = "bytes " + std::to_string(opened++);
-  const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS), "preparing");
-  hdf5::checked(H5Pset_fapl_core(access.get(), kGrowth, /*backing_store=*/false), "preparing");
-  hdf5::checked(H5Pset_file_image(access.get(), bytes.data(), bytes.size()), "preparing");
-  return require_open(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access.get()), std::string_view(bytes).substr(0, kHead));
-}
-
-RecordingInfo read_info(hid_t file) {
-  if (!hdf5::has_attribute(file, "content") || hdf5::read_text_attribute(file, "content") != kMagic)
+RecordingInfo read_info(RecordingSource& source) {
+  if (!source.has_attribute("", "content") || source.text_attribute("", "content") != kMagic)
     throw Error("it is an HDF5 file, but not a recording of hapticut");
   RecordingInfo info;
-  info.format = hdf5::read_number_attribute(file, "format");
+  info.format = source.number_attribute("", "format");
   if (info.format < 1 || info.format > kRecordingFormat)
     throw Error("it has format " + std::to_string(info.format) + ", and this version of hapticut reads formats 1 to " +
                 std::to_string(kRecordingFormat) + "; use a newer version");
-  info.version = hdf5::read_text_attribute(file, "version");
-  info.commit = hdf5::read_text_attribute(file, "commit");
-  info.compiler = hdf5::read_text_attribute(file, "compiler");
-  info.cpu = hdf5::read_text_attribute(file, "cpu");
-  info.begun = hdf5::read_text_attribute(file, "begun");
-  info.device = hdf5::read_text_attribute(file, "device");
-  info.note = hdf5::read_text_attribute(file, "note");
-  info.closed = hdf5::has_attribute(file, "closed");
-  if (info.closed) info.workpiece_hash_at_end = hdf5::read_number_attribute(file, "workpiece_hash_at_end");
+  info.version = source.text_attribute("", "version");
+  info.commit = source.text_attribute("", "commit");
+  info.compiler = source.text_attribute("", "compiler");
+  info.cpu = source.text_attribute("", "cpu");
+  info.begun = source.text_attribute("", "begun");
+  info.device = source.text_attribute("", "device");
+  info.note = source.text_attribute("", "note");
+  info.closed = source.has_attribute("", "closed");
+  if (info.closed) info.workpiece_hash_at_end = source.number_attribute("", "workpiece_hash_at_end");
   return info;
 }
 
-std::vector<RecordedEffects> read_effects(hid_t file, double update_rate) {
-  if (!hdf5::exists(file, kEffectsGroup)) throw Error("it lacks the group 'effects'");
-  const hdf5::Group group = hdf5::open_group(file, kEffectsGroup);
-  const auto first = hdf5::read_array<std::uint64_t>(group.get(), kFirstSteps);
-  const auto values = hdf5::read_array<double>(group.get(), kEffectValues);
-  const hdf5::DataSet set = hdf5::open_data_set(group.get(), kEffectValues);
-  const std::string names = hdf5::read_text_attribute(set.get(), "columns");
+std::vector<RecordedEffects> read_effects(RecordingSource& source, double update_rate) {
+  if (!source.exists(kEffectsGroup)) throw Error("it lacks the group 'effects'");
+  const std::string group = std::string(kEffectsGroup) + "/", places = group + kEffectValues;
+  const auto first = source.whole_numbers(group + kFirstSteps);
+  const auto values = source.reals(places);
+  const std::string names = source.text_attribute(places, "columns");
   const std::size_t width = std::size_t(std::count(names.begin(), names.end(), ',')) + 1;
-  const std::vector<hsize_t> shape = hdf5::shape_of(set.get());
+  const std::vector<std::uint64_t> shape = source.layout(places).shape;
   if (shape.size() != 2 || shape[1] != width) throw Error("its 'effects/values' has not as many columns as names");
   // The writer may have been killed between the two.
   const std::size_t count = std::min(first.size(), values.size() / width);
@@ -132,45 +86,51 @@ std::vector<RecordedEffects> read_effects(hid_t file, double update_rate) {
   return effects;
 }
 
-/// Opens the columns, and checks that they are what this format says.
+std::string place_of(const Column& column) { return std::string(kStepsGroup) + "/" + column.name; }
+
+void read_rows(const OpenRecording& s, const Column& column, std::uint64_t first, std::uint64_t count,
+               std::vector<std::byte>& rows) {
+  s.source->rows(place_of(column), column.kind, column.numbers, first, count, rows);
+}
+
+/// Looks for the columns, and checks that they are what this format says.
 void open_columns(OpenRecording& s) {
-  if (!hdf5::exists(s.file.get(), kStepsGroup)) throw Error("it lacks the group 'steps'");
-  const hdf5::Group group = hdf5::open_group(s.file.get(), kStepsGroup);
+  RecordingSource& source = *s.source;
+  if (!source.exists(kStepsGroup)) throw Error("it lacks the group 'steps'");
   s.size = std::numeric_limits<std::uint64_t>::max();
-  const FieldList listed(group.get(), kStepsGroup);
+  const FieldList listed(source, kStepsGroup);
   std::size_t known = 0;
   for (const Column& column : recording_columns()) {
     if (column.side == Column::Side::device && s.info.device.empty()) continue;
-    const std::string name = std::string(kStepsGroup) + "/" + column.name;
+    const std::string place = place_of(column);
     if (!listed.contains(column.name)) continue;  // it came later: the steps have its default
     ++known;
-    if (!hdf5::exists(group.get(), column.name)) throw Error("it lacks the column '" + name + "'");
-    hdf5::DataSet set = hdf5::open_data_set(group.get(), column.name);
-    const std::vector<hsize_t> shape = hdf5::shape_of(set.get());
+    if (!source.exists(place)) throw Error("it lacks the column '" + place + "'");
+    const DataSetLayout layout = source.layout(place);
+    const std::vector<std::uint64_t>& shape = layout.shape;
     if (shape.size() != column.shape.size() + 1 ||
         !std::equal(column.shape.begin(), column.shape.end(), shape.begin() + 1) ||
-        hdf5::number_class(set, name) != (column.kind == ColumnKind::real ? H5T_FLOAT : H5T_INTEGER))
-      throw Error("its column '" + name + "' has another shape or type than a recording's");
+        layout.is_real != (column.kind == ColumnKind::real))
+      throw Error("its column '" + place + "' has another shape or type than a recording's");
     // A writer that was killed may have left some columns longer than others.
-    s.size = std::min<std::uint64_t>(s.size, shape[0]);
-    s.columns.push_back({&column, std::move(set)});
+    s.size = std::min(s.size, shape[0]);
+    s.columns.push_back(&column);
   }
   if (listed.complete && known != listed.names.size())
     throw Error("it has a column that this version of hapticut does not know; use a newer version");
-  if (s.columns.empty() || s.columns.front().column->name != "number")
-    throw Error("it lacks the column 'steps/number'");
+  if (s.columns.empty() || s.columns.front()->name != "number") throw Error("it lacks the column 'steps/number'");
 }
 
 /// Finds the first gap in the numbers of the steps.
 void find_gaps(OpenRecording& s) {
   constexpr std::uint64_t kStatusesAtOnce = 1 << 16;
-  const OpenColumn& numbers = s.columns.front();
+  const Column& numbers = *s.columns.front();
   std::uint64_t expected = 0;
   std::vector<std::byte> rows;
   s.before_first_gap = s.size;
   for (std::uint64_t first = 0; first < s.size; first += kStatusesAtOnce) {
     const std::uint64_t count = std::min(kStatusesAtOnce, s.size - first);
-    read_rows(numbers, first, count, rows);
+    read_rows(s, numbers, first, count, rows);
     for (std::uint64_t n = 0; n < count; ++n) {
       std::uint64_t number = 0;
       std::memcpy(&number, rows.data() + n * sizeof number, sizeof number);
@@ -181,7 +141,7 @@ void find_gaps(OpenRecording& s) {
       expected = number + 1;
     }
   }
-  if (s.info.closed) s.info.lost = std::max(s.info.lost, hdf5::read_number_attribute(s.file.get(), "lost"));
+  if (s.info.closed) s.info.lost = std::max(s.info.lost, s.source->number_attribute("", "lost"));
 }
 
 void remark(RecordingInfo& info, std::uint64_t size) {
@@ -196,24 +156,9 @@ void remark(RecordingInfo& info, std::uint64_t size) {
 
 }  // namespace
 
-void read_rows(const OpenColumn& open, std::uint64_t first, std::uint64_t count, std::vector<std::byte>& rows) {
-  const Column& column = *open.column;
-  rows.resize(count * column.bytes);
-  if (count == 0) return;
-  std::vector<hsize_t> from(column.shape.size() + 1, 0), length = {count};
-  from[0] = first;
-  length.insert(length.end(), column.shape.begin(), column.shape.end());
-  const std::string what = "reading " + column.name;
-  const hdf5::DataSpace source(H5Dget_space(open.set.get()), what);
-  hdf5::checked(H5Sselect_hyperslab(source.get(), H5S_SELECT_SET, from.data(), nullptr, length.data(), nullptr), what);
-  const hdf5::DataSpace target(H5Screate_simple(int(length.size()), length.data(), nullptr), what);
-  hdf5::checked(
-      H5Dread(open.set.get(), type_of(column.kind).memory, target.get(), source.get(), H5P_DEFAULT, rows.data()), what);
-}
-
-void read_rows(const Recording& recording, const OpenColumn& column, std::uint64_t first, std::uint64_t count,
+void read_rows(const Recording& recording, const Column& column, std::uint64_t first, std::uint64_t count,
                std::vector<std::byte>& rows) {
-  reading(recording.path(), [&] { read_rows(column, first, count, rows); });
+  reading(recording.path(), [&] { read_rows(RecordingAccess::state(recording), column, first, count, rows); });
 }
 
 Recording::Recording(std::unique_ptr<OpenRecording> state) : state_(std::move(state)) {}
@@ -236,10 +181,9 @@ std::vector<RecordedStep> Recording::read(std::uint64_t first, std::uint64_t cou
   std::vector<RecordedStep> steps(std::min(count, state_->size - begin));
   reading(state_->path, [&] {
     std::vector<std::byte> rows;
-    for (const OpenColumn& open : state_->columns) {
-      read_rows(open, begin, steps.size(), rows);
-      for (std::size_t n = 0; n < steps.size(); ++n)
-        open.column->unpack(steps[n], rows.data() + n * open.column->bytes);
+    for (const Column* column : state_->columns) {
+      read_rows(*state_, *column, begin, steps.size(), rows);
+      for (std::size_t n = 0; n < steps.size(); ++n) column->unpack(steps[n], rows.data() + n * column->bytes);
     }
   });
   return steps;
@@ -247,19 +191,19 @@ std::vector<RecordedStep> Recording::read(std::uint64_t first, std::uint64_t cou
 
 Workpiece Recording::workpiece() const {
   return reading(state_->path, [&] {
-    const hdf5::Group group = hdf5::open_group(state_->file.get(), kWorkpieceGroup);
-    const std::uint64_t expected = hdf5::read_number_attribute(group.get(), "full_hash");
-    const bool elsewhere = hdf5::has_attribute(group.get(), "file");
+    RecordingSource& from = *state_->source;
+    const std::uint64_t expected = from.number_attribute(kWorkpieceGroup, "full_hash");
+    const bool elsewhere = from.has_attribute(kWorkpieceGroup, "file");
     std::filesystem::path source;
     Workpiece workpiece = [&] {
       if (elsewhere) {
-        source = hdf5::read_text_attribute(group.get(), "file");
+        source = from.text_attribute(kWorkpieceGroup, "file");
         // The file may have been moved together with the recording.
         if (!std::filesystem::exists(source)) source = state_->path.parent_path() / source.filename();
         return load_vdb(source);
       }
-      const auto bytes = hdf5::read_array<std::uint8_t>(group.get(), kWorkpieceBytes);
-      return workpiece_of_vdb(std::string(bytes.begin(), bytes.end()));
+      const std::vector<std::byte> bytes = from.bytes(std::string(kWorkpieceGroup) + "/" + kWorkpieceBytes);
+      return workpiece_of_vdb(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
     }();
     workpiece.set_materials(state_->materials);
     if (full_hash(workpiece) != expected)
@@ -278,19 +222,20 @@ std::unique_ptr<OpenRecording> parse_recording(const std::filesystem::path& path
   reading(path, [&] {
     OpenRecording& s = *state;
     s.path = path;
-    s.file = open();
-    s.info = read_info(s.file.get());
+    s.source = open();
+    RecordingSource& source = *s.source;
+    s.info = read_info(source);
     settings_in_file([&] {
-      s.config = read_config(s.file.get());
-      s.default_law = read_default_law(s.file.get());
-      s.tool.emplace(read_tool(s.file.get()));
-      s.materials = read_materials(s.file.get());
-      if (!s.info.device.empty()) s.capabilities = read_capabilities(s.file.get());
-      s.effects = read_effects(s.file.get(), s.config.update_rate);
+      s.config = read_config(source);
+      s.default_law = read_default_law(source);
+      s.tool.emplace(read_tool(source));
+      s.materials = read_materials(source);
+      if (!s.info.device.empty()) s.capabilities = read_capabilities(source);
+      s.effects = read_effects(source, s.config.update_rate);
       s.config.effects = s.effects.front().effects;
       validate(s.config);
     });
-    if (!hdf5::exists(s.file.get(), kWorkpieceGroup)) throw Error("it lacks the group 'workpiece'");
+    if (!source.exists(kWorkpieceGroup)) throw Error("it lacks the group 'workpiece'");
     open_columns(s);
     find_gaps(s);
     remark(s.info, s.size);
@@ -301,12 +246,12 @@ std::unique_ptr<OpenRecording> parse_recording(const std::filesystem::path& path
 }  // namespace
 
 Recording read_recording(const std::filesystem::path& path) {
-  (void)readable_size(path);
-  return Recording(parse_recording(path, [&] { return open_file(path); }));
+  const std::uint64_t size = readable_size(path);
+  return Recording(parse_recording(path, [&] { return std::make_unique<RecordingProcess>(path, size); }));
 }
 
 Recording recording_of_bytes(std::string bytes, const std::filesystem::path& name) {
-  return RecordingAccess::make(parse_recording(name, [&] { return open_bytes(std::move(bytes)); }));
+  return RecordingAccess::make(parse_recording(name, [&] { return open_hdf5_bytes(std::move(bytes)); }));
 }
 
 }  // namespace hapticut

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "io/recording/recording_columns.hpp"
@@ -10,14 +11,9 @@
 /// What a Recording is made of inside.
 namespace hapticut {
 
-struct OpenColumn {
-  const Column* column;
-  hdf5::DataSet set;
-};
-
 struct OpenRecording {
   std::filesystem::path path;
-  hdf5::File file;
+  std::unique_ptr<RecordingSource> source;
   RecordingInfo info;
   SimulationConfig config;
   bool default_law = true;
@@ -25,7 +21,7 @@ struct OpenRecording {
   MaterialTable materials;
   DeviceCapabilities capabilities;
   std::vector<RecordedEffects> effects;
-  std::vector<OpenColumn> columns;
+  std::vector<const Column*> columns;
   std::uint64_t size = 0;              ///< rows that all columns have
   std::uint64_t before_first_gap = 0;  ///< rows that can be made again
 };
@@ -36,18 +32,15 @@ struct RecordingAccess {
   static Recording make(std::unique_ptr<OpenRecording> state) { return Recording(std::move(state)); }
 };
 
-/// A recording from the bytes of its file, which no writer may have had open.
+/// A recording from the bytes of its file, which no writer may have had open. HDF5 reads them in this process, which
+/// bytes that were made to hurt may end: for what is fed to a fuzzer, and no file.
 /// @param name  in messages, where that of a file would be
 /// @throws Error as read_recording
 [[nodiscard]] Recording recording_of_bytes(std::string bytes, const std::filesystem::path& name);
 
 /// Packed rows of one column.
-/// @throws Failure, which does not name the file
-void read_rows(const OpenColumn& column, std::uint64_t first, std::uint64_t count, std::vector<std::byte>& rows);
-
-/// The same of a column of a recording, without a text of HDF5 on stderr.
 /// @throws Error with the name of the file
-void read_rows(const Recording& recording, const OpenColumn& column, std::uint64_t first, std::uint64_t count,
+void read_rows(const Recording& recording, const Column& column, std::uint64_t first, std::uint64_t count,
                std::vector<std::byte>& rows);
 
 }  // namespace hapticut

@@ -193,22 +193,6 @@ const std::vector<Column>& recording_columns() {
   return columns;
 }
 
-hdf5::NumberType type_of(ColumnKind kind) {
-  switch (kind) {
-    case ColumnKind::flag:
-      return hdf5::type_of(std::uint8_t());
-    case ColumnKind::int32:
-      return hdf5::type_of(std::int32_t());
-    case ColumnKind::uint32:
-      return hdf5::type_of(std::uint32_t());
-    case ColumnKind::uint64:
-      return hdf5::type_of(std::uint64_t());
-    case ColumnKind::real:
-      break;
-  }
-  return hdf5::type_of(double());
-}
-
 double number_at(const Column& column, const std::byte* row, std::size_t element) {
   switch (column.kind) {
     case ColumnKind::flag:

@@ -15,9 +15,6 @@
 /// The columns of a recording: one data set each, with its unit and frame.
 namespace hapticut {
 
-/// How a column's numbers are stored.
-enum class ColumnKind { real, flag, int32, uint32, uint64 };
-
 /// One column: a name, what it means, and how a row of it is taken from a step and put back.
 struct Column {
   enum class Side { input, result, device };
@@ -37,8 +34,6 @@ struct Column {
 
 /// The group of the columns.
 inline constexpr char kStepsGroup[] = "steps";
-
-[[nodiscard]] hdf5::NumberType type_of(ColumnKind kind);
 
 /// A number of a packed row.
 [[nodiscard]] double number_at(const Column& column, const std::byte* row, std::size_t element);

@@ -108,20 +108,20 @@ class ZipWriter {
 }  // namespace
 
 void write_csv(const Recording& recording, const std::filesystem::path& path) {
-  const std::vector<OpenColumn>& columns = RecordingAccess::state(recording).columns;
+  const std::vector<const Column*>& columns = RecordingAccess::state(recording).columns;
   write_atomically(path, [&](std::ostream& stream) {
     std::string line;
-    for (const OpenColumn& open : columns)
-      for (const std::string& name : names_of(*open.column)) line += (line.empty() ? "" : ",") + name;
+    for (const Column* column : columns)
+      for (const std::string& name : names_of(*column)) line += (line.empty() ? "" : ",") + name;
     stream << line << '\n';
     std::vector<std::vector<std::byte>> rows(columns.size());
     for (std::uint64_t first = 0; first < recording.size(); first += kRowsAtOnce) {
       const std::uint64_t count = std::min(kRowsAtOnce, recording.size() - first);
-      for (std::size_t n = 0; n < columns.size(); ++n) read_rows(recording, columns[n], first, count, rows[n]);
+      for (std::size_t n = 0; n < columns.size(); ++n) read_rows(recording, *columns[n], first, count, rows[n]);
       for (std::uint64_t row = 0; row < count; ++row) {
         line.clear();
         for (std::size_t n = 0; n < columns.size(); ++n) {
-          const Column& column = *columns[n].column;
+          const Column& column = *columns[n];
           for (std::size_t element = 0; element < column.numbers; ++element) {
             if (!line.empty()) line += ',';
             append_number(line, column, rows[n].data() + row * column.bytes, element);
@@ -138,13 +138,13 @@ void write_npz(const Recording& recording, const std::filesystem::path& path) {
   try {
     ZipWriter zip(target.temporary_path());
     std::vector<std::byte> rows;
-    for (const OpenColumn& open : RecordingAccess::state(recording).columns) {
-      const Column& column = *open.column;
+    for (const Column* each : RecordingAccess::state(recording).columns) {
+      const Column& column = *each;
       const std::string head = npy_head(column, recording.size());
       zip.begin(column.name + ".npy", head.size() + recording.size() * column.bytes);
       zip.write(head.data(), head.size());
       for (std::uint64_t first = 0; first < recording.size(); first += kRowsAtOnce) {
-        read_rows(recording, open, first, std::min(kRowsAtOnce, recording.size() - first), rows);
+        read_rows(recording, column, first, std::min(kRowsAtOnce, recording.size() - first), rows);
         zip.write(rows.data(), rows.size());
       }
     }

@@ -64,7 +64,7 @@ void create_steps(hid_t file, bool with_device) {
   std::string names;
   for (const Column& column : recording_columns()) {
     if (column.side == Column::Side::device && !with_device) continue;
-    const hdf5::DataSet set = create_endless(group.get(), column.name, type_of(column.kind).file, column.shape);
+    const hdf5::DataSet set = create_endless(group.get(), column.name, hdf5::type_of(column.kind).file, column.shape);
     hdf5::write_attribute(set.get(), "unit", column.unit);
     if (!column.frame.empty()) hdf5::write_attribute(set.get(), "frame", column.frame);
     hdf5::write_attribute(set.get(), "meaning", column.meaning);

@@ -142,9 +142,8 @@ void write_settings(hid_t file, const SimulationConfig& config, const Tool& tool
   write.close();
 }
 
-SimulationConfig read_config(hid_t file) {
-  hdf5::Group group;
-  SettingsReader read = settings_of(file, group, "simulation");
+SimulationConfig read_config(RecordingSource& source) {
+  SettingsReader read = settings_of(source, "simulation");
   SimulationConfig config;
   visit_fields(read, "", config, StoredApart{});
   bool friction_is_given = false, law_is_default = false;
@@ -155,16 +154,14 @@ SimulationConfig read_config(hid_t file) {
   return config;
 }
 
-bool read_default_law(hid_t file) {
-  hdf5::Group group;
+bool read_default_law(RecordingSource& source) {
   bool law_is_default = false;
-  settings_of(file, group, "simulation")("law_is_default", law_is_default);
+  settings_of(source, "simulation")("law_is_default", law_is_default);
   return law_is_default;
 }
 
-Tool read_tool(hid_t file) {
-  hdf5::Group group;
-  SettingsReader read = settings_of(file, group, "tool");
+Tool read_tool(RecordingSource& source) {
+  SettingsReader read = settings_of(source, "tool");
   Spindle spindle;
   visit_fields(read, "spindle_", spindle);
   Cutter cutter;
@@ -175,9 +172,8 @@ Tool read_tool(hid_t file) {
   return Tool(std::move(head), handle, spindle, cutter);
 }
 
-MaterialTable read_materials(hid_t file) {
-  hdf5::Group group;
-  SettingsReader read = settings_of(file, group, "materials");
+MaterialTable read_materials(RecordingSource& source) {
+  SettingsReader read = settings_of(source, "materials");
   std::size_t count = 0;
   read("count", count);
   if (count < 1 || count > std::size_t(kMaxMaterials))
@@ -202,9 +198,8 @@ void write_capabilities(hid_t file, const DeviceCapabilities& capabilities) {
   write.close();
 }
 
-DeviceCapabilities read_capabilities(hid_t file) {
-  hdf5::Group group;
-  SettingsReader read = settings_of(file, group, "device");
+DeviceCapabilities read_capabilities(RecordingSource& source) {
+  SettingsReader read = settings_of(source, "device");
   DeviceCapabilities capabilities;
   visit_fields(read, "", capabilities);
   read.close();

@@ -19,14 +19,14 @@ namespace hapticut {
 void write_settings(hid_t file, const SimulationConfig& config, const Tool& tool, const MaterialTable& materials);
 
 /// @throws Error when something is missing or out of range
-[[nodiscard]] SimulationConfig read_config(hid_t file);  ///< without law and effects
-[[nodiscard]] bool read_default_law(hid_t file);         ///< whether the law was FoundationLaw
-[[nodiscard]] Tool read_tool(hid_t file);
-[[nodiscard]] MaterialTable read_materials(hid_t file);
+[[nodiscard]] SimulationConfig read_config(RecordingSource& source);  ///< without law and effects
+[[nodiscard]] bool read_default_law(RecordingSource& source);         ///< whether the law was FoundationLaw
+[[nodiscard]] Tool read_tool(RecordingSource& source);
+[[nodiscard]] MaterialTable read_materials(RecordingSource& source);
 
 /// The group `device`.
 void write_capabilities(hid_t file, const DeviceCapabilities& capabilities);
-[[nodiscard]] DeviceCapabilities read_capabilities(hid_t file);
+[[nodiscard]] DeviceCapabilities read_capabilities(RecordingSource& source);
 
 /// Effects as a row of numbers, so that a change of them is one more row. What is absent is written with its
 /// defaults.

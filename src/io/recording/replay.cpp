@@ -41,11 +41,11 @@ const StepResult& step_again(Simulation& simulation, const RecordedStep& step) {
 }
 
 /// The first bit of a step's result that is not what was recorded.
-std::optional<ReplayDifference> compare(const std::vector<OpenColumn>& columns, const RecordedStep& recorded,
+std::optional<ReplayDifference> compare(const std::vector<const Column*>& columns, const RecordedStep& recorded,
                                         const RecordedStep& replayed) {
   std::array<std::byte, 9 * sizeof(double)> before, now;
-  for (const OpenColumn& open : columns) {
-    const Column& column = *open.column;
+  for (const Column* each : columns) {
+    const Column& column = *each;
     if (column.side != Column::Side::result && column.name != "free_blocks") continue;
     column.pack(recorded, before.data());
     column.pack(replayed, now.data());

@@ -26,8 +26,8 @@ inline constexpr char kFieldsAttribute[] = "fields";
 
 /// What a group of a file should hold.
 struct FieldList {
-  FieldList(hid_t group, const std::string& name) : complete(hdf5::has_attribute(group, kFieldsAttribute)) {
-    std::istringstream list(complete ? hdf5::read_text_attribute(group, kFieldsAttribute)
+  FieldList(RecordingSource& source, const std::string& name) : complete(source.has_attribute(name, kFieldsAttribute)) {
+    std::istringstream list(complete ? source.text_attribute(name, kFieldsAttribute)
                                      : std::string(fields_of_format_1(name)));
     for (std::string field; std::getline(list, field, ',');) names.push_back(field);
   }
@@ -84,25 +84,26 @@ class SettingsWriter {
 /// Reads them back, by the same calls.
 class SettingsReader {
  public:
-  SettingsReader(hid_t group, const std::string& name) : group_(group), name_(name), listed_(group, name) {}
+  SettingsReader(RecordingSource& source, const std::string& group)
+      : source_(source), name_(group), listed_(source, group) {}
 
   void operator()(const char* name, const char* /*unit*/, double& value) {
-    if (has(name)) value = only<double>(name);
+    if (has(name)) value = only(name, source_.reals(at(name)));
   }
   void operator()(const char* name, const char* /*unit*/, std::vector<double>& values) {
-    if (has(name)) values = hdf5::read_array<double>(group_, name);
+    if (has(name)) values = source_.reals(at(name));
   }
   void operator()(const char* name, std::size_t& value) {
-    if (has(name)) value = std::size_t(only<std::uint64_t>(name));
+    if (has(name)) value = std::size_t(only(name, source_.whole_numbers(at(name))));
   }
   void operator()(const char* name, int& value) {
-    if (has(name)) value = int(only<std::uint64_t>(name));
+    if (has(name)) value = int(only(name, source_.whole_numbers(at(name))));
   }
   void operator()(const char* name, bool& value) {
-    if (has(name)) value = only<std::uint64_t>(name) != 0;
+    if (has(name)) value = only(name, source_.whole_numbers(at(name))) != 0;
   }
   void operator()(const char* name, std::string& text) {
-    if (has(name)) text = hdf5::read_text(group_, name);
+    if (has(name)) text = source_.text(at(name));
   }
   template <NamedEnum Enum>
   void operator()(const char* name, Enum& value) {
@@ -128,17 +129,18 @@ class SettingsReader {
   /// @throws Error when it should have it
   bool has(const char* name) {
     asked_.emplace_back(name);
-    if (hdf5::exists(group_, name)) return true;
+    if (source_.exists(at(name))) return true;
     if (!listed_.contains(name)) return false;
     throw Error("it lacks '" + name_ + "/" + name + "'");
   }
   template <class Number>
-  Number only(const char* name) const {
-    const std::vector<Number> values = hdf5::read_array<Number>(group_, name);
-    if (values.size() != 1) throw Error("its '" + name_ + "/" + name + "' must be one number");
+  Number only(const char* name, const std::vector<Number>& values) const {
+    if (values.size() != 1) throw Error("its '" + at(name) + "' must be one number");
     return values[0];
   }
-  hid_t group_;
+  [[nodiscard]] std::string at(const char* name) const { return name_ + "/" + name; }
+
+  RecordingSource& source_;
   std::string name_;
   FieldList listed_;
   std::vector<std::string> asked_;
@@ -177,12 +179,10 @@ void visit_fields(Archive& archive, const std::string& prefix, S& s, Except<Exce
 }
 
 /// The settings of a group of a file.
-/// @param group  kept open by the caller
 /// @throws Error when it is missing
-inline SettingsReader settings_of(hid_t file, hdf5::Group& group, const char* name) {
-  if (!hdf5::exists(file, name)) throw Error(std::string("it lacks the group '") + name + "'");
-  group = hdf5::open_group(file, name);
-  return {group.get(), name};
+inline SettingsReader settings_of(RecordingSource& source, const char* name) {
+  if (!source.exists(name)) throw Error(std::string("it lacks the group '") + name + "'");
+  return {source, name};
 }
 
 }  // namespace hapticut

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/child_process.hpp"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): <csignal> need not have kill
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "hapticut/core/errors.hpp"
+
+extern char** environ;
+
+namespace hapticut {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where a program is: what its variable names, beside the file that holds this code, where a package puts it from
+/// there, where it was installed, or where it was built.
+fs::path place_of(const ChildProgram& program) {
+  if (const char* given = std::getenv(program.variable)) return given;
+  std::error_code code;
+  Dl_info here{};
+  std::vector<fs::path> candidates;
+  // A program that was found by PATH is named without a folder.
+  const bool known = ::dladdr(reinterpret_cast<void*>(&place_of), &here) != 0 && here.dli_fname != nullptr &&
+                     std::strchr(here.dli_fname, '/') != nullptr;
+  const fs::path folder = fs::weakly_canonical(known ? here.dli_fname : "/proc/self/exe", code).parent_path();
+  for (const char* place : {"", "../libexec/hapticut", "../../libexec/hapticut"})
+    candidates.push_back(folder / place / program.name);
+  candidates.emplace_back(program.installed);
+  candidates.emplace_back(program.built);
+  for (const fs::path& candidate : candidates)
+    if (fs::is_regular_file(candidate, code)) return candidate;
+  throw Error(std::string(program.need) + ", and the program '" + program.name +
+              "' that does it, which comes with the library, is not where it belongs; name it by the environment "
+              "variable " +
+              program.variable + program.otherwise + ".");
+}
+
+}  // namespace
+
+ChildProcess::~ChildProcess() { stop(); }
+
+void ChildProcess::start() {
+  if (runs()) return;
+  const std::string program = place_of(program_).string();
+  int ends[2];
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    throw Error(std::string(program_.need) + ", and the program '" + program +
+                "' that does it cannot be talked to: " + std::strerror(errno) + ".");
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
+  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawnattr_t attributes;
+  ::posix_spawnattr_init(&attributes);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::posix_spawnattr_setsigmask(&attributes, &none);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  char* arguments[] = {const_cast<char*>(program.c_str()), nullptr};
+  const int failure = ::posix_spawn(&process_, program.c_str(), &actions, &attributes, arguments, environ);
+  ::posix_spawnattr_destroy(&attributes);
+  ::posix_spawn_file_actions_destroy(&actions);
+  ::close(ends[1]);
+  socket_ = ends[0];
+  if (failure == 0) return;
+  process_ = -1;
+  stop();
+  throw Error(std::string(program_.need) + ", and the program '" + program +
+              "' that does it cannot be started: " + std::strerror(failure) + ".");
+}
+
+void ChildProcess::stop() noexcept {
+  if (socket_ >= 0) ::close(socket_);
+  socket_ = -1;
+  if (process_ <= 0) return;
+  ::kill(process_, SIGKILL);
+  while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
+  process_ = -1;
+}
+
+bool ChildProcess::send(std::string_view bytes) const {
+  while (!bytes.empty()) {
+    const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    bytes.remove_prefix(std::size_t(count));
+  }
+  return true;
+}
+
+bool ChildProcess::receive(char* bytes, std::size_t count, std::chrono::nanoseconds& patience) const {
+  using Clock = std::chrono::steady_clock;
+  while (count > 0) {
+    const Clock::time_point before = Clock::now();
+    const auto wait = std::chrono::ceil<std::chrono::milliseconds>(patience);
+    pollfd waiting{socket_, POLLIN, 0};
+    const int ready = ::poll(&waiting, 1, int(wait.count()));
+    const int reason = errno;
+    patience = std::max(patience - (Clock::now() - before), std::chrono::nanoseconds(0));
+    if (ready < 0 && reason == EINTR) continue;
+    if (ready <= 0) return false;
+    const ssize_t got = ::recv(socket_, bytes, count, 0);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    bytes += got;
+    count -= std::size_t(got);
+  }
+  return true;
+}
+
+}  // namespace hapticut

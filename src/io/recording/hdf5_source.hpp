@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "io/recording/hdf5.hpp"
+#include "io/recording/recording_source.hpp"
+
+namespace hapticut {
+
+/// A recording that HDF5 reads in this process, which a damaged file may end. The library gives it to no file of a
+/// user: see RecordingProcess.
+class Hdf5Source final : public RecordingSource {
+ public:
+  Hdf5Source(hdf5::File file, std::uint64_t file_size) : RecordingSource(file_size), file_(std::move(file)) {}
+  ~Hdf5Source() override;
+
+  [[nodiscard]] bool exists(const std::string& place) override;
+  [[nodiscard]] bool has_attribute(const std::string& place, const std::string& name) override;
+  [[nodiscard]] std::string text_attribute(const std::string& place, const std::string& name) override;
+  [[nodiscard]] std::uint64_t number_attribute(const std::string& place, const std::string& name) override;
+  [[nodiscard]] std::string text(const std::string& place) override;
+  [[nodiscard]] DataSetLayout layout(const std::string& place) override;
+  void block(const std::string& place, ColumnKind kind, std::uint64_t numbers, std::uint64_t first, std::uint64_t count,
+             std::byte* bytes) override;
+
+ private:
+  /// A group inside the file itself; where HDF5 would follow a link, this throws.
+  hdf5::Group group_at(const std::string& place) const;
+  hid_t data_set_at(const std::string& place);
+
+  hdf5::File file_;
+  std::map<std::string, hdf5::DataSet> data_sets_;  ///< that are open
+};
+
+/// @throws hdf5::Failure when the file is no recording that can be opened
+[[nodiscard]] std::unique_ptr<Hdf5Source> open_hdf5_file(const std::filesystem::path& path);
+
+/// The same of bytes, which no writer may have had open.
+[[nodiscard]] std::unique_ptr<Hdf5Source> open_hdf5_bytes(std::string bytes);
+
+}  // namespace hapticut

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program that reads recordings for the library: it answers questions about one HDF5 file over the socket that it
+// is given as its input. A file that was made to hurt may end it in any way: the library takes that for damage.
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <new>
+#include <string>
+
+#include "io/recording/hdf5_source.hpp"
+#include "io/recording/recording_messages.hpp"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define HAPTICUT_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define HAPTICUT_SANITIZED
+#endif
+#endif
+
+namespace hapticut::recording_reader {
+namespace {
+
+constexpr std::uint64_t kMemory = std::uint64_t(1) << 30U;  // [bytes] besides some for each byte of the file
+constexpr std::uint64_t kMemoryPerByte = 4;
+constexpr std::uint64_t kLargestBlock = std::uint64_t(1) << 40U;  // [bytes] that a question may ask for
+
+bool take(char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t got = ::read(STDIN_FILENO, bytes, count);
+    if (got <= 0) return false;
+    bytes += got;
+    count -= std::size_t(got);
+  }
+  return true;
+}
+
+bool give(const char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t sent = ::write(STDIN_FILENO, bytes, count);
+    if (sent <= 0) return false;
+    bytes += sent;
+    count -= std::size_t(sent);
+  }
+  return true;
+}
+
+void limit(int what, std::uint64_t most) {
+  rlimit value{};
+  ::getrlimit(what, &value);
+  value.rlim_cur = std::min<rlim_t>(most, value.rlim_max);
+  ::setrlimit(what, &value);
+}
+
+void limit_memory(const std::string& path) {
+#if !defined(HAPTICUT_SANITIZED)
+  std::error_code code;
+  const std::uintmax_t size = std::filesystem::file_size(path, code);
+  limit(RLIMIT_AS, kMemory + (code ? 0 : kMemoryPerByte * size));
+#else
+  (void)path;  // the sanitizer reserves more than any limit
+#endif
+}
+
+template <class Number>
+void append(std::string& bytes, const Number& number) {
+  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+std::string answer_to(const Question& q, const std::string& place, const std::string& name,
+                      std::unique_ptr<Hdf5Source>& source) {
+  std::string content;
+  if (q.ask == Ask::open) {
+    limit_memory(place);
+    source = open_hdf5_file(place);
+    return content;
+  }
+  if (source == nullptr) throw hdf5::Failure("no file is open");
+  switch (q.ask) {
+    case Ask::open:
+      break;
+    case Ask::exists:
+      content = std::string(1, char(source->exists(place)));
+      break;
+    case Ask::has_attribute:
+      content = std::string(1, char(source->has_attribute(place, name)));
+      break;
+    case Ask::text_attribute:
+      content = source->text_attribute(place, name);
+      break;
+    case Ask::number_attribute:
+      append(content, source->number_attribute(place, name));
+      break;
+    case Ask::text:
+      content = source->text(place);
+      break;
+    case Ask::layout: {
+      const DataSetLayout layout = source->layout(place);
+      append(content, std::uint64_t(layout.is_real));
+      for (const std::uint64_t length : layout.shape) append(content, length);
+      break;
+    }
+    case Ask::block: {
+      const auto kind = ColumnKind(q.kind);
+      if (double(q.numbers) * double(q.count) > double(kLargestBlock)) throw std::bad_alloc();
+      content.resize(q.numbers * q.count * bytes_of(kind));
+      source->block(place, kind, q.numbers, q.first, q.count, reinterpret_cast<std::byte*>(content.data()));
+      break;
+    }
+  }
+  return content;
+}
+
+void answer_all() {
+  std::unique_ptr<Hdf5Source> source;
+  std::uint64_t given = 0;
+  for (Question q; take(reinterpret_cast<char*>(&q), sizeof q);) {
+    if (q.place_bytes > kLongestPlace || q.name_bytes > kLongestPlace) return;
+    std::string place(q.place_bytes, '\0'), name(q.name_bytes, '\0'), content;
+    if (!take(place.data(), place.size()) || !take(name.data(), name.size())) return;
+    limit(RLIMIT_CPU, kMostReadingSeconds + given / kBytesPerSecond);
+    Answer answer;
+    try {
+      content = answer_to(q, place, name, source);
+    } catch (const std::bad_alloc&) {
+      answer.result = Answer::Result::no_memory;
+    } catch (const std::exception& error) {
+      answer.result = Answer::Result::refused;
+      content = error.what();
+    }
+    answer.bytes = content.size();
+    given += content.size();
+    if (!give(reinterpret_cast<const char*>(&answer), sizeof answer) || !give(content.data(), content.size())) return;
+  }
+}
+
+}  // namespace
+}  // namespace hapticut::recording_reader
+
+int main() {
+  using namespace hapticut::recording_reader;
+  ::signal(SIGPIPE, SIG_IGN);
+  ::signal(SIGXCPU, SIG_DFL);
+  limit(RLIMIT_CORE, 0);
+  answer_all();
+  // Not through HDF5's own end, which may hang over a damaged file.
+  ::_exit(0);
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut {
+
+namespace hdf5 {
+
+/// Something that HDF5 refused, in its own words.
+class Failure : public Error {
+ public:
+  using Error::Error;
+};
+
+}  // namespace hdf5
+
+/// How a column's numbers are stored.
+enum class ColumnKind { real, flag, int32, uint32, uint64 };
+
+/// [bytes] of one number in memory.
+[[nodiscard]] std::size_t bytes_of(ColumnKind kind) noexcept;
+
+/// What a data set says of itself.
+struct DataSetLayout {
+  bool is_real = false;              ///< else its numbers are whole
+  std::vector<std::uint64_t> shape;  ///< lengths along its dimensions; empty: one number
+};
+
+/// What a reader of recordings asks of an HDF5 file. The file may have been made to hurt, so everything in it is asked
+/// for by its place, "" for the file itself, "steps/dt" for a data set, and what comes back is plain.
+///
+/// All functions throw hdf5::Failure, without the name of the file, when something is missing or of another kind.
+class RecordingSource {
+ public:
+  /// @param file_size  [bytes]
+  explicit RecordingSource(std::uint64_t file_size) : file_size_(file_size) {}
+  virtual ~RecordingSource() = default;
+  RecordingSource(const RecordingSource&) = delete;
+  RecordingSource& operator=(const RecordingSource&) = delete;
+
+  [[nodiscard]] virtual bool exists(const std::string& place) = 0;
+  [[nodiscard]] virtual bool has_attribute(const std::string& place, const std::string& name) = 0;
+  [[nodiscard]] virtual std::string text_attribute(const std::string& place, const std::string& name) = 0;
+  [[nodiscard]] virtual std::uint64_t number_attribute(const std::string& place, const std::string& name) = 0;
+  [[nodiscard]] virtual std::string text(const std::string& place) = 0;      ///< a data set that is a text
+  [[nodiscard]] virtual DataSetLayout layout(const std::string& place) = 0;  ///< of a data set of numbers
+
+  /// Rows of a data set, one after the other.
+  /// @param kind     what its numbers become
+  /// @param numbers  of one row
+  void rows(const std::string& place, ColumnKind kind, std::uint64_t numbers, std::uint64_t first, std::uint64_t count,
+            std::vector<std::byte>& bytes);
+
+  /// All numbers of a data set.
+  [[nodiscard]] std::vector<double> reals(const std::string& place);
+  [[nodiscard]] std::vector<std::uint64_t> whole_numbers(const std::string& place);
+  [[nodiscard]] std::vector<std::byte> bytes(const std::string& place);
+
+ protected:
+  /// At most kBlock bytes, or one row.
+  /// @param bytes  room for them
+  virtual void block(const std::string& place, ColumnKind kind, std::uint64_t numbers, std::uint64_t first,
+                     std::uint64_t count, std::byte* bytes) = 0;
+
+ private:
+  [[nodiscard]] std::vector<std::byte> all(const std::string& place, ColumnKind kind);
+
+  std::uint64_t file_size_;
+};
+
+/// The last part of a place: what messages call it.
+[[nodiscard]] std::string name_at(const std::string& place);
+
+/// @throws hdf5::Failure when a file of this size cannot hold so much
+void require_room(double bytes, std::uint64_t file_size, const std::string& name);
+
+}  // namespace hapticut

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings are read by a program of their own, which a file may kill.
+#include <gtest/gtest.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): <csignal> need not have kill
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <thread>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/io/recording/recording.hpp"
+#include "io/recording/hdf5_source.hpp"
+#include "io/recording/recording_access.hpp"
+#include "io/recording/recording_process.hpp"
+#include "support/recordings.hpp"
+#include "support/temporary_folder.hpp"
+
+/// HDF5's own checksum of metadata (Bob Jenkins' lookup3), which its library exports.
+extern "C" std::uint32_t H5_checksum_lookup3(const void* bytes, std::size_t count, std::uint32_t begin);
+
+namespace hapticut::recording_process_test {
+namespace {
+
+using test::TemporaryFolder;
+
+constexpr int kSteps = 5;
+constexpr const char* kVariable = "HAPTICUT_RECORDING_READER";
+
+/// Names another program to read recordings, for as long as it lives.
+struct OtherReader {
+  explicit OtherReader(const std::string& program) { ::setenv(kVariable, program.c_str(), 1); }
+  ~OtherReader() { ::unsetenv(kVariable); }
+  OtherReader(const OtherReader&) = delete;
+  OtherReader& operator=(const OtherReader&) = delete;
+};
+
+std::filesystem::path recorded(const TemporaryFolder& folder) {
+  test::record_scene(folder / "a.h5", "axial_flat", kSteps);
+  return folder / "a.h5";
+}
+
+std::string refusal_of(const std::filesystem::path& path) {
+  try {
+    (void)read_recording(path).workpiece();
+  } catch (const Error& error) {
+    const std::string sentence = error.what();
+    EXPECT_TRUE(sentence.starts_with("cannot read '" + path.string())) << sentence;
+    EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+    return sentence;
+  }
+  return "";
+}
+
+/// A program in the place of the reader, in the language of the shell.
+std::string script(const TemporaryFolder& folder, const std::string& text) {
+  test::write_bytes(folder / "reader", "#!/bin/sh\n" + text);
+  std::filesystem::permissions(folder / "reader", std::filesystem::perms::owner_all);
+  return (folder / "reader").string();
+}
+
+/// An answer as the reader gives it, in the notation of printf(1).
+std::string octal(const Answer& answer) {
+  std::string text;
+  const auto* bytes = reinterpret_cast<const unsigned char*>(&answer);
+  for (std::size_t n = 0; n < sizeof answer; ++n) {
+    text += "\\";
+    for (const int shift : {6, 3, 0}) text += char('0' + ((bytes[n] >> shift) & 7));
+  }
+  return text;
+}
+
+TEST(RecordingProcess, GivesWhatHdf5GivesInThisProcess) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = recorded(folder);
+  RecordingProcess process(path, std::filesystem::file_size(path));
+  const std::unique_ptr<Hdf5Source> here = open_hdf5_file(path);
+  for (const Column& column : recording_columns()) {
+    const std::string place = "steps/" + column.name;
+    ASSERT_EQ(process.exists(place), here->exists(place)) << place;
+    if (!here->exists(place)) continue;
+    EXPECT_EQ(process.layout(place).shape, here->layout(place).shape) << place;
+    EXPECT_EQ(process.layout(place).is_real, here->layout(place).is_real) << place;
+    std::vector<std::byte> there_rows, here_rows;
+    process.rows(place, column.kind, column.numbers, 1, kSteps - 1, there_rows);
+    here->rows(place, column.kind, column.numbers, 1, kSteps - 1, here_rows);
+    EXPECT_EQ(there_rows.size(), (kSteps - 1) * column.bytes);
+    EXPECT_EQ(there_rows, here_rows) << place;
+  }
+  EXPECT_EQ(process.bytes("workpiece/vdb"), here->bytes("workpiece/vdb"));
+  EXPECT_EQ(process.text("tool/head"), here->text("tool/head"));
+  EXPECT_EQ(process.text_attribute("", "begun"), here->text_attribute("", "begun"));
+  EXPECT_EQ(process.number_attribute("workpiece", "hash"), here->number_attribute("workpiece", "hash"));
+  EXPECT_FALSE(process.has_attribute("steps", "taste"));
+  EXPECT_THROW((void)process.text("tool/taste"), hdf5::Failure);
+  EXPECT_EQ(process.text("tool/head"), here->text("tool/head"));  // a refusal is not the end
+  std::vector<std::byte> rows;
+  EXPECT_THROW(process.rows("steps/dt", ColumnKind::real, 1, kSteps, 1, rows), hdf5::Failure);
+  EXPECT_THROW(process.rows("steps/dt", ColumnKind::real, 3, 0, kSteps, rows), hdf5::Failure);
+}
+
+TEST(RecordingProcess, MayBeAskedBySeveralThreads) {
+  const TemporaryFolder folder;
+  const Recording recording = read_recording(recorded(folder));
+  const Vec3 expected = recording.read(0, kSteps).back().force;
+  std::vector<std::thread> threads;
+  for (int n = 0; n < 4; ++n)
+    threads.emplace_back([&] {
+      for (int k = 0; k < 20; ++k) {
+        EXPECT_EQ(recording.read(0, kSteps).back().force, expected);
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+}
+
+// The number of entries in the root of a B-tree is believed: HDF5 1.10.8 reads and writes as many beyond its buffers.
+TEST(RecordingProcess, DiesOfAFileWhoseChecksumsFitAndIsOneSentence) {
+  const TemporaryFolder folder;
+  std::string bytes = test::read_bytes(recorded(folder));
+  constexpr std::size_t kEntriesAt = 24, kEnd = 34;  // version 2 B-tree header, HDF5 File Format Specification III.A.2
+  const std::uint16_t entries = 0xffff;
+  int trees = 0;
+  for (std::size_t at = bytes.find("BTHD"); at != std::string::npos; at = bytes.find("BTHD", at + 1), ++trees) {
+    std::memcpy(&bytes[at + kEntriesAt], &entries, sizeof entries);
+    const std::uint32_t sum = H5_checksum_lookup3(&bytes[at], kEnd, 0);
+    std::memcpy(&bytes[at + kEnd], &sum, sizeof sum);
+  }
+  ASSERT_GT(trees, 0);
+  test::write_bytes(folder / "hurts.h5", bytes);
+  // In this process: a child of this test, which it ends.
+  const pid_t child = ::fork();
+  if (child == 0) {
+    try {
+      (void)open_hdf5_file(folder / "hurts.h5")->has_attribute("", "content");
+    } catch (const Error&) {
+    }
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  const std::string refusal = refusal_of(folder / "hurts.h5");
+  EXPECT_NE(refusal.find("damaged"), std::string::npos) << refusal;
+  if (WIFSIGNALED(status)) {
+    EXPECT_NE(refusal.find("came to an end"), std::string::npos) << refusal;
+  }
+  EXPECT_EQ(refusal_of(folder / "a.h5"), "");
+}
+
+TEST(RecordingProcess, ThatIsMissingOrEndsOrLiesIsOneSentence) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = recorded(folder);
+  {
+    const OtherReader missing("/no/such/program");
+    EXPECT_NE(refusal_of(path).find("'/no/such/program' that does it cannot be started"), std::string::npos);
+  }
+  for (const std::string& program :
+       {std::string("/bin/false"), script(folder, "kill -SEGV $$"),
+        // More than was asked for, and a sentence of any length.
+        script(folder, "printf '" + octal({Answer::Result::done, 1ULL << 40U}) + "' >&0; sleep 9"),
+        script(folder, "printf '" + octal({Answer::Result::refused, 1ULL << 40U}) + "' >&0; sleep 9"),
+        script(folder, "printf '" + octal({Answer::Result(7), 0}) + "' >&0; sleep 9")}) {
+    const OtherReader other(program);
+    EXPECT_NE(refusal_of(path).find("came to an end"), std::string::npos) << program;
+  }
+  const OtherReader tells(
+      script(folder, "printf '" + octal({Answer::Result::refused, 4}) + "a\\nb\\033' >&0; sleep 9"));
+  EXPECT_NE(refusal_of(path).find("a?b?"), std::string::npos);
+}
+
+TEST(RecordingProcess, ThatHangsIsNotWaitedForLonger) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = recorded(folder);
+  const OtherReader hangs(script(folder, "exec sleep 60"));
+  EXPECT_THROW(RecordingProcess(path, std::filesystem::file_size(path), std::chrono::milliseconds(50)), hdf5::Failure);
+  EXPECT_LE(RecordingProcess::kPatience, std::chrono::seconds(20));
+}
+
+/// The one child of this process; 0: none.
+pid_t child_of_this_process() {
+  const std::string list = test::read_bytes("/proc/self/task/" + std::to_string(::getpid()) + "/children");
+  return list.empty() ? 0 : pid_t(std::stol(list));
+}
+
+TEST(RecordingProcess, ThatIsKilledWhileARecordingIsOpenEndsTheReading) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = recorded(folder);
+  {
+    const Recording recording = read_recording(path);
+    EXPECT_EQ(recording.read(0, kSteps).size(), std::size_t(kSteps));
+    const pid_t child = child_of_this_process();
+    if (child == 0) GTEST_SKIP() << "This system does not say which processes a process has started.";
+    ::kill(child, SIGKILL);
+    for (int n = 0; n < 2; ++n) EXPECT_THROW((void)recording.read(0, kSteps), Error);
+    EXPECT_THROW(write_csv(recording, folder / "a.csv"), Error);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.csv"));
+  }
+  EXPECT_EQ(child_of_this_process(), 0);
+}
+
+}  // namespace
+}  // namespace hapticut::recording_process_test
