@@ -65,9 +65,12 @@ std::string unknown_argument(const std::deque<Registered>& entries, const std::s
       if (argument.front() != '-') known.push_back(entry.command.name);
       continue;
     }
-    for (const Setting& setting : entry.command.settings) known.push_back(setting.flag);
+    for (const Setting& setting : entry.command.settings)
+      if (!setting.flag.empty()) known.push_back(setting.flag);
     help = "hapticut " + entry.command.name + " --help";
   }
+  if (parse_number(argument))
+    return argument + " belongs to no flag. Numbers of one flag are joined by commas: 60,10,10. See " + help + ".";
   return "there is no " + argument + "." + suggestion(argument, known) + " See " + help + ".";
 }
 

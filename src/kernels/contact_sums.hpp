@@ -7,9 +7,9 @@
 
 namespace hapticut::kernels {
 
-/// What the blocks of a sub-step add up to, lane by lane, in sixteen lanes whatever the vectors of the machine. A voxel
-/// meets the lane of its place in its strip, or, where voxels are gathered, of its place in the list: always the same
-/// on one kind of processor, not on all.
+/// What the blocks of a sub-step add up to, lane by lane, in as many lanes as a vector of the machine has,
+/// sixteen at most. A voxel meets the lane of its place in the list of those that were gathered: always the same on one
+/// kind of processor, not on all.
 struct ContactSums {
   enum Term {  // the first six in units of [N/m^3], the energies in [J/m^3], to be multiplied by a voxel's volume
     kForceX,   // of the reaction of the material, that is minus the force on the tool

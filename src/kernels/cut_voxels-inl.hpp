@@ -257,6 +257,13 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
   const Vec later = hn::MulAdd(moved, broadcast(0.5F - m.lead), height_left + far_plane);
   p.after = hn::IfThenElseZero(hn::And(inside, p.left > zero), energy * section.energy(height_left, later));
   p.lead_work = material.stiffness * p.volume * advance * advance * broadcast(m.lead);
+  const Mask taken = fill - p.left > broadcast(FoundationLaw::kSmallestLoss) * fill;
+  const Vec earlier = hn::NegMulAdd(moved, broadcast(0.5F + m.lead), s.top * per_l);
+  if (m.lead > 0) {  // what a contact evaluated at the end pushes harder than it stores is a damper's work
+    const Vec stored = energy * section.energy(full_height, earlier);
+    const Vec harder = hn::Max(zero, hn::MulAdd(p.rubbing + p.cut, advance, stored - p.after));
+    p.lead_work = hn::IfThenElse(taken, p.lead_work, hn::IfThenElseZero(inside, harder));
+  }
   // Where nothing is cut nothing is released, and nowhere less: what the midpoint rule lacks has entered.
   p.before = hn::NegMulAdd(p.rubbing + p.cut, advance, p.after + p.lead_work);
   p.released = zero;
@@ -264,9 +271,7 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
     const Mask none_kept = hn::And(p.crushed, p.kept <= zero);
     p.credit = hn::IfThenElse(none_kept, broadcast(1e-30F), p.credit);
   }
-  const Mask taken = fill - p.left > broadcast(FoundationLaw::kSmallestLoss) * fill;
   if ((may_cut || kCrushes) && !hn::AllFalse(d, taken)) {
-    const Vec earlier = hn::NegMulAdd(moved, broadcast(0.5F + m.lead), s.top * per_l);
     const Vec surplus = hn::MulSub(energy, section.energy(full_height, earlier), p.before);
     p.released = hn::IfThenElseZero(taken, hn::Max(zero, surplus));
     p.before = p.before + p.released;

@@ -24,7 +24,7 @@ constexpr float kToCentroid = 0.9F;
 constexpr float kNearAxis = 7.0F + FoundationLaw::kAxisZone;
 
 /// Voxels of a few blocks, one after the other in the order of the blocks. What follows the last one repeats the first,
-/// so that every lane of a vector can be computed. Only vectors of a whole strip gather.
+/// so that every lane of a vector can be computed.
 struct VoxelList {
   static constexpr int kEnough = 256;  // to be pressed: fewer do not fill their vectors
   static constexpr int kRoom = kEnough + kBlockVoxels + kStripLanes;
@@ -64,11 +64,6 @@ HWY_INLINE void begin_strips(PressTask& task, std::uint32_t strips) {
   task.change.strips |= strips;
 }
 
-/// All voxels of a block are full, of one material and at their centres.
-HWY_INLINE bool is_whole(const BlockView& block) {
-  return block.material == nullptr && block.solid == nullptr && block.fill == nullptr && block.centroid == nullptr;
-}
-
 /// Looks through the solid voxels of blocks for those that may be inside the head.
 template <class Springs>
 class Gather {
@@ -92,43 +87,6 @@ class Gather {
     }
   }
 
-  /// Calls `found(voxel, r, hit, lanes)` for each vector of voxels of which some may be inside the head: the first of
-  /// them in the block, their places [m] in T, and which lanes, as a mask and as bits.
-  /// @tparam kWhole  the block is_whole
-  template <bool kWhole, class Found>
-  HWY_INLINE void for_each(const BlockView& block, const Found& found) const {
-    const Eigen::Vector3f base = first_voxel(block);
-    const bool at_centroid = !kWhole && block.centroid != nullptr && job_.quadrature == Quadrature::centroid;
-    const float half = (at_centroid ? kHalfStrip + kToCentroid : kHalfStrip) * job_.motion.voxel_size + beyond_;
-    const std::uint32_t near = strips_within(base, half) & solid_strips(block) & strips_on_turn(block);
-    const std::uint32_t inner = strips_within(base, -half);
-    const Mask all = hn::FirstN(Floats(), kWidth);
-    Vectors lanes[kParts];
-    for (std::size_t part = 0; part < kParts; ++part)
-      lanes[part] = {lane_offsets_[part].x + broadcast(base.x()), lane_offsets_[part].y + broadcast(base.y()),
-                     lane_offsets_[part].z + broadcast(base.z())};
-    for (std::uint32_t rest = near; rest != 0; rest &= rest - 1) {
-      const int strip = std::countr_zero(rest);
-      const auto solid =
-          kWhole || block.solid == nullptr ? 0xffffU : unsigned(block.solid[strip >> 2] >> (16 * (strip & 3)) & 0xffff);
-      for (std::size_t part = 0; part < kParts; ++part) {
-        const unsigned bits = solid >> (part * kWidth) & kAllLanes;
-        const int voxel = strip * kStripLanes + int(part * kWidth);
-        Vectors r = {lanes[part].x + broadcast(firsts_.x[strip]), lanes[part].y + broadcast(firsts_.y[strip]),
-                     lanes[part].z + broadcast(firsts_.z[strip])};
-        if (at_centroid) shift_to_centroids(block.centroid + voxel, r);
-        Mask hit = all;
-        unsigned hit_bits = kAllLanes;
-        if (bits != kAllLanes || (inner >> strip & 1U) == 0) {
-          hit = hn::And(springs_.hits(r.x, r.y, r.z, beyond_), mask_of(bits));
-          hit_bits = bits_of(hit);
-          if (hit_bits == 0) continue;
-        }
-        found(voxel, r, hit, hit_bits);
-      }
-    }
-  }
-
   /// Appends the voxels of a block.
   /// @param number  of the block
   /// @return bit n: some of them are of strip n
@@ -138,7 +96,7 @@ class Gather {
     MaterialId material = block.uniform_material;
     int count = list.count, runs = list.runs;
     std::uint32_t strips = 0;
-    for_each<false>(
+    for_each(
         block, [&](int voxel, const Vectors& r, Mask hit, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
           const Vec fill = block.fill == nullptr ? broadcast(1.0F) : hn::LoadU(Floats(), block.fill + voxel);
           const int first = number * kBlockVoxels + voxel;
@@ -169,6 +127,42 @@ class Gather {
 
  private:
   static constexpr hn::RebindToSigned<Floats> kInts = {};
+
+  /// Calls `found(voxel, r, hit, lanes)` for each vector of voxels of which some may be inside the head: the first of
+  /// them in the block, their places [m] in T, and which lanes, as a mask and as bits.
+  template <class Found>
+  HWY_INLINE void for_each(const BlockView& block, const Found& found) const {
+    const Eigen::Vector3f base = first_voxel(block);
+    const bool at_centroid = block.centroid != nullptr && job_.quadrature == Quadrature::centroid;
+    const float half = (at_centroid ? kHalfStrip + kToCentroid : kHalfStrip) * job_.motion.voxel_size + beyond_;
+    const std::uint32_t near = strips_within(base, half) & solid_strips(block) & strips_on_turn(block);
+    const std::uint32_t inner = strips_within(base, -half);
+    const Mask all = hn::FirstN(Floats(), kWidth);
+    Vectors lanes[kParts];
+    for (std::size_t part = 0; part < kParts; ++part)
+      lanes[part] = {lane_offsets_[part].x + broadcast(base.x()), lane_offsets_[part].y + broadcast(base.y()),
+                     lane_offsets_[part].z + broadcast(base.z())};
+    for (std::uint32_t rest = near; rest != 0; rest &= rest - 1) {
+      const int strip = std::countr_zero(rest);
+      const auto solid =
+          block.solid == nullptr ? 0xffffU : unsigned(block.solid[strip >> 2] >> (16 * (strip & 3)) & 0xffff);
+      for (std::size_t part = 0; part < kParts; ++part) {
+        const unsigned bits = solid >> (part * kWidth) & kAllLanes;
+        const int voxel = strip * kStripLanes + int(part * kWidth);
+        Vectors r = {lanes[part].x + broadcast(firsts_.x[strip]), lanes[part].y + broadcast(firsts_.y[strip]),
+                     lanes[part].z + broadcast(firsts_.z[strip])};
+        if (at_centroid) shift_to_centroids(block.centroid + voxel, r);
+        Mask hit = all;
+        unsigned hit_bits = kAllLanes;
+        if (bits != kAllLanes || (inner >> strip & 1U) == 0) {
+          hit = hn::And(springs_.hits(r.x, r.y, r.z, beyond_), mask_of(bits));
+          hit_bits = bits_of(hit);
+          if (hit_bits == 0) continue;
+        }
+        found(voxel, r, hit, hit_bits);
+      }
+    }
+  }
 
   [[nodiscard]] HWY_INLINE Eigen::Vector3f first_voxel(const BlockView& block) const {
     return job_.grid.position(block.origin).template cast<float>();

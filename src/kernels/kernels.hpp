@@ -38,7 +38,7 @@
 ///
 ///     block -> strips near the head -> voxels in it    ->  sample           ->  law                  ->  sum
 ///              Gather::for_each        Gather::append      Press::sample        Press::press_voxels      PressSums
-///              from their middles      where it pays       w, n, slip           f, fill, energies        F, T, ledger
+///              from their middles      into a list         w, n, slip           f, fill, energies        F, T, ledger
 ///
 /// What to read, in this order. Before all, the scalar forms, which have the formulas and their reasons:
 /// workpiece/contact.hpp, force/laws/foundation.hpp, force/resultant.hpp. Then here:

@@ -7,8 +7,6 @@
 #define HAPTICUT_KERNELS_MATERIALS_INL_HPP
 #endif
 
-#include <bit>
-
 #include "kernels/strips-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -34,13 +32,10 @@ class LoadedMaterials {
     id_ = one;
     vectors_ = MaterialVectors(table_[one]);
   }
-  /// @param ids  of a vector of voxels of which only some lanes count
-  HWY_INLINE void load(const MaterialId* ids, unsigned lanes) {
+  /// @param ids  of a vector of voxels
+  HWY_INLINE void load(const MaterialId* ids) {
     if (id_ != kEmpty && all_are(ids, id_)) return;
-    const MaterialId one = ids[std::countr_zero(lanes)];
-    bool uniform = true;
-    for (lanes &= lanes - 1; lanes != 0; lanes &= lanes - 1) uniform &= ids[std::countr_zero(lanes)] == one;
-    if (uniform) return load(one);
+    if (all_are(ids, ids[0])) return load(ids[0]);
     flush();
     id_ = kEmpty;
     vectors_ = MaterialVectors(table_, ids);

@@ -16,8 +16,6 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-/// @tparam kGathers  they are listed; else they are those of one block, in their order
-template <bool kGathers>
 class Places {
  protected:
   HWY_INLINE Places(const ContactMaterials& materials, VoxelList& voxels, ContactSums& totals)
@@ -32,11 +30,9 @@ class Places {
     }
   }
 
-  /// Of voxel n of the list, or of the block where there is none: the block's task and the place in the block.
-  [[nodiscard]] HWY_INLINE PressTask& task_of(int n) const {
-    return kGathers ? tasks_[unsigned(voxels_.index[n]) / kBlockVoxels] : *tasks_;
-  }
-  [[nodiscard]] HWY_INLINE int voxel_of(int n) const { return kGathers ? voxels_.index[n] % kBlockVoxels : n; }
+  /// Of voxel n of the list: its block's task and its place in the block.
+  [[nodiscard]] HWY_INLINE PressTask& task_of(int n) const { return tasks_[unsigned(voxels_.index[n]) / kBlockVoxels]; }
+  [[nodiscard]] HWY_INLINE int voxel_of(int n) const { return voxels_.index[n] % kBlockVoxels; }
   [[nodiscard]] HWY_INLINE MaterialId material_of(int n) const {
     const BlockView& block = task_of(n).block;
     return block.material == nullptr ? block.uniform_material : block.material[voxel_of(n)];
@@ -53,9 +49,9 @@ class Places {
   }
 
   HWY_INLINE void load_listed_materials(int first) {
-    MaterialId ids[kStripLanes];
-    for (int lane = 0; lane < kStripLanes; ++lane) ids[lane] = material_of(first + lane);
-    material_.load(ids, kAllLanes);
+    MaterialId ids[kWidth];
+    for (int lane = 0; lane < int(kWidth); ++lane) ids[lane] = material_of(first + lane);
+    material_.load(ids);
   }
   /// Books what was removed, by material.
   HWY_INLINE void book_removed(Vec removed, int first, Mask inside) {
@@ -70,7 +66,7 @@ class Places {
 
   VoxelList& voxels_;
   ContactSums& totals_;
-  PressTask* tasks_ = nullptr;  // all of them where voxels are listed, the present one where they are not
+  PressTask* tasks_ = nullptr;  // all of them
   LoadedMaterials material_;
 };
 

@@ -23,23 +23,16 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-/// A few blocks one after the other. In vectors of sixteen, and on the long way of a turning head, the voxels inside
-/// the head are gathered first, so that no lane computes for nothing; in shorter ones, or on the short way of a
-/// standing head, gathering would cost more than the empty lanes do (measured: decision 4).
+/// A few blocks one after the other. The voxels inside the head are gathered first, so that no lane computes for
+/// nothing.
 /// @tparam kOfParts  Quadrature::sub_voxel: voxels are integrated over their filled parts
 template <class Springs, Mode kMode, bool kOfParts>
-class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Springs::kCostly || kOfParts)> {
-  static constexpr bool kGathers = kWidth == kStripLanes && (kMode != Mode::standing || Springs::kCostly || kOfParts);
-  using Origin = Places<kGathers>;
-  using Origin::book_removed, Origin::load_listed_materials, Origin::mark_emptied, Origin::material_of,
-      Origin::write_fills;
-  using Origin::material_, Origin::tasks_, Origin::totals_, Origin::voxels_;
-
+class Press : Places {
  public:
   /// @param voxels, samples  room for those of a few blocks
   HWY_INLINE Press(const Springs& springs, const ContactJob& job, VoxelList& voxels, SampleList& samples,
                    ContactSums& totals, StiffnessVectors* stiffness, FrictionVectors* friction)
-      : Origin(job.materials, voxels, totals),
+      : Places(job.materials, voxels, totals),
         springs_(springs),
         gather_(springs, job),
         job_(job),
@@ -53,69 +46,46 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
         axes_((job.grid.voxel_steps / double(m_.voxel_size)).template cast<float>()) {}
 
   HWY_INLINE void press(std::span<PressTask> tasks) {
-    PressSums sums[kParts];  // close at hand in the loop
+    PressSums sums;  // close at hand in the loop
     tasks_ = tasks.data();
-    for (std::size_t n = 0; n < tasks.size(); ++n) {
-      if constexpr (kGathers) {
-        gather(int(n), sums[0]);
-      } else {
-        tasks_ = &tasks[n];
-        allow(*tasks_);
-        near_axis_ = kMode != Mode::standing && gather_.near_axis(tasks_->block);
-        if (is_whole(tasks_->block))
-          press_where_they_are<true>(sums);
-        else
-          press_where_they_are<false>(sums);
-      }
+    // One place that presses, for its code is long.
+    for (std::size_t n = 0; n <= tasks.size(); ++n) {
+      const bool done = n == tasks.size();
+      if (done || voxels_.count >= VoxelList::kEnough || tasks[n].may_cut != may_write_) press_listed(sums);
+      if (!done) gather(int(n));
     }
-    if constexpr (kGathers) press_listed(sums[0]);
     if constexpr (kMode == Mode::cutting) material_.flush();
-    for (std::size_t part = 0; part < kParts; ++part)
-      sums[part].template flush<kMode>(part, damped_ || m_.lead > 0, totals_);
+    sums.template flush<kMode>(damped_ || m_.lead > 0, totals_);
   }
 
  private:
-  template <bool kWhole>
-  HWY_INLINE void press_where_they_are(PressSums (&sums)[kParts]) {
-    const BlockView& block = tasks_->block;
-    if (block.material == nullptr) material_.load(block.uniform_material);
-    gather_.template for_each<kWhole>(
-        block, [&](int voxel, const Vectors& r, Mask hit, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
-          if (!kWhole && block.material != nullptr) material_.load(block.material + voxel, lanes);
-          const Vec fill = kWhole || block.fill == nullptr ? broadcast(1.0F) : hn::LoadU(Floats(), block.fill + voxel);
-          const std::size_t part = std::size_t(voxel) / kWidth % kParts;
-          press_voxels(voxel, part, r, fill, sample(r, fill, hit, sums[part]), sums[part]);
-        });
-  }
-
-  /// Appends the voxels of a block to the list, and presses those listed when they are enough.
-  HWY_INLINE void gather(int number, PressSums& sums) {
+  /// Appends the voxels of a block to the list.
+  HWY_INLINE void gather(int number) {
     PressTask& task = tasks_[number];
-    if (task.may_cut != may_write_) press_listed(sums);
     allow(task);
     const std::uint32_t strips = gather_.append(task.block, number, voxels_);
     if (strips == 0) return;
     near_axis_ |= kMode != Mode::standing && gather_.near_axis(task.block);
     if (kMode == Mode::cutting && writes()) begin_strips(task, strips);
-    if (voxels_.count >= VoxelList::kEnough) press_listed(sums);
   }
 
   /// Samples all voxels of the list before the law is evaluated on any: in one loop for both, the processor would wait
   /// for one long chain of results after the other.
   HWY_INLINE void press_listed(PressSums& sums) {
     const Floats d;
+    constexpr int kLanes = int(kWidth);
     const int count = voxels_.count;
     if (count == 0) return;
     voxels_.repeat_first();
-    for (int first = 0; first < count; first += kStripLanes) {
-      const Mask listed = hn::FirstN(d, std::size_t(std::min(count - first, kStripLanes)));
+    for (int first = 0; first < count; first += kLanes) {
+      const Mask listed = hn::FirstN(d, std::size_t(std::min(count - first, kLanes)));
       const Vec fill = hn::Load(d, voxels_.fill + first);
       samples_.template store<kOfParts, Springs::kSmooth>(first, sample(voxels_.place(first), fill, listed, sums));
     }
     if (voxels_.material != kEmpty) material_.load(voxels_.material);
-    for (int first = 0; first < count; first += kStripLanes) {
+    for (int first = 0; first < count; first += kLanes) {
       if (voxels_.material == kEmpty) load_listed_materials(first);
-      press_voxels(first, 0, voxels_.place(first), hn::Load(d, voxels_.fill + first),
+      press_voxels(first, voxels_.place(first), hn::Load(d, voxels_.fill + first),
                    samples_.template load<kOfParts, Springs::kSmooth>(first), sums);
     }
     if (kMode == Mode::cutting && writes()) write_fills();
@@ -173,10 +143,9 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
   }
 
   /// Stages evaluate_law and sum_resultant.
-  /// @param first  of the list, or of the block where there is none
-  HWY_INLINE void press_voxels(int first, std::size_t part, const Vectors& r, Vec old_fill, const Sample& s,
-                               PressSums& sums) {
-    if constexpr (kOfParts) return press_parts(first, part, r, old_fill, s, sums);
+  /// @param first  of the list
+  HWY_INLINE void press_voxels(int first, const Vectors& r, Vec old_fill, const Sample& s, PressSums& sums) {
+    if constexpr (kOfParts) return press_parts(first, r, old_fill, s, sums);
     const Floats d;
     const Vec zero = hn::Zero(d), one = broadcast(1.0F), half = broadcast(0.5F);
     const MaterialVectors& material = material_at<Springs::kSmooth>(material_.vectors(), s, m_.voxel_size);
@@ -198,7 +167,7 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
     if constexpr (kMode == Mode::standing) {
       const Vec normal = normal_force(sums, spring, damped, half_advance);
       sums.add_normal(r, s, normal, Springs::kCentral);
-      if (friction_ != nullptr) add_friction(first, part, normal, phi, r, s);
+      if (friction_ != nullptr) add_friction(first, normal, phi, r, s);
     } else {
       const Vec kappa = material.cutting_ratio;
       Mask is_cut = hn::MaskFromVec(zero);
@@ -235,12 +204,7 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
         if (release_) sums.helped = hn::MulAdd(u - price, gone, sums.helped);
         if (m_.tooth_rate > 0) sums.chips = hn::MulAdd(u - material.energy, gone, sums.chips);
         book_removed(gone, first, inside);
-        if constexpr (kGathers) {
-          hn::Store(hn::IfThenElse(inside, left, old_fill), d, voxels_.fill_after + first);
-        } else {
-          begin_strips(*tasks_, 1U << (first / kStripLanes));
-          hn::BlendedStore(left, inside, d, tasks_->fill_after + first);
-        }
+        hn::Store(hn::IfThenElse(inside, left, old_fill), d, voxels_.fill_after + first);
       }
       const Vec spring_left = stiff_depth * mean_fill;
       if constexpr (kMode == Mode::cutting) {
@@ -257,23 +221,21 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
     }
     if (implicit_) [[unlikely]] {
       if (m_.lead > 0) add_lead(sums, w, phi, mean_fill, gone, half_advance);
-      if (stiffness_ != nullptr) add_stiffness(stiffness_[part], material.stiffness * mean_fill, damped, r, s);
+      if (stiffness_ != nullptr) add_stiffness(*stiffness_, material.stiffness * mean_fill, damped, r, s);
     }
     sums.fill = sums.fill + phi;
     sums.depth = hn::Max(sums.depth, w);
   }
 
   /// The same for parts of voxels.
-  HWY_INLINE void press_parts(int first, std::size_t part, const Vectors& r, Vec old_fill, const Sample& s,
-                              PressSums& sums) {
+  HWY_INLINE void press_parts(int first, const Vectors& r, Vec old_fill, const Sample& s, PressSums& sums) {
     if (may_crush_ && !hn::AllFalse(Floats(), s.top > material_.vectors().crushing_depth)) [[unlikely]]
-      press_parts<true>(first, part, r, old_fill, s, sums);
+      press_parts<true>(first, r, old_fill, s, sums);
     else
-      press_parts<false>(first, part, r, old_fill, s, sums);
+      press_parts<false>(first, r, old_fill, s, sums);
   }
   template <bool kCrushes>
-  HWY_INLINE void press_parts(int first, std::size_t part, const Vectors& r, Vec old_fill, const Sample& s,
-                              PressSums& sums) {
+  HWY_INLINE void press_parts(int first, const Vectors& r, Vec old_fill, const Sample& s, PressSums& sums) {
     const Floats d;
     const Vec zero = hn::Zero(d), half = broadcast(0.5F);
     const Mask inside = s.top > zero;
@@ -298,12 +260,7 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
         sums.crushed = sums.crushed + hn::IfThenElseZero(p.crushed, taken);
       }
       book_removed(fill - p.left, first, inside);
-      if constexpr (kGathers) {
-        hn::Store(hn::IfThenElse(inside, p.left, old_fill), d, voxels_.fill_after + first);
-      } else {
-        begin_strips(*tasks_, 1U << (first / kStripLanes));
-        hn::BlendedStore(p.left, inside, d, tasks_->fill_after + first);
-      }
+      hn::Store(hn::IfThenElse(inside, p.left, old_fill), d, voxels_.fill_after + first);
     }
     const Vec spring = p.rubbing + p.cut, normal = spring * damped;
     const Vec kappa = m_.spin == 0 ? zero : material.cutting_ratio;
@@ -318,13 +275,13 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
     sums.lag = hn::NegMulAdd(half, p.released, sums.lag);
     sums.damping = sums.damping + hn::MulAdd(normal - spring, advance, p.lead_work);
     if (stiffness_ != nullptr) [[unlikely]]
-      add_springs(m_, p.slope(material, damped, m_.duration), normal, kappa, r, s, stiffness_[part]);
-    if (friction_ != nullptr) add_friction(first, part, normal, p.volume, r, s);
+      add_springs(m_, p.slope(material, damped, m_.duration), normal, kappa, r, s, *stiffness_);
+    if (friction_ != nullptr) add_friction(first, normal, p.volume, r, s);
     sums.fill = sums.fill + p.volume;
     sums.depth = hn::Max(sums.depth, p.top);
   }
 
-  HWY_INLINE void add_friction(int first, std::size_t part, Vec normal, Vec filled, const Vectors& r, const Sample& s) {
+  HWY_INLINE void add_friction(int first, Vec normal, Vec filled, const Vectors& r, const Sample& s) {
     const FrictionConstants constants(job_.materials, [&](int lane) HWY_ATTR {
       return material_.one() != kEmpty ? material_.one() : material_of(first + lane);
     });
@@ -335,7 +292,7 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
     const Vec radial = s.radial * shorter, axial = s.axial * shorter;
     normal = scaled<Springs::kSmooth>(s, normal);
     filled = scaled<Springs::kSmooth>(s, scaled<Springs::kSmooth>(s, filled));
-    friction_[part].add(normal, filled, constants, place, radial, axial);
+    friction_->add(normal, filled, constants, place, radial, axial);
   }
 
   /// The energies of a sub-step whose contact is evaluated after its middle: corrects the sums from the depth w there
@@ -379,11 +336,11 @@ class Press : Places<kWidth == kStripLanes && (kMode != Mode::standing || Spring
   const ContactJob& job_;
   const HeadMotion& m_;
   SampleList& samples_;
-  StiffnessVectors* const stiffness_;  // [kParts]; null: not wanted
+  StiffnessVectors* const stiffness_;  // null: not wanted
   FrictionVectors* const friction_;    // likewise
   const bool damped_, release_, implicit_;
   const Eigen::Matrix3f axes_;  // of the grid, in T
-  // Of the voxels listed, or of the block where there is no list:
+  // Of the voxels listed:
   bool may_write_ = true, may_cut_ = true, may_crush_ = false;
   bool near_axis_ = false;  // some of them are near the spindle's axis
 };

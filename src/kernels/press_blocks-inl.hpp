@@ -19,19 +19,16 @@ HWY_INLINE void PressAll(const Springs& springs, const ContactJob& job, std::spa
                          StiffnessSums* stiffness, FrictionSums* friction) {
   VoxelList voxels;  // empty
   SampleList samples;
-  StiffnessVectors by_part[kParts];
-  if (stiffness != nullptr)
-    for (StiffnessVectors& part : by_part) part.clear();
-  FrictionVectors friction_by_part[kParts];
-  if (friction != nullptr)
-    for (FrictionVectors& part : friction_by_part) part.clear();
-  Press<Springs, kMode, kOfParts> press(springs, job, voxels, samples, sums, stiffness == nullptr ? nullptr : by_part,
-                                        friction == nullptr ? nullptr : friction_by_part);
+  StiffnessVectors stiffness_lanes;
+  if (stiffness != nullptr) stiffness_lanes.clear();
+  FrictionVectors friction_lanes;
+  if (friction != nullptr) friction_lanes.clear();
+  Press<Springs, kMode, kOfParts> press(springs, job, voxels, samples, sums,
+                                        stiffness == nullptr ? nullptr : &stiffness_lanes,
+                                        friction == nullptr ? nullptr : &friction_lanes);
   press.press(tasks);
-  if (friction != nullptr)
-    for (std::size_t part = 0; part < kParts; ++part) friction_by_part[part].flush(part, *friction);
-  if (stiffness != nullptr)
-    for (std::size_t part = 0; part < kParts; ++part) by_part[part].flush(part, *stiffness);
+  if (friction != nullptr) friction_lanes.flush(*friction);
+  if (stiffness != nullptr) stiffness_lanes.flush(*stiffness);
 }
 
 }  // namespace strips

@@ -107,11 +107,11 @@ struct PressSums {
 
   /// Adds the lanes to those of the sub-step, in double precision.
   template <Mode kMode>
-  HWY_INLINE void flush(std::size_t part, bool damped, ContactSums& totals) const {
+  HWY_INLINE void flush(bool damped, ContactSums& totals) const {
     const auto add = [&](ContactSums::Term term, Vec sum) HWY_ATTR {
       alignas(64) float lanes[kWidth];
       hn::Store(sum, Floats(), lanes);
-      double* total = &totals.lanes[term][part * kWidth];
+      double* total = &totals.lanes[term][0];
       for (std::size_t lane = 0; lane < kWidth; ++lane) total[lane] += double(lanes[lane]);
     };
     add(ContactSums::kForceX, force_x);

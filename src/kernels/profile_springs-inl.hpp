@@ -174,7 +174,6 @@ class CurveSprings {
 
 /// A profile of which one rule decides everywhere: ProfileTable::everywhere and lid.
 struct PlainProfileVectors : ProfileBounds {
-  static constexpr bool kCostly = false;
   CellRule rule;
   bool has_lid;
   CurveSprings first, second, lid;
@@ -276,7 +275,6 @@ struct MeridianVectors {
 
 /// The curve of its cell for every point: see ProfileSprings.
 struct ProfileVectors : ProfileBounds {
-  static constexpr bool kCostly = true;
   ProfileSprings<float> table;
   explicit ProfileVectors(const ProfileTable& t) : ProfileBounds(t), table(t) {}
 

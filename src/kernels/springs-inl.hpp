@@ -20,10 +20,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// by a margin [m], as far as can be told without a square root, and `at(x, y, z)`, the springs at those that may be
 /// inside the head itself: elsewhere its answer means nothing. `near(x, y, z)` also answers for points a little
 /// outside, with a negative depth, as the scalar springs do. All normals of a shape that is `kCentral` meet in the
-/// head's origin, so that its springs have no torque about it. `kCostly`: springs cost more than the rest of the work
-/// on a voxel. `kSmooth`: some of the surface may be smooth.
+/// head's origin, so that its springs have no torque about it. `kSmooth`: some of the surface may be smooth.
 struct SphereVectors {
-  static constexpr bool kCentral = true, kCostly = false, kSmooth = false;
+  static constexpr bool kCentral = true, kSmooth = false;
   float radius;
   explicit SphereVectors(const SphereHead& head) : radius(float(head.radius)) {}
   template <class V>
@@ -45,7 +44,7 @@ struct SphereVectors {
 };
 
 struct ConeVectors {
-  static constexpr bool kCentral = false, kCostly = false, kSmooth = true;
+  static constexpr bool kCentral = false, kSmooth = true;
   float sine, cosine, height, base_radius;
   explicit ConeVectors(const ConeHead& head)
       : sine(float(std::sin(head.half_angle))),
@@ -77,7 +76,7 @@ struct ConeVectors {
 
 template <FlatRule kRule>
 struct FlatVectors {
-  static constexpr bool kCentral = false, kCostly = false, kSmooth = kRule == FlatRule::nearest;
+  static constexpr bool kCentral = false, kSmooth = kRule == FlatRule::nearest;
   float radius, height;
   explicit FlatVectors(const FlatHead& head) : radius(float(head.radius)), height(float(head.height)) {}
   template <class V>

@@ -34,11 +34,11 @@ class StiffnessVectors {
     }
   }
 
-  HWY_INLINE void flush(std::size_t part, StiffnessSums& totals) {
+  HWY_INLINE void flush(StiffnessSums& totals) {
     for (std::size_t term = 0; term < StiffnessSums::kTerms; ++term) {
       alignas(64) float lanes[kWidth];
       hn::Store(terms_[term], Floats(), lanes);
-      double* total = &totals.lanes[term][part * kWidth];
+      double* total = &totals.lanes[term][0];
       for (std::size_t lane = 0; lane < kWidth; ++lane) total[lane] += double(lanes[lane]);
     }
   }

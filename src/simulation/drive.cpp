@@ -9,22 +9,26 @@ namespace hapticut {
 namespace {
 
 constexpr int kMostTrials = 6;
-constexpr double kSettled = 2e-3;                         // [1] of the setting
+constexpr double kSettled = 2e-3;                         // [1] of a speed
+constexpr double kSteadyLoad = 0.1;                       // [1] of a torque
 constexpr double kFasterHand = 1.25, kSlowHand = 0.5e-3;  // [1], [m/s] what a hand may hurry without a trial
 constexpr double kTurningSpeed = 1;                       // [m/s] of the rim of a head that is about to turn
 
 }  // namespace
 
 /// Finds, before anything is cut, the speed at which the motor has the torque that the contact takes at that speed.
-/// What the load of the sub-step before tells is enough while neither it nor the hand changes much.
+/// What the load of the sub-step before tells is enough while neither it nor the hand changes much, and the motor has
+/// twice as much to give.
 void Simulation::State::drive_spindle(std::span<const CuttableBlock> blocks, SubStep& sub_step) noexcept {
   const StageTimer timer = timed(&StageTimes::drive_spindle);
   if (!motor.is_limited()) return;
   const Twist& path = sub_step.path_T;
   const double hand_speed = path.linear.norm() + path.angular.norm() * tool.head().reach();
-  const bool known = load.settled && !motor.stalled() && hand_speed <= kFasterHand * load.hand_speed + kSlowHand;
+  const bool known = load.settled && !motor.stalled() && motor.has_reserve(load.torque) &&
+                     hand_speed <= kFasterHand * load.hand_speed + kSlowHand;
   load.hand_speed = hand_speed;
   load_spindle(blocks.empty() ? 0 : load.torque, sub_step);
+  load.first_torque = load.torque;
   load.first_speed = motor.speed();
   if (known || blocks.empty()) return;
   // Secants on what a torque asks for too much; the first, and those that point elsewhere, are plain repetition.
@@ -33,7 +37,7 @@ void Simulation::State::drive_spindle(std::span<const CuttableBlock> blocks, Sub
     const double torque = load.torque, speed = motor.speed();
     const double taken = torque_to_turn(contact_stages.try_cut(blocks, sub_step.head));
     load_spindle(taken, sub_step);
-    if (std::abs(motor.speed() - speed) <= kSettled * std::abs(motor.setting())) return;
+    if (std::abs(motor.speed() - speed) <= kSettled * std::abs(motor.speed())) return;
     const double slope = (taken - torque - lack) / (torque - before);
     if (trial > 0 && slope < 0 && !motor.stalled()) load_spindle(torque - (taken - torque) / slope, sub_step);
     lack = taken - torque;
@@ -92,6 +96,7 @@ void Simulation::State::advance_spindle(const SubStep& sub_step, const Encounter
   if (motor.stalled()) result.status |= StepStatus::spindle_stalled;
   motor.advance(load.torque, sub_step.duration);
   load.settled = encounter.resultant.voxels > 0 &&
+                 std::abs(load.torque - load.first_torque) <= kSteadyLoad * std::abs(load.torque) &&
                  std::abs(motor.speed() - load.first_speed) <= kSettled * std::abs(motor.setting());
   share_cutting();
 }

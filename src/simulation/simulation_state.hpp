@@ -27,10 +27,11 @@ struct SubStep {
 
 /// What the contact takes of the motor.
 struct SpindleLoad {
-  double torque = 0;       // [N·m] about +z; of a stalled head, what it would take to turn it
-  double hand_speed = 0;   // [m/s] of the head's fastest point, but for the spin
-  double first_speed = 0;  // [rad/s] of the motor, as the load of the sub-step before tells
-  bool settled = false;    // that was its speed
+  double torque = 0;        // [N·m] about +z; of a stalled head, what it would take to turn it
+  double hand_speed = 0;    // [m/s] of the head's fastest point, but for the spin
+  double first_torque = 0;  // [N·m] of the sub-step before
+  double first_speed = 0;   // [rad/s] of the motor, as that tells
+  bool settled = false;     // they were nearly those of the sub-step
 };
 
 /// Who is told of steps.

@@ -103,20 +103,20 @@ Material enamel_with_diamond() {
   return material;
 }
 
-Material dentin(CutterKind cutter) { return cut_by(cutter, cuts_of_bone(1), solid("dentin", 0.24, 2150, 297e6)); }
+Material dentin(CutterKind cutter) { return cut_by(cutter, cuts_of_bone(1), solid("dentin", 1, 2150, 297e6)); }
 
 Material pulp(CutterKind) { return cut_by_any({0.5, 5e6, 0, 0}, solid("pulp", 0.01, 1000, 2.5e6)); }
 
-Material caries(CutterKind cutter) { return cut_by(cutter, cuts_of_bone(0.44), solid("caries", 0.1, 1700, 130e6)); }
+Material caries(CutterKind cutter) { return cut_by(cutter, cuts_of_bone(0.44), solid("caries", 1, 1700, 130e6)); }
 
-Material amalgam(CutterKind) { return cut_by_any({0.5, 89e6, 0, kSizeOfEnamel}, solid("amalgam", 0.6, 11600, 400e6)); }
+Material amalgam(CutterKind) { return cut_by_any({0.5, 89e6, 0, kSizeOfEnamel}, solid("amalgam", 1, 11600, 400e6)); }
 
 Material cortical_bone(CutterKind cutter) {
-  return cut_by(cutter, cuts_of_bone(1), solid("cortical_bone", 0.18, 1900, 150e6));
+  return cut_by(cutter, cuts_of_bone(1), solid("cortical_bone", 1, 1900, 150e6));
 }
 
 Material trabecular_bone(CutterKind cutter) {
-  return cut_by(cutter, cuts_of_bone(1.0 / 6), solid("trabecular_bone", 0.02, 1180, 5e6));
+  return cut_by(cutter, cuts_of_bone(1.0 / 6), solid("trabecular_bone", 0.1, 1180, 5e6));
 }
 
 Material clay(CutterKind) { return cut_by_any({0.5, 1e6, 0, 0}, solid("clay", 0.01, 1800, 0.3e6)); }

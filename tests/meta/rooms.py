@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The rooms of the library: includes go one way only, and no file is longer than 400 lines.
 
-    rooms.py arrows    what each room includes stands before it in the order below
+    rooms.py arrows    what each room includes stands before it in the order below, which CONTRIBUTING.md tells
     rooms.py lengths   of the files in include, src, bindings, tests and examples
     rooms.py physics   what physics.hpp names includes nothing but words, tools, forces and what it names itself
 """
@@ -44,6 +44,9 @@ def arrows():
             elif ROOMS.index(target) > ROOMS.index(room):
                 mistakes.append(f"{path.relative_to(ROOT)} includes {target}/, which stands after {room}/")
             seen.add((room, target))
+    page = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    if re.findall(r"^\| `(\w+)` \|", page, re.M) != ROOMS:
+        mistakes.append(f"CONTRIBUTING.md does not list the rooms in this order: {', '.join(ROOMS)}")
     if len(seen) < 30:
         mistakes.append(f"only {len(seen)} arrows were found; has the form of the includes changed?")
     return mistakes

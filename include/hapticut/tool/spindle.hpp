@@ -138,6 +138,14 @@ class SpindleMotor {
     return std::min(line, spindle_.torque_limit);
   }
 
+  /// Whether a load of twice `torque` [N·m] would still leave it below its limits, and its speed above the half of the
+  /// setting. Then what it takes now is nearly what it takes a sub-step later, and else it may be far more than it has.
+  [[nodiscard]] bool has_reserve(double torque) const {
+    const double load = 2 * std::abs(torque), speed = std::abs(setting_) - spindle_.droop * load;
+    return setting_ == 0 || (speed > kLoadedShare * std::abs(setting_) && load < spindle_.torque_limit &&
+                             load * speed < spindle_.power_limit);
+  }
+
   static constexpr double kStalledShare = 1e-3;  ///< [1] of the setting, below which a load stalls the spindle
   static constexpr double kLoadedShare = 0.5;    ///< [1] of the setting, where a line of droop has its largest power
 

@@ -30,8 +30,10 @@
 /// * Bone under burs is taken to be cut as dentin is; trabecular bone takes a sixth, caries 0.44 of it, as their
 /// hardness.
 /// * `edge_pressure` = 0 and `damping` = 0: no measurement of them is known to us.
-/// * `relative_stiffness` = Young's modulus over that of enamel (82 GPa: Dent Mater 2008, PMC2584618, table 1), not
-///   below 0.01. It scales a regularisation, not a spring that exists.
+/// * `relative_stiffness` = 1 of all that is hard: it scales a regularisation, not a spring that exists. By their
+/// moduli
+///   a ball of 1 mm under 2 N goes 1 ... 3 um into enamel, dentin or cortical bone (Hertz), and 60 um into the
+///   foundation that the grid allows. Trabecular bone 0.1, pulp and clay 0.01: assumptions.
 /// * `static_friction` = `dynamic_friction` = 0.3, the tooth of the thesis' case study 6.5; bone on muscle lies at 0.29
 ///   ... 0.36 (Shacham 2010).
 /// * `compressive_strength`: enamel 384 and dentin 297 MPa (Craig, Peyton & Johnson 1961, J Dent Res 40:936; Craig &
@@ -55,19 +57,18 @@ namespace presets {
 [[nodiscard]] Material dentin(CutterKind cutter = CutterKind::carbide_bur);
 
 /// Dental pulp, a soft tissue, the same for each cutter. E = 2.1 MPa (used throughout finite element work, e.g. Int J
-/// Environ Res Public Health 2023, 20:1889, table 1), so relative_stiffness is the floor 0.01. u = 5 MJ/m^3:
-/// assumption, tearing soft tissue costs about 1 kJ/m^2 and shreds it to 0.2 mm. Density 1000 kg/m^3: assumption,
-/// mostly water.
+/// Environ Res Public Health 2023, 20:1889, table 1). u = 5 MJ/m^3: assumption, tearing soft tissue costs about 1
+/// kJ/m^2 and shreds it to 0.2 mm. Density 1000 kg/m^3: assumption, mostly water.
 [[nodiscard]] Material pulp(CutterKind cutter = CutterKind::carbide_bur);
 
 /// Decayed hard tissue, 0.44 of dentin: Knoop 31.7 of enamel lesions of ICDAS code 3 is a hardness of 0.31 GPa (Shimizu
-/// et al. 2015, Dent Mater J 34:252), dentin's is 0.7. relative_stiffness 0.1: assumption, dentin's modulus reduced as
-/// its hardness. Density 1700 kg/m^3: assumption, dentin that lost a third of its mineral.
+/// et al. 2015, Dent Mater J 34:252), dentin's is 0.7. Density 1700 kg/m^3: assumption, dentin that lost a third of its
+/// mineral.
 [[nodiscard]] Material caries(CutterKind cutter = CutterKind::carbide_bur);
 
 /// Set high-copper amalgam, the same for each cutter: enamel under carbide by the ratio of their hardness, 0.89 GPa
-/// (90.7 kgf/mm^2 with 29 % copper: Aminatun, Dental Journal, Universitas Airlangga) to 3.5. relative_stiffness 0.6 (E
-/// about 50 GPa) and density 11600 kg/m^3 (half mercury, half silver-tin-copper alloy): assumptions.
+/// (90.7 kgf/mm^2 with 29 % copper: Aminatun, Dental Journal, Universitas Airlangga) to 3.5. Density 11600
+/// kg/m^3 (half mercury, half silver-tin-copper alloy): assumption.
 [[nodiscard]] Material amalgam(CutterKind cutter = CutterKind::carbide_bur);
 
 /// Cortical bone. E = 14.5 GPa (finite element table, Int J Environ Res Public Health 2023, 20:1889; 17 ... 20 along
@@ -76,7 +77,7 @@ namespace presets {
 
 /// Trabecular (cancellous) bone with its marrow, as a continuum. A sixth of cortical bone: drills meet 1 ... 1.5 N in
 /// the cancellous trochanter and 24 ... 48 N in cortical tibia (both in table 6 of Orelaja et al. 2020), which would
-/// allow even less. E = 1.37 GPa (same table as cortical bone), rounded to 0.02 of enamel. Density 1180 kg/m^3:
+/// allow even less. E = 1.37 GPa (same table as cortical bone). Density 1180 kg/m^3:
 /// assumption, a fifth bone of 1900 and the rest marrow of 1000.
 [[nodiscard]] Material trabecular_bone(CutterKind cutter = CutterKind::carbide_bur);
 

@@ -16,6 +16,14 @@ int toggles_in(const Story& story, const Span& span, double full) {
   return count;
 }
 
+/// [N] by how much the force rises, of all ticks that it rises in.
+double rises_in(const Story& story, const Span& span) {
+  double sum = 0;
+  for (std::size_t n = span.first + 1; n < span.last; ++n)
+    sum += std::max(0.0, force_of(story.ticks[n]) - force_of(story.ticks[n - 1]));
+  return sum;
+}
+
 void stall(Report& report) {
   struct Motor {
     std::string name;
@@ -46,8 +54,12 @@ void stall(Report& report) {
     if (motor.stalls)
       report.at_most("speed in the hold", story.most(hold, [](const Tick& t) { return std::abs(t.speed); }) / rpm,
                      0.01 * motor.spindle.speed / rpm, "rpm", "it stands");
-    report.at_most("sd of the force in the hold", 100 * story.unsteadiness(hold, force_of), 5, "%",
-                   "of its mean, about a straight line");
+    if (motor.stalls)
+      report.at_most("sd of the force in the hold", 100 * story.unsteadiness(hold, force_of), 5, "%",
+                     "of its mean, about a straight line");
+    else
+      report.at_most("rises of the force in the hold", 100 * rises_in(story, hold) / force_of(story.ticks[hold.first]),
+                     1, "%", "of the first: it cuts itself free, ever more slowly");
     report.at_least("speed after the release", std::abs(story.ticks.back().speed) / rpm,
                     0.99 * motor.spindle.speed / rpm, "rpm", "it runs again");
     rig.judge();

@@ -17,6 +17,7 @@ constexpr double kUnexplained = 1e-2;  // [1] of what a coupling turns over
 constexpr double kNothing = 1e-9;      // [J] less than a hand can turn over
 constexpr double kNoVolume = 1e-15;    // [m^3] a thousandth of a thousandth of a cubic millimetre
 constexpr double kRounding = 1.001;    // [1]
+constexpr double kSpeedKnown = 2e-3;   // [1] of its setting: how closely the speed of a motor is solved for
 
 double stored_in(const EnergyLedger& energy) { return energy.elastic + energy.anchored; }
 
@@ -162,7 +163,8 @@ void Story::on_step(const ObservedStep& step) noexcept {
   most_power_ = std::max(most_power_, power);
   double most = motor.power_limit;
   if (motor.droop > 0)
-    most = std::min(most, w * std::max(0.0, std::abs(step.simulation.spindle_setting()) - w) / motor.droop);
+    most = std::min(
+        most, w * std::max(0.0, (1 + kSpeedKnown) * std::abs(step.simulation.spindle_setting()) - w) / motor.droop);
   if (std::isfinite(most)) excess_power_ = std::max(excess_power_, power - kRounding * most);
   if (!probing || has_any(step.result.status, kRejected)) return;
   for (const double aside : {1e-4, -1e-4}) {

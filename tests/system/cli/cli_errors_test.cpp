@@ -48,6 +48,7 @@ using Files = Complaint;
 TEST_F(Flags, ThatDoNotExistAreRefusedWithTheNearestOne) {
   expect("drill --raduis_mm 1", kWrongUsage, "there is no --raduis_mm. Did you mean --radius_mm?");
   expect("drill --json-file x", kWrongUsage, "there is no --json");
+  expect("drill --size_mm 60 10 10", kWrongUsage, "10 belongs to no flag. Numbers of one flag are joined by commas");
   expect("dril", kWrongUsage, "there is no dril. Did you mean drill?");
   expect("", kWrongUsage, "subcommand");
 }

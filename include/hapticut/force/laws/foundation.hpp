@@ -299,9 +299,13 @@ class FoundationLaw final : public ForceLaw {
         return depth > 0 ? k * l * l * section.integrals(part_height, depth).energy : 0.0F;
       };
       const float after = left > 0 ? stored(section.height_of(left), (0.5F - m.lead) * advance) : 0.0F;
-      const float lead_work = k * part.volume * m.lead * advance * advance;
       const float taken = phi - left, gone = b.fill[n] - left;
       const bool releases = gone > kSmallestLoss * b.fill[n];
+      // What a contact evaluated at the end pushes harder than it stores is a damper's work: never less than nothing,
+      // for a spring is stiffer the deeper it gets.
+      float lead_work = k * part.volume * m.lead * advance * advance;
+      if (m.lead > 0 && !releases)
+        lead_work = std::max(0.0F, stored(full_height, -(0.5F + m.lead) * advance) + spring * advance - after);
       // Where nothing is cut nothing is released, and nowhere less: what the midpoint rule lacks has entered.
       const float stays = after + lead_work - spring * advance;
       const float released = releases ? std::max(0.0F, stored(full_height, -(0.5F + m.lead) * advance) - stays) : 0.0F;
