@@ -2,11 +2,11 @@
 // Who may come in, and what is left when somebody goes without a word.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { readdirSync } from "node:fs";
+import { readdirSync, statSync } from "node:fs";
 import http from "node:http";
 import { join } from "node:path";
 import { after, afterEach, before, test } from "node:test";
-import { drill, isReady, middle, openPage, startBrowser, startProgram, until } from "./viewer.mjs";
+import { drill, isReady, middle, nextSnapshot, openPage, startBrowser, startProgram, until } from "./viewer.mjs";
 
 let program, browser;
 const open = (url) => openPage(browser, url, { viewport: { width: 800, height: 450 } }); // two at once, without a GPU
@@ -28,10 +28,11 @@ test("the second page looks on, and leads when the first has gone", async () => 
   await until(second, () => hapticut.workpiece.triangles > 1000);
   await until(second, () => document.querySelector('details[data-panel="tool"] fieldset')?.disabled === true);
   await second.keyboard.press("Escape"); // who looks on is not thrown out, for the page does not send it
-  await second.waitForTimeout(500);
+  await first.evaluate(() => hapticut.panels.set("Volume", 0.25));
+  await until(second, () => hapticut.panels.control("Volume").value === 0.25);
   assert.equal(await second.locator("#role").textContent(), "looks on");
   await first.context().close();
-  await until(second, () => hapticut.snapshot.arming === 0, undefined, 10_000); // off: nobody leads
+  await until(second, () => hapticut.snapshot.arming === 0); // off: nobody leads
   assert.deepEqual(await second.evaluate(() => hapticut.snapshot.force), [0, 0, 0]);
   await second.reload();
   await isReady(second);
@@ -73,13 +74,16 @@ test("a program that is killed leaves a recording that opens, and a page that sa
   await isReady(page);
   await page.getByRole("button", { name: "Record" }).click();
   await until(page, () => document.getElementById("record").getAttribute("aria-pressed") === "true");
+  for (let n = 0; n < 2; ++n) await nextSnapshot(page); // of the run that is recorded
   await until(page, () => hapticut.snapshot.arming === 4);
   const { x, y } = await middle(page);
   await drill(page, { x, y }, [{ x: x + 10, y }]);
-  await page.waitForTimeout(1500);
+  const recording = () => readdirSync(program.folder).find((name) => name.endsWith(".h5"));
+  const size = () => statSync(join(program.folder, recording())).size;
+  for (const then = size(); size() === then;) await nextSnapshot(page); // until what was drilled is written
   await program.stop("SIGKILL");
   await until(page, () => /program has ended/.test(document.getElementById("notice").textContent));
-  const file = readdirSync(program.folder).find((name) => name.endsWith(".h5"));
+  const file = recording();
   assert.ok(file, "a recording");
   execFileSync(process.env.HAPTICUT_PROGRAM, ["export", join(program.folder, file), join(program.folder, "steps.csv")]);
 });

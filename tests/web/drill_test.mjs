@@ -2,7 +2,9 @@
 // The molar is drilled with the mouse.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { drill, isReady, middle, openPage, removed, startBrowser, startProgram, until } from "./viewer.mjs";
+import {
+  atRest, drawn, drill, isReady, middle, openPage, removed, startBrowser, startProgram, until, whole,
+} from "./viewer.mjs";
 
 let program, browser, page;
 before(async () => {
@@ -23,13 +25,16 @@ const button = (name) => page.getByRole("button", { name, exact: true });
 
 test("a mouse drills the tooth, the curve shows it, undo and redo go over it", async () => {
   const { x, y } = await middle(page);
-  await drill(page, { x, y: y - 40 }, Array.from({ length: 20 }, (_, n) => ({ x: x + n, y: y - 40 })));
-  const gone = await removed(page);
-  assert.ok(gone > 0.1, `${gone} mm^3`);
-  const [low, high] = await page.evaluate(() => [0, 1, 2].map((axis) => hapticut.curves.ring.decimate(axis, 50))
+  const curve = () => page.evaluate(() => [0, 1, 2].map((axis) => hapticut.curves.ring.decimate(axis, 50))
     .reduce(([a, b], { low, high }) => [Math.min(a, ...low.filter(Number.isFinite)), Math.max(b, ...high.filter(Number.isFinite))],
             [0, 0]));
+  let low, high;
+  await drill(page, { x, y: y - 40 }, Array.from({ length: 20 }, (_, n) => ({ x: x + n, y: y - 40 })), 40,
+              async () => { [low, high] = await curve(); });
+  const gone = await removed(page);
+  assert.ok(gone > 0.1, `${gone} mm^3`);
   assert.ok(high - low > 0.01, `the curve goes from ${low} to ${high} N`);
+  await whole(page);
   const before = await page.evaluate(() => hapticut.workpiece.triangles);
   await button("Undo").click();
   await until(page, () => hapticut.snapshot.undoMarks === 0 && hapticut.snapshot.redoMarks === 1 && !hapticut.snapshot.undoing);
@@ -62,7 +67,7 @@ test("every control of every panel of the program changes what it says", async (
       await field.first().press("Enter");
     }
     await until(page, ([name, to]) => Math.abs(hapticut.panels.control(name).value - to) <= 1e-6 * Math.abs(to),
-                [label, wanted], 5000).catch(() => assert.fail(`${label}: ${value} did not become ${wanted}`));
+                [label, wanted]).catch((error) => assert.fail(`${label}: ${value}, not ${wanted}: ${error.message}`));
   }
   assert.equal(await page.evaluate(() => document.getElementById("notice").dataset.severity ?? "0"), "0",
                await page.locator("#notice").textContent());
@@ -92,11 +97,12 @@ test("another scene is loaded, the tool changes while it cuts, and the sound has
   await open("Load");
   await page.getByRole("button", { name: "clay", exact: true }).click();
   await until(page, () => hapticut.panels.control("clay stiffness") !== undefined && hapticut.snapshot?.arming === 4);
-  await until(page, () => hapticut.workpiece.triangles > 1000);
+  await isReady(page);
   await button("top").click();
+  await drawn(page);
   const { x, y } = await middle(page);
   await page.mouse.move(x, y);
-  await page.waitForTimeout(500);
+  await atRest(page);
   await page.mouse.down();
   await until(page, () => hapticut.snapshot.removed > 1e-10);
   await page.evaluate(() => hapticut.panels.set("Head", 3));
@@ -105,7 +111,8 @@ test("another scene is loaded, the tool changes while it cuts, and the sound has
   const rpm = 60 * 2000;
   await page.evaluate((speed) => hapticut.panels.set("Speed", speed), rpm);
   await until(page, () => Math.abs(hapticut.snapshot.speed / (2 * Math.PI) - 2000) < 20);
-  await page.waitForTimeout(1200);
+  const heard = await page.evaluate(() => hapticut.speaker.heard);
+  await until(page, (then) => hapticut.speaker.heard > then + 24_000, heard); // the tone follows in 30 ms of sound
   const tone = await page.evaluate(() => {
     const samples = hapticut.speaker.recent.slice(-4800);
     let best = [0, 0];

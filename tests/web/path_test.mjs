@@ -5,7 +5,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { drill, isReady, middle, openPage, removed, startBrowser, startProgram } from "./viewer.mjs";
+import { drawn, drill, isReady, middle, openPage, removed, startBrowser, startProgram } from "./viewer.mjs";
 
 let program, browser;
 before(async () => {
@@ -21,7 +21,7 @@ test("a scripted path of the mouse removes what the simulation removes, within 2
   const page = await openPage(browser, program.url);
   await isReady(page);
   await page.getByRole("button", { name: "top", exact: true }).click();
-  await page.waitForTimeout(600);
+  await drawn(page);
   const { x, y } = await middle(page);
   await page.evaluate(() => { hapticut.hand.depth = 1e-3; hapticut.path.length = 0; });
   const way = Array.from({ length: 80 }, (_, n) => ({ x: x - 60 + 1.5 * n, y: y + 25 * Math.sin(n / 12) }));

@@ -17,5 +17,8 @@ function(hapticut_page_test name)
 endfunction()
 hapticut_page_test(ItsOwnLogicIsRight logic)
 hapticut_page_test(TheMouseRemovesWhatItsPathRemoves path_test.mjs)
-# drill_test.mjs and doors_test.mjs are not among them yet: on a busy machine pages do not load within 30 s.
+hapticut_page_test(TheMolarIsDrilledAndEveryPanelObeys drill_test.mjs)
+hapticut_page_test(OnePageLeadsAndOthersLookOn doors_test.mjs)
+set_tests_properties(Page.TheMolarIsDrilledAndEveryPanelObeys Page.OnePageLeadsAndOthersLookOn PROPERTIES
+  LABELS "page;slow")
 # By hand: HAPTICUT_PROGRAM=... tests/web/run.sh drill_test.mjs, with the variables above.

@@ -85,7 +85,7 @@ class Page {
         this.panels.enable(message.writer);
         this.began = performance.now();
         this.framed = this.placed = false;
-        this.snapshot = null;
+        this.snapshot = this.instruments = null;
         this.curves.ring.clear();
         this.tell(commands.lookAt([0, 0, 0])); // who leads wakes what its predecessor has put to sleep
         break;

@@ -136,7 +136,7 @@ export class Picture {
     if (!this.software) return 0;
     if (this.underWay) {
       const { fence, since } = this.underWay;
-      if (this.gl.getSyncParameter(fence, this.gl.SYNC_STATUS) !== this.gl.SIGNALED) return Infinity;
+      if (this.gl.getSyncParameter(fence, this.gl.SYNC_STATUS) === this.gl.UNSIGNALED) return Infinity; // null: lost
       this.gl.deleteSync(fence);
       this.took = now - since;
       this.underWay = null;

@@ -119,6 +119,8 @@ void ViewSession::build_loop() {
 void ViewSession::start() {
   if (!paused_) return;
   paused_ = false;
+  begins_ = true;
+  tick_before_ = loop_->latest().tick;
   watched_->begin_run();
   loop_->start();
 }
@@ -272,7 +274,8 @@ void ViewSession::frame(double seconds) {
   take_blocks();
   send_pages();
   const LoopSnapshot& snapshot = loop_->latest();
-  if (paused_) {
+  begins_ = begins_ && snapshot.tick == tick_before_;  // until the first tick it is of the run before
+  if (paused_ || begins_) {
     LoopSnapshot standing = snapshot;
     standing.arming = ArmingState::off;
     standing.tool.force = standing.tool.torque = Vec3::Zero();

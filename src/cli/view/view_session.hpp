@@ -90,7 +90,8 @@ class ViewSession {
   std::vector<float> samples_;
   double owed_samples_ = 0, dissipated_ = 0, power_ = 0;
   double removed_at_mark_ = -1;
-  bool pressed_ = false, touched_ = false, wants_restart_ = false, paused_ = true;
+  std::uint64_t tick_before_ = 0;  // the last of the run before
+  bool pressed_ = false, touched_ = false, wants_restart_ = false, paused_ = true, begins_ = false;
 };
 
 }  // namespace hapticut::cli
