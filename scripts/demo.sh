@@ -45,7 +45,7 @@ fi
 mkdir -p out/demo
 log=out/demo/build.log
 echo "building (see $log)"
-if ! { cmake --preset release -DHAPTICUT_WITH_IO=ON -DHAPTICUT_WITH_CLI=ON "${more[@]}" &&
+if ! { cmake --preset release -DHAPTICUT_WITH_IO=ON -DHAPTICUT_WITH_CLI=ON -DHAPTICUT_KERNELS=NATIVE "${more[@]}" &&
   cmake --build --preset release -j "$jobs" -t hapticut_cli "${targets[@]}"; } >"$log" 2>&1; then
   tail -n 40 "$log" >&2
   echo "demo.sh: the build failed; the whole output is in $log." >&2

@@ -139,6 +139,7 @@ void bind_tool(py::module_& m) {
       .def("advance", &SpindleMotor::advance, py::arg("torque"), py::arg("dt"), doc("SpindleMotor::advance"))
       .def_property_readonly("speed", &SpindleMotor::speed, doc("SpindleMotor::speed"))
       .def_property_readonly("setting", &SpindleMotor::setting, doc("SpindleMotor::setting"))
+      .def("has_reserve", &SpindleMotor::has_reserve, py::arg("torque"), doc("SpindleMotor::has_reserve"))
       .def("is_limited", &SpindleMotor::is_limited, doc("Spindle::is_limited"))
       .def_property_readonly("stall_torque", &SpindleMotor::stall_torque, doc("SpindleMotor::stall_torque"))
       .def_property_readonly("loaded", &SpindleMotor::loaded, doc("SpindleMotor::loaded"))

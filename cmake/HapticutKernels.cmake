@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+# The instruction sets that the kernels are compiled for, a minute of processor time each: HAPTICUT_KERNEL_TARGETS, the
+# names of files in src/kernels/targets/, and HAPTICUT_KERNELS_LEAVE_OUT, the others in Highway's words.
+set(HAPTICUT_KERNELS ALL CACHE STRING "ALL instruction sets, or those that this machine runs best: NATIVE, nothing to give away")
+set_property(CACHE HAPTICUT_KERNELS PROPERTY STRINGS ALL NATIVE)
+
+set(HAPTICUT_KERNEL_TARGETS baseline avx2 avx3)
+if(HAPTICUT_KERNELS STREQUAL "NATIVE")
+  # Asked of Highway, which chooses at run time. On ARM, or where nothing can be run, there is nothing to choose from.
+  if(NOT DEFINED hapticut_best_kernels)
+    set(hapticut_best_kernels "")
+    if(NOT CMAKE_CROSSCOMPILING)
+      try_run(ran compiled "${CMAKE_BINARY_DIR}/best_kernels" "${CMAKE_CURRENT_LIST_DIR}/best_kernels.cpp"
+        LINK_LIBRARIES hwy::hwy RUN_OUTPUT_VARIABLE best)
+      if(compiled AND ran EQUAL 0)
+        set(hapticut_best_kernels "${best}")
+      endif()
+    endif()
+    set(hapticut_best_kernels "${hapticut_best_kernels}" CACHE INTERNAL "the best instruction set of this machine")
+  endif()
+  if(hapticut_best_kernels)
+    set(HAPTICUT_KERNEL_TARGETS baseline ${hapticut_best_kernels})
+    list(REMOVE_DUPLICATES HAPTICUT_KERNEL_TARGETS)
+  endif()
+elseif(NOT HAPTICUT_KERNELS STREQUAL "ALL")
+  message(FATAL_ERROR "HAPTICUT_KERNELS=${HAPTICUT_KERNELS}, but it is ALL or NATIVE")
+endif()
+
+set(HAPTICUT_KERNELS_LEAVE_OUT 0)
+foreach(target avx2 avx3)
+  if(NOT target IN_LIST HAPTICUT_KERNEL_TARGETS)
+    string(TOUPPER "${target}" target)
+    string(APPEND HAPTICUT_KERNELS_LEAVE_OUT "|HWY_${target}")
+  endif()
+endforeach()

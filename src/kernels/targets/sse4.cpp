@@ -1,7 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-// The kernels for SSE4.
-#include "kernels/targets/which.hpp"
-//
-#define HAPTICUT_TARGET HWY_SSE4
-#define HWY_DISABLED_TARGETS (HAPTICUT_LEFT_OUT | HWY_AVX2 | HWY_AVX3)
-#include "kernels/targets/one_target-inl.hpp"
