@@ -5,12 +5,14 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND PROJECT_IS_TOP_LEV
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo" FORCE)
 endif()
 
-# Compiling the same code again costs nothing where ccache is installed. Never decided for somebody else's project.
+# Compiling the same code again costs nothing where ccache is installed, in whatever folder this clone lies. Never decided
+# for somebody else's project.
 find_program(HAPTICUT_CCACHE ccache)
 mark_as_advanced(HAPTICUT_CCACHE)
 if(HAPTICUT_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_C_COMPILER_LAUNCHER "${HAPTICUT_CCACHE}")
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${HAPTICUT_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=true
+      "${HAPTICUT_CCACHE}")
+  set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_CXX_COMPILER_LAUNCHER})
 endif()
 
 option(HAPTICUT_INSTALL "Install hapticut together with this project" ${PROJECT_IS_TOP_LEVEL})
@@ -39,11 +41,14 @@ endfunction()
 # What every target of ours is compiled with. Nothing of it reaches a user's code.
 add_library(hapticut_build_flags INTERFACE)
 target_compile_features(hapticut_build_flags INTERFACE cxx_std_20)
-target_compile_options(hapticut_build_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+target_compile_options(hapticut_build_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
+  $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor>
   # Where several files are compiled as one, each of them looks like a header to this warning.
   $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
   # ... and clang++ calls a local name shadowed that another file of the room has in its unnamed namespace.
   $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:Clang>>:-Wno-shadow>
+  # What the compiler writes does not depend on the folder that the sources lie in.
+  -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
   # Code that may go into a shared library keeps the right to call and inline its own functions directly.
   $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>
   $<$<BOOL:${HAPTICUT_WARNINGS_AS_ERRORS}>:-Werror>)

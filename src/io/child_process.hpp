@@ -21,6 +21,8 @@ struct ChildProgram {
   const char* need;       ///< begins the sentence that says it is missing: "its values are compressed"
   const char* otherwise;  ///< ends that sentence: ", or save the file uncompressed"; may be empty
 };
+extern const ChildProgram kDecoder;          ///< unpacks compressed DICOM pictures
+extern const ChildProgram kRecordingReader;  ///< reads recordings
 
 /// A program of its own for what may end a process when a file is damaged: it dies, and this one says so. It is started
 /// by `start`, is talked to over a socket that is its input, and ends with this object; docs/decisions/0011-readers.md

@@ -21,5 +21,5 @@ hapticut_meta_test(TheTablesOfProofsAreThoseOfTheTests proofs.py)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_BUILD_TYPE STREQUAL "Release" AND HAPTICUT_ITK AND HAPTICUT_CLI
    AND CMAKE_EXPORT_COMPILE_COMMANDS)
   hapticut_meta_test(EveryHeaderCompilesAlone headers.py "${CMAKE_CXX_COMPILER}" "${PROJECT_BINARY_DIR}")
-  set_tests_properties(Meta.EveryHeaderCompilesAlone PROPERTIES PROCESSORS 2 TIMEOUT 900)
+  set_tests_properties(Meta.EveryHeaderCompilesAlone PROPERTIES LABELS "meta;slow" PROCESSORS 2 TIMEOUT 900)
 endif()

@@ -152,7 +152,6 @@ def test_handles_and_tools():
     assert h.catalogue.common_motor(350e3) == h.MotorKind.air_turbine
     motor = h.catalogue.SpindleMotor(turbine)
     assert motor.is_limited() and motor.stall_torque == pytest.approx(1.5e-3)
-    motor.set(turbine.speed)
     assert motor.has_reserve(1e-4) and not motor.has_reserve(1e-3)
     for _ in range(1000):
         motor.drive(2e-3, 1e-3)

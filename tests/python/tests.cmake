@@ -1,10 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-# The Python package as its users meet it: installed by pip into a new environment. Not part of sanitizer builds, whose
-# flags pip's build does not share.
+# The tests of Python: on the package of this build, where HAPTICUT_WITH_PYTHON is ON, and as its users meet it, built and
+# installed by pip into a new environment. Not part of sanitizer builds, whose flags Python does not share.
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize" OR NOT CMAKE_BUILD_TYPE STREQUAL "Release")
   return()
 endif()
+if(HAPTICUT_PYTHON)
+  add_test(NAME Python.PassesItsTestsInTheBuildFolder COMMAND "${PROJECT_SOURCE_DIR}/tests/python/of_build.sh"
+    "${Python_EXECUTABLE}" "${PROJECT_BINARY_DIR}/bindings/python")
+  set_tests_properties(Python.PassesItsTestsInTheBuildFolder PROPERTIES LABELS python TIMEOUT 900 COST 100
+    SKIP_REGULAR_EXPRESSION "SKIPPED: ")
+endif()
 add_test(NAME Python.InstallsInAFreshEnvironmentAndPassesItsTests
   COMMAND "${PROJECT_SOURCE_DIR}/tests/python/in_fresh_environment.sh" "${PROJECT_BINARY_DIR}/python/default")
-set_tests_properties(Python.InstallsInAFreshEnvironmentAndPassesItsTests PROPERTIES LABELS python TIMEOUT 1800
+set_tests_properties(Python.InstallsInAFreshEnvironmentAndPassesItsTests PROPERTIES LABELS "python;slow" TIMEOUT 1800
   PROCESSORS 2 SKIP_REGULAR_EXPRESSION "SKIPPED: ")

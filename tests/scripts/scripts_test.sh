@@ -80,6 +80,11 @@ case $case_name in
         expect_one_line_error "--jobs needs a number"
       done
     done
+    for stage in "" everything "address threads"; do
+      run test.sh --only ${stage:+"$stage"}
+      expect_code 2
+      expect_one_line_error "--only needs a stage: address threads lint package python fuzz."
+    done
     run install-deps.sh --for
     expect_code 1
     expect_one_line_error "--for needs a group"
@@ -175,6 +180,42 @@ cp "'"$work"'/bin/hapticut" build/release/src/cli/hapticut'
     run demo.sh --no-install
     expect_code 1
     case $errors in *"error: no such thing"*"the build failed; the whole output is in out/demo/build.log."*) ;; *) fail "$errors" ;; esac
+    ;;
+  count)
+    mkdir "$work/reports"
+    cat >"$work/junit.xml" <<'END'
+<testsuite>
+  <testcase name="tool" status="fail"><failure/><system-out>[  FAILED  ] Bur.Cuts</system-out></testcase>
+  <testcase name="loop" status="fail"><system-out>[ RUN      ] Loop.Begins
+[       OK ] Loop.Begins (0 ms)
+[ RUN      ] Loop.Crashes
+</system-out></testcase>
+  <testcase name="heat" status="run"/>
+  <testcase name="Page.Opens" status="notrun"><system-out>SKIPPED: there is no browser.</system-out></testcase>
+  <testcase name="Scripts.Run" status="run"/>
+  <testcase name="Package.Links" status="fail"/>
+</testsuite>
+END
+    cat >"$work/reports/tool.xml" <<'END'
+<testsuites><testsuite name="Bur">
+  <testcase name="Cuts" status="run" classname="Bur"><failure message="no"/></testcase>
+  <testcase name="Turns" status="run" classname="Bur"/>
+  <testcase name="Writes" status="notrun" classname="Bur"/>
+  <testcase name="Reads" status="run" result="skipped" classname="Bur"><skipped message="a.cpp:1&#x0A;needs a file&#x0A;"/></testcase>
+</testsuite></testsuites>
+END
+    echo '<testsuites/>' >"$work/reports/heat.xml"
+    said=$("$source_folder/tests/support/count_tests.py" "$work/junit.xml" "$work/reports" | tr '\t' '|')
+    expected='failed|Bur.Cuts|
+passed|Bur.Turns|
+skipped|Bur.Writes|switched off in its source
+skipped|Bur.Reads|needs a file
+failed|loop: ended in Loop.Crashes|
+failed|heat: its filter names no test|
+skipped|Page.Opens|there is no browser.
+passed|Scripts.Run|
+failed|Package.Links|'
+    [ "$said" = "$expected" ] || fail "the tests are counted as: $said"
     ;;
   *) fail "no case $case_name" ;;
 esac

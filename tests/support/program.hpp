@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "support/places.hpp"
 #include "support/temporary_folder.hpp"
 
 /// @file
@@ -26,7 +27,7 @@ struct Outcome {
 
 /// Runs `hapticut <arguments>` with the folder's files `stdout` and `stderr`.
 inline Outcome run_program(const TemporaryFolder& folder, const std::string& arguments,
-                           const std::string& program = HAPTICUT_PROGRAM) {
+                           const std::string& program = kProgram) {
   const std::string out = (folder / "stdout").string(), errors = (folder / "stderr").string();
   const std::string command = program + " " + arguments + " >" + out + " 2>" + errors + " </dev/null";
   const int status = std::system(command.c_str());

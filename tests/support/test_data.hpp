@@ -3,17 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <string>
-
-namespace hapticut::test {
-
-/// Path of a real input file, whether it exists or not.
-inline std::filesystem::path data_path(const std::string& name) {
-  return std::filesystem::path(HAPTICUT_TEST_DATA) / name;
-}
-
-}  // namespace hapticut::test
+#include "support/places.hpp"
 
 /// Skips the test, saying which file is missing, when a real input is not on this machine.
 #define HAPTICUT_NEEDS_DATA(name)                                  \

@@ -73,9 +73,7 @@ std::string name_of_compression(const std::string& syntax) {
 
 }  // namespace
 
-CodecProcess::CodecProcess()
-    : process_({"hapticut-decoder", "HAPTICUT_DECODER", HAPTICUT_DECODER_INSTALLED, HAPTICUT_DECODER_BUILT,
-                "its values are compressed and must be unpacked", ", or save the file uncompressed"}) {}
+CodecProcess::CodecProcess() : process_(kDecoder) {}
 
 std::string CodecProcess::unpack(const DicomFile& file, const DicomPicture& picture,
                                  const std::vector<std::string_view>& fragments) {

@@ -21,10 +21,7 @@ std::string plain(std::string text) {
 
 RecordingProcess::RecordingProcess(const std::filesystem::path& path, std::uint64_t file_size,
                                    std::chrono::nanoseconds patience)
-    : RecordingSource(file_size),
-      patience_(patience),
-      process_({"hapticut-recording-reader", "HAPTICUT_RECORDING_READER", HAPTICUT_RECORDING_READER_INSTALLED,
-                HAPTICUT_RECORDING_READER_BUILT, "recordings are read by a program of their own", ""}) {
+    : RecordingSource(file_size), patience_(patience), process_(kRecordingReader) {
   process_.start();
   (void)ask_short(Ask::open, std::filesystem::absolute(path).string());
 }

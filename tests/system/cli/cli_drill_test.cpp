@@ -245,7 +245,7 @@ reference_stiffness_N_per_m4 = 3e15
 
 TEST_F(Drill, PreparesTheMolarOfTheDemo) {
   const nlohmann::json report =
-      drill(std::string("--settings ") + HAPTICUT_DEMO + "/molar.toml --voxel_mm 0.2 --rate 200");
+      drill("--settings " + test::source_path("examples/demo/molar.toml").string() + " --voxel_mm 0.2 --rate 200");
   EXPECT_GT(report["removed_volume_mm3"]["by_material"]["enamel"], 1);
   EXPECT_GT(report["removed_volume_mm3"]["by_material"]["dentin"], 1);
   EXPECT_LT(report["energy_closure"], 0.01);
@@ -256,7 +256,7 @@ TEST_F(Drill, ClearsTheMastoidOfTheDemo) {
   const std::filesystem::path project = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
   if (!std::filesystem::exists(project)) GTEST_SKIP() << "needs the Debian package invesalius-examples";
   const nlohmann::json report =
-      drill(std::string("--settings ") + HAPTICUT_DEMO + "/skull.toml --voxel_mm 0.5 --rate 100");
+      drill("--settings " + test::source_path("examples/demo/skull.toml").string() + " --voxel_mm 0.5 --rate 100");
   EXPECT_GT(report["removed_volume_mm3"]["by_material"]["cortical_bone"], 10);
   EXPECT_GT(report["removed_volume_mm3"]["by_material"]["trabecular_bone"], 10);
   EXPECT_LT(report["energy_closure"], 0.01);

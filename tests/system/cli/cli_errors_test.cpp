@@ -238,10 +238,10 @@ TEST_F(Files, OnAFullDiskStayWhatTheyWere) {
   std::filesystem::create_directory(folder / "disk");
   for (const std::string& output : outputs) {
     const std::string name = output.substr(output.find(' ') + 1);
-    const std::string script =
-        "mount -t tmpfs -o size=32k none " + path("disk") + " && cd " + path("disk") + " && printf old >" + name +
-        " && cat /dev/zero >filler 2>/dev/null; " HAPTICUT_PROGRAM " drill " + kBlock + kBall + kLine + output + " >" +
-        path("stdout") + "; printf \"%s \" $? $(cat " + name + ") $(ls -A)";
+    const std::string script = "mount -t tmpfs -o size=32k none " + path("disk") + " && cd " + path("disk") +
+                               " && printf old >" + name + std::string(" && cat /dev/zero >filler 2>/dev/null; ") +
+                               test::kProgram + " drill " + kBlock + kBall + kLine + output + " >" + path("stdout") +
+                               "; printf \"%s \" $? $(cat " + name + ") $(ls -A)";
     write_bytes(folder / "script", script);
     const std::string command = "unshare -rm sh " + path("script") + " >" + path("result") + " 2>" + path("stderr");
     EXPECT_EQ(std::system(command.c_str()), 0);
@@ -270,8 +270,8 @@ TEST_F(Files, AreNotLeftHalfWritten) {
   // On a full disk (no file may grow beyond a kilobyte): the old report stays, and no temporary file is left.
   write_bytes(folder / "report.json", "old");
   const std::string command = "drill " + kBlock + kBall + kLine + "--json " + path("report.json");
-  const std::string limited = "sh -c 'ulimit -f 1; trap \"\" XFSZ; exec " HAPTICUT_PROGRAM " " + command + "' >" +
-                              path("stdout") + " 2>" + path("stderr");
+  const std::string limited = std::string("sh -c 'ulimit -f 1; trap \"\" XFSZ; exec ") + test::kProgram + " " +
+                              command + "' >" + path("stdout") + " 2>" + path("stderr");
   EXPECT_NE(std::system(limited.c_str()), 0);
   EXPECT_EQ(test::read_bytes(folder / "report.json"), "old");
   EXPECT_EQ(folder.file_count(), 3U);

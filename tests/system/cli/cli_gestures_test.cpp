@@ -58,7 +58,7 @@ TEST_F(Gestures, ThePageIsUpToDate) {
     }
     return all;
   };
-  EXPECT_EQ(lines(test::read_bytes(HAPTICUT_DOCS "/gestures.md")), lines(test::read_bytes(path("g.md"))))
+  EXPECT_EQ(lines(test::read_bytes(test::source_path("docs/gestures.md"))), lines(test::read_bytes(path("g.md"))))
       << "run hapticut gestures --markdown docs/gestures.md";
 }
 #endif

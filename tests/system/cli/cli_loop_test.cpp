@@ -48,9 +48,8 @@ TEST_F(Loop, RunsInRealTimeAndReportsHowLateItWokeUp) {
 }
 
 TEST_F(Loop, DrivesATouchWhereTheProgramWasBuiltWithItsSdk) {
-  const Outcome outcome =
-      run_program(folder, "loop openhaptics --seconds 0.3 --json " + path("loop.json") + " " + kCoarse,
-                  HAPTICUT_PROGRAM_WITH_TOUCH);
+  const Outcome outcome = run_program(
+      folder, "loop openhaptics --seconds 0.3 --json " + path("loop.json") + " " + kCoarse, test::kProgramWithTouch);
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const nlohmann::json report = read_json(folder / "loop.json");
   EXPECT_EQ(report["device"]["peak_force_N"], 3.3);
@@ -65,7 +64,7 @@ TEST_F(Loop, DrivesATouchWhereTheProgramWasBuiltWithItsSdk) {
 TEST_F(Loop, DrivesAnOmegaWhereTheProgramWasBuiltWithItsSdk) {
   const Outcome outcome =
       run_program(folder, "loop forcedimension:omega.6 --seconds 0.3 --json " + path("loop.json") + " " + kCoarse,
-                  HAPTICUT_PROGRAM_WITH_OMEGA);
+                  test::kProgramWithOmega);
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const nlohmann::json report = read_json(folder / "loop.json");
   EXPECT_EQ(report["device"]["peak_force_N"], 12);
@@ -89,7 +88,7 @@ TEST_F(Loop, CutsHardBoneBehindItsCouplingUnlessItIsToldOtherwise) {
 #ifdef HAPTICUT_HAS_IO
 // As Ctrl-C does: the signal comes while the loop runs, for its recording has steps.
 TEST_F(Loop, ReportsAndClosesItsRecordingWhenASignalEndsIt) {
-  const std::string program = HAPTICUT_PROGRAM, recording = path("a.h5");
+  const std::string program = test::kProgram, recording = path("a.h5");
   for (const bool has_an_end : {false, true}) {
     const std::string script = program + " loop mock:spiral --simulated-time --seconds " + (has_an_end ? "1e6" : "0") +
                                " --record " + recording + " --json " + path("loop.json") + " " + kCoarse +

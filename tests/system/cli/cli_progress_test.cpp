@@ -28,7 +28,7 @@ class Progress : public testing::TestWithParam<LongWork> {
 };
 
 TEST_P(Progress, IsDrawnOnATerminalAndWipedAwayBeforeAnythingElseIsPrinted) {
-  const std::string written = test::run_on_terminal(std::string(HAPTICUT_PROGRAM) + " " + arguments());
+  const std::string written = test::run_on_terminal(std::string(test::kProgram) + " " + arguments());
   const std::string bar = "\r" + GetParam().bar, wiped = "\r\x1b\\[K";
   EXPECT_TRUE(std::regex_search(written, std::regex(bar))) << written;
   EXPECT_FALSE(std::regex_search(written, std::regex(bar + "(?!" + bar + "|" + wiped + ")"))) << written;

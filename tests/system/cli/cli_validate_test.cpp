@@ -45,7 +45,7 @@ TEST_F(Validate, RunsAllCasesWithNoneLeftOutAndThePageIsUpToDate) {
     }
     return all;
   };
-  EXPECT_EQ(rows(test::read_bytes(HAPTICUT_DOCS "/validation.md")), rows(test::read_bytes(path("v.md"))))
+  EXPECT_EQ(rows(test::read_bytes(test::source_path("docs/validation.md"))), rows(test::read_bytes(path("v.md"))))
       << "run hapticut validate --markdown docs/validation.md";
 }
 

@@ -25,8 +25,8 @@ struct Hostile {
   std::function<void(const json&)> check = {};  ///< of what is read
 };
 
-/// Ends what hangs, and asks for no more memory than a small machine has.
-const std::string kLimited = "ulimit -v 8000000; timeout -k 1 20 " HAPTICUT_PROGRAM;
+/// Ends what hangs or computes for more than 20 s, and asks for no more memory than a small machine has.
+const std::string kLimited = std::string("ulimit -v 8000000; ulimit -t 20; timeout -k 1 300 ") + test::kProgram;
 
 void expect_range(const json& report, double lowest, double highest) {
   EXPECT_NEAR(report["lowest"].get<double>(), lowest, 1e-6 * std::abs(lowest));
@@ -39,6 +39,13 @@ void expect_volume(const json& report, double mm3, double tolerance) {
   double sum = 0;
   for (const auto& [name, volume] : report["volume_mm3"].items()) sum += volume.get<double>();
   EXPECT_NEAR(sum, mm3, tolerance);
+}
+
+/// The folder of the data may have any name, and lie anywhere.
+std::string without_folder_of_data(std::string sentence) {
+  const std::string folder = test::data_path("").string();
+  for (std::size_t at; (at = sentence.find(folder)) != std::string::npos;) sentence.erase(at, folder.size());
+  return sentence;
 }
 
 constexpr const char* kBone = "--material cortical_bone";
@@ -130,8 +137,9 @@ TEST_P(HostileFile, IsReadRightOrRefusedInOneSentence) {
     EXPECT_NE(outcome.errors.find(test::data_path(name).filename().string()), std::string::npos);
   }
   EXPECT_NE(outcome.errors.find(hostile.cause), std::string::npos);
-  EXPECT_EQ(outcome.errors.find("ITK"), std::string::npos);
-  EXPECT_EQ(outcome.errors.find("/tmp"), std::string::npos);
+  const std::string said = without_folder_of_data(outcome.errors);
+  EXPECT_EQ(said.find("ITK"), std::string::npos);
+  EXPECT_EQ(said.find(std::filesystem::temp_directory_path().string()), std::string::npos) << "a file of our own";
 }
 
 INSTANTIATE_TEST_SUITE_P(Readers, HostileFile, testing::ValuesIn(kHostile), [](const auto& tested) {

@@ -15,7 +15,7 @@ namespace {
 using namespace test;
 using NotFiles = Program;
 
-const std::string kLimited = "timeout -k 1 20 " HAPTICUT_PROGRAM;
+const std::string kLimited = std::string("timeout -k 1 120 ") + test::kProgram;
 
 void expect_one_sentence(const Outcome& outcome, const std::string& part) {
   EXPECT_EQ(outcome.code, 1);
@@ -52,7 +52,7 @@ TEST_F(NotFiles, AnOlderRecordingStaysUntilTheNewOneIsComplete) {
   (void)drill(kBlock + kBall + kGroove + "--record " + path("a.h5"));
   const std::string old = read_bytes(folder / "a.h5");
   const Outcome killed = run_program(folder, "loop mock:spiral --seconds 60 --record " + path("a.h5"),
-                                     "timeout -s KILL 3 " HAPTICUT_PROGRAM);
+                                     std::string("timeout -s KILL 3 ") + test::kProgram);
   EXPECT_NE(killed.code, 0);
   EXPECT_EQ(read_bytes(folder / "a.h5"), old);
   EXPECT_EQ(run("replay " + path("a.h5.new")).code, 0);  // what the killed one had made
@@ -65,7 +65,7 @@ TEST_F(NotFiles, ADiskThatFillsEndsTheRecordingAndTheReportIsWritten) {
   const Outcome outcome = run_program(
       folder,
       "loop mock:spiral --simulated_time --seconds 120 --record " + path("a.h5") + " --json " + path("report.json"),
-      "ulimit -f 24000; timeout -k 1 120 " HAPTICUT_PROGRAM);
+      std::string("ulimit -f 24000; timeout -k 1 120 ") + test::kProgram);
   expect_one_sentence(outcome, "a.h5");
   EXPECT_NE(outcome.errors.find("its first "), std::string::npos) << outcome.errors;
   EXPECT_TRUE(read_json(folder / "report.json").is_object());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/commands/command.hpp"
+#include "support/places.hpp"
 
 namespace hapticut::cli_docs_test {
 namespace {
@@ -29,7 +30,7 @@ TEST(CommandLinePage, ListsEverySettingAsTheProgramDescribesIt) {
     for (const settings::Setting& setting : command.settings) add_rows(setting, "", expected);
   ASSERT_GT(expected.size(), 80U);
 
-  std::ifstream page(HAPTICUT_DOCS "/command-line.md");
+  std::ifstream page(test::source_path("docs/command-line.md"));
   std::set<std::string> found;
   for (std::string line; std::getline(page, line);)
     if (line.starts_with("| `")) found.insert(line);

@@ -9,6 +9,8 @@
 #include <set>
 #include <string>
 
+#include "support/places.hpp"
+
 namespace hapticut::devices_page_test {
 namespace {
 
@@ -27,17 +29,17 @@ void collect(const std::string& text, const std::regex& declaration, std::set<st
 std::set<std::string> declared_tests() {
   std::set<std::string> names;
   const std::regex test(R"((?:TEST|TEST_P|TEST_F|RC_GTEST_PROP)\(\s*(\w+),\s*(\w+))");
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(HAPTICUT_TESTS_FOLDER))
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(test::source_path("tests")))
     if (entry.path().extension() == ".cpp") collect(contents(entry.path()), test, names);
   for (const char* stand_in : {"openhaptics_stand_in", "force_dimension_stand_in"})
-    collect(contents(std::filesystem::path(HAPTICUT_TESTS_FOLDER) / "support" / stand_in / "CMakeLists.txt"),
+    collect(contents(test::source_path("tests") / "support" / stand_in / "CMakeLists.txt"),
             std::regex(R"(vendor_\w+_test\((\w+)\.(\w+))"), names);
   return names;
 }
 
 TEST(DevicesTestsPage, NamesOnlyTestsThatExist) {
   const std::set<std::string> declared = declared_tests();
-  const std::string page = contents(std::filesystem::path(HAPTICUT_DOCS) / "devices_tests.md");
+  const std::string page = contents(test::source_path("docs/devices_tests.md"));
   const std::regex name(R"(`(\w+\.\w+)`)");
   int named = 0;
   for (std::sregex_iterator match(page.begin(), page.end(), name), end; match != end; ++match, ++named)
@@ -46,7 +48,7 @@ TEST(DevicesTestsPage, NamesOnlyTestsThatExist) {
 }
 
 TEST(DevicesTestsPage, HasEveryItemOfTheChecklistAndEveryTestOfTheAdapter) {
-  const std::string page = contents(std::filesystem::path(HAPTICUT_DOCS) / "devices_tests.md");
+  const std::string page = contents(test::source_path("docs/devices_tests.md"));
   for (int item = 1; item <= 15; ++item)
     EXPECT_NE(page.find("\n| " + std::to_string(item) + ". "), std::string::npos) << item;
   int left_out = 0;

@@ -14,6 +14,7 @@
 
 #include "bench/validation/measurements.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
+#include "support/places.hpp"
 
 namespace hapticut::validation {
 void PrintTo(const Experiment& experiment, std::ostream* out) { *out << experiment.name; }
@@ -80,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(OfTheThesis, Defect, testing::ValuesIn(validation::defe
                          [](const auto& e) { return name_for_gtest(e.param.name); });
 
 TEST(MeasurementsPage, IsWhatTheLibraryWrites) {
-  EXPECT_EQ(contents(std::filesystem::path(HAPTICUT_DOCS) / "measurements.md"), validation::measurements_page())
+  EXPECT_EQ(contents(test::source_path("docs/measurements.md")), validation::measurements_page())
       << "run hapticut validate --measurements docs/measurements.md";
 }
 
@@ -123,7 +124,7 @@ TEST(Check, OfANumberThatIsNoneDoesNotPass) {
 std::set<std::string> declared_tests() {
   std::set<std::string> names;
   const std::regex declaration(R"((?:TEST|TEST_P|TEST_F|RC_GTEST_PROP)\(\s*(\w+),\s*(\w+))");
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(HAPTICUT_TESTS_FOLDER)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(test::source_path("tests"))) {
     if (entry.path().extension() != ".cpp") continue;
     const std::string text = contents(entry.path());
     for (std::sregex_iterator match(text.begin(), text.end(), declaration), end; match != end; ++match)
@@ -134,8 +135,8 @@ std::set<std::string> declared_tests() {
 
 TEST(ForcesPage, NamesOnlyTestsThatExistAndMany) {
   const std::set<std::string> declared = declared_tests();
-  const std::string page = contents(std::filesystem::path(HAPTICUT_DOCS) / "forces.md") +
-                           contents(std::filesystem::path(HAPTICUT_DOCS) / "measurements.md");
+  const std::string page =
+      contents(test::source_path("docs/forces.md")) + contents(test::source_path("docs/measurements.md"));
   ASSERT_FALSE(page.empty());
   const std::regex name(R"(`(\w+\.[A-Z]\w{5,})`)");
   int named = 0;
@@ -148,7 +149,7 @@ TEST(ForcesPage, NamesOnlyTestsThatExistAndMany) {
 // The tables of section 9 are written by tests/meta/proofs.py; that each row has a test, and that no term and no closed
 // form is missing, must not depend on who ran it last.
 TEST(ForcesPage, NamesATestInEveryRowOfItsTablesOfProofs) {
-  const std::string page = contents(std::filesystem::path(HAPTICUT_DOCS) / "forces.md");
+  const std::string page = contents(test::source_path("docs/forces.md"));
   std::istringstream proofs(page.substr(page.find("<!-- proofs -->")));
   const std::regex name(R"(`\w+\.[A-Z]\w{5,}`)"), heading(R"(\| (term|number) \|.*)");
   int rows = 0;
@@ -162,7 +163,7 @@ TEST(ForcesPage, NamesATestInEveryRowOfItsTablesOfProofs) {
 
 // The program's test holds the page against a run of all cases.
 TEST(ValidationPage, HasEveryClosedFormAndTheMeasurementsAndEachCaseOnce) {
-  std::istringstream page(contents(std::filesystem::path(HAPTICUT_DOCS) / "validation.md"));
+  std::istringstream page(contents(test::source_path("docs/validation.md")));
   std::set<std::string> ids, first_words;
   for (std::string line; std::getline(page, line);) {
     if (!line.starts_with("| ") || line.starts_with("| id ")) continue;

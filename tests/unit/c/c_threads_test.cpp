@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "support/places.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/c/scenes.hpp"
 
@@ -143,7 +144,7 @@ class Copy {
 
 TEST(CCopies, LiveTogetherAndKnowTheirOwnHandles) {
   const test::TemporaryFolder folder;
-  std::filesystem::copy_file(HAPTICUT_C_LIBRARY, folder / "libanother.so");
+  std::filesystem::copy_file(test::kCLibrary, folder / "libanother.so");
   const Copy copy(folder / "libanother.so");
   ASSERT_TRUE(copy.is_there()) << dlerror();
   const auto make = copy.function("hapticut_simulation_from_toml", &hapticut_simulation_from_toml);

@@ -167,9 +167,11 @@ TEST(Device, AWatchdogFadesTheForceOfADeviceWhoseLoopHangs) {
     options.guard.watchdog.latch = latch;
     const RunReport report = device.run(
         [&](const DeviceState& state) {
-          if (state.sequence == 20 && !std::exchange(hung, true))
-            while (least = device.share.load(), device.count(SafetyEvent::watchdog_fault) == 0)
+          if (state.sequence == 20 && !std::exchange(hung, true)) {
+            while (device.count(SafetyEvent::watchdog_fault) == 0)
               std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            least = device.share.load();
+          }
           return DeviceCommand{{Vec3(0, 0, state.sequence > 20 ? 1 : 0), Vec3::Zero()}, state.sequence > 60};
         },
         options);

@@ -62,8 +62,10 @@ int end_of_child(SharedForce& last, const std::function<void(WrittenDevice&)>& c
     }
     _exit(99);
   }
-  for (int n = 0; n < 20000 && last.value->load() < 0.5; ++n) usleep(1000);
-  if (signal != 0) kill(pid, signal);
+  if (signal != 0) {
+    for (int n = 0; n < 20000 && last.value->load() < 0.5; ++n) usleep(1000);
+    kill(pid, signal);
+  }
   int status = 0;
   waitpid(pid, &status, 0);
   return status;

@@ -8,6 +8,7 @@
 #include "hapticut/io/recording/recorder.hpp"
 #include "hapticut/io/recording/replay.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "support/places.hpp"
 
 namespace hapticut::old_recordings_test {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 constexpr int kSteps = 240;
 
 std::filesystem::path path_of(std::uint64_t format) {
-  return std::filesystem::path(HAPTICUT_TEST_RECORDINGS) / ("format_" + std::to_string(format) + ".h5");
+  return test::source_path("tests/recordings") / ("format_" + std::to_string(format) + ".h5");
 }
 
 Material layer(const char* name, double energy) {

@@ -10,6 +10,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "support/catalogue_heads.hpp"
+#include "support/places.hpp"
 
 namespace hapticut::catalogue_test {
 namespace {
@@ -201,7 +202,7 @@ std::string drawing() {
 }
 
 TEST(Catalogue, IsDrawnInTheDocs) {
-  std::ifstream file(HAPTICUT_DOCS "/images/heads.svg");
+  std::ifstream file(test::source_path("docs/images/heads.svg"));
   const std::string drawn((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const std::string expected = drawing();
   if (drawn != expected) std::ofstream("heads.svg") << expected;

@@ -12,6 +12,7 @@
 #include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "support/places.hpp"
 
 namespace hapticut::material_presets_test {
 namespace {
@@ -32,7 +33,7 @@ std::vector<double> numbers_of(const Material& m) {
 
 /// The rows of the first table of the page: name -> the nine numbers.
 std::map<std::string, std::vector<double>> documented_presets() {
-  std::ifstream page(HAPTICUT_DOCS "/materials.md");
+  std::ifstream page(test::source_path("docs/materials.md"));
   std::map<std::string, std::vector<double>> rows;
   std::string line;
   while (std::getline(page, line)) {
@@ -60,7 +61,7 @@ TEST(MaterialPresets, AreExactlyTheTableOfTheDocumentation) {
 TEST(MaterialPresets, StandInATableOfAllTheFieldsOfAMaterial) {
   std::string expected = "| name |";
   for_each_number([&](const auto& field) { expected += std::string(" ") + field.name + " [" + field.unit + "] |"; });
-  std::ifstream page(HAPTICUT_DOCS "/materials.md");
+  std::ifstream page(test::source_path("docs/materials.md"));
   std::string line;
   while (std::getline(page, line) && line.rfind("| name", 0) != 0) continue;
   EXPECT_EQ(line, expected);
@@ -87,7 +88,7 @@ TEST(MaterialPresets, AreNeverStifferThanEnamel) {
 
 /// The rows of the second table of the page: name and cutter -> kappa, u, h_e, h_s.
 std::map<std::string, std::vector<double>> documented_pairs() {
-  std::ifstream page(HAPTICUT_DOCS "/materials.md");
+  std::ifstream page(test::source_path("docs/materials.md"));
   std::map<std::string, std::vector<double>> rows;
   std::string line;
   bool here = false;

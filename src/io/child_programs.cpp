@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/child_process.hpp"
+
+namespace hapticut {
+
+const ChildProgram kDecoder = {"hapticut-decoder",
+                               "HAPTICUT_DECODER",
+                               HAPTICUT_PROGRAMS_INSTALLED "hapticut-decoder",
+                               HAPTICUT_DECODER_BUILT,
+                               "its values are compressed and must be unpacked",
+                               ", or save the file uncompressed"};
+
+const ChildProgram kRecordingReader = {"hapticut-recording-reader",
+                                       "HAPTICUT_RECORDING_READER",
+                                       HAPTICUT_PROGRAMS_INSTALLED "hapticut-recording-reader",
+                                       HAPTICUT_RECORDING_READER_BUILT,
+                                       "recordings are read by a program of their own",
+                                       ""};
+
+}  // namespace hapticut

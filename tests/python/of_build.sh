@@ -1,0 +1,15 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Runs the tests of Python on the package of a build folder: of_build.sh PYTHON PACKAGE [ARGUMENTS OF PYTEST]
+set -eu
+python=$1
+package=$2
+source=$(cd "$(dirname "$0")/../.." && pwd)
+shift 2
+"$python" -c 'import pytest, mypy, pandas' 2>/dev/null || {
+  echo "SKIPPED: $python lacks what the tests of Python need; tests/python/environment.sh makes one that has it."
+  exit 0
+}
+export PYTHONPATH="$package"
+cd "$package" # not where `import hapticut` could find anything else
+exec "$python" -m pytest -q --rootdir "$source" -c "$source/pyproject.toml" -p no:cacheprovider "$@" "$source/tests/python"

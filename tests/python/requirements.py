@@ -1,0 +1,24 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Prints what pip installs for the tests of Python and for a build by CMake, as pyproject.toml names it, but not hapticut
+itself: one requirement a line, for Python 3.11 and newer."""
+import re
+import tomllib
+from pathlib import Path
+
+project = tomllib.loads((Path(__file__).resolve().parents[2] / "pyproject.toml").read_text("utf-8"))
+extras = project["project"]["optional-dependencies"]
+
+
+def plain(requirements):
+    """With the extras of hapticut itself written out."""
+    for requirement in requirements:
+        own = re.fullmatch(r"hapticut\[(.+)\]", requirement)
+        for extra in own.group(1).split(",") if own else ():
+            yield from plain(extras[extra])
+        if not own:
+            yield requirement
+
+
+needed = [*project["build-system"]["requires"], *project["project"]["dependencies"], *plain(extras["test"])]
+print("\n".join(one for one in dict.fromkeys(needed) if not one.startswith("scikit-build-core")))

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+/// @file
+/// Where things lie on this machine. The names of folders are in one small file that the configuration writes,
+/// places.cpp of the build folder, so that everything else compiles the same in every clone.
+namespace hapticut::test {
+
+extern const char* const kSourceFolder;      // of this clone
+extern const char* const kDataFolder;        // HAPTICUT_TEST_DATA
+extern const char* const kProgram;           // hapticut; empty: not built, as those below
+extern const char* const kProgramWithTouch;  // with the adapter of OpenHaptics and its stand-in
+extern const char* const kProgramWithOmega;  // with that of Force Dimension
+extern const char* const kCLibrary;          // libhapticut_c.so
+
+/// Path of a file of the repository: "docs/forces.md".
+inline std::filesystem::path source_path(const std::string& name) {
+  return std::filesystem::path(kSourceFolder) / name;
+}
+
+/// Path of a real input file, whether it exists or not.
+inline std::filesystem::path data_path(const std::string& name) { return std::filesystem::path(kDataFolder) / name; }
+
+}  // namespace hapticut::test
