@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fixed number of steps of one workload, to have their instructions counted: `bench_instructions WORKLOAD`. The
-// kernels are those that every processor has, so that the count is the same on all.
+// A fixed number of steps of one workload, to have their instructions counted: `bench_instructions WORKLOAD KERNELS`.
+// KERNELS: baseline, what every processor has, so that the count is the same on all, or avx2.
 #include <hwy/targets.h>
 
 #include <cstdio>
@@ -49,7 +49,12 @@ double scene(const char* name) {
 
 int main(int argc, char** argv) {
   const char* name = argc > 1 ? argv[1] : "";
-  hwy::DisableTargets(~std::int64_t(HWY_STATIC_TARGET));
+  const bool avx2 = argc > 2 && std::strcmp(argv[2], "avx2") == 0;
+  if (avx2 && (hwy::SupportedTargets() & HWY_AVX2) == 0) {
+    std::puts("SKIPPED: this processor has no AVX2");
+    return 0;
+  }
+  hwy::DisableTargets(~std::int64_t(HWY_STATIC_TARGET | (avx2 ? HWY_AVX2 : 0)));
   double sum = 0;
   if (std::strcmp(name, "static") == 0)
     sum = buried_ball(RemovalLaw::none, 0);
@@ -58,7 +63,7 @@ int main(int argc, char** argv) {
   else if (std::strcmp(name, "scene") == 0)
     sum = scene("deep_ball");
   else {
-    std::fprintf(stderr, "usage: bench_instructions static|cutting|scene\n");
+    std::fprintf(stderr, "usage: bench_instructions static|cutting|scene baseline|avx2\n");
     return 2;
   }
   std::printf("%.17g\n", sum);

@@ -10,8 +10,11 @@ endif()
 find_program(HAPTICUT_CCACHE ccache)
 mark_as_advanced(HAPTICUT_CCACHE)
 if(HAPTICUT_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=true
-      "${HAPTICUT_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}")
+  if(NOT (CMAKE_BUILD_TYPE STREQUAL "Debug" AND CMAKE_CXX_FLAGS_DEBUG MATCHES "-g( |$)"))
+    list(APPEND CMAKE_CXX_COMPILER_LAUNCHER CCACHE_NOHASHDIR=true)  # a debugger asks where the sources lie
+  endif()
+  list(APPEND CMAKE_CXX_COMPILER_LAUNCHER "${HAPTICUT_CCACHE}")
   set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_CXX_COMPILER_LAUNCHER})
 endif()
 
@@ -27,6 +30,7 @@ function(hapticut_rooms target)
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
     get_filename_component(room "${source}" DIRECTORY)
+    string(REPLACE "${PROJECT_SOURCE_DIR}/" "" room "${room}")  # of this clone alone
     string(MAKE_C_IDENTIFIER "room_${room}" room)
     if(ARG_BATCH)
       math(EXPR count_${room} "0${count_${room}} + 1")

@@ -97,6 +97,7 @@ elseif(CASE STREQUAL "no_io")
     message(FATAL_ERROR "a missing part of io must stop the configuration and say how to build it:\n${output}")
   endif()
 elseif(CASE STREQUAL "subdirectory")
+  set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "${LAUNCHER}")
   # Compiling the whole library once more is long: not optimised it takes a third of the time, and a ccache that is
   # in use serves this project as well.
   # Its io, where the packages for it are there, is without ITK and Assimp: recordings, pictures, grids and the common
@@ -107,11 +108,12 @@ elseif(CASE STREQUAL "subdirectory")
   endif()
   build_consumer(subdirectory "-DHAPTICUT_SOURCE=${SOURCE}" "-DHAPTICUT_WITH_IO=${WITH_IO}" -DHAPTICUT_WITH_ITK=OFF
     -DHAPTICUT_WITH_ASSIMP=OFF "-DCOMPONENT=${component}" -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Debug
-    -DCMAKE_CXX_FLAGS_DEBUG=-O0 "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
+    -DCMAKE_CXX_FLAGS_DEBUG=-O0)
 elseif(CASE STREQUAL "program_without_io")
+  set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "${LAUNCHER}")
   set(folder "${BUILD}/consumer/subdirectory/subdirectory")
   must("${CMAKE_COMMAND}" -S "${SOURCE}/tests/consumer" -B "${folder}" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
-       "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_C_COMPILER=${CC}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
+       "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_C_COMPILER=${CC}"
        "-DHAPTICUT_SOURCE=${SOURCE}" -DHAPTICUT_WITH_IO=OFF -DHAPTICUT_WITH_ITK=OFF -DHAPTICUT_WITH_ASSIMP=OFF
        -DHAPTICUT_WITH_CLI=ON -DWANTED=CLI -DCOMPONENT= -DCMAKE_UNITY_BUILD=ON)
   if(NOT output MATCHES "IO: off \\([^\n]*HAPTICUT_WITH_IO=OFF")

@@ -12,6 +12,14 @@ build=$2
 python=${3:-python3}
 source=$(cd "$(dirname "$0")/../.." && pwd)
 
+"$python" -c 'import venv, ensurepip, tomllib' || {
+  echo "the tests of Python need Python 3.11 with venv: sudo apt-get install python3-venv" >&2
+  exit 1
+}
+[ -f "$("$python" -c 'import sysconfig; print(sysconfig.get_path("include"))')/Python.h" ] || {
+  echo "$python has no headers: sudo apt-get install python3-dev" >&2
+  exit 1
+}
 wanted=$("$python" "$source/tests/python/requirements.py")
 if [ "$(cat "$folder/wanted" 2>/dev/null)" != "$wanted" ]; then
   rm -rf "$folder"

@@ -18,7 +18,8 @@ SWITCHED_OFF = "switched off in its source"
 
 def of_program(report):
     """The tests of a GoogleTest program."""
-    for test in ElementTree.parse(report).iter("testcase"):
+    # Messages of tests may hold bytes that are no text.
+    for test in ElementTree.fromstring(report.read_bytes().decode("utf-8", "replace")).iter("testcase"):
         name = f'{test.get("classname")}.{test.get("name")}'
         skipped = test.find("skipped")
         if test.find("failure") is not None:
