@@ -57,6 +57,12 @@ target_compile_options(hapticut_build_flags INTERFACE -Wall -Wextra -Wpedantic -
   $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>
   $<$<BOOL:${HAPTICUT_WARNINGS_AS_ERRORS}>:-Werror>)
 
+# What clang++ finds undefined in headers of others. A relative path, so that ccache serves other clones.
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,-]*undefined")
+  file(RELATIVE_PATH _ignored "${CMAKE_BINARY_DIR}" "${PROJECT_SOURCE_DIR}/tests/support/undefined.ignorelist")
+  target_compile_options(hapticut_build_flags INTERFACE "-fsanitize-ignorelist=${_ignored}")
+endif()
+
 # What each component needs: a list of `package to find|target or variable that proves it|Debian package`.
 set(HAPTICUT_NEEDS_SIMD "hwy|hwy_FOUND|libhwy-dev")
 set(HAPTICUT_NEEDS_IO "HDF5|HDF5_FOUND|libhdf5-dev" "PNG|PNG_FOUND|libpng-dev" "TIFF|TIFF_FOUND|libtiff-dev"

@@ -32,7 +32,7 @@
 ///                k
 ///
 /// A strip is the unit of `press_blocks`: sixteen lanes, which are one vector with AVX-512, two with AVX2, four with
-/// SSE2 and NEON. A row is that of the staged kernels, whose vectors have at most eight lanes.
+/// NEON. A row is that of the staged kernels, whose vectors have at most eight lanes.
 ///
 ///     press = sample + law + sum, in one pass:
 ///

@@ -15,6 +15,7 @@
 #include <thread>
 #include <utility>
 
+#include "support/sanitizers.hpp"
 #include "support/written_device.hpp"
 
 namespace hapticut::process_end_test {
@@ -36,17 +37,7 @@ struct SharedForce {
 };
 
 /// The thread sanitizer cannot follow threads that a forked process begins.
-#if defined(__SANITIZE_THREAD__)
-constexpr bool kForksMayHaveThreads = false;
-#elif defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-constexpr bool kForksMayHaveThreads = false;
-#else
-constexpr bool kForksMayHaveThreads = true;
-#endif
-#else
-constexpr bool kForksMayHaveThreads = true;
-#endif
+constexpr bool kForksMayHaveThreads = !test::kWithThreadSanitizer;
 constexpr const char* kNoForks = "the thread sanitizer cannot follow a process that was forked";
 
 /// Runs `child` in a process of its own, sends it a signal once it renders a force, and returns how it ended.
@@ -115,11 +106,7 @@ void touch_nothing() {
 }
 
 /// The sanitizers have handlers of their own, which end the process by themselves.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kCrashesAreOurs = false;
-#else
-constexpr bool kCrashesAreOurs = true;
-#endif
+constexpr bool kCrashesAreOurs = !test::kWithAddressSanitizer && !test::kWithThreadSanitizer;
 
 TEST(Device, LeavesNoForceWhenAnotherThreadCrashes) {
   if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;

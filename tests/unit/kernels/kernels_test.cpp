@@ -28,6 +28,7 @@ constexpr double kRounding = 5e-6;
 /// [1] of the blocks in which a voxel may lie on the surface of the head within rounding: places are rounded to 1e-7
 /// mm, and the surface passes by some fifty points a tenth of a millimetre apart, which makes 5e-5; twenty times that.
 constexpr double kAtTheRim = 1e-3;
+constexpr double kAtAJump = 2e-3;  // [1] of blocks, of which each has hundreds of parts
 
 /// One block's content, as a workpiece would hand it out.
 struct RandomBlock {
@@ -125,7 +126,7 @@ double largest(const ContactBlock::Array<float>& a, int lanes) {
 TEST_P(KernelTarget, AgreesWithTheScalarReferenceInSamplingAndSumming) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);
-  const auto vector = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+  const auto vector = [&] { return Vec3{unit(random), unit(random), unit(random)}; };  // in this order
   long samples = 0;
   int blocks = 0, at_the_rim = 0;
   for (const ToolHead& head : all_heads())
@@ -217,9 +218,9 @@ struct Reference {
 TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
-  const auto vector = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+  const auto vector = [&] { return Vec3{unit(random), unit(random), unit(random)}; };  // in this order
   long samples = 0, emptied = 0, stiff = 0, rubbed = 0, crushed = 0;
-  int blocks = 0, at_the_rim = 0;
+  int blocks = 0, at_the_rim = 0, at_a_jump = 0;
   for (const ToolHead& head : all_heads())
     for (int trial = 0; trial < 100; ++trial) {
       const RandomBlock block(random, trial % 2 == 0, trial % 4 == 0, trial % 3 == 0);
@@ -302,7 +303,10 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       EXPECT_NEAR(found.crushed, energies.crushed, 10 * kRounding * energy);
       crushed += found.crushed > 0 ? 1 : 0;
       const Stiffness k = stiffness.total(volume), k_expected = expected.stiffness.total(volume);
-      EXPECT_LT((k - k_expected).norm(), 40 * kRounding * (k_expected.norm() + 1e-9));
+      // It jumps, as the force does not, where a part of a voxel begins to be cut or crushed; the side is rounding.
+      const double off = (k - k_expected).norm(), size = k_expected.norm() + 1e-9;
+      EXPECT_LT(off, 0.01 * size);
+      at_a_jump += off < 40 * kRounding * size ? 0 : 1;
       stiff += k.norm() > 0 ? 1 : 0;
       if (motion.spin == 0) {
         const SpreadFriction all = friction.total(volume, 1);
@@ -331,6 +335,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
     }
   EXPECT_GT(samples, 10000) << "the heads must meet the blocks, or the test says nothing";
   EXPECT_LE(at_the_rim, kAtTheRim * blocks);
+  EXPECT_LE(at_a_jump, kAtAJump * blocks);
   EXPECT_GT(stiff, 100);
   EXPECT_GT(rubbed, 20);
   EXPECT_GT(crushed, 20);

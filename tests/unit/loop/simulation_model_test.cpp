@@ -16,6 +16,7 @@
 #include "hapticut/workpiece/builders.hpp"
 #include "support/cutting.hpp"
 #include "support/loop_rig.hpp"
+#include "support/sanitizers.hpp"
 
 namespace hapticut::simulation_model_test {
 namespace {
@@ -23,11 +24,8 @@ namespace {
 constexpr double kRadius = 1.5e-3;  // [m] of the ball
 
 // The thread sanitizer makes a tick thirty times as long, and sees in the first of them what it sees in all.
-#if defined(__SANITIZE_THREAD__)
-constexpr std::uint64_t kManyTicks = 5000, kSomeTicks = 2500;
-#else
-constexpr std::uint64_t kManyTicks = 20000, kSomeTicks = 5000;
-#endif
+constexpr std::uint64_t kManyTicks = test::kWithThreadSanitizer ? 5000 : 20000;
+constexpr std::uint64_t kSomeTicks = test::kWithThreadSanitizer ? 2500 : 5000;
 
 /// A block whose upper face is touched when the stylus is at the origin of its base.
 Simulation block_under_the_ball(double spindle_speed = 3000, ContactTime contact_time = ContactTime::middle) {
