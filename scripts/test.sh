@@ -158,12 +158,13 @@ threads() {
     run_tests threads threads
 }
 
-# What stands in for a part that this build has (src/kernels/scalar_kernels.cpp) is not compiled, so it is not looked at.
+# Room by room, which reads the headers of others a quarter as often. That each file says what it includes shows the build
+# of `package`. What stands in for a part that this build has (src/kernels/scalar_kernels.cpp) is not looked at.
 lint_is_clean() {
   cmake --build --preset lint -t hapticut_commit || return
-  git ls-files -z -- 'src/*.cpp' | while IFS= read -r -d '' source; do
-    if grep -qF "\"file\": \"$PWD/$source\"" build/lint/compile_commands.json; then printf '%s\0' "$source"; fi
-  done | xargs -0 -r -n 1 -P "$jobs" clang-tidy -p build/lint --quiet
+  grep -oE '"file": "[^"]+"' build/lint/compile_commands.json | cut -d '"' -f 4 | sort -u |
+    grep -E "^($PWD|$PWD/build/lint)/src/.*[.]c(pp|xx)$" | tr '\n' '\0' |
+    xargs -0 -n 1 -P "$jobs" clang-tidy -p build/lint --quiet --checks=-bugprone-suspicious-include
 }
 lint() { check "configure: lint" configure lint && check "clang-tidy" lint_is_clean; }
 
