@@ -159,12 +159,12 @@ threads() {
 }
 
 # Room by room, which reads the headers of others a quarter as often. That each file says what it includes shows the build
-# of `package`. What stands in for a part that this build has (src/kernels/scalar_kernels.cpp) is not looked at.
+# of `package`. Two checks take the files of a room for headers. What stands in for a part that this build has (src/kernels/scalar_kernels.cpp) is not looked at.
 lint_is_clean() {
   cmake --build --preset lint -t hapticut_commit || return
   grep -oE '"file": "[^"]+"' build/lint/compile_commands.json | cut -d '"' -f 4 | sort -u |
     grep -E "^($PWD|$PWD/build/lint)/src/.*[.]c(pp|xx)$" | tr '\n' '\0' |
-    xargs -0 -n 1 -P "$jobs" clang-tidy -p build/lint --quiet --checks=-bugprone-suspicious-include
+    xargs -0 -n 1 -P "$jobs" clang-tidy -p build/lint --quiet --checks=-bugprone-suspicious-include,-google-global-names-in-headers
 }
 lint() { check "configure: lint" configure lint && check "clang-tidy" lint_is_clean; }
 
@@ -183,19 +183,23 @@ python() {
 fuzz_format() {
   mkdir -p "$logs/corpus/$1"
   ASAN_OPTIONS=allocator_may_return_null=1 "build/fuzz/tests/fuzz/fuzz_$1" -max_total_time=20 -timeout=20 \
-    -rss_limit_mb=4096 -artifact_prefix="$logs/$1-" "$logs/corpus/$1" "$logs/seeds/$1"
+    -rss_limit_mb=4096 -artifact_prefix="$logs/$1-" "$logs/corpus/$1" "$logs/seeds/$1" >"$logs/fuzz-$1.log" 2>&1 ||
+    { tail -n 40 "$logs/fuzz-$1.log"; return 1; }
+}
+fuzz_all() {
+  export -f fuzz_format
+  export logs
+  local fuzzer
+  for fuzzer in build/fuzz/tests/fuzz/fuzz_*; do
+    [ -x "$fuzzer" ] && printf '%s\n' "${fuzzer##*/fuzz_}"
+  done | xargs -P "$jobs" -I FORMAT bash -c 'fuzz_format FORMAT'
 }
 fuzz() {
-  local format
   $fast || check "configure" configure release || return
   check "build: mutants" build release -t hapticut_mutants &&
     check "mutants" build/release/tests/fuzz/hapticut_mutants 20000 "$RANDOM" "$logs/mutants" &&
     check "seeds" build/release/tests/fuzz/hapticut_mutants --seeds "$logs/seeds" &&
-    check "configure: fuzz" cmake --preset fuzz && check "build: fuzz" build fuzz -t fuzzers || return
-  for format in "$logs"/seeds/*; do
-    format=${format##*/}
-    [ -x "build/fuzz/tests/fuzz/fuzz_$format" ] && check "fuzz: $format" fuzz_format "$format"
-  done
+    check "configure: fuzz" cmake --preset fuzz && check "build: fuzz" build fuzz -t fuzzers && check "fuzzers" fuzz_all
 }
 
 if $install; then

@@ -21,7 +21,7 @@ struct Color {
   std::uint8_t red = 255;
   std::uint8_t green = 255;
   std::uint8_t blue = 255;
-  [[nodiscard]] auto operator<=>(const Color&) const = default;
+  [[nodiscard]] auto operator<=>(const Color&) const = default;  // NOLINT(modernize-use-nullptr): a false alarm
 };
 
 /// A triangle mesh with a colour per vertex.
