@@ -158,20 +158,23 @@ threads() {
     run_tests threads threads
 }
 
-# Room by room, which reads the headers of others a quarter as often. That each file says what it includes shows the build
-# of `package`. Two checks take the files of a room for headers. What stands in for a part that this build has (src/kernels/scalar_kernels.cpp) is not looked at.
+# Room by room, which reads the headers of others a quarter as often; two checks would take the files of a room for headers.
+# That each file says what it includes shows the build of `package`. What stands in for a part that this build has
+# (src/kernels/scalar_kernels.cpp) is not looked at.
 lint_is_clean() {
+  local not_in_rooms=-bugprone-suspicious-include,-google-global-names-in-headers
   cmake --build --preset lint -t hapticut_commit || return
   grep -oE '"file": "[^"]+"' build/lint/compile_commands.json | cut -d '"' -f 4 | sort -u |
     grep -E "^($PWD|$PWD/build/lint)/src/.*[.]c(pp|xx)$" | tr '\n' '\0' |
-    xargs -0 -n 1 -P "$jobs" clang-tidy -p build/lint --quiet --checks=-bugprone-suspicious-include,-google-global-names-in-headers
+    xargs -0 -n 1 -P "$jobs" clang-tidy -p build/lint --quiet "--checks=$not_in_rooms"
 }
 lint() { check "configure: lint" configure lint && check "clang-tidy" lint_is_clean; }
 
 package() {
   $fast || build_release || return
   run_tests package release -L package
-  check "configure: shared" configure shared && check "build: shared" build shared -t src/all examples/all && run_tests shared shared
+  check "configure: shared" configure shared && check "build: shared" build shared -t src/all examples/all &&
+    run_tests shared shared
 }
 
 python() {
@@ -194,11 +197,17 @@ fuzz_all() {
     [ -x "$fuzzer" ] && printf '%s\n' "${fuzzer##*/fuzz_}"
   done | xargs -P "$jobs" -I FORMAT bash -c 'fuzz_format FORMAT'
 }
+# Others at each run; the report names the seed that repeats them.
+mutants() {
+  local seed=$RANDOM
+  echo "hapticut_mutants 20000 $seed"
+  build/release/tests/fuzz/hapticut_mutants 20000 "$seed" "$logs/mutants"
+}
 fuzz() {
   $fast || check "configure" configure release || return
-  check "build: mutants" build release -t hapticut_mutants &&
-    check "mutants" build/release/tests/fuzz/hapticut_mutants 20000 "$RANDOM" "$logs/mutants" &&
-    check "seeds" build/release/tests/fuzz/hapticut_mutants --seeds "$logs/seeds" &&
+  check "build: mutants" build release -t hapticut_mutants || return
+  check "mutants" mutants
+  check "seeds" build/release/tests/fuzz/hapticut_mutants --seeds "$logs/seeds" &&
     check "configure: fuzz" cmake --preset fuzz && check "build: fuzz" build fuzz -t fuzzers && check "fuzzers" fuzz_all
 }
 
