@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "hapticut/core/on_one_line.hpp"
 
 /// @file
 /// The one exception type of the library, thrown by set-up code only. The step never throws; it reports `StepStatus`
@@ -13,10 +16,11 @@
 namespace hapticut {
 
 /// Something that was asked for cannot be done. `what()` is one sentence that says what was given, what is allowed and
-/// what to do about it.
+/// what to do about it, on one line and in UTF-8, whatever a damaged file has in the place of a name.
 class Error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  /// @param sentence  each byte that is not part of a printable character of UTF-8 becomes a question mark
+  explicit Error(std::string sentence) : std::runtime_error(on_one_line(std::move(sentence))) {}
 };
 
 /// A number the way messages print it: shortest form with six significant digits, e.g. `1e-05`, `0.3`, `nan`.

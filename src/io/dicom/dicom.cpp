@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <string>
@@ -56,19 +55,12 @@ std::map<std::string, std::vector<DicomSlice>> series_in(const fs::path& folder)
   return series;
 }
 
-/// For a message of one line, whatever a damaged file has in its place.
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return std::isprint(c) == 0; }, '?');
-  return text;
-}
-
 std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::string& wanted) {
   std::map<std::string, std::vector<DicomSlice>> series = series_in(folder);
   if (series.empty()) cannot_read(folder, "the folder has neither a DICOM series nor PNG or TIFF slices.");
   std::string list;
   for (auto& [uid, slices] : series) {
-    list += (list.empty() ? "'" : ", '") + printable(uid) + "'";
+    list += (list.empty() ? "'" : ", '") + uid + "'";
     if (!wanted.empty() && uid == wanted) return std::move(slices);
   }
   if (!wanted.empty()) cannot_read(folder, "it has no DICOM series '" + wanted + "'; it has " + list + ".");

@@ -1,23 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/recording/recording_process.hpp"
 
-#include <algorithm>
 #include <cstring>
 #include <new>
 
 namespace hapticut {
-namespace {
-
-/// A sentence of another process, which may hold anything.
-std::string plain(std::string text) {
-  constexpr std::size_t kLongest = 1000;
-  if (text.size() > kLongest) text.resize(kLongest);
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return (unsigned char)(c) < ' ' || c == '\x7f'; }, '?');
-  return text;
-}
-
-}  // namespace
 
 RecordingProcess::RecordingProcess(const std::filesystem::path& path, std::uint64_t file_size,
                                    std::chrono::nanoseconds patience)
@@ -53,7 +40,7 @@ std::uint64_t RecordingProcess::ask(const Question& question, const std::string&
   if (answer.result != Answer::Result::refused || answer.bytes > kLongestAnswer) die();
   std::string sentence(answer.bytes, '\0');
   receive(sentence.data(), sentence.size());
-  throw hdf5::Failure(plain(std::move(sentence)));
+  throw hdf5::Failure(sentence.substr(0, kLongestSentence));
 }
 
 std::string RecordingProcess::ask_short(Ask what, const std::string& place, const std::string& name) {

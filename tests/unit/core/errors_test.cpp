@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sentence of an error can be shown anywhere: on a terminal, in a page, as a string of Python.
+#include "hapticut/core/errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace hapticut::errors_test {
+
+std::string shown(const std::string& sentence) { return Error(sentence).what(); }
+
+TEST(Errors, KeepTheirSentenceOnOneLine) {
+  EXPECT_EQ(shown("a material 'sharp\r\n\tenamel' is unknown."), "a material 'sharp???enamel' is unknown.");
+  EXPECT_EQ(shown("\x1b[2J\x7f"), "?[2J?");
+  EXPECT_EQ(shown(std::string("a\0b", 3)), "a?b");
+  EXPECT_EQ(shown("\xc2\x9b"), "??") << "U+009B begins a command of a terminal";
+  EXPECT_EQ(shown(""), "");
+}
+
+TEST(Errors, KeepWhatIsUtf8) {
+  for (const char* text :
+       {"Zähne/Backenzahn.vdb", "奥歯", "\xf0\x9f\xa6\xb7", "\xc2\xa0", "\xf4\x8f\xbf\xbf", "\xed\x9f\xbf"})
+    EXPECT_EQ(shown(text), text);
+}
+
+TEST(Errors, MakeUtf8OfAnything) {
+  EXPECT_EQ(shown("Z\xe4hne"), "Z?hne") << "Latin-1";
+  EXPECT_EQ(shown("\x80"), "?") << "no beginning";
+  EXPECT_EQ(shown("\xe5\xa5"), "??") << "no end";
+  EXPECT_EQ(shown("\xc0\xaf\xc1\xbf"), "????") << "longer than need be";
+  EXPECT_EQ(shown("\xe0\x9f\xbf"), "???") << "longer than need be";
+  EXPECT_EQ(shown("\xf0\x8f\xbf\xbf"), "????") << "longer than need be";
+  EXPECT_EQ(shown("\xed\xa0\x80"), "???") << "half of a pair of UTF-16";
+  EXPECT_EQ(shown("\xf4\x90\x80\x80"), "????") << "beyond the last character";
+  EXPECT_EQ(shown("\xf8\x88\x80\x80\x80"), "?????") << "five bytes";
+}
+
+}  // namespace hapticut::errors_test
