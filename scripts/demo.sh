@@ -22,7 +22,7 @@ while [ $# -gt 0 ]; do
       shift
       ;;
     -h | --help)
-      sed -n '3,/^set/s/^# \{0,1\}//p' "$0"
+      sed -n '3,/^set/s/^# \{0,1\}//p' "scripts/${0##*/}"
       exit 0
       ;;
     *)
@@ -39,6 +39,7 @@ fi
 more=()
 targets=()
 if $view; then
+  command -v npm >/dev/null || { echo "demo.sh: --view builds a page, which needs npm: sudo apt-get install nodejs npm" >&2; exit 1; }
   more=(-DHAPTICUT_WITH_VIEW=ON)
   targets=(hapticut_page)
 fi

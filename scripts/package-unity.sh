@@ -23,7 +23,7 @@ while [ $# -gt 0 ]; do
       shift
       ;;
     -h | --help)
-      sed -n '3,/^set/s/^# \{0,1\}//p' "$0" | sed '/^set/d'
+      sed -n '3,/^set/s/^# \{0,1\}//p' "scripts/${0##*/}" | sed '/^set/d'
       exit 0
       ;;
     *)

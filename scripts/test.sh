@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # Checks what a change may break: installs what is missing, looks at the format, builds the library, the program, tests,
 # examples, benchmarks and the Python package as they are released, and runs every test that is not labelled slow. The last
-# line is `N passed, N failed, N skipped`, where a test is one of GoogleTest, one of ctest or one of the checks; the exit
-# code is 0 only when nothing failed. Above it stand the seconds that each stage took.
+# line is `N passed, N failed, N skipped`, where a test is one of GoogleTest, one of ctest or one of the checks, but for a
+# machine where packages cannot be installed; the exit code is 0 only when nothing failed. Above it stand the seconds that
+# each stage took.
 #
 #   scripts/test.sh [--full | --only STAGE] [--no-install] [--jobs N]
 #
@@ -49,7 +50,7 @@ while [ $# -gt 0 ]; do
       shift
       ;;
     -h | --help)
-      sed -n '3,/^set/s/^# \{0,1\}//p' "$0"
+      sed -n '3,/^set/s/^# \{0,1\}//p' "scripts/${0##*/}"
       exit 0
       ;;
     *)
@@ -61,6 +62,7 @@ while [ $# -gt 0 ]; do
 done
 
 logs=$PWD/out/test
+findings=$PWD/out/fuzz # inputs that broke something stay
 rm -rf "$logs"
 mkdir -p "$logs"
 passed=0
@@ -122,26 +124,37 @@ run_tests() {
 }
 
 parts=()
-for part in IO ITK ASSIMP SETTINGS VIEW CLI TESTS; do parts+=("-DHAPTICUT_WITH_$part=ON"); done
-configure() { cmake --preset "$1" "${parts[@]}" "${@:2}"; }
+for part in SIMD IO ITK ASSIMP SETTINGS C VIEW CLI TESTS BENCHMARKS EXAMPLES; do parts+=("-DHAPTICUT_WITH_$part=ON"); done
+configure() { cmake --preset "$1" -UHAPTICUT_PROPERTY_PARAMETERS "${parts[@]}" "${@:2}"; }
 build() { cmake --build --preset "$1" -j "$jobs" "${@:2}"; }
 
-format_is_clean() { git ls-files -z -- '*.hpp' '*.cpp' | xargs -0 clang-format --dry-run --Werror; }
+format_is_clean() {
+  git ls-files -z --cached --others --exclude-standard -- '*.hpp' '*.cpp' '*.h' '*.c' | xargs -0 clang-format --dry-run --Werror
+}
 
 build_release() { check "configure" configure release -DHAPTICUT_WITH_PYTHON=OFF "$@" && check "build" build release; }
 
+# ended_well STATUS LOG: of what ran beside other work.
+ended_well() {
+  cat "$2"
+  return "$1"
+}
+
 # build_all OPTIONS...: pip fetches what the tests of Python need while the library compiles.
 build_all() {
-  local environment python=$PWD/build/python-environment/bin/python
+  local environment status python=$PWD/build/python-environment/bin/python
   tests/python/environment.sh build/python-environment build/release >"$logs/environment.log" 2>&1 &
   environment=$!
   build_release "$@" || { wait $environment; return 1; }
-  if ! wait $environment; then
+  wait $environment
+  status=$?
+  if [ $status -eq 77 ]; then
     skipped=$((skipped + 1))
-    skips+=("the tests of Python: $(grep . "$logs/environment.log" | tail -n 1)")
+    skips+=("the tests of Python: $(tail -n 1 "$logs/environment.log")")
     return 0
   fi
-  check "configure: Python" configure release "$@" -DHAPTICUT_WITH_PYTHON=ON "-DPython_EXECUTABLE=$python" \
+  check "environment: Python" ended_well $status "$logs/environment.log" &&
+    check "configure: Python" configure release "$@" -DHAPTICUT_WITH_PYTHON=ON "-DPython_EXECUTABLE=$python" \
     "-Dpybind11_DIR=$("$python" -m pybind11 --cmakedir)" && check "build: Python" build release && return
   cmake -DHAPTICUT_WITH_PYTHON=OFF build/release >/dev/null # the other tests go on
 }
@@ -159,21 +172,26 @@ threads() {
 }
 
 # Room by room, which reads the headers of others a quarter as often; two checks would take the files of a room for headers.
-# That each file says what it includes shows the build of `package`. What stands in for a part that this build has
-# (src/kernels/scalar_kernels.cpp) is not looked at.
+# That each file says what it includes shows the build of `package`. The adapters of devices are compiled as they are tested,
+# against what stands in for their SDKs. What stands in for a part that this build has (src/kernels/scalar_kernels.cpp) is not
+# looked at.
 lint_is_clean() {
-  local not_in_rooms=-bugprone-suspicious-include,-google-global-names-in-headers
+  local not_in_rooms=-bugprone-suspicious-include,-google-global-names-in-headers rooms
   cmake --build --preset lint -t hapticut_commit || return
-  grep -oE '"file": "[^"]+"' build/lint/compile_commands.json | cut -d '"' -f 4 | sort -u |
-    grep -E "^($PWD|$PWD/build/lint)/src/.*[.]c(pp|xx)$" | tr '\n' '\0' |
-    xargs -0 -n 1 -P "$jobs" clang-tidy -p build/lint --quiet "--checks=$not_in_rooms"
+  mapfile -t rooms < <(grep -oE '"file": "[^"]+"' build/lint/compile_commands.json | cut -d '"' -f 4 | sort -u |
+    while IFS= read -r file; do printf '%s\n' "${file#"$PWD/"}"; done |
+    grep -E '^(build/lint/)?src/.*[.]c(pp|xx)$|_under_test[.]dir/Unity/')
+  [ ${#rooms[@]} -gt 0 ] || { echo "build/lint/compile_commands.json names no source of this folder"; return 1; }
+  printf '%s\0' "${rooms[@]}" | xargs -0 -n 1 -P "$jobs" clang-tidy -p build/lint --quiet "--checks=$not_in_rooms"
 }
 lint() { check "configure: lint" configure lint && check "clang-tidy" lint_is_clean; }
 
 package() {
-  $fast || build_release || return
-  run_tests package release -L package
-  check "configure: shared" configure shared && check "build: shared" build shared -t src/all examples/all &&
+  local rest=()
+  if $fast; then rest=(-L slow); else build_release || return; fi
+  run_tests package release -L package "${rest[@]}"
+  check "configure: shared" configure shared &&
+    check "build: shared" build shared -t src/all examples/all open_haptics_under_test force_dimension_under_test &&
     run_tests shared shared
 }
 
@@ -186,24 +204,27 @@ python() {
 fuzz_format() {
   mkdir -p "$logs/corpus/$1"
   ASAN_OPTIONS=allocator_may_return_null=1 "build/fuzz/tests/fuzz/fuzz_$1" -max_total_time=20 -timeout=20 \
-    -rss_limit_mb=4096 -artifact_prefix="$logs/$1-" "$logs/corpus/$1" "$logs/seeds/$1" >"$logs/fuzz-$1.log" 2>&1 ||
+    -rss_limit_mb=4096 -artifact_prefix="$findings/$1-" "$logs/corpus/$1" "$logs/seeds/$1" >"$logs/fuzz-$1.log" 2>&1 ||
     { tail -n 40 "$logs/fuzz-$1.log"; return 1; }
 }
 fuzz_all() {
   export -f fuzz_format
-  export logs
+  export logs findings
   local fuzzer
   for fuzzer in build/fuzz/tests/fuzz/fuzz_*; do
     [ -x "$fuzzer" ] && printf '%s\n' "${fuzzer##*/fuzz_}"
   done | xargs -P "$jobs" -I FORMAT bash -c 'fuzz_format FORMAT'
 }
-# Others at each run; the report names the seed that repeats them.
+# Others at each run; the report ends with the seed that repeats them.
 mutants() {
-  local seed=$RANDOM
-  echo "hapticut_mutants 20000 $seed"
-  build/release/tests/fuzz/hapticut_mutants 20000 "$seed" "$logs/mutants"
+  local seed=$RANDOM status
+  build/release/tests/fuzz/hapticut_mutants 20000 "$seed" "$findings/mutants"
+  status=$?
+  echo "again: build/release/tests/fuzz/hapticut_mutants 20000 $seed"
+  return $status
 }
 fuzz() {
+  mkdir -p "$findings"
   $fast || check "configure" configure release || return
   check "build: mutants" build release -t hapticut_mutants || return
   check "mutants" mutants

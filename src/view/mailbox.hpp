@@ -28,6 +28,12 @@ struct Piece {
   SharedMessage message;
 };
 
+/// The newest of its kind, and its number among all that there were; null where there is none.
+struct Newest {
+  std::uint64_t number = 0;
+  SharedMessage message;
+};
+
 /// Of these the newest is sent, once to each connection.
 enum class Slot : std::uint8_t { tool, controls, snapshot, instruments, count };
 inline constexpr std::size_t kSlots = std::size_t(Slot::count);
@@ -40,7 +46,7 @@ class Mailbox {
   bool put(const SurfacePage& page) {
     auto message = std::make_shared<const Message>(encode(page));
     const std::lock_guard lock(mutex_);
-    pages_[page.origin] = std::move(message);
+    pages_[page.origin] = {++page_, std::move(message)};
     if (is_new_.insert_or_assign(page.origin, true).second) news_.push_back(page.origin);
     return !std::exchange(woken_, true);
   }
@@ -88,19 +94,17 @@ class Mailbox {
   std::vector<VoxelIndex> all_pages() {
     const std::lock_guard lock(mutex_);
     std::vector<VoxelIndex> origins;
-    for (const auto& [origin, message] : pages_) origins.push_back(origin);
+    for (const auto& [origin, newest] : pages_) origins.push_back(origin);
     return origins;
   }
-  SharedMessage page(const VoxelIndex& origin) {
+  Newest page(const VoxelIndex& origin) {
     const std::lock_guard lock(mutex_);
     const auto found = pages_.find(origin);
-    return found == pages_.end() ? nullptr : found->second;
+    return found == pages_.end() ? Newest{} : found->second;
   }
-  /// Its number and itself; null where there is none.
-  std::pair<std::uint64_t, SharedMessage> newest(Slot slot) {
+  Newest newest(Slot slot) {
     const std::lock_guard lock(mutex_);
-    const Newest& newest = slots_[std::size_t(slot)];
-    return {newest.number, newest.message};
+    return slots_[std::size_t(slot)];
   }
   std::pair<std::uint64_t, Scene> scene() {
     const std::lock_guard lock(mutex_);
@@ -138,16 +142,12 @@ class Mailbox {
   }
 
  private:
-  struct Newest {
-    std::uint64_t number = 0;
-    SharedMessage message;
-  };
   static constexpr double kKept = 2;  // [s] of pieces: sound and curves are one second each
 
   std::mutex mutex_;
   Scene scene_;
-  std::uint64_t scenes_ = 1, piece_ = 0;
-  std::map<VoxelIndex, SharedMessage> pages_;
+  std::uint64_t scenes_ = 1, piece_ = 0, page_ = 0;
+  std::map<VoxelIndex, Newest> pages_;
   std::map<VoxelIndex, bool> is_new_;
   std::vector<VoxelIndex> news_;  // in the order in which they came
   std::array<Newest, kSlots> slots_;

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <deque>
 #include <list>
+#include <map>
 #include <set>
 #include <thread>
 
@@ -123,7 +124,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     if (const std::uint64_t scenes = hall_.mailbox.scenes(); scenes != scene_) {
       const auto [number, scene] = hall_.mailbox.scene();
       scene_ = number;
-      due_.clear(), is_due_.clear();
+      due_.clear(), is_due_.clear(), sent_pages_.clear();
       for (const VoxelIndex& origin : hall_.mailbox.all_pages())
         if (is_due_.insert(origin).second) due_.push_back(origin);
       return std::make_shared<const Message>(encode_hello(scene, writer_));
@@ -142,7 +143,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
       const VoxelIndex origin = due_.front();
       due_.pop_front();
       is_due_.erase(origin);
-      if (SharedMessage page = hall_.mailbox.page(origin)) return page;
+      // A page that is told of while its newest version is under way is that version.
+      if (const auto [number, page] = hall_.mailbox.page(origin); page != nullptr)
+        if (std::exchange(sent_pages_[origin], number) != number) return page;
     }
     return nullptr;
   }
@@ -178,7 +181,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   bool accepted_ = false, writer_ = false, writing_ = false, closing_ = false, was_newest_ = false;
   std::deque<VoxelIndex> due_;  // pages that it does not have in their newest version
   std::set<VoxelIndex> is_due_;
-  std::uint64_t scene_ = 0, heard_ = 0;  // the last that were sent
+  std::map<VoxelIndex, std::uint64_t> sent_pages_;  // their numbers
+  std::uint64_t scene_ = 0, heard_ = 0;             // the last that were sent
   std::array<std::uint64_t, kSlots> sent_{};
   std::size_t slot_ = 0;
   double tokens_;  // commands that it may send at once

@@ -8,7 +8,7 @@ function(hapticut_package_test name case)
     "-DBUILD=${PROJECT_BINARY_DIR}" "-DWORK=${PROJECT_BINARY_DIR}/consumer/${case}" "-DCXX=${CMAKE_CXX_COMPILER}"
     "-DCC=${CMAKE_C_COMPILER}" "-DWITH_IO=${HAPTICUT_IO}" "-DLAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}"
     -P "${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake")
-  set_tests_properties(${name} PROPERTIES LABELS "package;slow" TIMEOUT 900 SKIP_REGULAR_EXPRESSION "SKIPPED: ")
+  set_tests_properties(${name} PROPERTIES LABELS "package;slow" TIMEOUT 900 SKIP_REGULAR_EXPRESSION "(^|\n)SKIPPED: ")
 endfunction()
 hapticut_package_test(Package.IsFoundLinkedAndRunByAnOutsideProject installed)
 set_tests_properties(Package.IsFoundLinkedAndRunByAnOutsideProject PROPERTIES LABELS package)

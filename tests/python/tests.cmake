@@ -8,9 +8,9 @@ if(HAPTICUT_PYTHON)
   add_test(NAME Python.PassesItsTestsInTheBuildFolder COMMAND "${PROJECT_SOURCE_DIR}/tests/python/of_build.sh"
     "${Python_EXECUTABLE}" "${PROJECT_BINARY_DIR}/bindings/python")
   set_tests_properties(Python.PassesItsTestsInTheBuildFolder PROPERTIES LABELS python TIMEOUT 900 COST 100
-    SKIP_REGULAR_EXPRESSION "SKIPPED: ")
+    SKIP_REGULAR_EXPRESSION "(^|\n)SKIPPED: ")
 endif()
 add_test(NAME Python.InstallsInAFreshEnvironmentAndPassesItsTests
   COMMAND "${PROJECT_SOURCE_DIR}/tests/python/in_fresh_environment.sh" "${PROJECT_BINARY_DIR}/python/default")
 set_tests_properties(Python.InstallsInAFreshEnvironmentAndPassesItsTests PROPERTIES LABELS "python;slow" TIMEOUT 1800
-  PROCESSORS 2 SKIP_REGULAR_EXPRESSION "SKIPPED: ")
+  PROCESSORS 2 SKIP_REGULAR_EXPRESSION "(^|\n)SKIPPED: ")

@@ -56,6 +56,8 @@ none_installed='exit 1'
 case $case_name in
   help)
     for script in install-deps.sh demo.sh test.sh bench.sh; do
+      # From another folder too, whose path is a relative one.
+      (cd "$project/scripts" && PATH=$work/bin "./$script" --help) >/dev/null 2>"$work/errors" || fail "$script: $(cat "$work/errors")"
       run "$script" --help
       expect_code 0
       expect_out "scripts/$script"
@@ -186,14 +188,25 @@ cp "'"$work"'/bin/hapticut" build/release/src/cli/hapticut'
     cat >"$work/junit.xml" <<'END'
 <testsuite>
   <testcase name="tool" status="fail"><failure/><system-out>[  FAILED  ] Bur.Cuts</system-out></testcase>
-  <testcase name="loop" status="fail"><system-out>[ RUN      ] Loop.Begins
+  <testcase name="loop" status="fail"><system-out>[==========] Running 5 tests from 1 test suite.
+[ RUN      ] Loop.Begins
 [       OK ] Loop.Begins (0 ms)
+[ RUN      ] Rates/Loop.Turns/1
+[  FAILED  ] Rates/Loop.Turns/1, where GetParam() = 250 (12 ms)
+[ RUN      ] Loop.Waits
+[  SKIPPED ] Loop.Waits (0 ms)
 [ RUN      ] Loop.Crashes
 </system-out></testcase>
+  <testcase name="sound" status="run"><system-out>[==========] Running 2 tests from 1 test suite.
+[ RUN      ] Sound.Leaves
+</system-out></testcase>
+  <testcase name="vdb" status="run"/>
   <testcase name="heat" status="run"/>
-  <testcase name="Page.Opens" status="notrun"><system-out>SKIPPED: there is no browser.</system-out></testcase>
+  <testcase name="Page.Opens" status="notrun"><skipped message="SKIP_REGULAR_EXPRESSION_MATCHED"/><system-out>SKIPPED: there is no browser.</system-out></testcase>
   <testcase name="Scripts.Run" status="run"/>
   <testcase name="Package.Links" status="fail"/>
+  <testcase name="Example.Heat" status="notrun"><skipped message="Unable to find executable"/></testcase>
+  <testcase name="Example.Old" status="disabled"/>
 </testsuite>
 END
     cat >"$work/reports/tool.xml" <<'END'
@@ -205,16 +218,24 @@ END
 </testsuite></testsuites>
 END
     echo '<testsuites/>' >"$work/reports/heat.xml"
+    printf '<testsuites>' >"$work/reports/vdb.xml"
     said=$("$source_folder/tests/support/count_tests.py" "$work/junit.xml" "$work/reports" | tr '\t' '|')
     expected='failed|Bur.Cuts|
 passed|Bur.Turns|
 skipped|Bur.Writes|switched off in its source
 skipped|Bur.Reads|needs a file
+passed|Loop.Begins|
+failed|Rates/Loop.Turns/1|
+skipped|Loop.Waits|its program ended before it said why
 failed|loop: ended in Loop.Crashes|
+failed|sound: ended in Sound.Leaves|
+failed|vdb: its report cannot be read: no element found: line 1, column 12|
 failed|heat: its filter names no test|
 skipped|Page.Opens|there is no browser.
 passed|Scripts.Run|
-failed|Package.Links|'
+failed|Package.Links|
+failed|Example.Heat: Unable to find executable|
+skipped|Example.Old|switched off in its source'
     [ "$said" = "$expected" ] || fail "the tests are counted as: $said"
     ;;
   *) fail "no case $case_name" ;;

@@ -6,7 +6,8 @@
 
 JUNIT is what `ctest --output-junit` wrote. Where REPORTS holds <name>.xml, the report of a GoogleTest program that ctest
 knows as <name>, the tests in it are counted instead. A program that ended before it wrote one has failed in the test that
-it was in; one without any test has failed, for its filter names tests that do not exist.
+it was in, and what it says of those before stands; one without any test has failed, for its filter names tests that do
+not exist; so has what ctest could not start.
 """
 import re
 import sys
@@ -18,8 +19,9 @@ SWITCHED_OFF = "switched off in its source"
 
 def of_program(report):
     """The tests of a GoogleTest program."""
-    # Messages of tests may hold bytes that are no text.
-    for test in ElementTree.fromstring(report.read_bytes().decode("utf-8", "replace")).iter("testcase"):
+    # Messages of tests may hold bytes that are no text, and characters that XML forbids.
+    text = re.sub("[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]", "?", report.read_bytes().decode("utf-8", "replace"))
+    for test in ElementTree.fromstring(text).iter("testcase"):
         name = f'{test.get("classname")}.{test.get("name")}'
         skipped = test.find("skipped")
         if test.find("failure") is not None:
@@ -34,26 +36,51 @@ def of_program(report):
             yield "passed", name, ""
 
 
+def of_output(name, output):
+    """The tests of a GoogleTest program that left no report."""
+    ended = re.findall(r"^\[ +(OK|FAILED|SKIPPED) +\] (\S+?)(?:,.*)? \(\d+ ms\)$", output, re.M)
+    for outcome, test in ended:
+        reason = "its program ended before it said why" if outcome == "SKIPPED" else ""
+        yield {"OK": "passed", "FAILED": "failed", "SKIPPED": "skipped"}[outcome], test, reason
+    begun = re.findall(r"^\[ RUN +\] (\S+)$", output, re.M)
+    inside = begun[-1] if len(begun) > len(ended) else "no test"
+    yield "failed", f"{name}: ended in {inside}", ""
+
+
 def of_ctest(test):
     """A test that ctest knows and nobody else."""
     name, status = test.get("name"), test.get("status")
     output = test.findtext("system-out") or ""
+    if re.search(r"^\[=+\] Running ", output, re.M):
+        return of_output(name, output)
     if status == "run":
-        return "passed", name, ""
+        return [("passed", name, "")]
     if status == "fail":
-        begun = re.findall(r"^\[ RUN      \] (\S+)", output, re.M)
-        ended = re.findall(r"^\[(?:       OK|  FAILED  |  SKIPPED ) ?\] (\S+?),? ", output, re.M)
-        inside = [one for one in begun if one not in ended][-1:]
-        return "failed", f"{name}: ended in {inside[0]}" if inside else name, ""
-    said = re.search(r"SKIPPED: (.+)", output)
-    return "skipped", name, said.group(1) if said else SWITCHED_OFF if status == "disabled" else "no reason given"
+        return [("failed", name, "")]
+    if status == "disabled":
+        return [("skipped", name, SWITCHED_OFF)]
+    skipped = test.find("skipped")
+    why = "" if skipped is None else skipped.get("message") or ""
+    if not why.startswith("SKIP_"):
+        return [("failed", f"{name}: {why or 'was not run'}", "")]
+    said = re.search(r"^SKIPPED: (.+)", output, re.M)
+    return [("skipped", name, said.group(1) if said else "no reason given")]
+
+
+def outcomes(test, report):
+    """What came of a test of ctest, or of those in the report of its program."""
+    if not report.is_file():
+        return list(of_ctest(test))
+    try:
+        return list(of_program(report))
+    except ElementTree.ParseError as fault:
+        return [("failed", f'{test.get("name")}: its report cannot be read: {fault}', "")]
 
 
 def main():
     junit, reports = Path(sys.argv[1]), Path(sys.argv[2])
     for test in ElementTree.parse(junit).iter("testcase"):
-        report = reports / f'{test.get("name")}.xml'
-        results = list(of_program(report)) if report.is_file() else [of_ctest(test)]
+        results = outcomes(test, reports / f'{test.get("name")}.xml')
         if test.get("status") == "fail" and not any(kind == "failed" for kind, _, _ in results):
             results.append(("failed", test.get("name"), ""))
         if not results:

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* A stand-in for the DHD library of Force Dimension, written for the tests of hapticut. It has the names, the signatures
-   and the numbers of the real one, as far as hapticut needs them, and none of its text. It drives nothing. */
+/* A stand-in for the DHD library of Force Dimension, written for the tests of hapticut. It has the names, the
+   signatures and the numbers of the real one, as far as hapticut needs them, and none of its text. It drives nothing.
+ */
 #ifndef HAPTICUT_STAND_IN_DHDC_H
 #define HAPTICUT_STAND_IN_DHDC_H
 

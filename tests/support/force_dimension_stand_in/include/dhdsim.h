@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Control of the stand-in for the library of Force Dimension: what a test does to it, and what it saw. Frame of the device:
-   x towards the user, y to the right, z up. Metres, newtons, seconds. */
+/* Control of the stand-in for the library of Force Dimension: what a test does to it, and what it saw. Frame of the
+   device: x towards the user, y to the right, z up. Metres, newtons, seconds. */
 #ifndef HAPTICUT_DHDSIM_H
 #define HAPTICUT_DHDSIM_H
 
@@ -20,18 +20,26 @@ enum dhdsim_cause {
 };
 
 /* Calls that can be made to fail. */
-enum dhdsim_call { DHDSIM_OPEN, DHDSIM_READ, DHDSIM_VELOCITY, DHDSIM_WRITE, DHDSIM_STATUS, DHDSIM_ENABLE, DHDSIM_CALLS };
+enum dhdsim_call {
+  DHDSIM_OPEN,
+  DHDSIM_READ,
+  DHDSIM_VELOCITY,
+  DHDSIM_WRITE,
+  DHDSIM_STATUS,
+  DHDSIM_ENABLE,
+  DHDSIM_CALLS
+};
 
 /* What a simulated device is; dhdsim_device_of fills in what the types of real ones have. */
 typedef struct {
   int type, serial;
   const char* name;
   int wrist, active_wrist, gripper, active_gripper, left_handed;
-  int has_watchdog;      /* 0: dhdSetWatchdog is not available */
-  int has_brakes;        /* 0: dhdSetBrakes is not available */
-  int reports_turning;   /* 0: dhdGetAngularVelocityRad is not available */
-  double speed_limit;    /* m/s; faster: brakes */
-  double arm_mass;       /* kg that gravity compensation carries */
+  int has_watchdog;    /* 0: dhdSetWatchdog is not available */
+  int has_brakes;      /* 0: dhdSetBrakes is not available */
+  int reports_turning; /* 0: dhdGetAngularVelocityRad is not available */
+  double speed_limit;  /* m/s; faster: brakes */
+  double arm_mass;     /* kg that gravity compensation carries */
 } dhdsim_device;
 
 /* Back to no devices and a clock that stands still at 0. */
@@ -94,11 +102,11 @@ typedef struct {
   int expert_mode;               /* it is on now */
   int watchdog;                  /* multiples of 125 us */
   double max_force, max_torque, effector_mass;
-  double unsupported;            /* s with the forces on and nothing to carry the arm: it sinks */
+  double unsupported; /* s with the forces on and nothing to carry the arm: it sinks */
   int auto_inits;
   int closes, calls_after_close;
-  int zero_force_before_off;     /* 1: the last command was zero when the program switched the forces off; -1: never */
-  int off_before_close;          /* 1: forces off and brakes on when it was closed; -1: never closed */
+  int zero_force_before_off; /* 1: the last command was zero when the program switched the forces off; -1: never */
+  int off_before_close;      /* 1: forces off and brakes on when it was closed; -1: never closed */
 } dhdsim_counters;
 dhdsim_counters dhdsim_get_counters(int device);
 

@@ -9,13 +9,13 @@ extern "C" {
 
 /* What a simulated device is; hdsim_touch and hdsim_premium6dof fill in the numbers of two real ones. */
 typedef struct {
-  const char* name;  /* that hdInitDevice must be called with; the first device also answers to NULL */
+  const char* name; /* that hdInitDevice must be called with; the first device also answers to NULL */
   const char* model;
   int input_dof, output_dof;
-  double stiffness;              /* N/mm */
-  double force, continuous;      /* N */
+  double stiffness;                                         /* N/mm */
+  double force, continuous;                                 /* N */
   double torque_force, torque_continuous, torque_stiffness; /* mNm, mNm, mNm/rad */
-  double workspace[6];           /* mm */
+  double workspace[6];                                      /* mm */
   int calibration_style;
 } hdsim_device;
 
@@ -65,8 +65,8 @@ int hdsim_scheduled_callbacks(void);
 /* What the motors get now. N and mNm. A committed force is delayed by this many ticks before it acts (default 0). */
 void hdsim_delay_ticks(int device, int ticks);
 void hdsim_get_committed_force(int device, double force[3], double torque[3]);
-/* What the motors rendered in the last tick: the committed force, but for the ramp after the start and after a limit was
-   exceeded (speed, step of the force, force without clamping), at HD_FORCE_RAMPING_RATE. */
+/* What the motors rendered in the last tick: the committed force, but for the ramp after the start and after a limit
+   was exceeded (speed, step of the force, force without clamping), at HD_FORCE_RAMPING_RATE. */
 void hdsim_get_rendered_force(int device, double force[3]);
 /* The n-th committed force of the run, n < hdsim_committed_count. */
 long hdsim_committed_count(int device);
@@ -74,20 +74,20 @@ void hdsim_get_committed(int device, long n, double force[3], double torque[3]);
 
 /* What was done right and wrong. */
 typedef struct {
-  long ticks;                    /* of the scheduler */
-  long frames;                   /* completed */
-  long open_frames;              /* begun and not ended at the end of a tick */
-  long ticks_without_frame;      /* while the device's owner had a callback */
+  long ticks;               /* of the scheduler */
+  long frames;              /* completed */
+  long open_frames;         /* begun and not ended at the end of a tick */
+  long ticks_without_frame; /* while the device's owner had a callback */
   long illegal_begins, illegal_ends;
   long sets_outside_frame, gets_outside_frame;
   long torque_sets_on_3dof;
-  long joint_space_sets;         /* of joint or gimbal torques */
-  long amplifier_toggles;        /* a limit was exceeded: the force was away, and came back on a ramp */
+  long joint_space_sets;  /* of joint or gimbal torques */
+  long amplifier_toggles; /* a limit was exceeded: the force was away, and came back on a ramp */
   int force_output_enabled;
   int initialised;
-  int callbacks_at_disable;      /* still scheduled when hdDisableDevice was called; -1: never called */
-  int running_at_init;           /* hdInitDevice was called while the scheduler ran */
-  int zero_force_before_stop;    /* 1: the last committed force was zero when the scheduler stopped; -1: never stopped */
+  int callbacks_at_disable;   /* still scheduled when hdDisableDevice was called; -1: never called */
+  int running_at_init;        /* hdInitDevice was called while the scheduler ran */
+  int zero_force_before_stop; /* 1: the last committed force was zero when the scheduler stopped; -1: never stopped */
   int zero_force_before_disable; /* the same for hdDisableDevice */
   int calibration_updates;
   int force_during_calibration;  /* 1: hdUpdateCalibration was called while a force was committed */
