@@ -139,6 +139,8 @@ void bind_the_simulation(py::module_& m) {
       .def_property_readonly(
           "steps", [](const S& self) { return read(self).steps(); }, doc("Simulation::steps"))
       .def_property_readonly(
+          "starts_afresh", [](const S& self) { return read(self).starts_afresh(); }, doc("Simulation::starts_afresh"))
+      .def_property_readonly(
           "workpiece_exchanges", [](const S& self) { return read(self).workpiece_exchanges(); },
           doc("Simulation::workpiece_exchanges"))
       .def(

@@ -115,7 +115,7 @@ py::array make_steps(PythonSimulation& simulation, const Float64Array& poses, co
       const StepResult& result = step(now);
       time += now.dt;
       seen |= result.status;
-      taken += has_any(result.status, kRejected) ? 0 : 1;
+      taken += has_any(result.status, kRejected | StepStatus::tool_waits) ? 0 : 1;
       write_trace_row(result, time, rows + width * i);
       simulation.remember(result.removed_voxels, i);
     }

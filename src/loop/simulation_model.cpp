@@ -149,7 +149,7 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
     return {};
   }
   const StepResult& result = simulation_->last_result();
-  touches_ = has_any(tool_.status, kRejected) || result.contact.voxels > 0;
+  touches_ = has_any(tool_.status, kRejected | StepStatus::tool_waits) || result.contact.voxels > 0;
   ++tool_.steps;
   tool_.dissipated += dissipated(result.energy) - before;
   if (!tool_.force_held) {

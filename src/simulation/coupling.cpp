@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
@@ -14,6 +15,7 @@ namespace {
 constexpr double kSolved = 1e-4;  // [voxels] a correction that moves no point of the head farther ends the iteration
 constexpr double kLeastDescent = 1e-4, kLeastShare = 1.0 / 64;   // [1] of a correction: what it must gain, and of it
 constexpr double kNear = 2e-3;                                   // [m] how far a hand may be from where it was refused
+constexpr double kLargestTurn = 0.9 * std::numbers::pi;          // [rad] of a hand against its tool
 constexpr double kLeastDampingRatio = 0.5, kDampingRatio = 0.7;  // [1] below which a tool rings, and what is chosen
 constexpr double kLightest = 1e-3;                               // [kg] of a tool that a hand could hold
 
@@ -108,8 +110,11 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
   begin_tick();
   const StepStatus refused = check_input(simulation_->config(), pose, velocity, dt);
   if (refused != StepStatus::ok) return wait(refused);
+  part_after_exchange();
+  if (held_ && !waits_ && is_jump(pose)) return wait(StepStatus::jump_rejected);
+  if (held_ && !waits_ && is_turned_away(pose)) rejoin_ = Rejoin::free, waits_ = true;
   if (waits_ && !may_go_on_from_here(pose)) {
-    if (simulation_->touches(pose)) {
+    if (simulation_->touches(pose) || simulation_->touches(advance(pose, velocity, -dt))) {
       if (!held_) result_.X_WH = pose;
       return wait(StepStatus::tool_waits);
     }
@@ -131,7 +136,7 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
     const Pose X_WD = part == result_.parts ? pose : advance(X_WD_before, hand_path, dt * part / result_.parts);
     const bool last = part == result_.parts;
     const StepStatus status = move({X_WD, dt / result_.parts, last, dt}, hand_path, velocity);
-    if (has_any(status, kRejected)) return wait(status);
+    if (has_any(status, kRejected | StepStatus::tool_waits)) return wait(status);
     result_.status |= status;
   }
   result_.hand = {simulation_->last_result().force, simulation_->last_result().torque};
@@ -169,7 +174,7 @@ StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const
   const double work_before = simulation_->last_result().energy.hand_work;
   Answer answer(*this, part, X_WH, tool, hand);
   const StepResult& stepped = simulation_->step(X_WH, tool, part.dt, &answer);
-  if (has_any(stepped.status, kRejected)) return stepped.status;
+  if (has_any(stepped.status, kRejected | StepStatus::tool_waits)) return stepped.status;
   keep_lists(stepped);
 
   result_.X_WH = X_WH;
@@ -335,6 +340,26 @@ void VirtualCoupling::begin_grip(const Pose& pose, const Twist& velocity, double
   simulation_->let_go();
 }
 
+/// What the tool is in after an exchange, it has not cut its way into.
+void VirtualCoupling::part_after_exchange() noexcept {
+  if (!simulation_->starts_afresh() || (!held_ && simulation_->steps() == 0)) return;
+  waits_ = true;
+  rejoin_ = Rejoin::free;
+}
+
+/// Whether no motion of a hand leads to a pose from the last one. The tool has the orientation of the hand, but follows
+/// its position on a spring, which parts take.
+bool VirtualCoupling::is_jump(const Pose& pose) const noexcept {
+  const Vec3 shift = pose.translation - X_WD_.translation;
+  return simulation_->is_jump(X_WD_, {X_WD_.rotation, X_WD_.translation + shift / kMostParts}) ||
+         simulation_->is_jump({X_WD_.rotation, pose.translation}, pose);
+}
+
+/// Whether the hand has turned so far from the tool that with a little more the torque would have the other sign.
+bool VirtualCoupling::is_turned_away(const Pose& pose) const noexcept {
+  return turns() && vector_from_rotation(pose.rotation * result_.X_WH.rotation.transpose()).norm() > kLargestTurn;
+}
+
 /// Whether the hand is about where it was when the tool was left.
 bool VirtualCoupling::is_near(const Pose& pose) const noexcept {
   const double turn = vector_from_rotation(pose.rotation * X_WD_.rotation.transpose()).norm();
@@ -343,7 +368,8 @@ bool VirtualCoupling::is_near(const Pose& pose) const noexcept {
 
 /// Whether a tool that waits may be pulled after its hand from where it is.
 bool VirtualCoupling::may_go_on_from_here(const Pose& pose) const noexcept {
-  return held_ && is_near(pose) && (rejoin_ == Rejoin::near || !simulation_->touches(result_.X_WH));
+  return held_ && is_near(pose) && !is_turned_away(pose) &&
+         (rejoin_ == Rejoin::near || !simulation_->touches(result_.X_WH));
 }
 
 /// [m] of the farthest point of the head from the handle

@@ -76,10 +76,11 @@ void Simulation::State::set_material_friction() noexcept {
   }
 }
 
-/// The next step is the first of the tool: nothing is known of where it was.
+/// The next step is the first of the tool: nothing is known of where it was. What it is in now must not be felt.
 void Simulation::State::start_afresh() noexcept {
+  parted = parted || has_pose;
   has_pose = false;
-  left_from.reset();
+  jumped_to.reset();
   tell_of_exchange();
 }
 

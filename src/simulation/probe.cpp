@@ -10,7 +10,8 @@ ContactProbe Simulation::probe(const Pose& pose, const Twist& velocity, double d
                                ProbedMotions motions) const noexcept {
   State& s = *state_;  // whose room the contact is worked out in; nothing that a step depends on changes
   if (check_input(s.config, pose, velocity, dt) != StepStatus::ok) return {};
-  const Pose from = s.has_pose ? s.X_WH : advance(pose, velocity, -dt);
+  const bool goes_on = s.has_pose && !(s.let_go_since && s.is_put_elsewhere(pose, velocity, dt));
+  const Pose from = goes_on ? s.X_WH : advance(pose, velocity, -dt);
   const int sub_steps = s.plan_sweep(from, pose);
   if (sub_steps > s.config.longest_sweep) return {};
   ContactProbe probed = s.probe_way(from, pose, sub_steps, velocity, dt);

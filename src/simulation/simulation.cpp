@@ -76,6 +76,7 @@ ChangedBlocks Simulation::changed_blocks() const noexcept { return state_->conta
 double Simulation::spindle_setting() const noexcept { return state_->motor.setting(); }
 const StepInput& Simulation::last_input() const noexcept { return state_->input; }
 std::uint64_t Simulation::steps() const noexcept { return state_->steps; }
+bool Simulation::starts_afresh() const noexcept { return !state_->has_pose; }
 std::uint64_t Simulation::workpiece_exchanges() const noexcept { return state_->exchanges; }
 
 std::span<StepObserver* const> Simulation::observers() const noexcept { return state_->observers.all(); }
@@ -126,8 +127,7 @@ WorkpieceSnapshot Simulation::snapshot() const { return state_->workpiece.snapsh
 void Simulation::restore(const WorkpieceSnapshot& snapshot) {
   state_->workpiece.restore(snapshot);
   state_->contact_stages.start_afresh();
-  state_->has_pose = false;
-  state_->tell_of_exchange();
+  state_->start_afresh();
 }
 
 void Simulation::reserve_undo(std::size_t blocks) { state_->workpiece.reserve_undo(blocks); }
@@ -141,8 +141,7 @@ bool Simulation::undo(std::size_t most) noexcept {
   s.contact_stages.forget_changes();
   const std::size_t marks = s.workpiece.marks();
   if (marks == 0) return true;
-  s.has_pose = false;
-  s.tell_of_exchange();
+  s.start_afresh();
   s.contact_stages.undo(most);
   return s.workpiece.marks() < marks;
 }

@@ -60,8 +60,10 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
     const StageTimer timer = timed(&StageTimes::check_input);
     return check_input(config, input.pose, input.velocity, input.dt);
   }
+  [[nodiscard]] bool take_up(bool coupled) noexcept;
+  [[nodiscard]] bool is_put_elsewhere(const Pose& pose, const Twist& velocity, double dt) const noexcept;
+  [[nodiscard]] bool follow_jump() noexcept;
   void place_at(const Pose& pose) noexcept;
-  void follow_jump(const Pose& pose) noexcept;
   [[nodiscard]] int plan_sweep(const Pose& from, const Pose& pose) const noexcept;
   [[nodiscard]] SubStep plan_sub_step(const Pose& from, int index, double duration, const Twist& path,
                                       const Twist& felt) const noexcept;
@@ -122,8 +124,9 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
 
   // What one step hands to the next.
   bool has_pose = false;
+  bool parted = false;            // from its hand, by an exchange
   Pose X_WH;                      // at the end of the last accepted step
-  std::optional<Pose> left_from;  // the same, before jumps that took it elsewhere
+  std::optional<Pose> jumped_to;  // what the last step was given, when that was a jump
   SpindleMotor motor;
   SpindleLoad load;
   double cutting_share = 1;  // [1] of the cutting ratio: what slow heads and stalled ones have of it

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kRotationTolerance = 1e-3;  // [1] what device matrices are off by is below this
 constexpr double kFastestMotion = 1e6;       // [m/s], [rad/s] no estimate of a hand's velocity
+constexpr double kLongestTurn = 1;           // [rad] of a hand in a step
 constexpr double kThickLayer = 0.1;          // [1] of the head's radius
 
 Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
@@ -31,15 +32,13 @@ const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, doub
 void Simulation::State::take_step(HandCoupling* coupling) noexcept {
   const auto& [pose, velocity, dt] = input;
   if (const StepStatus refused = check_step_input(); refused != StepStatus::ok) return reject(refused);
-  if (!std::exchange(has_pose, true)) place_at(advance(pose, velocity, -dt));
-  int sub_steps = plan_sweep(X_WH, pose);
-  if (sub_steps > config.longest_sweep && left_from && plan_sweep(*left_from, pose) <= config.longest_sweep) {
-    X_WH = *left_from;
-    sub_steps = plan_sweep(X_WH, pose);
-  }
-  if (sub_steps > config.longest_sweep) return follow_jump(pose);
-  left_from.reset();
+  if (!has_pose && !take_up(coupling != nullptr)) return reject(StepStatus::tool_waits);
+  if (after_letting_go && coupling != nullptr && is_put_elsewhere(pose, velocity, dt))
+    place_at(advance(pose, velocity, -dt));
+  if (plan_sweep(X_WH, pose) > config.longest_sweep && !follow_jump()) return;
+  jumped_to.reset();
 
+  const int sub_steps = plan_sweep(X_WH, pose);
   const Twist path = twist_between(X_WH, pose, dt);
   for (int i = 0; i < sub_steps; ++i) {
     SubStep sub_step = plan_sub_step(X_WH, i, dt / sub_steps, path, velocity);
@@ -55,6 +54,10 @@ void Simulation::State::take_step(HandCoupling* coupling) noexcept {
   }
   give_output(coupling);
   finish_step(sub_steps);
+}
+
+bool Simulation::is_jump(const Pose& from, const Pose& to) const noexcept {
+  return state_->plan_sweep(from, to) > state_->config.longest_sweep;
 }
 
 void Simulation::State::begin_step(const StepInput& given) noexcept {
@@ -85,6 +88,42 @@ StepStatus check_input(const SimulationConfig& config, const Pose& pose, const T
   return status;
 }
 
+/// The first step of the tool: it comes from where its velocity says. A tool that was parted from its hand goes with it
+/// again when it touches nothing there, or where the hand is now, when the hand holds it itself.
+/// @return false when it does not yet
+bool Simulation::State::take_up(bool coupled) noexcept {
+  const auto& [pose, velocity, dt] = input;
+  const Pose from = parted && !coupled ? pose : advance(pose, velocity, -dt);
+  if (parted && touches(from)) return false;
+  place_at(from);
+  has_pose = true;
+  parted = false;
+  return true;
+}
+
+/// Whether a coupling that had let go begins again with the tool elsewhere.
+bool Simulation::State::is_put_elsewhere(const Pose& pose, const Twist& velocity, double dt) const noexcept {
+  return plan_sweep(X_WH, advance(pose, velocity, -dt)) > 1;
+}
+
+/// A reading that no motion leads to may be an error of the device: the tool stays where it is, and goes on from there
+/// when the next reading is near it. Two in a row that are near each other are believed: the tool is put where the
+/// first one was; but a head that turns not into material that it has not cut its way into, farther away than its
+/// radius.
+/// @return false when the step is not taken
+bool Simulation::State::follow_jump() noexcept {
+  const Pose& pose = input.pose;
+  const Vec3 shift = pose * tool.X_HT().translation - X_WH * tool.X_HT().translation;
+  const bool waits = motor.setting() != 0 && shift.norm() > tool.head().cutting_radius() && touches(pose);
+  if (!waits && jumped_to && plan_sweep(*jumped_to, pose) <= config.longest_sweep) {
+    place_at(*jumped_to);
+    return true;
+  }
+  jumped_to = pose;
+  reject(StepStatus::jump_rejected | (waits ? StepStatus::tool_waits : StepStatus::ok));
+  return false;
+}
+
 void Simulation::State::place_at(const Pose& pose) noexcept {
   result.energy.sliding += std::exchange(result.energy.anchored, 0);
   anchor.release();
@@ -93,23 +132,13 @@ void Simulation::State::place_at(const Pose& pose) noexcept {
   X_WH = pose;
 }
 
-/// A head that turns is not put into material that it has not cut its way into, farther away than its radius: it stays.
-/// Else it is put there; that may have been an error of the device, so where it came from is kept until a step is
-/// taken.
-void Simulation::State::follow_jump(const Pose& pose) noexcept {
-  const Vec3 shift = pose * tool.X_HT().translation - X_WH * tool.X_HT().translation;
-  if (motor.setting() != 0 && shift.norm() > tool.head().cutting_radius() && touches(pose))
-    return reject(StepStatus::jump_rejected | StepStatus::tool_waits);
-  if (!left_from) left_from = X_WH;
-  place_at(pose);
-  reject(StepStatus::jump_rejected);
-}
-
-/// Number of equal parts in which no point of the head moves farther than half a voxel.
+/// Number of equal parts in which no point of the head moves farther than half a voxel; more than the longest sweep
+/// for a jump.
 int Simulation::State::plan_sweep(const Pose& from, const Pose& pose) const noexcept {
   const StageTimer timer = timed(&StageTimes::plan_sweep);
   const Vec3 head_shift = pose * tool.X_HT().translation - from * tool.X_HT().translation;
   const double turn = vector_from_rotation(pose.rotation * from.rotation.transpose()).norm();
+  if (turn > kLongestTurn) return config.longest_sweep + 1;
   const double farthest = head_shift.norm() + turn * tool.head().reach();
   const double parts = std::ceil(farthest / (0.5 * workpiece.voxel_size()) - 1e-9);
   return int(std::clamp(parts, 1.0, config.longest_sweep + 1.0));

@@ -110,7 +110,8 @@ HAPTICUT_C_API int hapticut_energy(hapticut_simulation simulation, hapticut_ener
 /** @param speed  [rad/s] from the next step on */
 HAPTICUT_C_API int hapticut_set_spindle_speed(hapticut_simulation simulation, double speed);
 
-/** Another tool for the same workpiece.
+/** Another tool for the same workpiece. Where it is in material the steps that follow feel and cut nothing, as after
+ * every exchange and way back: StepStatus::tool_waits until the head is free.
  * @param text  TOML with a table [tool] and nothing else */
 HAPTICUT_C_API int hapticut_set_tool(hapticut_simulation simulation, const char* text);
 
@@ -149,7 +150,7 @@ HAPTICUT_C_API int hapticut_coupling_open(hapticut_simulation simulation, const 
 HAPTICUT_C_API int hapticut_coupling_step(hapticut_coupling coupling, const hapticut_step_input* input,
                                           hapticut_step_result* result);
 
-/** The next step puts the tool where the hand is. */
+/** The next step puts the tool where the hand is, or the first one in which that is in no material. */
 HAPTICUT_C_API int hapticut_coupling_let_go(hapticut_coupling coupling);
 
 /* --- device and loop ---------------------------------------------------------------------------------------------- */

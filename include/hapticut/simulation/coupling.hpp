@@ -132,13 +132,17 @@ class VirtualCoupling {
 
   /// The hand has moved: moves the tool after it, through the material.
   ///
-  /// In the first tick, and after `release`, the tool is put where the hand is; after `leave`, it waits for the hand.
+  /// In the first tick the tool is put where the hand is, after `release` when that is in no material. After `leave` it
+  /// waits for the hand, and likewise (Rejoin::free) after an exchange of the simulation's workpiece, tool or
+  /// materials: `undo`, `redo`, `restore`, `reset`, `set_tool` ...; and when the hand has turned by nearly half a turn
+  /// against a tool that could not follow.
   /// @param pose      X_WD of the hand's handle at the end of the tick
   /// @param velocity  [m/s] of its Ho and [rad/s], in W, as the device estimates it; drives the damper
   /// @param dt        [s] since the last call
-  /// @return valid until the next call. An input that is refused gives no force, and the tool stays where it was. It
-  /// goes on from there when the hand comes back within 2 mm of where it was, is put
-  /// where the hand is when that is in no material, and waits otherwise: StepStatus::tool_waits.
+  /// @return valid until the next call. An input that is refused, or to which no motion of a hand leads
+  /// (StepStatus::jump_rejected), gives no force, and the tool stays where it was. It goes on from there when the hand
+  /// comes back within 2 mm of where it was, is put where the hand is when that is in no material, and waits otherwise:
+  /// StepStatus::tool_waits.
   /// @realtime no allocation, no lock, no exception; in each part at most newton_steps + 1 contacts are evaluated; with
   /// a custom law 4 newton_steps + 1, or 7 newton_steps + 1 where the coupling turns the tool
   const CoupledResult& step(const Pose& pose, const Twist& velocity, double dt) noexcept;
@@ -155,8 +159,11 @@ class VirtualCoupling {
   /// @realtime no allocation, no lock; O(1)
   void exchange_lists(Lists& lists) noexcept;
 
-  /// Lets go: the next tick puts the tool where the hand is.
-  void release() noexcept { held_ = waits_ = false; }
+  /// Lets go: the next tick puts the tool where the hand is, or the first one in which that is in no material.
+  void release() noexcept {
+    waits_ = waits_ || held_;
+    held_ = false;
+  }
 
   /// When a tool that was left goes with its hand again.
   enum class Rejoin : std::uint8_t {
@@ -218,6 +225,9 @@ class VirtualCoupling {
   void book(const Pull& before, const Pull& after, const Twist& tool_before, const Twist& hand_path, double tool_work,
             double dt) noexcept;
   void begin_grip(const Pose& pose, const Twist& velocity, double dt) noexcept;
+  void part_after_exchange() noexcept;
+  [[nodiscard]] bool is_jump(const Pose& pose) const noexcept;
+  [[nodiscard]] bool is_turned_away(const Pose& pose) const noexcept;
   [[nodiscard]] bool is_near(const Pose& pose) const noexcept;
   [[nodiscard]] bool may_go_on_from_here(const Pose& pose) const noexcept;
   [[nodiscard]] double reach() const noexcept;

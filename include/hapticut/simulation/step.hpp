@@ -42,10 +42,11 @@ enum class StepStatus : std::uint32_t {
   /// dt was not within SimulationConfig::shortest_dt ... longest_dt. No force, workpiece untouched.
   /// Cure: pass the seconds since the last call; after a pause call with a fresh pose and the nominal period.
   dt_rejected = 1U << 2,
-  /// The head moved farther than SimulationConfig::longest_sweep half voxels: a jump, not a motion. No force, workpiece
-  /// untouched. The next step starts from this pose, or from where the tool was when it is nearer to that; a head that
-  /// turns stays where that would put it into material farther away than its radius (tool_waits). Cure: bring the hand
-  /// back smoothly, or raise longest_sweep.
+  /// The head moved farther than SimulationConfig::longest_sweep half voxels, or turned by more than a radian: a jump,
+  /// not a motion. No force, workpiece untouched, and the tool stays where it was. It goes on from there when the next
+  /// pose is near it. A second pose in a row near this one is believed, and the tool put there; but a head that turns
+  /// not into material farther away than its radius (tool_waits). Cure: bring the hand back smoothly, or raise
+  /// longest_sweep; readings that flip come of the device.
   jump_rejected = 1U << 3,
 
   /// A quarter of the reserved blocks or fewer are left. Output unaffected. Cure: Simulation::reserve_blocks soon.
@@ -80,8 +81,9 @@ enum class StepStatus : std::uint32_t {
   /// (CouplingEnergy::imbalance). Cure: a heavier tool, a lower reference_stiffness, or more
   /// CouplingGains::newton_steps.
   not_in_balance = 1U << 14,
-  /// After an input that was refused, or a jump, the hand is elsewhere inside the material: the tool waits where it
-  /// was. No force, nothing is cut. Cure: move the hand out of the material, or back to the tool.
+  /// The hand is inside material that the tool has not cut its way into: after a refused input or a jump, an exchange
+  /// of workpiece, tool or materials (`undo`, `restore`, `set_tool` ...), or VirtualCoupling::release. No force,
+  /// nothing is cut. Cure: move the hand out of the material; after a refused input also back to the tool.
   tool_waits = 1U << 15,
   /// The head pressed harder than a material's compressive_strength and crushed it. Cure: press less; let the tool
   /// turn.

@@ -37,8 +37,8 @@ TEST(WorstCase, IsNeverExceededAndNotMuchTooLarge) {
     const WorstCase worst = simulation.worst_case();
     int most = 0;
     for (int trial = 0; trial < 50; ++trial) {
-      simulation.restore(simulation.snapshot());
       const Pose pose = {random.rotation(), random.vector(1 * mm)};
+      simulation.step(pose, {}, 1e-3);  // a jump, which is believed the second time
       most = std::max(most, simulation.step(pose, {}, 1e-3).contact.voxels);
     }
     EXPECT_GT(most, 0);
@@ -105,14 +105,14 @@ TEST(LevelOfDetail, IsOnlyReducedWhereTheHeadTouchesMoreThanTheBudget) {
   SimulationConfig config;
   config.voxel_budget = 4096;
   config.removal = RemovalLaw::none;
-  Simulation simulation(deep_block(), Tool(SphereHead{1.5 * mm}), config);
+  const Tool tool(SphereHead{1.5 * mm});
+  Simulation simulation(deep_block(), tool, config), deeper(deep_block(), tool, config);
   EXPECT_GT(simulation.worst_case().level_of_detail, 1);
   EXPECT_LE(simulation.worst_case().voxels, 4096U);
   const StepResult& shallow = simulation.step(Pose::from_translation(Vec3(0, 0, 5.4 * mm)), {}, 1e-3);
   EXPECT_GT(shallow.contact.voxels, 0);
   EXPECT_FALSE(has_any(shallow.status, StepStatus::detail_reduced));
-  simulation.restore(simulation.snapshot());
-  const StepResult& deep = simulation.step(Pose::from_translation(Vec3(0, 0, 0)), {}, 1e-3);
+  const StepResult& deep = deeper.step(Pose::from_translation(Vec3(0, 0, 0)), {}, 1e-3);
   EXPECT_TRUE(has_any(deep.status, StepStatus::detail_reduced));
 }
 

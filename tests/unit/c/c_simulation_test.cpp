@@ -105,6 +105,55 @@ TEST(CInterface, CouplesAHandAsCppDoes) {
       << "the coupling was made for the tool before";
 }
 
+TEST(CInterface, PartsToolAndHandAfterAnExchangeOrWhenItLetsGo) {
+  const std::uint32_t waits = std::uint32_t(StepStatus::tool_waits);
+  const auto expect_nothing = [&](const hapticut_step_result& result) {
+    EXPECT_EQ(result.status, waits);
+    EXPECT_EQ(result.force[2], 0);
+    EXPECT_EQ(result.removed_volume, 0);
+  };
+  const hapticut_step_input deep = above(1e-3), free = above(-1e-3);
+  auto result = sized<hapticut_step_result>();
+  for (const int way : {0, 1, 2, 3}) {
+    const Owned simulation(simulation_of(kScene, 1, 1000));
+    Owned snapshot, coupling;
+    ASSERT_EQ(hapticut_snapshot_take(simulation.get(), snapshot.to()), HAPTICUT_OK);
+    ASSERT_EQ(hapticut_set_undo_mark(simulation.get()), HAPTICUT_OK);
+    ASSERT_EQ(hapticut_coupling_open(simulation.get(), nullptr, coupling.to()), HAPTICUT_OK);
+    for (int n = 1; n <= 300; ++n) {
+      const hapticut_step_input input = above(4e-6 * n);
+      ASSERT_EQ(hapticut_coupling_step(coupling.get(), &input, &result), HAPTICUT_OK);
+    }
+    ASSERT_GT(result.force[2], 0.05);
+    if (way == 0) {
+      ASSERT_EQ(hapticut_undo(simulation.get()), HAPTICUT_OK);
+    }
+    if (way == 1) {
+      ASSERT_EQ(hapticut_snapshot_restore(simulation.get(), snapshot.get()), HAPTICUT_OK);
+    }
+    if (way == 2) {
+      ASSERT_EQ(hapticut_coupling_let_go(coupling.get()), HAPTICUT_OK);
+    }
+    if (way == 3) {
+      ASSERT_EQ(hapticut_set_tool(simulation.get(), kOtherTool.c_str()), HAPTICUT_OK);
+      ASSERT_EQ(coupling.release(), HAPTICUT_OK);
+      ASSERT_EQ(hapticut_coupling_open(simulation.get(), nullptr, coupling.to()), HAPTICUT_OK);
+    }
+    for (int n = 0; n < 3; ++n) {
+      ASSERT_EQ(hapticut_coupling_step(coupling.get(), &deep, &result), HAPTICUT_OK);
+      expect_nothing(result);
+    }
+    for (int n = 0; n < 2; ++n) ASSERT_EQ(hapticut_coupling_step(coupling.get(), &free, &result), HAPTICUT_OK);
+    EXPECT_EQ(result.status, 0U);
+  }
+  const Owned direct(simulation_of());
+  cut(direct.get(), 400);
+  ASSERT_EQ(hapticut_set_tool(direct.get(), kOtherTool.c_str()), HAPTICUT_OK);
+  const hapticut_step_input deeper = above(1.4e-3);  // the smaller ball is free in the hole of the other
+  ASSERT_EQ(hapticut_step(direct.get(), &deeper, &result), HAPTICUT_OK);
+  expect_nothing(result);
+}
+
 TEST(CInterface, NeedsASimulationThatIsMadeForACoupling) {
   const Owned simulation(simulation_of());
   hapticut_coupling coupling = 0;

@@ -143,6 +143,19 @@ TEST(Guard, LimitsTheGrowthOfAForceButNotItsRelease) {
   EXPECT_TRUE(loop.tick(Vec3::Zero()).force.isZero(0));
 }
 
+TEST(Guard, LimitsTheGrowthOfATorqueThatTurnsToTheOtherSide) {
+  GuardedLoop loop({}, "premium6dof");
+  loop.engage();
+  const Vec3 most(0, 0.048, 0);
+  for (int n = 0; n < 100; ++n) loop.tick(Vec3::Zero(), most);
+  ASSERT_NEAR(loop.guard.output().applied.torque.y(), 0.048, 1e-12);
+  const double step = loop.guard.slew() / 8.5 * 0.048 * kPeriod;
+  for (int n = 1; n <= 5; ++n) {
+    loop.tick(Vec3::Zero(), -most);
+    EXPECT_NEAR(loop.guard.output().applied.torque.y(), -n * step, 1e-9) << n;
+  }
+}
+
 // Proves: saturation.
 TEST(OutputLimitsOfADevice, AreThoseThatTheGuardHoldsTo) {
   for (const DeviceModel& model : device_models()) {

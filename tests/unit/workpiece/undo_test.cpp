@@ -36,6 +36,7 @@ class Wandering {
  public:
   explicit Wandering(unsigned seed) : random_(seed) { begin_anew(); }
   void cut(Simulation& simulation, int steps) {
+    if (simulation.starts_afresh()) begin_anew();  // or it would wait where it is
     for (int n = 0; n < steps; ++n) {
       position_ += 2e-5 * direction_;
       if (position_.head<2>().norm() > 3e-3 || position_.z() < -2.5e-3) begin_anew();
@@ -47,7 +48,7 @@ class Wandering {
  private:
   void begin_anew() {
     std::uniform_real_distribution<double> number(-1, 1);
-    position_ = Vec3(2e-3 * number(random_), 2e-3 * number(random_), 1e-3);
+    position_ = Vec3(2e-3 * number(random_), 2e-3 * number(random_), 1.1e-3);
     direction_ = Vec3(number(random_), number(random_), -1).normalized();
   }
   std::mt19937 random_;

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a tool is in without having cut its way into it is neither felt nor cut: after exchanges, jumps, flips, half
+// turns; behind a coupling and in a loop of one's own.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <numbers>
+
+#include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/simulation/coupling.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
+#include "support/coupling.hpp"
+
+namespace hapticut::parted_tool_test {
+namespace {
+
+using units::mm;
+using namespace test;
+
+constexpr double kSlow = 300;   // [rad/s]
+constexpr double kDeep = 2e-3;  // [m] the hand below the surface
+
+struct Exchange {
+  const char* name;
+  std::function<void(Simulation&, const WorkpieceSnapshot& fresh)> make;
+};
+
+const std::vector<Exchange>& exchanges() {
+  static const std::vector<Exchange> all = {
+      {"undo",
+       [](Simulation& s, const auto&) {
+         while (!s.undo(64)) continue;
+       }},
+      {"a part of an undo", [](Simulation& s, const auto&) { (void)s.undo(1); }},
+      {"redo",
+       [](Simulation& s, const auto&) {
+         while (!s.undo(64)) continue;
+         while (!s.redo(64)) continue;
+       }},
+      {"restore", [](Simulation& s, const auto& fresh) { s.restore(fresh); }},
+      {"larger tool",
+       [](Simulation& s, const auto&) { s.set_tool(Tool(SphereHead{2 * kRadius}, RayHandle{0}, Spindle{kSlow})); }},
+      {"tool on a shank",
+       [](Simulation& s, const auto&) { s.set_tool(Tool(SphereHead{kRadius}, RayHandle{1 * mm}, Spindle{kSlow})); }},
+      {"materials",
+       [](Simulation& s, const auto&) {
+         Material harder = plain_material();
+         harder.relative_stiffness *= 4;
+         s.set_materials(MaterialTable({harder}));
+       }},
+      {"reset", [](Simulation& s, const auto&) { s.reset(half_space()); }},
+  };
+  return all;
+}
+
+Pose at_height(double z) { return Pose::from_translation(kAside + Vec3(0, 0, z)); }
+
+Simulation cutting_simulation(ContactTime time) {
+  SimulationConfig config = implicit(1e14);
+  config.contact_time = time;
+  Simulation simulation(half_space(), ball(kSlow), config);
+  simulation.reserve_undo(4096);
+  return simulation;
+}
+
+TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeBehindTheCoupling) {
+  for (const Exchange& exchange : exchanges()) {
+    SCOPED_TRACE(exchange.name);
+    Simulation simulation = cutting_simulation(ContactTime::end);
+    const WorkpieceSnapshot fresh = simulation.snapshot();
+    VirtualCoupling coupling(simulation, coupling_gains(capabilities(device_model("touch"))));
+    simulation.set_undo_mark();
+    const Pose hand = at_height(kRadius - kDeep);
+    for (int n = 0; n <= 1000; ++n) coupling.step(at_height(kRadius + 1e-3 - 3e-6 * n), {}, kTick);
+    ASSERT_GT(coupling.last_result().hand.force.norm(), 0.1);
+    const Pose X_WH = coupling.last_result().X_WH;
+    exchange.make(simulation, fresh);
+    for (int n = 0; n < 20; ++n) {
+      const CoupledResult& result = coupling.step(hand, {}, kTick);
+      EXPECT_EQ(result.removed_volume, 0);
+      EXPECT_EQ(result.hand.force, Vec3::Zero());
+      EXPECT_EQ(result.status, StepStatus::tool_waits);
+      EXPECT_EQ(result.X_WH.translation, X_WH.translation);
+    }
+    for (int n = 0; n <= 500; ++n)
+      coupling.step(at_height(kRadius - kDeep + 1e-5 * n), {Vec3(0, 0, 1e-2), Vec3::Zero()}, kTick);
+    EXPECT_EQ(coupling.last_result().status, StepStatus::ok);
+    EXPECT_NEAR(coupling.last_result().X_WH.translation.z(), kRadius + 3e-3, 0.1 * mm);
+    EXPECT_LT(simulation.last_result().energy.entered, 1e-5);
+  }
+}
+
+TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeInALoopOfOnesOwn) {
+  for (const Exchange& exchange : exchanges()) {
+    if (exchange.name == std::string("reset")) continue;  // a simulation as new, whose first step is anywhere
+    SCOPED_TRACE(exchange.name);
+    Simulation simulation = cutting_simulation(ContactTime::middle);
+    const WorkpieceSnapshot fresh = simulation.snapshot();
+    simulation.set_undo_mark();
+    const Twist down = {Vec3(0, 0, -3e-3), Vec3::Zero()};
+    for (int n = 0; n <= 400; ++n) simulation.step(at_height(kRadius + 0.2e-3 - 3e-6 * n), down, kTick);
+    ASSERT_GT(simulation.last_result().force.norm(), 0.1);
+    exchange.make(simulation, fresh);
+    for (int n = 400; n < 420; ++n) {
+      const StepResult& result = simulation.step(at_height(kRadius + 0.2e-3 - 3e-6 * n), down, kTick);
+      EXPECT_EQ(result.status, StepStatus::tool_waits);
+      EXPECT_EQ(result.removed_volume, 0);
+      EXPECT_EQ(result.force, Vec3::Zero());
+    }
+    const Twist up = {Vec3(0, 0, 0.3), Vec3::Zero()};  // it was inside one tick before
+    int felt = 0;
+    double removed = 0;
+    for (int n = 0; n <= 20; ++n) {
+      const StepResult& result = simulation.step(at_height(kRadius - kDeep + 3e-4 * n), up, kTick);
+      felt += result.force.norm() > 0 ? 1 : 0;
+      removed += result.removed_volume;
+    }
+    EXPECT_EQ(felt, 0);
+    EXPECT_EQ(removed, 0);
+    EXPECT_EQ(simulation.last_result().status, StepStatus::ok);
+    for (int n = 0; n <= 200; ++n)
+      simulation.step(at_height(kRadius + 4e-3 - 3e-5 * n), {Vec3(0, 0, -3e-2), Vec3::Zero()}, kTick);
+    EXPECT_GT(simulation.last_result().force.norm(), 0.1) << "it has a force again";
+  }
+}
+
+TEST(PartedTool, AnExchangeInTheAirIsNotNoticed) {
+  for (const Exchange& exchange : exchanges()) {
+    SCOPED_TRACE(exchange.name);
+    Simulation simulation = cutting_simulation(ContactTime::end);
+    const WorkpieceSnapshot fresh = simulation.snapshot();
+    VirtualCoupling coupling(simulation, {});
+    simulation.set_undo_mark();
+    for (int n = 0; n < 10; ++n) coupling.step(at_height(3e-3 + kRadius), {}, kTick);
+    exchange.make(simulation, fresh);
+    for (int n = 0; n < 10; ++n) EXPECT_EQ(coupling.step(at_height(3e-3 + kRadius), {}, kTick).status, StepStatus::ok);
+  }
+}
+
+TEST(PartedTool, IsPutWhereTheHandIsAfterReleaseOnlyInTheAir) {
+  for (const double spin : {0.0, kSlow}) {
+    Simulation simulation(half_space(), ball(spin), implicit(1e14));
+    VirtualCoupling coupling(simulation, {});
+    for (int n = 0; n <= 1000; ++n) coupling.step(at_height(kRadius + 1e-3 - 3e-6 * n), {}, kTick);
+    coupling.release();
+    for (int n = 0; n < 10; ++n) {
+      const CoupledResult& result = coupling.step(at_height(kRadius - kDeep), {}, kTick);
+      EXPECT_EQ(result.status, StepStatus::tool_waits);
+      EXPECT_EQ(result.hand.force, Vec3::Zero());
+      EXPECT_EQ(result.removed_volume, 0);
+    }
+    EXPECT_NEAR(coupling.step(at_height(2e-3), {}, kTick).X_WH.translation.z(), 2e-3, 1e-12);
+    coupling.release();
+    EXPECT_NEAR(coupling.step(at_height(4e-3), {}, kTick).X_WH.translation.z(), 4e-3, 1e-12);
+    EXPECT_EQ(coupling.last_result().status, StepStatus::ok);
+  }
+}
+
+TEST(PartedTool, CutsNothingOnItsWayToAHandThatIsElsewhere) {
+  Simulation simulation = cutting_simulation(ContactTime::end);
+  VirtualCoupling coupling(simulation, {});
+  const Vec3 at_the_edge(-2.7e-3, 0, 0);
+  for (int n = 0; n <= 1000; ++n)
+    coupling.step(Pose::from_translation(at_the_edge + Vec3(0, 0, kRadius + 1e-3 - 3e-6 * n)), {}, kTick);
+  coupling.leave(VirtualCoupling::Rejoin::free);
+  const Pose beside = Pose::from_translation({-5.1e-3, 0, -1e-3});  // the wall lies between
+  for (int n = 0; n < 5; ++n) {
+    const CoupledResult& result = coupling.step(beside, {}, kTick);
+    EXPECT_EQ(result.removed_volume, 0);
+    EXPECT_LT(result.hand.force.norm(), 1e-9);
+    EXPECT_LT((result.X_WH.translation - beside.translation).norm(), 1e-9);
+  }
+}
+
+TEST(PartedTool, ANewCouplingDoesNotTakeItThroughWhatItHasNotCut) {
+  Simulation simulation = cutting_simulation(ContactTime::end);
+  for (int n = 0; n <= 400; ++n) simulation.step(at_height(kRadius + 0.2e-3 - 3e-6 * n), {}, kTick);
+  simulation.set_tool(Tool(SphereHead{2 * kRadius}, RayHandle{0}, Spindle{kSlow}));
+  VirtualCoupling coupling(simulation, {});
+  for (int n = 0; n < 10; ++n) {
+    const CoupledResult& result = coupling.step(at_height(kRadius - 1e-3), {}, kTick);
+    EXPECT_EQ(result.status, StepStatus::tool_waits);
+    EXPECT_EQ(result.removed_volume, 0);
+    EXPECT_EQ(result.hand.force, Vec3::Zero());
+  }
+}
+
+// --- readings that flip ---------------------------------------------------------------------------------------------
+
+struct Flip {
+  const char* name;
+  Vec3 turn;   // [rad]
+  Vec3 shift;  // [m]
+};
+
+const Flip kFlips[] = {{"half turn", {std::numbers::pi, 0, 0}, {0, 0, 0}},
+                       {"quarter turn", {0, std::numbers::pi / 2, 0}, {0, 0, 0}},
+                       {"about its axis", {0, 0, std::numbers::pi}, {0, 0, 0}},
+                       {"small turn of a long lever", {0.3, 0, 0}, {0, 0, 0}},
+                       {"elsewhere", {0, 0, 0}, {0, 0, 0.2}}};
+
+/// A hand that comes down, with readings that are refused.
+Pose hand_at(int n, const Tool& tool) {
+  return Pose::from_translation(Vec3(0, 0, kRadius + 0.1e-3 - 1e-6 * std::min(n, 400))) * tool.X_HT().inverse();
+}
+
+/// What is felt and cut with every `every`-th reading changed.
+template <typename Step>
+auto story_of(int every, const Tool& tool, const std::function<Pose(const Pose&)>& changed, Step step) {
+  std::vector<std::pair<Vec3, double>> story;
+  for (int n = 0; n < 800; ++n) {
+    const Pose hand = hand_at(n, tool);
+    story.push_back(step(n % every == every - 1 ? changed(hand) : hand));
+  }
+  return story;
+}
+
+Pose rubbish(const Pose& pose) { return {pose.rotation, Vec3::Constant(NAN)}; }
+
+TEST(PartedTool, WaitsForAReadingThatFlipsAsForOneThatIsNoNumber) {
+  for (const double spin : {0.0, kSlow})
+    for (const double shank : {0.0, 60 * mm})
+      for (const Flip& flip : kFlips) {
+        if (shank == 0 && flip.turn.norm() < 1 && flip.shift.isZero()) continue;  // is a motion
+        const auto flipped = [&](const Pose& pose) {
+          return Pose{rotation_from_vector(flip.turn) * pose.rotation, pose.translation + flip.shift};
+        };
+        const Tool tool(SphereHead{kRadius}, RayHandle{shank}, Spindle{spin});
+        for (const int every : {2, 10, 100}) {
+          SCOPED_TRACE(std::string(flip.name) + ", every " + std::to_string(every) + ", spin " + std::to_string(spin) +
+                       ", shank " + std::to_string(shank));
+          const auto direct = [&](const auto& changed) {
+            SimulationConfig config;
+            config.reference_stiffness = 1e14;
+            Simulation simulation(half_space(), tool, config);
+            return story_of(every, tool, changed, [&](const Pose& pose) {
+              const StepResult& result = simulation.step(pose, {}, kTick);
+              return std::pair(result.force, result.removed_volume);
+            });
+          };
+          const auto coupled = [&](const auto& changed) {
+            Simulation simulation(half_space(), tool, implicit(1e14));
+            VirtualCoupling coupling(simulation, {});
+            return story_of(every, tool, changed, [&](const Pose& pose) {
+              const CoupledResult& result = coupling.step(pose, {}, kTick);
+              return std::pair(result.hand.force, result.removed_volume);
+            });
+          };
+          EXPECT_EQ(direct(flipped), direct(rubbish)) << "in a loop of one's own";
+          EXPECT_EQ(coupled(flipped), coupled(rubbish)) << "behind the coupling";
+        }
+      }
+}
+
+TEST(PartedTool, HoldsItsPlaceUnderReadingsThatFlip) {
+  const Tool tool(SphereHead{0.5 * mm}, RayHandle{100 * mm});
+  const auto depth = [&](int every) {
+    Simulation simulation(half_space(4e-3, presets::cortical_bone()), tool, implicit(0));
+    VirtualCoupling coupling(simulation, coupling_gains(capabilities(device_model("touch"))));
+    for (int n = 0; n < 2000; ++n) {
+      Pose hand = Pose::from_translation(Vec3(0, 0, 0.6e-3 - 1e-6 * std::min(n, 1600))) * tool.X_HT().inverse();
+      if (n % every == every - 1) hand.rotation = rotation_from_vector({std::numbers::pi, 0, 0}) * hand.rotation;
+      coupling.step(hand, {}, kTick);
+    }
+    return 0.5e-3 - (coupling.last_result().X_WH * tool.X_HT()).translation.z();
+  };
+  const double without = depth(3000);
+  for (const int every : {2, 10, 100}) EXPECT_NEAR(depth(every), without, 0.02 * mm) << every;
+}
+
+// --- half a turn against a head that cannot follow ------------------------------------------------------------------
+
+TEST(PartedTool, IsLetGoWhenItsHandTurnsByHalfATurnAgainstIt) {
+  const CouplingGains gains = coupling_gains(capabilities(device_model("premium6dof")));
+  ASSERT_GT(gains.angular_stiffness, 0);
+  const Tool tool(SphereHead{kRadius}, RayHandle{20 * mm});
+  Simulation simulation(half_space(4e-3, presets::cortical_bone()), tool, implicit(0));
+  VirtualCoupling coupling(simulation, gains);
+  // The handle lies on the surface and turns its head into it, which lifts the hand until the spring has its limit.
+  const Mat3 lying = Eigen::Quaterniond::FromTwoVectors(tool.X_HT().translation, Vec3::UnitX()).toRotationMatrix();
+  const auto hand = [&](double turn) {
+    return Pose{rotation_from_vector({0, turn, 0}) * lying, Vec3(-20 * mm, 0, kRadius)};
+  };
+  Vec3 last = Vec3::Zero();
+  double most = 0, let_go = 0;
+  for (int n = 0; n < 4000; ++n) {
+    const double turn = 1e-3 * n;
+    const CoupledResult& result = coupling.step(hand(turn), {Vec3::Zero(), Vec3(0, 1, 0)}, kTick);
+    const Vec3& torque = result.hand.torque;
+    EXPECT_GE(torque.dot(last), -1e-9) << "at " << turn << " rad it pulls the other way";
+    if (last.norm() > 0.01 && torque.norm() < 1e-6) let_go = turn;
+    last = torque;
+    most = std::max(most, torque.norm());
+  }
+  EXPECT_NEAR(most, gains.largest_torque, 0.01 * gains.largest_torque);
+  EXPECT_GT(let_go, 2.7);
+  EXPECT_LT(let_go, 3.2);
+  EXPECT_LT(coupling.last_result().hand.torque.norm(), 1e-6) << "there it is in the air, and has its tool";
+  EXPECT_EQ(coupling.last_result().status, StepStatus::ok);
+}
+
+}  // namespace
+}  // namespace hapticut::parted_tool_test
