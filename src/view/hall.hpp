@@ -44,6 +44,12 @@ struct Hall {
     return host == "127.0.0.1" + at || host == "localhost" + at;
   }
 
+  void take(ViewCommand command) {
+    const bool is_urgent = std::holds_alternative<Stop>(command) || std::holds_alternative<WriterLeft>(command);
+    if (is_urgent && options.at_once) options.at_once(command);
+    mailbox.put_command(std::move(command));
+  }
+
   ViewServerOptions options;
   Mailbox mailbox;
   std::map<std::string, PageFile, std::less<>> files;

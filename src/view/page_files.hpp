@@ -16,8 +16,12 @@ namespace hapticut::view {
 
 /// A file of the page, as it was when the server started.
 struct PageFile {
-  const char* type = "application/octet-stream";
+  static constexpr const char* kData = "application/octet-stream";
+  const char* type = kData;
   std::string content;
+
+  /// Whether it is what the page shows rather than a part of the page.
+  [[nodiscard]] bool is_data() const { return type == kData; }
 };
 
 inline constexpr std::uintmax_t kMostPageBytes = 64U << 20U;
@@ -33,7 +37,7 @@ inline const char* type_of_file(const std::filesystem::path& path) {
                                                                    {".ico", "image/x-icon"}};
   for (const auto& [extension, type] : kTypes)
     if (path.extension() == extension) return type;
-  return PageFile{}.type;
+  return PageFile::kData;
 }
 
 /// All files of a folder by the path that a browser asks for. Nothing else is ever served, so that no request can lead

@@ -32,6 +32,7 @@ using Request = http::request<http::empty_body>;
 
 constexpr auto kPatience = std::chrono::seconds(10);  // for a request, and for whoever does not answer a ping
 constexpr unsigned kLongestHead = 8192;               // bytes of a request
+constexpr const char* kWrongToken = "the token is wrong; open the address that the program has printed.";
 
 std::string_view view_of_text(beast::string_view text) { return {text.data(), text.size()}; }
 
@@ -46,7 +47,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     --hall_.connected;
     if (!writer_) return;
     hall_.has_writer = false;
-    hall_.mailbox.put_command(WriterLeft{});
+    hall_.take(WriterLeft{});
   }
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
@@ -102,7 +103,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
       ++hall_.refused;
       return close();
     }
-    hall_.mailbox.put_command(std::move(*command));
+    hall_.take(std::move(*command));
     read();
   }
 
@@ -225,18 +226,24 @@ class Visit : public std::enable_shared_from_this<Visit> {
     if (file == hall_.files.end())
       return reply(http::status::not_found, "text/plain",
                    hall_.files.empty() ? "This server was started without a page." : "There is no such file.");
+    if (file->second.is_data() && !has_token(target.substr(path.size())))
+      return refuse(http::status::unauthorized, kWrongToken);
     reply(http::status::ok, file->second.type, file->second.content);
+  }
+
+  /// @param rest  of a target, behind its path
+  [[nodiscard]] bool has_token(std::string_view rest) const {
+    constexpr std::string_view kToken = "?token=";
+    return rest.substr(0, kToken.size()) == kToken && is_same(rest.substr(kToken.size()), hall_.token);
   }
 
   void connect(const Request& request, std::string_view path, std::string_view target) {
     const std::string_view origin = view_of_text(request[http::field::origin]);
-    constexpr std::string_view kScheme = "http://", kToken = "?token=";
+    constexpr std::string_view kScheme = "http://";
     if (path != "/socket" || origin.substr(0, kScheme.size()) != kScheme ||
         !hall_.is_our_host(origin.substr(std::min(origin.size(), kScheme.size()))))
       return refuse(http::status::forbidden, "only pages of this server may connect.");
-    const std::string_view rest = target.substr(path.size());
-    if (rest.substr(0, kToken.size()) != kToken || !is_same(rest.substr(kToken.size()), hall_.token))
-      return refuse(http::status::unauthorized, "the token is wrong; open the address that the program has printed.");
+    if (!has_token(target.substr(path.size()))) return refuse(http::status::unauthorized, kWrongToken);
     handed_over_ = true;
     std::make_shared<Connection>(hall_, std::move(stream_), all_)->accept(request);
   }

@@ -18,7 +18,7 @@ export function showPlayer(page: Shows, byId: ById): boolean {
   page.indicators.role("replay");
   const source = inside.dataset.from ?? null;
   const packed = source === null ? Promise.resolve(fromBase64(inside.textContent ?? ""))
-    : fetch(source).then(async (answer) => new Uint8Array(await answer.arrayBuffer()));
+    : fetch(source + location.search).then(async (answer) => new Uint8Array(await answer.arrayBuffer()));
   packed.then(unpack).then((all) => play(new Player(readRecording(all), (message) => page.hear(message), () => page.curves.ring.clear()), byId))
     .catch((error: Error) => page.indicators.notice(error.message, 2));
   return true;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ struct ViewServerOptions {
   std::size_t most_connections = 16;
   double commands_per_second = 2000;
   std::size_t commands_waiting = 4096;
+  std::function<void(const ViewCommand&)> at_once;
 };
 
 constexpr auto fields_of(Of<ViewServerOptions>) {
@@ -32,6 +34,9 @@ constexpr auto fields_of(Of<ViewServerOptions>) {
             "of a page, over a second; more close its connection"),
       field("commands_waiting", &O::commands_waiting, "1", Range::between(1, 1e6),
             "that nobody has taken; beyond that the oldest is forgotten, but never a Stop"),
+      field("at_once", &O::at_once,
+            "called with each Stop and WriterLeft in the thread of the server, before `receive` gives it, so that it "
+            "waits for nothing that the program does meanwhile; null: nothing is called"),
   };
 }
 
@@ -40,8 +45,9 @@ constexpr auto fields_of(Of<ViewServerOptions>) {
 /// it keeps until it is taken.
 ///
 /// The first page that connects may send commands, all others look on until it has gone and one connects anew. Whoever
-/// connects needs the token of `address`, and must come from a page of this server: another `Host` or `Origin` is
-/// refused. A message that is malformed, too long or too frequent closes the connection, and nothing else.
+/// connects needs the token of `address`, and so does whoever asks for a file that is none of the page's own kinds, as
+/// a recording is none; a connection must come from a page of this server: another `Host` or `Origin` is refused. A
+/// message that is malformed, too long or too frequent closes the connection, and nothing else.
 ///
 /// A page that reads slowly gets the newest version of each part of the surface and the newest snapshot, never a queue:
 /// of each page of the surface one version is kept, for all connections together, and one message is under way to each.

@@ -16,7 +16,7 @@
 #include <unistd.h>
 
 #include "cli/view/page_folder.hpp"
-#include "cli/view/view_session.hpp"
+#include "cli/view/viewer.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "cli/view/replay_page.hpp"
 #endif
@@ -36,67 +36,20 @@ struct ViewSettings {
 };
 
 #ifdef HAPTICUT_HAS_VIEW
-using FrameClock = std::chrono::steady_clock;
 constexpr auto kViewFrame = std::chrono::microseconds(16'667);
 
-/// Opens a browser in a process of its own, where there is a screen. @return whether it was begun
-bool open_browser(const std::string& address) {
+/// Opens a browser, where there is a screen. It is nobody's child, so that nobody waits for it.
+void open_browser(const std::string& address) {
   const auto is_set = [](const char* name) { return std::getenv(name) != nullptr; };
-  if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) return false;
+  if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) return;
   const pid_t child = ::fork();
   if (child == 0) {
-    ::execlp("xdg-open", "xdg-open", address.c_str(), static_cast<char*>(nullptr));
-    ::_exit(127);
+    ::setsid();
+    if (::fork() == 0) ::execlp("xdg-open", "xdg-open", address.c_str(), static_cast<char*>(nullptr));
+    ::_exit(0);
   }
-  int status = 0;
-  return child > 0 && ::waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  if (child > 0) ::waitpid(child, nullptr, 0);
 }
-
-/// Shows scenes, one after the other, until it is stopped.
-class Viewer {
- public:
-  Viewer(ViewScene scene, const view::ViewServerOptions& options, Device* device)
-      : device_(device), server_(shown_scene(scene.workpiece), options) {
-    session_ = std::make_unique<ViewSession>(std::move(scene), server_, device_);
-  }
-
-  [[nodiscard]] std::string address() const { return server_.address(); }
-
-  void run() {
-    auto last = FrameClock::now();
-    while (StopSignals::came() == 0) {
-      const auto now = FrameClock::now();
-      while (const auto command = server_.receive()) obey(*command);
-      session_->frame(std::chrono::duration<double>(now - std::exchange(last, now)).count());
-      if (session_->wants_restart()) load(session_->name());
-      std::this_thread::sleep_until(now + kViewFrame);
-    }
-  }
-
- private:
-  void obey(const view::ViewCommand& command) {
-    if (const auto* wanted = std::get_if<view::Load>(&command)) return load(wanted->name);
-    session_->obey(command);
-  }
-
-  void load(const std::string& name) {
-    server_.send_notice(view::Severity::tells, "Loading " + name + " ...");
-    try {
-      ViewScene scene = make_view_scene(name);
-      session_.reset();  // before the next uses its device
-      server_.show(shown_scene(scene.workpiece));
-      session_ = std::make_unique<ViewSession>(std::move(scene), server_, device_);
-      server_.send_notice(view::Severity::tells, name + " is ready.");
-    } catch (const Error& error) {
-      server_.send_notice(view::Severity::failed, error.what());
-      if (session_ == nullptr) throw;
-    }
-  }
-
-  Device* device_;
-  view::ViewServer server_;
-  std::unique_ptr<ViewSession> session_;
-};
 
 void announce(const std::string& address, bool no_browser) {
   std::printf("hapticut view: %s\nopen it in a browser of this machine; Ctrl-C ends it\n", address.c_str());
@@ -138,9 +91,17 @@ void run_view(const ViewSettings& s) {
   std::unique_ptr<Device> device;
   if (!s.device.empty()) device = open_device(s.device);
   const StopSignals signals;
-  Viewer viewer(make_view_scene(s.scene), options, device.get());
-  announce(viewer.address(), s.no_browser);
-  viewer.run();
+  Viewer viewer(s.scene, options, device.get());
+  announce(viewer.server().address(), s.no_browser);
+  while (StopSignals::came() == 0) {
+    const auto next = std::chrono::steady_clock::now() + kViewFrame;
+    viewer.frame();
+    std::this_thread::sleep_until(next);
+  }
+  if (!viewer.is_loading()) return;
+  viewer.end();
+  device.reset();
+  std::_Exit(0);  // nobody waits for a scene that nobody will see
 }
 #else
 void run_view(const ViewSettings&) {

@@ -83,14 +83,17 @@ ViewSession::ViewSession(ViewScene scene, view::ViewServer& server, Device* devi
   simulation_.reserve_undo(kUndoBlocks);
   pointer_.put(waiting_place(scene_));
   build_loop();
-  server_.send(tool_);
-  server_.send(controls_.all());
-  start();
 }
 
 ViewSession::~ViewSession() {
-  loop_->stop();
-  recorder_.reset();
+  loop_.reset();  // it ends, where it runs, before what it works with goes
+}
+
+void ViewSession::begin(bool runs) {
+  server_.show(shown_scene(simulation_.workpiece()));
+  server_.send(tool_);
+  server_.send(controls_.all());
+  if (runs) start();
 }
 
 /// The model and the loop around the simulation as it is, with the tool that it has.
@@ -128,17 +131,35 @@ void ViewSession::start() {
 /// The run ends, and a force is faded out; everything else stays as it is.
 void ViewSession::pause() {
   if (paused_) return;
-  const RunReport report = loop_->stop();
   paused_ = true;
+  std::string failure;
+  try {
+    if (const DeviceFault fault = loop_->stop().fault; fault != DeviceFault::none)
+      failure =
+          "The device has stopped: " + describe(fault) + ". Check its cable and power, and move the tool to go on.";
+  } catch (const Error& error) {
+    failure = error.what();
+  }
   take_blocks();
-  if (report.fault != DeviceFault::none)
-    server_.send_notice(view::Severity::failed, "The device has stopped: " + describe(report.fault) +
-                                                    ". Check its cable and power, and move the tool to go on.");
+  // Each command of a page tries again: that is said once.
+  if (!failure.empty() && failure != last_failure_) server_.send_notice(view::Severity::failed, failure);
+  last_failure_ = std::move(failure);
+}
+
+void ViewSession::hold() {
+  pause();
+  try {
+    end_recording();
+  } catch (const Error& error) {
+    server_.send_notice(view::Severity::failed, error.what());
+  }
+  controls_.show_recording(false);
+  server_.send(controls_.all());
 }
 
 void ViewSession::obey(const view::ViewCommand& command) {
   try {
-    if (!std::holds_alternative<view::WriterLeft>(command) && !std::holds_alternative<view::Load>(command)) start();
+    if (!std::holds_alternative<view::WriterLeft>(command)) start();
     std::visit([this](const auto& one) { handle(one); }, command);
   } catch (const Error& error) {
     server_.send_notice(view::Severity::failed, error.what());

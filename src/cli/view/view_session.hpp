@@ -23,11 +23,22 @@ namespace hapticut::cli {
 /// which feeds the server and hands commands on.
 class ViewSession {
  public:
+  /// Makes all that the scene needs, in any thread; the server is told nothing yet.
   /// @param device  null: the pointer of the page
   ViewSession(ViewScene scene, view::ViewServer& server, Device* device);
   ~ViewSession();
   ViewSession(const ViewSession&) = delete;
   ViewSession& operator=(const ViewSession&) = delete;
+
+  /// Shows the scene.
+  /// @param runs  whether a run begins too, or only with the next command
+  void begin(bool runs);
+
+  /// Begins a run, where none is under way.
+  void start();
+
+  /// Lets the hand go until `start` or the next command. A recording ends.
+  void hold();
 
   /// What a page asks for. What cannot be is said to it in a sentence.
   void obey(const view::ViewCommand& command);
@@ -36,12 +47,14 @@ class ViewSession {
   /// @param seconds  since the last call
   void frame(double seconds);
 
-  [[nodiscard]] bool wants_restart() const { return wants_restart_; }
+  /// Whether the scene is wanted anew; once.
+  [[nodiscard]] bool take_restart() { return std::exchange(wants_restart_, false); }
   [[nodiscard]] const std::string& name() const { return scene_.name; }
+  [[nodiscard]] Device& device() { return device_ != nullptr ? *device_ : pointer_; }
+  [[nodiscard]] const Simulation& simulation() const { return simulation_; }  ///< @pre no run is under way
 
  private:
   void build_loop();
-  void start();
   void pause();
   void change(Change change);
   void change_tool();
@@ -55,7 +68,6 @@ class ViewSession {
   void send_sound(const LoopSnapshot& snapshot, double seconds);
   void tell_guard();
   [[nodiscard]] view::Instruments instruments(const LoopSnapshot& snapshot, double seconds);
-  [[nodiscard]] Device& device() { return device_ != nullptr ? *device_ : pointer_; }
 
   void handle(const commands::SetSpindleSpeed& command);
   void handle(const commands::SetUndoMark& command) { send(command); }
@@ -84,7 +96,7 @@ class ViewSession {
   std::unique_ptr<WatchedModel> watched_;
   std::unique_ptr<RealtimeLoop> loop_;
   std::unique_ptr<RunRecorder> recorder_;
-  std::string recording_;
+  std::string recording_, last_failure_;
   LoopListener listener_;
   DrillSound sound_;
   std::vector<float> samples_;

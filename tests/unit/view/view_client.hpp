@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <sys/socket.h>
+
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -111,6 +113,9 @@ class Page {
     return error == websocket::error::closed && socket_.reason().code == websocket::close_code::policy_error;
   }
   void close() { socket_.close(websocket::close_code::normal, error); }
+
+  /// Goes without a word, also under a read in another thread.
+  void vanish() { ::shutdown(beast::get_lowest_layer(socket_).socket().native_handle(), SHUT_RDWR); }
 
   beast::error_code error;
 

@@ -153,6 +153,37 @@ TEST(ViewServer, ThrowsOutWhoSaysWhatIsNoCommand) {
   while (const auto command = server.receive()) EXPECT_TRUE(std::holds_alternative<WriterLeft>(*command));
 }
 
+TEST(ViewServer, CallsForAStopAndForALeaderThatHasGoneBeforeAnybodyReceivesThem) {
+  std::atomic<int> stops{0}, left{0}, others{0};
+  ViewServerOptions options;
+  options.at_once = [&](const ViewCommand& command) {
+    ++(std::holds_alternative<Stop>(command) ? stops : std::holds_alternative<WriterLeft>(command) ? left : others);
+  };
+  ViewServer server(scene(), options);
+  {
+    Page page(server);
+    ASSERT_TRUE(page.read());
+    page.write(Bytes(CommandKind::undo).bytes);
+    page.write(Bytes(CommandKind::stop).bytes);
+    EXPECT_TRUE(soon([&] { return stops == 1; }));
+  }
+  EXPECT_TRUE(soon([&] { return left == 1; }));
+  EXPECT_EQ(others, 0);
+}
+
+TEST(ViewServer, GivesARecordingOnlyWithTheToken) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "index.html") << "<html>";
+  std::ofstream(folder / "recording.bin") << "HCRP";
+  ViewServerOptions options;
+  options.page = folder / "";
+  const ViewServer server(scene(), options);
+  EXPECT_EQ(ask(server, "/index.html").result_int(), 200U);
+  EXPECT_EQ(ask(server, "/recording.bin").result_int(), 401U);
+  EXPECT_EQ(ask(server, "/recording.bin?token=" + std::string(32, '0')).result_int(), 401U);
+  EXPECT_EQ(ask(server, "/recording.bin?token=" + server.token()).body(), "HCRP");
+}
+
 TEST(ViewServer, ThrowsOutWhoTalksTooMuch) {
   ViewServerOptions options;
   options.commands_per_second = 50;

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/view/viewer.hpp"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+namespace hapticut::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+view::ViewServerOptions heard_by(view::ViewServerOptions options, StopLine& line) {
+  options.at_once = [&line](const view::ViewCommand& command) { line.hear(command); };
+  return options;
+}
+
+/// Whether somebody asks for something, and is to be told when it is not done.
+bool is_a_wish(const view::ViewCommand& command) {
+  return !std::holds_alternative<view::MoveHand>(command) && !std::holds_alternative<view::LookAt>(command) &&
+         !std::holds_alternative<view::Stop>(command) && !std::holds_alternative<view::WriterLeft>(command);
+}
+
+}  // namespace
+
+void StopLine::lead_to(Device* device) {
+  const std::lock_guard lock(mutex_);
+  device_ = device;
+  if (device_ != nullptr && std::exchange(stopped_, false)) device_->emergency_stop();
+}
+
+void StopLine::hear(const view::ViewCommand& command) {
+  const std::lock_guard lock(mutex_);
+  const bool is_stop = std::holds_alternative<view::Stop>(command);
+  if (device_ == nullptr)
+    stopped_ = stopped_ || is_stop;
+  else if (is_stop)
+    device_->emergency_stop();
+  else if (std::holds_alternative<view::WriterLeft>(command))
+    device_->stop();
+}
+
+Viewer::Viewer(const std::string& scene, view::ViewServerOptions options, Device* device, MakeScene make_scene)
+    : make_scene_(std::move(make_scene)), device_(device), server_({}, heard_by(std::move(options), stop_line_)) {
+  replace(std::make_unique<ViewSession>(make_scene_(scene), server_, device_));
+}
+
+Viewer::~Viewer() { end(); }
+
+void Viewer::frame() {
+  const auto now = Clock::now();
+  while (const auto command = server_.receive()) obey(*command);
+  if (loading_.valid() && loading_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) finish_loading();
+  session_->frame(std::chrono::duration<double>(now - std::exchange(last_, now)).count());
+  if (session_->take_restart()) load(session_->name());
+}
+
+void Viewer::obey(const view::ViewCommand& command) {
+  if (is_loading()) {
+    is_led_ = !std::holds_alternative<view::WriterLeft>(command);
+    if (is_a_wish(command))
+      server_.send_notice(view::Severity::warns, loaded_ + " is still being loaded: try again then.");
+  } else if (const auto* wanted = std::get_if<view::Load>(&command)) {
+    load(wanted->name);
+  } else {
+    session_->obey(command);
+  }
+}
+
+void Viewer::load(const std::string& name) {
+  session_->hold();
+  server_.send_notice(view::Severity::tells, "Loading " + name + " ...");
+  is_led_ = true;
+  loaded_ = name;
+  loading_ = std::async(std::launch::async,
+                        [=, this] { return std::make_unique<ViewSession>(make_scene_(name), server_, device_); });
+}
+
+void Viewer::finish_loading() {
+  try {
+    replace(loading_.get());
+    server_.send_notice(view::Severity::tells, loaded_ + " is ready.");
+  } catch (const std::exception& error) {
+    server_.send_notice(view::Severity::failed, error.what());
+    if (is_led_) session_->start();
+  }
+}
+
+/// An emergency stop holds for what comes after it too.
+void Viewer::replace(std::unique_ptr<ViewSession> next) {
+  const bool is_stopped = session_ != nullptr && session_->device().requests().emergency();
+  stop_line_.lead_to(nullptr);
+  session_ = std::move(next);
+  if (session_ == nullptr) return;
+  if (is_stopped) session_->device().emergency_stop();
+  stop_line_.lead_to(&session_->device());
+  session_->begin(is_led_);
+}
+
+}  // namespace hapticut::cli

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: Apache-2.0
+// `hapticut view` without a browser: what lets a hand go, also while a scene loads; how it ends; and that the loop's
+// model has what a page asks for.
+#include "cli/view/viewer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstring>
+#include <filesystem>
+#include <thread>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/device/simulated/mock.hpp"
+#include "hapticut/settings/scene.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
+#include "support/temporary_folder.hpp"
+#include "unit/view/command_bytes.hpp"
+#include "unit/view/view_client.hpp"
+
+namespace hapticut::viewer_test {
+namespace {
+
+using namespace std::chrono_literals;
+using cli::ViewScene;
+using cli::ViewSession;
+using units::mm;
+using view::CommandKind;
+using view_test::Bytes;
+using view_test::Page;
+using view_test::soon;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kAtOnce = 100ms;  // what a stop may take
+
+ViewScene small_scene(const std::string& name) {
+  SimulationConfig config;
+  config.contact_time = ContactTime::end;
+  const Box box{Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm};
+  return {name, build_block(box, 0.1 * mm, presets::cortical_bone()),
+          Tool(SphereHead{0.5 * mm}, RayHandle{20 * mm}, Spindle{1000}), config, box};
+}
+
+/// Makes scenes; where it is told to, each takes until it is let through, and some cannot be made.
+class Maker {
+ public:
+  cli::Viewer::MakeScene function() {
+    return [this](const std::string& name) {
+      ++made;
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [this] { return !slow_; });
+      if (name == "none") throw Error("there is no scene 'none'.");
+      if (broken) throw Error("the file is gone.");
+      return small_scene(name);
+    };
+  }
+  void set_slow(bool slow) {
+    const std::lock_guard lock(mutex_);
+    slow_ = slow;
+    changed_.notify_all();
+  }
+  std::atomic<int> made{0};
+  std::atomic<bool> broken{false};
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool slow_ = false;
+};
+
+/// Frames in a thread of their own, as the program makes them.
+class Frames {
+ public:
+  explicit Frames(cli::Viewer& viewer)
+      : thread_([this, &viewer] {
+          while (!ends_) {
+            viewer.frame();
+            std::this_thread::sleep_for(10ms);
+          }
+        }) {}
+  ~Frames() {
+    ends_ = true;
+    thread_.join();
+  }
+
+ private:
+  std::atomic<bool> ends_{false};
+  std::thread thread_;
+};
+
+std::vector<std::uint8_t> load(const std::string& name) {
+  Bytes bytes(CommandKind::load);
+  for (const char c : name) bytes.add(c);
+  return bytes.bytes;
+}
+const std::vector<std::uint8_t> kStop = Bytes(CommandKind::stop).bytes;
+const std::vector<std::uint8_t> kUndo = Bytes(CommandKind::undo).bytes;
+
+/// @return [s] until it was so; infinite after ten seconds
+template <class Condition>
+double seconds_until(const Condition& condition) {
+  const auto begin = Clock::now();
+  while (!condition()) {
+    if (Clock::now() - begin > 10s) return INFINITY;
+    std::this_thread::sleep_for(1ms);
+  }
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+constexpr double kSoonEnough = std::chrono::duration<double>(kAtOnce).count();
+
+/// A page that looks on, and keeps the notices that it is told.
+class Listener {
+ public:
+  explicit Listener(const view::ViewServer& server)
+      : page_(server), thread_([this] {
+          while (const auto message = page_.read())
+            if (message->at(0) == std::uint8_t(view::MessageKind::notice)) {
+              const std::lock_guard lock(mutex_);
+              said_.emplace_back(message->begin() + 12, message->end());
+            }
+        }) {}
+  ~Listener() {
+    page_.vanish();
+    thread_.join();
+  }
+
+  int count(const std::string& part) {
+    const std::lock_guard lock(mutex_);
+    return int(std::count_if(said_.begin(), said_.end(),
+                             [&](const std::string& text) { return text.find(part) != std::string::npos; }));
+  }
+
+ private:
+  Page page_;
+  std::mutex mutex_;
+  std::vector<std::string> said_;
+  std::thread thread_;
+};
+
+TEST(Viewer, LetsTheHandGoWhenALoadBeginsAndObeysAStopMeanwhile) {
+  Maker maker;
+  const auto device = open_device("mock:rest");
+  cli::Viewer viewer("first", {}, device.get(), maker.function());
+  Page page(viewer.server());
+  const Frames frames(viewer);
+  ASSERT_TRUE(soon([&] { return device->is_running(); }));
+  maker.set_slow(true);
+  page.write(load("second"));
+  EXPECT_LT(seconds_until([&] { return !device->is_running(); }), kSoonEnough);
+  page.write(kUndo);  // no command begins a run meanwhile
+  page.write(kStop);
+  EXPECT_LT(seconds_until([&] { return device->requests().emergency(); }), kSoonEnough);
+  std::this_thread::sleep_for(50ms);
+  EXPECT_FALSE(device->is_running());
+  maker.set_slow(false);
+  ASSERT_TRUE(soon([&] { return device->is_running(); })) << "the next scene";
+  EXPECT_TRUE(soon([&] { return device->arming() == ArmingState::fault; })) << "the stop still holds";
+  EXPECT_EQ(maker.made, 2);
+}
+
+TEST(Viewer, ObeysAStopAndTheLossOfThePageWhateverElseItDoes) {
+  for (const bool stop : {true, false}) {
+    Maker maker;
+    const auto device = open_device("mock:rest");
+    cli::Viewer viewer("first", {}, device.get(), maker.function());
+    auto page = std::make_unique<Page>(viewer.server());
+    ASSERT_TRUE(page->read());
+    ASSERT_TRUE(soon([&] { return device->is_running(); }));
+    // Nobody calls `frame`: the program is busy.
+    stop ? page->write(kStop) : page.reset();
+    const auto is_gone = [&] { return stop ? device->arming() == ArmingState::fault : !device->is_running(); };
+    EXPECT_LT(seconds_until(is_gone), kSoonEnough) << stop;
+  }
+}
+
+TEST(Viewer, AStopOfThePointerHoldsInTheNextScene) {
+  Maker maker;
+  cli::Viewer viewer("first", {}, nullptr, maker.function());
+  Page page(viewer.server());
+  const Frames frames(viewer);
+  Listener listener(viewer.server());
+  maker.set_slow(true);
+  page.write(load("second"));
+  ASSERT_TRUE(soon([&] { return maker.made == 2; }));
+  page.write(kStop);
+  std::this_thread::sleep_for(50ms);
+  maker.set_slow(false);
+  ASSERT_TRUE(soon([&] { return listener.count("second is ready") == 1; }));
+  EXPECT_TRUE(soon([&] { return viewer.device().arming() == ArmingState::fault; }));
+}
+
+TEST(Viewer, EndsWellWhateverCameBefore) {
+  // Each of these was an abort.
+  {
+    Maker maker;
+    cli::Viewer viewer("first", {}, nullptr, maker.function());
+    {
+      Page page(viewer.server());
+      ASSERT_TRUE(page.read());
+    }
+    ASSERT_TRUE(soon([&] { return viewer.server().connections() == 0; }));
+    viewer.frame();
+  }
+  {
+    Maker maker;
+    cli::Viewer viewer("first", {}, nullptr, maker.function());
+    {
+      Page page(viewer.server());
+      ASSERT_TRUE(page.read());
+    }
+    ASSERT_TRUE(soon([&] { return viewer.server().connections() == 0; }));
+    viewer.frame();
+    Page next(viewer.server());
+    next.write(load("second"));  // its first word
+    ASSERT_TRUE(soon([&] { return viewer.frame(), maker.made == 2 && !viewer.is_loading(); }));
+  }
+  {
+    Maker maker;
+    MockOptions options;
+    options.end = 0.05;  // then the device is lost
+    MockDevice device(options);
+    cli::Viewer viewer("first", {}, &device, maker.function());
+    ASSERT_TRUE(soon([&] { return viewer.frame(), !device.is_running(); }));
+    viewer.frame();
+    Page page(viewer.server());
+    page.write(load("second"));
+    ASSERT_TRUE(soon([&] { return viewer.frame(), maker.made == 2 && !viewer.is_loading(); }));
+  }
+}
+
+TEST(Viewer, ASceneThatCannotBeMadeIsSaidOnceAndTheOneBeforeGoesOn) {
+  Maker maker;
+  const auto device = open_device("mock:rest");
+  cli::Viewer viewer("first", {}, device.get(), maker.function());
+  Page page(viewer.server());
+  {
+    const Frames frames(viewer);
+    Listener listener(viewer.server());
+    page.write(load("none"));
+    EXPECT_TRUE(soon([&] { return listener.count("no scene 'none'") == 1; }));
+    EXPECT_TRUE(soon([&] { return device->is_running(); })) << "it goes on";
+    maker.broken = true;
+    const cli::ViewControls controls(small_scene("").tool, small_scene("").workpiece.materials(), {}, true);
+    for (const view::Control& control : controls.all())
+      if (control.label == "Restart")
+        page.write(Bytes(CommandKind::set_control).add(control.id).add(std::uint16_t(0)).add(1.0).bytes);
+    EXPECT_TRUE(soon([&] { return listener.count("the file is gone") == 1; }));
+    std::this_thread::sleep_for(300ms);
+    EXPECT_EQ(listener.count("the file is gone"), 1) << "it is tried once";
+    EXPECT_EQ(maker.made, 3);
+  }
+}
+
+TEST(Viewer, ALoadWhileOneIsUnderWayIsRefusedInASentence) {
+  Maker maker;
+  cli::Viewer viewer("first", {}, nullptr, maker.function());
+  Page page(viewer.server());
+  const Frames frames(viewer);
+  Listener listener(viewer.server());
+  maker.set_slow(true);
+  page.write(load("second"));
+  page.write(load("third"));
+  EXPECT_TRUE(soon([&] { return listener.count("second is still being loaded") == 1; }));
+  maker.set_slow(false);
+  EXPECT_TRUE(soon([&] { return listener.count("second is ready") == 1; }));
+  EXPECT_EQ(maker.made, 2);
+}
+
+TEST(Viewer, NobodyIsHeldByASceneThatNobodyLeads) {
+  Maker maker;
+  const auto device = open_device("mock:rest");
+  cli::Viewer viewer("first", {}, device.get(), maker.function());
+  const Frames frames(viewer);
+  {
+    Page page(viewer.server());
+    maker.set_slow(true);
+    page.write(load("second"));
+    ASSERT_TRUE(soon([&] { return maker.made == 2; }));
+  }
+  ASSERT_TRUE(soon([&] { return viewer.server().connections() == 0; }));
+  std::this_thread::sleep_for(50ms);
+  maker.set_slow(false);
+  std::this_thread::sleep_for(300ms);
+  EXPECT_FALSE(device->is_running());
+  Page page(viewer.server());
+  page.write(kUndo);
+  EXPECT_TRUE(soon([&] { return device->is_running(); })) << "somebody leads again";
+}
+
+// --- the session: what the loop's model has -------------------------------------------------------------------------
+
+/// A session whose frames go on, and a page that asks.
+struct Desk {
+  Desk() { session.begin(true); }
+  void frames(std::chrono::milliseconds time = 200ms) {
+    const auto end = Clock::now() + time;
+    while (Clock::now() < end) {
+      session.frame(0.016);
+      std::this_thread::sleep_for(5ms);
+    }
+  }
+  void turn(const std::string& label, double value) {
+    const cli::ViewControls controls(small_scene("").tool, small_scene("").workpiece.materials(), {}, true);
+    for (const view::Control& control : controls.all())
+      if (control.label == label) return session.obey(view::SetControl{control.id, value});
+    ADD_FAILURE() << "there is no control " << label;
+  }
+  /// Ends the run, so that the model can be looked at.
+  const Simulation& model() {
+    frames();
+    session.obey(view::WriterLeft{});
+    return session.simulation();
+  }
+  view::ViewServer server{{}};
+  ViewSession session{small_scene("block"), server, nullptr};
+};
+
+TEST(ViewSession, HandsToTheModelWhatIsTurned) {
+  Desk desk;
+  EXPECT_NEAR(desk.model().spindle_setting(), 1000, 1e-9);
+  desk.turn("Cutting", 0);
+  EXPECT_EQ(desk.model().config().removal, RemovalLaw::none);
+  desk.turn("Cutting", 1);
+  EXPECT_NE(desk.model().config().removal, RemovalLaw::none);
+  desk.turn("Spindle", 0);
+  EXPECT_EQ(desk.model().spindle_setting(), 0);
+  desk.turn("Spindle", 1);
+  EXPECT_NE(desk.model().spindle_setting(), 0);
+  desk.turn("Gravity", 1);
+  EXPECT_TRUE(desk.model().config().effects.gravity.has_value());
+  desk.session.obey(commands::SetSpindleSpeed{500});
+  EXPECT_NEAR(desk.model().spindle_setting(), 500, 1e-6);
+}
+
+TEST(ViewSession, ChangesTheHeadInTheRunAndTheHandleBesideIt) {
+  Desk desk;
+  desk.turn("Head", 1);
+  desk.turn("Diameter", 2);
+  EXPECT_NEAR(desk.model().tool().head().cutting_radius(), 1 * mm, 1e-9);
+  const double before = desk.session.simulation().tool().X_HT().translation.norm();
+  desk.turn("Handle length", 40);
+  const Tool& tool = desk.model().tool();
+  EXPECT_NEAR(tool.X_HT().translation.norm(), 40 * mm, 1e-9);
+  EXPECT_NE(tool.X_HT().translation.norm(), before);
+  EXPECT_NEAR(tool.head().cutting_radius(), 1 * mm, 1e-9) << "the head stays";
+}
+
+TEST(ViewSession, RecordsARunThatEndsWhole) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder / "");
+  {
+    Desk desk;
+    desk.turn("Record", 1);
+    desk.frames();
+    desk.session.hold();
+    EXPECT_TRUE(std::filesystem::exists(folder / "session-1.h5"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "session-1.h5.new"));
+  }
+  std::filesystem::current_path(before);
+}
+
+}  // namespace
+}  // namespace hapticut::viewer_test
