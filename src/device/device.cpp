@@ -63,9 +63,9 @@ namespace {
 class RunScope {
  public:
   explicit RunScope(const RunOptions& options)
-      : slot_(run_slots::take(options.stop_on_crash)),
-        signals_(options.stop_on_signals),
-        crashes_(options.stop_on_crash) {
+      : signals_(options.stop_on_signals),
+        crashes_(options.stop_on_crash && !options.simulated_time),  // no hand feels simulated time
+        slot_(run_slots::take(crashes_)) {
     if (slot_ < 0)
       throw Error("More than " + std::to_string(run_slots::kSlots) +
                   " devices would be running at once in this process; stop one first.");
@@ -85,8 +85,8 @@ class RunScope {
   }
 
  private:
-  int slot_;
   bool signals_, crashes_;
+  int slot_;
 };
 
 }  // namespace
@@ -119,11 +119,15 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& options)
     // Time that is simulated does not pass by itself, so no tick can be late in it.
     std::unique_ptr<WatchdogThread> watchdog;
     if (!options.simulated_time)
-      watchdog = std::make_unique<WatchdogThread>(options.guard.watchdog, guard_->heartbeat(),
-                                                  [this](Watchdog::Verdict verdict, double share) {
-                                                    scale_output(share);
-                                                    guard_->report_silence(verdict, share);
-                                                  });
+      watchdog = std::make_unique<WatchdogThread>(
+          options.guard.watchdog, guard_->heartbeat(),
+          [this, &slot = run_slots::slot(scope.slot())](Watchdog::Verdict verdict, double share) {
+            // A loop that does not obey an emergency stop may be what has crashed: nobody waits until its force fades.
+            if (slot.emergency.load(std::memory_order_acquire)) share = 0;
+            scale_output(share);
+            if (share <= 0) slot.quiet.store(true, std::memory_order_release);
+            guard_->report_silence(verdict, share);
+          });
     servo.report_.end = drive(servo, options);
   }
   RunReport report = std::move(servo.report_);

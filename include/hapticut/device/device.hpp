@@ -33,10 +33,11 @@ struct RunOptions {
   bool simulated_time = false;
   bool stop_on_signals = true;
 
-  /// SIGSEGV, SIGABRT, SIGFPE, SIGBUS and SIGILL in another thread take the force away within 0.3 s, and then go on to
-  /// the handlers that were there before. It is the emergency stop: where the process lives on, because its runtime
-  /// handles the signal (Java, .NET, Mono), `reset_fault` brings the force back. For programs of your own; inside
-  /// another program (Unity, Python) leave it off.
+  /// SIGSEGV, SIGABRT, SIGFPE, SIGBUS and SIGILL take the force away within 0.3 s, and then go on to the handlers that
+  /// were there before. It is the emergency stop: where the process lives on, because its runtime handles the signal
+  /// (Java, .NET, Mono), `reset_fault` brings the force back. In the loop's own thread the watchdog lets go instead, of
+  /// devices that another thread can reach. For programs of your own; inside another program (Unity, Python) leave it
+  /// off. Simulated time knows no hand, and no crash.
   bool stop_on_crash = false;
   RealtimeOptions realtime;
   GuardOptions guard;
@@ -51,7 +52,7 @@ constexpr auto fields_of(Of<RunOptions>) {
             "devices that are simulated: as fast as the callback allows, with exact periods"),
       field("stop_on_signals", &O::stop_on_signals,
             "SIGINT, SIGTERM and SIGHUP end the run without force, then act as they would"),
-      field("stop_on_crash", &O::stop_on_crash, "a crash of another thread takes the force away first"),
+      field("stop_on_crash", &O::stop_on_crash, "a crash takes the force away first"),
       field("realtime", &O::realtime, "for devices whose loop runs in our thread"),
       field("guard", &O::guard, "the safety pipeline; it cannot be switched off"),
   };
@@ -91,7 +92,8 @@ class Device {
   [[nodiscard]] const DeviceCapabilities& capabilities() const { return capabilities_; }
 
   /// Runs until `stop`, until the callback asks for it, until RunOptions::seconds are over, or until the device is
-  /// lost. The motors have got a zero force before it returns, whatever happens.
+  /// lost. The motors have got a zero force before it returns, whatever happens. It does not return while the callback
+  /// is inside what is the caller's: the force of one that hangs is taken away meanwhile.
   /// @throws Error when an option is out of range or the device cannot be started, and what the callback threw
   RunReport run(const DeviceCallback& callback, const RunOptions& options = {});
 
@@ -133,8 +135,8 @@ class Device {
   /// ended, in words.
   virtual std::string drive(Servo& servo, const RunOptions& options) = 0;
 
-  /// Scales the force that the device renders, from another thread, because the loop does not answer. Only for devices
-  /// that hold the last force by themselves.
+  /// Scales the force that the device renders, from another thread, because the loop does not answer; 0 may be all
+  /// that it can. Only for devices that hold the last force by themselves.
   virtual void scale_output(double /*share*/) noexcept {}
 
   /// For devices that know what they are only once they are open.

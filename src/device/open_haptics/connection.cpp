@@ -5,6 +5,8 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
+#include <thread>
 
 #include "device/careful_limits.hpp"
 #include "device/open_haptics/errors.hpp"
@@ -17,6 +19,7 @@ namespace {
 
 constexpr double kPerMillimetre = 1000;  // [1/m] N/mm to N/m
 constexpr int kTriesToReopen = 10;
+constexpr int kTriesToLetGo = 20;  // [ms] then the driver hangs in a call of its own, and the hand comes first
 
 // The guard lets a force go at once and grow slowly, also to the other side: the driver must bear a step of this many
 // times the peak force.
@@ -191,6 +194,7 @@ void Connection::calibrate(bool reset_encoders) {
 void Connection::enable_force(bool on) {
   Scheduler::instance().between_ticks([this, on] {
     hdMakeCurrentDevice(handle_);
+    let_go_.store(false);
     if (on) {
       for (const HDenum safety :
            {HDenum(HD_FORCE_RAMPING), HDenum(HD_MAX_FORCE_CLAMPING), HDenum(HD_SOFTWARE_FORCE_LIMIT)})
@@ -205,6 +209,19 @@ void Connection::enable_force(bool on) {
     }
     drain();
   });
+}
+
+void Connection::let_go() noexcept {
+  Scheduler& scheduler = Scheduler::instance();
+  bool turn = scheduler.take_turn();
+  for (int n = 0; n < kTriesToLetGo && !turn; ++n) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    turn = scheduler.take_turn();
+  }
+  hdMakeCurrentDevice(handle_);
+  hdDisable(HD_FORCE_OUTPUT);
+  let_go_.store(true);  // before another tick can look
+  if (turn) scheduler.give_turn();
 }
 
 }  // namespace hapticut::open_haptics

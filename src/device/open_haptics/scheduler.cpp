@@ -11,6 +11,8 @@
 namespace hapticut::open_haptics {
 namespace {
 
+extern "C" HDCallbackCode HDCALLBACK hapticut_on_tick(void* entry) { return static_cast<Entry*>(entry)->call(); }
+
 extern "C" HDCallbackCode HDCALLBACK hapticut_between_ticks(void* work) {
   (*static_cast<const std::function<void()>*>(work))();
   return HD_CALLBACK_DONE;
@@ -19,14 +21,27 @@ extern "C" HDCallbackCode HDCALLBACK hapticut_between_ticks(void* work) {
 }  // namespace
 
 Scheduler& Scheduler::instance() {
-  static Scheduler scheduler;
+  static Scheduler& scheduler = *new Scheduler;  // never destroyed: the driver may call back while the process ends
   return scheduler;
 }
 
-HDSchedulerHandle Scheduler::join(HDSchedulerCallback callback, void* data, double rate) {
+Entry& Scheduler::take_entry() {
+  const std::lock_guard lock(mutex_);
+  if (free_entries_.empty()) return entries_.emplace_back();
+  Entry& entry = *free_entries_.back();
+  free_entries_.pop_back();
+  return entry;
+}
+
+void Scheduler::give_back(Entry& entry) {
+  const std::lock_guard lock(mutex_);
+  free_entries_.push_back(&entry);
+}
+
+HDSchedulerHandle Scheduler::join(Entry& entry, double rate) {
   const std::lock_guard lock(mutex_);
   drain();
-  const HDSchedulerHandle handle = hdScheduleAsynchronous(callback, data, HD_MAX_SCHEDULER_PRIORITY);
+  const HDSchedulerHandle handle = hdScheduleAsynchronous(hapticut_on_tick, &entry, HD_MAX_SCHEDULER_PRIORITY);
   Errors errors = drain();
   if (errors.any()) throw Error("The OpenHaptics scheduler takes no callback: " + errors.describe() + ".");
   if (users_ == 0) {

@@ -213,7 +213,9 @@ void hdDisable(HDenum capability) {
   Device* device = hdsim::needed();
   if (device == nullptr) return;
   device->enabled.erase(capability);
-  if (capability == HD_FORCE_OUTPUT) device->counters.force_output_enabled = 0;
+  if (capability != HD_FORCE_OUTPUT) return;
+  device->counters.force_output_enabled = 0;
+  device->rendered = {};
 }
 
 HDboolean hdIsEnabled(HDenum capability) {

@@ -57,6 +57,8 @@ void hdsim_fail_start(int fail);
 void hdsim_use_thread(int use);
 /* Runs ticks of the manual clock in the calling thread. Returns how many callbacks it called. */
 int hdsim_run_ticks(int ticks);
+/* Calls what hdUnschedule took back last once more, as a driver that is late. Returns what it returned. */
+unsigned int hdsim_call_late(void);
 /* Seconds of ticks since hdsim_reset. */
 double hdsim_time(void);
 int hdsim_is_running(void);
