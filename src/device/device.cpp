@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/device/device.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -91,9 +93,9 @@ class RunScope {
 
 }  // namespace
 
-RunReport Device::run(const DeviceCallback& callback, const RunOptions& options) {
+RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
   if (!callback) throw Error("Device::run was given no callback; pass a function from DeviceState to DeviceCommand.");
-  require_fields_within(options, "RunOptions::");
+  require_fields_within(asked, "RunOptions::");
   Phase idle = Phase::idle;
   if (!phase_.compare_exchange_strong(idle, Phase::beginning))
     throw Error("The device \"" + name_ + "\" runs already; stop it before running it again.");
@@ -101,6 +103,8 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& options)
     std::atomic<Phase>& phase;
     ~Idle() { phase.store(Phase::idle); }
   } const idle_again{phase_};
+  RunOptions options = asked;
+  options.guard.period = settle_period(asked.guard.period);
   {
     const std::lock_guard lock(guard_mutex_);
     guard_ = std::make_unique<SafetyGuard>(capabilities_, options.guard, &requests_);
@@ -114,13 +118,17 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& options)
   RunScope scope(options);
   Servo servo(*this, *guard_, callback, options);
   servo.slot_ = scope.slot();
+  servo.report_.period = options.guard.period;
+  if (options.guard.period != asked.guard.period)
+    servo.warn("The device \"" + name_ + "\" keeps ticks of its own: GuardOptions::period = " +
+               format_number(asked.guard.period) + " s became " + format_number(options.guard.period) + " s.");
   guard_->start();
   {
     // Time that is simulated does not pass by itself, so no tick can be late in it.
     std::unique_ptr<WatchdogThread> watchdog;
     if (!options.simulated_time)
       watchdog = std::make_unique<WatchdogThread>(
-          options.guard.watchdog, guard_->heartbeat(),
+          Watchdog(options.guard.watchdog, options.guard.period), guard_->heartbeat(),
           [this, &slot = run_slots::slot(scope.slot())](Watchdog::Verdict verdict, double share) {
             // A loop that does not obey an emergency stop may be what has crashed: nobody waits until its force fades.
             if (slot.emergency.load(std::memory_order_acquire)) share = 0;
@@ -185,9 +193,10 @@ bool Servo::should_end() const noexcept {
 
 Wrench Servo::farewell(int n) const noexcept {
   const bool emergency = device_.requests_.emergency() || run_slots::slot(slot_).emergency.load();
-  const bool gently = !lost_ && !exception_ && !emergency && guard_.state() != ArmingState::fault && n < kFarewellTicks;
+  const bool gently = !lost_ && !exception_ && !emergency && guard_.state() != ArmingState::fault;
   if (!gently) return {};
-  const double share = 1 - double(n + 1) / kFarewellTicks;
+  const double share = 1 - double(n + 1) / std::max(1.0, std::round(kFarewell / guard_.period()));
+  if (share <= 0) return {};
   return {share * guard_.output().applied.force, share * guard_.output().applied.torque};
 }
 

@@ -212,8 +212,9 @@ def test_the_stages_of_the_guard_by_themselves():
 
     watchdog = h.safety.Watchdog()
     verdict = h.safety.Watchdog.Verdict
-    late = [watchdog.verdict(ticks * watchdog.options.period) for ticks in (1, 5, 20, 100)]
+    late = [watchdog.verdict(seconds) for seconds in (1e-3, 5e-3, 20e-3, 100e-3)]
     assert late == [verdict.alive, verdict.late, verdict.fading, verdict.dead]
+    assert h.safety.Watchdog(period=4e-3).verdict(5e-3) == verdict.alive and watchdog.options.late == 2e-3
     assert watchdog.scale(0) == 1 and 0 < watchdog.scale(0.02) < 1 and watchdog.scale(1.0) == 0
 
     guard = h.safety.SafetyGuard(h.device.capabilities(h.device.device_model("touch")))

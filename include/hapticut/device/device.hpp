@@ -27,7 +27,7 @@ namespace hapticut {
 /// no force, and comes out of `Device::run`.
 using DeviceCallback = std::function<DeviceCommand(const DeviceState&)>;
 
-/// How a run goes.
+/// How a run goes. Its ticks have the period `guard.period`, and so has all that takes part in it.
 struct RunOptions {
   double seconds = 0;
   bool simulated_time = false;
@@ -60,6 +60,7 @@ constexpr auto fields_of(Of<RunOptions>) {
 
 /// What a run was like.
 struct RunReport {
+  double period = 1e-3;  ///< [s] of a tick: what was asked for, or what the device kept of its own
   std::uint64_t ticks = 0;
   std::uint64_t missed = 0;               ///< ticks that were skipped because the loop was late
   LatencyHistogram wake_up;               ///< how late the ticks began; of a driver's own loop: deviation of the period
@@ -121,6 +122,7 @@ class Device {
   [[nodiscard]] const DeviceOutput& last_output() const noexcept { return guard_->output(); }
   [[nodiscard]] const DeviceState& last_state() const noexcept { return guard_->admitted(); }  ///< of this tick
   [[nodiscard]] ArmingState last_arming() const noexcept { return guard_->state(); }
+  [[nodiscard]] double period() const noexcept { return guard_->period(); }  ///< [s] of the ticks of this run
 
   /// Takes the entries of the safety log; empty before the first run.
   [[nodiscard]] std::vector<SafetyLogEntry> drain_log();
@@ -134,6 +136,12 @@ class Device {
   /// Drives the loop with `servo.tick` until `servo.should_end`, and leaves the motors without force. Returns why it
   /// ended, in words.
   virtual std::string drive(Servo& servo, const RunOptions& options) = 0;
+
+  /// The period of the ticks of a run, for devices that may keep their own. Asked before the run begins; everything
+  /// in it then goes by the answer.
+  /// @param asked  [s] GuardOptions::period
+  /// @throws Error when there is none that suits
+  [[nodiscard]] virtual double settle_period(double asked) { return asked; }
 
   /// Scales the force that the device renders, from another thread, because the loop does not answer; 0 may be all
   /// that it can. Only for devices that hold the last force by themselves.
@@ -170,10 +178,10 @@ class Servo {
   /// Whether the run shall end, for whatever reason.
   [[nodiscard]] bool should_end() const noexcept;
 
-  /// The force of the n-th tick after the end, n = 0, 1, ...: faded to zero over kFarewellTicks, or zero at once when
+  /// The force of the n-th tick after the end, n = 0, 1, ...: faded to zero over kFarewell, or zero at once when
   /// something is wrong or an emergency stop comes.
   [[nodiscard]] Wrench farewell(int n) const noexcept;
-  static constexpr int kFarewellTicks = 20;
+  static constexpr double kFarewell = 20e-3;  ///< [s]
 
   void report_wake_up(double late) noexcept { report_.wake_up.add(late); }
   void report_missed(std::uint64_t ticks) noexcept { report_.missed += ticks; }

@@ -13,6 +13,7 @@
 #include "device/open_haptics/connection.hpp"
 #include "device/open_haptics/errors.hpp"
 #include "device/open_haptics/scheduler.hpp"
+#include "device/ticks_in.hpp"
 #include "device/turning_estimate.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
@@ -25,11 +26,11 @@ using open_haptics::drain;
 using open_haptics::Entry;
 using open_haptics::Scheduler;
 
-constexpr int kTemperatureTicks = 100;   // between two readings of it
-constexpr int kCalibrationTicks = 1000;  // the same, while the device is calibrated
-constexpr int kUncalibratedTicks = 100;  // the same, while it is not
-constexpr double kTooWarm = 1;           // [1] a temperature that the guard reduces the force at
-constexpr double kCooled = 0.5;          // [1] measured, at which a driver that complained of heat is satisfied
+constexpr double kTemperatureTime = 0.1;   // [s] between two readings of it
+constexpr double kCalibrationTime = 1;     // [s] the same, while the device is calibrated
+constexpr double kUncalibratedTime = 0.1;  // [s] the same, while it is not
+constexpr double kTooWarm = 1;             // [1] a temperature that the guard reduces the force at
+constexpr double kCooled = 0.5;            // [1] measured, at which a driver that complained of heat is satisfied
 
 /// The rotation of a column-major matrix, made orthonormal: the driver's has small errors.
 Mat3 rotation_of(const std::array<HDdouble, 16>& m) {
@@ -61,6 +62,7 @@ class OpenHapticsDevice final : public Device, private open_haptics::TickTarget 
 
  protected:
   std::string drive(Servo& servo, const RunOptions& options) override;
+  [[nodiscard]] double settle_period(double asked) override;
   void scale_output(double share) noexcept override;
 
  private:
@@ -110,15 +112,14 @@ void OpenHapticsDevice::read(DeviceState& state) noexcept {
   hdGetDoublev(HD_CURRENT_TRANSFORM, transform.data());
   hdGetDoublev(HD_CURRENT_VELOCITY, velocity.data());
   hdGetIntegerv(HD_CURRENT_BUTTONS, &buttons);
-  if (connection_.measures_temperature() && n % kTemperatureTicks == 0) {
+  if (connection_.measures_temperature() && n % ticks_in(kTemperatureTime, period_) == 0) {
     std::array<HDdouble, 6> temperatures{};
     hdGetDoublev(HD_MOTOR_TEMPERATURE, temperatures.data());
     temperature_ = *std::max_element(temperatures.begin(), temperatures.end());
     if (temperature_ < kCooled) warm_ = false;
   }
   state.X_BS = {rotation_of(transform), Vec3(transform[12], transform[13], transform[14]) * units::mm};
-  state.velocity = {Vec3(velocity[0], velocity[1], velocity[2]) * units::mm,
-                    turning_.update(state.X_BS.rotation, period_)};
+  state.velocity = {Vec3(velocity[0], velocity[1], velocity[2]) * units::mm, turning_.update(state.X_BS.rotation, now)};
   state.buttons = std::uint32_t(buttons);
   state.time = now - begin_;
   state.sequence = n + 1;
@@ -135,8 +136,8 @@ void OpenHapticsDevice::read(DeviceState& state) noexcept {
 // A calibration moves the pose at once: the force is taken away for the tick before it, and the guard waits after it.
 void OpenHapticsDevice::look_after_calibration() noexcept {
   const std::uint64_t n = ticks_.load(std::memory_order_relaxed);
-  const int pause = calibration_ == HD_CALIBRATION_OK ? kCalibrationTicks : kUncalibratedTicks;
-  if (connection_.calibration_style() == 0 || n % std::uint64_t(pause) != 0) return;
+  const double pause = calibration_ == HD_CALIBRATION_OK ? kCalibrationTime : kUncalibratedTime;
+  if (connection_.calibration_style() == 0 || n % ticks_in(pause, period_) != 0) return;
   calibration_ = hdCheckCalibration();
   must_calibrate_ =
       calibration_ == HD_CALIBRATION_NEEDS_UPDATE && connection_.calibration_style() != HD_CALIBRATION_ENCODER_RESET;
@@ -221,6 +222,10 @@ HDCallbackCode OpenHapticsDevice::tick() noexcept {
   return HD_CALLBACK_DONE;
 }
 
+double OpenHapticsDevice::settle_period(double asked) {
+  return Scheduler::instance().settle_period(asked, connection_.handle());
+}
+
 void OpenHapticsDevice::scale_output(double share) noexcept {
   if (share <= 0 && !connection_.has_let_go()) connection_.let_go();
 }
@@ -273,7 +278,7 @@ std::string OpenHapticsDevice::drive(Servo& servo, const RunOptions& options) {
   entry.open(*this);
   HDSchedulerHandle handle{};
   try {
-    handle = scheduler.join(entry, options_.rate);
+    handle = scheduler.join(entry, period_);
   } catch (...) {
     leave(entry);
     connection_.enable_force(false);

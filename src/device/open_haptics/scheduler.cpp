@@ -11,6 +11,16 @@
 namespace hapticut::open_haptics {
 namespace {
 
+constexpr double kUsualPeriod = 1e-3;  // [s] of a driver that does not say it
+
+/// All devices tick together.
+void require_same(double asked, double period) {
+  if (asked == period) return;
+  throw Error("GuardOptions::period = " + format_number(asked) + " s is not the " + format_number(period) +
+              " s of the OpenHaptics device that runs already, and the driver has one scheduler for all; give both "
+              "runs the same.");
+}
+
 extern "C" HDCallbackCode HDCALLBACK hapticut_on_tick(void* entry) { return static_cast<Entry*>(entry)->call(); }
 
 extern "C" HDCallbackCode HDCALLBACK hapticut_between_ticks(void* work) {
@@ -38,15 +48,31 @@ void Scheduler::give_back(Entry& entry) {
   free_entries_.push_back(&entry);
 }
 
-HDSchedulerHandle Scheduler::join(Entry& entry, double rate) {
+double Scheduler::settle_period(double asked, HHD device) {
   const std::lock_guard lock(mutex_);
+  if (users_ > 0) {
+    if (asked != asked_) require_same(asked, period_);
+    return period_;
+  }
+  asked_ = period_ = asked;
+  drain();
+  hdMakeCurrentDevice(device);
+  hdSetSchedulerRate(HDulong(std::lround(1 / asked)));
+  if (!drain().any()) return period_;
+  HDint kept = 0;
+  hdGetIntegerv(HD_UPDATE_RATE, &kept);
+  period_ = !drain().any() && kept > 0 ? 1.0 / kept : kUsualPeriod;
+  return period_;
+}
+
+HDSchedulerHandle Scheduler::join(Entry& entry, double period) {
+  const std::lock_guard lock(mutex_);
+  require_same(period, period_);
   drain();
   const HDSchedulerHandle handle = hdScheduleAsynchronous(hapticut_on_tick, &entry, HD_MAX_SCHEDULER_PRIORITY);
   Errors errors = drain();
   if (errors.any()) throw Error("The OpenHaptics scheduler takes no callback: " + errors.describe() + ".");
   if (users_ == 0) {
-    hdSetSchedulerRate(HDulong(std::lround(rate)));
-    drain();  // some devices have a fixed rate
     hdStartScheduler();
     errors = drain();
     if (errors.has(HD_TIMER_ERROR) || errors.has(HD_COMM_ERROR) || errors.has(HD_INVALID_OPERATION)) {

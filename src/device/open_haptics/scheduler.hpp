@@ -52,9 +52,14 @@ class Scheduler {
   [[nodiscard]] Entry& take_entry();
   void give_back(Entry& entry);
 
+  /// Asks for ticks of a period, in [s], where the scheduler does not run, and says which it has.
+  /// @throws Error when it runs with another
+  double settle_period(double asked, HHD device);
+
   /// Schedules calls of the highest priority, and starts the scheduler for the first.
-  /// @throws Error when the driver refuses
-  HDSchedulerHandle join(Entry& entry, double rate);
+  /// @param period  [s] that was settled
+  /// @throws Error when the driver refuses, or another period was settled since
+  HDSchedulerHandle join(Entry& entry, double period);
 
   /// Takes the calls back, and stops the scheduler after the last.  @pre the entry is closed, and nobody is inside
   /// @param finished  the last call has returned HD_CALLBACK_DONE
@@ -79,6 +84,7 @@ class Scheduler {
   std::deque<Entry> entries_;
   std::vector<Entry*> free_entries_;
   std::atomic_flag turn_;
+  double asked_ = 0, period_ = 0;  // [s]
   std::atomic<int> users_{0};
   int waiting_ = 0;  // calls of between_ticks under way
 };
