@@ -96,6 +96,7 @@ class RunScope {
 RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
   if (!callback) throw Error("Device::run was given no callback; pass a function from DeviceState to DeviceCommand.");
   require_fields_within(asked, "RunOptions::");
+  require_within(asked.guard.period, range_of(&GuardOptions::period), "GuardOptions::period [s]");
   Phase idle = Phase::idle;
   if (!phase_.compare_exchange_strong(idle, Phase::beginning))
     throw Error("The device \"" + name_ + "\" runs already; stop it before running it again.");
