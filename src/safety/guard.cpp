@@ -10,7 +10,8 @@
 namespace hapticut {
 namespace {
 
-constexpr double kShortestStep = 0.2;  // [ticks] least dt in derivatives
+constexpr double kShortestStep = 0.2;  // [ticks] bounds of dt in derivatives
+constexpr double kLongestLate = 5e-3;  // [s]
 constexpr double kRampDampingShare = 0.2;
 constexpr double kUnitsWatched = 1;         // [s]
 constexpr double kImplausiblyFar = 2;       // [m] no desktop device reaches farther
@@ -130,9 +131,9 @@ void SafetyGuard::keep_time(const DeviceState& reading) noexcept {
   const double elapsed = started_ ? reading.time - last_time_ : options_.period;
   last_time_ = reading.time;
   const bool known = std::isfinite(elapsed);
-  const double longest = options_.period + options_.late;  // more is an interruption, not a motion
-  dt_ = known ? std::clamp(elapsed, kShortestStep * options_.period, longest) : options_.period;
-  gate_time_ = known ? std::clamp(elapsed, dt_, options_.pause + options_.period) : options_.period;
+  const double shortest = kShortestStep * options_.period, longest = options_.period + kLongestLate;
+  dt_ = known ? std::clamp(elapsed, shortest, longest) : options_.period;
+  gate_time_ = known ? std::clamp(elapsed, dt_, std::max(dt_, options_.pause + options_.period)) : options_.period;
   if (!started_ || !known) return;
   const double late = elapsed - options_.period;
   if (late > options_.pause) {

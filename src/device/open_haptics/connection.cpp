@@ -5,8 +5,6 @@
 
 #include <array>
 #include <atomic>
-#include <chrono>
-#include <thread>
 
 #include "device/careful_limits.hpp"
 #include "device/open_haptics/errors.hpp"
@@ -19,7 +17,6 @@ namespace {
 
 constexpr double kPerMillimetre = 1000;  // [1/m] N/mm to N/m
 constexpr int kTriesToReopen = 10;
-constexpr int kTriesToLetGo = 20;  // [ms] then the driver hangs in a call of its own, and the hand comes first
 
 // The guard lets a force go at once and grow slowly, also to the other side: the driver must bear a step of this many
 // times the peak force.
@@ -213,11 +210,7 @@ void Connection::enable_force(bool on) {
 
 void Connection::let_go() noexcept {
   Scheduler& scheduler = Scheduler::instance();
-  bool turn = scheduler.take_turn();
-  for (int n = 0; n < kTriesToLetGo && !turn; ++n) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    turn = scheduler.take_turn();
-  }
+  const bool turn = scheduler.wait_for_turn();  // without it the hand comes first
   hdMakeCurrentDevice(handle_);
   hdDisable(HD_FORCE_OUTPUT);
   let_go_.store(true);  // before another tick can look

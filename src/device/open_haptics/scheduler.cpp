@@ -11,6 +11,7 @@
 namespace hapticut::open_haptics {
 namespace {
 
+constexpr int kTriesForATurn = 20;     // [ms]
 constexpr double kUsualPeriod = 1e-3;  // [s] of a driver that does not say it
 
 /// All devices tick together.
@@ -24,7 +25,10 @@ void require_same(double asked, double period) {
 extern "C" HDCallbackCode HDCALLBACK hapticut_on_tick(void* entry) { return static_cast<Entry*>(entry)->call(); }
 
 extern "C" HDCallbackCode HDCALLBACK hapticut_between_ticks(void* work) {
+  Scheduler& scheduler = Scheduler::instance();
+  const bool turn = scheduler.wait_for_turn();
   (*static_cast<const std::function<void()>*>(work))();
+  if (turn) scheduler.give_turn();
   return HD_CALLBACK_DONE;
 }
 
@@ -46,6 +50,14 @@ Entry& Scheduler::take_entry() {
 void Scheduler::give_back(Entry& entry) {
   const std::lock_guard lock(mutex_);
   free_entries_.push_back(&entry);
+}
+
+bool Scheduler::wait_for_turn() noexcept {
+  for (int n = 0; n < kTriesForATurn; ++n) {
+    if (take_turn()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
 }
 
 double Scheduler::settle_period(double asked, HHD device) {

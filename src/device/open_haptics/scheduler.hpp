@@ -72,6 +72,8 @@ class Scheduler {
   [[nodiscard]] bool take_turn() noexcept { return !turn_.test_and_set(std::memory_order_acquire); }
   void give_turn() noexcept { turn_.clear(std::memory_order_release); }
   /// @}
+  /// Not in a tick. False when it does not come: the driver hangs in a call of its own.
+  [[nodiscard]] bool wait_for_turn() noexcept;
 
   /// @realtime no lock
   [[nodiscard]] bool is_running() const { return users_.load() > 0; }

@@ -77,11 +77,11 @@ void hdStartScheduler(void) {
     for (hdsim::Device& device : s.devices) device.ramp = 0;
     if (!s.use_thread) return;
   }
-  s.thread = std::thread([&s] {
+  s.thread = std::thread([&s, period = std::chrono::nanoseconds(long(1e9 / s.rate))] {
     auto next = std::chrono::steady_clock::now();
     while (!s.stop_thread) {
       hdsim::run_tick();
-      next += std::chrono::milliseconds(1);
+      next += period;
       std::this_thread::sleep_until(next);
     }
   });
