@@ -223,6 +223,7 @@ def test_the_stages_of_the_guard_by_themselves():
     before = guard.heartbeat
     guard.release(h.Wrench())
     guard.report_exception()
+    assert guard.period == h.safety.GuardOptions().period == 1e-3
     assert guard.heartbeat == before + 1 and guard.log.count(h.safety.SafetyEvent.exception) == 1
     for seconds in (1e-3, 5e-3, 20e-3, 100e-3):
         guard.report_silence(watchdog.verdict(seconds), watchdog.scale(seconds))
@@ -240,6 +241,7 @@ def test_a_device_plays_readings_again():
     heights = []
     report = device.run(lambda s: heights.append(s.X_BS[2, 3]) or h.device.DeviceCommand(),
                         h.device.RunOptions(simulated_time=True))
+    assert report.period == 1e-3 and not report.warnings
     assert device.size() == len(device) == report.ticks == 50 and device.name == "again"
     assert heights == pytest.approx([1e-5 * n for n in range(50)])
     with pytest.raises(h.Error):
