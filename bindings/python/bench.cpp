@@ -40,24 +40,22 @@ void bind_plant(py::module_& m) {
 void bind_closed_loop(py::module_& m) {
   using W = LinearWall;
   py::class_<W>(m, "LinearWall", doc("LinearWall"))
-      .def(py::init([](double stiffness, double damping, double filter, bool one_sided, double height, double period) {
+      .def(py::init([](double stiffness, double damping, double filter, bool one_sided, double height) {
              W wall;
              wall.stiffness = stiffness;
              wall.damping = damping;
              wall.filter = filter;
              wall.one_sided = one_sided;
              wall.height = height;
-             wall.period = period;
              return wall;
            }),
            py::arg("stiffness") = 0.0, py::arg("damping") = 0.0, py::arg("filter") = 0.0, py::arg("one_sided") = true,
-           py::arg("height") = 0.0, py::arg("period") = 1e-3)
+           py::arg("height") = 0.0)
       .def_readwrite("stiffness", &W::stiffness, doc("LinearWall::stiffness"))
       .def_readwrite("damping", &W::damping, doc("LinearWall::damping"))
       .def_readwrite("filter", &W::filter, doc("LinearWall::filter"))
       .def_readwrite("one_sided", &W::one_sided, doc("LinearWall::one_sided"))
       .def_readwrite("height", &W::height, doc("LinearWall::height"))
-      .def_readwrite("period", &W::period, doc("LinearWall::period"))
       .def("__call__", &W::operator(), py::arg("state"), "The wrench for a reading.");
 
   using C = ClosedLoopConfig;

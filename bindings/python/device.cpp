@@ -70,7 +70,7 @@ void bind_models(py::module_& m) {
 void bind_runs(py::module_& m) {
   bind_described<RunOptions>(m, "RunOptions");
   using R = RunReport;
-  bind_result<R>(m, "RunReport", member("ticks", &R::ticks), member("missed", &R::missed),
+  bind_result<R>(m, "RunReport", member("period", &R::period), member("ticks", &R::ticks), member("missed", &R::missed),
                  member("wake_up", &R::wake_up), member("compute", &R::compute), member("end", &R::end),
                  member("fault", &R::fault), member("guard", &R::guard), member("log", &R::log),
                  member("warnings", &R::warnings))

@@ -65,7 +65,9 @@ void bind_guard_stages(py::module_& m) {
   using W = Watchdog;
   py::class_<W> watchdog(m, "Watchdog", doc("Watchdog"));
   bind_enum<W::Verdict>(watchdog, "Verdict", "Watchdog::Verdict");
-  watchdog.def(py::init<const WatchdogOptions&>(), py::arg("options") = WatchdogOptions{}, doc("Watchdog::Watchdog"))
+  watchdog
+      .def(py::init<const WatchdogOptions&, double>(), py::arg("options") = WatchdogOptions{}, py::arg("period") = 1e-3,
+           doc("Watchdog::Watchdog"))
       .def("verdict", &W::verdict, py::arg("seconds_without"), "What that long a silence means.")
       .def("scale", &W::scale, py::arg("seconds_without"), doc("Watchdog::scale"))
       .def_property_readonly("options", &W::options, py::return_value_policy::copy, "As given.");

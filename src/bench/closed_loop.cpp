@@ -24,11 +24,14 @@ Vec3 shortened(const Vec3& v, double longest) {
 
 Wrench LinearWall::operator()(const DeviceState& state) {
   const double penetration = height - state.X_BS.translation.z();
-  const double speed = started_ ? (penetration - last_) / period : 0;
+  const double elapsed = state.time - last_time_;
+  if (started_ && elapsed > 0) {
+    const double a = memory(filter, elapsed);
+    speed_ = a * speed_ + (1 - a) * (penetration - last_) / elapsed;
+  }
   started_ = true;
   last_ = penetration;
-  const double a = memory(filter, period);
-  speed_ = a * speed_ + (1 - a) * speed;
+  last_time_ = state.time;
   Wrench wrench;
   if (one_sided && penetration <= 0) return wrench;
   const double force = stiffness * penetration + damping * speed_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/simulation/output_limits.hpp"
 
@@ -86,9 +87,14 @@ std::span<const InjectedFault> injected_faults() { return kFaults; }
 
 FaultResponse measure_fault_response(const ClosedLoopConfig& config, const ModelFactory& factory, double stiffness,
                                      const GuardOptions& options, InjectedFault fault, double height) {
+  if (options.period != config.period && options.period != GuardOptions{}.period)
+    throw Error("GuardOptions::period = " + format_number(options.period) +
+                " s is not ClosedLoopConfig::period = " + format_number(config.period) + " s; give the latter only.");
   ClosedLoop loop(config);
-  SafetyGuard guard(capabilities(config.device), options);
-  const Watchdog watchdog(options.watchdog);
+  GuardOptions guard_options = options;
+  guard_options.period = config.period;
+  SafetyGuard guard(capabilities(config.device), guard_options);
+  const Watchdog watchdog(options.watchdog, config.period);
   const ForceModel model = factory(stiffness);
   const bool buried = fault == InjectedFault::buried_5mm;
   loop.reset(Pose::from_translation({0, 0, height + (buried ? -kOffset : kOffset)}));

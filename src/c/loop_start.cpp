@@ -64,7 +64,7 @@ RealtimeLoopOptions loop_of(const hapticut_loop_options& o, double rate) {
   options.run.stop_on_crash = o.stop_on_crash == 1;
   if (o.ordinary_priority == 1) options.run.realtime.priority = 0;
   options.run.realtime.lock_memory = o.lock_memory == 1;
-  options.run.guard.period = options.run.guard.watchdog.period = 1 / rate;
+  options.run.guard.period = 1 / rate;
   require_fields_within(options.run, "RunOptions::");
   return options;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/device/device.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -63,9 +65,9 @@ namespace {
 class RunScope {
  public:
   explicit RunScope(const RunOptions& options)
-      : slot_(run_slots::take(options.stop_on_crash)),
-        signals_(options.stop_on_signals),
-        crashes_(options.stop_on_crash) {
+      : signals_(options.stop_on_signals),
+        crashes_(options.stop_on_crash && !options.simulated_time),  // no hand feels simulated time
+        slot_(run_slots::take(crashes_)) {
     if (slot_ < 0)
       throw Error("More than " + std::to_string(run_slots::kSlots) +
                   " devices would be running at once in this process; stop one first.");
@@ -85,15 +87,16 @@ class RunScope {
   }
 
  private:
-  int slot_;
   bool signals_, crashes_;
+  int slot_;
 };
 
 }  // namespace
 
-RunReport Device::run(const DeviceCallback& callback, const RunOptions& options) {
+RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
   if (!callback) throw Error("Device::run was given no callback; pass a function from DeviceState to DeviceCommand.");
-  require_fields_within(options, "RunOptions::");
+  require_fields_within(asked, "RunOptions::");
+  require_within(asked.guard.period, range_of(&GuardOptions::period), "GuardOptions::period [s]");
   Phase idle = Phase::idle;
   if (!phase_.compare_exchange_strong(idle, Phase::beginning))
     throw Error("The device \"" + name_ + "\" runs already; stop it before running it again.");
@@ -101,6 +104,8 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& options)
     std::atomic<Phase>& phase;
     ~Idle() { phase.store(Phase::idle); }
   } const idle_again{phase_};
+  RunOptions options = asked;
+  options.guard.period = settle_period(asked.guard.period);
   {
     const std::lock_guard lock(guard_mutex_);
     guard_ = std::make_unique<SafetyGuard>(capabilities_, options.guard, &requests_);
@@ -114,16 +119,24 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& options)
   RunScope scope(options);
   Servo servo(*this, *guard_, callback, options);
   servo.slot_ = scope.slot();
+  servo.report_.period = options.guard.period;
+  if (options.guard.period != asked.guard.period)
+    servo.warn("The device \"" + name_ + "\" keeps ticks of its own: GuardOptions::period = " +
+               format_number(asked.guard.period) + " s became " + format_number(options.guard.period) + " s.");
   guard_->start();
   {
     // Time that is simulated does not pass by itself, so no tick can be late in it.
     std::unique_ptr<WatchdogThread> watchdog;
     if (!options.simulated_time)
-      watchdog = std::make_unique<WatchdogThread>(options.guard.watchdog, guard_->heartbeat(),
-                                                  [this](Watchdog::Verdict verdict, double share) {
-                                                    scale_output(share);
-                                                    guard_->report_silence(verdict, share);
-                                                  });
+      watchdog = std::make_unique<WatchdogThread>(
+          Watchdog(options.guard.watchdog, options.guard.period), guard_->heartbeat(),
+          [this, &slot = run_slots::slot(scope.slot())](Watchdog::Verdict verdict, double share) {
+            // A loop that does not obey an emergency stop may be what has crashed: nobody waits until its force fades.
+            if (slot.emergency.load(std::memory_order_acquire)) share = 0;
+            scale_output(share);
+            if (share <= 0) slot.quiet.store(true, std::memory_order_release);
+            guard_->report_silence(verdict, share);
+          });
     servo.report_.end = drive(servo, options);
   }
   RunReport report = std::move(servo.report_);
@@ -181,9 +194,10 @@ bool Servo::should_end() const noexcept {
 
 Wrench Servo::farewell(int n) const noexcept {
   const bool emergency = device_.requests_.emergency() || run_slots::slot(slot_).emergency.load();
-  const bool gently = !lost_ && !exception_ && !emergency && guard_.state() != ArmingState::fault && n < kFarewellTicks;
+  const bool gently = !lost_ && !exception_ && !emergency && guard_.state() != ArmingState::fault;
   if (!gently) return {};
-  const double share = 1 - double(n + 1) / kFarewellTicks;
+  const double share = 1 - double(n + 1) / std::max(1.0, std::round(kFarewell / guard_.period()));
+  if (share <= 0) return {};
   return {share * guard_.output().applied.force, share * guard_.output().applied.torque};
 }
 

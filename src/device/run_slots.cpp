@@ -111,7 +111,7 @@ int take(bool on_crash) noexcept {
     s.stop.store(false);
     s.emergency.store(false);
     s.on_crash.store(on_crash);
-    s.quiet.store(false);
+    s.quiet.store(true);
     return n;
   }
   return -1;

@@ -13,8 +13,8 @@ struct Slot {
   std::atomic<bool> used{false};
   std::atomic<bool> stop{false};       ///< asks the loop to end
   std::atomic<bool> emergency{false};  ///< asks the guard for no force, once
-  std::atomic<bool> on_crash{false};   ///< a crash of another thread sets `emergency`
-  std::atomic<bool> quiet{false};      ///< the motors have no force
+  std::atomic<bool> on_crash{false};   ///< a crash sets `emergency`
+  std::atomic<bool> quiet{false};      ///< the motors have no force, or will get none
 };
 
 [[nodiscard]] Slot& slot(int n) noexcept;

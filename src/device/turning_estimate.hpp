@@ -17,15 +17,19 @@ class TurningEstimate {
     angular_velocity_.setZero();
   }
 
-  /// @param period [s] > 0 since the last orientation
+  /// @param time [s] of the orientation: readings may come at another rate than was asked for, and some may be missing
   /// @return [rad/s] in B
-  const Vec3& update(const Mat3& R_BS, double period) noexcept {
-    if (!started_ || !R_BS_last_.allFinite()) R_BS_last_ = R_BS;
+  const Vec3& update(const Mat3& R_BS, double time) noexcept {
+    const bool knows_the_last = started_ && R_BS_last_.allFinite();
+    if (knows_the_last && !(time > time_last_)) return angular_velocity_;
+    const double elapsed = time - time_last_;
+    const Vec3 turn = knows_the_last ? vector_from_rotation(R_BS * R_BS_last_.transpose()) : Vec3::Zero();
     started_ = true;
-    const Vec3 turn = vector_from_rotation(R_BS * R_BS_last_.transpose());
+    time_last_ = time;
     R_BS_last_ = R_BS;
-    const double memory = std::exp(-2 * units::kPi * kFilter * period);
-    angular_velocity_ = memory * angular_velocity_ + (1 - memory) / period * turn;
+    if (!knows_the_last) return angular_velocity_;
+    const double memory = std::exp(-2 * units::kPi * kFilter * elapsed);
+    angular_velocity_ = memory * angular_velocity_ + (1 - memory) / elapsed * turn;
     if (!angular_velocity_.allFinite()) angular_velocity_.setZero();
     return angular_velocity_;
   }
@@ -34,6 +38,7 @@ class TurningEstimate {
   static constexpr double kFilter = 30;  // [Hz]
 
   bool started_ = false;
+  double time_last_ = 0;
   Mat3 R_BS_last_ = Mat3::Identity();
   Vec3 angular_velocity_ = Vec3::Zero();
 };

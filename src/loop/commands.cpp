@@ -72,11 +72,26 @@ void SimulationModel::check(const LoopCommand& command) const {
                        largest_relative_stiffness(other->simulation->workpiece().materials()), scale);
 }
 
+/// Whether the coupling has gains in the world.
+void SimulationModel::require_gains_within(const WorkspaceMapOptions& map) const {
+  if (!gains_) return;
+  validate(*gains_);
+  try {
+    validate(gains_in_world(*gains_, map));
+  } catch (const Error& error) {
+    throw Error("the scale of " + format_number(map.scale) +
+                " m in the world per metre of the hand, with a force scale "
+                "of " +
+                format_number(map.force_scale) + " and a torque scale of " + format_number(map.torque_scale) +
+                ", takes the coupling out of its range: " + error.what() + " Choose scales nearer to 1.");
+  }
+}
+
 void SimulationModel::check_scale(double scale) const {
-  require_positive(scale, "SetScale::scale");
+  require_within(scale, range_of(&WorkspaceMapOptions::scale), "SetScale::scale");
   WorkspaceMapOptions map = first_map_;
   map.scale = scale;
-  if (gains_) validate(gains_in_world(*gains_, map));
+  require_gains_within(map);
   require_renderable(contact_stiffness_, config_, relative_stiffness_, scale);
 }
 

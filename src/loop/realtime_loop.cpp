@@ -66,7 +66,7 @@ void RealtimeLoop::State::free_replaced() noexcept {
 DeviceCommand RealtimeLoop::State::tick(const DeviceState& reading) noexcept {
   DeviceCommand command;
   obey();
-  const double nominal = options.run.guard.period;
+  const double nominal = device.period();
   const double dt = ticks == 0 ? nominal : reading.time - last_time;
   last_time = reading.time;
 

@@ -39,6 +39,7 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
       spindle_speed_(simulation.spindle_setting()),
       books_energy_(is_foundation(simulation.config())) {
   require_fields_within(options, "SimulationModelOptions::");
+  require_gains_within(options.map);
   require_renderable(contact_stiffness_, config_, relative_stiffness_, options.map.scale);
   if (gains_) coupling_.emplace(simulation, gains_in_world(*gains_, options.map)).leave(VirtualCoupling::Rejoin::free);
   if (options.undo_blocks > 0) simulation.reserve_undo(options.undo_blocks);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/loop/workspace_map.hpp"
 
-#include <cmath>
-
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut {
@@ -60,7 +58,7 @@ void WorkspaceMap::engage(const Pose& X_BS) noexcept {
 void WorkspaceMap::place(const Pose& X_BS, const Pose& X_WH) noexcept { latch(X_BS, X_WH * options_.X_SH.inverse()); }
 
 bool WorkspaceMap::set_scale(double scale, const Pose& X_BS) noexcept {
-  if (!(std::isfinite(scale) && scale > 0)) return false;  // 0 times infinity is not a position
+  if (!range_of(&WorkspaceMapOptions::scale).contains(scale)) return false;
   latch(X_BS, stylus_in_world(X_BS));
   options_.scale = scale;
   return true;

@@ -11,7 +11,7 @@ namespace hapticut {
 namespace {
 
 constexpr double kShortestStep = 0.2;  // [ticks] bounds of dt in derivatives
-constexpr double kLongestStep = 5;     // [ticks]
+constexpr double kLongestLate = 5e-3;  // [s]
 constexpr double kRampDampingShare = 0.2;
 constexpr double kUnitsWatched = 1;         // [s]
 constexpr double kImplausiblyFar = 2;       // [m] no desktop device reaches farther
@@ -74,9 +74,8 @@ SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOpti
       thermal_(greatest_force_, capabilities.continuous_force, options.thermal),
       requests_(requests != nullptr ? requests : &own_requests_) {
   require_fields_within(options, "GuardOptions::");
-  require_between(options.late, options.period, 1, "GuardOptions::late [s]");
   require_between(options.pause, options.late, 10, "GuardOptions::pause [s]");
-  (void)Watchdog(options.watchdog);
+  (void)Watchdog(options.watchdog, options.period);
   if (capabilities.output_degrees_of_freedom < 3) greatest_force_ = 0;
   if (capabilities.output_degrees_of_freedom < 6) greatest_torque_ = 0;
 
@@ -132,8 +131,9 @@ void SafetyGuard::keep_time(const DeviceState& reading) noexcept {
   const double elapsed = started_ ? reading.time - last_time_ : options_.period;
   last_time_ = reading.time;
   const bool known = std::isfinite(elapsed);
-  dt_ = known ? std::clamp(elapsed, kShortestStep * options_.period, kLongestStep * options_.period) : options_.period;
-  gate_time_ = known ? std::clamp(elapsed, dt_, options_.pause + options_.period) : options_.period;
+  const double shortest = kShortestStep * options_.period, longest = options_.period + kLongestLate;
+  dt_ = known ? std::clamp(elapsed, shortest, longest) : options_.period;
+  gate_time_ = known ? std::clamp(elapsed, dt_, std::max(dt_, options_.pause + options_.period)) : options_.period;
   if (!started_ || !known) return;
   const double late = elapsed - options_.period;
   if (late > options_.pause) {

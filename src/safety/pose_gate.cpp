@@ -6,7 +6,8 @@
 namespace hapticut {
 namespace {
 
-constexpr int kRest = 100;  // [ticks] after which the orientation of a resting stylus is looked at anew
+constexpr double kRest = 0.1;          // [s] after which the orientation of a resting stylus is looked at anew
+constexpr double kSumRounding = 1e-9;  // [s] of a sum of periods
 
 }  // namespace
 
@@ -21,7 +22,8 @@ PoseGate::PoseGate(const DeviceCapabilities& capabilities, const PoseGateOptions
 void PoseGate::restart() noexcept {
   started_ = false;
   elapsed_ = 0;
-  bad_ = resting_ = contradicted_ = 0;
+  bad_ = contradicted_ = 0;
+  resting_.reset();
 }
 
 std::optional<SafetyEvent> PoseGate::objection(const DeviceState& reading, double& value) noexcept {
@@ -42,21 +44,21 @@ std::optional<SafetyEvent> PoseGate::objection(const DeviceState& reading, doubl
   return {};
 }
 
-bool PoseGate::is_frozen(const DeviceState& reading) noexcept {
-  if (resting_ == 0 || reading.X_BS.translation != X_BS_still_.translation) {
+bool PoseGate::is_frozen(const DeviceState& reading, double dt) noexcept {
+  if (!resting_ || reading.X_BS.translation != X_BS_still_.translation) {
     X_BS_still_ = reading.X_BS;
-    resting_ = 1;
+    resting_ = 0;
     contradicted_ = 0;
     return false;
   }
   const bool turned =
       vector_from_rotation(reading.X_BS.rotation * X_BS_still_.rotation.transpose()).norm() > options_.frozen_turn;
   const bool moves = reading.velocity.linear.norm() > options_.frozen_speed;
-  if (turned || moves) return ++contradicted_ >= options_.frozen_ticks;
+  if (turned || moves) return (contradicted_ += dt) >= options_.frozen - kSumRounding;
   contradicted_ = 0;
-  if (++resting_ > kRest) {  // a turn must happen soon after the last look to count
+  if ((*resting_ += dt) >= kRest - kSumRounding) {  // a turn must happen soon after the last look to count
     X_BS_still_ = reading.X_BS;
-    resting_ = 1;
+    resting_ = 0;
   }
   return false;
 }
@@ -83,11 +85,11 @@ PoseGate::Verdict PoseGate::check(const DeviceState& reading, double dt, SafetyL
     // A jump does not become believable by waiting; a reading that is missing does give the hand time to move.
     if (*bad == SafetyEvent::pose_jump || *bad == SafetyEvent::pose_turn_jump) elapsed_ -= dt;
     state_.velocity = {};
-    const bool lost = !started_ || ++bad_ > options_.hold_ticks;
+    const bool lost = !started_ || (bad_ += dt) > options_.hold + kSumRounding;
     state_.valid = !lost;
     return lost ? Verdict::lost : Verdict::held;
   }
-  if (is_frozen(reading)) {
+  if (is_frozen(reading, dt)) {
     log.report(SafetyEvent::pose_frozen, contradicted_);
     state_.velocity = {};
     state_.valid = false;

@@ -11,23 +11,29 @@
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut {
+namespace {
 
-Watchdog::Watchdog(const WatchdogOptions& options) : options_(options) {
+constexpr double kBeatRounding = 1e-9;                // [s] of a sum of periods
+constexpr auto kLook = std::chrono::milliseconds(1);  // between two looks at the heart, whatever its rate
+
+}  // namespace
+
+Watchdog::Watchdog(const WatchdogOptions& options, double period) : options_(options), period_(period) {
   require_fields_within(options, "WatchdogOptions::");
-  require_between(options.fade_ticks, options.late_ticks, 1000, "WatchdogOptions::fade_ticks [ticks]");
-  require_between(options.fault_ticks * options.period, options.fade_ticks * options.period + options.fade, 10,
-                  "WatchdogOptions::fault_ticks, in seconds,");
+  require_positive(period, "the period of a watchdog [s]");
+  require_between(options.fade_after, options.late, 10, "WatchdogOptions::fade_after [s]");
+  require_between(options.fault, options.fade_after + options.fade, 10, "WatchdogOptions::fault [s]");
 }
 
 Watchdog::Verdict Watchdog::verdict(double seconds_without) const noexcept {
-  const double ticks = seconds_without / options_.period;
-  if (ticks > options_.fault_ticks) return Verdict::dead;
-  if (ticks > options_.fade_ticks) return Verdict::fading;
-  return ticks > options_.late_ticks ? Verdict::late : Verdict::alive;
+  const double late = seconds_without - period_ - kBeatRounding;
+  if (late > options_.fault) return Verdict::dead;
+  if (late > options_.fade_after) return Verdict::fading;
+  return late > options_.late ? Verdict::late : Verdict::alive;
 }
 
 double Watchdog::scale(double seconds_without) const noexcept {
-  return std::clamp(1 - (seconds_without - options_.fade_ticks * options_.period) / options_.fade, 0.0, 1.0);
+  return std::clamp(1 - (seconds_without - period_ - options_.fade_after) / options_.fade, 0.0, 1.0);
 }
 
 struct WatchdogThread::State {
@@ -37,17 +43,16 @@ struct WatchdogThread::State {
   std::thread thread;
 };
 
-WatchdogThread::WatchdogThread(const WatchdogOptions& options, const std::atomic<std::uint64_t>& heartbeat,
+WatchdogThread::WatchdogThread(const Watchdog& watchdog, const std::atomic<std::uint64_t>& heartbeat,
                                std::function<void(Watchdog::Verdict, double scale)> act)
     : state_(std::make_unique<State>()) {
   using Clock = std::chrono::steady_clock;
-  state_->thread = std::thread([&heartbeat, state = state_.get(), watchdog = Watchdog(options), act = std::move(act)] {
-    const std::chrono::duration<double> period(watchdog.options().period);
+  state_->thread = std::thread([&heartbeat, state = state_.get(), watchdog, act = std::move(act)] {
     std::uint64_t last = heartbeat.load(std::memory_order_acquire);
     Clock::time_point beat = Clock::now();
     bool silent = false;
     std::unique_lock lock(state->mutex);
-    while (!state->wake.wait_for(lock, period, [&] { return state->stop; })) {
+    while (!state->wake.wait_for(lock, kLook, [&] { return state->stop; })) {
       const std::uint64_t now = heartbeat.load(std::memory_order_acquire);
       if (now != last || now == 0) {  // 0: the first tick has not come yet
         last = now;

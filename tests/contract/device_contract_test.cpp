@@ -266,7 +266,7 @@ TEST_P(DeviceContract, RefusesWhatCannotBeRunInWordsAndRunsAfterwards) {
                {"RunOptions::seconds [s] = nan; must be", [](RunOptions& o) { o.seconds = std::nan(""); }},
                {"GuardOptions::period [s] = 0; must be", [](RunOptions& o) { o.guard.period = 0; }},
                {"ArmingOptions::ramp [s] = 0; must be", [](RunOptions& o) { o.guard.arming.ramp = 0; }},
-               {"PoseGateOptions::hold_ticks [ticks] = 0; must be", [](RunOptions& o) { o.guard.gate.hold_ticks = 0; }},
+               {"PoseGateOptions::hold [s] = 0; must be", [](RunOptions& o) { o.guard.gate.hold = 0; }},
                {"GuardOptions::late [s] = 2; must be", [](RunOptions& o) { o.guard.late = 2; }}};
   for (const auto& one : wrong) {
     RunOptions options = quick();

@@ -167,10 +167,10 @@ TEST_P(MotorContract, IsFadedInAndOutWhateverEndsTheRun) {
     long last = tested.commands() - 1;
     while (last > before && tested.command(last - 1).force.isZero(0)) --last;
     ASSERT_GT(last, before + 20);
-    const double full = tested.command(last - Servo::kFarewellTicks).force.x();
+    const auto ticks = int(std::lround(Servo::kFarewell / GuardOptions{}.period));
+    const double full = tested.command(last - ticks).force.x();
     EXPECT_GT(full, 0.5);
-    for (int n = 0; n < Servo::kFarewellTicks; ++n)
-      EXPECT_NEAR(tested.command(last - n).force.x(), full * n / Servo::kFarewellTicks, 1e-9) << n;
+    for (int n = 0; n < ticks; ++n) EXPECT_NEAR(tested.command(last - n).force.x(), full * n / ticks, 1e-9) << n;
     expect_no_force_now();
     tested.expect_left_in_order();
   }

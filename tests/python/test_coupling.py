@@ -212,8 +212,9 @@ def test_the_stages_of_the_guard_by_themselves():
 
     watchdog = h.safety.Watchdog()
     verdict = h.safety.Watchdog.Verdict
-    late = [watchdog.verdict(ticks * watchdog.options.period) for ticks in (1, 5, 20, 100)]
+    late = [watchdog.verdict(seconds) for seconds in (1e-3, 5e-3, 20e-3, 100e-3)]
     assert late == [verdict.alive, verdict.late, verdict.fading, verdict.dead]
+    assert h.safety.Watchdog(period=4e-3).verdict(5e-3) == verdict.alive and watchdog.options.late == 2e-3
     assert watchdog.scale(0) == 1 and 0 < watchdog.scale(0.02) < 1 and watchdog.scale(1.0) == 0
 
     guard = h.safety.SafetyGuard(h.device.capabilities(h.device.device_model("touch")))
@@ -222,6 +223,7 @@ def test_the_stages_of_the_guard_by_themselves():
     before = guard.heartbeat
     guard.release(h.Wrench())
     guard.report_exception()
+    assert guard.period == h.safety.GuardOptions().period == 1e-3
     assert guard.heartbeat == before + 1 and guard.log.count(h.safety.SafetyEvent.exception) == 1
     for seconds in (1e-3, 5e-3, 20e-3, 100e-3):
         guard.report_silence(watchdog.verdict(seconds), watchdog.scale(seconds))
@@ -239,6 +241,7 @@ def test_a_device_plays_readings_again():
     heights = []
     report = device.run(lambda s: heights.append(s.X_BS[2, 3]) or h.device.DeviceCommand(),
                         h.device.RunOptions(simulated_time=True))
+    assert report.period == 1e-3 and not report.warnings
     assert device.size() == len(device) == report.ticks == 50 and device.name == "again"
     assert heights == pytest.approx([1e-5 * n for n in range(50)])
     with pytest.raises(h.Error):

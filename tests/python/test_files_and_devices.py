@@ -270,5 +270,5 @@ def test_a_plant_and_a_closed_loop_step_by_step():
     assert loop.plant.pose[0, 3] > 0 and loop.generated_energy > 0 and loop.device_dissipation > 0
     assert loop.applied.force.shape == (3,) and loop.config.delay == 0
     wall = h.bench.LinearWall(stiffness=1.0)
-    wall.stiffness, wall.damping, wall.filter, wall.one_sided, wall.height, wall.period = 2.0, 0.0, 0.0, True, 0.1, 1e-3
+    wall.stiffness, wall.damping, wall.filter, wall.one_sided, wall.height = 2.0, 0.0, 0.0, True, 0.1
     assert wall(h.device.DeviceState()).force[2] == pytest.approx(0.2)

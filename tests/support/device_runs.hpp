@@ -16,6 +16,8 @@ inline RunOptions quick() {
   RunOptions options;
   options.stop_on_signals = false;
   options.guard.arming.ramp = options.guard.arming.short_ramp = 0.02;
+  options.guard.watchdog.fade_after = 9;  // which goes by the wall clock, and the machine may be busy
+  options.guard.watchdog.fault = 10;
   return options;
 }
 

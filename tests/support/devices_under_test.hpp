@@ -35,7 +35,7 @@ struct RigidMock : DeviceUnderTest {
   std::unique_ptr<Device> open() override {
     options.path = [this](double time) {
       DeviceState state;
-      read_happening(story(std::lround(time / options.period)), state);
+      read_happening(story(std::lround(time / GuardOptions{}.period)), state);
       return state.X_BS;
     };
     return std::make_unique<Watched<MockDevice>>(commanded, options);

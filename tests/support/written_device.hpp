@@ -29,6 +29,7 @@ class WrittenDevice : public PolledDevice {
   std::vector<Vec3> forces;
   std::function<bool(DeviceState&)> next = [](DeviceState&) { return true; };
   std::function<void(const Vec3&)> on_write = [](const Vec3&) {};
+  std::function<void(double)> on_scale = [](double) {};
   std::atomic<double> share{1};
 
  protected:
@@ -43,7 +44,10 @@ class WrittenDevice : public PolledDevice {
     on_write(wrench.force);
     return wrench;
   }
-  void scale_output(double s) noexcept override { share.store(s); }
+  void scale_output(double s) noexcept override {
+    share.store(s);
+    on_scale(s);
+  }
   [[nodiscard]] bool is_simulated() const override { return true; }
 };
 

@@ -21,12 +21,11 @@ struct LinearWall {
   double filter = 0;      ///< [Hz] cut-off of the low-pass behind that difference; 0: none
   bool one_sided = true;  ///< false: it also pulls, so that it is linear
   double height = 0;      ///< [m]
-  double period = 1e-3;   ///< [s]
 
   Wrench operator()(const DeviceState& state);
 
  private:
-  double last_ = 0, speed_ = 0;
+  double last_ = 0, last_time_ = 0, speed_ = 0;
   bool started_ = false;
 };
 

@@ -65,7 +65,8 @@ struct FaultResponse {
 };
 
 /// Presses into the surface z = `height` while stroking sideways, lets the fault happen, and watches for half a second.
-/// The guard and its watchdog stand between the model and the device, as in a run.
+/// The guard and its watchdog stand between the model and the device, as in a run, with the period of the loop.
+/// @throws Error when GuardOptions::period is given too, and another
 [[nodiscard]] FaultResponse measure_fault_response(const ClosedLoopConfig& config, const ModelFactory& factory,
                                                    double stiffness, const GuardOptions& options, InjectedFault fault,
                                                    double height = 0);

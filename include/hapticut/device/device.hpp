@@ -27,16 +27,17 @@ namespace hapticut {
 /// no force, and comes out of `Device::run`.
 using DeviceCallback = std::function<DeviceCommand(const DeviceState&)>;
 
-/// How a run goes.
+/// How a run goes. Its ticks have the period `guard.period`, and so has all that takes part in it.
 struct RunOptions {
   double seconds = 0;
   bool simulated_time = false;
   bool stop_on_signals = true;
 
-  /// SIGSEGV, SIGABRT, SIGFPE, SIGBUS and SIGILL in another thread take the force away within 0.3 s, and then go on to
-  /// the handlers that were there before. It is the emergency stop: where the process lives on, because its runtime
-  /// handles the signal (Java, .NET, Mono), `reset_fault` brings the force back. For programs of your own; inside
-  /// another program (Unity, Python) leave it off.
+  /// SIGSEGV, SIGABRT, SIGFPE, SIGBUS and SIGILL take the force away within 0.3 s, and then go on to the handlers that
+  /// were there before. It is the emergency stop: where the process lives on, because its runtime handles the signal
+  /// (Java, .NET, Mono), `reset_fault` brings the force back. In the loop's own thread the watchdog lets go instead, of
+  /// devices that another thread can reach. For programs of your own; inside another program (Unity, Python) leave it
+  /// off. Simulated time knows no hand, and no crash.
   bool stop_on_crash = false;
   RealtimeOptions realtime;
   GuardOptions guard;
@@ -51,7 +52,7 @@ constexpr auto fields_of(Of<RunOptions>) {
             "devices that are simulated: as fast as the callback allows, with exact periods"),
       field("stop_on_signals", &O::stop_on_signals,
             "SIGINT, SIGTERM and SIGHUP end the run without force, then act as they would"),
-      field("stop_on_crash", &O::stop_on_crash, "a crash of another thread takes the force away first"),
+      field("stop_on_crash", &O::stop_on_crash, "a crash takes the force away first"),
       field("realtime", &O::realtime, "for devices whose loop runs in our thread"),
       field("guard", &O::guard, "the safety pipeline; it cannot be switched off"),
   };
@@ -59,6 +60,7 @@ constexpr auto fields_of(Of<RunOptions>) {
 
 /// What a run was like.
 struct RunReport {
+  double period = 1e-3;  ///< [s] of a tick: what was asked for, or what the device kept of its own
   std::uint64_t ticks = 0;
   std::uint64_t missed = 0;               ///< ticks that were skipped because the loop was late
   LatencyHistogram wake_up;               ///< how late the ticks began; of a driver's own loop: deviation of the period
@@ -91,7 +93,8 @@ class Device {
   [[nodiscard]] const DeviceCapabilities& capabilities() const { return capabilities_; }
 
   /// Runs until `stop`, until the callback asks for it, until RunOptions::seconds are over, or until the device is
-  /// lost. The motors have got a zero force before it returns, whatever happens.
+  /// lost. The motors have got a zero force before it returns, whatever happens. It does not return while the callback
+  /// is inside what is the caller's: the force of one that hangs is taken away meanwhile.
   /// @throws Error when an option is out of range or the device cannot be started, and what the callback threw
   RunReport run(const DeviceCallback& callback, const RunOptions& options = {});
 
@@ -119,6 +122,7 @@ class Device {
   [[nodiscard]] const DeviceOutput& last_output() const noexcept { return guard_->output(); }
   [[nodiscard]] const DeviceState& last_state() const noexcept { return guard_->admitted(); }  ///< of this tick
   [[nodiscard]] ArmingState last_arming() const noexcept { return guard_->state(); }
+  [[nodiscard]] double period() const noexcept { return guard_->period(); }  ///< [s] of the ticks of this run
 
   /// Takes the entries of the safety log; empty before the first run.
   [[nodiscard]] std::vector<SafetyLogEntry> drain_log();
@@ -133,8 +137,14 @@ class Device {
   /// ended, in words.
   virtual std::string drive(Servo& servo, const RunOptions& options) = 0;
 
-  /// Scales the force that the device renders, from another thread, because the loop does not answer. Only for devices
-  /// that hold the last force by themselves.
+  /// The period of the ticks of a run, for devices that may keep their own. Asked before the run begins; everything
+  /// in it then goes by the answer.
+  /// @param asked  [s] GuardOptions::period
+  /// @throws Error when there is none that suits
+  [[nodiscard]] virtual double settle_period(double asked) { return asked; }
+
+  /// Scales the force that the device renders, from another thread, because the loop does not answer; 0 may be all
+  /// that it can. Only for devices that hold the last force by themselves.
   virtual void scale_output(double /*share*/) noexcept {}
 
   /// For devices that know what they are only once they are open.
@@ -168,10 +178,10 @@ class Servo {
   /// Whether the run shall end, for whatever reason.
   [[nodiscard]] bool should_end() const noexcept;
 
-  /// The force of the n-th tick after the end, n = 0, 1, ...: faded to zero over kFarewellTicks, or zero at once when
+  /// The force of the n-th tick after the end, n = 0, 1, ...: faded to zero over kFarewell, or zero at once when
   /// something is wrong or an emergency stop comes.
   [[nodiscard]] Wrench farewell(int n) const noexcept;
-  static constexpr int kFarewellTicks = 20;
+  static constexpr double kFarewell = 20e-3;  ///< [s]
 
   void report_wake_up(double late) noexcept { report_.wake_up.add(late); }
   void report_missed(std::uint64_t ticks) noexcept { report_.missed += ticks; }

@@ -21,7 +21,6 @@ struct OpenHapticsOptions {
   bool other_names = true;
   bool reset_encoders = false;
   std::string license_vendor, license_application, license_password;
-  double rate = 1000;
   double start_timeout = 5;
   double silence = 0.5;
   std::function<double()> clock;
@@ -39,7 +38,6 @@ constexpr auto fields_of(Of<OpenHapticsOptions>) {
             "of an application with a deployment licence; empty: a development licence is installed"),
       field("license_application", &O::license_application, "the same"),
       field("license_password", &O::license_password, "the same"),
-      field("rate", &O::rate, "Hz", Range::positive(), "that is asked for; drivers that refuse keep their own"),
       field("start_timeout", &O::start_timeout, "s", Range::positive(),
             "for the first tick of the driver's servo loop"),
       field("silence", &O::silence, "s", Range::positive(), "without a tick after which the driver counts as lost"),
@@ -51,8 +49,9 @@ constexpr auto fields_of(Of<OpenHapticsOptions>) {
 /// running.
 ///
 /// Base frame of the device: +x to the right, +y up, +z towards the user; the stylus point is the middle of the gimbal.
-/// The callback runs in the driver's servo thread, whose priority is the driver's. Angular velocity is the filtered
-/// difference of orientations, because what the driver reports for it is not reliable.
+/// The callback runs in the driver's servo thread, whose priority is the driver's. It is asked to tick with
+/// GuardOptions::period; where it refuses, the run has the driver's own period, and a warning that says so. Angular
+/// velocity is the filtered difference of orientations, because what the driver reports for it is not reliable.
 /// @throws Error with the driver's own words and what to do
 [[nodiscard]] std::unique_ptr<Device> open_open_haptics(const OpenHapticsOptions& options = {});
 

@@ -37,7 +37,7 @@ struct CloseClutch {};
 
 /// How far the tool moves with the hand.
 struct SetScale {
-  double scale = 1;  ///< [1] > 0, world over hand
+  double scale = 1;  ///< [1] world over hand, in the range of WorkspaceMapOptions::scale
 };
 
 /// Marks the workpiece as it is in this tick: see SimulationModelOptions::undo_blocks.

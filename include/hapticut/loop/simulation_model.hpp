@@ -97,6 +97,7 @@ class SimulationModel final : public LoopModel {
   void require_renderable(double contact_stiffness, const SimulationConfig& config, double relative_stiffness,
                           double scale) const;
   void check_scale(double scale) const;
+  void require_gains_within(const WorkspaceMapOptions& map) const;
   [[nodiscard]] static bool is_foundation(const SimulationConfig& config) noexcept;
   [[nodiscard]] Wrench follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept;
   [[nodiscard]] Wrench move_tool(const DeviceState& state, double dt) noexcept;

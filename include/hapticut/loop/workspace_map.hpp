@@ -21,7 +21,7 @@ constexpr auto fields_of(Of<WorkspaceMapOptions>) {
   using O = WorkspaceMapOptions;
   return std::tuple{
       field("X_WB", &O::X_WB, "pose of the device's base in the world: where its origin is, where it looks"),
-      field("scale", &O::scale, "1", Range::positive(), "metres in the world per metre of the hand"),
+      field("scale", &O::scale, "1", Range::between(0.01, 100), "metres in the world per metre of the hand"),
       field("force_scale", &O::force_scale, "1", Range::positive(),
             "newtons at the hand per newton in the world; scale preserves power"),
       field("torque_scale", &O::torque_scale, "1", Range::positive(), "the same for torques; 1 preserves power"),
@@ -64,7 +64,7 @@ class WorkspaceMap {
   /// Moves the tool to a pose in the world; the hand stays where it is.
   void place(const Pose& X_BS, const Pose& X_WH) noexcept;
 
-  /// Another scale from here on; nothing moves.  @return false, and nothing changes, when it is not a finite number > 0
+  /// Another scale from here on; nothing moves.  @return false, and nothing changes, when it is out of range
   bool set_scale(double scale, const Pose& X_BS) noexcept;
 
   [[nodiscard]] bool engaged() const { return engaged_; }

@@ -53,7 +53,8 @@ constexpr auto fields_of(Of<GuardOptions>) {
       field("passivity", &O::passivity, "how much energy the model may put into the hand"),
       field("thermal", &O::thermal, "when the motors count as too warm"),
       field("watchdog", &O::watchdog, "how long a force may live without a new one"),
-      field("period", &O::period, "s", Range::positive(), "of a tick"),
+      field("period", &O::period, "s", Range::positive(),
+            "of a tick: of the loop, the guard, its watchdog, the driver and simulated devices"),
       field("greatest_force", &O::greatest_force, "N", Range::not_negative(),
             "of the output; 0: the device's peak; never more than it"),
       field("greatest_torque", &O::greatest_torque, "N m", Range::not_negative(),
@@ -67,8 +68,7 @@ constexpr auto fields_of(Of<GuardOptions>) {
       field("fastest_contact", &O::fastest_contact, "m/s", Range::positive(), "at which a surface is met"),
       field("ramp_damping", &O::ramp_damping, "N s/m",
             "while the force fades in; < 0: a fifth of what the device promises"),
-      field("late", &O::late, "s", Range::between(0, 1),
-            "a tick that comes later than this needs a free tool again; not below period"),
+      field("late", &O::late, "s", Range::between(0, 1), "a tick that comes later than this needs a free tool again"),
       field("pause", &O::pause, "s", Range::between(0, 10),
             "... and, later than this, the long fade-in; not below late"),
       field("not_finite_ticks", &O::not_finite_ticks, "ticks", Range::between(1, 50),
@@ -132,6 +132,7 @@ class SafetyGuard {
   /// Both sides of the last tick; for the thread of the loop.
   [[nodiscard]] const DeviceOutput& output() const noexcept { return output_; }
 
+  [[nodiscard]] double period() const noexcept { return options_.period; }          ///< [s] of a tick
   [[nodiscard]] double slew() const noexcept { return slew_; }                      ///< [N/s] in force
   [[nodiscard]] double greatest_force() const noexcept { return greatest_force_; }  ///< [N] in force
 

@@ -15,8 +15,8 @@ struct PoseGateOptions {
   double fastest_turn = 30;
   double workspace_margin = 0.05;
   double rotation_tolerance = 1e-3;
-  int hold_ticks = 20;
-  int frozen_ticks = 30;
+  double hold = 20e-3;
+  double frozen = 30e-3;
   double frozen_turn = 0.1;
   double frozen_speed = 5e-3;
 };
@@ -30,9 +30,8 @@ constexpr auto fields_of(Of<PoseGateOptions>) {
             "beyond the device's own box that is still believed"),
       field("rotation_tolerance", &O::rotation_tolerance, "1", Range::between(0, 0.1),
             "of the entries of R R^T - 1; inexact ones are made exact"),
-      field("hold_ticks", &O::hold_ticks, "ticks", Range::between(1, 50),
-            "bad readings in a row after which the gate gives up"),
-      field("frozen_ticks", &O::frozen_ticks, "ticks", Range::between(2, 1000),
+      field("hold", &O::hold, "s", Range::between(1e-3, 50e-3), "without a good reading after which the gate gives up"),
+      field("frozen", &O::frozen, "s", Range::between(2e-3, 1),
             "of a position that stands still bit by bit while others move"),
       field("frozen_turn", &O::frozen_turn, "rad", Range::limit(),
             "within 0.1 s that contradict a position that stands still"),
@@ -66,16 +65,17 @@ class PoseGate {
 
  private:
   [[nodiscard]] std::optional<SafetyEvent> objection(const DeviceState& reading, double& value) noexcept;
-  [[nodiscard]] bool is_frozen(const DeviceState& reading) noexcept;
+  [[nodiscard]] bool is_frozen(const DeviceState& reading, double dt) noexcept;
 
   PoseGateOptions options_;
   Vec3 low_, high_;
   bool bounded_;
   DeviceState state_;
   bool started_ = false;
-  double elapsed_ = 0;  // [s] that a hand had for the way from the last good pose
-  int bad_ = 0;
-  int resting_ = 0, contradicted_ = 0;
+  double elapsed_ = 0;             // [s] that a hand had for the way from the last good pose
+  double bad_ = 0;                 // [s] since the last good reading
+  std::optional<double> resting_;  // [s] since the orientation of a resting stylus was looked at
+  double contradicted_ = 0;        // [s] that the position has stood still while others moved
   Pose X_BS_still_;
 };
 

@@ -11,13 +11,12 @@
 
 namespace hapticut {
 
-/// How long a force may live without a new one.
+/// How long a force may live without a new one, from the moment on at which a tick is due.
 struct WatchdogOptions {
-  double period = 1e-3;
-  int late_ticks = 3;
-  int fade_ticks = 10;
+  double late = 2e-3;
+  double fade_after = 9e-3;
   double fade = 0.03;
-  int fault_ticks = 50;
+  double fault = 49e-3;
 
   /// false: what a loop finds after any pause: no force until the tool was free, and then the long fade-in. true: the
   /// fault state, which lasts until `reset_fault`.
@@ -27,14 +26,13 @@ struct WatchdogOptions {
 constexpr auto fields_of(Of<WatchdogOptions>) {
   using O = WatchdogOptions;
   return std::tuple{
-      field("period", &O::period, "s", Range::positive(), "of a tick"),
-      field("late_ticks", &O::late_ticks, "ticks", Range::between(1, 1000), "after which it is reported"),
-      field("fade_ticks", &O::fade_ticks, "ticks", Range::between(1, 1000),
-            "after which the last force is faded out, not below late_ticks"),
+      field("late", &O::late, "s", Range::between(0, 10), "after which a tick is reported as late"),
+      field("fade_after", &O::fade_after, "s", Range::between(0, 10),
+            "after which the last force is faded out, not below late"),
       field("fade", &O::fade, "s", Range::positive(), "of the fading"),
-      field("fault_ticks", &O::fault_ticks, "ticks", Range::positive(),
+      field("fault", &O::fault, "s", Range::between(0, 10),
             "after which it is reported as a fault, not before the force has faded out"),
-      field("latch", &O::latch, "what a loop finds that comes back after fault_ticks"),
+      field("latch", &O::latch, "what a loop finds that comes back after fault"),
   };
 }
 
@@ -43,8 +41,9 @@ class Watchdog {
  public:
   enum class Verdict : std::uint8_t { alive, late, fading, dead };
 
+  /// @param period  [s] > 0 of a tick
   /// @throws Error when an option is out of range, or the force would outlive the fault
-  explicit Watchdog(const WatchdogOptions& options);
+  explicit Watchdog(const WatchdogOptions& options, double period = 1e-3);
 
   [[nodiscard]] Verdict verdict(double seconds_without) const noexcept;
 
@@ -55,6 +54,7 @@ class Watchdog {
 
  private:
   WatchdogOptions options_;
+  double period_;
 };
 
 constexpr auto names_of(Of<Watchdog::Verdict>) {
@@ -72,9 +72,9 @@ constexpr auto names_of(Of<Watchdog::Verdict>) {
 class WatchdogThread {
  public:
   /// @param heartbeat  grows with every tick
-  /// @param act        called about once a period while the heart does not beat, with the verdict and the allowed share
-  ///                   of the last force, and once with `alive` when it beats again
-  WatchdogThread(const WatchdogOptions& options, const std::atomic<std::uint64_t>& heartbeat,
+  /// @param act        called about once a millisecond while the heart does not beat, with the verdict and the allowed
+  ///                   share of the last force, and once with `alive` when it beats again
+  WatchdogThread(const Watchdog& watchdog, const std::atomic<std::uint64_t>& heartbeat,
                  std::function<void(Watchdog::Verdict, double scale)> act);
   ~WatchdogThread();
   WatchdogThread(const WatchdogThread&) = delete;

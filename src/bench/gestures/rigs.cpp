@@ -114,12 +114,11 @@ Span Rig::play(const Hand& hand, const std::function<void(Pose&, double time)>& 
 class Chain::WatchedMock final : public MockDevice {
  public:
   WatchedMock(Chain& chain, MockOptions options) : MockDevice(std::move(options)), chain_(chain) {}
-  static MockOptions options_of(Chain& chain, double period) {
+  static MockOptions options_of(Chain& chain) {
     MockOptions options;
     options.device = device_model(chain.options_.device);
     options.rigid = chain.options_.hand.empty();
     if (!options.rigid) options.hand = hand_model(chain.options_.hand);
-    options.period = period;
     options.path = [&chain](double time) { return chain.path_(time); };
     return options;
   }
@@ -147,7 +146,7 @@ Chain::Chain(Report& a_report, Workpiece workpiece, Tool tool, ChainOptions opti
              device_model(options.device).rendered_stiffness, true}),
       report_(a_report),
       options_(std::move(options)),
-      device_(std::make_unique<WatchedMock>(*this, WatchedMock::options_of(*this, a_report.period))) {
+      device_(std::make_unique<WatchedMock>(*this, WatchedMock::options_of(*this))) {
   story.probing = report_.probing;
   story.turn = report_.turn;
   options_.map.X_WB = Pose{report_.turn, Vec3::Zero()} * options_.map.X_WB;

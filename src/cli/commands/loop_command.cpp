@@ -55,7 +55,8 @@ std::vector<Setting> settings_of(LoopSettings& s) {
              "workpiece's top]"),
       choice("loop.up", "--up", s.up, {{"y", Up::y}, {"z", Up::z}},
              "axis of the device's base that points up, along z of the world [z of mock and replay, y of others]"),
-      number("loop.scale", "--scale", s.scale, Range::positive(), "metres in the world per metre of the hand [1]"),
+      number("loop.scale", "--scale", s.scale, range_of(&WorkspaceMapOptions::scale),
+             "metres in the world per metre of the hand [1]"),
       choice(
           "loop.coupling", "--coupling", s.coupling, {{"virtual", Coupling::virtual_tool}, {"none", Coupling::none}},
           "between hand and tool: a spring that the device renders, or nothing [virtual, where the device promises a "
@@ -90,14 +91,6 @@ WorkspaceMapOptions map_of(const LoopSettings& s, const DeviceCapabilities& capa
   WorkspaceMapOptions map = map_above(capabilities, box, tool, up, s.scale);
   if (s.origin_mm) map.X_WB.translation = *s.origin_mm * units::mm;
   return map;
-}
-
-/// Gains with which the device feels what it can render, whatever the scale of the world.
-CouplingGains gains_of(const DeviceCapabilities& device, double scale) {
-  CouplingGains gains = coupling_gains(device);
-  gains.stiffness /= scale;
-  gains.damping /= scale;
-  return gains;
 }
 
 /// What a screen would do: looks sixty times a second, and takes what has changed.
@@ -142,16 +135,16 @@ void run_loop(LoopSettings s) {
   RunRecorder recorder(s.record, simulation, s.simulated_time ? Pace::own : Pace::of_a_hand, device.get());
   SimulationModelOptions model_options;
   model_options.map = map_of(s, device->capabilities(), summary.box, tool);
-  if (coupled) model_options.coupling = gains_of(device->capabilities(), s.scale);
+  if (coupled) model_options.coupling = coupling_gains(device->capabilities());
   SimulationModel model(simulation, *device, model_options);
   RealtimeLoopOptions options;
   options.run.seconds = s.seconds;
   options.run.simulated_time = s.simulated_time;
   options.run.stop_on_crash = true;  // the process is ours
-  options.run.guard.period = options.run.guard.watchdog.period = 1 / s.simulation.rate_Hz;
+  options.run.guard.period = 1 / s.simulation.rate_Hz;
   options.region = model.region();
 
-  LoopReport report{summary, *device, simulation, coupled, s.simulation.rate_Hz, {}, {}, 0};
+  LoopReport report{summary, *device, simulation, coupled, {}, {}, 0};
   {
     RealtimeLoop loop(*device, model, options);
     loop.start();

@@ -71,14 +71,14 @@ Json to_json(const LoopReport& r) {
         {"peak_force_N", device.peak_force},
         {"stiffness_N_per_m", device.stiffness}}},
       {"coupling", r.coupled ? "virtual" : "none"},
-      {"rate_Hz", r.rate},
+      {"rate_Hz", 1 / r.run.period},
       {"ticks", r.run.ticks},
       {"missed_ticks", r.run.missed},
       {"end", r.run.end},
       {"guard", name_of(r.run.guard)},
       {"wake_up_us", to_json(r.run.wake_up)},
       {"compute_us", to_json(r.run.compute)},
-      {"deadline_misses", deadline_misses(r.run.compute, 1 / r.rate)},
+      {"deadline_misses", deadline_misses(r.run.compute, r.run.period)},
       {"safety_events", events},
       {"safety_log", log},
       {"steps", r.seen.tool.steps},
@@ -102,10 +102,10 @@ std::string to_table(const LoopReport& r) {
                           rounded(device.stiffness) + " N/m, " +
                           (r.coupled ? "behind a virtual coupling" : "driven directly"));
   table.add("workpiece", r.workpiece.source + ", voxels of " + rounded(r.workpiece.voxel_size / units::mm) + " mm");
-  table.add("ticks", std::to_string(r.run.ticks) + " at " + rounded(r.rate, 6) + " Hz, " +
+  table.add("ticks", std::to_string(r.run.ticks) + " at " + rounded(1 / r.run.period, 6) + " Hz, " +
                          std::to_string(r.run.missed) + " missed; " + r.run.end);
   if (r.run.wake_up.count() > 0) table.add("wake-up", text_of(r.run.wake_up) + " late");
-  table.add("compute", text_of(r.run.compute) + ", " + std::to_string(deadline_misses(r.run.compute, 1 / r.rate)) +
+  table.add("compute", text_of(r.run.compute) + ", " + std::to_string(deadline_misses(r.run.compute, r.run.period)) +
                            " over the period");
   table.add("removed", rounded(r.seen.tool.removed_volume / units::mm3) + " mm^3 in " +
                            std::to_string(r.seen.tool.steps) + " steps");

@@ -22,7 +22,6 @@ struct LoopReport {
   const Device& device;
   const Simulation& simulation;
   bool coupled;  ///< by a virtual coupling
-  double rate;   ///< [Hz]
   LoopWatch seen;
   RunReport run;
   std::uint64_t steps_lost;  ///< by the recorder

@@ -41,8 +41,8 @@ void forgive(GuardOptions& guard) {
   guard.arming.short_ramp = 0.1;
   guard.late = 1;
   guard.pause = 5;
-  guard.watchdog.late_ticks = guard.watchdog.fade_ticks = 1000;
-  guard.watchdog.fault_ticks = 5000;
+  guard.watchdog.late = guard.watchdog.fade_after = 1;
+  guard.watchdog.fault = 5;
 }
 
 std::string free_name() {
@@ -111,8 +111,9 @@ void ViewSession::build_loop() {
   options.map = map_;
   if (c.stiffness > 0) options.coupling = coupling_gains(c);
   model_ = std::make_unique<SimulationModel>(simulation_, device(), options);
-  watched_ = std::make_unique<WatchedModel>(*model_, simulation_, 1e-3);
   RealtimeLoopOptions loop;
+  loop.run.guard.period = 1 / simulation_.config().update_rate;
+  watched_ = std::make_unique<WatchedModel>(*model_, simulation_, loop.run.guard.period);
   loop.run.stop_on_crash = true;  // the process is ours
   if (device_ == nullptr) forgive(loop.run.guard);
   loop.region = model_->region();
@@ -306,7 +307,7 @@ void ViewSession::frame(double seconds) {
   }
   server_.send(snapshot);
   const WatchedModel::Trace trace = watched_->take_trace();
-  server_.send_trace(trace.first, trace.samples, 1000);
+  server_.send_trace(trace.first, trace.samples, simulation_.config().update_rate);
   server_.send(instruments(snapshot, seconds));
   send_sound(snapshot, seconds);
   tell_guard();

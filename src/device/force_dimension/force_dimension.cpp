@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "device/force_dimension/connection.hpp"
+#include "device/ticks_in.hpp"
 #include "device/turning_estimate.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/realtime/realtime.hpp"
@@ -18,9 +19,9 @@ using force_dimension::Connection;
 using force_dimension::ForceOff;
 using force_dimension::Status;
 
-constexpr std::uint64_t kStatusTicks = 10;     // between two looks at the status, and ...
-constexpr std::uint64_t kRecoveryTicks = 100;  // ... between two tries to switch the forces on again
-constexpr int kMostFailures = 100;             // calls in a row after which a device that does not answer is lost
+constexpr double kStatusTime = 10e-3;  // [s] between two looks at the status, and ...
+constexpr double kRecoveryTime = 0.1;  // [s] ... between two tries to switch the forces on again
+constexpr int kMostFailures = 100;     // calls in a row after which a device that does not answer is lost
 
 class ForceDimensionDevice final : public PolledDevice {
  public:
@@ -121,12 +122,12 @@ void ForceDimensionDevice::look_at_status() noexcept {
   }
   if (!ours_ && (on_ || status.cause != cause_)) {
     ++switched_off_[std::size_t(status.cause)];
-    next_try_ = tick_ + kRecoveryTicks;
+    next_try_ = tick_ + ticks_in(kRecoveryTime, period_);
   }
   on_ = false;
   cause_ = status.cause;
   if ((!ours_ && !comes_back(cause_)) || tick_ < next_try_) return;
-  next_try_ = tick_ + kRecoveryTicks;
+  next_try_ = tick_ + ticks_in(kRecoveryTime, period_);
   (void)connection_.switch_on();  // the next look tells whether it did
 }
 
@@ -139,9 +140,9 @@ bool ForceDimensionDevice::read(DeviceState& state) noexcept {
   const Answer pose = connection_.read(state);
   note(pose);
   answered_ = pose.ok;
-  if (tick_ % kStatusTicks == 0 || too_late) look_at_status();
+  if (tick_ % ticks_in(kStatusTime, period_) == 0 || too_late) look_at_status();
   ++tick_;
-  if (pose.ok && !connection_.reports_turning()) state.velocity.angular = turning_.update(state.X_BS.rotation, period_);
+  if (pose.ok && !connection_.reports_turning()) state.velocity.angular = turning_.update(state.X_BS.rotation, now);
   state.time = now - begin_;
   state.sequence = tick_;
   state.epoch = epoch_;

@@ -191,6 +191,7 @@ void Connection::calibrate(bool reset_encoders) {
 void Connection::enable_force(bool on) {
   Scheduler::instance().between_ticks([this, on] {
     hdMakeCurrentDevice(handle_);
+    let_go_.store(false);
     if (on) {
       for (const HDenum safety :
            {HDenum(HD_FORCE_RAMPING), HDenum(HD_MAX_FORCE_CLAMPING), HDenum(HD_SOFTWARE_FORCE_LIMIT)})
@@ -205,6 +206,15 @@ void Connection::enable_force(bool on) {
     }
     drain();
   });
+}
+
+void Connection::let_go() noexcept {
+  Scheduler& scheduler = Scheduler::instance();
+  const bool turn = scheduler.wait_for_turn();  // without it the hand comes first
+  hdMakeCurrentDevice(handle_);
+  hdDisable(HD_FORCE_OUTPUT);
+  let_go_.store(true);  // before another tick can look
+  if (turn) scheduler.give_turn();
 }
 
 }  // namespace hapticut::open_haptics

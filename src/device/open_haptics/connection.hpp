@@ -3,6 +3,7 @@
 
 #include <HD/hd.h>
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,15 @@ class Connection {
   /// Switches the amplifiers, and what the driver offers for safety.
   void enable_force(bool on);
 
+  /// Switches the amplifiers off beside a tick that hangs.
+  void let_go() noexcept;
+  [[nodiscard]] bool has_let_go() const noexcept { return let_go_.load(); }
+
+  /// Switches them on again. In a tick, with the turn.
+  void hold() noexcept {
+    if (let_go_.exchange(false)) hdEnable(HD_FORCE_OUTPUT);
+  }
+
  private:
   void initialise(const OpenHapticsOptions& options);
   void ask();
@@ -38,6 +48,7 @@ class Connection {
   HDenum calibration_style_ = 0;
   bool measures_temperature_ = false;
   std::vector<std::string> warnings_;
+  std::atomic<bool> let_go_{false};
 };
 
 }  // namespace hapticut::open_haptics

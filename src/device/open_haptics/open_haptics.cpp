@@ -13,6 +13,7 @@
 #include "device/open_haptics/connection.hpp"
 #include "device/open_haptics/errors.hpp"
 #include "device/open_haptics/scheduler.hpp"
+#include "device/ticks_in.hpp"
 #include "device/turning_estimate.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
@@ -22,13 +23,14 @@ namespace {
 
 using open_haptics::Connection;
 using open_haptics::drain;
+using open_haptics::Entry;
 using open_haptics::Scheduler;
 
-constexpr int kTemperatureTicks = 100;   // between two readings of it
-constexpr int kCalibrationTicks = 1000;  // the same, while the device is calibrated
-constexpr int kUncalibratedTicks = 100;  // the same, while it is not
-constexpr double kTooWarm = 1;           // [1] a temperature that the guard reduces the force at
-constexpr double kCooled = 0.5;          // [1] measured, at which a driver that complained of heat is satisfied
+constexpr double kTemperatureTime = 0.1;   // [s] between two readings of it
+constexpr double kCalibrationTime = 1;     // [s] the same, while the device is calibrated
+constexpr double kUncalibratedTime = 0.1;  // [s] the same, while it is not
+constexpr double kTooWarm = 1;             // [1] a temperature that the guard reduces the force at
+constexpr double kCooled = 0.5;            // [1] measured, at which a driver that complained of heat is satisfied
 
 /// The rotation of a column-major matrix, made orthonormal: the driver's has small errors.
 Mat3 rotation_of(const std::array<HDdouble, 16>& m) {
@@ -49,7 +51,7 @@ DeviceFault graver(DeviceFault a, DeviceFault b) {
   return rank(a) < rank(b) ? b : a;
 }
 
-class OpenHapticsDevice final : public Device {
+class OpenHapticsDevice final : public Device, private open_haptics::TickTarget {
  public:
   OpenHapticsDevice(const OpenHapticsOptions& options, const std::string& name)
       : Device(name, {}), options_(options), connection_(options) {
@@ -60,12 +62,18 @@ class OpenHapticsDevice final : public Device {
 
  protected:
   std::string drive(Servo& servo, const RunOptions& options) override;
+  [[nodiscard]] double settle_period(double asked) override;
+  void scale_output(double share) noexcept override;
 
  private:
   enum class Phase : std::uint8_t { running, ending, done };
+  enum class Ending : std::uint8_t { done, silent, never_began };
 
-  static HDCallbackCode HDCALLBACK on_tick(void* self) { return static_cast<OpenHapticsDevice*>(self)->tick(); }
-  HDCallbackCode tick() noexcept;
+  HDCallbackCode tick() noexcept override;
+  bool render() noexcept;
+  void begin(Servo& servo, const RunOptions& options);
+  [[nodiscard]] Ending wait_for_end();
+  void leave(Entry& entry) noexcept;
   void read(DeviceState& state) noexcept;
   void look_after_calibration() noexcept;
   void take_errors() noexcept;
@@ -104,15 +112,14 @@ void OpenHapticsDevice::read(DeviceState& state) noexcept {
   hdGetDoublev(HD_CURRENT_TRANSFORM, transform.data());
   hdGetDoublev(HD_CURRENT_VELOCITY, velocity.data());
   hdGetIntegerv(HD_CURRENT_BUTTONS, &buttons);
-  if (connection_.measures_temperature() && n % kTemperatureTicks == 0) {
+  if (connection_.measures_temperature() && n % ticks_in(kTemperatureTime, period_) == 0) {
     std::array<HDdouble, 6> temperatures{};
     hdGetDoublev(HD_MOTOR_TEMPERATURE, temperatures.data());
     temperature_ = *std::max_element(temperatures.begin(), temperatures.end());
     if (temperature_ < kCooled) warm_ = false;
   }
   state.X_BS = {rotation_of(transform), Vec3(transform[12], transform[13], transform[14]) * units::mm};
-  state.velocity = {Vec3(velocity[0], velocity[1], velocity[2]) * units::mm,
-                    turning_.update(state.X_BS.rotation, period_)};
+  state.velocity = {Vec3(velocity[0], velocity[1], velocity[2]) * units::mm, turning_.update(state.X_BS.rotation, now)};
   state.buttons = std::uint32_t(buttons);
   state.time = now - begin_;
   state.sequence = n + 1;
@@ -129,8 +136,8 @@ void OpenHapticsDevice::read(DeviceState& state) noexcept {
 // A calibration moves the pose at once: the force is taken away for the tick before it, and the guard waits after it.
 void OpenHapticsDevice::look_after_calibration() noexcept {
   const std::uint64_t n = ticks_.load(std::memory_order_relaxed);
-  const int pause = calibration_ == HD_CALIBRATION_OK ? kCalibrationTicks : kUncalibratedTicks;
-  if (connection_.calibration_style() == 0 || n % std::uint64_t(pause) != 0) return;
+  const double pause = calibration_ == HD_CALIBRATION_OK ? kCalibrationTime : kUncalibratedTime;
+  if (connection_.calibration_style() == 0 || n % ticks_in(pause, period_) != 0) return;
   calibration_ = hdCheckCalibration();
   must_calibrate_ =
       calibration_ == HD_CALIBRATION_NEEDS_UPDATE && connection_.calibration_style() != HD_CALIBRATION_ENCODER_RESET;
@@ -165,44 +172,65 @@ void OpenHapticsDevice::write(const Wrench& wrench) noexcept {
   hdSetDoublev(HD_CURRENT_TORQUE, torque.data());
 }
 
+// A frame of the run. The turn is given away meanwhile.
+// @return whether it came back
+bool OpenHapticsDevice::render() noexcept {
+  Scheduler& scheduler = Scheduler::instance();
+  connection_.hold();
+  DeviceState state;
+  read(state);
+  look_after_calibration();
+  scheduler.give_turn();
+  Wrench wrench = servo_->tick(state);
+  if (servo_->should_end()) phase_.store(Phase::ending, std::memory_order_relaxed);
+  const bool turn = scheduler.take_turn();
+  if (turn) hdMakeCurrentDevice(connection_.handle());
+  // Who has let go of the hand meanwhile did so because this force is too old.
+  if (!turn || connection_.has_let_go() || must_calibrate_) {
+    wrench = {};
+    servo_->applied(wrench);
+  }
+  if (turn) write(wrench);
+  return turn;
+}
+
 HDCallbackCode OpenHapticsDevice::tick() noexcept {
+  Scheduler& scheduler = Scheduler::instance();
+  if (!scheduler.take_turn()) return HD_CALLBACK_CONTINUE;  // another thread lets go of a hand
+  bool turn = true, last = false;
   const HHD handle = connection_.handle();
   hdMakeCurrentDevice(handle);
   hdBeginFrame(handle);
-  bool last = false;
   if (phase_.load(std::memory_order_relaxed) == Phase::running) {
-    DeviceState state;
-    read(state);
-    look_after_calibration();
-    Wrench wrench = servo_->tick(state);
-    if (must_calibrate_) {
-      wrench = {};
-      servo_->applied(wrench);
-    }
-    write(wrench);
-    if (servo_->should_end()) phase_.store(Phase::ending, std::memory_order_relaxed);
+    turn = render();
   } else {
     const Wrench wrench = servo_->farewell(farewells_++);
     write(wrench);
     last = wrench.force.isZero(0) && wrench.torque.isZero(0);
   }
   hdEndFrame(handle);
-  if (must_calibrate_) {
+  if (turn && must_calibrate_) {
     hdUpdateCalibration(connection_.calibration_style());
     calibration_ = HD_CALIBRATION_OK;
     must_calibrate_ = false;
     ++epoch_;
   }
   take_errors();
+  if (turn) scheduler.give_turn();
   if (!last) return HD_CALLBACK_CONTINUE;
   phase_.store(Phase::done, std::memory_order_release);
   return HD_CALLBACK_DONE;
 }
 
-std::string OpenHapticsDevice::drive(Servo& servo, const RunOptions& options) {
-  if (options.simulated_time)
-    throw Error("An OpenHaptics device cannot run in simulated time; leave RunOptions::simulated_time false.");
-  for (const std::string& warning : connection_.warnings()) servo.warn(warning);
+double OpenHapticsDevice::settle_period(double asked) {
+  return Scheduler::instance().settle_period(asked, connection_.handle());
+}
+
+void OpenHapticsDevice::scale_output(double share) noexcept {
+  if (share <= 0 && !connection_.has_let_go()) connection_.let_go();
+}
+
+void OpenHapticsDevice::begin(Servo& servo, const RunOptions& options) {
   servo_ = &servo;
   ticks_ = 0;
   farewells_ = 0;
@@ -211,29 +239,22 @@ std::string OpenHapticsDevice::drive(Servo& servo, const RunOptions& options) {
   fatal_ = {};
   must_calibrate_ = warm_ = false;
   turning_.restart();
-  Scheduler& scheduler = Scheduler::instance();
-  scheduler.between_ticks([this] {
+  Scheduler::instance().between_ticks([this] {
     hdMakeCurrentDevice(connection_.handle());
     calibration_ = connection_.calibration_style() == 0 ? HD_CALIBRATION_OK : hdCheckCalibration();
     drain();
   });
   connection_.enable_force(true);
   phase_.store(Phase::running, std::memory_order_release);
-  HDSchedulerHandle handle{};
-  try {
-    handle = scheduler.join(on_tick, this, options_.rate);
-  } catch (...) {
-    connection_.enable_force(false);
-    servo_ = nullptr;
-    throw;
-  }
+}
 
+// Until the last tick, or until the driver was silent for too long.
+OpenHapticsDevice::Ending OpenHapticsDevice::wait_for_end() {
   using Clock = std::chrono::steady_clock;
   const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
   Clock::time_point heard = Clock::now();
   std::uint64_t last = 0;
-  bool silent = false;
-  while (phase_.load(std::memory_order_acquire) != Phase::done && !silent) {
+  while (phase_.load(std::memory_order_acquire) != Phase::done) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const std::uint64_t now = ticks_.load(std::memory_order_acquire);
     const bool ending = phase_.load(std::memory_order_acquire) == Phase::ending;
@@ -241,20 +262,52 @@ std::string OpenHapticsDevice::drive(Servo& servo, const RunOptions& options) {
       last = now;
       heard = Clock::now();
     }
-    silent = seconds(Clock::now() - heard) > (last == 0 || ending ? options_.start_timeout : options_.silence);
+    if (seconds(Clock::now() - heard) <= (last == 0 || ending ? options_.start_timeout : options_.silence)) continue;
+    return last == 0 ? Ending::never_began : Ending::silent;
   }
-  scheduler.leave(handle, !silent);
-  connection_.enable_force(false);
-  servo_ = nullptr;
-  if (silent && last == 0)
+  return Ending::done;
+}
+
+std::string OpenHapticsDevice::drive(Servo& servo, const RunOptions& options) {
+  if (options.simulated_time)
+    throw Error("An OpenHaptics device cannot run in simulated time; leave RunOptions::simulated_time false.");
+  for (const std::string& warning : connection_.warnings()) servo.warn(warning);
+  Scheduler& scheduler = Scheduler::instance();
+  begin(servo, options);
+  Entry& entry = scheduler.take_entry();
+  entry.open(*this);
+  HDSchedulerHandle handle{};
+  try {
+    handle = scheduler.join(entry, period_);
+  } catch (...) {
+    leave(entry);
+    connection_.enable_force(false);
+    throw;
+  }
+  const Ending ending = wait_for_end();
+  const bool hangs = ending == Ending::silent && entry.is_entered();
+  if (ending != Ending::done && !connection_.has_let_go()) connection_.let_go();
+  leave(entry);
+  scheduler.leave(handle, ending == Ending::done);
+  if (ending == Ending::done) scheduler.give_back(entry);
+  if (!connection_.has_let_go()) connection_.enable_force(false);
+  if (ending == Ending::never_began)
     throw Error("The OpenHaptics scheduler runs but never calls back; check that no other program uses the device.");
-  if (silent) {
+  if (ending == Ending::silent) {
     servo.report_lost(DeviceFault::disconnected);
-    return "the driver stopped calling back; " + describe(DeviceFault::disconnected);
+    return std::string("the driver stopped calling back") + (hangs ? " because the callback did not return" : "") +
+           "; " + describe(DeviceFault::disconnected);
   }
   if (!fatal_.any()) return "stopped";
   servo.warn("OpenHaptics: " + fatal_.describe());
   return describe(fault_ == DeviceFault::none ? DeviceFault::disconnected : fault_);
+}
+
+// What a callback works with is the caller's: it must be out before the run ends, however long it takes.
+void OpenHapticsDevice::leave(Entry& entry) noexcept {
+  entry.close();
+  while (entry.is_entered()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  servo_ = nullptr;
 }
 
 }  // namespace

@@ -11,27 +11,80 @@
 namespace hapticut::open_haptics {
 namespace {
 
+constexpr int kTriesForATurn = 20;     // [ms]
+constexpr double kUsualPeriod = 1e-3;  // [s] of a driver that does not say it
+
+/// All devices tick together.
+void require_same(double asked, double period) {
+  if (asked == period) return;
+  throw Error("GuardOptions::period = " + format_number(asked) + " s is not the " + format_number(period) +
+              " s of the OpenHaptics device that runs already, and the driver has one scheduler for all; give both "
+              "runs the same.");
+}
+
+extern "C" HDCallbackCode HDCALLBACK hapticut_on_tick(void* entry) { return static_cast<Entry*>(entry)->call(); }
+
 extern "C" HDCallbackCode HDCALLBACK hapticut_between_ticks(void* work) {
+  Scheduler& scheduler = Scheduler::instance();
+  const bool turn = scheduler.wait_for_turn();
   (*static_cast<const std::function<void()>*>(work))();
+  if (turn) scheduler.give_turn();
   return HD_CALLBACK_DONE;
 }
 
 }  // namespace
 
 Scheduler& Scheduler::instance() {
-  static Scheduler scheduler;
+  static Scheduler& scheduler = *new Scheduler;  // never destroyed: the driver may call back while the process ends
   return scheduler;
 }
 
-HDSchedulerHandle Scheduler::join(HDSchedulerCallback callback, void* data, double rate) {
+Entry& Scheduler::take_entry() {
   const std::lock_guard lock(mutex_);
+  if (free_entries_.empty()) return entries_.emplace_back();
+  Entry& entry = *free_entries_.back();
+  free_entries_.pop_back();
+  return entry;
+}
+
+void Scheduler::give_back(Entry& entry) {
+  const std::lock_guard lock(mutex_);
+  free_entries_.push_back(&entry);
+}
+
+bool Scheduler::wait_for_turn() noexcept {
+  for (int n = 0; n < kTriesForATurn; ++n) {
+    if (take_turn()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+double Scheduler::settle_period(double asked, HHD device) {
+  const std::lock_guard lock(mutex_);
+  if (users_ > 0) {
+    if (asked != asked_) require_same(asked, period_);
+    return period_;
+  }
+  asked_ = period_ = asked;
   drain();
-  const HDSchedulerHandle handle = hdScheduleAsynchronous(callback, data, HD_MAX_SCHEDULER_PRIORITY);
+  hdMakeCurrentDevice(device);
+  hdSetSchedulerRate(HDulong(std::lround(1 / asked)));
+  if (!drain().any()) return period_;
+  HDint kept = 0;
+  hdGetIntegerv(HD_UPDATE_RATE, &kept);
+  period_ = !drain().any() && kept > 0 ? 1.0 / kept : kUsualPeriod;
+  return period_;
+}
+
+HDSchedulerHandle Scheduler::join(Entry& entry, double period) {
+  const std::lock_guard lock(mutex_);
+  require_same(period, period_);
+  drain();
+  const HDSchedulerHandle handle = hdScheduleAsynchronous(hapticut_on_tick, &entry, HD_MAX_SCHEDULER_PRIORITY);
   Errors errors = drain();
   if (errors.any()) throw Error("The OpenHaptics scheduler takes no callback: " + errors.describe() + ".");
   if (users_ == 0) {
-    hdSetSchedulerRate(HDulong(std::lround(rate)));
-    drain();  // some devices have a fixed rate
     hdStartScheduler();
     errors = drain();
     if (errors.has(HD_TIMER_ERROR) || errors.has(HD_COMM_ERROR) || errors.has(HD_INVALID_OPERATION)) {

@@ -30,19 +30,26 @@ double seconds_from(const std::string& text) {
   return value;
 }
 
+Plant plant_of(const MockOptions& options, double period) {
+  const bool moved = !options.rigid;
+  return {options.device,
+          options.hand,
+          {period, period / 50, options.dry_friction && moved, options.encoder && moved, moved}};
+}
+
 }  // namespace
 
 MockDevice::MockDevice(MockOptions options, std::string name)
     : PolledDevice(std::move(name),
                    hapticut::capabilities(options.device.mass > 0 ? options.device : device_model("touch"))),
       options_(with_defaults(std::move(options))),
-      plant_(options_.device, options_.hand,
-             {options_.period, options_.period / 50, options_.dry_friction && !options_.rigid,
-              options_.encoder && !options_.rigid, !options_.rigid}) {}
+      plant_(plant_of(options_, period_)) {}
 
 MockDevice::~MockDevice() = default;
 
-void MockDevice::begin_run(const RunOptions& /*options*/) {
+void MockDevice::begin_run(const RunOptions& options) {
+  period_ = options.guard.period;
+  plant_ = plant_of(options_, period_);
   tick_ = 0;
   velocity_ = {};
   X_BS_last_ = options_.path(0);
@@ -50,17 +57,17 @@ void MockDevice::begin_run(const RunOptions& /*options*/) {
 }
 
 bool MockDevice::read(DeviceState& state) noexcept {
-  const double time = double(tick_) * options_.period;
+  const double time = double(tick_) * period_;
   if (options_.end > 0 && time >= options_.end) return false;
   if (options_.rigid)
     plant_.reset(options_.path(time));
   else
     plant_.set_target(options_.path(time));
   const Pose X_BS = plant_.measured_pose();
-  Twist raw = twist_between(X_BS_last_, X_BS, options_.period);
+  Twist raw = twist_between(X_BS_last_, X_BS, period_);
   if (!is_finite(raw.linear) || !is_finite(raw.angular)) raw = {};  // or a pose that is no number would stay for ever
   const double memory =
-      options_.velocity_filter > 0 ? std::exp(-2 * units::kPi * options_.velocity_filter * options_.period) : 0;
+      options_.velocity_filter > 0 ? std::exp(-2 * units::kPi * options_.velocity_filter * period_) : 0;
   velocity_.linear = memory * velocity_.linear + (1 - memory) * raw.linear;
   velocity_.angular = memory * velocity_.angular + (1 - memory) * raw.angular;
   X_BS_last_ = X_BS;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/device/simulated/playback.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
@@ -11,6 +13,19 @@ PlaybackDevice::PlaybackDevice(std::vector<DeviceState> readings, const DeviceCa
                                std::string name)
     : PolledDevice(std::move(name), capabilities), readings_(std::move(readings)) {
   if (readings_.empty()) throw Error("There is nothing to play back: the list of readings is empty.");
+}
+
+/// That of most readings, where it is another than what is asked for by more than their clock may err.
+double PlaybackDevice::settle_period(double asked) {
+  constexpr double kInexact = 0.02, kShortest = 1e-5, kLongest = 0.1;  // [1], [s], [s]
+  std::vector<double> steps;
+  steps.reserve(readings_.size());
+  for (std::size_t n = 1; n < readings_.size(); ++n) steps.push_back(readings_[n].time - readings_[n - 1].time);
+  std::erase_if(steps, [](double step) { return !(step >= kShortest && step <= kLongest); });
+  if (steps.empty()) return asked;
+  const auto middle = steps.begin() + std::ptrdiff_t(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return std::abs(*middle / asked - 1) > kInexact ? *middle : asked;
 }
 
 void PlaybackDevice::begin_run(const RunOptions& /*options*/) { next_ = 0; }

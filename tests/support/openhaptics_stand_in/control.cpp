@@ -38,6 +38,7 @@ void hdsim_reset(void) {
   s.refuse_default = s.license_required = s.licensed = s.fail_start = s.use_thread = false;
   s.current = HD_INVALID_HANDLE;
   s.callbacks.clear();
+  s.unscheduled = {};
   s.planned.clear();
   s.rate = 1000;
   s.ticks = 0;
@@ -129,6 +130,10 @@ int hdsim_run_ticks(int ticks) {
   int called = 0;
   for (int n = 0; n < ticks; ++n) called += hdsim::run_tick();
   return called;
+}
+unsigned int hdsim_call_late(void) {
+  const hdsim::Callback callback = simulation().unscheduled;
+  return callback.function(callback.data);
 }
 double hdsim_time(void) {
   const std::lock_guard lock(simulation().mutex);

@@ -48,7 +48,7 @@ bool is_zero(const Output& output) { return output.force == Vec{} && output.torq
 }  // namespace
 
 void render(Device& device, HHD handle) {
-  constexpr double kTick = 1e-3;  // [s]
+  const double tick = 1 / simulation().rate;  // [s]
   const Vec &force = device.committed.force, &before = device.previous.force;
   const auto on = [&](HDenum capability) { return device.enabled.count(capability) > 0; };
   const auto exceeded = [&](HDerror code) {
@@ -66,7 +66,7 @@ void render(Device& device, HHD handle) {
   if (!on(HD_FORCE_RAMPING)) return;
   if (length(force) > device.ramp)
     for (double& part : device.rendered.force) part *= device.ramp / length(force);
-  device.ramp += device.ramping_rate * kTick;
+  device.ramp += device.ramping_rate * tick;
 }
 
 }  // namespace hdsim
@@ -213,7 +213,9 @@ void hdDisable(HDenum capability) {
   Device* device = hdsim::needed();
   if (device == nullptr) return;
   device->enabled.erase(capability);
-  if (capability == HD_FORCE_OUTPUT) device->counters.force_output_enabled = 0;
+  if (capability != HD_FORCE_OUTPUT) return;
+  device->counters.force_output_enabled = 0;
+  device->rendered = {};
 }
 
 HDboolean hdIsEnabled(HDenum capability) {

@@ -28,7 +28,8 @@ void finish_threads() {
 
 int run_tick() {
   auto& s = simulation();
-  const std::lock_guard lock(s.mutex);
+  const std::lock_guard whole_tick(s.tick);
+  std::unique_lock lock(s.mutex);
   if (!s.running) return 0;
   s.servo = std::this_thread::get_id();
   s.tick_began = now();
@@ -40,7 +41,10 @@ int run_tick() {
   for (const auto& [handle, callback] : s.order) {
     if (s.callbacks.count(handle) == 0) continue;
     ++called;
-    if (callback.function(callback.data) == HD_CALLBACK_DONE) s.callbacks.erase(handle);
+    lock.unlock();
+    const HDCallbackCode code = callback.function(callback.data);
+    lock.lock();
+    if (code == HD_CALLBACK_DONE) s.callbacks.erase(handle);
   }
   for (std::size_t n = 0; n < s.devices.size(); ++n) {
     Device& device = s.devices[n];
@@ -73,11 +77,11 @@ void hdStartScheduler(void) {
     for (hdsim::Device& device : s.devices) device.ramp = 0;
     if (!s.use_thread) return;
   }
-  s.thread = std::thread([&s] {
+  s.thread = std::thread([&s, period = std::chrono::nanoseconds(long(1e9 / s.rate))] {
     auto next = std::chrono::steady_clock::now();
     while (!s.stop_thread) {
       hdsim::run_tick();
-      next += std::chrono::milliseconds(1);
+      next += period;
       std::this_thread::sleep_until(next);
     }
   });
@@ -86,6 +90,7 @@ void hdStartScheduler(void) {
 void hdStopScheduler(void) {
   auto& s = simulation();
   {
+    const std::lock_guard tick(s.tick);
     const std::lock_guard lock(s.mutex);
     if (!s.running) return;
     s.running = false;
@@ -135,8 +140,13 @@ HDSchedulerHandle hdScheduleAsynchronous(HDSchedulerCallback callback, void* dat
 }
 
 void hdUnschedule(HDSchedulerHandle handle) {
-  const std::lock_guard lock(simulation().mutex);
-  if (simulation().callbacks.erase(handle) == 0) hdsim::push(HD_INVALID_OPERATION);
+  auto& s = simulation();
+  const std::lock_guard tick(s.tick);
+  const std::lock_guard lock(s.mutex);
+  const auto found = s.callbacks.find(handle);
+  if (found == s.callbacks.end()) return hdsim::push(HD_INVALID_OPERATION);
+  s.unscheduled = found->second;
+  s.callbacks.erase(found);
 }
 
 HDboolean hdWaitForCompletion(HDSchedulerHandle handle, HDWaitCode code) {

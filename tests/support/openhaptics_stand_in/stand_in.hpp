@@ -68,7 +68,8 @@ struct PlannedError {
 
 /// One per process, like the library it stands for.
 struct Simulation {
-  std::recursive_mutex mutex;  // held while a callback runs, so that other threads wait for the tick as they would
+  std::recursive_mutex tick;   // held over a tick: who takes callbacks back or stops the scheduler waits for its end
+  std::recursive_mutex mutex;  // of a call; taken after `tick`, and not held while a callback runs
   std::vector<HDErrorInfo> errors;
   std::vector<Device> devices;
   std::set<std::string> refused;
@@ -76,6 +77,7 @@ struct Simulation {
   HHD current = HD_INVALID_HANDLE;
 
   std::map<HDSchedulerHandle, Callback> callbacks;
+  Callback unscheduled;  // last, by hdUnschedule
   HDSchedulerHandle next_handle = 1;
   std::vector<std::pair<HDSchedulerHandle, Callback>> order;  // of a tick; kept so that a tick allocates nothing
   std::vector<PlannedError> planned;

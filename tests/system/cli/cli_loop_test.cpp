@@ -117,6 +117,42 @@ TEST_F(Loop, RefusesWhatItCannotDo) {
   EXPECT_EQ(run("loop mock:spiral --seconds 1 --record " + path("file/folder.h5")).code, 1);
 }
 
+TEST_F(Loop, PressesTheSameAtEveryRate) {
+  for (const int rate : {250, 500, 1000, 2000, 4000}) {
+    const nlohmann::json report = loop("mock:press,hand=nominal --seconds 3 --simulated-time --spindle_rpm 0 --rate " +
+                                       std::to_string(rate) + " " + kCoarse);
+    EXPECT_EQ(report["rate_Hz"], rate);
+    EXPECT_EQ(report["ticks"], 3 * rate + 1);
+    EXPECT_NEAR(report["force_N"]["largest_applied"].get<double>(), 0.925, 0.01) << rate;
+    EXPECT_EQ(report["safety_events"]["engaged"], 1) << rate;
+  }
+}
+
+TEST_F(Loop, RunsInRealTimeAtEveryRate) {
+  for (const char* rate : {"250", "2000", "4000"}) {
+    const nlohmann::json report = loop("mock:rest --seconds 0.1 --rate " + std::string(rate) + " " + kCoarse);
+    EXPECT_EQ(report["rate_Hz"], std::stod(rate));
+  }
+}
+
+// The hand presses with the same spring on a wall that is stiff beside the device's coupling: it feels the same.
+TEST_F(Loop, FeelsTheSameAtTheHandWhateverTheScale) {
+  // Beside what the bone yields, and the device's friction of 0.13 N.
+  constexpr double kHand = 300, kTouch = 700, kBelow = 5e-3;  // [N/m], [N/m] that it renders, [m] of the set point
+  const double expected = kBelow * kHand * kTouch / (kHand + kTouch);
+  for (const char* scale : {"1", "2", "4"}) {
+    const nlohmann::json report = loop("mock:press,hand=nominal --seconds 3 --simulated-time --spindle_rpm 0 --scale " +
+                                       std::string(scale) + " " + kCoarse);
+    EXPECT_NEAR(report["force_N"]["largest_applied"].get<double>(), expected, 0.15) << scale;
+  }
+  for (const char* scale : {"0.001", "1e6", "0", "-1"}) {
+    const Outcome refused = run("loop mock:rest --seconds 0.1 --scale " + std::string(scale));
+    EXPECT_NE(refused.code, 0) << scale;
+    EXPECT_NE(refused.errors.find("scale"), std::string::npos) << refused.errors;
+    EXPECT_EQ(refused.errors.find("CouplingGains"), std::string::npos) << refused.errors;
+  }
+}
+
 TEST_F(Loop, HasACouplingWhereTheDeviceNeedsOne) {
   const std::string arguments = "mock:press,hand=nominal --seconds 3 --simulated-time " + kCoarse;
   EXPECT_EQ(loop(arguments)["coupling"], "virtual");

@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "hapticut/core/errors.hpp"
+
 namespace hapticut::fault_bench_test {
 namespace {
 
@@ -56,6 +58,27 @@ TEST(FaultBench, EveryFaultThatHidesTheHandEndsTheForce) {
                                            : 0.3)
         << name_of(fault) << ": the hand should have been pressing when it happened";
   }
+}
+
+TEST(FaultBench, NoFaultBreaksTheRulesAtAnyRate) {
+  for (const double period : {4e-3, 2e-3, 0.5e-3, 0.25e-3})
+    for (const InjectedFault fault : injected_faults()) {
+      ClosedLoopConfig config = pressed("touch", 1);
+      config.period = period;  // given once
+      GuardOptions options;
+      const FaultResponse response = measure_fault_response(config, wall(1), 600, options, fault);
+      options.period = period;
+      const SafetyGuard guard(capabilities(config.device), options);
+      EXPECT_TRUE(obeys_the_rules(response, guard, period))
+          << period << " s, " << name_of(fault) << ": " << response.greatest_force << " N, +"
+          << response.greatest_growth << " N in a tick of " << guard.slew() * period << ", force "
+          << response.oldest_force << " s old";
+    }
+  ClosedLoopConfig config = pressed("touch", 0);
+  config.period = 2e-3;
+  GuardOptions options;
+  options.period = 0.5e-3;
+  EXPECT_THROW((void)measure_fault_response(config, wall(1), 600, options, InjectedFault::missed_1), Error);
 }
 
 TEST(FaultBench, InterruptionsThatLeaveTheToolInsideGiveNoForceUntilItIsOut) {

@@ -108,7 +108,6 @@ TEST_F(ForceDimension, RefusesOptionsOutOfRange) {
   const auto device = open_force_dimension(options_for());
   RunOptions slow = quick();
   slow.guard.period = 11e-3;
-  slow.guard.late = 12e-3;
   EXPECT_THROW(run(*device, push_for(5), slow), Error) << "two ticks are longer than the watchdog waits";
   EXPECT_EQ(dhdsim_get_counters(0).enables, 0);
   options = options_for();

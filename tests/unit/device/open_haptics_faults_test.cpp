@@ -5,8 +5,11 @@
 #include <hdsim.h>
 
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <clocale>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -56,6 +59,113 @@ TEST_F(OpenHapticsFaults, GivesUpOnADriverThatStopsCallingBack) {
   EXPECT_EQ(report.fault, DeviceFault::disconnected);
   EXPECT_EQ(hdsim_is_running(), 0);
   EXPECT_EQ(hdsim_scheduled_callbacks(), 0);
+}
+
+TEST_F(OpenHapticsFaults, ALateCallFindsNoRunAndNoDevice) {
+  add_touch();
+  OpenHapticsOptions options = options_for();
+  options.silence = 0.2;
+  {
+    auto device = open_open_haptics(options);
+    std::thread runner([&] { (void)device->run(push_for(100000), quick()); });
+    for (int ticks = 0; ticks == 0 || (ticks < 100 && hdsim_is_running() != 0);) ticks += hdsim_run_ticks(1);
+    runner.join();
+    const long frames = hdsim_get_counters(0).frames;
+    EXPECT_EQ(hdsim_call_late(), 0U) << "and wants no further one";
+    EXPECT_EQ(hdsim_get_counters(0).frames, frames);
+  }
+  EXPECT_EQ(hdsim_call_late(), 0U) << "after the device is closed";
+  const auto device = open_open_haptics(options_for());
+  const Outcome again = run(*device, push_for(300), quick(), [](long tick) {
+    if (tick == 100) hdsim_call_late();
+  });
+  EXPECT_EQ(again.report.end, "stopped");
+  EXPECT_EQ(again.report.ticks, 300U) << "what is late of one run is no tick of another";
+}
+
+/// A callback that hangs at its 200th tick, when there is a force, until it is released.
+struct Hang {
+  std::atomic<bool> hangs{false}, released{false};
+  DeviceCommand operator()(const DeviceState& state) {
+    if (state.sequence == 200) {
+      hangs = true;
+      while (!released) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      hangs = false;
+    }
+    const bool free = state.sequence <= 50 || (state.sequence >= 300 && state.sequence < 350);
+    return {{Vec3(free ? 0 : 1, 0, 0), Vec3::Zero()}, state.sequence >= 600};
+  }
+};
+
+/// Whether something becomes true within a time that is long for any machine.
+bool happens(const std::function<bool()>& what) {
+  for (int n = 0; n < 20000 && !what(); ++n) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return what();
+}
+
+RunOptions watched() {
+  RunOptions options = quick();
+  options.guard.watchdog = {};
+  options.guard.late = options.guard.pause = 1;
+  return options;
+}
+
+TEST_F(OpenHapticsFaults, LetsGoOfTheHandOfACallbackThatHangsAndEndsTheRunWhenItIsOut) {
+  for (const bool by_watchdog : {false, true}) {  // or by the run, when the driver was silent
+    hdsim_reset();
+    const int first = add_touch("first"), second = add_touch("second");
+    hdsim_use_thread(1);
+    OpenHapticsOptions options = options_for("first"), others = options_for("second");
+    options.silence = others.silence = 1;
+    const RunOptions how = by_watchdog ? watched() : quick();
+    auto device = open_open_haptics(options), other = open_open_haptics(others);
+    RunReport report;
+    std::atomic<bool> ended{false};
+    {
+      Hang hang;  // gone when the run has ended: nothing may be in it
+      std::thread other_runner([&] { (void)other->run(push_for(100000), how); });
+      std::thread runner([&] {
+        report = device->run(std::ref(hang), how);
+        ended = true;
+      });
+      EXPECT_TRUE(happens([&] { return hang.hangs.load(); }));
+      EXPECT_TRUE(happens([&] { return test::rendered(first).isZero(0) && test::rendered(second).isZero(0); }));
+      EXPECT_EQ(hdsim_get_counters(first).force_output_enabled, 0);
+      std::this_thread::sleep_for(std::chrono::duration<double>(2 * options.silence));
+      EXPECT_FALSE(ended) << "while the callback is inside what belongs to the caller";
+      hang.released = true;
+      runner.join();
+      other_runner.join();
+      EXPECT_FALSE(hang.hangs);
+    }
+    EXPECT_NE(report.end.find("the callback did not return"), std::string::npos) << report.end;
+    EXPECT_TRUE(committed(first).force.isZero(0));
+    EXPECT_EQ(hdsim_scheduled_callbacks(), 0);
+    hdsim_use_thread(0);
+    EXPECT_EQ(run(*device, push_for(300)).report.ticks, 300U) << "the same device again";
+    EXPECT_EQ(hdsim_get_counters(first).force_output_enabled, 0) << "after the run, as ever";
+    device.reset();
+  }
+}
+
+TEST_F(OpenHapticsFaults, ComesBackThroughAFreeToolAfterAHangThatTheWatchdogSaw) {
+  add_touch();
+  hdsim_use_thread(1);
+  const auto device = open_open_haptics(options_for());
+  Hang hang;
+  RunReport report;
+  std::thread runner([&] { report = device->run(std::ref(hang), watched()); });
+  EXPECT_TRUE(happens([&] { return hang.hangs.load(); }));
+  EXPECT_TRUE(happens([] { return test::rendered(0).isZero(0); }));
+  const long before = hdsim_committed_count(0);
+  hang.released = true;
+  runner.join();
+  Wrench stale;
+  hdsim_get_committed(0, before, stale.force.data(), stale.torque.data());
+  EXPECT_TRUE(stale.force.isZero(0)) << "the force of the tick that hung is too old";
+  EXPECT_EQ(report.ticks, 600U) << report.end;
+  hdsim_get_committed(0, 550, stale.force.data(), stale.torque.data());
+  EXPECT_EQ(stale.force.x(), 1);
 }
 
 TEST_F(OpenHapticsFaults, SeesThePositionThatStandsStillAtTheOrigin) {

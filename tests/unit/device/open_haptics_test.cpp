@@ -5,6 +5,7 @@
 #include <hdsim.h>
 
 #include <atomic>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -147,6 +148,79 @@ TEST_F(OpenHaptics, RefusesToOpenADeviceWhileAnotherRuns) {
   const auto left = open_open_haptics(options_for("Left"));
   run(*left, [&](const DeviceState&) {
     EXPECT_THROW((void)open_open_haptics(options_for("Right")), Error);
+    return DeviceCommand{{}, true};
+  });
+}
+
+/// A run with a period, in which the stylus turns at 2 rad/s and a force is held, and its last speed.
+struct Turning {
+  RunReport report;
+  double speed = 0, seconds = 0;
+};
+Turning turn(Device& device, double period) {
+  Turning seen;
+  RunOptions options = quick();
+  options.guard.period = period;
+  options.seconds = 0.5;
+  const DeviceCallback push = push_for(1000000);
+  const test::OpenHapticsOutcome outcome = test::run_in_ticks(
+      device,
+      [&](const DeviceState& state) {
+        seen.speed = state.velocity.angular.z();
+        seen.seconds = state.time;
+        return push(state);
+      },
+      options,
+      [](long) {
+        const double t = hdsim_time();
+        test::place(0, {rotation_from_vector(Vec3(0, 0, 2 * t)), Vec3(1e-3 * std::sin(20 * t), 0, 0)});
+      });
+  seen.report = outcome.report;
+  return seen;
+}
+
+TEST_F(OpenHaptics, TicksWithThePeriodOfTheRunAndKnowsHowFastItTurns) {
+  add_touch();
+  const auto device = open_open_haptics(options_for());
+  for (const double period : {2e-3, 1e-3, 0.5e-3}) {
+    const Turning seen = turn(*device, period);
+    EXPECT_EQ(seen.report.period, period);
+    EXPECT_NEAR(seen.speed, 2, 1e-3) << period;
+    EXPECT_NEAR(seen.seconds, double(seen.report.ticks - 1) * period, 1e-9);
+    EXPECT_EQ(seen.report.missed, 0U);
+    EXPECT_EQ(seen.report.guard, ArmingState::on);
+    EXPECT_TRUE(seen.report.warnings.empty());
+  }
+}
+
+TEST_F(OpenHaptics, RunsWithTheDriversOwnPeriodWhereItRefusesAnother) {
+  add_touch();
+  const auto device = open_open_haptics(options_for());
+  for (const double refused : {0.25e-3, 4e-3}) {
+    const Turning seen = turn(*device, refused);
+    EXPECT_EQ(seen.report.period, 1e-3);
+    EXPECT_NEAR(seen.speed, 2, 1e-3) << refused;
+    EXPECT_EQ(seen.report.missed, 0U);
+    ASSERT_EQ(seen.report.warnings.size(), 1U);
+    EXPECT_NE(seen.report.warnings[0].find("GuardOptions::period = "), std::string::npos) << seen.report.warnings[0];
+    EXPECT_NE(seen.report.warnings[0].find("became 0.001 s"), std::string::npos) << seen.report.warnings[0];
+  }
+}
+
+TEST_F(OpenHaptics, RefusesTwoPeriodsAtOnce) {
+  add_touch("Left");
+  add_touch("Right");
+  const auto left = open_open_haptics(options_for("Left")), right = open_open_haptics(options_for("Right"));
+  run(*left, [&](const DeviceState&) {
+    RunOptions options = quick();
+    options.guard.period = 0.5e-3;
+    std::string words;
+    try {
+      right->run(push_for(1), options);
+    } catch (const Error& error) {
+      words = error.what();
+    }
+    EXPECT_NE(words.find("0.0005 s is not the 0.001 s"), std::string::npos) << words;
     return DeviceCommand{{}, true};
   });
 }

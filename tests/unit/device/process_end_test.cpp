@@ -5,12 +5,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csetjmp>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <new>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -122,6 +124,52 @@ TEST(Device, LeavesNoForceWhenAnotherThreadCrashes) {
     EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
     EXPECT_EQ(last.value->load(), 0);
   }
+}
+
+/// What a crash of the loop's own thread left to the handler that was there before.
+struct CrashOfTheLoop {
+  std::atomic<double> began{0}, handed_on{0}, share{1};
+};
+CrashOfTheLoop* crash_of_the_loop = nullptr;  // in memory that the processes share
+
+TEST(Device, WaitsForNobodyWhenItsOwnThreadCrashes) {
+  if (!kForksMayHaveThreads) GTEST_SKIP() << kNoForks;
+  if (!kCrashesAreOurs) GTEST_SKIP() << "the sanitizer handles crashes";
+  constexpr double kGrace = 0.3;  // [s] for a loop that can take its force away by itself
+  void* shared = mmap(nullptr, sizeof(CrashOfTheLoop), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  for (const bool at_once : {false, true}) {  // in a tick with a force, and in the first
+    double quickest = 1;
+    for (int n = 0; n < 5 && quickest > kGrace / 2; ++n) {  // this machine may be busy
+      crash_of_the_loop = new (shared) CrashOfTheLoop;
+      SharedForce last;
+      const int status = end_of_child(
+          last,
+          [&](WrittenDevice& device) {
+            std::signal(SIGSEGV, [](int) {
+              crash_of_the_loop->handed_on = monotonic_time();
+              _exit(97);
+            });
+            RunOptions options = real(0);
+            options.stop_on_crash = true;
+            device.on_scale = [](double share) { crash_of_the_loop->share = share; };
+            device.run(
+                [&](const DeviceState& state) {
+                  if (at_once || last.value->load() > 0.5) {
+                    crash_of_the_loop->began = monotonic_time();
+                    touch_nothing();
+                  }
+                  return pushing()(state);
+                },
+                options);
+          },
+          0);
+      EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 97) << status;
+      EXPECT_TRUE(at_once || crash_of_the_loop->share == 0) << "the force has gone before the handler is asked";
+      quickest = std::min(quickest, crash_of_the_loop->handed_on - crash_of_the_loop->began);
+    }
+    EXPECT_LT(quickest, kGrace / 2) << at_once;
+  }
+  munmap(shared, sizeof(CrashOfTheLoop));
 }
 
 TEST(Device, LeavesCrashesAloneUnlessItIsAskedTo) {

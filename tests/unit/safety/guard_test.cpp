@@ -395,6 +395,13 @@ TEST(Watchdog, FadesAForceOutBeforeItIsFiftyMillisecondsOld) {
   EXPECT_NEAR(watchdog.scale(25e-3), 0.5, 1e-12);
   EXPECT_EQ(watchdog.scale(41e-3), 0);
   EXPECT_EQ(watchdog.verdict(51e-3), Watchdog::Verdict::dead);
+  for (const double period : {4e-3, 2e-3, 0.5e-3, 0.25e-3}) {
+    const Watchdog other({}, period);
+    EXPECT_EQ(other.verdict(period), Watchdog::Verdict::alive) << "in time";
+    EXPECT_EQ(other.verdict(period + 3e-3), Watchdog::Verdict::late);
+    EXPECT_EQ(other.scale(period + 8e-3), 1);
+    EXPECT_EQ(other.scale(49e-3), 0) << period;
+  }
   WatchdogOptions slow;
   slow.fade = 0.1;
   EXPECT_THROW(Watchdog{slow}, Error);

@@ -33,7 +33,6 @@ struct MockOptions {
   bool dry_friction = true;
   bool encoder = true;
   double velocity_filter = 100;
-  double period = 1e-3;
   double end = 0;
 };
 
@@ -50,13 +49,13 @@ constexpr auto fields_of(Of<MockOptions>) {
       field("encoder", &O::encoder, "positions in steps of the encoder, when not rigid"),
       field("velocity_filter", &O::velocity_filter, "Hz", Range::not_negative(),
             "of the reported velocity; 0: not filtered"),
-      field("period", &O::period, "s", Range::positive(), "of simulated time per tick"),
       field("end", &O::end, "s", Range::not_negative(), "after which there are no more readings; 0: never"),
   };
 }
 
 /// A device that is not there: it follows a script, held by a simulated hand that its force can move. The motion knows
-/// no wall clock: the n-th reading is that of n periods, so every run gives the same readings for the same forces.
+/// no wall clock: the n-th reading is that of n periods of the run, so every run gives the same readings for the same
+/// forces.
 class MockDevice : public PolledDevice {
  public:
   /// @throws Error when an option is out of range
@@ -73,6 +72,7 @@ class MockDevice : public PolledDevice {
 
  private:
   MockOptions options_;
+  double period_ = 1e-3;
   Plant plant_;
   std::uint64_t tick_ = 0;
   Pose X_BS_last_;

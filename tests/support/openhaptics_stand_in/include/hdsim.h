@@ -53,10 +53,12 @@ void hdsim_inject_error(int device, unsigned int code, int internal, long tick);
 /* hdStartScheduler fails with HD_TIMER_ERROR. */
 void hdsim_fail_start(int fail);
 
-/* 1: hdStartScheduler starts a thread of 1 kHz; 0 (default): the test runs the ticks. */
+/* 1: hdStartScheduler starts a thread of the scheduler's rate; 0 (default): the test runs the ticks. */
 void hdsim_use_thread(int use);
 /* Runs ticks of the manual clock in the calling thread. Returns how many callbacks it called. */
 int hdsim_run_ticks(int ticks);
+/* Calls what hdUnschedule took back last once more, as a driver that is late. Returns what it returned. */
+unsigned int hdsim_call_late(void);
 /* Seconds of ticks since hdsim_reset. */
 double hdsim_time(void);
 int hdsim_is_running(void);
