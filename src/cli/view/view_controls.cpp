@@ -159,8 +159,8 @@ Change ViewControls::set(const view::SetControl& command) {
   if (found == controls_.end() || !(command.value >= found->min && command.value <= found->max)) return Change::none;
   if (found->kind != view::Control::Kind::number && command.value != std::floor(command.value)) return Change::none;
   const Change change = change_of(command.id);
-  if (found->kind == view::Control::Kind::button) return change;
   before_ = controls_;
+  if (found->kind == view::Control::Kind::button) return change;
   found->value = command.value;
   if (change == Change::materials) show(materials());
   return change;

@@ -189,6 +189,14 @@ TEST(ViewControls, AreTakenBackWhenSizesDoNotFit) {
   EXPECT_NO_THROW((void)panel.controls.tool());
 }
 
+TEST(ViewControls, OfAButtonThatFailedAreWhatTheyWere) {
+  Panel panel;
+  panel.turn("tool/Diameter", 2);
+  ASSERT_EQ(panel.set("application/Reset", 1), Change::reset);
+  panel.controls.take_back();
+  EXPECT_EQ(panel.control("tool/Diameter").value, 2);
+}
+
 TEST(ViewControls, StandAsTheModelDoesWhateverWasAsked) {
   Panel panel;
   // Asked, and never obeyed: a queue was full.
