@@ -199,7 +199,7 @@ void bind_values(py::module_& m) {
       m, "VolumeBuildOptions", field("voxel_size", &VolumeBuildOptions::voxel_size),
       field("crop_samples", &VolumeBuildOptions::crop_samples), field("crop", &VolumeBuildOptions::crop),
       field("antialias", &VolumeBuildOptions::antialias), field("subsamples", &VolumeBuildOptions::subsamples),
-      field("large", &VolumeBuildOptions::large));
+      field("partial_volume", &VolumeBuildOptions::partial_volume), field("large", &VolumeBuildOptions::large));
   bind_struct<GreyRange>(m, "GreyRange", "GreyRange", required("from_", &GreyRange::from),
                          required("to", &GreyRange::to), required("material", &GreyRange::material));
   bind_struct<Grade>(m, "Grade", required("low", &Grade::low), required("high", &Grade::high),
@@ -244,7 +244,7 @@ void bind_makers(py::class_<PythonWorkpiece>& binding) {
           "spacing\n    [m] (3,) distance of neighbouring samples along x, y, z.\n"
           "ranges\n    GreyRange list, or one Grade for a material whose constants change with the grey value.\n"
           "X_WG\n    (4, 4) pose of the grid.\n"
-          "options\n    voxel size, crop and antialiasing.\n\n"
+          "options\n    voxel size, crop, antialiasing and the partial volume at borders.\n\n"
           "Raises\n------\nError\n    When the array, the spacing or the ranges do not fit; see build_from_grey.")
       .def_static(
           "from_intensity",

@@ -69,6 +69,7 @@ VolumeBuildOptions build_options(const Source& s) {
   VolumeBuildOptions options;
   options.voxel_size = s.voxel_mm.value_or(0) * units::mm;
   options.crop = crop_box(s);
+  options.partial_volume = s.partial_volume;
   options.large = s.large;
   options.tell = s.tell;
   return options;

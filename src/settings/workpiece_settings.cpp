@@ -128,6 +128,8 @@ std::vector<Setting> settings_of(WorkpieceSettings& w) {
            "volume of labels: the material of what they enclose"),
       number("workpiece.close_gaps_mm", "--close_gaps_mm", w.close_gaps_mm, positive,
              "with fill_cavities: holes and slits that a ball of this radius does not enter are filled too"),
+      boolean("workpiece.partial_volume", "--partial_volume", w.partial_volume,
+              "volume of grey values: what lies at the border is the material behind it [true]"),
       text("workpiece.dicom_series", "--dicom_series", w.dicom_series,
            "folder of DICOM files: the Series Instance UID of the one to read"),
       numbers("workpiece.raw_dims", "--raw_dims", w.raw.dims, 3, Range::between(1, 65535),

@@ -47,6 +47,7 @@ struct WorkpieceSettings {
   bool largest_component = false;       ///< volume: leave loose pieces out
   std::string fill_cavities;            ///< labels: material of what they enclose
   std::optional<double> close_gaps_mm;  ///< labels: holes that a ball of this radius does not enter count as enclosed
+  bool partial_volume = true;           ///< grey values: what lies at the border is the material behind it
   std::string dicom_series;             ///< which series of a folder
   struct Raw {
     std::vector<double> dims;

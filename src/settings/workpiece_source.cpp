@@ -41,6 +41,7 @@ std::set<std::string> given_settings(const Source& s) {
   note("largest_component", s.largest_component);
   note("fill_cavities", !s.fill_cavities.empty());
   note("close_gaps_mm", s.close_gaps_mm.has_value());
+  note("partial_volume", !s.partial_volume);
   note("dicom_series", !s.dicom_series.empty());
   note("raw_dims", !s.raw.dims.empty());
   note("raw_type", !s.raw.type.empty());
@@ -162,8 +163,8 @@ Workpiece make_workpiece(WorkpieceSettings s, CutterKind cutter) {
     return naming_source(s, [&] { return make_workpiece_from_mesh(s); });
   }
   refuse_all_but(s, {"voxel_mm", "labels", "grey", "grade_low", "grade_high", "grade_at_low", "grade_at_high",
-                     "spacing_mm", "crop_mm", "largest_component", "fill_cavities", "close_gaps_mm", "dicom_series",
-                     "raw_dims", "raw_type", "raw_big_endian", "raw_skip_bytes", "large"});
+                     "spacing_mm", "crop_mm", "largest_component", "fill_cavities", "close_gaps_mm", "partial_volume",
+                     "dicom_series", "raw_dims", "raw_type", "raw_big_endian", "raw_skip_bytes", "large"});
   return naming_source(s, [&] { return make_workpiece_from_volume(s); });
 #else
   throw Error("'" + s.source +

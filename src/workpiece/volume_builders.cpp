@@ -187,6 +187,10 @@ void require_finite_values(const GreyVolume& volume, const IndexBox& samples) {
   if (!finite) throw Error("the volume has grey values that are not finite numbers; replace them or crop them away.");
 }
 
+std::optional<Vec3> spacing_at_borders(const GreyVolume& volume, const VolumeBuildOptions& options) {
+  return options.partial_volume ? std::optional(volume.spacing) : std::nullopt;
+}
+
 double between(double low, double high, double t) { return low + t * (high - low); }
 
 }  // namespace
@@ -233,7 +237,7 @@ Workpiece build_from_grey(const GreyVolume& volume, const std::vector<GreyRange>
       throw Error("the grey ranges of '" + table[bounds[n - 1].material].name + "' and '" +
                   table[bounds[n].material].name + "' overlap; a grey value can be one material only.");
   require_finite_values(volume, layout.samples);
-  return build(volume, GreyField(bounds, false), layout, table, options);
+  return build(volume, GreyField(bounds, false, spacing_at_borders(volume, options)), layout, table, options);
 }
 
 std::vector<Material> materials_of(const Grade& grade) {
@@ -267,7 +271,7 @@ Workpiece build_from_grey(const GreyVolume& volume, const Grade& grade, const Vo
   for (int n = 0; n < grade.steps; ++n) bounds.push_back({bound(n), bound(n + 1), MaterialId(n + 1)});
   bounds.back().to = std::numeric_limits<float>::infinity();
   require_finite_values(volume, layout.samples);
-  return build(volume, GreyField(bounds, true), layout, table, options);
+  return build(volume, GreyField(bounds, true, spacing_at_borders(volume, options)), layout, table, options);
 }
 
 }  // namespace hapticut

@@ -66,13 +66,22 @@ class LabelField {
                 share * ((n & 1U) != 0 ? x : 1 - x) * ((n & 2U) != 0 ? y : 1 - y) * ((n & 4U) != 0 ? z : 1 - z));
     return share;
   }
-  [[nodiscard]] MaterialId material(const Tally& tally) const { return tally.largest(); }
+  template <class CellAt>
+  [[nodiscard]] MaterialId material(const Tally& tally, const Vec3&, const CellAt&) const {
+    return tally.largest();
+  }
+  [[nodiscard]] static int reach(MaterialId) { return 0; }
 
  private:
   const std::vector<MaterialId>& material_of_;  // [65536]
 };
 
 /// Grey values cut into zones: each is a material, or empty.
+///
+/// At a border with what is empty below, a scan has mixed both sides, and values that rise to a dense material pass
+/// through the zones of the softer ones. A voxel there is of the material behind it: where the rise, followed along the
+/// gradient, has flattened to half its steepest. A layer of soft material of its own makes a step of the rise, at which
+/// it ends.
 class GreyField {
  public:
   using Sample = float;
@@ -90,7 +99,9 @@ class GreyField {
 
   /// @param ranges  sorted, not overlapping
   /// @param graded  the material of a voxel is that of its mean grey value instead of the most frequent one
-  GreyField(const std::vector<Bounds>& ranges, bool graded) : graded_(graded) {
+  /// @param spacing  [m] of the samples; nothing: voxels at a border are what their own values say
+  GreyField(const std::vector<Bounds>& ranges, bool graded, const std::optional<Vec3>& spacing)
+      : graded_(graded), spacing_(spacing) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     float reached = -kInfinity;
     const auto add_zone = [&](float to, MaterialId material) {
@@ -113,7 +124,15 @@ class GreyField {
         runs_.push_back({solid, zone.low, zone.high});
       }
     }
+    empty_below_.fill(-kInfinity);
+    if (!spacing) return;
+    for (const Zone& zone : zones_) {
+      const Run& run = run_of(zone.low);
+      if (zone.high < run.high) empty_below_[zone.material] = run.low;
+    }
   }
+
+  [[nodiscard]] int reach(MaterialId material) const { return std::isinf(empty_below_[material]) ? 0 : kReach + 1; }
 
   void extend(Extent& extent, Sample value) const {
     extent.low = std::min(extent.low, value);
@@ -145,13 +164,49 @@ class GreyField {
     tally.value += double(share) * double(value);
     return share;
   }
-  [[nodiscard]] MaterialId material(const Tally& tally) const {
-    if (!graded_) return tally.materials.largest();
+  template <class CellAt>
+  [[nodiscard]] MaterialId material(const Tally& tally, const Vec3& place, const CellAt& cell_at) const {
     const float mean = float(tally.value / tally.covered);
-    return nearest_material(run_of(mean), mean);
+    const MaterialId own = graded_ ? nearest_material(run_of(mean), mean) : tally.materials.largest();
+    if (reach(own) == 0) return own;
+    const float behind = value_behind(place, empty_below_[own], cell_at);
+    return behind > mean ? nearest_material(run_of(behind), behind) : own;
   }
 
  private:
+  static constexpr int kReach = 2;  // [samples] that a border takes in a scan, to each side of a place
+
+  /// The value that the rise from `empty` leads to through a place; nothing finite when the place is not at such a
+  /// border.
+  template <class CellAt>
+  [[nodiscard]] float value_behind(const Vec3& place, float empty, const CellAt& cell_at) const {
+    constexpr double kStep = 0.5;  // [samples]
+    constexpr int kSteps = int(kReach / kStep);
+    constexpr float kFlat = 0.25F;  // [1] of the steepest rise
+    float unused = 0;
+    const auto value_at = [&](const Vec3& p) { return cell_at(p).interpolate([](Sample v) { return v; }, unused); };
+    Vec3 step;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 half = kStep * Vec3::Unit(axis);
+      step[axis] = double(value_at(place + half) - value_at(place - half)) / std::pow((*spacing_)[axis], 2);
+    }
+    step *= kStep / std::max(step.norm(), std::numeric_limits<double>::min());
+
+    int first = 0;
+    float value = value_at(place), steepest = 0;
+    while (value >= empty) {
+      if (--first < -kSteps) return value;
+      value = value_at(place + first * step);
+    }
+    for (int n = first; n < kSteps; ++n) {
+      const float above = value_at(place + (n + 1) * step), rise = above - value;
+      if (rise <= 0 || rise < kFlat * steepest) break;
+      steepest = std::max(steepest, rise);
+      value = above;
+    }
+    return value;
+  }
+
   struct Zone {
     MaterialId material;
     float low, high;
@@ -185,6 +240,8 @@ class GreyField {
   std::vector<float> ends_;  // upper bounds of the zones
   std::vector<Run> runs_;    // every grey value is in one
   bool graded_;
+  std::optional<Vec3> spacing_;
+  std::array<float, 256> empty_below_{};  // [material] value below which a border begins; none where nothing is denser
 };
 
 }  // namespace hapticut

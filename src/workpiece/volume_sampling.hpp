@@ -67,7 +67,8 @@ struct Cell {
 /// one material of everything between such samples (kEmpty for none), or nothing; `all_solid(extent)` whether
 /// everything between them is some material; `surely_cut(extent)` that neither can be true any more; `Tally` what is
 /// counted in a voxel; `count(cell, tally)` counts one point and returns the share of the box around it that is inside;
-/// `material(tally)` the material of the voxel.
+/// `material(tally, place, cell_at)` the material of the voxel at a place among the samples, given a function from
+/// places to cells; `reach(material)` how many samples around a voxel of that material may change it.
 template <class Field>
 class VolumeFiller {
  public:
@@ -107,12 +108,14 @@ class VolumeFiller {
     const VoxelIndex last = {kBlockEdge - 1, kBlockEdge - 1, kBlockEdge - 1};
     if (const auto material = field_.uniform(extent_of(points, {0, 0, 0}, last))) {
       if (*material == kEmpty) return BlockKind::empty();
-      if (whole_block_inside) return BlockKind::solid(*material);
+      const int reach = field_.reach(*material);
+      if (whole_block_inside && (reach == 0 || field_.uniform(extent_of(points, {0, 0, 0}, last, reach))))
+        return BlockKind::solid(*material);
     }
     Points sparse;
     for (int axis = 0; axis < 3; ++axis)
       for (int n = 0; n < kBlockEdge * sparse_; ++n) sparse[axis][n] = point_on(axis, origin[axis], n, sparse_);
-    for (int n = 0; n < kBlockVoxels; ++n) fill_voxel(points, sparse, {n >> 6, n >> 3 & 7, n & 7}, n, content);
+    for (int n = 0; n < kBlockVoxels; ++n) fill_voxel(points, sparse, origin, {n >> 6, n >> 3 & 7, n & 7}, n, content);
     return BlockKind::mixed();
   }
 
@@ -121,8 +124,11 @@ class VolumeFiller {
 
   /// Point `n` of the block along an axis, `per_voxel` to a voxel.
   [[nodiscard]] PointOnAxis point_on(int axis, int block_origin, int n, int per_voxel) const {
-    const double voxel = block_origin - 0.5 + (n + 0.5) / per_voxel;
-    const double place = first_[axis] + voxel * step_[axis];
+    return point_at(axis, first_[axis] + (block_origin - 0.5 + (n + 0.5) / per_voxel) * step_[axis]);
+  }
+
+  /// @param place  [samples]
+  [[nodiscard]] PointOnAxis point_at(int axis, double place) const {
     const int min = samples_.min[axis], max = samples_.max[axis];
     PointOnAxis point;
     point.inside = place >= min - 0.5 - 1e-9 && place <= max + 0.5 + 1e-9;
@@ -133,13 +139,14 @@ class VolumeFiller {
     return point;
   }
 
-  /// Summary of the samples around the voxels `from` ... `to` of a block; stops when it is certain that they differ.
-  [[nodiscard]] typename Field::Extent extent_of(const Points& points, const VoxelIndex& from,
-                                                 const VoxelIndex& to) const {
+  /// Summary of the samples around the voxels `from` ... `to` of a block, and of `reach` more to each side; stops when
+  /// it is certain that they differ.
+  [[nodiscard]] typename Field::Extent extent_of(const Points& points, const VoxelIndex& from, const VoxelIndex& to,
+                                                 int reach = 0) const {
     VoxelIndex low, high;
     for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = points[axis][from[axis] * subsamples_].low;
-      high[axis] = points[axis][(to[axis] + 1) * subsamples_ - 1].high;
+      low[axis] = std::max(points[axis][from[axis] * subsamples_].low - reach, samples_.min[axis]);
+      high[axis] = std::min(points[axis][(to[axis] + 1) * subsamples_ - 1].high + reach, samples_.max[axis]);
     }
     typename Field::Extent extent;
     for (int k = low[2]; k <= high[2]; ++k) {
@@ -152,7 +159,7 @@ class VolumeFiller {
     return extent;
   }
 
-  void fill_voxel(const Points& points, const Points& sparse, const VoxelIndex& voxel, int n,
+  void fill_voxel(const Points& points, const Points& sparse, const VoxelIndex& origin, const VoxelIndex& voxel, int n,
                   BlockContent& content) const {
     content.material[n] = kEmpty;
     content.fill[n] = 0;
@@ -161,8 +168,14 @@ class VolumeFiller {
     const auto uniform = field_.uniform(extent);
     if (uniform && *uniform == kEmpty) return;
     const bool inside = all_inside(points, voxel);
+    const auto material_of = [&](const typename Field::Tally& tally, const Vec3& centroid) {
+      const Vec3 center(origin[0] + voxel[0], origin[1] + voxel[1], origin[2] + voxel[2]);
+      return field_.material(tally, first_ + (center + centroid).cwiseProduct(step_),
+                             [this](const Vec3& place) { return cell_at(place); });
+    };
     if (inside && (uniform || field_.all_solid(extent))) {
-      content.material[n] = uniform ? *uniform : material_of_full(sparse, voxel);
+      content.material[n] =
+          uniform && field_.reach(*uniform) == 0 ? *uniform : material_of(tally_of_full(sparse, voxel), Vec3::Zero());
       content.fill[n] = 1;
       return;
     }
@@ -187,15 +200,15 @@ class VolumeFiller {
       }
     const double fill = covered / (subsamples_ * subsamples_ * subsamples_);
     if (fill < kNegligible) return;
-    content.material[n] = field_.material(tally);
+    const Vec3 centroid = ((moment / covered).array() + 0.5) / subsamples_ - 0.5;
+    content.material[n] = material_of(tally, centroid);
     content.fill[n] = fill > 1 - kNegligible ? 1.0F : float(fill);
     if (content.fill[n] == 1) return;
-    const Vec3 centroid = ((moment / covered).array() + 0.5) / subsamples_ - 0.5;
     content.centroid[n] = CentroidOffset::from_offset(centroid);
   }
 
-  /// The material of a voxel that is full: as few points as see every sample.
-  [[nodiscard]] MaterialId material_of_full(const Points& sparse, const VoxelIndex& voxel) const {
+  /// What is in a voxel that is full: as few points as see every sample.
+  [[nodiscard]] typename Field::Tally tally_of_full(const Points& sparse, const VoxelIndex& voxel) const {
     typename Field::Tally tally{};
     for (int c = 0; c < sparse_; ++c)
       for (int b = 0; b < sparse_; ++b) {
@@ -205,7 +218,7 @@ class VolumeFiller {
         for (int a = 0; a < sparse_; ++a)
           (void)field_.count(cell_at(rows, sparse[0][voxel[0] * sparse_ + a], y, z), tally);
       }
-    return field_.material(tally);
+    return tally;
   }
 
   [[nodiscard]] bool all_inside(const Points& points, const VoxelIndex& voxel) const {
@@ -233,6 +246,10 @@ class VolumeFiller {
     cell.weight = {x.weight, y.weight, z.weight};
     cell.step = {box_.x(), box_.y(), box_.z()};
     return cell;
+  }
+  [[nodiscard]] Cell<Sample> cell_at(const Vec3& place) const {
+    const PointOnAxis y = point_at(1, place.y()), z = point_at(2, place.z());
+    return cell_at(rows_at(y, z), point_at(0, place.x()), y, z);
   }
 
   static constexpr double kNegligible = 1.0 / 2048;  ///< [1] filled fraction below what a centroid step resolves

@@ -87,6 +87,7 @@ class SimulationModel final : public LoopModel {
   // --- the loop's side ----------------------------------------------------------------------------------------------
   Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override;
   [[nodiscard]] ModelContact contact() const noexcept override { return contact_; }
+  [[nodiscard]] double spindle_speed() const noexcept { return spindle_speed_; }  ///< [rad/s] while there is a force
   bool obey(LoopCommand& command) noexcept override;
   void mark_changes(BlockOutbox& outbox) noexcept override;
   void copy(ChangedBlock& block) noexcept override;

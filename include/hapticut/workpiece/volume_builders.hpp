@@ -25,8 +25,10 @@ struct VolumeBuildOptions {
   std::optional<IndexBox> crop_samples = std::nullopt;
   /// Keep only voxels that the smallest grid-aligned box around this box of W touches.
   std::optional<Box> crop = std::nullopt;
-  bool antialias = true;   ///< false: a voxel is full or empty, as its centre says
-  int subsamples = 4;      ///< 1 ... 16 points per edge of a voxel that the surface cuts; more where samples are finer
+  bool antialias = true;  ///< false: a voxel is full or empty, as its centre says
+  int subsamples = 4;     ///< 1 ... 16 points per edge of a voxel that the surface cuts; more where samples are finer
+  /// Grey values: voxels at the border of the body are of the material behind them; false: of their own values alone.
+  bool partial_volume = true;
   bool large = false;      ///< lifts the limits of work_estimate.hpp
   WorkObserver tell = {};  ///< is told of the work before it begins
 };
@@ -71,8 +73,10 @@ struct GreyRange {
 
 /// Builds a workpiece from grey values; what no range covers is empty. Material ids follow the order of the list.
 ///
-/// A scanner blurs: between a dense material and air the values pass through every range in between. Choose ranges, or
-/// label the volume first, with that in mind.
+/// A scanner blurs: between air and a dense material the values pass through every range in between, so by ranges alone
+/// it would have a shell of the softer ones. With `VolumeBuildOptions::partial_volume` a voxel there is of the material
+/// that the rise of the values from what is empty below leads to, within two samples to each side; how full it is
+/// stays. What is softer all along keeps its own: bone at a cut, and a layer of three samples or more.
 /// @throws Error when the volume is not consistent or has values that are not finite, a range is empty or overlaps
 ///         another, or there would be too many voxels
 [[nodiscard]] Workpiece build_from_grey(const GreyVolume& volume, const std::vector<GreyRange>& ranges,

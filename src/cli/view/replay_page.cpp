@@ -102,9 +102,15 @@ class Film {
     surface_->update(simulation.workpiece(), simulation.changed_blocks().origins);
     trace_.push_back(sample(step));
     shown_.tool.removed_volume += step.removed_volume;
+    removed_ = simulation.removed_volume_by_material();
+    last_ = step;
     if (time + 1e-9 < next_) return;
     next_ = time + kPicture;
-    show(time, simulation, step);
+    show();
+  }
+  /// Shows what came after the last picture.
+  void end() {
+    if (!trace_.empty()) show();
   }
   [[nodiscard]] const Stream& stream() const { return stream_; }
 
@@ -119,6 +125,7 @@ class Film {
   }
   void begin(const Simulation& simulation, const RecordedStep& step) {
     begin_ = step.time;
+    materials_ = simulation.workpiece().materials().size();
     surface_ = std::make_unique<SurfaceStream>(recording_.workpiece());
     stream_.add(0, view::encode_hello(shown_scene(simulation.workpiece()), false));
     stream_.add(0, view::encode(recording_.tool()));
@@ -128,7 +135,9 @@ class Film {
     SurfacePage page;
     while (surface_->next_page(page)) stream_.add(time, view::encode(page));
   }
-  void show(double time, const Simulation& simulation, const RecordedStep& step) {
+  void show() {
+    const RecordedStep& step = last_;
+    const double time = step.time - begin_;
     add_pages(time);
     const EnergyLedger& energy = step.energy;
     shown_.tick = step.number;
@@ -147,8 +156,7 @@ class Film {
     instruments.X_WG = shown_.X_WT;
     instruments.power = std::max(0.0, shown_.tool.dissipated - before) / kPicture;
     instruments.ticks = step.number;
-    for (int n = 1; n <= simulation.workpiece().materials().size(); ++n)
-      instruments.removed.push_back(simulation.removed_volume_by_material()[std::size_t(n)]);
+    instruments.removed.assign(removed_.begin() + 1, removed_.begin() + 1 + materials_);
     stream_.add(time, view::encode(instruments));
     stream_.add(time, view::encode_trace(first_, trace_));
     first_ += trace_.size();
@@ -159,6 +167,9 @@ class Film {
   Stream stream_;
   std::unique_ptr<SurfaceStream> surface_;
   LoopSnapshot shown_;
+  RecordedStep last_;
+  std::array<double, 256> removed_{};  // [m^3] by material
+  int materials_ = 0;
   std::vector<view::TraceSample> trace_;
   std::uint64_t first_ = 0;
   double begin_ = 0, next_ = 0;
@@ -173,6 +184,7 @@ std::vector<std::uint8_t> replay_stream(const Recording& recording) {
   options.stepped = [&](const Simulation& simulation, const RecordedStep& step) { film.take(simulation, step); };
   options.progress = [&](std::uint64_t steps) { progress.advance_to(std::size_t(steps)); };
   (void)replay(recording, options);
+  film.end();
   return compressed(film.stream().bytes());
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cli/view/watched_model.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/tool/catalogue.hpp"
 
@@ -49,7 +50,8 @@ ViewControls::ViewControls(const Tool& tool, const MaterialTable& materials, con
 void ViewControls::number(std::uint16_t id, const std::string& panel, const std::string& label, const std::string& unit,
                           double value, double min, double max) {
   using Kind = view::Control::Kind;
-  controls_.push_back({id, Kind::number, std::clamp(value, min, max), min, max, panel, label, unit});
+  // A scene may stand beyond what a hand needs; turning something else must not change it.
+  controls_.push_back({id, Kind::number, value, std::min(min, value), std::max(max, value), panel, label, unit});
 }
 
 void ViewControls::on_off(std::uint16_t id, const std::string& panel, const std::string& label, bool value) {
@@ -157,17 +159,52 @@ Change ViewControls::set(const view::SetControl& command) {
   if (found == controls_.end() || !(command.value >= found->min && command.value <= found->max)) return Change::none;
   if (found->kind != view::Control::Kind::number && command.value != std::floor(command.value)) return Change::none;
   const Change change = change_of(command.id);
+  before_ = controls_;
   if (found->kind == view::Control::Kind::button) return change;
-  last_ = command.id;
-  before_ = std::exchange(found->value, command.value);
+  found->value = command.value;
+  if (change == Change::materials) show(materials());
   return change;
 }
 
-void ViewControls::take_back() { at(last_) = before_; }
+void ViewControls::show(const MaterialTable& materials) {
+  for (int n = 0; n < std::min(materials.size(), kShownMaterials); ++n) {
+    auto id = std::uint16_t(kMaterial + 10 * n);
+    for (const MaterialNumber& one : kMaterialNumbers) at(id++) = materials[MaterialId(n + 1)].*one.member / one.factor;
+  }
+}
 
 void ViewControls::set_spindle(double speed) {
   at(kSpindle) = speed != 0 ? 1 : 0;
   if (speed != 0) at(kSpeed) = std::min(std::abs(speed) / units::rpm, 500000.0);
+}
+
+void ViewControls::show(const ModelSettings& has) {
+  set_spindle(has.spindle_speed);
+  at(kCutting) = has.removal != RemovalLaw::none ? 1 : 0;
+  if (has.removal != RemovalLaw::none) at(kRemoval) = has.removal == RemovalLaw::elastic_release ? 1 : 0;
+  show(has.effects);
+}
+
+void ViewControls::show(const Effects& effects) {
+  at(kGravity) = effects.gravity ? 1 : 0;
+  if (effects.gravity) at(kMass) = effects.gravity->mass;
+  at(kFilter) = effects.delta_filter ? 1 : 0;
+  if (effects.delta_filter) at(kDelta) = effects.delta_filter->delta, at(kEpsilon) = effects.delta_filter->epsilon;
+  at(kVibration) = effects.vibration ? 1 : 0;
+  if (const auto& vibration = effects.vibration) {
+    at(kFrequency) = vibration->frequency;
+    at(kAmplitude) = vibration->amplitude;
+    at(kPerWatt) = vibration->amplitude_per_watt;
+    at(kLargest) = vibration->largest_amplitude;
+  }
+  const AxisMask& on = effects.enabled;
+  const auto any = [](const auto& axes) { return std::ranges::any_of(axes, [](bool axis) { return axis; }); };
+  at(kHaptics) = any(on.force) || any(on.torque) ? 1 : 0;
+  if (!haptics()) return;  // which axes come back with it, the model does not know
+  for (std::uint16_t axis = 0; axis < 3; ++axis) {
+    at(std::uint16_t(kMask + axis)) = on.force[axis] ? 1 : 0;
+    at(std::uint16_t(kMask + 3 + axis)) = on.torque[axis] ? 1 : 0;
+  }
 }
 
 double ViewControls::spindle_speed() const { return at(kSpindle) != 0 ? at(kSpeed) * units::rpm : 0; }

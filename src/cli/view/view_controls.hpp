@@ -15,7 +15,9 @@ namespace hapticut::cli {
 /// What a change of a control means for the loop.
 enum class Change : std::uint8_t { none, haptics, removal, spindle, tool, materials, effects, restart, reset, record };
 
-/// The panels of a page: what can be turned, how it stands, what it makes. The state of a session is nowhere else.
+struct ModelSettings;
+
+/// The panels of a page: what can be turned, how it stands, what it makes.
 class ViewControls {
  public:
   ViewControls(const Tool& tool, const MaterialTable& materials, const Effects& effects, bool can_record);
@@ -26,10 +28,13 @@ class ViewControls {
   [[nodiscard]] Change set(const view::SetControl& command);
 
   /// Puts back what the last `set` has changed.
-  void take_back();
+  void take_back() { controls_ = before_; }
 
   void show_recording(bool on) { at(kRecord) = on ? 1 : 0; }
   void set_spindle(double speed);
+
+  /// Puts the controls of spindle, removal and effects as the model has them, whatever was asked.
+  void show(const ModelSettings& has);
 
   [[nodiscard]] bool haptics() const { return at(kHaptics) != 0; }
   [[nodiscard]] bool sound() const { return at(kSound) != 0; }
@@ -85,17 +90,17 @@ class ViewControls {
   void number(std::uint16_t id, const std::string& panel, const std::string& label, const std::string& unit,
               double value, double min, double max);
   void on_off(std::uint16_t id, const std::string& panel, const std::string& label, bool value);
+  void show(const Effects& effects);
+  void show(const MaterialTable& materials);
   [[nodiscard]] double& at(std::uint16_t id);
   [[nodiscard]] double at(std::uint16_t id) const;
   [[nodiscard]] static Change change_of(std::uint16_t id);
   [[nodiscard]] ToolHead head() const;
 
-  std::vector<view::Control> controls_;
+  std::vector<view::Control> controls_, before_;
   MaterialTable materials_;
   Effects effects_;
   Tool tool_;
-  std::uint16_t last_ = 0;
-  double before_ = 0;
 };
 
 }  // namespace hapticut::cli

@@ -6,12 +6,22 @@
 #include <vector>
 
 #include "hapticut/loop/simulation_model.hpp"
+#include "hapticut/realtime/triple_buffer.hpp"
 #include "hapticut/view/protocol.hpp"
 
 namespace hapticut::cli {
 
+/// How the model stands that the controls of a page turn.
+struct ModelSettings {
+  double spindle_speed = 0;  ///< [rad/s] while there is a force
+  RemovalLaw removal = RemovalLaw::none;
+  Effects effects;
+  std::uint64_t answered = 0;  ///< commands, obeyed or refused
+};
+
 /// A model and what a page wants to know of each of its ticks: force of the hand and torque of the contact, how late it
-/// was, what was removed of which material. Filled by the loop, taken by one other thread, and neither waits.
+/// was, what was removed of which material; and of its commands what they have made of it. Filled by the loop, taken by
+/// one other thread, and neither waits.
 class WatchedModel final : public LoopModel {
  public:
   static constexpr std::size_t kTicks = 4096;    ///< of the trace that are kept
@@ -20,7 +30,7 @@ class WatchedModel final : public LoopModel {
   static constexpr std::size_t kMaterials = 16;  ///< whose volumes are told
 
   WatchedModel(SimulationModel& model, const Simulation& simulation, double period)
-      : model_(model), simulation_(simulation), period_(period) {}
+      : model_(model), simulation_(simulation), period_(period), settings_(settings_now()) {}
 
   // --- for the other thread -----------------------------------------------------------------------------------------
   struct Trace {
@@ -46,6 +56,9 @@ class WatchedModel final : public LoopModel {
       instruments.removed[n] = removed_[n].load(std::memory_order_relaxed);
   }
 
+  /// As the model has them after the last command that it has answered.
+  [[nodiscard]] const ModelSettings& settings() noexcept { return settings_.latest(); }
+
   // --- the loop's side ----------------------------------------------------------------------------------------------
   Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
     note_time(monotonic_time());
@@ -60,11 +73,20 @@ class WatchedModel final : public LoopModel {
 
   [[nodiscard]] ModelContact contact() const noexcept override { return model_.contact(); }
   void check(const LoopCommand& command) const override { model_.check(command); }
-  bool obey(LoopCommand& command) noexcept override { return model_.obey(command); }
+  bool obey(LoopCommand& command) noexcept override {
+    const bool obeyed = model_.obey(command);
+    ++answered_;
+    settings_.write(settings_now());
+    return obeyed;
+  }
   void mark_changes(BlockOutbox& outbox) noexcept override { model_.mark_changes(outbox); }
   void copy(ChangedBlock& block) noexcept override { model_.copy(block); }
 
  private:
+  [[nodiscard]] ModelSettings settings_now() const noexcept {
+    const SimulationConfig& config = simulation_.config();
+    return {model_.spindle_speed(), config.removal, config.effects, answered_};
+  }
   void note_time(double now) noexcept {
     if (last_ > 0) {
       const double late = std::max(0.0, now - last_ - period_);
@@ -89,6 +111,8 @@ class WatchedModel final : public LoopModel {
   SimulationModel& model_;
   const Simulation& simulation_;
   double period_, last_ = 0;
+  std::uint64_t answered_ = 0;
+  TripleBuffer<ModelSettings> settings_;
   std::array<view::TraceSample, kTicks> ring_{};
   std::atomic<std::uint64_t> written_{0}, free_from_{0}, missed_{0}, ticks_{0};
   std::uint64_t taken_ = 0;

@@ -90,6 +90,19 @@ TEST_F(Drill, CutsAVolumeOfGreyValues) {
   EXPECT_LT(bone(cropped), 0.85 * bone(all));  // at x = 1.75 mm a quarter is cut off
 }
 
+TEST_F(Inspect, TellsTheBorderOfAVolumeFromWhatIsSoft) {
+  write_test_volume(folder / "v.nrrd");
+  const std::string inspect = "inspect " + path("v.nrrd") +
+                              " --grey trabecular_bone=250:400 --grey cortical_bone=400: " + "--voxel-mm 0.1 --json " +
+                              path("i.json");
+  const auto trabecular = [&](const std::string& flag) {
+    EXPECT_EQ(run(inspect + flag).code, 0);
+    return read_json(folder / "i.json")["volume_mm3"]["trabecular_bone"].get<double>();
+  };
+  EXPECT_GT(trabecular(" --partial-volume=false"), 3);
+  EXPECT_EQ(trabecular(""), 0);
+}
+
 TEST_F(Drill, CutsAVolumeOfLabels) {
   write_test_volume(folder / "v.nrrd");
   const nlohmann::json report =

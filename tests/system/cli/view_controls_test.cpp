@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panels of a page: what each control makes of the model in a loop, and how it stands afterwards.
+#include "cli/view/view_controls.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "cli/view/watched_model.hpp"
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "support/loop_rig.hpp"
+
+namespace hapticut::view_controls_test {
+namespace {
+
+using cli::Change;
+using cli::ViewControls;
+using units::mm;
+using units::rpm;
+
+/// A model as in a loop, and the controls of a page, which tell it as a session does.
+struct Panel {
+  test::loop_rig::Rig rig{3000, true};
+  cli::WatchedModel watched{rig.model, rig.simulation, 1e-3};
+  ViewControls controls{rig.simulation.tool(), rig.simulation.workpiece().materials(), rig.simulation.config().effects,
+                        true};
+
+  [[nodiscard]] const view::Control& control(const std::string& name) const {
+    for (const view::Control& one : controls.all())
+      if (one.panel + "/" + one.label == name) return one;
+    throw Error("there is no control " + name);
+  }
+  Change set(const std::string& name, double value) { return controls.set({control(name).id, value}); }
+  void tell(LoopCommand command) {
+    watched.check(command);
+    EXPECT_TRUE(watched.obey(command));
+  }
+  void turn(const std::string& name, double value) {
+    const Change change = set(name, value);
+    if (change == Change::removal) tell(commands::SetRemoval{controls.removal()});
+    if (change == Change::spindle) tell(commands::SetSpindleSpeed{controls.spindle_speed()});
+    if (change == Change::effects) tell(commands::SetEffects{controls.effects()});
+    if (change == Change::materials) tell(rig.model.prepare_materials(controls.materials()));
+    if (change == Change::tool) tell(rig.model.prepare_tool(controls.tool()));
+  }
+  [[nodiscard]] const Tool& tool() const { return rig.simulation.tool(); }
+  [[nodiscard]] const Effects& effects() const { return rig.simulation.config().effects; }
+  [[nodiscard]] const Material& material() const { return rig.simulation.workpiece().materials()[MaterialId(1)]; }
+};
+
+/// What a control is to be turned to, and what the model then has, in the unit of the control.
+struct Turned {
+  double value;
+  std::function<double(const Panel&)> has;
+  std::map<std::string, double> before = {};  ///< that must stand so for it to be seen
+};
+
+double length(const Panel& p) {
+  return (p.tool().head().bounding_box().max.z() - p.tool().head().bounding_box().min.z()) / mm;
+}
+const LHandle& bent(const Panel& p) { return std::get<LHandle>(p.tool().handle()); }
+
+const std::map<std::string, Turned>& turned() {
+  using P = const Panel&;
+  const std::map<std::string, double> shaking = {{"vibration/Vibration", 1}}, filtering = {{"additional/Filter", 1}},
+                                      bending = {{"tool/Handle", 1}}, cylinder = {{"tool/Head", 5}};
+  static const std::map<std::string, Turned> all = {
+      {"application/Haptics", {0, [](P p) { return p.effects().enabled.force[1]; }}},
+      {"application/Cutting", {0, [](P p) { return p.rig.simulation.config().removal != RemovalLaw::none; }}},
+      {"application/Removal",
+       {1, [](P p) { return p.rig.simulation.config().removal == RemovalLaw::elastic_release; }}},
+      {"application/Spindle", {0, [](P p) { return p.rig.model.spindle_speed(); }}},
+      {"tool/Speed", {12345, [](P p) { return p.rig.model.spindle_speed() / rpm; }}},
+      {"tool/Head",
+       {14, [](P p) { return p.tool().cutter().lips == common_cutter(CutterKind::twist_drill).lips ? 14 : 0; }}},
+      {"tool/Diameter", {2.5, [](P p) { return 2 * p.tool().head().largest_radius() / mm; }, cylinder}},
+      {"tool/Length", {4.5, length, cylinder}},
+      {"tool/Cone angle",
+       {20,
+        [](P p) { return std::atan(p.tool().head().largest_radius() / (length(p) * mm)) / units::deg; },
+        {{"tool/Head", 2}}}},
+      {"tool/Power limit", {12, [](P p) { return p.tool().spindle().power_limit; }}},
+      {"tool/Handle", {1, [](P p) { return p.tool().handle().index() == 1; }}},
+      {"tool/Handle length", {77, [](P p) { return std::get<RayHandle>(p.tool().handle()).length / mm; }}},
+      {"tool/Neck", {9, [](P p) { return bent(p).neck / mm; }, bending}},
+      {"tool/Bend", {-30, [](P p) { return bent(p).bend / units::deg; }, bending}},
+      {"additional/Gravity", {1, [](P p) { return p.effects().gravity.has_value(); }}},
+      {"additional/Mass", {0.3, [](P p) { return p.effects().gravity->mass; }, {{"additional/Gravity", 1}}}},
+      {"additional/Filter", {1, [](P p) { return p.effects().delta_filter.has_value(); }}},
+      {"additional/Filter passes", {2, [](P p) { return p.effects().delta_filter->delta; }, filtering}},
+      {"additional/Filter step", {0.002, [](P p) { return p.effects().delta_filter->epsilon; }, filtering}},
+      {"vibration/Vibration", {1, [](P p) { return p.effects().vibration.has_value(); }}},
+      {"vibration/Frequency", {99, [](P p) { return p.effects().vibration->frequency; }, shaking}},
+      {"vibration/Amplitude", {0.25, [](P p) { return p.effects().vibration->amplitude; }, shaking}},
+      {"vibration/Growth", {0.125, [](P p) { return p.effects().vibration->amplitude_per_watt; }, shaking}},
+      {"vibration/Largest", {4, [](P p) { return p.effects().vibration->largest_amplitude; }, shaking}},
+      {"outputs/force x", {0, [](P p) { return p.effects().enabled.force[0]; }}},
+      {"outputs/force y", {0, [](P p) { return p.effects().enabled.force[1]; }}},
+      {"outputs/force z", {0, [](P p) { return p.effects().enabled.force[2]; }}},
+      {"outputs/torque x", {0, [](P p) { return p.effects().enabled.torque[0]; }}},
+      {"outputs/torque y", {0, [](P p) { return p.effects().enabled.torque[1]; }}},
+      {"outputs/torque z", {0, [](P p) { return p.effects().enabled.torque[2]; }}},
+      {"material/plain stiffness", {1.5, [](P p) { return p.material().relative_stiffness; }}},
+      {"material/plain damping", {7, [](P p) { return p.material().damping; }}},
+      {"material/plain cutting energy", {3, [](P p) { return p.material().specific_cutting_energy * 1e-9; }}},
+      {"material/plain cutting ratio", {2, [](P p) { return p.material().cutting_ratio; }}},
+      {"material/plain static friction", {0.9, [](P p) { return p.material().static_friction; }}},
+      {"material/plain dynamic friction", {0.05, [](P p) { return p.material().dynamic_friction; }}},
+  };
+  return all;
+}
+
+/// Those that the model has no part in.
+const std::map<std::string, Change> kBeside = {
+    {"application/Record", Change::record},   {"application/Reset", Change::reset},
+    {"application/Restart", Change::restart}, {"additional/Sound of the drill", Change::haptics},
+    {"additional/Volume", Change::haptics},
+};
+
+TEST(ViewControls, EachIsOneOfThoseThatAreTestedHere) {
+  std::set<std::string> names;
+  std::set<std::uint16_t> ids;
+  const Panel panel;
+  for (const view::Control& one : panel.controls.all()) {
+    const std::string name = one.panel + "/" + one.label;
+    EXPECT_TRUE(names.insert(name).second) << name;
+    EXPECT_TRUE(ids.insert(one.id).second) << name;
+    EXPECT_TRUE(turned().contains(name) || kBeside.contains(name)) << name;
+    EXPECT_TRUE(one.value >= one.min && one.value <= one.max) << name;
+    if (one.kind == view::Control::Kind::choice) {
+      EXPECT_EQ(double(std::ranges::count(one.choices, '|')), one.max) << name;
+    }
+  }
+  EXPECT_EQ(names.size(), turned().size() + kBeside.size());
+}
+
+TEST(ViewControls, ChangeInTheModelWhatTheyName) {
+  for (const auto& [name, to] : turned()) {
+    Panel panel;
+    for (const auto& [other, value] : to.before) panel.turn(other, value);
+    panel.turn(name, to.value);
+    EXPECT_NEAR(to.has(panel), to.value, 1e-9 * std::abs(to.value)) << name;
+    panel.controls.show(panel.watched.settings());
+    EXPECT_NEAR(panel.control(name).value, to.value, 1e-9 * std::abs(to.value)) << name;
+  }
+  for (const auto& [name, change] : kBeside) {
+    Panel panel;
+    EXPECT_EQ(panel.set(name, 1), change) << name;
+  }
+}
+
+TEST(ViewControls, RefuseWhatIsOutOfTheirRange) {
+  Panel panel;
+  const std::vector<view::Control> before(panel.controls.all().begin(), panel.controls.all().end());
+  for (const view::Control& one : before) {
+    std::vector<double> wrong = {std::nextafter(one.min, -1e9), std::nextafter(one.max, 1e9), std::nan(""),
+                                 std::numeric_limits<double>::infinity()};
+    if (one.kind != view::Control::Kind::number) wrong.push_back(0.5);
+    for (const double value : wrong) EXPECT_EQ(panel.controls.set({one.id, value}), Change::none) << one.label << value;
+  }
+  EXPECT_EQ(panel.controls.set({9999, 1}), Change::none);
+  for (std::size_t n = 0; n < before.size(); ++n) EXPECT_EQ(panel.controls.all()[n].value, before[n].value);
+}
+
+TEST(ViewControls, GiveEachHeadOfTheListItsShape) {
+  Panel panel;
+  std::set<std::string> shapes;  // as the page draws them
+  for (double head = 0; head <= panel.control("tool/Head").max; ++head) {
+    panel.turn("tool/Head", head);
+    const view::Message drawn = view::encode(panel.tool());
+    shapes.emplace(drawn.begin(), drawn.end());
+  }
+  EXPECT_EQ(shapes.size(), 13U);  // the scene's own is a sphere, and a cylinder is flat
+}
+
+TEST(ViewControls, AreTakenBackWhenSizesDoNotFit) {
+  Panel panel;
+  panel.turn("tool/Diameter", 8);
+  panel.turn("tool/Length", 4);
+  ASSERT_EQ(panel.set("tool/Head", 8), Change::tool);  // a round end needs a length of half the diameter and more
+  EXPECT_THROW((void)panel.controls.tool(), Error);
+  panel.controls.take_back();
+  EXPECT_EQ(panel.control("tool/Head").value, 0);
+  EXPECT_NO_THROW((void)panel.controls.tool());
+}
+
+TEST(ViewControls, OfAButtonThatFailedAreWhatTheyWere) {
+  Panel panel;
+  panel.turn("tool/Diameter", 2);
+  ASSERT_EQ(panel.set("application/Reset", 1), Change::reset);
+  panel.controls.take_back();
+  EXPECT_EQ(panel.control("tool/Diameter").value, 2);
+}
+
+TEST(ViewControls, StandAsTheModelDoesWhateverWasAsked) {
+  Panel panel;
+  // Asked, and never obeyed: a queue was full.
+  (void)panel.set("tool/Speed", 1000);
+  (void)panel.set("application/Cutting", 0);
+  (void)panel.set("additional/Gravity", 1);
+  (void)panel.set("outputs/force x", 0);
+  panel.controls.show(panel.watched.settings());
+  EXPECT_NEAR(panel.control("tool/Speed").value * rpm, 3000, 1e-9);
+  EXPECT_EQ(panel.control("application/Cutting").value, 1);
+  EXPECT_EQ(panel.control("additional/Gravity").value, 0);
+  EXPECT_EQ(panel.control("outputs/force x").value, 1);
+  // Obeyed, and asked by no control.
+  panel.tell(commands::SetSpindleSpeed{0});
+  panel.tell(commands::SetRemoval{RemovalLaw::none});
+  panel.tell(commands::SetForceMask{AxisMask{{true, false, true}, {}}});
+  panel.controls.show(panel.watched.settings());
+  EXPECT_EQ(panel.control("application/Spindle").value, 0);
+  EXPECT_NEAR(panel.control("tool/Speed").value * rpm, 3000, 1e-9);  // for when it turns again
+  EXPECT_EQ(panel.control("application/Cutting").value, 0);
+  EXPECT_EQ(panel.control("outputs/force y").value, 0);
+  EXPECT_EQ(panel.control("outputs/force z").value, 1);
+  EXPECT_EQ(panel.controls.removal(), RemovalLaw::none);
+}
+
+TEST(ViewControls, ShowTheStaticFrictionThatADynamicOneBringsAlong) {
+  Panel panel;
+  panel.turn("material/plain dynamic friction", 1.5);
+  EXPECT_EQ(panel.material().static_friction, 1.5);
+  EXPECT_EQ(panel.control("material/plain static friction").value, 1.5);
+}
+
+TEST(ViewControls, LeaveWhatASceneHasBeyondTheirRange) {
+  Material hard = test::plain_material();
+  hard.damping = 5000;
+  const Tool tool(SphereHead{1 * mm}, RayHandle{400 * mm}, Spindle{3000});
+  ViewControls controls(tool, MaterialTable({hard}), {}, false);
+  for (const view::Control& one : controls.all())
+    (void)(one.label == "Power limit" && controls.set({one.id, 2}) == Change::tool);
+  EXPECT_EQ(controls.materials()[MaterialId(1)].damping, 5000);
+  EXPECT_EQ(std::get<RayHandle>(controls.tool().handle()).length, 400 * mm);
+}
+
+}  // namespace
+}  // namespace hapticut::view_controls_test

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scenes of `hapticut view`, and what a drill meets first in the skull.
+#include "cli/view/view_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
+#include "hapticut/io/vdb/vdb.hpp"
+#include "hapticut/simulation/simulation.hpp"
+#include "support/places.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace hapticut::view_scenes_test {
+namespace {
+
+using cli::make_view_scene;
+using cli::ViewScene;
+using units::mm;
+
+Simulation simulation_of(const ViewScene& scene) { return {scene.workpiece.clone(), scene.tool, scene.config}; }
+
+/// Whether the tool waits in the air, and meets material on the way along its axis through the middle.
+void expect_ready_to_drill(const ViewScene& scene) {
+  const Simulation simulation = simulation_of(scene);
+  Pose X_WT = cli::waiting_place(scene);
+  const auto touches = [&] { return simulation.touches(X_WT * scene.tool.X_HT().inverse()); };
+  EXPECT_FALSE(touches()) << scene.name;
+  EXPECT_LT((X_WT.rotation.col(2) - scene.axis).norm(), 1e-12) << scene.name;
+  bool met = false;
+  for (int n = 0; n < 100 && !met; ++n, met = touches()) X_WT.translation -= 0.5 * mm * scene.axis;
+  EXPECT_TRUE(met) << scene.name;
+}
+
+TEST(ViewScenes, AreReadyToBeDrilled) {
+  for (const char* name : {"clay", "molar"}) {
+    const ViewScene scene = make_view_scene(name);
+    EXPECT_EQ(scene.name, name);
+    EXPECT_GT(scene.tool.spindle().speed, 0);
+    expect_ready_to_drill(scene);
+  }
+}
+
+TEST(ViewScenes, OfASettingsFileHaveWhatItSays) {
+  const test::TemporaryFolder folder;
+  test::write_bytes(folder / "a.toml",
+                    "[workpiece]\nsource = \"block\"\nsize_mm = [6, 6, 3]\nmaterial = \"dentin\"\nvoxel_mm = 0.3\n"
+                    "[tool]\nhead = \"cone\"\nhalf_angle_deg = 30\nheight_mm = 2\nspindle_rpm = "
+                    "30000\n[simulation]\nrate_Hz = 1000\n");
+  const ViewScene scene = make_view_scene((folder / "a.toml").string());
+  EXPECT_EQ(scene.workpiece.materials()[MaterialId(1)].name, "dentin");
+  EXPECT_TRUE(std::holds_alternative<ConeHead>(scene.tool.head().shape()));
+  expect_ready_to_drill(scene);
+}
+
+TEST(ViewScenes, OfAWorkpieceHaveABallThatSuitsIt) {
+  const test::TemporaryFolder folder;
+  const std::string path = (folder / "a.vdb").string();
+  save_vdb(build_block({Vec3::Zero(), Vec3(24, 12, 12) * mm}, 0.5 * mm, Material{.name = "a"}), path);
+  const ViewScene scene = make_view_scene(path);
+  EXPECT_NEAR(scene.tool.head().largest_radius(), 1 * mm, 1e-12);  // a twelfth across
+  expect_ready_to_drill(scene);
+}
+
+TEST(ViewScenes, ThatDoNotExistAreRefusedInASentence) {
+  try {
+    (void)make_view_scene("mollar");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("there is no scene 'mollar'. Name clay, molar or skull"),
+              std::string::npos);
+  }
+}
+
+TEST(ViewScenes, OfTheSkullMeetACorticalPlateFirst) {
+  if (!std::filesystem::exists("/usr/share/doc/invesalius-examples/examples/Cranium.inv3"))
+    GTEST_SKIP() << "needs the Debian package invesalius-examples";
+  ViewScene scene = make_view_scene("skull");
+  expect_ready_to_drill(scene);
+  // From where the tool waits, a ball of 3 mm goes in until it has cut 3 mm^3: by the ranges of grey values alone
+  // nine tenths of it were trabecular.
+  constexpr double kWanted = 3e-9, kMostTrabecular = 0.2, kDt = 1e-3;
+  const Tool ball(SphereHead{1.5 * mm}, RayHandle{}, scene.tool.spindle());
+  Simulation simulation(scene.workpiece.clone(), ball, scene.config);
+  Pose X_WT = cli::waiting_place(scene);
+  const Twist feed{-10 * mm * scene.axis, Vec3::Zero()};
+  const auto& removed = simulation.removed_volume_by_material();
+  for (int n = 0; n < 2000 && removed[1] + removed[2] < kWanted; ++n) {
+    X_WT.translation += kDt * feed.linear;
+    (void)simulation.step(X_WT * ball.X_HT().inverse(), feed, kDt);
+  }
+  ASSERT_EQ(scene.workpiece.materials()[MaterialId(1)].name, "trabecular_bone");
+  EXPECT_GE(removed[1] + removed[2], kWanted);
+  EXPECT_LT(removed[1] / (removed[1] + removed[2]), kMostTrabecular);
+}
+
+}  // namespace
+}  // namespace hapticut::view_scenes_test

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a page is told of the ticks of a model.
+#include "cli/view/watched_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "support/loop_rig.hpp"
+
+namespace hapticut::watched_model_test {
+namespace {
+
+using cli::WatchedModel;
+
+/// A ball in a block, deeper from tick to tick, and what it has shown.
+struct Cut {
+  test::loop_rig::Rig rig{3000};
+  WatchedModel watched{rig.model, rig.simulation, 1e-3};
+  std::vector<Vec3> forces;
+
+  void run(int ticks) {
+    RunOptions options;
+    options.simulated_time = true;
+    options.stop_on_signals = false;
+    options.guard.arming.ramp = options.guard.arming.short_ramp = 0.02;
+    (void)rig.device->run(
+        [&](const DeviceState& reading) {
+          DeviceState state = reading;
+          state.X_BS.translation.z() = 0.3e-3 - 1e-6 * double(forces.size());
+          LoopSnapshot snapshot;
+          DeviceCommand command{watched.step(state, 1e-3, snapshot), false, watched.contact()};
+          forces.push_back(snapshot.tool.force);
+          command.stop = --ticks == 0;
+          return command;
+        },
+        options);
+  }
+};
+
+TEST(WatchedModel, TellsTheForceOfEachTickOnce) {
+  Cut cut;
+  for (const int ticks : {450, 250}) {
+    const std::size_t first = cut.forces.size();
+    cut.run(ticks);
+    const WatchedModel::Trace trace = cut.watched.take_trace();
+    EXPECT_EQ(trace.first, first);
+    ASSERT_EQ(trace.samples.size(), std::size_t(ticks));
+    for (std::size_t n = 0; n < trace.samples.size(); ++n)
+      for (Eigen::Index axis = 0; axis < 3; ++axis)
+        ASSERT_EQ(trace.samples[n].force[std::size_t(axis)], float(cut.forces[first + n][axis]));
+  }
+  EXPECT_TRUE(cut.watched.take_trace().samples.empty());
+  EXPECT_GT(cut.forces.back().norm(), 0);
+}
+
+TEST(WatchedModel, KeepsTheOldestTicksWhileNobodyLooks) {
+  Cut cut;
+  cut.run(int(WatchedModel::kTicks) + 10);
+  const WatchedModel::Trace trace = cut.watched.take_trace();
+  EXPECT_EQ(trace.first, 0U);
+  EXPECT_EQ(trace.samples.size(), WatchedModel::kTicks);
+  cut.run(1);
+  EXPECT_EQ(cut.watched.take_trace().samples.size(), 1U);
+}
+
+TEST(WatchedModel, TellsTicksTheirLatenessAndWhatWasRemoved) {
+  Cut cut;
+  cut.watched.begin_run();
+  cut.run(600);
+  view::Instruments shown;
+  cut.watched.tell(shown, 1);
+  EXPECT_EQ(shown.ticks, 600U);
+  EXPECT_EQ(shown.bucket, WatchedModel::kBucket);
+  EXPECT_EQ(std::accumulate(shown.latency.begin(), shown.latency.end(), 0U), 599U);  // the first is late to nothing
+  ASSERT_EQ(shown.removed.size(), 1U);
+  EXPECT_GT(shown.removed[0], 0);
+  EXPECT_EQ(shown.removed[0], cut.rig.simulation.removed_volume_by_material()[1]);
+}
+
+TEST(WatchedModel, TellsWhatCommandsHaveMadeOfTheModel) {
+  Cut cut;
+  EXPECT_EQ(cut.watched.settings().spindle_speed, 3000);
+  EXPECT_EQ(cut.watched.settings().answered, 0U);
+  LoopCommand refused = commands::Undo{};  // to no mark
+  EXPECT_FALSE(cut.watched.obey(refused));
+  EXPECT_EQ(cut.watched.settings().answered, 1U);
+  Effects effects;
+  effects.gravity = Gravity{.mass = 0.2};
+  LoopCommand spindle = commands::SetSpindleSpeed{100}, gravity = commands::SetEffects{effects},
+              removal = commands::SetRemoval{RemovalLaw::none};
+  for (LoopCommand* command : {&spindle, &gravity, &removal}) EXPECT_TRUE(cut.watched.obey(*command));
+  const cli::ModelSettings& has = cut.watched.settings();
+  EXPECT_EQ(has.answered, 4U);
+  EXPECT_EQ(has.spindle_speed, 100);
+  EXPECT_EQ(has.effects.gravity->mass, 0.2);
+  EXPECT_EQ(has.removal, RemovalLaw::none);
+}
+
+}  // namespace
+}  // namespace hapticut::watched_model_test

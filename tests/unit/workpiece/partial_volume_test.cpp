@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// Grey values at the border of a body, where a scanner has mixed what is on both sides.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "hapticut/core/units.hpp"
+#include "hapticut/workpiece/volume_builders.hpp"
+
+namespace hapticut::partial_volume_test {
+namespace {
+
+using units::kPi;
+using units::mm;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+const Vec3 kMiddle = Vec3(7.03, 6.98, 7.01) * mm;
+
+/// A ball of 1, blurred by a Gaussian: the convolution in closed form.
+double blurred_ball(double r, double radius, double sigma) {
+  const double s = std::sqrt(2.0) * sigma, near = (r - radius) / s, far = (r + radius) / s;
+  return (std::erf(far) - std::erf(near)) / 2 -
+         sigma / (r * std::sqrt(2 * kPi)) * (std::exp(-near * near) - std::exp(-far * far));
+}
+
+/// A ball of layers from the outside inwards, as a scanner sees it.
+struct Ball {
+  struct Layer {
+    double radius, grey;
+  };
+  double around;  ///< grey value
+  std::vector<Layer> layers;
+};
+
+GreyVolume scan(const Ball& ball, double spacing, double sigma, double noise = 0) {
+  GreyVolume volume;
+  const int n = int(14 * mm / spacing);
+  volume.dims = {n, n, n};
+  volume.spacing = Vec3::Constant(spacing);
+  volume.values.resize(volume.size());
+  std::mt19937 random(3);
+  std::normal_distribution<double> grain(0, 1);
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const double r = (volume.position(i, j, k) - kMiddle).norm();
+        double grey = ball.around, before = grey;
+        for (const Ball::Layer& layer : ball.layers) {
+          grey += (layer.grey - before) * blurred_ball(r, layer.radius, sigma);
+          before = layer.grey;
+        }
+        volume.at(i, j, k) = float(grey + noise * grain(random));
+      }
+  return volume;
+}
+
+Material named(const char* name) {
+  Material material;
+  material.name = name;
+  return material;
+}
+
+constexpr double kAir = -1000, kMarrow = 0, kSoft = 450, kHard = 1600;
+constexpr double kBone = (kAir + kHard) / 2, kCortical = (kSoft + kHard) / 2;  // half-way, where the blurred edges are
+const std::vector<GreyRange> kRanges = {{kBone, kCortical, named("trabecular")},
+                                        {kCortical, kInfinity, named("cortical")}};
+constexpr MaterialId kTrabecularId = 1, kCorticalId = 2;
+
+double ball_volume(double r) { return 4 * kPi / 3 * r * r * r; }
+
+/// How many voxels with a centre between two distances from the middle are of a material.
+int voxels_between(const Workpiece& workpiece, double from, double to, MaterialId material) {
+  int count = 0;
+  const IndexBox box = workpiece.bounds();
+  for (int i = box.min[0]; i <= box.max[0]; ++i)
+    for (int j = box.min[1]; j <= box.max[1]; ++j)
+      for (int k = box.min[2]; k <= box.max[2]; ++k) {
+        const double r = (workpiece.frame().center({i, j, k}) - kMiddle).norm();
+        count += r >= from && r < to && workpiece.material_at({i, j, k}) == material ? 1 : 0;
+      }
+  return count;
+}
+
+// A cortical shell of four samples over trabecular bone.
+class PartialVolumeOfAShell : public testing::TestWithParam<std::tuple<double, double, double>> {};
+
+TEST_P(PartialVolumeOfAShell, IsThatOfTheShell) {
+  const auto [spacing_mm, sigma, noise] = GetParam();
+  const double spacing = spacing_mm * mm, outer = 6 * mm, inner = outer - 4 * spacing;
+  const GreyVolume volume = scan({kAir, {{outer, kHard}, {inner, kSoft}}}, spacing, sigma * spacing, noise);
+  const auto amounts = build_from_grey(volume, kRanges).amounts();
+  const auto by_threshold = build_from_grey(volume, kRanges, {.partial_volume = false}).amounts();
+  const double core = ball_volume(inner), shell = ball_volume(outer) - core;
+  constexpr double kShell = 0.02, kCore = 0.06;  // where they meet, a voxel names one material of a blurred edge
+  EXPECT_NEAR(amounts[0].volume / core, 1, kCore);
+  EXPECT_NEAR(amounts[1].volume / shell, 1, kShell);
+  EXPECT_LT(by_threshold[1].volume / shell, 0.9);
+  EXPECT_DOUBLE_EQ(amounts[0].volume + amounts[1].volume, by_threshold[0].volume + by_threshold[1].volume);
+}
+
+INSTANTIATE_TEST_SUITE_P(SpacingBlurNoise, PartialVolumeOfAShell,
+                         testing::Combine(testing::Values(0.15, 0.3, 0.6), testing::Values(0.5, 0.8),
+                                          testing::Values(0.0, 60.0)));
+
+TEST(PartialVolume, ChangesNeitherFillNorCentroid) {
+  const GreyVolume volume = scan({kAir, {{6 * mm, kHard}, {5 * mm, kSoft}}}, 0.6 * mm, 0.3 * mm);
+  const Workpiece on = build_from_grey(volume, kRanges, {.voxel_size = 0.25 * mm});
+  const Workpiece off = build_from_grey(volume, kRanges, {.voxel_size = 0.25 * mm, .partial_volume = false});
+  const IndexBox box = off.bounds();
+  for (int i = box.min[0]; i <= box.max[0]; ++i)
+    for (int j = box.min[1]; j <= box.max[1]; ++j)
+      for (int k = box.min[2]; k <= box.max[2]; ++k) {
+        ASSERT_EQ(on.fill_at({i, j, k}), off.fill_at({i, j, k}));
+        ASSERT_EQ(on.centroid_at({i, j, k}).steps, off.centroid_at({i, j, k}).steps);
+      }
+}
+
+TEST(PartialVolume, SwitchedOffLeavesEachSampleTheMaterialOfItsValue) {
+  const GreyVolume volume = scan({kAir, {{6 * mm, kHard}, {5 * mm, kSoft}}}, 0.6 * mm, 0.3 * mm);
+  const Workpiece off = build_from_grey(volume, kRanges, {.antialias = false, .partial_volume = false});
+  for (int k = 0; k < volume.dims[2]; ++k)
+    for (int j = 0; j < volume.dims[1]; ++j)
+      for (int i = 0; i < volume.dims[0]; ++i) {
+        const double grey = double(volume.at(i, j, k));
+        ASSERT_EQ(off.material_at({i, j, k}), grey < kBone ? kEmpty : grey < kCortical ? kTrabecularId : kCorticalId);
+      }
+}
+
+TEST(PartialVolume, IsSeenInBlocksThatLieInOneRangeToo) {
+  // So blurred that a cell of samples is in the trabecular range: two samples, and 24 voxels to a sample.
+  const GreyVolume volume = scan({kAir, {{5.45 * mm, kHard}}}, 0.6 * mm, 1.1 * mm);
+  const VolumeBuildOptions fine{.voxel_size = 0.025 * mm, .crop = Box{Vec3(6.5, 6.5, 9) * mm, Vec3(7.5, 7.5, 14) * mm}};
+  EXPECT_EQ(build_from_grey(volume, kRanges, fine).amounts()[0].voxels, 0);
+}
+
+TEST(PartialVolume, LeavesTrabecularBoneThatIsOpenToTheAir) {
+  const GreyVolume volume = scan({kAir, {{6 * mm, kSoft}}}, 0.3 * mm, 0.2 * mm, 60);
+  const Workpiece bone =
+      build_from_grey(volume, {{-275, kCortical, named("trabecular")}, {kCortical, kInfinity, named("cortical")}});
+  EXPECT_EQ(bone.amounts()[1].voxels, 0);
+  EXPECT_NEAR(bone.amounts()[0].volume / ball_volume(6 * mm), 1, 0.01);
+}
+
+TEST(PartialVolume, LeavesALayerOfTrabecularBoneThatTheScanResolves) {
+  constexpr double kSpacing = 0.3 * mm, kLayer = 3 * kSpacing;
+  const GreyVolume volume = scan({kAir, {{6 * mm, kSoft}, {6 * mm - kLayer, kHard}}}, kSpacing, 0.5 * kSpacing);
+  const std::vector<GreyRange> ranges = {{-275, kCortical, named("trabecular")},
+                                         {kCortical, kInfinity, named("cortical")}};
+  const auto amounts = build_from_grey(volume, ranges).amounts();
+  EXPECT_NEAR(amounts[1].volume / ball_volume(6 * mm - kLayer), 1, 0.02);
+}
+
+TEST(PartialVolume, OfAHoleIsOfWhatIsAroundIt) {
+  const std::vector<GreyRange> ranges = {{kMarrow + 150, kCortical, named("trabecular")},
+                                         {kCortical, kInfinity, named("cortical")}};
+  const auto wall = [&](double grey) {
+    return build_from_grey(scan({kHard, {{6 * mm, grey}, {2 * mm, kMarrow}}}, 0.3 * mm, 0.2 * mm), ranges);
+  };
+  EXPECT_EQ(voxels_between(wall(kSoft), 0, 5 * mm, kCorticalId), 0);
+  EXPECT_EQ(voxels_between(wall(kHard), 0, 5 * mm, kTrabecularId), 0);
+}
+
+TEST(PartialVolume, LeavesWhatMeetsInsideATooth) {
+  constexpr double kPulp = 50, kDentin = 1500, kEnamel = 2600, kJunction = 5 * mm, kChamber = 2 * mm;
+  const std::vector<GreyRange> ranges = {{750, 2050, named("dentin")}, {2050, kInfinity, named("enamel")}};
+  const GreyVolume volume =
+      scan({kAir, {{6 * mm, kEnamel}, {kJunction, kDentin}, {kChamber, kPulp}}}, 0.2 * mm, 0.15 * mm);
+  const Workpiece on = build_from_grey(volume, ranges),
+                  off = build_from_grey(volume, ranges, {.partial_volume = false});
+  constexpr MaterialId kDentinId = 1, kEnamelId = 2;
+  EXPECT_GT(voxels_between(off, 5.7 * mm, 7 * mm, kDentinId), 1000);
+  EXPECT_EQ(voxels_between(on, 5.7 * mm, 7 * mm, kDentinId), 0);
+  EXPECT_EQ(voxels_between(on, 0, 5.5 * mm, kEnamelId), voxels_between(off, 0, 5.5 * mm, kEnamelId));
+  EXPECT_EQ(voxels_between(on, 0, 5.5 * mm, kDentinId), voxels_between(off, 0, 5.5 * mm, kDentinId));
+}
+
+TEST(PartialVolume, OfAGradeIsOfTheGradeBehindIt) {
+  const GreyVolume volume = scan({kAir, {{6 * mm, kHard}}}, 0.3 * mm, 0.2 * mm);
+  const Grade grade{.low = kBone, .high = kHard, .at_low = named("soft"), .at_high = named("hard"), .steps = 10};
+  const auto softer = [&](bool on) {
+    double volume_softer = 0;
+    for (const MaterialAmount& amount : build_from_grey(volume, grade, {.partial_volume = on}).amounts())
+      if (amount.material < 8) volume_softer += amount.volume;
+    return volume_softer / ball_volume(6 * mm);
+  };
+  EXPECT_GT(softer(false), 0.05);
+  EXPECT_LT(softer(true), 0.001);
+}
+
+TEST(PartialVolume, IsNothingToLabels) {
+  LabelVolume volume;
+  volume.dims = {20, 20, 20};
+  volume.values.resize(volume.size());
+  for (std::size_t n = 0; n < volume.size(); ++n) volume.values[n] = std::uint16_t(n / 7 % 3);
+  const std::vector<LabelMaterial> materials = {{{1}, named("a")}, {{2}, named("b")}};
+  const auto on = build_from_labels(volume, materials, {.voxel_size = 0.7 * mm}).amounts();
+  const auto off = build_from_labels(volume, materials, {.voxel_size = 0.7 * mm, .partial_volume = false}).amounts();
+  for (std::size_t n = 0; n < 2; ++n) EXPECT_EQ(on[n].volume, off[n].volume);
+}
+
+}  // namespace
+}  // namespace hapticut::partial_volume_test
