@@ -52,6 +52,8 @@ export class Hand {
     this.tipHeight = tipHeight;
   }
 
+  /** Of the tip, in W. */
+  get place(): Vec3 { return this.tip; }
   get axis(): Vec3 { return axisOf(this.R_WT, 2); }
 
   /** Presses at what is under the pointer. */

@@ -21,9 +21,9 @@ const canvas = byId<HTMLCanvasElement>("scene");
 
 class Page {
   readonly scene = new three.Scene();
-  readonly eye = new Eye();
-  readonly hand = new Hand();
   readonly workpiece = new Workpiece();
+  readonly eye = new Eye(this.workpiece);
+  readonly hand = new Hand();
   readonly tool = new ToolView(this.scene);
   readonly speaker = new Speaker();
   readonly curves = new Curves(byId("force-curve"), byId("torque-curve"));
@@ -62,6 +62,7 @@ class Page {
     this.scene.add(sun);
     this.pointer = new Pointer({
       canvas, eye: this.eye, hand: this.hand, hit: (ray) => this.workpiece.hit(ray),
+      leads: () => this.writer,
       mayMove: () => this.writer && this.placed,
       moved: () => { this.moved = true; },
     });
@@ -71,6 +72,7 @@ class Page {
     viewButtons(byId("views"), (name) => this.look(name), () => this.whole());
     canvas.addEventListener("pointerdown", () => { this.framed = true; });
     new ResizeObserver(() => this.resize()).observe(byId("stage"));
+    document.addEventListener("visibilitychange", () => { if (document.hidden) this.tellHand(); }); // no picture comes
     this.setUpButtons();
     this.setTheme(matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark");
   }
@@ -81,7 +83,9 @@ class Page {
         this.workpiece.begin(message);
         this.writer = message.writer;
         if (!document.body.classList.contains("replay")) this.indicators.role(message.writer ? "leads" : "looks on");
-        this.indicators.materials(message.materials);
+        document.body.classList.toggle("looks", !message.writer);
+        this.indicators.begin(message);
+        this.pointer.begin();
         this.panels.enable(message.writer);
         this.began = performance.now();
         this.framed = this.placed = false;
@@ -134,18 +138,21 @@ class Page {
     const seconds = Math.min(0.25, (now - this.last) / 1e3);
     this.last = now;
     this.pointer.frame(seconds);
-    if (this.moved && this.link.open) {
-      this.moved = false;
-      const { X_WH, pressed } = this.hand;
-      this.path.push({ time: now / 1e3, X_WH, pressed });
-      if (this.path.length > 20_000) this.path.shift();
-      this.tell(commands.moveHand(X_WH, pressed));
-    }
+    this.tellHand();
     const pause = this.picture?.pause(now) ?? 0; // without a graphics card the loop needs the processor more
     if ((this.changed || this.eye.changed) && now - this.drawn >= pause) this.draw(now, seconds);
     if (now - this.charted < pause) return;
     this.charted = now;
     this.curves.draw();
+  }
+
+  private tellHand() {
+    if (!this.moved || !this.link.open) return;
+    this.moved = false;
+    const { X_WH, pressed } = this.hand;
+    this.path.push({ time: performance.now() / 1e3, X_WH, pressed });
+    if (this.path.length > 20_000) this.path.shift();
+    this.tell(commands.moveHand(X_WH, pressed));
   }
 
   private draw(now: number, seconds: number) {
@@ -156,7 +163,7 @@ class Page {
       this.indicators.show(snapshot, this.instruments, this.curves.ring);
     }
     if (this.instruments) drawLatency(byId<HTMLCanvasElement>("latency"), this.instruments);
-    if (!picture || picture.renderer.xr.isPresenting) return;
+    if (!picture) return;
     const box = canvas.getBoundingClientRect();
     this.eye.update(box.width / Math.max(1, box.height));
     const key = this.eye.back.addScaledVector(this.eye.right, -0.55).addScaledVector(this.eye.up, 0.75).normalize();
@@ -242,5 +249,5 @@ if (!page.picture) setInterval(() => page.frame(performance.now()), 16);
 if (!showPlayer(page, byId)) {
   loadPanel(page);
   page.link = connect(new URLSearchParams(location.search).get("token") ?? "", (message) => page.hear(message),
-                      (text, open) => { if (!open) page.indicators.lost(text); });
+                      (text) => page.indicators.lost(text));
 }

@@ -18,9 +18,11 @@ interface Own {
   changed: () => void;
 }
 
-function panel(parent: HTMLElement, name: string, ...rows: HTMLElement[]) {
-  parent.append(element("details", { "data-panel": name.toLowerCase() }, element("summary", {}, name),
-                        element("fieldset", {}, ...rows)));
+function panel(parent: HTMLElement, name: string, ...rows: HTMLElement[]): HTMLElement {
+  const details = element("details", { "data-panel": name.toLowerCase() }, element("summary", {}, name),
+                          element("fieldset", {}, ...rows));
+  parent.append(details);
+  return details;
 }
 
 function box(label: string, value: boolean, change: (value: boolean) => void): HTMLElement {
@@ -77,22 +79,11 @@ export function ownPanels(o: Own) {
         slider("Field of view", eye.camera.fov, 10, 70, "°", (value) => { eye.camera.fov = value; changed(); }));
   panel(o.parent, "Pointer",
         box("Tool follows the surface", hand.follow, (value) => { hand.follow = value; }),
-        slider("Depth", hand.depth * 1e3, 0, 4, "mm", (value) => { hand.depth = value / 1e3; }));
-  const note = element("p", { class: "group" },
-                       "Quad buffering is not offered by browsers; a headset is, where one is connected.");
-  const xr = element("button", { type: "button" }, "Enter headset");
-  xr.disabled = true;
+        slider("Depth", hand.depth * 1e3, 0, 4, "mm", (value) => { hand.depth = value / 1e3; })).classList.add("hand");
   panel(o.parent, "Stereo",
         pick("Stereo", ["off", "side-by-side", "anaglyph"], (name) => { picture.stereo = name as Stereo; changed(); }),
         slider("Eye distance", picture.eyeDistance, 0, 12, "mm", (value) => { picture.eyeDistance = value; changed(); }),
-        slider("Convergence", picture.convergence, 10, 300, "mm", (value) => { picture.convergence = value; changed(); }),
-        xr, note);
-  const system = (navigator as Navigator & { xr?: XRSystem }).xr;
-  void system?.isSessionSupported("immersive-vr").then((can) => { xr.disabled = !can; }).catch(() => undefined);
-  xr.onclick = async () => {
-    const session = await system!.requestSession("immersive-vr", { optionalFeatures: ["local-floor"] });
-    await picture.renderer.xr.setSession(session);
-  };
+        slider("Convergence", picture.convergence, 10, 300, "mm", (value) => { picture.convergence = value; changed(); }));
 }
 
 export function viewButtons(parent: HTMLElement, look: (name: string) => void, all: () => void) {

@@ -106,7 +106,6 @@ export class Picture {
   constructor(canvas: HTMLCanvasElement) {
     this.renderer = new three.WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: true });
     this.renderer.outputColorSpace = three.LinearSRGBColorSpace; // the last pass encodes
-    this.renderer.xr.enabled = true;
     this.quad.frustumCulled = false;
     this.screen.add(this.quad);
     const gl = (this.gl = this.renderer.getContext() as WebGL2RenderingContext);

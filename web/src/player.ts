@@ -14,7 +14,7 @@ interface Shows {
 export function showPlayer(page: Shows, byId: ById): boolean {
   const inside = document.getElementById("recording");
   if (!inside) return false;
-  document.body.classList.add("replay");
+  document.body.classList.add("replay", "looks");
   page.indicators.role("replay");
   const source = inside.dataset.from ?? null;
   const packed = source === null ? Promise.resolve(fromBase64(inside.textContent ?? ""))
@@ -46,6 +46,10 @@ function play(player: Player, byId: ById) {
   time.oninput = () => seek(() => player.seek(Number(time.value)));
   byId("back").onclick = () => seek(() => player.step(-1));
   byId("forth").onclick = () => seek(() => player.step(1));
+  byId("scene").addEventListener("keydown", (event) => {
+    const name = ({ " ": "play", ArrowLeft: "back", ArrowRight: "forth" } as Record<string, string>)[event.key];
+    if (name) byId(name).click();
+  });
   const speed = byId<HTMLSelectElement>("speed");
   speed.onchange = () => { player.speed = Number(speed.value); };
   let last = performance.now();

@@ -326,7 +326,7 @@ void ViewSession::tell_guard() {
     const bool noise = entry.event == SafetyEvent::saturated || entry.event == SafetyEvent::slew_limited ||
                        entry.event == SafetyEvent::passivity || entry.event == SafetyEvent::late_wake_up ||
                        entry.event == SafetyEvent::pose_units;  // a pointer may stand still
-    if (!noise) server_.send_notice(good ? view::Severity::tells : view::Severity::warns, describe(entry));
+    if (!noise) server_.send_notice(good ? view::Severity::tells : view::Severity::warns, sentence_of(entry));
   }
 }
 

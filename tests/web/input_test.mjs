@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mouse, keys, fingers and gamepads beside each other, on a page that leads, one that looks on, and one that replays.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readdirSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { atRest, drawn, drill, isReady, middle, openPage, startBrowser, startProgram, until } from "./viewer.mjs";
+
+const kSize = { viewport: { width: 900, height: 500 }, hasTouch: true };
+let program, browser, page;
+before(async () => {
+  program = await startProgram("molar");
+  browser = await startBrowser();
+  page = await openPage(browser, program.url, kSize);
+  await isReady(page);
+  await page.evaluate(() => {
+    const button = () => ({ value: 0, pressed: false });
+    window.pads = [0, 1].map((index) => ({ index, connected: true, axes: [0, 0, 0, 0], buttons: Array.from({ length: 17 }, button) }));
+    navigator.getGamepads = () => window.pads;
+  });
+});
+after(async () => {
+  await browser?.close();
+  await program?.stop();
+});
+
+const pictures = async (on = page, count = 2) => {
+  const then = await on.evaluate(() => hapticut.frames);
+  await until(on, ([from, more]) => hapticut.frames >= from + more, [then, count]);
+};
+const pressed = async () => {
+  await pictures(); // each asks the gamepads
+  return page.evaluate(() => hapticut.hand.pressed);
+};
+const pull = (pad, value) => page.evaluate(([n, to]) => { window.pads[n].buttons[7].value = to; }, [pad, value]);
+const direction = (on) => on.evaluate(() => hapticut.eye.back.toArray());
+const turned = async (on, from) => {
+  const to = await direction(on);
+  return Math.hypot(...to.map((at, n) => at - from[n]));
+};
+const drag = async (on, button = "left") => {
+  const { x, y } = await middle(on);
+  await on.mouse.move(x, y);
+  await on.mouse.down({ button });
+  await on.mouse.move(x + 60, y + 20, { steps: 3 });
+  await on.mouse.up({ button });
+};
+
+test("a press lasts until the last lets go that holds it, and idle gamepads hold and undo nothing", async () => {
+  const { x, y } = await middle(page);
+  await page.mouse.move(x, y - 40);
+  await page.mouse.down();
+  assert.ok(await pressed(), "the mouse, beside two idle gamepads");
+  await page.keyboard.down(" ");
+  await page.mouse.up();
+  assert.ok(await pressed(), "Space");
+  await pull(1, 1);
+  await page.keyboard.up(" ");
+  assert.ok(await pressed(), "the second gamepad");
+  await pull(1, 0);
+  assert.ok(!await pressed(), "nobody");
+  await page.mouse.down();
+  await page.mouse.down({ button: "right" });
+  await page.mouse.up();
+  assert.ok(!await pressed(), "only the right button is left");
+  await page.mouse.up({ button: "right" });
+  await page.keyboard.down(" ");
+  assert.ok(await pressed(), "Space again");
+  await page.evaluate(() => dispatchEvent(new Event("blur")));
+  assert.ok(!await pressed(), "the window is left with a key down");
+  await page.keyboard.up(" ");
+});
+
+test("Space and a trigger press on what lies under the tip, wherever keys have led it", async () => {
+  const { x, y } = await middle(page);
+  for (const source of ["Space", "trigger"]) {
+    await page.mouse.move(x, y - 20);
+    await atRest(page);
+    for (let n = 0; n < 3; ++n) await page.keyboard.press("Shift+ArrowLeft");
+    const before = await page.evaluate(() => ({ tip: hapticut.hand.place, axis: hapticut.hand.axis }));
+    await (source === "Space" ? page.keyboard.down(" ") : pull(0, 1));
+    assert.ok(await pressed());
+    const after = await page.evaluate(() => {
+      const { hand } = hapticut;
+      return { tip: hand.place, depth: hand.depth };
+    });
+    const way = after.tip.map((at, n) => at - before.tip[n]);
+    const along = way.reduce((sum, by, n) => sum + by * before.axis[n], 0);
+    const aside = Math.hypot(...way.map((by, n) => by - along * before.axis[n]));
+    assert.ok(aside < 1e-3, `${source}: ${1e3 * aside} mm beside where the keys have led`);
+    assert.ok(along < -after.depth, `${source}: ${1e3 * along} mm along the tool`);
+    await (source === "Space" ? page.keyboard.up(" ") : pull(0, 0));
+    assert.ok(!await pressed());
+  }
+});
+
+/** The middle, as a mouse tells it; zoom enlarges what is less. */
+const pixel = async () => {
+  const { x, y } = await middle(page);
+  return { x: Math.floor(x), y: Math.floor(y) };
+};
+const aim = (at) => page.evaluate(({ x, y }) => {
+  const box = document.getElementById("scene").getBoundingClientRect();
+  const { point } = hapticut.workpiece.hit(hapticut.eye.ray((2 * (x - box.left)) / box.width - 1, 1 - (2 * (y - box.top)) / box.height));
+  return point;
+}, at);
+const isThere = async (point, at, pixels) => {
+  const { x, y, clearance, near, inside } = await page.evaluate((p) => {
+    const { eye, workpiece } = hapticut, box = document.getElementById("scene").getBoundingClientRect();
+    eye.update(box.width / box.height);
+    const seen = eye.back.fromArray(p).multiplyScalar(1e3).project(eye.camera), place = eye.camera.position;
+    return { x: box.left + (box.width * (seen.x + 1)) / 2, y: box.top + (box.height * (1 - seen.y)) / 2,
+             clearance: workpiece.clearance(place), near: eye.camera.near, inside: workpiece.isInside(place, eye.back) };
+  }, point);
+  assert.ok(Math.hypot(x - at.x, y - at.y) < pixels, `${x}, ${y} is not ${at.x}, ${at.y}`);
+  assert.ok(clearance >= near && !inside, `${clearance} mm from the surface, ${near} mm to the near plane, inside: ${inside}`);
+};
+
+test("thirty notches of the wheel go to what is under the pointer, and end before it", async () => {
+  const { x, y } = await pixel();
+  for (const at of [{ x: x + 25, y: y - 30 }, { x: x - 30, y: y + 10 }]) {
+    await page.keyboard.press("0");
+    await drawn(page);
+    await page.mouse.move(at.x, at.y);
+    const point = await aim(at), distance = await page.evaluate(() => hapticut.eye.distance);
+    await page.keyboard.down("Shift");
+    for (let n = 0; n < 30; ++n) await page.mouse.wheel(0, -100);
+    await page.keyboard.up("Shift");
+    await until(page, (from) => hapticut.eye.distance < from / 4, distance);
+    await drawn(page);
+    await isThere(point, at, 3);
+    await drag(page, "right"); // and it may turn there
+    await isThere(point, at, Infinity);
+  }
+});
+
+test("two fingers that part zoom to what is between them", async () => {
+  await page.keyboard.press("0");
+  await drawn(page);
+  const { x, y } = await pixel(), at = { x: x + 20, y: y - 20 }, point = await aim(at);
+  const distance = await page.evaluate(() => hapticut.eye.distance);
+  const hands = await page.context().newCDPSession(page);
+  const touch = (type, apart) => hands.send("Input.dispatchTouchEvent", { type, touchPoints:
+    apart === null ? [] : [{ x: at.x - apart, y: at.y, id: 1 }, { x: at.x + apart, y: at.y, id: 2 }] });
+  await touch("touchStart", 20);
+  for (let apart = 22; apart <= 80; apart += 2) await touch("touchMove", apart);
+  await touch("touchEnd", null);
+  assert.ok(!await pressed(), "two fingers do not drill");
+  assert.ok(await page.evaluate(() => hapticut.eye.distance) < distance / 2.5);
+  await isThere(point, at, 6);
+  await page.keyboard.press("0");
+});
+
+test("a drag turns the view of who looks on, and there is nothing that only who leads can do", async () => {
+  const second = await openPage(browser, program.url, kSize);
+  await until(second, () => document.getElementById("role").textContent === "looks on" && hapticut.workpiece.triangles > 1000);
+  const from = await direction(second);
+  await drag(second);
+  assert.ok(await turned(second, from) > 0.1);
+  for (const name of ["Undo", "Record", "Emergency stop"])
+    assert.ok(!await second.getByRole("button", { name, exact: true }).isVisible(), name);
+  assert.match(await second.locator("#keys").innerText(), /^Drag: turn the view/);
+  await second.context().close();
+});
+
+test("an exported page plays, turns, zooms and says its keys, and has nothing without meaning", async () => {
+  await page.getByRole("button", { name: "Record" }).click();
+  await until(page, () => document.getElementById("record").getAttribute("aria-pressed") === "true" && hapticut.snapshot.arming === 4);
+  const { x, y } = await middle(page);
+  await drill(page, { x, y }, [{ x: x + 10, y }]);
+  await page.getByRole("button", { name: "Record" }).click();
+  await until(page, () => /is complete/.test(document.getElementById("notice").textContent));
+  const recording = join(program.folder, readdirSync(program.folder).find((name) => name.endsWith(".h5")));
+  const file = join(program.folder, "page.html");
+  execFileSync(process.env.HAPTICUT_PROGRAM, ["export", recording, file, "--page", process.env.HAPTICUT_PAGE]);
+  const replay = await openPage(browser, `file://${file}`, kSize);
+  await until(replay, () => hapticut.snapshot !== null && hapticut.workpiece.triangles > 1000);
+  for (const button of await replay.getByRole("button").all())
+    if (await button.isVisible()) assert.doesNotMatch(await button.innerText(), /Sound|Undo|Redo|Record|stop|Open/);
+  assert.deepEqual(await replay.locator("aside#panels summary:visible").allInnerTexts(), ["View", "Stereo"]);
+  assert.match(await replay.locator("#keys").innerText(), /Drag: turn the view · wheel: zoom .* Space: play/);
+  const from = await direction(replay), distance = await replay.evaluate(() => hapticut.eye.distance);
+  await drag(replay);
+  assert.ok(await turned(replay, from) > 0.1, "a drag turns the view");
+  await replay.mouse.wheel(0, -300);
+  await until(replay, (then) => hapticut.eye.distance < 0.9 * then, distance);
+  await replay.keyboard.press(" ");
+  await until(replay, () => player.time > 0.05);
+  assert.deepEqual(replay.mistakes, []);
+});
+
+test("nothing went wrong in the page", () => assert.deepEqual(page.mistakes, []));
