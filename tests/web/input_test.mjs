@@ -7,12 +7,12 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { atRest, drawn, drill, isReady, middle, openPage, startBrowser, startProgram, until } from "./viewer.mjs";
 
-const kSize = { viewport: { width: 900, height: 500 }, hasTouch: true };
+const kSize = { viewport: { width: 901, height: 500 } };
 let program, browser, page;
 before(async () => {
   program = await startProgram("molar");
   browser = await startBrowser();
-  page = await openPage(browser, program.url, kSize);
+  page = await openPage(browser, program.url, { ...kSize, hasTouch: true });
   await isReady(page);
   await page.evaluate(() => {
     const button = () => ({ value: 0, pressed: false });
@@ -150,6 +150,89 @@ test("two fingers that part zoom to what is between them", async () => {
   assert.ok(await page.evaluate(() => hapticut.eye.distance) < distance / 2.5);
   await isThere(point, at, 6);
   await page.keyboard.press("0");
+});
+
+test("side by side, each half is pointed at through its own eye", async () => {
+  const choose = (name) => page.evaluate((to) => {
+    const select = document.querySelector('details[data-panel="stereo"] select');
+    select.value = to;
+    select.dispatchEvent(new Event("change"));
+  }, name);
+  await choose("side-by-side");
+  await pictures();
+  await page.keyboard.press("0");
+  await drawn(page);
+  const { x, y } = await pixel(), box = await page.locator("#scene").boundingBox();
+  for (const side of [-1, 1]) {
+    const at = { x: Math.floor(x + (side * box.width) / 4 + 5), y: y - 10 };
+    await page.mouse.move(at.x, at.y);
+    await until(page, () => !hapticut.pointer.waiting);
+    const seen = await page.evaluate((eye) => { // the surface is a little below the tip, against its normal
+      const { hand, workpiece, picture, eye: middle } = hapticut;
+      const three = middle.back.constructor, camera = picture.eyeOf(middle.camera, eye), at = new three().setFromMatrixPosition(camera.matrixWorld);
+      const tip = new three(...hand.place).multiplyScalar(1e3);
+      const { x, y } = tip.clone().project(camera);
+      return { x, y, away: workpiece.clearance(tip), far: at.distanceTo(tip) };
+    }, side);
+    const pixels = { x: box.x + (box.width / 4) * (seen.x + (side < 0 ? 1 : 3)), y: box.y + (box.height * (1 - seen.y)) / 2 };
+    assert.ok(seen.away < 1.2, "the tip hovers over the surface");
+    const hover = (box.height / (2 * Math.tan((16 * Math.PI) / 180))) / seen.far; // pixels of a millimetre
+    assert.ok(Math.hypot(pixels.x - at.x, pixels.y - at.y) < hover + 1, JSON.stringify([side, pixels, at, hover]));
+  }
+  await choose("off");
+  await pictures();
+});
+
+test("the panel shows the depth that the wheel has set", async () => {
+  await page.mouse.wheel(0, -200);
+  await pictures();
+  assert.match(await page.locator('details[data-panel="pointer"] label', { hasText: "Depth" }).textContent(), /0\.7 mm/);
+  await page.mouse.wheel(0, 200);
+});
+
+test("every text can be read, in the dark and in the light", async () => {
+  for (const theme of ["dark", "light"]) {
+    await page.evaluate((name) => { hapticut.setTheme(name); }, theme);
+    await page.evaluate(() => { for (const panel of document.querySelectorAll("details")) panel.open = true; });
+    const faint = await page.evaluate(() => {
+      const numbers = (color) => color.match(/[\d.]+/g).map(Number);
+      const light = ([r, g, b]) => [r, g, b].map((c) => (c / 255 <= 0.03928 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4))
+        .reduce((sum, c, n) => sum + c * [0.2126, 0.7152, 0.0722][n], 0);
+      const ground = (one) => {
+        for (; one; one = one.parentElement) {
+          const color = numbers(getComputedStyle(one).backgroundColor);
+          if ((color[3] ?? 1) === 1) return color;
+        }
+        return [255, 255, 255];
+      };
+      const found = [];
+      for (const one of document.querySelectorAll("header *, aside *")) {
+        const has = [...one.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent.trim() !== "");
+        if (!has || one.closest(":disabled, .uplot") || !one.checkVisibility()) continue;
+        const [a, b] = [light(numbers(getComputedStyle(one).color)), light(ground(one))].sort((p, q) => q - p);
+        if ((a + 0.05) / (b + 0.05) < 4.5) found.push(`${one.textContent}: ${((a + 0.05) / (b + 0.05)).toFixed(1)}`);
+      }
+      return found;
+    });
+    assert.deepEqual(faint, [], theme);
+  }
+});
+
+test("buttons, notices and units are inside of the page, also on a telephone", async () => {
+  const text = "A sentence of a hundred and twenty letters, as long as those of the guard with their cure, is read to its very end: yes.";
+  for (const viewport of [{ width: 390, height: 844 }, { width: 1280, height: 720 }]) {
+    await page.setViewportSize(viewport);
+    await page.evaluate((words) => { hapticut.indicators.notice(words, 1); }, text);
+    await pictures(); // curves have the new width by then
+    const outside = await page.evaluate(() => [...document.querySelectorAll("header *, aside *")].filter((one) => {
+      const { left, right } = one.getBoundingClientRect();
+      return one.checkVisibility() && (left < 0 || right > innerWidth + 1 || (one.id === "notice" && one.scrollWidth > one.clientWidth));
+    }).map((one) => one.id || one.outerHTML.slice(0, 80)));
+    assert.deepEqual(outside, [], JSON.stringify(viewport));
+    const { height } = await page.locator("header").boundingBox();
+    assert.ok(height < (viewport.width < 900 ? 200 : 60), `${height}`);
+  }
+  await page.setViewportSize(kSize.viewport);
 });
 
 test("a drag turns the view of who looks on, and there is nothing that only who leads can do", async () => {

@@ -126,10 +126,10 @@ export class Eye {
   }
 
   /** A ray of the scene through a place of the picture, -1 ... 1. */
-  ray(x: number, y: number): three.Ray {
+  ray(x: number, y: number, through: (camera: three.PerspectiveCamera) => three.PerspectiveCamera = (camera) => camera): three.Ray {
     this.update(this.camera.aspect);
     const caster = new three.Raycaster();
-    caster.setFromCamera(new three.Vector2(x, y), this.camera);
+    caster.setFromCamera(new three.Vector2(x, y), through(this.camera));
     return caster.ray;
   }
 }

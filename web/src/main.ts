@@ -44,6 +44,7 @@ class Page {
   private placed = false;
   private hasTool = false;
   private pointer: Pointer;
+  private showOwn = () => {};
   private last = performance.now();
   private drawn = 0;
   private charted = 0;
@@ -61,13 +62,13 @@ class Page {
     sun.position.set(0.3, 0.5, 0.8);
     this.scene.add(sun);
     this.pointer = new Pointer({
-      canvas, eye: this.eye, hand: this.hand, hit: (ray) => this.workpiece.hit(ray),
+      canvas, eye: this.eye, hand: this.hand, picture: this.picture, hit: (ray) => this.workpiece.hit(ray),
       leads: () => this.writer,
       mayMove: () => this.writer && this.placed,
       moved: () => { this.moved = true; },
     });
     if (this.picture)
-      ownPanels({ parent: byId("panels"), eye: this.eye, hand: this.hand, picture: this.picture, tool: this.tool,
+      this.showOwn = ownPanels({ parent: byId("panels"), eye: this.eye, hand: this.hand, picture: this.picture, tool: this.tool,
                   workpiece: this.workpiece, changed: () => { this.changed = true; } });
     viewButtons(byId("views"), (name) => this.look(name), () => this.whole());
     canvas.addEventListener("pointerdown", () => { this.framed = true; });
@@ -157,6 +158,7 @@ class Page {
 
   private draw(now: number, seconds: number) {
     this.changed = this.eye.changed = false;
+    this.showOwn();
     const { snapshot, picture } = this;
     if (snapshot) {
       this.tool.place(snapshot.X_WT, this.instruments?.X_WG ?? null, snapshot.force, snapshot.speed, seconds);
@@ -165,7 +167,7 @@ class Page {
     if (this.instruments) drawLatency(byId<HTMLCanvasElement>("latency"), this.instruments);
     if (!picture) return;
     const box = canvas.getBoundingClientRect();
-    this.eye.update(box.width / Math.max(1, box.height));
+    this.eye.update(box.width / picture.columns / Math.max(1, box.height));
     const key = this.eye.back.addScaledVector(this.eye.right, -0.55).addScaledVector(this.eye.up, 0.75).normalize();
     this.workpiece.lightFrom(key);
     picture.draw(this.scene, this.eye.camera, Math.max(0.6, this.eye.distance / 28));
@@ -176,6 +178,7 @@ class Page {
 
   private resize() {
     const box = byId("stage").getBoundingClientRect();
+    this.eye.camera.aspect = box.width / Math.max(1, box.height); // what is framed before the first picture fits too
     this.picture?.resize(Math.max(1, Math.floor(box.width)), Math.max(1, Math.floor(box.height)));
     this.changed = true;
   }

@@ -4,12 +4,14 @@ import * as three from "three";
 import type { Eye } from "./camera.ts";
 import { dot, type Ray } from "./geometry.ts";
 import type { Hand, Hit } from "./hand.ts";
+import type { Picture } from "./picture.ts";
 import type { Vec3 } from "./protocol.ts";
 
 export interface PointerOptions {
   canvas: HTMLCanvasElement;
   eye: Eye;
   hand: Hand;
+  picture: Picture | null;
   hit: (ray: three.Ray) => Hit | null;
   leads: () => boolean; // who only looks turns the view with what else would drill
   mayMove: () => boolean;
@@ -19,6 +21,9 @@ export interface PointerOptions {
 interface Place {
   x: number;
   y: number;
+}
+interface InPicture extends Place {
+  column: number; // of pictures side by side
 }
 type Client = Pick<MouseEvent, "clientX" | "clientY">;
 
@@ -85,13 +90,14 @@ export class Pointer {
     return found && dot(found.normal, hand.axis) > 0 ? found : null; // from within, there is no surface to press on
   }
 
-  private inPicture({ clientX, clientY }: Client): Place {
-    const box = this.o.canvas.getBoundingClientRect();
-    return { x: (2 * (clientX - box.left)) / box.width - 1, y: 1 - (2 * (clientY - box.top)) / box.height };
+  private inPicture({ clientX, clientY }: Client): InPicture {
+    const box = this.o.canvas.getBoundingClientRect(), columns = this.o.picture?.columns ?? 1;
+    const across = (columns * (clientX - box.left)) / box.width, column = Math.max(0, Math.min(columns - 1, Math.floor(across)));
+    return { x: 2 * (across - column) - 1, y: 1 - (2 * (clientY - box.top)) / box.height, column };
   }
   private ray(event: Client): three.Ray {
-    const { x, y } = this.inPicture(event);
-    return this.o.eye.ray(x, y);
+    const { eye, picture } = this.o, { x, y, column } = this.inPicture(event);
+    return picture?.columns === 2 ? eye.ray(x, y, (camera) => picture.eyeOf(camera, column === 0 ? -1 : 1)) : eye.ray(x, y);
   }
 
   private point(event: Client) {

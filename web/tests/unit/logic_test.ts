@@ -30,6 +30,10 @@ test("the tip hovers above the surface, and works below its tangent plane", () =
   close(hand.X_WT.translation[2], -0.4e-3 - 2 * kWheelStep);
   hand.release();
   close(hand.X_WT.translation[2], kHover);
+  hand.press({ point: [0, 0, 0], normal: up });
+  hand.push(-50); // as far as the surface, for the next press is as deep
+  close(hand.X_WT.translation[2], 0);
+  close(hand.depth, 0);
 });
 
 test("the origin of a head whose tip is below it stays above the point", () => {
