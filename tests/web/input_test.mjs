@@ -70,6 +70,30 @@ test("a press lasts until the last lets go that holds it, and idle gamepads hold
   await page.evaluate(() => dispatchEvent(new Event("blur")));
   assert.ok(!await pressed(), "the window is left with a key down");
   await page.keyboard.up(" ");
+  await page.mouse.down();
+  assert.ok(await pressed());
+  const told = await page.evaluate(() => { // no picture comes any more
+    Object.defineProperty(document, "hidden", { value: true, configurable: true });
+    document.dispatchEvent(new Event("visibilitychange"));
+    delete document.hidden;
+    return hapticut.path.at(-1).pressed;
+  });
+  assert.ok(!told, "the page is hidden, and has told so at once");
+  await page.mouse.up();
+});
+
+test("keys lead the tool wherever the focus is, but where it needs them", async () => {
+  const tip = () => page.evaluate(() => hapticut.hand.place.join());
+  for (const [place, leads] of [["#views button", true], ["#record", true], ["aside input[type=text]", false], ["aside select", false]]) {
+    await page.locator(place).first().evaluate((one) => one.focus());
+    const before = await tip();
+    await page.keyboard.press("ArrowLeft");
+    assert.equal(await tip() !== before, leads, place);
+  }
+  await page.evaluate(() => document.activeElement.blur());
+  const before = await tip();
+  await page.keyboard.press("PageDown");
+  assert.notEqual(await tip(), before, "without any focus");
 });
 
 test("Space and a trigger press on what lies under the tip, wherever keys have led it", async () => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the page says in words and numbers: the guard, the notices, the meters.
 import { quantile } from "./curves.ts";
-import { told } from "./guard.ts";
+import { type Told, told } from "./guard.ts";
 import { element, type Panels } from "./panels.ts";
 import type { Hello, Instruments, Snapshot } from "./protocol.ts";
 import type { TraceRing } from "./trace.ts";
@@ -25,10 +25,18 @@ export class Indicators {
     this.role("apart");
     this.byId("role").dataset.tone = "fault";
     this.notice(text, 2);
+    this.guard({ name: "unknown", tone: "fault", text: "" });
+  }
+  private guard({ name, tone, text }: Told) {
+    const guard = this.byId("guard");
+    guard.textContent = `guard: ${name}`;
+    guard.dataset.tone = this.byId("rim").dataset.tone = tone;
+    this.byId("cure").textContent = text;
   }
 
   begin(hello: Hello) {
     this.sentences = hello;
+    delete this.byId("role").dataset.tone;
     const body = this.byId("removed").querySelector("tbody")!;
     body.replaceChildren();
     this.removed = hello.materials.map(({ name, color }) => {
@@ -45,11 +53,7 @@ export class Indicators {
   }
 
   show(snapshot: Snapshot, instruments: Instruments | null, trace: TraceRing) {
-    const { name, tone, text } = told(this.sentences, snapshot);
-    const guard = this.byId("guard");
-    guard.textContent = `guard: ${name}`;
-    guard.dataset.tone = this.byId("rim").dataset.tone = tone;
-    this.byId("cure").textContent = text;
+    this.guard(told(this.sentences, snapshot));
     const norm = (v: number[]) => Math.hypot(...v);
     this.number("force", `${norm(snapshot.force).toFixed(2)} N`);
     this.number("torque", `${(1e3 * norm([3, 4, 5].map((n) => trace.newest(n)))).toFixed(1)} mN m`);

@@ -82,12 +82,10 @@ class Page {
     switch (message.kind) {
       case "hello":
         this.workpiece.begin(message);
-        this.writer = message.writer;
+        this.lead(message.writer);
         if (!document.body.classList.contains("replay")) this.indicators.role(message.writer ? "leads" : "looks on");
-        document.body.classList.toggle("looks", !message.writer);
         this.indicators.begin(message);
         this.pointer.begin();
-        this.panels.enable(message.writer);
         this.began = performance.now();
         this.framed = this.placed = false;
         this.snapshot = this.instruments = null;
@@ -115,6 +113,19 @@ class Page {
       case "instruments": this.instruments = message; break;
     }
     this.changed = true;
+  }
+
+  private lead(leads: boolean) {
+    this.writer = leads;
+    document.body.classList.toggle("looks", !leads);
+    this.panels.enable(leads);
+  }
+
+  /** Nothing comes any more: what was shown last is not so now. */
+  lost(text: string) {
+    this.lead(false);
+    this.snapshot = this.instruments = null;
+    this.indicators.lost(text);
   }
 
   private place() {
@@ -252,5 +263,5 @@ if (!page.picture) setInterval(() => page.frame(performance.now()), 16);
 if (!showPlayer(page, byId)) {
   loadPanel(page);
   page.link = connect(new URLSearchParams(location.search).get("token") ?? "", (message) => page.hear(message),
-                      (text) => page.indicators.lost(text));
+                      (text) => page.lost(text));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A page that replays: its recording lies in it, or beside it.
+import { isForTheScene } from "./pointer.ts";
 import type { Message } from "./protocol.ts";
 import { fromBase64, Player, readRecording, unpack } from "./replay.ts";
 
@@ -46,9 +47,9 @@ function play(player: Player, byId: ById) {
   time.oninput = () => seek(() => player.seek(Number(time.value)));
   byId("back").onclick = () => seek(() => player.step(-1));
   byId("forth").onclick = () => seek(() => player.step(1));
-  byId("scene").addEventListener("keydown", (event) => {
+  addEventListener("keydown", (event) => {
     const name = ({ " ": "play", ArrowLeft: "back", ArrowRight: "forth" } as Record<string, string>)[event.key];
-    if (name) byId(name).click();
+    if (name && isForTheScene(event)) byId(name).click();
   });
   const speed = byId<HTMLSelectElement>("speed");
   speed.onchange = () => { player.speed = Number(speed.value); };

@@ -32,6 +32,12 @@ const asArray = (v: three.Vector3): Vec3 => [v.x, v.y, v.z];
 const inMetres = (ray: three.Ray): Ray => ({ from: asArray(ray.origin.clone().divideScalar(1e3)), along: asArray(ray.direction) });
 const nameOf = (event: PointerEvent) => `pointer ${event.pointerId}`;
 
+/** Keys are of the scene wherever the focus is, but where it needs them itself. */
+export const isForTheScene = (event: KeyboardEvent) => {
+  const target = event.target instanceof Element ? event.target : null;
+  return !event.defaultPrevented && !target?.closest("aside, dialog, input, select") && !(event.key === " " && target?.closest("button"));
+};
+
 export class Pointer {
   private down = new Map<number, Place>(); // pointers that were pressed on the canvas
   private fingers = new Set<number>(); // those that are fingers
@@ -46,7 +52,7 @@ export class Pointer {
     for (const name of ["pointerup", "pointercancel"] as const) canvas.addEventListener(name, (event) => this.up(event));
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
-    canvas.addEventListener("keydown", (event) => this.key(event));
+    addEventListener("keydown", (event) => { if (isForTheScene(event)) this.key(event); });
     // Where the focus has gone while the key was down, or the window has lost it, the canvas hears of no release.
     addEventListener("keyup", (event) => { if (event.key === " ") this.letGo("space"); });
     const letAllGo = () => [...this.holders].forEach((source) => this.letGo(source));
@@ -170,9 +176,9 @@ export class Pointer {
       w: lean(eye.right, -0.05), s: lean(eye.right, 0.05), a: lean(eye.back, 0.05), d: lean(eye.back, -0.05),
     };
     if (event.ctrlKey || event.metaKey) return;
-    const act = moves[event.key] ?? moves[event.key.toLowerCase()];
-    if (act) this.let(act);
-    else if (event.key === " ") this.hold("space", () => this.under());
+    const leads = this.o.leads(), act = moves[event.key] ?? moves[event.key.toLowerCase()];
+    if (leads && act) this.let(act);
+    else if (leads && event.key === " ") this.hold("space", () => this.under());
     else if (event.key === "+" || event.key === "=") eye.zoom(0.9);
     else if (event.key === "-") eye.zoom(1 / 0.9);
     else return;

@@ -21,7 +21,8 @@ enum class ArmingState : std::uint8_t {
 constexpr auto names_of(Of<ArmingState>) {
   using enum ArmingState;
   return std::array{
-      Named{off, "off", "Nobody leads, so the loop stands without force: move the tool to go on."},
+      Named{off, "off",
+            "Nobody leads, so the loop stands without force: move the tool, or reload a page that looks on."},
       Named{armed, "armed", "The guard waits for the first readings of the hand: if it lasts, check the device."},
       Named{wait_free, "wait_free", "No force until the tool touches nothing: lift it off the workpiece."},
       Named{ramp, "ramp", "The force is being faded in: wait a moment."},
