@@ -276,8 +276,13 @@ test("an exported page plays, turns, zooms and says its keys, and has nothing wi
   await until(page, () => document.getElementById("record").getAttribute("aria-pressed") === "true" && hapticut.snapshot.arming === 4);
   const { x, y } = await middle(page);
   await drill(page, { x, y }, [{ x: x + 10, y }]);
+  for (let n = 0; n < 4; ++n) await page.keyboard.press("Shift+PageDown"); // free of the tooth, as a run begins
+  await atRest(page);
   await page.getByRole("button", { name: "Record" }).click();
   await until(page, () => /is complete/.test(document.getElementById("notice").textContent));
+  await until(page, () => hapticut.snapshot.arming === 4);
+  await pictures();
+  assert.match(await page.locator("#notice").textContent(), /is complete/, "that the force is on says the badge");
   const recording = join(program.folder, readdirSync(program.folder).find((name) => name.endsWith(".h5")));
   const file = join(program.folder, "page.html");
   execFileSync(process.env.HAPTICUT_PROGRAM, ["export", recording, file, "--page", process.env.HAPTICUT_PAGE]);

@@ -11,6 +11,7 @@ type ById = <T extends HTMLElement>(id: string) => T;
 export class Indicators {
   private numbers = new Map<string, HTMLElement>();
   private removed: HTMLElement[] = [];
+  private calm = false;
   private sentences: Pick<Hello, "arming" | "status"> = { arming: [], status: [] };
 
   constructor(private byId: ById) {}
@@ -20,6 +21,12 @@ export class Indicators {
     const notice = this.byId("notice");
     notice.textContent = notice.title = text;
     notice.dataset.severity = String(severity);
+  }
+  /** What the guard has warned of is over when the force is on again. */
+  settle(snapshot: Snapshot) {
+    const calm = told(this.sentences, snapshot).tone === "calm";
+    if (calm && !this.calm && this.byId("notice").dataset.severity === "1") this.notice("", 0);
+    this.calm = calm;
   }
   lost(text: string) {
     this.role("apart");

@@ -98,6 +98,7 @@ class Page {
         break;
       case "snapshot":
         this.snapshot = message;
+        this.indicators.settle(message);
         this.place();
         break;
       case "tool":
