@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/lockfree/spsc_queue.hpp>
 
+#include "hapticut/core/device_state.hpp"
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut {
@@ -72,9 +73,17 @@ std::vector<SafetyLogEntry> SafetyLog::drain() {
   return entries;
 }
 
+std::string sentence_of(const SafetyLogEntry& entry) {
+  std::string sentence;
+  for (const Named<SafetyEvent>& one : names_of(Of<SafetyEvent>{}))
+    if (one.value == entry.event) sentence = one.words;
+  if (entry.event == SafetyEvent::device_fault) sentence += ": " + describe(DeviceFault(int(entry.value))) + ".";
+  return sentence;
+}
+
 std::string describe(const SafetyLogEntry& entry) {
   return format_number(entry.time) + " s: " + std::string(name_of(entry.event)) + " (" + format_number(entry.value) +
-         ")";
+         "). " + sentence_of(entry);
 }
 
 }  // namespace hapticut

@@ -45,6 +45,16 @@ class Writer {
   Message message_;
 };
 
+/// Value, name and sentence of each that has one.
+template <NamedEnum E>
+void add_sentences(Writer& message) {
+  const auto all = names_of(Of<E>{});
+  const auto has = [](const Named<E>& one) { return one.words != nullptr; };
+  message.add(std::uint32_t(std::ranges::count_if(all, has)));
+  for (const Named<E>& one : all)
+    if (has(one)) message.add(std::uint32_t(one.value)).add_text(one.name).add_text(one.words);
+}
+
 class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -162,6 +172,8 @@ Message encode_hello(const Scene& scene, bool writer) {
     message.add(material.color.red).add(material.color.green).add(material.color.blue).add(length);
     message.add_bytes(material.name.data(), length);
   }
+  add_sentences<ArmingState>(message);
+  add_sentences<StepStatus>(message);
   return message.take();
 }
 

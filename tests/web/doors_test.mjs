@@ -34,6 +34,7 @@ test("the second page looks on, and leads when the first has gone", async () => 
   await first.context().close();
   await until(second, () => hapticut.snapshot.arming === 0); // off: nobody leads
   assert.deepEqual(await second.evaluate(() => hapticut.snapshot.force), [0, 0, 0]);
+  await until(second, () => /reload a page that looks on/.test(document.getElementById("cure").textContent));
   await second.reload();
   await isReady(second);
   assert.equal(await second.locator("#role").textContent(), "leads");
@@ -83,6 +84,8 @@ test("a program that is killed leaves a recording that opens, and a page that sa
   for (const then = size(); size() === then;) await nextSnapshot(page); // until what was drilled is written
   await program.stop("SIGKILL");
   await until(page, () => /program has ended/.test(document.getElementById("notice").textContent));
+  assert.equal(await page.locator("#cure").textContent(), "", "nothing is told that may be otherwise");
+  assert.ok(!await page.getByRole("button", { name: "Emergency stop" }).isVisible());
   const file = recording();
   assert.ok(file, "a recording");
   execFileSync(process.env.HAPTICUT_PROGRAM, ["export", join(program.folder, file), join(program.folder, "steps.csv")]);

@@ -91,6 +91,7 @@ test("the emergency stop takes the force, and a reset brings it back", async () 
   assert.match(await page.locator("#cure").textContent(), /Reset/);
   await button("Reset").click();
   await until(page, () => hapticut.snapshot.arming === 4);
+  await until(page, () => document.getElementById("notice").textContent === ""); // it is over
 });
 
 test("another scene is loaded, the tool changes while it cuts, and the sound has the spindle's tone", async () => {

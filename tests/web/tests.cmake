@@ -19,6 +19,7 @@ hapticut_page_test(ItsOwnLogicIsRight logic)
 hapticut_page_test(TheMouseRemovesWhatItsPathRemoves path_test.mjs)
 hapticut_page_test(TheMolarIsDrilledAndEveryPanelObeys drill_test.mjs)
 hapticut_page_test(OnePageLeadsAndOthersLookOn doors_test.mjs)
-set_tests_properties(Page.TheMolarIsDrilledAndEveryPanelObeys Page.OnePageLeadsAndOthersLookOn PROPERTIES
-  LABELS "page;slow")
+hapticut_page_test(MouseKeysFingersAndGamepadsUndoEachOtherNothing input_test.mjs)
+set_tests_properties(Page.TheMolarIsDrilledAndEveryPanelObeys Page.OnePageLeadsAndOthersLookOn
+  Page.MouseKeysFingersAndGamepadsUndoEachOtherNothing PROPERTIES LABELS "page;slow")
 # By hand: HAPTICUT_PROGRAM=... tests/web/run.sh drill_test.mjs, with the variables above.

@@ -6,7 +6,6 @@ import { TraceRing } from "./trace.ts";
 
 const kColumns = 260, kSeconds = 10;
 const kAxes = ["x", "y", "z"];
-const kColors = ["#e5534b", "#3fb068", "#4c8dff"];
 
 export class Curves {
   readonly ring = new TraceRing();
@@ -44,7 +43,8 @@ export class Curves {
   }
 
   private plot(parent: HTMLElement, unit: string): uPlot {
-    const ink = () => getComputedStyle(parent).color;
+    const style = getComputedStyle(parent), ink = () => style.color;
+    const largest = (low: number, high: number) => Math.max(Math.abs(low || 0), Math.abs(high || 0), 0.1);
     const axis = (size: number): uPlot.Axis => ({
       stroke: ink, size, space: 20, font: "11px system-ui", grid: { stroke: "#8884", width: 1 }, ticks: { show: false },
     });
@@ -52,15 +52,13 @@ export class Curves {
       width: 300, height: 112, legend: { show: false }, cursor: { show: false },
       scales: {
         x: { time: false, range: [-kSeconds, 0] },
-        y: { range: (_u, low, high) => {
-          const most = Math.max(Math.abs(low || 0), Math.abs(high || 0), 0.1);
-          return [-1.08 * most, 1.08 * most];
-        } },
+        y: { range: (_u, low, high) => [-1.08 * largest(low, high), 1.08 * largest(low, high)] },
       },
       axes: [{ ...axis(20), space: 50, values: (_u, ticks) => ticks.map((t) => `${t} s`) },
-             { ...axis(46), values: (_u, ticks) => ticks.map((t) => `${+t.toPrecision(3)}`), label: unit, labelSize: 13,
+             { ...axis(46), splits: (_u, _n, low, high) => [low / 1.08, 0, high / 1.08],
+                            values: (_u, ticks) => ticks.map((t) => `${+t.toPrecision(2)}`), label: unit, labelSize: 13,
                labelFont: "11px system-ui" }],
-      series: [{}, ...kAxes.map((label, n) => ({ label, stroke: kColors[n], width: 1, points: { show: false } }))],
+      series: [{}, ...kAxes.map((label) => ({ label, stroke: () => style.getPropertyValue(`--${label}`), width: 1, points: { show: false } }))],
     }, [[], [], [], []] as unknown as uPlot.AlignedData, parent);
   }
 

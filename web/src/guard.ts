@@ -1,33 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the guard of the hand does, and what to do about it, in words.
-export interface GuardState {
+// How the state of the guard is shown, and what of the program's sentences is told.
+import type { Hello, Sentence, Snapshot } from "./protocol.ts";
+
+export type Tone = "calm" | "waits" | "works" | "fault";
+
+const kTones: Record<string, Tone> = { on: "calm", ramp: "works", fault: "fault" };
+const kUnknown: Sentence = { value: 0, name: "unknown", text: "" };
+
+export interface Told {
   name: string;
-  tone: "calm" | "waits" | "works" | "fault";
+  tone: Tone;
   text: string;
 }
 
-const kStates: GuardState[] = [
-  { name: "off", tone: "waits", text: "Nobody leads: the loop stands. Move the tool to go on." },
-  { name: "armed", tone: "waits", text: "Waiting for the first readings of the hand." },
-  { name: "waiting", tone: "waits", text: "No force until the tool touches nothing: lift it off the workpiece." },
-  { name: "fading in", tone: "works", text: "The force is being faded in." },
-  { name: "on", tone: "calm", text: "The force is on." },
-  { name: "fault", tone: "fault", text: "Stopped without force: press \"Reset\" when the hand is ready." },
-];
-
-const kStatus: Record<number, string> = {
-  0: "The pose was refused: it is no rotation.",
-  3: "The hand jumped: bring it back smoothly.",
-  5: "The memory for cut blocks is full: restart, or cut less.",
-  8: "The spindle is at its limit: press less.",
-  9: "The feed is too fast for the stiffness: feed slower.",
-  10: "The vibration is too fast for the loop: lower its frequency.",
-  13: "The spindle is stalled: press less.",
-  15: "The tool waits for the hand: bring it out of the material, or back to the tool.",
-};
-
-export const guardState = (arming: number): GuardState =>
-  kStates[arming] ?? { name: "unknown", tone: "fault", text: "The program is of another version." };
-
-export const statusTexts = (status: number): string[] =>
-  Object.entries(kStatus).filter(([bit]) => (status & (1 << Number(bit))) !== 0).map(([, text]) => text);
+/** The state of the guard, and of what a step reports the first that there is; "the force is on" only where nothing is. */
+export function told(sentences: Pick<Hello, "arming" | "status">, { arming, status }: Pick<Snapshot, "arming" | "status">): Told {
+  const state = sentences.arming.find((one) => one.value === arming) ?? kUnknown;
+  const tone = kTones[state.name] ?? "waits";
+  const reports = sentences.status.filter((one) => (status & one.value) !== 0).map((one) => one.text);
+  const texts = tone === "calm" && reports.length > 0 ? reports : [state.text, ...reports];
+  return { name: state.name.replaceAll("_", " "), tone, text: texts.slice(0, 2).join(" ") };
+}

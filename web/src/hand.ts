@@ -52,6 +52,8 @@ export class Hand {
     this.tipHeight = tipHeight;
   }
 
+  /** Of the tip, in W. */
+  get place(): Vec3 { return this.tip; }
   get axis(): Vec3 { return axisOf(this.R_WT, 2); }
 
   /** Presses at what is under the pointer. */
@@ -85,15 +87,11 @@ export class Hand {
     }
   }
 
-  /** Deeper by some notches of the wheel; lifts where it hovers. */
+  /** Deeper by some notches of the wheel, at once where it is pressed. */
   push(notches: number) {
-    const by = notches * kWheelStep;
-    if (this.pressed && this.plane) {
-      this.depth += by;
-      this.tip = add(this.tip, scale(-by, this.plane.normal));
-    } else {
-      this.depth = Math.max(0, this.depth + by);
-    }
+    const by = Math.max(-this.depth, notches * kWheelStep);
+    this.depth += by;
+    if (this.plane) this.tip = add(this.tip, scale(-by, this.plane.normal));
   }
 
   /** By steps of the keys or of a gamepad, in W. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the page says in words and numbers: the guard, the notices, the meters.
 import { quantile } from "./curves.ts";
-import { guardState, statusTexts } from "./guard.ts";
+import { type Told, told } from "./guard.ts";
 import { element, type Panels } from "./panels.ts";
 import type { Hello, Instruments, Snapshot } from "./protocol.ts";
 import type { TraceRing } from "./trace.ts";
@@ -11,6 +11,8 @@ type ById = <T extends HTMLElement>(id: string) => T;
 export class Indicators {
   private numbers = new Map<string, HTMLElement>();
   private removed: HTMLElement[] = [];
+  private calm = false;
+  private sentences: Pick<Hello, "arming" | "status"> = { arming: [], status: [] };
 
   constructor(private byId: ById) {}
 
@@ -20,16 +22,31 @@ export class Indicators {
     notice.textContent = notice.title = text;
     notice.dataset.severity = String(severity);
   }
+  /** What the guard has warned of is over when the force is on again. */
+  settle(snapshot: Snapshot) {
+    const calm = told(this.sentences, snapshot).tone === "calm";
+    if (calm && !this.calm && this.byId("notice").dataset.severity === "1") this.notice("", 0);
+    this.calm = calm;
+  }
   lost(text: string) {
     this.role("apart");
     this.byId("role").dataset.tone = "fault";
     this.notice(text, 2);
+    this.guard({ name: "unknown", tone: "fault", text: "" });
+  }
+  private guard({ name, tone, text }: Told) {
+    const guard = this.byId("guard");
+    guard.textContent = `guard: ${name}`;
+    guard.dataset.tone = this.byId("rim").dataset.tone = tone;
+    this.byId("cure").textContent = text;
   }
 
-  materials(materials: Hello["materials"]) {
+  begin(hello: Hello) {
+    this.sentences = hello;
+    delete this.byId("role").dataset.tone;
     const body = this.byId("removed").querySelector("tbody")!;
     body.replaceChildren();
-    this.removed = materials.map(({ name, color }) => {
+    this.removed = hello.materials.map(({ name, color }) => {
       const swatch = element("span", { class: "swatch" }), value = element("td", {}, "0 mm³");
       swatch.style.background = `rgb(${color.join()})`;
       body.append(element("tr", {}, element("td", {}, swatch, name.replaceAll("_", " ")), value));
@@ -43,12 +60,7 @@ export class Indicators {
   }
 
   show(snapshot: Snapshot, instruments: Instruments | null, trace: TraceRing) {
-    const state = guardState(snapshot.arming);
-    const guard = this.byId("guard");
-    guard.textContent = `guard: ${state.name}`;
-    guard.dataset.tone = this.byId("rim").dataset.tone = state.tone;
-    const texts = statusTexts(snapshot.status);
-    this.byId("cure").textContent = [state.text, ...texts].slice(0, 2).join(" ");
+    this.guard(told(this.sentences, snapshot));
     const norm = (v: number[]) => Math.hypot(...v);
     this.number("force", `${norm(snapshot.force).toFixed(2)} N`);
     this.number("torque", `${(1e3 * norm([3, 4, 5].map((n) => trace.newest(n)))).toFixed(1)} mN m`);

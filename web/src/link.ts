@@ -1,34 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where messages come from: the server, or a recording that lies in the page or beside it.
-import { decode, type Message } from "./protocol.ts";
+import { decode, type Message, otherVersion } from "./protocol.ts";
 
 export interface Link {
   send(command: Uint8Array): void;
   readonly open: boolean;
 }
 
-/** @param token  of the address that the program has printed */
-export function connect(token: string, heard: (message: Message) => void, state: (text: string, open: boolean) => void): Link {
-  const socket = new WebSocket(`ws://${location.host}/socket?token=${encodeURIComponent(token)}`);
-  socket.binaryType = "arraybuffer";
-  let ever = false;
-  socket.onopen = () => {
-    ever = true;
-    state("connected", true);
-  };
-  socket.onclose = (event) => {
-    const why = !ever
+/** Why a message is not understood, and the cure. */
+function objection(bytes: Uint8Array): string {
+  const other = otherVersion(bytes);
+  if (!other) return "The program said what this page does not understand: reload the page.";
+  return other.startsWith("is older")
+    ? `This page ${other} than the program: reload the page; if that does not help, build it again.`
+    : `This page ${other} than the program: end hapticut view, and start the one that was built with the page.`;
+}
+
+/**
+ * @param token  of the address that the program has printed
+ * @param lost   what to tell the user when nothing comes any more
+ */
+export function connect(token: string, heard: (message: Message) => void, lost: (text: string) => void): Link {
+  let socket: WebSocket, ever = false, heardAny = false, objected = false;
+  const close = (event: CloseEvent) => {
+    if (objected) return;
+    if (heardAny && event.code !== 1008) return open(); // a machine that slept finds its program again
+    lost(!ever
       ? "The server refuses this page: open the address that the program has printed, with its token."
       : event.code === 1008
-        ? "The server has closed this page, because it sent what it may not. Reload it."
-        : "The program has ended, or the line is broken. Start hapticut view again, and open what it prints.";
-    state(why, false);
+        ? "The server has closed this page, because it sent what it may not: reload it."
+        : "The program has ended, or the line is broken: start hapticut view again, and open what it prints.");
   };
-  socket.onmessage = (event) => {
-    const message = decode(new Uint8Array(event.data as ArrayBuffer));
-    if (message) heard(message);
-    else state("The server speaks another version of the protocol: reload the page, or build it anew.", true);
+  const hear = (event: MessageEvent) => {
+    if (objected) return;
+    const bytes = new Uint8Array(event.data as ArrayBuffer), message = decode(bytes);
+    heardAny = true;
+    if (message) return heard(message);
+    objected = true;
+    socket.close();
+    lost(objection(bytes));
   };
+  const open = () => {
+    heardAny = false;
+    socket = new WebSocket(`ws://${location.host}/socket?token=${encodeURIComponent(token)}`);
+    socket.binaryType = "arraybuffer";
+    socket.onopen = () => { ever = true; };
+    socket.onclose = close;
+    socket.onmessage = hear;
+  };
+  open();
   return {
     send: (command) => { if (socket.readyState === WebSocket.OPEN) socket.send(command); },
     get open() { return socket.readyState === WebSocket.OPEN; },

@@ -21,9 +21,9 @@ const canvas = byId<HTMLCanvasElement>("scene");
 
 class Page {
   readonly scene = new three.Scene();
-  readonly eye = new Eye();
-  readonly hand = new Hand();
   readonly workpiece = new Workpiece();
+  readonly eye = new Eye(this.workpiece);
+  readonly hand = new Hand();
   readonly tool = new ToolView(this.scene);
   readonly speaker = new Speaker();
   readonly curves = new Curves(byId("force-curve"), byId("torque-curve"));
@@ -44,6 +44,7 @@ class Page {
   private placed = false;
   private hasTool = false;
   private pointer: Pointer;
+  private showOwn = () => {};
   private last = performance.now();
   private drawn = 0;
   private charted = 0;
@@ -61,16 +62,18 @@ class Page {
     sun.position.set(0.3, 0.5, 0.8);
     this.scene.add(sun);
     this.pointer = new Pointer({
-      canvas, eye: this.eye, hand: this.hand, hit: (ray) => this.workpiece.hit(ray),
+      canvas, eye: this.eye, hand: this.hand, picture: this.picture, hit: (ray) => this.workpiece.hit(ray),
+      leads: () => this.writer,
       mayMove: () => this.writer && this.placed,
       moved: () => { this.moved = true; },
     });
     if (this.picture)
-      ownPanels({ parent: byId("panels"), eye: this.eye, hand: this.hand, picture: this.picture, tool: this.tool,
+      this.showOwn = ownPanels({ parent: byId("panels"), eye: this.eye, hand: this.hand, picture: this.picture, tool: this.tool,
                   workpiece: this.workpiece, changed: () => { this.changed = true; } });
     viewButtons(byId("views"), (name) => this.look(name), () => this.whole());
     canvas.addEventListener("pointerdown", () => { this.framed = true; });
     new ResizeObserver(() => this.resize()).observe(byId("stage"));
+    document.addEventListener("visibilitychange", () => { if (document.hidden) this.tellHand(); }); // no picture comes
     this.setUpButtons();
     this.setTheme(matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark");
   }
@@ -79,10 +82,10 @@ class Page {
     switch (message.kind) {
       case "hello":
         this.workpiece.begin(message);
-        this.writer = message.writer;
+        this.lead(message.writer);
         if (!document.body.classList.contains("replay")) this.indicators.role(message.writer ? "leads" : "looks on");
-        this.indicators.materials(message.materials);
-        this.panels.enable(message.writer);
+        this.indicators.begin(message);
+        this.pointer.begin();
         this.began = performance.now();
         this.framed = this.placed = false;
         this.snapshot = this.instruments = null;
@@ -95,6 +98,7 @@ class Page {
         break;
       case "snapshot":
         this.snapshot = message;
+        this.indicators.settle(message);
         this.place();
         break;
       case "tool":
@@ -110,6 +114,19 @@ class Page {
       case "instruments": this.instruments = message; break;
     }
     this.changed = true;
+  }
+
+  private lead(leads: boolean) {
+    this.writer = leads;
+    document.body.classList.toggle("looks", !leads);
+    this.panels.enable(leads);
+  }
+
+  /** Nothing comes any more: what was shown last is not so now. */
+  lost(text: string) {
+    this.lead(false);
+    this.snapshot = this.instruments = null;
+    this.indicators.lost(text);
   }
 
   private place() {
@@ -134,13 +151,7 @@ class Page {
     const seconds = Math.min(0.25, (now - this.last) / 1e3);
     this.last = now;
     this.pointer.frame(seconds);
-    if (this.moved && this.link.open) {
-      this.moved = false;
-      const { X_WH, pressed } = this.hand;
-      this.path.push({ time: now / 1e3, X_WH, pressed });
-      if (this.path.length > 20_000) this.path.shift();
-      this.tell(commands.moveHand(X_WH, pressed));
-    }
+    this.tellHand();
     const pause = this.picture?.pause(now) ?? 0; // without a graphics card the loop needs the processor more
     if ((this.changed || this.eye.changed) && now - this.drawn >= pause) this.draw(now, seconds);
     if (now - this.charted < pause) return;
@@ -148,17 +159,27 @@ class Page {
     this.curves.draw();
   }
 
+  private tellHand() {
+    if (!this.moved || !this.link.open) return;
+    this.moved = false;
+    const { X_WH, pressed } = this.hand;
+    this.path.push({ time: performance.now() / 1e3, X_WH, pressed });
+    if (this.path.length > 20_000) this.path.shift();
+    this.tell(commands.moveHand(X_WH, pressed));
+  }
+
   private draw(now: number, seconds: number) {
     this.changed = this.eye.changed = false;
+    this.showOwn();
     const { snapshot, picture } = this;
     if (snapshot) {
       this.tool.place(snapshot.X_WT, this.instruments?.X_WG ?? null, snapshot.force, snapshot.speed, seconds);
       this.indicators.show(snapshot, this.instruments, this.curves.ring);
     }
     if (this.instruments) drawLatency(byId<HTMLCanvasElement>("latency"), this.instruments);
-    if (!picture || picture.renderer.xr.isPresenting) return;
+    if (!picture) return;
     const box = canvas.getBoundingClientRect();
-    this.eye.update(box.width / Math.max(1, box.height));
+    this.eye.update(box.width / picture.columns / Math.max(1, box.height));
     const key = this.eye.back.addScaledVector(this.eye.right, -0.55).addScaledVector(this.eye.up, 0.75).normalize();
     this.workpiece.lightFrom(key);
     picture.draw(this.scene, this.eye.camera, Math.max(0.6, this.eye.distance / 28));
@@ -169,6 +190,7 @@ class Page {
 
   private resize() {
     const box = byId("stage").getBoundingClientRect();
+    this.eye.camera.aspect = box.width / Math.max(1, box.height); // what is framed before the first picture fits too
     this.picture?.resize(Math.max(1, Math.floor(box.width)), Math.max(1, Math.floor(box.height)));
     this.changed = true;
   }
@@ -242,5 +264,5 @@ if (!page.picture) setInterval(() => page.frame(performance.now()), 16);
 if (!showPlayer(page, byId)) {
   loadPanel(page);
   page.link = connect(new URLSearchParams(location.search).get("token") ?? "", (message) => page.hear(message),
-                      (text, open) => { if (!open) page.indicators.lost(text); });
+                      (text) => page.lost(text));
 }

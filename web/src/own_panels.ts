@@ -18,9 +18,11 @@ interface Own {
   changed: () => void;
 }
 
-function panel(parent: HTMLElement, name: string, ...rows: HTMLElement[]) {
-  parent.append(element("details", { "data-panel": name.toLowerCase() }, element("summary", {}, name),
-                        element("fieldset", {}, ...rows)));
+function panel(parent: HTMLElement, name: string, ...rows: HTMLElement[]): HTMLElement {
+  const details = element("details", { "data-panel": name.toLowerCase() }, element("summary", {}, name),
+                          element("fieldset", {}, ...rows));
+  parent.append(details);
+  return details;
 }
 
 function box(label: string, value: boolean, change: (value: boolean) => void): HTMLElement {
@@ -31,17 +33,20 @@ function box(label: string, value: boolean, change: (value: boolean) => void): H
 }
 
 function slider(label: string, value: number, low: number, high: number, unit: string, change: (value: number) => void) {
-  const step = (high - low) / 200;
-  const input = element("input", { type: "range", min: `${low}`, max: `${high}`, step: `${step}` });
+  const input = element("input", { type: "range", min: `${low}`, max: `${high}`, step: "any" });
   const out = element("span", { class: "unit" });
-  const tell = () => { out.textContent = `${+Number(input.value).toFixed(2)} ${unit}`; };
+  const show = (now: number) => { out.textContent = `${+now.toPrecision(3)} ${unit}`; };
   input.value = String(value);
   input.oninput = () => {
-    tell();
+    show(Number(input.value));
     change(Number(input.value));
   };
-  tell();
-  return element("label", { class: "row" }, element("span", {}, label), input, out);
+  show(value);
+  const follow = (now: number) => {
+    input.value = String(now);
+    show(now);
+  };
+  return { row: element("label", { class: "row" }, element("span", {}, label), input, out), follow };
 }
 
 function pick(label: string, names: string[], change: (name: string) => void): HTMLElement {
@@ -56,7 +61,8 @@ const kAxes: Record<string, three.Vector3> = {
   "-y": new three.Vector3(0, -1, 0), "z": new three.Vector3(0, 0, 1),
 };
 
-export function ownPanels(o: Own) {
+/** @returns shows what was changed elsewhere */
+export function ownPanels(o: Own): () => void {
   const { eye, hand, picture, tool, workpiece, changed } = o;
   let axis: three.Vector3 | null = null, share = 0.5;
   const cut = () => {
@@ -71,28 +77,19 @@ export function ownPanels(o: Own) {
   };
   panel(o.parent, "View",
         pick("Section plane", ["off", ...Object.keys(kAxes)], (name) => { axis = kAxes[name] ?? null; cut(); }),
-        slider("Section place", 0.5, 0, 1, "", (value) => { share = value; cut(); }),
+        slider("Section place", 0.5, 0, 1, "", (value) => { share = value; cut(); }).row,
         box("Shade cavities", true, (value) => { picture.occlusion = value; changed(); }),
         box("Show handle", true, (value) => { tool.showHandle = value; changed(); }),
-        slider("Field of view", eye.camera.fov, 10, 70, "°", (value) => { eye.camera.fov = value; changed(); }));
+        slider("Field of view", eye.camera.fov, 10, 70, "°", (value) => { eye.camera.fov = value; changed(); }).row);
+  const depth = slider("Depth", hand.depth * 1e3, 0, 4, "mm", (value) => { hand.depth = value / 1e3; });
   panel(o.parent, "Pointer",
         box("Tool follows the surface", hand.follow, (value) => { hand.follow = value; }),
-        slider("Depth", hand.depth * 1e3, 0, 4, "mm", (value) => { hand.depth = value / 1e3; }));
-  const note = element("p", { class: "group" },
-                       "Quad buffering is not offered by browsers; a headset is, where one is connected.");
-  const xr = element("button", { type: "button" }, "Enter headset");
-  xr.disabled = true;
+        depth.row).classList.add("hand");
   panel(o.parent, "Stereo",
         pick("Stereo", ["off", "side-by-side", "anaglyph"], (name) => { picture.stereo = name as Stereo; changed(); }),
-        slider("Eye distance", picture.eyeDistance, 0, 12, "mm", (value) => { picture.eyeDistance = value; changed(); }),
-        slider("Convergence", picture.convergence, 10, 300, "mm", (value) => { picture.convergence = value; changed(); }),
-        xr, note);
-  const system = (navigator as Navigator & { xr?: XRSystem }).xr;
-  void system?.isSessionSupported("immersive-vr").then((can) => { xr.disabled = !can; }).catch(() => undefined);
-  xr.onclick = async () => {
-    const session = await system!.requestSession("immersive-vr", { optionalFeatures: ["local-floor"] });
-    await picture.renderer.xr.setSession(session);
-  };
+        slider("Eye distance", picture.eyeDistance, 0, 12, "mm", (value) => { picture.eyeDistance = value; changed(); }).row,
+        slider("Convergence", picture.convergence, 10, 300, "mm", (value) => { picture.convergence = value; changed(); }).row);
+  return () => depth.follow(hand.depth * 1e3);
 }
 
 export function viewButtons(parent: HTMLElement, look: (name: string) => void, all: () => void) {

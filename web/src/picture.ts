@@ -106,7 +106,6 @@ export class Picture {
   constructor(canvas: HTMLCanvasElement) {
     this.renderer = new three.WebGLRenderer({ canvas, antialias: false, preserveDrawingBuffer: true });
     this.renderer.outputColorSpace = three.LinearSRGBColorSpace; // the last pass encodes
-    this.renderer.xr.enabled = true;
     this.quad.frustumCulled = false;
     this.screen.add(this.quad);
     const gl = (this.gl = this.renderer.getContext() as WebGL2RenderingContext);
@@ -115,6 +114,8 @@ export class Picture {
       String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER)));
   }
 
+  /** How many pictures stand side by side. */
+  get columns(): number { return this.stereo === "side-by-side" ? 2 : 1; }
   get size(): three.Vector2 { return this.renderer.getDrawingBufferSize(new three.Vector2()); }
 
   /** @param width  of the canvas on the page */
@@ -159,8 +160,8 @@ export class Picture {
       this.show(0, 0, 0, 0, width, height);
       return;
     }
-    const half = this.stereo === "side-by-side" ? Math.floor(width / 2) : width;
-    for (const n of [0, 1]) this.see(n, scene, this.eyeOf(camera, n === 0 ? -1 : 1, half / height), half, height, radius);
+    const half = Math.floor(width / this.columns);
+    for (const n of [0, 1]) this.see(n, scene, this.eyeOf(camera, n === 0 ? -1 : 1), half, height, radius);
     if (this.stereo === "anaglyph") {
       this.show(0, 1, 0, 0, width, height);
     } else {
@@ -169,9 +170,10 @@ export class Picture {
     }
   }
 
-  private eyeOf(camera: three.PerspectiveCamera, side: number, aspect: number): three.PerspectiveCamera {
+  /** @param side  -1: the left eye, 1: the right */
+  eyeOf(camera: three.PerspectiveCamera, side: number): three.PerspectiveCamera {
     const offset = (side * this.eyeDistance) / 2;
-    const f = offAxisFrustum((camera.fov * Math.PI) / 180, aspect, camera.near, camera.far, offset, this.convergence);
+    const f = offAxisFrustum((camera.fov * Math.PI) / 180, camera.aspect, camera.near, camera.far, offset, this.convergence);
     this.eye.matrixAutoUpdate = false;
     this.eye.matrix.copy(camera.matrixWorld).multiply(new three.Matrix4().makeTranslation(offset, 0, 0));
     this.eye.matrixWorld.copy(this.eye.matrix);

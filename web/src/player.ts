@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A page that replays: its recording lies in it, or beside it.
+import { isForTheScene } from "./pointer.ts";
 import type { Message } from "./protocol.ts";
 import { fromBase64, Player, readRecording, unpack } from "./replay.ts";
 
@@ -14,7 +15,7 @@ interface Shows {
 export function showPlayer(page: Shows, byId: ById): boolean {
   const inside = document.getElementById("recording");
   if (!inside) return false;
-  document.body.classList.add("replay");
+  document.body.classList.add("replay", "looks");
   page.indicators.role("replay");
   const source = inside.dataset.from ?? null;
   const packed = source === null ? Promise.resolve(fromBase64(inside.textContent ?? ""))
@@ -46,6 +47,10 @@ function play(player: Player, byId: ById) {
   time.oninput = () => seek(() => player.seek(Number(time.value)));
   byId("back").onclick = () => seek(() => player.step(-1));
   byId("forth").onclick = () => seek(() => player.step(1));
+  addEventListener("keydown", (event) => {
+    const name = ({ " ": "play", ArrowLeft: "back", ArrowRight: "forth" } as Record<string, string>)[event.key];
+    if (name && isForTheScene(event)) byId(name).click();
+  });
   const speed = byId<HTMLSelectElement>("speed");
   speed.onchange = () => { player.speed = Number(speed.value); };
   let last = performance.now();

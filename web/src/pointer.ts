@@ -1,50 +1,77 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mouse, touch, keys and gamepad: what moves the eye, and what moves the hand.
+// Mouse, touch, keys and gamepads: what moves the eye, and what moves the hand.
 import * as three from "three";
 import type { Eye } from "./camera.ts";
-import type { Ray } from "./geometry.ts";
+import { dot, type Ray } from "./geometry.ts";
 import type { Hand, Hit } from "./hand.ts";
+import type { Picture } from "./picture.ts";
 import type { Vec3 } from "./protocol.ts";
 
 export interface PointerOptions {
   canvas: HTMLCanvasElement;
   eye: Eye;
   hand: Hand;
+  picture: Picture | null;
   hit: (ray: three.Ray) => Hit | null;
+  leads: () => boolean; // who only looks turns the view with what else would drill
   mayMove: () => boolean;
   moved: () => void;
 }
 
+interface Place {
+  x: number;
+  y: number;
+}
+interface InPicture extends Place {
+  column: number; // of pictures side by side
+}
+type Client = Pick<MouseEvent, "clientX" | "clientY">;
+
 const kKeyStep = 0.1e-3; // m
 const asArray = (v: three.Vector3): Vec3 => [v.x, v.y, v.z];
 const inMetres = (ray: three.Ray): Ray => ({ from: asArray(ray.origin.clone().divideScalar(1e3)), along: asArray(ray.direction) });
+const nameOf = (event: PointerEvent) => `pointer ${event.pointerId}`;
+
+/** Keys are of the scene wherever the focus is, but where it needs them itself. */
+export const isForTheScene = (event: KeyboardEvent) => {
+  const target = event.target instanceof Element ? event.target : null;
+  return !event.defaultPrevented && !target?.closest("aside, dialog, input, select") && !(event.key === " " && target?.closest("button"));
+};
 
 export class Pointer {
-  private touches = new Map<number, { x: number; y: number }>();
-  private last = { x: 0, y: 0 };
+  private down = new Map<number, Place>(); // pointers that were pressed on the canvas
+  private fingers = new Set<number>(); // those that are fingers
+  private holders = new Set<string>(); // what presses; the press ends with the last of them
+  private pulled = new Set<string>(); // triggers of gamepads
   private waiting: PointerEvent | null = null;
 
   constructor(private o: PointerOptions) {
     const { canvas } = o;
-    canvas.addEventListener("pointerdown", (event) => this.down(event));
+    canvas.addEventListener("pointerdown", (event) => this.press(event));
     canvas.addEventListener("pointermove", (event) => this.move(event));
     for (const name of ["pointerup", "pointercancel"] as const) canvas.addEventListener(name, (event) => this.up(event));
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
-    canvas.addEventListener("keydown", (event) => this.key(event));
-    canvas.addEventListener("keyup", (event) => {
-      if (event.key === " ") this.let(() => o.hand.release());
-    });
+    addEventListener("keydown", (event) => { if (isForTheScene(event)) this.key(event); });
+    // Where the focus has gone while the key was down, or the window has lost it, the canvas hears of no release.
+    addEventListener("keyup", (event) => { if (event.key === " ") this.letGo("space"); });
+    const letAllGo = () => [...this.holders].forEach((source) => this.letGo(source));
+    addEventListener("blur", letAllGo);
+    document.addEventListener("visibilitychange", letAllGo);
+    addEventListener("gamepaddisconnected", ({ gamepad }) => this.trigger(`gamepad ${gamepad.index}`, false));
   }
 
-  /** Once for each picture: the newest place of the pointer, and the gamepad. */
+  /** Another scene: what is still held does not press there. */
+  begin() { this.holders.clear(); }
+
+  /** Once for each picture: the newest place of the pointer, and the gamepads. */
   frame(seconds: number) {
     if (this.waiting) {
       const event = this.waiting;
       this.waiting = null;
       this.let(() => this.point(event));
     }
-    this.gamepad(seconds);
+    for (const pad of navigator.getGamepads?.() ?? []) if (pad?.connected) this.gamepad(pad, seconds);
   }
 
   private let(change: () => void) {
@@ -53,60 +80,84 @@ export class Pointer {
     this.o.moved();
   }
 
-  private place(event: { clientX: number; clientY: number }): three.Ray {
-    const box = this.o.canvas.getBoundingClientRect();
-    return this.o.eye.ray((2 * (event.clientX - box.left)) / box.width - 1, 1 - (2 * (event.clientY - box.top)) / box.height);
+  private hold(source: string, hit: () => Hit | null) {
+    if (!this.o.mayMove()) return;
+    this.holders.add(source);
+    if (!this.o.hand.pressed) this.let(() => this.o.hand.press(hit()));
+  }
+  private letGo(source: string) {
+    if (this.holders.delete(source) && this.holders.size === 0) this.let(() => this.o.hand.release());
   }
 
-  private point(event: { clientX: number; clientY: number }) {
-    const ray = this.place(event), { hand, eye, hit } = this.o;
+  /** What lies under the tip, along the tool: keys and gamepads press where they have led it. */
+  private under(): Hit | null {
+    const { hand, hit } = this.o, along = new three.Vector3(...hand.axis).negate();
+    const found = hit(new three.Ray(new three.Vector3(...hand.place).multiplyScalar(1e3), along));
+    return found && dot(found.normal, hand.axis) > 0 ? found : null; // from within, there is no surface to press on
+  }
+
+  private inPicture({ clientX, clientY }: Client): InPicture {
+    const box = this.o.canvas.getBoundingClientRect(), columns = this.o.picture?.columns ?? 1;
+    const across = (columns * (clientX - box.left)) / box.width, column = Math.max(0, Math.min(columns - 1, Math.floor(across)));
+    return { x: 2 * (across - column) - 1, y: 1 - (2 * (clientY - box.top)) / box.height, column };
+  }
+  private ray(event: Client): three.Ray {
+    const { eye, picture } = this.o, { x, y, column } = this.inPicture(event);
+    return picture?.columns === 2 ? eye.ray(x, y, (camera) => picture.eyeOf(camera, column === 0 ? -1 : 1)) : eye.ray(x, y);
+  }
+
+  private point(event: Client) {
+    const ray = this.ray(event), { hand, eye, hit } = this.o;
     hand.point(inMetres(ray), hand.pressed ? null : hit(ray), asArray(eye.back));
   }
 
-  private down(event: PointerEvent) {
-    const { canvas, hand, hit } = this.o;
+  private press(event: PointerEvent) {
+    const { canvas, hit } = this.o;
     canvas.focus();
     canvas.setPointerCapture(event.pointerId);
-    this.last = { x: event.clientX, y: event.clientY };
-    this.touches.set(event.pointerId, this.last);
-    if (event.button !== 0) return;
-    this.let(() => {
-      if (this.touches.size > 1) return hand.release(); // a second finger turns the view
-      hand.press(hit(this.place(event)));
-    });
+    this.down.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    if (event.pointerType === "touch") this.fingers.add(event.pointerId);
+    if (this.fingers.size > 1) this.fingers.forEach((id) => this.letGo(`pointer ${id}`)); // two turn the view
+    else if (event.button === 0) this.hold(nameOf(event), () => hit(this.ray(event)));
   }
 
   private move(event: PointerEvent) {
-    const { eye, canvas } = this.o;
-    const dx = event.clientX - this.last.x, dy = event.clientY - this.last.y;
-    this.last = { x: event.clientX, y: event.clientY };
-    if (this.touches.size > 1) return this.pinch(event);
-    if (this.touches.has(event.pointerId)) this.touches.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    if ((event.buttons & 2) !== 0) return eye.orbit(dx / 150, dy / 150);
-    if ((event.buttons & 4) !== 0) return eye.pan(dx / canvas.clientHeight, dy / canvas.clientHeight);
+    const { eye, canvas, hit, leads } = this.o, before = this.down.get(event.pointerId);
+    if (before) {
+      const now = { x: event.clientX, y: event.clientY }, dx = now.x - before.x, dy = now.y - before.y;
+      if (this.fingers.has(event.pointerId) && this.fingers.size > 1) return this.pinch(event.pointerId, before, now);
+      this.down.set(event.pointerId, now);
+      // Of several buttons the first that is pressed and the last that is let go are events of their own, no other.
+      if ((event.buttons & 1) === 0) this.letGo(nameOf(event));
+      else if (event.button === 0) this.hold(nameOf(event), () => hit(this.ray(event)));
+      if ((event.buttons & 2) !== 0 || ((event.buttons & 1) !== 0 && !leads())) return eye.orbit(dx / 150, dy / 150);
+      if ((event.buttons & 4) !== 0) return eye.pan(dx / canvas.clientHeight, dy / canvas.clientHeight);
+    }
     this.waiting = event;
   }
 
-  private pinch(event: PointerEvent) {
-    const before = [...this.touches.values()];
-    const spread = (p: { x: number; y: number }[]) => Math.hypot(p[0].x - p[1].x, p[0].y - p[1].y);
-    const old = this.touches.get(event.pointerId);
-    this.touches.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    const after = [...this.touches.values()];
-    if (!old || spread(before) < 1 || spread(after) < 1) return;
-    this.o.eye.zoom(spread(before) / spread(after));
-    this.o.eye.orbit((event.clientX - old.x) / 300, (event.clientY - old.y) / 300);
+  private pinch(id: number, before: Place, now: Place) {
+    const other = this.down.get([...this.fingers].find((one) => one !== id)!)!;
+    const spread = (p: Place) => Math.max(1, Math.hypot(p.x - other.x, p.y - other.y));
+    this.down.set(id, now);
+    const middle = this.inPicture({ clientX: (now.x + other.x) / 2, clientY: (now.y + other.y) / 2 });
+    this.o.eye.zoom(spread(before) / spread(now), middle.x, middle.y);
+    this.o.eye.orbit((now.x - before.x) / 300, (now.y - before.y) / 300);
   }
 
   private up(event: PointerEvent) {
-    this.touches.delete(event.pointerId);
-    if (event.button <= 0) this.let(() => this.o.hand.release());
+    this.down.delete(event.pointerId);
+    this.fingers.delete(event.pointerId);
+    this.letGo(nameOf(event));
   }
 
   private wheel(event: WheelEvent) {
     event.preventDefault();
     const notches = (event.deltaY || event.deltaX) / (event.deltaMode === 0 ? 100 : 3);
-    if (event.shiftKey || event.ctrlKey) return this.o.eye.zoom(1.12 ** notches);
+    if (event.shiftKey || event.ctrlKey || !this.o.leads()) {
+      const { x, y } = this.inPicture(event);
+      return this.o.eye.zoom(1.12 ** notches, x, y);
+    }
     this.let(() => {
       if (event.altKey) this.o.hand.tilt(asArray(this.o.eye.right), notches * 0.05);
       else this.o.hand.push(-notches);
@@ -114,7 +165,7 @@ export class Pointer {
   }
 
   private key(event: KeyboardEvent) {
-    const { eye, hand, hit } = this.o;
+    const { eye, hand } = this.o;
     const step = kKeyStep * (event.shiftKey ? 10 : 1);
     const along = (direction: three.Vector3, by: number) => () =>
       hand.move(asArray(direction.clone().multiplyScalar(by)));
@@ -123,34 +174,39 @@ export class Pointer {
       ArrowRight: along(eye.right, step), ArrowLeft: along(eye.right, -step), ArrowUp: along(eye.up, step),
       ArrowDown: along(eye.up, -step), PageUp: along(eye.back, -step), PageDown: along(eye.back, step),
       w: lean(eye.right, -0.05), s: lean(eye.right, 0.05), a: lean(eye.back, 0.05), d: lean(eye.back, -0.05),
-      " ": () => { if (!event.repeat) hand.press(hit(this.place({ clientX: this.last.x, clientY: this.last.y }))); },
     };
-    const act = event.ctrlKey || event.metaKey ? undefined : moves[event.key] ?? moves[event.key.toLowerCase()];
-    if (act) {
-      event.preventDefault();
-      this.let(act);
-    } else if (event.key === "+" || event.key === "=") {
-      eye.zoom(0.9);
-    } else if (event.key === "-") {
-      eye.zoom(1.1);
-    }
+    if (event.ctrlKey || event.metaKey) return;
+    const leads = this.o.leads(), act = moves[event.key] ?? moves[event.key.toLowerCase()];
+    if (leads && act) this.let(act);
+    else if (leads && event.key === " ") this.hold("space", () => this.under());
+    else if (event.key === "+" || event.key === "=") eye.zoom(0.9);
+    else if (event.key === "-") eye.zoom(1 / 0.9);
+    else return;
+    event.preventDefault();
   }
 
-  private gamepad(seconds: number) {
-    const pad = navigator.getGamepads?.().find((one) => one?.connected);
-    if (!pad) return;
+  private gamepad(pad: Gamepad, seconds: number) {
     const axis = (n: number) => (Math.abs(pad.axes[n] ?? 0) > 0.12 ? pad.axes[n] : 0);
     const { eye, hand } = this.o;
     if (axis(2) !== 0 || axis(3) !== 0) eye.orbit(-axis(2) * seconds * 2, -axis(3) * seconds * 2);
-    const trigger = (pad.buttons[7]?.value ?? 0) > 0.3;
     const bumpers = (pad.buttons[5]?.pressed ? 1 : 0) - (pad.buttons[4]?.pressed ? 1 : 0);
-    if (axis(0) === 0 && axis(1) === 0 && trigger === hand.pressed && bumpers === 0) return;
-    this.let(() => {
-      const by = eye.right.multiplyScalar(axis(0)).addScaledVector(eye.up, -axis(1)).multiplyScalar(0.02 * seconds);
-      hand.move(asArray(by));
-      if (bumpers !== 0) hand.push(bumpers * seconds * 10);
-      if (trigger && !hand.pressed) hand.press(null);
-      if (!trigger && hand.pressed) hand.release();
-    });
+    if (axis(0) !== 0 || axis(1) !== 0 || bumpers !== 0)
+      this.let(() => {
+        hand.move(asArray(eye.right.multiplyScalar(axis(0)).addScaledVector(eye.up, -axis(1)).multiplyScalar(0.02 * seconds)));
+        hand.push(bumpers * seconds * 10);
+      });
+    this.trigger(`gamepad ${pad.index}`, (pad.buttons[7]?.value ?? 0) > 0.3);
+  }
+
+  /** A trigger that is at rest is silent, so that it undoes no other press. */
+  private trigger(source: string, isPulled: boolean) {
+    if (isPulled === this.pulled.has(source)) return;
+    if (isPulled) {
+      this.pulled.add(source);
+      this.hold(source, () => this.under());
+    } else {
+      this.pulled.delete(source);
+      this.letGo(source);
+    }
   }
 }

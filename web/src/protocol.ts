@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What server and page say to each other; docs/view.md has the tables.
 
-export const kVersion = 2;
+export const kVersion = 3;
 
 export type Vec3 = [number, number, number];
 
@@ -13,12 +13,21 @@ export interface Pose {
 
 export const identity: Pose = { rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1], translation: [0, 0, 0] };
 
+/** What a state or a bit is called, and what it tells a user. */
+export interface Sentence {
+  value: number;
+  name: string;
+  text: string;
+}
+
 export interface Hello {
   kind: "hello";
   writer: boolean;
   voxelSize: number;
   X_WV: Pose;
   materials: { name: string; color: Vec3 }[];
+  arming: Sentence[]; // states of the guard
+  status: Sentence[]; // bits of a step
 }
 
 export interface SurfacePage {
@@ -138,6 +147,10 @@ class Reader {
     const rotation = Array.from({ length: 9 }, () => this.f64());
     return { rotation, translation: this.vec() };
   }
+  sentences(): Sentence[] {
+    return Array.from({ length: this.u32() }, () => (
+      { value: this.u32(), name: this.text(this.u16()), text: this.text(this.u16()) }));
+  }
   text(length: number) { return new TextDecoder().decode(this.take(length)); }
   take(length: number) {
     if (this.at + length > this.bytes.length) throw new RangeError("the message is too short");
@@ -161,7 +174,7 @@ function read(kind: number, r: Reader): Message | null {
         const color: Vec3 = [r.u8(), r.u8(), r.u8()];
         return { color, name: r.text(r.u8()) };
       });
-      return { kind: "hello", writer, voxelSize, X_WV, materials };
+      return { kind: "hello", writer, voxelSize, X_WV, materials, arming: r.sentences(), status: r.sentences() };
     }
     case 2: {
       const origin: Vec3 = [r.i32(), r.i32(), r.i32()];
@@ -220,6 +233,13 @@ function read(kind: number, r: Reader): Message | null {
     default:
       return null;
   }
+}
+
+/** Who of the two is older, for a message of another version; nothing for one of ours. */
+export function otherVersion(bytes: Uint8Array): string | null {
+  const theirs = bytes[1] ?? kVersion;
+  if (theirs === kVersion) return null;
+  return `${theirs > kVersion ? "is older" : "is newer"} (protocol ${kVersion}, not ${theirs})`;
 }
 
 /** @returns nothing for what is not one of these messages in every byte */

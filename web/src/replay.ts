@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording: the messages of a server with the time of each, to be played, scrubbed and stepped.
 //   "HCRP", version (uint32: 1), then for each: time (float64, s), length (uint32), the message
-import { decode, type Message, type SurfacePage } from "./protocol.ts";
+import { decode, type Message, otherVersion, type SurfacePage } from "./protocol.ts";
 
 export interface Timed {
   time: number;
@@ -16,8 +16,11 @@ export function readRecording(bytes: Uint8Array): Timed[] {
   const all: Timed[] = [];
   for (let at = 8; at + 12 <= bytes.length;) {
     const time = view.getFloat64(at, true), length = view.getUint32(at + 8, true);
-    const message = decode(bytes.slice(at + 12, at + 12 + length));
-    if (message === null) throw new Error("The recording is damaged or of another version: export it again.");
+    const bytesOfIt = bytes.slice(at + 12, at + 12 + length);
+    const other = otherVersion(bytesOfIt);
+    if (other) throw new Error(`This page ${other} than its recording: export it again by the program that runs.`);
+    const message = decode(bytesOfIt);
+    if (message === null) throw new Error("The recording is damaged: export it again.");
     all.push({ time, message });
     at += 12 + length;
   }

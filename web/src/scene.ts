@@ -27,7 +27,7 @@ void main() {
 
 const fragmentShader = `
 uniform vec4 section;
-uniform vec3 keyLight, rim;
+uniform vec3 keyLight;
 in vec3 vColor, vNormal, vPlace, vEye;
 out vec4 color;
 void main() {
@@ -45,7 +45,6 @@ void main() {
   vec3 halfway = normalize(keyLight + toEye);
   float gloss = 0.10 * pow(max(dot(n, halfway), 0.0), 40.0);
   color = vec4(vColor * (0.16 + 0.14 * sky + 0.52 * key + 0.26 * head * head) + gloss, 1.0);
-  color.rgb += rim * pow(1.0 - head, 3.0);
 }`;
 
 export const toMatrix = (X: Pose): three.Matrix4 => {
@@ -63,19 +62,19 @@ export class Workpiece {
   uploaded = 0; // bytes
   private pages = new Map<string, three.Mesh>();
   private X_WV = new three.Matrix4();
+  private voxel = 1; // mm
   private material = new three.ShaderMaterial({
     glslVersion: three.GLSL3, vertexShader, fragmentShader, side: three.DoubleSide,
     uniforms: {
       colors: { value: Array.from({ length: 16 }, () => new three.Vector3(0.8, 0.8, 0.8)) },
       section: { value: new three.Vector4(0, 0, 0, 1) },
       keyLight: { value: new three.Vector3(0.3, 0.5, 0.8).normalize() },
-      rim: { value: new three.Vector3(0, 0, 0) },
     },
   });
 
   begin(hello: Hello) {
     this.clear();
-    const h = hello.voxelSize * 1e3;
+    const h = (this.voxel = hello.voxelSize * 1e3);
     this.X_WV = toMatrix(hello.X_WV).multiply(new three.Matrix4().makeScale(h, h, h));
     const colors = this.material.uniforms.colors.value as three.Vector3[];
     hello.materials.slice(0, 15).forEach((material, n) =>
@@ -119,22 +118,50 @@ export class Workpiece {
     (this.material.uniforms.section.value as three.Vector4)
       .set(normal?.x ?? 0, normal?.y ?? 0, normal?.z ?? 0, normal ? offset : 1);
   }
+  /** [mm] from a point to what is drawn of the surface, less by a voxel, for only corners of triangles are looked at. */
+  clearance(point: three.Vector3): number {
+    const near = this.group.children.map((child) => {
+      const { geometry, matrixWorld } = child as three.Mesh;
+      return { geometry, matrixWorld, away: geometry.boundingBox!.clone().applyMatrix4(matrixWorld).distanceToPoint(point) };
+    }).sort((a, b) => a.away - b.away);
+    const section = this.material.uniforms.section.value as three.Vector4, corner = new three.Vector3();
+    const plane = new three.Vector3(section.x, section.y, section.z);
+    let least = Infinity;
+    for (const { geometry, matrixWorld, away } of near) {
+      if (away >= least) break;
+      const data = geometry.getAttribute("position");
+      for (let n = 0; n < data.count; ++n) {
+        const away = corner.fromBufferAttribute(data, n).applyMatrix4(matrixWorld).distanceTo(point);
+        if (away < least && plane.dot(corner) <= section.w) least = away;
+      }
+    }
+    return least - this.voxel;
+  }
+
+  isInside(point: three.Vector3, along: three.Vector3): boolean {
+    const found = this.first(new three.Ray(point, along));
+    return found !== undefined && found.face!.normal.clone().transformDirection(found.object.matrixWorld).dot(along) > 0;
+  }
+
   lightFrom(direction: three.Vector3) { this.material.uniforms.keyLight.value.copy(direction); }
-  tintRim(color: three.Color) { this.material.uniforms.rim.value.set(color.r, color.g, color.b); }
 
   /** [m] of the surface under a ray of the scene, with a normal that is a mean of what is around. */
   hit(ray: three.Ray): { point: Vec3; normal: Vec3 } | null {
-    const caster = new three.Raycaster(ray.origin, ray.direction);
-    const section = this.material.uniforms.section.value as three.Vector4;
-    const plane = new three.Vector3(section.x, section.y, section.z);
-    const found = caster.intersectObjects(this.group.children, false)
-      .find((one) => plane.dot(one.point) <= section.w && one.face !== null);
+    const found = this.first(ray);
     if (!found) return null;
     const mesh = found.object as three.Mesh;
     const normal = smoothNormal(mesh.geometry, [found.face!.a, found.face!.b, found.face!.c])
       .transformDirection(this.X_WV);
     const p = found.point;
     return { point: [p.x / 1e3, p.y / 1e3, p.z / 1e3], normal: [normal.x, normal.y, normal.z] };
+  }
+
+  /** What of the surface that is drawn a ray meets first. */
+  private first(ray: three.Ray): three.Intersection | undefined {
+    const section = this.material.uniforms.section.value as three.Vector4;
+    const plane = new three.Vector3(section.x, section.y, section.z);
+    return new three.Raycaster(ray.origin, ray.direction).intersectObjects(this.group.children, false)
+      .find((one) => plane.dot(one.point) <= section.w && one.face !== null);
   }
 }
 

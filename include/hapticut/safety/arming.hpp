@@ -21,8 +21,13 @@ enum class ArmingState : std::uint8_t {
 constexpr auto names_of(Of<ArmingState>) {
   using enum ArmingState;
   return std::array{
-      Named{off, "off"},   Named{armed, "armed"}, Named{wait_free, "wait_free"},
-      Named{ramp, "ramp"}, Named{on, "on"},       Named{fault, "fault"},
+      Named{off, "off",
+            "Nobody leads, so the loop stands without force: move the tool, or reload a page that looks on."},
+      Named{armed, "armed", "The guard waits for the first readings of the hand: if it lasts, check the device."},
+      Named{wait_free, "wait_free", "No force until the tool touches nothing: lift it off the workpiece."},
+      Named{ramp, "ramp", "The force is being faded in: wait a moment."},
+      Named{on, "on", "The force is on."},
+      Named{fault, "fault", "Stopped without force: press \"Reset\" when the hand is ready."},
   };
 }
 

@@ -23,7 +23,7 @@
 /// bytes: its kind, the version of the protocol, and two that are 0. docs/view.md has the tables.
 namespace hapticut::view {
 
-inline constexpr std::uint8_t kProtocolVersion = 2;
+inline constexpr std::uint8_t kProtocolVersion = 3;
 inline constexpr std::size_t kLongestCommand = 128;  ///< bytes; a page never has reason to send more
 
 using Message = std::vector<std::uint8_t>;
@@ -55,6 +55,7 @@ struct Scene {
   std::vector<ShownMaterial> materials;  ///< by id from 1
 };
 
+/// With the sentences of every state of the guard and of every bit of a step, for the page has no list of its own.
 /// @param writer  this page may send commands
 [[nodiscard]] Message encode_hello(const Scene& scene, bool writer);
 [[nodiscard]] Message encode(const SurfacePage& page);

@@ -205,7 +205,7 @@ void write_replay_folder(const Recording& recording, const std::filesystem::path
   std::string html = text_of(page / "index.html");
   replace(html, kScript, std::string("<div id=\"recording\" data-from=\"recording.bin\" hidden></div>\n") + kScript);
   write_text(folder / "index.html", html.data(), html.size());
-  for (const char* name : {"page.css", "page.js", "speaker.js"}) {
+  for (const char* name : {"page.css", "page.js"}) {
     const std::string text = text_of(page / name);
     write_text(folder / name, text.data(), text.size());
   }

@@ -343,12 +343,13 @@ void ViewSession::send_sound(const LoopSnapshot& snapshot, double seconds) {
 /// Why the guard holds the force back, in its own words.
 void ViewSession::tell_guard() {
   for (const SafetyLogEntry& entry : device().drain_log()) {
-    const bool good = entry.event == SafetyEvent::engaged || entry.event == SafetyEvent::fading_in ||
-                      entry.event == SafetyEvent::armed || entry.event == SafetyEvent::fault_reset;
+    const bool is_state = entry.event == SafetyEvent::engaged || entry.event == SafetyEvent::fading_in ||
+                          entry.event == SafetyEvent::armed || entry.event == SafetyEvent::fault_reset ||
+                          entry.event == SafetyEvent::waiting_free;  // snapshots say so
     const bool noise = entry.event == SafetyEvent::saturated || entry.event == SafetyEvent::slew_limited ||
                        entry.event == SafetyEvent::passivity || entry.event == SafetyEvent::late_wake_up ||
                        entry.event == SafetyEvent::pose_units;  // a pointer may stand still
-    if (!noise) server_.send_notice(good ? view::Severity::tells : view::Severity::warns, describe(entry));
+    if (!is_state && !noise) server_.send_notice(view::Severity::warns, sentence_of(entry));
   }
 }
 

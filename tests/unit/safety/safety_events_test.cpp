@@ -155,6 +155,20 @@ void PrintTo(const Cause& cause, std::ostream* out) { *out << name_of(cause.even
 
 class EveryEvent : public Events, public testing::WithParamInterface<Cause> {};
 
+TEST(SafetyLog, EveryEventIsASentenceThatSaysWhatToDoUnlessItIsGood) {
+  for (std::size_t n = 0; n < kSafetyEvents; ++n) {
+    const SafetyLogEntry entry{.event = SafetyEvent(n), .value = double(DeviceFault::motors_warm)};
+    const std::string sentence = sentence_of(entry);
+    const bool good = entry.event == SafetyEvent::engaged;
+    EXPECT_TRUE(sentence.ends_with('.')) << name_of(entry.event) << ": " << sentence;
+    EXPECT_EQ(sentence.find(": ") == std::string::npos, good) << name_of(entry.event) << ": " << sentence;
+    EXPECT_NE(describe(entry).find(sentence), std::string::npos);
+  }
+  EXPECT_NE(sentence_of({.event = SafetyEvent::device_fault, .value = double(DeviceFault::motors_warm)})
+                .find("let go until they have cooled."),
+            std::string::npos);
+}
+
 TEST_P(EveryEvent, HasANameACounterAndOneEntryInTheLog) {
   const SafetyEvent event = GetParam().event;
   engage();

@@ -39,8 +39,26 @@ TEST(ViewProtocol, HelloTellsTheGridTheMaterialsAndWhoMayWrite) {
   EXPECT_EQ(number_at<std::uint32_t>(message, 112), 2U);
   EXPECT_EQ(std::string(message.begin() + 120, message.begin() + 126), "enamel");
   EXPECT_EQ(message[119], 6);
-  EXPECT_EQ(message.size(), 120 + 6 + 4 + 255U) << "names are cut at 255 bytes";
+  constexpr std::size_t kSentences = 120 + 6 + 4 + 255;  // names are cut at 255 bytes
+  EXPECT_EQ(number_at<std::uint32_t>(message, kSentences), names_of(Of<ArmingState>{}).size());
+  EXPECT_EQ(number_at<std::uint32_t>(message, kSentences + 4), std::uint32_t(ArmingState::off));
+  EXPECT_EQ(number_at<std::uint16_t>(message, kSentences + 8), 3) << "\"off\"";
   EXPECT_EQ(number_at<std::uint32_t>(encode_hello(scene, false), 4), 0U);
+}
+
+TEST(ViewProtocol, EveryStateOfTheGuardAndEveryBitOfAStepHasASentenceWithItsCure) {
+  const Message hello = encode_hello({}, true);
+  const std::string told(hello.begin(), hello.end());
+  const auto expect_told = [&](const auto& one, bool good) {
+    ASSERT_NE(one.words, nullptr) << one.name;
+    const std::string words = one.words;
+    EXPECT_TRUE(words.ends_with('.')) << one.name << ": " << words;
+    EXPECT_EQ(words.find(": ") == std::string::npos, good) << one.name << ": " << words;
+    EXPECT_NE(told.find(words), std::string::npos) << one.name << " is not told";
+  };
+  for (const auto& one : names_of(Of<ArmingState>{})) expect_told(one, one.value == ArmingState::on);
+  for (const auto& one : names_of(Of<StepStatus>{}))
+    if (one.value != StepStatus::ok) expect_told(one, false);
 }
 
 TEST(ViewProtocol, APageIsItsVerticesAndIndicesAsTheyAre) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import * as three from "three";
+import { Eye, type Ground } from "../../src/camera.ts";
 import { axisOf, cross, dot, inverse, length, multiply, offAxisFrustum, rotationAbout, subtract, transform } from "../../src/geometry.ts";
-import { guardState, statusTexts } from "../../src/guard.ts";
+import { told } from "../../src/guard.ts";
 import { Hand, kHover, kWheelStep, turnedTo } from "../../src/hand.ts";
+import { connect } from "../../src/link.ts";
 import { outline } from "../../src/outline.ts";
-import { commands, decode, identity, type Pose, type Vec3 } from "../../src/protocol.ts";
+import { commands, decode, identity, kVersion, otherVersion, type Pose, type Vec3 } from "../../src/protocol.ts";
+import { readRecording } from "../../src/replay.ts";
 import { kSamples, TraceRing } from "../../src/trace.ts";
 
 const close = (a: number, b: number, tolerance = 1e-9) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b}`);
@@ -26,6 +30,10 @@ test("the tip hovers above the surface, and works below its tangent plane", () =
   close(hand.X_WT.translation[2], -0.4e-3 - 2 * kWheelStep);
   hand.release();
   close(hand.X_WT.translation[2], kHover);
+  hand.press({ point: [0, 0, 0], normal: up });
+  hand.push(-50); // as far as the surface, for the next press is as deep
+  close(hand.X_WT.translation[2], 0);
+  close(hand.depth, 0);
 });
 
 test("the origin of a head whose tip is below it stays above the point", () => {
@@ -96,16 +104,16 @@ test("the least and the greatest of each column are kept", () => {
 });
 
 test("a command is its bytes", () => {
-  assert.deepEqual([...commands.undo()], [3, 2, 0, 0]);
-  assert.deepEqual([...commands.load("clay")], [12, 2, 0, 0, 99, 108, 97, 121]);
+  assert.deepEqual([...commands.undo()], [3, kVersion, 0, 0]);
+  assert.deepEqual([...commands.load("clay")], [12, kVersion, 0, 0, 99, 108, 97, 121]);
   const set = commands.setControl(513, -2.5);
-  assert.deepEqual([...set.subarray(0, 8)], [11, 2, 0, 0, 1, 2, 0, 0]);
+  assert.deepEqual([...set.subarray(0, 8)], [11, kVersion, 0, 0, 1, 2, 0, 0]);
   assert.equal(new DataView(set.buffer).getFloat64(8, true), -2.5);
   assert.equal(commands.moveHand(identity, true).length, 4 + 96 + 1);
 });
 
 test("what is no message in every byte is none", () => {
-  const notice = [8, 2, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 79, 75];
+  const notice = [8, kVersion, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 79, 75];
   assert.deepEqual(decode(Uint8Array.from(notice)), { kind: "notice", severity: 1, text: "OK" });
   assert.equal(decode(Uint8Array.from(notice.slice(0, -1))), null);
   assert.equal(decode(Uint8Array.from([...notice, 0])), null);
@@ -113,9 +121,126 @@ test("what is no message in every byte is none", () => {
   assert.equal(decode(new Uint8Array()), null);
 });
 
-test("a state of the guard has a cure in words", () => {
-  assert.match(guardState(2).text, /lift it off/);
-  assert.match(guardState(5).text, /Reset/);
-  assert.deepEqual(statusTexts(0), []);
-  assert.match(statusTexts(1 << 13)[0], /press less/);
+test("what the guard and a step report is told in the sentences that the program has sent", () => {
+  const text = (words: string) => [words.length, 0, ...new TextEncoder().encode(words)];
+  const sentence = (value: number, name: string, words: string) => [value, 0, 0, 0, ...text(name), ...text(words)];
+  const count = (n: number) => [n, 0, 0, 0];
+  const hello = decode(Uint8Array.from([
+    1, kVersion, 0, 0, ...count(1), ...Array(8 + 96).fill(0), ...count(0),
+    ...count(3), ...sentence(2, "wait_free", "Lift it off."), ...sentence(4, "on", "It is on."), ...sentence(5, "fault", "Reset."),
+    ...count(2), ...sentence(8, "jump", "Bring it back."), ...sentence(16, "low", "Restart."),
+  ]));
+  assert.ok(hello?.kind === "hello");
+  assert.deepEqual(told(hello, { arming: 2, status: 8 }), { name: "wait free", tone: "waits", text: "Lift it off. Bring it back." });
+  assert.deepEqual(told(hello, { arming: 4, status: 0 }), { name: "on", tone: "calm", text: "It is on." });
+  assert.deepEqual(told(hello, { arming: 4, status: 24 }), { name: "on", tone: "calm", text: "Bring it back. Restart." });
+  assert.equal(told(hello, { arming: 5, status: 0 }).tone, "fault");
+});
+
+class Line { // in the place of a WebSocket
+  static all: Line[] = [];
+  static readonly OPEN = 1;
+  readyState = 1;
+  closed = false;
+  onopen = () => {};
+  onclose = (_event: { code: number }) => {};
+  onmessage = (_event: { data: ArrayBuffer }) => {};
+  constructor() { Line.all.push(this); }
+  close() { this.closed = true; }
+}
+Object.assign(globalThis, { WebSocket: Line, location: { host: "here" } });
+const line = () => {
+  const said: string[] = [];
+  connect("", () => said.push("heard"), (text) => said.push(text));
+  return { said, now: () => Line.all.at(-1)! };
+};
+const noticeOf = (version: number) => Uint8Array.from([8, version, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 79, 75]);
+
+test("who is older, page or program, is told with the cure, and nothing more is heard", () => {
+  for (const [version, sentence] of [[kVersion + 1, /page is older .* reload the page/], [kVersion - 1, /page is newer .* end hapticut view/]] as const) {
+    const { said, now } = line();
+    now().onopen();
+    now().onmessage({ data: noticeOf(version).buffer });
+    now().onmessage({ data: noticeOf(version).buffer });
+    now().onclose({ code: 1000 });
+    assert.equal(said.length, 1);
+    assert.match(said[0], sentence);
+    assert.ok(now().closed);
+  }
+  assert.equal(otherVersion(noticeOf(kVersion)), null);
+});
+
+test("a line that was lost is taken up again, unless the program is gone", () => {
+  const { said, now } = line(), first = now();
+  first.onopen();
+  first.onmessage({ data: noticeOf(kVersion).buffer });
+  first.onclose({ code: 1006 });
+  assert.notEqual(now(), first);
+  assert.deepEqual(said, ["heard"]);
+  now().onclose({ code: 1006 });
+  assert.match(said[1], /program has ended/);
+});
+
+test("a recording of another version says who is older, and a damaged one that it is damaged", () => {
+  const recordingOf = (message: Uint8Array) =>
+    Uint8Array.from([72, 67, 82, 80, 1, 0, 0, 0, ...Array(8).fill(0), message.length, 0, 0, 0, ...message]);
+  assert.equal(readRecording(recordingOf(noticeOf(kVersion))).length, 1);
+  assert.throws(() => readRecording(recordingOf(noticeOf(kVersion + 1))), /page is older .* export it again/);
+  assert.throws(() => readRecording(recordingOf(noticeOf(kVersion - 1))), /page is newer .* export it again/);
+  assert.throws(() => readRecording(recordingOf(noticeOf(kVersion).slice(0, -1))), /damaged/);
+});
+
+const ball: Ground = { // of 10 mm
+  hit: (ray) => {
+    const at = ray.intersectSphere(new three.Sphere(new three.Vector3(), 10), new three.Vector3());
+    return at && { point: at.divideScalar(1e3).toArray() };
+  },
+  clearance: (point) => Math.abs(point.length() - 10),
+  isInside: (point) => point.length() < 10,
+};
+const eyeBefore = (fov = 32) => {
+  const eye = new Eye(ball);
+  eye.camera.fov = fov;
+  eye.update(1.5);
+  return eye;
+};
+
+test("zoom keeps what is under the pointer where it is, and stays outside", () => {
+  for (const [x, y] of [[0, 0], [0.2, -0.1], [-0.28, 0.3], [0.9, 0.9]]) {
+    const eye = eyeBefore(), before = ball.hit(eye.ray(x, y));
+    for (let n = 0; n < 60; ++n) {
+      eye.zoom(1 / 1.12, x, y);
+      eye.update(1.5);
+      assert.ok(eye.camera.position.length() >= 10 + eye.camera.near, `${n}: ${eye.camera.position.length()}`);
+      if (!before) continue;
+      const seen = new three.Vector3(...before.point).multiplyScalar(1e3).project(eye.camera);
+      assert.ok(Math.hypot(seen.x - x, seen.y - y) < 1e-6);
+    }
+    if (before) assert.ok(eye.camera.position.length() < 11, `${eye.camera.position.length()}`);
+    for (let n = 0; n < 120; ++n) eye.zoom(1.12, x, y);
+    assert.ok(eye.distance > 1000 && eye.distance <= 1500);
+  }
+});
+
+test("an eye that turns, moves or takes a view near the surface goes back as far as it must", () => {
+  for (const act of [(eye: Eye) => eye.orbit(1.5, 0), (eye: Eye) => eye.pan(0.8, 2), (eye: Eye) => eye.look("bottom")]) {
+    const eye = eyeBefore();
+    for (let n = 0; n < 60; ++n) eye.zoom(1 / 1.12, 0.25, 0.3);
+    act(eye);
+    eye.update(1.5);
+    assert.ok(eye.camera.position.length() >= 10 + eye.camera.near, `${eye.camera.position.length()}`);
+  }
+});
+
+test("a whole workpiece is in the picture, also where it is narrow", () => {
+  for (const aspect of [2, 0.5]) {
+    const eye = new Eye(ball), side = new three.Vector3();
+    eye.update(aspect);
+    eye.frame(new three.Box3(new three.Vector3(-5, -5, -5), new three.Vector3(5, 5, 5)));
+    eye.update(aspect);
+    for (const one of [eye.right, eye.up]) {
+      side.copy(one).multiplyScalar(5).project(eye.camera);
+      assert.ok(Math.abs(side.x) < 1 && Math.abs(side.y) < 1, `${aspect}: ${side.x}, ${side.y}`);
+    }
+  }
 });
