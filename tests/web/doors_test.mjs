@@ -70,6 +70,23 @@ test("a scene that is not there, and a port in use, are one sentence each", asyn
   assert.match(other.stderr, /port .* Choose another port/);
 });
 
+test("the program ends well when its page has gone, after a load as a page's first word, and while it loads", async () => {
+  const own = await startProgram("clay");
+  try {
+    const first = await open(own.url);
+    await isReady(first);
+    await first.context().close();
+    const second = await open(own.url);
+    await isReady(second);
+    await second.evaluate(() => hapticut.load("clay"));
+    await until(second, () => /clay is ready/.test(document.getElementById("notice").textContent));
+    await second.evaluate(() => hapticut.load("molar"));
+    await until(second, () => /Loading molar/.test(document.getElementById("notice").textContent));
+  } finally {
+    await own.stop();
+  }
+});
+
 test("a program that is killed leaves a recording that opens, and a page that says so", async () => {
   const page = await open(program.url);
   await isReady(page);

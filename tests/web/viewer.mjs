@@ -38,10 +38,14 @@ export async function startProgram(scene, ...more) {
       resolve({ code, signal });
     });
   });
-  const stop = (signal = "SIGINT") => {
+  /** Ends it, which it must do well unless it is killed. */
+  const stop = async (signal = "SIGINT") => {
+    if (stopped) return ended;
     stopped = true;
     child.kill(signal);
-    return ended;
+    const how = await ended;
+    if (signal !== "SIGKILL" && how.code !== 0) throw new Error(`the program ended with ${how.code ?? how.signal}: ${failed}`);
+    return how;
   };
   return { child, url, folder, ended, stop };
 }

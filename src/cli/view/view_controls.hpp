@@ -31,7 +31,6 @@ class ViewControls {
   void take_back() { controls_ = before_; }
 
   void show_recording(bool on) { at(kRecord) = on ? 1 : 0; }
-  void set_spindle(double speed);
 
   /// Puts the controls of spindle, removal and effects as the model has them, whatever was asked.
   void show(const ModelSettings& has);
@@ -94,6 +93,7 @@ class ViewControls {
   void show(const MaterialTable& materials);
   [[nodiscard]] double& at(std::uint16_t id);
   [[nodiscard]] double at(std::uint16_t id) const;
+  void set_spindle(double speed);
   [[nodiscard]] static Change change_of(std::uint16_t id);
   [[nodiscard]] ToolHead head() const;
 

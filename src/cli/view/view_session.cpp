@@ -55,6 +55,12 @@ std::string free_name() {
 
 }  // namespace
 
+std::string as_sentence(const std::exception& error) {
+  std::string text = error.what();
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
+  return text;
+}
+
 view::Scene shown_scene(const Workpiece& workpiece) {
   view::Scene shown{workpiece.frame(), {}};
   const MaterialTable& materials = workpiece.materials();
@@ -118,6 +124,8 @@ void ViewSession::build_loop() {
   if (device_ == nullptr) forgive(loop.run.guard);
   loop.region = model_->region();
   loop_ = std::make_unique<RealtimeLoop>(device(), *watched_, loop);
+  sent_ = 0;
+  owes_controls_ = true;
 }
 
 void ViewSession::start() {
@@ -139,7 +147,7 @@ void ViewSession::pause() {
       failure =
           "The device has stopped: " + describe(fault) + ". Check its cable and power, and move the tool to go on.";
   } catch (const Error& error) {
-    failure = error.what();
+    failure = as_sentence(error);
   }
   take_blocks();
   // Each command of a page tries again: that is said once.
@@ -152,10 +160,10 @@ void ViewSession::hold() {
   try {
     end_recording();
   } catch (const Error& error) {
-    server_.send_notice(view::Severity::failed, error.what());
+    server_.send_notice(view::Severity::failed, as_sentence(error));
   }
   controls_.show_recording(false);
-  server_.send(controls_.all());
+  owes_controls_ = true;
 }
 
 void ViewSession::obey(const view::ViewCommand& command) {
@@ -163,23 +171,20 @@ void ViewSession::obey(const view::ViewCommand& command) {
     if (!std::holds_alternative<view::WriterLeft>(command)) start();
     std::visit([this](const auto& one) { handle(one); }, command);
   } catch (const Error& error) {
-    server_.send_notice(view::Severity::failed, error.what());
+    server_.send_notice(view::Severity::failed, as_sentence(error));
   }
 }
 
 void ViewSession::send(LoopCommand&& command) {
-  if (!loop_->send(std::move(command)))
+  owes_controls_ = true;
+  if (loop_->send(std::move(command)))
+    ++sent_;
+  else
     server_.send_notice(view::Severity::warns, "The loop has too much to do: try it again.");
 }
 
-void ViewSession::handle(const commands::SetSpindleSpeed& command) {
-  send(command);
-  controls_.set_spindle(command.speed);
-  server_.send(controls_.all());
-}
-
 void ViewSession::handle(const view::MoveHand& command) {
-  if (device_ != nullptr) return;  // that hand leads
+  if (device_ != nullptr || !is_looked_at_) return;  // that hand leads; or this is of the scene before
   if (command.pressed && !pressed_) begin_cut();
   pressed_ = command.pressed;
   pointer_.move_to(command.X_WH * tool_.X_HT());
@@ -201,9 +206,9 @@ void ViewSession::handle(const view::SetControl& command) {
     change(what);
   } catch (const Error& error) {
     controls_.take_back();
-    server_.send_notice(view::Severity::failed, error.what());
+    server_.send_notice(view::Severity::failed, as_sentence(error));
   }
-  server_.send(controls_.all());
+  owes_controls_ = true;
 }
 
 void ViewSession::change(Change what) {
@@ -291,10 +296,20 @@ void ViewSession::send_pages() {
   while (Clock::now() < end && stream_.next_page(page)) server_.send(page);
 }
 
+/// As the model has them, once it has answered all that it was sent.
+void ViewSession::send_controls() {
+  const ModelSettings& has = watched_->settings();
+  if (!owes_controls_ || has.answered != sent_) return;
+  owes_controls_ = false;
+  controls_.show(has);
+  server_.send(controls_.all());
+}
+
 void ViewSession::frame(double seconds) {
   if (!paused_ && !loop_->is_running()) pause();
   take_blocks();
   send_pages();
+  send_controls();
   const LoopSnapshot& snapshot = loop_->latest();
   begins_ = begins_ && snapshot.tick == tick_before_;  // until the first tick it is of the run before
   if (paused_ || begins_) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <exception>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@
 #include "hapticut/view/view_server.hpp"
 
 namespace hapticut::cli {
+
+/// What a page is told of an error, which begins with a small letter behind the name of the program.
+[[nodiscard]] std::string as_sentence(const std::exception& error);
 
 /// What pages must know of a scene before anything else.
 [[nodiscard]] view::Scene shown_scene(const Workpiece& workpiece);
@@ -50,6 +54,8 @@ class ViewSession {
   /// Whether the scene is wanted anew; once.
   [[nodiscard]] bool take_restart() { return std::exchange(wants_restart_, false); }
   [[nodiscard]] const std::string& name() const { return scene_.name; }
+  /// Whether the model has obeyed all that was asked of it, and pages were told.
+  [[nodiscard]] bool is_settled() const { return !owes_controls_; }
   [[nodiscard]] Device& device() { return device_ != nullptr ? *device_ : pointer_; }
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }  ///< @pre no run is under way
 
@@ -65,11 +71,12 @@ class ViewSession {
   void send(LoopCommand&& command);
   void take_blocks();
   void send_pages();
+  void send_controls();
   void send_sound(const LoopSnapshot& snapshot, double seconds);
   void tell_guard();
   [[nodiscard]] view::Instruments instruments(const LoopSnapshot& snapshot, double seconds);
 
-  void handle(const commands::SetSpindleSpeed& command);
+  void handle(const commands::SetSpindleSpeed& command) { send(command); }
   void handle(const commands::SetUndoMark& command) { send(command); }
   void handle(const commands::Undo& command) { send(command); }
   void handle(const commands::Redo& command) { send(command); }
@@ -78,7 +85,10 @@ class ViewSession {
   void handle(const commands::SetForceMask& command) { send(command); }
   void handle(const view::MoveHand& command);
   void handle(const view::Stop&) { device().emergency_stop(); }
-  void handle(const view::LookAt& command) { stream_.look_at(command.p_WQ); }
+  void handle(const view::LookAt& command) {
+    stream_.look_at(command.p_WQ);
+    is_looked_at_ = true;
+  }
   void handle(const view::SetControl& command);
   void handle(const view::Load&) {}  // of whoever makes sessions
   void handle(const view::WriterLeft&) { pause(); }
@@ -102,8 +112,10 @@ class ViewSession {
   std::vector<float> samples_;
   double owed_samples_ = 0, dissipated_ = 0, power_ = 0;
   double removed_at_mark_ = -1;
+  std::uint64_t sent_ = 0;         // commands to this loop
   std::uint64_t tick_before_ = 0;  // the last of the run before
-  bool pressed_ = false, touched_ = false, wants_restart_ = false, paused_ = true, begins_ = false;
+  bool pressed_ = false, touched_ = false, wants_restart_ = false, paused_ = true, begins_ = false,
+       owes_controls_ = false, is_looked_at_ = false;
 };
 
 }  // namespace hapticut::cli

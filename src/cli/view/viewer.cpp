@@ -81,7 +81,7 @@ void Viewer::finish_loading() {
     replace(loading_.get());
     server_.send_notice(view::Severity::tells, loaded_ + " is ready.");
   } catch (const std::exception& error) {
-    server_.send_notice(view::Severity::failed, error.what());
+    server_.send_notice(view::Severity::failed, as_sentence(error));
     if (is_led_) session_->start();
   }
 }

