@@ -70,7 +70,11 @@ Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& 
   changed_ = {};
   contact_ = {true, {}, {}};  // for all that is known
   Wrench wrench;
-  if (state.valid) X_BS_ = state.X_BS;
+  if (state.valid) {
+    X_BS_ = state.X_BS;
+    // Poses before and after a calibration do not compare.
+    if (std::exchange(epoch_, state.epoch) != state.epoch && coupling_) coupling_->release();
+  }
   if (travel_ != Travel::none) {
     travel(state);
   } else if (!state.valid || !map_.engaged()) {

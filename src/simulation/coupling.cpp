@@ -8,13 +8,13 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/reserve.hpp"
+#include "simulation/hand_motion.hpp"
 
 namespace hapticut {
 namespace {
 
 constexpr double kSolved = 1e-4;  // [voxels] a correction that moves no point of the head farther ends the iteration
 constexpr double kLeastDescent = 1e-4, kLeastShare = 1.0 / 64;   // [1] of a correction: what it must gain, and of it
-constexpr double kNear = 2e-3;                                   // [m] how far a hand may be from where it was refused
 constexpr double kLargestTurn = 0.9 * std::numbers::pi;          // [rad] of a hand against its tool
 constexpr double kLeastDampingRatio = 0.5, kDampingRatio = 0.7;  // [1] below which a tool rings, and what is chosen
 constexpr double kLightest = 1e-3;                               // [kg] of a tool that a hand could hold
@@ -62,7 +62,10 @@ CouplingGains coupling_gains(const DeviceCapabilities& device, std::optional<dou
 }
 
 VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& gains)
-    : simulation_(&simulation), gains_(gains), lists_(simulation.worst_case(), simulation.config()) {
+    : simulation_(&simulation),
+      gains_(gains),
+      waits_(simulation.steps() > 0),
+      lists_(simulation.worst_case(), simulation.config()) {
   validate(gains);
   if (simulation.config().contact_time != ContactTime::end)
     throw Error(
@@ -111,7 +114,7 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
   const StepStatus refused = check_input(simulation_->config(), pose, velocity, dt);
   if (refused != StepStatus::ok) return wait(refused);
   part_after_exchange();
-  if (held_ && !waits_ && is_jump(pose)) return wait(StepStatus::jump_rejected);
+  if (held_ && !waits_ && is_jump(pose, dt)) return wait(StepStatus::jump_rejected);
   if (held_ && !waits_ && is_turned_away(pose)) rejoin_ = Rejoin::free, waits_ = true;
   if (waits_ && !may_go_on_from_here(pose)) {
     if (simulation_->touches(pose) || simulation_->touches(advance(pose, velocity, -dt))) {
@@ -347,23 +350,19 @@ void VirtualCoupling::part_after_exchange() noexcept {
   rejoin_ = Rejoin::free;
 }
 
-/// Whether no motion of a hand leads to a pose from the last one. The tool has the orientation of the hand, but follows
-/// its position on a spring, which parts take.
-bool VirtualCoupling::is_jump(const Pose& pose) const noexcept {
-  const Vec3 shift = pose.translation - X_WD_.translation;
-  return simulation_->is_jump(X_WD_, {X_WD_.rotation, X_WD_.translation + shift / kMostParts}) ||
-         simulation_->is_jump({X_WD_.rotation, pose.translation}, pose);
+/// Whether no motion of a hand leads to a pose from the last one.
+bool VirtualCoupling::is_jump(const Pose& pose, double dt) const noexcept {
+  return !is_way_of_a_hand(X_WD_, pose, dt) || !is_turn_of_a_hand(X_WD_, pose, dt);
 }
 
 /// Whether the hand has turned so far from the tool that with a little more the torque would have the other sign.
 bool VirtualCoupling::is_turned_away(const Pose& pose) const noexcept {
-  return turns() && vector_from_rotation(pose.rotation * result_.X_WH.rotation.transpose()).norm() > kLargestTurn;
+  return turns() && turn_between(result_.X_WH, pose) > kLargestTurn;
 }
 
 /// Whether the hand is about where it was when the tool was left.
 bool VirtualCoupling::is_near(const Pose& pose) const noexcept {
-  const double turn = vector_from_rotation(pose.rotation * X_WD_.rotation.transpose()).norm();
-  return (pose.translation - X_WD_.translation).norm() + turn * reach() <= kNear;
+  return (pose.translation - X_WD_.translation).norm() + turn_between(X_WD_, pose) * reach() <= kNear;
 }
 
 /// Whether a tool that waits may be pulled after its hand from where it is.

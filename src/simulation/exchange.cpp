@@ -120,6 +120,7 @@ void Simulation::exchange(Simulation& prepared) noexcept {
   s.config.removal = old.config.removal;
   s.set_material_friction();
   s.exchanges = old.exchanges;
+  s.parted = old.parted || old.has_pose;
   s.observers = std::exchange(prepared.state_->observers, {});
   s.start_afresh();
 }

@@ -62,6 +62,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   }
   [[nodiscard]] bool take_up(bool coupled) noexcept;
   [[nodiscard]] bool is_put_elsewhere(const Pose& pose, const Twist& velocity, double dt) const noexcept;
+  [[nodiscard]] bool is_jump(const Pose& pose) const noexcept;
   [[nodiscard]] bool follow_jump() noexcept;
   void place_at(const Pose& pose) noexcept;
   [[nodiscard]] int plan_sweep(const Pose& from, const Pose& pose) const noexcept;
@@ -126,6 +127,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   bool has_pose = false;
   bool parted = false;            // from its hand, by an exchange
   Pose X_WH;                      // at the end of the last accepted step
+  bool after_refusal = false;     // the last step's input was refused
   std::optional<Pose> jumped_to;  // what the last step was given, when that was a jump
   SpindleMotor motor;
   SpindleLoad load;

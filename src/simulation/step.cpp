@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "simulation/hand_motion.hpp"
 #include "simulation/simulation_state.hpp"
 
 namespace hapticut {
@@ -11,7 +12,6 @@ namespace {
 
 constexpr double kRotationTolerance = 1e-3;  // [1] what device matrices are off by is below this
 constexpr double kFastestMotion = 1e6;       // [m/s], [rad/s] no estimate of a hand's velocity
-constexpr double kLongestTurn = 1;           // [rad] of a hand in a step
 constexpr double kThickLayer = 0.1;          // [1] of the head's radius
 
 Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
@@ -31,12 +31,16 @@ const StepResult& Simulation::step(const Pose& pose, const Twist& velocity, doub
 
 void Simulation::State::take_step(HandCoupling* coupling) noexcept {
   const auto& [pose, velocity, dt] = input;
-  if (const StepStatus refused = check_step_input(); refused != StepStatus::ok) return reject(refused);
+  if (const StepStatus refused = check_step_input(); refused != StepStatus::ok) {
+    after_refusal = true;
+    return reject(refused);
+  }
   if (!has_pose && !take_up(coupling != nullptr)) return reject(StepStatus::tool_waits);
   if (after_letting_go && coupling != nullptr && is_put_elsewhere(pose, velocity, dt))
     place_at(advance(pose, velocity, -dt));
-  if (plan_sweep(X_WH, pose) > config.longest_sweep && !follow_jump()) return;
+  if (is_jump(pose) && !follow_jump()) return;
   jumped_to.reset();
+  after_refusal = false;
 
   const int sub_steps = plan_sweep(X_WH, pose);
   const Twist path = twist_between(X_WH, pose, dt);
@@ -54,10 +58,6 @@ void Simulation::State::take_step(HandCoupling* coupling) noexcept {
   }
   give_output(coupling);
   finish_step(sub_steps);
-}
-
-bool Simulation::is_jump(const Pose& from, const Pose& to) const noexcept {
-  return state_->plan_sweep(from, to) > state_->config.longest_sweep;
 }
 
 void Simulation::State::begin_step(const StepInput& given) noexcept {
@@ -106,17 +106,22 @@ bool Simulation::State::is_put_elsewhere(const Pose& pose, const Twist& velocity
   return plan_sweep(X_WH, advance(pose, velocity, -dt)) > 1;
 }
 
-/// A reading that no motion leads to may be an error of the device: the tool stays where it is, and goes on from there
-/// when the next reading is near it. Two in a row that are near each other are believed: the tool is put where the
-/// first one was; but a head that turns not into material that it has not cut its way into, farther away than its
-/// radius.
+/// Whether no motion leads to a pose from where the tool is: too far for a step, or for what lay between refused ones.
+bool Simulation::State::is_jump(const Pose& pose) const noexcept {
+  const int parts = plan_sweep(X_WH, pose);
+  return parts > config.longest_sweep || !is_turn_of_a_hand(X_WH, pose, input.dt) ||
+         (after_refusal && parts * 0.5 * workpiece.voxel_size() > kNear);
+}
+
+/// A jump may be an error of the device: the tool stays where it is, and goes on from there when the next reading is
+/// near it. Two in a row that are near each other are believed, and the tool is put where the second one is, but never
+/// into material.
 /// @return false when the step is not taken
 bool Simulation::State::follow_jump() noexcept {
   const Pose& pose = input.pose;
-  const Vec3 shift = pose * tool.X_HT().translation - X_WH * tool.X_HT().translation;
-  const bool waits = motor.setting() != 0 && shift.norm() > tool.head().cutting_radius() && touches(pose);
+  const bool waits = touches(pose);
   if (!waits && jumped_to && plan_sweep(*jumped_to, pose) <= config.longest_sweep) {
-    place_at(*jumped_to);
+    place_at(pose);
     return true;
   }
   jumped_to = pose;
@@ -132,13 +137,11 @@ void Simulation::State::place_at(const Pose& pose) noexcept {
   X_WH = pose;
 }
 
-/// Number of equal parts in which no point of the head moves farther than half a voxel; more than the longest sweep
-/// for a jump.
+/// Number of equal parts in which no point of the head moves farther than half a voxel.
 int Simulation::State::plan_sweep(const Pose& from, const Pose& pose) const noexcept {
   const StageTimer timer = timed(&StageTimes::plan_sweep);
   const Vec3 head_shift = pose * tool.X_HT().translation - from * tool.X_HT().translation;
-  const double turn = vector_from_rotation(pose.rotation * from.rotation.transpose()).norm();
-  if (turn > kLongestTurn) return config.longest_sweep + 1;
+  const double turn = turn_between(from, pose);
   const double farthest = head_shift.norm() + turn * tool.head().reach();
   const double parts = std::ceil(farthest / (0.5 * workpiece.voxel_size()) - 1e-9);
   return int(std::clamp(parts, 1.0, config.longest_sweep + 1.0));

@@ -147,9 +147,10 @@ class SimulationModel final : public LoopModel {
   bool spindle_needs_force_;
   std::size_t undo_blocks_per_tick_;
 
-  double spindle_speed_;  // [rad/s] while there is a force
-  Pose X_BS_;             // of the last valid reading
-  Pose X_WH_;             // of the tool's handle
+  double spindle_speed_;     // [rad/s] while there is a force
+  Pose X_BS_;                // of the last valid reading
+  std::uint32_t epoch_ = 0;  // of it
+  Pose X_WH_;                // of the tool's handle
   ToolSnapshot tool_;
   Travel travel_ = Travel::none;
   bool unfelt_ = false;    // the next wrench, because the guard hears of its reason at the next reading only

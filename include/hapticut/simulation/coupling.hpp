@@ -132,7 +132,8 @@ class VirtualCoupling {
 
   /// The hand has moved: moves the tool after it, through the material.
   ///
-  /// In the first tick the tool is put where the hand is, after `release` when that is in no material. After `leave` it
+  /// In the first tick the tool is put where the hand is; after `release`, and where the simulation has made steps
+  /// before, when that is in no material. After `leave` it
   /// waits for the hand, and likewise (Rejoin::free) after an exchange of the simulation's workpiece, tool or
   /// materials: `undo`, `redo`, `restore`, `reset`, `set_tool` ...; and when the hand has turned by nearly half a turn
   /// against a tool that could not follow.
@@ -226,7 +227,7 @@ class VirtualCoupling {
             double dt) noexcept;
   void begin_grip(const Pose& pose, const Twist& velocity, double dt) noexcept;
   void part_after_exchange() noexcept;
-  [[nodiscard]] bool is_jump(const Pose& pose) const noexcept;
+  [[nodiscard]] bool is_jump(const Pose& pose, double dt) const noexcept;
   [[nodiscard]] bool is_turned_away(const Pose& pose) const noexcept;
   [[nodiscard]] bool is_near(const Pose& pose) const noexcept;
   [[nodiscard]] bool may_go_on_from_here(const Pose& pose) const noexcept;

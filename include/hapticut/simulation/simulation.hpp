@@ -73,13 +73,10 @@ class Simulation {
   /// @realtime no allocation, no lock; evaluates the contact once
   [[nodiscard]] bool touches(const Pose& pose) const noexcept;
 
-  /// Whether a step between two poses of the handle would be a jump: StepStatus::jump_rejected.
-  /// @realtime no allocation, no lock; O(1)
-  [[nodiscard]] bool is_jump(const Pose& from, const Pose& to) const noexcept;
-
   /// Whether the next step will be the first of the tool: before the first one, and after `restore`, `undo`, `redo`,
-  /// `set_tool`, `set_materials`, `exchange` and `reset`. But for the first and for `reset`, the material that the tool
-  /// is in now is neither felt nor cut: steps are refused with StepStatus::tool_waits until the head touches nothing.
+  /// `set_tool`, `set_materials`, `exchange` and `reset`. But for the first and, without a coupling that holds it, for
+  /// `reset`, the material that the tool is in now is neither felt nor cut: steps are refused with
+  /// StepStatus::tool_waits until the head touches nothing.
   [[nodiscard]] bool starts_afresh() const noexcept;
 
   [[nodiscard]] const Workpiece& workpiece() const;

@@ -146,7 +146,6 @@ class WrittenReplay : public testing::Test {
     page("index.html", "<link rel=\"stylesheet\" href=\"page.css\">\n<script src=\"page.js\"></script>");
     page("page.css", "body{}");
     page("page.js", "const end = '</script>';");
-    page("speaker.js", "speak();");
   }
   void page(const char* name, const std::string& text) { test::write_bytes(folder / name, text); }
   [[nodiscard]] Recording recording() const { return read_recording(folder / "a.h5"); }
@@ -180,7 +179,7 @@ TEST_F(WrittenReplay, IsAFolderForAServer) {
   const std::vector<std::uint8_t> stream = cli::replay_stream(recording());
   EXPECT_EQ(test::read_bytes(folder / "out/recording.bin"), std::string(stream.begin(), stream.end()));
   EXPECT_NE(test::read_bytes(folder / "out/index.html").find("data-from=\"recording.bin\""), std::string::npos);
-  for (const char* name : {"page.css", "page.js", "speaker.js"})
+  for (const char* name : {"page.css", "page.js"})
     EXPECT_EQ(test::read_bytes(folder / "out" / name), test::read_bytes(folder / name));
 }
 

@@ -48,6 +48,11 @@ const std::vector<Exchange>& exchanges() {
          harder.relative_stiffness *= 4;
          s.set_materials(MaterialTable({harder}));
        }},
+      {"another simulation",
+       [](Simulation& s, const auto&) {
+         Simulation prepared(half_space(), ball(kSlow), s.config());
+         s.exchange(prepared);
+       }},
       {"reset", [](Simulation& s, const auto&) { s.reset(half_space()); }},
   };
   return all;
@@ -172,6 +177,41 @@ TEST(PartedTool, CutsNothingOnItsWayToAHandThatIsElsewhere) {
   }
 }
 
+TEST(PartedTool, OneReadingBehindAPlateDoesNotPullItThrough) {
+  for (const double spin : {0.0, 4000.0})
+    for (const bool rubbish_first : {false, true}) {
+      Simulation simulation(half_space(3e-3, presets::trabecular_bone()), ball(spin), implicit(0));
+      VirtualCoupling coupling(simulation, coupling_gains(capabilities(device_model("touch"))));
+      for (int n = 0; n <= 600; ++n) coupling.step(at_height(kRadius + 0.1e-3 - 1e-6 * n), {}, kTick);
+      const Pose hand = at_height(kRadius - 0.5e-3);
+      const double removed = simulation.removed_volume_by_material()[1];
+      if (rubbish_first) coupling.step(Pose::from_translation(Vec3::Constant(NAN)), {}, kTick);
+      coupling.step(at_height(-3e-3 - kRadius - 1e-3), {}, kTick);
+      for (int n = 0; n < 300; ++n) coupling.step(hand, {}, kTick);
+      EXPECT_LT(simulation.removed_volume_by_material()[1] - removed, 0.3e-9);
+      EXPECT_GT(coupling.last_result().X_WH.translation.z(), rubbish_first ? -5.1e-3 : 0.0);
+      for (int n = 0; n < 10; ++n) coupling.step(at_height(10e-3), {}, kTick);
+      EXPECT_LT(coupling.last_result().hand.force.norm(), 1e-6) << "in the air it has its tool again";
+      EXPECT_NEAR(coupling.last_result().X_WH.translation.z(), 10e-3, 0.1e-3);
+    }
+}
+
+TEST(PartedTool, FollowsAFastHandAtEveryRateAndVoxel) {
+  for (const double voxel : {0.05e-3, 0.2e-3})
+    for (const double period : {4e-3, 1e-3, 0.25e-3}) {
+      Simulation simulation(half_space(1e-3, plain_material(), voxel), ball(), implicit(1e14));
+      VirtualCoupling coupling(simulation, {});
+      int refused = 0;
+      for (int n = 0; n < 200; ++n) {
+        const double time = n * period, x = 0.2 * std::sin(10 * time);
+        const Pose pose{rotation_from_vector({0, 0, 30 * time}), Vec3(x, 0, 20e-3)};
+        const Twist velocity{Vec3(2 * std::cos(10 * time), 0, 0), Vec3(0, 0, 30)};
+        refused += has_any(coupling.step(pose, velocity, period).status, kRejected) ? 1 : 0;
+      }
+      EXPECT_EQ(refused, 0) << voxel << ", " << period;
+    }
+}
+
 TEST(PartedTool, ANewCouplingDoesNotTakeItThroughWhatItHasNotCut) {
   Simulation simulation = cutting_simulation(ContactTime::end);
   for (int n = 0; n <= 400; ++n) simulation.step(at_height(kRadius + 0.2e-3 - 3e-6 * n), {}, kTick);
@@ -250,6 +290,27 @@ TEST(PartedTool, WaitsForAReadingThatFlipsAsForOneThatIsNoNumber) {
           EXPECT_EQ(coupled(flipped), coupled(rubbish)) << "behind the coupling";
         }
       }
+}
+
+TEST(PartedTool, IsNotPutIntoMaterialByTwoReadingsThatAgree) {
+  for (const double spin : {0.0, kSlow})
+    for (const double turn : {0.9, 1.5, std::numbers::pi}) {
+      SimulationConfig config;
+      config.reference_stiffness = 1e14;
+      Simulation simulation(half_space(), Tool(FlatHead{0.5 * mm, 4 * mm}, RayHandle{0}, Spindle{spin}), config);
+      for (int n = 0; n < 100; ++n) simulation.step(at_height(0.05e-3 - 1e-6 * n), {}, kTick);
+      Pose flipped = at_height(-0.05e-3);
+      flipped.rotation = rotation_from_vector({turn, 0, 0});
+      const double entered = simulation.last_result().energy.entered;
+      for (int n = 0; n < 5; ++n) {
+        const StepResult& result = simulation.step(flipped, {}, kTick);
+        EXPECT_EQ(result.removed_volume, 0) << turn;
+        EXPECT_EQ(result.force, Vec3::Zero()) << turn;
+      }
+      EXPECT_EQ(simulation.last_result().energy.entered, entered);
+      simulation.step(at_height(-0.05e-3), {}, kTick);
+      EXPECT_FALSE(has_any(simulation.last_result().status, kRejected)) << "back it goes on";
+    }
 }
 
 TEST(PartedTool, HoldsItsPlaceUnderReadingsThatFlip) {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "hapticut/core/spatial.hpp"
+
+/// @file
+/// What a hand with a stylus can do: what is more is an error of the device, or another place.
+namespace hapticut {
+
+inline constexpr double kNear = 2e-3;           // [m] from where it was left, or refused
+inline constexpr double kFastestHand = 3;       // [m/s]
+inline constexpr double kLargestSlip = 0.1;     // [rad] that a reading may be off by
+inline constexpr double kFastestHandTurn = 40;  // [rad/s]
+
+/// [rad]
+inline double turn_between(const Pose& from, const Pose& to) {
+  return vector_from_rotation(to.rotation * from.rotation.transpose()).norm();
+}
+
+inline bool is_turn_of_a_hand(const Pose& from, const Pose& to, double dt) {
+  return turn_between(from, to) <= std::max(kLargestSlip, kFastestHandTurn * dt);
+}
+
+inline bool is_way_of_a_hand(const Pose& from, const Pose& to, double dt) {
+  return (to.translation - from.translation).norm() <= std::max(kNear, kFastestHand * dt);
+}
+
+}  // namespace hapticut
