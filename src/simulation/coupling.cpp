@@ -72,6 +72,11 @@ VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& ga
         "the simulation evaluates contact in the middle of a step, where an implicit coupling would swing. Make it "
         "with "
         "SimulationConfig::contact_time = ContactTime::end.");
+  const bool is_somewhere =
+      !simulation.starts_afresh() && !has_any(simulation.last_result().status, kRejected | StepStatus::tool_waits);
+  if (!is_somewhere) return;
+  held_ = true;
+  result_.X_WH = X_WD_ = simulation.last_input().pose;
 }
 
 VirtualCoupling::Lists::Lists(const WorstCase& worst_case, const SimulationConfig& config) {

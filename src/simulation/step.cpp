@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kRotationTolerance = 1e-3;  // [1] what device matrices are off by is below this
 constexpr double kFastestMotion = 1e6;       // [m/s], [rad/s] no estimate of a hand's velocity
+constexpr double kLongestTurn = 1;           // [rad] of a step; a script may turn faster than a hand
 constexpr double kThickLayer = 0.1;          // [1] of the head's radius
 
 Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
@@ -109,17 +110,24 @@ bool Simulation::State::is_put_elsewhere(const Pose& pose, const Twist& velocity
 /// Whether no motion leads to a pose from where the tool is: too far for a step, or for what lay between refused ones.
 bool Simulation::State::is_jump(const Pose& pose) const noexcept {
   const int parts = plan_sweep(X_WH, pose);
-  return parts > config.longest_sweep || !is_turn_of_a_hand(X_WH, pose, input.dt) ||
+  return parts > config.longest_sweep || turn_between(X_WH, pose) > kLongestTurn ||
          (after_refusal && parts * 0.5 * workpiece.voxel_size() > kNear);
 }
 
+/// Whether a jump would put a head that turns into material that it has not cut its way into.
+bool Simulation::State::jumps_into_material(const Pose& pose) noexcept {
+  if (motor.setting() == 0 && motor.speed() == 0) return false;
+  const Vec3 shift = pose * tool.X_HT().translation - X_WH * tool.X_HT().translation;
+  const bool is_elsewhere = shift.norm() > tool.head().cutting_radius() || turn_between(X_WH, pose) > kLongestTurn;
+  return is_elsewhere && touches(pose);
+}
+
 /// A jump may be an error of the device: the tool stays where it is, and goes on from there when the next reading is
-/// near it. Two in a row that are near each other are believed, and the tool is put where the second one is, but never
-/// into material.
+/// near it. Two in a row that are near each other are believed, and the tool is put where the second one is.
 /// @return false when the step is not taken
 bool Simulation::State::follow_jump() noexcept {
   const Pose& pose = input.pose;
-  const bool waits = touches(pose);
+  const bool waits = jumps_into_material(pose);
   if (!waits && jumped_to && plan_sweep(*jumped_to, pose) <= config.longest_sweep) {
     place_at(pose);
     return true;

@@ -132,8 +132,8 @@ class VirtualCoupling {
 
   /// The hand has moved: moves the tool after it, through the material.
   ///
-  /// In the first tick the tool is put where the hand is; after `release`, and where the simulation has made steps
-  /// before, when that is in no material. After `leave` it
+  /// In the first tick the tool is put where the hand is, after `release` when that is in no material; where the
+  /// simulation had a tool somewhere before the coupling was made, it waits there for the hand. After `leave` it
   /// waits for the hand, and likewise (Rejoin::free) after an exchange of the simulation's workpiece, tool or
   /// materials: `undo`, `redo`, `restore`, `reset`, `set_tool` ...; and when the hand has turned by nearly half a turn
   /// against a tool that could not follow.

@@ -42,12 +42,12 @@ enum class StepStatus : std::uint32_t {
   /// dt was not within SimulationConfig::shortest_dt ... longest_dt. No force, workpiece untouched.
   /// Cure: pass the seconds since the last call; after a pause call with a fresh pose and the nominal period.
   dt_rejected = 1U << 2,
-  /// The head moved farther than SimulationConfig::longest_sweep half voxels, or turned by more than 0.1 rad and faster
-  /// than 40 rad/s, or was
+  /// The head moved farther than SimulationConfig::longest_sweep half voxels, or turned by more than a radian, or was
   /// more than 2 mm away after refused inputs: a jump, not a motion. No force, workpiece untouched, and the tool stays
   /// where it was. It goes on from there when the next pose is near it. A second pose in a row near this one is
-  /// believed, and the tool put there, but never into material (tool_waits). Cure: bring the hand back smoothly, or
-  /// raise longest_sweep; readings that flip come of the device.
+  /// believed, and the tool put there; but a head that turns not into material farther away than its radius or turned
+  /// by more than a radian (tool_waits). Cure: bring the hand back smoothly, or raise longest_sweep; readings that flip
+  /// come of the device.
   jump_rejected = 1U << 3,
 
   /// A quarter of the reserved blocks or fewer are left. Output unaffected. Cure: Simulation::reserve_blocks soon.

@@ -292,25 +292,24 @@ TEST(PartedTool, WaitsForAReadingThatFlipsAsForOneThatIsNoNumber) {
       }
 }
 
-TEST(PartedTool, IsNotPutIntoMaterialByTwoReadingsThatAgree) {
-  for (const double spin : {0.0, kSlow})
-    for (const double turn : {0.9, 1.5, std::numbers::pi}) {
-      SimulationConfig config;
-      config.reference_stiffness = 1e14;
-      Simulation simulation(half_space(), Tool(FlatHead{0.5 * mm, 4 * mm}, RayHandle{0}, Spindle{spin}), config);
-      for (int n = 0; n < 100; ++n) simulation.step(at_height(0.05e-3 - 1e-6 * n), {}, kTick);
-      Pose flipped = at_height(-0.05e-3);
-      flipped.rotation = rotation_from_vector({turn, 0, 0});
-      const double entered = simulation.last_result().energy.entered;
-      for (int n = 0; n < 5; ++n) {
-        const StepResult& result = simulation.step(flipped, {}, kTick);
-        EXPECT_EQ(result.removed_volume, 0) << turn;
-        EXPECT_EQ(result.force, Vec3::Zero()) << turn;
-      }
-      EXPECT_EQ(simulation.last_result().energy.entered, entered);
-      simulation.step(at_height(-0.05e-3), {}, kTick);
-      EXPECT_FALSE(has_any(simulation.last_result().status, kRejected)) << "back it goes on";
+TEST(PartedTool, IsNotTurnedIntoMaterialByTwoReadingsThatAgree) {
+  for (const double turn : {1.5, std::numbers::pi}) {
+    SimulationConfig config;
+    config.reference_stiffness = 1e14;
+    Simulation simulation(half_space(), Tool(FlatHead{0.5 * mm, 4 * mm}, RayHandle{0}, Spindle{kSlow}), config);
+    for (int n = 0; n < 100; ++n) simulation.step(at_height(0.05e-3 - 1e-6 * n), {}, kTick);
+    Pose flipped = at_height(-0.05e-3);
+    flipped.rotation = rotation_from_vector({turn, 0, 0});
+    const double entered = simulation.last_result().energy.entered;
+    for (int n = 0; n < 5; ++n) {
+      const StepResult& result = simulation.step(flipped, {}, kTick);
+      EXPECT_EQ(result.removed_volume, 0) << turn;
+      EXPECT_EQ(result.force, Vec3::Zero()) << turn;
     }
+    EXPECT_EQ(simulation.last_result().energy.entered, entered);
+    simulation.step(at_height(-0.05e-3), {}, kTick);
+    EXPECT_FALSE(has_any(simulation.last_result().status, kRejected)) << "back it goes on";
+  }
 }
 
 TEST(PartedTool, HoldsItsPlaceUnderReadingsThatFlip) {

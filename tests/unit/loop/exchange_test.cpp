@@ -216,6 +216,8 @@ TEST(ExchangeOfAWorkpiece, BringsTheOthersWorkpieceToolAndCountsAndKeepsWhatIsSe
   EXPECT_EQ(simulation.config().removal, RemovalLaw::none);
   EXPECT_EQ(simulation.config().friction->static_friction, 0.1);
   EXPECT_EQ(other.workpiece().hash(), cut) << "it holds the old one";
+  EXPECT_TRUE(drill(simulation, 0.5e-3).isZero(0)) << "it waits";
+  simulation.step(Pose::from_translation({0, 0, 2e-3}), {}, 1e-3);
   EXPECT_GT(drill(simulation, 0.5e-3).norm(), 0);
 }
 
