@@ -10,7 +10,7 @@
 namespace hapticut {
 
 inline constexpr double kNear = 2e-3;           // [m] from where it was left, or refused
-inline constexpr double kFastestHand = 3;       // [m/s]
+inline constexpr double kFastestHand = 6;       // [m/s] three times what hands do
 inline constexpr double kLargestSlip = 0.1;     // [rad] that a reading may be off by
 inline constexpr double kFastestHandTurn = 40;  // [rad/s]
 
