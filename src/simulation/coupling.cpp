@@ -362,7 +362,7 @@ bool VirtualCoupling::is_jump(const Pose& pose, double dt) const noexcept {
 
 /// Whether the hand has turned so far from the tool that with a little more the torque would have the other sign.
 bool VirtualCoupling::is_turned_away(const Pose& pose) const noexcept {
-  return turns() && turn_between(result_.X_WH, pose) > kLargestTurn;
+  return turns() && turns_beyond(result_.X_WH, pose, kLargestTurn);
 }
 
 /// Whether the hand is about where it was when the tool was left.

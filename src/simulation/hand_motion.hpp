@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "hapticut/core/spatial.hpp"
 
@@ -19,8 +21,13 @@ inline double turn_between(const Pose& from, const Pose& to) {
   return vector_from_rotation(to.rotation * from.rotation.transpose()).norm();
 }
 
+/// Whether a turn is larger than an angle [rad], from its trace: cheaper than the turn, for every step asks.
+inline bool turns_beyond(const Pose& from, const Pose& to, double angle) {
+  return angle < std::numbers::pi && from.rotation.cwiseProduct(to.rotation).sum() < 1 + 2 * std::cos(angle);
+}
+
 inline bool is_turn_of_a_hand(const Pose& from, const Pose& to, double dt) {
-  return turn_between(from, to) <= std::max(kLargestSlip, kFastestHandTurn * dt);
+  return !turns_beyond(from, to, std::max(kLargestSlip, kFastestHandTurn * dt));
 }
 
 inline bool is_way_of_a_hand(const Pose& from, const Pose& to, double dt) {

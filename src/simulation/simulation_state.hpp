@@ -62,7 +62,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   }
   [[nodiscard]] bool take_up(bool coupled) noexcept;
   [[nodiscard]] bool is_put_elsewhere(const Pose& pose, const Twist& velocity, double dt) const noexcept;
-  [[nodiscard]] bool is_jump(const Pose& pose) const noexcept;
+  [[nodiscard]] bool is_jump(int sub_steps) const noexcept;
   [[nodiscard]] bool jumps_into_material(const Pose& pose) noexcept;
   [[nodiscard]] bool follow_jump() noexcept;
   void place_at(const Pose& pose) noexcept;

@@ -39,11 +39,14 @@ void Simulation::State::take_step(HandCoupling* coupling) noexcept {
   if (!has_pose && !take_up(coupling != nullptr)) return reject(StepStatus::tool_waits);
   if (after_letting_go && coupling != nullptr && is_put_elsewhere(pose, velocity, dt))
     place_at(advance(pose, velocity, -dt));
-  if (is_jump(pose) && !follow_jump()) return;
+  int sub_steps = plan_sweep(X_WH, pose);
+  if (is_jump(sub_steps)) {
+    if (!follow_jump()) return;
+    sub_steps = 1;
+  }
   jumped_to.reset();
   after_refusal = false;
 
-  const int sub_steps = plan_sweep(X_WH, pose);
   const Twist path = twist_between(X_WH, pose, dt);
   for (int i = 0; i < sub_steps; ++i) {
     SubStep sub_step = plan_sub_step(X_WH, i, dt / sub_steps, path, velocity);
@@ -107,18 +110,19 @@ bool Simulation::State::is_put_elsewhere(const Pose& pose, const Twist& velocity
   return plan_sweep(X_WH, advance(pose, velocity, -dt)) > 1;
 }
 
-/// Whether no motion leads to a pose from where the tool is: too far for a step, or for what lay between refused ones.
-bool Simulation::State::is_jump(const Pose& pose) const noexcept {
-  const int parts = plan_sweep(X_WH, pose);
-  return parts > config.longest_sweep || turn_between(X_WH, pose) > kLongestTurn ||
-         (after_refusal && parts * 0.5 * workpiece.voxel_size() > kNear);
+/// Whether no motion leads from where the tool is to where it shall be: too far for a step, or for what lay between
+/// refused ones.
+/// @param sub_steps  that the way would take
+bool Simulation::State::is_jump(int sub_steps) const noexcept {
+  return sub_steps > config.longest_sweep || turns_beyond(X_WH, input.pose, kLongestTurn) ||
+         (after_refusal && sub_steps * 0.5 * workpiece.voxel_size() > kNear);
 }
 
 /// Whether a jump would put a head that turns into material that it has not cut its way into.
 bool Simulation::State::jumps_into_material(const Pose& pose) noexcept {
   if (motor.setting() == 0 && motor.speed() == 0) return false;
   const Vec3 shift = pose * tool.X_HT().translation - X_WH * tool.X_HT().translation;
-  const bool is_elsewhere = shift.norm() > tool.head().cutting_radius() || turn_between(X_WH, pose) > kLongestTurn;
+  const bool is_elsewhere = shift.norm() > tool.head().cutting_radius() || turns_beyond(X_WH, pose, kLongestTurn);
   return is_elsewhere && touches(pose);
 }
 
@@ -128,7 +132,9 @@ bool Simulation::State::jumps_into_material(const Pose& pose) noexcept {
 bool Simulation::State::follow_jump() noexcept {
   const Pose& pose = input.pose;
   const bool waits = jumps_into_material(pose);
-  if (!waits && jumped_to && plan_sweep(*jumped_to, pose) <= config.longest_sweep) {
+  const bool is_confirmed = jumped_to && plan_sweep(*jumped_to, pose) <= config.longest_sweep &&
+                            !turns_beyond(*jumped_to, pose, kLongestTurn);
+  if (!waits && is_confirmed) {
     place_at(pose);
     return true;
   }

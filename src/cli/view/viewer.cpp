@@ -88,8 +88,8 @@ void Viewer::finish_loading() {
 
 /// An emergency stop holds for what comes after it too.
 void Viewer::replace(std::unique_ptr<ViewSession> next) {
+  stop_line_.lead_to(nullptr);  // before it is asked: a stop that comes now is kept by the line
   const bool is_stopped = session_ != nullptr && session_->device().requests().emergency();
-  stop_line_.lead_to(nullptr);
   session_ = std::move(next);
   if (session_ == nullptr) return;
   if (is_stopped) session_->device().emergency_stop();

@@ -292,6 +292,24 @@ TEST(PartedTool, WaitsForAReadingThatFlipsAsForOneThatIsNoNumber) {
       }
 }
 
+TEST(PartedTool, IsNotPutWhereNoTwoReadingsAgree) {
+  SimulationConfig config;
+  config.reference_stiffness = 1e14;
+  Simulation simulation(half_space(), ball(), config);
+  for (int n = 0; n < 100; ++n) simulation.step(at_height(kRadius + 0.05e-3 - 1e-6 * n), {}, kTick);
+  Pose hand = at_height(kRadius - 0.05e-3);
+  simulation.step(hand, {}, kTick);
+  const Vec3 force = simulation.step(hand, {}, kTick).force;  // at rest
+  ASSERT_GT(force.z(), 0);
+  for (int n = 1; n <= 8; ++n) {
+    hand.rotation = rotation_from_vector({n % 2 == 1 ? 2.0 : -2.0, 0, 0});
+    EXPECT_EQ(simulation.step(hand, {}, kTick).status, StepStatus::jump_rejected) << n;
+  }
+  hand.rotation.setIdentity();
+  const Vec3 again = simulation.step(hand, {}, kTick).force;
+  EXPECT_LT((again - force).norm(), 1e-6 * force.norm()) << "it goes on from where it was; friction still settles";
+}
+
 TEST(PartedTool, IsNotTurnedIntoMaterialByTwoReadingsThatAgree) {
   for (const double turn : {1.5, std::numbers::pi}) {
     SimulationConfig config;
