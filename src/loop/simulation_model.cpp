@@ -35,6 +35,7 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
       map_(options.map),
       bounds_(region_),
       spindle_needs_force_(options.spindle_needs_force),
+      pedal_(options.pedal),
       undo_blocks_per_tick_(options.undo_blocks_per_tick),
       spindle_speed_(simulation.spindle_setting()),
       books_energy_(is_foundation(simulation.config())) {
@@ -42,7 +43,8 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
   require_gains_within(options.map);
   require_renderable(contact_stiffness_, config_, relative_stiffness_, options.map.scale);
   if (gains_) coupling_.emplace(simulation, gains_in_world(*gains_, options.map)).leave(VirtualCoupling::Rejoin::free);
-  if (options.undo_blocks > 0) simulation.reserve_undo(options.undo_blocks);
+  if (options.undo_blocks > 0 && options.undo_blocks != simulation.workpiece().undo_blocks())
+    simulation.reserve_undo(options.undo_blocks);  // or the marks that there are would go
   if (options.islands) watch_ = std::make_unique<IslandWatch>(simulation, *options.islands);
 }
 
@@ -80,7 +82,7 @@ Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& 
   } else if (!state.valid || !map_.engaged()) {
     rest();
   } else {
-    turn_spindle(device_->last_arming());
+    turn_spindle(state);
     const Wrench felt = move_tool(state, dt);
     if (!std::exchange(unfelt_, false)) wrench = tool_.force_held ? hold_force(state) : felt;
   }
@@ -114,12 +116,12 @@ Wrench SimulationModel::hold_force(const DeviceState& state) const noexcept {
   return map_.to_device(state.X_BS, {tool_.force, tool_.torque});
 }
 
-void SimulationModel::turn_spindle(ArmingState arming) noexcept {
-  if (!has_force(arming) || tool_.force_held)
+void SimulationModel::turn_spindle(const DeviceState& state) noexcept {
+  if (!has_force(device_->last_arming()) || tool_.force_held)
     may_cut_ = false;
   else if (!touches_)
     may_cut_ = true;
-  if (spindle_needs_force_ && !may_cut_) {
+  if ((spindle_needs_force_ && !may_cut_) || (pedal_ >= 0 && !state.pressed(pedal_))) {
     if (simulation_->spindle_setting() != 0) simulation_->halt_spindle();  // or it would cut while it runs down
   } else if (spindle_speed_ != simulation_->spindle_setting()) {
     simulation_->set_spindle_speed(spindle_speed_);

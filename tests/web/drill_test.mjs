@@ -23,6 +23,17 @@ const open = (panel) => page.locator("details", { has: page.locator("summary", {
 const valueOf = (label) => page.evaluate((name) => hapticut.panels.control(name).value, label);
 const button = (name) => page.getByRole("button", { name, exact: true });
 
+test("a pointer that nobody presses removes nothing, wherever it goes", async () => {
+  const { x, y } = await middle(page);
+  for (const [dx, dy] of [[-120, -60], [110, 70], [-90, 90], [130, -80], [-20, 10], [0, -40]]) {
+    await page.mouse.move(x + dx, y + dy);
+    await page.waitForTimeout(80);
+  }
+  await atRest(page);
+  assert.equal(await removed(page), 0);
+  assert.equal(await page.evaluate(() => hapticut.snapshot.undoMarks), 0);
+});
+
 test("a mouse drills the tooth, the curve shows it, undo and redo go over it", async () => {
   const { x, y } = await middle(page);
   const curve = () => page.evaluate(() => [0, 1, 2].map((axis) => hapticut.curves.ring.decimate(axis, 50))
@@ -108,7 +119,6 @@ test("another scene is loaded, the tool changes while it cuts, and the sound has
   await until(page, () => hapticut.snapshot.removed > 1e-10);
   await page.evaluate(() => hapticut.panels.set("Head", 3));
   await until(page, () => hapticut.panels.control("Head").value === 3 && hapticut.snapshot.arming === 4);
-  await page.mouse.up();
   const rpm = 60 * 2000;
   await page.evaluate((speed) => hapticut.panels.set("Speed", speed), rpm);
   await until(page, () => Math.abs(hapticut.snapshot.speed / (2 * Math.PI) - 2000) < 20);
@@ -124,6 +134,7 @@ test("another scene is loaded, the tool changes while it cuts, and the sound has
     }
     return best[0];
   });
+  await page.mouse.up();
   assert.ok(Math.abs(tone - 2000) <= 20, `${tone} Hz`);
 });
 

@@ -60,6 +60,12 @@ test("a press lasts until the last lets go that holds it, and idle gamepads hold
   assert.ok(await pressed(), "the second gamepad");
   await pull(1, 0);
   assert.ok(!await pressed(), "nobody");
+  await pull(1, 1);
+  assert.ok(await pressed(), "the second gamepad again");
+  await page.evaluate(() => { window.kept = window.pads; window.pads = [null, null]; });
+  await until(page, () => !hapticut.hand.pressed); // the gamepads were taken away
+  await page.evaluate(() => { window.pads = window.kept; });
+  await pull(1, 0);
   await page.mouse.down();
   await page.mouse.down({ button: "right" });
   await page.mouse.up();

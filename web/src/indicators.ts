@@ -6,31 +6,45 @@ import { element, type Panels } from "./panels.ts";
 import type { Hello, Instruments, Snapshot } from "./protocol.ts";
 import type { TraceRing } from "./trace.ts";
 
+const kTogether = 5000; // ms
+
 type ById = <T extends HTMLElement>(id: string) => T;
 
 export class Indicators {
   private numbers = new Map<string, HTMLElement>();
   private removed: HTMLElement[] = [];
-  private calm = false;
+  private settled = false;
+  private notices: { text: string; severity: number; time: number }[] = [];
   private sentences: Pick<Hello, "arming" | "status"> = { arming: [], status: [] };
 
   constructor(private byId: ById) {}
 
   role(text: string) { this.byId("role").textContent = text; }
+  /** What comes within a few seconds stands together, or nobody could read the first. */
   notice(text: string, severity: number) {
-    const notice = this.byId("notice");
-    notice.textContent = notice.title = text;
-    notice.dataset.severity = String(severity);
+    const time = performance.now();
+    this.notices = this.notices.filter((one) => one.text !== text && time - one.time < kTogether).slice(-2);
+    this.notices.push({ text, severity, time });
+    this.showNotices();
   }
-  /** What the guard has warned of is over when the force is on again. */
+  private showNotices() {
+    const notice = this.byId("notice");
+    notice.textContent = notice.title = this.notices.map(({ text }) => text).join(" ");
+    notice.dataset.severity = String(Math.max(0, ...this.notices.map(({ severity }) => severity)));
+  }
+  /** What the guard has warned of is over when the force comes again. */
   settle(snapshot: Snapshot) {
-    const calm = told(this.sentences, snapshot).tone === "calm";
-    if (calm && !this.calm && this.byId("notice").dataset.severity === "1") this.notice("", 0);
-    this.calm = calm;
+    const { tone } = told(this.sentences, snapshot), settled = tone === "calm" || tone === "works";
+    if (settled && !this.settled) {
+      this.notices = this.notices.filter(({ severity }) => severity !== 1);
+      this.showNotices();
+    }
+    this.settled = settled;
   }
   lost(text: string) {
     this.role("apart");
     this.byId("role").dataset.tone = "fault";
+    this.notices = [];
     this.notice(text, 2);
     this.guard({ name: "unknown", tone: "fault", text: "" });
   }

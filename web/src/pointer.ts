@@ -30,6 +30,7 @@ type Client = Pick<MouseEvent, "clientX" | "clientY">;
 const kKeyStep = 0.1e-3; // m
 const asArray = (v: three.Vector3): Vec3 => [v.x, v.y, v.z];
 const inMetres = (ray: three.Ray): Ray => ({ from: asArray(ray.origin.clone().divideScalar(1e3)), along: asArray(ray.direction) });
+const nameOfPad = ({ index }: Gamepad) => `gamepad ${index}`;
 const nameOf = (event: PointerEvent) => `pointer ${event.pointerId}`;
 
 /** Keys are of the scene wherever the focus is, but where it needs them itself. */
@@ -58,7 +59,6 @@ export class Pointer {
     const letAllGo = () => [...this.holders].forEach((source) => this.letGo(source));
     addEventListener("blur", letAllGo);
     document.addEventListener("visibilitychange", letAllGo);
-    addEventListener("gamepaddisconnected", ({ gamepad }) => this.trigger(`gamepad ${gamepad.index}`, false));
   }
 
   /** Another scene: what is still held does not press there. */
@@ -71,7 +71,10 @@ export class Pointer {
       this.waiting = null;
       this.let(() => this.point(event));
     }
-    for (const pad of navigator.getGamepads?.() ?? []) if (pad?.connected) this.gamepad(pad, seconds);
+    const pads = (navigator.getGamepads?.() ?? []).filter((pad) => pad?.connected) as Gamepad[];
+    for (const pad of pads) this.gamepad(pad, seconds);
+    const gone = [...this.pulled].filter((source) => !pads.some((pad) => nameOfPad(pad) === source));
+    gone.forEach((source) => this.trigger(source, false));
   }
 
   private let(change: () => void) {
@@ -195,7 +198,7 @@ export class Pointer {
         hand.move(asArray(eye.right.multiplyScalar(axis(0)).addScaledVector(eye.up, -axis(1)).multiplyScalar(0.02 * seconds)));
         hand.push(bumpers * seconds * 10);
       });
-    this.trigger(`gamepad ${pad.index}`, (pad.buttons[7]?.value ?? 0) > 0.3);
+    this.trigger(nameOfPad(pad), (pad.buttons[7]?.value ?? 0) > 0.3);
   }
 
   /** A trigger that is at rest is silent, so that it undoes no other press. */

@@ -26,6 +26,9 @@ struct SimulationModelOptions {
   /// Nothing is cut that the hand cannot feel, and a tool that begins inside the material does not eat its way out.
   bool spindle_needs_force = true;
 
+  /// As the foot pedal of a handpiece, or a button of the stylus: without one the spindle turns all the time.
+  int pedal = -1;
+
   /// 2.7 kB each, for the way back and forth: see Workpiece::reserve_undo.
   std::size_t undo_blocks = 0;
   std::size_t undo_blocks_per_tick = 64;
@@ -43,6 +46,8 @@ constexpr auto fields_of(Of<SimulationModelOptions>) {
       field("spindle_needs_force", &O::spindle_needs_force,
             "the spindle stands while the guard holds the force back, and from then on until the tool has touched "
             "nothing"),
+      field("pedal", &O::pedal, "1", Range{-1, 31},
+            "the button of the device while which the spindle turns; -1: none, and it turns all the time"),
       field("undo_blocks", &O::undo_blocks, "blocks", Range::not_negative(),
             "that may be cut after the undo marks, together; 0: reserves nothing"),
       field("undo_blocks_per_tick", &O::undo_blocks_per_tick, "blocks", Range::positive(),
@@ -103,7 +108,7 @@ class SimulationModel final : public LoopModel {
   [[nodiscard]] Wrench follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept;
   [[nodiscard]] Wrench move_tool(const DeviceState& state, double dt) noexcept;
   [[nodiscard]] Wrench hold_force(const DeviceState& state) const noexcept;
-  void turn_spindle(ArmingState arming) noexcept;
+  void turn_spindle(const DeviceState& state) noexcept;
   void travel(const DeviceState& state) noexcept;
   void rest() noexcept;
   [[nodiscard]] ModelContact describe_contact(const DeviceState& state, const Wrench& felt) const noexcept;
@@ -145,6 +150,7 @@ class SimulationModel final : public LoopModel {
   std::optional<VirtualCoupling> coupling_;
   IndexBox bounds_;  // of the workpiece in place
   bool spindle_needs_force_;
+  int pedal_;
   std::size_t undo_blocks_per_tick_;
 
   double spindle_speed_;     // [rad/s] while there is a force

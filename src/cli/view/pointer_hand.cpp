@@ -44,7 +44,7 @@ PointerHand::PointerHand(const Box& around)
 void PointerHand::put(const Pose& X_WT) {
   X_WT_ = X_WT;
   velocity_ = {};
-  wanted_.write(X_WT);
+  wanted_.write({X_WT, false});
 }
 
 void PointerHand::begin_run(const RunOptions& options) {
@@ -55,7 +55,7 @@ void PointerHand::begin_run(const RunOptions& options) {
 }
 
 bool PointerHand::read(DeviceState& state) noexcept {
-  const Pose& wanted = wanted_.latest();
+  const auto& [wanted, pressed] = wanted_.latest();
   const Vec3 target = wanted.translation.cwiseMax(around_.min).cwiseMin(around_.max);
   Vec3 offset = X_WT_.translation - target;
   Vec3 turn = -twist_between(X_WT_, wanted, 1).angular;
@@ -74,6 +74,7 @@ bool PointerHand::read(DeviceState& state) noexcept {
   state = {};
   state.X_BS = X_WT_;
   state.velocity = velocity_;
+  state.buttons = pressed ? 1U << unsigned(kPress) : 0;
   state.time = simulated_ ? double(tick_) * period_ : now - begin_;
   state.sequence = ++tick_;
   return true;

@@ -18,8 +18,10 @@ class PointerHand final : public PolledDevice {
   /// @param around  [m] where it may go, in W
   explicit PointerHand(const Box& around);
 
-  /// Where the head shall be. One thread.
-  void move_to(const Pose& X_WT) { wanted_.write(X_WT); }
+  static constexpr int kPress = 0;  ///< the button
+
+  /// Where the head shall be, and whether the pointer presses. One thread.
+  void move_to(const Pose& X_WT, bool pressed) { wanted_.write({X_WT, pressed}); }
 
   /// Puts the hand at a pose.  @pre no run is under way
   void put(const Pose& X_WT);
@@ -31,8 +33,13 @@ class PointerHand final : public PolledDevice {
   [[nodiscard]] bool is_simulated() const override { return true; }
 
  private:
+  struct Wanted {
+    Pose X_WT;
+    bool pressed = false;
+  };
+
   Box around_;
-  TripleBuffer<Pose> wanted_;
+  TripleBuffer<Wanted> wanted_;
   Pose X_WT_;
   Twist velocity_;
   double period_ = 1e-3, begin_ = 0;

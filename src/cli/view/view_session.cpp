@@ -104,9 +104,11 @@ void ViewSession::begin(bool runs) {
 
 /// The model and the loop around the simulation as it is, with the tool that it has.
 void ViewSession::build_loop() {
+  if (loop_) removed_before_ = latest().tool.removed_volume;
   loop_.reset(), watched_.reset(), model_.reset();
   SimulationModelOptions options;
   options.undo_blocks = kUndoBlocks;
+  if (device_ == nullptr) options.pedal = PointerHand::kPress;  // a pointer that hovers goes through what is in its way
   const DeviceCapabilities& c = device().capabilities();
   if (device_ == nullptr) {
     map_ = {};
@@ -119,7 +121,7 @@ void ViewSession::build_loop() {
   model_ = std::make_unique<SimulationModel>(simulation_, device(), options);
   RealtimeLoopOptions loop;
   loop.run.guard.period = 1 / simulation_.config().update_rate;
-  watched_ = std::make_unique<WatchedModel>(*model_, simulation_, loop.run.guard.period);
+  watched_ = std::make_unique<WatchedModel>(*model_, simulation_, device(), loop.run.guard.period);
   loop.run.stop_on_crash = true;  // the process is ours
   if (device_ == nullptr) forgive(loop.run.guard);
   loop.region = model_->region();
@@ -187,12 +189,12 @@ void ViewSession::handle(const view::MoveHand& command) {
   if (device_ != nullptr || !is_looked_at_) return;  // that hand leads; or this is of the scene before
   if (command.pressed && !pressed_) begin_cut();
   pressed_ = command.pressed;
-  pointer_.move_to(command.X_WH * tool_.X_HT());
+  pointer_.move_to(command.X_WH * tool_.X_HT(), command.pressed);
 }
 
 /// A mark to come back to, unless nothing has changed since the last.
 void ViewSession::begin_cut() {
-  const double removed = loop_->latest().tool.removed_volume;
+  const double removed = latest().tool.removed_volume;
   if (removed == removed_at_mark_) return;
   removed_at_mark_ = removed;
   send(commands::SetUndoMark{});
@@ -272,6 +274,7 @@ void ViewSession::begin_recording() {
   removed_at_mark_ = -1;
   dissipated_ = 0;
   build_loop();
+  removed_before_ = 0;
   recording_ = free_name();
   recorder_ = std::make_unique<RunRecorder>(recording_, simulation_, Pace::of_a_hand, &device());
   server_.send_notice(view::Severity::tells, "Recording to " + recording_ + ".");
@@ -305,19 +308,24 @@ void ViewSession::send_controls() {
   server_.send(controls_.all());
 }
 
+LoopSnapshot ViewSession::latest() {
+  LoopSnapshot snapshot = loop_->latest();
+  snapshot.tool.removed_volume += removed_before_;
+  return snapshot;
+}
+
 void ViewSession::frame(double seconds) {
   if (!paused_ && !loop_->is_running()) pause();
   take_blocks();
   send_pages();
   send_controls();
-  const LoopSnapshot& snapshot = loop_->latest();
+  LoopSnapshot snapshot = latest();
   begins_ = begins_ && snapshot.tick == tick_before_;  // until the first tick it is of the run before
   if (paused_ || begins_) {
-    LoopSnapshot standing = snapshot;
-    standing.arming = ArmingState::off;
-    standing.tool.force = standing.tool.torque = Vec3::Zero();
-    standing.tool.spindle_speed = 0;
-    server_.send(standing);
+    snapshot.arming = ArmingState::off;
+    snapshot.tool.force = snapshot.tool.torque = Vec3::Zero();
+    snapshot.tool.spindle_speed = 0;
+    server_.send(snapshot);
     return;
   }
   server_.send(snapshot);

@@ -53,6 +53,9 @@ class ViewSession {
 
   /// Whether the scene is wanted anew; once.
   [[nodiscard]] bool take_restart() { return std::exchange(wants_restart_, false); }
+  /// The last tick, with what the loops before this one have removed.
+  [[nodiscard]] LoopSnapshot latest();
+  [[nodiscard]] const Tool& tool() const { return tool_; }
   [[nodiscard]] const std::string& name() const { return scene_.name; }
   /// Whether the model has obeyed all that was asked of it, and pages were told.
   [[nodiscard]] bool is_settled() const { return !owes_controls_; }
@@ -111,9 +114,9 @@ class ViewSession {
   DrillSound sound_;
   std::vector<float> samples_;
   double owed_samples_ = 0, dissipated_ = 0, power_ = 0;
-  double removed_at_mark_ = -1;
-  std::uint64_t sent_ = 0;         // commands to this loop
-  std::uint64_t tick_before_ = 0;  // the last of the run before
+  double removed_at_mark_ = -1, removed_before_ = 0;  // [m^3] the second by the loops before this one
+  std::uint64_t sent_ = 0;                            // commands to this loop
+  std::uint64_t tick_before_ = 0;                     // the last of the run before
   bool pressed_ = false, touched_ = false, wants_restart_ = false, paused_ = true, begins_ = false,
        owes_controls_ = false, is_looked_at_ = false;
 };

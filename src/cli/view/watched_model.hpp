@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <vector>
@@ -19,9 +20,10 @@ struct ModelSettings {
   std::uint64_t answered = 0;  ///< commands, obeyed or refused
 };
 
-/// A model and what a page wants to know of each of its ticks: force of the hand and torque of the contact, how late it
-/// was, what was removed of which material; and of its commands what they have made of it. Filled by the loop, taken by
-/// one other thread, and neither waits.
+/// A model and what a page wants to know of each of its ticks: the force that the hand is given, which is what the
+/// model asks for only where the guard lets it through, the torque of the contact, how late it was, what was removed of
+/// which material; and of its commands what they have made of it. Filled by the loop, taken by one other thread, and
+/// neither waits.
 class WatchedModel final : public LoopModel {
  public:
   static constexpr std::size_t kTicks = 4096;    ///< of the trace that are kept
@@ -29,8 +31,8 @@ class WatchedModel final : public LoopModel {
   static constexpr std::size_t kBuckets = 60;    ///< of lateness; the last has all that were later
   static constexpr std::size_t kMaterials = 16;  ///< whose volumes are told
 
-  WatchedModel(SimulationModel& model, const Simulation& simulation, double period)
-      : model_(model), simulation_(simulation), period_(period), settings_(settings_now()) {}
+  WatchedModel(SimulationModel& model, const Simulation& simulation, const Device& device, double period)
+      : model_(model), simulation_(simulation), device_(device), period_(period), settings_(settings_now()) {}
 
   // --- for the other thread -----------------------------------------------------------------------------------------
   struct Trace {
@@ -63,7 +65,9 @@ class WatchedModel final : public LoopModel {
   Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
     note_time(monotonic_time());
     Wrench wrench = model_.step(state, dt, snapshot);
-    note(snapshot.tool);
+    const double share = given_share();
+    snapshot.tool.force *= share, snapshot.tool.torque *= share;
+    note(snapshot.tool, share);
     const std::array<double, 256>& removed = simulation_.removed_volume_by_material();
     for (std::size_t n = 0; n < kMaterials; ++n) removed_[n].store(removed[n + 1], std::memory_order_relaxed);
     return wrench;
@@ -87,6 +91,14 @@ class WatchedModel final : public LoopModel {
     const SimulationConfig& config = simulation_.config();
     return {model_.spindle_speed(), config.removal, config.effects, answered_};
   }
+  /// [1] 0 ... 1, of the force that the model asked for in the tick before.
+  [[nodiscard]] double given_share() const noexcept {
+    const ArmingState arming = device_.last_arming();
+    if (arming != ArmingState::ramp && arming != ArmingState::on) return 0;
+    const DeviceOutput& output = device_.last_output();
+    const double asked = output.commanded.force.norm();
+    return asked > 0 ? std::min(1.0, output.applied.force.norm() / asked) : 1;
+  }
   void note_time(double now) noexcept {
     if (last_ > 0) {
       const double late = std::max(0.0, now - last_ - period_);
@@ -96,20 +108,21 @@ class WatchedModel final : public LoopModel {
     last_ = now;
     ticks_.fetch_add(1, std::memory_order_relaxed);
   }
-  void note(const ToolSnapshot& tool) noexcept {
+  void note(const ToolSnapshot& tool, double share) noexcept {
     const std::uint64_t at = written_.load(std::memory_order_relaxed);
     if (at - free_from_.load(std::memory_order_acquire) >= kTicks) return;  // nobody looks
     const bool touches = tool.contact_voxels > 0;
     view::TraceSample& sample = ring_[at % kTicks];
     for (Eigen::Index n = 0; n < 3; ++n) {
       sample.force[std::size_t(n)] = float(tool.force[n]);
-      sample.torque[std::size_t(n)] = touches ? float(simulation_.last_result().model.torque[n]) : 0.0F;
+      sample.torque[std::size_t(n)] = touches ? float(share * simulation_.last_result().model.torque[n]) : 0.0F;
     }
     written_.store(at + 1, std::memory_order_release);
   }
 
   SimulationModel& model_;
   const Simulation& simulation_;
+  const Device& device_;
   double period_, last_ = 0;
   std::uint64_t answered_ = 0;
   TripleBuffer<ModelSettings> settings_;

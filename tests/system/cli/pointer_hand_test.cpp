@@ -35,9 +35,10 @@ TEST(PointerHand, ComesToWhereThePointerIsNoFasterThanAHandThatWorks) {
   cli::PointerHand hand(kAround);
   hand.put({});
   const Pose wanted{rotation_from_vector({0, kTurn, 0}), Vec3(20, -10, 5) * mm};
-  hand.move_to(wanted);
+  hand.move_to(wanted, true);
   const std::vector<DeviceState> states = read(hand, 500);
   for (std::size_t n = 1; n < states.size(); ++n) {
+    ASSERT_TRUE(states[n].pressed(cli::PointerHand::kPress));
     const double moved = (states[n].X_BS.translation - states[n - 1].X_BS.translation).norm();
     ASSERT_LE(moved, kFastest * 1e-3 * (1 + 1e-9));
     ASSERT_LE(states[n].velocity.linear.norm(), kFastest * (1 + 1e-9));
@@ -53,17 +54,19 @@ TEST(PointerHand, ComesToWhereThePointerIsNoFasterThanAHandThatWorks) {
 TEST(PointerHand, StaysAroundTheWorkpiece) {
   cli::PointerHand hand(kAround);
   hand.put({});
-  hand.move_to(Pose::from_translation(Vec3(500, 0, 10) * mm));
+  hand.move_to(Pose::from_translation(Vec3(500, 0, 10) * mm), false);
   const Vec3 end = read(hand, 800).back().X_BS.translation;
   EXPECT_LT((end - Vec3(50, 0, 10) * mm).norm(), 1e-6);
 }
 
 TEST(PointerHand, BeginsWhereItIsPut) {
   cli::PointerHand hand(kAround);
-  hand.move_to(Pose::from_translation(Vec3(9, 9, 9) * mm));
+  hand.move_to(Pose::from_translation(Vec3(9, 9, 9) * mm), true);
   hand.put(Pose::from_translation(Vec3(1, 2, 3) * mm));
-  for (const DeviceState& state : read(hand, 20))
+  for (const DeviceState& state : read(hand, 20)) {
     EXPECT_LT((state.X_BS.translation - Vec3(1, 2, 3) * mm).norm(), 1e-12);
+    EXPECT_FALSE(state.pressed(cli::PointerHand::kPress));
+  }
 }
 
 }  // namespace

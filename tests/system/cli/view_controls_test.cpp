@@ -26,7 +26,7 @@ using units::rpm;
 /// A model as in a loop, and the controls of a page, which tell it as a session does.
 struct Panel {
   test::loop_rig::Rig rig{3000, true};
-  cli::WatchedModel watched{rig.model, rig.simulation, 1e-3};
+  cli::WatchedModel watched{rig.model, rig.simulation, *rig.device, 1e-3};
   ViewControls controls{rig.simulation.tool(), rig.simulation.workpiece().materials(), rig.simulation.config().effects,
                         true};
 

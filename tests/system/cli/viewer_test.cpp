@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `hapticut view` without a browser: what lets a hand go, also while a scene loads; how it ends; and that the loop's
-// model has what a page asks for.
+// `hapticut view` without a browser: what lets a hand go, also while a scene loads, and how it ends.
 #include "cli/view/viewer.hpp"
 
 #include <gtest/gtest.h>
@@ -19,6 +18,7 @@
 #include "hapticut/settings/scene.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/temporary_folder.hpp"
+#include "system/cli/small_scene.hpp"
 #include "unit/view/command_bytes.hpp"
 #include "unit/view/view_client.hpp"
 
@@ -27,8 +27,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using cli::ViewScene;
-using cli::ViewSession;
-using units::mm;
+using test::small_scene;
 using view::CommandKind;
 using view_test::Bytes;
 using view_test::Page;
@@ -36,14 +35,6 @@ using view_test::soon;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kAtOnce = 100ms;  // what a stop may take
-
-ViewScene small_scene(const std::string& name) {
-  SimulationConfig config;
-  config.contact_time = ContactTime::end;
-  const Box box{Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm};
-  return {name, build_block(box, 0.1 * mm, presets::cortical_bone()),
-          Tool(SphereHead{0.5 * mm}, RayHandle{20 * mm}, Spindle{1000}), config, box};
-}
 
 /// Makes scenes; where it is told to, each takes until it is let through, and some cannot be made.
 class Maker {
@@ -298,95 +289,6 @@ TEST(Viewer, NobodyIsHeldByASceneThatNobodyLeads) {
   Page page(viewer.server());
   page.write(kUndo);
   EXPECT_TRUE(soon([&] { return device->is_running(); })) << "somebody leads again";
-}
-
-// --- the session: what the loop's model has -------------------------------------------------------------------------
-
-/// A session whose frames go on, and a page that asks.
-struct Desk {
-  Desk() { session.begin(true); }
-  /// Until the model has what was asked for, and a force, without which its spindle stands; and a tick more.
-  void frames() {
-    const auto is_on = [&] { return session.device().is_running() && session.device().arming() == ArmingState::on; };
-    ASSERT_TRUE(soon([&] { return session.frame(0.016), session.is_settled() && is_on(); }));
-    std::this_thread::sleep_for(50ms);
-  }
-  void turn(const std::string& label, double value) {
-    const cli::ViewControls controls(small_scene("").tool, small_scene("").workpiece.materials(), {}, true);
-    for (const view::Control& control : controls.all())
-      if (control.label == label) return session.obey(view::SetControl{control.id, value});
-    ADD_FAILURE() << "there is no control " << label;
-  }
-  /// Ends the run, so that the model can be looked at.
-  const Simulation& model() {
-    frames();
-    session.obey(view::WriterLeft{});
-    return session.simulation();
-  }
-  view::ViewServer server{{}};
-  ViewSession session{small_scene("block"), server, nullptr};
-};
-
-TEST(ViewSession, HandsToTheModelWhatIsTurned) {
-  Desk desk;
-  EXPECT_NEAR(desk.model().spindle_setting(), 1000, 1e-9);
-  desk.turn("Cutting", 0);
-  EXPECT_EQ(desk.model().config().removal, RemovalLaw::none);
-  desk.turn("Cutting", 1);
-  EXPECT_NE(desk.model().config().removal, RemovalLaw::none);
-  desk.turn("Spindle", 0);
-  EXPECT_EQ(desk.model().spindle_setting(), 0);
-  desk.turn("Spindle", 1);
-  EXPECT_NE(desk.model().spindle_setting(), 0);
-  desk.turn("Gravity", 1);
-  EXPECT_TRUE(desk.model().config().effects.gravity.has_value());
-  desk.session.obey(commands::SetSpindleSpeed{500});
-  EXPECT_NEAR(desk.model().spindle_setting(), 500, 1e-6);
-}
-
-TEST(ViewSession, AHandOfTheSceneBeforeMovesNothing) {
-  Desk desk;
-  const Pose inside = Pose::from_translation({0, 0, -1 * mm});
-  const auto press = [&] {
-    for (int n = 0; n < 100; ++n) {
-      desk.session.obey(view::MoveHand{inside, true});
-      desk.session.frame(0.016);
-      std::this_thread::sleep_for(10ms);
-    }
-  };
-  press();
-  EXPECT_EQ(desk.model().removed_volume_by_material()[1], 0) << "the page has not looked at this scene yet";
-  desk.session.obey(view::LookAt{});
-  press();
-  EXPECT_GT(desk.model().removed_volume_by_material()[1], 0);
-}
-
-TEST(ViewSession, ChangesTheHeadInTheRunAndTheHandleBesideIt) {
-  Desk desk;
-  desk.turn("Head", 1);
-  desk.turn("Diameter", 2);
-  EXPECT_NEAR(desk.model().tool().head().cutting_radius(), 1 * mm, 1e-9);
-  const double before = desk.session.simulation().tool().X_HT().translation.norm();
-  desk.turn("Handle length", 40);
-  const Tool& tool = desk.model().tool();
-  EXPECT_NEAR(tool.X_HT().translation.norm(), 40 * mm, 1e-9);
-  EXPECT_NE(tool.X_HT().translation.norm(), before);
-  EXPECT_NEAR(tool.head().cutting_radius(), 1 * mm, 1e-9) << "the head stays";
-}
-
-TEST(ViewSession, RecordsARunThatEndsWhole) {
-  const test::TemporaryFolder folder;
-  const std::filesystem::path before = std::filesystem::current_path();
-  std::filesystem::current_path(folder / "");
-  {
-    Desk desk;
-    desk.turn("Record", 1);
-    desk.frames();
-    desk.session.hold();
-    EXPECT_TRUE(std::filesystem::exists(folder / "session-1.h5"));
-    EXPECT_FALSE(std::filesystem::exists(folder / "session-1.h5.new"));
-  }
-  std::filesystem::current_path(before);
 }
 
 }  // namespace

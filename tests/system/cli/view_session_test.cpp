@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene that is drilled: that the loop's model has what a page asks for, and what the page is told of it.
+#include "cli/view/view_session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "support/temporary_folder.hpp"
+#include "system/cli/small_scene.hpp"
+#include "unit/view/view_client.hpp"
+
+namespace hapticut::view_session_test {
+namespace {
+
+using namespace std::chrono_literals;
+using cli::ViewSession;
+using test::small_scene;
+using units::mm;
+using view_test::soon;
+
+/// A session whose frames go on, and a page that asks.
+struct Desk {
+  Desk() { session.begin(true); }
+  /// Until the model has what was asked for, and a force, without which its spindle stands; and a tick more.
+  void frames() {
+    const auto is_on = [&] { return session.device().is_running() && session.device().arming() == ArmingState::on; };
+    ASSERT_TRUE(soon([&] { return session.frame(0.016), session.is_settled() && is_on(); }));
+    std::this_thread::sleep_for(50ms);
+  }
+  void turn(const std::string& label, double value) {
+    const cli::ViewControls controls(small_scene("").tool, small_scene("").workpiece.materials(), {}, true);
+    for (const view::Control& control : controls.all())
+      if (control.label == label) return session.obey(view::SetControl{control.id, value});
+    ADD_FAILURE() << "there is no control " << label;
+  }
+  /// The tip of the ball where the pointer wants it, and frames until its hand is there.
+  void lead(const Vec3& tip, bool pressed) {
+    const Pose X_WT = Pose::from_translation(tip + Vec3(0, 0, 0.5 * mm));
+    session.obey(view::LookAt{});
+    session.obey(view::MoveHand{X_WT * session.tool().X_HT().inverse(), pressed});
+    ASSERT_TRUE(soon([&] {
+      session.frame(0.016);
+      return (session.latest().device.X_BS.translation - X_WT.translation).norm() < 1e-6;
+    }));
+    frames();
+  }
+  /// Ends the run, so that the model can be looked at.
+  const Simulation& model() {
+    frames();
+    session.obey(view::WriterLeft{});
+    return session.simulation();
+  }
+  view::ViewServer server{{}};
+  ViewSession session{small_scene("block"), server, nullptr};
+};
+
+TEST(ViewSession, HandsToTheModelWhatIsTurned) {
+  Desk desk;
+  desk.lead(Vec3(0, 0, 2 * mm), true);
+  EXPECT_NEAR(desk.model().spindle_setting(), 1000, 1e-9);
+  desk.turn("Cutting", 0);
+  EXPECT_EQ(desk.model().config().removal, RemovalLaw::none);
+  desk.turn("Cutting", 1);
+  EXPECT_NE(desk.model().config().removal, RemovalLaw::none);
+  desk.turn("Spindle", 0);
+  EXPECT_EQ(desk.model().spindle_setting(), 0);
+  desk.turn("Spindle", 1);
+  EXPECT_NE(desk.model().spindle_setting(), 0);
+  desk.turn("Gravity", 1);
+  EXPECT_TRUE(desk.model().config().effects.gravity.has_value());
+  desk.session.obey(commands::SetSpindleSpeed{500});
+  EXPECT_NEAR(desk.model().spindle_setting(), 500, 1e-6);
+}
+
+TEST(ViewSession, AHandOfTheSceneBeforeMovesNothing) {
+  Desk desk;
+  const Pose inside = Pose::from_translation({0, 0, -1 * mm});
+  const auto press = [&] {
+    for (int n = 0; n < 100; ++n) {
+      desk.session.obey(view::MoveHand{inside, true});
+      desk.session.frame(0.016);
+      std::this_thread::sleep_for(10ms);
+    }
+  };
+  press();
+  EXPECT_EQ(desk.model().removed_volume_by_material()[1], 0) << "the page has not looked at this scene yet";
+  desk.session.obey(view::LookAt{});
+  press();
+  EXPECT_GT(desk.model().removed_volume_by_material()[1], 0);
+}
+
+TEST(ViewSession, ThePointerCutsOnlyWhileItPresses) {
+  Desk desk;
+  for (const double x : {1, -1, 1, -1}) desk.lead(Vec3(x * mm, 0, -0.3 * mm), false);  // through the block
+  EXPECT_GT(desk.session.latest().tool.contact_voxels, 0);
+  EXPECT_EQ(desk.session.latest().tool.spindle_speed, 0);
+  EXPECT_EQ(desk.session.latest().tool.removed_volume, 0);
+  EXPECT_EQ(desk.session.latest().tool.undo_marks, 0U);
+  desk.lead(Vec3(0, 0, 1 * mm), false);
+  desk.lead(Vec3(0, 0, -0.3 * mm), true);
+  EXPECT_GT(desk.session.latest().tool.removed_volume, 0);
+  EXPECT_EQ(desk.session.latest().tool.undo_marks, 1U);
+}
+
+TEST(ViewSession, TellsTheForceThatTheHandIsGiven) {
+  Desk desk;
+  desk.lead(Vec3(0, 0, 1 * mm), false);
+  desk.lead(Vec3(0, 0, -0.3 * mm), false);
+  EXPECT_GT(desk.session.latest().tool.force.norm(), 0.1);
+  desk.session.obey(view::Stop{});
+  ASSERT_TRUE(soon([&] { return desk.session.latest().arming == ArmingState::fault; }));
+  std::this_thread::sleep_for(50ms);
+  EXPECT_GT(desk.session.latest().tool.contact_voxels, 0);
+  EXPECT_EQ(desk.session.latest().tool.force, Vec3::Zero());
+}
+
+TEST(ViewSession, KeepsTheVolumeAndTheUndoMarksUnderAnotherHandle) {
+  Desk desk;
+  desk.lead(Vec3(0, 0, 1 * mm), false);
+  desk.lead(Vec3(0, 0, -0.3 * mm), true);
+  desk.lead(Vec3(0, 0, 1 * mm), false);
+  const double removed = desk.session.latest().tool.removed_volume;
+  ASSERT_GT(removed, 0);
+  desk.turn("Handle length", 40);
+  desk.lead(Vec3(0, 0, 1 * mm), false);
+  EXPECT_EQ(desk.session.latest().tool.removed_volume, removed);
+  EXPECT_EQ(desk.session.latest().tool.undo_marks, 1U);
+}
+
+TEST(ViewSession, ChangesTheHeadInTheRunAndTheHandleBesideIt) {
+  Desk desk;
+  desk.turn("Head", 1);
+  desk.turn("Diameter", 2);
+  EXPECT_NEAR(desk.model().tool().head().cutting_radius(), 1 * mm, 1e-9);
+  const double before = desk.session.simulation().tool().X_HT().translation.norm();
+  desk.turn("Handle length", 40);
+  const Tool& tool = desk.model().tool();
+  EXPECT_NEAR(tool.X_HT().translation.norm(), 40 * mm, 1e-9);
+  EXPECT_NE(tool.X_HT().translation.norm(), before);
+  EXPECT_NEAR(tool.head().cutting_radius(), 1 * mm, 1e-9) << "the head stays";
+}
+
+TEST(ViewSession, RecordsARunThatEndsWhole) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder / "");
+  {
+    Desk desk;
+    desk.turn("Record", 1);
+    desk.frames();
+    desk.session.hold();
+    EXPECT_TRUE(std::filesystem::exists(folder / "session-1.h5"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "session-1.h5.new"));
+  }
+  std::filesystem::current_path(before);
+}
+
+}  // namespace
+}  // namespace hapticut::view_session_test
