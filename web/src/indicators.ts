@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the page says in words and numbers: the guard, the notices, the meters.
 import { quantile } from "./curves.ts";
-import { type Told, told } from "./guard.ts";
+import { type Told, type Tone, told } from "./guard.ts";
 import { element, type Panels } from "./panels.ts";
 import type { Hello, Instruments, Snapshot } from "./protocol.ts";
 import type { TraceRing } from "./trace.ts";
@@ -13,7 +13,7 @@ type ById = <T extends HTMLElement>(id: string) => T;
 export class Indicators {
   private numbers = new Map<string, HTMLElement>();
   private removed: HTMLElement[] = [];
-  private settled = false;
+  private tone: Tone = "waits";
   private notices: { text: string; severity: number; time: number }[] = [];
   private sentences: Pick<Hello, "arming" | "status"> = { arming: [], status: [] };
 
@@ -34,12 +34,12 @@ export class Indicators {
   }
   /** What the guard has warned of is over when the force comes again. */
   settle(snapshot: Snapshot) {
-    const { tone } = told(this.sentences, snapshot), settled = tone === "calm" || tone === "works";
-    if (settled && !this.settled) {
+    const { tone } = told(this.sentences, snapshot);
+    if (tone !== this.tone && (tone === "calm" || tone === "works")) {
       this.notices = this.notices.filter(({ severity }) => severity !== 1);
       this.showNotices();
     }
-    this.settled = settled;
+    this.tone = tone;
   }
   lost(text: string) {
     this.role("apart");
