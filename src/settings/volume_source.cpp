@@ -105,7 +105,7 @@ Workpiece from_labels(const Source& s) {
   for (const Source::Labels& labels : s.labels)
     materials.push_back({{labels.values.begin(), labels.values.end()}, s.materials.find(labels.material)});
   if (!s.fill_cavities.empty()) volume = filled(s, std::move(volume), materials);
-  return build_from_labels(volume, materials, build_options(s));
+  return build_from_labels(volume, materials, build_options(s), s.unclaimed_labels.value_or(UnclaimedLabels::refuse));
 }
 
 GreyVolume read_body(const Source& s, double lowest) {
@@ -150,6 +150,9 @@ Workpiece make_workpiece_from_volume(const Source& s) {
   if (s.close_gaps_mm && s.fill_cavities.empty())
     throw Error("workpiece.close_gaps_mm needs fill_cavities, which names what the gaps are filled with.");
   if (!s.labels.empty()) return from_labels(s);
+  if (s.unclaimed_labels)
+    throw Error(
+        "workpiece.unclaimed_labels goes with labels; grey values that no range covers are empty. Leave it out.");
   if (!s.fill_cavities.empty())
     throw Error("workpiece.fill_cavities goes with labels; between grey values it is not clear what is enclosed.");
   return graded ? from_grade(s) : from_ranges(s);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/workpiece/volume_builders.hpp"
 #include "hapticut/workpiece/work_estimate.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 #include "settings/material_settings.hpp"
@@ -36,9 +37,10 @@ struct WorkpieceSettings {
     std::string material;  ///< of what the object encloses; "empty" makes a cavity of it
     std::string object;    ///< its name in the file
   };
-  std::deque<Shell> shells;    ///< mesh with several objects
-  std::deque<Layer> layers;    ///< slab, from the top down
-  std::deque<Labels> labels;   ///< volume of labels
+  std::deque<Shell> shells;   ///< mesh with several objects
+  std::deque<Layer> layers;   ///< slab, from the top down
+  std::deque<Labels> labels;  ///< volume of labels
+  std::optional<UnclaimedLabels> unclaimed_labels;
   std::deque<GreyRange> grey;  ///< volume of grey values
   std::optional<double> grade_low, grade_high;
   std::string grade_at_low, grade_at_high;

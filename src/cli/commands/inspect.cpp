@@ -27,8 +27,8 @@ struct InspectSettings {
 };
 
 bool has_materials(const WorkpieceSettings& s) {
-  return !s.labels.empty() || !s.fill_cavities.empty() || !s.grey.empty() || s.grade_low || s.grade_high ||
-         !s.grade_at_low.empty() || !s.grade_at_high.empty();
+  return !s.labels.empty() || s.unclaimed_labels || !s.fill_cavities.empty() || !s.grey.empty() || s.grade_low ||
+         s.grade_high || !s.grade_at_low.empty() || !s.grade_at_high.empty();
 }
 
 #ifdef HAPTICUT_HAS_IO
