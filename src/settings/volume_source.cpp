@@ -54,6 +54,15 @@ LabelVolume read_labels(const Source& s) {
   return is_raw(s) ? read_raw_label_volume(s.source, raw_layout(s)) : read_label_volume(s.source, read_options(s));
 }
 
+/// A volume of which padding is told.
+template <class Value>
+Volume<Value> told(const Source& s, Volume<Value> volume) {
+  if (s.warn && volume.padding > 0)
+    s.warn(std::to_string(volume.padding) + " of the " + std::to_string(volume.size()) + " samples of " + s.source +
+           " are padding outside the field of view, and are taken for air.");
+  return volume;
+}
+
 std::optional<Box> crop_box(const Source& s) {
   if (s.crop_mm.empty()) return std::nullopt;
   const auto& c = s.crop_mm;
@@ -99,7 +108,7 @@ LabelVolume filled(const Source& s, LabelVolume volume, std::vector<LabelMateria
 }
 
 Workpiece from_labels(const Source& s) {
-  LabelVolume volume = cropped(read_labels(s), crop_box(s));
+  LabelVolume volume = cropped(told(s, read_labels(s)), crop_box(s));
   if (s.largest_component) volume = keep_largest_component(std::move(volume));
   std::vector<LabelMaterial> materials;
   for (const Source::Labels& labels : s.labels)
@@ -109,7 +118,7 @@ Workpiece from_labels(const Source& s) {
 }
 
 GreyVolume read_body(const Source& s, double lowest) {
-  GreyVolume volume = cropped(read_grey(s), crop_box(s));
+  GreyVolume volume = cropped(told(s, read_grey(s)), crop_box(s));
   if (s.largest_component) volume = keep_largest_component(std::move(volume), lowest);
   return volume;
 }
@@ -159,7 +168,9 @@ Workpiece make_workpiece_from_volume(const Source& s) {
 }
 
 VolumeSummary summarize_volume(const Source& s, std::optional<double> threshold) {
-  const GreyVolume volume = cropped(read_grey(s), crop_box(s));
+  GreyVolume volume = read_grey(s);
+  const std::size_t padding = volume.padding;
+  volume = cropped(std::move(volume), crop_box(s));
   const auto [lowest, highest] = grey_range(volume);
   VolumeSummary summary{volume.dims,
                         volume.spacing,
@@ -169,6 +180,7 @@ VolumeSummary summarize_volume(const Source& s, std::optional<double> threshold)
                         highest,
                         std::size_t(std::count_if(volume.values.begin(), volume.values.end(),
                                                   [](float value) { return std::isnan(value); })),
+                        padding,
                         volume.values.size() * sizeof(float)};
   if (threshold) summary.voxels_at_or_above = count_from(volume, *threshold);
   summary.voxels_by_label = count_labels(volume);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,11 +57,12 @@ struct WorkpieceSettings {
     std::string type;
     bool big_endian = false;
     std::size_t skip_bytes = 0;
-  } raw;                          ///< file of samples without a header
-  std::optional<double> unit_mm;  ///< mesh, .vdb of another program: length of one unit of the file
-  std::string grid;               ///< .vdb of another program
-  bool large = false;             ///< lifts the limits of how much work is begun
-  WorkObserver tell = {};         ///< is told of the work; no setting
+  } raw;                                              ///< file of samples without a header
+  std::optional<double> unit_mm;                      ///< mesh, .vdb of another program: length of one unit of the file
+  std::string grid;                                   ///< .vdb of another program
+  bool large = false;                                 ///< lifts the limits of how much work is begun
+  WorkObserver tell = {};                             ///< is told of the work; no setting
+  std::function<void(const std::string&)> warn = {};  ///< is told what a user must know of the file; no setting
   MaterialChanges materials;
 };
 

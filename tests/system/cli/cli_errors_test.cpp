@@ -191,7 +191,8 @@ TEST_F(Files, OfSamplesNeedToBeToldWhatTheirValuesMean) {
   expect(source + "--grey dentin=1: --unclaimed_labels leave_out", kFailed, "goes with labels");
   expect(source + "--grey dentin=5:3", kFailed, "`from` must be less than `to`");
   expect(source + "--grade_low 5 --grade_high 3 --grade_at_low dentin --grade_at_high enamel", kFailed, "`low`");
-  expect(source + "--label dentin=1 --voxel_mm 1e-3", kFailed, "(--large)");
+  const Outcome large = test::run_program(folder, source + "--label dentin=1 --voxel_mm 1e-3");
+  EXPECT_NE(large.errors.find("say that so much is meant (--large)."), std::string::npos) << large.errors;
   std::filesystem::create_directory(folder / "slices");
   write_bytes(folder / "slices/s1.png", "");
   expect("inspect " + path("slices"), kFailed, "set --spacing_mm");

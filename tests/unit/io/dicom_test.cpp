@@ -8,9 +8,10 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/volume/volumes.hpp"
+#include "io/child_process.hpp"
 #include "io/dicom/dicom_picture.hpp"
+#include "support/dicom_files.hpp"
 #include "support/temporary_folder.hpp"
-#include "support/volume_files.hpp"
 
 namespace hapticut::dicom_test {
 namespace {
@@ -20,27 +21,15 @@ using test::write_bytes;
 
 const std::string kPixelElement = std::string("\xe0\x7f\x10\0OW\0\0", 8);
 
-std::string slice(int number) {
-  return test::dicom_slice(4, 3, number, 0.7 * number, std::vector<std::int16_t>(12, std::int16_t(number)));
+test::DicomElements elements(int number) {
+  return test::dicom_slice(4, 3, 0.7 * number, std::vector<std::int16_t>(12, std::int16_t(number)));
 }
+
+std::string slice(int number) { return test::dicom_file(elements(number)); }
 
 /// The same slice with its values in one compressed part.
 std::string compressed(int number, const std::string& syntax, const std::string& packed) {
-  std::string bytes = slice(number);
-  bytes.resize(bytes.rfind(kPixelElement));
-  const std::string plain = std::string("\x02\0\x10\0UI\x14\0", 8) + std::string("1.2.840.10008.1.2.1\0", 20);
-  std::string kind("\x02\0\x10\0UI", 6);
-  const std::string padded = syntax + std::string(syntax.size() % 2, '\0');
-  bytes.replace(bytes.find(plain), plain.size(),
-                kind.append(test::little(std::uint16_t(padded.size()))).append(padded));
-  const auto item = [](const std::string& content) {
-    return std::string("\xfe\xff\0\xe0", 4) + test::little(std::uint32_t(content.size())) + content;
-  };
-  bytes += std::string("\xe0\x7f\x10\0OB\0\0\xff\xff\xff\xff", 12);
-  bytes += item("");
-  bytes += item(packed);
-  bytes += std::string("\xfe\xff\xdd\xe0\0\0\0\0", 8);
-  return bytes;
+  return test::dicom_file(elements(number).set_fragments({packed}), syntax);
 }
 
 std::string name(int number) {
@@ -99,12 +88,33 @@ TEST(Dicom, RunLengthsAreUnpacked) {
 TEST(Dicom, ADecoderThatDiesOrIsAbsentIsOneSentence) {
   const TemporaryFolder folder;
   for (int n = 1; n <= 2; ++n) write_bytes(folder / name(n), compressed(n, "1.2.840.10008.1.2.4.80", "no picture"));
+#ifdef HAPTICUT_HAS_ITK
   EXPECT_NE(error_of(folder / "").find("JPEG-LS, cannot be unpacked"), std::string::npos) << error_of(folder / "");
+#else
+  EXPECT_NE(error_of(folder / "").find("HAPTICUT_WITH_ITK=ON"), std::string::npos) << error_of(folder / "");
+#endif
   ::setenv("HAPTICUT_DECODER", "/bin/false", 1);
   EXPECT_NE(error_of(folder / "").find("JPEG-LS, cannot be unpacked"), std::string::npos) << error_of(folder / "");
   ::setenv("HAPTICUT_DECODER", "/no/such/program", 1);
   EXPECT_NE(error_of(folder / "").find("cannot be started"), std::string::npos) << error_of(folder / "");
   ::unsetenv("HAPTICUT_DECODER");
+}
+
+TEST(Dicom, ADecoderThatWasNotBuiltIsSaidToNeedItk) {
+  ChildProgram unbuilt = kDecoder;
+  unbuilt.name = "no-such-program";
+  unbuilt.variable = "HAPTICUT_NO_SUCH_PROGRAM";
+  unbuilt.installed = "";
+  unbuilt.built = "";
+  try {
+    ChildProcess(unbuilt).start();
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(),
+              std::string("its values are compressed and must be unpacked, which needs ITK; this build of hapticut is "
+                          "without it. Install libinsighttoolkit5-dev and build it with HAPTICUT_WITH_ITK=ON, or save "
+                          "the file uncompressed."));
+  }
 }
 
 }  // namespace
