@@ -89,4 +89,12 @@ inline DicomElements dicom_slice(std::uint16_t columns, std::uint16_t rows, doub
   return e.set(0x00200032, "DS", dicom_numbers(10, 20, height_mm)).set(0x00200037, "DS", "1\\0\\0\\0\\1\\0");
 }
 
+/// s0, s1, ... (`"s" + std::to_string(0)` is a false alarm of g++ 12)
+template <class Number>
+std::string slice_name(Number number) {
+  std::string text = "s";
+  text += std::to_string(number);
+  return text;
+}
+
 }  // namespace hapticut::test

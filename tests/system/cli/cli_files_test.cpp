@@ -252,7 +252,7 @@ void write_padded_slices(const std::filesystem::path& folder) {
     for (const std::size_t corner : {0U, 4U, 20U, 24U}) values[corner] = -1;
     if (k == 1) values[12] = 2500;
     DicomElements slice = dicom_slice(5, 5, 0.2 * k, values).set_word(0x00280103, 0).set_word(0x00280120, 65535);
-    write_bytes(folder / ("s" + std::to_string(k)), dicom_file(slice));
+    write_bytes(folder / slice_name(k), dicom_file(slice));
   }
 }
 
@@ -284,7 +284,7 @@ TEST_F(Inspect, NamesTheFlagThatPicksASeriesOrGivesASpacing) {
   for (int n = 0; n < 4; ++n) {
     DicomElements slice = dicom_slice(1, 1, 0.5 * n, {1});
     slice.set(0x0020000e, "UI", n < 2 ? "1.2.3" : "1.2.4");
-    write_bytes(folder / ("scan/s" + std::to_string(n)), dicom_file(slice));
+    write_bytes(folder / "scan" / slice_name(n), dicom_file(slice));
   }
   Outcome outcome = run("inspect " + path("scan"));
   EXPECT_NE(outcome.errors.find("Choose one by --dicom_series."), std::string::npos) << outcome.errors;

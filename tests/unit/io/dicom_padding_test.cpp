@@ -23,7 +23,7 @@ GreyVolume two_slices(const Change& change, const std::string& syntax = "1.2.840
   for (int k = 0; k < 2; ++k) {
     DicomElements e = test::dicom_slice(2, 2, 0.5 * k, {1, 2, 3, 4});
     change(e);
-    test::write_bytes(folder / ("s" + std::to_string(k)), test::dicom_file(e, syntax));
+    test::write_bytes(folder / test::slice_name(k), test::dicom_file(e, syntax));
   }
   return read_grey_volume(folder / "");
 }
@@ -126,7 +126,7 @@ TEST(DicomPadding, IsTheLabelOfNothing) {
   for (int k = 0; k < 2; ++k) {
     DicomElements e = test::dicom_slice(2, 2, 0.5 * k, {-2000, 2, 3, 4});
     e.set(kPadding, "SS", little(std::int16_t(-2000))).set(kIntercept, "DS", "0");
-    test::write_bytes(folder / ("s" + std::to_string(k)), test::dicom_file(e));
+    test::write_bytes(folder / test::slice_name(k), test::dicom_file(e));
   }
   const LabelVolume labels = read_label_volume(folder / "");
   EXPECT_EQ(labels.values, (std::vector<std::uint16_t>{0, 2, 3, 4, 0, 2, 3, 4}));

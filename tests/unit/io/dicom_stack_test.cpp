@@ -104,7 +104,7 @@ class DicomSlices : public testing::Test {
       DicomElements e = test::dicom_slice(1, 1, 0, {std::int16_t(n)});
       e.set(kOrientation, "DS", orientation);
       e.set(kPosition, "DS", test::dicom_numbers(places[n].x(), places[n].y(), places[n].z()));
-      test::write_bytes(folder_ / ("s" + std::to_string(n)), test::dicom_file(e));
+      test::write_bytes(folder_ / test::slice_name(n), test::dicom_file(e));
     }
   }
   void write_heights(const std::vector<double>& heights) {

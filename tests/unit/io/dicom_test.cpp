@@ -16,6 +16,7 @@
 namespace hapticut::dicom_test {
 namespace {
 
+using test::slice_name;
 using test::TemporaryFolder;
 using test::write_bytes;
 
@@ -32,12 +33,6 @@ std::string compressed(int number, const std::string& syntax, const std::string&
   return test::dicom_file(elements(number).set_fragments({packed}), syntax);
 }
 
-std::string name(int number) {
-  std::string text = "s";
-  text += std::to_string(number);
-  return text;
-}
-
 std::string error_of(const std::filesystem::path& path) {
   try {
     (void)read_grey_volume(path);
@@ -49,7 +44,7 @@ std::string error_of(const std::filesystem::path& path) {
 
 TEST(Dicom, FilesWithoutAPictureInAFolderAreLeftOut) {
   const TemporaryFolder folder;
-  for (int n = 1; n <= 3; ++n) write_bytes(folder / name(n), slice(n));
+  for (int n = 1; n <= 3; ++n) write_bytes(folder / slice_name(n), slice(n));
   std::string report = slice(9);
   report.resize(report.rfind(kPixelElement));
   write_bytes(folder / "DICOMDIR", report);
@@ -59,10 +54,10 @@ TEST(Dicom, FilesWithoutAPictureInAFolderAreLeftOut) {
 // A damaged name of a series has a line break in it.
 TEST(Dicom, SeveralSeriesAreListedInOneLine) {
   const TemporaryFolder folder;
-  write_bytes(folder / name(1), slice(1));
+  write_bytes(folder / slice_name(1), slice(1));
   std::string other = slice(2);
   other.replace(other.find("1.2.3.6"), 4, "1.\n2");
-  write_bytes(folder / name(2), other);
+  write_bytes(folder / slice_name(2), other);
   const std::string refusal = error_of(folder / "");
   EXPECT_NE(refusal.find("several DICOM series"), std::string::npos) << refusal;
   EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
@@ -81,13 +76,14 @@ TEST(Dicom, RunLengthsAreUnpacked) {
   for (std::size_t length = 0; length < packed.size(); ++length)
     EXPECT_THROW((void)unpack_rle(std::string_view(packed).substr(0, length), 12, 2), Error) << length;
   const TemporaryFolder folder;
-  for (int n = 1; n <= 2; ++n) write_bytes(folder / name(n), compressed(n, "1.2.840.10008.1.2.5", packed));
+  for (int n = 1; n <= 2; ++n) write_bytes(folder / slice_name(n), compressed(n, "1.2.840.10008.1.2.5", packed));
   EXPECT_EQ(read_grey_volume(folder / "").values[3], 1 - 1000);  // Hounsfield units
 }
 
 TEST(Dicom, ADecoderThatDiesOrIsAbsentIsOneSentence) {
   const TemporaryFolder folder;
-  for (int n = 1; n <= 2; ++n) write_bytes(folder / name(n), compressed(n, "1.2.840.10008.1.2.4.80", "no picture"));
+  for (int n = 1; n <= 2; ++n)
+    write_bytes(folder / slice_name(n), compressed(n, "1.2.840.10008.1.2.4.80", "no picture"));
 #ifdef HAPTICUT_HAS_ITK
   EXPECT_NE(error_of(folder / "").find("JPEG-LS, cannot be unpacked"), std::string::npos) << error_of(folder / "");
 #else

@@ -105,7 +105,7 @@ TEST(VolumeHeader, WithALongerFourthAxisIsRefused) {
 
 TEST(MetaImage, SkipsKeysThatItDoesNotKnowHoweverManyAndLong) {
   std::string keys = "\nComment = " + std::string(5000, 'x') + "\nPatient = M\xc3\xbcller\nNote: none\n";
-  for (int n = 0; n < 5000; ++n) keys += "Seq_Frame" + std::to_string(n) + "_ImageStatus = OK\n";
+  for (int n = 0; n < 5000; ++n) keys.append("Seq_Frame").append(std::to_string(n)).append("_ImageStatus = OK\n");
   expect_ramp(read_meta(kMeta3 + "ElementSpacing = 0.1 0.2 0.7\n" + keys));
   while (keys.size() < 1U << 20U) keys += keys;
   expect_refusal("v.mha", kMeta3 + keys + kLocal + ramp(), "its header is longer than");
