@@ -68,6 +68,7 @@ void bind_volume(py::module_& m, const char* name, const char* purpose) {
           "dims", [](const V& v) { return py::make_tuple(v.dims[0], v.dims[1], v.dims[2]); }, doc("Volume::dims"))
       .def_readonly("spacing", &V::spacing, doc("Volume::spacing"))
       .def_readonly("X_WG", &V::X_WG, doc("Volume::X_WG"))
+      .def_readonly("padding", &V::padding, doc("Volume::padding"))
       .def("position", &V::position, py::arg("i"), py::arg("j"), py::arg("k"), "[m] (3,) of a sample, in W.");
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/commands/command.hpp"
+#include "cli/reports/flag_words.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "settings/settings_file.hpp"
 
@@ -119,7 +120,7 @@ int main_with(int argc, char** argv) {
     return complain("there is not enough memory for this. Use larger voxels, a smaller piece or a shorter path.",
                     kFailed);
   } catch (const std::exception& error) {
-    return complain(error.what(), kFailed);
+    return complain(in_words_of_flags(error.what()), kFailed);
   }
   return 0;
 }

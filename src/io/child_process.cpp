@@ -41,6 +41,7 @@ fs::path place_of(const ChildProgram& program) {
   candidates.emplace_back(program.built);
   for (const fs::path& candidate : candidates)
     if (fs::is_regular_file(candidate, code)) return candidate;
+  if (*program.built == '\0') throw Error(std::string(program.need) + program.unbuilt + program.otherwise + ".");
   throw Error(std::string(program.need) + ", and the program '" + program.name +
               "' that does it, which comes with the library, is not where it belongs; name it by the environment "
               "variable " +

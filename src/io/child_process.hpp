@@ -19,7 +19,8 @@ struct ChildProgram {
   const char* installed;  ///< path after `cmake --install`
   const char* built;      ///< path in the build tree; empty: it was not built
   const char* need;       ///< begins the sentence that says it is missing: "its values are compressed"
-  const char* otherwise;  ///< ends that sentence: ", or save the file uncompressed"; may be empty
+  const char* unbuilt;    ///< goes on where it was not built: ", which needs ITK"
+  const char* otherwise;  ///< ends either sentence: ", or save the file uncompressed"; may be empty
 };
 extern const ChildProgram kDecoder;          ///< unpacks compressed DICOM pictures
 extern const ChildProgram kRecordingReader;  ///< reads recordings

@@ -8,6 +8,8 @@ const ChildProgram kDecoder = {"hapticut-decoder",
                                HAPTICUT_PROGRAMS_INSTALLED "hapticut-decoder",
                                HAPTICUT_DECODER_BUILT,
                                "its values are compressed and must be unpacked",
+                               ", which needs ITK; this build of hapticut is without it. Install "
+                               "libinsighttoolkit5-dev and build it with HAPTICUT_WITH_ITK=ON",
                                ", or save the file uncompressed"};
 
 const ChildProgram kRecordingReader = {"hapticut-recording-reader",
@@ -15,6 +17,7 @@ const ChildProgram kRecordingReader = {"hapticut-recording-reader",
                                        HAPTICUT_PROGRAMS_INSTALLED "hapticut-recording-reader",
                                        HAPTICUT_RECORDING_READER_BUILT,
                                        "recordings are read by a program of their own",
+                                       "",
                                        ""};
 
 }  // namespace hapticut

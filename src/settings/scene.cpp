@@ -32,8 +32,11 @@ Scene make_scene(const SceneSettings& s, bool with_motion) {
   std::optional<Motion> motion;
   if (with_motion) motion = make_motion(s.path, tool);
   SimulationConfig config = make_config(s.simulation);
-  Workpiece workpiece = make_workpiece(s.workpiece, tool.cutter().kind);
-  return {std::move(workpiece), std::move(tool), std::move(config), std::move(motion)};
+  WorkpieceSettings source = s.workpiece;
+  std::vector<std::string> warnings;
+  source.warn = [&](const std::string& warning) { warnings.push_back(warning); };
+  Workpiece workpiece = make_workpiece(std::move(source), tool.cutter().kind);
+  return {std::move(workpiece), std::move(tool), std::move(config), std::move(motion), std::move(warnings)};
 }
 
 Scene from_toml(std::string_view text) { return read_scene(text, "scene"); }

@@ -54,6 +54,15 @@ LabelVolume read_labels(const Source& s) {
   return is_raw(s) ? read_raw_label_volume(s.source, raw_layout(s)) : read_label_volume(s.source, read_options(s));
 }
 
+/// A volume of which padding is told.
+template <class Value>
+Volume<Value> told(const Source& s, Volume<Value> volume) {
+  if (s.warn && volume.padding > 0)
+    s.warn(std::to_string(volume.padding) + " of the " + std::to_string(volume.size()) + " samples of " + s.source +
+           " are padding outside the field of view, and are taken for air.");
+  return volume;
+}
+
 std::optional<Box> crop_box(const Source& s) {
   if (s.crop_mm.empty()) return std::nullopt;
   const auto& c = s.crop_mm;
@@ -99,17 +108,17 @@ LabelVolume filled(const Source& s, LabelVolume volume, std::vector<LabelMateria
 }
 
 Workpiece from_labels(const Source& s) {
-  LabelVolume volume = cropped(read_labels(s), crop_box(s));
+  LabelVolume volume = cropped(told(s, read_labels(s)), crop_box(s));
   if (s.largest_component) volume = keep_largest_component(std::move(volume));
   std::vector<LabelMaterial> materials;
   for (const Source::Labels& labels : s.labels)
     materials.push_back({{labels.values.begin(), labels.values.end()}, s.materials.find(labels.material)});
   if (!s.fill_cavities.empty()) volume = filled(s, std::move(volume), materials);
-  return build_from_labels(volume, materials, build_options(s));
+  return build_from_labels(volume, materials, build_options(s), s.unclaimed_labels.value_or(UnclaimedLabels::refuse));
 }
 
 GreyVolume read_body(const Source& s, double lowest) {
-  GreyVolume volume = cropped(read_grey(s), crop_box(s));
+  GreyVolume volume = cropped(told(s, read_grey(s)), crop_box(s));
   if (s.largest_component) volume = keep_largest_component(std::move(volume), lowest);
   return volume;
 }
@@ -150,13 +159,18 @@ Workpiece make_workpiece_from_volume(const Source& s) {
   if (s.close_gaps_mm && s.fill_cavities.empty())
     throw Error("workpiece.close_gaps_mm needs fill_cavities, which names what the gaps are filled with.");
   if (!s.labels.empty()) return from_labels(s);
+  if (s.unclaimed_labels)
+    throw Error(
+        "workpiece.unclaimed_labels goes with labels; grey values that no range covers are empty. Leave it out.");
   if (!s.fill_cavities.empty())
     throw Error("workpiece.fill_cavities goes with labels; between grey values it is not clear what is enclosed.");
   return graded ? from_grade(s) : from_ranges(s);
 }
 
 VolumeSummary summarize_volume(const Source& s, std::optional<double> threshold) {
-  const GreyVolume volume = cropped(read_grey(s), crop_box(s));
+  GreyVolume volume = read_grey(s);
+  const std::size_t padding = volume.padding;
+  volume = cropped(std::move(volume), crop_box(s));
   const auto [lowest, highest] = grey_range(volume);
   VolumeSummary summary{volume.dims,
                         volume.spacing,
@@ -166,6 +180,7 @@ VolumeSummary summarize_volume(const Source& s, std::optional<double> threshold)
                         highest,
                         std::size_t(std::count_if(volume.values.begin(), volume.values.end(),
                                                   [](float value) { return std::isnan(value); })),
+                        padding,
                         volume.values.size() * sizeof(float)};
   if (threshold) summary.voxels_at_or_above = count_from(volume, *threshold);
   summary.voxels_by_label = count_labels(volume);

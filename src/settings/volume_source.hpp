@@ -22,6 +22,7 @@ struct VolumeSummary {
   Box box;                                                       ///< [m] around all samples, in W
   double lowest, highest;                                        ///< grey values, without what is no number
   std::size_t not_a_number;                                      ///< how many samples are none
+  std::size_t padding;                                           ///< samples of the file outside the field of view
   std::size_t memory_bytes;                                      ///< of the samples in memory
   std::optional<std::size_t> voxels_at_or_above = std::nullopt;  ///< a threshold
   std::map<int, std::size_t> voxels_by_label = {};               ///< empty unless all values are a few whole numbers

@@ -112,6 +112,8 @@ std::vector<Setting> settings_of(WorkpieceSettings& w) {
                         "slab: a layer, from the top down; repeat it", &settings_of_layer, &parse_layer),
       table_list<Labels>("workpiece.labels", "--label", w.labels, "MATERIAL=LABEL,LABEL...",
                          "volume: labels that are a material; repeat it", &settings_of_labels, &parse_labels),
+      choice("workpiece.unclaimed_labels", "--unclaimed_labels", w.unclaimed_labels,
+             "volume of labels: what becomes of a label without a material [refuse]"),
       table_list<GreyRange>("workpiece.grey", "--grey", w.grey, "MATERIAL=FROM:TO, where one end may be left out",
                             "volume: grey values that are a material; repeat it", &settings_of_grey, &parse_grey),
       number("workpiece.grade_low", "--grade_low", w.grade_low, any,

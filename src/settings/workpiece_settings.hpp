@@ -2,10 +2,12 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "hapticut/workpiece/volume_builders.hpp"
 #include "hapticut/workpiece/work_estimate.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 #include "settings/material_settings.hpp"
@@ -36,9 +38,10 @@ struct WorkpieceSettings {
     std::string material;  ///< of what the object encloses; "empty" makes a cavity of it
     std::string object;    ///< its name in the file
   };
-  std::deque<Shell> shells;    ///< mesh with several objects
-  std::deque<Layer> layers;    ///< slab, from the top down
-  std::deque<Labels> labels;   ///< volume of labels
+  std::deque<Shell> shells;   ///< mesh with several objects
+  std::deque<Layer> layers;   ///< slab, from the top down
+  std::deque<Labels> labels;  ///< volume of labels
+  std::optional<UnclaimedLabels> unclaimed_labels;
   std::deque<GreyRange> grey;  ///< volume of grey values
   std::optional<double> grade_low, grade_high;
   std::string grade_at_low, grade_at_high;
@@ -54,11 +57,12 @@ struct WorkpieceSettings {
     std::string type;
     bool big_endian = false;
     std::size_t skip_bytes = 0;
-  } raw;                          ///< file of samples without a header
-  std::optional<double> unit_mm;  ///< mesh, .vdb of another program: length of one unit of the file
-  std::string grid;               ///< .vdb of another program
-  bool large = false;             ///< lifts the limits of how much work is begun
-  WorkObserver tell = {};         ///< is told of the work; no setting
+  } raw;                                              ///< file of samples without a header
+  std::optional<double> unit_mm;                      ///< mesh, .vdb of another program: length of one unit of the file
+  std::string grid;                                   ///< .vdb of another program
+  bool large = false;                                 ///< lifts the limits of how much work is begun
+  WorkObserver tell = {};                             ///< is told of the work; no setting
+  std::function<void(const std::string&)> warn = {};  ///< is told what a user must know of the file; no setting
   MaterialChanges materials;
 };
 

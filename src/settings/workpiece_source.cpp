@@ -31,6 +31,7 @@ std::set<std::string> given_settings(const Source& s) {
   note("shells", !s.shells.empty());
   note("layers", !s.layers.empty());
   note("labels", !s.labels.empty());
+  note("unclaimed_labels", s.unclaimed_labels.has_value());
   note("grey", !s.grey.empty());
   note("grade_low", s.grade_low.has_value());
   note("grade_high", s.grade_high.has_value());
@@ -162,9 +163,10 @@ Workpiece make_workpiece(WorkpieceSettings s, CutterKind cutter) {
     refuse_all_but(s, {"voxel_mm", "material", "shells", "unit_mm", "large"});
     return naming_source(s, [&] { return make_workpiece_from_mesh(s); });
   }
-  refuse_all_but(s, {"voxel_mm", "labels", "grey", "grade_low", "grade_high", "grade_at_low", "grade_at_high",
-                     "spacing_mm", "crop_mm", "largest_component", "fill_cavities", "close_gaps_mm", "partial_volume",
-                     "dicom_series", "raw_dims", "raw_type", "raw_big_endian", "raw_skip_bytes", "large"});
+  refuse_all_but(s, {"voxel_mm",          "labels",        "unclaimed_labels", "grey",           "grade_low",
+                     "grade_high",        "grade_at_low",  "grade_at_high",    "spacing_mm",     "crop_mm",
+                     "largest_component", "fill_cavities", "close_gaps_mm",    "partial_volume", "dicom_series",
+                     "raw_dims",          "raw_type",      "raw_big_endian",   "raw_skip_bytes", "large"});
   return naming_source(s, [&] { return make_workpiece_from_volume(s); });
 #else
   throw Error("'" + s.source +

@@ -174,7 +174,7 @@ void require_all_claimed(const std::vector<bool>& present, const std::vector<boo
   if (count > 10) unclaimed += " and " + std::to_string(count - 10) + " more";
   if (count > 0)
     throw Error("the volume has labels that no material claims: " + unclaimed +
-                ". Give each a material, or pass UnclaimedLabels::leave_out to leave them out.");
+                ". Give each a material, or leave them out by UnclaimedLabels::leave_out.");
 }
 
 void require_finite_values(const GreyVolume& volume, const IndexBox& samples) {
@@ -227,7 +227,7 @@ Workpiece build_from_grey(const GreyVolume& volume, const std::vector<GreyRange>
   std::vector<GreyField::Bounds> bounds;
   for (const GreyRange& range : ranges) {
     if (!(range.from < range.to))
-      throw Error("GreyRange of '" + range.material.name + "' is " + format_number(range.from) + " ... " +
+      throw Error("the grey range of '" + range.material.name + "' is " + format_number(range.from) + " ... " +
                   format_number(range.to) + "; `from` must be less than `to`.");
     bounds.push_back({float(range.from), float(range.to), table.add(range.material)});
   }
@@ -242,7 +242,7 @@ Workpiece build_from_grey(const GreyVolume& volume, const std::vector<GreyRange>
 
 std::vector<Material> materials_of(const Grade& grade) {
   if (!std::isfinite(grade.low) || !std::isfinite(grade.high) || !(grade.low < grade.high))
-    throw Error("Grade goes from grey value " + format_number(grade.low) + " to " + format_number(grade.high) +
+    throw Error("the grade goes from grey value " + format_number(grade.low) + " to " + format_number(grade.high) +
                 "; both must be finite and `low` less than `high`.");
   require_between(grade.steps, 1, 200, "Grade::steps");
   validate(grade.at_low);

@@ -27,8 +27,8 @@ using namespace hapticut;
 
 /// A volume in a format that is read without ITK.
 bool reads_meta_image() {
-  std::ofstream("consumer.mhd")
-      << "NDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\nElementDataFile = consumer.raw\n";
+  std::ofstream("consumer.mhd") << "NDims = 3\nDimSize = 2 2 2\nElementSpacing = 1 1 1\nElementType = "
+                                   "MET_UCHAR\nElementDataFile = consumer.raw\n";
   std::ofstream("consumer.raw") << "01234567";
   return read_grey_volume("consumer.mhd").values.back() == '7';
 }

@@ -14,6 +14,7 @@
 #include "hapticut/io/volume/volumes.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
+#include "support/dicom_files.hpp"
 #include "support/meshes.hpp"
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
@@ -67,7 +68,7 @@ inline void volumes(const std::filesystem::path& folder) {
   write_bytes(folder / "meta/plain.mha", meta + "ElementDataFile = LOCAL\n" + data);
   write_bytes(folder / "meta/packed.mha", meta + "CompressedData = True\nElementDataFile = LOCAL\n" + gzipped(data));
   const std::vector<std::int16_t> slice(values.begin(), values.begin() + 12);
-  const std::string plain = dicom_slice(4, 3, 1, 0.7, slice);
+  const std::string plain = dicom_file(dicom_slice(4, 3, 0.7, slice));
   write_bytes(folder / "dicom/plain.dcm", plain);
   write_bytes(folder / "slices/a1.png", png_slice(4, 3, slice));
   write_bytes(folder / "slices/a1.tif", tiff_slice(4, 3, slice));

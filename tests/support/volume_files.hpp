@@ -132,35 +132,6 @@ struct NiftiFile {
   }
 };
 
-/// One uncompressed CT slice of a DICOM series, along the axes of the patient.
-/// @param height_mm  of the slice
-inline std::string dicom_slice(std::uint16_t columns, std::uint16_t rows, int number, double height_mm,
-                               const std::vector<std::int16_t>& values) {
-  const auto element = [](std::uint16_t group, std::uint16_t id, const std::string& kind, std::string value) {
-    if (value.size() % 2 != 0) value += kind == "UI" ? '\0' : ' ';
-    const bool long_form = kind == "OB" || kind == "OW";
-    return little(group) + little(id) + kind +
-           (long_form ? std::string(2, '\0') + little(std::uint32_t(value.size()))
-                      : little(std::uint16_t(value.size()))) +
-           value;
-  };
-  const auto word = [&](std::uint16_t id, std::uint16_t value) { return element(0x28, id, "US", little(value)); };
-  const std::string instance = "1.2.3.4." + std::to_string(number), ct = "1.2.840.10008.5.1.4.1.1.2";
-  const std::string meta = element(2, 1, "OB", std::string("\0\1", 2)) + element(2, 2, "UI", ct) +
-                           element(2, 3, "UI", instance) + element(2, 0x10, "UI", "1.2.840.10008.1.2.1") +
-                           element(2, 0x12, "UI", "1.2.3.4");
-  char position[64];
-  std::snprintf(position, sizeof position, "10\\20\\%.4f", height_mm);
-  return std::string(128, '\0') + "DICM" + element(2, 0, "UL", little(std::uint32_t(meta.size()))) + meta +
-         element(8, 0x16, "UI", ct) + element(8, 0x18, "UI", instance) + element(8, 0x60, "CS", "CT") +
-         element(0x20, 0xd, "UI", "1.2.3.5") + element(0x20, 0xe, "UI", "1.2.3.6") +
-         element(0x20, 0x13, "IS", std::to_string(number)) + element(0x20, 0x32, "DS", position) +
-         element(0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0") + word(2, 1) + element(0x28, 4, "CS", "MONOCHROME2") +
-         word(0x10, rows) + word(0x11, columns) + element(0x28, 0x30, "DS", "0.2\\0.1") + word(0x100, 16) +
-         word(0x101, 16) + word(0x102, 15) + word(0x103, 1) + element(0x28, 0x1052, "DS", "-1000") +
-         element(0x28, 0x1053, "DS", "1") + element(0x7fe0, 0x10, "OW", little(values));
-}
-
 /// A tar archive.
 inline std::string tar_archive(const std::map<std::string, std::string>& files) {
   std::string archive;

@@ -22,6 +22,7 @@ struct Volume {
   Vec3 spacing = Vec3(1e-3, 1e-3, 1e-3);  ///< [m] distance of neighbouring samples along x, y, z
   Pose X_WG;                              ///< pose of the grid: position of sample (0,0,0) and directions of its axes
   std::vector<Value> values;              ///< dims[0] * dims[1] * dims[2] values
+  std::size_t padding = 0;  ///< samples of its file that lie outside the field of view, as the file says; they are air
 
   [[nodiscard]] std::size_t size() const { return std::size_t(dims[0]) * std::size_t(dims[1]) * std::size_t(dims[2]); }
   [[nodiscard]] std::size_t offset(int i, int j, int k) const {

@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "hapticut/settings/motion.hpp"
 #include "hapticut/simulation/config.hpp"
@@ -21,10 +23,11 @@ namespace hapticut::settings {
 
 /// What a simulation is made of.
 struct Scene {
-  Workpiece workpiece;           ///< [workpiece] and [material]: built or read
-  Tool tool;                     ///< [tool]
-  SimulationConfig config;       ///< [simulation], [force], [effects]; its update_rate is simulation.rate_Hz
-  std::optional<Motion> motion;  ///< [path]: X_WT of the head over time; none where the text has no [path]
+  Workpiece workpiece;                     ///< [workpiece] and [material]: built or read
+  Tool tool;                               ///< [tool]
+  SimulationConfig config;                 ///< [simulation], [force], [effects]; its update_rate is simulation.rate_Hz
+  std::optional<Motion> motion;            ///< [path]: X_WT of the head over time; none where the text has no [path]
+  std::vector<std::string> warnings = {};  ///< what a user must know of the files: samples that are padding
 };
 
 /// Makes what a text in TOML describes. Its tables [output] and [loop] are the program's own and left alone. Files that

@@ -33,7 +33,7 @@ void run_convert(const ConvertSettings& s) {
 
 Command convert_command() {
   auto settings = std::make_shared<ConvertSettings>();
-  settings->workpiece.tell = tell_of_work;
+  tell_on_stderr(settings->workpiece);
   std::vector<Setting> all = settings_of(settings->workpiece);
   all.front().flag = "SOURCE";
   all.push_back(text("output.target", "TARGET", settings->target, "file to write"));

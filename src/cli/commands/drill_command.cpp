@@ -43,13 +43,13 @@ void run_drill(const DrillSettings& s) {
   check_outputs(s.output);
   const std::string& source = s.scene.workpiece.source;
   settings::Scene scene = with_bar(source, [&] { return make_scene(s.scene); });
-  DrillReport report{summarize(source, scene.workpiece), s.scene.simulation.rate_Hz, {}};
+  DrillReport report{summarize(source, scene.workpiece), s.scene.simulation.rate_Hz, std::move(scene.warnings)};
   Simulation simulation(std::move(scene.workpiece), scene.tool, scene.config);
 
   RunRecorder recorder(s.output.record, simulation, Pace::own, nullptr);
   const DrillResult result = drill(simulation, *scene.motion, report.rate, !s.output.steps_csv.empty());
   recorder.close();
-  report.warnings = warnings_of(result, simulation);
+  for (std::string& warning : warnings_of(result, simulation)) report.warnings.push_back(std::move(warning));
   std::fputs(to_table(report, result, simulation).c_str(), stdout);
   write_files(s.output, to_json(report, result, simulation), result, simulation.workpiece());
   recorder.require_complete();
@@ -67,7 +67,7 @@ void run_drill(const DrillSettings& s) {
 
 Command drill_command() {
   auto settings = std::make_shared<DrillSettings>();
-  settings->scene.workpiece.tell = tell_of_work;
+  tell_on_stderr(settings->scene.workpiece);
   return {"drill", "Move a tool along a path through a workpiece at a fixed rate and report forces and removal",
           settings_of(*settings), [settings] { run_drill(*settings); }};
 }

@@ -27,8 +27,8 @@ struct InspectSettings {
 };
 
 bool has_materials(const WorkpieceSettings& s) {
-  return !s.labels.empty() || !s.fill_cavities.empty() || !s.grey.empty() || s.grade_low || s.grade_high ||
-         !s.grade_at_low.empty() || !s.grade_at_high.empty();
+  return !s.labels.empty() || s.unclaimed_labels || !s.fill_cavities.empty() || !s.grey.empty() || s.grade_low ||
+         s.grade_high || !s.grade_at_low.empty() || !s.grade_at_high.empty();
 }
 
 #ifdef HAPTICUT_HAS_IO
@@ -59,7 +59,8 @@ void inspect_volume(const InspectSettings& s) {
                  {"box", to_json(v.box)},
                  {"lowest", v.lowest},
                  {"highest", v.highest},
-                 {"not_a_number", v.not_a_number}};
+                 {"not_a_number", v.not_a_number},
+                 {"padding", v.padding}};
   Table table("hapticut inspect: " + s.workpiece.source);
   table.add("samples",
             std::to_string(v.dims[0]) + " x " + std::to_string(v.dims[1]) + " x " + std::to_string(v.dims[2]));
@@ -68,6 +69,9 @@ void inspect_volume(const InspectSettings& s) {
   table.add("axes", axes_text(v.X_WG.rotation));
   table.add("values", rounded(v.lowest, 6) + " to " + rounded(v.highest, 6) +
                           (v.not_a_number > 0 ? ", " + std::to_string(v.not_a_number) + " are not a number" : ""));
+  if (v.padding > 0)
+    table.add("padding",
+              std::to_string(v.padding) + " samples of the file lie outside the field of view; taken for air");
   Json voxels = Json::object(), volumes = Json::object();
   for (const auto& [label, count] : v.voxels_by_label) {
     const std::string name = "label " + std::to_string(label);
@@ -125,7 +129,7 @@ void run_inspect(const InspectSettings& s) {
 
 Command inspect_command() {
   auto settings = std::make_shared<InspectSettings>();
-  settings->workpiece.tell = tell_of_work;
+  tell_on_stderr(settings->workpiece);
   std::vector<Setting> all = settings_of(settings->workpiece);
   all.front().flag = "SOURCE";
   all.push_back(text("output.json", "--json", settings->json, "report for machines"));

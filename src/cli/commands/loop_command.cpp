@@ -166,7 +166,7 @@ void run_loop(LoopSettings s) {
 
 Command loop_command() {
   auto settings = std::make_shared<LoopSettings>();
-  settings->workpiece.tell = tell_of_work;
+  tell_on_stderr(settings->workpiece);
   settings->simulation.config.reserved_blocks = kReservedBlocks;
   return {"loop", "Cut with a device in real time, or with one that stands for a device", settings_of(*settings),
           [settings] { run_loop(*settings); }};

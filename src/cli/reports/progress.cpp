@@ -15,6 +15,20 @@ using std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kBetween{100};
 constexpr std::size_t kWidth = 40;  // characters
 
+/// One line, in place of a bar that is drawn.
+void print_line(const std::string& line) {
+  std::fprintf(stderr, "%shapticut: %s\n", ::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "", line.c_str());
+}
+
+void tell_of_work(const WorkEstimate& estimate) {
+  constexpr double kWorthAWord = 10;  // [s]
+  if (estimate.seconds < kWorthAWord) return;
+  char line[128];
+  std::snprintf(line, sizeof line, "about %.2g voxels, %.2g MB and %.2g s of work.", estimate.voxels,
+                estimate.memory_bytes * 1e-6, estimate.seconds);
+  print_line(line);
+}
+
 }  // namespace
 
 ProgressBar::ProgressBar(std::string what, std::size_t total) : what_(std::move(what)), total_(total) {
@@ -58,12 +72,9 @@ void ProgressBar::draw() {
   drawn_ = true;
 }
 
-void tell_of_work(const WorkEstimate& estimate) {
-  constexpr double kWorthAWord = 10;  // [s]
-  if (estimate.seconds < kWorthAWord) return;
-  std::fprintf(stderr, "%shapticut: about %.2g voxels, %.2g MB and %.2g s of work.\n",
-               ::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "", estimate.voxels, estimate.memory_bytes * 1e-6,
-               estimate.seconds);
+void tell_on_stderr(settings::WorkpieceSettings& workpiece) {
+  workpiece.tell = tell_of_work;
+  workpiece.warn = print_line;
 }
 
 void ProgressBar::wipe() {

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "hapticut/workpiece/work_estimate.hpp"
+#include "settings/workpiece_settings.hpp"
 
 namespace hapticut::cli {
 
@@ -45,8 +45,9 @@ class ProgressBar {
   std::thread drawer_;  // on a terminal only
 };
 
-/// Says on stderr how much work begins, where it takes more than some seconds.
-void tell_of_work(const WorkEstimate& estimate);
+/// Says on stderr what making a workpiece has to say: how much work begins, where it takes more than some seconds, and
+/// what of the file a user must know.
+void tell_on_stderr(settings::WorkpieceSettings& workpiece);
 
 /// What `make` makes of a source, with a bar while it does.
 template <class Make>

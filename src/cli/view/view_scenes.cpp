@@ -98,7 +98,7 @@ ViewScene make_view_scene(const std::string& name) {
                     : name == "molar" ? molar_scene()
                     : name == "skull" ? skull_scene()
                                       : scene_of_file(name);
-  s.workpiece.tell = tell_of_work;
+  tell_on_stderr(s.workpiece);
   if (s.workpiece.source.empty()) s.workpiece.source = "molar";
   Workpiece workpiece =
       with_bar(s.workpiece.source, [&] { return make_workpiece(s.workpiece, CutterKind::carbide_bur); });

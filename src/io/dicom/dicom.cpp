@@ -21,7 +21,6 @@ std::string bytes_of_file(const fs::path& path) { return first_bytes(path, std::
 struct DicomSlice {
   fs::path path;
   DicomPicture picture;
-  double height_mm = 0;  ///< along the normal of the slices
 };
 
 bool alike(const DicomPicture& a, const DicomPicture& b) {
@@ -69,25 +68,6 @@ std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::stri
   return std::move(series.begin()->second);
 }
 
-/// Checks that the slices form a regular grid and returns their distance.
-double slice_distance_mm(const fs::path& folder, const std::vector<DicomSlice>& slices) {
-  const FileGeometry& first = slices.front().picture.geometry;
-  const double distance = (slices.back().height_mm - slices.front().height_mm) / double(slices.size() - 1);
-  // Scanners round positions to hundredths of a millimetre.
-  const double tolerance = std::max(0.011, 0.01 * distance);
-  for (std::size_t n = 0; n < slices.size(); ++n) {
-    const std::string name = slices[n].path.filename().string();
-    const Vec3 expected = first.origin_mm + double(n) * distance * first.direction.col(2);
-    const Vec3 error = slices[n].picture.geometry.origin_mm - expected;
-    if (!(distance > 0) || !(std::abs(error.dot(first.direction.col(2))) <= tolerance))
-      cannot_read(folder, "its slices are not evenly spaced at '" + name +
-                              "'; one is missing or there twice. Resample the series first.");
-    if (!(error.norm() <= tolerance * 2))
-      cannot_read(folder, "its slices are shifted against each other (a tilted gantry). Resample the series first.");
-  }
-  return distance;
-}
-
 FrameDecoder decoder_in(CodecProcess& process) {
   return
       [&process](const DicomFile& file, const DicomPicture& picture, const std::vector<std::string_view>& fragments) {
@@ -113,25 +93,30 @@ RawImage read_dicom_series(const fs::path& folder, const std::string& series) {
   for (const DicomSlice& slice : slices)
     if (slice.picture.geometry.dims[2] != 1) cannot_read(slice.path, "it has several frames; pass the file itself.");
   if (slices.size() < 2) cannot_read(folder, "its DICOM series has only one slice; a volume needs two.");
-  // The normal of the slices completes a right-handed frame, whatever the order of the files.
-  const Vec3 normal = slices.front().picture.geometry.direction.col(2);
-  for (DicomSlice& slice : slices) slice.height_mm = slice.picture.geometry.origin_mm.dot(normal);
-  std::stable_sort(slices.begin(), slices.end(),
-                   [](const auto& a, const auto& b) { return a.height_mm < b.height_mm; });
-
+  std::vector<Vec3> places;
+  for (const DicomSlice& slice : slices) {
+    if (!slice.picture.has_place)
+      cannot_read(slice.path, "it does not say where it lies. Save the series in one file.");
+    places.push_back(slice.picture.geometry.origin_mm);
+  }
   RawImage image;
   image.geometry = slices.front().picture.geometry;
-  image.geometry.spacing_mm.z() = slice_distance_mm(folder, slices);
   image.geometry.dims[2] = int(slices.size());
   require_sane_dims(folder, {double(image.geometry.dims[0]), double(image.geometry.dims[1]), double(slices.size())});
+  const auto name = [&](std::size_t n) { return "'" + slices[n].path.filename().string() + "'"; };
+  const auto order = naming(folder, [&] { return stack_planes(places, "slices", name, image.geometry); });
   CodecProcess process;
-  for (const DicomSlice& slice : slices) {
+  for (const std::size_t n : order) {
+    const DicomSlice& slice = slices[n];
     const std::string bytes = bytes_of_file(slice.path);
     const RawImage one =
         naming(slice.path, [&] { return picture_values(parse_dicom(bytes), slice.picture, decoder_in(process)); });
-    if (&slice != &slices.front() && one.type != image.type)
+    if (n != order.front() && one.type != image.type)
       cannot_read(slice.path, "it differs from the first slice in the type of its values.");
     image.type = one.type;
+    const std::size_t first = image.bytes.size() / size_of(image.type);
+    for (std::size_t sample = 0; sample < one.padding.size(); ++sample)
+      if (one.padding[sample]) image.mark_padding(first + sample);
     image.bytes.insert(image.bytes.end(), one.bytes.begin(), one.bytes.end());
   }
   return image;

@@ -21,17 +21,18 @@ constexpr std::uint32_t kItem = dicom_tag(0xfffe, 0xe000), kItemEnd = dicom_tag(
 
 /// Whether an element is kept: the identity, the kind and the place of a picture, and how its values are stored.
 bool is_kept(std::uint32_t tag) {
-  constexpr std::uint32_t kOther[] = {dicom_tag(8, 8), dicom_tag(8, 0x16), dicom_tag(0x18, 0x50), dicom_tag(0x18, 0x88),
+  constexpr std::uint32_t kOther[] = {dicom_tag(8, 8), dicom_tag(8, 0x16), dicom_tag(0x18, 0x88),
                                       dicom_tag(0x3004, 0xc)};
   const std::uint32_t group = tag >> 16U;
   return group == 0x20 || group == 0x28 || std::find(std::begin(kOther), std::end(kOther), tag) != std::end(kOther);
 }
 
 /// Functional groups of all frames and of each, and what they hold: the plane's place and direction, its measures, the
-/// scale of its values.
+/// scale of its values, and what a converter found in single slices.
 bool is_kept_sequence(std::uint32_t tag) {
   constexpr std::uint32_t kKept[] = {dicom_tag(0x5200, 0x9229), dicom_tag(0x5200, 0x9230), dicom_tag(0x20, 0x9113),
-                                     dicom_tag(0x20, 0x9116),   dicom_tag(0x28, 0x9110),   dicom_tag(0x28, 0x9145)};
+                                     dicom_tag(0x20, 0x9116),   dicom_tag(0x28, 0x9110),   dicom_tag(0x28, 0x9145),
+                                     dicom_tag(0x20, 0x9170),   dicom_tag(0x20, 0x9171)};
   return std::find(std::begin(kKept), std::end(kKept), tag) != std::end(kKept);
 }
 

@@ -13,14 +13,15 @@
 namespace hapticut {
 namespace {
 
-constexpr std::uint32_t kImageType = dicom_tag(8, 8), kClass = dicom_tag(8, 0x16), kThickness = dicom_tag(0x18, 0x50),
+constexpr std::uint32_t kImageType = dicom_tag(8, 8), kClass = dicom_tag(8, 0x16),
                         kBetweenSlices = dicom_tag(0x18, 0x88), kSeries = dicom_tag(0x20, 0xe),
                         kPosition = dicom_tag(0x20, 0x32), kOrientation = dicom_tag(0x20, 0x37),
                         kChannels = dicom_tag(0x28, 2), kPhotometric = dicom_tag(0x28, 4), kFrames = dicom_tag(0x28, 8),
                         kRows = dicom_tag(0x28, 0x10), kColumns = dicom_tag(0x28, 0x11),
                         kPixelSpacing = dicom_tag(0x28, 0x30), kAllocated = dicom_tag(0x28, 0x100),
                         kStored = dicom_tag(0x28, 0x101), kHigh = dicom_tag(0x28, 0x102),
-                        kSign = dicom_tag(0x28, 0x103), kIntercept = dicom_tag(0x28, 0x1052),
+                        kSign = dicom_tag(0x28, 0x103), kPadding = dicom_tag(0x28, 0x120),
+                        kPaddingLimit = dicom_tag(0x28, 0x121), kIntercept = dicom_tag(0x28, 0x1052),
                         kSlope = dicom_tag(0x28, 0x1053), kFrameOffsets = dicom_tag(0x3004, 0xc),
                         kSharedGroups = dicom_tag(0x5200, 0x9229), kFrameGroups = dicom_tag(0x5200, 0x9230),
                         kPlanePosition = dicom_tag(0x20, 0x9113), kPlaneOrientation = dicom_tag(0x20, 0x9116),
@@ -44,28 +45,29 @@ const DicomItem* group_of(const DicomFile& file, std::size_t frame, std::uint32_
   return shared != nullptr ? shared->item(group) : nullptr;
 }
 
-const DicomItem& group_or_file(const DicomFile& file, std::size_t frame, std::uint32_t group) {
+/// Numbers of a frame: from its functional group where they stand there, else from the file.
+std::vector<double> numbers_of(const DicomFile& file, std::size_t frame, std::uint32_t group, std::uint32_t tag,
+                               std::size_t count, const char* name) {
   const DicomItem* item = group_of(file, frame, group);
-  return item != nullptr ? *item : file.data;
+  return (item != nullptr && item->has(tag) ? *item : file.data).numbers(tag, count, name);
 }
 
-Mat3 direction_of(const DicomItem& item) {
-  const std::vector<double> o = item.numbers(kOrientation, 6, "orientation");
+/// Rows, columns and the normal of a frame. Writers round them to some digits.
+Mat3 direction_of(const DicomFile& file, std::size_t frame) {
+  const std::vector<double> o = numbers_of(file, frame, kPlaneOrientation, kOrientation, 6, "orientation");
   Mat3 direction = Mat3::Identity();
   if (o.empty()) return direction;
   direction.col(0) = Vec3(o[0], o[1], o[2]);
   direction.col(1) = Vec3(o[3], o[4], o[5]);
-  direction.col(2) = direction.col(0).cross(direction.col(1));
+  direction.col(2) = direction.col(0).cross(direction.col(1)).normalized();
+  if (direction.col(2).isZero())
+    throw Error("its rows and columns have no direction; it is damaged. Get a complete copy.");
   return direction;
 }
 
-Vec3 position_of(const DicomItem& item) {
-  const std::vector<double> p = item.numbers(kPosition, 3, "position");
-  return p.empty() ? Vec3(Vec3::Zero()) : Vec3(p[0], p[1], p[2]);
-}
-
-/// Where along the normal the frames lie [mm]; empty where the file does not say it of each.
-std::vector<double> heights_of(const DicomFile& file, std::size_t frames, const Vec3& normal) {
+/// Where the frames lie [mm]; empty where the file does not say it of each.
+std::vector<Vec3> places_of(const DicomFile& file, std::size_t frames, const FileGeometry& geometry) {
+  std::vector<Vec3> places;
   if (file.data.text(kClass) == kDoseClass || file.data.has(kFrameOffsets)) {
     const std::string text = file.data.text(kFrameOffsets);
     const std::optional<std::vector<double>> offsets = numbers_in(text, "\\ ");
@@ -74,34 +76,81 @@ std::vector<double> heights_of(const DicomFile& file, std::size_t frames, const 
     if (!finite || (offsets->size() != frames && !(frames == 1 && offsets->empty())))
       throw Error("the offsets of its frames are " + in_quotes(text) + "; by its number of frames there must be " +
                   std::to_string(frames) + ". Get a complete copy.");
-    return *offsets;
+    for (const double offset : *offsets)
+      places.emplace_back(geometry.origin_mm + (offset - offsets->front()) * geometry.direction.col(2));
+    return places;
   }
-  std::vector<double> heights;
-  for (std::size_t n = 0; n < frames; ++n) {
-    const DicomItem* plane = group_of(file, n, kPlanePosition);
-    if (plane == nullptr || !plane->has(kPosition)) return {};
-    heights.push_back(position_of(*plane).dot(normal));
+  const auto groups = file.data.sequences.find(kFrameGroups);
+  if (groups == file.data.sequences.end()) return places;
+  for (std::size_t n = 0; n < std::min(frames, groups->second.size()); ++n) {
+    const DicomItem* plane = groups->second[n].item(kPlanePosition);
+    const std::vector<double> p = plane != nullptr ? plane->numbers(kPosition, 3, "position") : std::vector<double>();
+    if (!p.empty()) places.emplace_back(p[0], p[1], p[2]);
   }
-  return heights;
+  if (!places.empty() && places.size() != frames)
+    throw Error("of its " + std::to_string(frames) + " frames only " + std::to_string(places.size()) +
+                " say where they lie. Get a complete copy.");
+  return places;
 }
 
-/// Sets the distance and the direction of the frames.
-void stack_frames(const DicomFile& file, FileGeometry& geometry) {
+/// Sets the distance, the direction and the order of the frames.
+void stack_frames(const DicomFile& file, DicomPicture& picture) {
+  FileGeometry& geometry = picture.geometry;
   const auto frames = std::size_t(geometry.dims[2]);
-  const std::vector<double> heights = heights_of(file, frames, geometry.direction.col(2));
-  if (heights.size() < 2) {
-    const DicomItem& measures = group_or_file(file, 0, kMeasures);
-    std::vector<double> between = measures.numbers(kBetweenSlices, 1, "spacing between slices");
-    if (between.empty()) between = measures.numbers(kThickness, 1, "slice thickness");
-    geometry.spacing_mm.z() = between.empty() ? 0 : std::abs(between[0]);
+  for (std::size_t n = 1; n < frames && file.data.sequences.contains(kFrameGroups); ++n)
+    if (!((direction_of(file, n) - geometry.direction).cwiseAbs().maxCoeff() <= kLargestRounding))
+      throw Error("its frames 1 and " + std::to_string(n + 1) + " lie in different directions. Take them apart first.");
+  const std::vector<Vec3> places = places_of(file, frames, geometry);
+  if (places.size() >= 2) {
+    const auto name = [](std::size_t frame) { return "frame " + std::to_string(frame + 1); };
+    picture.order = stack_planes(places, "frames", name, geometry);
     return;
   }
-  const double step = (heights.back() - heights.front()) / double(frames - 1);
-  for (std::size_t n = 0; n < frames; ++n)
-    if (!(std::abs(heights[n] - heights[0] - double(n) * step) <= std::max(0.011, 0.01 * std::abs(step))))
-      throw Error("its frames are not evenly spaced at frame " + std::to_string(n + 1) + ". Resample it first.");
-  geometry.spacing_mm.z() = std::abs(step);
-  if (step < 0) geometry.direction.col(2) *= -1;
+  // How thick slices are does not say how far apart they are.
+  const std::vector<double> between = numbers_of(file, 0, kMeasures, kBetweenSlices, 1, "spacing between slices");
+  geometry.spacing_mm.z() = between.empty() ? 0 : std::abs(between[0]);
+}
+
+/// A frame's own item with this element, whichever of its functional groups has it, or one of those that all share, or
+/// the file.
+const DicomItem* item_with(const DicomFile& file, std::size_t frame, std::uint32_t tag) {
+  const auto within = [&](const DicomItem* item) -> const DicomItem* {
+    if (item == nullptr || item->has(tag)) return item;
+    for (const auto& [group, items] : item->sequences)
+      if (items.size() == 1 && items.front().has(tag)) return &items.front();
+    return nullptr;
+  };
+  const auto frames = file.data.sequences.find(kFrameGroups);
+  if (frames != file.data.sequences.end() && frame < frames->second.size())
+    if (const DicomItem* own = within(&frames->second[frame])) return own;
+  if (const DicomItem* shared = within(file.data.item(kSharedGroups))) return shared;
+  return file.data.has(tag) ? &file.data : nullptr;
+}
+
+/// A stored value in binary, with a sign where the picture has one, whatever its kind says.
+std::optional<double> stored_number(const DicomFile& file, const DicomPicture& picture, std::size_t frame,
+                                    std::uint32_t tag) {
+  const DicomItem* item = item_with(file, frame, tag);
+  if (item == nullptr || item->values.at(tag).empty()) return std::nullopt;
+  std::string bytes(item->values.at(tag));
+  if (file.big_endian) std::reverse(bytes.begin(), bytes.end());
+  const auto as = [&](auto number) {
+    std::memcpy(&number, bytes.data(), sizeof number);
+    return double(number);
+  };
+  if (bytes.size() == 2) return picture.has_sign ? as(std::int16_t{}) : as(std::uint16_t{});
+  if (bytes.size() == 4) return picture.has_sign ? as(std::int32_t{}) : as(std::uint32_t{});
+  throw Error("its pixel padding value is not one number; it is damaged. Get a complete copy.");
+}
+
+std::optional<DicomPadding> padding_of(const DicomFile& file, const DicomPicture& picture, std::size_t frame) {
+  const std::optional<double> value = stored_number(file, picture, frame, kPadding);
+  if (!value) return std::nullopt;
+  const double limit = stored_number(file, picture, frame, kPaddingLimit).value_or(*value);
+  DicomPadding padding = {std::min(*value, limit), std::max(*value, limit), false};
+  const double lowest = picture.has_sign ? -std::ldexp(1.0, picture.stored - 1) : 0;
+  padding.whole_words = padding.low < lowest || padding.high >= lowest + std::ldexp(1.0, picture.stored);
+  return padding;
 }
 
 void require_grey_picture(const DicomFile& file, const DicomPicture& picture) {
@@ -132,12 +181,20 @@ double stored_value(Word word, const DicomPicture& picture) {
 template <class Word>
 void append_frame(std::string_view bytes, const DicomPicture& picture, std::size_t frame, RawImage& image) {
   const auto [slope, intercept] = picture.scale[picture.scale.size() == 1 ? 0 : frame];
+  const std::optional<DicomPadding>& padding = picture.padding[picture.padding.size() == 1 ? 0 : frame];
+  const std::size_t first = image.bytes.size() / size_of(image.type);
   std::size_t to = image.bytes.size();
   image.bytes.resize(to + picture.frame_samples() * size_of(image.type));
   for (std::size_t n = 0; n < picture.frame_samples(); ++n) {
     Word word;
     std::memcpy(&word, bytes.data() + n * sizeof word, sizeof word);
-    const double value = slope * stored_value(word, picture) + intercept;
+    const double stored = stored_value(word, picture), value = slope * stored + intercept;
+    if (padding) {
+      const double compared = !padding->whole_words ? stored
+                              : picture.has_sign    ? double(std::make_signed_t<Word>(word))
+                                                    : double(word);
+      if (compared >= padding->low && compared <= padding->high) image.mark_padding(first + n);
+    }
     with_value_type(image.type, [&](auto zero) {
       zero = decltype(zero)(value);
       std::memcpy(image.bytes.data() + to, &zero, sizeof zero);
@@ -193,20 +250,22 @@ DicomPicture describe_picture(const DicomFile& file) {
   const double rows = file.number(kRows, "number of rows"), columns = file.number(kColumns, "number of columns");
   require_sane_dims({columns, rows, double(frames)});
   picture.geometry.dims = {int(columns), int(rows), frames};
-  picture.geometry.direction = direction_of(group_or_file(file, 0, kPlaneOrientation));
-  picture.geometry.origin_mm = position_of(group_or_file(file, 0, kPlanePosition));
+  picture.geometry.direction = direction_of(file, 0);
+  const std::vector<double> place = numbers_of(file, 0, kPlanePosition, kPosition, 3, "position");
+  picture.has_place = !place.empty();
+  if (picture.has_place) picture.geometry.origin_mm = Vec3(place[0], place[1], place[2]);
   // The distance of the rows comes first.
-  const std::vector<double> spacing = group_or_file(file, 0, kMeasures).numbers(kPixelSpacing, 2, "pixel spacing");
-  picture.geometry.spacing_mm = spacing.empty() ? Vec3(Vec3::Zero()) : Vec3(spacing[1], spacing[0], 0);
-  stack_frames(file, picture.geometry);
+  const std::vector<double> spacing = numbers_of(file, 0, kMeasures, kPixelSpacing, 2, "pixel spacing");
+  if (!spacing.empty()) picture.geometry.spacing_mm = Vec3(spacing[1], spacing[0], 0);
+  stack_frames(file, picture);
   // The unit of a dose is its own affair.
   const bool dose = file.data.text(kClass) == kDoseClass;
   const bool each = file.data.sequences.contains(kFrameGroups);
   for (std::size_t n = 0; n < (each ? std::size_t(frames) : 1); ++n) {
-    const DicomItem& item = group_or_file(file, n, kTransformation);
-    const std::vector<double> slope = item.numbers(kSlope, 1, "rescale slope"),
-                              intercept = item.numbers(kIntercept, 1, "rescale intercept");
+    const std::vector<double> slope = numbers_of(file, n, kTransformation, kSlope, 1, "rescale slope"),
+                              intercept = numbers_of(file, n, kTransformation, kIntercept, 1, "rescale intercept");
     if (!slope.empty() && slope[0] == 0) throw Error("its rescale slope is 0; all its values would be the same.");
+    picture.padding.push_back(padding_of(file, picture, n));
     picture.scale.emplace_back(slope.empty() || dose ? 1 : slope[0], intercept.empty() || dose ? 0 : intercept[0]);
   }
   picture.series = file.data.text(kSeries);
@@ -233,7 +292,8 @@ RawImage picture_values(const DicomFile& file, const DicomPicture& picture, cons
   } else {
     require_bytes(needed, double(file.picture.size()), kNotCompressed);
   }
-  for (std::size_t n = 0; n < frames; ++n) {
+  for (std::size_t place = 0; place < frames; ++place) {
+    const std::size_t n = picture.order.empty() ? place : picture.order[place];
     std::string bytes;
     if (!file.compressed) {
       bytes = plain_frame(file, picture, n);

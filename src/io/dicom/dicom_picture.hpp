@@ -2,28 +2,51 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "io/dicom/dicom_elements.hpp"
 #include "io/volume/raw_image.hpp"
 
 namespace hapticut {
 
+/// Values that stand for no measurement, but for what lies outside the field of view.
+struct DicomPadding {
+  double low, high;  ///< as stored, both included
+  bool whole_words;  ///< compared with all bits that are allocated: with those stored alone it could not occur
+};
+
 /// What the header of a DICOM file says of its picture.
 struct DicomPicture {
-  FileGeometry geometry;  ///< dims[2] counts the frames
-  int allocated = 16;     ///< [bit] of a stored value
-  int stored = 16;        ///< [bit] of it that count
-  int high = 15;          ///< the highest of them
+  FileGeometry geometry;           ///< dims[2] counts the frames; place and direction are those of the lowest
+  std::vector<std::size_t> order;  ///< of the frames, from the lowest to the highest; empty: as they are stored
+  bool has_place = false;          ///< the origin is that of the file
+  int allocated = 16;              ///< [bit] of a stored value
+  int stored = 16;                 ///< [bit] of it that count
+  int high = 15;                   ///< the highest of them
   bool has_sign = false;
-  std::vector<std::pair<double, double>> scale;  ///< slope and intercept, of all frames or of each
-  std::string series;                            ///< Series Instance UID
+  std::vector<std::pair<double, double>> scale;      ///< slope and intercept, of all frames or of each
+  std::vector<std::optional<DicomPadding>> padding;  ///< of all frames or of each
+  std::string series;                                ///< Series Instance UID
 
   [[nodiscard]] std::size_t frame_samples() const {
     return std::size_t(geometry.dims[0]) * std::size_t(geometry.dims[1]);
   }
   [[nodiscard]] std::size_t frame_bytes() const { return frame_samples() * std::size_t(allocated) / 8; }
 };
+
+/// Puts planes (slices of a series, frames of a file) one above the other along the normal of the first: sets the
+/// origin, the distance and, where positions say it better, the directions.
+/// @param places_mm  of the first sample of each, two at least
+/// @param planes     what they are, for the message: "slices"
+/// @param name       of one of them
+/// @return their order from the lowest to the highest
+/// @throws Error "its slices ..." when they are not one above the other at equal distances
+[[nodiscard]] std::vector<std::size_t> stack_planes(const std::vector<Vec3>& places_mm, const std::string& planes,
+                                                    const std::function<std::string(std::size_t)>& name,
+                                                    FileGeometry& geometry);
 
 /// @throws Error a sentence that begins with "it" or "its", when the picture is not one of grey values, or where it
 ///         lies cannot be told

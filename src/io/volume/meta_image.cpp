@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cstring>
-#include <locale>
 #include <map>
 #include <optional>
-#include <sstream>
+#include <vector>
 
 #include "io/file_errors.hpp"
 #include "io/mesh/text_lines.hpp"
 #include "io/volume/formats.hpp"
+#include "io/volume/number_text.hpp"
 #include "io/volume/unpack.hpp"
 
 namespace hapticut {
@@ -34,28 +34,41 @@ struct MetaHeader {
 // ITK reads this format too, but the parser behind it prints to stderr when a header is damaged and stops the program
 // on some that are not headers at all. The format is a list of `name = value`, so it is read here.
 
-/// Takes nothing but short lines of plain text.
+std::string_view trimmed_meta(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r"), text.size()));
+  return text.substr(0, text.find_last_not_of(" \t\r") + 1);
+}
+
+bool is_local(std::string_view data_file) {
+  return data_file == "LOCAL" || data_file == "Local" || data_file == "local";
+}
+
+/// Takes lines of plain text, whatever their names: up to the one behind which the values begin, or to the end of a
+/// header whose values are elsewhere.
 MetaHeader parse_meta_header(std::string_view bytes) {
-  constexpr std::size_t kMaxLine = 255, kMaxLines = 200;
+  constexpr std::size_t kMaxHeader = 1 << 20;  // [bytes]
+  const std::string_view text = bytes.substr(0, kMaxHeader);
   MetaHeader header;
-  for (std::size_t count = 0; count < kMaxLines && header.end < bytes.size(); ++count) {
-    const std::size_t end = std::min(bytes.find('\n', header.end), bytes.size());
-    std::string_view line = bytes.substr(header.end, end - header.end);
-    header.end = std::min(end + 1, bytes.size());
-    if (line.ends_with('\r')) line.remove_suffix(1);
+  while (header.end < text.size()) {
+    const std::size_t end = std::min(text.find('\n', header.end), text.size());
+    if (end == text.size() && text.size() < bytes.size()) break;
+    const std::string_view line = trimmed_meta(text.substr(header.end, end - header.end));
+    header.end = std::min(end + 1, text.size());
+    if (line.empty()) continue;
     const bool plain =
-        std::all_of(line.begin(), line.end(), [](unsigned char k) { return k == '\t' || (k >= 32 && k < 127); });
-    const std::size_t equals = line.find('=');
-    if (!plain || line.size() > kMaxLine || equals == std::string_view::npos || equals == 0) break;
-    const auto trimmed = [](std::string_view text) {
-      text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-      return std::string(text.substr(0, text.find_last_not_of(" \t") + 1));
-    };
-    const std::string name = trimmed(line.substr(0, equals));
-    header.fields[name] = trimmed(line.substr(equals + 1));
-    if (name == "ElementDataFile") return header;
+        std::all_of(line.begin(), line.end(), [](unsigned char k) { return k == '\t' || (k >= 32 && k != 127); });
+    const std::size_t equals = line.find_first_of("=:");
+    if (!plain || equals == std::string_view::npos || equals == 0)
+      throw Error("it is not a MetaImage file, or its header is damaged at " + in_quotes(line) + ".");
+    const std::string name(trimmed_meta(line.substr(0, equals)));
+    const std::string& value = header.fields[name] = trimmed_meta(line.substr(equals + 1));
+    // Behind a list stand the names of files; it is refused.
+    if (name == "ElementDataFile" && (is_local(value) || value.starts_with("LIST"))) return header;
   }
-  throw Error("it is not a MetaImage file, or its header is damaged.");
+  if (text.size() < bytes.size()) throw Error("its header is longer than " + std::to_string(kMaxHeader) + " bytes.");
+  if (!header.fields.contains("ElementDataFile"))
+    throw Error("it is not a MetaImage file, or its header is cut short: it has no ElementDataFile.");
+  return header;
 }
 
 ValueType type_of_meta(const std::string& name) {
@@ -65,41 +78,45 @@ ValueType type_of_meta(const std::string& name) {
       {"MET_ULONG_LONG", ValueType::uint64}, {"MET_LONG_LONG", ValueType::int64}, {"MET_FLOAT", ValueType::float32},
       {"MET_DOUBLE", ValueType::float64}};
   const auto found = kTypes.find(name);
-  if (found == kTypes.end()) throw Error("its values are of type '" + name + "', which is not read.");
+  if (found == kTypes.end()) throw Error("its values are of type " + in_quotes(name) + ", which is not read.");
   return found->second;
 }
 
 /// The numbers of a field that has several names; `otherwise` when it is absent.
-template <std::size_t kCount>
-std::array<double, kCount> numbers(const MetaHeader& header, const std::vector<std::string>& names,
-                                   std::array<double, kCount> otherwise) {
+std::vector<double> numbers(const MetaHeader& header, const std::vector<std::string>& names,
+                            std::vector<double> otherwise) {
   for (const std::string& name : names) {
     const auto found = header.fields.find(name);
     if (found == header.fields.end()) continue;
-    std::istringstream text(found->second);
-    text.imbue(std::locale::classic());
-    for (double& number : otherwise)
-      if (!(text >> number))
-        throw Error("its field '" + name + "' is '" + found->second + "'; it must be " + std::to_string(kCount) +
-                    " numbers.");
-    break;
+    const std::optional<std::vector<double>> given = numbers_in(found->second, " \t");
+    if (!given || given->size() != otherwise.size())
+      throw Error("its field '" + name + "' is " + in_quotes(found->second) + "; it must be " +
+                  std::to_string(otherwise.size()) + " numbers.");
+    return *given;
   }
   return otherwise;
 }
 
-/// Each row of the file's matrix is the direction of one axis.
-FileGeometry geometry_in(const MetaHeader& header) {
-  const auto dims = numbers<3>(header, {"DimSize"}, {0, 0, 0});
-  require_sane_dims(dims);
-  const auto spacing = numbers<3>(header, {"ElementSpacing", "ElementSize"}, {1, 1, 1});
-  const auto origin = numbers<3>(header, {"Offset", "Position", "Origin"}, {0, 0, 0});
-  const auto matrix = numbers<9>(header, {"TransformMatrix", "Orientation", "Rotation"}, {1, 0, 0, 0, 1, 0, 0, 0, 1});
+/// Each row of the file's matrix is the direction of one axis. Axes behind the third have one sample.
+FileGeometry geometry_in(const MetaHeader& header, std::size_t dimensions) {
+  const auto dims = numbers(header, {"DimSize"}, std::vector<double>(dimensions, 0));
+  require_sane_dims({dims[0], dims[1], dims[2]});
+  for (std::size_t axis = 3; axis < dimensions; ++axis)
+    if (dims[axis] != 1)
+      throw Error("it has " + format_number(dims[axis]) +
+                  " volumes or values per sample; take one volume out of it first.");
+  const std::vector<double> zeros(dimensions, 0);
+  const auto spacing = numbers(header, {"ElementSpacing", "ElementSize"}, zeros);
+  const auto origin = numbers(header, {"Offset", "Position", "Origin"}, zeros);
+  std::vector<double> identity(dimensions * dimensions, 0);
+  for (std::size_t axis = 0; axis < dimensions; ++axis) identity[(dimensions + 1) * axis] = 1;
+  const auto matrix = numbers(header, {"TransformMatrix", "Orientation", "Rotation"}, identity);
   FileGeometry geometry;
   for (unsigned axis = 0; axis < 3; ++axis) {
     geometry.dims[axis] = int(dims[axis]);
     geometry.spacing_mm[axis] = spacing[axis];
     geometry.origin_mm[axis] = origin[axis];
-    for (unsigned row = 0; row < 3; ++row) geometry.direction(row, axis) = matrix[3 * axis + row];
+    for (unsigned row = 0; row < 3; ++row) geometry.direction(row, axis) = matrix[dimensions * axis + row];
   }
   return geometry;
 }
@@ -118,7 +135,7 @@ std::int64_t header_size(const MetaHeader& header, bool local) {
 
 void take_values(const MetaHeader& header, std::string_view bytes, const DataFile& data_file, RawImage& image) {
   const std::string name = header.get("ElementDataFile", "");
-  const bool local = name == "LOCAL" || name == "Local" || name == "local";
+  const bool local = is_local(name);
   const std::string elsewhere = local ? std::string() : data_file(name);
   const std::string_view data = local ? bytes.substr(header.end) : std::string_view(elsewhere);
   const std::int64_t skip = header_size(header, local);
@@ -143,12 +160,12 @@ void take_values(const MetaHeader& header, std::string_view bytes, const DataFil
 
 RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file) {
   const MetaHeader header = parse_meta_header(bytes);
-  const int dimensions = std::atoi(header.get("NDims", "0").c_str());
-  if (dimensions != 3)
+  const std::int64_t dimensions = parse_whole(header.get("NDims", "0")).value_or(0);
+  if (dimensions < 3 || dimensions > 10)
     throw Error("it has " + std::to_string(dimensions) +
                 " dimensions; a volume has three. Take one volume out of it, or put its slices together.");
   const std::string channels = header.get("ElementNumberOfChannels", "1");
-  if (channels != "1") throw Error("it has " + channels + " values per sample; a volume has one.");
+  if (channels != "1") throw Error("it has " + in_quotes(channels) + " values per sample; a volume has one.");
   const ValueType type = type_of_meta(header.get("ElementType", "none"));
   const std::string data = header.get("ElementDataFile", "");
   if (data.empty() || data.rfind("LIST", 0) == 0 || data.find('%') != std::string::npos)
@@ -157,7 +174,7 @@ RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file) {
     throw Error("its data are text; save them as binary data.");
 
   RawImage image;
-  image.geometry = geometry_in(header);
+  image.geometry = geometry_in(header, std::size_t(dimensions));
   image.type = type;
   take_values(header, bytes, data_file, image);
   return image;

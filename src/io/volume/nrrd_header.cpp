@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 
 #include "hapticut/core/errors.hpp"
@@ -74,26 +75,35 @@ std::optional<ValueType> type_of_nrrd(const std::string& name) {
   return found == kTypes.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// The unit that every axis has, e.g. `"mm" "mm" "mm"`; what is empty or unknown counts as millimetres.
-double unit_of_nrrd(std::string_view list) {
+/// Three of the axes of a file: those of space.
+using NrrdAxes = std::array<std::size_t, 3>;
+
+/// The unit that these axes have, e.g. `"mm" "mm" "mm"`; what is empty or unknown counts as millimetres.
+double unit_of_nrrd(std::string_view list, const NrrdAxes& axes) {
   static const std::map<std::string_view, double> kUnits = {
       {"m", 1e3}, {"meter", 1e3}, {"cm", 10}, {"mm", 1}, {"um", 1e-3}, {"µm", 1e-3}, {"micron", 1e-3}, {"nm", 1e-6}};
   std::optional<double> unit;
   std::size_t from = list.find('"');
-  while (from != std::string_view::npos) {
+  for (std::size_t axis = 0; from != std::string_view::npos; ++axis) {
     const std::size_t to = list.find('"', from + 1);
     if (to == std::string_view::npos) break;
     const auto known = kUnits.find(list.substr(from + 1, to - from - 1));
     const double this_one = known == kUnits.end() ? 1 : known->second;
-    if (unit && *unit != this_one) throw Error("its axes have different units: " + in_quotes(list) + ".");
-    unit = this_one;
+    const bool counts = std::find(axes.begin(), axes.end(), axis) != axes.end();
+    if (counts && unit && *unit != this_one) throw Error("its axes have different units: " + in_quotes(list) + ".");
+    if (counts) unit = this_one;
     from = list.find('"', to + 1);
   }
   return unit.value_or(1);
 }
 
-/// What the axes of `space` are in those of the patient: x to the left, y to the back, z to the head.
-Vec3 signs_of_space(const std::string& name) {
+/// Whether a `space` has time for its fourth axis: `left-posterior-superior-time`, `LPST`.
+bool has_time(std::string_view space) { return space.ends_with("-time") || (space.size() == 4 && space[3] == 't'); }
+
+/// What the axes of `space` are in those of the patient: x to the left, y to the back, z to the head. Time behind them
+/// does not count.
+Vec3 signs_of_space(std::string name) {
+  if (has_time(name)) name.resize(name.size() == 4 ? 3 : name.find("-time"));
   static const std::map<std::string, Vec3> kSigns = {{"right-anterior-superior", Vec3(-1, -1, 1)},
                                                      {"ras", Vec3(-1, -1, 1)},
                                                      {"left-anterior-superior", Vec3(1, -1, 1)},
@@ -148,23 +158,27 @@ class NrrdFields {
     return *number;
   }
 
-  /// Three numbers between blanks.
-  [[nodiscard]] Vec3 three(const char* name) const {
+  /// Numbers between blanks.
+  [[nodiscard]] std::vector<double> numbers(const char* name, std::size_t count) const {
     const std::optional<std::vector<double>> numbers = numbers_in(get(name), " \t");
-    if (!numbers || numbers->size() != 3) fail(name, "three numbers");
-    return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+    if (!numbers || numbers->size() != count) fail(name, std::to_string(count) + " numbers");
+    return *numbers;
   }
 
-  /// Vectors of three numbers: `(1,0,0) (0,1,0) (0,0,1)`.
+  /// Vectors of three numbers, or of four where the space has time: `(1,0,0) (0,1,0) (0,0,1)`. An axis that has none is
+  /// `none`: not a number.
   [[nodiscard]] std::vector<Vec3> vectors(const char* name, std::size_t count) const {
     std::vector<Vec3> found;
     std::string_view text = get(name);
+    const bool with_time = has("space") ? has_time(lower_case(get("space"))) : whole("space dimension", 3) == 4;
     const std::string must_be = count == 1 ? "a vector (x,y,z)" : std::to_string(count) + " vectors (x,y,z)";
     while (!text.empty()) {
-      const std::size_t close = text.find(')');
-      if (text.front() != '(' || close == std::string_view::npos || found.size() == count) fail(name, must_be);
-      const std::optional<std::vector<double>> numbers = numbers_in(text.substr(1, close - 1), " \t,");
-      if (!numbers || numbers->size() != 3) fail(name, must_be);
+      const bool none = text.starts_with("none");
+      const std::size_t close = none ? 3 : text.find(')');
+      if ((!none && text.front() != '(') || close == std::string_view::npos || found.size() == count)
+        fail(name, must_be);
+      const auto numbers = none ? std::vector<double>(4, std::nan("")) : numbers_in(text.substr(1, close - 1), " \t,");
+      if (!numbers || (!none && numbers->size() != (with_time ? 4 : 3))) fail(name, must_be);
       found.emplace_back((*numbers)[0], (*numbers)[1], (*numbers)[2]);
       text = trimmed_nrrd(text.substr(close + 1));
     }
@@ -238,34 +252,57 @@ std::vector<std::string> numbered_files(const NrrdFields& fields) {
   return files;
 }
 
-FileGeometry geometry_of_nrrd(const NrrdFields& fields) {
+/// The axes of space: all, or what is left where others of one sample (time, values) are taken away, the last one
+/// first.
+NrrdAxes axes_of_space(const NrrdFields& fields, std::size_t dimensions) {
+  const std::vector<double> sizes = fields.numbers("sizes", dimensions);
+  std::vector<Vec3> directions(dimensions, Vec3::Zero());
+  if (fields.has("space directions")) directions = fields.vectors("space directions", dimensions);
+  std::vector<std::size_t> axes(dimensions);
+  std::iota(axes.begin(), axes.end(), 0);
+  for (std::size_t n = dimensions; n-- > 0 && axes.size() > 3;)
+    if (sizes[n] == 1 && !(directions[n].norm() > 0)) axes.erase(axes.begin() + std::ptrdiff_t(n));
+  if (axes.size() != 3)
+    throw Error("it has " + std::to_string(dimensions) +
+                " dimensions; a volume has three, and more only of one sample. Take one volume out of it, or put its "
+                "slices together.");
+  return {axes[0], axes[1], axes[2]};
+}
+
+FileGeometry geometry_of_nrrd(const NrrdFields& fields, std::size_t dimensions) {
   FileGeometry geometry;
-  const Vec3 sizes = fields.three("sizes");
+  const NrrdAxes axes = axes_of_space(fields, dimensions);
+  const auto three = [&](const char* name) {
+    const std::vector<double> numbers = fields.numbers(name, dimensions);
+    return Vec3(numbers[axes[0]], numbers[axes[1]], numbers[axes[2]]);
+  };
+  const Vec3 sizes = three("sizes");
   require_sane_dims({sizes.x(), sizes.y(), sizes.z()});
   for (int axis = 0; axis < 3; ++axis) geometry.dims[std::size_t(axis)] = int(sizes[axis]);
   if (fields.has("space directions")) {
     const Vec3 signs = fields.has("space") ? signs_of_space(lower_case(fields.get("space"))) : Vec3(1, 1, 1);
-    const std::vector<Vec3> axes = fields.vectors("space directions", 3);
+    const std::vector<Vec3> directions = fields.vectors("space directions", dimensions);
     for (int axis = 0; axis < 3; ++axis) {
-      const Vec3 along = axes[std::size_t(axis)].cwiseProduct(signs);
+      const Vec3 along = directions[axes[std::size_t(axis)]].cwiseProduct(signs);
       geometry.spacing_mm[axis] = along.norm();
       geometry.direction.col(axis) = along / along.norm();
     }
     if (fields.has("space origin")) geometry.origin_mm = fields.vectors("space origin", 1)[0].cwiseProduct(signs);
   } else {
-    if (fields.has("spacings")) geometry.spacing_mm = fields.three("spacings");
-    for (double& spacing : geometry.spacing_mm) spacing = std::isnan(spacing) ? 1 : std::abs(spacing);
+    if (fields.has("spacings")) geometry.spacing_mm = three("spacings").cwiseAbs();
     if (fields.has("axis mins")) {
-      geometry.origin_mm = fields.three("axis mins");
+      geometry.origin_mm = three("axis mins");
       for (int axis = 0; axis < 3; ++axis)
         if (std::isnan(geometry.origin_mm[axis])) geometry.origin_mm[axis] = 0;
       // The smallest place of an axis is the edge of its first sample, unless it says that it is its middle.
-      if (!fields.has("centerings") || !fields.get("centerings").starts_with("node"))
+      if ((!fields.has("centerings") || fields.get("centerings").find("node") == std::string_view::npos) &&
+          is_finite(geometry.spacing_mm))
         geometry.origin_mm += geometry.spacing_mm / 2;
     }
   }
-  const char* units = fields.has("space units") ? "space units" : "units";
-  const double unit_mm = fields.has(units) ? unit_of_nrrd(fields.get(units)) : 1;
+  const bool of_space = fields.has("space units");
+  const char* units = of_space ? "space units" : "units";
+  const double unit_mm = fields.has(units) ? unit_of_nrrd(fields.get(units), of_space ? NrrdAxes{0, 1, 2} : axes) : 1;
   geometry.spacing_mm *= unit_mm;
   geometry.origin_mm *= unit_mm;
   return geometry;
@@ -276,14 +313,14 @@ FileGeometry geometry_of_nrrd(const NrrdFields& fields) {
 NrrdHeader parse_nrrd_header(std::string_view bytes) {
   const NrrdFields fields(bytes);
   const std::int64_t dimensions = fields.whole("dimension", 0);
-  if (dimensions != 3)
+  if (dimensions < 3 || dimensions > 16)
     throw Error("it has " + std::to_string(dimensions) +
                 " dimensions; a volume has three. Take one volume out of it, or put its slices together.");
   NrrdHeader header;
   const std::optional<ValueType> type = type_of_nrrd(lower_case(fields.get("type")));
   if (!type) fields.fail("type", "a type of numbers");
   header.type = *type;
-  header.geometry = geometry_of_nrrd(fields);
+  header.geometry = geometry_of_nrrd(fields, std::size_t(dimensions));
   header.encoding = lower_case(fields.get("encoding"));
   if (header.encoding == "gz") header.encoding = "gzip";
   if (header.encoding == "bz2") header.encoding = "bzip2";

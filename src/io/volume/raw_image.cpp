@@ -21,14 +21,36 @@ template <class Value, class Convert>
 void convert_values(const RawImage& image, std::vector<Value>& values, const Convert& convert) {
   with_value_type(image.type, [&](auto zero) {
     using Stored = decltype(zero);
-    const std::byte* from = image.bytes.data();
-    for (Value& value : values) {
+    for (std::size_t n = 0; n < values.size(); ++n) {
+      if (image.is_padding(n)) continue;
       Stored stored;
-      std::memcpy(&stored, from, sizeof stored);
-      from += sizeof stored;
-      value = convert(stored);
+      std::memcpy(&stored, image.bytes.data() + n * sizeof stored, sizeof stored);
+      values[n] = convert(stored);
     }
   });
+}
+
+/// Gives padding a value that is no material: that of air in Hounsfield units, or the lowest of the scan where that is
+/// lower. Labels are 0 already.
+void fill_padding(const RawImage& image, GreyVolume& volume) {
+  float air = -1000;
+  for (std::size_t n = 0; n < volume.values.size(); ++n)
+    if (!image.is_padding(n)) air = std::min(air, volume.values[n]);  // not what is no number
+  for (std::size_t n = 0; n < volume.values.size(); ++n)
+    if (image.is_padding(n)) volume.values[n] = air;
+}
+
+/// @throws Error unless the directions of the axes are perpendicular and of length 1, but for rounding, which is taken
+/// away
+Mat3 directions_in(const FileGeometry& geometry, const std::filesystem::path& path) {
+  const Vec3 lengths = geometry.direction.colwise().norm();
+  const Mat3 unit = geometry.direction * lengths.cwiseInverse().asDiagonal();
+  const Mat3 cosines = unit.transpose() * unit - Mat3::Identity();
+  if (!(cosines.cwiseAbs().maxCoeff() < kLargestRounding))
+    cannot_read(path, "its axes are not perpendicular; resample it to a regular grid first.");
+  if (!((lengths.array() - 1).abs().maxCoeff() < 2 * kLargestRounding))
+    cannot_read(path, "the directions of its axes are not of length 1. Check its header.");
+  return orthonormalized(unit);
 }
 
 /// Turns a left-handed grid round along z: the last slice becomes the first, and nothing moves.
@@ -47,7 +69,9 @@ Volume<Value> to_volume(const RawImage& image, const std::filesystem::path& path
   FileGeometry geometry = image.geometry;
   if (spacing) geometry.spacing_mm = *spacing / units::mm;
   if (!is_finite(geometry.spacing_mm) || !(geometry.spacing_mm.minCoeff() > 0))
-    cannot_read(path, "its spacing is not positive along every axis. Give the spacing yourself.");
+    cannot_read(path, "it does not say how far apart its samples are (" + format_number(geometry.spacing_mm.x()) +
+                          " x " + format_number(geometry.spacing_mm.y()) + " x " +
+                          format_number(geometry.spacing_mm.z()) + " mm); set VolumeReadOptions::spacing.");
   if (!is_finite(geometry.origin_mm) || !geometry.direction.allFinite())
     cannot_read(path, "its origin or direction is not finite.");
   const Vec3 extent = Vec3(geometry.dims[0], geometry.dims[1], geometry.dims[2]).cwiseProduct(geometry.spacing_mm);
@@ -58,19 +82,18 @@ Volume<Value> to_volume(const RawImage& image, const std::filesystem::path& path
   constexpr double kFarthest = 1e9;  // [mm]
   if (!(geometry.origin_mm.cwiseAbs().maxCoeff() <= kFarthest))
     cannot_read(path, "its origin is more than " + format_number(kFarthest * 1e-3) + " m away. Check its header.");
-  // Headers round directions to some digits; more than this is not rounding.
-  constexpr double kRounding = 1e-3;
-  const Mat3 gram = geometry.direction.transpose() * geometry.direction;
-  if (!((gram - Mat3::Identity()).cwiseAbs().maxCoeff() < kRounding))
-    cannot_read(path, "its axes are not perpendicular; resample it to a regular grid first.");
+  geometry.direction = directions_in(geometry, path);
 
   Volume<Value> volume;
   volume.dims = geometry.dims;
   volume.values.resize(volume.size());
   convert_values(image, volume.values, convert);
+  volume.padding = std::size_t(std::count(image.padding.begin(), image.padding.end(), true));
+  if constexpr (std::is_same_v<Value, float>)
+    if (volume.padding > 0) fill_padding(image, volume);
   if (geometry.direction.determinant() < 0) turn_round_z(volume, geometry);
   volume.spacing = geometry.spacing_mm * units::mm;
-  volume.X_WG = {orthonormalized(geometry.direction), geometry.origin_mm * units::mm};
+  volume.X_WG = {geometry.direction, geometry.origin_mm * units::mm};
   return volume;
 }
 

@@ -17,7 +17,7 @@ namespace hapticut {
 /// How a grid lies in space, in the units of files.
 struct FileGeometry {
   std::array<int, 3> dims = {0, 0, 0};
-  Vec3 spacing_mm = Vec3::Ones();
+  Vec3 spacing_mm = Vec3::Zero();     ///< zero: the file does not say
   Vec3 origin_mm = Vec3::Zero();      ///< of sample (0,0,0)
   Mat3 direction = Mat3::Identity();  ///< columns: directions of the grid's axes
 };
@@ -27,7 +27,18 @@ struct RawImage {
   FileGeometry geometry;
   ValueType type = ValueType::uint8;
   std::vector<std::byte> bytes;
+  std::vector<bool> padding;  ///< samples outside the field of view; shorter than the values: the others are within
+
+  [[nodiscard]] bool is_padding(std::size_t sample) const { return sample < padding.size() && padding[sample]; }
+  void mark_padding(std::size_t sample) {
+    if (padding.size() <= sample) padding.resize(sample + 1);
+    padding[sample] = true;
+  }
 };
+
+/// [1] Cosine between axes that are perpendicular but for the rounding of their directions in a header: three digits,
+/// and three of directions times a spacing of 0.3 mm in NRRD. A gantry is tilted by more: half a degree.
+inline constexpr double kLargestRounding = 6e-3;
 
 [[nodiscard]] std::size_t size_of(ValueType type);
 

@@ -62,7 +62,8 @@ RawImage read_raw(const fs::path& path, const RawLayout& layout) {
   const std::uint64_t size = readable_size(path);
   if (size < layout.skip || size - layout.skip != needed)
     cannot_read(path, "it has " + std::to_string(size) + " bytes, but its layout asks for " +
-                          std::to_string(layout.skip + needed) + ". Check RawLayout::dims, type and skip.");
+                          std::to_string(layout.skip + needed) +
+                          ". Check RawLayout::dims, RawLayout::type and RawLayout::skip.");
   image.bytes.resize(needed);
   std::ifstream file(path, std::ios::binary);
   file.seekg(std::streamoff(layout.skip));

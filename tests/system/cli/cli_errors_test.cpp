@@ -29,6 +29,7 @@ class Complaint : public testing::Test {
     EXPECT_NE(outcome.errors.find(part), std::string::npos) << arguments << '\n' << outcome.errors;
     EXPECT_EQ(outcome.errors.find('\n'), outcome.errors.size() - 1) << outcome.errors;
     EXPECT_TRUE(outcome.errors.starts_with("hapticut: "));
+    EXPECT_EQ(outcome.errors.find("::"), std::string::npos) << "a member of C++, not a flag: " << outcome.errors;
   }
   /// The same for a settings file; the message must begin with its name and the line.
   void expect_in_file(const std::string& toml, int line, const std::string& part) {
@@ -186,7 +187,15 @@ TEST_F(Files, OfSamplesNeedToBeToldWhatTheirValuesMean) {
   expect(source, kFailed, "exactly one of workpiece.labels, workpiece.grey and workpiece.grade_low");
   expect(source + "--label dentin=1 --grey dentin=1:", kFailed, "2 are set");
   expect(source + "--grade_low 1", kFailed, "a grade needs all of");
-  expect(source + "--label dentin=2", kFailed, "label");
+  expect(source + "--label dentin=2", kFailed, "leave them out by --unclaimed_labels leave_out.");
+  expect(source + "--grey dentin=1: --unclaimed_labels leave_out", kFailed, "goes with labels");
+  expect(source + "--grey dentin=5:3", kFailed, "`from` must be less than `to`");
+  expect(source + "--grade_low 5 --grade_high 3 --grade_at_low dentin --grade_at_high enamel", kFailed, "`low`");
+  const Outcome large = test::run_program(folder, source + "--label dentin=1 --voxel_mm 1e-3");
+  EXPECT_NE(large.errors.find("say that so much is meant (--large)."), std::string::npos) << large.errors;
+  std::filesystem::create_directory(folder / "slices");
+  write_bytes(folder / "slices/s1.png", "");
+  expect("inspect " + path("slices"), kFailed, "set --spacing_mm");
   expect(source + "--grey dentin=1: --crop_mm 0,0,0,1,1,-1", kFailed, "workpiece.crop_mm");
   expect(source + "--grey dentin=1: --crop_mm 50,50,50,60,60,60", kFailed, "lies outside the volume");
   expect("inspect block --size_mm 1,1,1 --material dentin --threshold 3", kFailed, "--threshold");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hapticut/core/units.hpp"
+#include "support/dicom_files.hpp"
 #include "support/program.hpp"
 #include "support/test_data.hpp"
 
@@ -111,7 +112,12 @@ TEST_F(Drill, CutsAVolumeOfLabels) {
   EXPECT_NEAR(report["workpiece"]["volume_mm3"]["dentin"].get<double>(), 24, 1e-9);
   EXPECT_EQ(report["workpiece"]["voxels"]["amalgam"], 1);
   EXPECT_GT(report["removed_volume_mm3"]["by_material"]["dentin"], 0);
+  const Outcome outcome =
+      run("inspect " + path("v.nrrd") + " --label amalgam=900 --unclaimed_labels leave_out --json " + path("i.json"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_EQ(read_json(folder / "i.json")["voxels"]["amalgam"], 1);
 }
+
 /// A cube of 4 mm around the origin and one of 2 mm inside it, as two objects in millimetres.
 void write_nested_cubes(const std::filesystem::path& path) {
   std::string text;
@@ -236,6 +242,58 @@ TEST_F(Inspect, PicksASeriesOfADicomFolder) {
   outcome = run(folder_of_slices + " --dicom_series 1.2.3");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.errors.find("1.2.3"), std::string::npos) << outcome.errors;
+}
+
+/// Three slices of air with a sample of 1500 in the middle and padding of 65535 in the corners.
+void write_padded_slices(const std::filesystem::path& folder) {
+  std::filesystem::create_directory(folder);
+  for (int k = 0; k < 3; ++k) {
+    std::vector<std::int16_t> values(25, 0);
+    for (const std::size_t corner : {0U, 4U, 20U, 24U}) values[corner] = -1;
+    if (k == 1) values[12] = 2500;
+    DicomElements slice = dicom_slice(5, 5, 0.2 * k, values).set_word(0x00280103, 0).set_word(0x00280120, 65535);
+    write_bytes(folder / slice_name(k), dicom_file(slice));
+  }
+}
+
+TEST_F(Program, SaysHowManySamplesArePaddingAndTakesThemForAir) {
+  write_padded_slices(folder / "scan");
+  Outcome outcome = run("inspect " + path("scan") + " --crop-mm 10.1,20.1,0,10.3,20.3,0.3 --json " + path("i.json"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_EQ(read_json(folder / "i.json")["padding"], 12);
+  EXPECT_NE(outcome.out.find("12 samples"), std::string::npos) << outcome.out;
+  outcome = run("inspect " + path("scan") + " --json " + path("i.json"));
+  EXPECT_EQ(read_json(folder / "i.json")["highest"], 1500);
+  EXPECT_EQ(read_json(folder / "i.json")["lowest"], -1000);
+
+  const std::string said = "12 of the 75 samples of " + path("scan") + " are padding", bone = " --grey dentin=250:";
+  for (const std::string& command : {"inspect " + path("scan") + bone + " --voxel-mm 0.1 --json " + path("i.json"),
+                                     "convert " + path("scan") + " " + path("a.vdb") + bone}) {
+    outcome = run(command);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.errors.find(said), std::string::npos) << outcome.errors;
+  }
+  EXPECT_LT(read_json(folder / "i.json")["volume_mm3"]["dentin"].get<double>(), 0.01);  // one sample is 0.004 mm^3
+  const nlohmann::json report = drill("--workpiece " + path("scan") + bone + " " + kBall +
+                                      "--path line --from_mm 10,20,3 --to_mm 10,20,2.9 --feed_mm_per_s 5");
+  EXPECT_NE(report["warnings"][0].get<std::string>().find(said), std::string::npos) << report["warnings"];
+}
+
+TEST_F(Inspect, NamesTheFlagThatPicksASeriesOrGivesASpacing) {
+  std::filesystem::create_directory(folder / "scan");
+  for (int n = 0; n < 4; ++n) {
+    DicomElements slice = dicom_slice(1, 1, 0.5 * n, {1});
+    slice.set(0x0020000e, "UI", n < 2 ? "1.2.3" : "1.2.4");
+    write_bytes(folder / "scan" / slice_name(n), dicom_file(slice));
+  }
+  Outcome outcome = run("inspect " + path("scan"));
+  EXPECT_NE(outcome.errors.find("Choose one by --dicom_series."), std::string::npos) << outcome.errors;
+  EXPECT_EQ(run("inspect " + path("scan") + " --dicom-series 1.2.4").code, 0);
+  write_bytes(folder / "v.mha",
+              "NDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n12345678");
+  outcome = run("inspect " + path("v.mha"));
+  EXPECT_NE(outcome.errors.find("; set --spacing_mm."), std::string::npos) << outcome.errors;
+  EXPECT_EQ(run("inspect " + path("v.mha") + " --spacing-mm 1,1,1").code, 0);
 }
 
 TEST_F(Inspect, SaysWhereAVolumeIs) {

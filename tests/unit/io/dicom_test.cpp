@@ -8,45 +8,29 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/volume/volumes.hpp"
+#include "io/child_process.hpp"
 #include "io/dicom/dicom_picture.hpp"
+#include "support/dicom_files.hpp"
 #include "support/temporary_folder.hpp"
-#include "support/volume_files.hpp"
 
 namespace hapticut::dicom_test {
 namespace {
 
+using test::slice_name;
 using test::TemporaryFolder;
 using test::write_bytes;
 
 const std::string kPixelElement = std::string("\xe0\x7f\x10\0OW\0\0", 8);
 
-std::string slice(int number) {
-  return test::dicom_slice(4, 3, number, 0.7 * number, std::vector<std::int16_t>(12, std::int16_t(number)));
+test::DicomElements elements(int number) {
+  return test::dicom_slice(4, 3, 0.7 * number, std::vector<std::int16_t>(12, std::int16_t(number)));
 }
+
+std::string slice(int number) { return test::dicom_file(elements(number)); }
 
 /// The same slice with its values in one compressed part.
 std::string compressed(int number, const std::string& syntax, const std::string& packed) {
-  std::string bytes = slice(number);
-  bytes.resize(bytes.rfind(kPixelElement));
-  const std::string plain = std::string("\x02\0\x10\0UI\x14\0", 8) + std::string("1.2.840.10008.1.2.1\0", 20);
-  std::string kind("\x02\0\x10\0UI", 6);
-  const std::string padded = syntax + std::string(syntax.size() % 2, '\0');
-  bytes.replace(bytes.find(plain), plain.size(),
-                kind.append(test::little(std::uint16_t(padded.size()))).append(padded));
-  const auto item = [](const std::string& content) {
-    return std::string("\xfe\xff\0\xe0", 4) + test::little(std::uint32_t(content.size())) + content;
-  };
-  bytes += std::string("\xe0\x7f\x10\0OB\0\0\xff\xff\xff\xff", 12);
-  bytes += item("");
-  bytes += item(packed);
-  bytes += std::string("\xfe\xff\xdd\xe0\0\0\0\0", 8);
-  return bytes;
-}
-
-std::string name(int number) {
-  std::string text = "s";
-  text += std::to_string(number);
-  return text;
+  return test::dicom_file(elements(number).set_fragments({packed}), syntax);
 }
 
 std::string error_of(const std::filesystem::path& path) {
@@ -60,7 +44,7 @@ std::string error_of(const std::filesystem::path& path) {
 
 TEST(Dicom, FilesWithoutAPictureInAFolderAreLeftOut) {
   const TemporaryFolder folder;
-  for (int n = 1; n <= 3; ++n) write_bytes(folder / name(n), slice(n));
+  for (int n = 1; n <= 3; ++n) write_bytes(folder / slice_name(n), slice(n));
   std::string report = slice(9);
   report.resize(report.rfind(kPixelElement));
   write_bytes(folder / "DICOMDIR", report);
@@ -70,10 +54,10 @@ TEST(Dicom, FilesWithoutAPictureInAFolderAreLeftOut) {
 // A damaged name of a series has a line break in it.
 TEST(Dicom, SeveralSeriesAreListedInOneLine) {
   const TemporaryFolder folder;
-  write_bytes(folder / name(1), slice(1));
+  write_bytes(folder / slice_name(1), slice(1));
   std::string other = slice(2);
   other.replace(other.find("1.2.3.6"), 4, "1.\n2");
-  write_bytes(folder / name(2), other);
+  write_bytes(folder / slice_name(2), other);
   const std::string refusal = error_of(folder / "");
   EXPECT_NE(refusal.find("several DICOM series"), std::string::npos) << refusal;
   EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
@@ -92,19 +76,41 @@ TEST(Dicom, RunLengthsAreUnpacked) {
   for (std::size_t length = 0; length < packed.size(); ++length)
     EXPECT_THROW((void)unpack_rle(std::string_view(packed).substr(0, length), 12, 2), Error) << length;
   const TemporaryFolder folder;
-  for (int n = 1; n <= 2; ++n) write_bytes(folder / name(n), compressed(n, "1.2.840.10008.1.2.5", packed));
+  for (int n = 1; n <= 2; ++n) write_bytes(folder / slice_name(n), compressed(n, "1.2.840.10008.1.2.5", packed));
   EXPECT_EQ(read_grey_volume(folder / "").values[3], 1 - 1000);  // Hounsfield units
 }
 
 TEST(Dicom, ADecoderThatDiesOrIsAbsentIsOneSentence) {
   const TemporaryFolder folder;
-  for (int n = 1; n <= 2; ++n) write_bytes(folder / name(n), compressed(n, "1.2.840.10008.1.2.4.80", "no picture"));
+  for (int n = 1; n <= 2; ++n)
+    write_bytes(folder / slice_name(n), compressed(n, "1.2.840.10008.1.2.4.80", "no picture"));
+#ifdef HAPTICUT_HAS_ITK
   EXPECT_NE(error_of(folder / "").find("JPEG-LS, cannot be unpacked"), std::string::npos) << error_of(folder / "");
+#else
+  EXPECT_NE(error_of(folder / "").find("HAPTICUT_WITH_ITK=ON"), std::string::npos) << error_of(folder / "");
+#endif
   ::setenv("HAPTICUT_DECODER", "/bin/false", 1);
   EXPECT_NE(error_of(folder / "").find("JPEG-LS, cannot be unpacked"), std::string::npos) << error_of(folder / "");
   ::setenv("HAPTICUT_DECODER", "/no/such/program", 1);
   EXPECT_NE(error_of(folder / "").find("cannot be started"), std::string::npos) << error_of(folder / "");
   ::unsetenv("HAPTICUT_DECODER");
+}
+
+TEST(Dicom, ADecoderThatWasNotBuiltIsSaidToNeedItk) {
+  ChildProgram unbuilt = kDecoder;
+  unbuilt.name = "no-such-program";
+  unbuilt.variable = "HAPTICUT_NO_SUCH_PROGRAM";
+  unbuilt.installed = "";
+  unbuilt.built = "";
+  try {
+    ChildProcess(unbuilt).start();
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(),
+              std::string("its values are compressed and must be unpacked, which needs ITK; this build of hapticut is "
+                          "without it. Install libinsighttoolkit5-dev and build it with HAPTICUT_WITH_ITK=ON, or save "
+                          "the file uncompressed."));
+  }
 }
 
 }  // namespace

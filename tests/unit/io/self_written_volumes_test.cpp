@@ -11,6 +11,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/volume/volumes.hpp"
+#include "support/dicom_files.hpp"
 #include "support/memory_growth.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/volume_files.hpp"
@@ -176,7 +177,7 @@ TEST(Nifti, PoseComesFromItsQuaternionAndALeftHandedGridIsTurnedRound) {
 void write_series(const TemporaryFolder& folder) {
   for (int k = 0; k < kDims[2]; ++k)  // named against the order of their places
     write_bytes(folder / ("image" + std::to_string(9 - k)),
-                test::dicom_slice(4, 3, k + 1, 0.7 * k, ramp<std::int16_t>(k * kSlice, kSlice)));
+                test::dicom_file(test::dicom_slice(4, 3, 0.7 * k, ramp<std::int16_t>(k * kSlice, kSlice))));
 }
 
 TEST(Dicom, ASeriesIsOrderedByThePlacesOfItsSlices) {
@@ -233,8 +234,8 @@ std::vector<Format> formats() {
        }},
       {"Dicom", "image7", true, write_series,
        [](std::uint32_t side) {
-         return test::dicom_slice(std::uint16_t(side), std::uint16_t(side), 3, 1.4,
-                                  ramp<std::int16_t>(2 * kSlice, kSlice));
+         return test::dicom_file(
+             test::dicom_slice(std::uint16_t(side), std::uint16_t(side), 1.4, ramp<std::int16_t>(2 * kSlice, kSlice)));
        }},
       {"InVesalius", "a.inv3", false,
        [](const TemporaryFolder& f) {

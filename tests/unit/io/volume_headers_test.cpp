@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// What headers of NRRD, MetaImage and NIfTI leave out, round, or say beside what is read.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "hapticut/core/units.hpp"
+#include "hapticut/io/volume/volumes.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/volume_files.hpp"
+
+namespace hapticut::volume_headers_test {
+namespace {
+
+using units::mm;
+
+const std::string kNrrd = "NRRD0005\ntype: uchar\nencoding: raw\n";
+const std::string kMeta = "ObjectType = Image\nElementType = MET_UCHAR\n";
+const std::string kMeta3 = kMeta + "NDims = 3\nDimSize = 4 3 5\n";
+const std::string kLocal = "ElementDataFile = LOCAL\n";
+
+std::string ramp() {
+  std::string bytes(60, '\0');
+  std::iota(bytes.begin(), bytes.end(), 1);
+  return bytes;
+}
+
+GreyVolume read(const std::string& name, const std::string& bytes, const VolumeReadOptions& options = {}) {
+  const test::TemporaryFolder folder;
+  test::write_bytes(folder / name, bytes);
+  test::write_bytes(folder / "v.raw", ramp());
+  return read_grey_volume(folder / name, options);
+}
+GreyVolume read_nrrd(const std::string& fields) { return read("v.nrrd", kNrrd + fields + "\n" + ramp()); }
+GreyVolume read_meta(const std::string& fields) { return read("v.mha", fields + kLocal + ramp()); }
+
+void expect_refusal(const std::string& name, const std::string& bytes, const std::string& part) {
+  try {
+    (void)read(name, bytes);
+    ADD_FAILURE() << "no error: " << bytes.substr(0, 300);
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+void expect_ramp(const GreyVolume& volume) {
+  ASSERT_EQ(volume.dims, (std::array<int, 3>{4, 3, 5}));
+  EXPECT_TRUE(volume.spacing.isApprox(Vec3(0.1, 0.2, 0.7) * mm, 1e-9)) << volume.spacing.transpose();
+  EXPECT_EQ(volume.at(1, 2, 3), 1 + 1 + 4 * (2 + 3 * 3));
+}
+
+TEST(VolumeHeader, WithoutASpacingIsRefusedUnlessTheCallerGivesOne) {
+  const std::string none = "dimension: 3\nsizes: 4 3 5\n";
+  const std::pair<const char*, std::string> files[] = {
+      {"v.nrrd", kNrrd + none + "\n" + ramp()},
+      {"v.nrrd", kNrrd + none + "spacings: nan nan nan\naxis mins: 1 2 3\n\n" + ramp()},
+      {"v.nrrd", kNrrd + none + "spacings: 0.1 nan 0.7\n\n" + ramp()},
+      {"v.nrrd", kNrrd + none + "spacings: 0 0 0\n\n" + ramp()},
+      {"v.nrrd", kNrrd + none + "thicknesses: 1 1 1\nunits: \"mm\" \"mm\" \"mm\"\n\n" + ramp()},
+      {"v.mha", kMeta3 + kLocal + ramp()},
+      {"v.mha", kMeta3 + "ElementSpacing = 0 0 0\n" + kLocal + ramp()},
+      {"v.mha", kMeta3 + "ElementSpacing = 1 nan 1\n" + kLocal + ramp()},
+      {"v.mhd", kMeta3 + "ElementDataFile = v.raw\n"}};
+  for (const auto& [name, bytes] : files) {
+    expect_refusal(name, bytes, "does not say how far apart its samples are");
+    expect_refusal(name, bytes, "; set VolumeReadOptions::spacing.");
+    expect_ramp(read(name, bytes, {.spacing = Vec3(0.1, 0.2, 0.7) * mm}));
+  }
+  test::NiftiFile nifti;
+  nifti.spacing = {0, 0, 0};
+  nifti.values.resize(60);
+  expect_refusal("v.nii", nifti.bytes(), "; set VolumeReadOptions::spacing.");
+}
+
+TEST(MetaImage, TakesTheSizeOfItsElementsWhereItNamesNoSpacing) {
+  expect_ramp(read_meta(kMeta3 + "ElementSize = 0.1 0.2 0.7\n"));
+  expect_ramp(read_meta(kMeta3 + "ElementSize = 9 9 9\nElementSpacing = 0.1 0.2 0.7\n"));
+}
+
+TEST(VolumeHeader, WithOtherAxesOfOneSampleIsAVolume) {
+  expect_ramp(read_meta(kMeta + "NDims = 4\nDimSize = 4 3 5 1\nElementSpacing = 0.1 0.2 0.7 1\nOffset = 0 0 0 7\n"
+                                "TransformMatrix = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n"));
+  expect_ramp(
+      read_nrrd("dimension: 4\nsizes: 4 3 5 1\nspacings: 0.1 0.2 0.7 nan\nunits: \"mm\" \"mm\" \"mm\" \"um\"\n"));
+  expect_ramp(read_nrrd("dimension: 4\nsizes: 1 4 3 5\nspacings: nan 0.1 0.2 0.7\n"));
+  expect_ramp(read_nrrd("dimension: 5\nsizes: 1 4 3 5 1\nspacings: 1 0.1 0.2 0.7 1\n"));
+  expect_ramp(
+      read_nrrd("dimension: 4\nspace: LPS\nsizes: 1 4 3 5\n"
+                "space directions: none (0.1,0,0) (0,0.2,0) (0,0,0.7)\nspace origin: (1,2,3)\n"));
+  const GreyVolume timed = read_nrrd(
+      "dimension: 4\nspace: right-anterior-superior-time\nsizes: 4 3 5 1\n"
+      "space directions: (0.1,0,0,0) (0,0.2,0,0) (0,0,0.7,0) (0,0,0,1)\nspace origin: (1,2,3,9)\n");
+  expect_ramp(timed);
+  EXPECT_LT((timed.position(0, 0, 0) - Vec3(-1, -2, 3) * mm).norm(), 1e-12);
+}
+
+TEST(VolumeHeader, WithALongerFourthAxisIsRefused) {
+  expect_refusal("v.mha", kMeta + "NDims = 4\nDimSize = 4 3 1 5\nElementSpacing = 1 1 1 1\n" + kLocal + ramp(),
+                 "take one volume out of it");
+  expect_refusal("v.nrrd", kNrrd + "dimension: 4\nsizes: 2 3 2 5\nspacings: 1 1 1 1\n\n" + ramp(),
+                 "Take one volume out of it");
+  expect_refusal("v.nrrd", kNrrd + "dimension: 2\nsizes: 12 5\nspacings: 1 1\n\n" + ramp(), "a volume has three");
+}
+
+TEST(MetaImage, SkipsKeysThatItDoesNotKnowHoweverManyAndLong) {
+  std::string keys = "\nComment = " + std::string(5000, 'x') + "\nPatient = M\xc3\xbcller\nNote: none\n";
+  for (int n = 0; n < 5000; ++n) keys.append("Seq_Frame").append(std::to_string(n)).append("_ImageStatus = OK\n");
+  expect_ramp(read_meta(kMeta3 + "ElementSpacing = 0.1 0.2 0.7\n" + keys));
+  while (keys.size() < 1U << 20U) keys += keys;
+  expect_refusal("v.mha", kMeta3 + keys + kLocal + ramp(), "its header is longer than");
+}
+
+TEST(MetaImage, ReadsWhatStandsBehindTheNameOfItsDataFile) {
+  const std::string header = kMeta3 + "ElementDataFile = v.raw\n";
+  expect_ramp(read("v.mhd", header + "ElementSpacing = 0.1 0.2 0.7\n\n"));
+  expect_refusal("v.mhd", header + "ElementSpacing = 0.1 0.2 0.7\nabc\n", "damaged at 'abc'");
+}
+
+/// Directions of a turned grid as a writer rounds them, times a length, each in brackets or not.
+std::string rounded_directions(const Mat3& turn, const Vec3& lengths, const char* between, const char* open,
+                               const char* close) {
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    text += open;
+    for (int row = 0; row < 3; ++row) {
+      char number[32];
+      std::snprintf(number, sizeof number, "%s%.3f", row > 0 ? between : "", turn(row, axis) * lengths[axis]);
+      text += number;
+    }
+    text += close;
+  }
+  return text;
+}
+
+TEST(VolumeHeader, WithDirectionsOfThreeDigitsIsRead) {
+  for (int n = 0; n < 50; ++n) {
+    const Mat3 turn = rotation_from_vector({std::sin(n * 1.0), std::sin(n * 2.3), std::sin(n * 3.1)});
+    const GreyVolume meta = read_meta(kMeta3 + "ElementSpacing = 0.3 0.3 0.5\nTransformMatrix = " +
+                                      rounded_directions(turn, Vec3::Ones(), " ", " ", "") + "\n");
+    const GreyVolume nrrd = read_nrrd("dimension: 3\nspace: LPS\nsizes: 4 3 5\nspace directions: " +
+                                      rounded_directions(turn, Vec3(0.3, 0.3, 0.5), ",", "(", ") ") + "\n");
+    EXPECT_LT((meta.X_WG.rotation - turn).cwiseAbs().maxCoeff(), 2e-3) << n;
+    EXPECT_LT((nrrd.X_WG.rotation - turn).cwiseAbs().maxCoeff(), 6e-3) << n;
+    EXPECT_TRUE(is_rotation(nrrd.X_WG.rotation, 1e-9)) << n;
+    test::NiftiFile nifti;
+    nifti.values.resize(60);
+    for (int row = 0; row < 3; ++row) {
+      for (int axis = 0; axis < 3; ++axis) nifti.rows.push_back(float(std::round(turn(row, axis) * 300) / 1000));
+      nifti.rows.push_back(0);
+    }
+    EXPECT_TRUE(is_rotation(read("v.nii", nifti.bytes()).X_WG.rotation, 1e-9)) << n;
+  }
+}
+
+TEST(VolumeHeader, WithShearedDirectionsIsRefused) {
+  for (const char* sheared : {"1 0 0 0.0175 1 0 0 0 1", "1 0 0 0 1 0 0 0.01 1"})
+    expect_refusal("v.mha", kMeta3 + "ElementSpacing = 1 1 1\nTransformMatrix = " + sheared + "\n" + kLocal + ramp(),
+                   "not perpendicular");
+  expect_refusal("v.mha", kMeta3 + "ElementSpacing = 1 1 1\nTransformMatrix = 2 0 0 0 2 0 0 0 2\n" + kLocal + ramp(),
+                 "not of length 1");
+}
+
+}  // namespace
+}  // namespace hapticut::volume_headers_test
