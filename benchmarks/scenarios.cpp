@@ -45,7 +45,7 @@ SimulationConfig config(bool cutting) {
   return config;
 }
 
-Tool spinning(const ToolHead& head) { return Tool(head, RayHandle{}, Spindle{3000}); }
+Tool spinning(const ToolHead& head) { return Tool(head, RayHandle{0}, Spindle{3000}); }
 
 /// Feeds a simulation along +x from a start, straight on.
 class Feed {

@@ -56,7 +56,7 @@ namespace Hapticut {
     [DllImport(Library)] internal static extern int hapticut_path_pose(Simulation of, double time, out Pose X_WH);
     [DllImport(Library)] internal static extern int hapticut_step(Simulation of, ref StepInput input, ref StepResult result);
     [DllImport(Library)] internal static extern int hapticut_touches(Simulation of, ref Pose X_WH, out int touches);
-    [DllImport(Library)] internal static extern int hapticut_set_spindle_speed(Simulation of, double speed);
+    [DllImport(Library)] internal static extern int hapticut_set_spindle_speed(Simulation of, double radPerS);
     [DllImport(Library)] internal static extern int hapticut_set_tool(Simulation of, byte[] text);
     [DllImport(Library)] internal static extern int hapticut_save_workpiece(Simulation of, byte[] path);
     [DllImport(Library)] internal static extern int hapticut_snapshot_take(Simulation of, out IntPtr made);
@@ -103,6 +103,8 @@ namespace Hapticut {
 
   /// <summary>The library itself.</summary>
   public static class Library {
+    /// <summary>[rad/s] one turn a minute: what `spindle_rpm` of a scene counts.</summary>
+    public const double Rpm = 2 * Math.PI / 60;
     public static string Version { get { return Text.At(Native.hapticut_version()); } }
     public static uint AbiVersion { get { return Native.hapticut_abi_version(); } }
 

@@ -54,8 +54,8 @@ namespace Hapticut {
       return touches != 0;
     }
 
-    /// <param name="speed">[rad/s]</param>
-    public void SetSpindleSpeed(double speed) { Native.Check(Native.hapticut_set_spindle_speed(this, speed)); }
+    /// <param name="radPerS">[rad/s]: 40000 * Library.Rpm</param>
+    public void SetSpindleSpeed(double radPerS) { Native.Check(Native.hapticut_set_spindle_speed(this, radPerS)); }
 
     /// <param name="toml">a table [tool] and nothing else</param>
     public void SetTool(string toml) { Native.Check(Native.hapticut_set_tool(this, Text.Of(toml))); }

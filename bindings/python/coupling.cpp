@@ -37,7 +37,7 @@ struct WrenchRow {
 };
 
 struct CouplingEnergyRow {
-  double hand_work, tool_work, spring, damper, kinetic, implicit;
+  double hand_work, tool_work, spring, damper, kinetic, implicit, turnover;
 };
 
 /// One row of what VirtualCoupling.run returns: CoupledResult as plain numbers.
@@ -69,7 +69,7 @@ CoupledRow coupled_row(const CoupledResult& result, double time) {
   row.parts = result.parts;
   row.newton_steps = result.newton_steps;
   const CouplingEnergy& e = result.energy;
-  row.energy = {e.hand_work, e.tool_work, e.spring, e.damper, e.kinetic, e.implicit};
+  row.energy = {e.hand_work, e.tool_work, e.spring, e.damper, e.kinetic, e.implicit, e.turnover};
   row.status = std::uint32_t(result.status);
   return row;
 }
@@ -148,7 +148,7 @@ void bind_coupled_result(py::module_& m) {
 
 void bind_coupling(py::module_& m) {
   PYBIND11_NUMPY_DTYPE(WrenchRow, force, torque);
-  PYBIND11_NUMPY_DTYPE(CouplingEnergyRow, hand_work, tool_work, spring, damper, kinetic, implicit);
+  PYBIND11_NUMPY_DTYPE(CouplingEnergyRow, hand_work, tool_work, spring, damper, kinetic, implicit, turnover);
   PYBIND11_NUMPY_DTYPE(CoupledRow, time, hand, coupling, X_WH, velocity, removed_voxels, removed_volume, parts,
                        newton_steps, energy, status);
   bind_gains(m);

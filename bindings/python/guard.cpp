@@ -131,6 +131,7 @@ void bind_guard(py::module_& m) {
           "buckets",
           [](const H& h) { return py::array_t<std::uint64_t>(py::ssize_t(h.buckets().size()), h.buckets().data()); },
           "(2000,) uint64: how many durations fell into each bucket of 1 us.")
+      .def("at_least", &H::at_least, py::arg("seconds"), doc("LatencyHistogram::at_least"))
       .def("quantile", &H::quantile, py::arg("share"), doc("LatencyHistogram::quantile"));
 }
 

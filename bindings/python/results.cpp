@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // include/hapticut/simulation: what goes into a step and what comes out
 #include "bindings.hpp"
+#include "hapticut/simulation/status_sentences.hpp"
 #include "simulation.hpp"
 #include "steps.hpp"
 #include "structs.hpp"
@@ -18,6 +19,9 @@ void bind_result_of_step(py::module_& m) {
   m.def(
       "describe_status", [](std::uint32_t status) { return describe(StepStatus(status)); }, py::arg("status"),
       "The names of all bits that are set: \"ok\", \"blocks_low | engaged_layer_thick\".");
+  m.def(
+      "sentences_of", [](std::uint32_t status) { return sentences_of(StepStatus(status)); }, py::arg("status"),
+      doc("sentences_of"));
   bind_described_result<Contact>(m, "Contact");
   bind_described_result<SpindleState>(m, "SpindleState");
   using E = EnergyLedger;

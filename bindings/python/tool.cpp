@@ -18,6 +18,8 @@ template <>
 inline constexpr bool kNumbersAreRequired<ConeHead> = true;
 template <>
 inline constexpr bool kNumbersAreRequired<FlatHead> = true;
+template <>
+inline constexpr bool kNumbersAreRequired<RayHandle> = true;
 
 namespace {
 
@@ -127,9 +129,7 @@ void bind_tool(py::module_& m) {
   bind_heads(m);
   bind_handles(m);
   m.attr("kFastestSpindle") = kFastestSpindle;
-  bind_described<Spindle>(m, "Spindle")
-      .def_static("rpm", &Spindle::rpm, py::arg("speed"), doc("Spindle::rpm"))
-      .def("is_limited", &Spindle::is_limited, doc("Spindle::is_limited"));
+  bind_described<Spindle>(m, "Spindle").def("is_limited", &Spindle::is_limited, doc("Spindle::is_limited"));
   m.def("validate", py::overload_cast<const Spindle&>(&validate), py::arg("spindle"), doc("validate"));
   py::class_<SpindleMotor>(m, "SpindleMotor", doc("SpindleMotor"))
       .def(py::init<const Spindle&>(), py::arg("spindle"))
@@ -146,6 +146,15 @@ void bind_tool(py::module_& m) {
       .def_property_readonly("stalled", &SpindleMotor::stalled, doc("SpindleMotor::stalled"));
   bind_enum<MotorKind>(m, "MotorKind");
   m.def("common_motor", &common_motor, py::arg("speed"), doc("common_motor"));
+  m.def("fastest_speed", &fastest_speed, py::arg("motor"), doc("fastest_speed"));
+  const auto whole = [](const py::int_& speed) -> Spindle {
+    throw Error("common_spindle(speed = " + std::string(py::str(speed)) +
+                "): a whole number is one of turns a minute, and speed is in rad/s. Write 40000 * hapticut.units.rpm.");
+  };
+  m.def("common_spindle", whole, py::arg("speed"), doc("common_spindle"));
+  m.def(
+      "common_spindle", [whole](MotorKind, const py::int_& speed) { return whole(speed); }, py::arg("motor"),
+      py::arg("speed"), doc("common_spindle"));
   m.def("common_spindle", py::overload_cast<MotorKind, double>(&common_spindle), py::arg("motor"), py::arg("speed"),
         doc("common_spindle"));
   m.def("common_spindle", py::overload_cast<double>(&common_spindle), py::arg("speed"), doc("common_spindle"));
@@ -155,7 +164,7 @@ void bind_tool(py::module_& m) {
   m.def("common_cutter", &common_cutter, py::arg("kind"), doc("common_cutter"));
   m.def("tooth_rate", &tooth_rate, py::arg("cutter"), py::arg("spindle_speed"), doc("tooth_rate"));
   py::class_<Tool>(m, "Tool", doc("Tool"))
-      .def(py::init<ToolHead, Handle, Spindle, Cutter>(), py::arg("head"), py::arg("handle") = Handle(RayHandle{}),
+      .def(py::init<ToolHead, Handle, Spindle, Cutter>(), py::arg("head"), py::arg("handle") = Handle(RayHandle{0}),
            py::arg("spindle") = Spindle{}, py::arg("cutter") = Cutter{}, doc("Tool::Tool"))
       .def_property_readonly("head", &Tool::head, py::return_value_policy::copy, "The cutting head.")
       .def_property_readonly("handle", &Tool::handle, py::return_value_policy::copy, "RayHandle or LHandle.")

@@ -9,7 +9,7 @@
 
 static const char scene[] =
     "[workpiece]\nsource = 'block'\nsize_mm = [30, 30, 10]\nvoxel_mm = 0.25\nmaterial = 'cortical_bone'\n"
-    "[tool]\nhead = 'sphere'\nradius_mm = 1.5\nhandle = 'ray'\nspindle_rpm = 30000\n"
+    "[tool]\nhead = 'sphere'\nradius_mm = 1.5\nspindle_rpm = 30000\n"
     "[simulation]\nreserved_blocks = 16384\n"; /* there is no time to get more between the ticks */
 
 static void must(int code) {

@@ -7,7 +7,7 @@ int main() {
   using namespace hapticut::units;
   const Box box{Vec3(-3, -3, -4) * mm, Vec3(3, 3, 0) * mm};
   Simulation simulation(build_block(box, 0.1 * mm, presets::cortical_bone()),
-                        Tool(SphereHead{1.5 * mm}, RayHandle{20 * mm}, common_spindle(40000)));
+                        Tool(SphereHead{1.5 * mm}, RayHandle{20 * mm}, common_spindle(40000 * rpm)));
   const Twist feed{Vec3(0, 0, -2 * mm), Vec3::Zero()};  // 2 mm/s downwards
   std::size_t gone = 0;                                 // voxels
   for (int tick = 1; tick <= 1000; ++tick) {            // one second at 1 kHz

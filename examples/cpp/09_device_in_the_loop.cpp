@@ -19,7 +19,8 @@ int main(int argc, char** argv) try {
   SimulationConfig config;
   config.contact_time = ContactTime::end;  // what the coupling needs
   Simulation simulation(build_block(box, 0.25 * mm, presets::cortical_bone()),
-                        Tool(SphereHead{1.5 * mm}, RayHandle{}, Spindle{30000 * rpm}), config);
+                        Tool(SphereHead{1.5 * mm}, RayHandle{0}, Spindle{30000 * rpm}),  // the ball is at the stylus
+                        config);
 
   SimulationModelOptions options;
   options.map.X_WB.translation.z() = 1.5 * mm;  // the ball stands on the bone where the stylus is at its origin

@@ -25,7 +25,7 @@ struct Course {
 Course drill(const std::string& name, double irrigation) {
   const Box box = {Vec3(-4, -4, -6) * mm, Vec3(4, 4, 0) * mm};
   Simulation simulation(build_block(box, 0.1 * mm, presets::cortical_bone()),
-                        Tool(round_head(2 * mm), RayHandle{}, Spindle{10'000 * rpm}));
+                        Tool(round_head(2 * mm), RayHandle{0}, Spindle{10'000 * rpm}));
   HeatConfig config;
   config.irrigation = irrigation;
   HeatCollector collector(simulation);  // observes every step; in a loop the field has a thread of its own

@@ -7,16 +7,18 @@ from pathlib import Path
 import hapticut
 from hapticut import io, plot
 from hapticut.device import DeviceCommand, RunOptions, open_device
-from hapticut.units import mm
+from hapticut.loop import SpindleInterlock
+from hapticut.units import mm, rpm
 
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 box = hapticut.Box([-12 * mm, -12 * mm, -8 * mm], [12 * mm, 12 * mm, 0])
 block = hapticut.build_block(box, 0.25 * mm, hapticut.presets.clay())
-tool = hapticut.Tool(hapticut.SphereHead(2 * mm), spindle=hapticut.Spindle(3000.0))
+tool = hapticut.Tool(hapticut.SphereHead(2 * mm), spindle=hapticut.Spindle(30_000 * rpm))
 # The device is driven directly, so the foundation may not be stiffer than it can render.
 config = hapticut.SimulationConfig(reference_stiffness=hapticut.stiffness_for_device(tool.head, 600.0))
 simulation = hapticut.Simulation(block, tool, config)
 device = open_device("mock:spiral,device=touch,hand=nominal")
+interlock = SpindleInterlock(simulation.spindle_setting)
 file = folder / "recording.h5"
 
 # A mock is quicker than the disk; a real device may not wait, and need not.
@@ -24,6 +26,7 @@ options = io.RecorderOptions(device.name, wait_when_full=True)
 with io.Recorder(file, simulation, options) as recorder:
     def tick(state):
         """One millisecond: from the reading to the force."""
+        interlock.turn(simulation, device.arming)  # nothing is cut that the hand does not feel
         result = recorder.step(state.X_BS, state.velocity, 1e-3)
         return DeviceCommand(hapticut.Wrench(result.force, result.torque))
 

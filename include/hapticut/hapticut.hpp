@@ -74,6 +74,7 @@
 #include "hapticut/simulation/output_limits.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/simulation/stage_times.hpp"
+#include "hapticut/simulation/status_sentences.hpp"
 #include "hapticut/simulation/step.hpp"
 #include "hapticut/simulation/thesis_mode.hpp"
 #include "hapticut/simulation/worst_case.hpp"
@@ -110,6 +111,7 @@
 #include "hapticut/loop/realtime_loop.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "hapticut/loop/snapshot.hpp"
+#include "hapticut/loop/spindle_interlock.hpp"
 #include "hapticut/loop/workspace_map.hpp"
 //
 #include "hapticut/heat/heat_collector.hpp"

@@ -54,7 +54,7 @@ Scene cone_layers() {
             return Simulation(
                 build_layered_slab({Vec3(-4, -4, -6) * mm, Vec3(4, 4, 0) * mm}, 0.1 * mm,
                                    {{bone_like("hard", 1e9, 0), 1.05 * mm}, {bone_like("soft", 1e8, 0), 5 * mm}}),
-                Tool(ConeHead{30 * deg, 3 * mm}, RayHandle{}, Spindle{4000}));
+                Tool(ConeHead{30 * deg, 3 * mm}, RayHandle{0}, Spindle{4000}));
           },
           [](int tick) { return plunge(tick % 3000); }};
 }
@@ -90,7 +90,7 @@ Scene deep_ball() {
   return {"deep_ball", "A ball of 2 mm radius plunges 3 mm into a block at 2 mm/s, then moves sideways to and fro.",
           [] {
             return Simulation(build_block({Vec3::Zero(), Vec3(40, 40, 20) * mm}, 0.1 * mm, bone_like("bone", 1e8, 0)),
-                              Tool(SphereHead{2 * mm}, RayHandle{}, Spindle{3000}));
+                              Tool(SphereHead{2 * mm}, RayHandle{0}, Spindle{3000}));
           },
           [](int tick) {
             const auto at = [](int n) {
@@ -128,7 +128,7 @@ Scene fast_strokes() {
           [] {
             Material clay = bone_like("clay", 1e5, 0);
             return Simulation(build_block({Vec3(-12, -3, -3) * mm, Vec3(12, 3, 0) * mm}, 0.1 * mm, clay),
-                              Tool(SphereHead{1 * mm}, RayHandle{}, Spindle{5000}));
+                              Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{5000}));
           },
           [](int tick) {
             const auto at = [](double t) {

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <new>
 
+#include "c/words_of_c.hpp"
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut::c {
@@ -26,6 +27,15 @@ void copy(const char* text, std::size_t length, char* to, std::size_t capacity) 
   to[cut] = '\0';
 }
 
+/// What the library refuses.
+int fail_in_words_of_c(const char* sentence) noexcept {
+  try {
+    return fail(HAPTICUT_ERROR_REFUSED, in_words_of_c(sentence).c_str());
+  } catch (const std::exception&) {  // there is no memory for other words
+    return fail(HAPTICUT_ERROR_REFUSED, sentence);
+  }
+}
+
 }  // namespace
 
 int fail(int code, const char* sentence) noexcept {
@@ -41,7 +51,7 @@ int fail_by_exception() noexcept {
   } catch (const Refusal& refusal) {
     return fail(refusal.code(), refusal.what());
   } catch (const Error& error) {
-    return fail(HAPTICUT_ERROR_REFUSED, error.what());
+    return fail_in_words_of_c(error.what());
   } catch (const std::bad_alloc&) {
     return fail(HAPTICUT_ERROR_MEMORY, "There is not enough memory for it; take larger voxels or a smaller workpiece.");
   } catch (const std::exception& error) {

@@ -6,6 +6,7 @@
 
 #include "c/loop_object.hpp"
 #include "c/structs.hpp"
+#include "c/words_of_c.hpp"
 #include "hapticut/core/errors.hpp"
 #include "loop/hand_map.hpp"
 
@@ -101,7 +102,7 @@ void put_report(const RunReport& report, hapticut_loop_report& own) {
   own.arming = std::uint32_t(report.guard);
   copy_text(report.end, own.end, sizeof own.end);
   std::string warnings;
-  for (const std::string& one : report.warnings) warnings += (warnings.empty() ? "" : "\n") + one;
+  for (const std::string& one : report.warnings) warnings += (warnings.empty() ? "" : "\n") + in_words_of_c(one);
   copy_text(warnings, own.warnings, sizeof own.warnings);
 }
 

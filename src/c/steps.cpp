@@ -136,15 +136,16 @@ int hapticut_energy(hapticut_simulation simulation, hapticut_energy_ledger* ledg
   own.credited = energy.credited;
   own.entered = energy.entered;
   own.imbalance = energy.imbalance();
+  own.turnover = energy.turnover;
   give(own, ledger);
   return HAPTICUT_OK;
 }
 
-int hapticut_set_spindle_speed(hapticut_simulation simulation, double speed) {
+int hapticut_set_spindle_speed(hapticut_simulation simulation, double rad_per_s) {
   const IdleSimulation use(simulation);
   if (!use) return use.code();
   return guarded([&]() -> int {
-    use->simulation.set_spindle_speed(speed);
+    use->simulation.set_spindle_speed(rad_per_s);
     return HAPTICUT_OK;
   });
 }

@@ -16,9 +16,40 @@ struct Registry {
   std::vector<DeviceDriver> drivers;
 };
 
-DeviceDriver absent(std::string scheme, std::string usage, std::string missing) {
-  return {std::move(scheme), std::move(usage), std::move(missing), nullptr};
+/// A driver of a component of its own, as long as nobody has called its function.
+struct Component {
+  bool is_built;
+  std::string name, option, function;
+  std::string needs;  ///< to be built
+};
+
+DeviceDriver unannounced(const std::string& scheme, const std::string& usage, const Component& component) {
+  const std::string cure = "link hapticut::" + component.name + " and call hapticut::" + component.function + "()";
+  if (!component.is_built)
+    return {scheme, usage, component.needs + ", then build hapticut with " + component.option + "=ON, " + cure,
+            nullptr};
+  return {scheme, usage + "; after hapticut::" + component.function + "()", "",
+          [scheme, cure](const std::string&) -> std::unique_ptr<Device> {
+            throw Error("The device \"" + scheme + "\" is in this build, but was not announced; " + cure +
+                        " before open_device.");
+          }};
 }
+
+#ifdef HAPTICUT_HAS_IO
+constexpr bool kHasIo = true;
+#else
+constexpr bool kHasIo = false;
+#endif
+#ifdef HAPTICUT_HAS_OPENHAPTICS
+constexpr bool kHasOpenHaptics = true;
+#else
+constexpr bool kHasOpenHaptics = false;
+#endif
+#ifdef HAPTICUT_HAS_FORCEDIMENSION
+constexpr bool kHasForceDimension = true;
+#else
+constexpr bool kHasForceDimension = false;
+#endif
 
 Registry& registry() {
   static Registry all{
@@ -26,16 +57,16 @@ Registry& registry() {
       {
           mock_driver(),
           mouse_driver(),
-          absent("replay", "replay:FILE, FILE a recording",
-                 "what hapticut's component io needs (scripts/install-deps.sh), then build hapticut with "
-                 "-DHAPTICUT_WITH_IO=ON, link hapticut::io and call hapticut::use_recordings()"),
-          absent("openhaptics", "openhaptics[:NAME], NAME as in the maker's setup program",
-                 "3D Systems OpenHaptics 3.0 or later and the device's driver, then build hapticut with "
-                 "-DHAPTICUT_WITH_OPENHAPTICS=ON and call hapticut::use_open_haptics()"),
-          absent(
-              "forcedimension", "forcedimension[:NAME], NAME a serial number or a model, e.g. omega.7 or sigma.7-left",
-              "the Force Dimension SDK 3.17 or later, then build hapticut with -DHAPTICUT_WITH_FORCEDIMENSION=ON and "
-              "call hapticut::use_force_dimension()"),
+          unannounced("replay", "replay:FILE, FILE a recording",
+                      {kHasIo, "io", "-DHAPTICUT_WITH_IO", "use_recordings",
+                       "what hapticut's component io needs (scripts/install-deps.sh)"}),
+          unannounced("openhaptics", "openhaptics[:NAME], NAME as in the maker's setup program",
+                      {kHasOpenHaptics, "openhaptics", "-DHAPTICUT_WITH_OPENHAPTICS", "use_open_haptics",
+                       "3D Systems OpenHaptics 3.0 or later and the device's driver"}),
+          unannounced("forcedimension",
+                      "forcedimension[:NAME], NAME a serial number or a model, e.g. omega.7 or sigma.7-left",
+                      {kHasForceDimension, "forcedimension", "-DHAPTICUT_WITH_FORCEDIMENSION", "use_force_dimension",
+                       "the Force Dimension SDK 3.17 or later"}),
       }};
   return all;
 }

@@ -110,7 +110,7 @@ bool SimulationModel::obey(LoopCommand& command) noexcept {
 
 bool SimulationModel::apply(const commands::SetSpindleSpeed& command) noexcept {
   if (!(std::abs(command.speed) <= kFastestSpindle)) return false;
-  spindle_speed_ = command.speed;
+  interlock_.set_speed(command.speed);
   return true;
 }
 
@@ -167,7 +167,8 @@ void SimulationModel::feel_nothing(StepStatus status) noexcept {
 
 /// The material that the tool is in now must not be felt at once.
 void SimulationModel::after_exchange() noexcept {
-  tool_.force_held = may_cut_ = false;
+  tool_.force_held = false;
+  interlock_.interrupt();
   unfelt_ = true;
   feel_nothing(StepStatus::ok);
   if (coupling_) coupling_->leave(VirtualCoupling::Rejoin::free);
@@ -178,7 +179,7 @@ void SimulationModel::after_exchange() noexcept {
 bool SimulationModel::apply(commands::SetTool& command) noexcept {
   if (!simulation_->exchange(command.tool)) return false;
   if (coupling_) coupling_->exchange_lists(command.lists);
-  spindle_speed_ = simulation_->spindle_setting();
+  interlock_.set_speed(simulation_->spindle_setting());
   after_exchange();
   return true;
 }
@@ -231,7 +232,7 @@ bool SimulationModel::apply(commands::ExchangeWorkpiece& command) noexcept {
   std::swap(bounds_, command.bounds);
   if (coupling_) coupling_->exchange_lists(command.lists);
   travel_ = Travel::none;
-  spindle_speed_ = simulation_->spindle_setting();
+  interlock_.set_speed(simulation_->spindle_setting());
   books_energy_ = is_foundation(simulation_->config());
   ++tool_.workpiece;
   after_exchange();

@@ -16,8 +16,6 @@ namespace {
 
 double dissipated(const EnergyLedger& e) { return e.cutting + e.released + e.damping + e.rubbing + e.sliding; }
 
-bool has_force(ArmingState arming) { return arming == ArmingState::ramp || arming == ArmingState::on; }
-
 }  // namespace
 
 SimulationModel::SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options)
@@ -37,7 +35,7 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
       spindle_needs_force_(options.spindle_needs_force),
       pedal_(options.pedal),
       undo_blocks_per_tick_(options.undo_blocks_per_tick),
-      spindle_speed_(simulation.spindle_setting()),
+      interlock_(simulation.spindle_setting()),
       books_energy_(is_foundation(simulation.config())) {
   require_fields_within(options, "SimulationModelOptions::");
   require_gains_within(options.map);
@@ -94,7 +92,7 @@ Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& 
 /// A part of the way to the last mark, or from it.
 void SimulationModel::travel(const DeviceState& state) noexcept {
   if (state.valid && !coupling_) X_WH_ = map_.to_world(state.X_BS);
-  may_cut_ = false;
+  interlock_.interrupt();
   const bool done =
       travel_ == Travel::back ? simulation_->undo(undo_blocks_per_tick_) : simulation_->redo(undo_blocks_per_tick_);
   if (done) travel_ = Travel::none;
@@ -106,7 +104,7 @@ void SimulationModel::travel(const DeviceState& state) noexcept {
 /// The hand is not known, or the clutch is open: the tool stays where it is, and cuts nothing.
 void SimulationModel::rest() noexcept {
   feel_nothing(StepStatus::ok);
-  may_cut_ = false;
+  interlock_.interrupt();
   if (coupling_) coupling_->leave(VirtualCoupling::Rejoin::near);
   if (spindle_needs_force_ && simulation_->spindle_setting() != 0) simulation_->halt_spindle();
 }
@@ -117,15 +115,9 @@ Wrench SimulationModel::hold_force(const DeviceState& state) const noexcept {
 }
 
 void SimulationModel::turn_spindle(const DeviceState& state) noexcept {
-  if (!has_force(device_->last_arming()) || tool_.force_held)
-    may_cut_ = false;
-  else if (!touches_)
-    may_cut_ = true;
-  if ((spindle_needs_force_ && !may_cut_) || (pedal_ >= 0 && !state.pressed(pedal_))) {
-    if (simulation_->spindle_setting() != 0) simulation_->halt_spindle();  // or it would cut while it runs down
-  } else if (spindle_speed_ != simulation_->spindle_setting()) {
-    simulation_->set_spindle_speed(spindle_speed_);
-  }
+  const bool admitted = interlock_.admits(tool_.force_held ? ArmingState::off : device_->last_arming(), touches_);
+  const bool pressed = pedal_ < 0 || state.pressed(pedal_);
+  interlock_.turn(*simulation_, pressed && (admitted || !spindle_needs_force_));
 }
 
 /// Steps, with the coupling or without.  @return what the hand feels, about Ho of the hand, in W

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 #include "hapticut/core/units.hpp"
@@ -161,9 +162,16 @@ std::string describe(const Value& value) {
 }
 
 std::optional<std::string> nearest_name(std::string_view misspelled, const std::vector<std::string>& candidates) {
+  const std::string_view word = misspelled.substr(std::min(misspelled.find_first_not_of('-'), misspelled.size()));
+  const auto ends_with_it = [&](const std::string& name) { return name.ends_with("_" + std::string(word)); };
+  const auto begins_with_it = [&](const std::string& name) { return name.starts_with(misspelled); };
+  // What was cut short, "--feed" or "--rpm", is no other name that is as short.
+  const bool is_begun = word.size() > 2 && std::any_of(candidates.begin(), candidates.end(), begins_with_it);
+  const bool is_end = word.size() > 2 && std::count_if(candidates.begin(), candidates.end(), ends_with_it) == 1;
   std::optional<std::string> nearest;
-  std::size_t smallest = std::max<std::size_t>(3, misspelled.size() / 3) + 1;
+  std::size_t smallest = is_begun || is_end ? SIZE_MAX : std::max<std::size_t>(3, misspelled.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
+    if (is_begun ? !begins_with_it(candidate) : is_end && !ends_with_it(candidate)) continue;
     const std::size_t distance = edit_distance(misspelled, candidate);
     if (distance < smallest) {
       smallest = distance;

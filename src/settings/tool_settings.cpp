@@ -226,6 +226,7 @@ Handle make_handle(const ToolSettings& s) {
   if (s.handle.value_or(HandleKind::ray) == HandleKind::ray) {
     refuse(s.handle_neck_mm, "tool.handle_neck_mm", "a ray handle", "choose --handle L");
     refuse(s.handle_bend_deg, "tool.handle_bend_deg", "a ray handle", "choose --handle L");
+    if (s.handle) (void)required(s.handle_length_mm, "tool.handle_length_mm", "a ray handle");
     return RayHandle{s.handle_length_mm.value_or(0) * units::mm};
   }
   return LHandle{required(s.handle_length_mm, "tool.handle_length_mm", "an L handle") * units::mm,
@@ -263,15 +264,16 @@ std::vector<Setting> settings_of(ToolSettings& t) {
       choice("tool.shank", "--shank", t.shank, "what holds the head and may lean on the workpiece [nothing]"),
       number("tool.shank_neck_mm", "--shank_neck_mm", t.shank_neck_mm, Range::positive(),
              "diameter of the neck between head and shank"),
-      choice("tool.handle", "--handle", t.handle, {{"ray", HandleKind::ray}, {"L", HandleKind::angled}},
-             "straight (ray) or angled (L) handpiece [ray]"),
+      choice(
+          "tool.handle", "--handle", t.handle, {{"ray", HandleKind::ray}, {"L", HandleKind::angled}},
+          "straight (ray) or angled (L) handpiece [ray where it has a length; else none, and the hand is at the head]"),
       number("tool.handle_length_mm", "--handle_length_mm", t.handle_length_mm, Range::not_negative(),
-             "from the hand to the head, or to the elbow of an L [0 for a ray]"),
+             "from the hand to the head, or to the elbow of an L"),
       number("tool.handle_neck_mm", "--handle_neck_mm", t.handle_neck_mm, Range::not_negative(),
              "L handle: from the elbow to the head"),
       number("tool.handle_bend_deg", "--handle_bend_deg", t.handle_bend_deg, Range::between(-180, 180),
              "L handle: between stylus and spindle axis [90]"),
-      number("tool.spindle_rpm", "--spindle_rpm", t.spindle_rpm, Range::any(),
+      number("tool.spindle_rpm", "--spindle_rpm", t.spindle_rpm, Range::between(-1e6, 1e6),
              "spindle speed, positive counter-clockwise seen from the shank; 0: stands, nothing is cut"),
       choice("tool.motor", "--motor", t.motor,
              "what turns the spindle and how it yields to a load [air_turbine above 200000 rpm, electric below]"),
@@ -291,6 +293,23 @@ std::vector<Setting> settings_of(ToolSettings& t) {
   };
 }
 
+namespace {
+
+Spindle make_spindle(const ToolSettings& s) {
+  const double rpm = required(s.spindle_rpm, "tool.spindle_rpm", "every tool");
+  const MotorKind motor = s.motor.value_or(common_motor(rpm * units::rpm));
+  const double fastest = fastest_speed(motor);
+  if (std::abs(rpm) * units::rpm > fastest)
+    throw Error("tool.spindle_rpm = " + format_number(rpm) + "; must be at most " +
+                format_number(fastest / units::rpm) + " with the motor " + std::string(name_or_null(motor)) +
+                ". Lower it, or choose another --motor.");
+  if (rpm == 0 && motor != MotorKind::ideal)
+    refuse(s.motor, "tool.motor", "a spindle that stands", "give --spindle_rpm");
+  return common_spindle(motor, rpm * units::rpm);
+}
+
+}  // namespace
+
 Tool make_tool(const ToolSettings& s) {
   ToolHead head = make_head(s);
   if (s.shank)
@@ -299,8 +318,7 @@ Tool make_tool(const ToolSettings& s) {
   else
     refuse(s.shank_neck_mm, "tool.shank_neck_mm", "a head without a shank", "choose --shank");
   Handle handle = make_handle(s);
-  const double rpm = required(s.spindle_rpm, "tool.spindle_rpm", "every tool");
-  Spindle spindle = common_spindle(s.motor.value_or(common_motor(rpm)), rpm);
+  Spindle spindle = make_spindle(s);
   if (s.power_limit_W) spindle.power_limit = *s.power_limit_W;
   if (s.acceleration_rpm_per_s) spindle.acceleration_limit = *s.acceleration_rpm_per_s * units::rpm;
   if (s.torque_limit_Nmm) spindle.torque_limit = *s.torque_limit_Nmm * units::N_mm;

@@ -317,25 +317,25 @@ void VirtualCoupling::book(const Pull& before, const Pull& after, const Twist& t
                            double tool_work, double dt) noexcept {
   CouplingEnergy& energy = result_.energy;
   const Twist& tool = result_.velocity;
-  const Wrench& w = after.wrench;
-  const Vec3 torque = turns() ? w.torque : Vec3(-result_.coupling.torque);
-  energy.hand_work += (w.force.dot(hand_path.linear) + torque.dot(hand_path.angular)) * dt;
-  energy.tool_work += tool_work;
+  const Vec3 torque = turns() ? after.wrench.torque : Vec3(-result_.coupling.torque);
+  const double by_hand = (after.wrench.force.dot(hand_path.linear) + torque.dot(hand_path.angular)) * dt;
   const Vec3 way = (hand_path.linear - tool.linear) * dt;
-  energy.damper += (after.linear.force - after.linear.spring).dot(way);
-  const double mass_loss = 0.5 * gains_.mass * (tool.linear - tool_before.linear).squaredNorm();
-  energy.kinetic = kinetic_energy(tool);
-  // What the spring's end force does on the way, less what it stores more.
-  double spring_loss = after.linear.spring.dot(way);
+  double damper = (after.linear.force - after.linear.spring).dot(way);
+  // What the spring's end force does on the way, less what it stores more; what the mass loses.
+  double implicit = after.linear.spring.dot(way) - (spring_energy(after) - spring_energy(before)) +
+                    0.5 * gains_.mass * (tool.linear - tool_before.linear).squaredNorm();
   if (turns()) {
     const Vec3 turning = (hand_path.angular - tool.angular) * dt;
-    energy.damper += (after.angular.force - after.angular.spring).dot(turning);
-    spring_loss += after.angular.spring.dot(turning);
-    energy.implicit += 0.5 * gains_.inertia * (tool.angular - tool_before.angular).squaredNorm();
+    damper += (after.angular.force - after.angular.spring).dot(turning);
+    implicit +=
+        after.angular.spring.dot(turning) + 0.5 * gains_.inertia * (tool.angular - tool_before.angular).squaredNorm();
   }
-  const double stored = spring_energy(after);
-  energy.implicit += mass_loss + spring_loss - (stored - spring_energy(before));
-  energy.spring = stored;
+  energy.hand_work += by_hand;
+  energy.tool_work += tool_work;
+  energy.damper += damper;
+  energy.implicit += implicit;
+  energy.kinetic = kinetic_energy(tool), energy.spring = spring_energy(after);
+  energy.turnover += std::abs(by_hand) + std::abs(tool_work) + std::abs(damper) + std::abs(implicit);
 }
 
 /// The hand takes the tool: it brought it to its speed before, and stretched the spring.
@@ -344,7 +344,7 @@ void VirtualCoupling::begin_grip(const Pose& pose, const Twist& velocity, double
   result_.energy = {};
   result_.energy.kinetic = kinetic_energy(result_.velocity);
   result_.energy.spring = spring_energy(pull(result_.X_WH, result_.velocity, X_WD_, velocity));
-  result_.energy.hand_work = result_.energy.kinetic + result_.energy.spring;
+  result_.energy.hand_work = result_.energy.turnover = result_.energy.kinetic + result_.energy.spring;
   simulation_->let_go();
 }
 

@@ -85,7 +85,9 @@ double Simulation::State::torque_to_turn(const Encounter& encounter) const noexc
 void Simulation::State::book_stalled(const SubStep& sub_step, Encounter& encounter) noexcept {
   load.torque = torque_to_turn(encounter);
   const double turning = -encounter.resultant.wrench_T.torque.z() * turning_spin() * sub_step.duration;
-  result.energy.motor_work -= encounter.energies.rubbing - turning;
+  const double by_motor = turning - encounter.energies.rubbing;
+  result.energy.motor_work += by_motor;
+  result.energy.turnover += std::abs(by_motor);
   encounter.energies.rubbing = 0;
 }
 

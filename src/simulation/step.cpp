@@ -234,10 +234,14 @@ void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& en
   const StageTimer timer = timed(&StageTimes::book_energy);
   const Wrench& wrench_T = encounter.resultant.wrench_T;
   EnergyLedger& energy = result.energy;
-  energy.hand_work -=
+  const double by_hand =
       (wrench_T.force.dot(sub_step.path_T.linear) + wrench_T.torque.dot(sub_step.path_T.angular)) * sub_step.duration;
-  energy.motor_work -= wrench_T.torque.z() * motor.speed() * sub_step.duration;
-  energy.entered += encounter.energies.elastic_before - energy.elastic;
+  const double by_motor = wrench_T.torque.z() * motor.speed() * sub_step.duration;
+  const double entered = encounter.energies.elastic_before - energy.elastic;
+  energy.hand_work -= by_hand;
+  energy.motor_work -= by_motor;
+  energy.entered += entered;
+  energy.turnover += std::abs(by_hand) + std::abs(by_motor) + std::abs(entered);
   energy.elastic = encounter.energies.elastic;
   energy.cutting += encounter.energies.cutting;
   energy.crushed += encounter.energies.crushed;
@@ -267,6 +271,8 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   result.spindle.torque -= share * wrench_T.torque.z();
   result.spindle.speed = motor.speed();
   result.contact = contact_of(encounter);
+  const bool could_cut = config.removal != RemovalLaw::none && encounter.resultant.voxels > 0;
+  if (could_cut && tool.spindle().speed == 0 && motor.setting() == 0) result.status |= StepStatus::spindle_stands;
   if (encounter.energies.crushed > 0) result.status |= StepStatus::material_crushed;
   if (encounter.blocks_exhausted) result.status |= StepStatus::blocks_exhausted;
   if (encounter.force_not_finite) result.status |= StepStatus::force_not_finite;

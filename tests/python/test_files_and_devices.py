@@ -224,6 +224,7 @@ def test_models_maps_and_the_guard():
     histogram = h.loop.LatencyHistogram()
     histogram.add(5e-6)
     assert histogram.count == 1 and histogram.longer == 0 and histogram.max == 5e-6
+    assert histogram.at_least(4e-6) == 1 and histogram.at_least(6e-6) == 0
 
 
 def test_the_bench_finds_the_limit_of_colgate_and_schenkel():

@@ -65,7 +65,7 @@ def bar_cut_through():
     """A bar of 0.8 mm x 0.8 mm x 6 mm, and a ball that has gone through it at a height of 4 mm."""
     material = h.presets.cortical_bone()
     bar = h.build_block(h.Box([-0.4 * mm, -0.4 * mm, 0], [0.4 * mm, 0.4 * mm, 6 * mm]), 0.1 * mm, material)
-    simulation = h.Simulation(bar, h.Tool(h.SphereHead(0.6 * mm), h.RayHandle(), h.Spindle(3000.0)))
+    simulation = h.Simulation(bar, h.Tool(h.SphereHead(0.6 * mm), h.RayHandle(0), h.Spindle(3000.0)))
     finder = h.islands.IslandFinder(simulation.workpiece, h.islands.IslandOptions())
     for tick in range(1, 1001):
         pose = h.Pose.from_translation([-2 * mm + 4e-6 * tick, 0, 4 * mm])

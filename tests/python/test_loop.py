@@ -115,6 +115,22 @@ def test_a_cut_is_undone_while_the_loop_goes_on(coupled):
     assert coupled.workpiece.hash() == whole
 
 
+def test_a_loop_of_ones_own_cuts_nothing_before_there_is_a_force(coupled):
+    interlock = h.loop.SpindleInterlock(coupled.spindle_setting)
+    states = h.safety.ArmingState
+    interlock.turn(coupled, states.wait_free)
+    assert coupled.spindle_setting == 0 and interlock.speed != 0
+    assert not interlock.admits(states.ramp, True) and interlock.admits(states.ramp, False)
+    interlock.turn(coupled, True)
+    assert coupled.spindle_setting == interlock.speed
+    interlock.interrupt()
+    assert not interlock.admits(states.on, True)
+    interlock.set_speed(100.0)
+    assert interlock.speed == 100
+    with pytest.raises(h.Error, match="Spindle::speed"):
+        interlock.set_speed(1e9)
+
+
 def test_everything_may_be_exchanged_while_the_loop_goes_on(coupled):
     device = h.device.MockDevice(h.device.MockOptions(path=down_and_up, device=h.device.device_model("touch")))
     model = driven(coupled, device, undo_blocks=1000)

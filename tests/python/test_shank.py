@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Smooth surfaces, necks and shanks."""
+"""Smooth surfaces, necks and shanks; handles and spindles."""
+import math
+
 import pytest
 
 import hapticut as h
-
-mm = 1e-3
+from hapticut.units import mm, rpm
 
 
 def test_a_bur_on_a_shank_keeps_what_cuts():
@@ -40,3 +41,24 @@ def test_the_nose_of_a_handpiece_is_a_body():
     held = h.catalogue.with_body(bur, nose)
     assert held.largest_radius() == pytest.approx(3 * mm)
     assert held.cutting_radius() == pytest.approx(0.5 * mm)
+
+
+def test_a_handle_must_say_how_long_it_is():
+    with pytest.raises(TypeError, match="length"):
+        h.RayHandle()
+    with pytest.raises(h.Error, match="LHandle::length .m. must be given"):
+        h.Tool(h.SphereHead(1 * mm), h.LHandle())
+
+
+def test_a_spindle_that_no_motor_turns_is_refused():
+    assert h.Tool(h.SphereHead(1 * mm), spindle=h.Spindle(-h.kFastestSpindle)).spindle.speed == -h.kFastestSpindle
+    assert h.common_spindle(40000 * rpm).speed == h.Spindle(40000 * rpm).speed == pytest.approx(40000 * math.pi / 30)
+    for turns_a_minute in ((40000,), (h.MotorKind.electric, 40000), (h.MotorKind.electric, 40000.0)):
+        with pytest.raises(h.Error, match="units.?.?rpm"):
+            h.common_spindle(*turns_a_minute)
+    assert h.catalogue.fastest_speed(h.MotorKind.electric) == 250e3 * rpm
+    assert h.describe_status(h.StepStatus.blocks_low | h.StepStatus.power_limited) == "blocks_low | power_limited"
+    assert h.describe_status(0) == "ok" and h.sentences_of(0) == ""
+    assert "bring it out of the material" in h.sentences_of(h.StepStatus.tool_waits)
+    with pytest.raises(h.Error, match="turns a minute"):
+        h.Tool(h.SphereHead(1 * mm), spindle=h.Spindle(2 * h.kFastestSpindle))

@@ -22,7 +22,7 @@ struct CutScene {
   VoxelIndex shift = {0, 0, 0};  // the same voxels under other indices
   bool mirrored = false;         // at x = 0 of the grid
   ToolHead head = SphereHead{0.8 * units::mm};
-  Handle handle;                        // a ray without length: the hand feels at To
+  Handle handle = RayHandle{0};         // a ray without length: the hand feels at To
   std::shared_ptr<const ForceLaw> law;  // null: the default one
   RemovalLaw removal = RemovalLaw::constant_energy;
   double spin = 2000;                                                   // [rad/s]

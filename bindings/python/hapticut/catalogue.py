@@ -9,6 +9,7 @@ from ._hapticut import (
     common_cutter as common_cutter,
     common_motor as common_motor,
     cylinder_head as cylinder_head,
+    fastest_speed as fastest_speed,
     flame_head as flame_head,
     inverted_cone_head as inverted_cone_head,
     kTreeWaist as kTreeWaist,

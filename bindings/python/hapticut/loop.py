@@ -9,6 +9,7 @@ from ._hapticut import (
     RealtimeLoopOptions as RealtimeLoopOptions,
     SimulationModel as SimulationModel,
     SimulationModelOptions as SimulationModelOptions,
+    SpindleInterlock as SpindleInterlock,
     commands as commands,
 
     # Pieces that were cut loose, and blocks on their way out

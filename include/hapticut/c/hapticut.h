@@ -5,7 +5,8 @@
  *
  * Results. Every function that can fail returns an int: HAPTICUT_OK, HAPTICUT_NOTHING (no error, and nothing
  * there), or an error < 0; `hapticut_last_error` is then the sentence about it. What was to be filled in is left
- * alone after an error. A step's bits of trouble are in its `status`, as in C++ (StepStatus); they are no errors.
+ * alone after an error. A step's bits of trouble are in its `status`; they are no errors. `hapticut_status_text` has
+ * their names.
  * No exception leaves the library.
  *
  * Handles. What is made here is named by a number, never 0, until `hapticut_release`. A call with 0, with a handle
@@ -107,11 +108,11 @@ HAPTICUT_C_API int hapticut_touches(hapticut_simulation simulation, const haptic
 /** Where the work went since the simulation was made. */
 HAPTICUT_C_API int hapticut_energy(hapticut_simulation simulation, hapticut_energy_ledger* ledger);
 
-/** @param speed  [rad/s] from the next step on */
-HAPTICUT_C_API int hapticut_set_spindle_speed(hapticut_simulation simulation, double speed);
+/** @param rad_per_s  from the next step on, as 40000 * HAPTICUT_RPM */
+HAPTICUT_C_API int hapticut_set_spindle_speed(hapticut_simulation simulation, double rad_per_s);
 
 /** Another tool for the same workpiece. Where it is in material the steps that follow feel and cut nothing, as after
- * every exchange and way back: StepStatus::tool_waits until the head is free.
+ * every exchange and way back, until the head is free: their status has tool_waits.
  * @param text  TOML with a table [tool] and nothing else */
 HAPTICUT_C_API int hapticut_set_tool(hapticut_simulation simulation, const char* text);
 

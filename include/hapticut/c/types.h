@@ -15,6 +15,9 @@ extern "C" {
 /** Grows when functions or fields are added; none is ever removed or moved. */
 #define HAPTICUT_ABI_VERSION 1
 
+/** [rad/s] one turn a minute: `40000 * HAPTICUT_RPM` is what `spindle_rpm = 40000` of a scene is. */
+#define HAPTICUT_RPM 0.10471975511965977
+
 enum hapticut_result {
   HAPTICUT_OK = 0,
   HAPTICUT_NOTHING = 1,            /**< no error; there was nothing to fill in */
@@ -128,6 +131,7 @@ typedef struct hapticut_energy_ledger {
   double credited;
   double entered;
   double imbalance; /**< hand_work + motor_work + entered + credited less all others; 0 when the ledger closes */
+  double turnover;  /**< hand_work, motor_work and entered without signs, summed part by part: judges imbalance */
 } hapticut_energy_ledger;
 
 /* --- coupling, for a loop of the caller -------------------------------------------------------------------------- */
@@ -239,7 +243,7 @@ typedef struct hapticut_loop_state {
 } hapticut_loop_state;
 
 enum hapticut_command_kind {
-  HAPTICUT_COMMAND_SET_SPINDLE_SPEED = 1, /**< value [rad/s] */
+  HAPTICUT_COMMAND_SET_SPINDLE_SPEED = 1, /**< value [rad/s], as 40000 * HAPTICUT_RPM */
   HAPTICUT_COMMAND_OPEN_CLUTCH = 2,       /**< the hand moves, the tool stays */
   HAPTICUT_COMMAND_CLOSE_CLUTCH = 3,
   HAPTICUT_COMMAND_SET_SCALE = 4, /**< value [1] > 0, world over hand */

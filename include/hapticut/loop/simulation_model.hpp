@@ -9,6 +9,7 @@
 #include "hapticut/core/description.hpp"
 #include "hapticut/loop/island_watch.hpp"
 #include "hapticut/loop/realtime_loop.hpp"
+#include "hapticut/loop/spindle_interlock.hpp"
 #include "hapticut/loop/workspace_map.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "hapticut/simulation/simulation.hpp"
@@ -92,7 +93,9 @@ class SimulationModel final : public LoopModel {
   // --- the loop's side ----------------------------------------------------------------------------------------------
   Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override;
   [[nodiscard]] ModelContact contact() const noexcept override { return contact_; }
-  [[nodiscard]] double spindle_speed() const noexcept { return spindle_speed_; }  ///< [rad/s] while there is a force
+  [[nodiscard]] double spindle_speed() const noexcept {
+    return interlock_.speed();
+  }  ///< [rad/s] while there is a force
   bool obey(LoopCommand& command) noexcept override;
   void mark_changes(BlockOutbox& outbox) noexcept override;
   void copy(ChangedBlock& block) noexcept override;
@@ -153,7 +156,7 @@ class SimulationModel final : public LoopModel {
   int pedal_;
   std::size_t undo_blocks_per_tick_;
 
-  double spindle_speed_;     // [rad/s] while there is a force
+  SpindleInterlock interlock_;
   Pose X_BS_;                // of the last valid reading
   std::uint32_t epoch_ = 0;  // of it
   Pose X_WH_;                // of the tool's handle
@@ -161,7 +164,6 @@ class SimulationModel final : public LoopModel {
   Travel travel_ = Travel::none;
   bool unfelt_ = false;    // the next wrench, because the guard hears of its reason at the next reading only
   bool touches_ = true;    // something, for all that is known
-  bool may_cut_ = false;   // there is a force, and the tool was free since it came back
   bool books_energy_;      // the law, so that it is known what is stored
   ModelContact contact_;   // of the last tick
   ChangedBlocks changed_;  // in this tick

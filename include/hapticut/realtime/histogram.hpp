@@ -9,7 +9,8 @@
 
 namespace hapticut {
 
-/// How often a duration was seen, in buckets of 1 us up to 2 ms, and what was longer.
+/// How often a duration was seen: in buckets of 1 us up to 2 ms, beyond in sixteen for each doubling, up to two
+/// minutes.
 /// @realtime adding allocates nothing, takes no lock
 class LatencyHistogram {
  public:
@@ -19,10 +20,13 @@ class LatencyHistogram {
   /// @param seconds [s] >= 0; what is not a number counts as longer than all buckets
   void add(double seconds) noexcept {
     const double bucket = seconds / kBucketWidth;
-    if (bucket < double(kBuckets))
+    if (bucket < double(kBuckets)) {
       ++buckets_[std::size_t(std::max(0.0, bucket))];
-    else
+    } else {
+      const double step = long_step(bucket);
+      ++long_buckets_[step < double(kLongBuckets - 1) ? std::size_t(step) : kLongBuckets - 1];
       ++longer_;
+    }
     ++count_;
     sum_ += seconds;
     min_ = std::min(min_, seconds);
@@ -33,11 +37,24 @@ class LatencyHistogram {
   [[nodiscard]] double min() const { return count_ > 0 ? min_ : 0; }                    ///< [s]
   [[nodiscard]] double max() const { return max_; }                                     ///< [s]
   [[nodiscard]] double mean() const { return count_ > 0 ? sum_ / double(count_) : 0; }  ///< [s]
-  [[nodiscard]] std::uint64_t longer() const { return longer_; }                        ///< than all buckets
-  [[nodiscard]] const std::array<std::uint64_t, kBuckets>& buckets() const { return buckets_; }
+  [[nodiscard]] std::uint64_t longer() const { return longer_; }                        ///< than the buckets of 1 us
+  [[nodiscard]] const std::array<std::uint64_t, kBuckets>& buckets() const { return buckets_; }  ///< those of 1 us
 
-  /// [s] the upper edge of the bucket below which a share of all durations lies; the maximum where that is among the
-  /// longer ones.  @param share [1] 0 ... 1
+  /// How many lasted at least so long, but for those in the bucket of `seconds` itself.  @param seconds [s] > 0
+  [[nodiscard]] std::uint64_t at_least(double seconds) const {
+    constexpr double kRounding = 1e-9;  // [buckets]
+    const auto first = [](double n) {
+      return std::size_t(std::ceil(std::clamp(n - kRounding, 0.0, double(kBuckets))));
+    };
+    const double bucket = seconds / kBucketWidth;
+    std::uint64_t sum = 0;
+    for (std::size_t n = first(bucket); n < kBuckets; ++n) sum += buckets_[n];
+    for (std::size_t n = first(long_step(bucket)); n < kLongBuckets; ++n) sum += long_buckets_[n];
+    return sum;
+  }
+
+  /// [s] the upper edge of the bucket below which a share of all durations lies: at most 1 us too much up to 2 ms, at
+  /// most 4.5 % beyond, and never more than the maximum.  @param share [1] 0 ... 1
   [[nodiscard]] double quantile(double share) const {
     const auto wanted = std::uint64_t(std::ceil(std::clamp(share, 0.0, 1.0) * double(count_)));
     std::uint64_t seen = 0;
@@ -45,11 +62,22 @@ class LatencyHistogram {
       seen += buckets_[n];
       if (seen >= wanted && seen > 0) return std::min(max_, kBucketWidth * double(n + 1));
     }
+    for (std::size_t n = 0; n + 1 < kLongBuckets; ++n) {
+      seen += long_buckets_[n];
+      if (seen >= wanted && seen > 0)
+        return std::min(max_, kBucketWidth * double(kBuckets) * std::exp2(double(n + 1) / kStepsOfOctave));
+    }
     return max_;
   }
 
  private:
+  static constexpr std::size_t kLongBuckets = 257;  // the last one for all that is longer still
+  static constexpr double kStepsOfOctave = 16;      // [1] 2^(1/16) = 1.044
+
+  static double long_step(double bucket) noexcept { return kStepsOfOctave * std::log2(bucket / double(kBuckets)); }
+
   std::array<std::uint64_t, kBuckets> buckets_{};
+  std::array<std::uint64_t, kLongBuckets> long_buckets_{};
   std::uint64_t longer_ = 0, count_ = 0;
   double sum_ = 0, min_ = HUGE_VAL, max_ = 0;
 };

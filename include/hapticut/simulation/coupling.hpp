@@ -73,15 +73,13 @@ struct CouplingEnergy {
   double damper = 0;
   double kinetic = 0;
   double implicit = 0;
+  double turnover = 0;
 
   /// [J] hand_work less everything else; 0 when the ledger closes. Left over: what is not solved to the last digit.
   [[nodiscard]] double imbalance() const { return hand_work - tool_work - spring - damper - kinetic - implicit; }
 
-  /// [1] relative to what was turned over.
-  [[nodiscard]] double closure() const {
-    const double turnover = std::abs(hand_work) + std::abs(tool_work) + damper + implicit;
-    return turnover > 0 ? imbalance() / turnover : 0.0;
-  }
+  /// [1] relative to the turnover.
+  [[nodiscard]] double closure() const { return turnover > 0 ? imbalance() / turnover : 0.0; }
 };
 
 constexpr auto fields_of(Of<CouplingEnergy>) {
@@ -93,6 +91,8 @@ constexpr auto fields_of(Of<CouplingEnergy>) {
       field("damper", &E::damper, "J", "dissipated in it"),
       field("kinetic", &E::kinetic, "J", "of the simulated tool"),
       field("implicit", &E::implicit, "J", "what the implicit steps of spring and mass dissipate, never negative"),
+      field("turnover", &E::turnover, "J",
+            "hand_work, tool_work, damper and implicit of each step without their signs"),
   };
 }
 

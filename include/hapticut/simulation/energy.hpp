@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
-
 #include "hapticut/core/description.hpp"
 
 namespace hapticut {
@@ -32,17 +30,17 @@ struct EnergyLedger {
   /// within the error of the quadrature.
   double entered = 0;
 
+  /// What came in and went out again as well, so that it only grows; by it an imbalance is judged.
+  double turnover = 0;
+
   /// [J] what the right side lacks; 0 when the ledger closes.
   [[nodiscard]] double imbalance() const {
     return hand_work + motor_work + entered + credited -
            (elastic + cutting + crushed + released + damping + rubbing + anchored + sliding);
   }
 
-  /// [1] imbalance relative to what was turned over; 0 before any work.
-  [[nodiscard]] double closure() const {
-    const double turnover = std::abs(hand_work) + std::abs(motor_work) + std::abs(entered);
-    return turnover > 0 ? imbalance() / turnover : 0.0;
-  }
+  /// [1] imbalance relative to the turnover; 0 before any work.
+  [[nodiscard]] double closure() const { return turnover > 0 ? imbalance() / turnover : 0.0; }
 };
 
 constexpr auto fields_of(Of<EnergyLedger>) {
@@ -62,6 +60,7 @@ constexpr auto fields_of(Of<EnergyLedger>) {
       field("credited", &E::credited, "J",
             "cutting energy of the last thousandth of a voxel, which is taken away without work"),
       field("entered", &E::entered, "J", "elastic energy of material that came in or left without having been pressed"),
+      field("turnover", &E::turnover, "J", "hand_work, motor_work and entered of each sub-step without their signs"),
   };
 }
 

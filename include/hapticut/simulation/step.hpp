@@ -84,11 +84,15 @@ enum class StepStatus : std::uint32_t {
   not_in_balance = 1U << 14,
   /// The hand is inside material that the tool has not cut its way into: after a refused input or a jump, an exchange
   /// of workpiece, tool or materials (`undo`, `restore`, `set_tool` ...), or VirtualCoupling::release. No force,
-  /// nothing is cut. Cure: move the hand out of the material; after a refused input also back to the tool.
+  /// nothing is cut, for as long as it is in there. Cure: move the hand out of the material; after a refused input also
+  /// back to the tool. A script that is to go on in the material calls `reset` with the workpiece.
   tool_waits = 1U << 15,
   /// The head pressed harder than a material's compressive_strength and crushed it. Cure: press less; let the tool
   /// turn.
   material_crushed = 1U << 16,
+  /// The head is in material, and its spindle has no speed, so that nothing is cut. Cure: make the tool with a spindle,
+  /// `Tool(head, handle, Spindle{40000 * units::rpm})`; RemovalLaw::none where nothing shall be cut.
+  spindle_stands = 1U << 17,
 };
 
 constexpr auto names_of(Of<StepStatus>) {
@@ -121,9 +125,11 @@ constexpr auto names_of(Of<StepStatus>) {
       Named{not_in_balance, "not_in_balance",
             "The force of the hand and that of the material are not in balance: press less, or move slower."},
       Named{tool_waits, "tool_waits",
-            "The tool waits for the hand: bring it out of the material, or back to the tool."},
+            "The hand is inside material that the tool has not cut, so it feels and cuts nothing until the hand has "
+            "left it: bring it out of the material, or back to the tool."},
       Named{material_crushed, "material_crushed",
             "The head has crushed the material: press less, and let the spindle turn."},
+      Named{spindle_stands, "spindle_stands", "The spindle of this tool has no speed, so nothing is cut: give it one."},
   };
 }
 

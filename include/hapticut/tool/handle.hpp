@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
 #include <variant>
 
 #include "hapticut/core/description.hpp"
@@ -19,11 +22,12 @@ namespace hapticut {
 ///         z_T ^  o  To  origin of the tool head; its tip points down
 ///
 struct RayHandle {
-  double length = 0;
+  double length = std::numeric_limits<double>::quiet_NaN();
 };
 
 constexpr auto fields_of(Of<RayHandle>) {
-  return std::tuple{field("length", &RayHandle::length, "m", Range::not_negative(), "from Ho to To, along -z_H")};
+  return std::tuple{
+      field("length", &RayHandle::length, "m", Range::not_negative(), "must be given: from Ho to To, along -z_H")};
 }
 
 /// An angled handpiece (thesis 5.12-5.14), such as a dental contra-angle: the head's axis is bent away from the stylus.
@@ -37,15 +41,15 @@ constexpr auto fields_of(Of<RayHandle>) {
 ///                                  z_T = z_H turned by `bend` about y_H  (bend = 0: straight; pi/2: z_T = x_H)
 ///
 struct LHandle {
-  double length = 0;
-  double neck = 0;
+  double length = std::numeric_limits<double>::quiet_NaN();
+  double neck = std::numeric_limits<double>::quiet_NaN();
   double bend = units::kPi / 2;
 };
 
 constexpr auto fields_of(Of<LHandle>) {
   return std::tuple{
-      field("length", &LHandle::length, "m", Range::not_negative(), "from Ho to the elbow, along -z_H"),
-      field("neck", &LHandle::neck, "m", Range::not_negative(), "from the elbow to To, along -z_T"),
+      field("length", &LHandle::length, "m", Range::not_negative(), "must be given: from Ho to the elbow, along -z_H"),
+      field("neck", &LHandle::neck, "m", Range::not_negative(), "must be given: from the elbow to To, along -z_T"),
       field("bend", &LHandle::bend, "rad", Range::between(-units::kPi, units::kPi), "between z_H and z_T, about y_H"),
   };
 }
@@ -66,15 +70,28 @@ constexpr auto names_of(Of<HandleTorque>) {
   };
 }
 
+namespace detail {
+
+template <class AnyHandle>
+void require_lengths(const AnyHandle& handle, const std::string& name) {
+  for_each_field<AnyHandle>([&](const auto& field) {
+    if (std::isnan(handle.*field.member) && std::string_view(field.unit) == "m")
+      throw Error(name + "::" + field.name + " [m] " + field.text + ". 0.02 is 20 mm; 0 puts the hand into the head.");
+  });
+  require_fields_within(handle, name + "::");
+}
+
+}  // namespace detail
+
 /// Pose of the tool head T in the handle frame H.
-/// @throws Error when a length is negative or not finite, or the bend is outside [-pi, pi]
+/// @throws Error when a length is missing, negative or not finite, or the bend is outside [-pi, pi]
 [[nodiscard]] inline Pose head_in_handle(const Handle& handle) {
   if (const auto* ray = std::get_if<RayHandle>(&handle)) {
-    require_fields_within(*ray, "RayHandle::");
+    detail::require_lengths(*ray, "RayHandle");
     return Pose::from_translation(Vec3(0, 0, -ray->length));
   }
   const auto& bent = *std::get_if<LHandle>(&handle);
-  require_fields_within(bent, "LHandle::");
+  detail::require_lengths(bent, "LHandle");
   const Mat3 R_HT = rotation_from_vector(Vec3(0, bent.bend, 0));
   return {R_HT, Vec3(0, 0, -bent.length) - bent.neck * R_HT.col(2)};
 }

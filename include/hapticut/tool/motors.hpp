@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"
@@ -30,31 +31,43 @@ constexpr auto names_of(Of<MotorKind>) {
 }
 
 /// What commonly turns a head so fast: a turbine above 200 000 turns a minute, an electric motor below.
-/// @param speed  [turns a minute] of either sign; 0: ideal
+/// @param speed  [rad/s] of either sign; 0: ideal
 [[nodiscard]] inline MotorKind common_motor(double speed) {
   if (speed == 0) return MotorKind::ideal;
-  return std::abs(speed) > 200e3 ? MotorKind::air_turbine : MotorKind::electric;
+  return std::abs(speed) > 200e3 * units::rpm ? MotorKind::air_turbine : MotorKind::electric;
 }
 
-/// The spindle of a common handpiece.
-/// @param speed  [turns a minute] free running, signed about +z of T; only an ideal one may stand
-/// @throws Error when it is 0 or beyond any spindle
+/// [rad/s] Beyond it there is no such handpiece.
+[[nodiscard]] constexpr double fastest_speed(MotorKind motor) {
+  if (motor == MotorKind::air_turbine) return 600e3 * units::rpm;
+  if (motor == MotorKind::electric) return 250e3 * units::rpm;
+  return motor == MotorKind::surgical_drill ? 150e3 * units::rpm : kFastestSpindle;
+}
+
+/// The spindle of a common handpiece: `common_spindle(MotorKind::electric, 40000 * units::rpm)`.
+/// @param speed  [rad/s] free running, signed about +z of T; only an ideal one may stand
+/// @throws Error when it is 0, or beyond any such motor
 [[nodiscard]] inline Spindle common_spindle(MotorKind motor, double speed) {
-  Spindle spindle = Spindle::rpm(speed);
+  Spindle spindle{speed};
   validate(spindle);
+  if (std::abs(speed) > fastest_speed(motor))
+    throw Error("common_spindle: " + format_number(speed) + " rad/s are " + format_number(speed / units::rpm) +
+                " turns a minute, and the motor " + std::string(name_or_null(motor)) + " has at most " +
+                format_number(fastest_speed(motor) / units::rpm) +
+                ". Write 40000 * units::rpm for 40000 turns a minute, or choose another motor.");
   if (motor == MotorKind::ideal) return spindle;
   if (speed == 0)
     throw Error(
         "a motor was given with a speed of 0. Give it its free-running speed, and stop it by set_spindle_speed(0).");
   // Of the motor itself; geared to the head it has less torque the faster that turns.
   const auto geared = [&](double motor_speed, double torque, double inertia) {
-    const double gear = motor_speed / std::abs(speed);
+    const double gear = motor_speed * units::rpm / std::abs(speed);
     spindle.power_limit = 60;
     spindle.torque_limit = torque * gear;
     spindle.rotor_inertia = inertia * gear * gear;
   };
   if (motor == MotorKind::air_turbine) {
-    spindle.droop = std::abs(spindle.speed) / (1.5 * units::N_mm);
+    spindle.droop = std::abs(speed) / (1.5 * units::N_mm);
     spindle.rotor_inertia = 1e-8;
   } else if (motor == MotorKind::electric) {
     geared(40e3, 30 * units::N_mm, 5e-8);
@@ -66,5 +79,9 @@ constexpr auto names_of(Of<MotorKind>) {
 
 /// The same with the motor that is common at such a speed.
 [[nodiscard]] inline Spindle common_spindle(double speed) { return common_spindle(common_motor(speed), speed); }
+
+/// A whole number is one of turns a minute: `common_spindle(40000)` does not compile.
+Spindle common_spindle(std::integral auto speed) = delete;
+Spindle common_spindle(MotorKind motor, std::integral auto speed) = delete;
 
 }  // namespace hapticut

@@ -14,8 +14,8 @@ namespace hapticut {
 /// [rad/s] a million turns a minute: twice as fast as the fastest turbine, and where turns a minute were meant.
 inline constexpr double kFastestSpindle = 1e6 * units::rpm;
 
-/// The motor that turns the head. Without limits it keeps its speed whatever the cut takes; `common_spindle` has those
-/// of real handpieces.
+/// The motor that turns the head: `Spindle{40000 * units::rpm}`. Without limits it keeps its speed whatever the cut
+/// takes; `common_spindle` has those of real handpieces.
 struct Spindle {
   double speed = 0;
   double power_limit = std::numeric_limits<double>::infinity();
@@ -23,9 +23,6 @@ struct Spindle {
   double droop = 0;
   double torque_limit = std::numeric_limits<double>::infinity();
   double rotor_inertia = 0;
-
-  /// @param speed  [turns a minute] signed about +z of T: `Spindle::rpm(40000)`
-  [[nodiscard]] static Spindle rpm(double speed) { return {.speed = speed * units::rpm}; }
 
   /// Whether a load changes its speed.
   [[nodiscard]] bool is_limited() const {
@@ -54,7 +51,7 @@ inline void validate(const Spindle& spindle) {
     throw Error(
         "Spindle::speed [rad/s] = " + format_number(spindle.speed) + "; that is " +
         format_number(spindle.speed / units::rpm) +
-        " turns a minute, and no spindle is faster than a million. Write Spindle::rpm(...) for turns a minute.");
+        " turns a minute, and no spindle is faster than a million. Write 40000 * units::rpm for 40000 turns a minute.");
   require_fields_within(spindle, "Spindle::");
 }
 

@@ -14,9 +14,12 @@ namespace hapticut {
 /// What the hand holds: a head on a handle, turned by a spindle. An immutable description, checked when it is made.
 class Tool {
  public:
+  /// `Tool(SphereHead{1 * mm}, RayHandle{20 * mm}, Spindle{40000 * rpm})`
+  /// @param handle   by default none: the pose of the hand is that of the head, and no lever turns force into torque
+  /// @param spindle  by default it stands: the head presses and rubs, and cuts nothing (StepStatus::spindle_stands)
   /// @throws Error when a dimension of the head or handle, a number of the spindle or the lips are out of range, or a
   /// size must have been meant in millimetres
-  explicit Tool(ToolHead head, Handle handle = RayHandle{}, Spindle spindle = {}, Cutter cutter = {})
+  explicit Tool(ToolHead head, Handle handle = RayHandle{0}, Spindle spindle = {}, Cutter cutter = {})
       : head_(std::move(head)), handle_(handle), spindle_(spindle), cutter_(cutter), X_HT_(head_in_handle(handle)) {
     validate(spindle_);
     validate(cutter_);

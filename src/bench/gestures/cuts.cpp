@@ -55,11 +55,11 @@ void cut_by_default(Report& report) {
   hold_to("ball 2 mm, u 3e8 J/m^3, 4 mm/s, directly", ball, plain(), 4 * mm, 1.3 * mm,
           forms::ball_plunge_wrench(cut_of(plain(), ball, 4 * mm), 1 * mm, 1.2 * mm).force.z(), "C28");
   const Material bone = presets::cortical_bone(CutterKind::twist_drill);
-  const Tool drill = tool_of(twist_drill_head(2 * mm, 4 * mm), Spindle::rpm(1000), {CutterKind::twist_drill, 2});
+  const Tool drill = tool_of(twist_drill_head(2 * mm, 4 * mm), Spindle{1000 * rpm}, {CutterKind::twist_drill, 2});
   hold_to("twist drill 2 mm, 1000 rpm, cortical bone, 2 mm/s, directly", drill, bone, 2 * mm, 1 * mm,
           thrust_of_drill(cut_of(bone, drill, 2 * mm), 1 * mm, 59 * units::deg), "C29 with chips");
   const Material enamel = presets::enamel_with_diamond();
-  const Tool diamond = tool_of(FlatHead{0.6 * mm, 3 * mm, FlatRule::bottom_only}, Spindle::rpm(300000),
+  const Tool diamond = tool_of(FlatHead{0.6 * mm, 3 * mm, FlatRule::bottom_only}, Spindle{300000 * rpm},
                                common_cutter(CutterKind::fine_diamond));
   hold_to("fine diamond 1.2 mm, 300 000 rpm, enamel, 0.5 mm/s, directly", diamond, enamel, 0.5 * mm, 0.15 * mm,
           forms::axial_chip_wrench(cut_of(enamel, diamond, 0.5 * mm), 0.6 * mm).force.z(), "C35");
@@ -109,7 +109,7 @@ void undercut(Report& report) {
     const double cap = std::max(-0.8 * mm - p.z(), std::hypot(p.x(), p.y()) - 1 * mm);
     return std::min({stem, cap, p.z() + 1.7 * mm});
   });
-  const Tool ball = tool_of(SphereHead{0.4 * mm}, Spindle::rpm(40000));
+  const Tool ball = tool_of(SphereHead{0.4 * mm}, Spindle{40000 * rpm});
   Rig rig(report, std::move(piece), ball, Held::directly);
   Hand hand(Pose::from_translation(Vec3(-1.6, 0, -1.25) * mm));
   for (const double side : {-0.3, 0.0, 0.3})
@@ -141,7 +141,7 @@ void break_through(Report& report) {
   Workpiece piece = carved(box, report.voxel(), plain(), [](const Vec3& p) {
     return std::min(-kPlate - p.z(), p.z() + kPlate + kGap);  // between the plates
   });
-  const Tool ball = tool_of(SphereHead{kRadius}, Spindle::rpm(30000));
+  const Tool ball = tool_of(SphereHead{kRadius}, Spindle{30000 * rpm});
   ChainOptions options;
   options.device = "omega";
   options.hand = "nominal";
@@ -193,7 +193,7 @@ void wiggle_in_slot(Report& report) {
   hard.specific_cutting_energy = 3e9;
   Workpiece piece = carved(box, report.voxel(), hard,
                            [](const Vec3& p) { return std::min(kRadius * 1.01 - std::abs(p.y()), p.z() + 2 * mm); });
-  const Tool bur = tool_of(FlatHead{kRadius, 4 * mm}, Spindle::rpm(30000));
+  const Tool bur = tool_of(FlatHead{kRadius, 4 * mm}, Spindle{30000 * rpm});
   ChainOptions options;
   options.device = "premium6dof";
   Chain chain(report, std::move(piece), bur, options);
@@ -219,15 +219,15 @@ void along_the_grid(Report& report) {
   struct Bur {
     std::string name;
     ToolHead head;
-    double rpm, radius;
+    double speed, radius;  // [rad/s], [m]
     Material material;
   };
-  for (const Bur& bur :
-       {Bur{"cylinder 3 mm, 40 000 rpm", cylinder_head(3 * mm, 5 * mm), 40000, 1.5 * mm, presets::cortical_bone()},
-        Bur{"tapered fissure 1 mm, 300 000 rpm", tapered_head(0.8 * mm, 1 * mm, 4 * mm), 300000, 0.4 * mm,
-            presets::enamel()}}) {
+  for (const Bur& bur : {Bur{"cylinder 3 mm, 40 000 rpm", cylinder_head(3 * mm, 5 * mm), 40000 * rpm, 1.5 * mm,
+                             presets::cortical_bone()},
+                         Bur{"tapered fissure 1 mm, 300 000 rpm", tapered_head(0.8 * mm, 1 * mm, 4 * mm), 300000 * rpm,
+                             0.4 * mm, presets::enamel()}}) {
     report.scene(bur.name + ", " + bur.material.name + ", loop mock:press, coupled");
-    const Tool tool = tool_of(bur.head, Spindle::rpm(bur.rpm));
+    const Tool tool = tool_of(bur.head, Spindle{bur.speed});
     Chain chain(report, build_block({Vec3(-2, -2, -4) * mm, Vec3(2, 2, 0) * mm}, report.voxel(), bur.material), tool);
     // The script of mock:press: from 5 mm above to 5 mm below in 2 s, and there.
     Hand hand(tool, Vec3(0, 0, 5 * mm));

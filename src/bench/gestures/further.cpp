@@ -125,7 +125,7 @@ void tremor(Report& report) {
   for (const bool trembling : {false, true}) {
     report.scene(std::string("ball 2 mm, 30 000 rpm, pressed with 2 N on cortical bone, ") +
                  (trembling ? "tremor of 0.2 mm at 8 ... 12 Hz" : "steady") + ", coupled");
-    const Tool ball = tool_of(SphereHead{kRadius}, Spindle::rpm(30000));
+    const Tool ball = tool_of(SphereHead{kRadius}, Spindle{30000 * rpm});
     Rig rig(report, slab(2 * mm, 2 * mm, report.voxel(), presets::cortical_bone()), ball, Held::by_coupling);
     Hand hand(ball, Vec3(0, 0, 0.1 * mm));
     hand.move({0, 0, -0.1 * mm - kPressed}, 0.1);
@@ -153,7 +153,7 @@ void sweep_from_afar(Report& report) {
   constexpr double kArm = 100 * mm, kSpeed = 2;  // [m], [rad/s]: 0.2 m/s at the head
   report.scene(
       "ball 2 mm on a handle of 100 mm, 30 000 rpm, swept through u 3e8 J/m^3 by turning it about its end, coupled");
-  const Tool ball(SphereHead{1 * mm}, RayHandle{kArm}, Spindle::rpm(30000));
+  const Tool ball(SphereHead{1 * mm}, RayHandle{kArm}, Spindle{30000 * rpm});
   Rig rig(report, build_block({Vec3(-2, -2, -3) * mm, Vec3(2, 2, 0) * mm}, report.voxel(), plain()), ball,
           Held::by_coupling);
   const Vec3 pivot(0, 0, kArm + 0.4 * mm);

@@ -82,7 +82,7 @@ void lean_on_wall(Report& report) {
     material.specific_cutting_energy = 3e9;
     report.scene("side of a cylinder of 2 mm, 30 000 rpm, leant with 0.3 N on a wall of u 3e9 J/m^3, kappa " +
                  shown(kappa, "") + ", Touch in a nominal hand, coupled");
-    const Tool bur = tool_of(FlatHead{kHead, 4 * mm}, Spindle::rpm(30000));
+    const Tool bur = tool_of(FlatHead{kHead, 4 * mm}, Spindle{30000 * rpm});
     ChainOptions options;
     options.hand = "nominal";
     Chain chain(report, build_block({Vec3(-9, 0, -2) * mm, Vec3(9, 1, 0) * mm}, report.voxel(), material), bur,

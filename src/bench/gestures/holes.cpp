@@ -40,7 +40,7 @@ Material bone_of(bool cortical) {
 /// A drill that has gone down to kHoleDepth and stands there, turning; driven directly.
 struct Drilled {
   Drilled(Report& report, const Borer& borer, const Material& bone)
-      : tool(tool_of(borer.head, Spindle::rpm(3000), {CutterKind::twist_drill, 2})),
+      : tool(tool_of(borer.head, Spindle{3000 * rpm}, {CutterKind::twist_drill, 2})),
         rig(report, slab(1.8 * mm, 4 * mm, report.voxel(), bone), tool, Held::directly, at_the_end()),
         hand(tool, Vec3(0, 0, 0.1 * mm)) {
     hand.move({0, 0, -0.1 * mm - kHoleDepth}, (0.1 * mm + kHoleDepth) / kFeed).hold(0.05);
@@ -176,10 +176,10 @@ ToolHead ball_on_shank(double ball, double shank, double length) {
 
 void shank_on_rim(Report& report) {
   constexpr double kHole = 0.8 * mm, kDepth = 4 * mm, kBall = 0.4 * mm, kShank = 0.6 * mm, kAngle = 4 * units::deg;
-  for (const double speed : {0.0, 30000.0}) {
+  for (const double speed : {0.0, 30000 * rpm}) {
     report.scene(std::string("ball 0.8 mm on a shank of 1.2 mm, ") + (speed > 0 ? "turning" : "standing") +
                  ", tilted in a hole of 1.6 mm, directly");
-    const Tool tool = tool_of(ball_on_shank(kBall, kShank, 8 * mm), Spindle::rpm(speed));
+    const Tool tool = tool_of(ball_on_shank(kBall, kShank, 8 * mm), Spindle{speed});
     Rig rig(report, with_hole(2 * mm, kDepth + 0.5 * mm, report.voxel(), presets::cortical_bone(), kHole, kDepth), tool,
             Held::directly);
     Hand hand(tool, Vec3(0, 0, -kDepth + 0.1 * mm));

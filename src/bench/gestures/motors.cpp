@@ -33,7 +33,7 @@ void stall(Report& report) {
   constexpr double kFree = 300000 * rpm, kStallTorque = 2e-4;  // [rad/s], [N·m]: 1.57 W at most
   Spindle turbine{kFree};
   turbine.droop = kFree / kStallTorque;
-  Spindle limited = Spindle::rpm(40000);
+  Spindle limited{40000 * rpm};
   limited.power_limit = 3;
   for (const Motor& motor : {Motor{"air turbine, 300 000 rpm, stall 0.2 N mm", turbine, true},
                              Motor{"motor of 3 W, 40 000 rpm", limited, false}}) {

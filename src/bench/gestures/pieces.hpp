@@ -131,7 +131,7 @@ struct NamedHead {
 
 /// A tool held at the place where the device feels it.
 [[nodiscard]] inline Tool tool_of(ToolHead head, const Spindle& spindle = {}, Cutter cutter = {}) {
-  return Tool(std::move(head), RayHandle{}, spindle, cutter);
+  return Tool(std::move(head), RayHandle{0}, spindle, cutter);
 }
 
 // --- hands -----------------------------------------------------------------------------------------------------------

@@ -26,7 +26,7 @@ void corner(Report& report) {
       hard.cutting_ratio = kappa;
       hard.specific_cutting_energy = 1e11;  // it stays a corner
       Workpiece piece = carved(box, report.voxel(), hard, [](const Vec3& p) { return std::min(p.x(), p.z()); });
-      const Tool ball = tool_of(SphereHead{kRadius}, Spindle::rpm(cutting ? 30000 : 0));
+      const Tool ball = tool_of(SphereHead{kRadius}, Spindle{cutting ? 30000 * rpm : 0});
       Rig rig(report, std::move(piece), ball, Held::by_coupling);
       Hand hand(Pose::from_translation(Vec3(1.1, 0, 1.1) * mm));
       hand.hold(0.02);
@@ -36,8 +36,7 @@ void corner(Report& report) {
                 0.12);
       rig.play(hand.to(Pose::from_translation(Vec3(1.3, 0, 1.3) * mm), 0.15));
       const CouplingEnergy e = rig.coupling().last_result().energy;
-      const double turned = std::abs(e.hand_work) + std::abs(e.tool_work) + e.damper + e.implicit;
-      const double lost = std::abs(e.imbalance()) / turned, most = rig.story.most(rig.story.all(), force_of);
+      const double lost = std::abs(e.closure()), most = rig.story.most(rig.story.all(), force_of);
       list(unexplained, "kappa " + shown(kappa, "") + ":", shown(100 * lost, "%"));
       list(force, "kappa " + shown(kappa, "") + ":", shown(most, "N"));
       explained = explained && lost < 1e-2;

@@ -151,8 +151,7 @@ void Story::add(const Tick& tick, const Simulation& simulation, const VirtualCou
   most_torque_ = std::max({most_torque_, tick.felt.torque.norm(), tick.applied.torque.norm()});
   if (coupling == nullptr) return;
   const CouplingEnergy& e = coupling->last_result().energy;
-  const double turned = std::abs(e.hand_work) + std::abs(e.tool_work) + e.damper + e.implicit;
-  if (turned > 1e-6) unexplained_ = std::max(unexplained_, std::abs(e.imbalance()) / turned);
+  if (e.turnover > 1e-6) unexplained_ = std::max(unexplained_, std::abs(e.closure()));
 }
 
 void Story::on_step(const ObservedStep& step) noexcept {

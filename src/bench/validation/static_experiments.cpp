@@ -19,7 +19,7 @@ constexpr double kFine = 0.01;  // [1] tolerance of a wrench on this grid
 
 Pose ball_at(double depth) { return Pose::from_translation(Vec3(0, 0, kR - depth)); }
 
-Simulation pressed(const ToolHead& head, double depth, const Handle& handle = RayHandle{},
+Simulation pressed(const ToolHead& head, double depth, const Handle& handle = RayHandle{0},
                    const Material& material = plain_material()) {
   return Simulation(half_space(head.largest_radius(), depth, kVoxel, material), Tool(head, handle), static_config());
 }
@@ -178,7 +178,7 @@ std::vector<Check> handle_and_damping() {
   Material damped = plain_material();
   damped.damping = 5;
   const double d = 0.5 * kR, v = 0.05;
-  Simulation still = pressed(SphereHead{kR}, d, RayHandle{}, damped);
+  Simulation still = pressed(SphereHead{kR}, d, RayHandle{0}, damped);
   const double spring = hold(still, ball_at(d)).force.z();
   const double moving = hold(still, ball_at(d), {Vec3(0, 0, -v), Vec3::Zero()}).force.z();
   const double expected = forms::ball_damping_force(kStiffness, damped.damping, kR, d, v);

@@ -92,7 +92,7 @@ std::vector<Check> droop() {
   SimulationConfig config;
   config.reference_stiffness = 1e14;
   Simulation simulation(build_block({Vec3(-1.3, -1.3, -2.2) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
-                        Tool(FlatHead{R, 4 * mm, FlatRule::bottom_only}, RayHandle{}, spindle), config);
+                        Tool(FlatHead{R, 4 * mm, FlatRule::bottom_only}, RayHandle{0}, spindle), config);
   double mean = 0;
   for (int i = 1; i <= 800; ++i) {
     const Vec3 at(0.029 * mm, 0.011 * mm, -speed * 1e-3 * i);

@@ -32,13 +32,6 @@ std::string text_of(const LatencyHistogram& h) {
 
 }  // namespace
 
-std::uint64_t deadline_misses(const LatencyHistogram& compute, double period) {
-  std::uint64_t misses = compute.longer();
-  const auto first = std::size_t(std::ceil(period / LatencyHistogram::kBucketWidth - 1e-9));
-  for (std::size_t n = first; n < LatencyHistogram::kBuckets; ++n) misses += compute.buckets()[n];
-  return misses;
-}
-
 std::vector<std::string> warnings_of(const LoopReport& r) {
   std::vector<std::string> warnings = r.run.warnings;
   if (r.device.name() == "mouse")
@@ -78,7 +71,7 @@ Json to_json(const LoopReport& r) {
       {"guard", name_of(r.run.guard)},
       {"wake_up_us", to_json(r.run.wake_up)},
       {"compute_us", to_json(r.run.compute)},
-      {"deadline_misses", deadline_misses(r.run.compute, r.run.period)},
+      {"deadline_misses", r.run.compute.at_least(r.run.period)},
       {"safety_events", events},
       {"safety_log", log},
       {"steps", r.seen.tool.steps},
@@ -105,8 +98,8 @@ std::string to_table(const LoopReport& r) {
   table.add("ticks", std::to_string(r.run.ticks) + " at " + rounded(1 / r.run.period, 6) + " Hz, " +
                          std::to_string(r.run.missed) + " missed; " + r.run.end);
   if (r.run.wake_up.count() > 0) table.add("wake-up", text_of(r.run.wake_up) + " late");
-  table.add("compute", text_of(r.run.compute) + ", " + std::to_string(deadline_misses(r.run.compute, r.run.period)) +
-                           " over the period");
+  table.add("compute",
+            text_of(r.run.compute) + ", " + std::to_string(r.run.compute.at_least(r.run.period)) + " over the period");
   table.add("removed", rounded(r.seen.tool.removed_volume / units::mm3) + " mm^3 in " +
                            std::to_string(r.seen.tool.steps) + " steps");
   table.add("force", "largest seen: " + rounded(r.seen.largest_commanded) + " N commanded, " +

@@ -27,9 +27,6 @@ struct LoopReport {
   std::uint64_t steps_lost;  ///< by the recorder
 };
 
-/// Ticks whose computation took longer than a period.
-[[nodiscard]] std::uint64_t deadline_misses(const LatencyHistogram& compute, double period);
-
 /// What a user should know before trusting what was felt, as sentences.
 [[nodiscard]] std::vector<std::string> warnings_of(const LoopReport& report);
 

@@ -93,7 +93,7 @@ Handle read_handle(SettingsReader& read) {
   std::string kind;
   read("handle", kind);
   if (kind != "ray" && kind != "L") throw Error("its 'tool/handle' is \"" + kind + "\", but must be one of ray, L");
-  Handle handle = kind == "ray" ? Handle(RayHandle{}) : Handle(LHandle{});
+  Handle handle = kind == "ray" ? Handle(RayHandle{0}) : Handle(LHandle{});
   std::visit([&](auto& any) { visit_fields(read, "handle_", any); }, handle);
   return handle;
 }

@@ -50,6 +50,11 @@ TEST_F(Flags, ThatDoNotExistAreRefusedWithTheNearestOne) {
   expect("drill --raduis_mm 1", kWrongUsage, "there is no --raduis_mm. Did you mean --radius_mm?");
   expect("drill --json-file x", kWrongUsage, "there is no --json");
   expect("drill --size_mm 60 10 10", kWrongUsage, "10 belongs to no flag. Numbers of one flag are joined by commas");
+  expect("drill --feed 4", kWrongUsage, "there is no --feed. Did you mean --feed_mm_per_s?");
+  expect("drill --radius 1", kWrongUsage, "there is no --radius. Did you mean --radius_mm?");
+  expect("drill --voxel 1", kWrongUsage, "there is no --voxel. Did you mean --voxel_mm?");
+  expect("drill --rpm 4000", kWrongUsage, "there is no --rpm. Did you mean --spindle_rpm?");
+  expect("drill --spindle-speed 4000", kWrongUsage, "there is no --spindle_speed. Did you mean --spindle_rpm?");
   expect("dril", kWrongUsage, "there is no dril. Did you mean drill?");
   expect("", kWrongUsage, "subcommand");
 }
@@ -59,6 +64,7 @@ TEST_F(Flags, OfTheWrongTypeOrOutOfRangeAreRefused) {
   expect("drill --radius_mm 2mm", kWrongUsage, "--radius_mm 2mm: must be a number > 0");
   expect("drill --radius_mm -2", kWrongUsage, "--radius_mm -2: must be a number > 0");
   expect("drill --radius_mm nan", kWrongUsage, "must be a number > 0");
+  expect("drill --spindle_rpm 1e7", kWrongUsage, "must be a number from -1e+06 to 1e+06");
   expect("drill --from_mm -1,2", kWrongUsage, "--from_mm -1,2: must be 3 numbers");
   expect("drill --head ball", kWrongUsage, "--head ball: must be one of sphere, cone, flat");
   expect("drill --rate 0", kWrongUsage, "--rate 0: must be a number from 10 to 1e+06");
@@ -75,6 +81,14 @@ TEST_F(Flags, ThatAreMissingAreNamed) {
   expect("drill " + kBlock + kBall, kFailed, "--path");
   expect("drill " + kBlock + "--head sphere --spindle_rpm 0 " + kLine, kFailed, "tool.radius_mm is missing");
   expect("drill " + kBlock + "--head sphere --radius_mm 1 " + kLine, kFailed, "tool.spindle_rpm is missing");
+  const std::string ball = "--head sphere --radius_mm 1 ";
+  expect("drill " + kBlock + ball + "--spindle_rpm 0 --handle ray " + kLine, kFailed,
+         "tool.handle_length_mm is missing; a ray handle needs it");
+  expect(
+      "drill " + kBlock + ball + "--spindle_rpm 300000 --motor electric " + kLine, kFailed,
+      "tool.spindle_rpm = 300000; must be at most 250000 with the motor electric. Lower it, or choose another --motor");
+  expect("drill " + kBlock + ball + "--spindle_rpm 0 --motor electric " + kLine, kFailed,
+         "tool.motor is set; must be left out");
   expect("drill " + kBlock + kBall + "--path line --from_mm 0,0,0 --feed_mm_per_s 1", kFailed, "path.to_mm is missing");
   expect("drill " + kBlock + kBall + "--path line --from_mm 0,0,0 --to_mm 1,0,0", kFailed, "feed_mm_per_s is missing");
   expect("drill --workpiece block --material dentin " + kBall + kLine, kFailed, "workpiece.size_mm is missing");

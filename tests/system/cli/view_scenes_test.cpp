@@ -80,7 +80,7 @@ TEST(ViewScenes, OfTheSkullMeetACorticalPlateFirst) {
   // From where the tool waits, a ball of 3 mm goes in until it has cut 3 mm^3: by the ranges of grey values alone
   // nine tenths of it were trabecular.
   constexpr double kWanted = 3e-9, kMostTrabecular = 0.2, kDt = 1e-3;
-  const Tool ball(SphereHead{1.5 * mm}, RayHandle{}, scene.tool.spindle());
+  const Tool ball(SphereHead{1.5 * mm}, RayHandle{0}, scene.tool.spindle());
   Simulation simulation(scene.workpiece.clone(), ball, scene.config);
   Pose X_WT = cli::waiting_place(scene);
   const Twist feed{-10 * mm * scene.axis, Vec3::Zero()};

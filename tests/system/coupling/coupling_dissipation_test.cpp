@@ -122,6 +122,27 @@ TEST(CouplingDamping, TakesTheSpeedOutOfAnImpact) {
   }
 }
 
+// A speed that is told too late, or wrong, gives the damper work to do on the tool: its loss is negative.
+TEST(CouplingEnergy, IsJudgedByWhatWasTurnedOverAlsoWhereTheDamperGives) {
+  Simulation simulation(half_space(4 * mm, material(0, 1e3)), ball(), implicit(1e14));
+  VirtualCoupling coupling(simulation, {});
+  double last = 0;
+  for (int n = 0; n < 400; ++n) {
+    const double angle = 0.05 * n;
+    const Vec3 speed = 0.05 * Vec3(std::cos(angle), 0, -std::sin(angle));
+    const Pose pose = Pose::from_translation(Vec3(1e-3 * std::sin(angle), 0, 3e-3 + 1e-3 * std::cos(angle)));
+    const CouplingEnergy& energy = coupling.step(pose, {-4 * speed, Vec3::Zero()}, 1e-3).energy;
+    EXPECT_GE(energy.turnover, last);
+    last = energy.turnover;
+  }
+  const CouplingEnergy& energy = coupling.last_result().energy;
+  EXPECT_LT(energy.damper, 0);
+  EXPECT_GE(energy.turnover, std::abs(energy.hand_work));
+  EXPECT_GE(energy.turnover, std::abs(energy.damper) + std::abs(energy.implicit));
+  EXPECT_EQ(energy.closure(), energy.imbalance() / energy.turnover);
+  EXPECT_LT(std::abs(energy.closure()), 1e-3);
+}
+
 TEST(CouplingFriction, SticksAndSlipsBehindALooseCoupling) {
   Material grippy = material(0, 1e5);
   grippy.static_friction = 0.6;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/simulation/status_sentences.hpp"
 #include "support/cutting.hpp"
 
 namespace hapticut::bad_input_test {
@@ -21,7 +22,7 @@ class BadInput : public testing::Test {
   /// A ball that has cut its way 0.3 mm into a block.
   BadInput()
       : simulation_(build_block({Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm}, 0.1 * mm, plain_material()),
-                    Tool(SphereHead{1 * mm}, RayHandle{}, Spindle{2000})) {
+                    Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{2000})) {
     for (int i = 0; i < 150; ++i) (void)simulation_.step(at(i), {Vec3(0, 0, -2 * mm), Vec3::Zero()}, 1e-3);
     before_ = simulation_.workpiece().hash();
   }
@@ -100,6 +101,8 @@ TEST_F(BadInput, AHeadThatTurnsIsNotPutIntoMaterial) {
   expect_rejected(out, {}, 1e-3, StepStatus::jump_rejected);
   EXPECT_EQ(simulation_.step(out, {}, 1e-3).status, StepStatus::ok);
   for (int n = 0; n < 10; ++n) expect_rejected(inside, {}, 1e-3, StepStatus::tool_waits);
+  const std::string told = sentences_of(simulation_.last_result().status);
+  EXPECT_NE(told.find("bring it out of the material"), std::string::npos) << told;
   EXPECT_EQ(simulation_.step(out, {}, 1e-3).status, StepStatus::ok);
   simulation_.halt_spindle();
   expect_rejected(inside, {}, 1e-3, StepStatus::jump_rejected);
@@ -124,7 +127,7 @@ TEST_F(BadInput, APoseAnywhereInTheUniverseIsAcceptedAsTheFirst) {
 
 TEST(ToolAndWorkpiece, AToolWhollyOutsideFeelsNothing) {
   Simulation simulation(build_block({Vec3(-1, -1, -1) * mm, Vec3(1, 1, 1) * mm}, 0.1 * mm, plain_material()),
-                        Tool(SphereHead{0.5 * mm}, RayHandle{}, Spindle{2000}));
+                        Tool(SphereHead{0.5 * mm}, RayHandle{0}, Spindle{2000}));
   const StepResult& result = simulation.step(Pose::from_translation(Vec3(0, 0, 1.6) * mm), {}, 1e-3);
   EXPECT_EQ(result.status, StepStatus::ok);
   EXPECT_EQ(result.contact.voxels, 0);
@@ -220,7 +223,7 @@ TEST(BlockPool, WhenItIsExhaustedMaterialIsFeltButNotCutAndTheStatusSaysSo) {
   SimulationConfig config;
   config.reserved_blocks = 2;
   Simulation simulation(build_block({Vec3(-3, -3, -3) * mm, Vec3(3, 3, 0) * mm}, 0.1 * mm, plain_material()),
-                        Tool(SphereHead{1 * mm}, RayHandle{}, Spindle{2000}), config);
+                        Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{2000}), config);
   const auto step = [&](int i) -> const StepResult& {
     return simulation.step(Pose::from_translation(Vec3(0.013, 0.007, 1 - 0.002 * (i + 1)) * mm),
                            {Vec3(0, 0, -2 * mm), Vec3::Zero()}, 1e-3);

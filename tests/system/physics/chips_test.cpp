@@ -65,7 +65,7 @@ SimulationConfig stiff(double stiffness) {
 Fed drill(const Way& way, double stiffness, const Material& material) {
   const Vec3 axis = way.R_WT.col(2);
   Simulation simulation(build_block({Vec3::Constant(-2.2 * mm), Vec3::Constant(2.2 * mm)}, kVoxel, material),
-                        Tool(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, RayHandle{}, Spindle{kSpin}, kCutter),
+                        Tool(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin}, kCutter),
                         stiff(stiffness));
   const Vec3 deep = axis * 0.3 * mm + Vec3(0.017, 0.006, 0.003) * mm;
   (void)feed_along(simulation, way.R_WT, deep + axis * 4 * mm, -axis * 20 * mm, 4 * mm, 1);
@@ -99,7 +99,7 @@ TEST(Chips, C37Slotting) {
         const Material material = material_with(lengths);
         Simulation simulation(
             build_block({Vec3(-3, -3, -height / mm) * mm, Vec3(3, 3, 0) * mm}, kVoxel, material),
-            Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{}, Spindle{kSpin}, kCutter),
+            Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{0}, Spindle{kSpin}, kCutter),
             stiff(stiffness));
         const Vec3 start = Vec3(0.017, 0.006, -1.503) * mm - 0.5 * mm * way;
         (void)feed_along(simulation, R, start - way * 4 * mm, way * 20 * mm, 4 * mm, 1);
@@ -122,7 +122,7 @@ TEST(Chips, C38PlungingABall) {
     for (const double stiffness : {1e16, 1e17}) {
       const Material material = material_with(lengths);
       Simulation simulation(build_block({Vec3(-1.6, -1.6, -3.5) * mm, Vec3(1.6, 1.6, 0) * mm}, kVoxel, material),
-                            Tool(SphereHead{kRadius}, RayHandle{}, Spindle{kSpin}, kCutter), stiff(stiffness));
+                            Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{kSpin}, kCutter), stiff(stiffness));
       const Vec3 start = Vec3(0.017, 0.006, 1.003) * mm;
       (void)feed_along(simulation, Mat3::Identity(), start, Vec3(0, 0, -20 * mm), 2.4 * mm, 1);
       const Fed s =
@@ -136,7 +136,7 @@ TEST(Chips, C38PlungingABall) {
 
 Simulation pushed_bur(const Material& material, double stiffness) {
   return Simulation(build_block({Vec3(-1.4, -1.4, -1.5) * mm, Vec3(1.4, 1.4, 0) * mm}, kVoxel, material),
-                    Tool(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, RayHandle{}, Spindle{kSpin}, kCutter),
+                    Tool(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin}, kCutter),
                     stiff(stiffness));
 }
 

@@ -22,7 +22,7 @@ Simulation ball_over(const Box& box, bool deep_contact, Spindle spindle = {}) {
   config.deep_contact = deep_contact;
   if (spindle.speed != 0) config.removal = RemovalLaw::constant_energy;
   return Simulation(test::box_at_phase(box, 0.05 * mm, Vec3(0.3, 0.6, 0.2)),
-                    Tool(SphereHead{kRadius}, RayHandle{}, spindle), config);
+                    Tool(SphereHead{kRadius}, RayHandle{0}, spindle), config);
 }
 
 const Box kBlock{Vec3(-1, -1, -3) * mm, Vec3(1, 1, 0) * mm};
@@ -115,7 +115,7 @@ TEST(DeepContact, HoldsASpinningBallAlongItsNormalForceAndNotAlongItsDrag) {
   const auto pushed = [&](bool deep_contact) {
     config.deep_contact = deep_contact;
     Simulation simulation(test::box_at_phase(kBlock, 0.05 * mm, Vec3(0.3, 0.6, 0.2)),
-                          Tool(SphereHead{kRadius}, RayHandle{}, Spindle{2000}), config);
+                          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{2000}), config);
     Pose pose = {rotation_from_vector(Vec3(0, 0.5 * units::kPi, 0)), Vec3(0, 0, kRadius)};
     for (; pose.translation.z() > -0.4 * kRadius; pose.translation.z() -= 0.005 * mm)
       (void)simulation.step(pose, {}, 1e-3);

@@ -35,7 +35,7 @@ Material rough(const char* name, double ratio) {
 Simulation ball_on_block(SimulationConfig config = {}, Spindle spindle = {}, double half_width = 3 * mm) {
   config.reference_stiffness = 1e12;
   const Box box{Vec3(-half_width, -2 * mm, -2 * mm), Vec3(half_width, 2 * mm, 0)};
-  return Simulation(build_block(box, 0.1 * mm, rough("rough", 0.3)), Tool(SphereHead{kRadius}, RayHandle{}, spindle),
+  return Simulation(build_block(box, 0.1 * mm, rough("rough", 0.3)), Tool(SphereHead{kRadius}, RayHandle{0}, spindle),
                     config);
 }
 

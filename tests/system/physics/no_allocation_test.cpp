@@ -179,7 +179,7 @@ TEST(NoAllocationOfAnyLaw, WhileItCuts) {
     SimulationConfig config;
     config.law = named.law;
     Simulation simulation(build_block({Vec3(-2, -2, -3) * units::mm, Vec3(2, 2, 0) * units::mm}, 1e-4, material),
-                          Tool(named.head, RayHandle{}, Spindle{2000}), config);
+                          Tool(named.head, RayHandle{0}, Spindle{2000}), config);
     const double lowest = named.head.bounding_box().min.z();
     double removed = 0;
     test::arm_call_counts();

@@ -4,6 +4,7 @@
 
 #include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
+#include "hapticut/simulation/status_sentences.hpp"
 #include "support/cutting.hpp"
 
 namespace hapticut::spindle_test {
@@ -32,7 +33,7 @@ Simulation axial_cut(double power_limit) {
   SimulationConfig config;
   config.reference_stiffness = 1e14;
   return Simulation(build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
-                    Tool(FlatHead{kRadius, 4 * mm}, RayHandle{}, Spindle{kSpin, power_limit}), config);
+                    Tool(FlatHead{kRadius, 4 * mm}, RayHandle{0}, Spindle{kSpin, power_limit}), config);
 }
 
 const StepResult& plunge(Simulation& simulation, int tick) {
@@ -94,6 +95,24 @@ TEST(Spindle, StandingItCutsNothingAndNeedsNoTorque) {
   EXPECT_EQ(result.energy.motor_work, 0);
 }
 
+// `Tool(head)` has a spindle that stands, and presses without a word.
+TEST(Spindle, OfAToolThatHasNoSpeedIsToldWhereItTouchesWhatCouldBeCut) {
+  const auto pressed = [](const Spindle& spindle, RemovalLaw removal, double depth) {
+    SimulationConfig config;
+    config.removal = removal;
+    Simulation simulation(build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
+                          Tool(SphereHead{0.5 * mm}, RayHandle{0}, spindle), config);
+    return simulation.step(Pose::from_translation(Vec3(0, 0, 0.5 * mm - depth)), {}, 1e-3).status;
+  };
+  const RemovalLaw cuts = SimulationConfig{}.removal;
+  EXPECT_EQ(describe(pressed({}, cuts, 0.05 * mm)), "spindle_stands");
+  EXPECT_EQ(sentences_of(pressed({}, cuts, 0.05 * mm)),
+            "The spindle of this tool has no speed, so nothing is cut: give it one.");
+  EXPECT_FALSE(has_any(pressed({}, cuts, -0.05 * mm), StepStatus::spindle_stands));
+  EXPECT_FALSE(has_any(pressed({}, RemovalLaw::none, 0.05 * mm), StepStatus::spindle_stands));
+  EXPECT_FALSE(has_any(pressed(Spindle{kSpin}, cuts, 0.05 * mm), StepStatus::spindle_stands));
+}
+
 TEST(Spindle, TheHandFeelsTheMotorsReaction) {
   Simulation simulation = axial_cut(std::numeric_limits<double>::infinity());
   for (int tick = 0; tick < 400; ++tick) (void)plunge(simulation, tick);
@@ -113,7 +132,7 @@ TEST(Spindle, DroopsToTheSpeedAtWhichItsTorqueAndTheCutsAgree) {
     Spindle spindle{sign * kSpin};
     spindle.droop = droop;
     Simulation simulation(build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
-                          Tool(FlatHead{kRadius, 4 * mm}, RayHandle{}, spindle), config);
+                          Tool(FlatHead{kRadius, 4 * mm}, RayHandle{0}, spindle), config);
     double speed = 0;
     for (int tick = 0; tick < 800; ++tick) {
       const StepResult& result = plunge(simulation, tick);
@@ -129,12 +148,12 @@ TEST(Spindle, OfAnAirTurbineStallsUnderAPushAndRunsAgainWhenTheHandYields) {
   for (const double inertia : {0.0, 1e-10})
     for (const double sign : {1.0, -1.0})
       for (const double dt : {1e-3, 2.5e-4}) {
-        Spindle spindle = Spindle::rpm(sign * 300e3);
+        Spindle spindle{sign * 300e3 * units::rpm};
         spindle.droop = std::abs(spindle.speed) / (0.2 * units::N_mm);
         spindle.rotor_inertia = inertia;
         Simulation simulation(
             build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
-            Tool(SphereHead{kRadius}, RayHandle{}, spindle));
+            Tool(SphereHead{kRadius}, RayHandle{0}, spindle));
         const double most_power = 0.25 * spindle.speed * spindle.speed / spindle.droop;
         double z = kRadius, most = 0, work_before_hold = 0, turned = 0, largest_jump = 0, before = 0;
         int changes = 0;
@@ -180,7 +199,7 @@ TEST(Spindle, OfAnAirTurbineStallsUnderAPushAndRunsAgainWhenTheHandYields) {
 TEST(Spindle, RampsToANewSettingWhenItHasAnAccelerationLimit) {
   Simulation simulation(
       build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
-      Tool(FlatHead{kRadius, 4 * mm}, RayHandle{}, Spindle{0, std::numeric_limits<double>::infinity(), 1e5}));
+      Tool(FlatHead{kRadius, 4 * mm}, RayHandle{0}, Spindle{0, std::numeric_limits<double>::infinity(), 1e5}));
   simulation.set_spindle_speed(kSpin);
   double before = 0;
   for (int tick = 0; tick <= 20; ++tick) {

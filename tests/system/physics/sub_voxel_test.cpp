@@ -58,7 +58,7 @@ SimulationConfig config_with(double stiffness, Quadrature quadrature = Quadratur
 Fed drill(const Way& way, double stiffness, const Material& material) {
   const Vec3 axis = way.R_WT.col(2);
   Simulation simulation(build_block({Vec3::Constant(-2.2 * mm), Vec3::Constant(2.2 * mm)}, kVoxel, material),
-                        Tool(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, RayHandle{}, Spindle{kSpin}),
+                        Tool(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin}),
                         config_with(stiffness));
   // Deep in a hole of its own radius: fed fast to where the measurement begins.
   const Vec3 deep = axis * 0.3 * mm + Vec3(0.017, 0.006, 0.003) * mm;
@@ -90,7 +90,7 @@ void expect_slot(double angle, double feed, double spin, double stiffness, doubl
   const Vec3 way(std::cos(angle * deg), std::sin(angle * deg), 0);
   const Mat3 R = Eigen::AngleAxisd(angle * deg, Vec3::UnitZ()).toRotationMatrix();
   Simulation simulation(build_block({Vec3(-3, -3, -height / mm) * mm, Vec3(3, 3, 0) * mm}, kVoxel, plain_material()),
-                        Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{}, Spindle{spin}),
+                        Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{0}, Spindle{spin}),
                         config_with(stiffness));
   const Vec3 start = Vec3(0.017, 0.006, -1.503) * mm - 0.5 * mm * way;
   (void)feed_along(simulation, R, start - way * 4 * mm, way * 20 * mm, 4 * mm, 1);
@@ -123,7 +123,7 @@ Pushed push(Quadrature quadrature, double stiffness, double hand_force, double e
   Material material = plain_material();
   material.edge_pressure = edge_pressure;
   Simulation simulation(build_block({Vec3(-1.4, -1.4, -1.5) * mm, Vec3(1.4, 1.4, 0) * mm}, kVoxel, material),
-                        Tool(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, RayHandle{}, Spindle{kSpin}),
+                        Tool(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin}),
                         config_with(stiffness, quadrature));
   return push_down(simulation, hand_force);
 }
@@ -160,7 +160,7 @@ double static_error(const Vec3& normal, double voxel) {
                                         [&](const Vec3& p) { return normal.dot(p - surface); },
                                         [](const Vec3&) { return MaterialId(1); }};
     Simulation simulation(build_body(half_space, voxel, MaterialTable({plain_material()})),
-                          Tool(SphereHead{kRadius}, RayHandle{}, Spindle{0}),
+                          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{0}),
                           fixtures::static_config(Quadrature::sub_voxel));
     const Pose pose = Pose::from_translation(surface + normal * (kRadius - depth));
     const double force = fixtures::hold(simulation, pose).force.dot(normal);
@@ -198,7 +198,7 @@ TEST(SubVoxel, AProfilePressesAsTheShapeThatItDraws) {
     const auto force_of = [&](const ToolHead& head, double lowest) {
       Simulation simulation(
           build_block({Vec3(-1.63, -1.57, -1.2) * mm, Vec3(1.6, 1.6, 0) * mm}, kVoxel, plain_material()),
-          Tool(head, RayHandle{}, Spindle{0}), fixtures::static_config(Quadrature::sub_voxel));
+          Tool(head, RayHandle{0}, Spindle{0}), fixtures::static_config(Quadrature::sub_voxel));
       return fixtures::hold(simulation, Pose::from_translation({0, 0, -0.36 * mm - lowest})).force.z();
     };
     EXPECT_NEAR(force_of(c.profile, bottom) / force_of(c.shape, -c.tip), 1, 0.005);
@@ -209,7 +209,7 @@ TEST(SubVoxel, RefusesWhatItCannotDo) {
   const auto refusal_of = [](const SimulationConfig& config) -> std::string {
     try {
       (void)Simulation(build_block({Vec3::Zero(), Vec3::Constant(1 * mm)}, kVoxel, plain_material()),
-                       Tool(SphereHead{kRadius}, RayHandle{}, Spindle{kSpin}), config);
+                       Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{kSpin}), config);
     } catch (const Error& error) {
       return error.what();
     }

@@ -19,7 +19,7 @@ Simulation soft_groove(const ToolHead& head) {
   butter.specific_cutting_energy = 1e3;  // engaged layer far below a voxel at any of the speeds
   SimulationConfig config;
   return Simulation(build_block({Vec3(-6, -2, -2) * mm, Vec3(6, 2, 0) * mm}, 0.1 * mm, butter),
-                    Tool(head, RayHandle{}, Spindle{20000}), config);
+                    Tool(head, RayHandle{0}, Spindle{20000}), config);
 }
 
 const Vec3 kStart = Vec3(-8.013, 0.007, 0.5) * mm;

@@ -158,7 +158,9 @@ TEST(CInterface, NeedsASimulationThatIsMadeForACoupling) {
   const Owned simulation(simulation_of());
   hapticut_coupling coupling = 0;
   EXPECT_EQ(hapticut_coupling_open(simulation.get(), nullptr, &coupling), HAPTICUT_ERROR_REFUSED);
-  EXPECT_NE(std::string(hapticut_last_error()).find("contact_time"), std::string::npos) << hapticut_last_error();
+  EXPECT_NE(std::string(hapticut_last_error()).find("Make it with hapticut_simulation_options.for_coupling = 1"),
+            std::string::npos)
+      << hapticut_last_error();
 }
 
 TEST(CInterface, SaysLineKeyAndCureOfAWrongScene) {
@@ -174,6 +176,43 @@ TEST(CInterface, SaysLineKeyAndCureOfAWrongScene) {
   EXPECT_NE(std::string(hapticut_last_error()).find("no_such_scene.toml"), std::string::npos);
 }
 
+TEST(CInterface, SaysWhatIsWrongInNamesOfCAndKeysOfTheScene) {
+  const Owned simulation(simulation_of(kScene, 1));
+  const auto refused = [](int code) {
+    EXPECT_EQ(code, HAPTICUT_ERROR_REFUSED);
+    return std::string(hapticut_last_error());
+  };
+  auto gains = sized<hapticut_coupling_gains>();
+  gains.mass = -1;
+  auto loop_options = sized<hapticut_loop_options>();
+  loop_options.scale = 1e9;
+  auto sound_options = sized<hapticut_sound_options>();
+  sound_options.half_power = -1;
+  const Owned device(device_of());
+  hapticut_handle none = 0;
+  const std::pair<std::string, const char*> said[] = {
+      {complaint("radius_mm = 1\n", ""), "a sphere needs it. Set tool.radius_mm in the scene."},
+      {complaint("radius_mm = 1\n", "radius_mm = 1\nheight_mm = 2\n"), "or choose tool.head cone"},
+      {complaint("handle_length_mm = 20\n", ""), "Set tool.handle_length_mm in the scene."},
+      {complaint("head = \"sphere\"\n", ""), "Set tool.head to sphere, cone"},
+      {complaint("\"block\"\nsize_mm = [6, 6, 3]\nvoxel_mm = 0.2\nmaterial = \"cortical_bone\"",
+                 "\"slab\"\nsize_mm = [6, 6, 3]\nvoxel_mm = 0.2"),
+       "a slab needs at least one. Set workpiece.layers."},
+      {refused(hapticut_coupling_open(simulation.get(), &gains, &none)), "hapticut_coupling_gains.mass [kg] = -1"},
+      {refused(hapticut_set_spindle_speed(simulation.get(), 4e6)), "Write 40000 * HAPTICUT_RPM"},
+      {refused(hapticut_device_open("openhaptics", &none)), "-DHAPTICUT_WITH_OPENHAPTICS=ON."},
+      {refused(hapticut_sound_open(&sound_options, &none)), "hapticut_sound_options.half_power [W] = -1"},
+      {refused(hapticut_loop_start(simulation.get(), device.get(), &loop_options, &none)),
+       "hapticut_loop_options.scale"},
+  };
+  for (const auto& [sentence, cure] : said) {
+    EXPECT_NE(sentence.find(cure), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.find("::"), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.find("--"), std::string::npos) << sentence;
+  }
+  EXPECT_NE(complaint("\"block\"", "\"no--head::file.stl\"").find("no--head::file.stl"), std::string::npos);
+}
+
 TEST(CInterface, TellsWhatTheSceneHas) {
   const Owned simulation(simulation_of(kScene + "\n[path]\nkind = \"line\"\npoint = \"head\"\nfrom_mm = [0, 3, 4]\n"
                                                 "to_mm = [6, 3, 4]\nfeed_mm_per_s = 3\n"));
@@ -185,7 +224,7 @@ TEST(CInterface, TellsWhatTheSceneHas) {
   EXPECT_NEAR(info.box_max[2], 3e-3, 1e-9);
   EXPECT_NEAR(info.X_HT.position[2], -20e-3, 1e-12);
   EXPECT_NEAR(info.head_max[0], 1e-3, 1e-9);
-  EXPECT_NEAR(info.spindle_speed, 40000 * 2 * 3.14159265358979 / 60, 1e-6);
+  EXPECT_EQ(info.spindle_speed, 40000 * HAPTICUT_RPM) << "spindle_rpm of the scene";
   EXPECT_EQ(info.rate, 1000);
   EXPECT_NEAR(info.path_duration, 2, 1e-9);
   hapticut_pose X_WH;

@@ -47,7 +47,7 @@ struct layout {
     FIELD(hapticut_energy_ledger, damping) FIELD(hapticut_energy_ledger, rubbing) \
     FIELD(hapticut_energy_ledger, anchored) FIELD(hapticut_energy_ledger, sliding) \
     FIELD(hapticut_energy_ledger, credited) FIELD(hapticut_energy_ledger, entered) \
-    FIELD(hapticut_energy_ledger, imbalance) \
+    FIELD(hapticut_energy_ledger, imbalance) FIELD(hapticut_energy_ledger, turnover) \
   STRUCT(hapticut_coupling_gains) FIELD(hapticut_coupling_gains, struct_size) \
     FIELD(hapticut_coupling_gains, unused) FIELD(hapticut_coupling_gains, stiffness) \
     FIELD(hapticut_coupling_gains, damping) FIELD(hapticut_coupling_gains, mass) \

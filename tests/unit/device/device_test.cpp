@@ -70,6 +70,22 @@ TEST(OpenDevice, FindsDriversThatOthersRegister) {
   }
 }
 
+TEST(OpenDevice, NamesTheCallThatIsMissingWhereTheBuildHasTheDevice) {
+  try {
+    (void)open_device("replay:run.h5");
+    FAIL();
+  } catch (const Error& e) {
+    const std::string text = e.what();
+    EXPECT_NE(text.find("call hapticut::use_recordings()"), std::string::npos) << text;
+#ifdef HAPTICUT_HAS_IO
+    EXPECT_EQ(text.find("install"), std::string::npos) << text;
+    EXPECT_EQ(text.find("this build;"), std::string::npos) << text;
+#else
+    EXPECT_NE(text.find("-DHAPTICUT_WITH_IO=ON"), std::string::npos) << text;
+#endif
+  }
+}
+
 TEST(MockDevice, FollowsItsPathExactlyWhenRigid) {
   const auto device = open_device("mock:spiral");
   const ScriptedPath path = scripted_path("spiral");

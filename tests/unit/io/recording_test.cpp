@@ -223,7 +223,7 @@ TEST(Recording, OfALawOfItsOwnAsksForThatLaw) {
 TEST(Recording, MayNameTheFileOfItsWorkpieceInsteadOfHoldingIt) {
   const TemporaryFolder folder;
   save_vdb(build_sphere(Vec3(0, 0, -2e-3), 2e-3, 1e-4, test::plain_material()), folder / "ball.vdb");
-  Simulation simulation(load_vdb(folder / "ball.vdb"), Tool(SphereHead{1e-3}, RayHandle{}, Spindle{3000}));
+  Simulation simulation(load_vdb(folder / "ball.vdb"), Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{3000}));
   RecorderOptions options = patient();
   options.workpiece_file = folder / "ball.vdb";
   Recorder recorder(folder / "a.h5", simulation, options);

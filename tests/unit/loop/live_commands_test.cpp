@@ -78,7 +78,7 @@ TEST(LiveCommands, SetToolStandsStillUntilItMayCutWhateverItsRamp) {
       [&](int n) {
         if (n == 500) {
           EXPECT_GT(rig.snapshot.tool.removed_volume, 0);
-          EXPECT_TRUE(rig.tell(rig.model.prepare_tool(Tool(SphereHead{3e-3}, RayHandle{}, slow))));
+          EXPECT_TRUE(rig.tell(rig.model.prepare_tool(Tool(SphereHead{3e-3}, RayHandle{0}, slow))));
         }
       },
       [&, at = 0.0](int n) mutable {

@@ -67,7 +67,7 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   const auto coarse = [](double depth) {
     return build_block({Vec3(-8e-3, -8e-3, -depth), Vec3(8e-3, 8e-3, 0)}, 5e-4, test::plain_material());
   };
-  const Tool ball(SphereHead{kRadius}, RayHandle{}, Spindle{3000});
+  const Tool ball(SphereHead{kRadius}, RayHandle{0}, Spindle{3000});
   Simulation simulation(coarse(5e-3), ball, with);
   SimulationModelOptions options;
   options.map.X_WB = Pose::from_translation(Vec3(0, 0, kRadius));
@@ -94,7 +94,7 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
     const Spindle spindle{number(0, 5000)};
     const double radius = number(0.6e-3, 2.5e-3);
     return random() % 2 == 0 ? Tool(SphereHead{radius}, RayHandle{number(0, 1e-3)}, spindle)
-                             : Tool(round_head(2 * radius), RayHandle{}, spindle);
+                             : Tool(round_head(2 * radius), RayHandle{0}, spindle);
   };
   const auto next = [&]() -> LoopCommand {
     const auto dice = random() % 1000;

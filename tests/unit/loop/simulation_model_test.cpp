@@ -34,7 +34,7 @@ Simulation block_under_the_ball(double spindle_speed = 3000, ContactTime contact
   config.reference_stiffness = 1e13;
   config.reserved_blocks = 4096;
   return {build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
-          Tool(SphereHead{kRadius}, RayHandle{}, Spindle{spindle_speed}), config};
+          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spindle_speed}), config};
 }
 
 SimulationModelOptions ball_above_the_block() {

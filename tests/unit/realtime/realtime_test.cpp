@@ -30,6 +30,27 @@ TEST(LatencyHistogram, KnowsItsQuantilesWithinABucket) {
   EXPECT_EQ(h.max(), 0.5);
 }
 
+TEST(LatencyHistogram, KnowsLongDurationsWithinAFewPerCent) {
+  for (const double scale : {2.1e-3, 3e-3, 40e-3, 7.0, 50.0}) {  // [s]
+    LatencyHistogram h;
+    for (int n = 0; n < 1000; ++n) h.add(scale * (1 + 0.001 * n));
+    h.add(120);
+    for (const double share : {0.01, 0.5, 0.9, 0.99}) {
+      const double exact = scale * (1 + share);
+      EXPECT_GE(h.quantile(share), exact * (1 - 2e-3)) << scale << ' ' << share;
+      EXPECT_LE(h.quantile(share), exact * (1.045 + 2e-3)) << scale << ' ' << share;
+      EXPECT_LE(h.at_least(exact), 1002 - 1000 * share) << scale << ' ' << share;
+      EXPECT_GE(h.at_least(exact), 1000 * (1 - share) - 90) << scale << ' ' << share;
+    }
+    EXPECT_EQ(h.quantile(1), 120);
+  }
+  LatencyHistogram of_4_ms;
+  for (const double seconds : {1e-3, 3e-3, 4.2e-3, 4e-3}) of_4_ms.add(seconds);
+  EXPECT_EQ(of_4_ms.at_least(4e-3), 2U);
+  EXPECT_EQ(of_4_ms.at_least(1e-3), 4U);
+  EXPECT_EQ(of_4_ms.at_least(1e6), 0U);
+}
+
 TEST(LatencyHistogram, TakesOddDurationsWithoutHarm) {
   LatencyHistogram h;
   EXPECT_EQ(h.quantile(0.5), 0);

@@ -146,7 +146,7 @@ TEST(StreamedCuts, TenThousandCutsGiveThePagesOfARebuild) {
 TEST(StreamedCuts, ASimulationIsFollowedThroughItsFeedBesideTheSteps) {
   SimulationConfig config;
   config.reserved_blocks = 1000;
-  Simulation simulation(test::two_materials(5 * mm, kVoxel), Tool(SphereHead{0.7 * mm}, RayHandle{}, Spindle{3000}),
+  Simulation simulation(test::two_materials(5 * mm, kVoxel), Tool(SphereHead{0.7 * mm}, RayHandle{0}, Spindle{3000}),
                         config);
   simulation.reserve_undo(500);
   ChangeFeed feed(simulation);

@@ -44,6 +44,25 @@ TEST(LHandle, TheElbowIsANecksLengthAboveTheHeadOnItsAxisAndALengthBelowTheHand)
   }
 }
 
+// Without a length the hand would be in the middle of the bur, and feel no torque.
+TEST(Handles, MustSayHowLongTheyAre) {
+  const auto message = [](const Handle& handle) -> std::string {
+    try {
+      (void)head_in_handle(handle);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message(RayHandle{}),
+            "RayHandle::length [m] must be given: from Ho to To, along -z_H. 0.02 is 20 mm; 0 puts the hand into the "
+            "head.");
+  EXPECT_EQ(message(LHandle{}).find("LHandle::length [m] must be given"), 0U);
+  EXPECT_EQ(message(LHandle{20 * mm}).find("LHandle::neck [m] must be given"), 0U);
+  EXPECT_EQ(message(RayHandle{0}), "");
+  EXPECT_EQ(message(LHandle{0, 0}), "");
+}
+
 TEST(Handles, RefuseNegativeLengthsAndBendsBeyondHalfATurn) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {-1e-6, nan, infinity}) {

@@ -206,19 +206,46 @@ TEST_P(SpindleDirection, AMotorWithInertiaTurnsTheOtherWayThroughZero) {
 // Proves: motors.
 TEST_P(SpindleDirection, OfCommonHandpiecesAreThoseOfTheirMotors) {
   const double sign = GetParam();
-  const Spindle turbine = common_spindle(sign * 350e3);
+  const Spindle turbine = common_spindle(sign * 350e3 * units::rpm);
   EXPECT_NEAR(SpindleMotor(turbine).stall_torque(), 1.5 * units::N_mm, 1e-12);
   EXPECT_NEAR(turbine.speed, sign * 350e3 * units::rpm, 1e-6);
-  const Spindle fast = common_spindle(sign * 200e3), slow = common_spindle(sign * 2000);
+  const Spindle fast = common_spindle(sign * 200e3 * units::rpm), slow = common_spindle(sign * 2000 * units::rpm);
   EXPECT_NEAR(fast.torque_limit, 6 * units::N_mm, 1e-12);
   EXPECT_NEAR(slow.torque_limit, 600 * units::N_mm, 1e-9);
   EXPECT_EQ(fast.power_limit, 60);
   EXPECT_NEAR(fast.rotor_inertia, 2e-9, 1e-15);
-  EXPECT_TRUE(common_spindle(MotorKind::surgical_drill, sign * 80e3).is_limited());
-  EXPECT_FALSE(common_spindle(MotorKind::ideal, sign * 80e3).is_limited());
-  EXPECT_FALSE(common_spindle(0).is_limited());
-  EXPECT_THROW((void)common_spindle(MotorKind::electric, 0), Error);
-  EXPECT_THROW((void)common_spindle(sign * 2e6), Error);
+  EXPECT_TRUE(common_spindle(MotorKind::surgical_drill, sign * 80e3 * units::rpm).is_limited());
+  EXPECT_FALSE(common_spindle(MotorKind::ideal, sign * 80e3 * units::rpm).is_limited());
+  EXPECT_FALSE(common_spindle(0.0).is_limited());
+  EXPECT_THROW((void)common_spindle(MotorKind::electric, 0.0), Error);
+  EXPECT_THROW((void)common_spindle(sign * 2e6 * units::rpm), Error);
+}
+
+template <class... Arguments>
+concept MakesASpindle = requires(Arguments... arguments) {
+  common_spindle(arguments...);
+};
+
+// 40000 turns a minute without their unit were 40000 rad/s, and forces nine times too large.
+TEST_P(SpindleDirection, HasOneUnitEverywhereAndTurnsAMinuteAreRefusedAsRadiansASecond) {
+  const double sign = GetParam();
+  static_assert(MakesASpindle<double> && MakesASpindle<MotorKind, double>);
+  static_assert(!MakesASpindle<int> && !MakesASpindle<MotorKind, int>);
+  const double turns = sign * 40000 * units::rpm;
+  EXPECT_EQ(common_spindle(turns).speed, turns);
+  EXPECT_EQ(common_motor(turns), MotorKind::electric);
+  for (const MotorKind motor : {MotorKind::electric, MotorKind::surgical_drill, MotorKind::air_turbine}) {
+    const double fastest = fastest_speed(motor);
+    EXPECT_EQ(std::abs(common_spindle(motor, sign * fastest).speed), fastest);
+    try {
+      (void)common_spindle(motor, sign * 1.01 * fastest);
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("Write 40000 * units::rpm"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_THROW((void)common_spindle(MotorKind::electric, sign * 40000.0), Error);
+  EXPECT_THROW((void)common_spindle(MotorKind::air_turbine, sign * 300000.0), Error);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothWays, SpindleDirection, testing::Values(1.0, -1.0));
@@ -248,9 +275,8 @@ TEST(SpindleInput, IsRefusedWithItsValueAndTheCure) {
   spindle = {};
   spindle.power_limit = -1;
   EXPECT_EQ(message(spindle).find("Spindle::power_limit [W] = -1"), 0U);
-  EXPECT_EQ(Spindle::rpm(-40000).speed, -40000 * units::rpm);
   EXPECT_EQ(message(Spindle{400000}).find("Spindle::speed [rad/s] = 400000; that is 3.8"), 0U);
-  EXPECT_NE(message(Spindle{400000}).find("Write Spindle::rpm(...)"), std::string::npos);
+  EXPECT_NE(message(Spindle{400000}).find("Write 40000 * units::rpm"), std::string::npos);
   EXPECT_NE(message(Spindle{std::nan("")}), "");
 }
 

@@ -29,16 +29,16 @@ TEST(Tool, KeepsThePoseOfItsHeadOnTheHandle) {
   EXPECT_EQ(tool.spindle().speed, 1000);
 }
 
-TEST(Tool, MayTurnEitherWay) { EXPECT_NO_THROW(Tool(SphereHead{1 * mm}, RayHandle{}, {-30000})); }
+TEST(Tool, MayTurnEitherWay) { EXPECT_NO_THROW(Tool(SphereHead{1 * mm}, RayHandle{0}, {-30000})); }
 
 TEST(Tool, RefusesASpeedThatIsNotFinite) {
   for (const double bad : {kNan, kInfinity, -kInfinity})
-    EXPECT_THROW(Tool(SphereHead{1 * mm}, RayHandle{}, {bad}), Error) << bad;
+    EXPECT_THROW(Tool(SphereHead{1 * mm}, RayHandle{0}, {bad}), Error) << bad;
 }
 
 TEST(Tool, RefusesAPowerLimitThatIsNotPositive) {
   for (const double bad : {0.0, -1.0, kNan})
-    EXPECT_THROW(Tool(SphereHead{1 * mm}, RayHandle{}, {100, bad}), Error) << bad;
+    EXPECT_THROW(Tool(SphereHead{1 * mm}, RayHandle{0}, {100, bad}), Error) << bad;
 }
 
 TEST(Tool, RefusesABadHeadOrHandle) {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "hapticut/simulation/step.hpp"
+
+namespace hapticut {
+
+/// What a step's status means and what to do about it, one sentence for each bit; "" of `ok`. `describe` has the names.
+[[nodiscard]] inline std::string sentences_of(StepStatus status) {
+  std::string sentences;
+  for (const Named<StepStatus>& bit : names_of(Of<StepStatus>{}))
+    if (has_any(status, bit.value)) sentences += (sentences.empty() ? "" : " ") + std::string(bit.words);
+  return sentences;
+}
+
+}  // namespace hapticut
