@@ -112,7 +112,7 @@ void bind_meshes(py::module_& m) {
       .def_property_readonly(
           "mesh", [](const NamedMesh& n) -> const TriangleMesh& { return n.mesh; },
           py::return_value_policy::reference_internal, "The surface, in metres.");
-  m.def("read_mesh", &read_mesh, py::arg("path"), py::arg("unit_mm") = 1.0, doc("read_mesh"), Released());
+  m.def("read_mesh", &read_mesh, py::arg("path"), py::arg("unit_mm") = py::none(), doc("read_mesh"), Released());
   m.def("write_stl", &write_stl, py::arg("mesh"), py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_stl"),
         Released());
   m.def("write_ply", py::overload_cast<const TriangleMesh&, const Path&, double>(&write_ply), py::arg("mesh"),

@@ -52,7 +52,8 @@ void register_flags(Registered& entry) {
 
 void run(const Registered& entry) {
   const std::vector<Setting>& settings = entry.command.settings;
-  if (!entry.settings_file.empty()) read_settings_file(entry.settings_file, settings);
+  if (!entry.settings_file.empty())
+    read_settings_file(entry.settings_file, settings, {}, " Check the name given to --settings.");
   for (std::size_t i = 0; i < settings.size(); ++i)
     if (!entry.texts[i].empty()) apply_flag(settings[i], entry.texts[i]);
   entry.command.run();

@@ -6,9 +6,12 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/mesh/meshes.hpp"
 #include "hapticut/workpiece/mesh_builder.hpp"
+#include "io/mesh/mesh_extensions.hpp"
 
 namespace hapticut::settings {
 namespace {
+
+constexpr double kVoxel_mm = 0.1;
 
 std::string names_of(const std::vector<NamedMesh>& objects) {
   std::string names;
@@ -24,12 +27,32 @@ const TriangleMesh& find(const std::vector<NamedMesh>& objects, const std::strin
               ". Set --shell MATERIAL=OBJECT.");
 }
 
+/// @throws Error when the whole is shorter than a few voxels, or so long that no computer has room for its voxels, and
+///         another unit would make sense of it
+void require_plausible_size(const WorkpieceSettings& s, const std::vector<NamedMesh>& objects, double unit_mm) {
+  constexpr double kFew = 4, kMany = 1e4;  // [voxels]
+  Box box{objects.front().mesh.vertices.front(), objects.front().mesh.vertices.front()};
+  for (const NamedMesh& object : objects)
+    for (const Vec3& v : object.mesh.vertices) box = {box.min.cwiseMin(v), box.max.cwiseMax(v)};
+  const double length_mm = (box.max - box.min).maxCoeff() / units::mm, voxel_mm = s.voxel_mm.value_or(kVoxel_mm);
+  const bool small = length_mm < kFew * voxel_mm;
+  const bool large = !s.large && length_mm > std::max(kMany * voxel_mm, kLongestPlausible);
+  const std::string units = plausible_units(length_mm / unit_mm, 2 * kFew * voxel_mm);
+  if ((!small && !large) || units.empty()) return;
+  throw Error("with a unit of " + format_number(unit_mm) + " mm it is " + format_number(length_mm) + " mm long, " +
+              (small ? "less than " + format_number(kFew) : "more than " + format_number(kMany)) + " voxels of " +
+              format_number(voxel_mm) + " mm. Set " + units + ", or " +
+              (small ? "smaller voxels by voxel_mm." : "larger voxels by voxel_mm, or large = true."));
+}
+
 }  // namespace
 
 Workpiece make_workpiece_from_mesh(const WorkpieceSettings& s) {
-  const std::vector<NamedMesh> objects = read_mesh(s.source, s.unit_mm.value_or(1));
+  const double unit_mm = s.unit_mm.value_or(common_unit_mm(s.source));
+  const std::vector<NamedMesh> objects = read_mesh(s.source, unit_mm);
+  require_plausible_size(s, objects, unit_mm);
   MeshImport options;
-  options.voxel_size = s.voxel_mm.value_or(0.1) * units::mm;
+  options.voxel_size = s.voxel_mm.value_or(kVoxel_mm) * units::mm;
   options.large = s.large;
   options.tell = s.tell;
   if (s.material.empty() == s.shells.empty())

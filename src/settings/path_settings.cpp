@@ -194,7 +194,7 @@ std::vector<Setting> settings_of(PathSettings& p) {
     settings.push_back(vector("path." + f.name, "--" + f.name, p.*f.member, f.range, meaning_of(f)));
   for (const auto& f : number_fields())
     settings.push_back(number("path." + f.name, "--" + f.name, p.*f.member, f.range, meaning_of(f)));
-  settings.push_back(text("path.file", "--poses", p.file,
+  settings.push_back(path("path.file", "--poses", p.file,
                           "poses: a CSV file with the columns t_s, x_mm, y_mm, z_mm and, for the rotation, qw, qx, "
                           "qy, qz or r00 ... r22"));
   return settings;

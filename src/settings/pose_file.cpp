@@ -63,20 +63,23 @@ class PoseFile {
   void read_names(const std::vector<std::string>& names) {
     names_ = names;
     const Columns<4> place = find<4>({"t_s", "x_mm", "y_mm", "z_mm"});
-    if (!place) fail("the columns t_s, x_mm, y_mm, z_mm are missing; the first line must name the columns.");
+    if (!place)
+      fail(
+          "the columns t_s, x_mm, y_mm, z_mm are missing; the first line must name the columns, with commas, "
+          "semicolons or tabs between them.");
     place_ = *place;
     quaternion_ = find<4>({"qw", "qx", "qy", "qz"});
     matrix_ = find<9>({"r00", "r01", "r02", "r10", "r11", "r12", "r20", "r21", "r22"});
     if (quaternion_ && matrix_) fail("there is a quaternion and a matrix; leave one of them out.");
   }
 
-  double number_at(const std::vector<std::string>& cells, std::size_t column) const {
-    const std::optional<double> value = parse_number(cells[column]);
+  double number_at(const std::vector<std::string>& cells, std::size_t column) {
+    const std::optional<double> value = lines_.number(cells[column]);
     if (!value || !std::isfinite(*value)) fail(names_[column] + " = \"" + cells[column] + "\"; must be a number.");
     return *value;
   }
 
-  TimedPose read_pose(const std::vector<std::string>& cells) const {
+  TimedPose read_pose(const std::vector<std::string>& cells) {
     const auto number = [&](std::size_t column) { return number_at(cells, column); };
     const double t = number(place_[0]);
     const Vec3 position = Vec3(number(place_[1]), number(place_[2]), number(place_[3])) * units::mm;

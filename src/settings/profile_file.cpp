@@ -47,6 +47,7 @@ class ProfileFile {
   void read_names(const std::vector<std::string>& names) {
     const std::vector<std::string> known = {"rho_mm", "z_mm", "radius_mm", "kind"};
     for (std::size_t n = 0; n < names.size(); ++n) {
+      if (names[n].empty()) continue;  // a column that a spreadsheet added
       const auto place = std::find(known.begin(), known.end(), names[n]);
       if (place == known.end())
         fail("there is no column " + names[n] + "; must be one of rho_mm, z_mm, radius_mm, kind." +
@@ -56,13 +57,13 @@ class ProfileFile {
     if (!place_[0] || !place_[1]) fail("the columns rho_mm and z_mm must be there.");
   }
 
-  double length(const std::string& cell) const {
-    const std::optional<double> value = parse_number(cell);
+  double length(const std::string& cell) {
+    const std::optional<double> value = lines_.number(cell);
     if (!value || !std::isfinite(*value)) fail("'" + cell + "' is not a number.");
     return *value * units::mm;
   }
 
-  ProfileEdge read_edge(const std::vector<std::string>& cells) const {
+  ProfileEdge read_edge(const std::vector<std::string>& cells) {
     ProfileEdge edge;
     edge.rho = length(cells[*place_[0]]);
     edge.z = length(cells[*place_[1]]);

@@ -12,11 +12,7 @@
 namespace hapticut::settings {
 namespace {
 
-Scene read_scene(std::string_view text, const std::string& name) {
-  SceneSettings settings;
-  const std::set<std::string> tables = read_settings(text, name, settings_of(settings), {"output", "loop"});
-  return make_scene(settings, tables.contains("path"));
-}
+const std::set<std::string> kOfTheProgram = {"output", "loop"};
 
 }  // namespace
 
@@ -39,8 +35,16 @@ Scene make_scene(const SceneSettings& s, bool with_motion) {
   return {std::move(workpiece), std::move(tool), std::move(config), std::move(motion), std::move(warnings)};
 }
 
-Scene from_toml(std::string_view text) { return read_scene(text, "scene"); }
+Scene from_toml(std::string_view text, const std::filesystem::path& folder) {
+  SceneSettings settings;
+  const std::set<std::string> tables = read_settings(text, "scene", settings_of(settings), kOfTheProgram, folder);
+  return make_scene(settings, tables.contains("path"));
+}
 
-Scene from_file(const std::filesystem::path& path) { return read_scene(text_of_file(path, ""), path.string()); }
+Scene from_file(const std::filesystem::path& path) {
+  SceneSettings settings;
+  const std::set<std::string> tables = read_settings_file(path, settings_of(settings), kOfTheProgram);
+  return make_scene(settings, tables.contains("path"));
+}
 
 }  // namespace hapticut::settings

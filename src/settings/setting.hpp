@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -47,6 +48,8 @@ struct Setting {
   std::function<void()> clear = {};
   /// Of kind tables: takes the flag's short form of one element; says whether it is allowed.
   std::function<bool(const std::string& text)> assign_short_form = {};
+  /// Of a text that names a file: the same from a settings file in `folder`, where names are relative to it.
+  std::function<std::string(const std::string& text, const std::filesystem::path& folder)> in_folder = {};
 };
 
 namespace detail {
@@ -114,8 +117,13 @@ void add_fields(const std::string& table, S& target, double S::*except, std::vec
 [[nodiscard]] Setting vector(std::string key, std::string flag, std::optional<Vec3>& target, Range range,
                              std::string meaning);
 
-/// Any text that is not empty, e.g. a file name.
+/// Any text that is not empty.
 [[nodiscard]] Setting text(std::string key, std::string flag, std::string& target, std::string meaning);
+
+/// The name of a file; in a settings file it is relative to the folder of that.
+/// @param words  that stand for something else than a file: "molar"
+[[nodiscard]] Setting path(std::string key, std::string flag, std::string& target, std::string meaning,
+                           std::vector<std::string> words = {});
 
 /// One of a few words, each with what it stands for.
 template <class Meaning>

@@ -15,7 +15,8 @@ using Kind = Setting::Kind;
 /// Applies one TOML file to settings, and knows how to say where something is wrong.
 class Reader {
  public:
-  explicit Reader(std::string file) : file_(std::move(file)) {}
+  Reader(std::string file, const std::filesystem::path& folder)
+      : file_(std::move(file)), folder_(folder.empty() ? folder : std::filesystem::absolute(folder)) {}
 
   /// @param prefix  of the keys in messages, "" or "tool."
   void read_table(const toml::table& table, const std::string& prefix, const std::vector<Setting>& settings) const {
@@ -51,12 +52,13 @@ class Reader {
   void read_setting(const toml::node& node, const std::string& name, const Setting& setting) const {
     if (setting.kind == Kind::tables) return read_tables(node, name, setting);
     if (setting.kind == Kind::named_tables) return read_named_tables(node, name, setting);
-    const std::optional<Value> value = value_of(node, setting.kind);
+    std::optional<Value> value = value_of(node, setting.kind);
     if (!value) {
       const Value given = node.is_string() ? Value(node.as_string()->get()) : Value(describe_type(node));
       fail(node.source(), name + ": must be " + setting.allowed + ", not " +
                               (node.is_string() ? "the text " + describe(given) : std::get<std::string>(given)) + ".");
     }
+    if (setting.in_folder && !folder_.empty()) value = setting.in_folder(std::get<std::string>(*value), folder_);
     if (!setting.assign(*value))
       fail(node.source(), name + ": must be " + setting.allowed + ", not " + describe(*value) + ".");
   }
@@ -122,9 +124,8 @@ class Reader {
   }
 
   std::string file_;
+  std::filesystem::path folder_;
 };
-
-}  // namespace
 
 std::string text_of_file(const std::filesystem::path& path, const std::string& advice) {
   std::error_code error;
@@ -135,8 +136,11 @@ std::string text_of_file(const std::filesystem::path& path, const std::string& a
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+}  // namespace
+
 std::set<std::string> read_settings(std::string_view text, const std::string& name,
-                                    const std::vector<Setting>& settings, const std::set<std::string>& left) {
+                                    const std::vector<Setting>& settings, const std::set<std::string>& left,
+                                    const std::filesystem::path& folder) {
   toml::table table;
   try {
     table = toml::parse(text, name);
@@ -145,14 +149,16 @@ std::set<std::string> read_settings(std::string_view text, const std::string& na
                 ": not valid TOML: " + std::string(problem.description()) + ".");
   }
   for (const std::string& key : left) table.erase(key);
-  Reader(name).read_table(table, "", settings);
+  Reader(name, folder).read_table(table, "", settings);
   std::set<std::string> keys;
   for (const auto& [key, node] : table) keys.emplace(key.str());
   return keys;
 }
 
-void read_settings_file(const std::filesystem::path& path, const std::vector<Setting>& settings) {
-  read_settings(text_of_file(path, " Check the name given to --settings."), path.string(), settings);
+std::set<std::string> read_settings_file(const std::filesystem::path& path, const std::vector<Setting>& settings,
+                                         const std::set<std::string>& left, const std::string& advice) {
+  return read_settings(text_of_file(path, advice), path.string(), settings, left,
+                       std::filesystem::absolute(path).parent_path());
 }
 
 }  // namespace hapticut::settings

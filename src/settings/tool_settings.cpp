@@ -259,8 +259,9 @@ std::vector<Setting> settings_of(ToolSettings& t) {
       integer("tool.tiers", "--tiers", t.tiers, 1, 20, "of a christmas_tree: number of cones"),
       number("tool.point_angle_deg", "--point_angle_deg", t.point_angle_deg, Range{0, 180, true},
              "of a twist_drill: full angle of its point [118]"),
-      text("tool.profile", "--profile", t.profile,
-           "of a head of kind profile: CSV file of its meridian, or a mesh of revolution in mm, shank towards +z"),
+      path("tool.profile", "--profile", t.profile,
+           "of a head of kind profile: CSV file of its meridian, or a mesh of revolution in mm (glTF in m), shank "
+           "towards +z"),
       choice("tool.shank", "--shank", t.shank, "what holds the head and may lean on the workpiece [nothing]"),
       number("tool.shank_neck_mm", "--shank_neck_mm", t.shank_neck_mm, Range::positive(),
              "diameter of the neck between head and shank"),

@@ -99,7 +99,8 @@ bool parse_shell(const std::string&, const std::string& rest, Shell& shell) {
 std::vector<Setting> settings_of(WorkpieceSettings& w) {
   const Range any = Range::any(), positive = Range::positive();
   std::vector<Setting> settings = {
-      text("workpiece.source", "--workpiece", w.source, "block, slab, molar, or a file or folder"),
+      path("workpiece.source", "--workpiece", w.source, "block, slab, molar, or a file or folder",
+           built_in_workpieces()),
       number("workpiece.voxel_mm", "--voxel_mm", w.voxel_mm, positive,
              "edge of a voxel [0.1; for a volume its smallest spacing]"),
       vector("workpiece.size_mm", "--size_mm", w.size_mm, positive,
@@ -143,8 +144,10 @@ std::vector<Setting> settings_of(WorkpieceSettings& w) {
       integer("workpiece.raw_skip_bytes", "--raw_skip_bytes", w.raw.skip_bytes, 0, 1e12,
               "file without a header: bytes before the first value [0]"),
       number("workpiece.unit_mm", "--unit_mm", w.unit_mm, positive,
-             "mesh, .vdb of another program: length of one unit of the file [1]"),
+             "mesh, .vdb of another program: length of one unit of the file [1; of glTF, which is in metres, 1000]"),
       text("workpiece.grid", "--grid", w.grid, ".vdb of another program: name of the grid"),
+      choice("workpiece.grid_kind", "--grid_kind", w.grid_kind,
+             ".vdb of another program: what its values mean [from_class, which the grid itself says]"),
       boolean("workpiece.large", "--large", w.large,
               "mesh, volume: make it also where it takes more than 4 GiB or ten minutes"),
   };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/workpiece/volume_builders.hpp"
 #include "hapticut/workpiece/work_estimate.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
@@ -60,6 +61,7 @@ struct WorkpieceSettings {
   } raw;                                              ///< file of samples without a header
   std::optional<double> unit_mm;                      ///< mesh, .vdb of another program: length of one unit of the file
   std::string grid;                                   ///< .vdb of another program
+  std::optional<VdbImport::Kind> grid_kind;           ///< the same
   bool large = false;                                 ///< lifts the limits of how much work is begun
   WorkObserver tell = {};                             ///< is told of the work; no setting
   std::function<void(const std::string&)> warn = {};  ///< is told what a user must know of the file; no setting
@@ -67,6 +69,9 @@ struct WorkpieceSettings {
 };
 
 [[nodiscard]] std::vector<Setting> settings_of(WorkpieceSettings& workpiece);
+
+/// What a source may be beside a file.
+[[nodiscard]] std::vector<std::string> built_in_workpieces();
 
 /// Whether the source is a file or folder of samples, rather than something built in, a .vdb file or a mesh.
 [[nodiscard]] bool is_volume(const WorkpieceSettings& settings);

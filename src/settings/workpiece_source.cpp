@@ -50,6 +50,7 @@ std::set<std::string> given_settings(const Source& s) {
   note("raw_skip_bytes", s.raw.skip_bytes > 0);
   note("unit_mm", s.unit_mm.has_value());
   note("grid", !s.grid.empty());
+  note("grid_kind", s.grid_kind.has_value());
   note("large", s.large);
   return given;
 }
@@ -102,15 +103,19 @@ Workpiece with_changed_materials(Workpiece workpiece, const MaterialChanges& cha
 }
 
 Workpiece read_vdb(const Source& s) {
-  refuse_all_but(s, {"material", "unit_mm", "grid"});
+  refuse_all_but(s, {"material", "unit_mm", "grid", "grid_kind"});
   if (s.material.empty()) {
-    refuse_all_but(s, {});
+    if (s.unit_mm || !s.grid.empty() || s.grid_kind)
+      throw Error(
+          "workpiece.material is missing; a .vdb of another program needs it beside unit_mm, grid and grid_kind, "
+          "and one of hapticut needs none of them. Set --material, or leave the others out.");
     return with_changed_materials(load_vdb(s.source), s.materials);
   }
   VdbImport import;
   import.material = s.materials.find(s.material);
   import.grid = s.grid;
   import.unit_mm = s.unit_mm.value_or(1);
+  import.kind = s.grid_kind.value_or(import.kind);
   return load_vdb(s.source, import);
 }
 
@@ -138,8 +143,10 @@ Workpiece make_molar(const Source& s) {
 
 }  // namespace
 
+std::vector<std::string> built_in_workpieces() { return {"block", "slab", "molar"}; }
+
 bool is_volume(const WorkpieceSettings& s) {
-  for (const char* known : {"block", "slab", "molar"})
+  for (const std::string& known : built_in_workpieces())
     if (s.source == known) return false;
   if (extension_in_lower_case(s.source) == ".vdb" || is_mesh_file(s.source)) return false;
   return std::filesystem::exists(s.source);
@@ -155,8 +162,10 @@ Workpiece make_workpiece(WorkpieceSettings s, CutterKind cutter) {
   if (s.source == "slab") return make_slab(s);
   if (s.source == "molar") return make_molar(s);
   if (!std::filesystem::exists(s.source))
-    throw Error("there is no file '" + s.source + "', and no built-in workpiece of that name." +
-                suggestion(s.source, {"block", "slab", "molar"}) + " Check the name.");
+    throw Error("there is no file '" + std::filesystem::absolute(s.source).string() +
+                "', and no built-in workpiece of that name." +
+                suggestion(std::filesystem::path(s.source).filename().string(), built_in_workpieces()) +
+                " Check the name: it is relative to the settings file in which it stands, or to the working folder.");
   if (extension_in_lower_case(s.source) == ".vdb") return read_vdb(s);
 #ifdef HAPTICUT_HAS_IO
   if (is_mesh_file(s.source)) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
 #include "workpiece/orient.hpp"
 #include "workpiece/volume_sampling.hpp"  // kMaxSubsamples
 #include "workpiece/winding_number.hpp"
@@ -25,7 +26,6 @@ constexpr int kOpenSubsamples = 4;   // points per edge where every point needs 
 /// Of the voxels that a surface cuts: with loose edges in more of them, it is no surface. An incisor's crown that is
 /// open at the neck has 1 %, loose triangles have 20 % and more.
 constexpr double kMaxRaggedShare = 0.1;
-constexpr int kMaxSubsamples = 16;
 
 /// Whether a triangle touches a cube: separating axes of the cube, of the triangle and of their edges.
 bool touches_cube(const Triangle& triangle, const Vec3& center, double half) {
@@ -222,6 +222,8 @@ class ShellSampler {
   WindingNumber winding_;
 };
 
+std::string mm_text(double length) { return format_number(length / units::mm) + " mm"; }
+
 /// How much of a shell was found, in voxels; written by many threads.
 struct Found {
   std::atomic<std::int64_t> inside{0};  // whole voxels, and those that are inside in part
@@ -267,13 +269,15 @@ class ShellsFiller {
     return BlockKind::mixed();
   }
 
-  /// @throws Error when a shell enclosed nothing, or nothing for sure
-  void check() const {
+  /// @throws Error when a shell enclosed nothing, or nothing for sure; `length` [m] is that of all shells
+  void check(double length) const {
     for (std::size_t s = 0; s < shells_.size(); ++s) {
       const std::string which = shells_.size() > 1 ? "surface " + std::to_string(s + 1) : "the surface";
       if (found_[s].inside == 0)
-        throw Error(which + " encloses nothing that voxels of " + format_number(frame_.voxel_size) +
-                    " m can show; close the surface, or choose smaller voxels.");
+        throw Error(which + " encloses nothing that voxels of " + mm_text(frame_.voxel_size) +
+                    " can show, and all is " + mm_text(length) + " long; " +
+                    (length < 4 * frame_.voxel_size ? "check its unit (unit_mm of read_mesh)" : "close it") +
+                    ", or choose smaller voxels.");
       const double cut = double(found_[s].cut), ragged = double(found_[s].ragged);
       if (ragged > kMaxRaggedShare * cut)
         throw Error(which + " is too open to say what is inside: its triangles have loose edges in " +
@@ -365,14 +369,13 @@ Workpiece build_from_shells(const std::vector<MeshShell>& shells, MaterialTable 
   Vec3 min = shells[0].mesh.vertices[shells[0].mesh.triangles[0][0]], max = min;
   for (const MeshShell& shell : shells)
     for (const auto& t : shell.mesh.triangles)
-      for (const std::uint32_t v : t) {
-        min = min.cwiseMin(shell.mesh.vertices[v]);
-        max = max.cwiseMax(shell.mesh.vertices[v]);
-      }
+      for (const std::uint32_t v : t)
+        min = min.cwiseMin(shell.mesh.vertices[v]), max = max.cwiseMax(shell.mesh.vertices[v]);
   const Vec3 voxels = (max - min) / options.voxel_size;
   if (!(voxels.maxCoeff() < 1e9))
-    throw Error("the surface is " + format_number((max - min).maxCoeff()) + " m long, that is " +
-                format_number(voxels.maxCoeff()) + " voxels; check its unit or choose a larger voxel size.");
+    throw Error("the surface is " + mm_text((max - min).maxCoeff()) + " long, that is " +
+                format_number(voxels.maxCoeff()) +
+                " voxels; check its unit (unit_mm of read_mesh), or choose a larger voxel size.");
   const WorkEstimate estimate = estimate_work(shells, options);
   if (options.tell) options.tell(estimate);
   require_allowed(estimate, options.large);
@@ -384,7 +387,7 @@ Workpiece build_from_shells(const std::vector<MeshShell>& shells, MaterialTable 
   const GridFrame frame{options.voxel_size, Pose::from_translation(min + Vec3::Constant(options.voxel_size / 2))};
   ShellsFiller filler(shells, frame, options.subsamples);
   Workpiece workpiece = Workpiece::from_blocks(domain, frame, std::move(materials), std::ref(filler));
-  filler.check();
+  filler.check((max - min).maxCoeff());
   if (workpiece.empty())
     throw Error("nothing solid is left between the surfaces: the last ones enclose only cavities.");
   return workpiece;

@@ -79,7 +79,7 @@ HAPTICUT_C_API int hapticut_status_text(uint32_t status, char* text, size_t capa
 HAPTICUT_C_API int hapticut_simulation_from_toml(const char* text, const hapticut_simulation_options* options,
                                                  hapticut_simulation* simulation);
 
-/** The same from a file, whose name stands in the messages. */
+/** The same from a file, whose name stands in the messages. The files that it names are relative to its folder. */
 HAPTICUT_C_API int hapticut_simulation_from_file(const char* path, const hapticut_simulation_options* options,
                                                  hapticut_simulation* simulation);
 

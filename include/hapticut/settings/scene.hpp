@@ -31,15 +31,15 @@ struct Scene {
 };
 
 /// Makes what a text in TOML describes. Its tables [output] and [loop] are the program's own and left alone. Files that
-/// it names are looked for in the working folder; those that are no .vdb are read where hapticut was built with
-/// HAPTICUT_WITH_IO.
+/// are no .vdb are read where hapticut was built with HAPTICUT_WITH_IO.
+/// @param folder  that the files it names are relative to; empty: the working folder
 /// @throws Error that names line, key, value and what is allowed: `scene:7: tool.radius_mm: must be a number > 0, not
 ///         -1.`; for a key that does not exist the nearest one; and when something is missing, does not fit together or
 ///         cannot be read
 /// @realtime set-up only
-[[nodiscard]] Scene from_toml(std::string_view text);
+[[nodiscard]] Scene from_toml(std::string_view text, const std::filesystem::path& folder = {});
 
-/// The same from a file, whose name stands in the messages.
+/// The same from a file, whose name stands in the messages. The files that it names are relative to its folder.
 [[nodiscard]] Scene from_file(const std::filesystem::path& path);
 
 }  // namespace hapticut::settings

@@ -37,9 +37,9 @@ std::string joined_columns() {
 
 /// The number of a column; 0 of a thrust or torque that was not measured, whose cell is empty.
 /// @throws Error naming file, line, column and value
-double number_at(const CsvFile& file, const std::vector<std::string>& cells, std::size_t column) {
+double number_at(CsvFile& file, const std::vector<std::string>& cells, std::size_t column) {
   if (cells[column].empty() && (column == 3 || column == 4)) return 0;
-  const std::optional<double> value = parse_number(cells[column]);
+  const std::optional<double> value = file.number(cells[column]);
   // A spindle may turn either way.
   const bool may_be_negative = column == 1;
   if (!value || !std::isfinite(*value) || *value == 0 || (*value < 0 && !may_be_negative))
@@ -128,10 +128,10 @@ Command calibrate_command() {
   auto settings = std::make_shared<CalibrateSettings>();
   return {"calibrate",
           "Fit cutting energy, cutting ratio and what edges or thin chips add, to drilling tests",
-          {text("calibrate.tests", "TESTS", settings->file, "CSV file of drilling tests"),
+          {path("calibrate.tests", "TESTS", settings->file, "CSV file of drilling tests"),
            choice("calibrate.term", "--term", settings->term,
                   "what is fitted beside u and kappa: how forces do not go to zero with the chip [edge_length]"),
-           text("output.json", "--json", settings->json, "report for machines")},
+           path("output.json", "--json", settings->json, "report for machines")},
           [settings] { run_calibrate(*settings); }};
 }
 

@@ -179,8 +179,8 @@ Command gestures_command() {
   return {"gestures",
           "Run what a hand does with a tool, and say what physics demands of it and what is seen",
           {text("gestures.only", "--only", settings->only, "run only this one, as G7"),
-           text("output.json", "--json", settings->json, "report for machines"),
-           text("output.markdown", "--markdown", settings->markdown, "the same as a page of the documentation")},
+           path("output.json", "--json", settings->json, "report for machines"),
+           path("output.markdown", "--markdown", settings->markdown, "the same as a page of the documentation")},
           [settings] { run_all(*settings); }};
 }
 

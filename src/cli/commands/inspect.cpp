@@ -39,7 +39,7 @@ std::string axes_text(const Mat3& rotation) {
     text += std::string(axis > 0 ? ", " : "") + "ijk"[axis] + " along";
     for (int row = 0; row < 3; ++row) {
       const double c = rotation(row, axis);
-      text += " " + rounded(std::abs(c) < 1e-9 ? 0 : c, 4);
+      (text += ' ') += rounded(std::abs(c) < 1e-9 ? 0 : c, 4);
     }
   }
   return text;
@@ -132,7 +132,7 @@ Command inspect_command() {
   tell_on_stderr(settings->workpiece);
   std::vector<Setting> all = settings_of(settings->workpiece);
   all.front().flag = "SOURCE";
-  all.push_back(text("output.json", "--json", settings->json, "report for machines"));
+  all.push_back(path("output.json", "--json", settings->json, "report for machines"));
   all.push_back(number("inspect.threshold", "--threshold", settings->threshold, Range::any(),
                        "volume: count the voxels at or above this grey value"));
   return {"inspect", "Say what a file or a built-in workpiece contains", std::move(all),

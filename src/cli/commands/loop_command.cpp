@@ -61,8 +61,13 @@ std::vector<Setting> settings_of(LoopSettings& s) {
           "loop.coupling", "--coupling", s.coupling, {{"virtual", Coupling::virtual_tool}, {"none", Coupling::none}},
           "between hand and tool: a spring that the device renders, or nothing [virtual, where the device promises a "
           "stiffness]"),
-      text("output.record", "--record", s.record, "recording of every step, for replay and export"),
-      text("output.json", "--json", s.json, "report for machines"),
+      path("output.record", "--record", s.record, "recording of every step, for replay and export"),
+      path("output.json", "--json", s.json, "report for machines"),
+  };
+  all.front().in_folder = [](const std::string& device, const std::filesystem::path& folder) {
+    constexpr std::string_view kReplay = "replay:";
+    return device.starts_with(kReplay) ? std::string(kReplay) + (folder / device.substr(kReplay.size())).string()
+                                       : device;
   };
   for (std::vector<Setting> more : {settings_of(s.workpiece), settings_of(s.tool), settings_of(s.simulation)})
     all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));

@@ -138,8 +138,8 @@ Command replay_command() {
   auto settings = std::make_shared<ReplaySettings>();
   std::vector<Setting> all = law_settings_of(settings->force);
   all.insert(all.begin(),
-             {text("replay.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
-              text("output.json", "--json", settings->json, "report for machines")});
+             {path("replay.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
+              path("output.json", "--json", settings->json, "report for machines")});
   return {"replay", "Run a recording again and compare bit by bit", std::move(all), [settings] {
             if (settings->recording.empty()) throw UsageError("the recording is missing. Use: hapticut replay FILE.");
             run_replay(*settings);
@@ -150,9 +150,9 @@ Command export_command() {
   auto settings = std::make_shared<ExportSettings>();
   return {"export",
           "Write the steps of a recording as CSV, NumPy, sound or a page that replays it",
-          {text("export.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
-           text("export.target", "TARGET", settings->target, "file to write, .csv, .npz, .wav or .html"),
-           text("export.page", "--page", settings->page, ".html: folder of the built page [beside the program]")},
+          {path("export.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
+           path("export.target", "TARGET", settings->target, "file to write, .csv, .npz, .wav or .html"),
+           path("export.page", "--page", settings->page, ".html: folder of the built page [beside the program]")},
           [settings] {
             if (settings->recording.empty() || settings->target.empty())
               throw UsageError("a file is missing. Use: hapticut export RECORDING TARGET.");

@@ -220,7 +220,7 @@ Command stability_command() {
           {choice("stability.device", "--device", settings->device, devices, "the simulated device [all]"),
            choice("stability.hand", "--hand", settings->hand, names_of(hand_models()),
                   "the hand that presses the real model [nominal]"),
-           text("output.json", "--json", settings->json, "report for machines")},
+           path("output.json", "--json", settings->json, "report for machines")},
           [settings] { run_stability(*settings); }};
 }
 

@@ -106,11 +106,11 @@ Command validate_command() {
   return {"validate",
           "Hold the library against its closed forms and say how far it is off",
           {text("validate.only", "--only", settings->only, "run only the experiments with this in their name"),
-           text("output.json", "--json", settings->json, "report for machines"),
+           path("output.json", "--json", settings->json, "report for machines"),
            number("validate.tolerance_factor", "--tolerance_factor", settings->tolerance_factor, Range::between(0, 1),
                   "all tolerances times this, to see how near the cases are to them [1]"),
-           text("output.markdown", "--markdown", settings->markdown, "the same as a page of the documentation"),
-           text("output.measurements", "--measurements", settings->measurements,
+           path("output.markdown", "--markdown", settings->markdown, "the same as a page of the documentation"),
+           path("output.measurements", "--measurements", settings->measurements,
                 "what published measurements predict, as a page of the documentation")},
           [settings] { run_validate(*settings); }};
 }

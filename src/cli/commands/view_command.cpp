@@ -113,18 +113,18 @@ void run_view(const ViewSettings&) {
 
 Command view_command() {
   auto settings = std::make_shared<ViewSettings>();
-  return {
-      "view",
-      "Drill a scene in a browser, beside the real-time loop",
-      {text("view.scene", "SCENE", settings->scene,
-            "clay, molar, skull, a settings file (.toml), a workpiece, or a recording (.h5) to be replayed [molar]"),
-       text("view.device", "--device", settings->device,
-            "name of the device that leads: openhaptics, ... [the pointer of the page]"),
-       number("view.port", "--port", settings->port, Range::between(0, 65535),
-              "of this machine to listen at; 0: any that is free [0]"),
-       text("view.page", "--page", settings->page, "folder of the built page [beside the program]"),
-       boolean("view.no_browser", "--no_browser", settings->no_browser, "opens no browser")},
-      [settings] { run_view(*settings); }};
+  return {"view",
+          "Drill a scene in a browser, beside the real-time loop",
+          {path("view.scene", "SCENE", settings->scene,
+                "clay, molar, skull, a settings file (.toml), a workpiece, or a recording (.h5) to be replayed [molar]",
+                {"clay", "molar", "skull"}),
+           text("view.device", "--device", settings->device,
+                "name of the device that leads: openhaptics, ... [the pointer of the page]"),
+           number("view.port", "--port", settings->port, Range::between(0, 65535),
+                  "of this machine to listen at; 0: any that is free [0]"),
+           path("view.page", "--page", settings->page, "folder of the built page [beside the program]"),
+           boolean("view.no_browser", "--no_browser", settings->no_browser, "opens no browser")},
+          [settings] { run_view(*settings); }};
 }
 
 }  // namespace hapticut::cli

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "cli/reports/flag_words.hpp"
 #include "cli/reports/table.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/core/units.hpp"
@@ -33,7 +34,8 @@ std::string text_of(const LatencyHistogram& h) {
 }  // namespace
 
 std::vector<std::string> warnings_of(const LoopReport& r) {
-  std::vector<std::string> warnings = r.run.warnings;
+  std::vector<std::string> warnings;
+  for (const std::string& warning : r.run.warnings) warnings.push_back(in_words_of_flags(warning));
   if (r.device.name() == "mouse")
     warnings.emplace_back(
         "this program has no window, so the mouse moved nothing; MouseDevice is for the windows of other programs.");

@@ -57,12 +57,12 @@ void require_writer([[maybe_unused]] const std::string& path) {
 
 std::vector<Setting> settings_of(OutputSettings& o) {
   return {
-      text("output.json", "--json", o.json, "report for machines"),
-      text("output.steps_csv", "--steps_csv", o.steps_csv, "a line for every step"),
-      text("output.record", "--record", o.record, "recording of every step, for replay and export"),
-      text("output.save", "--save", o.workpiece, "what is left of the workpiece, .vdb or .nrrd"),
-      text("output.surface", "--surface", o.surface, "surface of what is left, .stl or .ply"),
-      text("output.picture", "--picture", o.picture, "picture of what is left, .png"),
+      path("output.json", "--json", o.json, "report for machines"),
+      path("output.steps_csv", "--steps_csv", o.steps_csv, "a line for every step"),
+      path("output.record", "--record", o.record, "recording of every step, for replay and export"),
+      path("output.save", "--save", o.workpiece, "what is left of the workpiece, .vdb or .nrrd"),
+      path("output.surface", "--surface", o.surface, "surface of what is left, .stl or .ply"),
+      path("output.picture", "--picture", o.picture, "picture of what is left, .png"),
       vector("output.picture_view", "--picture_view", o.picture_view, Range::any(),
              "direction from the camera into the scene"),
   };

@@ -68,7 +68,7 @@ SceneSettings skull_scene() {
 SceneSettings scene_of_file(const std::string& name) {
   SceneSettings s;
   if (name.ends_with(".toml")) {
-    read_settings(text_of_file(name, ""), name, settings_of(s), {"output", "loop"});
+    read_settings_file(name, settings_of(s), {"output", "loop"});
     return s;
   }
   if (!std::filesystem::exists(name))

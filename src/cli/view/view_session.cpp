@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "cli/reports/flag_words.hpp"
 #include "cli/view/hand_map.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
@@ -56,7 +57,7 @@ std::string free_name() {
 }  // namespace
 
 std::string as_sentence(const std::exception& error) {
-  std::string text = error.what();
+  std::string text = in_words_of_flags(error.what());
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
   return text;
 }

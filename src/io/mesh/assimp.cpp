@@ -5,6 +5,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "io/mesh/mesh_formats.hpp"
+#include "io/mesh/text_lines.hpp"
 
 namespace hapticut {
 namespace {
@@ -39,14 +40,25 @@ void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent
   for (unsigned n = 0; n < node.mNumChildren; ++n) collect(scene, *node.mChildren[n], transform, polygons);
 }
 
+/// What Assimp says of a file that it refuses is about its own code, but for the name of a file that is missing.
+std::string cause_of(std::string_view reason) {
+  constexpr std::string_view kNamed = "referenced file \"";
+  if (const std::size_t at = reason.find(kNamed); at != std::string_view::npos) {
+    const std::string_view name = reason.substr(at + kNamed.size());
+    return "the file " + in_quotes(name.substr(0, name.find('"'))) +
+           " that it needs cannot be read; keep them together, or export the mesh as .glb.";
+  }
+  return "it is damaged, holds no mesh or is compressed; export it again as glTF 2.0 without compression, or as STL or "
+         "OBJ.";
+}
+
 }  // namespace
 
 Polygons read_with_assimp(const std::filesystem::path& path) {
   Assimp::Importer importer;
   // No step of its own afterwards: its triangulation ends the program on damaged files.
   const aiScene* scene = importer.ReadFile(path.string(), 0);
-  if (scene == nullptr || scene->mRootNode == nullptr)
-    throw Error(std::string("it is damaged or holds no mesh (Assimp: ") + importer.GetErrorString() + ").");
+  if (scene == nullptr || scene->mRootNode == nullptr) throw Error(cause_of(importer.GetErrorString()));
   Polygons polygons;
   collect(*scene, *scene->mRootNode, aiMatrix4x4(), polygons);
   return polygons;

@@ -7,9 +7,12 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "hapticut/core/errors.hpp"
 
 /// @file
-/// Which files are meshes, by the endings of their names.
+/// Which files are meshes and how long their units are, by the endings of their names.
 namespace hapticut {
 
 /// Read by the library itself.
@@ -29,6 +32,29 @@ inline constexpr std::array<std::string_view, 2> kAssimpExtensions = {".glb", ".
   const std::string extension = extension_in_lower_case(path);
   return std::ranges::find(kOwnMeshExtensions, extension) != kOwnMeshExtensions.end() ||
          std::ranges::find(kAssimpExtensions, extension) != kAssimpExtensions.end();
+}
+
+/// [mm] Length of one unit where nobody says it: glTF is in metres by its specification, the others say nothing.
+[[nodiscard]] inline double common_unit_mm(const std::filesystem::path& path) {
+  const std::string extension = extension_in_lower_case(path);
+  return extension == ".glb" || extension == ".gltf" ? 1000 : 1;
+}
+
+inline constexpr double kLongestPlausible = 1000;  ///< [mm] of a mesh whose unit nobody need ask for
+
+/// Which units make a length plausible: "unit_mm = 1000 if its unit is a metre", or nothing.
+/// @param length    [units of the file]
+/// @param shortest  [mm] that is plausible
+[[nodiscard]] inline std::string plausible_units(double length, double shortest) {
+  std::string units;
+  for (const auto& [unit, name] : {std::pair{1000.0, "a metre"},
+                                   {25.4, "an inch"},
+                                   {10.0, "a centimetre"},
+                                   {1.0, "a millimetre"},
+                                   {0.001, "a micrometre"}})
+    if (unit * length >= shortest && unit * length <= kLongestPlausible)
+      units += (units.empty() ? "" : ", ") + ("unit_mm = " + format_number(unit)) + " if its unit is " + name;
+  return units;
 }
 
 }  // namespace hapticut

@@ -14,6 +14,7 @@ namespace hapticut {
 namespace {
 
 constexpr double kMaxExtent = 100;  // [m] a mesh this large has a wrong unit
+constexpr double kShortest = 0.1;   // [mm] of a mesh that somebody would cut
 constexpr double kMaxOffset = 1e6;  // [extents] from the origin: beyond, single precision loses the shape
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
@@ -55,7 +56,7 @@ Polygons parse(const std::filesystem::path& path) {
   return read_with_assimp(path);
 }
 
-void check_extent(const std::vector<NamedMesh>& meshes, const std::filesystem::path& path) {
+void check_extent(const std::vector<NamedMesh>& meshes, const std::filesystem::path& path, double unit_mm) {
   Vec3 min = meshes[0].mesh.vertices[0], max = min;
   for (const NamedMesh& object : meshes)
     for (const Vec3& v : object.mesh.vertices) {
@@ -64,9 +65,12 @@ void check_extent(const std::vector<NamedMesh>& meshes, const std::filesystem::p
     }
   const double extent = (max - min).maxCoeff();
   const double offset = std::max(min.cwiseAbs().maxCoeff(), max.cwiseAbs().maxCoeff());
-  if (extent > kMaxExtent)
-    fail(path, "it is " + format_number(extent) + " m long; at most " + format_number(kMaxExtent) +
-                   " m are allowed. Check its coordinates and unit_mm.");
+  if (extent > kMaxExtent) {
+    const std::string units = plausible_units(extent / units::mm / unit_mm, kShortest);
+    fail(path, "with a unit of " + format_number(unit_mm) + " mm it is " + format_number(extent / units::mm) +
+                   " mm long; at most " + format_number(kMaxExtent / units::mm) + " mm are allowed. " +
+                   (units.empty() ? "Check its coordinates and its unit (unit_mm)." : "Give " + units + "."));
+  }
   if (offset > kMaxOffset * extent)
     fail(path, "it lies " + format_number(offset / extent) +
                    " times its own size from the origin, where coordinates have lost its shape; move it nearer.");
@@ -74,8 +78,9 @@ void check_extent(const std::vector<NamedMesh>& meshes, const std::filesystem::p
 
 }  // namespace
 
-std::vector<NamedMesh> read_mesh(const std::filesystem::path& path, double unit_mm) {
-  require_positive(unit_mm, "unit_mm [mm]");
+std::vector<NamedMesh> read_mesh(const std::filesystem::path& path, std::optional<double> unit_mm) {
+  const double unit = unit_mm.value_or(common_unit_mm(path));
+  require_positive(unit, "unit_mm [mm]");
   if (!is_mesh_file(path)) {
     std::string known;
     for (const std::string_view extension : kOwnMeshExtensions) known += std::string(extension) + " ";
@@ -86,14 +91,14 @@ std::vector<NamedMesh> read_mesh(const std::filesystem::path& path, double unit_
   require_file(path);
   std::vector<NamedMesh> meshes;
   try {
-    meshes = to_meshes(parse(path), unit_mm * units::mm);
+    meshes = to_meshes(parse(path), unit * units::mm);
   } catch (const Error& error) {
     fail(path, error.what());
   } catch (const std::bad_alloc&) {
     fail(path, "there is not enough memory for it; reduce the mesh first.");
   }
   if (meshes.empty()) fail(path, "there is no triangle with an area in it.");
-  check_extent(meshes, path);
+  check_extent(meshes, path, unit);
   return meshes;
 }
 

@@ -19,7 +19,7 @@ bool is_word(std::string_view word, std::string_view expected) {
 }
 
 /// `solid name`, then per triangle `facet normal x y z outer loop`, three times `vertex x y z`, `endloop endfacet`, at
-/// last `endsolid`. In capital letters or not, in lines or not.
+/// last `endsolid`. In capital letters or not, in lines or not; `end solid` is as good.
 class StlTextParser {
  public:
   explicit StlTextParser(std::string_view text) : lines_(text) {}
@@ -37,15 +37,16 @@ class StlTextParser {
   /// @return false at the end of the solid
   bool parse_facet(PolygonObject& object) {
     const std::string_view word = next();
-    if (is_word(word, "endsolid")) {
+    if (ends(word, "solid")) {
       (void)lines_.rest();  // its name
       return false;
     }
     if (!is_word(word, "facet")) fail_at(word, "facet");
     expect("normal");
-    // The normal follows from the vertices; that of a triangle without area need not be a number.
-    for (int n = 0; n < 3; ++n) (void)next();
-    expect("outer");
+    // The normal follows from the vertices; that of a triangle without area need not be a number, or be there.
+    std::string_view after = next();
+    for (int n = 0; n < 3 && !is_word(after, "outer"); ++n) after = next();
+    if (!is_word(after, "outer")) fail_at(after, "outer");
     expect("loop");
     for (int corner = 0; corner < 3; ++corner) {
       expect("vertex");
@@ -56,8 +57,8 @@ class StlTextParser {
       if (!is_finite(position)) lines_.fail("a coordinate is not a finite number; repair the mesh.");
     }
     object.ends.push_back(object.corners.size());
-    expect("endloop");
-    expect("endfacet");
+    for (const std::string_view part : {"loop", "facet"})
+      if (const std::string_view end = next(); !ends(end, part)) fail_at(end, "end" + std::string(part));
     return true;
   }
 
@@ -65,6 +66,12 @@ class StlTextParser {
     const std::string_view word = lines_.word_of_any_line();
     if (word.empty()) throw Error("it ends before 'endsolid'; it was cut off.");
     return word;
+  }
+
+  /// Whether the word, or `end` and the next one, ends a part.
+  bool ends(std::string_view word, std::string_view part) {
+    if (is_word(word, "end")) return is_word(next(), part);
+    return word.size() == 3 + part.size() && is_word(word.substr(0, 3), "end") && is_word(word.substr(3), part);
   }
 
   void expect(std::string_view expected) {

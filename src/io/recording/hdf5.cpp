@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/recording/hdf5.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace hapticut::hdf5 {
@@ -65,7 +66,8 @@ void fail(const std::string& what) {
   std::string reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &reason);
   H5Eclear2(H5E_DEFAULT);
-  throw Failure(what + " failed (HDF5: " + (reason.empty() ? "no reason given" : reason) + ")");
+  reason.resize(std::min(reason.find(':'), reason.size()));  // what follows are variables of its code
+  throw Failure(what + " failed" + (reason.empty() ? "" : " (HDF5: " + reason + ")"));
 }
 
 NumberType type_of(double) { return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}; }

@@ -27,6 +27,11 @@ auto reading(const std::filesystem::path& path, const Function& function) {
     return function();
   } catch (const std::bad_alloc&) {
     cannot_read(path, "there is not enough memory for it; it is too large or damaged.");
+  } catch (const hdf5::Failure& failure) {
+    const std::string reason = failure.what();
+    if (reason.starts_with("it is not")) cannot_read(path, reason + ".");
+    cannot_read(path, (reason.starts_with("it is") ? "" : "it is damaged, or another program changed it: ") + reason +
+                          (reason.ends_with("copy") ? "." : ". Get a complete copy, or record it again."));
   } catch (const std::exception& error) {
     const std::string reason = error.what();
     cannot_read(path, reason + (reason.ends_with('.') ? "" : "."));

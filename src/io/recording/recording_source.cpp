@@ -37,8 +37,7 @@ std::string name_at(const std::string& place) { return place.substr(place.rfind(
 void require_room(double bytes, std::uint64_t file_size, const std::string& name) {
   constexpr double kBestOfDeflate = 1032;  // times smaller
   if (bytes > kBestOfDeflate * double(file_size))
-    throw hdf5::Failure("its '" + name + "' claims " + format_number(bytes) +
-                        " bytes, more than the file can hold; it is damaged. Get a complete copy");
+    throw hdf5::Failure("its '" + name + "' claims " + format_number(bytes) + " bytes, more than the file can hold");
 }
 
 void RecordingSource::rows(const std::string& place, ColumnKind kind, std::uint64_t numbers, std::uint64_t first,

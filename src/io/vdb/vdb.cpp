@@ -101,7 +101,8 @@ auto reading(const Function& function) {
   } catch (const std::bad_alloc&) {
     throw Error("there is not enough memory for it; it is too large or damaged.");
   } catch (const std::exception& error) {
-    throw Error(std::string("it is not a readable .vdb file (OpenVDB: ") + error.what() + ").");
+    throw Error(std::string("it is damaged, or no .vdb file that can be read (OpenVDB: ") + error.what() +
+                "); get a complete copy, or save it again with the program that wrote it.");
   }
 }
 
@@ -151,7 +152,7 @@ typename Grid::Ptr require_grid(const VdbFile& file, const char* name) {
   for (const auto& grid : file.grids)
     if (grid && grid->getName() == name && grid->isType<Grid>()) return openvdb::gridPtrCast<Grid>(grid);
   throw Error(std::string("there is no grid '") + name + "' (" + Grid().valueType() + ") in it; it has " +
-              list_of(file) + ". A file of another program needs VdbImport, which says what it is made of.");
+              list_of(file) + ". A file of another program needs VdbImport::material, which says what it is made of.");
 }
 
 template <class Value>
@@ -272,6 +273,11 @@ Workpiece parse_foreign(std::string bytes, const VdbImport& options) {
     throw Error((candidates == 0 ? std::string("there is no ") : "there is more than one ") + "float grid" +
                 (options.grid.empty() ? "" : " '" + options.grid + "'") + " in it; it has " + list_of(file) +
                 ". Name a float grid (level set or fog volume) with VdbImport::grid.");
+  const openvdb::GridClass says = chosen->getGridClass();
+  if (options.kind == VdbImport::Kind::from_class && says != openvdb::GRID_LEVEL_SET &&
+      says != openvdb::GRID_FOG_VOLUME)
+    throw Error("its grid '" + chosen->getName() + "' does not say what its values mean; say it by VdbImport::kind: " +
+                "fog_volume for filled fractions, level_set for distances.");
   GridImport import;
   import.unit = options.unit_mm * 1e-3;
   if (options.kind == VdbImport::Kind::level_set) import.kind = GridKind::level_set;

@@ -27,7 +27,7 @@ std::unique_ptr<aiScene> scene_of(const TriangleMesh& mesh, const Vec3& shift) {
   shape->mVertices = new aiVector3D[mesh.vertices.size()];
   shape->mNormals = new aiVector3D[mesh.vertices.size()];
   for (std::size_t n = 0; n < mesh.vertices.size(); ++n) {
-    const Vec3 p = mesh.vertices[n] / mm;
+    const Vec3 p = mesh.vertices[n];  // a unit of glTF is a metre
     shape->mVertices[n] = aiVector3D(float(p.x()), float(p.y()), float(p.z()));
     shape->mNormals[n] = aiVector3D(0, 0, 1);
   }
@@ -43,8 +43,7 @@ std::unique_ptr<aiScene> scene_of(const TriangleMesh& mesh, const Vec3& shift) {
   auto* const node = new aiNode("ball");
   node->mNumMeshes = 1;
   node->mMeshes = new unsigned[1]{0};
-  aiMatrix4x4::Translation(aiVector3D(float(shift.x() / mm), float(shift.y() / mm), float(shift.z() / mm)),
-                           node->mTransformation);
+  aiMatrix4x4::Translation(aiVector3D(float(shift.x()), float(shift.y()), float(shift.z())), node->mTransformation);
   scene->mRootNode = new aiNode("root");
   scene->mRootNode->addChildren(1, const_cast<aiNode**>(&node));
   return scene;
@@ -53,7 +52,7 @@ std::unique_ptr<aiScene> scene_of(const TriangleMesh& mesh, const Vec3& shift) {
 TEST(Assimp, ReadsGltfWithTheTransformsOfItsNodes) {
   const test::TemporaryFolder folder;
   const TriangleMesh ball = test::ball_mesh(Vec3::Zero(), 2 * mm, 8);
-  const Vec3 shift(5 * mm, 0, 0);
+  const Vec3 shift(50 * mm, 0, 0);  // Assimp takes 5 mm for no shift, and does not write it
   const auto scene = scene_of(ball, shift);
   for (const auto& [format, name] : {std::pair{"gltf2", "ball.gltf"}, {"glb2", "ball.GLB"}}) {
     Assimp::Exporter exporter;
@@ -69,6 +68,36 @@ TEST(Assimp, ReadsGltfWithTheTransformsOfItsNodes) {
     Vec3 center = Vec3::Zero();
     for (const Vec3& v : mesh.vertices) center += v / double(mesh.vertices.size());
     EXPECT_LT((center - shift).norm(), kSingle * shift.norm()) << format;
+    const TriangleMesh in_mm = read_mesh(folder / name, 1).at(0).mesh;  // as a program wrote it that knows no units
+    EXPECT_NEAR(test::signed_volume(in_mm) * 1e9, test::signed_volume(mesh), kSingle * test::signed_volume(mesh));
+  }
+}
+
+std::string refusal_of(const std::filesystem::path& path) {
+  try {
+    (void)read_mesh(path);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Assimp, RefusalsAreOfOurOwnWords) {
+  const test::TemporaryFolder folder;
+  const auto scene = scene_of(test::ball_mesh(Vec3::Zero(), 2 * mm, 4), Vec3::Zero());
+  Assimp::Exporter exporter;
+  ASSERT_EQ(exporter.Export(scene.get(), "gltf2", (folder / "ball.gltf").string()), aiReturn_SUCCESS);
+  std::filesystem::remove(folder / "ball.bin");
+  EXPECT_NE(
+      refusal_of(folder / "ball.gltf").find("the file 'ball.bin' that it needs cannot be read; keep them together"),
+      std::string::npos)
+      << refusal_of(folder / "ball.gltf");
+  for (const char* text :
+       {"{", "no gltf", "{\"asset\":{\"version\":\"2.0\"}}", "{\"asset\":{\"version\":\"2.0\"},\"meshes\":3}"}) {
+    test::write_bytes(folder / "bad.gltf", text);
+    EXPECT_NE(refusal_of(folder / "bad.gltf").find("export it again as glTF 2.0 without compression"),
+              std::string::npos)
+        << text << refusal_of(folder / "bad.gltf");
   }
 }
 

@@ -32,6 +32,23 @@ TEST(StlFormat, TextHasASolidForEachObject) {
   EXPECT_EQ(only_mesh_in(parse_stl, "solid x\n" + replaced(kFacet, "\n", " ") + "endsolid").triangles.size(), 1U);
 }
 
+TEST(StlFormat, TextOfCarelessProgramsIsRead) {
+  const std::string plain = std::string("solid one\n") + kFacet + kFacet + "endsolid one\n";
+  for (const std::string& text :
+       {replaced(plain, "endsolid one", "end solid"), replaced(plain, "endsolid one\n", "end solid another name"),
+        replaced(plain, "endsolid one", "END SOLID ONE") + "\n\n", replaced(plain, "endsolid one\n", "EndSolid"),
+        replaced(replaced(plain, "endfacet", "end facet"), "endloop", "End Loop"),
+        replaced(plain, "normal nan -nan 1.#IND", "normal"), replaced(plain, "\n", "\n\n \t\n"),
+        replaced(plain, "\n", "\r")}) {
+    const std::vector<NamedMesh> meshes = meshes_in(parse_stl, text + "\n" + text);
+    ASSERT_EQ(meshes.size(), 2U) << text;
+    for (const NamedMesh& object : meshes) {
+      EXPECT_EQ(object.name, "one");
+      EXPECT_EQ(object.mesh.triangles.size(), 2U) << text;
+    }
+  }
+}
+
 TEST(StlFormat, DamagedTextIsRefusedWithTheLine) {
   const std::string solid = std::string("solid one\n") + kFacet + "endsolid one\n";
   const auto refused = [](const std::string& text, const char* said) {
@@ -45,6 +62,8 @@ TEST(StlFormat, DamagedTextIsRefusedWithTheLine) {
   refused(replaced(solid, "  vertex 1 0 0\n", ""), "'endloop' stands where 'vertex' should");
   refused(replaced(solid, " endloop", " vertex 1 1 1\nendloop"), "line 7: 'vertex' stands where 'endloop' should");
   refused(replaced(solid, "outer loop", "outer"), "'vertex' stands where 'loop' should");
+  refused(replaced(solid, "endsolid one", "end one"), "'end' stands where 'facet' should");
+  refused(replaced(solid, "endloop", "end facet"), "'end' stands where 'endloop' should");
   refused(solid + "more", "line 10: 'more' stands where 'solid' should");
 }
 

@@ -126,5 +126,19 @@ TEST(Scene, SaysOfAFileWhereItIsWrong) {
   EXPECT_THROW((void)settings::from_file(folder / "none.toml"), Error);
 }
 
+TEST(Scene, OfATextNamesFilesInTheGivenFolder) {
+  const test::TemporaryFolder folder;
+  test::write_bytes(folder / "p.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n1,1,0,0\n");
+  const std::string text = kScene + "[path]\nkind = \"poses\"\nfile = \"p.csv\"\n";
+  EXPECT_EQ(settings::from_toml(text, folder / "").motion.value().poses().size(), 2U);
+  try {
+    (void)settings::from_toml(text);
+    ADD_FAILURE() << "it is not in the working folder";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find((std::filesystem::current_path() / "p.csv").string()), std::string::npos)
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace hapticut::scene_test

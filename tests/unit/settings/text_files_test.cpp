@@ -35,6 +35,56 @@ TEST(PosesOfText, AreThoseOfTheLines) {
   EXPECT_TRUE(poses[1].pose.rotation.isApprox(Vec3(-1, -1, 1).asDiagonal().toDenseMatrix()));
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+// What spreadsheets of other countries make of one path, and what people make of it by hand.
+TEST(PosesOfText, AreTheSameFromEverySpreadsheet) {
+  const std::string plain = "t_s,x_mm,y_mm,z_mm,note\n0,-3,1500,4,a\n0.01,1.125,3e-1,3.98,b\n0.02,+3,3,0.5,c\n";
+  const auto path = kReadPoses(plain);
+  ASSERT_EQ(path.size(), 3U);
+  const std::string semicolons = replaced(plain, ",", ";"),
+                    quoted = '"' + replaced(replaced(plain, ",", "\",\""), "\n", "\"\n\"");
+  const std::string all_quoted = quoted.substr(0, quoted.size() - 1);
+  const std::string german = replaced(semicolons, ".", ",");
+  for (const std::string& text :
+       {semicolons, replaced(plain, ",", "\t"), replaced(plain, ",", " "), replaced(plain, ",", "   "), german,
+        replaced(german, ";", "\t"), replaced(german, "\n", "\r\n"), replaced(german, "\n", "\r"),
+        "\xEF\xBB\xBF" + german, replaced(german, ";", "; "), "sep=;\r\n" + german, "# ours\n\n" + german,
+        german + ";;;;\n", all_quoted,
+
+        "\xEF\xBB\xBF" + all_quoted, replaced(plain, ",a\n", ",\"1, \"\"2\"\"; 3\"\n"),
+        replaced(plain, ",a\n", ",5\" long\n"), german.substr(0, german.size() - 1)}) {
+    std::vector<settings::TimedPose> poses;
+    ASSERT_NO_THROW(poses = kReadPoses(text)) << text << refusal_of(kReadPoses, text);
+    ASSERT_EQ(poses.size(), path.size()) << text;
+    for (std::size_t n = 0; n < path.size(); ++n) {
+      EXPECT_EQ(poses[n].t, path[n].t) << text;
+      EXPECT_EQ(poses[n].pose.translation, path[n].pose.translation) << text;
+    }
+  }
+}
+
+TEST(PosesOfText, AreNotGuessedWhereACommaMayMeanTwoThings) {
+  const auto expect = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(refusal_of(kReadPoses, text).find(part), std::string::npos) << refusal_of(kReadPoses, text);
+  };
+  expect("t_s,x_mm,y_mm,z_mm\n0,\"1,234\",0,0\n",
+         "a.csv:2: \"1,234\" may have a decimal comma, or one that marks thou");
+  EXPECT_EQ(kReadPoses("t_s,x_mm,y_mm,z_mm\n0,\"0,234\",0,0\n\"0,5\",\"1,5\",0,0\n")[1].t, 0.5);
+  expect("t_s;x_mm;y_mm;z_mm\n0;1.5;0;0\n1;1,5;0;0\n", "a.csv:3: some numbers have a decimal point, others a comma");
+  expect("t_s;x_mm;y_mm;z_mm\n0;1.234,5;0;0\n", "a.csv:2: x_mm = \"1.234,5\"; must be a number.");
+  expect("t_s;x_mm;y_mm;z_mm\n0;1,2,3;0;0\n", "must be a number");
+  expect("t_s,x_mm,y_mm,z_mm\n0,01,3,3,3,98\n",
+         "Where numbers have a decimal comma, separate the columns by semicolons.");
+  expect("t_s|x_mm|y_mm|z_mm\n0|1|0|0\n", "with commas, semicolons or tabs between them");
+  expect("t_s,x_mm,y_mm,z_mm\n0,\"1,0,0\n", "a.csv:2: a quotation mark is not closed.");
+  expect(std::string("\xFF\xFEt\0_\0", 6), "a.csv:1: the text is in UTF-16; save it in UTF-8.");
+}
+
 TEST(PosesOfText, SayTheLineThatIsWrong) {
   const std::string names = "t_s,x_mm,y_mm,z_mm\n";
   EXPECT_TRUE(refusal_of(kReadPoses, "").starts_with("a.csv:0: "));
@@ -49,6 +99,12 @@ TEST(ProfileOfText, HasItsTipAtZero) {
   EXPECT_EQ(profile.tip, 0);
   EXPECT_NEAR(profile.edges[0].z, 0.5e-3, 1e-15);
   EXPECT_EQ(profile.edges[0].kind, EdgeKind::smooth);
+}
+
+TEST(ProfileOfText, IsReadFromASpreadsheetOfAnotherCountry) {
+  const Profile profile = kReadProfile("z_mm;rho_mm;kind;\r\n1;0;cutting;\r\n1,5;0,75;smooth;\r\n");
+  ASSERT_EQ(profile.edges.size(), 1U);
+  EXPECT_EQ(profile.edges[0].rho, 0.75 * 1e-3);
 }
 
 TEST(ProfileOfText, SaysTheLineThatIsWrong) {

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "settings/csv_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+
+#include "settings/setting.hpp"
+
+namespace hapticut::settings {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::string_view kBlanks = " \t";
+
+std::string trimmed(std::string_view text) {
+  const std::size_t first = std::min(text.find_first_not_of(kBlanks), text.size());
+  return std::string(text.substr(first, text.find_last_not_of(kBlanks) + 1 - first));
+}
+
+/// What stands most often between the names of the first line. Without any of them there are blanks, or one column.
+char separator_of(std::string_view line) {
+  std::size_t most = 0;
+  char separator = ' ';
+  for (const char candidate : {';', '\t', ','}) {
+    std::size_t count = 0;
+    bool quoted = false;
+    for (const char c : line) {
+      quoted ^= c == '"';
+      count += std::size_t(!quoted && c == candidate);
+    }
+    if (count > most) most = count, separator = candidate;
+  }
+  return separator;
+}
+
+/// 1,234: as a program writes 1234 that marks thousands, too.
+bool may_mark_thousands(std::string_view number, std::size_t comma) {
+  const std::size_t sign = number[0] == '-' || number[0] == '+' ? 1 : 0;
+  return comma > sign && comma <= sign + 3 && number[sign] != '0' && number.size() == comma + 4 &&
+         std::all_of(number.begin() + std::ptrdiff_t(comma) + 1, number.end(),
+                     [](char c) { return c >= '0' && c <= '9'; });
+}
+
+}  // namespace
+
+CsvFile::CsvFile(const std::filesystem::path& path, const std::string& what, const std::string& flag)
+    : name_(path.string()) {
+  std::error_code error;
+  auto file = std::make_unique<std::ifstream>();
+  // Not opened before: a pipe would be waited for, and a device read for ever.
+  if (std::filesystem::is_regular_file(path, error)) file->open(path, std::ios::binary);
+  if (!file->is_open())
+    throw Error(std::filesystem::absolute(path).string() + ": this " + what +
+                " is not there, or cannot be read. Check the name given to " + flag + ".");
+  stream_ = std::move(file);
+}
+
+CsvFile::CsvFile(std::string text, std::string name)
+    : name_(std::move(name)), stream_(std::make_unique<std::istringstream>(std::move(text))) {}
+
+bool CsvFile::next_line(std::string& line) {
+  line.clear();
+  ++line_;
+  std::streambuf& bytes = *stream_->rdbuf();
+  constexpr int kEnd = std::streambuf::traits_type::eof();
+  for (int c = bytes.sbumpc(); c != kEnd; c = bytes.sbumpc()) {
+    if (c == '\r' && bytes.sgetc() == '\n') continue;
+    if (c == '\n' || c == '\r') return true;
+    line += char(c);
+  }
+  if (line.empty()) --line_;
+  return !line.empty();
+}
+
+std::vector<std::string> CsvFile::cells_of(const std::string& line) const {
+  std::vector<std::string> cells;
+  const std::string text = separator_ == ' ' ? trimmed(line) : line;
+  for (std::size_t at = 0;;) {
+    std::string cell;
+    bool quoted = false;
+    for (; at < text.size() && (quoted || text[at] != separator_); ++at) {
+      if (text[at] != '"' || (!quoted && !trimmed(cell).empty()))
+        cell += text[at];
+      else if (quoted && text.substr(at, 2) == "\"\"")
+        cell += text[at++];
+      else
+        quoted = !quoted;
+    }
+    if (quoted) fail("a quotation mark is not closed.");
+    cells.push_back(trimmed(cell));
+    if (at >= text.size()) return cells;
+    for (++at; separator_ == ' ' && text[at] == ' '; ++at) continue;
+  }
+}
+
+bool CsvFile::next(std::vector<std::string>& cells) {
+  for (std::string line; next_line(line);) {
+    if (line_ == 1 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
+    if (line_ == 1 && (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF")))
+      fail("the text is in UTF-16; save it in UTF-8.");
+    const std::string text = trimmed(line);
+    if (text.empty() || text.front() == '#') continue;
+    if (separator_ == 0 && line.size() == 5 && line.starts_with("sep=")) {
+      separator_ = line.back();
+      continue;
+    }
+    if (separator_ == 0) separator_ = separator_of(line);
+    cells = cells_of(line);
+    if (std::all_of(cells.begin(), cells.end(), [](const std::string& cell) { return cell.empty(); })) continue;
+    if (columns_ == 0) columns_ = cells.size();
+    if (cells.size() == columns_) return true;
+    fail(std::to_string(cells.size()) + " values; there must be " + std::to_string(columns_) +
+         ", as in the first line." +
+         (separator_ == ',' && cells.size() > columns_
+              ? " Where numbers have a decimal comma, separate the columns by semicolons."
+              : ""));
+  }
+  return false;
+}
+
+std::optional<double> CsvFile::number(std::string cell) {
+  const std::size_t comma = cell.find(',');
+  if (comma != std::string::npos) {
+    if (cell.find('.') != std::string::npos) return std::nullopt;
+    if (separator_ == ',' && may_mark_thousands(cell, comma))
+      fail("\"" + cell + "\" may have a decimal comma, or one that marks thousands; write a decimal point, or none.");
+    cell[comma] = '.';
+    has_commas_ = true;
+  } else if (cell.find('.') != std::string::npos) {
+    has_points_ = true;
+  }
+  if (has_commas_ && has_points_) fail("some numbers have a decimal point, others a comma; use the same in all.");
+  return parse_number(cell);
+}
+
+void CsvFile::fail(const std::string& message) const {
+  throw Error(name_ + ":" + std::to_string(line_) + ": " + message);
+}
+
+}  // namespace hapticut::settings
