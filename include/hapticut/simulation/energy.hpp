@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/core/description.hpp"
 
 namespace hapticut {
