@@ -8,9 +8,37 @@ include(CMakePackageConfigHelpers)
 
 set(HAPTICUT_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/hapticut")
 
+# What was not built yet is built first: the demo, for one, builds no more than it needs.
+set(_programs hapticut_cli hapticut_decoder hapticut_recording_reader)
+foreach(_target hapticut hapticut_bench hapticut_io hapticut_settings hapticut_view hapticut_c hapticut_openhaptics
+        hapticut_forcedimension ${_programs})
+  if(TARGET ${_target})
+    install(CODE "if(NOT EXISTS \"$<TARGET_FILE:${_target}>\")\n  list(APPEND hapticut_absent ${_target})\nendif()")
+  endif()
+endforeach()
+install(CODE "if(hapticut_absent)
+  string(REPLACE \";\" \" \" hapticut_names \"\${hapticut_absent}\")
+  message(STATUS \"Not built yet, and built before it is installed: \${hapticut_names}\")
+  execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${CMAKE_BINARY_DIR}\" --config \"\${CMAKE_INSTALL_CONFIG_NAME}\"
+    --target \${hapticut_absent} RESULT_VARIABLE hapticut_failed)
+  if(hapticut_failed)
+    message(FATAL_ERROR \"hapticut cannot be built, so nothing of it was installed; what is wrong stands above.\")
+  endif()
+endif()")
+
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/hapticut" "${PROJECT_BINARY_DIR}/include/hapticut"
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+foreach(_program IN LISTS _programs)
+  if(TARGET ${_program})
+    set(_place "${CMAKE_INSTALL_LIBEXECDIR}/hapticut")
+    if(_program STREQUAL "hapticut_cli")
+      set(_place "${CMAKE_INSTALL_BINDIR}")
+    endif()
+    install(TARGETS ${_program} RUNTIME DESTINATION "${_place}")
+  endif()
+endforeach()
 
 # A shared library is found beside its users, wherever the whole is installed.
 file(RELATIVE_PATH _from_programs "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
@@ -37,10 +65,6 @@ if(TARGET hapticut_c)
   configure_file("${CMAKE_CURRENT_LIST_DIR}/hapticut_c.pc.in" "${PROJECT_BINARY_DIR}/hapticut_c.pc" @ONLY)
   install(FILES "${PROJECT_BINARY_DIR}/hapticut_c.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 endif()
-if(TARGET hapticut_cli)
-  install(TARGETS hapticut_cli)
-endif()
-
 set(_type "")
 if(TARGET hapticut)
   get_target_property(_type hapticut TYPE)
@@ -76,6 +100,7 @@ configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/hapticut-config.cmake.i
   NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/hapticut-config-version.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/hapticut-config.cmake" "${PROJECT_BINARY_DIR}/hapticut-config-version.cmake"
-              "${CMAKE_CURRENT_LIST_DIR}/FindHapticutOpenVDB.cmake" "${CMAKE_CURRENT_LIST_DIR}/FindOpenHaptics.cmake"
-              "${CMAKE_CURRENT_LIST_DIR}/FindForceDimension.cmake"
+              "${CMAKE_CURRENT_LIST_DIR}/FindHapticutOpenVDB.cmake" "${CMAKE_CURRENT_LIST_DIR}/FindHapticutHDF5.cmake"
+              "${CMAKE_CURRENT_LIST_DIR}/FindOpenHaptics.cmake" "${CMAKE_CURRENT_LIST_DIR}/FindForceDimension.cmake"
         DESTINATION "${HAPTICUT_CMAKE_DIR}")
+install(FILES "${CMAKE_CURRENT_LIST_DIR}/itk/FindHDF5.cmake" DESTINATION "${HAPTICUT_CMAKE_DIR}/itk")

@@ -65,7 +65,7 @@ endif()
 
 # What each component needs: a list of `package to find|target or variable that proves it|Debian package`.
 set(HAPTICUT_NEEDS_SIMD "hwy|hwy_FOUND|libhwy-dev")
-set(HAPTICUT_NEEDS_IO "HDF5|HDF5_FOUND|libhdf5-dev" "PNG|PNG_FOUND|libpng-dev" "TIFF|TIFF_FOUND|libtiff-dev"
+set(HAPTICUT_NEEDS_IO "HapticutHDF5|HapticutHDF5_FOUND|libhdf5-dev" "PNG|PNG_FOUND|libpng-dev" "TIFF|TIFF_FOUND|libtiff-dev"
     "LibArchive|LibArchive_FOUND|libarchive-dev" "EXPAT|EXPAT_FOUND|libexpat1-dev" "ZLIB|ZLIB_FOUND|zlib1g-dev")
 set(HAPTICUT_NEEDS_ITK "ITK|ITK_FOUND|libinsighttoolkit5-dev")
 set(HAPTICUT_NEEDS_ASSIMP "assimp|assimp_FOUND|libassimp-dev")

@@ -5,6 +5,7 @@
     rooms.py arrows    what each room includes stands before it in the order below, which CONTRIBUTING.md tells
     rooms.py lengths   of the files in include, src, bindings, tests and examples
     rooms.py physics   what physics.hpp names includes nothing but words, tools, forces and what it names itself
+    rooms.py abi       what else is declared in a header and compiled in src asks the linker for core/abi.hpp
 """
 import re
 import sys
@@ -86,8 +87,30 @@ def physics():
     return mistakes
 
 
+def abi():
+    include, asks = ROOT / "include", "hapticut/core/abi.hpp"
+
+    def all_of(name, seen):
+        if name not in seen and (include / name).exists():
+            seen.add(name)
+            for other in re.findall(r'^#include "(hapticut/[^"]+)"', (include / name).read_text("utf-8"), re.M):
+                all_of(other, seen)
+        return seen
+
+    links_nothing = all_of("hapticut/physics.hpp", set()) | all_of("hapticut/bench/closed_forms.hpp", set())
+    compiled = [str(path.relative_to(include)) for path in sorted(include.rglob("*.hpp"))
+                if (ROOT / "src" / path.relative_to(include / "hapticut")).with_suffix(".cpp").exists()]
+    mistakes = [f"{name} is outside hapticut::physics and does not include {asks}"
+                for name in compiled if name not in links_nothing and asks not in all_of(name, set())]
+    if asks in links_nothing:
+        mistakes.append(f"hapticut::physics includes {asks}, which asks for the library")
+    if len(compiled) < 50:
+        mistakes.append(f"only {len(compiled)} headers with a source were found")
+    return mistakes
+
+
 def main():
-    mistakes = {"arrows": arrows, "lengths": lengths, "physics": physics}[sys.argv[1]]()
+    mistakes = {"arrows": arrows, "lengths": lengths, "physics": physics, "abi": abi}[sys.argv[1]]()
     for mistake in mistakes:
         print(mistake, file=sys.stderr)
     sys.exit(1 if mistakes else 0)

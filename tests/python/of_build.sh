@@ -6,7 +6,7 @@ python=$1
 package=$2
 source=$(cd "$(dirname "$0")/../.." && pwd)
 shift 2
-"$python" -c 'from importlib.util import find_spec; exit(not all(map(find_spec, ("pytest", "mypy", "pandas"))))' || {
+"$python" -c 'from importlib.util import find_spec; exit(not all(map(find_spec, ("pytest", "mypy", "pandas", "trimesh"))))' || {
   echo "SKIPPED: $python lacks what the tests of Python need; tests/python/environment.sh makes one that has it."
   exit 0
 }

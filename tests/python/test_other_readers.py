@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Right files are read as pydicom, nibabel, SimpleITK and trimesh read them. Each comparison is skipped where its package is
-absent (`pip install pydicom nibabel SimpleITK trimesh`), and where the real input files are."""
+"""Right files are read as pydicom, nibabel, SimpleITK and trimesh read them. Each comparison is skipped where its real input
+file is absent."""
 from __future__ import annotations
 
 import os
 from collections.abc import Callable
 from pathlib import Path
 
+import nibabel
 import numpy as np
+import pydicom
 import pytest
+import SimpleITK as sitk
+import trimesh
 
 import hapticut as h
 from hapticut.units import mm
@@ -41,7 +45,6 @@ def compare(volume: h.volume.GreyVolume, value_at: Callable[[np.ndarray], float]
     "formats/example_ct_sm.nii.gz", "formats/example_seg.nii.gz", "formats/BallBinary30x30x30.nii.gz", "teeth/tooth_2.nii.gz",
     "hostile/nifti-sform-qform.nii", "hostile/nifti-slope0.nii", "hostile/nifti-nan.nii", "hostile/nifti2.nii"))
 def test_nifti_is_what_nibabel_reads(path: Path) -> None:
-    nibabel = pytest.importorskip("nibabel")
     image = nibabel.load(path)
     if not (image.header["sform_code"] > 0 or image.header["qform_code"] > 0):
         pytest.skip("the file does not say where it lies: nibabel puts its middle at the origin, hapticut its first sample")
@@ -60,7 +63,6 @@ def test_nifti_is_what_nibabel_reads(path: Path) -> None:
     "formats/BallBinary30x30x30.nrrd", "formats/BallBinary30x30x30_gz.nrrd", "formats/BallBinary30x30x30.nhdr",
     "formats/tooth_closed.mhd", "formats/frogtissue.mhd", "formats/example_ct_sm.nii.gz", "teeth/tooth.mhd"))
 def test_volumes_are_what_simpleitk_reads(path: Path) -> None:
-    sitk = pytest.importorskip("SimpleITK")
     image = sitk.ReadImage(str(path))
 
     def value_at(p: np.ndarray) -> float:
@@ -71,7 +73,6 @@ def test_volumes_are_what_simpleitk_reads(path: Path) -> None:
 
 @pytest.mark.parametrize("path", existing("formats/example_ct_dicom", "hostile/mono1", "hostile/rtdose-bigendian32.dcm"))
 def test_dicom_is_what_pydicom_reads(path: Path) -> None:
-    pydicom = pytest.importorskip("pydicom")
     files = [pydicom.dcmread(f) for f in (sorted(path.iterdir()) if path.is_dir() else [path])]
     values = np.concatenate([f.pixel_array.ravel() * float(f.get("RescaleSlope", 1)) + float(f.get("RescaleIntercept", 0))
                              for f in files])
@@ -85,7 +86,6 @@ def test_dicom_is_what_pydicom_reads(path: Path) -> None:
 @pytest.mark.parametrize("path", existing(
     "meshes/box.STL", "meshes/burr.stl", "meshes/molar_chai3d.obj", "meshes/handpiece_chai3d.obj", "teeth/URI1_tooth_mesh1.ply"))
 def test_meshes_are_what_trimesh_reads(path: Path) -> None:
-    trimesh = pytest.importorskip("trimesh")
     theirs = trimesh.load(path, force="mesh", process=False)
     area = volume = 0.0
     for named in h.io.read_mesh(path):

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hapticut/core/abi.hpp"
+
 /// @file
 /// What a hand does with a tool, as scenes: it plunges, tilts in its own hole, stalls, lifts off, breaks through, opens
 /// the clutch. Each runs through the library as a program would use it, and says what physics demands beside what was

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "hapticut/core/abi.hpp"
+
 namespace hapticut {
 
 /// Which library this is and what it runs on: reports carry it, so that a number can be traced to a build.

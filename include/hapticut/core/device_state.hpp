@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/core/spatial.hpp"
 
 namespace hapticut {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/spatial.hpp"
 

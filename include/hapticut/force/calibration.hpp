@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/core/description.hpp"
 
 namespace hapticut {

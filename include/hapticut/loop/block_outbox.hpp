@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/workpiece/block.hpp"
 
 namespace hapticut {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/core/description.hpp"
 
 namespace hapticut {

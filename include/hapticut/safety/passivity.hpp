@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/core/description.hpp"
 
 namespace hapticut {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/core/spatial.hpp"
 
 namespace hapticut::settings {

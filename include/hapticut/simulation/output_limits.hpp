@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/core/description.hpp"
 
 namespace hapticut {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/tool/head.hpp"
 
 namespace hapticut {

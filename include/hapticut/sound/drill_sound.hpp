@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/core/description.hpp"
 
 namespace hapticut {

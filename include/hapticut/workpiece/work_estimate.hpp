@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "hapticut/core/abi.hpp"
+
 /// @file
 /// How much work it is to make a workpiece, before it is begun: a wrong unit or a stray vertex turns a second into a
 /// day.

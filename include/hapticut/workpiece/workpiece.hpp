@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "hapticut/core/abi.hpp"
 #include "hapticut/workpiece/block.hpp"
 #include "hapticut/workpiece/material.hpp"
 

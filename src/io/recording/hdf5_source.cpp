@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/recording/hdf5_source.hpp"
 
-#include <atomic>
 #include <fstream>
 #include <string_view>
 
@@ -41,12 +40,6 @@ std::string holder_of(const std::string& place) {
   return slash == std::string::npos ? "" : place.substr(0, slash);
 }
 
-std::unique_ptr<Hdf5Source> source_of(hdf5::File file) {
-  hsize_t size = 0;
-  hdf5::checked(H5Fget_filesize(file.get(), &size), "looking at the file");
-  return std::make_unique<Hdf5Source>(std::move(file), size);
-}
-
 }  // namespace
 
 std::unique_ptr<Hdf5Source> open_hdf5_file(const std::filesystem::path& path) {
@@ -59,20 +52,10 @@ std::unique_ptr<Hdf5Source> open_hdf5_file(const std::filesystem::path& path) {
     mode |= H5F_ACC_SWMR_READ;
     hdf5::checked(H5Pset_metadata_read_attempts(access.get(), kAttempts), "preparing");
   }
-  return source_of(require_open(H5Fopen(path.c_str(), mode, access.get()), head));
-}
-
-std::unique_ptr<Hdf5Source> open_hdf5_bytes(std::string bytes) {
-  const hdf5::Quiet quiet;
-  constexpr std::size_t kGrowth = 1 << 16;  // [bytes] that would be added; nothing is
-  // HDF5 takes two that are open under the same name for the same.
-  static std::atomic<std::uint64_t> opened{0};
-  const std::string name = "bytes " + std::to_string(opened++);
-  const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS), "preparing");
-  hdf5::checked(H5Pset_fapl_core(access.get(), kGrowth, /*backing_store=*/false), "preparing");
-  hdf5::checked(H5Pset_file_image(access.get(), bytes.data(), bytes.size()), "preparing");
-  return source_of(
-      require_open(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access.get()), std::string_view(bytes).substr(0, kHead)));
+  hdf5::File file = require_open(H5Fopen(path.c_str(), mode, access.get()), head);
+  hsize_t size = 0;
+  hdf5::checked(H5Fget_filesize(file.get(), &size), "looking at the file");
+  return std::make_unique<Hdf5Source>(std::move(file), size);
 }
 
 Hdf5Source::~Hdf5Source() {

@@ -11,8 +11,8 @@
 
 namespace hapticut {
 
-/// A recording that HDF5 reads in this process, which a damaged file may end. The library gives it to no file of a
-/// user: see RecordingProcess.
+/// A recording that HDF5 reads in this process, which a damaged file may end: part of the program that the library
+/// asks, see RecordingProcess, and not of the library.
 class Hdf5Source final : public RecordingSource {
  public:
   Hdf5Source(hdf5::File file, std::uint64_t file_size) : RecordingSource(file_size), file_(std::move(file)) {}
@@ -38,8 +38,5 @@ class Hdf5Source final : public RecordingSource {
 
 /// @throws hdf5::Failure when the file is no recording that can be opened
 [[nodiscard]] std::unique_ptr<Hdf5Source> open_hdf5_file(const std::filesystem::path& path);
-
-/// The same of bytes, which no writer may have had open.
-[[nodiscard]] std::unique_ptr<Hdf5Source> open_hdf5_bytes(std::string bytes);
 
 }  // namespace hapticut

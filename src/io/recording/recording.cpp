@@ -8,7 +8,6 @@
 
 #include "hapticut/io/vdb/vdb.hpp"
 #include "io/file_errors.hpp"
-#include "io/recording/hdf5_source.hpp"
 #include "io/recording/recording_access.hpp"
 #include "io/recording/recording_file.hpp"
 #include "io/recording/recording_process.hpp"
@@ -218,16 +217,13 @@ Workpiece Recording::workpiece() const {
   });
 }
 
-namespace {
-
-/// @param open  opens the file
-template <class Open>
-std::unique_ptr<OpenRecording> parse_recording(const std::filesystem::path& path, const Open& open) {
+Recording read_recording(const std::filesystem::path& path) {
+  const std::uint64_t size = readable_size(path);
   auto state = std::make_unique<OpenRecording>();
   reading(path, [&] {
     OpenRecording& s = *state;
     s.path = path;
-    s.source = open();
+    s.source = std::make_unique<RecordingProcess>(path, size);
     RecordingSource& source = *s.source;
     s.info = read_info(source);
     settings_in_file([&] {
@@ -245,18 +241,7 @@ std::unique_ptr<OpenRecording> parse_recording(const std::filesystem::path& path
     find_gaps(s);
     remark(s.info, s.size);
   });
-  return state;
-}
-
-}  // namespace
-
-Recording read_recording(const std::filesystem::path& path) {
-  const std::uint64_t size = readable_size(path);
-  return Recording(parse_recording(path, [&] { return std::make_unique<RecordingProcess>(path, size); }));
-}
-
-Recording recording_of_bytes(std::string bytes, const std::filesystem::path& name) {
-  return RecordingAccess::make(parse_recording(name, [&] { return open_hdf5_bytes(std::move(bytes)); }));
+  return Recording(std::move(state));
 }
 
 }  // namespace hapticut

@@ -29,14 +29,7 @@ struct OpenRecording {
 /// The door from export and replay to the columns.
 struct RecordingAccess {
   static const OpenRecording& state(const Recording& recording) { return *recording.state_; }
-  static Recording make(std::unique_ptr<OpenRecording> state) { return Recording(std::move(state)); }
 };
-
-/// A recording from the bytes of its file, which no writer may have had open. HDF5 reads them in this process, which
-/// bytes that were made to hurt may end: for what is fed to a fuzzer, and no file.
-/// @param name  in messages, where that of a file would be
-/// @throws Error as read_recording
-[[nodiscard]] Recording recording_of_bytes(std::string bytes, const std::filesystem::path& name);
 
 /// Packed rows of one column.
 /// @throws Error with the name of the file

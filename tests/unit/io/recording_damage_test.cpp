@@ -8,7 +8,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/io/recording/recording.hpp"
-#include "io/recording/recording_access.hpp"
+#include "io/recording/hdf5.hpp"
 #include "support/recordings.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -59,17 +59,6 @@ void replace(hid_t file, const std::string& name, hid_t type, const std::vector<
   prepare(properties.get());
   const hdf5::DataSet set(H5Dcreate2(file, name.c_str(), type, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
                           "replacing");
-}
-
-TEST(DamagedRecording, IsReadFromItsBytesAsFromItsFile) {
-  const TemporaryFolder folder;
-  const Recording from_file = read_recording(recorded(folder));
-  const Recording from_bytes = recording_of_bytes(test::read_bytes(folder / "a.h5"), "bytes");
-  EXPECT_EQ(from_bytes.size(), std::uint64_t(kSteps));
-  EXPECT_EQ(from_bytes.workpiece().hash(), from_file.workpiece().hash());
-  EXPECT_EQ(from_bytes.read(0, kSteps).back().force, from_file.read(0, kSteps).back().force);
-  EXPECT_THROW((void)recording_of_bytes("", "bytes"), Error);
-  EXPECT_THROW((void)recording_of_bytes(test::read_bytes(folder / "a.h5").substr(0, 5000), "bytes"), Error);
 }
 
 // A list of texts was read into the room of one.
