@@ -167,7 +167,8 @@ void bind_force(py::module_& m) {
       field("cutting_ratio", &Calibration::cutting_ratio), field("edge_pressure", &Calibration::edge_pressure),
       field("edge_length", &Calibration::edge_length), field("size_length", &Calibration::size_length),
       field("ratio_identified", &Calibration::ratio_identified),
-      field("edge_identified", &Calibration::edge_identified), field("chip_identified", &Calibration::chip_identified),
+      field("edge_identified", &Calibration::edge_identified), field("edge_assumed", &Calibration::edge_assumed),
+      field("checked", &Calibration::checked), field("chip_identified", &Calibration::chip_identified),
       field("thrust_residual", &Calibration::thrust_residual), field("torque_residual", &Calibration::torque_residual));
   bind_result<AxialCutForce>(m, "AxialCutForce", member("thrust", &AxialCutForce::thrust),
                              member("torque", &AxialCutForce::torque));

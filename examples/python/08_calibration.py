@@ -7,13 +7,13 @@ measurement at another speed is at hand, so the prediction stands beside the clo
 import numpy as np
 
 import hapticut
-from hapticut.calibration import DrillingTest, axial_cut_force, calibrate
+from hapticut.calibration import ChipTerm, DrillingTest, axial_cut_force, calibrate
 from hapticut.units import N_mm, mm, ms, rpm
 
 RADIUS, SPEED = 1.25 * mm, 1000 * rpm
 FEED = 0.1 * mm * SPEED / (2 * np.pi)  # [m/s]
 test = DrillingTest(RADIUS, SPEED, FEED, thrust=20.07, torque=41.2 * N_mm)
-found = calibrate([test])
+found = calibrate([test], ChipTerm.edge_pressure)  # of which one test does not tell: it is taken as none
 print(f"u = {found.specific_cutting_energy / 1e9:.3f} GJ/m^3, kappa = {found.cutting_ratio:.2f} "
       "(the flutes of a drill rub, so this is not a burr's)")
 bone = hapticut.Material("bovine bone", cutting_ratio=found.cutting_ratio, edge_pressure=found.edge_pressure,

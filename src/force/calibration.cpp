@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/force/calibration.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,6 +20,9 @@ using units::kPi;
 constexpr double kLeastSpread = 1.05;  // [1] of the chips, to tell edge from chip
 constexpr double kLargestError = 0.5;  // [1] standard error over the constant
 constexpr double kSmallEdge = 0.1;     // [1] of thrust and torque; an edge known to this is known, be it 0
+constexpr double kExact = 1e-4;        // [1] root mean square of what a search leaves of numbers that fit exactly
+constexpr double kLeastTold = 1e-6;    // [1] of the eigenvalues, where constants are told from each other
+constexpr double kWithinErrors = 4;    // [1] times the variance: what may lie within two standard errors
 
 /// A thrust or a torque over its measured value, linear in u and in the second constant: chip u + edge e = 1. Both are
 /// for kappa = 1: thrusts go with 1/kappa, but for that of p_e; the torque of p_e goes with kappa.
@@ -106,12 +110,18 @@ Fit best_fit(const std::vector<Row>& rows, bool with_edge, bool ratio_identified
   return fit;
 }
 
+/// How many more numbers were measured than there are constants.
+int freedom_of(const std::vector<Row>& rows, bool with_edge, bool ratio_identified) {
+  return int(rows.size()) - (1 + int(with_edge) + int(ratio_identified));
+}
+
 /// How well a fit knows its constants.
 struct Known {
   bool chip = true, edge = false;
 };
 
-/// From the standard errors that the fit's residuals leave in u and in the second constant.
+/// From the standard errors that the fit's residuals leave in u and in the second constant. As many numbers as
+/// constants leave no residuals: there a fit is known that is exact, and the only one.
 Known known_by(const Fit& fit, const std::vector<Row>& rows, bool ratio_identified) {
   double chips = 0, edges = 0;
   for (const Row& row : rows) chips += row.chip_at(fit.kappa), edges += row.edge_at(fit.kappa);
@@ -123,11 +133,22 @@ Known known_by(const Fit& fit, const std::vector<Row>& rows, bool ratio_identifi
     normal += change * change.transpose();
   }
   if (!ratio_identified) normal(0, 0) = 1;
-  const double freedom = double(rows.size()) - (ratio_identified ? 3 : 2);
-  if (freedom <= 0) return {};
+  const int freedom = freedom_of(rows, true, ratio_identified);
+  if (freedom == 0) {
+    const Vec3 told = Eigen::SelfAdjointEigenSolver<Mat3>(normal, Eigen::EigenvaluesOnly).eigenvalues();
+    return {fit.u > kExact * whole_u, fit.squares < kExact * kExact && told.x() > kLeastTold * told.z()};
+  }
   const Vec3 errors = (fit.squares / freedom * normal.inverse().diagonal()).cwiseSqrt();
   return {errors.y() < kLargestError * fit.u / whole_u,
           errors.z() < std::max(kLargestError * fit.edge / whole_edge, kSmallEdge)};
+}
+
+/// The best fit with the second constant this many times u.
+Fit fit_with_ratio(double edge_over_u, std::vector<Row> rows, bool ratio_identified) {
+  for (Row& row : rows) row.chip += edge_over_u * row.edge;
+  Fit fit = best_fit(rows, false, ratio_identified);
+  fit.edge = edge_over_u * fit.u;
+  return fit;
 }
 
 void require_measured(const DrillingTest& t) {
@@ -165,26 +186,33 @@ Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
     torques |= t.torque > 0;
   }
   const std::vector<Row> rows = rows_of(tests, term);
-  Fit fit;
   Calibration c;
   c.ratio_identified = thrusts && torques;
-  if (most > kLeastSpread * least) {
-    fit = best_fit(rows, true, c.ratio_identified);
+  const int freedom = freedom_of(rows, true, c.ratio_identified);
+  const bool may_tell = most > kLeastSpread * least && freedom >= 0, has_prior = term == ChipTerm::edge_length;
+  Fit fit = best_fit(rows, may_tell, c.ratio_identified);
+  if (may_tell) {
     const Known known = known_by(fit, rows, c.ratio_identified);
     c.edge_identified = known.edge;
     c.chip_identified = known.chip;
   }
   if (!c.edge_identified) {
-    fit = best_fit(rows, false, c.ratio_identified);
-    c.chip_identified = true;
+    const Fit assumed = fit_with_ratio(has_prior ? kAssumedEdgeLength : 0, rows, c.ratio_identified);
+    const double bearable = fit.squares * (1 + (freedom > 0 ? kWithinErrors / freedom : 0));
+    if (!has_prior || !may_tell || assumed.squares <= std::max(bearable, kExact * kExact)) {
+      fit = assumed;
+      c.edge_assumed = has_prior;
+      c.chip_identified = true;
+    }
   }
+  c.checked = freedom_of(rows, c.edge_identified, c.ratio_identified) > 0;
   c.specific_cutting_energy = fit.u;
   c.cutting_ratio = fit.kappa;
   if (fit.edge > 0) {
     if (term == ChipTerm::edge_pressure) c.edge_pressure = fit.edge;
     // Where the edge carries all, u is the least that a material may have: its length is what it must be for that.
     const double u = c.specific_cutting_energy = term == ChipTerm::edge_pressure ? fit.u : std::max(fit.u, 1e-3);
-    if (term == ChipTerm::edge_length) c.edge_length = fit.edge / u;
+    if (term == ChipTerm::edge_length) c.edge_length = c.edge_assumed ? kAssumedEdgeLength : fit.edge / u;
     if (term == ChipTerm::size_length) c.size_length = std::pow(fit.edge / u, 2);
   }
   double thrust_count = 0, torque_count = 0;

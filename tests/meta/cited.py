@@ -4,9 +4,11 @@
 
     cited.py closed_forms|files [--root FOLDER]
 
-closed_forms  every closed form (C1) and defect (D1) that is cited anywhere has a row in docs/model.md, every closed form a
-              function in bench/closed_forms, and every row of a measurement (B1a, DC4) a source in docs/measurements.md
-files         every file that a comment or a page names by its path from the top of the repository is there
+closed_forms  every closed form (C1) and defect (D1) that is cited anywhere has a row in docs/model.md, "C1 ... C9" ends with
+              the last of them, every row names its function in bench/closed_forms, and every row of a measurement
+              (B1a, DC4) has a source in docs/measurements.md
+files         every file that a comment or a page names by its path from the top of the repository is there, and the README
+              names no engine that has no folder in bindings
 """
 import argparse
 import re
@@ -19,9 +21,12 @@ ENDINGS = {".hpp", ".cpp", ".h", ".py", ".md", ".txt", ".cmake", ".toml", ".sh"}
 ROW = re.compile(r"^\| ([CD]\d+) \|", re.M)
 # As a word, or in the name of a test: `C20`, `BallDepth.C1ForceIsThatOfTheCap`.
 CITED = re.compile(r"(?:(?<![\w\\])|(?<=[CD]\d)|(?<=[CD]\d\d))([CD]\d{1,2})(?=[A-Z]\w*[a-z]|(?![\w.]\w))")
+WHOLE_RANGE = re.compile(r"C1[`]? \.\.\. [`]?(C\d+)")
+FUNCTION = re.compile(r"((?:///.*\n)+)(?:template.*\n)?(?:\[\[nodiscard\]\] )?(?:inline )?(?:constexpr )?[\w:]+ (\w+)\b")
 MEASURED = re.compile(r"(?<![\w\\])(B\d{1,2}[a-f]?|DC\d[a-z]?)(?=[A-Z]\w*[a-z]|(?!\w))")
 PATH = re.compile(r"(?<![\w/.-])((?:docs|decisions|src|tests|examples|scripts|bindings|benchmarks|hapticut)/[\w./-]*\w"
-                  r"\.(?:md|cpp|hpp|py|toml|sh|svg|png|json))(?!\w)")
+                  r"\.(?:md|cpp|hpp|py|toml|sh|svg|png|json|cs|mjs|ts))(?!\w)")
+ENGINES = ("Unity", "Unreal", "SOFA", "CHAI3D", "Godot")
 A_LANGUAGE = "C99"  # no closed form
 WRITTEN_BY_THE_BUILD = {"hapticut/version.hpp"}
 
@@ -37,14 +42,22 @@ def line_of(text: str, place: int) -> int:
 
 
 def check_closed_forms(root: Path) -> tuple[list[str], int]:
-    rows = set(ROW.findall((root / "docs/model.md").read_text(encoding="utf-8")))
+    model = (root / "docs/model.md").read_text(encoding="utf-8")
+    rows = set(ROW.findall(model))
     rows.add("C33")  # has a table of its own
+    last = max((row for row in rows if row[0] == "C"), key=lambda row: int(row[1:]))
     sources = (root / "docs/measurements.md").read_text(encoding="utf-8")
     sources = sources[sources.index("## Sources"):]
-    functions = "".join(path.read_text(encoding="utf-8")
-                        for path in (root / "include/hapticut/bench/closed_forms").glob("*.hpp"))
-    wrong = [f"{form} of docs/model.md has no function in include/hapticut/bench/closed_forms"
-             for form in sorted(rows) if form[0] == "C" and not re.search(rf"\b{form}\b", functions)]
+    headers = "".join(path.read_text(encoding="utf-8")
+                      for path in sorted((root / "include/hapticut/bench/closed_forms").glob("*.hpp")))
+    documented = FUNCTION.findall(headers)
+    wrong = []
+    for form in sorted(row for row in rows if row[0] == "C"):
+        functions = {name for comment, name in documented if re.search(rf"\b{form}\b", comment)}
+        lines = [line for line in model.splitlines() if line.startswith((f"| {form} |", f"**{form}**"))]
+        if not any(f"`{name}`" in line for name in functions for line in lines):
+            wrong.append(f"{form} of docs/model.md names no function of include/hapticut/bench/closed_forms; those of it "
+                         f"are {sorted(functions)}")
     cited = 0
     for path, text in texts(root):
         for found in CITED.finditer(text):
@@ -53,6 +66,9 @@ def check_closed_forms(root: Path) -> tuple[list[str], int]:
             cited += 1
             if found[1] not in rows:
                 wrong.append(f"{path}:{line_of(text, found.start())} cites {found[1]}, which docs/model.md has not")
+        for found in WHOLE_RANGE.finditer(text):
+            if found[1] != last and (path.suffix == ".md" or path.name == "closed_forms.hpp"):
+                wrong.append(f"{path}:{line_of(text, found.start())} ends with {found[1]}, and the last is {last}")
         for found in MEASURED.finditer(text):
             cited += 1
             if not re.search(rf"\| (?:\w+ \.\.\. )?{found[1]}\b", sources) and not found[1].startswith("B1"):
@@ -62,7 +78,9 @@ def check_closed_forms(root: Path) -> tuple[list[str], int]:
 
 
 def check_files(root: Path) -> tuple[list[str], int]:
-    wrong, cited = [], 0
+    readme, cited = (root / "README.md").read_text(encoding="utf-8"), 0
+    wrong = [f"README.md names {engine}, and there is no bindings/{engine.lower()}" for engine in ENGINES
+             if engine in readme and not (root / "bindings" / engine.lower()).is_dir()]
     for path, text in texts(root):
         for found in PATH.finditer(text):
             name = found[1]

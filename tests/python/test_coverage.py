@@ -291,7 +291,7 @@ def test_stiffness_and_calibration():
         force = h.calibration.axial_cut_force(known, 1.25 * mm, 100.0, feed)
         tests.append(h.calibration.DrillingTest(1.25 * mm, 100.0, feed, thrust=force.thrust, torque=force.torque))
     found = h.calibration.calibrate(tests, h.calibration.ChipTerm.edge_pressure)
-    assert found.edge_identified and found.chip_identified
+    assert found.edge_identified and found.chip_identified and found.checked and not found.edge_assumed
     assert found.specific_cutting_energy == pytest.approx(3e8, rel=1e-4)
     assert found.cutting_ratio == pytest.approx(0.6, rel=1e-4) and found.thrust_residual < 1e-4
 

@@ -14,18 +14,12 @@ from ._hapticut import Material, find_preset
 if TYPE_CHECKING:
     from ._hapticut import CutterKind
 
-__all__ = ["amalgam", "caries", "clay", "cortical_bone", "dentin", "enamel", "enamel_with_diamond", "pulp",
-           "trabecular_bone"]
+__all__ = ["amalgam", "caries", "clay", "cortical_bone", "dentin", "enamel", "pulp", "trabecular_bone"]
 
 
 def enamel(cutter: CutterKind = _hapticut.CutterKind.carbide_bur) -> Material:
     """Human enamel."""
     return find_preset("enamel", cutter)
-
-
-def enamel_with_diamond() -> Material:
-    """Human enamel under a diamond bur."""
-    return find_preset("enamel_with_diamond")
 
 
 def dentin(cutter: CutterKind = _hapticut.CutterKind.carbide_bur) -> Material:

@@ -2,7 +2,7 @@
 #pragma once
 
 /// @file
-/// What the model gives where it can be worked out on paper: the closed forms C1 ... C41 of docs/model.md, one function
+/// What the model gives where it can be worked out on paper: the closed forms C1 ... C42 of docs/model.md, one function
 /// each, in its order. `hapticut validate` and the tests hold the library against them, and
 /// standing_forms_test.cpp and cutting_forms_test.cpp in tests/unit/bench hold them against integrals of the model's
 /// equations.

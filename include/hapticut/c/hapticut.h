@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /** @file
- * hapticut in C: library hapticut_c, for programs in C, C#, Unity, Unreal and whatever else can call C.
+ * hapticut in C: library hapticut_c, for programs in C, C#, Unity and whatever else can call C.
  * docs/embedding.md.
  *
  * Results. Every function that can fail returns an int: HAPTICUT_OK, HAPTICUT_NOTHING (no error, and nothing

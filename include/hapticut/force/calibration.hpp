@@ -43,18 +43,25 @@ struct Calibration {
   double edge_length = 0;              ///< [m] h_e
   double size_length = 0;              ///< [m] h_s
   /// The tests tell edge from chip: the standard error of the term that was asked for is less than half of it, or than
-  /// a tenth of thrust and torque. Otherwise it was taken as 0.
+  /// a tenth of thrust and torque; or it is the one constant with which as many numbers as there are constants fit
+  /// exactly. Otherwise a pressure or size length was taken as 0.
   bool edge_identified = false;
+  /// The edge length is kAssumedEdgeLength, because the tests neither tell it nor contradict that.
+  bool edge_assumed = false;
   /// The tests tell how much energy the chip costs: the standard error of u is less than half of it. Otherwise the edge
   /// carries nearly all of thrust and torque, and u may be 0.
   bool chip_identified = true;
   /// Thrust and torque were both measured. Otherwise kappa was taken as kAssumedRatio: thrusts alone fix u/kappa only.
   bool ratio_identified = true;
+  /// More numbers were measured than constants fitted. Otherwise they fit whatever they are, and nothing checks them.
+  bool checked = true;
   double thrust_residual = 0;  ///< [1] root mean square of (model - measured)/measured, of those measured
   double torque_residual = 0;  ///< [1]
 };
 
 inline constexpr double kAssumedRatio = 0.5;  ///< [1] kappa where tests do not tell: that of burs
+/// [m] h_e where tests do not tell: the middle of what was found in bone, 20 ... 40 um (docs/materials.md).
+inline constexpr double kAssumedEdgeLength = 30e-6;
 
 /// Steady thrust and torque of a flat head fed axially (C22, C35).
 struct AxialCutForce {
@@ -69,7 +76,7 @@ struct AxialCutForce {
 ///
 /// For a given kappa thrust and torque are linear in u and in u h_e, u sqrt(h_s) or p_e, neither of which may be
 /// negative; kappa is searched from 0.001 to 1000. One test, or several at the same chip, cannot tell edge from chip,
-/// nor can tests that scatter more than the edge adds: then the simpler law, without it, is fitted.
+/// nor can tests that scatter more than the edge adds: then an edge length is assumed, and the other two taken as 0.
 /// @throws Error when there is no test, a number of one is out of its range, or no kappa within that range explains
 ///         them
 [[nodiscard]] Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term = ChipTerm::edge_length);

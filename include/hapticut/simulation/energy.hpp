@@ -50,12 +50,15 @@ constexpr auto fields_of(Of<EnergyLedger>) {
       field("hand_work", &E::hand_work, "J", "work done by the hand on the tool"),
       field("motor_work", &E::motor_work, "J", "work done by the spindle motor on the tool"),
       field("elastic", &E::elastic, "J", "stored in the foundation now"),
-      field("cutting", &E::cutting, "J", "specific cutting energy times removed volume"),
+      field("cutting", &E::cutting, "J",
+            "of removed volume: the specific cutting energy, and where chips are thin as many times it as their "
+            "layer takes above its threshold"),
       field("crushed", &E::crushed, "J", "compressive strength times crushed volume"),
       field("released", &E::released, "J", "elastic energy of removed material that did not help cutting"),
       field("damping", &E::damping, "J", "Hunt-Crossley damping"),
       field("rubbing", &E::rubbing, "J",
-            "tangential work where nothing is cut: below the edge pressure, or with removal off"),
+            "tangential work that removes nothing: of edges and of what thin chips take below the threshold of their "
+            "layer, on smooth sides and walls, under the edge pressure, with removal off"),
       field("anchored", &E::anchored, "J", "stored in the anchor of dry friction now"),
       field("sliding", &E::sliding, "J", "dissipated by dry friction of the standing head"),
       field("credited", &E::credited, "J",

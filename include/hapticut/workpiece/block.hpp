@@ -46,8 +46,8 @@ struct GridFrame {
 };
 
 /// Where the filled part of a partly filled voxel has its centroid, relative to the voxel's centre, in steps of 1/1024
-/// of a voxel edge. The force of a surface voxel is taken at this point: the error of the sum is then that of the
-/// midpoint rule and does not ripple as the head sinks through the voxels (docs/decisions/0002-quadrature.md).
+/// of a voxel edge: laws that are asked at points take its force there, to the error of the midpoint rule and without
+/// ripple (docs/decisions/0002-quadrature.md). The default law integrates over the filled part instead.
 struct CentroidOffset {
   static constexpr int kSteps = 1024;  ///< steps per voxel edge
   std::array<std::int16_t, 3> steps = {0, 0, 0};

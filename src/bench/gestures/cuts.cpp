@@ -58,7 +58,7 @@ void cut_by_default(Report& report) {
   const Tool drill = tool_of(twist_drill_head(2 * mm, 4 * mm), Spindle{1000 * rpm}, {CutterKind::twist_drill, 2});
   hold_to("twist drill 2 mm, 1000 rpm, cortical bone, 2 mm/s, directly", drill, bone, 2 * mm, 1 * mm,
           thrust_of_drill(cut_of(bone, drill, 2 * mm), 1 * mm, 59 * units::deg), "C29 with chips");
-  const Material enamel = presets::enamel_with_diamond();
+  const Material enamel = presets::enamel(CutterKind::fine_diamond);
   const Tool diamond = tool_of(FlatHead{0.6 * mm, 3 * mm, FlatRule::bottom_only}, Spindle{300000 * rpm},
                                common_cutter(CutterKind::fine_diamond));
   hold_to("fine diamond 1.2 mm, 300 000 rpm, enamel, 0.5 mm/s, directly", diamond, enamel, 0.5 * mm, 0.15 * mm,

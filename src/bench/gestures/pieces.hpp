@@ -23,14 +23,9 @@ using units::rpm;
 
 // --- materials -------------------------------------------------------------------------------------------------------
 
-/// [Pa] at which a material is crushed. Middle of what text books give for compression: cortical bone 130 ... 220 MPa,
-/// trabecular bone 2 ... 12 MPa, enamel 380 MPa, dentin 300 MPa. `Material` has no such number yet; what is not named
-/// here counts as cortical bone.
+/// [Pa] at which a material is crushed; one that never is counts as cortical bone.
 [[nodiscard]] inline double strength_of(const Material& material) {
-  if (material.name == "trabecular_bone") return 5e6;
-  if (material.name == "enamel" || material.name == "enamel_with_diamond") return 380e6;
-  if (material.name == "dentin") return 300e6;
-  return 150e6;
+  return material.compressive_strength > 0 ? material.compressive_strength : 150e6;
 }
 
 /// [m] depth at which the pressure k w^2/2 of the foundation reaches a strength.

@@ -124,7 +124,7 @@ GridCut milled(const char* id, const char* what, const ToolHead& head, const Box
 std::vector<Check> in_every_direction(const GridCut& cut, const Limits& limits, double voxel) {
   const Worst worst = worst_of(cut, voxel);
   const std::string size = voxel > 0.07 * mm ? "0.1 mm" : "0.05 mm", id = std::string(cut.id) + " grid " + size;
-  const std::string of = std::string(cut.what) + ", worst of 7 directions and 3 stiffnesses: ";
+  const std::string of = std::string(cut.what) + "; ";
   return {{id, of + "force off by", "1", 0, worst.mean, limits.mean, 1},
           {id + " torque", of + "torque off by", "1", 0, worst.torque, limits.torque, 1},
           {id + " ripple", of + "ripple", "1", 0, worst.ripple, limits.ripple, 1},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// C20, C22, C24, C26-C29 in every direction of the grid, on stiff foundations, and with chips C35, C37, C38.
+// C20, C22, C24, C26-C29 in every direction of the grid, on stiff foundations, and with chips C35, C37, C38, C42.
 #include "bench/validation/bench.hpp"
 #include "bench/validation/checks.hpp"
 #include "bench/validation/grid_cuts.hpp"
@@ -15,6 +15,9 @@ constexpr double kOtherFaces = 0.02;
 
 /// [1] Ripple where a face along the grid recedes by half a voxel, ten layers, in a step: all its voxels in phase.
 constexpr double kInPhase = 0.12;
+
+/// [1] Thrust in a groove that edges cut: its floor behind the middle, cut no further than to w0, presses up as well.
+constexpr double kBehind = 0.12;
 
 GridCut drilled(double edge_pressure) {
   forms::SteadyCut cut = kSlowCut;
@@ -132,7 +135,7 @@ std::vector<Experiment> grid_experiments() {
              {0.02, 0.02, 0.015}, 0.1 * mm);
        }},
       {"grid, chips",
-       [] {
+       [=] {
          const double slot = 1 * mm, deep = 1.2 * kR;
          std::vector<Check> checks = in_every_direction(
              with_chips(drilled(0), "C35", "flat head fed axially, chips", forms::axial_chip_wrench(with_chips(), kR)),
@@ -147,6 +150,9 @@ std::vector<Experiment> grid_experiments() {
          add(with_chips(ball, "C38", "ball deeper than its radius, chips",
                         forms::ball_plunge_chip_wrench(with_chips(), kR)),
              {0.03, 0.07, 0.015});
+         add(with_chips(milled("", "", SphereHead{kR}, kPlate, kR - groove, {}), "C42",
+                        "ball in a groove of depth 0.6 R, chips", forms::groove_chip_wrench(with_chips(), kR, groove)),
+             {kBehind, 0.07, 0.015});
          return checks;
        }},
       {"grid, plunging cone", [=] {

@@ -142,9 +142,9 @@ namespace {
 
 /// The preset for a diamond bur under the load of DC4, and those for a carbide bur under the load of White's.
 std::vector<Check> tooth() {
-  DiamondBur::Plate under_load(presets::enamel_with_diamond(), 0.025 * mm);
-  return {{"DC4 removal", "enamel_with_diamond under 65 g: what Fais et al. removed", "m^3/s", DiamondBur::kRemoval,
-           under_load.removal_under(DiamondBur::kLoad), kThickLayer},
+  DiamondBur::Plate under_load(presets::enamel(CutterKind::fine_diamond), 0.025 * mm);
+  return {{"DC4 removal", "enamel and a fine diamond under 65 g: what Fais et al. removed", "m^3/s",
+           DiamondBur::kRemoval, under_load.removal_under(DiamondBur::kLoad), kThickLayer},
           {"DC9 enamel", "carbide bur pushed with 0.98 N: White's axial rate", "m/s", CarbideBur::kInEnamel,
            CarbideBur::rate_under(CarbideBur::kLoad, presets::enamel()), CarbideBur::kScatter},
           {"DC9 dentin", "the same into dentin", "m/s", CarbideBur::kInDentin,

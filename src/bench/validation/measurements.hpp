@@ -30,7 +30,7 @@ struct PublishedDrilling {
   }
   [[nodiscard]] Calibration constants() const {
     const DrillingTest one = test();
-    return calibrate({&one, 1});
+    return calibrate({&one, 1}, ChipTerm::edge_pressure);  // which one test does not tell: none
   }
 };
 

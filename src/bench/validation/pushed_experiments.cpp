@@ -53,7 +53,7 @@ Check pushed(const char* id, const char* what, const GridCut& cut, double hand, 
       worst = std::max(worst, std::abs(found.speed / speed_under(found.force) - 1));
     }
   }
-  return {id, std::string(what) + ", worst of 7 directions and 3 stiffnesses: speed off by", "1", 0, worst, kPushed, 1};
+  return {id, std::string(what) + "; speed off by", "1", 0, worst, kPushed, 1};
 }
 
 /// Where the force goes with the speed.

@@ -79,13 +79,16 @@ void run_calibrate(const CalibrateSettings& s) {
   table.add("specific_cutting_energy", rounded(c.specific_cutting_energy, 4) + " J/m^3" +
                                            (c.chip_identified ? "" : ": the tests do not identify it"));
   table.add("cutting_ratio", rounded(c.cutting_ratio, 4) + (c.ratio_identified ? "" : ": assumed, not measured"));
-  const std::string not_known = c.edge_identified ? "" : ", taken as 0: the tests do not identify it";
+  const std::string not_known = c.edge_identified ? ""
+                                : c.edge_assumed  ? ", assumed as in bone: the tests do not identify it"
+                                                  : ": the tests do not identify it";
   if (s.fitted() == ChipTerm::edge_length) table.add("edge_length", rounded(c.edge_length, 4) + " m" + not_known);
   if (s.fitted() == ChipTerm::size_length) table.add("size_length", rounded(c.size_length, 4) + " m" + not_known);
   if (s.fitted() == ChipTerm::edge_pressure)
     table.add("edge_pressure", rounded(c.edge_pressure, 4) + " Pa" + not_known);
   table.add("residuals", "thrust " + rounded(100 * c.thrust_residual, 3) + " %, torque " +
-                             rounded(100 * c.torque_residual, 3) + " % (root mean square)");
+                             rounded(100 * c.torque_residual, 3) + " % (root mean square)" +
+                             (c.checked ? "" : ", unchecked: as many constants as measured numbers"));
   Json rows = Json::array();
   for (const DrillingTest& t : tests) {
     const AxialCutForce model = axial_cut_force(c, t.radius, t.spindle_speed, t.feed_speed, t.lips);
@@ -97,12 +100,10 @@ void run_calibrate(const CalibrateSettings& s) {
   }
   std::fputs(table.text().c_str(), stdout);
   if (!c.edge_identified)
-    std::fputs(
-        tests.size() == 1
-            ? "To tell edge from chip, add tests at another feed per turn: u, kappa and the edge are one equation "
-              "short.\n"
-            : "To tell edge from chip, add tests whose feeds per turn differ more than they scatter.\n",
-        stdout);
+    std::fputs("To tell edge from chip, add tests at other feeds per turn, or repeat these where they scatter.\n",
+               stdout);
+  else if (!c.checked)
+    std::fputs("Any such tests would fit: to check the constants, add one at another feed per turn.\n", stdout);
   if (!c.ratio_identified) std::fputs("To know the cutting ratio, add tests with the thrust and the torque.\n", stdout);
   if (!c.chip_identified)
     std::fputs(
@@ -116,6 +117,8 @@ void run_calibrate(const CalibrateSettings& s) {
                       {"size_length", c.size_length},
                       {"ratio_identified", c.ratio_identified},
                       {"edge_identified", c.edge_identified},
+                      {"edge_assumed", c.edge_assumed},
+                      {"checked", c.checked},
                       {"chip_identified", c.chip_identified},
                       {"thrust_residual", c.thrust_residual},
                       {"torque_residual", c.torque_residual},

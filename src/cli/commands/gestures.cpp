@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -51,8 +52,7 @@ Json json_of(const GestureRow& row) {
 
 /// All of one demand on one scene, at each size of voxels.
 struct Line {
-  const GestureRow* row;                             // the last of them
-  std::vector<std::pair<double, std::string>> seen;  // by voxel size
+  std::vector<const GestureRow*> rows;  // from coarse to fine
   bool pass = true;
 };
 
@@ -61,10 +61,9 @@ std::vector<Line> lines_of(const std::vector<GestureRow>& rows, const std::strin
   for (const GestureRow& row : rows) {
     if (row.gesture != gesture) continue;
     const auto same = std::ranges::find_if(
-        lines, [&](const Line& l) { return l.row->scene == row.scene && l.row->demand == row.demand; });
+        lines, [&](const Line& l) { return l.rows[0]->scene == row.scene && l.rows[0]->demand == row.demand; });
     Line& line = same != lines.end() ? *same : lines.emplace_back();
-    line.row = &row;
-    line.seen.emplace_back(row.voxel_size, row.pass ? row.seen : "**" + row.seen + "**");
+    line.rows.push_back(&row);
     line.pass = line.pass && row.pass;
   }
   return lines;
@@ -74,7 +73,8 @@ constexpr const char* kPreface = R"(<!-- SPDX-License-Identifier: Apache-2.0 -->
 # Gestures
 
 What a hand does with a tool, what physics demands of it, and what the library gives: scenes through a loop of one's own or
-the whole chain of a simulated device, at three sizes of voxels. Written by `hapticut gestures --markdown docs/gestures.md`.
+the whole chain of a simulated device. Three values stand for voxels of 0.2, 0.1 and 0.05 mm. Written by
+`hapticut gestures --markdown docs/gestures.md`.
 What is **bold** is not what is expected; why, stands in [the list](#not-met-yet) at the end, which the tests hold both ways:
 what is on it fails, and nothing else does.
 
@@ -94,27 +94,40 @@ Beside its own demands every gesture is held to these:
 6. A second run gives the same bits, whatever was probed between the steps.
 7. What is measured changes by less than a tolerance where voxels halve, the rate doubles, or grid and hand are turned.
 
-Crushing is taken to be at 150 MPa in cortical bone, 5 in trabecular bone, 380 in enamel and 300 in dentin; a material without
+Crushing is taken to be at 150 MPa in cortical bone, 5 in trabecular bone, 384 in enamel and 297 in dentin; a material without
 a name counts as cortical bone.
 )";
 
-std::string seen_of(const Line& line) {
-  std::string seen;
-  for (const auto& [voxel, text] : line.seen)
-    seen += (seen.empty() ? "" : "; ") + (line.seen.size() == 1 ? text : rounded(1e3 * voxel, 3) + " mm: " + text);
-  return seen;
+/// One text where all sizes of voxels have the same; else each in turn, and once what stands in brackets behind all.
+std::string by_size(std::vector<std::string> texts) {
+  if (std::ranges::adjacent_find(texts, std::ranges::not_equal_to()) == texts.end()) return texts[0];
+  const std::string& first = texts[0];
+  std::string tail = first.substr(std::min(first.find(" ("), first.size()));
+  if (!std::ranges::all_of(texts, [&](const std::string& text) { return text.ends_with(tail); })) tail.clear();
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : "; ") + text.substr(0, text.size() - tail.size());
+  return all + tail;
 }
+
+std::string column(const Line& line, const std::function<std::string(const GestureRow&)>& text) {
+  std::vector<std::string> texts;
+  for (const GestureRow* row : line.rows) texts.push_back(text(*row));
+  return by_size(std::move(texts));
+}
+
+std::string seen_of(const GestureRow& row) { return row.pass ? row.seen : "**" + row.seen + "**"; }
 
 /// A scene of the page: its demands as a table, but the invariants that hold, which are a sentence.
 std::string scene_of(const std::vector<Line>& lines, const std::string& scene) {
   constexpr std::string_view kInvariant = "invariant ";
   std::string table, held;
   for (const Line& line : lines) {
-    if (line.row->scene != scene) continue;
-    if (line.pass && line.row->demand.starts_with(kInvariant))
-      held += (held.empty() ? "" : ", ") + line.row->demand.substr(kInvariant.size());
+    if (line.rows[0]->scene != scene) continue;
+    if (line.pass && line.rows[0]->demand.starts_with(kInvariant))
+      held += (held.empty() ? "" : ", ") + line.rows[0]->demand.substr(kInvariant.size());
     else
-      table += "| " + line.row->demand + " | " + line.row->expected + " | " + seen_of(line) + " |\n";
+      table += "| " + line.rows[0]->demand + " | " + column(line, [](const GestureRow& row) { return row.expected; }) +
+               " | " + column(line, seen_of) + " |\n";
   }
   if (table.empty()) return "\n" + scene + ": invariant " + held + " holds.\n";
   const std::string what = held.empty() ? scene : scene + "; invariants that hold: " + held;
@@ -126,10 +139,10 @@ std::string page_of(const std::vector<GestureRow>& rows) {
   for (const std::string& gesture : gesture_ids()) {
     const std::vector<Line> lines = lines_of(rows, gesture);
     if (lines.empty()) continue;
-    page += "\n## " + gesture + ": " + lines.front().row->name + "\n";
+    page += "\n## " + gesture + ": " + lines.front().rows[0]->name + "\n";
     std::vector<std::string> scenes;
     for (const Line& line : lines)
-      if (std::ranges::find(scenes, line.row->scene) == scenes.end()) scenes.push_back(line.row->scene);
+      if (std::ranges::find(scenes, line.rows[0]->scene) == scenes.end()) scenes.push_back(line.rows[0]->scene);
     for (const std::string& scene : scenes) page += scene_of(lines, scene);
   }
   page += "\n## Not met yet\n\n| gesture | demand | why | seen when it was put on the list |\n|---|---|---|---|\n";

@@ -83,6 +83,7 @@ TEST_F(Calibrate, FitsThePublishedDrillingTestAndSaysWhatItDoesNotIdentify) {
   const nlohmann::json report = read_json(folder / "c.json");
   EXPECT_NEAR(report["cutting_ratio"].get<double>(), 2 * 41.2 / (1.25 * 20.07), 1e-4);
   EXPECT_FALSE(report["edge_identified"]);
+  EXPECT_TRUE(report["edge_assumed"]);
   EXPECT_NE(outcome.out.find("do not identify it"), std::string::npos);
 }
 
@@ -98,6 +99,17 @@ TEST_F(Calibrate, SaysThatTheChipIsNotIdentifiedWhereTheEdgeCarriesAll) {
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_FALSE(read_json(folder / "c.json")["chip_identified"]);
   EXPECT_NE(outcome.out.find("add tests at a larger feed per turn"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Calibrate, TakesAnExactFitAndSaysThatNothingChecksIt) {
+  write(path("t.csv"), std::string(kHeader) + "1.6,400,0.8333333,48,\n1.6,2000,0.8333333,24,\n");
+  const Outcome outcome = run("calibrate " + path("t.csv") + " --json " + path("c.json"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const nlohmann::json report = read_json(folder / "c.json");
+  EXPECT_NEAR(report["edge_length"].get<double>(), 37.5e-6, 1e-8);
+  EXPECT_TRUE(report["edge_identified"]);
+  EXPECT_FALSE(report["checked"]);
+  EXPECT_NE(outcome.out.find("unchecked"), std::string::npos) << outcome.out;
 }
 
 TEST_F(Calibrate, AsksForItsFile) {

@@ -40,5 +40,14 @@ TEST(CommandLinePage, ListsEverySettingAsTheProgramDescribesIt) {
   for (const std::string& row : found) ADD_FAILURE() << "not so in the program:\n" << row;
 }
 
+TEST(CommandLinePage, BeginsWithEveryCommand) {
+  std::ifstream page(test::source_path("docs/command-line.md"));
+  std::set<std::string> found, expected;
+  for (std::string line; std::getline(page, line) && line.rfind("## ", 0) != 0;)
+    if (line.rfind("hapticut ", 0) == 0) found.insert(line.substr(9, line.find(' ', 9) - 9));
+  for (const cli::Command& command : cli::all_commands()) expected.insert(command.name);
+  EXPECT_EQ(found, expected);
+}
+
 }  // namespace
 }  // namespace hapticut::cli_docs_test

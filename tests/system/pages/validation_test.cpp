@@ -89,7 +89,7 @@ TEST(MeasurementsPage, IsWhatTheLibraryWrites) {
 // load, and the load that a removal needs is the load that gives it.
 TEST(DiamondBur, DC4NeedsItsLoadForItsRemoval) {
   using validation::DiamondBur;
-  const Material diamond = presets::enamel_with_diamond();
+  const Material diamond = presets::enamel(CutterKind::fine_diamond);
   EXPECT_NEAR(diamond.specific_cutting_energy / DiamondBur::energy(), 1, 5e-3) << "three digits of the preset";
   constexpr double kThickLayer = 0.05;  // [1] of an engaged layer of a twenty-fourth of the radius
   const auto plate = [&] { return DiamondBur::Plate(diamond, 0.025 * units::mm); };
@@ -104,7 +104,7 @@ TEST(DiamondBur, DC4NeedsItsLoadForItsRemoval) {
 // A load that the edges carry cuts nothing.
 TEST(DiamondBur, BelowItsEdgePressureACarbideBurrRemovesNothing) {
   using validation::DiamondBur;
-  Material carbide = presets::enamel_with_diamond();
+  Material carbide = presets::enamel(CutterKind::fine_diamond);
   carbide.specific_cutting_energy = 1.75e9;
   carbide.edge_pressure = 200e3;
   const double edges = carbide.edge_pressure * DiamondBur::Plate::kArea;

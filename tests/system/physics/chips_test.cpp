@@ -5,6 +5,7 @@
 
 #include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/tool/catalogue.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
 #include "support/cutting.hpp"
 #include "support/fed_tool.hpp"
 
@@ -30,6 +31,7 @@ constexpr Cutter kCutter{CutterKind::carbide_bur, 2};
 // Measured, [1]: what is left of each is in docs/decisions/0010-chips.md.
 constexpr double kMean = 0.03;     // of the closed form
 constexpr double kSlot = 0.035;    // the same for walls, where the layer is thickest at 1e15
+constexpr double kLayer = 0.1;     // the same in the layer of the default foundation under the pressure of bone
 constexpr double kRipple = 0.013;  // standard deviation over mean
 constexpr double kPushed = 0.04;   // of the speed under a push
 
@@ -132,6 +134,32 @@ TEST(Chips, C38PlungingABall) {
       EXPECT_NEAR(s.force_T.z() / expected.force.z(), 1, kMean);
       EXPECT_NEAR(s.torque_T.z() / expected.torque.z(), 1, lengths.edge > 0 ? 0.06 : kMean);  // the wall rubs, as above
     }
+}
+
+// Presets of blades have a size length: what they take of a groove is far from C26.
+// Proves: chips.
+TEST(Chips, C42AGrooveInBoneIsManyTimesTheOneAtAConstantEnergy) {
+  const double depth = 0.5 * mm;
+  const Cutter bur = common_cutter(CutterKind::carbide_bur);
+  for (const double spin : {2000.0, 8000.0}) {
+    const Material bone = presets::cortical_bone();
+    Simulation simulation(build_block({Vec3(-3.4, -1.6, -1.1) * mm, Vec3(2.6, 1.6, 0) * mm}, kVoxel, bone),
+                          Tool(SphereHead{kRadius}, RayHandle{}, Spindle{spin}, bur), {});
+    const Vec3 start = Vec3(-3.517 * mm, 0.006 * mm, kRadius - depth);
+    const Fed s = feed_along(simulation, Mat3::Identity(), start, Vec3(kFeed, 0, 0), 4 * mm, 0.3);
+    forms::SteadyCut cut{bone.specific_cutting_energy, bone.cutting_ratio, spin, kFeed};
+    cut.tooth_rate = tooth_rate(bur, spin);
+    cut.size_length = bone.size_length;
+    const Wrench expected = forms::groove_chip_wrench(cut, kRadius, depth);
+    SCOPED_TRACE(spin);
+    EXPECT_LT((s.force_T - expected.force).norm(), kLayer * expected.force.norm());
+    EXPECT_NEAR(s.torque_T.z() / expected.torque.z(), 1, kSlot);
+    EXPECT_GT(expected.force.norm(), 9 * forms::groove_wrench(cut, kRadius, depth).force.norm());
+    // The words of EnergyLedger: both hold what thin chips take, without an edge pressure and with removal on.
+    const EnergyLedger& spent = s.energy;
+    EXPECT_GT(spent.cutting, 5 * bone.specific_cutting_energy * 4 * mm * kRadius * kRadius * 0.5);
+    EXPECT_GT(spent.rubbing, 0.2 * spent.motor_work);
+  }
 }
 
 Simulation pushed_bur(const Material& material, double stiffness) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The closed forms C20-C34 of docs/model.md against integrals of the equations that they come from. No voxel and no
-// step: what is integrated is the pressure of the cut on every point of the head's surface, or the layer that it decays
-// in.
+// The closed forms C20-C38 and C42 of docs/model.md against integrals of the equations that they come from. No voxel
+// and no step: what is integrated is the pressure of the cut on every point of the head's surface, or the layer that it
+// decays in.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -173,7 +173,7 @@ TEST(CuttingForms, C26C27C28OfABallAreTheIntegralOfItsPressure) {
   EXPECT_EQ(forms::ball_plunge_wrench(kCut, kR, 5 * kR).force, forms::ball_plunge_wrench(kCut, kR, kR).force);
 }
 
-TEST(CuttingForms, C35C36C37C38WithChipsAreTheIntegralOfTheirPressure) {
+TEST(CuttingForms, C35C36C37C38C42WithChipsAreTheIntegralOfTheirPressure) {
   SteadyCut cut = kCut;
   cut.tooth_rate = 600;
   for (const auto& [edge, size] : {std::pair{0.0, 0.0}, {5e-6, 0.0}, {0.0, 9e-6}, {4e-6, 3e-6}}) {
@@ -186,6 +186,9 @@ TEST(CuttingForms, C35C36C37C38WithChipsAreTheIntegralOfTheirPressure) {
                  kRoots);
     expect_force(integrate(cut, meridian_of_a_ball(0, kPi / 2), -Vec3::UnitZ()),
                  forms::ball_plunge_chip_wrench(cut, kR), kRoots);
+    for (const double depth : {0.3 * kR, 1.0 * kR, 1.6 * kR})
+      expect_force(integrate(cut, meridian_of_a_ball(0, std::acos(1 - depth / kR)), Vec3::UnitX(), -kPi / 2, kPi / 2),
+                   forms::groove_chip_wrench(cut, kR, depth), 2 * kRoots);
     const double thrust = forms::axial_chip_wrench(cut, kR).force.z();
     EXPECT_NEAR(forms::feed_with_chips_under(thrust, cut, kR) / cut.feed_speed, 1, kRounding);
   }
@@ -193,6 +196,9 @@ TEST(CuttingForms, C35C36C37C38WithChipsAreTheIntegralOfTheirPressure) {
                 0.99 * 2 * kPi * kR * cut.specific_cutting_energy * cut.edge_speed() / (cut.cutting_ratio * cut.spin),
                 cut, kR),
             0);
+  cut.edge_length = cut.size_length = 0;
+  EXPECT_LT((forms::groove_chip_wrench(cut, kR, 0.6 * kR).force - forms::groove_wrench(cut, kR, 0.6 * kR).force).norm(),
+            1e-5 * forms::groove_wrench(cut, kR, 0.6 * kR).force.norm());
 }
 
 TEST(CuttingForms, C29OfAConeIsTheIntegralOfItsPressure) {

@@ -12,6 +12,7 @@
 #include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/force/stiffness.hpp"
 #include "support/places.hpp"
 
 namespace hapticut::material_presets_test {
@@ -79,44 +80,111 @@ TEST(MaterialPresets, AreValidAndNamedLikeTheirFunction) {
 TEST(MaterialPresets, FitIntoOneTable) {
   MaterialTable table;
   for (const std::string_view name : preset_names()) table.add(find_preset(name));
-  EXPECT_EQ(table.size(), 9);
+  EXPECT_EQ(std::size_t(table.size()), preset_names().size());
 }
 
 TEST(MaterialPresets, AreNeverStifferThanEnamel) {
   for (const std::string_view name : preset_names()) EXPECT_LE(find_preset(name).relative_stiffness, 1) << name;
 }
 
-/// The rows of the second table of the page: name and cutter -> kappa, u, h_e, h_s.
-std::map<std::string, std::vector<double>> documented_pairs() {
+/// The rows of the tables under a heading of the page: first cell -> numbers.
+std::map<std::string, std::vector<double>> documented_under(const std::string& heading) {
   std::ifstream page(test::source_path("docs/materials.md"));
   std::map<std::string, std::vector<double>> rows;
   std::string line;
   bool here = false;
   while (std::getline(page, line)) {
-    if (line.rfind("## ", 0) == 0) here = line == "## By cutter";
+    if (line.rfind("## ", 0) == 0) here = line == "## " + heading;
     if (!here || line.rfind("| ", 0) != 0 || line.rfind("| name", 0) == 0) continue;
     std::replace(line.begin(), line.end(), '|', ' ');
     std::istringstream cells(line);
-    std::string name, cutter, number;
-    cells >> name >> cutter;
-    while (cells >> number) rows[name + " " + cutter].push_back(std::stod(number));
+    std::string name, number;
+    cells >> name;
+    while (cells >> number) rows[name].push_back(std::stod(number));
   }
   return rows;
 }
 
-TEST(MaterialPresets, AreForEachCutterWhatTheTableSays) {
-  const auto rows = documented_pairs();
-  EXPECT_EQ(rows.size(), 5U * 6U);
+TEST(MaterialPresets, AreForEachCutterWhatTheTablesSay) {
+  const auto cutters = documented_under("By cutter"), shares = documented_under("By material");
+  EXPECT_EQ(cutters.size(), names_of(Of<CutterKind>{}).size());
   for (const auto& kind : names_of(Of<CutterKind>{}))
-    for (const char* name : {"enamel", "dentin", "caries", "cortical_bone", "trabecular_bone"}) {
-      const auto row = rows.find(std::string(name) + " " + kind.name);
-      ASSERT_NE(row, rows.end()) << name << " " << kind.name;
+    for (const std::string_view name : preset_names()) {
       const Material m = find_preset(name, kind.value);
-      const double found[] = {m.cutting_ratio, m.specific_cutting_energy, m.edge_length, m.size_length};
-      for (std::size_t n = 0; n < 4; ++n) EXPECT_NEAR(found[n], row->second[n], 0.006 * found[n]) << name << kind.name;
       EXPECT_EQ(m.name, name);
       EXPECT_NO_THROW(validate(m));
+      if (!shares.contains(m.name)) {
+        EXPECT_EQ(numbers_of(m), numbers_of(find_preset(name))) << name << ": the same for each cutter";
+        continue;
+      }
+      const std::vector<double>& of = cutters.at(kind.name);
+      const double share = shares.at(m.name).at(0);
+      const double found[] = {m.cutting_ratio, m.specific_cutting_energy, m.edge_length, m.size_length};
+      const double expected[] = {of.at(0), of.at(1) * share, of.at(2), of.at(3) / share};
+      for (std::size_t n = 0; n < 4; ++n) EXPECT_NEAR(found[n], expected[n], 0.006 * found[n]) << name << kind.name;
     }
+}
+
+/// [m^3/s] that a ball takes, plunged deeper than its radius under a load (C38).
+double rate_of(CutterKind kind, const Material& m, double load, double radius = 1 * units::mm) {
+  constexpr double kSpin = 8000;  // [rad/s]
+  closed_forms::SteadyCut cut{m.specific_cutting_energy, m.cutting_ratio, kSpin, 0};
+  cut.tooth_rate = tooth_rate(common_cutter(kind), kSpin);
+  cut.edge_length = m.edge_length;
+  cut.size_length = m.size_length;
+  double low = 0, high = 1e3;  // [m/s]
+  for (int halving = 0; halving < 100; ++halving) {
+    cut.feed_speed = (low + high) / 2;
+    (closed_forms::ball_plunge_chip_wrench(cut, radius).force.z() < load ? low : high) = cut.feed_speed;
+  }
+  return low < 1e-15 ? 0 : low * units::kPi * radius * radius;
+}
+
+TEST(MaterialPresets, AreInTheSameOrderUnderEveryCutterAndLoad) {
+  const std::vector<std::vector<std::string>> slower_first = {
+      {"enamel"}, {"amalgam"}, {"dentin", "cortical_bone"}, {"caries"}, {"trabecular_bone"}, {"pulp"}, {"clay"}};
+  for (const auto& kind : names_of(Of<CutterKind>{}))
+    for (const double load : {0.3, 1.0, 3.0, 6.0, 10.0, 30.0}) {
+      double last = 0;
+      for (const auto& alike : slower_first) {
+        const double rate = rate_of(kind.value, find_preset(alike.front(), kind.value), load);
+        const std::string at = alike.front() + ", " + kind.name + ", " + std::to_string(load) + " N";
+        EXPECT_TRUE(rate > 1.1 * last || rate + last == 0) << at << ": " << rate << " after " << last;
+        for (const auto& other : alike)
+          EXPECT_EQ(rate_of(kind.value, find_preset(other, kind.value), load), rate) << at << ", as " << other;
+        last = rate;
+      }
+    }
+}
+
+// A share of the energy is a share of the rate, also where blades go with the square of the load.
+TEST(MaterialPresets, AreCutByABurAsMuchFasterAsTheyCostLess) {
+  for (const auto& kind : names_of(Of<CutterKind>{})) {
+    if (kind.value == CutterKind::twist_drill) continue;
+    for (const auto& [name, share] : documented_under("By material"))
+      for (const double load : {0.3, 1.0, 5.0}) {
+        const double rate = rate_of(kind.value, find_preset(name, kind.value), load),
+                     of_dentin = rate_of(kind.value, presets::dentin(kind.value), load);
+        EXPECT_NEAR(rate * share.at(0) / of_dentin, 1, 0.01) << name << ", " << kind.name;
+      }
+  }
+}
+
+TEST(MaterialPresets, LetCuttingBursThroughBoneFasterThanDiamondsFromOneAndAHalfNewtonsOn) {
+  using enum CutterKind;
+  struct Pair {
+    CutterKind blades, grains;
+    double largest;  // [m] radius
+  };
+  for (const Pair& pair :
+       {Pair{mastoid_cutting_bur, mastoid_diamond_bur, 3.5 * units::mm},
+        Pair{carbide_bur, fine_diamond, 1.2 * units::mm}, Pair{carbide_bur, coarse_diamond, 1.2 * units::mm}})
+    for (const double radius : {0.5 * units::mm, pair.largest})
+      for (const char* bone : {"cortical_bone", "trabecular_bone"})
+        for (const double load : {1.5, 3.0, 10.0})
+          EXPECT_GT(rate_of(pair.blades, find_preset(bone, pair.blades), load, radius),
+                    rate_of(pair.grains, find_preset(bone, pair.grains), load, radius))
+              << names_of(Of<CutterKind>{})[std::size_t(pair.grains)].name << ", " << load << " N, " << radius << " m";
 }
 
 // White 1998, Proc SPIE 3248: a carbide bur of 0.84 mm at high speed goes 0.273 +- 0.047 mm/s into enamel, 0.493 mm/s
@@ -132,6 +200,16 @@ TEST(MaterialPresets, LetACarbideBurIntoEnamelAndDentinAsFastAsWhiteMeasured) {
   };
   EXPECT_NEAR(rate(presets::enamel()), 0.273, 0.047);
   EXPECT_NEAR(rate(presets::dentin()) / 0.493, 1, 0.1);
+}
+
+// docs/model.md, "What is pressed too hard": w_c of a ball of 1 mm on voxels of 0.1 mm, by default.
+TEST(MaterialPresets, AreCrushedFromTheDepthOnThatThePageSays) {
+  const double k_v = stiffness_for_grid(SphereHead{1 * units::mm}, 0.1 * units::mm);
+  const auto depth = [&](const Material& m) {
+    return std::sqrt(2 * m.compressive_strength / (k_v * m.relative_stiffness));
+  };
+  EXPECT_NEAR(depth(presets::cortical_bone()), 0.12 * units::mm, 0.005 * units::mm);
+  EXPECT_NEAR(depth(presets::enamel()), 0.2 * units::mm, 0.005 * units::mm);
 }
 
 TEST(MaterialPresets, RefuseAnUnknownNameAndListTheKnownOnes) {

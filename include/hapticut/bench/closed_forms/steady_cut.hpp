@@ -9,7 +9,7 @@
 #include "hapticut/core/units.hpp"
 
 /// @file
-/// C20 ... C34: what a spinning head needs to cut, once the cut is steady; and the figures of the thesis.
+/// C20 ... C38 and C42: what a spinning head needs to cut, once the cut is steady; and the figures of the thesis.
 namespace hapticut::closed_forms {
 
 // --- steady cutting --------------------------------------------------------------------------------------------------
@@ -22,7 +22,7 @@ struct SteadyCut {
   double feed_speed;               ///< [m/s] v_f > 0
   double edge_pressure = 0;        ///< [Pa] p_e, counted by C22 and C23 only
 
-  double tooth_rate = 0;   ///< [1/s] f_z, counted by C35 ... C38 only, as are
+  double tooth_rate = 0;   ///< [1/s] f_z, counted by C35 ... C38 and C42 only, as are
   double edge_length = 0;  ///< [m] h_e
   double size_length = 0;  ///< [m] and h_s
 
@@ -183,6 +183,38 @@ struct SteadyCut {
            u_R / cut.cutting_ratio *
                (units::kPi / 4 * cut.feed_speed + integral_of_cosine(1.5) / 2 * cut.size_speed() + cut.edge_speed())),
       Vec3(0, 0, -u_R * R * (cut.feed_speed / 2 + 2.0 / 3 * cut.size_speed() + cut.edge_speed()))};
+}
+
+/// C42: the groove of C26 where the energy depends on the chip; with c(n) the integral of cos^n between -pi/2 and pi/2,
+/// s(n) that of sin^n between 0 and th, and the sums over m = 1, 1/2, 0 with V = v_f, sqrt(h_s f_z v_f), h_e f_z
+///
+///     F_x = -(u R/(kappa omega)) Sum c(m + 1) s(m + 1) V,   F_y = -(u R/omega) Sum c(m + 1) s(m) V
+///     F_z = (u R/(kappa omega)) Sum c(m) sin(th)^(m + 1) V/(m + 1),   T_z = -(u R^2/omega) Sum c(m) s(m + 1) V
+///
+/// @param depth  [m] of the groove, 0 ... 2R
+/// @return force, and the torque about the axis; the other two components of the torque are left 0
+[[nodiscard]] inline Wrench groove_chip_wrench(const SteadyCut& cut, double R, double depth) {
+  constexpr int kSteps = 400;
+  const double th = std::acos(1 - depth / R), u_R = cut.specific_cutting_energy * R / cut.spin;
+  // In steps of th x^2, for roots begin at the lowest point.
+  const auto sines = [&](double m) {
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const double x = (i + 0.5) / kSteps;
+      sum += std::pow(std::sin(th * x * x), m) * 2 * th * x / kSteps;
+    }
+    return sum;
+  };
+  const auto sum = [&](double cosines, const auto& along) {
+    return integral_of_cosine(cosines + 1) * along(1.0) * cut.feed_speed +
+           integral_of_cosine(cosines + 0.5) * along(0.5) * cut.size_speed() +
+           integral_of_cosine(cosines) * along(0.0) * cut.edge_speed();
+  };
+  const auto across = [&](double m) { return sines(m + 1); };
+  const auto upwards = [&](double m) { return std::pow(std::sin(th), m + 1) / (m + 1); };
+  return {
+      Vec3(-u_R / cut.cutting_ratio * sum(1, across), -u_R * sum(1, sines), u_R / cut.cutting_ratio * sum(0, upwards)),
+      Vec3(0, 0, -u_R * R * sum(0, across))};
 }
 
 /// C30: what the cut costs, `u dV/dt`. With law A the motor pays it alone, `|T_z| omega`, and the work of the hand is
