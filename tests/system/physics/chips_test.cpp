@@ -144,7 +144,7 @@ TEST(Chips, C42AGrooveInBoneIsManyTimesTheOneAtAConstantEnergy) {
   for (const double spin : {2000.0, 8000.0}) {
     const Material bone = presets::cortical_bone();
     Simulation simulation(build_block({Vec3(-3.4, -1.6, -1.1) * mm, Vec3(2.6, 1.6, 0) * mm}, kVoxel, bone),
-                          Tool(SphereHead{kRadius}, RayHandle{}, Spindle{spin}, bur), {});
+                          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin}, bur), {});
     const Vec3 start = Vec3(-3.517 * mm, 0.006 * mm, kRadius - depth);
     const Fed s = feed_along(simulation, Mat3::Identity(), start, Vec3(kFeed, 0, 0), 4 * mm, 0.3);
     forms::SteadyCut cut{bone.specific_cutting_energy, bone.cutting_ratio, spin, kFeed};

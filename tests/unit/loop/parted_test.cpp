@@ -67,49 +67,6 @@ TEST(Parted, AToolThatBeginsInsideWaitsForAFreeHand) {
 }
 
 // In a loop of one's own, as docs/devices.md has it: the stylus goes through the bone before there is a force.
-TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInALoopOfOnesOwn) {
-  for (const bool interlocked : {true, false}) {
-    const std::unique_ptr<Device> device = stiff_mock("rest");
-    Simulation simulation(block(), ball(), config(true));
-    VirtualCoupling coupling(simulation, touch_gains());
-    SpindleInterlock interlock(simulation.spindle_setting());
-    double unfelt = 0, felt = 0;  // [m^3]
-    int n = 0;
-    RunOptions run;
-    run.simulated_time = true;
-    run.stop_on_signals = false;
-    (void)device->run(
-        [&](const DeviceState& state) {
-          // Pressed in from tick 2 on, out at 300, and in again at 2500, when the force is there.
-          const double depth = n < 300 ? 1e-5 * std::min(n, 100) : n < 2500 ? -2e-3 : 1e-5 * std::min(n - 2500, 100);
-          const Pose pose = Pose::from_translation(Vec3(0, 0, kRadius - depth));
-          if (interlocked) interlock.turn(simulation, device->last_arming());
-          const CoupledResult& result = coupling.step(pose, {}, device->period());
-          (n < 300 ? unfelt : felt) += result.removed_volume;
-          (void)state;
-          return DeviceCommand{result.hand, ++n >= 3000};
-        },
-        run);
-    EXPECT_EQ(unfelt > 0, !interlocked);
-    EXPECT_GT(felt, 0) << "once there is a force";
-  }
-}
-
-TEST(SpindleInterlock, WaitsUntilTheToolHasTouchedNothingAndTakesNoSpeedThatIsNone) {
-  SpindleInterlock interlock(3000);
-  EXPECT_FALSE(interlock.admits(ArmingState::wait_free, false));
-  EXPECT_FALSE(interlock.admits(ArmingState::ramp, true));
-  EXPECT_TRUE(interlock.admits(ArmingState::ramp, false));
-  EXPECT_TRUE(interlock.admits(ArmingState::on, true)) << "it may touch what it cuts";
-  EXPECT_FALSE(interlock.admits(ArmingState::fault, true));
-  EXPECT_FALSE(interlock.admits(ArmingState::on, true));
-  EXPECT_TRUE(interlock.admits(ArmingState::on, false));
-  interlock.interrupt();
-  EXPECT_FALSE(interlock.admits(ArmingState::on, true));
-  EXPECT_THROW(interlock.set_speed(2 * kFastestSpindle), Error);
-  EXPECT_EQ(interlock.speed(), 3000);
-}
-
 TEST(Parted, AScaleChangesTheGainsAndNotWhatTheDeviceFeels) {
   const CouplingGains touch = touch_gains();
   WorkspaceMapOptions map;

@@ -213,36 +213,6 @@ TEST(SimulationModel, CutsNothingBeforeTheToolWasFree) {
     }
 }
 
-TEST(SimulationModel, TurnsTheSpindleOnlyWhileThePedalIsDown) {
-  const auto device = test::loop_rig::stiff_mock("line");
-  Simulation simulation = block_under_the_ball();
-  SimulationModelOptions options = ball_above_the_block();
-  options.pedal = 32;
-  EXPECT_THROW(SimulationModel(simulation, *device, options), Error);
-  options.pedal = 3;
-  SimulationModel model(simulation, *device, options);
-  RunOptions run = options_for(model, 0).run;
-  LoopSnapshot snapshot;
-  int touched = 0;      // [voxels] before the pedal goes down, where nothing was removed
-  double removed = -1;  // [m^3] when it comes up
-  int n = 0;
-  (void)device->run(
-      [&](const DeviceState& reading) {
-        DeviceState state = reading;
-        state.X_BS.translation = {0, 0, 1e-3 - 1.5e-6 * n};  // in contact from tick 667 on
-        state.buttons = n < 800 || n >= 900 ? ~(1U << 3) : 1U << 3;
-        DeviceCommand command{model.step(state, 1e-3, snapshot), false, model.contact()};
-        if (n == 799) touched = snapshot.tool.removed_volume == 0 ? snapshot.tool.contact_voxels : -1;
-        if (n == 899) removed = snapshot.tool.removed_volume;
-        command.stop = ++n == 1000;
-        return command;
-      },
-      run);
-  EXPECT_GT(touched, 0);
-  EXPECT_GT(removed, 0);
-  EXPECT_EQ(snapshot.tool.removed_volume, removed);
-}
-
 TEST(SimulationModel, StopsTheSpindleInAnEmergencyFromAnyThread) {
   const auto device = test::loop_rig::stiff_mock("spiral");
   Simulation simulation = block_under_the_ball();

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// When the spindle of a loop turns: with a force, and while the pedal is down where there is one.
+#include "hapticut/loop/spindle_interlock.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hapticut/core/errors.hpp"
+#include "support/loop_rig.hpp"
+
+namespace hapticut::spindle_interlock_test {
+namespace {
+
+using namespace test::loop_rig;
+
+TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInALoopOfOnesOwn) {
+  for (const bool interlocked : {true, false}) {
+    const std::unique_ptr<Device> device = stiff_mock("rest");
+    Simulation simulation(block(), ball(), config(true));
+    VirtualCoupling coupling(simulation, touch_gains());
+    SpindleInterlock interlock(simulation.spindle_setting());
+    double unfelt = 0, felt = 0;  // [m^3]
+    int n = 0;
+    RunOptions run;
+    run.simulated_time = true;
+    run.stop_on_signals = false;
+    (void)device->run(
+        [&](const DeviceState& state) {
+          // Pressed in from tick 2 on, out at 300, and in again at 2500, when the force is there.
+          const double depth = n < 300 ? 1e-5 * std::min(n, 100) : n < 2500 ? -2e-3 : 1e-5 * std::min(n - 2500, 100);
+          const Pose pose = Pose::from_translation(Vec3(0, 0, kRadius - depth));
+          if (interlocked) interlock.turn(simulation, device->last_arming());
+          const CoupledResult& result = coupling.step(pose, {}, device->period());
+          (n < 300 ? unfelt : felt) += result.removed_volume;
+          (void)state;
+          return DeviceCommand{result.hand, ++n >= 3000};
+        },
+        run);
+    EXPECT_EQ(unfelt > 0, !interlocked);
+    EXPECT_GT(felt, 0) << "once there is a force";
+  }
+}
+
+TEST(SpindleInterlock, WaitsUntilTheToolHasTouchedNothingAndTakesNoSpeedThatIsNone) {
+  SpindleInterlock interlock(3000);
+  EXPECT_FALSE(interlock.admits(ArmingState::wait_free, false));
+  EXPECT_FALSE(interlock.admits(ArmingState::ramp, true));
+  EXPECT_TRUE(interlock.admits(ArmingState::ramp, false));
+  EXPECT_TRUE(interlock.admits(ArmingState::on, true)) << "it may touch what it cuts";
+  EXPECT_FALSE(interlock.admits(ArmingState::fault, true));
+  EXPECT_FALSE(interlock.admits(ArmingState::on, true));
+  EXPECT_TRUE(interlock.admits(ArmingState::on, false));
+  interlock.interrupt();
+  EXPECT_FALSE(interlock.admits(ArmingState::on, true));
+  EXPECT_THROW(interlock.set_speed(2 * kFastestSpindle), Error);
+  EXPECT_EQ(interlock.speed(), 3000);
+}
+
+TEST(SpindleInterlock, OfAModelWithAPedalTurnsWhileItIsDown) {
+  Rig rig;
+  SimulationModelOptions options;
+  options.map.X_WB = Pose::from_translation(Vec3(0, 0, kRadius));
+  options.pedal = 32;
+  EXPECT_THROW(SimulationModel(rig.simulation, *rig.device, options), Error);
+  options.pedal = 3;
+  SimulationModel model(rig.simulation, *rig.device, options);
+  RunOptions run;
+  run.simulated_time = true;
+  run.stop_on_signals = false;
+  run.guard.arming.ramp = run.guard.arming.short_ramp = 0.02;
+  LoopSnapshot snapshot;
+  int touched = 0;      // [voxels] before the pedal goes down, where nothing was removed
+  double removed = -1;  // [m^3] when it comes up
+  int n = 0;
+  (void)rig.device->run(
+      [&](const DeviceState& reading) {
+        DeviceState state = reading;
+        state.X_BS.translation = {0, 0, 1e-3 - 1.5e-6 * n};  // in contact from tick 667 on
+        state.buttons = n < 800 || n >= 900 ? ~(1U << 3) : 1U << 3;
+        DeviceCommand command{model.step(state, 1e-3, snapshot), false, model.contact()};
+        if (n == 799) touched = snapshot.tool.removed_volume == 0 ? snapshot.tool.contact_voxels : -1;
+        if (n == 899) removed = snapshot.tool.removed_volume;
+        command.stop = ++n == 1000;
+        return command;
+      },
+      run);
+  EXPECT_GT(touched, 0);
+  EXPECT_GT(removed, 0);
+  EXPECT_EQ(snapshot.tool.removed_volume, removed);
+}
+
+}  // namespace
+}  // namespace hapticut::spindle_interlock_test
