@@ -39,7 +39,7 @@ void print(const Check& c) {
               percent(c.relative_error()).c_str(), percent(c.tolerance).c_str());
 }
 
-constexpr const char* kPreface = R"(<!-- SPDX-License-Identifier: Apache-2.0 -->
+constexpr const char* kValidationPreface = R"(<!-- SPDX-License-Identifier: Apache-2.0 -->
 # Validation
 
 What each closed form gives, and what the library gives. Written by `hapticut validate --markdown docs/validation.md`;
@@ -52,7 +52,7 @@ theirs hold C35 ... C38 and C42. "grid" and "pushed" are the worst of 7 directio
 
 /// The table as a page of the documentation. No times and no machine in it: it changes only when a result does.
 std::string page_of(const std::vector<Check>& checks) {
-  std::string page = kPreface;
+  std::string page = kValidationPreface;
   for (const Check& c : checks)
     page += "| " + c.id + " | " + c.what + " | " + c.with_unit(rounded(c.expected, 4)) + " | " +
             c.with_unit(rounded(c.computed, 4)) + " | " + percent(c.relative_error()) + (c.pass() ? "" : " **FAIL**") +
