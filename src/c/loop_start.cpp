@@ -102,7 +102,10 @@ void put_report(const RunReport& report, hapticut_loop_report& own) {
   own.arming = std::uint32_t(report.guard);
   copy_text(report.end, own.end, sizeof own.end);
   std::string warnings;
-  for (const std::string& one : report.warnings) warnings += (warnings.empty() ? "" : "\n") + in_words_of_c(one);
+  for (const std::string& one : report.warnings) {
+    if (!warnings.empty()) warnings += '\n';
+    warnings += in_words_of_c(one);
+  }
   copy_text(warnings, own.warnings, sizeof own.warnings);
 }
 

@@ -173,7 +173,9 @@ std::string describe(const Value& value) {
 
 std::optional<std::string> nearest_name(std::string_view misspelled, const std::vector<std::string>& candidates) {
   const std::string_view word = misspelled.substr(std::min(misspelled.find_first_not_of('-'), misspelled.size()));
-  const auto ends_with_it = [&](const std::string& name) { return name.ends_with("_" + std::string(word)); };
+  const auto ends_with_it = [&](const std::string& name) {
+    return name.ends_with(word) && name.size() > word.size() && name[name.size() - word.size() - 1] == '_';
+  };
   const auto begins_with_it = [&](const std::string& name) { return name.starts_with(misspelled); };
   // What was cut short, "--feed" or "--rpm", is no other name that is as short.
   const bool is_begun = word.size() > 2 && std::any_of(candidates.begin(), candidates.end(), begins_with_it);
