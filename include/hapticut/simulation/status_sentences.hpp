@@ -11,7 +11,7 @@ namespace hapticut {
 [[nodiscard]] inline std::string sentences_of(StepStatus status) {
   std::string sentences;
   for (const Named<StepStatus>& bit : names_of(Of<StepStatus>{}))
-    if (has_any(status, bit.value)) sentences += (sentences.empty() ? "" : " ") + std::string(bit.words);
+    if (has_any(status, bit.value)) sentences.append(sentences.empty() ? "" : " ").append(bit.words);
   return sentences;
 }
 
