@@ -155,9 +155,11 @@ void bind_tool(py::module_& m) {
   m.def(
       "common_spindle", [whole](MotorKind, const py::int_& speed) { return whole(speed); }, py::arg("motor"),
       py::arg("speed"), doc("common_spindle"));
-  m.def("common_spindle", py::overload_cast<MotorKind, double>(&common_spindle), py::arg("motor"), py::arg("speed"),
-        doc("common_spindle"));
-  m.def("common_spindle", py::overload_cast<double>(&common_spindle), py::arg("speed"), doc("common_spindle"));
+  m.def(
+      "common_spindle", [](MotorKind motor, double speed) { return common_spindle(motor, speed); }, py::arg("motor"),
+      py::arg("speed"), doc("common_spindle"));
+  m.def(
+      "common_spindle", [](double speed) { return common_spindle(speed); }, py::arg("speed"), doc("common_spindle"));
   bind_enum<CutterKind>(m, "CutterKind");
   bind_described<Cutter>(m, "Cutter");
   m.def("validate", py::overload_cast<const Cutter&>(&validate), py::arg("cutter"), doc("validate"));
