@@ -38,7 +38,7 @@ TEST(CStructs, AreAsLargeAsTheyWereGivenOut) {
                                                         {"hapticut_step_input", 160},
                                                         {"hapticut_step_result", 208},
                                                         {"hapticut_probe_result", 352},
-                                                        {"hapticut_energy_ledger", 112},
+                                                        {"hapticut_energy_ledger", 120},
                                                         {"hapticut_coupling_gains", 72},
                                                         {"hapticut_device_info", 240},
                                                         {"hapticut_loop_options", 160},
