@@ -106,6 +106,7 @@ def test_a_coupling_holds_the_tool_on_stiff_material(coupled, block, tool, plung
     assert not result.status & h.kRejected and result.removed_volume > 0 and result.velocity.shape == (6,)
     energy = coupling.last_result.energy
     assert energy.hand_work == other.last_result.energy.hand_work > 0 and abs(energy.closure()) < 1e-3  # Newton's rest
+    assert energy.turnover >= energy.hand_work
     parts = energy.tool_work + energy.spring + energy.damper + energy.kinetic + energy.implicit
     assert energy.imbalance() == pytest.approx(energy.hand_work - parts, abs=1e-12)
     assert result.coupling.force.shape == (3,)

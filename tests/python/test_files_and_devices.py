@@ -36,7 +36,7 @@ def test_volumes_are_worked_on(tmp_path, block):
     grey = h.volume.GreyVolume(np.arange(8 * 9 * 10, dtype=np.float32).reshape(8, 9, 10), [1 * mm] * 3)
     h.io.write_nrrd(tmp_path / "grey.nrrd", grey)
     again = h.io.read_grey_volume(tmp_path / "grey.nrrd", h.io.VolumeReadOptions(spacing=[2 * mm] * 3))
-    assert np.array_equal(again.values, grey.values) and np.allclose(again.spacing, 2 * mm)
+    assert np.array_equal(again.values, grey.values) and np.allclose(again.spacing, 2 * mm) and again.padding == 0
     assert np.allclose(h.volume.with_spacing(grey, [3 * mm] * 3).spacing, 3 * mm)
     assert h.volume.crop_to_samples(grey, h.IndexBox([1, 1, 1], [3, 4, 5])).dims == (3, 4, 5)
     assert h.volume.box_around(grey, 700.0).max == [7, 8, 9]

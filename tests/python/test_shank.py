@@ -46,6 +46,9 @@ def test_the_nose_of_a_handpiece_is_a_body():
 def test_a_handle_must_say_how_long_it_is():
     with pytest.raises(TypeError, match="length"):
         h.RayHandle()
+    handle = h.RayHandle(10 * mm)
+    handle.length = 20 * mm
+    assert handle.length == 20 * mm
     with pytest.raises(h.Error, match="LHandle::length .m. must be given"):
         h.Tool(h.SphereHead(1 * mm), h.LHandle())
 
@@ -58,7 +61,7 @@ def test_a_spindle_that_no_motor_turns_is_refused():
             h.common_spindle(*turns_a_minute)
     assert h.catalogue.fastest_speed(h.MotorKind.electric) == 250e3 * rpm
     assert h.describe_status(h.StepStatus.blocks_low | h.StepStatus.power_limited) == "blocks_low | power_limited"
-    assert h.describe_status(0) == "ok" and h.sentences_of(0) == ""
-    assert "bring it out of the material" in h.sentences_of(h.StepStatus.tool_waits)
+    assert h.describe_status(0) == "ok" and h.safety.sentences_of(0) == ""
+    assert "bring it out of the material" in h.safety.sentences_of(h.StepStatus.tool_waits)
     with pytest.raises(h.Error, match="turns a minute"):
         h.Tool(h.SphereHead(1 * mm), spindle=h.Spindle(2 * h.kFastestSpindle))

@@ -170,6 +170,7 @@ def test_volumes_go_through_files(tmp_path):
     hapticut.io.write_nrrd(tmp_path / "labels.nrrd", volume)
     again = hapticut.io.read_label_volume(tmp_path / "labels.nrrd")
     assert np.array_equal(again.values, labels()) and again.dims == labels().shape
+    assert again.padding == 0  # only DICOM has it
     assert np.allclose(again.spacing, volume.spacing) and np.allclose(again.X_WG, volume.X_WG)
     assert np.allclose(again.position(1, 0, 0), [1.2 * mm, 0, 0])
     assert hapticut.volume.box_around(again, [7]).min == [4, 3, 1]

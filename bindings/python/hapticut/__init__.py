@@ -182,7 +182,6 @@ from ._hapticut import (
     kRejected as kRejected,
     most_blocks as most_blocks,
     most_voxels as most_voxels,
-    sentences_of as sentences_of,
     thesis_mode as thesis_mode,
     validate as validate,
 

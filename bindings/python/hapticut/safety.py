@@ -25,6 +25,9 @@ from ._hapticut import (
     SafetyLog as SafetyLog,
     SafetyLogEntry as SafetyLogEntry,
     kSafetyEvents as kSafetyEvents,
+
+    # What a step says, in sentences with their cures
+    sentences_of as sentences_of,
 )
 
 export(__name__)
