@@ -11,6 +11,10 @@
 namespace hapticut::c {
 namespace {
 
+/// [characters] What is longer quotes the caller's own text, and would exhaust the stack: std::regex goes a frame
+/// deeper with each character of a word.
+constexpr std::size_t kLongest = 1000;
+
 /// What the library says in words of C++, and how a caller of C says it; longer ones first.
 constexpr std::pair<std::string_view, std::string_view> kPhrases[] = {
     {"SimulationConfig::contact_time = ContactTime::end", "hapticut_simulation_options.for_coupling = 1"},
@@ -62,6 +66,7 @@ std::string with_keys(const std::string& sentence) {
 }  // namespace
 
 std::string in_words_of_c(std::string sentence) {
+  if (sentence.size() > kLongest) return sentence;
   static const std::regex both_ways("--\\S+([^.]*), or (\\w+) under \\[(\\w+)\\] in the settings file");
   static const std::regex announcing(",? (and|link hapticut::\\w+ and) call hapticut::use_\\w+\\(\\)");
   static const std::regex list("(--\\w+) [A-Z_]+=[A-Z_:,.]*[A-Z_]");  // MATERIAL=THICKNESS_MM is a flag's way

@@ -211,6 +211,8 @@ TEST(CInterface, SaysWhatIsWrongInNamesOfCAndKeysOfTheScene) {
     EXPECT_EQ(sentence.find("--"), std::string::npos) << sentence;
   }
   EXPECT_NE(complaint("\"block\"", "\"no--head::file.stl\"").find("no--head::file.stl"), std::string::npos);
+  for (const std::string begin : {"A", "--a", "x A"})  // as long as nobody writes them
+    EXPECT_TRUE(complaint("\"sphere\"", '"' + begin + std::string(1'000'000, 'A') + '"').starts_with("scene:8: "));
 }
 
 TEST(CInterface, TellsWhatTheSceneHas) {
