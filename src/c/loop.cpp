@@ -143,7 +143,8 @@ int hapticut_loop_set_tool(hapticut_loop loop, const char* text) {
     require_argument(text, "text");
     const Use<LoopObject> use(loop, Lane::sending);
     if (!use) return use.code();
-    const int code = send(*use.operator->(), use->model.prepare_tool(tool_from_toml(text)));
+    const int code =
+        send(*use.operator->(), use->model.prepare_tool(tool_from_toml(text, use->simulation->first_tool)));
     if (code == HAPTICUT_OK) use->simulation->tools.fetch_add(1);
     return code;
   });

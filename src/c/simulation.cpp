@@ -74,10 +74,20 @@ void SimulationObject::sweep() {
   }
 }
 
-Tool tool_from_toml(const char* text) {
-  settings::ToolSettings tool;
-  (void)settings::read_settings(text, "tool", settings_of(tool));
-  return make_tool(tool);
+Tool tool_from_toml(const char* text, const Tool& before) {
+  settings::ToolSettings settings;
+  (void)settings::read_settings(text, "tool", settings_of(settings));
+  Tool tool = make_tool(settings);
+  const CutterKind kind = before.cutter().kind;
+  if (!settings.cutter && tool.cutter().kind == CutterKind::carbide_bur) {  // the default
+    settings.cutter = kind;
+    tool = make_tool(settings);
+  }
+  if (tool.cutter().kind != kind)
+    throw Error("tool.cutter = " + std::string(name_of(tool.cutter().kind)) +
+                "; the materials of this scene have the constants of " + std::string(name_of(kind)) +
+                ", and would cut wrongly. Keep the cutter, or make a scene with the other one.");
+  return tool;
 }
 
 }  // namespace hapticut::c
@@ -172,7 +182,7 @@ int hapticut_set_tool(hapticut_simulation simulation, const char* text) {
     require_argument(text, "text");
     const IdleSimulation use(simulation);
     if (!use) return use.code();
-    use->simulation.set_tool(tool_from_toml(text));
+    use->simulation.set_tool(tool_from_toml(text, use->first_tool));
     use->tools.fetch_add(1);
     return HAPTICUT_OK;
   });

@@ -82,8 +82,9 @@ class IdleStay {
   int code_;
 };
 
-/// What a text in TOML with a table [tool] describes.  @throws Error as settings::from_toml
-[[nodiscard]] Tool tool_from_toml(const char* text);
+/// What a text in TOML with a table [tool] describes, with the cutter that the materials are for, that of `before`.
+/// @throws Error as settings::from_toml, and for another cutter
+[[nodiscard]] Tool tool_from_toml(const char* text, const Tool& before);
 
 /// Fills in all but the wrench and the pose.
 void put_step(const StepResult& stepped, hapticut_step_result& result) noexcept;

@@ -242,6 +242,7 @@ std::string PolledDevice::drive(Servo& servo, const RunOptions& options) {
       if (wrench.force.isZero(0) && wrench.torque.isZero(0)) break;
       wait();
     }
+    servo.rest();
   }
   for (std::string& warning : warnings()) servo.warn(std::move(warning));
   return end;

@@ -54,7 +54,7 @@ WatchdogThread::WatchdogThread(const Watchdog& watchdog, const std::atomic<std::
     std::unique_lock lock(state->mutex);
     while (!state->wake.wait_for(lock, kLook, [&] { return state->stop; })) {
       const std::uint64_t now = heartbeat.load(std::memory_order_acquire);
-      if (now != last || now == 0) {  // 0: the first tick has not come yet
+      if (now != last || now == 0) {  // 0: the first tick has not come yet, or the last one was
         last = now;
         beat = Clock::now();
         if (std::exchange(silent, false)) act(Watchdog::Verdict::alive, 1);

@@ -176,9 +176,10 @@ std::optional<std::string> nearest_name(std::string_view misspelled, const std::
   const auto ends_with_it = [&](const std::string& name) {
     return name.ends_with(word) && name.size() > word.size() && name[name.size() - word.size() - 1] == '_';
   };
-  const auto begins_with_it = [&](const std::string& name) { return name.starts_with(misspelled); };
-  // What was cut short, "--feed" or "--rpm", is no other name that is as short.
-  const bool is_begun = word.size() > 2 && std::any_of(candidates.begin(), candidates.end(), begins_with_it);
+  // What was cut short, "--feed", "--to" or "--rpm", is no other name that is as short.
+  const std::string begun = std::string(misspelled) + (word.size() > 2 ? "" : "_");
+  const auto begins_with_it = [&](const std::string& name) { return name.starts_with(begun); };
+  const bool is_begun = !word.empty() && std::any_of(candidates.begin(), candidates.end(), begins_with_it);
   const bool is_end = word.size() > 2 && std::count_if(candidates.begin(), candidates.end(), ends_with_it) == 1;
   std::optional<std::string> nearest;
   std::size_t smallest = is_begun || is_end ? SIZE_MAX : std::max<std::size_t>(3, misspelled.size() / 3) + 1;

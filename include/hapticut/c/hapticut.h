@@ -113,7 +113,8 @@ HAPTICUT_C_API int hapticut_set_spindle_speed(hapticut_simulation simulation, do
 
 /** Another tool for the same workpiece. Where it is in material the steps that follow feel and cut nothing, as after
  * every exchange and way back, until the head is free: their status has tool_waits.
- * @param text  TOML with a table [tool] and nothing else */
+ * @param text  TOML with a table [tool] and nothing else; its cutter is that of the scene, whose materials are for it
+ */
 HAPTICUT_C_API int hapticut_set_tool(hapticut_simulation simulation, const char* text);
 
 /** Writes the workpiece as it is.
@@ -181,7 +182,7 @@ HAPTICUT_C_API int hapticut_loop_latest(hapticut_loop loop, hapticut_loop_state*
 HAPTICUT_C_API int hapticut_loop_send(hapticut_loop loop, const hapticut_command* command);
 
 /** Another tool, from the next tick on. There is no force until it touches nothing.
- * @param text  TOML with a table [tool] and nothing else */
+ * @param text  as of hapticut_set_tool */
 HAPTICUT_C_API int hapticut_loop_set_tool(hapticut_loop loop, const char* text);
 
 /** No force from the next tick on, until the fault is reset. From any thread. */

@@ -123,7 +123,10 @@ class SafetyGuard {
 
   [[nodiscard]] ArmingState state() const noexcept { return published_state_.load(std::memory_order_acquire); }
 
-  /// Grows with every released wrench, for a watchdog in another thread.
+  /// The last wrench is written: no watchdog waits for another.
+  void rest() noexcept { heartbeat_.store(0, std::memory_order_release); }
+
+  /// Grows with every released wrench, for a watchdog in another thread; 0 before the first and after the last.
   [[nodiscard]] const std::atomic<std::uint64_t>& heartbeat() const noexcept { return heartbeat_; }
 
   [[nodiscard]] SafetyLog& log() noexcept { return log_; }

@@ -87,7 +87,7 @@ constexpr auto names_of(Of<SafetyEvent>) {
       Named{recalibrated, "recalibrated",
             "The device was calibrated or connected anew: lift the tool off the workpiece, and the force comes back."},
       Named{reclutched, "reclutched",
-            "The tool stands elsewhere for the same hand: lift it off the workpiece, and the force comes back."},
+            "The tool goes with the hand again: lift it off the workpiece, and the force comes back."},
       Named{model_swapped, "model_swapped",
             "The workpiece or the tool was exchanged: lift the tool off, and the force comes back."},
       Named{late_wake_up, "late_wake_up", "The loop came late: close other programs that use the processor."},

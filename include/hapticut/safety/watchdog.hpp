@@ -71,7 +71,7 @@ constexpr auto names_of(Of<Watchdog::Verdict>) {
 /// is written.
 class WatchdogThread {
  public:
-  /// @param heartbeat  grows with every tick
+  /// @param heartbeat  grows with every tick; 0: none is due
   /// @param act        called about once a millisecond while the heart does not beat, with the verdict and the allowed
   ///                   share of the last force, and once with `alive` when it beats again
   WatchdogThread(const Watchdog& watchdog, const std::atomic<std::uint64_t>& heartbeat,

@@ -49,12 +49,12 @@ constexpr auto fields_of(Of<Material>) {
       field("damping", &M::damping, "s/m", Range::between(0, 1e6), "Hunt-Crossley factor chi"),
       field("cutting_ratio", &M::cutting_ratio, "1", Range::between(0, 1e6),
             "kappa, tangential over normal force of the spinning head"),
-      field("specific_cutting_energy", &M::specific_cutting_energy, "J/m^3", Range::between(1e-3, 1e18),
+      field("specific_cutting_energy", &M::specific_cutting_energy, "J/m^3", Range::between(1, 1e18),
             "u, energy to cut away"),
       field("edge_pressure", &M::edge_pressure, "Pa", Range::not_negative(), "p_e, below which nothing is cut"),
-      field("edge_length", &M::edge_length, "m", Range::between(0, 1),
+      field("edge_length", &M::edge_length, "m", Range::between(0, 0.01),
             "h_e: a lip ploughs with u h_e per length, which takes nothing away"),
-      field("size_length", &M::size_length, "m", Range::between(0, 1),
+      field("size_length", &M::size_length, "m", Range::between(0, 0.01),
             "h_s: chips of thickness h take u sqrt(h_s/h) more energy"),
       field("compressive_strength", &M::compressive_strength, "Pa", Range::not_negative(),
             "sigma: pressure that crushes it under any head; 0: it is never crushed"),
@@ -72,6 +72,10 @@ inline void validate(const Material& material) {
   if (material.name.empty()) throw Error("Material::name is empty; give every material a name.");
   const std::string prefix = "material '" + material.name + "': ";
   require_fields_within(material, prefix);
+  constexpr double kLeastStrength = 1e3;  // [Pa] a hundredth of an atmosphere: less was meant in another unit
+  if (material.compressive_strength > 0 && material.compressive_strength < kLeastStrength)
+    throw Error(prefix + "compressive_strength = " + format_number(material.compressive_strength) +
+                "; must be 0 or at least " + format_number(kLeastStrength) + ", for it is in Pa: 150 MPa are 150e6.");
   if (material.dynamic_friction > material.static_friction)
     throw Error(prefix + "dynamic_friction = " + format_number(material.dynamic_friction) +
                 "; must not exceed static_friction = " + format_number(material.static_friction) +

@@ -86,6 +86,10 @@ void run_calibrate(const CalibrateSettings& s) {
   if (s.fitted() == ChipTerm::size_length) table.add("size_length", rounded(c.size_length, 4) + " m" + not_known);
   if (s.fitted() == ChipTerm::edge_pressure)
     table.add("edge_pressure", rounded(c.edge_pressure, 4) + " Pa" + not_known);
+  for (const auto& [term, name] :
+       {std::pair(ChipTerm::edge_length, "edge_length"), std::pair(ChipTerm::size_length, "size_length"),
+        std::pair(ChipTerm::edge_pressure, "edge_pressure")})
+    if (s.fitted() != term) table.add(name, "0");
   table.add("residuals", "thrust " + rounded(100 * c.thrust_residual, 3) + " %, torque " +
                              rounded(100 * c.torque_residual, 3) + " % (root mean square)" +
                              (c.checked ? "" : ", unchecked: as many constants as measured numbers"));
@@ -99,6 +103,10 @@ void run_calibrate(const CalibrateSettings& s) {
                     {"model_torque_Nmm", model.torque / units::N_mm}});
   }
   std::fputs(table.text().c_str(), stdout);
+  std::fputs(
+      "These constants belong together: give a material all of them, the zeros too, and the tool the cutter and "
+      "lips of the tests.\n",
+      stdout);
   if (!c.edge_identified)
     std::fputs("To tell edge from chip, add tests at other feeds per turn, or repeat these where they scatter.\n",
                stdout);

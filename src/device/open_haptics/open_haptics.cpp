@@ -218,6 +218,7 @@ HDCallbackCode OpenHapticsDevice::tick() noexcept {
   take_errors();
   if (turn) scheduler.give_turn();
   if (!last) return HD_CALLBACK_CONTINUE;
+  servo_->rest();
   phase_.store(Phase::done, std::memory_order_release);
   return HD_CALLBACK_DONE;
 }

@@ -51,6 +51,7 @@ TEST_F(Flags, ThatDoNotExistAreRefusedWithTheNearestOne) {
   expect("drill --json-file x", kWrongUsage, "there is no --json");
   expect("drill --size_mm 60 10 10", kWrongUsage, "10 belongs to no flag. Numbers of one flag are joined by commas");
   expect("drill --feed 4", kWrongUsage, "there is no --feed. Did you mean --feed_mm_per_s?");
+  expect("drill --to 1,3,2.5", kWrongUsage, "there is no --to. Did you mean --to_mm?");
   expect("drill --radius 1", kWrongUsage, "there is no --radius. Did you mean --radius_mm?");
   expect("drill --voxel 1", kWrongUsage, "there is no --voxel. Did you mean --voxel_mm?");
   expect("drill --rpm 4000", kWrongUsage, "there is no --rpm. Did you mean --spindle_rpm?");

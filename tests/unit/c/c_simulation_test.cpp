@@ -302,6 +302,11 @@ TEST(CInterface, SpeaksOfItselfAndOfItsStatus) {
   EXPECT_EQ(hapticut_set_spindle_speed(simulation.get(), 1e300), HAPTICUT_ERROR_REFUSED);
   EXPECT_EQ(hapticut_set_tool(simulation.get(), "[tool]\nradius_mm = -1\n"), HAPTICUT_ERROR_REFUSED);
   EXPECT_STREQ(hapticut_last_error(), "tool:2: tool.radius_mm: must be a number > 0, not -1.");
+  EXPECT_EQ(hapticut_set_tool(simulation.get(), (kOtherTool + "cutter = \"coarse_diamond\"\n").c_str()),
+            HAPTICUT_ERROR_REFUSED);
+  EXPECT_STREQ(hapticut_last_error(),
+               "tool.cutter = coarse_diamond; the materials of this scene have the constants of carbide_bur, and would "
+               "cut wrongly. Keep the cutter, or make a scene with the other one.");
 }
 
 }  // namespace

@@ -170,6 +170,22 @@ TEST(Device, IsAMistakeToCloseWhileItRuns) {
 }
 #endif
 
+/// Takes as long to close as some drivers.
+class SlowToClose final : public WrittenDevice {
+  void end_run() noexcept override { std::this_thread::sleep_for(std::chrono::milliseconds(100)); }
+};
+
+TEST(Device, NoWatchdogMissesAForceAfterTheLastOne) {
+  SlowToClose device;
+  const RunReport report = device.run(
+      [](const DeviceState& state) {
+        return DeviceCommand{{}, state.sequence >= 20};
+      },
+      real(0));
+  EXPECT_EQ(report.events[std::size_t(SafetyEvent::watchdog_fading)], 0U);
+  EXPECT_EQ(report.events[std::size_t(SafetyEvent::watchdog_fault)], 0U);
+}
+
 TEST(Device, AWatchdogFadesTheForceOfADeviceWhoseLoopHangs) {
   for (const bool latch : {false, true}) {
     WrittenDevice device;

@@ -223,6 +223,25 @@ TEST(MaterialPresets, RefuseAnUnknownNameAndListTheKnownOnes) {
   EXPECT_THROW((void)preset_color("granite"), Error);
 }
 
+// What people take from a page whose units are J/mm^3, mm and MPa.
+TEST(Material, IsRefusedInUnitsOfAWorkshop) {
+  const auto refusal_of = [](double Material::*member, double value) -> std::string {
+    Material bone = presets::cortical_bone();
+    bone.*member = value;
+    try {
+      validate(bone);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(refusal_of(&Material::specific_cutting_energy, 0.065).find("must be between"), std::string::npos);
+  EXPECT_NE(refusal_of(&Material::edge_length, 0.018).find("must be between"), std::string::npos);
+  EXPECT_NE(refusal_of(&Material::size_length, 0.18).find("must be between"), std::string::npos);
+  EXPECT_NE(refusal_of(&Material::compressive_strength, 150).find("150 MPa are 150e6"), std::string::npos);
+  EXPECT_EQ(refusal_of(&Material::compressive_strength, 150e6), "");
+}
+
 TEST(MaterialPresets, HaveColorsThatCanBeToldApart) {
   for (const std::string_view a : preset_names())
     for (const std::string_view b : preset_names()) {
