@@ -27,7 +27,7 @@ double buried_ball(RemovalLaw removal, double spin) {
   const bench::Workload w3{bench::Path::w3, 0.1e-3, 1e-3};
   Simulation simulation(
       build_block({Vec3(16, 16, 6) * units::mm, Vec3(24, 24, 14) * units::mm}, w3.voxel_size, material),
-      Tool(SphereHead{w3.radius}, RayHandle{0}, Spindle{spin}), config);
+      Tool(SphereHead{w3.radius}, RayHandle{0}, Spindle{spin * units::rad_per_s}), config);
   double sum = 0;
   for (int t = 0; t < kSteps; ++t)
     sum += simulation.step(Pose::from_translation(w3.center(t)), {}, bench::kTick).force.x();

@@ -45,7 +45,7 @@ SimulationConfig config(bool cutting) {
   return config;
 }
 
-Tool spinning(const ToolHead& head) { return Tool(head, RayHandle{0}, Spindle{3000}); }
+Tool spinning(const ToolHead& head) { return Tool(head, RayHandle{0}, Spindle{3000 * units::rad_per_s}); }
 
 /// Feeds a simulation along +x from a start, straight on.
 class Feed {

@@ -49,7 +49,8 @@ class Hapticut final : public Contestant {
     config.reserved_blocks = 16384;
     config.friction = DryFriction{0, 0, 1};  // the other contestants have none
     return Simulation(build_block({Vec3::Zero(), Vec3(kBlockX, kBlockY, kBlockZ)}, w.voxel_size, bone),
-                      Tool(SphereHead{w.radius}, RayHandle{0}, Spindle{cutting ? 3000.0 : 0.0}), config);
+                      Tool(SphereHead{w.radius}, RayHandle{0}, Spindle{(cutting ? 3000.0 : 0.0) * units::rad_per_s}),
+                      config);
   }
   Simulation simulation_;
   Vec3 last_;

@@ -139,7 +139,7 @@ void run_latency(benchmark::State& state) {
     SimulationConfig config;
     config.reserved_blocks = 16'384;
     Simulation simulation(build_block({Vec3::Zero(), Vec3(40, 40, 20) * mm}, 0.1 * mm, shown_bone()),
-                          Tool(SphereHead{kRadiusOfBall}, RayHandle{0}, Spindle{3000}), config);
+                          Tool(SphereHead{kRadiusOfBall}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
     ChangeFeed feed(simulation);
     SurfaceStream stream(simulation.workpiece());
     SurfacePage page;

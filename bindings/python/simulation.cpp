@@ -163,7 +163,7 @@ void bind_the_simulation(py::module_& m) {
           "set_spindle_speed",
           [](S& self, double speed) {
             self.occupancy.require_writable("The simulation");
-            self.simulation.set_spindle_speed(speed);
+            self.simulation.set_spindle_speed(speed * units::rad_per_s);
           },
           py::arg("speed"), doc("Simulation::set_spindle_speed"))
       .def(

@@ -156,10 +156,11 @@ void bind_tool(py::module_& m) {
       "common_spindle", [whole](MotorKind, const py::int_& speed) { return whole(speed); }, py::arg("motor"),
       py::arg("speed"), doc("common_spindle"));
   m.def(
-      "common_spindle", [](MotorKind motor, double speed) { return common_spindle(motor, speed); }, py::arg("motor"),
-      py::arg("speed"), doc("common_spindle"));
+      "common_spindle", [](MotorKind motor, double speed) { return common_spindle(motor, speed * units::rad_per_s); },
+      py::arg("motor"), py::arg("speed"), doc("common_spindle"));
   m.def(
-      "common_spindle", [](double speed) { return common_spindle(speed); }, py::arg("speed"), doc("common_spindle"));
+      "common_spindle", [](double speed) { return common_spindle(speed * units::rad_per_s); }, py::arg("speed"),
+      doc("common_spindle"));
   bind_enum<CutterKind>(m, "CutterKind");
   bind_described<Cutter>(m, "Cutter");
   m.def("validate", py::overload_cast<const Cutter&>(&validate), py::arg("cutter"), doc("validate"));

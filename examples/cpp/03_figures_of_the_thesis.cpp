@@ -36,7 +36,8 @@ Series step_down(const std::string& name, const ToolHead& head, bool thesis) {
   if (thesis) config.longest_sweep = 1;  // its tool jumps from step to step; the first call takes it there
   const double voxel = 0.01 * mm, lowest = head.bounding_box().min.z();
   Simulation simulation(build_block({Vec3(-0.36, -0.36, -0.4) * mm, Vec3(0.36, 0.36, 0) * mm}, voxel, material),
-                        Tool(head, RayHandle{0}, Spindle{thesis ? 1000.0 : 20000.0}), config);  // [rad/s]
+                        Tool(head, RayHandle{0}, Spindle{(thesis ? 1000.0 : 20000.0) * units::rad_per_s}),
+                        config);  // [rad/s]
   Series series{name, {}};
   (void)simulation.step(Pose::from_translation(Vec3(0, 0, -lowest)), {}, 1 * ms);  // touching, not yet in
   for (int i = 0; i < kSteps; ++i) {

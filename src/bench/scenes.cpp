@@ -39,7 +39,7 @@ Scene axial_flat() {
           [] {
             return Simulation(
                 build_block({Vec3(-2, -2, -9) * mm, Vec3(2, 2, 0) * mm}, 0.1 * mm, bone_like("bone", 3e8, 1e5)),
-                Tool(FlatHead{1 * mm, 5 * mm}, RayHandle{20 * mm}, Spindle{2000}));
+                Tool(FlatHead{1 * mm, 5 * mm}, RayHandle{20 * mm}, Spindle{2000 * units::rad_per_s}));
           },
           [](int tick) {
             StepInput input = plunge(tick);
@@ -54,7 +54,7 @@ Scene cone_layers() {
             return Simulation(
                 build_layered_slab({Vec3(-4, -4, -6) * mm, Vec3(4, 4, 0) * mm}, 0.1 * mm,
                                    {{bone_like("hard", 1e9, 0), 1.05 * mm}, {bone_like("soft", 1e8, 0), 5 * mm}}),
-                Tool(ConeHead{30 * deg, 3 * mm}, RayHandle{0}, Spindle{4000}));
+                Tool(ConeHead{30 * deg, 3 * mm}, RayHandle{0}, Spindle{4000 * units::rad_per_s}));
           },
           [](int tick) { return plunge(tick % 3000); }};
 }
@@ -66,7 +66,7 @@ Scene circular_groove() {
           [] {
             return Simulation(
                 build_block({Vec3(-6, -6, -6) * mm, Vec3(6, 6, 0) * mm}, 0.1 * mm, bone_like("bone", 1e8, 1e5)),
-                Tool(SphereHead{1.5 * mm}, handle, Spindle{-3000}));
+                Tool(SphereHead{1.5 * mm}, handle, Spindle{-3000 * units::rad_per_s}));
           },
           [](int tick) {
             // The head's path is prescribed; the handle follows from it.
@@ -90,7 +90,7 @@ Scene deep_ball() {
   return {"deep_ball", "A ball of 2 mm radius plunges 3 mm into a block at 2 mm/s, then moves sideways to and fro.",
           [] {
             return Simulation(build_block({Vec3::Zero(), Vec3(40, 40, 20) * mm}, 0.1 * mm, bone_like("bone", 1e8, 0)),
-                              Tool(SphereHead{2 * mm}, RayHandle{0}, Spindle{3000}));
+                              Tool(SphereHead{2 * mm}, RayHandle{0}, Spindle{3000 * units::rad_per_s}));
           },
           [](int tick) {
             const auto at = [](int n) {
@@ -128,7 +128,7 @@ Scene fast_strokes() {
           [] {
             Material clay = bone_like("clay", 1e5, 0);
             return Simulation(build_block({Vec3(-12, -3, -3) * mm, Vec3(12, 3, 0) * mm}, 0.1 * mm, clay),
-                              Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{5000}));
+                              Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{5000 * units::rad_per_s}));
           },
           [](int tick) {
             const auto at = [](double t) {

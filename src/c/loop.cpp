@@ -33,7 +33,7 @@ commands::SetForceMask mask_of(double value) {
 LoopCommand command_of(const hapticut_command& given, RemovalLaw removal) {
   switch (given.kind) {
     case HAPTICUT_COMMAND_SET_SPINDLE_SPEED:
-      return commands::SetSpindleSpeed{given.value};
+      return commands::SetSpindleSpeed{given.value * units::rad_per_s};
     case HAPTICUT_COMMAND_OPEN_CLUTCH:
       return commands::OpenClutch{};
     case HAPTICUT_COMMAND_CLOSE_CLUTCH:

@@ -145,7 +145,7 @@ int hapticut_set_spindle_speed(hapticut_simulation simulation, double rad_per_s)
   const IdleSimulation use(simulation);
   if (!use) return use.code();
   return guarded([&]() -> int {
-    use->simulation.set_spindle_speed(rad_per_s);
+    use->simulation.set_spindle_speed(rad_per_s * units::rad_per_s);
     return HAPTICUT_OK;
   });
 }

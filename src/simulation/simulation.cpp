@@ -106,7 +106,7 @@ WorstCase Simulation::worst_case() const { return state_->contact_stages.worst_c
 
 const StageTimes& Simulation::stage_times() const { return state_->times; }
 
-void Simulation::set_spindle_speed(double speed) {
+void Simulation::set_spindle_speed(AngularSpeed speed) {
   validate(Spindle{speed});
   state_->motor.set(speed);
   state_->share_cutting();

@@ -119,7 +119,7 @@ std::optional<ViewCommand> payload_of(CommandKind kind, Reader& reader) {
     case CommandKind::set_spindle_speed: {
       const double speed = reader.take_number();
       reader.refuse_if(std::abs(speed) > kFastestSpindle);
-      return commands::SetSpindleSpeed{speed};
+      return commands::SetSpindleSpeed{speed * units::rad_per_s};
     }
     case CommandKind::set_undo_mark:
       return commands::SetUndoMark{};

@@ -54,7 +54,8 @@ Outcome run(const NamedLaw& named, const Cut& cut) {
   material.static_friction = material.dynamic_friction = 0;
   Workpiece workpiece = Workpiece::from_blocks(domain, frame, MaterialTable({material}),
                                                [](const VoxelIndex&, BlockContent&) { return BlockKind::solid(1); });
-  Simulation simulation(std::move(workpiece), Tool(named.head, RayHandle{0}, Spindle{cut.spin}), config);
+  Simulation simulation(std::move(workpiece), Tool(named.head, RayHandle{0}, Spindle{cut.spin * units::rad_per_s}),
+                        config);
   const double lowest = named.head.bounding_box().min.z();
   Outcome outcome;
   const auto losses = [](const EnergyLedger& e) {

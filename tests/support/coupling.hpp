@@ -30,7 +30,7 @@ inline Workpiece half_space(double depth = 4e-3, const Material& material = plai
   return build_block({{-4e-3, -4e-3, -depth}, {4e-3, 4e-3, 0}}, voxel, material);
 }
 
-inline Tool ball(double spin = 0) { return Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin}); }
+inline Tool ball(double spin = 0) { return Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin * units::rad_per_s}); }
 
 /// A hand that comes down along z and stays where the coupling pulls with a force.
 struct PressedTool {

@@ -74,7 +74,7 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
   config.law = scene.law;
   config.removal = scene.removal;
   const double hand = scene.mirrored ? -1 : 1;
-  Spindle spindle{hand * scene.spin};
+  Spindle spindle{hand * scene.spin * units::rad_per_s};
   spindle.acceleration_limit = scene.acceleration_limit;
   const Tool tool(scene.head, scene.handle, spindle);
   const Pose X_TH = tool.X_HT().inverse();
@@ -93,7 +93,7 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
       X_VT = {M * X_VT.rotation * S, M * X_VT.translation};
       turn_V.tail<2>() *= -1;
     }
-    if (scene.later_spin && i == steps / 2) simulation.set_spindle_speed(hand * *scene.later_spin);
+    if (scene.later_spin && i == steps / 2) simulation.set_spindle_speed(hand * *scene.later_spin * units::rad_per_s);
     const Pose X_WT = scene.frame.X_WV * X_VT, X_WH = X_WT * X_TH;
     const Vec3 p_HoTo_W = X_WT.translation - X_WH.translation;
     const Twist of_head{R_WV * mirror(scene.feed_V), R_WV * turn_V};

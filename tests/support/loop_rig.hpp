@@ -35,7 +35,7 @@ inline Workpiece block(double voxel = 2e-4, double depth = 8e-3) {
   return build_block({Vec3(-8e-3, -8e-3, -depth), Vec3(8e-3, 8e-3, 0)}, voxel, plain_material());
 }
 inline Tool ball(double radius = kRadius, double speed = 3000) {
-  return Tool(SphereHead{radius}, RayHandle{0}, Spindle{speed});
+  return Tool(SphereHead{radius}, RayHandle{0}, Spindle{speed * units::rad_per_s});
 }
 inline double radius_of(const Tool& tool) { return std::get<SphereHead>(tool.head().shape()).radius; }
 

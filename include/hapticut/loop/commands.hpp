@@ -26,6 +26,8 @@ namespace commands {
 
 /// The spindle's speed while there is a force.
 struct SetSpindleSpeed {
+  SetSpindleSpeed() = default;
+  explicit SetSpindleSpeed(AngularSpeed given) : speed(given) {}
   double speed = 0;  ///< [rad/s]
 };
 

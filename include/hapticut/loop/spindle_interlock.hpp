@@ -25,7 +25,7 @@ class SpindleInterlock {
   /// @param speed  [rad/s] from the next tick on
   /// @throws Error when no spindle is so fast
   void set_speed(double speed) {
-    validate(Spindle{speed});
+    validate(Spindle{speed * units::rad_per_s});
     speed_ = speed;
   }
 
@@ -53,7 +53,7 @@ class SpindleInterlock {
 
   /// The same where it is known already whether it may.
   void turn(Simulation& simulation, bool may) const noexcept {
-    if (may && speed_ != simulation.spindle_setting()) simulation.set_spindle_speed(speed_);
+    if (may && speed_ != simulation.spindle_setting()) simulation.set_spindle_speed(speed_ * units::rad_per_s);
     if (!may && simulation.spindle_setting() != 0) simulation.halt_spindle();  // or it would cut while it runs down
   }
 

@@ -124,7 +124,7 @@ class Simulation {
   // --- set-up calls, between steps ----------------------------------------------------------------------------------
   /// Sets the spindle's speed for the following steps; with Spindle::acceleration_limit it is reached on a ramp.
   /// @throws Error when it is faster than kFastestSpindle or not finite
-  void set_spindle_speed(double speed);
+  void set_spindle_speed(AngularSpeed speed);
 
   /// The spindle stands from now on, whatever its ramp.  @realtime no allocation, no lock; O(1)
   void halt_spindle() noexcept;

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <concepts>
 
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"
@@ -47,7 +46,7 @@ constexpr auto names_of(Of<MotorKind>) {
 /// The spindle of a common handpiece: `common_spindle(MotorKind::electric, 40000 * units::rpm)`.
 /// @param speed  [rad/s] free running, signed about +z of T; only an ideal one may stand
 /// @throws Error when it is 0, or beyond any such motor
-[[nodiscard]] inline Spindle common_spindle(MotorKind motor, double speed) {
+[[nodiscard]] inline Spindle common_spindle(MotorKind motor, AngularSpeed speed) {
   Spindle spindle{speed};
   validate(spindle);
   if (std::abs(speed) > fastest_speed(motor))
@@ -78,10 +77,6 @@ constexpr auto names_of(Of<MotorKind>) {
 }
 
 /// The same with the motor that is common at such a speed.
-[[nodiscard]] inline Spindle common_spindle(double speed) { return common_spindle(common_motor(speed), speed); }
-
-/// A whole number is one of turns a minute: `common_spindle(40000)` does not compile.
-Spindle common_spindle(std::integral auto speed) = delete;
-Spindle common_spindle(MotorKind motor, std::integral auto speed) = delete;
+[[nodiscard]] inline Spindle common_spindle(AngularSpeed speed) { return common_spindle(common_motor(speed), speed); }
 
 }  // namespace hapticut

@@ -48,10 +48,10 @@ void cut_by_default(Report& report) {
     report.near("thrust", seen, expected, 0.1, "N", why);
     report.quantity("thrust", seen, "N", 0.1);
   };
-  const Tool flat = tool_of(FlatHead{1 * mm, 3 * mm, FlatRule::bottom_only}, Spindle{2000});
+  const Tool flat = tool_of(FlatHead{1 * mm, 3 * mm, FlatRule::bottom_only}, Spindle{2000 * units::rad_per_s});
   hold_to("flat 2 mm, u 3e8 J/m^3, 2 mm/s, directly", flat, plain(), 2 * mm, 0.3 * mm,
           forms::axial_cutting_force_of_a_flat_head(cut_of(plain(), flat, 2 * mm), 1 * mm), "C20");
-  const Tool ball = tool_of(SphereHead{1 * mm}, Spindle{2000});
+  const Tool ball = tool_of(SphereHead{1 * mm}, Spindle{2000 * units::rad_per_s});
   hold_to("ball 2 mm, u 3e8 J/m^3, 4 mm/s, directly", ball, plain(), 4 * mm, 1.3 * mm,
           forms::ball_plunge_wrench(cut_of(plain(), ball, 4 * mm), 1 * mm, 1.2 * mm).force.z(), "C28");
   const Material bone = presets::cortical_bone(CutterKind::twist_drill);
@@ -80,7 +80,7 @@ void side_milling(Report& report) {
       // The feed is along +x, the spin about +z: on the side of +y a chip begins at its full thickness.
       const double low = climb ? 0 : -1.7 * mm, high = climb ? 1.7 * mm : 0;
       Workpiece piece = build_block({Vec3(-1.57 * mm, low, -kHeight), Vec3(3 * mm, high, 0)}, report.voxel(), material);
-      const Tool tool = tool_of(FlatHead{kRadius, 3 * mm, FlatRule::side_only}, Spindle{3000});
+      const Tool tool = tool_of(FlatHead{kRadius, 3 * mm, FlatRule::side_only}, Spindle{3000 * units::rad_per_s});
       Rig rig(report, std::move(piece), tool, Held::directly);
       Hand hand(tool, Vec3(-2.6 * mm, 0, -kHeight - 0.5 * mm));
       const Span fed = rig.play(hand.move({kWay + 1 * mm, 0, 0}, (kWay + 1 * mm) / kFeed)).tail(0.15);
@@ -227,7 +227,7 @@ void along_the_grid(Report& report) {
                          Bur{"tapered fissure 1 mm, 300 000 rpm", tapered_head(0.8 * mm, 1 * mm, 4 * mm), 300000 * rpm,
                              0.4 * mm, presets::enamel()}}) {
     report.scene(bur.name + ", " + bur.material.name + ", loop mock:press, coupled");
-    const Tool tool = tool_of(bur.head, Spindle{bur.speed});
+    const Tool tool = tool_of(bur.head, Spindle{bur.speed * units::rad_per_s});
     Chain chain(report, build_block({Vec3(-2, -2, -4) * mm, Vec3(2, 2, 0) * mm}, report.voxel(), bur.material), tool);
     // The script of mock:press: from 5 mm above to 5 mm below in 2 s, and there.
     Hand hand(tool, Vec3(0, 0, 5 * mm));

@@ -25,7 +25,7 @@ forms::SteadyCut plain_cut(const Material& m, double spin, double feed) {
 void creep(Report& report) {
   constexpr double kRadius = 0.5 * mm, kFeed = 0.02 * mm, kDepth = 0.1 * mm, kSpin = 4000;
   report.scene("ball 1 mm, fed by 0.02 um in a tick, u 3e8 J/m^3, directly");
-  const Tool ball = tool_of(SphereHead{kRadius}, Spindle{kSpin});
+  const Tool ball = tool_of(SphereHead{kRadius}, Spindle{kSpin * units::rad_per_s});
   Rig rig(report, slab(0.8 * mm, 0.6 * mm, report.voxel(), plain()), ball, Held::directly);
   const double start = 1 * units::um;
   Hand hand(ball, Vec3(0.013 * mm, 0.007 * mm, start));
@@ -45,13 +45,13 @@ void creep(Report& report) {
 void reverse_at_bottom(Report& report) {
   constexpr double kRadius = 0.8 * mm, kFeed = 2 * mm;
   report.scene("cylinder 1.6 mm that reverses from 3000 to -3000 rad/s in 30 ms while it is fed, directly");
-  Spindle spindle{3000};
+  Spindle spindle{3000 * units::rad_per_s};
   spindle.acceleration_limit = 6000 / 0.03;
   const Tool bur = tool_of(FlatHead{kRadius, 3 * mm, FlatRule::bottom_only}, spindle);
   Rig rig(report, slab(1.2 * mm, 1.8 * mm, report.voxel(), plain()), bur, Held::directly);
   Hand hand(bur, Vec3(0, 0, 0.02 * mm));
   const Span before = rig.play(hand.move({0, 0, -0.5 * mm}, 0.5 * mm / kFeed)).tail(0.2);
-  rig.simulation.set_spindle_speed(-3000);
+  rig.simulation.set_spindle_speed(-3000 * units::rad_per_s);
   Hand on(hand.end());
   rig.play(on.move({0, 0, -0.1 * mm}, 0.1 * mm / kFeed));
   Hand end(on.end());
@@ -76,7 +76,7 @@ void over_a_border(Report& report) {
   Workpiece piece = build_body({box, [=](const Vec3& p) { return box_distance(box, p); },
                                 [](const Vec3& p) { return MaterialId(p.x() < 0 ? 1 : 2); }},
                                voxel, MaterialTable({soft, hard}), 4);
-  const Tool bur = tool_of(FlatHead{kRadius, 3 * mm, FlatRule::side_only}, Spindle{kSpin});
+  const Tool bur = tool_of(FlatHead{kRadius, 3 * mm, FlatRule::side_only}, Spindle{kSpin * units::rad_per_s});
   Rig rig(report, std::move(piece), bur, Held::directly);
   Hand hand(bur, Vec3(-2 * mm - kRadius, 0, -kHeight - 0.5 * mm));
   rig.play(hand.move({3.4 * mm, 0, 0}, 3.4 * mm / kFeed));
@@ -174,7 +174,7 @@ void too_thin(Report& report) {
   for (const double size : {0.8, 1.2, 2.0}) {
     report.scene("ball of " + shown(size, "") + " voxels across, plunged by its radius into u 3e8 J/m^3, directly");
     const double R = 0.5 * size * report.voxel(), feed = R / 0.2;
-    const Tool ball = tool_of(SphereHead{R}, Spindle{4000});
+    const Tool ball = tool_of(SphereHead{R}, Spindle{4000 * units::rad_per_s});
     try {
       Rig rig(report, slab(4 * report.voxel(), 4 * report.voxel(), report.voxel(), plain()), ball, Held::directly);
       Hand hand(ball, Vec3(0.011 * mm, 0.017 * mm, 0));

@@ -10,7 +10,7 @@ namespace {
 constexpr double kHead = 1 * mm;  // [m] radius of the ball
 constexpr double kNow = 0.5;      // [s] when it happens
 
-Tool ball_at(double speed) { return tool_of(SphereHead{kHead}, Spindle{speed}); }
+Tool ball_at(double speed) { return tool_of(SphereHead{kHead}, Spindle{speed * units::rad_per_s}); }
 Workpiece cortical(const Report& report) { return slab(1.6 * mm, 3 * mm, report.voxel(), presets::cortical_bone()); }
 
 /// Pressed by 2.8 N from 0.2 s on.

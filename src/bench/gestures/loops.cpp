@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kBall = 1 * mm;  // [m] radius
 
-Tool turning_ball(double speed = 40000 * rpm) { return tool_of(SphereHead{kBall}, Spindle{speed}); }
+Tool turning_ball(double speed = 40000 * rpm) { return tool_of(SphereHead{kBall}, Spindle{speed * units::rad_per_s}); }
 Workpiece bone_for(const Report& report) { return slab(1.6 * mm, 3 * mm, report.voxel(), presets::cortical_bone()); }
 
 /// [m] of the hand below the surface at which a Touch's coupling presses with a force.

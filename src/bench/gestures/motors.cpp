@@ -31,7 +31,7 @@ void stall(Report& report) {
     bool stalls;
   };
   constexpr double kFree = 300000 * rpm, kStallTorque = 2e-4;  // [rad/s], [N·m]: 1.57 W at most
-  Spindle turbine{kFree};
+  Spindle turbine{kFree * units::rad_per_s};
   turbine.droop = kFree / kStallTorque;
   Spindle limited{40000 * rpm};
   limited.power_limit = 3;

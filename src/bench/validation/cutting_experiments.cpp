@@ -65,7 +65,8 @@ Simulation axial_simulation(const Axial& cut, double depth) {
   material.edge_pressure = cut.edge_pressure;
   return Simulation(
       build_block({Vec3(-1.31, -1.27, -(depth / mm) - 0.313) * mm, Vec3(1.31, 1.27, 0) * mm}, cut.voxel, material),
-      Tool(FlatHead{kR, depth + 2 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kAxialSpin}), config);
+      Tool(FlatHead{kR, depth + 2 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kAxialSpin * units::rad_per_s}),
+      config);
 }
 
 SteadyState axial(const Axial& cut) {
@@ -174,7 +175,8 @@ constexpr forms::SteadyCut kLateral = cut_of(kFeed, kSpin);
 constexpr double kGrid = 0.1 * mm;
 
 SteadyState mill(const ToolHead& head, const Box& box, const Vec3& start, double travel) {
-  Simulation simulation(build_block(box, kGrid, plain_material()), Tool(head, RayHandle{0}, Spindle{kSpin}));
+  Simulation simulation(build_block(box, kGrid, plain_material()),
+                        Tool(head, RayHandle{0}, Spindle{kSpin * units::rad_per_s}));
   return feed(simulation, start, Vec3(kFeed, 0, 0), travel, kTick, 0.75);
 }
 
@@ -218,7 +220,7 @@ std::vector<Check> plunges() {
   const double depth = 0.9 * mm, alpha = 45 * deg, speed = 1e-3;
   const auto plunge = [&](const ToolHead& head, double tip) {
     Simulation simulation(build_block({Vec3(-1.4, -1.4, -1.5) * mm, Vec3(1.4, 1.4, 0) * mm}, kGrid, plain_material()),
-                          Tool(head, RayHandle{0}, Spindle{kSpin}));
+                          Tool(head, RayHandle{0}, Spindle{kSpin * units::rad_per_s}));
     // The last 0.06 mm, centred on the depth.
     const double travel = depth + 0.03 * mm;
     return feed(simulation, Vec3(0.029 * mm, 0.013 * mm, tip), Vec3(0, 0, -speed), travel, kTick,

@@ -100,8 +100,9 @@ struct AxialFeed {
       config.law = std::make_shared<ThesisLaw>(constants);
     else
       config.reference_stiffness = 1e15;  // a thin engaged layer
-    Simulation simulation(build_block({Vec3(-0.7, -0.7, -0.9) * mm, Vec3(0.7, 0.7, 0) * mm}, kVoxel, plain_material()),
-                          Tool(FlatHead{kRadius, 2 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{spin}), config);
+    Simulation simulation(
+        build_block({Vec3(-0.7, -0.7, -0.9) * mm, Vec3(0.7, 0.7, 0) * mm}, kVoxel, plain_material()),
+        Tool(FlatHead{kRadius, 2 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{spin * units::rad_per_s}), config);
     return feed(simulation, Vec3(0.013, 0.021, 0) * mm, Vec3(0, 0, -speed), 0.6 * mm, dt);
   }
   /// [J/m^3] power of hand and motor over the volume that is cut in a second.

@@ -89,7 +89,8 @@ Material GridCut::material() const {
 Simulation GridCut::at_begin(const Way& way, Workpiece block, double stiffness) const {
   SimulationConfig config;
   config.reference_stiffness = stiffness;
-  Simulation simulation(std::move(block), Tool(head, RayHandle{0}, Spindle{cut.spin}, kCutter), config);
+  Simulation simulation(std::move(block), Tool(head, RayHandle{0}, Spindle{cut.spin * units::rad_per_s}, kCutter),
+                        config);
   go(simulation, way, start, begin, kQuick, kTick, [](double /*part*/, const StepResult& /*result*/) {});
   return simulation;
 }

@@ -48,14 +48,15 @@ std::vector<Check> drill_and_damping() {
   const double half_angle = 59 * deg;
   const ConeHead point{half_angle, kR / std::tan(half_angle)};
   Simulation drill(build_block({Vec3(-1.3, -1.3, -2.7) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.05 * mm, plain_material()),
-                   Tool(point, RayHandle{0}, Spindle{spin}), config);
+                   Tool(point, RayHandle{0}, Spindle{spin * units::rad_per_s}), config);
   const SteadyState s = feed(drill, Vec3(0.029, 0.011, 0) * mm, Vec3(0, 0, -speed), 2.2 * mm, kTick, 0.8);
   const Wrench expected = forms::twist_drill_wrench({u, 1, spin, speed}, 2 * kR, 2 * half_angle);
 
   SimulationConfig damping = static_config();
   damping.longest_sweep = 64;
   damping.law = std::make_shared<DampingMatrixLaw>(DampingMatrixLaw::Constants{2e8, mu});
-  Simulation block(half_space(2 * mm, 0.4 * mm, 0.1 * mm), Tool(SphereHead{kR}, RayHandle{0}, Spindle{500}), damping);
+  Simulation block(half_space(2 * mm, 0.4 * mm, 0.1 * mm),
+                   Tool(SphereHead{kR}, RayHandle{0}, Spindle{500 * units::rad_per_s}), damping);
   Pose pose = Pose::from_translation(Vec3(0, 0, 0.7 * mm));
   (void)block.step(pose, {}, 1e-3);
   pose.translation.x() += 5e-6;
@@ -79,7 +80,7 @@ Stepping step_down(const ToolHead& head) {
   config.law = std::make_shared<ThesisLaw>(constants);
   Simulation simulation(
       build_block({Vec3(-0.36, -0.36, -0.4) * mm, Vec3(0.36, 0.36, 0) * mm}, 0.01 * mm, plain_material()),
-      Tool(head, RayHandle{0}, Spindle{1000}), config);
+      Tool(head, RayHandle{0}, Spindle{1000 * units::rad_per_s}), config);
   Stepping stepping;
   for (int i = 0; i <= 14; ++i) {
     const StepResult& result =
@@ -97,7 +98,7 @@ std::vector<double> feed_down(const ToolHead& head) {
   config.reference_stiffness = 4e16;
   Simulation simulation(
       build_block({Vec3(-0.36, -0.36, -0.4) * mm, Vec3(0.36, 0.36, 0) * mm}, 0.01 * mm, plain_material()),
-      Tool(head, RayHandle{0}, Spindle{20000}), config);
+      Tool(head, RayHandle{0}, Spindle{20000 * units::rad_per_s}), config);
   std::vector<double> volume(14);
   for (int tick = 1; tick <= 20 * 14; ++tick) {
     const double z = -head.bounding_box().min.z() - 0.001 * mm * tick;

@@ -41,9 +41,10 @@ std::vector<Check> drillings() {
     const double layer = 0.08 * mm;
     config.reference_stiffness = forms::stiffness_for_layer(
         {c.specific_cutting_energy, c.cutting_ratio, test.spindle_speed, test.feed_speed}, layer, test.radius);
-    Simulation simulation(
-        build_block({Vec3(-1.61, -1.57, -1.713) * mm, Vec3(1.61, 1.57, 0) * mm}, 0.05 * mm, material),
-        Tool(FlatHead{test.radius, 4 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{test.spindle_speed}), config);
+    Simulation simulation(build_block({Vec3(-1.61, -1.57, -1.713) * mm, Vec3(1.61, 1.57, 0) * mm}, 0.05 * mm, material),
+                          Tool(FlatHead{test.radius, 4 * mm, FlatRule::bottom_only}, RayHandle{0},
+                               Spindle{test.spindle_speed * units::rad_per_s}),
+                          config);
     const SteadyState steady =
         feed(simulation, Vec3(0.0293, 0.0113, 0) * mm, Vec3(0, 0, -test.feed_speed), 1.5 * mm, 2e-4);
     const std::string id = published.id,
@@ -66,9 +67,10 @@ SimulationConfig with_layer(const Material& material, double layer) {
 }  // namespace
 
 DiamondBur::Plate::Plate(const Material& material, double layer)
-    : simulation_(build_block({Vec3(0, -0.15, -0.5) * mm, Vec3(0.8, 0.15, 0.5) * mm}, 0.0125 * mm, material),
-                  Tool(FlatHead{kRadius, 3 * mm, FlatRule::side_only}, RayHandle{0}, Spindle{kSpeed}),
-                  with_layer(material, layer)) {}
+    : simulation_(
+          build_block({Vec3(0, -0.15, -0.5) * mm, Vec3(0.8, 0.15, 0.5) * mm}, 0.0125 * mm, material),
+          Tool(FlatHead{kRadius, 3 * mm, FlatRule::side_only}, RayHandle{0}, Spindle{kSpeed * units::rad_per_s}),
+          with_layer(material, layer)) {}
 
 const StepResult& DiamondBur::Plate::feed_to(double depth) {
   return simulation_.step(Pose::from_translation(Vec3(depth - kRadius, 0.003 * mm, -1.5 * mm)), {}, kTick);
@@ -124,8 +126,8 @@ double CarbideBur::rate_under(double load, const Material& material) {
   const double inertia = 0.1 * load / kInEnamel;  // [N s/m] settles in a few tenths of a second
   constexpr int kSteps = 1500, kFrom = 500;
   Simulation simulation(build_block({Vec3(-0.6, -0.6, -1.2) * mm, Vec3(0.6, 0.6, 0) * mm}, 0.04 * mm, material),
-                        Tool(FlatHead{kRadius, 2 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpeed},
-                             common_cutter(CutterKind::carbide_bur)),
+                        Tool(FlatHead{kRadius, 2 * mm, FlatRule::bottom_only}, RayHandle{0},
+                             Spindle{kSpeed * units::rad_per_s}, common_cutter(CutterKind::carbide_bur)),
                         {});
   double z = 0, speed = 0, begin = 0;
   for (int n = 0; n < kSteps; ++n) {

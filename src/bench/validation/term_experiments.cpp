@@ -87,7 +87,7 @@ std::vector<Check> effects() {
 std::vector<Check> droop() {
   const double R = 1 * mm, speed = 2e-3, setting = 2000;
   const double power = forms::cutting_power({3e8, 0.5, setting, speed}, kPi * R * R * speed);
-  Spindle spindle{setting};
+  Spindle spindle{setting * units::rad_per_s};
   spindle.droop = 0.15 * setting * setting / power;
   SimulationConfig config;
   config.reference_stiffness = 1e14;

@@ -15,7 +15,8 @@ constexpr std::uint64_t kReplayedAtOnce = 1024;  // steps
 /// Sets what was set between the steps of the recording.
 void prepare(Simulation& simulation, const RecordedStep& step) {
   if (step.halted) simulation.halt_spindle();
-  if (simulation.spindle_setting() != step.spindle_setting) simulation.set_spindle_speed(step.spindle_setting);
+  if (simulation.spindle_setting() != step.spindle_setting)
+    simulation.set_spindle_speed(step.spindle_setting * units::rad_per_s);
   if (simulation.config().reserved_blocks != step.reserved_blocks ||
       simulation.workpiece().reserved_blocks() != step.free_blocks)
     simulation.reserve_blocks(std::size_t(step.reserved_blocks));

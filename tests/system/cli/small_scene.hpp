@@ -19,7 +19,7 @@ inline cli::ViewScene small_scene(const std::string& name) {
   config.contact_time = ContactTime::end;
   const Box box{Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm};
   return {name, build_block(box, 0.1 * mm, presets::cortical_bone()),
-          Tool(SphereHead{0.5 * mm}, RayHandle{20 * mm}, Spindle{1000}), config, box};
+          Tool(SphereHead{0.5 * mm}, RayHandle{20 * mm}, Spindle{1000 * units::rad_per_s}), config, box};
 }
 
 }  // namespace hapticut::test

@@ -43,7 +43,7 @@ struct Panel {
   void turn(const std::string& name, double value) {
     const Change change = set(name, value);
     if (change == Change::removal) tell(commands::SetRemoval{controls.removal()});
-    if (change == Change::spindle) tell(commands::SetSpindleSpeed{controls.spindle_speed()});
+    if (change == Change::spindle) tell(commands::SetSpindleSpeed{controls.spindle_speed() * units::rad_per_s});
     if (change == Change::effects) tell(commands::SetEffects{controls.effects()});
     if (change == Change::materials) tell(rig.model.prepare_materials(controls.materials()));
     if (change == Change::tool) tell(rig.model.prepare_tool(controls.tool()));
@@ -232,7 +232,7 @@ TEST(ViewControls, ShowTheStaticFrictionThatADynamicOneBringsAlong) {
 TEST(ViewControls, LeaveWhatASceneHasBeyondTheirRange) {
   Material hard = test::plain_material();
   hard.damping = 5000;
-  const Tool tool(SphereHead{1 * mm}, RayHandle{400 * mm}, Spindle{3000});
+  const Tool tool(SphereHead{1 * mm}, RayHandle{400 * mm}, Spindle{3000 * units::rad_per_s});
   ViewControls controls(tool, MaterialTable({hard}), {}, false);
   for (const view::Control& one : controls.all())
     (void)(one.label == "Power limit" && controls.set({one.id, 2}) == Change::tool);

@@ -71,7 +71,7 @@ TEST(ViewSession, HandsToTheModelWhatIsTurned) {
   EXPECT_NE(desk.model().spindle_setting(), 0);
   desk.turn("Gravity", 1);
   EXPECT_TRUE(desk.model().config().effects.gravity.has_value());
-  desk.session.obey(commands::SetSpindleSpeed{500});
+  desk.session.obey(commands::SetSpindleSpeed{500 * units::rad_per_s});
   EXPECT_NEAR(desk.model().spindle_setting(), 500, 1e-6);
 }
 

@@ -88,7 +88,7 @@ TEST(WatchedModel, TellsWhatCommandsHaveMadeOfTheModel) {
   EXPECT_EQ(cut.watched.settings().answered, 1U);
   Effects effects;
   effects.gravity = Gravity{.mass = 0.2};
-  LoopCommand spindle = commands::SetSpindleSpeed{100}, gravity = commands::SetEffects{effects},
+  LoopCommand spindle = commands::SetSpindleSpeed{100 * units::rad_per_s}, gravity = commands::SetEffects{effects},
               removal = commands::SetRemoval{RemovalLaw::none};
   for (LoopCommand* command : {&spindle, &gravity, &removal}) EXPECT_TRUE(cut.watched.obey(*command));
   const cli::ModelSettings& has = cut.watched.settings();

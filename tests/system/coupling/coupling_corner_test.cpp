@@ -35,7 +35,7 @@ CornerRun push_into_corner(double kappa, double spin, bool hard, double stiffnes
   Material material = plain_material();
   material.cutting_ratio = kappa;
   if (hard) material.specific_cutting_energy = 1e14;  // nothing is cut
-  const Tool tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin});
+  const Tool tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin * units::rad_per_s});
   Simulation simulation(corner(material, 0.1 * mm), tool, implicit(stiffness));
   CouplingGains gains = coupling_gains(capabilities(device_model("touch")));
   VirtualCoupling coupling(simulation, gains);

@@ -99,7 +99,7 @@ void expect_the_feed_of_the_oracle(const Plunge& plunge) {
   double last_error = 1;
   for (const double k : {1e14, 1e15, 1e16}) {
     Simulation simulation(half_space(6 * mm, plain_material(), kFineVoxel),
-                          Tool(plunge.head, RayHandle{0}, Spindle{kSpin}), implicit(k));
+                          Tool(plunge.head, RayHandle{0}, Spindle{kSpin * units::rad_per_s}), implicit(k));
     VirtualCoupling coupling(simulation, {});
     const ConstantForceCut cut = cut_under(coupling, plunge.force, plunge.start, plunge.start - 3 * mm);
     EXPECT_NEAR(cut.force, plunge.force, 0.01 * plunge.force);

@@ -55,7 +55,7 @@ TEST(CouplingLaws, TheDefaultLawInDisguiseMovesTheToolAsItDoesItself) {
 
 TEST(CouplingLaws, AMeasuredStiffnessIsTheSlopeOfTheForceAndNeverNegative) {
   for (const NamedLaw& named : all_laws()) {
-    const Tool tool(named.head, RayHandle{20 * mm}, Spindle{kSpin});
+    const Tool tool(named.head, RayHandle{20 * mm}, Spindle{kSpin * units::rad_per_s});
     Simulation simulation(half_space(), tool, with_law(named.law, 1e13));
     const double lowest = named.head.bounding_box().min.z();
     const Pose at = Pose::from_translation(kAside + Vec3(0, 0, 20 * mm - lowest - 0.25 * mm));
@@ -113,7 +113,8 @@ class EveryLaw : public testing::TestWithParam<NamedLaw> {};
 TEST_P(EveryLaw, IsStableBehindTheCouplingAndItsLedgerCloses) {
   const NamedLaw& named = GetParam();
   for (const double spin : {0.0, kSpin}) {
-    Simulation simulation(half_space(), Tool(named.head, RayHandle{0}, Spindle{spin}), with_law(named.law, 1e14));
+    Simulation simulation(half_space(), Tool(named.head, RayHandle{0}, Spindle{spin * units::rad_per_s}),
+                          with_law(named.law, 1e14));
     CouplingGains gains;
     gains.largest_force = 3;
     VirtualCoupling coupling(simulation, gains);

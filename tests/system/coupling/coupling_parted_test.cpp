@@ -39,9 +39,13 @@ const std::vector<Exchange>& exchanges() {
        }},
       {"restore", [](Simulation& s, const auto& fresh) { s.restore(fresh); }},
       {"larger tool",
-       [](Simulation& s, const auto&) { s.set_tool(Tool(SphereHead{2 * kRadius}, RayHandle{0}, Spindle{kSlow})); }},
+       [](Simulation& s, const auto&) {
+         s.set_tool(Tool(SphereHead{2 * kRadius}, RayHandle{0}, Spindle{kSlow * units::rad_per_s}));
+       }},
       {"tool on a shank",
-       [](Simulation& s, const auto&) { s.set_tool(Tool(SphereHead{kRadius}, RayHandle{1 * mm}, Spindle{kSlow})); }},
+       [](Simulation& s, const auto&) {
+         s.set_tool(Tool(SphereHead{kRadius}, RayHandle{1 * mm}, Spindle{kSlow * units::rad_per_s}));
+       }},
       {"materials",
        [](Simulation& s, const auto&) {
          Material harder = plain_material();
@@ -232,7 +236,7 @@ TEST(PartedTool, FollowsAFastHandAtEveryRateAndVoxel) {
 TEST(PartedTool, ANewCouplingDoesNotTakeItThroughWhatItHasNotCut) {
   Simulation simulation = cutting_simulation(ContactTime::end);
   for (int n = 0; n <= 400; ++n) simulation.step(at_height(kRadius + 0.2e-3 - 3e-6 * n), {}, kTick);
-  simulation.set_tool(Tool(SphereHead{2 * kRadius}, RayHandle{0}, Spindle{kSlow}));
+  simulation.set_tool(Tool(SphereHead{2 * kRadius}, RayHandle{0}, Spindle{kSlow * units::rad_per_s}));
   VirtualCoupling coupling(simulation, {});
   for (int n = 0; n < 10; ++n) {
     const CoupledResult& result = coupling.step(at_height(kRadius - 1e-3), {}, kTick);
@@ -282,7 +286,7 @@ TEST(PartedTool, WaitsForAReadingThatFlipsAsForOneThatIsNoNumber) {
         const auto flipped = [&](const Pose& pose) {
           return Pose{rotation_from_vector(flip.turn) * pose.rotation, pose.translation + flip.shift};
         };
-        const Tool tool(SphereHead{kRadius}, RayHandle{shank}, Spindle{spin});
+        const Tool tool(SphereHead{kRadius}, RayHandle{shank}, Spindle{spin * units::rad_per_s});
         for (const int every : {2, 10, 100}) {
           SCOPED_TRACE(std::string(flip.name) + ", every " + std::to_string(every) + ", spin " + std::to_string(spin) +
                        ", shank " + std::to_string(shank));
@@ -331,7 +335,8 @@ TEST(PartedTool, IsNotTurnedIntoMaterialByTwoReadingsThatAgree) {
   for (const double turn : {1.5, std::numbers::pi}) {
     SimulationConfig config;
     config.reference_stiffness = 1e14;
-    Simulation simulation(half_space(), Tool(FlatHead{0.5 * mm, 4 * mm}, RayHandle{0}, Spindle{kSlow}), config);
+    Simulation simulation(half_space(),
+                          Tool(FlatHead{0.5 * mm, 4 * mm}, RayHandle{0}, Spindle{kSlow * units::rad_per_s}), config);
     for (int n = 0; n < 100; ++n) simulation.step(at_height(0.05e-3 - 1e-6 * n), {}, kTick);
     Pose flipped = at_height(-0.05e-3);
     flipped.rotation = rotation_from_vector({turn, 0, 0});

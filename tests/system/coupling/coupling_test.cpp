@@ -70,7 +70,7 @@ TEST(Coupling, IsHeldByAThinWallAndFeelsItBreak) {
   EXPECT_GT(pressed.rest_force, 0.95 * kPress);
 
   // The same hand, at rest, with the spindle running: it sinks, then the wall is gone and so is the force.
-  simulation.set_spindle_speed(kSpin);
+  simulation.set_spindle_speed(kSpin * units::rad_per_s);
   const Pose hand = Pose::from_translation(kAside + Vec3(0, 0, kRadius - kPress / coupling.gains().stiffness));
   double before_break = 0;
   int ticks = 0;

@@ -51,7 +51,7 @@ rc::Gen<Part> arbitrary_part() {
 }
 
 Tool ball(double radius) {
-  Spindle spindle{kSpin};
+  Spindle spindle{kSpin * units::rad_per_s};
   spindle.power_limit = 3;
   return gestures::tool_of(SphereHead{radius}, spindle);
 }
@@ -111,10 +111,10 @@ struct Done {
         chain->tell(commands::SetSpindleSpeed{0});
         break;
       case Doing::stall:
-        chain->tell(commands::SetSpindleSpeed{kSpin * part.amount});
+        chain->tell(commands::SetSpindleSpeed{kSpin * part.amount * units::rad_per_s});
         break;
       case Doing::reverse:
-        chain->tell(commands::SetSpindleSpeed{-kSpin});
+        chain->tell(commands::SetSpindleSpeed{-kSpin * units::rad_per_s});
         break;
       case Doing::clutch:
         chain->tell(commands::OpenClutch{});

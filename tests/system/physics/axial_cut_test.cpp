@@ -45,7 +45,8 @@ SteadyState run(const AxialCut& cut) {
   config.reference_stiffness = cut.stiffness;
   config.removal = cut.removal;
   Simulation simulation(build_block(box, cut.voxel_size, cut.material),
-                        Tool(FlatHead{kRadius, 4 * mm, cut.rule}, RayHandle{0}, Spindle{kSpin}), config);
+                        Tool(FlatHead{kRadius, 4 * mm, cut.rule}, RayHandle{0}, Spindle{kSpin * units::rad_per_s}),
+                        config);
   return feed(simulation, cut.axis, Vec3(0, 0, -kFeed), cut.travel, cut.dt);
 }
 
@@ -132,7 +133,8 @@ double feed_under(double hand_force, AxialCut cut) {
   SimulationConfig config;
   config.reference_stiffness = cut.stiffness;
   Simulation simulation(build_block(box, cut.voxel_size, cut.material),
-                        Tool(FlatHead{kRadius, 4 * mm, cut.rule}, RayHandle{0}, Spindle{kSpin}), config);
+                        Tool(FlatHead{kRadius, 4 * mm, cut.rule}, RayHandle{0}, Spindle{kSpin * units::rad_per_s}),
+                        config);
   // [N s/m] heavy enough not to follow the ripple of single voxels, light enough to settle within 0.1 s
   const double inertia = 0.02 * thrust(cut.material) / kFeed;
   double depth = 0, speed = kFeed, sum = 0;

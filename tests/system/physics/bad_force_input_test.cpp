@@ -33,7 +33,7 @@ Workpiece block(const Material& material = test::plain_material()) {
 }
 
 void simulate(const SimulationConfig& config, const ToolHead& head = SphereHead{1 * mm}) {
-  Simulation simulation(block(), Tool(head, RayHandle{0}, Spindle{2000}), config);
+  Simulation simulation(block(), Tool(head, RayHandle{0}, Spindle{2000 * units::rad_per_s}), config);
 }
 
 TEST(BadForceInput, ADynamicFrictionAboveTheStaticOneIsRefused) {
@@ -75,7 +75,11 @@ TEST(BadForceInput, NegativeConstantsAreRefusedByName) {
   expect_refusal([] { DampingMatrixLaw law({-1, 0}); }, {"resistance", "-1", "must be a finite number > 0"});
   expect_refusal([] { TwistDrillLaw law({-1, 1e-3}); }, {"specific_energy", "-1", "must be a finite number > 0"});
   expect_refusal([] { ThesisLaw law({-1}); }, {"reference_voxel_size", "-1", "must be a finite number > 0"});
-  expect_refusal([] { Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{1, -1}); }, {"power_limit", "-1", "must be"});
+  expect_refusal(
+      [] {
+        Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{1 * units::rad_per_s, -1});
+      },
+      {"power_limit", "-1", "must be"});
 }
 
 // What the contact computes with in single precision would be infinite, and a force of it no number.
@@ -95,10 +99,11 @@ TEST(BadForceInput, ConstantsBeyondSinglePrecisionAreRefused) {
     expect_refusal(with(&Material::relative_stiffness, share),
                    {"reference_stiffness times relative_stiffness of 'plain'", "must be between 1 and 1e+25"});
   for (const double speed : {1e39, -1e39}) {
-    expect_refusal([&] { Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{speed}); },
+    expect_refusal([&] { Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{speed * units::rad_per_s}); },
                    {"Spindle::speed", "no spindle is faster than a million"});
     Simulation simulation(block(), Tool(SphereHead{1 * mm}));
-    expect_refusal([&] { simulation.set_spindle_speed(speed); }, {"Spindle::speed", "no spindle is faster"});
+    expect_refusal([&] { simulation.set_spindle_speed(speed * units::rad_per_s); },
+                   {"Spindle::speed", "no spindle is faster"});
     EXPECT_EQ(simulation.spindle_setting(), 0);
   }
 }
@@ -115,7 +120,7 @@ TEST(BadForceInput, ALawThatGivesNoNumberGivesNoForceAndTheStatusSaysSo) {
   };
   SimulationConfig config;
   config.law = std::make_shared<Broken>();
-  Simulation simulation(block(), Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{2000}), config);
+  Simulation simulation(block(), Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{2000 * units::rad_per_s}), config);
   EXPECT_EQ(simulation.step(Pose::from_translation(Vec3(0, 0, 2 * mm)), {}, 1e-3).status, StepStatus::ok);
   const Pose pressed = Pose::from_translation(Vec3(0, 0, 0.8 * mm));
   for (int tick = 0; tick < 2; ++tick) {
@@ -182,7 +187,9 @@ TEST(BadForceInput, NothingHasChangedAfterACallThatThrew) {
   SimulationConfig config;
   config.effects.gravity = Gravity{0.1};
   config.effects.vibration = Vibration{};
-  const auto make = [&] { return Simulation(block(), Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{2000}), config); };
+  const auto make = [&] {
+    return Simulation(block(), Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{2000 * units::rad_per_s}), config);
+  };
   Simulation calm = make(), disturbed = make();
   const auto nothing = [] {
     return Workpiece::from_blocks({{0, 0, 0}, {15, 15, 15}}, GridFrame{0.1 * mm, {}},
@@ -194,7 +201,7 @@ TEST(BadForceInput, NothingHasChangedAfterACallThatThrew) {
       Effects bad = config.effects;
       bad.vibration->frequency = 500;
       EXPECT_THROW(disturbed.set_effects(bad), Error);
-      EXPECT_THROW(disturbed.set_spindle_speed(std::nan("")), Error);
+      EXPECT_THROW(disturbed.set_spindle_speed(std::nan("") * units::rad_per_s), Error);
       EXPECT_THROW(disturbed.reset(nothing()), Error);
       EXPECT_THROW(disturbed.restore(WorkpieceSnapshot{}), Error);
       EXPECT_EQ(disturbed.steps(), calm.steps());

@@ -22,7 +22,7 @@ class BadInput : public testing::Test {
   /// A ball that has cut its way 0.3 mm into a block.
   BadInput()
       : simulation_(build_block({Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm}, 0.1 * mm, plain_material()),
-                    Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{2000})) {
+                    Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{2000 * units::rad_per_s})) {
     for (int i = 0; i < 150; ++i) (void)simulation_.step(at(i), {Vec3(0, 0, -2 * mm), Vec3::Zero()}, 1e-3);
     before_ = simulation_.workpiece().hash();
   }
@@ -127,7 +127,7 @@ TEST_F(BadInput, APoseAnywhereInTheUniverseIsAcceptedAsTheFirst) {
 
 TEST(ToolAndWorkpiece, AToolWhollyOutsideFeelsNothing) {
   Simulation simulation(build_block({Vec3(-1, -1, -1) * mm, Vec3(1, 1, 1) * mm}, 0.1 * mm, plain_material()),
-                        Tool(SphereHead{0.5 * mm}, RayHandle{0}, Spindle{2000}));
+                        Tool(SphereHead{0.5 * mm}, RayHandle{0}, Spindle{2000 * units::rad_per_s}));
   const StepResult& result = simulation.step(Pose::from_translation(Vec3(0, 0, 1.6) * mm), {}, 1e-3);
   EXPECT_EQ(result.status, StepStatus::ok);
   EXPECT_EQ(result.contact.voxels, 0);
@@ -223,7 +223,7 @@ TEST(BlockPool, WhenItIsExhaustedMaterialIsFeltButNotCutAndTheStatusSaysSo) {
   SimulationConfig config;
   config.reserved_blocks = 2;
   Simulation simulation(build_block({Vec3(-3, -3, -3) * mm, Vec3(3, 3, 0) * mm}, 0.1 * mm, plain_material()),
-                        Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{2000}), config);
+                        Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{2000 * units::rad_per_s}), config);
   const auto step = [&](int i) -> const StepResult& {
     return simulation.step(Pose::from_translation(Vec3(0.013, 0.007, 1 - 0.002 * (i + 1)) * mm),
                            {Vec3(0, 0, -2 * mm), Vec3::Zero()}, 1e-3);

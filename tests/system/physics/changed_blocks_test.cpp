@@ -75,7 +75,7 @@ TEST(ChangedBlocks, AreCompleteInALongSweepOrSaidNotToBe) {
   config.reserved_blocks = 4096;
   Simulation simulation(
       build_block({Vec3(-1, -3, -3) * units::mm, Vec3(31, 3, 0) * units::mm}, 1e-4, test::plain_material()),
-      Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{3000}), config);
+      Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
   const std::map<VoxelIndex, Fills> before = fills_of(simulation.workpiece());
   simulation.step(Pose::from_translation(Vec3(-3e-3, 0, 0)), {}, 1e-3);
   simulation.step(Pose::from_translation(Vec3(27e-3, 0, 0)), {}, 1e-3);
@@ -131,7 +131,7 @@ TEST(Simulation, CountsItsStepsAndTellsOfThemAndOfTheExchangesOfItsWorkpiece) {
   for (std::size_t n = 1; n < many.size(); ++n) simulation.add_observer(many[n]);
   EXPECT_THROW(simulation.add_observer(many[0]), Error);
   EXPECT_EQ(simulation.observers().size(), Simulation::kMostObservers);
-  simulation.set_spindle_speed(-7);
+  simulation.set_spindle_speed(-7 * units::rad_per_s);
   EXPECT_EQ(simulation.spindle_setting(), -7);
 }
 

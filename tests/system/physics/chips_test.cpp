@@ -66,9 +66,10 @@ SimulationConfig stiff(double stiffness) {
 /// Drilled down its axis in a hole of its own radius.
 Fed drill(const Way& way, double stiffness, const Material& material) {
   const Vec3 axis = way.R_WT.col(2);
-  Simulation simulation(build_block({Vec3::Constant(-2.2 * mm), Vec3::Constant(2.2 * mm)}, kVoxel, material),
-                        Tool(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin}, kCutter),
-                        stiff(stiffness));
+  Simulation simulation(
+      build_block({Vec3::Constant(-2.2 * mm), Vec3::Constant(2.2 * mm)}, kVoxel, material),
+      Tool(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin * units::rad_per_s}, kCutter),
+      stiff(stiffness));
   const Vec3 deep = axis * 0.3 * mm + Vec3(0.017, 0.006, 0.003) * mm;
   (void)feed_along(simulation, way.R_WT, deep + axis * 4 * mm, -axis * 20 * mm, 4 * mm, 1);
   return feed_along(simulation, way.R_WT, deep, -axis * kFeed, 0.5 * mm, 0.3);
@@ -99,10 +100,10 @@ TEST(Chips, C37Slotting) {
         const Vec3 way(std::cos(angle * units::deg), std::sin(angle * units::deg), 0);
         const Mat3 R = Eigen::AngleAxisd(angle * units::deg, Vec3::UnitZ()).toRotationMatrix();
         const Material material = material_with(lengths);
-        Simulation simulation(
-            build_block({Vec3(-3, -3, -height / mm) * mm, Vec3(3, 3, 0) * mm}, kVoxel, material),
-            Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{0}, Spindle{kSpin}, kCutter),
-            stiff(stiffness));
+        Simulation simulation(build_block({Vec3(-3, -3, -height / mm) * mm, Vec3(3, 3, 0) * mm}, kVoxel, material),
+                              Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{0},
+                                   Spindle{kSpin * units::rad_per_s}, kCutter),
+                              stiff(stiffness));
         const Vec3 start = Vec3(0.017, 0.006, -1.503) * mm - 0.5 * mm * way;
         (void)feed_along(simulation, R, start - way * 4 * mm, way * 20 * mm, 4 * mm, 1);
         const Fed s = feed_along(simulation, R, start, way * kFeed, 1.6 * mm, 0.4);
@@ -124,7 +125,8 @@ TEST(Chips, C38PlungingABall) {
     for (const double stiffness : {1e16, 1e17}) {
       const Material material = material_with(lengths);
       Simulation simulation(build_block({Vec3(-1.6, -1.6, -3.5) * mm, Vec3(1.6, 1.6, 0) * mm}, kVoxel, material),
-                            Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{kSpin}, kCutter), stiff(stiffness));
+                            Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{kSpin * units::rad_per_s}, kCutter),
+                            stiff(stiffness));
       const Vec3 start = Vec3(0.017, 0.006, 1.003) * mm;
       (void)feed_along(simulation, Mat3::Identity(), start, Vec3(0, 0, -20 * mm), 2.4 * mm, 1);
       const Fed s =
@@ -144,7 +146,7 @@ TEST(Chips, C42AGrooveInBoneIsManyTimesTheOneAtAConstantEnergy) {
   for (const double spin : {2000.0, 8000.0}) {
     const Material bone = presets::cortical_bone();
     Simulation simulation(build_block({Vec3(-3.4, -1.6, -1.1) * mm, Vec3(2.6, 1.6, 0) * mm}, kVoxel, bone),
-                          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin}, bur), {});
+                          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin * units::rad_per_s}, bur), {});
     const Vec3 start = Vec3(-3.517 * mm, 0.006 * mm, kRadius - depth);
     const Fed s = feed_along(simulation, Mat3::Identity(), start, Vec3(kFeed, 0, 0), 4 * mm, 0.3);
     forms::SteadyCut cut{bone.specific_cutting_energy, bone.cutting_ratio, spin, kFeed};
@@ -163,9 +165,10 @@ TEST(Chips, C42AGrooveInBoneIsManyTimesTheOneAtAConstantEnergy) {
 }
 
 Simulation pushed_bur(const Material& material, double stiffness) {
-  return Simulation(build_block({Vec3(-1.4, -1.4, -1.5) * mm, Vec3(1.4, 1.4, 0) * mm}, kVoxel, material),
-                    Tool(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin}, kCutter),
-                    stiff(stiffness));
+  return Simulation(
+      build_block({Vec3(-1.4, -1.4, -1.5) * mm, Vec3(1.4, 1.4, 0) * mm}, kVoxel, material),
+      Tool(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin * units::rad_per_s}, kCutter),
+      stiff(stiffness));
 }
 
 // Proves: chips.

@@ -33,8 +33,8 @@ struct Press {
   Press(const ToolHead& head, double stiffness, double voxel, const Mat3& R_WT = Mat3::Identity(),
         double thickness = 2 * mm, RemovalLaw removal = RemovalLaw::constant_energy, double spin = 0)
       : R(R_WT),
-        simulation(block(R_WT, voxel, thickness), Tool(head, RayHandle{0}, Spindle{spin}), config(stiffness, removal)) {
-  }
+        simulation(block(R_WT, voxel, thickness), Tool(head, RayHandle{0}, Spindle{spin * units::rad_per_s}),
+                   config(stiffness, removal)) {}
 
   static Workpiece block(const Mat3& R, double voxel, double thickness) {
     const BodyDescription body = {{Vec3::Constant(-3 * mm), Vec3::Constant(3 * mm)},

@@ -115,7 +115,7 @@ TEST(DeepContact, HoldsASpinningBallAlongItsNormalForceAndNotAlongItsDrag) {
   const auto pushed = [&](bool deep_contact) {
     config.deep_contact = deep_contact;
     Simulation simulation(test::box_at_phase(kBlock, 0.05 * mm, Vec3(0.3, 0.6, 0.2)),
-                          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{2000}), config);
+                          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{2000 * units::rad_per_s}), config);
     Pose pose = {rotation_from_vector(Vec3(0, 0.5 * units::kPi, 0)), Vec3(0, 0, kRadius)};
     for (; pose.translation.z() > -0.4 * kRadius; pose.translation.z() -= 0.005 * mm)
       (void)simulation.step(pose, {}, 1e-3);
@@ -142,7 +142,7 @@ TEST(DeepContact, LetsACuttingBallGoWhereItCuts) {
   Simulation cutting(test::box_at_phase(kBlock, 0.05 * mm, Vec3(0.3, 0.6, 0.2)), Tool(SphereHead{kRadius}), config);
   z = kRadius + 0.01 * mm;
   (void)push_to(cutting, z, 0.7 * mm);
-  cutting.set_spindle_speed(20000);
+  cutting.set_spindle_speed(20000 * units::rad_per_s);
   for (int i = 0; i < 3000; ++i) (void)cutting.step(Pose::from_translation(Vec3(0, 0, z)), {}, 1e-3);
   EXPECT_GT(cutting.last_result().energy.cutting, 0);
   EXPECT_LT(cutting.last_result().force.z(), 0.1 * standing) << "little is left but on the axis, where nothing slips";

@@ -27,7 +27,8 @@ Simulation cut(const Effects& effects, HandleTorque torque = HandleTorque::full_
   config.effects = effects;
   config.handle_torque = torque;
   return Simulation(build_block({Vec3(-3, -3, -3) * mm, Vec3(3, 3, 0) * mm}, 0.1 * mm, test::plain_material()),
-                    Tool(SphereHead{1 * mm}, LHandle{80 * mm, 15 * mm, 60 * deg}, Spindle{3000}), config);
+                    Tool(SphereHead{1 * mm}, LHandle{80 * mm, 15 * mm, 60 * deg}, Spindle{3000 * units::rad_per_s}),
+                    config);
 }
 
 /// The head goes down at 2 mm/s from just above the surface.

@@ -162,7 +162,7 @@ TEST(Friction, HandsOverToTheCuttingRatioAndBackWithoutAStep) {
       pose.translation.z() -= kDepth / 100;
     else
       pose.translation.x() += speed * kTick;
-    if (i == 1000) simulation.set_spindle_speed(2 * full);
+    if (i == 1000) simulation.set_spindle_speed(2 * full * units::rad_per_s);
     if (i == 2000) simulation.set_spindle_speed(0);
     const StepResult& result = simulation.step(pose, {}, kTick);
     const Vec3 tangential(result.force.x(), result.force.y(), 0);

@@ -41,7 +41,7 @@ TEST(LateralCut, C24SlottingWithACylinder) {
   config.reference_stiffness = stiffness_for_layer(kRadius / 40);
   Simulation simulation(
       build_block({Vec3(0, -1.3, -height / mm) * mm, Vec3(3.5, 1.3, 0) * mm}, kRadius / 80, plain_material()),
-      Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{0}, Spindle{kSpin}), config);
+      Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{0}, Spindle{kSpin * units::rad_per_s}), config);
   const SteadyState s = feed(simulation, Vec3(-1.023, 0.011, -1.5) * mm, Vec3(kFeed, 0, 0), 3.3 * mm, 1e-3, 0.7);
   const Wrench expected = forms::slotting_wrench(cut_at(kFeed), kRadius, height);
   EXPECT_NEAR(s.force.x() / expected.force.x(), 1, kThinLayer);
@@ -54,8 +54,9 @@ TEST(LateralCut, C24SpinTheOtherWayMirrorsTheSideForce) {
   const auto run = [](double spin) {
     SimulationConfig config;
     config.reference_stiffness = stiffness_for_layer(0.1 * mm);
-    Simulation simulation(build_block({Vec3(0, -1.3, -0.5) * mm, Vec3(3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
-                          Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{0}, Spindle{spin}), config);
+    Simulation simulation(
+        build_block({Vec3(0, -1.3, -0.5) * mm, Vec3(3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
+        Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{0}, Spindle{spin * units::rad_per_s}), config);
     return feed(simulation, Vec3(-1.023, 0, -1.5) * mm, Vec3(kFeed, 0, 0), 2.5 * mm, 1e-3, 0.7);
   };
   const SteadyState right = run(kSpin), left = run(-kSpin);
@@ -69,7 +70,7 @@ SteadyState buried_sphere(double layer, double voxel) {
   SimulationConfig config;
   config.reference_stiffness = stiffness_for_layer(layer);
   Simulation simulation(build_block({Vec3(0, -1.3, -1.3) * mm, Vec3(3.4, 1.3, 1.3) * mm}, voxel, plain_material()),
-                        Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{kSpin}), config);
+                        Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{kSpin * units::rad_per_s}), config);
   return feed(simulation, Vec3(-1.023, 0.011, 0.017) * mm, Vec3(kFeed, 0, 0), 3.2 * mm, 1e-3, 0.75);
 }
 
@@ -103,7 +104,7 @@ TEST(LateralCut, C28C29PlungesApproachTheirClosedFormsAsTheLayerThins) {
       SimulationConfig config;
       config.reference_stiffness = stiffness;
       Simulation simulation(build_block({Vec3(-1.4, -1.4, -1.5) * mm, Vec3(1.4, 1.4, 0) * mm}, voxel, plain_material()),
-                            Tool(c.head, RayHandle{0}, Spindle{kSpin}), config);
+                            Tool(c.head, RayHandle{0}, Spindle{kSpin * units::rad_per_s}), config);
       const double tip = c.name == std::string("C28") ? kRadius : 0;
       // The last 0.06 mm before the depth, centred on it.
       const SteadyState s = feed(simulation, Vec3(0.029 * mm, 0.013 * mm, tip), Vec3(0, 0, -speed), depth + 0.03 * mm,

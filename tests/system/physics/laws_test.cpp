@@ -136,7 +136,7 @@ TEST(HertzianBurr, ErodesThePowerOfItsFrictionOverTheCuttingEnergy) {
   SimulationConfig config;
   config.law = std::make_shared<HertzianBurrLaw>(2e6);
   Simulation simulation(build_block({Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm}, 0.05 * mm, test::plain_material()),
-                        Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin}), config);
+                        Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin * units::rad_per_s}), config);
   Pose pose{rotation_from_vector(Vec3(90 * deg, 0, 0)), Vec3(0, 0, kRadius)};
   double removed = 0, expected = 0;
   for (int i = 0; i < 200; ++i) {
@@ -162,7 +162,7 @@ TEST(DampingMatrix, ResistsAlongTheMotionAndTurnsAPartOfItAcrossWithTheSpin) {
     config.law = std::make_shared<DampingMatrixLaw>(DampingMatrixLaw::Constants{2e8, mu});
     config.removal = RemovalLaw::none;
     Simulation simulation(build_block({Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm}, 0.1 * mm, test::plain_material()),
-                          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin}), config);
+                          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin * units::rad_per_s}), config);
     Pose pose = Pose::from_translation(Vec3(0, 0, 0.7 * mm));
     (void)simulation.step(pose, {}, 1e-3);
     pose.translation.x() += 5e-6;
@@ -185,7 +185,7 @@ test::SteadyState drill(const std::shared_ptr<const ForceLaw>& law, const ToolHe
   Material material = test::plain_material();
   material.cutting_ratio = kappa;
   Simulation simulation(build_block({Vec3(-1.3, -1.3, -3.5) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, material),
-                        Tool(head, RayHandle{0}, Spindle{kSpin}), config);
+                        Tool(head, RayHandle{0}, Spindle{kSpin * units::rad_per_s}), config);
   return test::feed(simulation, Vec3(0.029, 0.011, 0.01) * mm, Vec3(0, 0, -kFeed), travel, 1e-3, 0.8);
 }
 

@@ -26,8 +26,9 @@ SimulationConfig stiff() {
 
 test::SteadyState drill(double radius, double speed, double feed) {
   const double side = radius + 0.3 * mm;
-  Simulation simulation(build_block({Vec3(-side, -side, -1 * mm), Vec3(side, side, 0)}, 0.05 * mm, bone()),
-                        Tool(FlatHead{radius, 3 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{speed}), stiff());
+  Simulation simulation(
+      build_block({Vec3(-side, -side, -1 * mm), Vec3(side, side, 0)}, 0.05 * mm, bone()),
+      Tool(FlatHead{radius, 3 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{speed * units::rad_per_s}), stiff());
   return test::feed(simulation, Vec3(0.013, 0.021, 0) * mm, Vec3(0, 0, -feed), 0.8 * mm, 1e-3);
 }
 
@@ -53,7 +54,7 @@ TEST(MeasuredTrends, B8ThrustAndTorqueRiseWithFeedAndDiameter) {
 double burr_force(double speed, double feed, double depth) {
   const double R = 1 * mm;
   Simulation simulation(build_block({Vec3(0, -1.3, -1) * mm, Vec3(2.5, 1.3, 0) * mm}, 0.05 * mm, bone()),
-                        Tool(SphereHead{R}, RayHandle{0}, Spindle{speed}), stiff());
+                        Tool(SphereHead{R}, RayHandle{0}, Spindle{speed * units::rad_per_s}), stiff());
   return test::feed(simulation, Vec3(-1.023 * mm, 0.011 * mm, R - depth), Vec3(feed, 0, 0), 2.2 * mm, 1e-3, 0.75)
       .force.norm();
 }

@@ -157,7 +157,7 @@ TEST(NoAllocationWithEveryTerm, WhileTheSpindleStartsAndStops) {
   int standing = 0, between = 0, spinning = 0;
   test::arm_call_counts();
   for (int tick = 0; tick < kSteps; ++tick) {
-    if (tick % 500 == 0) simulation.set_spindle_speed(tick % 1000 == 0 ? 0 : 20);
+    if (tick % 500 == 0) simulation.set_spindle_speed((tick % 1000 == 0 ? 0 : 20) * units::rad_per_s);
     const double t = 1e-3 * tick;
     const Vec3 head(2e-3 * std::sin(t), 2e-3 * std::cos(t), 0.9e-3);
     const StepResult& result = simulation.step(Pose::from_translation(head) * X_TH, {}, 1e-3);
@@ -179,7 +179,7 @@ TEST(NoAllocationOfAnyLaw, WhileItCuts) {
     SimulationConfig config;
     config.law = named.law;
     Simulation simulation(build_block({Vec3(-2, -2, -3) * units::mm, Vec3(2, 2, 0) * units::mm}, 1e-4, material),
-                          Tool(named.head, RayHandle{0}, Spindle{2000}), config);
+                          Tool(named.head, RayHandle{0}, Spindle{2000 * units::rad_per_s}), config);
     const double lowest = named.head.bounding_box().min.z();
     double removed = 0;
     test::arm_call_counts();
@@ -211,8 +211,8 @@ TEST(NoAllocation, InStepsOfAVirtualCoupling) {
   material.cutting_ratio = 0.5;
   material.specific_cutting_energy = 3e8;
   const Box box{Vec3(-4e-3, -4e-3, -4e-3), Vec3(4e-3, 4e-3, 0)};
-  Simulation simulation(build_block(box, 1e-4, material), Tool(SphereHead{1e-3}, RayHandle{20e-3}, Spindle{2000}),
-                        config);
+  Simulation simulation(build_block(box, 1e-4, material),
+                        Tool(SphereHead{1e-3}, RayHandle{20e-3}, Spindle{2000 * units::rad_per_s}), config);
   CouplingGains gains;
   gains.angular_stiffness = 0.3;
   VirtualCoupling coupling(simulation, gains);

@@ -73,7 +73,7 @@ TEST_P(ProfileTwin, CutsTheSame) {
   SimulationConfig config;
   config.reference_stiffness = 1e13;
   const Workpiece workpiece = build_block(block, 0.1 * mm, test::plain_material());
-  const Spindle spindle{2000};
+  const Spindle spindle{2000 * units::rad_per_s};
   Simulation with_analytic(workpiece.clone(), Tool(GetParam().analytic, RayHandle{0}, spindle), config);
   Simulation with_profile(workpiece.clone(), Tool(GetParam().profile, RayHandle{0}, spindle), config);
   double removed_analytic = 0, removed_profile = 0, largest = 0, worst = 0;
@@ -142,7 +142,8 @@ TEST(TwistDrill, C31ThrustAndTorqueAreThoseOfItsPoint) {
   SimulationConfig config;
   config.reference_stiffness = 1e14;
   Simulation simulation(build_block({Vec3(-1.5, -1.5, -3) * mm, Vec3(1.5, 1.5, 0) * mm}, l, material),
-                        Tool(twist_drill_head(D, 5 * mm, point), RayHandle{0}, Spindle{spin}), config);
+                        Tool(twist_drill_head(D, 5 * mm, point), RayHandle{0}, Spindle{spin * units::rad_per_s}),
+                        config);
   const test::SteadyState state = test::feed(simulation, Vec3(0.013, 0.007, 0) * mm, Vec3(0, 0, -speed), 2 * mm, 1e-3);
   const Wrench expected =
       closed_forms::twist_drill_wrench({material.specific_cutting_energy, 1, spin, speed}, D, point);

@@ -62,8 +62,8 @@ TEST(SmoothSides, ADrillDeepInItsHoleFeelsItsPointOnly) {
   for (const Grid& grid : {Grid{1e14, 0.1 * mm, 0.05}, Grid{1e15, 0.1 * mm, 0.025}})
     for (const test::Way& way : test::kWays) {
       SCOPED_TRACE(std::string(way.name) + ", k_v " + std::to_string(grid.stiffness));
-      Simulation simulation(block(way.R_WT, grid.voxel, 3.6 * mm, bone(0.3)), Tool(drill, RayHandle{0}, Spindle{kSpin}),
-                            config(grid.stiffness));
+      Simulation simulation(block(way.R_WT, grid.voxel, 3.6 * mm, bone(0.3)),
+                            Tool(drill, RayHandle{0}, Spindle{kSpin * units::rad_per_s}), config(grid.stiffness));
       const test::Fed fed = test::feed_along(simulation, way.R_WT, way.R_WT * (kAside + Vec3(0, 0, 0.01 * mm)),
                                              way.R_WT * Vec3(0, 0, -kFeed), 3 * mm, 0.8);
       EXPECT_NEAR(fed.force_T.z() / expected.force.z(), 1, grid.tolerance);

@@ -33,7 +33,8 @@ Simulation axial_cut(double power_limit) {
   SimulationConfig config;
   config.reference_stiffness = 1e14;
   return Simulation(build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
-                    Tool(FlatHead{kRadius, 4 * mm}, RayHandle{0}, Spindle{kSpin, power_limit}), config);
+                    Tool(FlatHead{kRadius, 4 * mm}, RayHandle{0}, Spindle{kSpin * units::rad_per_s, power_limit}),
+                    config);
 }
 
 const StepResult& plunge(Simulation& simulation, int tick) {
@@ -110,7 +111,7 @@ TEST(Spindle, OfAToolThatHasNoSpeedIsToldWhereItTouchesWhatCouldBeCut) {
             "The spindle of this tool has no speed, so nothing is cut: give it one.");
   EXPECT_FALSE(has_any(pressed({}, cuts, -0.05 * mm), StepStatus::spindle_stands));
   EXPECT_FALSE(has_any(pressed({}, RemovalLaw::none, 0.05 * mm), StepStatus::spindle_stands));
-  EXPECT_FALSE(has_any(pressed(Spindle{kSpin}, cuts, 0.05 * mm), StepStatus::spindle_stands));
+  EXPECT_FALSE(has_any(pressed(Spindle{kSpin * units::rad_per_s}, cuts, 0.05 * mm), StepStatus::spindle_stands));
 }
 
 TEST(Spindle, TheHandFeelsTheMotorsReaction) {
@@ -129,7 +130,7 @@ TEST(Spindle, DroopsToTheSpeedAtWhichItsTorqueAndTheCutsAgree) {
   for (const double sign : {1.0, -1.0}) {
     SimulationConfig config;
     config.reference_stiffness = 1e14;
-    Spindle spindle{sign * kSpin};
+    Spindle spindle{sign * kSpin * units::rad_per_s};
     spindle.droop = droop;
     Simulation simulation(build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
                           Tool(FlatHead{kRadius, 4 * mm}, RayHandle{0}, spindle), config);
@@ -200,7 +201,7 @@ TEST(Spindle, RampsToANewSettingWhenItHasAnAccelerationLimit) {
   Simulation simulation(
       build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, plain_material()),
       Tool(FlatHead{kRadius, 4 * mm}, RayHandle{0}, Spindle{0, std::numeric_limits<double>::infinity(), 1e5}));
-  simulation.set_spindle_speed(kSpin);
+  simulation.set_spindle_speed(kSpin * units::rad_per_s);
   double before = 0;
   for (int tick = 0; tick <= 20; ++tick) {
     const StepResult& result = simulation.step(Pose::from_translation(Vec3(0, 0, 1 * mm)), {}, 1e-3);
@@ -209,7 +210,7 @@ TEST(Spindle, RampsToANewSettingWhenItHasAnAccelerationLimit) {
     EXPECT_GE(result.spindle.speed, before);
     before = result.spindle.speed;
   }
-  EXPECT_THROW(simulation.set_spindle_speed(std::nan("")), Error);
+  EXPECT_THROW(simulation.set_spindle_speed(std::nan("") * units::rad_per_s), Error);
   EXPECT_EQ(simulation.step(Pose::from_translation(Vec3(0, 0, 1 * mm)), {}, 1e-3).spindle.speed, kSpin);
 }
 

@@ -57,9 +57,10 @@ SimulationConfig config_with(double stiffness, Quadrature quadrature = Quadratur
 /// A flat head drilled down its axis into a block that it enters askew, until all of its bottom cuts.
 Fed drill(const Way& way, double stiffness, const Material& material) {
   const Vec3 axis = way.R_WT.col(2);
-  Simulation simulation(build_block({Vec3::Constant(-2.2 * mm), Vec3::Constant(2.2 * mm)}, kVoxel, material),
-                        Tool(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin}),
-                        config_with(stiffness));
+  Simulation simulation(
+      build_block({Vec3::Constant(-2.2 * mm), Vec3::Constant(2.2 * mm)}, kVoxel, material),
+      Tool(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin * units::rad_per_s}),
+      config_with(stiffness));
   // Deep in a hole of its own radius: fed fast to where the measurement begins.
   const Vec3 deep = axis * 0.3 * mm + Vec3(0.017, 0.006, 0.003) * mm;
   (void)feed_along(simulation, way.R_WT, deep + axis * 4 * mm, -axis * 20 * mm, 4 * mm, 1);
@@ -89,9 +90,10 @@ void expect_slot(double angle, double feed, double spin, double stiffness, doubl
   const double height = 0.4 * mm;
   const Vec3 way(std::cos(angle * deg), std::sin(angle * deg), 0);
   const Mat3 R = Eigen::AngleAxisd(angle * deg, Vec3::UnitZ()).toRotationMatrix();
-  Simulation simulation(build_block({Vec3(-3, -3, -height / mm) * mm, Vec3(3, 3, 0) * mm}, kVoxel, plain_material()),
-                        Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{0}, Spindle{spin}),
-                        config_with(stiffness));
+  Simulation simulation(
+      build_block({Vec3(-3, -3, -height / mm) * mm, Vec3(3, 3, 0) * mm}, kVoxel, plain_material()),
+      Tool(FlatHead{kRadius, 4 * mm, FlatRule::side_only}, RayHandle{0}, Spindle{spin * units::rad_per_s}),
+      config_with(stiffness));
   const Vec3 start = Vec3(0.017, 0.006, -1.503) * mm - 0.5 * mm * way;
   (void)feed_along(simulation, R, start - way * 4 * mm, way * 20 * mm, 4 * mm, 1);
   const Fed s = feed_along(simulation, R, start, way * feed, 1.6 * mm, 0.4);
@@ -122,9 +124,10 @@ TEST(SubVoxel, C24SlottingTenLayersDeepInATick) {
 Pushed push(Quadrature quadrature, double stiffness, double hand_force, double edge_pressure) {
   Material material = plain_material();
   material.edge_pressure = edge_pressure;
-  Simulation simulation(build_block({Vec3(-1.4, -1.4, -1.5) * mm, Vec3(1.4, 1.4, 0) * mm}, kVoxel, material),
-                        Tool(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin}),
-                        config_with(stiffness, quadrature));
+  Simulation simulation(
+      build_block({Vec3(-1.4, -1.4, -1.5) * mm, Vec3(1.4, 1.4, 0) * mm}, kVoxel, material),
+      Tool(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin * units::rad_per_s}),
+      config_with(stiffness, quadrature));
   return push_down(simulation, hand_force);
 }
 
@@ -209,7 +212,7 @@ TEST(SubVoxel, RefusesWhatItCannotDo) {
   const auto refusal_of = [](const SimulationConfig& config) -> std::string {
     try {
       (void)Simulation(build_block({Vec3::Zero(), Vec3::Constant(1 * mm)}, kVoxel, plain_material()),
-                       Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{kSpin}), config);
+                       Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{kSpin * units::rad_per_s}), config);
     } catch (const Error& error) {
       return error.what();
     }

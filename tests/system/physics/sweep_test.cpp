@@ -19,7 +19,7 @@ Simulation soft_groove(const ToolHead& head) {
   butter.specific_cutting_energy = 1e3;  // engaged layer far below a voxel at any of the speeds
   SimulationConfig config;
   return Simulation(build_block({Vec3(-6, -2, -2) * mm, Vec3(6, 2, 0) * mm}, 0.1 * mm, butter),
-                    Tool(head, RayHandle{0}, Spindle{20000}), config);
+                    Tool(head, RayHandle{0}, Spindle{20000 * units::rad_per_s}), config);
 }
 
 const Vec3 kStart = Vec3(-8.013, 0.007, 0.5) * mm;
@@ -55,7 +55,7 @@ TEST(Sweep, ATurnOfTheHandleIsSweptToo) {
   butter.specific_cutting_energy = 1e3;
   const auto removed_with = [&](int steps) {
     Simulation simulation(build_block({Vec3(-10, -2, -2) * mm, Vec3(10, 2, 0) * mm}, 0.1 * mm, butter),
-                          Tool(SphereHead{kRadius}, RayHandle{30 * mm}, Spindle{20000}));
+                          Tool(SphereHead{kRadius}, RayHandle{30 * mm}, Spindle{20000 * units::rad_per_s}));
     double removed = 0;
     for (int i = 0; i < steps; ++i) {
       const double angle = -0.2 + 0.4 * (i + 1) / steps;

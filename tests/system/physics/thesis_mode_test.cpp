@@ -39,7 +39,7 @@ Simulation over_block(const SimulationConfig& config, double spin) {
   Material material = test::plain_material();
   material.relative_stiffness = kStiffnessOfMaterial;
   return Simulation(build_block({Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm}, kVoxel, material),
-                    Tool(SphereHead{kRadius}, kHandle, Spindle{spin}), config);
+                    Tool(SphereHead{kRadius}, kHandle, Spindle{spin * units::rad_per_s}), config);
 }
 
 /// Head at a depth below the surface, its axis vertical.

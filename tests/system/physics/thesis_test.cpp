@@ -66,8 +66,9 @@ double thrust(double feed_speed, bool thesis, double voxel = 0.05 * mm, double s
   ThesisLaw::Constants constants;
   constants.required_power = 4e-9;
   if (thesis) config.law = std::make_shared<ThesisLaw>(constants);
-  Simulation simulation(build_block({Vec3(-0.8, -0.8, -2) * mm, Vec3(0.8, 0.8, 0) * mm}, voxel, test::plain_material()),
-                        Tool(FlatHead{0.5 * mm, 2 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{spin}), config);
+  Simulation simulation(
+      build_block({Vec3(-0.8, -0.8, -2) * mm, Vec3(0.8, 0.8, 0) * mm}, voxel, test::plain_material()),
+      Tool(FlatHead{0.5 * mm, 2 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{spin * units::rad_per_s}), config);
   return test::feed(simulation, Vec3(0.013, 0.021, 0) * mm, Vec3(0, 0, -feed_speed), 0.6 * mm, 1e-3).force.z();
 }
 
@@ -91,7 +92,7 @@ TEST(ThesisDefects, D7TheWorkOfHandAndMotorDoesNotPayForTheRemovedVolume) {
   config.law = std::make_shared<ThesisLaw>(constants);
   Simulation simulation(
       build_block({Vec3(-0.8, -0.8, -2) * mm, Vec3(0.8, 0.8, 0) * mm}, 0.05 * mm, test::plain_material()),
-      Tool(FlatHead{0.5 * mm, 2 * mm}, RayHandle{0}, Spindle{2000}), config);
+      Tool(FlatHead{0.5 * mm, 2 * mm}, RayHandle{0}, Spindle{2000 * units::rad_per_s}), config);
   const auto cut = test::feed(simulation, Vec3::Zero(), Vec3(0, 0, -2e-3), 0.6 * mm, 1e-3);
   EXPECT_GT(cut.removed_volume, 0);
   EXPECT_EQ(cut.energy.cutting, 0);
@@ -108,7 +109,7 @@ TEST(ThesisLaw, SpinTorqueIsLambdaTimesTheNormalForcesAndTheRadius) {
     config.law = std::make_shared<ThesisLaw>(constants);
     Simulation simulation(
         test::box_at_phase({Vec3(-1.2, -1.2, -0.8) * mm, Vec3(1.2, 1.2, 0) * mm}, 0.1 * mm, Vec3::Zero()),
-        Tool(FlatHead{1 * mm, 2 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{spin}), config);
+        Tool(FlatHead{1 * mm, 2 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{spin * units::rad_per_s}), config);
     const StepResult& result = test::hold(simulation, Vec3(0, 0, -0.5 * mm));
     // All normal forces of the bottom are along the axis, so their sum is the force.
     EXPECT_NEAR(result.torque.z() / (-std::copysign(0.2 * 10 * 1 * mm * result.force.z(), spin)), 1, kSinglePrecision);
@@ -146,7 +147,7 @@ Simulation cube(const ToolHead& head, SimulationConfig config, double voxel, dou
   Material material = test::plain_material();
   material.relative_stiffness = 0.4;
   return Simulation(build_block({Vec3(-0.36, -0.36, -0.4) * mm, Vec3(0.36, 0.36, 0) * mm}, voxel, material),
-                    Tool(head, RayHandle{0}, Spindle{spin}), config);
+                    Tool(head, RayHandle{0}, Spindle{spin * units::rad_per_s}), config);
 }
 
 /// Thesis mode: the tool jumps a step, rests for a tick, and whatever it touches goes.

@@ -30,8 +30,9 @@ TEST(ThinPieces, ASheetThinnerThanAVoxelCostsWhatItsVolumeDoes) {
       const BodyDescription sheet = {{Vec3::Constant(-2 * mm), Vec3::Constant(2 * mm)},
                                      [&](const Vec3& p) { return std::abs(normal.dot(p - middle)) - thickness / 2; },
                                      [](const Vec3&) { return MaterialId(1); }};
-      Simulation simulation(build_body(sheet, kVoxel, MaterialTable({plain_material()})),
-                            Tool(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin}));
+      Simulation simulation(
+          build_body(sheet, kVoxel, MaterialTable({plain_material()})),
+          Tool(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin * units::rad_per_s}));
       const double above = 0.2 * mm, way = thickness + 3 * above;
       (void)test::feed_along(simulation, R, middle + normal * (thickness / 2 + above), -normal * kFeed, way, 1);
       const EnergyLedger& energy = simulation.last_result().energy;
@@ -51,7 +52,7 @@ TEST(ThinPieces, CrossingGroovesTakeAwayTheUnionOfTheirSweeps) {
   for (const double angle : {0.0, 29.0}) {
     const Mat3 R = Eigen::AngleAxisd(angle * deg, Vec3::UnitZ()).toRotationMatrix();
     Simulation simulation(build_block({Vec3(-3.5, -3.5, -1) * mm, Vec3(3.5, 3.5, 0) * mm}, kVoxel, plain_material()),
-                          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{kSpin}));
+                          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{kSpin * units::rad_per_s}));
     double removed = 0;
     for (const Vec3& along : {Vec3::UnitX().eval(), Vec3::UnitY().eval()}) {
       const double before = simulation.last_result().energy.cutting;

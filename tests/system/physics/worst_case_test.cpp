@@ -69,7 +69,7 @@ Groove cut_groove(std::size_t budget) {
   Material hard = test::plain_material();
   hard.specific_cutting_energy = 3e9;
   Simulation simulation(build_block({Vec3(-4 * mm, -4 * mm, -3 * mm), Vec3(4 * mm, 4 * mm, 0)}, kVoxel, hard),
-                        Tool(SphereHead{1.5 * mm}, RayHandle{0}, Spindle{3000}), config);
+                        Tool(SphereHead{1.5 * mm}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
   Groove groove;
   constexpr int kSteps = 800;
   for (int i = 0; i < kSteps; ++i) {
@@ -129,7 +129,8 @@ TEST(StageTimes, AreMeasuredOnlyWhenAskedFor) {
   for (const bool asked : {false, true}) {
     SimulationConfig config;
     config.stage_times = asked;
-    Simulation simulation(deep_block(), Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{2000}), config);
+    Simulation simulation(deep_block(), Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{2000 * units::rad_per_s}),
+                          config);
     (void)simulation.step(Pose::from_translation(Vec3::Zero()), {}, 1e-3);
     const StageTimes& times = simulation.stage_times();
     for (const double time :

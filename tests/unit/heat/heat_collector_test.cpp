@@ -27,7 +27,7 @@ Simulation bone_drilling() {
   Workpiece block = build_block({Vec3(-4, -4, -5) * mm, Vec3(4, 4, 0) * mm}, 0.1 * mm, presets::cortical_bone());
   SimulationConfig config;
   config.reserved_blocks = 1000;
-  return Simulation(std::move(block), Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{3000}), config);
+  return Simulation(std::move(block), Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
 }
 
 /// A ball drills down at 0.2 mm/s: heat is as fast over a millimetre of bone.
@@ -125,7 +125,8 @@ TEST(HeatField, TakesTheHeatOfAHeadThatOnlyRubsWhereItTouches) {
   Workpiece block = build_block({Vec3(-4, -4, -5) * mm, Vec3(4, 4, 0) * mm}, 0.1 * mm, presets::cortical_bone());
   SimulationConfig config;
   config.removal = RemovalLaw::none;
-  Simulation simulation(std::move(block), Tool(FlatHead{1 * mm, 3 * mm}, RayHandle{0}, Spindle{3000}), config);
+  Simulation simulation(std::move(block),
+                        Tool(FlatHead{1 * mm, 3 * mm}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
   HeatCollector collector(simulation);
   HeatField field(simulation.workpiece());
   for (int tick = 0; tick < 500; ++tick) {

@@ -35,9 +35,11 @@ Simulation two_layers() {
   config.reserved_blocks = 64;
   config.friction = DryFriction{0.35, 0.25, 800};
   config.effects.vibration.emplace();
-  return {build_layered_slab({Vec3(-2e-3, -2e-3, -2e-3), Vec3(2e-3, 2e-3, 0)}, 2e-4,
-                             {{layer("hard", 2e7), 0.5e-3}, {layer("soft", 1e7), 2e-3}}),
-          Tool(SphereHead{1e-3}, LHandle{50e-3, 10e-3, 70 * units::deg}, Spindle{3000, 15, 2e4, 1e4}), config};
+  return {
+      build_layered_slab({Vec3(-2e-3, -2e-3, -2e-3), Vec3(2e-3, 2e-3, 0)}, 2e-4,
+                         {{layer("hard", 2e7), 0.5e-3}, {layer("soft", 1e7), 2e-3}}),
+      Tool(SphereHead{1e-3}, LHandle{50e-3, 10e-3, 70 * units::deg}, Spindle{3000 * units::rad_per_s, 15, 2e4, 1e4}),
+      config};
 }
 
 StepInput push(int tick) {
@@ -68,7 +70,7 @@ TEST(OldRecordings, DISABLED_WriteThePresentFormat) {
       effects.limits.largest_force = 3;
       simulation.set_effects(effects);
     }
-    if (tick == 150) simulation.set_spindle_speed(2000);
+    if (tick == 150) simulation.set_spindle_speed(2000 * units::rad_per_s);
     const StepInput input = push(tick);
     DeviceTick device;
     device.state.X_BS = input.pose;

@@ -192,7 +192,7 @@ TEST(Recorder, RecordsEveryStepOfAFastToolBehindACoupling) {
   config.contact_time = ContactTime::end;
   Simulation simulation(build_block({Vec3(-3e-3, -3e-3, -3e-3), Vec3(3e-3, 3e-3, 0)}, 1e-4,
                                     find_scene("axial_flat").make().workpiece().materials()[1]),
-                        Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{2000}), config);
+                        Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{2000 * units::rad_per_s}), config);
   VirtualCoupling coupling(simulation, {});
   Recorder recorder(folder / "a.h5", simulation, patient());
   std::uint64_t parts = 0;

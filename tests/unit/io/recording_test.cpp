@@ -30,7 +30,7 @@ using test::patient;
 using test::TemporaryFolder;
 
 Simulation small_cut(const SimulationConfig& config = {},
-                     const Tool& tool = Tool(SphereHead{1e-3}, RayHandle{20e-3}, Spindle{3000})) {
+                     const Tool& tool = Tool(SphereHead{1e-3}, RayHandle{20e-3}, Spindle{3000 * units::rad_per_s})) {
   return {build_block({Vec3(-2e-3, -2e-3, -3e-3), Vec3(2e-3, 2e-3, 0)}, 1e-4, test::plain_material()), tool, config};
 }
 
@@ -114,12 +114,12 @@ TEST(Recording, ReplaysWhatWasSetBetweenTheStepsAndWhatWasRejected) {
   config.friction = DryFriction{0.4, 0.2, 500};
   config.effects.vibration.emplace();
   Simulation simulation = small_cut(config);
-  simulation.set_spindle_speed(2500);
+  simulation.set_spindle_speed(2500 * units::rad_per_s);
   Recorder recorder(folder / "a.h5", simulation, patient());
   StepStatus seen = StepStatus::ok;
   for (int tick = 0; tick < 600; ++tick) {
     if (tick == 100) simulation.set_spindle_speed(0);
-    if (tick == 150) simulation.set_spindle_speed(-4000);
+    if (tick == 150) simulation.set_spindle_speed(-4000 * units::rad_per_s);
     if (tick == 200) {
       Effects effects;
       effects.gravity = Gravity{0.1, Vec3(0, 0, 0.01), Vec3(0, 0, -9.81)};
@@ -155,7 +155,7 @@ TEST(Recording, ReplaysWhatWasSetBetweenTheStepsAndWhatWasRejected) {
 TEST(Recording, KeepsEveryKindOfToolAndSetting) {
   const TemporaryFolder folder;
   const LHandle angled{80e-3, 12e-3, 1.2};
-  Spindle air_turbine{30000, 20, 1e5, 2e4};
+  Spindle air_turbine{30000 * units::rad_per_s, 20, 1e5, 2e4};
   SimulationConfig config;
   config.removal = RemovalLaw::elastic_release;
   config.quadrature = Quadrature::voxel_center;
@@ -168,7 +168,7 @@ TEST(Recording, KeepsEveryKindOfToolAndSetting) {
   config.longest_sweep = 77;
   config.removed_voxel_capacity = 20;
   for (const Tool& tool : {Tool(ConeHead{0.5, 3e-3}), Tool(FlatHead{1e-3, 2e-3, FlatRule::both}, angled, air_turbine),
-                           Tool(round_head(2e-3), RayHandle{5e-3}, Spindle{-2000}),
+                           Tool(round_head(2e-3), RayHandle{5e-3}, Spindle{-2000 * units::rad_per_s}),
                            Tool(pear_head(2e-3, 4e-3, 1e-3), angled, air_turbine)}) {
     Simulation simulation = small_cut(config, tool);
     Recorder recorder(folder / "a.h5", simulation, patient());
@@ -223,7 +223,8 @@ TEST(Recording, OfALawOfItsOwnAsksForThatLaw) {
 TEST(Recording, MayNameTheFileOfItsWorkpieceInsteadOfHoldingIt) {
   const TemporaryFolder folder;
   save_vdb(build_sphere(Vec3(0, 0, -2e-3), 2e-3, 1e-4, test::plain_material()), folder / "ball.vdb");
-  Simulation simulation(load_vdb(folder / "ball.vdb"), Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{3000}));
+  Simulation simulation(load_vdb(folder / "ball.vdb"),
+                        Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{3000 * units::rad_per_s}));
   RecorderOptions options = patient();
   options.workpiece_file = folder / "ball.vdb";
   Recorder recorder(folder / "a.h5", simulation, options);
@@ -310,7 +311,7 @@ TEST(Recording, HoldsHowManyTurnsAVoxelBudgetTakes) {
   SimulationConfig config;
   config.voxel_budget = 4096;
   Simulation simulation(build_block({Vec3(-2e-3, -2e-3, -2e-3), Vec3(2e-3, 2e-3, 0)}, 5e-5, test::plain_material()),
-                        Tool(SphereHead{1e-3}, RayHandle{20e-3}, Spindle{3000}), config);
+                        Tool(SphereHead{1e-3}, RayHandle{20e-3}, Spindle{3000 * units::rad_per_s}), config);
   Recorder recorder(folder / "a.h5", simulation, patient());
   std::vector<int> levels;
   for (int tick = 0; tick < 300; ++tick)

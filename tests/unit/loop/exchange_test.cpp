@@ -33,7 +33,9 @@ Material material(double energy, const std::string& name = "plain") {
 Workpiece block(double voxel = 2e-4) {
   return build_block({Vec3(-6e-3, -6e-3, -6e-3), Vec3(6e-3, 6e-3, 0)}, voxel, material(3e8));
 }
-Tool ball(double radius, double speed = 3000) { return Tool(SphereHead{radius}, RayHandle{0}, Spindle{speed}); }
+Tool ball(double radius, double speed = 3000) {
+  return Tool(SphereHead{radius}, RayHandle{0}, Spindle{speed * units::rad_per_s});
+}
 
 /// Feeds the tool down by 1 mm from where the ball of a radius touches.  @return the last force
 Vec3 drill(Simulation& simulation, double radius, double x = 0) {
@@ -89,7 +91,8 @@ TEST(SetTool, RefusesWhatTheConstructorWouldAndChangesNothingThen) {
 
   SimulationConfig of_a_drill = config();
   of_a_drill.law = std::make_shared<TwistDrillLaw>(TwistDrillLaw::Constants{});
-  Simulation drilled(block(), Tool(twist_drill_head(2e-3, 4e-3), RayHandle{0}, Spindle{1000}), of_a_drill);
+  Simulation drilled(block(), Tool(twist_drill_head(2e-3, 4e-3), RayHandle{0}, Spindle{1000 * units::rad_per_s}),
+                     of_a_drill);
   EXPECT_THROW(drilled.set_tool(ball(1e-3)), Error) << "the law is about another kind of head";
 }
 
@@ -222,7 +225,7 @@ TEST(ExchangeOfAWorkpiece, BringsTheOthersWorkpieceToolAndCountsAndKeepsWhatIsSe
 }
 
 TEST(HaltSpindle, StandsAtOnceWhateverTheRamp) {
-  Spindle slow{3000};
+  Spindle slow{3000 * units::rad_per_s};
   slow.acceleration_limit = 100;
   Simulation simulation(block(), Tool(SphereHead{1e-3}, RayHandle{0}, slow), config());
   simulation.halt_spindle();

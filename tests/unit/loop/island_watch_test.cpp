@@ -22,7 +22,7 @@ Simulation bar_and_ball() {
   Workpiece bar = build_block({Vec3(-0.4, -0.4, 0) * mm, Vec3(0.4, 0.4, 6) * mm}, kVoxel, test::plain_material());
   SimulationConfig config;
   config.reserved_blocks = 500;
-  return Simulation(std::move(bar), Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{3000}), config);
+  return Simulation(std::move(bar), Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
 }
 
 constexpr int kThrough = 800;

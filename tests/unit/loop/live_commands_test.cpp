@@ -70,7 +70,7 @@ TEST(LiveCommands, ALargerToolCutsAsIfItHadBeenThereFromTheBeginning) {
 }
 
 TEST(LiveCommands, SetToolStandsStillUntilItMayCutWhateverItsRamp) {
-  Spindle slow{3000};
+  Spindle slow{3000 * units::rad_per_s};
   slow.acceleration_limit = 3000;  // a second to stand
   Rig rig;
   rig.run(
@@ -295,7 +295,7 @@ TEST(LiveCommands, RedoGoesForthToWhatWasUndoneUnlessSomethingElseWasCut) {
 TEST(LiveCommands, RefuseInTheSendersThreadWhatIsOutOfRange) {
   Rig rig(3000, true);
   const auto refused = [&](LoopCommand command) { EXPECT_THROW(rig.model.check(command), Error); };
-  refused(commands::SetSpindleSpeed{2 * kFastestSpindle});
+  refused(commands::SetSpindleSpeed{2 * kFastestSpindle * units::rad_per_s});
   refused(commands::SetScale{0});
   refused(commands::SetFriction{DryFriction{0.1, 0.2, 1000}});
   Effects effects;

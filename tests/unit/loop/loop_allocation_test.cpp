@@ -49,7 +49,7 @@ RunOptions quick() {
 struct UndoingLoop {
   explicit UndoingLoop(bool coupled)
       : simulation(build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
-                   Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{3000}), config(coupled)),
+                   Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config(coupled)),
         model(simulation, *device, options(coupled)),
         outbox(model.region(), 64) {}
 
@@ -151,7 +151,7 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
       const auto radius = [&] { return UndoingLoop::kRadius * (0.5 + 0.1 * (n % 10)); };
       switch (++n % 16) {
         case 0:
-          return commands::SetSpindleSpeed{2000};
+          return commands::SetSpindleSpeed{2000 * units::rad_per_s};
         case 1:
           return commands::OpenClutch{};
         case 2:
@@ -161,9 +161,10 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
         case 4:
           return commands::SetUndoMark{};
         case 5:
-          return parts.model.prepare_tool(Tool(SphereHead{radius()}, RayHandle{0}, Spindle{3000}));
+          return parts.model.prepare_tool(Tool(SphereHead{radius()}, RayHandle{0}, Spindle{3000 * units::rad_per_s}));
         case 6:
-          return parts.model.prepare_tool(Tool(round_head(2 * radius()), RayHandle{0}, Spindle{3000}));
+          return parts.model.prepare_tool(
+              Tool(round_head(2 * radius()), RayHandle{0}, Spindle{3000 * units::rad_per_s}));
         case 7:
           return parts.model.prepare_materials(MaterialTable({test::plain_material()}));
         case 8:
@@ -179,7 +180,7 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
         case 13:
           return parts.model.prepare_workpiece(
               build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
-              Tool(SphereHead{radius()}, RayHandle{0}, Spindle{3000}));
+              Tool(SphereHead{radius()}, RayHandle{0}, Spindle{3000 * units::rad_per_s}));
         case 14:
           return commands::Undo{};
         default:

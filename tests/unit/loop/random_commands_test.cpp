@@ -67,7 +67,7 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   const auto coarse = [](double depth) {
     return build_block({Vec3(-8e-3, -8e-3, -depth), Vec3(8e-3, 8e-3, 0)}, 5e-4, test::plain_material());
   };
-  const Tool ball(SphereHead{kRadius}, RayHandle{0}, Spindle{3000});
+  const Tool ball(SphereHead{kRadius}, RayHandle{0}, Spindle{3000 * units::rad_per_s});
   Simulation simulation(coarse(5e-3), ball, with);
   SimulationModelOptions options;
   options.map.X_WB = Pose::from_translation(Vec3(0, 0, kRadius));
@@ -91,7 +91,7 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
   const auto some_tool = [&] {
-    const Spindle spindle{number(0, 5000)};
+    const Spindle spindle{number(0, 5000) * units::rad_per_s};
     const double radius = number(0.6e-3, 2.5e-3);
     return random() % 2 == 0 ? Tool(SphereHead{radius}, RayHandle{number(0, 1e-3)}, spindle)
                              : Tool(round_head(2 * radius), RayHandle{0}, spindle);
@@ -109,7 +109,7 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
     }
     switch (dice % 12) {
       case 0:
-        return commands::SetSpindleSpeed{number(-5000, 5000)};
+        return commands::SetSpindleSpeed{number(-5000, 5000) * units::rad_per_s};
       case 1:
         return commands::OpenClutch{};
       case 2:

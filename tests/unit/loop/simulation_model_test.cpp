@@ -34,7 +34,7 @@ Simulation block_under_the_ball(double spindle_speed = 3000, ContactTime contact
   config.reference_stiffness = 1e13;
   config.reserved_blocks = 4096;
   return {build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
-          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spindle_speed}), config};
+          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spindle_speed * units::rad_per_s}), config};
 }
 
 SimulationModelOptions ball_above_the_block() {
@@ -129,7 +129,7 @@ TEST(SimulationModel, LetsASlowReaderKeepAPictureOfTheWorkpiece) {
   loop.start();
   while (tick < kManyTicks) {
     look();
-    loop.send(commands::SetSpindleSpeed{3000});
+    loop.send(commands::SetSpindleSpeed{3000 * units::rad_per_s});
     std::this_thread::sleep_for(std::chrono::milliseconds(16));
   }
   // The hand is taken out: nothing more is cut, and what waits is sent.
@@ -259,7 +259,7 @@ TEST(SimulationModel, ObeysClutchAndScale) {
   EXPECT_THROW((void)loop.send(commands::SetScale{-1}), Error);
   loop.send(commands::SetScale{0.5});
   ticks(10);
-  EXPECT_THROW((void)loop.send(commands::SetSpindleSpeed{std::nan("")}), Error);
+  EXPECT_THROW((void)loop.send(commands::SetSpindleSpeed{std::nan("") * units::rad_per_s}), Error);
   ticks(10);
   const RunReport report = loop.stop();
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::reclutched)], 2U);

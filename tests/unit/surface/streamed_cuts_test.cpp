@@ -146,8 +146,8 @@ TEST(StreamedCuts, TenThousandCutsGiveThePagesOfARebuild) {
 TEST(StreamedCuts, ASimulationIsFollowedThroughItsFeedBesideTheSteps) {
   SimulationConfig config;
   config.reserved_blocks = 1000;
-  Simulation simulation(test::two_materials(5 * mm, kVoxel), Tool(SphereHead{0.7 * mm}, RayHandle{0}, Spindle{3000}),
-                        config);
+  Simulation simulation(test::two_materials(5 * mm, kVoxel),
+                        Tool(SphereHead{0.7 * mm}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
   simulation.reserve_undo(500);
   ChangeFeed feed(simulation);
   SurfaceStream stream(simulation.workpiece());

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/loop/commands.hpp"
+#include "hapticut/simulation/simulation.hpp"
 #include "hapticut/tool/motors.hpp"
 
 namespace hapticut::spindle_test {
@@ -18,7 +20,7 @@ class SpindleDirection : public testing::TestWithParam<double> {};
 TEST_P(SpindleDirection, ReachesASettingOnARampOfTheAccelerationLimitWhateverTheStep) {
   const double sign = GetParam();
   for (const double dt : {1e-3, 2.5e-4}) {
-    SpindleMotor motor({0, std::numeric_limits<double>::infinity(), 1e4});
+    SpindleMotor motor(Spindle{0, std::numeric_limits<double>::infinity(), 1e4});
     motor.set(sign * 1000);
     double time = 0;
     while (motor.speed() != sign * 1000) {
@@ -35,7 +37,7 @@ TEST_P(SpindleDirection, ReachesASettingOnARampOfTheAccelerationLimitWhateverThe
 // Proves: ramp.
 TEST_P(SpindleDirection, TurnsTheOtherWayThroughZero) {
   const double sign = GetParam();
-  SpindleMotor motor({sign * 500, std::numeric_limits<double>::infinity(), 1e4});
+  SpindleMotor motor(Spindle{sign * 500 * units::rad_per_s, std::numeric_limits<double>::infinity(), 1e4});
   motor.set(-sign * 500);
   double time = 0, before = sign * motor.speed();
   while (motor.speed() != -sign * 500) {
@@ -51,7 +53,7 @@ TEST_P(SpindleDirection, TurnsTheOtherWayThroughZero) {
 // Proves: droop.
 TEST_P(SpindleDirection, DroopsInProportionToItsLoadAndRecovers) {
   const double sign = GetParam();
-  Spindle spindle{sign * 1000};
+  Spindle spindle{sign * 1000 * units::rad_per_s};
   spindle.droop = 2e4;
   SpindleMotor motor(spindle);
   motor.advance(sign * 0.01, 1e-3);
@@ -72,7 +74,7 @@ TEST_P(SpindleDirection, DroopsInProportionToItsLoadAndRecovers) {
 // Proves: power limit.
 TEST_P(SpindleDirection, HoldsItsPowerLimit) {
   const double sign = GetParam();
-  SpindleMotor motor({sign * 1000, 5});
+  SpindleMotor motor(Spindle{sign * 1000 * units::rad_per_s, 5});
   motor.advance(sign * 0.01, 1e-3);
   EXPECT_NEAR(motor.speed(), sign * 500, 1e-9);
   motor.advance(sign * 0.001, 1e-3);
@@ -81,7 +83,7 @@ TEST_P(SpindleDirection, HoldsItsPowerLimit) {
 
 TEST_P(SpindleDirection, SlowsDownAtOnceButRecoversOnItsRamp) {
   const double sign = GetParam();
-  SpindleMotor motor({sign * 1000, 5, 1e4});
+  SpindleMotor motor(Spindle{sign * 1000 * units::rad_per_s, 5, 1e4});
   motor.advance(sign * 0.01, 1e-3);
   EXPECT_NEAR(motor.speed(), sign * 500, 1e-9);
   motor.advance(0, 1e-3);
@@ -91,7 +93,7 @@ TEST_P(SpindleDirection, SlowsDownAtOnceButRecoversOnItsRamp) {
 constexpr double kStall = 2 * units::N_mm, kFree = 3e4;  // [rad/s]
 
 Spindle turbine(double sign, double inertia) {
-  Spindle spindle{sign * kFree};
+  Spindle spindle{sign * kFree * units::rad_per_s};
   spindle.droop = kFree / kStall;
   spindle.rotor_inertia = inertia;
   return spindle;
@@ -149,7 +151,7 @@ TEST_P(SpindleDirection, RunsUpAndDownAsItsInertiaLets) {
 TEST_P(SpindleDirection, KeepsItsSpeedUpToItsTorqueLimitAndStallsAboveIt) {
   const double sign = GetParam();
   for (const double inertia : {0.0, 1e-9}) {
-    Spindle spindle{sign * 1000};
+    Spindle spindle{sign * 1000 * units::rad_per_s};
     spindle.torque_limit = 0.02;
     spindle.rotor_inertia = inertia;
     SpindleMotor motor(spindle);
@@ -168,7 +170,7 @@ TEST_P(SpindleDirection, KeepsItsSpeedUpToItsTorqueLimitAndStallsAboveIt) {
 // Proves: inertia; power limit.
 TEST_P(SpindleDirection, ARotorSettlesAtThePowerLimit) {
   const double sign = GetParam();
-  Spindle spindle{sign * 1000, 5};
+  Spindle spindle{sign * 1000 * units::rad_per_s, 5};
   spindle.rotor_inertia = 1e-5;  // settles in 0.5 s
   SpindleMotor motor(spindle);
   double before = 1000;
@@ -184,7 +186,7 @@ TEST_P(SpindleDirection, ARotorSettlesAtThePowerLimit) {
 // Proves: inertia.
 TEST_P(SpindleDirection, AMotorWithInertiaTurnsTheOtherWayThroughZero) {
   const double sign = GetParam();
-  Spindle spindle{sign * 1000};
+  Spindle spindle{sign * 1000 * units::rad_per_s};
   spindle.torque_limit = 0.01;
   spindle.rotor_inertia = 1e-6;  // 0.1 s from full speed to none
   SpindleMotor motor(spindle);
@@ -216,8 +218,8 @@ TEST_P(SpindleDirection, OfCommonHandpiecesAreThoseOfTheirMotors) {
   EXPECT_NEAR(fast.rotor_inertia, 2e-9, 1e-15);
   EXPECT_TRUE(common_spindle(MotorKind::surgical_drill, sign * 80e3 * units::rpm).is_limited());
   EXPECT_FALSE(common_spindle(MotorKind::ideal, sign * 80e3 * units::rpm).is_limited());
-  EXPECT_FALSE(common_spindle(0.0).is_limited());
-  EXPECT_THROW((void)common_spindle(MotorKind::electric, 0.0), Error);
+  EXPECT_FALSE(common_spindle(0).is_limited());
+  EXPECT_THROW((void)common_spindle(MotorKind::electric, 0), Error);
   EXPECT_THROW((void)common_spindle(sign * 2e6 * units::rpm), Error);
 }
 
@@ -225,27 +227,40 @@ template <class... Arguments>
 concept MakesASpindle = requires(Arguments... arguments) {
   common_spindle(arguments...);
 };
+template <class... Arguments>
+concept IsASpindle = requires(Arguments... arguments) {
+  Spindle{arguments...};
+};
+template <class Argument>
+concept IsASpeedToSet = requires(Simulation& simulation, Argument speed) {
+  simulation.set_spindle_speed(speed);
+  commands::SetSpindleSpeed{speed};
+};
 
 // 40000 turns a minute without their unit were 40000 rad/s, and forces nine times too large.
 TEST_P(SpindleDirection, HasOneUnitEverywhereAndTurnsAMinuteAreRefusedAsRadiansASecond) {
   const double sign = GetParam();
-  static_assert(MakesASpindle<double> && MakesASpindle<MotorKind, double>);
+  static_assert(MakesASpindle<AngularSpeed> && MakesASpindle<MotorKind, AngularSpeed>);
   static_assert(!MakesASpindle<int> && !MakesASpindle<MotorKind, int>);
-  const double turns = sign * 40000 * units::rpm;
+  static_assert(!MakesASpindle<double> && !MakesASpindle<MotorKind, double>);
+  static_assert(IsASpindle<AngularSpeed> && IsASpeedToSet<AngularSpeed>);
+  static_assert(!IsASpindle<int> && !IsASpindle<double> && !IsASpindle<double, double>);
+  static_assert(!IsASpeedToSet<int> && !IsASpeedToSet<double>);
+  const AngularSpeed turns = sign * 40000 * units::rpm;
   EXPECT_EQ(common_spindle(turns).speed, turns);
   EXPECT_EQ(common_motor(turns), MotorKind::electric);
   for (const MotorKind motor : {MotorKind::electric, MotorKind::surgical_drill, MotorKind::air_turbine}) {
     const double fastest = fastest_speed(motor);
-    EXPECT_EQ(std::abs(common_spindle(motor, sign * fastest).speed), fastest);
+    EXPECT_EQ(std::abs(common_spindle(motor, sign * fastest * units::rad_per_s).speed), fastest);
     try {
-      (void)common_spindle(motor, sign * 1.01 * fastest);
+      (void)common_spindle(motor, sign * 1.01 * fastest * units::rad_per_s);
       FAIL();
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find("Write 40000 * units::rpm"), std::string::npos) << error.what();
     }
   }
-  EXPECT_THROW((void)common_spindle(MotorKind::electric, sign * 40000.0), Error);
-  EXPECT_THROW((void)common_spindle(MotorKind::air_turbine, sign * 300000.0), Error);
+  EXPECT_THROW((void)common_spindle(MotorKind::electric, sign * 40000 * units::rad_per_s), Error);
+  EXPECT_THROW((void)common_spindle(MotorKind::air_turbine, sign * 300000 * units::rad_per_s), Error);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothWays, SpindleDirection, testing::Values(1.0, -1.0));
@@ -275,9 +290,9 @@ TEST(SpindleInput, IsRefusedWithItsValueAndTheCure) {
   spindle = {};
   spindle.power_limit = -1;
   EXPECT_EQ(message(spindle).find("Spindle::power_limit [W] = -1"), 0U);
-  EXPECT_EQ(message(Spindle{400000}).find("Spindle::speed [rad/s] = 400000; that is 3.8"), 0U);
-  EXPECT_NE(message(Spindle{400000}).find("Write 40000 * units::rpm"), std::string::npos);
-  EXPECT_NE(message(Spindle{std::nan("")}), "");
+  EXPECT_EQ(message(Spindle{400000 * units::rad_per_s}).find("Spindle::speed [rad/s] = 400000; that is 3.8"), 0U);
+  EXPECT_NE(message(Spindle{400000 * units::rad_per_s}).find("Write 40000 * units::rpm"), std::string::npos);
+  EXPECT_NE(message(Spindle{std::nan("") * units::rad_per_s}), "");
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ Simulation slab(std::size_t undo_blocks) {
   below.name = "below";
   Simulation simulation(build_layered_slab({Vec3(-4e-3, -4e-3, -4e-3), Vec3(4e-3, 4e-3, 0.3e-4)}, 1e-4,
                                            {{test::plain_material(), 1.23e-3}, {below, 2.8e-3}}),
-                        Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{3000}), config);
+                        Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
   simulation.reserve_undo(undo_blocks);
   return simulation;
 }
