@@ -219,7 +219,7 @@ def test_units_are_those_of_the_header():
     from conftest import REPOSITORY
 
     text = (REPOSITORY / "include/hapticut/core/units.hpp").read_text(encoding="utf-8")
-    found = dict(re.findall(r"constexpr double (\w+) = ([^;]+);", text))
+    found = dict(re.findall(r"constexpr \w+ (\w+) = (?:AngularSpeed::in_rad_per_s\()?([^;)]+)\)?;", text))
     assert len(found) >= 10
     for name, value in found.items():
         expected = eval(value, {"kPi": np.pi})  # arithmetic of our own header
