@@ -24,26 +24,30 @@ struct DicomElements {
     return *this;
   }
   DicomElements& set_word(std::uint32_t tag, std::uint16_t value) { return set(tag, "US", little(value)); }
-  DicomElements& set_items(std::uint32_t tag, const std::vector<DicomElements>& items) {
+  /// @param implicit  for a file that names no kinds, or an element of unknown kind (UN)
+  DicomElements& set_items(std::uint32_t tag, const std::vector<DicomElements>& items, bool implicit = false) {
     std::string bytes;
-    for (const DicomElements& item : items) bytes += part(item.bytes());
+    for (const DicomElements& item : items) bytes += part(item.bytes(implicit));
     return set(tag, "SQ", bytes);
   }
-  /// A compressed picture: one fragment a frame.
+  /// A compressed picture in parts.
   DicomElements& set_fragments(const std::vector<std::string>& fragments) {
     std::string bytes = part("");
     for (const std::string& fragment : fragments) bytes += part(fragment);
     return set(0x7fe00010, "OB of undefined length", bytes + std::string("\xfe\xff\xdd\xe0\0\0\0\0", 8));
   }
 
-  [[nodiscard]] std::string bytes() const {
+  [[nodiscard]] std::string bytes(bool implicit = false) const {
     std::string all;
     for (const auto& [tag, element] : values) {
       const auto& [kind, value] = element;
-      const bool undefined = kind.size() > 2, long_form = undefined || kind == "OB" || kind == "OW" || kind == "SQ";
+      const bool undefined = kind.size() > 2,
+                 long_form = undefined || kind == "OB" || kind == "OW" || kind == "SQ" || kind == "UN";
       const auto length = undefined ? 0xffffffffU : std::uint32_t(value.size());
-      all += little(std::uint16_t(tag >> 16U)) + little(std::uint16_t(tag)) + kind.substr(0, 2);
-      all += long_form ? std::string(2, '\0') + little(length) : little(std::uint16_t(length));
+      all += little(std::uint16_t(tag >> 16U)) + little(std::uint16_t(tag)) + (implicit ? "" : kind.substr(0, 2));
+      all += implicit    ? little(length)
+             : long_form ? std::string(2, '\0') + little(length)
+                         : little(std::uint16_t(length));
       all += value;
     }
     return all;
@@ -60,7 +64,7 @@ inline std::string dicom_file(const DicomElements& elements, const std::string& 
   const std::string bytes = meta.bytes();
   DicomElements length;
   length.set(0x00020000, "UL", little(std::uint32_t(bytes.size())));
-  return std::string(128, '\0') + "DICM" + length.bytes() + bytes + elements.bytes();
+  return std::string(128, '\0') + "DICM" + length.bytes() + bytes + elements.bytes(syntax == "1.2.840.10008.1.2");
 }
 
 /// A CT picture of 16 bits along the axes of the patient, 0.1 mm by 0.2 mm, in Hounsfield units of 1000 less than

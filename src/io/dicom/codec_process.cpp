@@ -30,8 +30,7 @@ void append_number(std::string& bytes, std::uint32_t tag, int number) {
 }
 
 /// A file of one frame with nothing in it but what a codec needs, so that nothing else of the file can confuse it.
-std::string one_frame_file(const DicomFile& file, const DicomPicture& picture,
-                           const std::vector<std::string_view>& fragments) {
+std::string one_frame_file(const DicomFile& file, const DicomPicture& picture, std::string_view packed) {
   constexpr const char* kClass = "1.2.840.10008.5.1.4.1.1.7";
   std::string meta;
   append_element(meta, dicom_tag(2, 2), "UI", kClass);
@@ -58,7 +57,7 @@ std::string one_frame_file(const DicomFile& file, const DicomPicture& picture,
     bytes += content;
   };
   append_item(0xe000, "");
-  for (const std::string_view fragment : fragments) append_item(0xe000, fragment);
+  append_item(0xe000, packed);
   append_item(0xe0dd, "");
   return bytes;
 }
@@ -75,12 +74,11 @@ std::string name_of_compression(const std::string& syntax) {
 
 CodecProcess::CodecProcess() : process_(kDecoder) {}
 
-std::string CodecProcess::unpack(const DicomFile& file, const DicomPicture& picture,
-                                 const std::vector<std::string_view>& fragments) {
+std::string CodecProcess::unpack(const DicomFile& file, const DicomPicture& picture, std::string_view packed) {
   const std::string compression = name_of_compression(file.syntax);
-  if (compression == "JPEG 2000" && !fragments.empty()) require_jpeg_2000_of(fragments.front(), picture);
+  if (compression == "JPEG 2000" && !packed.empty()) require_jpeg_2000_of(packed, picture);
   process_.start();
-  const std::string request = one_frame_file(file, picture, fragments);
+  const std::string request = one_frame_file(file, picture, packed);
   std::string message;
   append_little(message, std::uint64_t(request.size()));
   append_little(message, std::uint64_t(picture.frame_bytes()));

@@ -3,7 +3,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "io/child_process.hpp"
 #include "io/dicom/dicom_picture.hpp"
@@ -18,12 +17,11 @@ class CodecProcess {
   CodecProcess();
 
   /// Unpacks one frame.
-  /// @param fragments  its compressed parts
+  /// @param packed  its compressed values
   /// @return its values as stored, in little-endian order
   /// @throws Error a sentence that begins with "its", when the program fails, dies or takes too long, and when it is
   ///         not there
-  std::string unpack(const DicomFile& file, const DicomPicture& picture,
-                     const std::vector<std::string_view>& fragments);
+  std::string unpack(const DicomFile& file, const DicomPicture& picture, std::string_view packed);
 
  private:
   ChildProcess process_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,53 +30,87 @@ bool alike(const DicomPicture& a, const DicomPicture& b) {
          (a.geometry.direction - b.geometry.direction).cwiseAbs().maxCoeff() <= 1e-3;
 }
 
-/// The pictures of a folder by series; images of another size, spacing or direction are another series, whose name has
-/// a number behind the UID. Files without a picture (directories, reports) are left out.
-std::map<std::string, std::vector<DicomSlice>> series_in(const fs::path& folder) {
+/// Files that are alike, named by their Series Instance UID. Where a series has others, e.g. a scout of another size,
+/// they have a number behind it, and so do all where none are the most.
+struct AlikeSlices {
+  std::string name;
+  std::vector<DicomSlice> slices;
+};
+
+/// How many there are and of which kind: what tells them from others.
+std::string in_words(const AlikeSlices& kind) {
+  const FileGeometry& g = kind.slices.front().picture.geometry;
+  const Vec3 facing = ((g.direction.col(2) * 1e3).array().round() / 1e3 + 0.0).matrix();  // no minus before a zero
+  const std::size_t count = kind.slices.size();
+  return "'" + kind.name + "' (" + std::to_string(count) + (count == 1 ? " file" : " files") + " of " +
+         std::to_string(g.dims[0]) + " x " + std::to_string(g.dims[1]) +
+         (g.dims[2] > 1 ? " x " + std::to_string(g.dims[2]) : "") + " samples of " +
+         std::to_string(kind.slices.front().picture.allocated) + " bits, " + format_number(g.spacing_mm.x()) + " x " +
+         format_number(g.spacing_mm.y()) + " mm, facing " + format_number(facing.x()) + ", " +
+         format_number(facing.y()) + ", " + format_number(facing.z()) + ")";
+}
+
+/// The pictures of a folder. Files without a picture (directories, reports) are left out.
+std::vector<AlikeSlices> series_in(const fs::path& folder) {
   std::vector<fs::path> files;
-  std::error_code code;
+  std::error_code code, ignored;
   for (const auto& entry : fs::directory_iterator(folder, code))
-    if (entry.is_regular_file(code) && begins_like_dicom(first_bytes(entry.path(), 132))) files.push_back(entry.path());
+    if (entry.is_regular_file(ignored) && is_dicom_file(entry.path())) files.push_back(entry.path());
   if (code) cannot_read(folder, code.message() + ".");
   std::sort(files.begin(), files.end());
-  std::map<std::string, std::vector<DicomSlice>> series;
+  std::map<std::string, std::vector<AlikeSlices>> by_uid;
   for (const fs::path& path : files) {
     const std::string bytes = bytes_of_file(path);
     try {
       DicomSlice slice = {path, describe_picture(parse_dicom(bytes))};
-      std::string name = slice.picture.series;
-      for (int n = 1; series.contains(name) && !alike(series[name].front().picture, slice.picture); ++n)
-        name = slice.picture.series + "." + std::to_string(n);
-      series[name].push_back(std::move(slice));
+      std::vector<AlikeSlices>& kinds = by_uid[slice.picture.series];
+      auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const AlikeSlices& known) {
+        return alike(known.slices.front().picture, slice.picture);
+      });
+      if (kind == kinds.end()) kind = kinds.insert(kind, AlikeSlices{slice.picture.series, {}});
+      kind->slices.push_back(std::move(slice));
     } catch (const Error& error) {
       if (!std::string_view(error.what()).starts_with(kNoDicomPicture)) cannot_read(path, error.what());
+    }
+  }
+  std::vector<AlikeSlices> series;
+  for (auto& [uid, kinds] : by_uid) {
+    std::stable_sort(kinds.begin(), kinds.end(),
+                     [](const auto& a, const auto& b) { return a.slices.size() > b.slices.size(); });
+    const bool one_is_largest = kinds.size() == 1 || kinds[0].slices.size() > kinds[1].slices.size();
+    for (std::size_t n = 0; n < kinds.size(); ++n) {
+      if (n > 0 || !one_is_largest) kinds[n].name += "#" + std::to_string(n + 1);
+      series.push_back(std::move(kinds[n]));
     }
   }
   return series;
 }
 
+/// @return nothing where the folder has no DICOM picture
 std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::string& wanted) {
-  std::map<std::string, std::vector<DicomSlice>> series = series_in(folder);
-  if (series.empty()) cannot_read(folder, "the folder has neither a DICOM series nor PNG or TIFF slices.");
+  std::vector<AlikeSlices> series = series_in(folder);
+  if (series.empty()) return {};
   std::string list;
-  for (auto& [uid, slices] : series) {
-    list += (list.empty() ? "'" : ", '") + uid + "'";
-    if (!wanted.empty() && uid == wanted) return std::move(slices);
+  for (AlikeSlices& one : series) {
+    list += (list.empty() ? "" : ", ") + in_words(one);
+    if (!wanted.empty() && one.name == wanted) return std::move(one.slices);
   }
   if (!wanted.empty()) cannot_read(folder, "it has no DICOM series '" + wanted + "'; it has " + list + ".");
   if (series.size() > 1)
-    cannot_read(folder, "it has several DICOM series: " + list + ". Choose one by VolumeReadOptions::dicom_series.");
-  return std::move(series.begin()->second);
+    cannot_read(folder, "it has several DICOM series, or one of several kinds: " + list +
+                            ". Choose one by VolumeReadOptions::dicom_series.");
+  return std::move(series.front().slices);
 }
 
 FrameDecoder decoder_in(CodecProcess& process) {
-  return
-      [&process](const DicomFile& file, const DicomPicture& picture, const std::vector<std::string_view>& fragments) {
-        return process.unpack(file, picture, fragments);
-      };
+  return [&process](const DicomFile& file, const DicomPicture& picture, std::string_view packed) {
+    return process.unpack(file, picture, packed);
+  };
 }
 
 }  // namespace
+
+bool is_dicom_file(const fs::path& path) { return begins_like_dicom(first_bytes(path, 132)); }
 
 RawImage read_dicom_file(const fs::path& path) {
   const std::string bytes = bytes_of_file(path);
@@ -88,15 +123,20 @@ RawImage read_dicom_file(const fs::path& path) {
   });
 }
 
-RawImage read_dicom_series(const fs::path& folder, const std::string& series) {
+std::optional<RawImage> read_dicom_series(const fs::path& folder, const std::string& series) {
   std::vector<DicomSlice> slices = slices_of_series(folder, series);
+  if (slices.empty()) return std::nullopt;
+  if (slices.size() == 1 && slices.front().picture.geometry.dims[2] > 1) return read_dicom_file(slices.front().path);
   for (const DicomSlice& slice : slices)
     if (slice.picture.geometry.dims[2] != 1) cannot_read(slice.path, "it has several frames; pass the file itself.");
   if (slices.size() < 2) cannot_read(folder, "its DICOM series has only one slice; a volume needs two.");
   std::vector<Vec3> places;
   for (const DicomSlice& slice : slices) {
     if (!slice.picture.has_place)
-      cannot_read(slice.path, "it does not say where it lies. Save the series in one file.");
+      cannot_read(
+          slice.path,
+          "it does not say where it lies (Image Position), and its number does not say from which side slices are "
+          "counted. Export the series with positions, or save it in one NRRD or NIfTI file.");
     places.push_back(slice.picture.geometry.origin_mm);
   }
   RawImage image;

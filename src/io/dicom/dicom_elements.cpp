@@ -13,10 +13,12 @@ namespace hapticut {
 namespace {
 
 constexpr std::size_t kPreamble = 128;
-constexpr std::uint32_t kUndefined = 0xffffffff;  // length of what ends with a delimiter
-constexpr int kDeepest = 16;                      // sequences within sequences
+constexpr std::string_view kFirstElement("\2\0\0\0UL\4\0", 8);  // of files that were saved without a preamble
+constexpr std::uint32_t kUndefined = 0xffffffff;                // length of what ends with a delimiter
+constexpr int kDeepest = 16;                                    // sequences within sequences
 constexpr std::uint32_t kItem = dicom_tag(0xfffe, 0xe000), kItemEnd = dicom_tag(0xfffe, 0xe00d),
                         kSequenceEnd = dicom_tag(0xfffe, 0xe0dd), kTransferSyntax = dicom_tag(2, 0x10),
+                        kFloats = dicom_tag(0x7fe0, 8), kDoubles = dicom_tag(0x7fe0, 9),
                         kPixelData = dicom_tag(0x7fe0, 0x10);
 
 /// Whether an element is kept: the identity, the kind and the place of a picture, and how its values are stored.
@@ -28,17 +30,18 @@ bool is_kept(std::uint32_t tag) {
 }
 
 /// Functional groups of all frames and of each, and what they hold: the plane's place and direction, its measures, the
-/// scale of its values, and what a converter found in single slices.
+/// scale of its values, and what a converter found in single slices; and the table of values.
 bool is_kept_sequence(std::uint32_t tag) {
   constexpr std::uint32_t kKept[] = {dicom_tag(0x5200, 0x9229), dicom_tag(0x5200, 0x9230), dicom_tag(0x20, 0x9113),
                                      dicom_tag(0x20, 0x9116),   dicom_tag(0x28, 0x9110),   dicom_tag(0x28, 0x9145),
-                                     dicom_tag(0x20, 0x9170),   dicom_tag(0x20, 0x9171)};
+                                     dicom_tag(0x20, 0x9170),   dicom_tag(0x20, 0x9171),   dicom_tag(0x28, 0x3000)};
   return std::find(std::begin(kKept), std::end(kKept), tag) != std::end(kKept);
 }
 
 class DicomWalker {
  public:
-  explicit DicomWalker(std::string_view bytes) : bytes_(bytes), at_(kPreamble + 4) {}
+  explicit DicomWalker(std::string_view bytes)
+      : bytes_(bytes), at_(bytes.starts_with(kFirstElement) ? 0 : kPreamble + 4) {}
 
   DicomFile walk_file() {
     while (at_ + 8 <= bytes_.size() && bytes_[at_] == 2 && bytes_[at_ + 1] == 0) {
@@ -121,7 +124,11 @@ class DicomWalker {
       if (delimited && e.tag == kItemEnd) return;
       if (e.tag <= before) fail("its elements are not in order; it is damaged. Get a complete copy.");
       before = e.tag;
-      const bool sequence = e.kind == "SQ" || (e.length == kUndefined && (e.kind.empty() || e.kind == "UN"));
+      // Where the file does not say what is a sequence, an undefined length does, or the tag.
+      const bool unsaid = e.kind.empty() || e.kind == "UN";
+      const bool sequence = e.kind == "SQ" || (unsaid && (e.length == kUndefined || is_kept_sequence(e.tag)));
+      if (depth == 0 && (e.tag == kFloats || e.tag == kDoubles))
+        fail("its values are no whole numbers (Float Pixel Data), which is not read; save it with whole numbers.");
       if (e.tag == kPixelData && depth == 0)
         walk_picture(e);
       else if (e.tag == kPixelData && e.length == kUndefined)
@@ -206,7 +213,8 @@ std::vector<double> DicomItem::numbers(std::uint32_t tag, std::size_t count, con
   if (!found || found->size() != count ||
       !std::all_of(found->begin(), found->end(), [](double number) { return std::isfinite(number); }))
     throw Error(std::string("its ") + name + " is " + in_quotes(value) + "; there must be " + std::to_string(count) +
-                (count == 1 ? " number." : " numbers."));
+                (count == 1 ? " number" : " numbers") +
+                (value.find(',') == std::string::npos ? "." : ", with decimal points."));
   return *found;
 }
 
@@ -224,7 +232,7 @@ int DicomFile::number(std::uint32_t tag, const char* name) const {
 }
 
 bool begins_like_dicom(std::string_view bytes) {
-  return bytes.size() >= kPreamble + 4 && bytes.substr(kPreamble, 4) == "DICM";
+  return bytes.starts_with(kFirstElement) || (bytes.size() >= kPreamble + 4 && bytes.substr(kPreamble, 4) == "DICM");
 }
 
 DicomFile parse_dicom(std::string_view bytes) {

@@ -54,7 +54,7 @@ struct DicomFile {
   [[nodiscard]] int number(std::uint32_t tag, const char* name) const;
 };
 
-/// Whether a file that begins like this is one of DICOM.
+/// Whether a file that begins like this is one of DICOM, with the preamble of 128 bytes or without.
 [[nodiscard]] bool begins_like_dicom(std::string_view bytes);
 
 /// Goes through a file from element to element, to its end.

@@ -22,11 +22,18 @@ constexpr std::uint32_t kImageType = dicom_tag(8, 8), kClass = dicom_tag(8, 0x16
                         kStored = dicom_tag(0x28, 0x101), kHigh = dicom_tag(0x28, 0x102),
                         kSign = dicom_tag(0x28, 0x103), kPadding = dicom_tag(0x28, 0x120),
                         kPaddingLimit = dicom_tag(0x28, 0x121), kIntercept = dicom_tag(0x28, 0x1052),
-                        kSlope = dicom_tag(0x28, 0x1053), kFrameOffsets = dicom_tag(0x3004, 0xc),
-                        kSharedGroups = dicom_tag(0x5200, 0x9229), kFrameGroups = dicom_tag(0x5200, 0x9230),
-                        kPlanePosition = dicom_tag(0x20, 0x9113), kPlaneOrientation = dicom_tag(0x20, 0x9116),
-                        kMeasures = dicom_tag(0x28, 0x9110), kTransformation = dicom_tag(0x28, 0x9145);
+                        kSlope = dicom_tag(0x28, 0x1053), kTable = dicom_tag(0x28, 0x3000),
+                        kTableLayout = dicom_tag(0x28, 0x3002), kTableValues = dicom_tag(0x28, 0x3006),
+                        kFrameOffsets = dicom_tag(0x3004, 0xc), kSharedGroups = dicom_tag(0x5200, 0x9229),
+                        kFrameGroups = dicom_tag(0x5200, 0x9230), kPlanePosition = dicom_tag(0x20, 0x9113),
+                        kPlaneOrientation = dicom_tag(0x20, 0x9116), kMeasures = dicom_tag(0x28, 0x9110),
+                        kTransformation = dicom_tag(0x28, 0x9145);
 constexpr const char* kDoseClass = "1.2.840.10008.5.1.4.1.1.481.2";
+/// Enhanced and converted CT, MR and PET, and X-ray 3D, whose frames lie where functional groups say.
+constexpr const char* kEnhanced[] = {"1.2.840.10008.5.1.4.1.1.2.1",    "1.2.840.10008.5.1.4.1.1.2.2",
+                                     "1.2.840.10008.5.1.4.1.1.4.1",    "1.2.840.10008.5.1.4.1.1.4.4",
+                                     "1.2.840.10008.5.1.4.1.1.128.1",  "1.2.840.10008.5.1.4.1.1.130",
+                                     "1.2.840.10008.5.1.4.1.1.13.1.1", "1.2.840.10008.5.1.4.1.1.13.1.2"};
 
 int frames_of(const DicomFile& file) {
   const std::vector<double> frames = file.data.numbers(kFrames, 1, "number of frames");
@@ -81,7 +88,12 @@ std::vector<Vec3> places_of(const DicomFile& file, std::size_t frames, const Fil
     return places;
   }
   const auto groups = file.data.sequences.find(kFrameGroups);
-  if (groups == file.data.sequences.end()) return places;
+  if (groups == file.data.sequences.end()) {
+    const std::string kind = file.data.text(kClass);
+    if (frames > 1 && std::find(std::begin(kEnhanced), std::end(kEnhanced), kind) != std::end(kEnhanced))
+      throw Error("it lacks the functional groups that say where its frames lie. Get a complete copy.");
+    return places;
+  }
   for (std::size_t n = 0; n < std::min(frames, groups->second.size()); ++n) {
     const DicomItem* plane = groups->second[n].item(kPlanePosition);
     const std::vector<double> p = plane != nullptr ? plane->numbers(kPosition, 3, "position") : std::vector<double>();
@@ -153,6 +165,28 @@ std::optional<DicomPadding> padding_of(const DicomFile& file, const DicomPicture
   return padding;
 }
 
+/// The table that some files have in place of slope and intercept (Modality LUT, PS3.3 C.11.1).
+void read_table(const DicomFile& file, DicomPicture& picture) {
+  const auto found = file.data.sequences.find(kTable);
+  if (found == file.data.sequences.end() || found->second.empty()) return;
+  const auto bytes_of = [&](std::uint32_t tag) {
+    const auto value = found->second.front().values.find(tag);
+    return value == found->second.front().values.end() ? std::string_view() : value->second;
+  };
+  const auto word = [&](std::string_view bytes, std::size_t n) {
+    const auto first = std::uint8_t(bytes[2 * n]), second = std::uint8_t(bytes[2 * n + 1]);
+    return std::uint16_t(file.big_endian ? 256 * first + second : 256 * second + first);
+  };
+  const std::string_view layout = bytes_of(kTableLayout), values = bytes_of(kTableValues);
+  const std::size_t count = layout.size() != 6 ? 0 : word(layout, 0) == 0 ? 65536 : word(layout, 0);
+  if (count == 0 || values.size() != 2 * count)
+    throw Error(
+        "its table of grey values (Modality LUT) is damaged or not one of 16-bit numbers; save it with a "
+        "rescale slope and intercept in place of the table.");
+  picture.table_first = picture.has_sign ? double(std::int16_t(word(layout, 1))) : double(word(layout, 1));
+  for (std::size_t n = 0; n < count; ++n) picture.table.push_back(word(values, n));
+}
+
 void require_grey_picture(const DicomFile& file, const DicomPicture& picture) {
   const std::string type = file.data.text(kImageType), photometric = file.data.text(kPhotometric);
   if (("\\" + type + "\\").find("\\MOSAIC\\") != std::string::npos)
@@ -178,6 +212,11 @@ double stored_value(Word word, const DicomPicture& picture) {
   return negative ? double(std::int64_t(value) - std::int64_t(mask) - 1) : double(value);
 }
 
+/// The first value of the table stands for all below it, the last one for all above.
+double in_table(double stored, const DicomPicture& picture) {
+  return picture.table[std::size_t(std::clamp(stored - picture.table_first, 0.0, double(picture.table.size() - 1)))];
+}
+
 template <class Word>
 void append_frame(std::string_view bytes, const DicomPicture& picture, std::size_t frame, RawImage& image) {
   const auto [slope, intercept] = picture.scale[picture.scale.size() == 1 ? 0 : frame];
@@ -188,7 +227,8 @@ void append_frame(std::string_view bytes, const DicomPicture& picture, std::size
   for (std::size_t n = 0; n < picture.frame_samples(); ++n) {
     Word word;
     std::memcpy(&word, bytes.data() + n * sizeof word, sizeof word);
-    const double stored = stored_value(word, picture), value = slope * stored + intercept;
+    const double stored = stored_value(word, picture);
+    const double value = picture.table.empty() ? slope * stored + intercept : in_table(stored, picture);
     if (padding) {
       const double compared = !padding->whole_words ? stored
                               : picture.has_sign    ? double(std::make_signed_t<Word>(word))
@@ -203,6 +243,11 @@ void append_frame(std::string_view bytes, const DicomPicture& picture, std::size
   }
 }
 
+/// Whether a compressed frame ends with this fragment: by the end marker of JPEG, JPEG-LS and JPEG 2000.
+bool ends_stream(std::string_view fragment) {
+  return fragment.substr(0, fragment.find_last_not_of('\0') + 1).ends_with("\xff\xd9");
+}
+
 /// The fragments of each frame.
 std::vector<std::vector<std::string_view>> fragments_of_frames(const DicomFile& file, std::size_t frames) {
   std::vector<std::vector<std::string_view>> parts(frames);
@@ -211,6 +256,15 @@ std::vector<std::vector<std::string_view>> fragments_of_frames(const DicomFile& 
   } else if (file.fragments.size() == frames) {
     for (std::size_t n = 0; n < frames; ++n) parts[n] = {file.fragments[n]};
   } else {
+    if (file.offsets.empty() &&
+        std::size_t(std::count_if(file.fragments.begin(), file.fragments.end(), ends_stream)) == frames) {
+      std::size_t frame = 0;
+      for (const std::string_view fragment : file.fragments) {
+        parts[std::min(frame, frames - 1)].push_back(fragment);
+        if (ends_stream(fragment)) ++frame;
+      }
+      return parts;
+    }
     // The table names the place of each frame's first fragment, counted from that of the first frame.
     if (file.offsets.size() != 4 * frames)
       throw Error("its " + std::to_string(file.fragments.size()) + " compressed parts cannot be told apart into " +
@@ -268,6 +322,7 @@ DicomPicture describe_picture(const DicomFile& file) {
     picture.padding.push_back(padding_of(file, picture, n));
     picture.scale.emplace_back(slope.empty() || dose ? 1 : slope[0], intercept.empty() || dose ? 0 : intercept[0]);
   }
+  read_table(file, picture);
   picture.series = file.data.text(kSeries);
   return picture;
 }
@@ -275,10 +330,12 @@ DicomPicture describe_picture(const DicomFile& file) {
 RawImage picture_values(const DicomFile& file, const DicomPicture& picture, const FrameDecoder& decode) {
   const auto frames = std::size_t(picture.geometry.dims[2]);
   const double needed = double(picture.frame_bytes()) * double(frames);
+  constexpr const char* kRunLengths = "1.2.840.10008.1.2.5";
   RawImage image;
   image.geometry = picture.geometry;
-  const bool scaled = std::any_of(picture.scale.begin(), picture.scale.end(),
-                                  [](const auto& scale) { return scale != std::pair(1.0, 0.0); });
+  const bool scaled =
+      !picture.table.empty() || std::any_of(picture.scale.begin(), picture.scale.end(),
+                                            [](const auto& scale) { return scale != std::pair(1.0, 0.0); });
   image.type = scaled || picture.allocated < 32 ? ValueType::float32
                : picture.has_sign               ? ValueType::int32
                                                 : ValueType::uint32;
@@ -286,7 +343,6 @@ RawImage picture_values(const DicomFile& file, const DicomPicture& picture, cons
   if (file.compressed) {
     double available = 0;
     for (const std::string_view fragment : file.fragments) available += double(fragment.size());
-    constexpr const char* kRunLengths = "1.2.840.10008.1.2.5";
     if (file.syntax != kRunLengths) require_bytes(needed, available, kAnyCompression);
     parts = fragments_of_frames(file, frames);
   } else {
@@ -294,16 +350,15 @@ RawImage picture_values(const DicomFile& file, const DicomPicture& picture, cons
   }
   for (std::size_t place = 0; place < frames; ++place) {
     const std::size_t n = picture.order.empty() ? place : picture.order[place];
-    std::string bytes;
-    if (!file.compressed) {
-      bytes = plain_frame(file, picture, n);
-    } else if (file.syntax == "1.2.840.10008.1.2.5") {
-      std::string packed;
+    std::string bytes, packed;
+    if (file.compressed)
       for (const std::string_view part : parts[n]) packed += part;
+    if (!file.compressed)
+      bytes = plain_frame(file, picture, n);
+    else if (file.syntax == kRunLengths)
       bytes = unpack_rle(packed, picture.frame_samples(), std::size_t(picture.allocated) / 8);
-    } else {
-      bytes = decode(file, picture, parts[n]);
-    }
+    else
+      bytes = decode(file, picture, packed);
     if (bytes.size() != picture.frame_bytes())
       throw Error("its picture is of another size than its header says; it is damaged. Get a complete copy.");
     if (picture.allocated == 8) append_frame<std::uint8_t>(bytes, picture, n, image);

@@ -27,7 +27,9 @@ struct DicomPicture {
   int stored = 16;                 ///< [bit] of it that count
   int high = 15;                   ///< the highest of them
   bool has_sign = false;
-  std::vector<std::pair<double, double>> scale;      ///< slope and intercept, of all frames or of each
+  std::vector<std::pair<double, double>> scale;  ///< slope and intercept, of all frames or of each
+  std::vector<std::uint16_t> table;              ///< in place of the scale, from the stored value `table_first`
+  double table_first = 0;
   std::vector<std::optional<DicomPadding>> padding;  ///< of all frames or of each
   std::string series;                                ///< Series Instance UID
 
@@ -54,8 +56,7 @@ struct DicomPicture {
 
 /// Unpacks one frame that the library itself does not: JPEG, JPEG-LS, JPEG 2000.
 /// @return as many bytes as the frame has, in little-endian order
-using FrameDecoder =
-    std::function<std::string(const DicomFile&, const DicomPicture&, const std::vector<std::string_view>& fragments)>;
+using FrameDecoder = std::function<std::string(const DicomFile&, const DicomPicture&, std::string_view packed)>;
 
 /// The values of all frames, as stored and then scaled: those of MONOCHROME1, which are shown inverted, are not
 /// inverted.

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -39,9 +40,13 @@ using DataFile = std::function<std::string(const std::string& name)>;
 /// A file with several frames.
 [[nodiscard]] RawImage read_dicom_file(const std::filesystem::path& path);
 
-/// A folder with one file per slice.
+/// Whether it begins like one, whatever its ending.
+[[nodiscard]] bool is_dicom_file(const std::filesystem::path& path);
+
+/// A folder with one file per slice, or with a single file of several frames.
 /// @param series  its Series Instance UID, or empty: the only one
-[[nodiscard]] RawImage read_dicom_series(const std::filesystem::path& folder, const std::string& series);
+/// @return nothing where no file of the folder is a DICOM picture
+[[nodiscard]] std::optional<RawImage> read_dicom_series(const std::filesystem::path& folder, const std::string& series);
 
 /// A folder of PNG or TIFF slices of one channel; the spacing is left at zero.
 [[nodiscard]] RawImage read_slices(const std::filesystem::path& folder);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
+#include <utility>
 
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
@@ -21,8 +23,21 @@ std::string lower_name(const fs::path& path) {
   return name;
 }
 
+void require_no_series(const fs::path& path, const VolumeReadOptions& options) {
+  if (!options.dicom_series.empty())
+    cannot_read(path,
+                "it is no folder of DICOM files, so it has no series to choose; leave "
+                "VolumeReadOptions::dicom_series out.");
+}
+
 RawImage read_folder(const fs::path& path, const VolumeReadOptions& options) {
-  if (!has_slices(path)) return read_dicom_series(path, options.dicom_series);
+  // Pictures beside DICOM files are previews of them.
+  if (std::optional<RawImage> scan = read_dicom_series(path, options.dicom_series)) return *std::move(scan);
+  if (!has_slices(path))
+    cannot_read(path,
+                "the folder has neither a DICOM series nor PNG or TIFF slices; pass the folder that they lie in "
+                "themselves.");
+  require_no_series(path, options);
   if (!options.spacing)
     cannot_read(path, "PNG and TIFF slices do not say how far apart they are; set VolumeReadOptions::spacing.");
   return read_slices(path);
@@ -33,6 +48,7 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
     for (int axis = 0; axis < 3; ++axis) require_positive((*options.spacing)[axis], "VolumeReadOptions::spacing [m]");
   std::error_code code;
   if (fs::is_directory(path, code)) return read_folder(path, options);
+  require_no_series(path, options);
   const std::string name = lower_name(path);
   if (name.ends_with(".nrrd") || name.ends_with(".nhdr")) return read_nrrd(path);
   if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return read_nifti(path);
@@ -44,6 +60,7 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
     cannot_read(path, "a raw file does not say how large it is; use read_raw_grey_volume or read_raw_label_volume.");
   if (name.ends_with(".h5"))
     cannot_read(path, "its ending is that of a recording, which is no volume; use read_recording, or hapticut replay.");
+  if (is_dicom_file(path)) return read_dicom_file(path);
   cannot_read(path,
               "its ending is not that of a format that is read: .nrrd .nhdr .nii .nii.gz .mhd .mha .inv3 .dcm, or a "
               "folder with "

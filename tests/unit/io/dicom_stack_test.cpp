@@ -20,24 +20,25 @@ constexpr std::uint32_t kPosition = 0x00200032, kOrientation = 0x00200037;
 
 /// A file with frames of one sample at these heights [mm]; the value of each is its height in hundredths, but stored
 /// with an intercept of its own.
-DicomElements frames_at(const std::vector<double>& heights) {
+DicomElements frames_at(const std::vector<double>& heights, bool implicit = false) {
   std::vector<std::int16_t> values;
   std::vector<DicomElements> frames;
   for (std::size_t n = 0; n < heights.size(); ++n) {
     DicomElements position, scale, frame;
     position.set(kPosition, "DS", test::dicom_numbers(10, 20, heights[n]));
     scale.set(0x00281052, "DS", std::to_string(n)).set(0x00281053, "DS", "1");
-    frame.set_items(0x00209113, {position}).set_items(0x00289145, {scale});
+    frame.set_items(0x00209113, {position}, implicit).set_items(0x00289145, {scale}, implicit);
     frames.push_back(frame);
     values.push_back(std::int16_t(std::lround(100 * heights[n]) - std::int64_t(n)));
   }
   DicomElements e = test::dicom_picture(1, 1, values);
-  return e.set(0x00280008, "IS", std::to_string(heights.size())).set_items(0x52009230, frames);
+  return e.set(0x00280008, "IS", std::to_string(heights.size())).set_items(0x52009230, frames, implicit);
 }
 
-GreyVolume read(const DicomElements& elements, const VolumeReadOptions& options = {}) {
+GreyVolume read(const DicomElements& elements, const VolumeReadOptions& options = {},
+                const std::string& syntax = "1.2.840.10008.1.2.1") {
   const test::TemporaryFolder folder;
-  test::write_bytes(folder / "a.dcm", test::dicom_file(elements));
+  test::write_bytes(folder / "a.dcm", test::dicom_file(elements, syntax));
   return read_grey_volume(folder / "a.dcm", options);
 }
 
@@ -62,6 +63,23 @@ TEST(DicomFrames, AreSortedByPlaceWithTheirValuesAndScales) {
     EXPECT_NEAR(volume.spacing.z(), 0.5 * mm, 1e-12);
     EXPECT_LT((volume.position(0, 0, 3) - Vec3(10, 20, 1.5) * mm).norm(), 1e-12);
   }
+}
+
+TEST(DicomFrames, OfAFileThatNamesNoKindsOfElementsArePlacedByThem) {
+  DicomElements e = frames_at({1, 0, 0.5}, true);
+  for (const char* syntax : {"1.2.840.10008.1.2", "1.2.840.10008.1.2.1"}) {
+    const GreyVolume volume = read(e, {}, syntax);
+    EXPECT_EQ(volume.values, (std::vector<float>{0, 50, 100})) << syntax;
+    EXPECT_LT((volume.position(0, 0, 0) - Vec3(10, 20, 0) * mm).norm(), 1e-12);
+    e.values[0x52009230].first = "UN";  // as an archive that does not know the tag stores it
+  }
+}
+
+TEST(DicomFrames, OfAnEnhancedFileWithoutFunctionalGroupsGetNoPlaceByASpacing) {
+  DicomElements e = test::dicom_picture(1, 1, {1, 2});
+  e.set(0x00280008, "IS", "2").set(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.2.1");
+  EXPECT_THROW((void)read(e, {.spacing = Vec3(1, 2, 3) * mm}), Error);
+  expect_part(error_of(e), "it lacks the functional groups");
 }
 
 TEST(DicomFrames, ThatAreMissingOrThereTwiceAreNamed) {
@@ -178,12 +196,19 @@ TEST_F(DicomSlices, OfWhichOneIsShiftedAreRefused) {
   expect_refusal("shifted against each other at 's2'");
 }
 
+TEST_F(DicomSlices, WithDecimalCommasAreRefusedBySayingSo) {
+  const DicomElements e = test::dicom_slice(1, 1, 0, {1}).set(0x00280030, "DS", "0,3\\0,3");
+  test::write_bytes(folder_ / "s0", test::dicom_file(e));
+  expect_refusal("there must be 2 numbers, with decimal points");
+}
+
 TEST_F(DicomSlices, WithoutAPlaceAreRefused) {
   DicomElements e = test::dicom_slice(1, 1, 0, {1});
   e.values.erase(kPosition);
   test::write_bytes(folder_ / "s0", test::dicom_file(e));
   test::write_bytes(folder_ / "s1", test::dicom_file(e));
   expect_refusal("it does not say where it lies");
+  expect_refusal("Export the series with positions, or save it in one NRRD");
 }
 
 }  // namespace

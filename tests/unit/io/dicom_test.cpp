@@ -63,6 +63,113 @@ TEST(Dicom, SeveralSeriesAreListedInOneLine) {
   EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
 }
 
+TEST(Dicom, PicturesBesideSlicesAreLeftOut) {
+  const TemporaryFolder folder;
+  for (int n = 1; n <= 3; ++n) write_bytes(folder / slice_name(n), slice(n));
+  const std::string png = test::png_slice(4, 3, std::vector<std::uint8_t>(12));
+  for (const char* name : {"preview1.png", "preview2.png"}) write_bytes(folder / name, png);
+  for (const char* series : {"", "1.2.3.6"}) {
+    const GreyVolume scan =
+        read_grey_volume(folder / "", {.spacing = Vec3(1, 1, 1) * units::mm, .dicom_series = series});
+    EXPECT_EQ(scan.dims, (std::array<int, 3>{4, 3, 3}));
+  }
+}
+
+TEST(Dicom, ASeriesOfWhatHasNoneIsRefused) {
+  const TemporaryFolder folder;
+  const std::string png = test::png_slice(4, 3, std::vector<std::uint8_t>(12));
+  for (const char* name : {"1.png", "2.png"}) write_bytes(folder / name, png);
+  try {
+    (void)read_grey_volume(folder / "", {.spacing = Vec3(1, 1, 1) * units::mm, .dicom_series = "1.2.3.6"});
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("leave VolumeReadOptions::dicom_series out"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Dicom, AScoutOfTheSameSeriesIsToldAndLeftOutWhereTheSeriesIsNamed) {
+  const TemporaryFolder folder;
+  for (int n = 1; n <= 3; ++n) write_bytes(folder / slice_name(n), slice(n));
+  test::DicomElements scout = test::dicom_slice(2, 2, 0, {1, 2, 3, 4});
+  write_bytes(folder / "a_scout", test::dicom_file(scout.set(0x00200037, "DS", "0\\1\\0\\0\\0\\-1")));
+  const std::string refusal = error_of(folder / "");
+  for (const char* part : {"'1.2.3.6' (3 files of 4 x 3 samples of 16 bits, 0.1 x 0.2 mm, facing 0, 0, 1)",
+                           "'1.2.3.6#2' (1 file of 2 x 2 samples of 16 bits, 0.1 x 0.2 mm, facing -1, 0, 0)"})
+    EXPECT_NE(refusal.find(part), std::string::npos) << refusal;
+  EXPECT_EQ(read_grey_volume(folder / "", {.dicom_series = "1.2.3.6"}).dims, (std::array<int, 3>{4, 3, 3}));
+}
+
+TEST(Dicom, TwoKindsOfAsManySlicesMustBothBeNamedByNumber) {
+  const TemporaryFolder folder;
+  for (int n = 1; n <= 2; ++n) {
+    write_bytes(folder / slice_name(n), slice(n));
+    write_bytes(folder / slice_name(9 - n), test::dicom_file(test::dicom_slice(2, 1, 0.5 * n, {7, 7})));
+  }
+  EXPECT_THROW((void)read_grey_volume(folder / "", {.dicom_series = "1.2.3.6"}), Error);
+  EXPECT_EQ(read_grey_volume(folder / "", {.dicom_series = "1.2.3.6#1"}).dims, (std::array<int, 3>{4, 3, 2}));
+  EXPECT_EQ(read_grey_volume(folder / "", {.dicom_series = "1.2.3.6#2"}).dims, (std::array<int, 3>{2, 1, 2}));
+}
+
+/// Two frames of one sample, each a byte, as a file.
+test::DicomElements two_frames() {
+  test::DicomElements e = test::dicom_picture(1, 1, {});
+  e.set(0x00280008, "IS", "2").set(0x00180088, "DS", "0.5").set(0x7fe00010, "OB", "\3\4").set_word(0x00280103, 0);
+  return e.set_word(0x00280100, 8).set_word(0x00280101, 8).set_word(0x00280102, 7);
+}
+
+TEST(Dicom, AFileIsKnownByItsBeginningWhateverItsEnding) {
+  const TemporaryFolder folder;
+  for (const char* name : {"IM000001", "a.IMA"}) {
+    write_bytes(folder / name, test::dicom_file(two_frames()));
+    EXPECT_EQ(read_grey_volume(folder / name).values, (std::vector<float>{-997, -996})) << name;
+  }
+  const TemporaryFolder one;
+  write_bytes(one / "IM000001", test::dicom_file(two_frames()).substr(132));  // without the preamble
+  for (const char* path : {"", "IM000001"})
+    EXPECT_EQ(read_grey_volume(one / path).values, (std::vector<float>{-997, -996})) << path;
+}
+
+TEST(Dicom, ATableOfGreyValuesIsAppliedInPlaceOfTheScale) {
+  const auto read = [](const std::string& layout) {
+    test::DicomElements table;
+    table.set(0x00283002, "US", layout).set(0x00283006, "US", test::little(std::vector<std::int16_t>{50, 60, 70}));
+    test::DicomElements e = test::dicom_picture(3, 1, {9, 11, 12, 13, 10, -5});
+    e.set(0x00280008, "IS", "2").set(0x00180088, "DS", "0.5").set_items(0x00283000, {table});
+    const TemporaryFolder folder;
+    write_bytes(folder / "a.dcm", test::dicom_file(e));
+    return read_grey_volume(folder / "a.dcm").values;
+  };
+  const auto layout = [](std::int16_t count) { return test::little(std::vector<std::int16_t>{count, 10, 16}); };
+  EXPECT_EQ(read(layout(3)), (std::vector<float>{50, 60, 70, 70, 50, 50}));
+  EXPECT_THROW((void)read(layout(4)), Error);
+  EXPECT_THROW((void)read("12"), Error);
+}
+
+TEST(Dicom, FloatPixelDataAreRefusedBySayingSo) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "a.dcm", test::dicom_file(two_frames().set(0x7fe00008, "OW", "1234")));
+  EXPECT_NE(error_of(folder / "a.dcm").find("Float Pixel Data"), std::string::npos) << error_of(folder / "a.dcm");
+}
+
+TEST(Dicom, FragmentsOfAFrameAreJoinedAndFramesToldApartByTheirEndMarkers) {
+  const std::string end("\xff\xd9", 2);
+  const auto frames_of = [&](const std::vector<std::string>& fragments) {
+    const std::string bytes = test::dicom_file(two_frames().set_fragments(fragments), "1.2.840.10008.1.2.4.50");
+    const DicomFile file = parse_dicom(bytes);
+    std::vector<std::string> frames;
+    (void)picture_values(file, describe_picture(file), [&](const auto&, const auto&, std::string_view packed) {
+      frames.emplace_back(packed);
+      return std::string(1, '\0');
+    });
+    return frames;
+  };
+  EXPECT_EQ(frames_of({"ab", "cd" + end, "ef", "gh", "i" + end + std::string(1, '\0')}),
+            (std::vector<std::string>{"abcd" + end, "efghi" + end + std::string(1, '\0')}));
+  EXPECT_EQ(frames_of({"ab", "cd"}), (std::vector<std::string>{"ab", "cd"}));
+  EXPECT_THROW((void)frames_of({"ab", "cd" + end, "ef"}), Error);
+}
+
 TEST(Dicom, RunLengthsAreUnpacked) {
   // Two bytes of each value, the higher ones first: 12 zeros; then 3 times 7 and 9 different ones.
   const std::string high = std::string("\xf5\0", 2),

@@ -31,12 +31,14 @@ inline constexpr std::int64_t kMaxVolumeSamples = std::int64_t(1) << 31;
 struct VolumeReadOptions {
   /// [m] replaces the spacing of the file; needed where the file names no spacing (PNG and TIFF slices).
   std::optional<Vec3> spacing = std::nullopt;
-  /// Series Instance UID, needed where a DICOM folder holds several series.
+  /// Series Instance UID, needed where a DICOM folder holds several series, or one whose slices are not alike: there it
+  /// means the kind of which there are the most.
   std::string dicom_series = {};
 };
 
 /// Reads grey values.
-/// @param path  a file: NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), MetaImage (.mhd, .mha), multi-frame DICOM (.dcm),
+/// @param path  a file: NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), MetaImage (.mhd, .mha), multi-frame DICOM (any
+/// ending),
 ///              or InVesalius (.inv3); or a folder: one DICOM series, or PNG or TIFF slices, ordered by the numbers in
 ///              their names. The spacing of a DICOM series is the distance of its slices, not their thickness.
 [[nodiscard]] GreyVolume read_grey_volume(const std::filesystem::path& path, const VolumeReadOptions& options = {});
