@@ -36,11 +36,11 @@ char separator_of(std::string_view line) {
   return separator;
 }
 
-/// 1,234: as a program writes 1234 that marks thousands, too.
-bool may_mark_thousands(std::string_view number, std::size_t comma) {
+/// 1,234 or 1.234: as a program writes 1234 that marks thousands, too.
+bool may_mark_thousands(std::string_view number, std::size_t mark) {
   const std::size_t sign = number[0] == '-' || number[0] == '+' ? 1 : 0;
-  return comma > sign && comma <= sign + 3 && number[sign] != '0' && number.size() == comma + 4 &&
-         std::all_of(number.begin() + std::ptrdiff_t(comma) + 1, number.end(),
+  return mark > sign && mark <= sign + 3 && number[sign] != '0' && number.size() == mark + 4 &&
+         std::all_of(number.begin() + std::ptrdiff_t(mark) + 1, number.end(),
                      [](char c) { return c >= '0' && c <= '9'; });
 }
 
@@ -118,22 +118,33 @@ bool CsvFile::next(std::vector<std::string>& cells) {
               ? " Where numbers have a decimal comma, separate the columns by semicolons."
               : ""));
   }
+  require_decimals();
   return false;
 }
 
 std::optional<double> CsvFile::number(std::string cell) {
-  const std::size_t comma = cell.find(',');
-  if (comma != std::string::npos) {
-    if (cell.find('.') != std::string::npos) return std::nullopt;
-    if (separator_ == ',' && may_mark_thousands(cell, comma))
-      fail("\"" + cell + "\" may have a decimal comma, or one that marks thousands; write a decimal point, or none.");
-    cell[comma] = '.';
-    has_commas_ = true;
-  } else if (cell.find('.') != std::string::npos) {
-    has_points_ = true;
-  }
+  const std::size_t mark = cell.find_first_of(",.");
+  if (mark == std::string::npos) return parse_number(cell);
+  const bool is_comma = cell[mark] == ',';
+  if (cell.find(is_comma ? '.' : ',') != std::string::npos) return std::nullopt;
+  (is_comma ? has_commas_ : has_points_) = true;
   if (has_commas_ && has_points_) fail("some numbers have a decimal point, others a comma; use the same in all.");
+  // Where columns are separated by semicolons, commas are decimal as a rule, and points mark thousands.
+  if (!may_mark_thousands(cell, mark) || (!is_comma && separator_ != ';'))
+    has_decimals_ = true;
+  else if (doubtful_.empty())
+    doubtful_ = cell, doubtful_line_ = line_;
+  cell[mark] = '.';
   return parse_number(cell);
+}
+
+void CsvFile::require_decimals() {
+  if (doubtful_.empty() || has_decimals_) return;
+  line_ = doubtful_line_;
+  const std::size_t mark = doubtful_.find_first_of(",.");
+  fail("\"" + doubtful_ + "\" may have a decimal " + (doubtful_[mark] == ',' ? "comma" : "point") +
+       ", or one that marks thousands; write " + doubtful_ + "0, or " + doubtful_.substr(0, mark) +
+       doubtful_.substr(mark + 1) + ".");
 }
 
 void CsvFile::fail(const std::string& message) const {

@@ -11,9 +11,9 @@ namespace hapticut::settings {
 
 /// The lines of a CSV file that a user wrote: a line of column names, then lines of as many cells. Spreadsheets of
 /// every country write them: columns are separated by commas, semicolons, tabs or blanks, which the first line tells
-/// (or Excel's `sep=;` before it), and where that is clear a comma is a decimal point. Cells may be in quotes. Empty
-/// lines and those that begin with # are skipped, as are blanks around a cell and the mark that some programs put
-/// before a text in UTF-8.
+/// (or Excel's `sep=;` before it), and a comma is a decimal point, unless all numbers that have one may mark thousands
+/// by it. Cells may be in quotes. Empty lines and those that begin with # are skipped, as are blanks around a cell and
+/// the mark that some programs put before a text in UTF-8.
 class CsvFile {
  public:
   /// @param what  what the file is, and where its name was given: "file of poses", "--poses"
@@ -25,11 +25,12 @@ class CsvFile {
   CsvFile(std::string text, std::string name);
 
   /// The cells of the next line; false: there is none.
-  /// @throws Error when they are not as many as in the first line
+  /// @throws Error when they are not as many as in the first line; at the end also when it is not clear whether the
+  ///         numbers have decimals or mark thousands
   bool next(std::vector<std::string>& cells);
 
   /// The number in a cell; nothing where there is none.
-  /// @throws Error when it is not clear what its comma means
+  /// @throws Error when some numbers have commas, others points
   std::optional<double> number(std::string cell);
 
   /// @throws Error that begins with file and line
@@ -37,6 +38,7 @@ class CsvFile {
 
  private:
   bool next_line(std::string& line);
+  void require_decimals();
   std::vector<std::string> cells_of(const std::string& line) const;
 
   std::string name_;
@@ -44,7 +46,9 @@ class CsvFile {
   int line_ = 0;
   std::size_t columns_ = 0;
   char separator_ = 0;  // 0: not known yet
-  bool has_points_ = false, has_commas_ = false;
+  bool has_points_ = false, has_commas_ = false, has_decimals_ = false;
+  std::string doubtful_;  // the first number that may mark thousands
+  int doubtful_line_ = 0;
 };
 
 }  // namespace hapticut::settings

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings/mesh_source.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <map>
 
 #include "hapticut/core/units.hpp"
@@ -20,9 +23,26 @@ std::string names_of(const std::vector<NamedMesh>& objects) {
   return names;
 }
 
-const TriangleMesh& find(const std::vector<NamedMesh>& objects, const std::string& name) {
-  for (const NamedMesh& object : objects)
-    if (object.name == name) return object.mesh;
+/// All objects of a name as one surface, with one vertex where they touch, as a reader makes it of one object.
+/// @throws Error when there is none
+TriangleMesh surface_of(const std::vector<NamedMesh>& objects, const std::string& name) {
+  if (std::ranges::count(objects, name, &NamedMesh::name) == 1)
+    return std::ranges::find(objects, name, &NamedMesh::name)->mesh;
+  TriangleMesh surface;
+  std::map<std::array<double, 3>, std::uint32_t> places;
+  for (const NamedMesh& object : objects) {
+    if (object.name != name) continue;
+    std::vector<std::uint32_t> vertices;
+    vertices.reserve(object.mesh.vertices.size());
+    for (const Vec3& v : object.mesh.vertices) {
+      const auto [place, is_new] = places.try_emplace({v.x(), v.y(), v.z()}, std::uint32_t(surface.vertices.size()));
+      if (is_new) surface.vertices.push_back(v);
+      vertices.push_back(place->second);
+    }
+    for (const auto& t : object.mesh.triangles)
+      surface.triangles.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
+  }
+  if (!surface.triangles.empty()) return surface;
   throw Error("there is no object '" + name + "' in the mesh; there are " + names_of(objects) +
               ". Set --shell MATERIAL=OBJECT.");
 }
@@ -69,7 +89,7 @@ Workpiece make_workpiece_from_mesh(const WorkpieceSettings& s) {
   std::vector<MeshShell> shells;
   for (const WorkpieceSettings::Shell& shell : s.shells) {
     if (!ids.contains(shell.material)) ids[shell.material] = table.add(s.materials.find(shell.material));
-    shells.push_back({find(objects, shell.object), ids[shell.material]});
+    shells.push_back({surface_of(objects, shell.object), ids[shell.material]});
   }
   return build_from_shells(shells, std::move(table), options);
 }

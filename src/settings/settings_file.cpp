@@ -12,6 +12,67 @@ namespace {
 
 using Kind = Setting::Kind;
 
+constexpr const char* kWritePaths = "write paths with / or in single quotes.";
+constexpr const char* kWriteLists =
+    "a list is written [1.5, 2, 3] or [\"a\", \"b\"], and a table {name = 3}; write it so, and close it.";
+
+bool has_control_characters(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; });
+}
+
+/// @param number  counted from 1
+std::string_view line_of(std::string_view text, std::size_t number) {
+  for (; number > 1 && !text.empty(); --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  text = text.substr(0, text.find('\n'));
+  return text.substr(0, text.find_last_not_of("\r\t ") + 1);
+}
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// What is wrong with a value that is no TOML, and the cure.
+std::string cause_of_value(std::string_view value) {
+  const auto starts_with = [&](std::string_view text) { return value.starts_with(text); };
+  const std::string_view word = value.substr(0, value.find_first_of(" \t#,"));
+  if (value.empty() || starts_with("#")) return "there is no value behind the =; write it in the same line.";
+  if (starts_with("\"") && value.find('\\') != std::string_view::npos)
+    return std::string("a backslash in double quotes begins a sign such as \\n; ") + kWritePaths;
+  if (starts_with("\"") || starts_with("'"))
+    return "a text ends at its next quotation mark, in the same line, and nothing but a comment may follow; close it, "
+           "or put a text that holds the mark into quotation marks of the other kind.";
+  for (const char* quote : {"\u201c", "\u201d", "\u201e", "\u2018", "\u2019", "\u201a", "\u00ab", "\u00bb", "`"})
+    if (starts_with(quote))
+      return "these are not the quotation marks of a program; put texts in straight ones, \"so\".";
+  if (is_one_of(word, {"True", "TRUE", "False", "FALSE"})) return "true and false are written in lower case; write so.";
+  if (starts_with("[") || starts_with("{") || starts_with("(")) return kWriteLists;
+  const std::size_t sign = starts_with("-") || starts_with("+") ? 1 : 0;
+  if (value.find_first_of("0123456789.,") == sign)
+    return "a number is written 0.2 or 2, with a decimal point between digits and nothing behind it, and a list "
+           "[1, 2, 3]; write it so.";
+  return "it is no number, nor true or false; put texts in quotation marks, \"so\".";
+}
+
+/// What is wrong with a line that is no TOML, and the cure.
+/// @param said  by toml++, in words about its own code
+std::string cause_of(std::string_view line, std::string_view said) {
+  if (said.find("utf-8") != std::string_view::npos || line.find('\0') != std::string_view::npos)
+    return "the text is not in UTF-8; save it in UTF-8.";
+  if (said.find("redefine") != std::string_view::npos)
+    return "what this line sets or opens is there already; leave one of them out.";
+  const std::size_t first = line.find_first_not_of(" \t"), equals = line.find('=');
+  if (first != std::string_view::npos && line[first] == '[' && said.find("table header") != std::string_view::npos)
+    return "a table is opened by its name in brackets in a line of its own; write [tool].";
+  if (first != std::string_view::npos && line[first] == '#')
+    return "there is a control character in a comment; delete it.";
+  if (said.find("array") != std::string_view::npos || said.find("inline table") != std::string_view::npos)
+    return kWriteLists;  // maybe one that was begun in a line before
+  if (equals == std::string_view::npos || said.find("expected '='") != std::string_view::npos)
+    return "this is neither [table] nor name = value; write one of them.";
+  const std::string_view value = line.substr(equals + 1);
+  return cause_of_value(value.substr(std::min(value.find_first_not_of(" \t"), value.size())));
+}
+
 /// Applies one TOML file to settings, and knows how to say where something is wrong.
 class Reader {
  public:
@@ -58,6 +119,9 @@ class Reader {
       fail(node.source(), name + ": must be " + setting.allowed + ", not " +
                               (node.is_string() ? "the text " + describe(given) : std::get<std::string>(given)) + ".");
     }
+    if (setting.in_folder && has_control_characters(std::get<std::string>(*value)))
+      fail(node.source(), name + ": the name of the file has a tab, a line end or the like in it, as a backslash in " +
+                              "double quotes makes them; " + kWritePaths);
     if (setting.in_folder && !folder_.empty()) value = setting.in_folder(std::get<std::string>(*value), folder_);
     if (!setting.assign(*value))
       fail(node.source(), name + ": must be " + setting.allowed + ", not " + describe(*value) + ".");
@@ -132,6 +196,8 @@ std::string text_of_file(const std::filesystem::path& path, const std::string& a
   std::ifstream file;
   // Not opened before: a pipe would be waited for, and a device read for ever.
   if (std::filesystem::is_regular_file(path, error)) file.open(path, std::ios::binary);
+  if (std::filesystem::is_directory(path, error))
+    throw Error(path.string() + ": it is a folder; give the settings file in it.");
   if (!file.is_open()) throw Error(path.string() + ": there is no such settings file." + advice);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
@@ -145,8 +211,9 @@ std::set<std::string> read_settings(std::string_view text, const std::string& na
   try {
     table = toml::parse(text, name);
   } catch (const toml::parse_error& problem) {
-    throw Error(name + ":" + std::to_string(problem.source().begin.line) +
-                ": not valid TOML: " + std::string(problem.description()) + ".");
+    const std::size_t line = problem.source().begin.line;
+    throw Error(name + ":" + std::to_string(line) +
+                ": not valid TOML: " + cause_of(line_of(text, line), problem.description()));
   }
   for (const std::string& key : left) table.erase(key);
   Reader(name, folder).read_table(table, "", settings);

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
+#include <array>
 #include <assimp/Importer.hpp>
+#include <charconv>
+#include <cstring>
+#include <fstream>
 
 #include "hapticut/core/errors.hpp"
 #include "io/mesh/mesh_formats.hpp"
@@ -9,6 +16,111 @@
 
 namespace hapticut {
 namespace {
+
+/// What a file says in JSON: all of a .gltf, the first part of a .glb.
+std::string json_of(const std::filesystem::path& path) {
+  constexpr std::size_t kHeader = 20, kPlaceOfLength = 12;  // [bytes] of a .glb
+  std::ifstream stream(path, std::ios_base::binary);
+  std::string json(std::filesystem::file_size(path), '\0');
+  const std::size_t header = std::min(json.size(), kHeader);
+  stream.read(json.data(), std::streamsize(header));
+  std::size_t have = header;
+  if (header == kHeader && json.starts_with("glTF")) {
+    std::uint32_t length = 0;
+    std::memcpy(&length, json.data() + kPlaceOfLength, sizeof length);
+    json.resize(std::min<std::size_t>(length, json.size() - kHeader));
+    have = 0;
+  }
+  stream.read(json.data() + have, std::streamsize(json.size() - have));
+  return json;
+}
+
+/// The texts in a list of the outermost object of a text in JSON, which need not be sound: Assimp says so afterwards.
+std::vector<std::string_view> list_in_json(std::string_view json, std::string_view key) {
+  std::vector<std::string_view> texts;
+  std::string_view last;  // text; before a list it is its key
+  std::size_t depth = 0;
+  bool in_list = false;
+  for (std::size_t at = 0; at < json.size(); ++at) {
+    const char c = json[at];
+    if (c == '"') {
+      const std::size_t begin = ++at;
+      for (; at < json.size() && json[at] != '"'; ++at)
+        if (json[at] == '\\') ++at;
+      last = json.substr(begin, std::min(at, json.size()) - begin);
+      if (in_list) texts.push_back(last);
+    } else if (c == '{' || c == '[') {
+      in_list = ++depth == 2 && c == '[' && last == key;
+    } else if (c == '}' || c == ']') {
+      --depth;
+      in_list = false;
+    }
+  }
+  return texts;
+}
+
+/// Whether an extension of glTF is about colours, pictures, lights or notes: what is cut is the same without it.
+bool leaves_shapes_alone(std::string_view extension) {
+  constexpr std::array<std::string_view, 5> kParts = {"_materials_", "_texture_", "_lights_", "_animation_", "_xmp"};
+  return std::ranges::any_of(kParts,
+                             [&](std::string_view part) { return extension.find(part) != std::string_view::npos; });
+}
+
+/// Assimp reads on where an extension is needed that it does not know. Of copies by EXT_mesh_gpu_instancing only the
+/// first would be there, also where the file can do without.
+void require_known_extensions(std::string_view json) {
+  std::vector<std::string_view> extensions = list_in_json(json, "extensionsUsed");
+  std::erase_if(extensions, [](std::string_view extension) { return extension != "EXT_mesh_gpu_instancing"; });
+  for (const std::string_view extension : list_in_json(json, "extensionsRequired"))
+    if (!leaves_shapes_alone(extension)) extensions.push_back(extension);
+  if (!extensions.empty())
+    throw Error("it needs the glTF extension " + in_quotes(extensions.front()) +
+                ", which is not read; export it again without that, or as STL or OBJ.");
+}
+
+/// A name in which %20 stands for a blank, and so on.
+std::string without_escapes(std::string_view name) {
+  std::string text;
+  for (std::size_t at = 0; at < name.size(); ++at) {
+    const std::string_view digits = name.substr(at + 1, 2);
+    unsigned byte = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
+    const bool escaped = name[at] == '%' && error == std::errc{} && end == digits.data() + 2 && byte != 0;
+    text += escaped ? char(byte) : name[at];
+    if (escaped) at += 2;
+  }
+  return text;
+}
+
+/// Opens a mesh for Assimp, and the files that it names by URIs.
+class MeshAndFilesBeside : public Assimp::DefaultIOSystem {
+ public:
+  /// @param text  to be read in place of the mesh, which outlives this; empty: what is in the file
+  MeshAndFilesBeside(std::string mesh, std::string_view text) : mesh_(std::move(mesh)), text_(text) {}
+
+  bool Exists(const char* name) const override { return !place_of(name).empty(); }
+
+  Assimp::IOStream* Open(const char* name, const char* mode) override {
+    if (!text_.empty() && name == mesh_)
+      return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text_.data()), text_.size());
+    const std::string place = place_of(name);
+    return place.empty() ? nullptr : DefaultIOSystem::Open(place.c_str(), mode);
+  }
+
+ private:
+  /// Where a file is; empty when it is not there, or is a pipe, which would be waited for.
+  std::string place_of(std::string name) const {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(name, error)) return name;
+    const std::string folder = mesh_.substr(0, mesh_.find_last_of("/\\") + 1);
+    const std::size_t known = name.starts_with(folder) ? folder.size() : 0;
+    name.replace(known, std::string::npos, without_escapes(std::string_view(name).substr(known)));
+    return std::filesystem::is_regular_file(name, error) ? name : "";
+  }
+
+  std::string mesh_;
+  std::string_view text_;
+};
 
 /// Adds the polygons of a mesh to an object. Lines and points, which Assimp calls faces too, are left out.
 void add(const aiMesh& mesh, const aiMatrix4x4& transform, Polygons& polygons, PolygonObject& object) {
@@ -55,7 +167,13 @@ std::string cause_of(std::string_view reason) {
 }  // namespace
 
 Polygons read_with_assimp(const std::filesystem::path& path) {
+  const std::string json = json_of(path);
+  require_known_extensions(json);
+  constexpr std::string_view kMark = "\xef\xbb\xbf";  // before a text in UTF-8, which Assimp does not know
   Assimp::Importer importer;
+  // The importer owns it.
+  importer.SetIOHandler(new MeshAndFilesBeside(
+      path.string(), json.starts_with(kMark) ? std::string_view(json).substr(kMark.size()) : ""));
   // No step of its own afterwards: its triangulation ends the program on damaged files.
   const aiScene* scene = importer.ReadFile(path.string(), 0);
   if (scene == nullptr || scene->mRootNode == nullptr) throw Error(cause_of(importer.GetErrorString()));

@@ -16,8 +16,9 @@ class OffParser {
   explicit OffParser(std::string_view text) : lines_(text, {.comments = true}) {}
 
   Polygons parse() {
-    parse_key();
-    const std::uint64_t vertices = count("the number of vertices"), faces = count("the number of faces");
+    const std::string_view behind_key = parse_key();
+    const std::uint64_t vertices = count(behind_key.empty() ? lines_.word_of_any_line() : behind_key, "vertices");
+    const std::uint64_t faces = count(lines_.word_of_any_line(), "faces");
     for (std::uint64_t n = 0; n < vertices; ++n) {
       go_to_line("vertex", n, vertices);
       Vec3& position = polygons_.vertices.emplace_back(Vec3::Zero());
@@ -38,19 +39,23 @@ class OffParser {
 
  private:
   /// Letters before `OFF` name what else each vertex has: texture coordinates, colour, normal.
-  void parse_key() {
-    const std::string_view key = lines_.word_of_any_line();
+  /// @return what follows it without a blank, as the number of vertices does in the files of ModelNet
+  std::string_view parse_key() {
+    const std::string_view word = lines_.word_of_any_line();
+    const std::size_t end = std::min(word.find_first_of("0123456789", 1), word.size());
+    const std::string_view key = word.substr(0, end);
     constexpr std::array<std::string_view, 8> kKeys = {"OFF",   "COFF",   "NOFF",   "CNOFF",
                                                        "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
     if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end())
-      throw Error("it begins with " + in_quotes(key) + ", where an OFF file of three dimensions has 'OFF'.");
+      throw Error("it begins with " + in_quotes(word) + ", where an OFF file of three dimensions has 'OFF'.");
+    return word.substr(end);
   }
 
-  std::uint64_t count(const char* what) {
-    const std::string_view word = lines_.word_of_any_line();
+  std::uint64_t count(std::string_view word, const std::string& what) const {
     const std::optional<std::int64_t> number = parse_whole(word);
     if (!number || *number < 0)
-      lines_.fail(in_quotes(word) + " stands where " + what + " should; only OFF files that are text are read.");
+      lines_.fail(in_quotes(word) + " stands where the number of " + what +
+                  " should; only OFF files that are text are read.");
     return std::uint64_t(*number);
   }
 

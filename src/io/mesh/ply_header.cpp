@@ -121,10 +121,11 @@ std::size_t size_of(PlyType type) {
 }
 
 PlyHeader parse_ply_header(std::string_view file) {
+  const std::size_t begin = file.starts_with("\xef\xbb\xbf") ? 3 : 0;  // behind the mark of a text in UTF-8
   // Its first line tells how lines end: the first value of a binary file may begin with the byte of a line feed.
-  const std::size_t first = std::min(file.find_first_not_of(' ', 3), file.size());
+  const std::size_t first = std::min(file.find_first_not_of(' ', begin + 3), file.size());
   const std::string_view line_end = file.substr(first, 2) == "\r\n" ? "\r\n" : file.substr(first, 1);
-  if (!file.starts_with("ply") || (line_end != "\r\n" && line_end != "\n" && line_end != "\r"))
+  if (!file.substr(begin).starts_with("ply") || (line_end != "\r\n" && line_end != "\n" && line_end != "\r"))
     throw Error("it does not begin like a PLY file.");
   PlyHeaderParser parser;
   parser.header.lines = 1;

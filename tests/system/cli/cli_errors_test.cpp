@@ -164,7 +164,7 @@ TEST_F(SettingsFile, WithAValueOutOfRangeIsRefused) {
 TEST_F(SettingsFile, ThatIsNoTomlOrIsNotThereIsRefused) {
   expect_in_file("[tool]\nradius_mm = = 3\n", 2, "not valid TOML");
   expect("drill --settings " + path("none.toml"), kFailed, "there is no such settings file");
-  expect("drill --settings /", kFailed, "there is no such settings file");
+  expect("drill --settings /", kFailed, "it is a folder; give the settings file in it.");
 }
 
 TEST_F(PoseFile, WithSomethingWrongIsRefusedWithItsLine) {

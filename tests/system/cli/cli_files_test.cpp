@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -118,6 +119,8 @@ TEST_F(Drill, CutsAVolumeOfLabels) {
   EXPECT_EQ(read_json(folder / "i.json")["voxels"]["amalgam"], 1);
 }
 
+constexpr std::array<const char*, 6> kSides = {"0264", "1573", "0451", "2376", "0132", "4675"};  // corners of a cube
+
 /// A cube of 4 mm around the origin and one of 2 mm inside it, as two objects in millimetres.
 void write_nested_cubes(const std::filesystem::path& path) {
   std::string text;
@@ -129,7 +132,7 @@ void write_nested_cubes(const std::filesystem::path& path) {
       for (int axis = 0; axis < 3; ++axis) text += ' ' + std::to_string((corner >> axis & 1) != 0 ? half : -half);
       text += '\n';
     }
-    for (const char* face : {"0264", "1573", "0451", "2376", "0132", "4675"}) {
+    for (const char* face : kSides) {
       text += "f";
       for (int n = 0; n < 4; ++n) text += ' ' + std::to_string(first + face[n] - '0');
       text += '\n';
@@ -161,6 +164,40 @@ TEST_F(Inspect, FillsNestedShellsOfAMesh) {
   outcome = run(cubes + " --material dentin");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.errors.find("several objects (Outer, Inner)"), std::string::npos) << outcome.errors;
+}
+
+/// Two solids of one name: the cubes of 2 mm that begin at the origin and at x = `second` [mm].
+/// @param shared  the sides that they have in common are left out
+std::string solids_of_one_name(int second, bool shared) {
+  std::string text;
+  for (const int x : {0, second}) {
+    text += "solid cube\n";
+    for (std::size_t side = 0; side < kSides.size(); ++side) {
+      if (shared && side == (x == 0 ? 1U : 0U)) continue;
+      for (const auto& triangle : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
+        text += "facet normal 0 0 0\nouter loop\n";
+        for (const int n : triangle) {
+          const int corner = kSides[side][n] - '0';
+          text += "vertex " + std::to_string(x + 2 * (corner & 1)) + ' ' + std::to_string(corner & 2) + ' ' +
+                  std::to_string((corner & 4) / 2) + '\n';
+        }
+        text += "endloop\nendfacet\n";
+      }
+    }
+    text += "endsolid cube\n";
+  }
+  return text;
+}
+
+// Exporters call every solid the same; and a surface may be cut into open parts.
+TEST_F(Inspect, FillsAllObjectsOfAName) {
+  for (const auto& [second, shared] : {std::pair(4, false), std::pair(2, true)}) {
+    write_bytes(folder / "cubes.stl", solids_of_one_name(second, shared));
+    const Outcome outcome =
+        run("inspect " + path("cubes.stl") + " --voxel_mm 0.25 --shell dentin=cube --json " + path("i.json"));
+    ASSERT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_NEAR(read_json(folder / "i.json")["volume_mm3"]["dentin"].get<double>(), 16, 0.1) << second;
+  }
 }
 
 /// A box of label 1 with a hole in its middle (label 0) that a canal, one sample wide, joins with the outside.

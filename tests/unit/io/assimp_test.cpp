@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <assimp/Exporter.hpp>
+#include <cstring>
 #include <random>
 
 #include "hapticut/core/errors.hpp"
@@ -98,6 +99,63 @@ TEST(Assimp, RefusalsAreOfOurOwnWords) {
     EXPECT_NE(refusal_of(folder / "bad.gltf").find("export it again as glTF 2.0 without compression"),
               std::string::npos)
         << text << refusal_of(folder / "bad.gltf");
+  }
+}
+
+/// A .gltf or .glb whose JSON begins with another member.
+std::string with_member(const std::string& file, const std::string& member) {
+  constexpr std::size_t kHeader = 20;
+  if (!file.starts_with("glTF")) return "{" + member + "," + file.substr(file.find('{') + 1);
+  std::uint32_t length = 0;
+  std::memcpy(&length, file.data() + 12, sizeof length);
+  std::string json = "{" + member + "," + file.substr(kHeader + 1, length - 1);
+  json.append((4 - json.size() % 4) % 4, ' ');
+  std::string whole = file.substr(0, kHeader) + json + file.substr(kHeader + length);
+  for (const auto& [place, size] : {std::pair{8, whole.size()}, {12, json.size()}}) {
+    const auto number = std::uint32_t(size);
+    std::memcpy(whole.data() + place, &number, sizeof number);
+  }
+  return whole;
+}
+
+TEST(Assimp, ExtensionsThatChangeTheShapeAreRefusedByName) {
+  const test::TemporaryFolder folder;
+  const auto scene = scene_of(test::ball_mesh(Vec3::Zero(), 2 * mm, 4), Vec3::Zero());
+  Assimp::Exporter exporter;
+  for (const auto& [format, name] : {std::pair{"gltf2", "ball.gltf"}, {"glb2", "ball.glb"}}) {
+    ASSERT_EQ(exporter.Export(scene.get(), format, (folder / name).string()), aiReturn_SUCCESS);
+    const std::string file = test::read_bytes(folder / name);
+    const auto refusal_with = [&](const std::string& member) {
+      test::write_bytes(folder / name, with_member(file, member));
+      return refusal_of(folder / name);
+    };
+    for (const char* extension : {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "VENDOR_shape"}) {
+      const std::string refusal =
+          refusal_with(std::string(R"("extensionsRequired" : ["KHR_materials_unlit", ")") + extension + "\"]");
+      EXPECT_NE(refusal.find(std::string("it needs the glTF extension '") + extension + "', which is not read; export"),
+                std::string::npos)
+          << refusal;
+    }
+    EXPECT_NE(refusal_with(R"("extensionsUsed":["EXT_mesh_gpu_instancing"])").find("_gpu_"), std::string::npos);
+    EXPECT_EQ(refusal_with(R"("extensionsRequired":["KHR_materials_unlit","KHR_texture_transform"])"), "");
+    EXPECT_EQ(refusal_with(R"("extras":{"a":"\"[","extensionsRequired":["VENDOR_shape"]})"), "");
+  }
+}
+
+TEST(Assimp, FilesBesideAreFoundByTheirUris) {
+  const test::TemporaryFolder whole;
+  const std::filesystem::path folder = whole / "a%20b";
+  std::filesystem::create_directory(folder);
+  const auto scene = scene_of(test::ball_mesh(Vec3::Zero(), 2 * mm, 4), Vec3::Zero());
+  Assimp::Exporter exporter;
+  ASSERT_EQ(exporter.Export(scene.get(), "gltf2", (folder / "ball.gltf").string()), aiReturn_SUCCESS);
+  std::string text = test::read_bytes(folder / "ball.gltf");
+  ASSERT_NE(text.find("\"ball.bin\""), std::string::npos);
+  text.replace(text.find("\"ball.bin\""), 10, "\"my%20ball%2.bin\"");
+  std::filesystem::rename(folder / "ball.bin", folder / "my ball%2.bin");
+  for (const char* mark : {"", "\xef\xbb\xbf"}) {
+    test::write_bytes(folder / "ball.gltf", mark + text);
+    EXPECT_EQ(refusal_of(folder / "ball.gltf"), "");
   }
 }
 

@@ -94,8 +94,9 @@ TEST(OffFormat, CountsMayFollowTheKeyAndLinesMayHaveColors) {
   constexpr char kBody[] = "4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
   const std::string body = kBody;
   for (const std::string& text :
-       {"OFF\n" + body, "OFF " + body, "# text\n\nOFF # text\n" + replaced(body, "\n", "  # text\n\n"),
-        "OFF\r\n" + replaced(body, "\n", "\r\n"), "COFF\n" + replaced(body, "\n", " 255 0 0 255\n")}) {
+       {"OFF\n" + body, "OFF " + body, "OFF" + body, "NOFF" + body,
+        "# text\n\nOFF # text\n" + replaced(body, "\n", "  # text\n\n"), "OFF\r\n" + replaced(body, "\n", "\r\n"),
+        "COFF\n" + replaced(body, "\n", " 255 0 0 255\n")}) {
     const TriangleMesh mesh = only_mesh_in(parse_off, text);
     EXPECT_TRUE(test::is_closed(mesh)) << text;
     EXPECT_NEAR(test::signed_volume(mesh), 1.0 / 6, 1e-15);
@@ -105,6 +106,8 @@ TEST(OffFormat, CountsMayFollowTheKeyAndLinesMayHaveColors) {
 TEST(OffFormat, DamagedFilesAreRefusedWithTheLine) {
   expect_refused(parse_off, {{"", "begins with ''"},
                              {"4OFF\n", "begins with '4OFF'"},
+                             {"OFF4x 4 6\n", "'4x' stands where the number of vertices should"},
+                             {"OFFER\n", "begins with 'OFFER'"},
                              {"OFF BINARY\n", "'BINARY' stands where the number of vertices should"},
                              {"OFF\n1 -1 0\n", "'-1' stands where"},
                              {"OFF\n4000000000 1 0\n0 0 0\n", "but ends after 1"},

@@ -147,6 +147,7 @@ TEST_P(PlyFormats, ACubeIsReadWhateverItsTypesAndWhateverElseIsThere) {
       "ushort density\nproperty char y\nobj_info nothing\nelement edge 3\nproperty int a\nelement empty 4000000000\n"
       "element face 6\nproperty float quality\nproperty list uint16 uint vertex_indices\n");
   expect_unit_cube(only_mesh_in(parse_ply, header + w.values));
+  expect_unit_cube(only_mesh_in(parse_ply, "\xef\xbb\xbf" + header + w.values));
   expect_unit_cube(only_mesh_in(parse_ply, replaced(header, "\n", "\r\n") + w.values));
   expect_unit_cube(only_mesh_in(parse_ply, replaced(header, "\n", "\r") + w.values));
   for (std::size_t length = 0; length + 2 < (header + w.values).size(); ++length)

@@ -98,6 +98,41 @@ TEST(Scene, NamesLineKeyAndRangeOfAWrongValue) {
             "scene:8: material.cortical_bone.cutting_ratio: must b");
 }
 
+TEST(Scene, SaysOfATextThatIsNoTomlWhatToWrite) {
+  const auto expect = [](const std::string& in_its_place, const std::string& part, int line = 3) {
+    const std::string said = complaint("size_mm = [3, 3, 1]", in_its_place);
+    EXPECT_TRUE(said.starts_with("scene:" + std::to_string(line) + ": ")) << in_its_place << '\n' << said;
+    EXPECT_NE(said.find(part), std::string::npos) << in_its_place << '\n' << said;
+    EXPECT_EQ(said.find("pars"), std::string::npos) << "words of a library: " << said;
+    EXPECT_EQ(said.back(), '.');
+  };
+  for (const char* path : {R"(grid = "C:\Users\me")", R"(grid = "C:\data\skull.stl")"})
+    expect(path, "write paths with / or in single quotes.");
+  for (const char* text : {"grid = bone", "grid = bone.stl # ours", "grid = yes", "grid = \u22121"})
+    expect(text, "put texts in quotation marks");
+  for (const char* text : {"grid = \u201cbone\u201d", "grid = \u2018bone\u2019", "grid = \u00abbone\u00bb"})
+    expect(text, "put texts in straight ones");
+  for (const char* text : {"grid = \"bone", "grid = 'bone", "grid = \"a\"b\""}) expect(text, "close it");
+  for (const char* number : {"0,2", "1, 2, 3", "2 mm", ".2", "2.", "02", "-.5"})
+    expect(std::string("unit_mm = ") + number, "with a decimal point between digits");
+  for (const char* list : {"[1; 2]", "(1, 2, 3)", "{x = 1"}) expect(std::string("size_mm = ") + list, "[1.5, 2, 3]");
+  for (const char* flag : {"True", "FALSE # not"}) expect(std::string("large = ") + flag, "in lower case");
+  for (const char* empty : {"unit_mm =", "unit_mm = # mm"}) expect(empty, "there is no value behind the =");
+  for (const char* line : {"unit_mm: 3", "unit mm = 3", "unit_mm"}) expect(line, "neither [table] nor name = value");
+  expect("size_mm = [3, 3", "write it so, and close it", 4);
+  for (const char* table : {"[tool", "[tool] large = true"}) expect(table, "write [tool]");
+  expect("unit_mm = 1\nunit_mm = 2", "leave one of them out", 4);
+  expect("[workpiece]", "leave one of them out");
+  expect("grid = \"M\xfcller\"", "save it in UTF-8");
+}
+
+TEST(Scene, RefusesControlCharactersInNamesOfFiles) {
+  EXPECT_EQ(
+      complaint("\"block\"", R"("C:\temp\notes.stl")"),
+      "scene:2: workpiece.source: the name of the file has a tab, a line end or the like in it, as a backslash in "
+      "double quotes makes them; write paths with / or in single quotes.");
+}
+
 TEST(Scene, NamesTheNearestKeyOfAnUnknownOne) {
   EXPECT_EQ(complaint("radius_mm = 0.8", "radios_mm = 0.8"),
             "scene:12: tool.radios_mm: there is no such setting. Did you mean tool.radius_mm?");

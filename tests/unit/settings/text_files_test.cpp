@@ -75,6 +75,14 @@ TEST(PosesOfText, AreNotGuessedWhereACommaMayMeanTwoThings) {
   expect("t_s,x_mm,y_mm,z_mm\n0,\"1,234\",0,0\n",
          "a.csv:2: \"1,234\" may have a decimal comma, or one that marks thou");
   EXPECT_EQ(kReadPoses("t_s,x_mm,y_mm,z_mm\n0,\"0,234\",0,0\n\"0,5\",\"1,5\",0,0\n")[1].t, 0.5);
+  const std::string thousands = "t_s;x_mm;y_mm;z_mm\n0;0;0;0\n1;-1,005;0;0\n2;3,000;0;0\n";
+  for (const char* separator : {";", "\t", "  "})
+    expect(replaced(thousands, ";", separator),
+           "a.csv:3: \"-1,005\" may have a decimal comma, or one that marks thousands; write -1,0050, or -1005.");
+  expect(replaced(thousands, ",", "."), "a.csv:3: \"-1.005\" may have a decimal point, or one that marks thousands");
+  EXPECT_DOUBLE_EQ(kReadPoses(replaced(replaced(thousands, ",", "."), ";", "\t"))[2].pose.translation.x(), 3e-3);
+  for (const char* decimal : {"0,000", "3,0000", "1234,000", "3,0", "03,000"})  // one number tells of all
+    EXPECT_DOUBLE_EQ(kReadPoses(replaced(thousands, "3,000", decimal))[1].pose.translation.x(), -1.005e-3) << decimal;
   expect("t_s;x_mm;y_mm;z_mm\n0;1.5;0;0\n1;1,5;0;0\n", "a.csv:3: some numbers have a decimal point, others a comma");
   expect("t_s;x_mm;y_mm;z_mm\n0;1.234,5;0;0\n", "a.csv:2: x_mm = \"1.234,5\"; must be a number.");
   expect("t_s;x_mm;y_mm;z_mm\n0;1,2,3;0;0\n", "must be a number");
