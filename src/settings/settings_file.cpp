@@ -67,7 +67,7 @@ std::string cause_of(std::string_view line, std::string_view said) {
     return "there is a control character in a comment; delete it.";
   if (said.find("array") != std::string_view::npos || said.find("inline table") != std::string_view::npos)
     return kWriteLists;  // maybe one that was begun in a line before
-  if (equals == std::string_view::npos || said.find("expected '='") != std::string_view::npos)
+  if (equals == std::string_view::npos || equals == first || said.find("expected '='") != std::string_view::npos)
     return "this is neither [table] nor name = value; write one of them.";
   const std::string_view value = line.substr(equals + 1);
   return cause_of_value(value.substr(std::min(value.find_first_not_of(" \t"), value.size())));
