@@ -15,6 +15,7 @@ using openvdb::Coord;
 
 constexpr int kPatchEdge = kBlockEdge + 2;  // a block and one voxel around it
 constexpr float kVoxelReach = 0.8661F;      // [voxels] from the centre of a voxel to its corner, rounded up
+constexpr float kFull = 1.001F;             // fraction of a full voxel, but for the rounding of half floats
 
 bool is_level_set(const openvdb::FloatGrid& grid, GridKind kind) {
   if (kind != GridKind::from_class) return kind == GridKind::level_set;
@@ -58,7 +59,7 @@ class GridSampler {
     if (grid_.tree().probeConstLeaf(at) == nullptr) {
       float value = 0;
       const bool active = grid_.tree().probeValue(at, value);
-      check(value);
+      check(value, active);
       const bool empty = level_set_ ? value * scale_ >= kVoxelReach : !(active && value > 0);
       const bool full = level_set_ ? value * scale_ <= -kVoxelReach : active && value >= 1;
       if (empty) return BlockKind::empty();
@@ -78,8 +79,12 @@ class GridSampler {
   }
 
  private:
-  void check(float value) const {
+  void check(float value, bool active) const {
     if (!std::isfinite(value)) throw Error("grid '" + grid_.getName() + "' has a value that is not finite.");
+    if (!level_set_ && active && value > kFull)
+      throw Error("grid '" + grid_.getName() + "' has the value " + format_number(double(value)) +
+                  ", but values of a fog volume are filled fractions, 0 to 1. Scale them to that in the program that "
+                  "wrote it, or save its surface as a level set.");
   }
 
   Patch gather(const Coord& at) const {
@@ -91,7 +96,7 @@ class GridSampler {
         for (int z = -1; z <= kBlockEdge; ++z) {
           float value = 0;
           const bool active = accessor.probeValue(at.offsetBy(x, y, z), value);
-          check(value);
+          check(value, active);
           patch.values[n++] = level_set_ || active ? value * scale_ : 0.0F;
         }
     return patch;
@@ -141,10 +146,15 @@ Workpiece build_from(const openvdb::FloatGrid& grid, const openvdb::Int32Grid* i
   require_between(options.subsamples, 1, 32, "GridImport::subsamples");
   const GridFrame frame = frame_of(grid.transform(), options.unit);
   const bool level_set = is_level_set(grid, options.kind);
-  if (level_set && !(double(grid.background()) > 0.87 * grid.voxelSize()[0]))
+  const auto band = double(grid.background());
+  if (level_set && band < 0)
     throw Error("level set '" + grid.getName() +
-                "' has a background of less than one voxel; its narrow band must be at least one voxel wide on each "
-                "side.");
+                "' is inside out: its distances must be positive outside. Change their sign in the program that wrote "
+                "it.");
+  if (level_set && !(band > 0.87 * grid.voxelSize()[0]))
+    throw Error("level set '" + grid.getName() + "' knows distances up to " + format_number(band) +
+                ", but its voxels are " + format_number(grid.voxelSize()[0]) +
+                " wide. Save it with distances in the unit of its transform, of at least one voxel on each side.");
   const openvdb::CoordBBox box = grid.evalActiveVoxelBoundingBox();
   if (box.empty()) throw Error("grid '" + grid.getName() + "' has no active voxels: there is no workpiece in it.");
   Workpiece workpiece = Workpiece::from_blocks({to_index(box.min()), to_index(box.max())}, frame, std::move(materials),

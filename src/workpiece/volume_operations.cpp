@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "hapticut/core/units.hpp"
+
 namespace hapticut {
 namespace {
 
@@ -83,11 +85,12 @@ Volume<Value> cropped_to(const Volume<Value>& volume, const Box& box) {
     const double low = wanted.box.min[axis], high = wanted.box.max[axis], last = volume.dims[axis] - 1;
     if (!(high >= 0 && low <= last)) {
       const Box all = around_samples(volume);
-      const auto text = [](const Vec3& p) {
+      const auto text = [](const Vec3& place) {
+        const Vec3 p = place / units::mm;
         return "(" + format_number(p.x()) + ", " + format_number(p.y()) + ", " + format_number(p.z()) + ")";
       };
-      throw Error("the box to crop to lies outside the volume, which reaches from " + text(all.min) + " m to " +
-                  text(all.max) + " m.");
+      throw Error("the box to crop to lies outside the volume, which reaches from " + text(all.min) + " mm to " +
+                  text(all.max) + " mm.");
     }
     samples.min[axis] = int(std::max(0.0, std::floor(low) - kForInterpolation));
     samples.max[axis] = int(std::min(last, std::ceil(high) + kForInterpolation));

@@ -14,7 +14,7 @@ namespace hapticut {
 enum class GridKind {
   from_class,  ///< what the grid's own class says: level set or fog volume; anything else is refused
   level_set,   ///< signed distance, negative inside
-  fog_volume,  ///< filled fraction of each voxel, 0 ... 1; larger values count as 1
+  fog_volume,  ///< filled fraction of each voxel, 0 ... 1; larger values are refused
 };
 
 /// How a grid becomes a workpiece.

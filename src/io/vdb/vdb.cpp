@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <system_error>
 
@@ -263,16 +264,24 @@ Workpiece parse_foreign(std::string bytes, const VdbImport& options) {
   const VdbFile file = read_grids(std::move(bytes));
   openvdb::FloatGrid::Ptr chosen;
   int candidates = 0;
+  std::map<std::string, int> floats;  // how many there are of each name
   for (const auto& grid : file.grids) {
     if (!grid || !grid->isType<openvdb::FloatGrid>()) continue;
+    ++floats[grid->getName()];
     if (!options.grid.empty() && grid->getName() != options.grid) continue;
     chosen = openvdb::gridPtrCast<openvdb::FloatGrid>(grid);
     ++candidates;
   }
-  if (candidates != 1)
+  if (candidates != 1) {
+    const bool can_name = (candidates == 0 || options.grid.empty()) &&
+                          std::any_of(floats.begin(), floats.end(),
+                                      [](const auto& named) { return named.second == 1 && !named.first.empty(); });
     throw Error((candidates == 0 ? std::string("there is no ") : "there is more than one ") + "float grid" +
                 (options.grid.empty() ? "" : " '" + options.grid + "'") + " in it; it has " + list_of(file) +
-                ". Name a float grid (level set or fog volume) with VdbImport::grid.");
+                (can_name         ? ". Name a float grid (level set or fog volume) with VdbImport::grid."
+                 : floats.empty() ? ". Save a level set or fog volume in it whose values are of type float."
+                                  : ". Give its float grids different names in the program that wrote it."));
+  }
   const openvdb::GridClass says = chosen->getGridClass();
   if (options.kind == VdbImport::Kind::from_class && says != openvdb::GRID_LEVEL_SET &&
       says != openvdb::GRID_FOG_VOLUME)

@@ -78,7 +78,9 @@ ValueType type_of_meta(const std::string& name) {
       {"MET_ULONG_LONG", ValueType::uint64}, {"MET_LONG_LONG", ValueType::int64}, {"MET_FLOAT", ValueType::float32},
       {"MET_DOUBLE", ValueType::float64}};
   const auto found = kTypes.find(name);
-  if (found == kTypes.end()) throw Error("its values are of type " + in_quotes(name) + ", which is not read.");
+  if (found == kTypes.end())
+    throw Error("its values are of type " + in_quotes(name) +
+                ", which is not read; save them as MET_SHORT, MET_INT or MET_FLOAT.");
   return found->second;
 }
 

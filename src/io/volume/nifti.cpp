@@ -135,17 +135,18 @@ Mat3 rotation_of(const NiftiHeader& h) {
   return q.normalized().toRotationMatrix();
 }
 
-/// Where the grid lies: by the affine map where the file has one, else by the quaternion, else along the axes of the
-/// patient with the first sample at the origin.
+/// Where the grid lies: by the affine map where the file has one that is not zero, else by the quaternion, else along
+/// the axes of the patient with the first sample at the origin.
 FileGeometry geometry_of_nifti(const NiftiHeader& h) {
   FileGeometry geometry;
   for (std::size_t axis = 0; axis < 3; ++axis) geometry.dims[axis] = int(h.dim[axis + 1]);
   const Vec3 pixdim(std::abs(h.pixdim[1]), std::abs(h.pixdim[2]), std::abs(h.pixdim[3]));
   geometry.spacing_mm = pixdim;
-  if (h.sform > 0 || h.qform > 0) {
-    Mat3 axes = h.rows.leftCols<3>();
+  Mat3 axes = h.rows.leftCols<3>();
+  const bool has_map = h.sform > 0 && axes != Mat3::Zero();
+  if (has_map || h.qform > 0) {
     geometry.origin_mm = h.rows.col(3);
-    if (h.sform <= 0) {
+    if (!has_map) {
       axes = rotation_of(h) * Vec3(pixdim.x(), pixdim.y(), h.pixdim[0] < 0 ? -pixdim.z() : pixdim.z()).asDiagonal();
       geometry.origin_mm = Vec3(h.quaternion[3], h.quaternion[4], h.quaternion[5]);
     }

@@ -78,23 +78,41 @@ std::optional<ValueType> type_of_nrrd(const std::string& name) {
 /// Three of the axes of a file: those of space.
 using NrrdAxes = std::array<std::size_t, 3>;
 
-/// The unit that these axes have, e.g. `"mm" "mm" "mm"`; what is empty or unknown counts as millimetres.
-double unit_of_nrrd(std::string_view list, const NrrdAxes& axes) {
-  static const std::map<std::string_view, double> kUnits = {
-      {"m", 1e3}, {"meter", 1e3}, {"cm", 10}, {"mm", 1}, {"um", 1e-3}, {"µm", 1e-3}, {"micron", 1e-3}, {"nm", 1e-6}};
-  std::optional<double> unit;
-  std::size_t from = list.find('"');
-  for (std::size_t axis = 0; from != std::string_view::npos; ++axis) {
-    const std::size_t to = list.find('"', from + 1);
-    if (to == std::string_view::npos) break;
-    const auto known = kUnits.find(list.substr(from + 1, to - from - 1));
-    const double this_one = known == kUnits.end() ? 1 : known->second;
+struct NrrdUnit {
+  double mm = 1;
+  std::string unknown = {};  ///< what it is called, where nobody knows how long it is
+  bool operator==(const NrrdUnit&) const = default;
+};
+
+/// A unit by any of its usual names; none is the millimetre.
+NrrdUnit unit_named(std::string_view text) {
+  // Greek mu stands at two places of Unicode, and at one of Latin-1.
+  static const std::map<std::string, double> kUnits = {
+      {"", 1},      {"m", 1e3},           {"meter", 1e3},      {"metre", 1e3},       {"cm", 10},
+      {"mm", 1},    {"centimeter", 10},   {"centimetre", 10},  {"millimeter", 1},    {"millimetre", 1},
+      {"um", 1e-3}, {"micrometer", 1e-3}, {"micron", 1e-3},    {"micrometre", 1e-3}, {"\xc2\xb5m", 1e-3},
+      {"nm", 1e-6}, {"nanometer", 1e-6},  {"nanometre", 1e-6}, {"\xce\xbcm", 1e-3},  {"\xb5m", 1e-3}};
+  std::string name = lower_case(trimmed_nrrd(text));
+  if (name.size() > 2 && name.ends_with('s')) name.pop_back();
+  const auto known = kUnits.find(name);
+  return known == kUnits.end() ? NrrdUnit{1, std::string(text)} : NrrdUnit{known->second};
+}
+
+/// The unit that these axes have, e.g. `"mm" "mm" "mm"`.
+NrrdUnit unit_of_nrrd(std::string_view list, const NrrdAxes& axes) {
+  std::optional<NrrdUnit> unit;
+  std::size_t from = 0;
+  for (std::size_t axis = 0; (from = list.find_first_not_of(" \t", from)) != std::string_view::npos; ++axis) {
+    const bool quoted = list[from] == '"';
+    if (quoted) ++from;
+    const std::size_t to = std::min(list.find_first_of(quoted ? "\"" : " \t", from), list.size());
+    const NrrdUnit this_one = unit_named(list.substr(from, to - from));
     const bool counts = std::find(axes.begin(), axes.end(), axis) != axes.end();
     if (counts && unit && *unit != this_one) throw Error("its axes have different units: " + in_quotes(list) + ".");
     if (counts) unit = this_one;
-    from = list.find('"', to + 1);
+    from = to + 1;
   }
-  return unit.value_or(1);
+  return unit.value_or(NrrdUnit{});
 }
 
 /// Whether a `space` has time for its fourth axis: `left-posterior-superior-time`, `LPST`.
@@ -104,20 +122,15 @@ bool has_time(std::string_view space) { return space.ends_with("-time") || (spac
 /// does not count.
 Vec3 signs_of_space(std::string name) {
   if (has_time(name)) name.resize(name.size() == 4 ? 3 : name.find("-time"));
-  static const std::map<std::string, Vec3> kSigns = {{"right-anterior-superior", Vec3(-1, -1, 1)},
-                                                     {"ras", Vec3(-1, -1, 1)},
-                                                     {"left-anterior-superior", Vec3(1, -1, 1)},
-                                                     {"las", Vec3(1, -1, 1)},
-                                                     {"left-posterior-superior", Vec3(1, 1, 1)},
-                                                     {"lps", Vec3(1, 1, 1)},
-                                                     {"scanner-xyz", Vec3(1, 1, 1)},
-                                                     {"3d-right-handed", Vec3(1, 1, 1)},
-                                                     {"3d-left-handed", Vec3(1, 1, 1)}};
+  static const std::map<std::string, Vec3> kSigns = {
+      {"right-anterior-superior", Vec3(-1, -1, 1)}, {"ras", Vec3(-1, -1, 1)},
+      {"left-anterior-superior", Vec3(1, -1, 1)},   {"las", Vec3(1, -1, 1)},
+      {"left-posterior-superior", Vec3(1, 1, 1)},   {"lps", Vec3(1, 1, 1)}};
   const auto found = kSigns.find(name);
   if (found == kSigns.end())
     throw Error("its field 'space' is " + in_quotes(name) +
-                "; left-posterior-superior, right-anterior-superior, left-anterior-superior, scanner-xyz and "
-                "3D-right-handed or 3D-left-handed are read.");
+                ", which does not say where left, back and head of the patient are; write left-posterior-superior, "
+                "right-anterior-superior or left-anterior-superior, whichever it is, into its header.");
   return found->second;
 }
 
@@ -289,7 +302,7 @@ FileGeometry geometry_of_nrrd(const NrrdFields& fields, std::size_t dimensions) 
     }
     if (fields.has("space origin")) geometry.origin_mm = fields.vectors("space origin", 1)[0].cwiseProduct(signs);
   } else {
-    if (fields.has("spacings")) geometry.spacing_mm = three("spacings").cwiseAbs();
+    if (fields.has("spacings")) geometry.spacing_mm = three("spacings");
     if (fields.has("axis mins")) {
       geometry.origin_mm = three("axis mins");
       for (int axis = 0; axis < 3; ++axis)
@@ -302,9 +315,11 @@ FileGeometry geometry_of_nrrd(const NrrdFields& fields, std::size_t dimensions) 
   }
   const bool of_space = fields.has("space units");
   const char* units = of_space ? "space units" : "units";
-  const double unit_mm = fields.has(units) ? unit_of_nrrd(fields.get(units), of_space ? NrrdAxes{0, 1, 2} : axes) : 1;
-  geometry.spacing_mm *= unit_mm;
-  geometry.origin_mm *= unit_mm;
+  const NrrdUnit unit =
+      fields.has(units) ? unit_of_nrrd(fields.get(units), of_space ? NrrdAxes{0, 1, 2} : axes) : NrrdUnit{};
+  geometry.spacing_mm *= unit.mm;
+  geometry.origin_mm *= unit.mm;
+  if (geometry.spacing_mm.norm() > 0) geometry.unknown_unit = unit.unknown;
   return geometry;
 }
 

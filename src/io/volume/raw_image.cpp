@@ -11,6 +11,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
+#include "io/mesh/text_lines.hpp"
 #include "io/volume/formats.hpp"
 
 namespace hapticut {
@@ -67,13 +68,19 @@ template <class Value, class Convert>
 Volume<Value> to_volume(const RawImage& image, const std::filesystem::path& path, const std::optional<Vec3>& spacing,
                         const Convert& convert) {
   FileGeometry geometry = image.geometry;
+  if (!geometry.unknown_unit.empty() && !spacing)
+    cannot_read(path, "its unit " + in_quotes(geometry.unknown_unit) +
+                          " is not known; write m, cm, mm, um or nm into its header, or set "
+                          "VolumeReadOptions::spacing.");
+  // The spacing of the caller also says how long an unknown unit is.
+  if (!geometry.unknown_unit.empty()) geometry.origin_mm *= spacing->norm() / units::mm / geometry.spacing_mm.norm();
   if (spacing) geometry.spacing_mm = *spacing / units::mm;
   if (!is_finite(geometry.spacing_mm) || !(geometry.spacing_mm.minCoeff() > 0))
     cannot_read(path, "it does not say how far apart its samples are (" + format_number(geometry.spacing_mm.x()) +
                           " x " + format_number(geometry.spacing_mm.y()) + " x " +
                           format_number(geometry.spacing_mm.z()) + " mm); set VolumeReadOptions::spacing.");
   if (!is_finite(geometry.origin_mm) || !geometry.direction.allFinite())
-    cannot_read(path, "its origin or direction is not finite.");
+    cannot_read(path, "its origin or direction is not finite. Check its header.");
   const Vec3 extent = Vec3(geometry.dims[0], geometry.dims[1], geometry.dims[2]).cwiseProduct(geometry.spacing_mm);
   constexpr double kLongest = 1e5;  // [mm]
   if (!(extent.maxCoeff() <= kLongest))

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "hapticut/core/volume.hpp"
@@ -20,6 +21,7 @@ struct FileGeometry {
   Vec3 spacing_mm = Vec3::Zero();     ///< zero: the file does not say
   Vec3 origin_mm = Vec3::Zero();      ///< of sample (0,0,0)
   Mat3 direction = Mat3::Identity();  ///< columns: directions of the grid's axes
+  std::string unknown_unit = {};      ///< of spacing and origin, where the file names one that is not known
 };
 
 /// Values as stored, x fastest, in the machine's byte order.

@@ -18,7 +18,9 @@ namespace fs = std::filesystem;
 
 enum class SliceFormat : std::uint8_t { kPng, kTiff };
 
+/// Nothing for what is no slice, such as the notes `._name` that macOS leaves beside a file.
 std::optional<SliceFormat> format_of(const fs::path& path) {
+  if (path.filename().string().starts_with("._")) return std::nullopt;
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
   if (ending == ".png") return SliceFormat::kPng;
@@ -26,46 +28,65 @@ std::optional<SliceFormat> format_of(const fs::path& path) {
   return std::nullopt;
 }
 
+struct SliceNumber {
+  std::string before;  ///< all of the name that stands before it
+  std::uint64_t value = 0;
+};
+
 struct SliceFile {
   fs::path path;
   SliceFormat format;
-  std::string prefix;  ///< of the name, before its last number
-  std::uint64_t number = 0;
+  std::vector<SliceNumber> numbers = {};  ///< of its name
 };
 
-SliceFile slice_file(const fs::path& path, SliceFormat format) {
-  const std::string name = path.stem().string();
-  const auto digit = [&](std::size_t n) { return std::isdigit(static_cast<unsigned char>(name[n])) != 0; };
-  std::size_t end = name.size();
-  while (end > 0 && !digit(end - 1)) --end;
-  std::size_t begin = end;
-  while (begin > 0 && digit(begin - 1)) --begin;
-  if (begin == end || end - begin > 18)
-    cannot_read(path, "slices are ordered by the numbers in their names, and this one has none. Move it elsewhere.");
-  return {path, format, name.substr(0, begin), std::stoull(name.substr(begin, end - begin))};
+PictureFile read_picture(const SliceFile& file) {
+  return file.format == SliceFormat::kPng ? read_png(file.path) : read_tiff(file.path);
 }
 
-/// The slices of a folder by the last number in their names, which need not be padded with zeros.
+std::vector<SliceNumber> numbers_of_name(const fs::path& path) {
+  constexpr const char* kDigits = "0123456789";
+  const std::string name = path.stem().string();
+  std::vector<SliceNumber> numbers;
+  for (std::size_t end = 0, begin = 0; (begin = name.find_first_of(kDigits, end)) != std::string::npos;) {
+    end = std::min(name.find_first_not_of(kDigits, begin), name.size());
+    if (end - begin <= 18) numbers.push_back({name.substr(0, begin), std::stoull(name.substr(begin, end - begin))});
+  }
+  if (numbers.empty())
+    cannot_read(path, "slices are ordered by the numbers in their names, and this one has none. Move it elsewhere.");
+  return numbers;
+}
+
+void require_follows(const fs::path& folder, const SliceFile& before, const SliceFile& file, bool does) {
+  if (!does)
+    cannot_read(folder, "its slices '" + before.path.filename().string() + "' and '" + file.path.filename().string() +
+                            "' do not follow each other; one is missing, there twice, or of another series.");
+}
+
+/// The slices of a folder by the last number in their names that changes along them, which need not be padded with
+/// zeros.
 std::vector<SliceFile> ordered_slices(const fs::path& folder) {
   std::vector<SliceFile> files;
   std::error_code code;
   for (const auto& entry : fs::directory_iterator(folder, code))
-    if (const auto format = format_of(entry.path())) files.push_back(slice_file(entry.path(), *format));
+    if (const auto format = format_of(entry.path())) files.push_back({entry.path(), *format});
   if (code) cannot_read(folder, code.message() + ".");
-  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
-  if (files.size() < 2) cannot_read(folder, "it has fewer than two PNG or TIFF slices; a volume needs two.");
-  for (std::size_t n = 1; n < files.size(); ++n)
-    if (files[n].prefix != files[0].prefix ||
-        files[n].number - files[n - 1].number != files[1].number - files[0].number ||
-        files[n].number == files[n - 1].number)
-      cannot_read(folder, "its slices '" + files[n - 1].path.filename().string() + "' and '" +
-                              files[n].path.filename().string() +
-                              "' do not follow each other; one is missing, there twice, or of another series.");
+  if (files.size() < 2) {
+    for (const SliceFile& file : files) (void)read_picture(file);  // refuses several pages
+    cannot_read(folder, "it has fewer than two PNG or TIFF slices; a volume needs two.");
+  }
+  for (SliceFile& file : files) file.numbers = numbers_of_name(file.path);
+  std::size_t n = files[0].numbers.size() - 1;
+  for (const SliceFile& file : files) require_follows(folder, files[0], file, file.numbers.size() == n + 1);
+  const auto value = [&](const SliceFile& file) { return file.numbers[n].value; };
+  const auto as_in_first = [&](const SliceFile& file) { return value(file) == value(files[0]); };
+  while (n > 0 && std::all_of(files.begin(), files.end(), as_in_first)) --n;
+  std::sort(files.begin(), files.end(), [&](const auto& a, const auto& b) { return value(a) < value(b); });
+  for (std::size_t at = 1; at < files.size(); ++at)
+    require_follows(folder, files[at - 1], files[at],
+                    files[at].numbers[n].before == files[0].numbers[n].before &&
+                        value(files[at]) - value(files[at - 1]) == value(files[1]) - value(files[0]) &&
+                        value(files[at]) != value(files[at - 1]));
   return files;
-}
-
-PictureFile read_picture(const SliceFile& file) {
-  return file.format == SliceFormat::kPng ? read_png(file.path) : read_tiff(file.path);
 }
 
 /// Reads the slices one by one and checks that they are alike.

@@ -58,13 +58,17 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
   (void)readable_size(path);
   if (name.ends_with(".raw"))
     cannot_read(path, "a raw file does not say how large it is; use read_raw_grey_volume or read_raw_label_volume.");
+  if (name.ends_with(".png") || name.ends_with(".tif") || name.ends_with(".tiff"))
+    cannot_read(path,
+                "a picture is one slice, also where it has several pages; save each page as a file of its own, and "
+                "give their folder.");
   if (name.ends_with(".h5"))
     cannot_read(path, "its ending is that of a recording, which is no volume; use read_recording, or hapticut replay.");
   if (is_dicom_file(path)) return read_dicom_file(path);
   cannot_read(path,
               "its ending is not that of a format that is read: .nrrd .nhdr .nii .nii.gz .mhd .mha .inv3 .dcm, or a "
-              "folder with "
-              "a DICOM series or with PNG or TIFF slices.");
+              "folder with a DICOM series or with PNG or TIFF slices; as a mesh .stl .ply .obj .off .gltf .glb, as a "
+              "workpiece .vdb.");
 }
 
 RawImage read_raw(const fs::path& path, const RawLayout& layout) {

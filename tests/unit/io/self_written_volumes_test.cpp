@@ -100,6 +100,27 @@ TEST(Slices, ThatDoNotBelongTogetherAreRefusedByName) {
   EXPECT_NE(error_of(folder / "", {}).find("how far apart"), std::string::npos);
 }
 
+TEST(Slices, AreInTheOrderOfTheNumberThatChanges) {
+  const auto png = [](int k) { return test::png_slice(4, 3, ramp<std::uint8_t>(k * kSlice, kSlice)); };
+  const TemporaryFolder folder;
+  for (int k = 0; k < kDims[2]; ++k) write_bytes(folder / ("scan2_z" + std::to_string(9 + k) + "_300um.png"), png(k));
+  write_bytes(folder / "._scan2_z9_300um.png", "of macOS");
+  expect_ramp(read(folder / ""));
+  write_bytes(folder / "scan2_z14_200um.png", png(5));
+  EXPECT_NE(error_of(folder / "").find("of another series"), std::string::npos);
+}
+
+TEST(Slices, InOneFileOfSeveralPagesAreRefusedAsThat) {
+  const TemporaryFolder folder;
+  const std::string page = test::tiff_slice(4, 3, ramp<std::uint8_t>(0, kSlice));
+  constexpr std::size_t kDirectory = 2 + 9 * 12 + 4;  // [bytes], with the place of the next one at its end
+  const std::string next = test::little(std::uint32_t(page.size()));
+  write_bytes(folder / "stack.tif", page.substr(0, page.size() - 4) + next + page.substr(page.size() - kDirectory));
+  EXPECT_NE(error_of(folder / "").find("it has several pages; save one slice per file"), std::string::npos)
+      << error_of(folder / "");
+  EXPECT_NE(error_of(folder / "stack.tif").find("save each page as a file of its own"), std::string::npos);
+}
+
 // --- NIfTI
 // ------------------------------------------------------------------------------------------------------------
 

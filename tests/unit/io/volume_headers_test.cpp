@@ -57,6 +57,7 @@ TEST(VolumeHeader, WithoutASpacingIsRefusedUnlessTheCallerGivesOne) {
       {"v.nrrd", kNrrd + none + "spacings: nan nan nan\naxis mins: 1 2 3\n\n" + ramp()},
       {"v.nrrd", kNrrd + none + "spacings: 0.1 nan 0.7\n\n" + ramp()},
       {"v.nrrd", kNrrd + none + "spacings: 0 0 0\n\n" + ramp()},
+      {"v.nrrd", kNrrd + none + "spacings: -0.1 0.2 0.7\n\n" + ramp()},
       {"v.nrrd", kNrrd + none + "thicknesses: 1 1 1\nunits: \"mm\" \"mm\" \"mm\"\n\n" + ramp()},
       {"v.mha", kMeta3 + kLocal + ramp()},
       {"v.mha", kMeta3 + "ElementSpacing = 0 0 0\n" + kLocal + ramp()},
@@ -71,6 +72,59 @@ TEST(VolumeHeader, WithoutASpacingIsRefusedUnlessTheCallerGivesOne) {
   nifti.spacing = {0, 0, 0};
   nifti.values.resize(60);
   expect_refusal("v.nii", nifti.bytes(), "; set VolumeReadOptions::spacing.");
+}
+
+TEST(Nrrd, KnowsUnitsByTheirUsualNames) {
+  const std::pair<const char*, double> names[] = {
+      {"um", 1e-3},        {"micron", 1e-3},    {"Microns", 1e-3},  {"micrometer", 1e-3}, {"Micrometres", 1e-3},
+      {"\xc2\xb5m", 1e-3}, {"\xce\xbcm", 1e-3}, {"\xb5m", 1e-3},    {"nanometers", 1e-6}, {"", 1},
+      {"MM", 1},           {"millimetre", 1},   {"Millimeters", 1}, {"cm", 10},           {"centimetres", 10},
+      {"Meter", 1e3},      {"metres", 1e3}};
+  for (const auto& [name, mm_long] : names) {
+    const std::string x = std::to_string(0.1 / mm_long), y = std::to_string(0.2 / mm_long),
+                      z = std::to_string(0.7 / mm_long), quoted = std::string(" \"") + name + "\"";
+    SCOPED_TRACE(name);
+    expect_ramp(read_nrrd("dimension: 3\nsizes: 4 3 5\nspacings: " + x + " " + y + " " + z + "\nunits:" + quoted +
+                          quoted + quoted + "\n"));
+    expect_ramp(read_nrrd("dimension: 3\nspace: LPS\nsizes: 4 3 5\nspace directions: (" + x + ",0,0) (0," + y +
+                          ",0) (0,0," + z + ")\nspace units:" + quoted + quoted + quoted + "\n"));
+  }
+  expect_ramp(read_nrrd("dimension: 3\nsizes: 4 3 5\nspacings: 100 200 700\nunits: um um um\n"));
+}
+
+TEST(Nrrd, OfAUnitThatIsNotKnownIsRefusedUnlessTheCallerGivesASpacing) {
+  const std::string file = kNrrd +
+                           "dimension: 3\nspace: LPS\nsizes: 4 3 5\nspace directions: (1,0,0) (0,2,0) (0,0,7)\n"
+                           "space origin: (10,20,30)\nspace units: \"parsec\" \"parsec\" \"parsec\"\n\n" +
+                           ramp();
+  expect_refusal("v.nrrd", file,
+                 "its unit 'parsec' is not known; write m, cm, mm, um or nm into its header, or set "
+                 "VolumeReadOptions::spacing.");
+  const GreyVolume volume = read("v.nrrd", file, {.spacing = Vec3(0.1, 0.2, 0.7) * mm});
+  expect_ramp(volume);
+  EXPECT_LT((volume.position(0, 0, 0) - Vec3(1, 2, 3) * mm).norm(), 1e-12);
+}
+
+TEST(Nrrd, OfASpaceThatDoesNotSayWhereThePatientIsIsRefused) {
+  for (const char* space : {"3D-left-handed", "3D-right-handed", "scanner-xyz", "3D-left-handed-time"})
+    expect_refusal("v.nrrd",
+                   kNrrd + "dimension: 3\nspace: " + space +
+                       "\nsizes: 4 3 5\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n\n" + ramp(),
+                   "whichever it is, into its header");
+}
+
+TEST(Nifti, WithAMapOfZerosIsPlacedByItsQuaternion) {
+  test::NiftiFile file;
+  file.values.resize(60);
+  file.rows.resize(12);
+  file.quaternion = {0, 0, 0, 1, 2, 3};
+  const GreyVolume volume = read("v.nii", file.bytes());
+  EXPECT_TRUE(volume.spacing.isApprox(Vec3(0.1, 0.2, 0.7) * mm, 1e-6)) << volume.spacing.transpose();
+  EXPECT_LT((volume.position(0, 0, 0) - Vec3(-1, -2, 3) * mm).norm(), 1e-9);
+}
+
+TEST(MetaImage, OfATypeThatIsNotReadSaysWhichAre) {
+  expect_refusal("v.mha", kMeta3 + "ElementType = MET_LONG\n" + kLocal + ramp(), "save them as MET_SHORT");
 }
 
 TEST(MetaImage, TakesTheSizeOfItsElementsWhereItNamesNoSpacing) {

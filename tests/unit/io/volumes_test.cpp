@@ -184,6 +184,7 @@ TEST(ReadVolume, RefusesWhatItCannotReadAndPrintsNothing) {
   expect_clear_error(folder / "absent.mhd", "no such file");
   expect_clear_error(folder / "absent.nii.gz", "no such file");
   expect_clear_error(written(folder, "a.txt", "text"), "format");
+  expect_clear_error(written(folder, "a.fbx", "text"), "as a mesh .stl .ply .obj .off .gltf .glb, as a workpiece .vdb");
   expect_clear_error(written(folder, "a.raw", "text"), "read_raw_grey_volume");
   std::filesystem::create_directory(folder / "empty_folder");
   expect_clear_error(folder / "empty_folder", "DICOM");

@@ -2,6 +2,8 @@
 #include "hapticut/io/vdb/vdb.hpp"
 
 #include <gtest/gtest.h>
+#include <openvdb/io/File.h>
+#include <openvdb/openvdb.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -229,13 +231,42 @@ TEST(Vdb, ALevelSetOfAnotherProgramGivesItsBall) {
 }
 
 TEST(Vdb, AFogVolumeOfAnotherProgramKeepsItsPlace) {
-  HAPTICUT_NEEDS_DATA("vdb/smoke.vdb");
-  VdbImport import{named("smoke"), "density", 1, VdbImport::Kind::from_class};
-  const Workpiece smoke = load_vdb(test::data_path("vdb/smoke.vdb"), import);
-  EXPECT_NEAR(smoke.voxel_size(), 0.476 * mm, 0.001 * mm);
-  EXPECT_NEAR(smoke.frame().X_WV.translation.x(), -34 * mm, 0.1 * mm);
-  EXPECT_GT(smoke.solid_voxels(), 900'000);
-  EXPECT_LE(smoke.solid_voxels(), 1'049'275);
+  const TemporaryFolder folder;
+  const Workpiece ball = build_sphere(Vec3(1, 2, 3) * mm, 1 * mm, 0.1 * mm, named("bone"));
+  save_vdb(ball, folder / "ball.vdb");
+  const Workpiece fog = load_vdb(folder / "ball.vdb", {named("clay"), "density"});
+  EXPECT_EQ(fog.solid_voxels(), ball.solid_voxels());
+  EXPECT_LT((fog.frame().center({5, 6, 7}) - ball.frame().center({5, 6, 7})).norm(), 1e-12);
+}
+
+TEST(Vdb, AFogVolumeOfAnythingButFractionsIsRefused) {
+  HAPTICUT_NEEDS_DATA("vdb/smoke.vdb");  // densities up to 5.7
+  const std::string error = error_of([] {
+    (void)load_vdb(test::data_path("vdb/smoke.vdb"), {named("smoke"), "density"});
+  });
+  EXPECT_NE(error.find("but values of a fog volume are filled fractions, 0 to 1. Scale them"), std::string::npos)
+      << error;
+}
+
+TEST(Vdb, GridsThatCannotBeTakenAreRefusedWithWhatHelps) {
+  openvdb::initialize();
+  const TemporaryFolder folder;
+  const auto refused = [&](const openvdb::GridPtrVec& grids, const std::string& grid, const std::string& part) {
+    openvdb::io::File file((folder / "a.vdb").string());
+    file.write(grids);
+    file.close();
+    const std::string error = error_of([&] { (void)load_vdb(folder / "a.vdb", {named("clay"), grid}); });
+    EXPECT_NE(error.find(part), std::string::npos) << "instead of '" << part << "': " << error;
+  };
+  const auto exact = openvdb::DoubleGrid::create();
+  exact->setName("exact");
+  refused({exact}, "", "it has 'exact' (double). Save a level set or fog volume in it whose values are of type float.");
+  const auto one = openvdb::FloatGrid::create(), twin = openvdb::FloatGrid::create();
+  one->setName("ls");
+  twin->setName("ls");
+  for (const char* name : {"", "ls", "other"}) refused({one, twin}, name, "Give its float grids different names");
+  twin->setName("other");
+  refused({one, twin}, "", "there is more than one float grid in it; it has 'ls' (float), 'other' (float). Name a");
 }
 
 TEST(Vdb, FilesOfTheWrongKindAreRefusedWithTheirContents) {

@@ -80,8 +80,8 @@ TEST(WorkpieceFromGrids, TakesFractionsFromAFogVolume) {
   fog->setGridClass(openvdb::GRID_FOG_VOLUME);
   fog->fill({{0, 0, 0}, {15, 15, 15}}, 1.0F);
   fog->tree().setValue({3, 4, 5}, 0.25F);
-  fog->tree().setValue({3, 4, 16}, 3.0F);  // more than full is full
-  auto ids = Int32Grid::create(1);         // a background of one material everywhere
+  fog->tree().setValue({3, 4, 16}, 1.0005F);  // full, and rounded
+  auto ids = Int32Grid::create(1);            // a background of one material everywhere
   const Workpiece workpiece = workpiece_from_grids(*fog, *ids, two_materials());
   EXPECT_EQ(workpiece.fill_at({3, 4, 5}), 0.25);
   EXPECT_EQ(workpiece.fill_at({3, 4, 16}), 1.0);
@@ -149,6 +149,23 @@ TEST(WorkpieceFromGrid, RefusesWhatDescribesNoSolid) {
   auto outside = openvdb::tools::createLevelSetSphere<FloatGrid>(1.0F, openvdb::Vec3f(0, 0, 0), 0.05F);
   for (auto value = outside->beginValueAll(); value; ++value) value.setValue(std::abs(*value) + 0.1F);
   refused(*outside, "encloses nothing");
+
+  FloatGrid inverted(*ball);
+  for (auto value = inverted.beginValueAll(); value; ++value) value.setValue(-*value);
+  inverted.tree().root().setBackground(-ball->background(), /*updateChildNodes=*/false);
+  refused(inverted, "Change their sign");
+
+  FloatGrid other_unit(*ball);
+  other_unit.setTransform(openvdb::math::Transform::createLinearTransform(1.0));
+  refused(other_unit, "knows distances up to 0.15, but its voxels are 1 wide. Save it with distances in the unit");
+
+  FloatGrid smoke(0.0F);
+  smoke.setGridClass(openvdb::GRID_FOG_VOLUME);
+  smoke.fill({{0, 0, 0}, {15, 15, 15}}, 10.0F);
+  refused(smoke, "has the value 10, but values of a fog volume are filled fractions, 0 to 1. Scale them");
+  smoke.fill({{0, 0, 0}, {15, 15, 15}}, 1.0F);
+  smoke.tree().setValue({3, 4, 5}, 1.01F);
+  refused(smoke, "has the value 1.01");
 
   GridImport import;
   import.subsamples = 33;
