@@ -176,10 +176,10 @@ ToolHead ball_on_shank(double ball, double shank, double length) {
 
 void shank_on_rim(Report& report) {
   constexpr double kHole = 0.8 * mm, kDepth = 4 * mm, kBall = 0.4 * mm, kShank = 0.6 * mm, kAngle = 4 * units::deg;
-  for (const double speed : {0.0, 30000 * rpm}) {
-    report.scene(std::string("ball 0.8 mm on a shank of 1.2 mm, ") + (speed > 0 ? "turning" : "standing") +
+  for (const int turns : {0, 30000}) {
+    report.scene(std::string("ball 0.8 mm on a shank of 1.2 mm, ") + (turns > 0 ? "turning" : "standing") +
                  ", tilted in a hole of 1.6 mm, directly");
-    const Tool tool = tool_of(ball_on_shank(kBall, kShank, 8 * mm), Spindle{speed * units::rad_per_s});
+    const Tool tool = tool_of(ball_on_shank(kBall, kShank, 8 * mm), Spindle{turns * rpm});
     Rig rig(report, with_hole(2 * mm, kDepth + 0.5 * mm, report.voxel(), presets::cortical_bone(), kHole, kDepth), tool,
             Held::directly);
     Hand hand(tool, Vec3(0, 0, -kDepth + 0.1 * mm));

@@ -26,7 +26,7 @@ void corner(Report& report) {
       hard.cutting_ratio = kappa;
       hard.specific_cutting_energy = 1e11;  // it stays a corner
       Workpiece piece = carved(box, report.voxel(), hard, [](const Vec3& p) { return std::min(p.x(), p.z()); });
-      const Tool ball = tool_of(SphereHead{kRadius}, Spindle{cutting ? 30000 * rpm : 0});
+      const Tool ball = tool_of(SphereHead{kRadius}, Spindle{(cutting ? 30000 : 0) * rpm});
       Rig rig(report, std::move(piece), ball, Held::by_coupling);
       Hand hand(Pose::from_translation(Vec3(1.1, 0, 1.1) * mm));
       hand.hold(0.02);
