@@ -84,8 +84,8 @@ Tool tool_from_toml(const char* text, const Tool& before) {
     tool = make_tool(settings);
   }
   if (tool.cutter().kind != kind)
-    throw Error("tool.cutter = " + std::string(name_of(tool.cutter().kind)) +
-                "; the materials of this scene have the constants of " + std::string(name_of(kind)) +
+    throw Error("tool.cutter = " + std::string(name_or_null(tool.cutter().kind)) +
+                "; the materials of this scene have the constants of " + std::string(name_or_null(kind)) +
                 ", and would cut wrongly. Keep the cutter, or make a scene with the other one.");
   return tool;
 }

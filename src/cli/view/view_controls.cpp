@@ -207,7 +207,7 @@ void ViewControls::show(const Effects& effects) {
   }
 }
 
-double ViewControls::spindle_speed() const { return at(kSpindle) != 0 ? at(kSpeed) * units::rpm : 0; }
+AngularSpeed ViewControls::spindle_speed() const { return (at(kSpindle) != 0 ? at(kSpeed) : 0) * units::rpm; }
 
 RemovalLaw ViewControls::removal() const {
   if (at(kCutting) == 0) return RemovalLaw::none;

@@ -39,7 +39,7 @@ class ViewControls {
   [[nodiscard]] bool sound() const { return at(kSound) != 0; }
   [[nodiscard]] double volume() const { return at(kVolume); }
   [[nodiscard]] bool recording() const { return at(kRecord) != 0; }
-  [[nodiscard]] double spindle_speed() const;  ///< [rad/s] that is wanted
+  [[nodiscard]] AngularSpeed spindle_speed() const;  ///< [rad/s] that is wanted
   [[nodiscard]] RemovalLaw removal() const;
   [[nodiscard]] AxisMask mask() const;
   [[nodiscard]] Effects effects() const;

@@ -219,7 +219,7 @@ void ViewSession::change(Change what) {
     case Change::removal:
       return send(commands::SetRemoval{controls_.removal()});
     case Change::spindle:
-      return send(commands::SetSpindleSpeed{controls_.spindle_speed() * units::rad_per_s});
+      return send(commands::SetSpindleSpeed{controls_.spindle_speed()});
     case Change::tool:
       return change_tool();
     case Change::materials:
@@ -271,7 +271,7 @@ void ViewSession::record(bool on) {
 void ViewSession::begin_recording() {
   simulation_.reset(simulation_.workpiece().clone());
   simulation_.set_removal(controls_.removal());
-  simulation_.set_spindle_speed(controls_.spindle_speed() * units::rad_per_s);
+  simulation_.set_spindle_speed(controls_.spindle_speed());
   removed_at_mark_ = -1;
   dissipated_ = 0;
   build_loop();

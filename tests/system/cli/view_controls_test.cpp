@@ -43,7 +43,7 @@ struct Panel {
   void turn(const std::string& name, double value) {
     const Change change = set(name, value);
     if (change == Change::removal) tell(commands::SetRemoval{controls.removal()});
-    if (change == Change::spindle) tell(commands::SetSpindleSpeed{controls.spindle_speed() * units::rad_per_s});
+    if (change == Change::spindle) tell(commands::SetSpindleSpeed{controls.spindle_speed()});
     if (change == Change::effects) tell(commands::SetEffects{controls.effects()});
     if (change == Change::materials) tell(rig.model.prepare_materials(controls.materials()));
     if (change == Change::tool) tell(rig.model.prepare_tool(controls.tool()));
