@@ -29,16 +29,16 @@ TEST(Tool, KeepsThePoseOfItsHeadOnTheHandle) {
   EXPECT_EQ(tool.spindle().speed, 1000);
 }
 
-TEST(Tool, MayTurnEitherWay) { EXPECT_NO_THROW(Tool(SphereHead{1 * mm}, RayHandle{0}, {-30000})); }
+TEST(Tool, MayTurnEitherWay) { EXPECT_NO_THROW(Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{-30000 * units::rpm})); }
 
 TEST(Tool, RefusesASpeedThatIsNotFinite) {
   for (const double bad : {kNan, kInfinity, -kInfinity})
-    EXPECT_THROW(Tool(SphereHead{1 * mm}, RayHandle{0}, {bad}), Error) << bad;
+    EXPECT_THROW(Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{bad * units::rad_per_s}), Error) << bad;
 }
 
 TEST(Tool, RefusesAPowerLimitThatIsNotPositive) {
   for (const double bad : {0.0, -1.0, kNan})
-    EXPECT_THROW(Tool(SphereHead{1 * mm}, RayHandle{0}, {100, bad}), Error) << bad;
+    EXPECT_THROW(Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{100 * units::rad_per_s, bad}), Error) << bad;
 }
 
 TEST(Tool, RefusesABadHeadOrHandle) {
