@@ -211,7 +211,7 @@ Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
   if (fit.edge > 0) {
     if (term == ChipTerm::edge_pressure) c.edge_pressure = fit.edge;
     // Where the edge carries all, u is the least that a material may have: its length is what it must be for that.
-    const double u = c.specific_cutting_energy = term == ChipTerm::edge_pressure ? fit.u : std::max(fit.u, 1e-3);
+    const double u = c.specific_cutting_energy = term == ChipTerm::edge_pressure ? fit.u : std::max(fit.u, 1.0);
     if (term == ChipTerm::edge_length) c.edge_length = c.edge_assumed ? kAssumedEdgeLength : fit.edge / u;
     if (term == ChipTerm::size_length) c.size_length = std::pow(fit.edge / u, 2);
   }
