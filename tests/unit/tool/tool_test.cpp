@@ -23,7 +23,7 @@ TEST(Tool, StandsStillOnAHandleWithoutLengthUnlessToldOtherwise) {
 
 TEST(Tool, KeepsThePoseOfItsHeadOnTheHandle) {
   const LHandle handle = {5 * mm, 2 * mm, 0.4};
-  const Tool tool(FlatHead{1 * mm, 2 * mm}, handle, {1000});
+  const Tool tool(FlatHead{1 * mm, 2 * mm}, handle, Spindle{1000 * units::rad_per_s});
   EXPECT_EQ(tool.X_HT().translation, head_in_handle(handle).translation);
   EXPECT_EQ(tool.X_HT().rotation, head_in_handle(handle).rotation);
   EXPECT_EQ(tool.spindle().speed, 1000);
