@@ -132,7 +132,7 @@ class VirtualCoupling {
 
   /// The hand has moved: moves the tool after it, through the material.
   ///
-  /// At first, and after `release`, the tool is put where the hand is as soon as that is in no material; where the
+  /// In the first tick the tool is put where the hand is, after `release` when that is in no material; where the
   /// simulation had a tool somewhere before the coupling was made, it waits there for the hand. After `leave` it
   /// waits for the hand, and likewise (Rejoin::free) after an exchange of the simulation's workpiece, tool or
   /// materials: `undo`, `redo`, `restore`, `reset`, `set_tool` ...; and when the hand has turned by nearly half a turn
@@ -160,7 +160,7 @@ class VirtualCoupling {
   /// @realtime no allocation, no lock; O(1)
   void exchange_lists(Lists& lists) noexcept;
 
-  /// Lets go: the next tick in which the hand is in no material puts the tool there.
+  /// Lets go: the next tick puts the tool where the hand is, or the first one in which that is in no material.
   void release() noexcept {
     waits_ = waits_ || held_;
     held_ = false;

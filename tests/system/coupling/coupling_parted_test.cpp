@@ -99,23 +99,6 @@ TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeBehindTheCoupling) {
   }
 }
 
-TEST(PartedTool, WaitsWhereAHandBeginsInsideUntilItIsFree) {
-  for (const double deep : {0.1 * mm, 1.5 * mm}) {
-    Simulation simulation = cutting_simulation(ContactTime::end);
-    VirtualCoupling coupling(simulation, coupling_gains(capabilities(device_model("touch"))));
-    for (int n = 0; n < 100; ++n) {
-      const CoupledResult& result = coupling.step(at_height(kRadius - deep), {}, kTick);
-      EXPECT_EQ(result.removed_volume, 0);
-      EXPECT_EQ(result.hand.force, Vec3::Zero());
-      EXPECT_EQ(result.status, StepStatus::tool_waits);
-    }
-    for (int n = 0; n <= 500; ++n)
-      coupling.step(at_height(kRadius - deep + 1e-5 * n), {Vec3(0, 0, 1e-2), Vec3::Zero()}, kTick);
-    EXPECT_EQ(coupling.last_result().status, StepStatus::ok);
-    EXPECT_EQ(simulation.last_result().energy.cutting, 0);
-  }
-}
-
 TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeInALoopOfOnesOwn) {
   for (const Exchange& exchange : exchanges()) {
     if (exchange.name == std::string("reset")) continue;  // a simulation as new, whose first step is anywhere

@@ -3,6 +3,7 @@
 // comes out as it went in: a field that is forgotten somewhere comes out with its default.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,9 @@ Material unusual() {
   int n = 0;
   for_each_number([&](const auto& field) {
     const double base = material.*field.member;
-    material.*field.member = (base > 0 ? base : 0.25) * (1 + 0.125 * ++n);
+    const bool is_pressure = std::string(field.unit) == "Pa";
+    const double other = is_pressure ? 1e6 : 0.25 * std::min(1.0, field.range.high);
+    material.*field.member = (base > 0 ? base : other) * (1 + 0.125 * ++n);
   });
   if (material.static_friction < material.dynamic_friction)
     std::swap(material.static_friction, material.dynamic_friction);
