@@ -46,6 +46,10 @@ using SettingsFile = Complaint;
 using PoseFile = Complaint;
 using Files = Complaint;
 
+TEST_F(Complaint, OfADeviceThatThisBuildLacksNamesNoFunctionToCall) {
+  expect("loop openhaptics --seconds 0.1", kFailed, "then build hapticut with -DHAPTICUT_WITH_OPENHAPTICS=ON.");
+}
+
 TEST_F(Flags, ThatDoNotExistAreRefusedWithTheNearestOne) {
   expect("drill --raduis_mm 1", kWrongUsage, "there is no --raduis_mm. Did you mean --radius_mm?");
   expect("drill --json-file x", kWrongUsage, "there is no --json");

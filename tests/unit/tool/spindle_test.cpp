@@ -246,6 +246,7 @@ TEST_P(SpindleDirection, HasOneUnitEverywhereAndTurnsAMinuteAreRefusedAsRadiansA
   static_assert(IsASpindle<AngularSpeed> && IsASpeedToSet<AngularSpeed>);
   static_assert(!IsASpindle<int> && !IsASpindle<double> && !IsASpindle<double, double>);
   static_assert(!IsASpeedToSet<int> && !IsASpeedToSet<double>);
+  static_assert(-(40000 * units::rpm) == -40000 * units::rpm && 2 * units::rad_per_s == 2 && AngularSpeed{} == 0);
   const AngularSpeed turns = sign * 40000 * units::rpm;
   EXPECT_EQ(common_spindle(turns).speed, turns);
   EXPECT_EQ(common_motor(turns), MotorKind::electric);
