@@ -159,8 +159,10 @@ build_all() {
   cmake -DHAPTICUT_WITH_PYTHON=OFF build/release >/dev/null # the other tests go on
 }
 
+# Of the random inputs to properties a tenth: they differ in numbers, not in what is addressed.
 address() {
-  check "configure: address" configure address && check "build: address" build address &&
+  check "configure: address" configure address "-DHAPTICUT_PROPERTY_PARAMETERS=seed=1 max_success=10" &&
+    check "build: address" build address &&
     run_tests address address -LE slow
 }
 

@@ -122,7 +122,8 @@ TEST(Assimp, ExtensionsThatChangeTheShapeAreRefusedByName) {
   const test::TemporaryFolder folder;
   const auto scene = scene_of(test::ball_mesh(Vec3::Zero(), 2 * mm, 4), Vec3::Zero());
   Assimp::Exporter exporter;
-  for (const auto& [format, name] : {std::pair{"gltf2", "ball.gltf"}, {"glb2", "ball.glb"}}) {
+  for (const auto& [format, file_name] : {std::pair{"gltf2", "ball.gltf"}, {"glb2", "ball.glb"}}) {
+    const char* name = file_name;  // which a lambda may capture
     ASSERT_EQ(exporter.Export(scene.get(), format, (folder / name).string()), aiReturn_SUCCESS);
     const std::string file = test::read_bytes(folder / name);
     const auto refusal_with = [&](const std::string& member) {
