@@ -12,7 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/core/errors.hpp"
 #include "hapticut/core/spatial.hpp"
+#include "hapticut/core/units.hpp"
 #include "hapticut/force/contact_stiffness.hpp"
 
 /// @file
@@ -96,6 +98,24 @@ struct handle_type_name<hapticut::python::Durations> {
 template <>
 struct handle_type_name<hapticut::python::RealArray> {
   static constexpr auto name = const_name("numpy.typing.NDArray[typing.Any]");
+};
+
+/// A number in rad/s. A whole one is refused, but 0, for it is one of turns a minute.
+template <>
+struct type_caster<hapticut::AngularSpeed> {
+  PYBIND11_TYPE_CASTER(hapticut::AngularSpeed, const_name("float"));
+  bool load(handle given, bool) {
+    make_caster<double> number;
+    if (!number.load(given, true)) return false;
+    const double speed = cast_op<double>(number);
+    if (isinstance<int_>(given) && speed != 0)
+      throw hapticut::Error("a speed of " + std::string(str(given)) +
+                            " is a whole number, as turns a minute are, and speeds are in rad/s: write " +
+                            std::string(str(given)) + " * hapticut.units.rpm.");
+    value = hapticut::AngularSpeed::in_rad_per_s(speed);
+    return true;
+  }
+  static handle cast(hapticut::AngularSpeed speed, return_value_policy, handle) { return float_(speed).release(); }
 };
 
 template <>

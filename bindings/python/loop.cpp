@@ -209,7 +209,7 @@ void bind_interlock(py::module_& m) {
     return simulation.simulation;
   };
   py::class_<I>(m, "SpindleInterlock", doc("SpindleInterlock"))
-      .def(py::init<double>(), py::arg("speed"), doc("SpindleInterlock::SpindleInterlock"))
+      .def(py::init<AngularSpeed>(), py::arg("speed"), doc("SpindleInterlock::SpindleInterlock"))
       .def_property_readonly("speed", &I::speed, doc("SpindleInterlock::speed"))
       .def("set_speed", &I::set_speed, py::arg("speed"), doc("SpindleInterlock::set_speed"))
       .def("admits", &I::admits, py::arg("arming"), py::arg("touches"), doc("SpindleInterlock::admits"))

@@ -161,9 +161,9 @@ void bind_the_simulation(py::module_& m) {
           doc("Simulation::stage_times"))
       .def(
           "set_spindle_speed",
-          [](S& self, double speed) {
+          [](S& self, AngularSpeed speed) {
             self.occupancy.require_writable("The simulation");
-            self.simulation.set_spindle_speed(speed * units::rad_per_s);
+            self.simulation.set_spindle_speed(speed);
           },
           py::arg("speed"), doc("Simulation::set_spindle_speed"))
       .def(

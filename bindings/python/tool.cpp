@@ -147,20 +147,9 @@ void bind_tool(py::module_& m) {
   bind_enum<MotorKind>(m, "MotorKind");
   m.def("common_motor", &common_motor, py::arg("speed"), doc("common_motor"));
   m.def("fastest_speed", &fastest_speed, py::arg("motor"), doc("fastest_speed"));
-  const auto whole = [](const py::int_& speed) -> Spindle {
-    throw Error("common_spindle(speed = " + std::string(py::str(speed)) +
-                "): a whole number is one of turns a minute, and speed is in rad/s. Write 40000 * hapticut.units.rpm.");
-  };
-  m.def("common_spindle", whole, py::arg("speed"), doc("common_spindle"));
-  m.def(
-      "common_spindle", [whole](MotorKind, const py::int_& speed) { return whole(speed); }, py::arg("motor"),
-      py::arg("speed"), doc("common_spindle"));
-  m.def(
-      "common_spindle", [](MotorKind motor, double speed) { return common_spindle(motor, speed * units::rad_per_s); },
-      py::arg("motor"), py::arg("speed"), doc("common_spindle"));
-  m.def(
-      "common_spindle", [](double speed) { return common_spindle(speed * units::rad_per_s); }, py::arg("speed"),
-      doc("common_spindle"));
+  m.def("common_spindle", py::overload_cast<MotorKind, AngularSpeed>(&common_spindle), py::arg("motor"),
+        py::arg("speed"), doc("common_spindle"));
+  m.def("common_spindle", py::overload_cast<AngularSpeed>(&common_spindle), py::arg("speed"), doc("common_spindle"));
   bind_enum<CutterKind>(m, "CutterKind");
   bind_described<Cutter>(m, "Cutter");
   m.def("validate", py::overload_cast<const Cutter&>(&validate), py::arg("cutter"), doc("validate"));

@@ -192,6 +192,11 @@ bool Servo::should_end() const noexcept {
          run_slots::slot(slot_).stop.load(std::memory_order_acquire);
 }
 
+const char* Servo::why_it_ended() const noexcept {
+  if (callback_ended_) return "the callback ended it";
+  return time_is_up_ ? "its time was up" : "stopped";
+}
+
 Wrench Servo::farewell(int n) const noexcept {
   const bool emergency = device_.requests_.emergency() || run_slots::slot(slot_).emergency.load();
   const bool gently = !lost_ && !exception_ && !emergency && guard_.state() != ArmingState::fault;
@@ -212,7 +217,7 @@ std::string PolledDevice::drive(Servo& servo, const RunOptions& options) {
     for (const std::string& warning : scope->warnings()) servo.warn(warning);
   }
   begin_run(options);
-  std::string end = "stopped";
+  std::string end;
   {
     struct End {
       PolledDevice& device;
@@ -233,6 +238,7 @@ std::string PolledDevice::drive(Servo& servo, const RunOptions& options) {
       if (!more) break;
       servo.applied(write(servo.tick(state)));
     }
+    end = servo.why_it_ended();
     if (!more) end = "the device has nothing more to tell";
     if (state.fault == DeviceFault::disconnected || state.fault == DeviceFault::driver_error)
       end = describe(state.fault);

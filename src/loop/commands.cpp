@@ -46,8 +46,7 @@ commands::ExchangeWorkpiece SimulationModel::prepare_workpiece(Workpiece workpie
 }
 
 void SimulationModel::check(const LoopCommand& command) const {
-  if (const auto* spindle = std::get_if<commands::SetSpindleSpeed>(&command))
-    validate(Spindle{spindle->speed * units::rad_per_s});
+  if (const auto* spindle = std::get_if<commands::SetSpindleSpeed>(&command)) validate(Spindle{spindle->speed});
   if (const auto* scale = std::get_if<commands::SetScale>(&command)) check_scale(scale->scale);
   if (const auto* friction = std::get_if<commands::SetFriction>(&command))
     if (friction->friction) validate(*friction->friction);

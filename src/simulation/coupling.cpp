@@ -62,10 +62,7 @@ CouplingGains coupling_gains(const DeviceCapabilities& device, std::optional<dou
 }
 
 VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& gains)
-    : simulation_(&simulation),
-      gains_(gains),
-      waits_(simulation.steps() > 0),
-      lists_(simulation.worst_case(), simulation.config()) {
+    : simulation_(&simulation), gains_(gains), lists_(simulation.worst_case(), simulation.config()) {
   validate(gains);
   if (simulation.config().contact_time != ContactTime::end)
     throw Error(

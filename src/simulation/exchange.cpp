@@ -3,6 +3,7 @@
 // forth.
 #include "hapticut/simulation/exchange.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
@@ -76,6 +77,12 @@ void Simulation::State::set_material_friction() noexcept {
   }
 }
 
+void Simulation::State::compare_cutters() noexcept {
+  other_cutter = std::ranges::any_of(workpiece.materials().all(), [&](const Material& material) {
+    return material.cutter.value_or(tool.cutter().kind) != tool.cutter().kind;
+  });
+}
+
 /// The next step is the first of the tool: nothing is known of where it was. What it is in now must not be felt.
 void Simulation::State::start_afresh() noexcept {
   parted = parted || has_pose;
@@ -97,6 +104,7 @@ bool Simulation::exchange(PreparedTool& prepared) noexcept {
   s.motor = SpindleMotor(s.tool.spindle());
   s.load = {};
   s.share_cutting();
+  s.compare_cutters();
   s.start_afresh();
   return true;
 }
@@ -107,6 +115,7 @@ bool Simulation::exchange(PreparedMaterials& prepared) noexcept {
   if (!s.workpiece.exchange_materials(p.materials)) return false;
   s.contact_stages.exchange_materials(p.constants);
   s.set_material_friction();
+  s.compare_cutters();
   s.start_afresh();
   return true;
 }

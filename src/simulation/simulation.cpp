@@ -53,6 +53,7 @@ void Simulation::State::prepare_workpiece() {
   X_VW = workpiece.frame().X_WV.inverse();
   voxel_volume = std::pow(workpiece.voxel_size(), 3);
   set_material_friction();
+  compare_cutters();
   share_cutting();
 }
 
@@ -73,7 +74,7 @@ const SimulationConfig& Simulation::config() const { return state_->config; }
 const StepResult& Simulation::last_result() const { return state_->result; }
 
 ChangedBlocks Simulation::changed_blocks() const noexcept { return state_->contact_stages.changed(); }
-double Simulation::spindle_setting() const noexcept { return state_->motor.setting(); }
+AngularSpeed Simulation::spindle_setting() const noexcept { return state_->motor.setting(); }
 const StepInput& Simulation::last_input() const noexcept { return state_->input; }
 std::uint64_t Simulation::steps() const noexcept { return state_->steps; }
 bool Simulation::starts_afresh() const noexcept { return !state_->has_pose; }

@@ -48,6 +48,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   State(Workpiece given_workpiece, Tool given_tool, SimulationConfig given_config);
   void prepare_workpiece();
   void set_material_friction() noexcept;
+  void compare_cutters() noexcept;
   void start_afresh() noexcept;
 
   // The stages of a step, in their order.
@@ -126,6 +127,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
 
   // What one step hands to the next.
   bool has_pose = false;
+  bool other_cutter = false;      // than the one that materials are made for
   bool parted = false;            // from its hand, by an exchange
   Pose X_WH;                      // at the end of the last accepted step
   bool after_refusal = false;     // the last step's input was refused

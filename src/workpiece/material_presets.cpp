@@ -86,6 +86,7 @@ Material cut_by(CutterKind kind, double share, Material material) {
   material.specific_cutting_energy = cut.energy * share;
   material.edge_length = cut.edge_length;
   material.size_length = cut.size_length / share;
+  material.cutter = kind;
   return material;
 }
 

@@ -136,7 +136,7 @@ TEST_P(DeviceContract, CallsTheFunctionOnceATickInOneThreadAndNeverTwiceAtOnce) 
   EXPECT_EQ(report.missed, 0U);
   EXPECT_EQ(report.fault, DeviceFault::none);
   EXPECT_EQ(report.guard, ArmingState::on);
-  EXPECT_EQ(report.end, "stopped");
+  EXPECT_EQ(report.end, "the callback ended it");
 }
 
 TEST_P(DeviceContract, RunsForTheSecondsOfItsOwnTimeThatItIsGiven) {

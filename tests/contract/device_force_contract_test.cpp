@@ -156,7 +156,7 @@ TEST_P(MotorContract, IsFadedInAndOutWhateverEndsTheRun) {
         },
         options);
     EXPECT_EQ(report.ticks, by_time ? 201U : 200U);
-    EXPECT_EQ(report.end, "stopped");
+    EXPECT_EQ(report.end, by_time ? "its time was up" : by_stop ? "stopped" : "the callback ended it");
     EXPECT_EQ(report.guard, ArmingState::on);
     EXPECT_TRUE(no_force(0, 10)) << "in every run anew";
     double grown = 0;

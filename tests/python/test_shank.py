@@ -53,12 +53,19 @@ def test_a_handle_must_say_how_long_it_is():
         h.Tool(h.SphereHead(1 * mm), h.LHandle())
 
 
-def test_a_spindle_that_no_motor_turns_is_refused():
+def test_a_spindle_that_no_motor_turns_is_refused(block):
     assert h.Tool(h.SphereHead(1 * mm), spindle=h.Spindle(-h.kFastestSpindle)).spindle.speed == -h.kFastestSpindle
     assert h.common_spindle(40000 * rpm).speed == h.Spindle(40000 * rpm).speed == pytest.approx(40000 * math.pi / 30)
     for turns_a_minute in ((40000,), (h.MotorKind.electric, 40000), (h.MotorKind.electric, 40000.0)):
         with pytest.raises(h.Error, match="units.?.?rpm"):
             h.common_spindle(*turns_a_minute)
+    simulation = h.Simulation(block, h.Tool(h.SphereHead(1 * mm)))
+    for give in (h.Spindle, h.loop.SpindleInterlock, h.loop.commands.SetSpindleSpeed, simulation.set_spindle_speed):
+        with pytest.raises(h.Error, match="40000 . hapticut.units.rpm"):
+            give(40000)
+        give(0)
+        give(100.0)
+    assert simulation.spindle_setting == 100.0 and h.Spindle(speed=0).speed == 0
     assert h.catalogue.fastest_speed(h.MotorKind.electric) == 250e3 * rpm
     assert h.describe_status(h.StepStatus.blocks_low | h.StepStatus.power_limited) == "blocks_low | power_limited"
     assert h.describe_status(0) == "ok" and h.safety.sentences_of(0) == ""

@@ -229,6 +229,8 @@ def test_units_are_those_of_the_header():
 def test_presets_are_those_of_the_library():
     for name in hapticut.preset_names():
         assert repr(getattr(hapticut.presets, name)()) == repr(hapticut.find_preset(name))
+        kind = hapticut.CutterKind.fine_diamond
+        assert hapticut.find_preset(name, kind).cutter == (None if name in ("pulp", "clay") else kind)
     with pytest.raises(hapticut.Error, match="enamel"):
         hapticut.find_preset("unobtainium")
 

@@ -134,6 +134,10 @@ constexpr void for_each_field(Visit&& visit) {
 template <Described S>
 inline constexpr std::size_t kFieldsOf = std::tuple_size_v<decltype(fields_of(Of<S>{}))>;
 
+/// What is a number: double, int, AngularSpeed.
+template <class T>
+inline constexpr bool kIsNumber = std::is_convertible_v<T, double> && !std::is_same_v<T, bool>;
+
 /// The numbers that a field may have, by its member: `range_of(&Spindle::droop)`.
 template <class S, class T>
 [[nodiscard]] constexpr Range range_of(T S::*member) {
@@ -157,7 +161,7 @@ void require_fields_within(const S& s, std::string_view prefix) {
       if (!field.range.contains(number))
         require_within(number, field.range, std::string(prefix) + field.name + " [" + field.unit + "]");
     };
-    if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
+    if constexpr (kIsNumber<T>) {
       check(double(s.*field.member));
     } else if constexpr (requires(const T& vector) { vector.x() + vector.y() + vector.z(); }) {
       for (const double number : {(s.*field.member).x(), (s.*field.member).y(), (s.*field.member).z()}) check(number);

@@ -178,6 +178,9 @@ class Servo {
   /// Whether the run shall end, for whatever reason.
   [[nodiscard]] bool should_end() const noexcept;
 
+  /// In words, where nothing went wrong.
+  [[nodiscard]] const char* why_it_ended() const noexcept;
+
   /// The force of the n-th tick after the end, n = 0, 1, ...: faded to zero over kFarewell, or zero at once when
   /// something is wrong or an emergency stop comes.
   [[nodiscard]] Wrench farewell(int n) const noexcept;

@@ -26,9 +26,7 @@ namespace commands {
 
 /// The spindle's speed while there is a force.
 struct SetSpindleSpeed {
-  SetSpindleSpeed() = default;
-  explicit SetSpindleSpeed(AngularSpeed given) : speed(given) {}
-  double speed = 0;  ///< [rad/s]
+  AngularSpeed speed = 0;
 };
 
 /// The hand moves, the tool stays.

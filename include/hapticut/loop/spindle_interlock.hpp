@@ -16,16 +16,16 @@ namespace hapticut {
 ///     });
 class SpindleInterlock {
  public:
-  /// @param speed  [rad/s] while it may turn
+  /// @param speed  while it may turn
   /// @throws Error when no spindle is so fast
-  explicit SpindleInterlock(double speed) { set_speed(speed); }
+  explicit SpindleInterlock(AngularSpeed speed) { set_speed(speed); }
 
-  [[nodiscard]] double speed() const noexcept { return speed_; }  ///< [rad/s] while it may turn
+  [[nodiscard]] AngularSpeed speed() const noexcept { return speed_; }  ///< while it may turn
 
-  /// @param speed  [rad/s] from the next tick on
+  /// @param speed  from the next tick on
   /// @throws Error when no spindle is so fast
-  void set_speed(double speed) {
-    validate(Spindle{speed * units::rad_per_s});
+  void set_speed(AngularSpeed speed) {
+    validate(Spindle{speed});
     speed_ = speed;
   }
 
@@ -53,12 +53,12 @@ class SpindleInterlock {
 
   /// The same where it is known already whether it may.
   void turn(Simulation& simulation, bool may) const noexcept {
-    if (may && speed_ != simulation.spindle_setting()) simulation.set_spindle_speed(speed_ * units::rad_per_s);
+    if (may && speed_ != simulation.spindle_setting()) simulation.set_spindle_speed(speed_);
     if (!may && simulation.spindle_setting() != 0) simulation.halt_spindle();  // or it would cut while it runs down
   }
 
  private:
-  double speed_ = 0;
+  AngularSpeed speed_ = 0;
   bool admits_ = false;
 };
 

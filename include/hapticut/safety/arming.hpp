@@ -27,7 +27,7 @@ constexpr auto names_of(Of<ArmingState>) {
       Named{wait_free, "wait_free", "No force until the tool touches nothing: lift it off the workpiece."},
       Named{ramp, "ramp", "The force is being faded in: wait a moment."},
       Named{on, "on", "The force is on."},
-      Named{fault, "fault", "Stopped without force: press \"Reset\" when the hand is ready."},
+      Named{fault, "fault", "Stopped without force: reset the fault when the hand is ready."},
   };
 }
 

@@ -81,7 +81,7 @@ constexpr auto names_of(Of<SafetyEvent>) {
       Named{start_inside, "start_inside", "The tool began inside the material, so there is no force: pull it out."},
       Named{fading_in, "fading_in", "The tool touches nothing: the force is faded in."},
       Named{engaged, "engaged", "The force is on."},
-      Named{fault, "fault", "Stopped without force: press \"Reset\" when the hand is ready."},
+      Named{fault, "fault", "Stopped without force: reset the fault when the hand is ready."},
       Named{fault_reset, "fault_reset",
             "The fault is reset: lift the tool off the workpiece, and the force comes back."},
       Named{recalibrated, "recalibrated",
@@ -106,11 +106,11 @@ constexpr auto names_of(Of<SafetyEvent>) {
       Named{watchdog_fading, "watchdog_fading",
             "The force has not come for so long that it is faded out: take a smaller head or larger voxels."},
       Named{watchdog_fault, "watchdog_fault",
-            "The force has not come for too long, so there is none: press \"Reset\", with a smaller head or larger "
+            "The force has not come for too long, so there is none: reset the fault, with a smaller head or larger "
             "voxels."},
       Named{exception, "exception",
-            "The program failed beside the loop, so there is no force: press \"Reset\", or start it again."},
-      Named{emergency_stop, "emergency_stop", "The emergency stop was pulled: press \"Reset\" when the hand is ready."},
+            "The program failed beside the loop, so there is no force: reset the fault, or start it again."},
+      Named{emergency_stop, "emergency_stop", "The emergency stop was pulled: reset it when the hand is ready."},
   };
 }
 

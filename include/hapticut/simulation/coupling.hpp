@@ -132,11 +132,11 @@ class VirtualCoupling {
 
   /// The hand has moved: moves the tool after it, through the material.
   ///
-  /// In the first tick the tool is put where the hand is, after `release` when that is in no material; where the
-  /// simulation had a tool somewhere before the coupling was made, it waits there for the hand. After `leave` it
-  /// waits for the hand, and likewise (Rejoin::free) after an exchange of the simulation's workpiece, tool or
-  /// materials: `undo`, `redo`, `restore`, `reset`, `set_tool` ...; and when the hand has turned by nearly half a turn
-  /// against a tool that could not follow.
+  /// At first, and after `release`, the tool is put where the hand is when that is in no material, and waits until
+  /// then; where the simulation had a tool somewhere before the coupling was made, it waits there for the hand. After
+  /// `leave` it waits for the hand, and likewise (Rejoin::free) after an exchange of the simulation's workpiece, tool
+  /// or materials: `undo`, `redo`, `restore`, `reset`, `set_tool` ...; and when the hand has turned by nearly half a
+  /// turn against a tool that could not follow.
   /// @param pose      X_WD of the hand's handle at the end of the tick
   /// @param velocity  [m/s] of its Ho and [rad/s], in W, as the device estimates it; drives the damper
   /// @param dt        [s] since the last call
@@ -238,7 +238,7 @@ class VirtualCoupling {
   Simulation* simulation_;
   CouplingGains gains_;
   bool held_ = false;
-  bool waits_ = false;  // since it was left, or an input refused
+  bool waits_ = true;  // at first, and since it was left, or an input refused
   Rejoin rejoin_ = Rejoin::near;
   Pose X_WD_;  // of the hand, at the end of the last part
   Lists lists_;

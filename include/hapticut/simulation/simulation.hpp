@@ -90,7 +90,7 @@ class Simulation {
   [[nodiscard]] ChangedBlocks changed_blocks() const noexcept;
 
   /// [rad/s] that was asked of the spindle last; while it ramps or is loaded its speed is StepResult::spindle.
-  [[nodiscard]] double spindle_setting() const noexcept;
+  [[nodiscard]] AngularSpeed spindle_setting() const noexcept;
 
   /// What `step` was last called with, also by a loop or a coupling: dt = 0 before the first time.
   [[nodiscard]] const StepInput& last_input() const noexcept;

@@ -93,6 +93,11 @@ enum class StepStatus : std::uint32_t {
   /// The head is in material, and its spindle has no speed, so that nothing is cut. Cure: make the tool with a spindle,
   /// `Tool(head, handle, Spindle{40000 * units::rpm})`; RemovalLaw::none where nothing shall be cut.
   spindle_stands = 1U << 17,
+  /// The tool cuts with another kind of cutter (Cutter::kind) than the one that a material's constants are for
+  /// (Material::cutter): forces and removal are off by as much as tenfold. Cure: `find_preset(name,
+  /// tool.cutter().kind)`, or a tool with `common_cutter` of the material's kind; clear Material::cutter of constants
+  /// that are meant so.
+  other_cutter = 1U << 18,
 };
 
 constexpr auto names_of(Of<StepStatus>) {
@@ -130,6 +135,8 @@ constexpr auto names_of(Of<StepStatus>) {
       Named{material_crushed, "material_crushed",
             "The head has crushed the material: press less, and let the spindle turn."},
       Named{spindle_stands, "spindle_stands", "The spindle of this tool has no speed, so nothing is cut: give it one."},
+      Named{other_cutter, "other_cutter",
+            "The materials are made for another kind of cutter, so forces come out wrong: take one with the other."},
   };
 }
 

@@ -17,18 +17,7 @@ inline constexpr double kFastestSpindle = 1e6 * units::rpm;
 /// The motor that turns the head: `Spindle{40000 * units::rpm}`. Without limits it keeps its speed whatever the cut
 /// takes; `common_spindle` has those of real handpieces.
 struct Spindle {
-  Spindle() = default;
-  explicit Spindle(AngularSpeed speed_, double power_limit_ = std::numeric_limits<double>::infinity(),
-                   double acceleration_limit_ = std::numeric_limits<double>::infinity(), double droop_ = 0,
-                   double torque_limit_ = std::numeric_limits<double>::infinity(), double rotor_inertia_ = 0)
-      : speed(speed_),
-        power_limit(power_limit_),
-        acceleration_limit(acceleration_limit_),
-        droop(droop_),
-        torque_limit(torque_limit_),
-        rotor_inertia(rotor_inertia_) {}
-
-  double speed = 0;
+  AngularSpeed speed = 0;
   double power_limit = std::numeric_limits<double>::infinity();
   double acceleration_limit = std::numeric_limits<double>::infinity();
   double droop = 0;
@@ -130,8 +119,8 @@ class SpindleMotor {
     drive(torque, dt);
   }
 
-  [[nodiscard]] double speed() const { return speed_; }      ///< [rad/s] of the sub-step; 0 where it is stalled
-  [[nodiscard]] double setting() const { return setting_; }  ///< [rad/s] asked for
+  [[nodiscard]] double speed() const { return speed_; }  ///< [rad/s] of the sub-step; 0 where it is stalled
+  [[nodiscard]] AngularSpeed setting() const { return AngularSpeed::in_rad_per_s(setting_); }  ///< asked for
   [[nodiscard]] bool is_limited() const { return spindle_.is_limited(); }
 
   /// Whether it runs at its power or torque limit, or below the half of its setting, where a line of droop has its

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"
+#include "hapticut/tool/cutter.hpp"
 
 namespace hapticut {
 
@@ -33,6 +35,10 @@ struct Material {
   double dynamic_friction = 0.3;
   double tangential_stiffness = 0;
   double density = 1000;
+
+  /// The kind of cutter that the constants of cutting are for, as presets say; empty: not known, and never compared
+  /// with the tool's (StepStatus::other_cutter). No file keeps it.
+  std::optional<CutterKind> cutter = {};
 };
 
 /// A new number of a material is a member above and a line here; files, settings, Python and checks follow. In files

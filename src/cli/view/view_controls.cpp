@@ -292,7 +292,8 @@ Tool ViewControls::tool() const {
   Spindle spindle = tool_.spindle();
   spindle.speed = spindle_speed();
   if (at(kPower) < kMostWatts) spindle.power_limit = at(kPower);
-  const Cutter cutter = int(at(kHead)) == 14 ? common_cutter(CutterKind::twist_drill) : tool_.cutter();
+  Cutter cutter = tool_.cutter();  // the kind that the materials of the scene are for
+  if (int(at(kHead)) == 14) cutter.lips = common_cutter(CutterKind::twist_drill).lips;
   return Tool(head(), handle, spindle, cutter);
 }
 

@@ -299,7 +299,7 @@ std::string OpenHapticsDevice::drive(Servo& servo, const RunOptions& options) {
     return std::string("the driver stopped calling back") + (hangs ? " because the callback did not return" : "") +
            "; " + describe(DeviceFault::disconnected);
   }
-  if (!fatal_.any()) return "stopped";
+  if (!fatal_.any()) return servo.why_it_ended();
   servo.warn("OpenHaptics: " + fatal_.describe());
   return describe(fault_ == DeviceFault::none ? DeviceFault::disconnected : fault_);
 }

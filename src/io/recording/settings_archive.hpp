@@ -153,6 +153,10 @@ void visit_value(Archive& archive, const std::string& name, const char* unit, Va
   using Plain = std::remove_const_t<Value>;
   if constexpr (std::is_same_v<Plain, double>) {
     archive(name.c_str(), unit, value);
+  } else if constexpr (std::is_same_v<Plain, AngularSpeed>) {
+    double number = value;
+    archive(name.c_str(), unit, number);
+    if constexpr (!std::is_const_v<Value>) value = AngularSpeed::in_rad_per_s(number);
   } else if constexpr (std::is_same_v<Plain, Vec3>) {
     archive((name + "_x").c_str(), unit, value.x());
     archive((name + "_y").c_str(), unit, value.y());

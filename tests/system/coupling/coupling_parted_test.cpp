@@ -99,6 +99,19 @@ TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeBehindTheCoupling) {
   }
 }
 
+TEST(PartedTool, ThatBeginsInsideWaitsForItsHandToComeOut) {
+  Simulation simulation(half_space(4e-3, presets::cortical_bone()), ball(kSlow), implicit(0));
+  VirtualCoupling coupling(simulation, coupling_gains(capabilities(device_model("touch"))));
+  for (int n = 0; n < 20; ++n) {
+    const CoupledResult& result = coupling.step(at_height(kRadius - 1.5 * mm), {}, kTick);
+    EXPECT_EQ(result.status, StepStatus::tool_waits);
+    EXPECT_EQ(result.removed_volume, 0);
+    EXPECT_EQ(result.hand.force, Vec3::Zero());
+  }
+  for (int n = 0; n <= 500; ++n) coupling.step(at_height(kRadius + 1e-3 - 4e-6 * n), {}, kTick);
+  EXPECT_GT(coupling.last_result().hand.force.z(), 0.1) << "once it was free";
+}
+
 TEST(PartedTool, CutsAndFeelsNothingAfterAnExchangeInALoopOfOnesOwn) {
   for (const Exchange& exchange : exchanges()) {
     if (exchange.name == std::string("reset")) continue;  // a simulation as new, whose first step is anywhere
@@ -362,7 +375,7 @@ TEST(PartedTool, IsLetGoWhenItsHandTurnsByHalfATurnAgainstIt) {
   // The handle lies on the surface and turns its head into it, which lifts the hand until the spring has its limit.
   const Mat3 lying = Eigen::Quaterniond::FromTwoVectors(tool.X_HT().translation, Vec3::UnitX()).toRotationMatrix();
   const auto hand = [&](double turn) {
-    return Pose{rotation_from_vector({0, turn, 0}) * lying, Vec3(-20 * mm, 0, kRadius)};
+    return Pose{rotation_from_vector({0, turn, 0}) * lying, Vec3(-20 * mm, 0, kRadius + 0.01 * mm)};
   };
   Vec3 last = Vec3::Zero();
   double most = 0, let_go = 0;

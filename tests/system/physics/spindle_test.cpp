@@ -5,6 +5,7 @@
 #include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/simulation/status_sentences.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
 #include "support/cutting.hpp"
 
 namespace hapticut::spindle_test {
@@ -112,6 +113,44 @@ TEST(Spindle, OfAToolThatHasNoSpeedIsToldWhereItTouchesWhatCouldBeCut) {
   EXPECT_FALSE(has_any(pressed({}, cuts, -0.05 * mm), StepStatus::spindle_stands));
   EXPECT_FALSE(has_any(pressed({}, RemovalLaw::none, 0.05 * mm), StepStatus::spindle_stands));
   EXPECT_FALSE(has_any(pressed(Spindle{kSpin * units::rad_per_s}, cuts, 0.05 * mm), StepStatus::spindle_stands));
+}
+
+TEST(Spindle, ThatTurnsAnotherCutterThanMaterialsAreMadeForIsTold) {
+  using enum CutterKind;
+  const auto tool = [](const Cutter& cutter, double speed = kSpin) {
+    return Tool(SphereHead{0.5 * mm}, RayHandle{0}, Spindle{speed * units::rad_per_s}, cutter);
+  };
+  const auto block = [](const Material& material) {
+    return build_block({Vec3(-1.3, -1.3, -3) * mm, Vec3(1.3, 1.3, 0) * mm}, 0.1 * mm, material);
+  };
+  Simulation simulation(block(presets::dentin()), tool({}));
+  const auto is_told = [&](double depth = 0.05 * mm) {
+    const StepStatus status = simulation.step(Pose::from_translation(Vec3(0, 0, 0.5 * mm - depth)), {}, 1e-3).status;
+    return has_any(status, StepStatus::other_cutter);
+  };
+  const auto start_again = [&](const Material& material, const Tool& with) {
+    simulation = Simulation(block(material), with);
+  };
+  EXPECT_FALSE(is_told());
+  start_again(presets::dentin(), tool(common_cutter(coarse_diamond)));
+  EXPECT_TRUE(is_told());
+  EXPECT_FALSE(is_told(-0.05 * mm)) << "in the air";
+  start_again(presets::dentin(), tool(common_cutter(coarse_diamond), 0));
+  EXPECT_FALSE(is_told()) << "standing it cuts nothing";
+  start_again(presets::dentin(coarse_diamond), tool(common_cutter(coarse_diamond)));
+  EXPECT_FALSE(is_told());
+  start_again(plain_material(), tool(common_cutter(twist_drill)));
+  EXPECT_FALSE(is_told()) << "constants of one's own";
+  start_again(presets::clay(), tool(common_cutter(twist_drill)));
+  EXPECT_FALSE(is_told()) << "as every cutter meets it";
+
+  start_again(presets::dentin(), tool({}));
+  simulation.set_tool(tool(common_cutter(twist_drill)));
+  (void)is_told(-0.1 * mm);
+  EXPECT_TRUE(is_told());
+  simulation.set_materials(MaterialTable({presets::dentin(twist_drill)}));
+  (void)is_told(-0.1 * mm);
+  EXPECT_FALSE(is_told());
 }
 
 TEST(Spindle, TheHandFeelsTheMotorsReaction) {

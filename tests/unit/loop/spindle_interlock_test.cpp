@@ -25,8 +25,10 @@ TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInALoopOfOnesOwn) {
     run.stop_on_signals = false;
     (void)device->run(
         [&](const DeviceState& state) {
-          // Pressed in from tick 2 on, out at 300, and in again at 2500, when the force is there.
-          const double depth = n < 300 ? 1e-5 * std::min(n, 100) : n < 2500 ? -2e-3 : 1e-5 * std::min(n - 2500, 100);
+          // Pressed in at first, out at 300, and in again at 2500, when the force is there.
+          const double depth = n < 300    ? 1e-5 * std::min(n - 2, 100)
+                               : n < 2500 ? -2e-3
+                                          : 1e-5 * std::min(n - 2500, 100);
           const Pose pose = Pose::from_translation(Vec3(0, 0, kRadius - depth));
           if (interlocked) interlock.turn(simulation, device->last_arming());
           const CoupledResult& result = coupling.step(pose, {}, device->period());
@@ -41,7 +43,7 @@ TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInALoopOfOnesOwn) {
 }
 
 TEST(SpindleInterlock, WaitsUntilTheToolHasTouchedNothingAndTakesNoSpeedThatIsNone) {
-  SpindleInterlock interlock(3000);
+  SpindleInterlock interlock(3000 * units::rad_per_s);
   EXPECT_FALSE(interlock.admits(ArmingState::wait_free, false));
   EXPECT_FALSE(interlock.admits(ArmingState::ramp, true));
   EXPECT_TRUE(interlock.admits(ArmingState::ramp, false));
@@ -51,7 +53,7 @@ TEST(SpindleInterlock, WaitsUntilTheToolHasTouchedNothingAndTakesNoSpeedThatIsNo
   EXPECT_TRUE(interlock.admits(ArmingState::on, false));
   interlock.interrupt();
   EXPECT_FALSE(interlock.admits(ArmingState::on, true));
-  EXPECT_THROW(interlock.set_speed(2 * kFastestSpindle), Error);
+  EXPECT_THROW(interlock.set_speed(2 * kFastestSpindle * units::rad_per_s), Error);
   EXPECT_EQ(interlock.speed(), 3000);
 }
 
