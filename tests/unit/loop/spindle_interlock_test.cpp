@@ -25,8 +25,8 @@ TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInALoopOfOnesOwn) {
     run.stop_on_signals = false;
     (void)device->run(
         [&](const DeviceState& state) {
-          // Pressed in at first, out at 300, and in again at 2500, when the force is there.
-          const double depth = n < 300    ? 1e-5 * std::min(n - 2, 100)
+          // Pressed in before there is a force, out at 300, and in again at 2500, when the force is there.
+          const double depth = n < 300    ? 1e-5 * std::min(n - 8, 100)
                                : n < 2500 ? -2e-3
                                           : 1e-5 * std::min(n - 2500, 100);
           const Pose pose = Pose::from_translation(Vec3(0, 0, kRadius - depth));
