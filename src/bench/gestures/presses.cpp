@@ -134,7 +134,8 @@ void groove(Report& report) {
     const double seat = -1.6 * mm + std::sqrt(2) * kRadius;  // of its centre
     const double pressed = held == Held::directly ? std::sqrt(2) * kPressed : 2.0 / gains_of_touch().stiffness;
     Hand hand(Pose::from_translation(Vec3(0, -1 * mm, seat + 0.2 * mm)));
-    hand.move({0, 0, -0.2 * mm - pressed}, 0.05).hold(0.02);
+    hand.move({0, 0, -0.18 * mm}, 0.1).hold(0.02);  // for a tool that begins in contact waits
+    hand.move({0, 0, -0.02 * mm - pressed}, 0.05).hold(0.02);
     const Span slid = rig.play(hand.move({0, held == Held::directly ? 1.5 * mm : 2.5 * mm, 0}, 0.4)).tail(0.3);
     const double along = -rig.story.mean(slid, [](const Tick& t) { return t.model.force.y(); });
     const double normal = rig.story.mean(slid, [](const Tick& t) { return t.model.force.z(); }) / std::sqrt(2);
