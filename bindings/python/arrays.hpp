@@ -108,7 +108,8 @@ struct type_caster<hapticut::AngularSpeed> {
     make_caster<double> number;
     if (!number.load(given, true)) return false;
     const double speed = cast_op<double>(number);
-    if (isinstance<int_>(given) && speed != 0)
+    const bool is_whole = isinstance<int_>(given) || isinstance(given, module_::import("numpy").attr("integer"));
+    if (is_whole && speed != 0)
       throw hapticut::Error("a speed of " + std::string(str(given)) +
                             " is a whole number, as turns a minute are, and speeds are in rad/s: write " +
                             std::string(str(given)) + " * hapticut.units.rpm.");

@@ -2,6 +2,7 @@
 """Smooth surfaces, necks and shanks; handles and spindles."""
 import math
 
+import numpy as np
 import pytest
 
 import hapticut as h
@@ -63,6 +64,8 @@ def test_a_spindle_that_no_motor_turns_is_refused(block):
     for give in (h.Spindle, h.loop.SpindleInterlock, h.loop.commands.SetSpindleSpeed, simulation.set_spindle_speed):
         with pytest.raises(h.Error, match="40000 . hapticut.units.rpm"):
             give(40000)
+        with pytest.raises(h.Error, match="40000"):
+            give(np.int64(40000))
         give(0)
         give(100.0)
     assert simulation.spindle_setting == 100.0 and h.Spindle(speed=0).speed == 0

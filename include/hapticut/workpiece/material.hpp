@@ -37,7 +37,7 @@ struct Material {
   double density = 1000;
 
   /// The kind of cutter that the constants of cutting are for, as presets say; empty: not known, and never compared
-  /// with the tool's (StepStatus::other_cutter). No file keeps it.
+  /// with the tool's (StepStatus::other_cutter). Workpieces and recordings keep it; a scene has it from its tool.
   std::optional<CutterKind> cutter = {};
 };
 

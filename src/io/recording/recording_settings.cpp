@@ -133,7 +133,11 @@ void write_settings(hid_t file, const SimulationConfig& config, const Tool& tool
   SettingsWriter write(group.get());
   write("count", std::size_t(materials.size()));
   int id = 0;
-  for (const Material& material : materials.all()) write(("name_" + std::to_string(++id)).c_str(), material.name);
+  for (const Material& material : materials.all()) {
+    const std::string number = std::to_string(++id);
+    write(("name_" + number).c_str(), material.name);
+    write(("cutter_" + number).c_str(), material.cutter);
+  }
   for_each_number([&](const auto& field) {
     std::vector<double> values;
     for (const Material& material : materials.all()) values.push_back(material.*field.member);
@@ -179,7 +183,10 @@ MaterialTable read_materials(RecordingSource& source) {
   if (count < 1 || count > std::size_t(kMaxMaterials))
     throw Error("its 'materials/count' is " + std::to_string(count) + ", but must be 1 to 255");
   std::vector<Material> materials(count);
-  for (std::size_t id = 1; id <= count; ++id) read(("name_" + std::to_string(id)).c_str(), materials[id - 1].name);
+  for (std::size_t id = 1; id <= count; ++id) {
+    read(("name_" + std::to_string(id)).c_str(), materials[id - 1].name);
+    read(("cutter_" + std::to_string(id)).c_str(), materials[id - 1].cutter);
+  }
   for_each_number([&](const auto& field) {
     std::vector<double> values(count, Material{}.*field.member);
     read(field.name, field.unit, values);

@@ -63,6 +63,10 @@ class SettingsWriter {
   void operator()(const char* name, const Enum& value) {
     (*this)(name, std::string(name_or_null(value)));
   }
+  template <NamedEnum Enum>
+  void operator()(const char* name, const std::optional<Enum>& value) {
+    if (value) (*this)(name, *value);
+  }
 
   /// Ends the group with the list of what it holds.
   void close() { hdf5::write_attribute(group_, kFieldsAttribute, names_); }
@@ -113,6 +117,10 @@ class SettingsReader {
     if (!known)
       throw Error("its '" + name_ + "/" + name + "' is \"" + found + "\", but must be one of " + list_of_names<Enum>());
     value = *known;
+  }
+  template <NamedEnum Enum>
+  void operator()(const char* name, std::optional<Enum>& value) {
+    if (has(name)) (*this)(name, value.emplace());
   }
 
   /// @throws Error when the group holds something that was not asked for

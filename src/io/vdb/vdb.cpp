@@ -37,6 +37,7 @@ constexpr char kFieldsOfFormat1[] =
     "name,relative_stiffness,damping,cutting_ratio,specific_cutting_energy,edge_pressure,static_friction,"
     "dynamic_friction,tangential_stiffness,density";
 
+constexpr const char* kCutterField = "cutter";  // of materials that are made for one
 std::string key_of(int id, const char* field) { return "hapticut_material_" + std::to_string(id) + "_" + field; }
 
 openvdb::Mat4d matrix_of(const Pose& pose) {
@@ -78,6 +79,8 @@ void describe(const Workpiece& workpiece, openvdb::MetaMap& meta) {
       using Type = typename std::remove_cvref_t<decltype(field)>::Type;
       meta.insertMeta(key_of(id, field.name), openvdb::TypedMetadata<Type>(material.*field.member));
     });
+    if (material.cutter)
+      meta.insertMeta(key_of(id, kCutterField), openvdb::StringMetadata(name_or_null(*material.cutter)));
   }
 }
 
@@ -195,6 +198,10 @@ MaterialTable read_materials(const openvdb::MetaMap& meta) {
       if (std::find(fields.begin(), fields.end(), field.name) != fields.end())
         material.*field.member = require_meta<Type>(meta, key_of(id, field.name));
     });
+    if (const std::string key = key_of(id, kCutterField); meta[key]) {
+      material.cutter = value_named<CutterKind>(require_meta<std::string>(meta, key));
+      if (!material.cutter) throw Error("its '" + key + "' must be one of " + list_of_names<CutterKind>() + ".");
+    }
     materials.add(std::move(material));
   }
   return materials;

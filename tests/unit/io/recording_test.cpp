@@ -171,6 +171,9 @@ TEST(Recording, KeepsEveryKindOfToolAndSetting) {
                            Tool(round_head(2e-3), RayHandle{5e-3}, Spindle{-2000 * units::rad_per_s}),
                            Tool(pear_head(2e-3, 4e-3, 1e-3), angled, air_turbine)}) {
     Simulation simulation = small_cut(config, tool);
+    Material material = test::plain_material();
+    material.cutter = CutterKind::twist_drill;  // which none of the tools is, and the status says so
+    simulation.set_materials(MaterialTable({material}));
     Recorder recorder(folder / "a.h5", simulation, patient());
     for (int tick = 0; tick < 200; ++tick) recorder.step(plunge(simulation, tick));
     recorder.close();

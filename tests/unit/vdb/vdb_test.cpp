@@ -39,6 +39,7 @@ Workpiece intricate_workpiece() {
   hard.edge_pressure = 1e6 / 7;
   hard.static_friction = 0.37;
   hard.density = 2950.3;
+  hard.cutter = CutterKind::fine_diamond;
   GridFrame frame{0.1 * mm / 3, {rotation_from_vector({0.3, -0.2, 0.7}), Vec3(1, -2, 3) * mm / 7}};
   Workpiece workpiece = Workpiece::from_blocks(
       {{-40, -40, -40}, {39, 39, 39}}, frame, MaterialTable({hard, named("soft")}),
@@ -87,6 +88,7 @@ TEST(Vdb, AWorkpieceComesBackBitByBit) {
     const Material& a = saved.materials()[id];
     const Material& b = loaded.materials()[id];
     for_each_field<Material>([&](const auto& field) { EXPECT_EQ(a.*field.member, b.*field.member) << field.name; });
+    EXPECT_EQ(a.cutter, b.cutter);
   }
   int with_centroid = 0;
   saved.for_each_block([&](const BlockView& block) {
