@@ -68,7 +68,7 @@ set(HAPTICUT_NEEDS_SIMD "hwy|hwy_FOUND|libhwy-dev")
 set(HAPTICUT_NEEDS_IO "HapticutHDF5|HapticutHDF5_FOUND|libhdf5-dev" "PNG|PNG_FOUND|libpng-dev" "TIFF|TIFF_FOUND|libtiff-dev"
     "LibArchive|LibArchive_FOUND|libarchive-dev" "EXPAT|EXPAT_FOUND|libexpat1-dev" "ZLIB|ZLIB_FOUND|zlib1g-dev")
 set(HAPTICUT_NEEDS_ITK "ITK|ITK_FOUND|libinsighttoolkit5-dev")
-set(HAPTICUT_NEEDS_ASSIMP "assimp|assimp_FOUND|libassimp-dev")
+set(HAPTICUT_NEEDS_ASSIMP "assimp|assimp_FOUND|libassimp-dev" "nlohmann_json|nlohmann_json_FOUND|nlohmann-json3-dev")
 set(HAPTICUT_NEEDS_SETTINGS "tomlplusplus|tomlplusplus_FOUND|libtomlplusplus-dev")
 set(HAPTICUT_NEEDS_C "tomlplusplus|tomlplusplus_FOUND|libtomlplusplus-dev")
 set(HAPTICUT_NEEDS_VIEW "Boost|Boost_FOUND|libboost-dev")

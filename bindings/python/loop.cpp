@@ -196,7 +196,8 @@ void bind_messages(py::module_& m) {
       .def_property_readonly("seen", bits(&T::seen), doc("ToolSnapshot::seen"));
   using S = LoopSnapshot;
   bind_result<S>(m, "LoopSnapshot", member("tick", &S::tick), member("device", &S::device),
-                 member("output", &S::output), member("arming", &S::arming),
+                 member("output", &S::output), member("largest_commanded", &S::largest_commanded),
+                 member("largest_applied", &S::largest_applied), member("arming", &S::arming),
                  member("commands_dropped", &S::commands_dropped), member("commands_refused", &S::commands_refused),
                  member("blocks_waiting", &S::blocks_waiting), member("blocks_outside", &S::blocks_outside),
                  member("X_WT", &S::X_WT), member("tool", &S::tool));

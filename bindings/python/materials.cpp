@@ -10,7 +10,7 @@ namespace hapticut::python {
 void bind_materials(py::module_& m) {
   m.attr("kEmpty") = kEmpty;
   m.attr("kMaxMaterials") = kMaxMaterials;
-  bind_described<Material>(m, "Material", field("cutter", &Material::cutter));
+  bind_described<Material>(m, "Material");
   m.def("validate", py::overload_cast<const Material&>(&validate), py::arg("material"), doc("validate"));
 
   py::class_<MaterialTable>(m, "MaterialTable", doc("MaterialTable"))

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A device cuts bone behind a virtual coupling, in the real-time loop, while a screen looks on:
 //   09_device_in_the_loop [DEVICE]     mock:spiral,hand=nominal; replay:FILE; openhaptics; ... (docs/devices.md)
-#include <algorithm>
 #include <chrono>
 #include <hapticut/hapticut.hpp>
 #include <iostream>
@@ -37,18 +36,16 @@ int main(int argc, char** argv) try {
   RealtimeLoop loop(*device, model, loop_options);
   loop.send(commands::SetUndoMark{});
   loop.start();
-  double greatest = 0;
   std::size_t blocks = 0;
   while (loop.is_running()) {
-    const LoopSnapshot& seen = loop.latest();  // X_WT: where to draw the tool
-    greatest = std::max(greatest, seen.output.applied.force.norm());
+    [[maybe_unused]] const Pose& tool = loop.latest().X_WT;   // where to draw it
     for (ChangedBlock block; loop.receive(block);) ++blocks;  // what to draw anew
     std::this_thread::sleep_for(std::chrono::milliseconds(16));
   }
   const RunReport report = loop.wait();
   std::cout << report.ticks << " ticks (" << report.end << "), guard " << hapticut::name_of(report.guard)
-            << ", removed " << simulation.removed_volume_by_material()[1] / mm3 << " mm^3, at most " << greatest
-            << " N seen, " << blocks << " changed blocks\n";
+            << ", removed " << simulation.removed_volume_by_material()[1] / mm3 << " mm^3, at most "
+            << loop.latest().largest_applied << " N, " << blocks << " changed blocks\n";
 
   while (!simulation.undo(64)) {  // between runs; in a run: loop.send(commands::Undo{})
   }

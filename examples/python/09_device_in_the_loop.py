@@ -36,16 +36,15 @@ run = RunOptions(seconds=6, simulated_time=is_mock)  # a mock: as fast as it goe
 loop = RealtimeLoop(model, RealtimeLoopOptions(run=run, region=model.region))
 loop.send(commands.SetUndoMark())
 loop.start()
-greatest, blocks = 0.0, 0
+blocks = 0
 while loop.is_running:
-    seen = loop.latest()  # X_WT: where to draw the tool
-    greatest = max(greatest, float(np.linalg.norm(seen.output.applied.force)))
+    tool_pose = loop.latest().X_WT  # where to draw the tool
     while loop.receive() is not None:  # what to draw anew
         blocks += 1
     time.sleep(0.016)
 report = loop.wait()
 print(f"{report.ticks} ticks ({report.end}), guard {report.guard.name}, removed "
-      f"{simulation.removed_volume_by_material[1] / mm3:.4f} mm^3, at most {greatest:.2f} N seen, {blocks} changed blocks")
+      f"{simulation.removed_volume_by_material[1] / mm3:.4f} mm^3, at most {loop.latest().largest_applied:.2f} N, {blocks} changed blocks")
 
 while not simulation.undo(64):  # between runs; in a run: loop.send(commands.Undo())
     pass

@@ -10,13 +10,11 @@ namespace {
 
 std::vector<std::string> known_presets() { return {preset_names().begin(), preset_names().end()}; }
 
-/// Calls `visit(field, number)` for each field of a material but its name.
+/// Calls `visit(field, number)` for each number of a material.
 template <class Change, class Visit>
 void visit_numbers(Change& change, const Visit& visit) {
   std::size_t n = 0;
-  for_each_field<Material>([&](const auto& field) {
-    if constexpr (!std::is_same_v<decltype(field.member), std::string Material::*>) visit(field, change.numbers[n++]);
-  });
+  for_each_number<Material>([&](const auto& field) { visit(field, change.numbers[n++]); });
 }
 
 std::vector<Setting> settings_of(MaterialChange& change) {

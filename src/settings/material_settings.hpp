@@ -15,8 +15,8 @@ namespace hapticut::settings {
 
 /// What the user changes of a material: `[material.NAME]` in a settings file, in SI units like Material itself.
 struct MaterialChange {
-  std::string based_on;                                                ///< a preset; empty: the preset of the same name
-  std::array<std::optional<double>, kFieldsOf<Material> - 1> numbers;  ///< all fields but the name, in their order
+  std::string based_on;                                             ///< a preset; empty: the preset of the same name
+  std::array<std::optional<double>, kNumbersOf<Material>> numbers;  ///< in their order
 };
 
 /// The materials of a run: the presets, changed by the user, and the user's own.

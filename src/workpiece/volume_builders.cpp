@@ -253,10 +253,9 @@ std::vector<Material> materials_of(const Grade& grade) {
     const double t = (n + 0.5) / grade.steps;
     Material m;
     m.name = a.name + " " + std::to_string(n + 1) + "/" + std::to_string(grade.steps);
-    for_each_field<Material>([&](const auto& field) {
-      if constexpr (std::is_same_v<decltype(field.member), double Material::*>)
-        m.*field.member = between(a.*field.member, b.*field.member, t);
-    });
+    for_each_number<Material>(
+        [&](const auto& field) { m.*field.member = between(a.*field.member, b.*field.member, t); });
+    if (a.cutter == b.cutter) m.cutter = a.cutter;
     materials.push_back(std::move(m));
   }
   return materials;

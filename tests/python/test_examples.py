@@ -22,7 +22,7 @@ EXPECTED = {
     "06_record_and_replay": (r"(400\d) ticks .* MB; the replay of \1 steps is identical, bit by bit", ["replay.png"], []),
     "07_sweep_and_response_surface": (r"enamel: thrust ~ feed\^0\.[45]\d speed\^-0\.[45]\d, R\^2 = (0\.9\d+|1\.0+)",
                                       ["response_surface.png", "sweep_matrix.png"], ["48"]),
-    "09_device_in_the_loop": (r"600\d ticks \(stopped\), guard on, removed [\d.]+ mm.*undone: 9000 mm", [], []),
+    "09_device_in_the_loop": (r"600\d ticks \(its time was up\), guard on, removed [\d.]+ mm.*undone: 9000 mm", [], []),
     "08_calibration": (r"predicted at 2000 rpm: simulation [\d.]+ N", [], []),
 }
 

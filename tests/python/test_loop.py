@@ -72,6 +72,8 @@ def test_a_loop_drives_a_simulation_in_a_thread_of_its_own(coupled):
     assert tool.force[2] > 0 and tool.torque.shape == (3,) and tool.spindle_speed > 0
     assert tool.status & h.kRejected == 0 == tool.seen & h.kRejected
     assert snapshot.output.applied.force.any() and snapshot.blocks_waiting >= 0
+    assert 0 < np.linalg.norm(snapshot.output.applied.force) <= snapshot.largest_applied
+    assert 0 < snapshot.largest_applied <= snapshot.largest_commanded
     assert coupled.last_input.dt > 0  # ours again
     assert blocks
     for block in blocks.values():

@@ -138,6 +138,21 @@ inline constexpr std::size_t kFieldsOf = std::tuple_size_v<decltype(fields_of(Of
 template <class T>
 inline constexpr bool kIsNumber = std::is_convertible_v<T, double> && !std::is_same_v<T, bool>;
 
+/// Calls `visit(field)` for each field of S that is a number, in their order.
+template <Described S, class Visit>
+constexpr void for_each_number(Visit&& visit) {
+  for_each_field<S>([&](const auto& field) {
+    if constexpr (kIsNumber<typename std::remove_cvref_t<decltype(field)>::Type>) visit(field);
+  });
+}
+
+template <Described S>
+inline constexpr std::size_t kNumbersOf = [] {
+  std::size_t count = 0;
+  for_each_number<S>([&](const auto&) { ++count; });
+  return count;
+}();
+
 /// The numbers that a field may have, by its member: `range_of(&Spindle::droop)`.
 template <class S, class T>
 [[nodiscard]] constexpr Range range_of(T S::*member) {

@@ -34,8 +34,10 @@ struct ToolSnapshot {
 /// What the loop shows of its last tick, for a screen.
 struct LoopSnapshot {
   std::uint64_t tick = 0;
-  DeviceState device;   ///< as the guard let it through
-  DeviceOutput output;  ///< of the tick before
+  DeviceState device;            ///< as the guard let it through
+  DeviceOutput output;           ///< of the tick before
+  double largest_commanded = 0;  ///< [N] of the outputs of all ticks since the loop was made
+  double largest_applied = 0;    ///< [N] likewise, by the guard
   ArmingState arming = ArmingState::off;
   std::uint64_t commands_dropped = 0;  ///< that found the queue full
   std::uint64_t commands_refused = 0;  ///< that did not suit what was in place when they were to be obeyed

@@ -36,8 +36,7 @@ struct Material {
   double tangential_stiffness = 0;
   double density = 1000;
 
-  /// The kind of cutter that the constants of cutting are for, as presets say; empty: not known, and never compared
-  /// with the tool's (StepStatus::other_cutter). Workpieces and recordings keep it; a scene has it from its tool.
+  /// Presets say it, workpieces and recordings keep it, a scene has it from its tool; see StepStatus::other_cutter.
   std::optional<CutterKind> cutter = {};
 };
 
@@ -70,6 +69,7 @@ constexpr auto fields_of(Of<Material>) {
       field("tangential_stiffness", &M::tangential_stiffness, "N/m", Range::not_negative(),
             "of the sticking anchor; 0: as the contact has along its normals"),
       field("density", &M::density, "kg/m^3", Range::positive(), "mass over volume"),
+      field("cutter", &M::cutter, "kind that the constants of cutting are for; none: not known, and not compared"),
   };
 }
 

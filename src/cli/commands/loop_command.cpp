@@ -104,10 +104,7 @@ LoopWatch watch(RealtimeLoop& loop, Device& device) {
   LoopWatch seen;
   ChangedBlock block;
   const auto look = [&] {
-    const LoopSnapshot& snapshot = loop.latest();
-    seen.most_blocks_waiting = std::max(seen.most_blocks_waiting, snapshot.blocks_waiting);
-    seen.largest_commanded = std::max(seen.largest_commanded, snapshot.output.commanded.force.norm());
-    seen.largest_applied = std::max(seen.largest_applied, snapshot.output.applied.force.norm());
+    seen.most_blocks_waiting = std::max(seen.most_blocks_waiting, loop.latest().blocks_waiting);
     while (loop.receive(block)) ++seen.blocks;
     ++seen.frames;
   };
@@ -117,7 +114,7 @@ LoopWatch watch(RealtimeLoop& loop, Device& device) {
     std::this_thread::sleep_for(kFrame);
   }
   look();
-  seen.tool = loop.latest().tool;
+  seen.last = loop.latest();
   return seen;
 }
 

@@ -39,11 +39,11 @@ std::vector<std::string> warnings_of(const LoopReport& r) {
   if (r.device.name() == "mouse")
     warnings.emplace_back(
         "this program has no window, so the mouse moved nothing; MouseDevice is for the windows of other programs.");
-  if (has_any(r.seen.tool.seen, StepStatus::engaged_layer_thick))
+  if (has_any(r.seen.last.tool.seen, StepStatus::engaged_layer_thick))
     warnings.emplace_back(
         "the engaged layer was thicker than a tenth of the head, so forces came out low: the material is too soft for "
         "the feed.");
-  if (has_any(r.seen.tool.seen, StepStatus::blocks_exhausted))
+  if (has_any(r.seen.last.tool.seen, StepStatus::blocks_exhausted))
     warnings.emplace_back("some material was not cut for want of blocks; raise simulation.reserved_blocks.");
   if (r.steps_lost > 0)
     warnings.push_back("the disk did not keep up: " + std::to_string(r.steps_lost) +
@@ -76,9 +76,12 @@ Json to_json(const LoopReport& r) {
       {"deadline_misses", r.run.compute.at_least(r.run.period)},
       {"safety_events", events},
       {"safety_log", log},
-      {"steps", r.seen.tool.steps},
-      {"removed_volume_mm3", r.seen.tool.removed_volume / units::mm3},
-      {"force_N", {{"largest_commanded", r.seen.largest_commanded}, {"largest_applied", r.seen.largest_applied}}},
+      {"steps", r.seen.last.tool.steps},
+      {"removed_volume_mm3", r.seen.last.tool.removed_volume / units::mm3},
+      {"force_N",
+       {{"largest_commanded", r.seen.last.largest_commanded},
+        {"largest_applied", r.seen.last.largest_applied},
+        {"applied_at_end", r.seen.last.output.applied.force.norm()}}},
       {"energy_closure", std::abs(r.simulation.last_result().energy.closure())},
       {"graphics",
        {{"frames", r.seen.frames}, {"blocks", r.seen.blocks}, {"most_blocks_waiting", r.seen.most_blocks_waiting}}},
@@ -102,10 +105,10 @@ std::string to_table(const LoopReport& r) {
   if (r.run.wake_up.count() > 0) table.add("wake-up", text_of(r.run.wake_up) + " late");
   table.add("compute",
             text_of(r.run.compute) + ", " + std::to_string(r.run.compute.at_least(r.run.period)) + " over the period");
-  table.add("removed", rounded(r.seen.tool.removed_volume / units::mm3) + " mm^3 in " +
-                           std::to_string(r.seen.tool.steps) + " steps");
-  table.add("force", "largest seen: " + rounded(r.seen.largest_commanded) + " N commanded, " +
-                         rounded(r.seen.largest_applied) + " N applied");
+  table.add("removed", rounded(r.seen.last.tool.removed_volume / units::mm3) + " mm^3 in " +
+                           std::to_string(r.seen.last.tool.steps) + " steps");
+  table.add("force", "largest: " + rounded(r.seen.last.largest_commanded) + " N commanded, " +
+                         rounded(r.seen.last.largest_applied) + " N applied");
   table.add("graphics", std::to_string(r.seen.frames) + " frames, " + std::to_string(r.seen.blocks) +
                             " changed blocks, at most " + std::to_string(r.seen.most_blocks_waiting) + " waiting");
   for (std::size_t n = 0; n < kSafetyEvents; ++n)

@@ -13,8 +13,7 @@ namespace hapticut::cli {
 struct LoopWatch {
   std::uint64_t frames = 0, blocks = 0;  ///< looks, and changed blocks that were received
   std::size_t most_blocks_waiting = 0;
-  double largest_commanded = 0, largest_applied = 0;  ///< [N] in the ticks that were seen
-  ToolSnapshot tool;                                  ///< of the last tick
+  LoopSnapshot last;  ///< of the last tick
 };
 
 struct LoopReport {

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "hapticut/core/errors.hpp"
 #include "io/mesh/mesh_formats.hpp"
@@ -35,27 +36,13 @@ std::string json_of(const std::filesystem::path& path) {
   return json;
 }
 
-/// The texts in a list of the outermost object of a text in JSON, which need not be sound: Assimp says so afterwards.
-std::vector<std::string_view> list_in_json(std::string_view json, std::string_view key) {
-  std::vector<std::string_view> texts;
-  std::string_view last;  // text; before a list it is its key
-  std::size_t depth = 0;
-  bool in_list = false;
-  for (std::size_t at = 0; at < json.size(); ++at) {
-    const char c = json[at];
-    if (c == '"') {
-      const std::size_t begin = ++at;
-      for (; at < json.size() && json[at] != '"'; ++at)
-        if (json[at] == '\\') ++at;
-      last = json.substr(begin, std::min(at, json.size()) - begin);
-      if (in_list) texts.push_back(last);
-    } else if (c == '{' || c == '[') {
-      in_list = ++depth == 2 && c == '[' && last == key;
-    } else if (c == '}' || c == ']') {
-      --depth;
-      in_list = false;
-    }
-  }
+/// The texts in a list of the outermost object; none where the JSON is not sound, which Assimp says afterwards.
+std::vector<std::string> list_in_json(const nlohmann::json& json, const char* key) {
+  std::vector<std::string> texts;
+  const auto list = json.is_object() ? json.find(key) : json.end();
+  if (list == json.end()) return texts;
+  for (const nlohmann::json& item : *list)
+    if (item.is_string()) texts.push_back(item);
   return texts;
 }
 
@@ -68,10 +55,11 @@ bool leaves_shapes_alone(std::string_view extension) {
 
 /// Assimp reads on where an extension is needed that it does not know. Of copies by EXT_mesh_gpu_instancing only the
 /// first would be there, also where the file can do without.
-void require_known_extensions(std::string_view json) {
-  std::vector<std::string_view> extensions = list_in_json(json, "extensionsUsed");
-  std::erase_if(extensions, [](std::string_view extension) { return extension != "EXT_mesh_gpu_instancing"; });
-  for (const std::string_view extension : list_in_json(json, "extensionsRequired"))
+void require_known_extensions(std::string_view text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  std::vector<std::string> extensions = list_in_json(json, "extensionsUsed");
+  std::erase_if(extensions, [](const std::string& extension) { return extension != "EXT_mesh_gpu_instancing"; });
+  for (const std::string& extension : list_in_json(json, "extensionsRequired"))
     if (!leaves_shapes_alone(extension)) extensions.push_back(extension);
   if (!extensions.empty())
     throw Error("it needs the glTF extension " + in_quotes(extensions.front()) +

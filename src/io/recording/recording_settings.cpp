@@ -98,14 +98,6 @@ Handle read_handle(SettingsReader& read) {
   return handle;
 }
 
-/// Calls `visit(field)` for each number of a material: all fields but its name.
-template <class Visit>
-void for_each_number(const Visit& visit) {
-  for_each_field<Material>([&](const auto& field) {
-    if constexpr (!std::is_same_v<decltype(field.member), std::string Material::*>) visit(field);
-  });
-}
-
 }  // namespace
 
 void write_settings(hid_t file, const SimulationConfig& config, const Tool& tool, const MaterialTable& materials) {
@@ -138,7 +130,7 @@ void write_settings(hid_t file, const SimulationConfig& config, const Tool& tool
     write(("name_" + number).c_str(), material.name);
     write(("cutter_" + number).c_str(), material.cutter);
   }
-  for_each_number([&](const auto& field) {
+  for_each_number<Material>([&](const auto& field) {
     std::vector<double> values;
     for (const Material& material : materials.all()) values.push_back(material.*field.member);
     write(field.name, field.unit, values);
@@ -187,7 +179,7 @@ MaterialTable read_materials(RecordingSource& source) {
     read(("name_" + std::to_string(id)).c_str(), materials[id - 1].name);
     read(("cutter_" + std::to_string(id)).c_str(), materials[id - 1].cutter);
   }
-  for_each_number([&](const auto& field) {
+  for_each_number<Material>([&](const auto& field) {
     std::vector<double> values(count, Material{}.*field.member);
     read(field.name, field.unit, values);
     if (values.size() != count)

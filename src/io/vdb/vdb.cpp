@@ -37,8 +37,16 @@ constexpr char kFieldsOfFormat1[] =
     "name,relative_stiffness,damping,cutting_ratio,specific_cutting_energy,edge_pressure,static_friction,"
     "dynamic_friction,tangential_stiffness,density";
 
-constexpr const char* kCutterField = "cutter";  // of materials that are made for one
 std::string key_of(int id, const char* field) { return "hapticut_material_" + std::to_string(id) + "_" + field; }
+
+template <class Value>
+void write_meta(openvdb::MetaMap& meta, const std::string& key, const Value& value) {
+  meta.insertMeta(key, openvdb::TypedMetadata<Value>(value));
+}
+template <NamedEnum Value>
+void write_meta(openvdb::MetaMap& meta, const std::string& key, const std::optional<Value>& value) {
+  write_meta(meta, key, std::string(value ? name_or_null(*value) : ""));
+}
 
 openvdb::Mat4d matrix_of(const Pose& pose) {
   openvdb::Mat4d matrix = openvdb::Mat4d::identity();
@@ -75,12 +83,8 @@ void describe(const Workpiece& workpiece, openvdb::MetaMap& meta) {
   int id = 0;
   for (const Material& material : workpiece.materials().all()) {
     ++id;
-    for_each_field<Material>([&](const auto& field) {
-      using Type = typename std::remove_cvref_t<decltype(field)>::Type;
-      meta.insertMeta(key_of(id, field.name), openvdb::TypedMetadata<Type>(material.*field.member));
-    });
-    if (material.cutter)
-      meta.insertMeta(key_of(id, kCutterField), openvdb::StringMetadata(name_or_null(*material.cutter)));
+    for_each_field<Material>(
+        [&](const auto& field) { write_meta(meta, key_of(id, field.name), material.*field.member); });
   }
 }
 
@@ -168,6 +172,18 @@ Value require_meta(const openvdb::MetaMap& meta, const std::string& key) {
   return entry->value();
 }
 
+template <class Value>
+void read_meta(const openvdb::MetaMap& meta, const std::string& key, Value& value) {
+  value = require_meta<Value>(meta, key);
+}
+template <NamedEnum Value>
+void read_meta(const openvdb::MetaMap& meta, const std::string& key, std::optional<Value>& value) {
+  const std::string name = require_meta<std::string>(meta, key);
+  value = value_named<Value>(name);
+  if (!name.empty() && !value)
+    throw Error("its '" + key + "' is \"" + name + "\"; it must be one of " + list_of_names<Value>() + ", or empty.");
+}
+
 /// The fields that a file has of each material.
 /// @throws Error when one of them is unknown here
 std::vector<std::string> fields_in(const openvdb::MetaMap& meta) {
@@ -194,14 +210,9 @@ MaterialTable read_materials(const openvdb::MetaMap& meta) {
   for (int id = 1; id <= count; ++id) {
     Material material;
     for_each_field<Material>([&](const auto& field) {
-      using Type = typename std::remove_cvref_t<decltype(field)>::Type;
       if (std::find(fields.begin(), fields.end(), field.name) != fields.end())
-        material.*field.member = require_meta<Type>(meta, key_of(id, field.name));
+        read_meta(meta, key_of(id, field.name), material.*field.member);
     });
-    if (const std::string key = key_of(id, kCutterField); meta[key]) {
-      material.cutter = value_named<CutterKind>(require_meta<std::string>(meta, key));
-      if (!material.cutter) throw Error("its '" + key + "' must be one of " + list_of_names<CutterKind>() + ".");
-    }
     materials.add(std::move(material));
   }
   return materials;

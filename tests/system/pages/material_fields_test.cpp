@@ -20,20 +20,13 @@
 namespace hapticut::material_fields_test {
 namespace {
 
-/// Calls `visit(field)` for each number of a material.
-template <class Visit>
-void for_each_number(const Visit& visit) {
-  for_each_field<Material>([&](const auto& field) {
-    if constexpr (std::is_same_v<decltype(field.member), double Material::*>) visit(field);
-  });
-}
-
 /// Every number differs from the default of its member, and from those of the other fields.
 Material unusual() {
   Material material;
   material.name = "unusual";
+  material.cutter = CutterKind::twist_drill;
   int n = 0;
-  for_each_number([&](const auto& field) {
+  for_each_number<Material>([&](const auto& field) {
     const double base = material.*field.member;
     const bool is_pressure = std::string(field.unit) == "Pa";
     const double other = is_pressure ? 1e6 : 0.25 * std::min(1.0, field.range.high);
@@ -55,7 +48,7 @@ Workpiece unusual_block() { return build_block({Vec3(-1e-3, -1e-3, -1e-3), Vec3(
 
 TEST(MaterialFields, AllDifferFromTheirDefaultsHere) {
   EXPECT_NO_THROW(validate(unusual()));
-  for_each_number(
+  for_each_number<Material>(
       [&](const auto& field) { EXPECT_NE(unusual().*field.member, Material{}.*field.member) << field.name; });
 }
 
@@ -65,7 +58,7 @@ TEST(MaterialFields, AreAllSettings) {
   std::size_t n = 0;
   ASSERT_EQ(settings.at(n).key, "based_on");
   ASSERT_TRUE(settings.at(n++).assign(std::string("enamel")));
-  for_each_number([&](const auto& field) {
+  for_each_number<Material>([&](const auto& field) {
     ASSERT_LT(n, settings.size());
     EXPECT_EQ(settings[n].key.rfind(field.name, 0), 0U) << settings[n].key;
     EXPECT_EQ(settings[n].meaning, field.text);
@@ -78,11 +71,14 @@ TEST(MaterialFields, AreAllSettings) {
 
 TEST(MaterialFields, AreAllGraded) {
   Grade grade{.low = 0, .high = 1, .at_low = unusual(), .at_high = unusual(), .steps = 1};
-  for_each_number([&](const auto& field) { grade.at_high.*field.member *= 2; });
+  for_each_number<Material>([&](const auto& field) { grade.at_high.*field.member *= 2; });
   const Material middle = materials_of(grade).at(0);
-  for_each_number([&](const auto& field) {
+  for_each_number<Material>([&](const auto& field) {
     EXPECT_EQ(middle.*field.member, 1.5 * (unusual().*field.member)) << field.name << " was lost by the grade";
   });
+  EXPECT_EQ(middle.cutter, CutterKind::twist_drill);
+  grade.at_high.cutter = CutterKind::carbide_bur;
+  EXPECT_FALSE(materials_of(grade).at(0).cutter) << "of two kinds it is made for neither";
 }
 
 TEST(MaterialFields, AreAllInVdbFiles) {

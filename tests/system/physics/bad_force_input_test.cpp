@@ -48,12 +48,10 @@ TEST(BadForceInput, ADynamicFrictionAboveTheStaticOneIsRefused) {
 }
 
 TEST(BadForceInput, NegativeConstantsAreRefusedByName) {
-  for_each_field<Material>([](const auto& field) {
-    if constexpr (std::is_same_v<decltype(field.member), double Material::*>) {
-      Material material = test::plain_material();
-      material.*field.member = -1;
-      expect_refusal([&] { (void)block(material); }, {field.name, "= -1; must be"});
-    }
+  for_each_number<Material>([](const auto& field) {
+    Material material = test::plain_material();
+    material.*field.member = -1;
+    expect_refusal([&] { (void)block(material); }, {field.name, "= -1; must be"});
   });
 
   const auto with = [](const auto& change) {

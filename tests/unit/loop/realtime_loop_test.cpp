@@ -145,6 +145,25 @@ TEST(RealtimeLoop, SendsTheLastVersionOfEveryBlockInTheEnd) {
   }
 }
 
+TEST(RealtimeLoop, TellsTheLargestForceOfTicksThatNobodyLookedAt) {
+  class PushingModel : public ScribblingModel {
+    Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
+      Wrench wrench = ScribblingModel::step(state, dt, snapshot);
+      wrench.force.z() = step_count == 1500 ? 2 : 0;
+      return wrench;
+    }
+  };
+  const auto device = open_device("mock:rest");
+  PushingModel model;
+  RealtimeLoop loop(*device, model, options_for(2));
+  loop.start();
+  loop.wait();
+  EXPECT_EQ(loop.latest().output.applied.force.norm(), 0);
+  EXPECT_EQ(loop.latest().largest_commanded, 2);
+  EXPECT_GT(loop.latest().largest_applied, 0);
+  EXPECT_LT(loop.latest().largest_applied, 2) << "the guard lets a force grow slowly";
+}
+
 TEST(RealtimeLoop, CountsCommandsThatFindTheQueueFullAndLeavesThemAsTheyWere) {
   const auto device = open_device("mock:rest");
   ScribblingModel model;

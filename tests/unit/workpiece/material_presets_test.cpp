@@ -18,17 +18,9 @@
 namespace hapticut::material_presets_test {
 namespace {
 
-/// Calls `visit(field)` for each number of a material.
-template <class Visit>
-void for_each_number(const Visit& visit) {
-  for_each_field<Material>([&](const auto& field) {
-    if constexpr (std::is_same_v<decltype(field.member), double Material::*>) visit(field);
-  });
-}
-
 std::vector<double> numbers_of(const Material& m) {
   std::vector<double> numbers;
-  for_each_number([&](const auto& field) { numbers.push_back(m.*field.member); });
+  for_each_number<Material>([&](const auto& field) { numbers.push_back(m.*field.member); });
   return numbers;
 }
 
@@ -61,7 +53,8 @@ TEST(MaterialPresets, AreExactlyTheTableOfTheDocumentation) {
 
 TEST(MaterialPresets, StandInATableOfAllTheFieldsOfAMaterial) {
   std::string expected = "| name |";
-  for_each_number([&](const auto& field) { expected += std::string(" ") + field.name + " [" + field.unit + "] |"; });
+  for_each_number<Material>(
+      [&](const auto& field) { expected += std::string(" ") + field.name + " [" + field.unit + "] |"; });
   std::ifstream page(test::source_path("docs/materials.md"));
   std::string line;
   while (std::getline(page, line) && line.rfind("| name", 0) != 0) continue;
