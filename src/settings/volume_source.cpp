@@ -31,6 +31,8 @@ bool is_raw(const Source& s) {
 }
 
 RawLayout raw_layout(const Source& s) {
+  if (!s.dicom_series.empty())
+    throw Error("a file without a header has no series to choose; leave workpiece.dicom_series (--dicom_series) out.");
   if (s.raw.dims.empty() || s.raw.type.empty() || !s.spacing_mm)
     throw Error(
         "a file without a header needs all of workpiece.raw_dims, raw_type and spacing_mm; set --raw_dims, --raw_type "
