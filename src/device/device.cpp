@@ -140,7 +140,7 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
     servo.report_.end = drive(servo, options);
   }
   RunReport report = std::move(servo.report_);
-  report.guard = guard_->state();
+  if (guard_->state() != ArmingState::off) report.guard = guard_->state();  // there was no last tick
   for (std::size_t n = 0; n < kSafetyEvents; ++n) report.events[n] = guard_->log().count(SafetyEvent(n));
   report.log = guard_->log().drain();
   scope.give_back();

@@ -187,7 +187,10 @@ class Servo {
   static constexpr double kFarewell = 20e-3;  ///< [s]
 
   /// The last force is written, and it is zero; what is still to be done may take its time.
-  void rest() noexcept { guard_.rest(); }
+  void rest() noexcept {
+    report_.guard = guard_.state();
+    guard_.rest();
+  }
 
   void report_wake_up(double late) noexcept { report_.wake_up.add(late); }
   void report_missed(std::uint64_t ticks) noexcept { report_.missed += ticks; }

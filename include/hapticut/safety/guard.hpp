@@ -123,8 +123,11 @@ class SafetyGuard {
 
   [[nodiscard]] ArmingState state() const noexcept { return published_state_.load(std::memory_order_acquire); }
 
-  /// The last wrench is written: no watchdog waits for another.
-  void rest() noexcept { heartbeat_.store(0, std::memory_order_release); }
+  /// The last wrench is written: no watchdog waits for another, and the state is off.
+  void rest() noexcept {
+    heartbeat_.store(0, std::memory_order_release);
+    published_state_.store(ArmingState::off, std::memory_order_release);
+  }
 
   /// Grows with every released wrench, for a watchdog in another thread; 0 before the first and after the last.
   [[nodiscard]] const std::atomic<std::uint64_t>& heartbeat() const noexcept { return heartbeat_; }

@@ -54,6 +54,7 @@ TEST(MaterialFields, AllDifferFromTheirDefaultsHere) {
 
 TEST(MaterialFields, AreAllSettings) {
   settings::MaterialChanges changes;
+  changes.cutter = *unusual().cutter;  // which a scene has from its tool
   std::vector<settings::Setting> settings = changes.setting().open_table("unusual");
   std::size_t n = 0;
   ASSERT_EQ(settings.at(n).key, "based_on");

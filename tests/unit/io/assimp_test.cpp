@@ -102,13 +102,14 @@ TEST(Assimp, RefusalsAreOfOurOwnWords) {
   }
 }
 
-/// A .gltf or .glb whose JSON begins with another member.
+/// A .gltf or .glb whose JSON ends with another member.
 std::string with_member(const std::string& file, const std::string& member) {
   constexpr std::size_t kHeader = 20;
-  if (!file.starts_with("glTF")) return "{" + member + "," + file.substr(file.find('{') + 1);
+  const auto extended = [&](const std::string& json) { return json.substr(0, json.rfind('}')) + "," + member + "}"; };
+  if (!file.starts_with("glTF")) return extended(file);
   std::uint32_t length = 0;
   std::memcpy(&length, file.data() + 12, sizeof length);
-  std::string json = "{" + member + "," + file.substr(kHeader + 1, length - 1);
+  std::string json = extended(file.substr(kHeader, length));
   json.append((4 - json.size() % 4) % 4, ' ');
   std::string whole = file.substr(0, kHeader) + json + file.substr(kHeader + length);
   for (const auto& [place, size] : {std::pair{8, whole.size()}, {12, json.size()}}) {
