@@ -372,7 +372,8 @@ TEST(PartedTool, IsLetGoWhenItsHandTurnsByHalfATurnAgainstIt) {
   const Tool tool(SphereHead{kRadius}, RayHandle{20 * mm});
   Simulation simulation(half_space(4e-3, presets::cortical_bone()), tool, implicit(0));
   VirtualCoupling coupling(simulation, gains);
-  // The handle lies just above the surface and turns its head into it, which lifts the hand until the spring has its limit.
+  // The handle lies just above the surface and turns its head into it, which lifts the hand until the spring has its
+  // limit.
   const Mat3 lying = Eigen::Quaterniond::FromTwoVectors(tool.X_HT().translation, Vec3::UnitX()).toRotationMatrix();
   const auto hand = [&](double turn) {
     return Pose{rotation_from_vector({0, turn, 0}) * lying, Vec3(-20 * mm, 0, kRadius + 0.05 * mm)};
