@@ -14,8 +14,9 @@ namespace hapticut {
 class AngularSpeed {
  public:
   constexpr AngularSpeed() = default;
-  constexpr AngularSpeed(std::nullptr_t /*zero*/) {}  ///< 0, which needs no unit; no other number fits
-  constexpr operator double() const { return rad_per_s_; }
+  /// 0, which needs no unit; no other number fits.
+  constexpr AngularSpeed(std::nullptr_t /*zero*/) {}        // NOLINT(google-explicit-constructor): as a literal is
+  constexpr operator double() const { return rad_per_s_; }  // NOLINT(google-explicit-constructor): a number in rad/s
 
   [[nodiscard]] static constexpr AngularSpeed in_rad_per_s(double speed) {
     AngularSpeed one;

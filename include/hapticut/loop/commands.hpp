@@ -26,7 +26,7 @@ namespace commands {
 
 /// The spindle's speed while there is a force.
 struct SetSpindleSpeed {
-  AngularSpeed speed = 0;
+  AngularSpeed speed = {};
 };
 
 /// The hand moves, the tool stays.

@@ -58,7 +58,7 @@ class SpindleInterlock {
   }
 
  private:
-  AngularSpeed speed_ = 0;
+  AngularSpeed speed_ = {};
   bool admits_ = false;
 };
 

@@ -17,7 +17,7 @@ inline constexpr double kFastestSpindle = 1e6 * units::rpm;
 /// The motor that turns the head: `Spindle{40000 * units::rpm}`. Without limits it keeps its speed whatever the cut
 /// takes; `common_spindle` has those of real handpieces.
 struct Spindle {
-  AngularSpeed speed = 0;
+  AngularSpeed speed = {};
   double power_limit = std::numeric_limits<double>::infinity();
   double acceleration_limit = std::numeric_limits<double>::infinity();
   double droop = 0;
