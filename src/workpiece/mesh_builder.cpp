@@ -238,6 +238,7 @@ class ShellsFiller {
     for (const MeshShell& shell : shells) {
       TriangleMesh mesh = shell.mesh;
       orient_alike(mesh);
+      orient_outwards(mesh);
       samplers_.push_back(std::make_unique<ShellSampler>(mesh));
     }
   }

@@ -3,8 +3,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
+#include <ranges>
 #include <vector>
+
+#include "workpiece/winding_number.hpp"
 
 namespace hapticut {
 namespace {
@@ -39,21 +44,89 @@ double six_volumes(const TriangleMesh& mesh, std::uint32_t t) {
   return mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c]));
 }
 
-}  // namespace
-
-void orient_alike(TriangleMesh& mesh) {
-  const std::vector<Side> sides = sides_of(mesh);
-  std::vector<std::vector<Neighbour>> neighbours(mesh.triangles.size());
+struct Neighbours {
+  std::vector<std::vector<Neighbour>> of;  // each triangle
   bool all_alike = true;
+};
+
+Neighbours neighbours_in(const TriangleMesh& mesh) {
+  const std::vector<Side> sides = sides_of(mesh);
+  Neighbours neighbours;
+  neighbours.of.resize(mesh.triangles.size());
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
     while (end < sides.size() && sides[end].vertices == sides[begin].vertices) ++end;
     if (end - begin != 2) continue;
     const Side &a = sides[begin], &b = sides[begin + 1];
     const bool alike = a.upwards != b.upwards;
-    all_alike &= alike;
-    neighbours[a.triangle].push_back({b.triangle, alike});
-    neighbours[b.triangle].push_back({a.triangle, alike});
+    neighbours.all_alike &= alike;
+    neighbours.of[a.triangle].push_back({b.triangle, alike});
+    neighbours.of[b.triangle].push_back({a.triangle, alike});
   }
+  return neighbours;
+}
+
+/// A part of a surface that is connected by sides of two triangles.
+struct Piece {
+  std::vector<std::uint32_t> triangles;
+  bool closed = true;
+  double six_volumes = 0;    // [m^3] negative: it faces inwards
+  std::array<Vec3, 6> ends;  // [m] a little beyond its vertices that are farthest along each axis, so outside of it
+};
+
+std::vector<Piece> pieces_of(const TriangleMesh& mesh, const Neighbours& neighbours) {
+  std::vector<Piece> pieces;
+  std::vector<bool> seen(mesh.triangles.size(), false);
+  for (std::uint32_t first = 0; first < seen.size(); ++first) {
+    if (seen[first]) continue;
+    seen[first] = true;
+    Piece piece;
+    piece.triangles = {first};
+    for (std::size_t n = 0; n < piece.triangles.size(); ++n) {
+      const std::uint32_t t = piece.triangles[n];
+      piece.closed &= neighbours.of[t].size() == 3;
+      piece.six_volumes += six_volumes(mesh, t);
+      for (const Neighbour& next : neighbours.of[t])
+        if (!seen[next.triangle]) {
+          seen[next.triangle] = true;
+          piece.triangles.push_back(next.triangle);
+        }
+    }
+    piece.ends.fill(mesh.vertices[mesh.triangles[first][0]]);
+    for (const std::uint32_t t : piece.triangles)
+      for (const std::uint32_t v : mesh.triangles[t])
+        for (int axis = 0; axis < 3; ++axis) {
+          const Vec3& vertex = mesh.vertices[v];
+          Vec3 &low = piece.ends[std::size_t(2 * axis)], &high = piece.ends[std::size_t(2 * axis + 1)];
+          if (vertex[axis] < low[axis]) low = vertex;
+          if (vertex[axis] > high[axis]) high = vertex;
+        }
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 &low = piece.ends[std::size_t(2 * axis)], &high = piece.ends[std::size_t(2 * axis + 1)];
+      const double beyond = 1e-6 * (high[axis] - low[axis]);
+      low[axis] -= beyond;
+      high[axis] += beyond;
+    }
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+/// Whether a surface winds around all ends of a piece, whichever way it faces.
+bool encloses(const WindingNumber& surface, const Piece& piece) {
+  return std::ranges::all_of(piece.ends, [&](const Vec3& end) { return std::abs(surface.at(end)) > 0.5; });
+}
+
+TriangleMesh part_of(const TriangleMesh& mesh, const Piece& piece) {
+  TriangleMesh part;
+  part.vertices = mesh.vertices;
+  for (const std::uint32_t t : piece.triangles) part.triangles.push_back(mesh.triangles[t]);
+  return part;
+}
+
+}  // namespace
+
+void orient_alike(TriangleMesh& mesh) {
+  const auto [neighbours, all_alike] = neighbours_in(mesh);
   if (all_alike) return;
 
   enum : std::uint8_t { kUnseen, kKept, kTurned };
@@ -84,6 +157,23 @@ void orient_alike(TriangleMesh& mesh) {
     for (const std::uint32_t t : piece)
       if ((state[t] == kTurned) != other) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
   }
+}
+
+void orient_outwards(TriangleMesh& mesh) {
+  const std::vector<Piece> pieces = pieces_of(mesh, neighbours_in(mesh));
+  const auto faces_inwards = [](const Piece& piece) { return piece.six_volumes < 0; };
+  if (!std::ranges::all_of(pieces, &Piece::closed) || std::ranges::none_of(pieces, faces_inwards)) return;
+  const WindingNumber all(mesh);
+  std::vector<bool> turns(pieces.size(), false);
+  for (const Piece& outer : pieces) {
+    if (!faces_inwards(outer) || encloses(all, outer)) continue;
+    const WindingNumber alone(part_of(mesh, outer));
+    for (std::size_t n = 0; n < pieces.size(); ++n)
+      if (&pieces[n] == &outer || encloses(alone, pieces[n])) turns[n] = true;
+  }
+  for (std::size_t n = 0; n < pieces.size(); ++n)
+    if (turns[n])
+      for (const std::uint32_t t : pieces[n].triangles) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
 }
 
 }  // namespace hapticut

@@ -10,4 +10,8 @@ namespace hapticut {
 /// write the corners of faces in any order, and no winding number can tell what such a surface encloses.
 void orient_alike(TriangleMesh& mesh);
 
+/// Turns closed pieces that lie in no other and face inwards, e.g. the mirrored half of a jaw, and with each what lies
+/// in it. A piece within another keeps its side: it may be a cavity. Nothing is turned where a piece is open.
+void orient_outwards(TriangleMesh& mesh);
+
 }  // namespace hapticut

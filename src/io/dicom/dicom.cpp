@@ -50,19 +50,35 @@ std::string in_words(const AlikeSlices& kind) {
          format_number(facing.y()) + ", " + format_number(facing.z()) + ")";
 }
 
+/// A file whose picture is none of a volume: a screenshot in colour, a mask of single bits, a damaged file.
+struct UnreadPicture {
+  fs::path path;
+  std::optional<std::string> series;  // nothing where the file does not get as far as to say it
+  std::string cause;
+};
+
+struct DicomFolder {
+  std::vector<AlikeSlices> series;
+  std::vector<UnreadPicture> unread;
+};
+
 /// The pictures of a folder. Files without a picture (directories, reports) are left out.
-std::vector<AlikeSlices> series_in(const fs::path& folder) {
+DicomFolder pictures_in(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code code, ignored;
   for (const auto& entry : fs::directory_iterator(folder, code))
     if (entry.is_regular_file(ignored) && is_dicom_file(entry.path())) files.push_back(entry.path());
   if (code) cannot_read(folder, code.message() + ".");
   std::sort(files.begin(), files.end());
+  DicomFolder found;
   std::map<std::string, std::vector<AlikeSlices>> by_uid;
   for (const fs::path& path : files) {
     const std::string bytes = bytes_of_file(path);
+    std::optional<std::string> uid;
     try {
-      DicomSlice slice = {path, describe_picture(parse_dicom(bytes))};
+      const DicomFile file = parse_dicom(bytes);
+      uid = series_of(file);
+      DicomSlice slice = {path, describe_picture(file)};
       std::vector<AlikeSlices>& kinds = by_uid[slice.picture.series];
       auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const AlikeSlices& known) {
         return alike(known.slices.front().picture, slice.picture);
@@ -70,36 +86,53 @@ std::vector<AlikeSlices> series_in(const fs::path& folder) {
       if (kind == kinds.end()) kind = kinds.insert(kind, AlikeSlices{slice.picture.series, {}});
       kind->slices.push_back(std::move(slice));
     } catch (const Error& error) {
-      if (!std::string_view(error.what()).starts_with(kNoDicomPicture)) cannot_read(path, error.what());
+      if (!std::string_view(error.what()).starts_with(kNoDicomPicture))
+        found.unread.push_back({path, uid, error.what()});
     }
   }
-  std::vector<AlikeSlices> series;
   for (auto& [uid, kinds] : by_uid) {
     std::stable_sort(kinds.begin(), kinds.end(),
                      [](const auto& a, const auto& b) { return a.slices.size() > b.slices.size(); });
     const bool one_is_largest = kinds.size() == 1 || kinds[0].slices.size() > kinds[1].slices.size();
     for (std::size_t n = 0; n < kinds.size(); ++n) {
       if (n > 0 || !one_is_largest) kinds[n].name += "#" + std::to_string(n + 1);
-      series.push_back(std::move(kinds[n]));
+      found.series.push_back(std::move(kinds[n]));
     }
   }
-  return series;
+  return found;
+}
+
+/// Pictures of other series may be what they like: those of an export lie in one folder.
+void require_all_read(const DicomFolder& folder, const std::optional<std::string>& series) {
+  for (const UnreadPicture& picture : folder.unread) {
+    if (series && !picture.series)
+      cannot_read(picture.path, picture.cause + " If it is not of the series, take it out of the folder.");
+    if (!series || *picture.series == *series) cannot_read(picture.path, picture.cause);
+  }
 }
 
 /// @return nothing where the folder has no DICOM picture
 std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::string& wanted) {
-  std::vector<AlikeSlices> series = series_in(folder);
-  if (series.empty()) return {};
+  DicomFolder found = pictures_in(folder);
+  std::vector<AlikeSlices>& series = found.series;
+  if (series.empty()) {
+    require_all_read(found, std::nullopt);
+    return {};
+  }
+  const auto slices_of = [&](AlikeSlices& one) {
+    require_all_read(found, one.slices.front().picture.series);
+    return std::move(one.slices);
+  };
   std::string list;
   for (AlikeSlices& one : series) {
     list += (list.empty() ? "" : ", ") + in_words(one);
-    if (!wanted.empty() && one.name == wanted) return std::move(one.slices);
+    if (!wanted.empty() && one.name == wanted) return slices_of(one);
   }
   if (!wanted.empty()) cannot_read(folder, "it has no DICOM series '" + wanted + "'; it has " + list + ".");
   if (series.size() > 1)
     cannot_read(folder, "it has several DICOM series, or one of several kinds: " + list +
                             ". Choose one by VolumeReadOptions::dicom_series.");
-  return std::move(series.front().slices);
+  return slices_of(series.front());
 }
 
 FrameDecoder decoder_in(CodecProcess& process) {

@@ -293,6 +293,8 @@ std::string plain_frame(const DicomFile& file, const DicomPicture& picture, std:
 
 }  // namespace
 
+std::string series_of(const DicomFile& file) { return file.data.text(kSeries); }
+
 DicomPicture describe_picture(const DicomFile& file) {
   DicomPicture picture;
   picture.allocated = file.number(kAllocated, "number of bits allocated");
@@ -323,7 +325,7 @@ DicomPicture describe_picture(const DicomFile& file) {
     picture.scale.emplace_back(slope.empty() || dose ? 1 : slope[0], intercept.empty() || dose ? 0 : intercept[0]);
   }
   read_table(file, picture);
-  picture.series = file.data.text(kSeries);
+  picture.series = series_of(file);
   return picture;
 }
 

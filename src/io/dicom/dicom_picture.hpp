@@ -50,6 +50,9 @@ struct DicomPicture {
                                                     const std::function<std::string(std::size_t)>& name,
                                                     FileGeometry& geometry);
 
+/// Its Series Instance UID.
+[[nodiscard]] std::string series_of(const DicomFile& file);
+
 /// @throws Error a sentence that begins with "it" or "its", when the picture is not one of grey values, or where it
 ///         lies cannot be told
 [[nodiscard]] DicomPicture describe_picture(const DicomFile& file);

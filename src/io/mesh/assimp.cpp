@@ -53,9 +53,21 @@ bool leaves_shapes_alone(std::string_view extension) {
                              [&](std::string_view part) { return extension.find(part) != std::string_view::npos; });
 }
 
+/// Whether a list of the outermost object holds an object with bones (a skin), or with weights of other shapes.
+bool any_is_posed(const nlohmann::json& json, const char* key) {
+  const auto list = json.is_object() ? json.find(key) : json.end();
+  return list != json.end() && std::ranges::any_of(*list, [](const nlohmann::json& item) {
+           if (!item.is_object()) return false;
+           const auto weights = item.find("weights");
+           return item.contains("skin") ||
+                  (weights != item.end() &&
+                   std::ranges::any_of(*weights, [](const nlohmann::json& weight) { return weight != 0; }));
+         });
+}
+
 /// Assimp reads on where an extension is needed that it does not know. Of copies by EXT_mesh_gpu_instancing only the
 /// first would be there, also where the file can do without.
-void require_known_extensions(std::string_view text) {
+void require_known_shape(std::string_view text) {
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   std::vector<std::string> extensions = list_in_json(json, "extensionsUsed");
   std::erase_if(extensions, [](const std::string& extension) { return extension != "EXT_mesh_gpu_instancing"; });
@@ -64,6 +76,11 @@ void require_known_extensions(std::string_view text) {
   if (!extensions.empty())
     throw Error("it needs the glTF extension " + in_quotes(extensions.front()) +
                 ", which is not read; export it again without that, or as STL or OBJ.");
+  if (any_is_posed(json, "nodes") || any_is_posed(json, "meshes"))
+    throw Error(
+        "its shape is posed by bones (a skin) or by morph targets, which are not read; apply them where it was made, "
+        "and "
+        "export it again.");
 }
 
 /// A name in which %20 stands for a blank, and so on.
@@ -113,6 +130,7 @@ class MeshAndFilesBeside : public Assimp::DefaultIOSystem {
 /// Adds the polygons of a mesh to an object. Lines and points, which Assimp calls faces too, are left out.
 void add(const aiMesh& mesh, const aiMatrix4x4& transform, Polygons& polygons, PolygonObject& object) {
   const std::size_t first = polygons.vertices.size();
+  std::size_t begin = object.corners.size();
   for (unsigned n = 0; n < mesh.mNumVertices; ++n) {
     const aiVector3D p = transform * mesh.mVertices[n];
     polygons.vertices.emplace_back(double(p.x), double(p.y), double(p.z));
@@ -124,7 +142,9 @@ void add(const aiMesh& mesh, const aiMatrix4x4& transform, Polygons& polygons, P
       if (face.mIndices[k] >= mesh.mNumVertices) throw Error("a face names a vertex that does not exist.");
       object.corners.push_back(std::uint32_t(first + face.mIndices[k]));
     }
-    object.ends.push_back(object.corners.size());
+    // A mirror turns faces inside out (glTF 2.0, 3.7.4).
+    if (transform.Determinant() < 0) std::reverse(object.corners.begin() + std::ptrdiff_t(begin), object.corners.end());
+    object.ends.push_back(begin = object.corners.size());
   }
 }
 
@@ -156,7 +176,7 @@ std::string cause_of(std::string_view reason) {
 
 Polygons read_with_assimp(const std::filesystem::path& path) {
   const std::string json = json_of(path);
-  require_known_extensions(json);
+  require_known_shape(json);
   constexpr std::string_view kMark = "\xef\xbb\xbf";  // before a text in UTF-8, which Assimp does not know
   Assimp::Importer importer;
   // The importer owns it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -64,7 +65,11 @@ inline constexpr double kAnyCompression = 1e5;  ///< of runs of one value by Zst
 ///         begins with "its"
 void require_bytes(double needed, double available, double best_ratio);
 
-/// The same.
+/// @throws Error when there is more than a header claims, e.g. because it was written by hand and names another type or
+///         another size: a sentence that begins with "its"
+void require_no_more(std::uint64_t claimed, std::uint64_t available);
+
+/// The same as above.
 /// @throws Error with the name of the file before it
 void require_bytes(const std::filesystem::path& path, double needed, double available, double best_ratio);
 

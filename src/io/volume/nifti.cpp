@@ -13,6 +13,7 @@ namespace hapticut {
 namespace {
 
 constexpr std::size_t kNifti1 = 348, kNifti2 = 540;  // [bytes] of the headers
+constexpr std::size_t kExtensions = 4;               // [bytes] behind it, which say whether there are any
 
 /// What a NIfTI header says, in the units of the file.
 struct NiftiHeader {
@@ -54,6 +55,9 @@ class NiftiFields {
   bool swapped_;
 };
 
+/// By its standard less stands for the least that is possible: 0, or 348, for 352.
+double at_least(double offset, std::size_t least) { return offset < double(least) ? double(least) : offset; }
+
 NiftiHeader parse_nifti_header(std::string_view bytes) {
   if (bytes.size() < kNifti1) throw Error("it is too short for a NIfTI header.");
   for (const bool swapped : {false, true}) {
@@ -69,7 +73,7 @@ NiftiHeader parse_nifti_header(std::string_view bytes) {
       fields.take<std::int16_t>(40, h.dim);
       h.type = fields.at<std::int16_t>(70);
       fields.take<float>(76, h.pixdim);
-      h.offset = double(fields.at<float>(108));
+      h.offset = at_least(double(fields.at<float>(108)), kNifti1 + kExtensions);
       h.slope = double(fields.at<float>(112));
       h.intercept = double(fields.at<float>(116));
       h.units = fields.at<std::uint8_t>(123);
@@ -85,7 +89,7 @@ NiftiHeader parse_nifti_header(std::string_view bytes) {
       h.type = fields.at<std::int16_t>(12);
       fields.take<std::int64_t>(16, h.dim);
       fields.take<double>(104, h.pixdim);
-      h.offset = double(fields.at<std::int64_t>(168));
+      h.offset = at_least(double(fields.at<std::int64_t>(168)), kNifti2 + kExtensions);
       h.slope = fields.at<double>(176);
       h.intercept = fields.at<double>(184);
       h.qform = fields.at<std::int32_t>(344);
@@ -174,8 +178,8 @@ double bytes_needed(const NiftiHeader& h) {
     if (h.dim[n] > 1)
       throw Error("it has " + format_number(h.dim[n]) +
                   " volumes or values per sample; take one volume out of it first.");
-  if (!(h.offset >= double(kNifti1)) || h.offset != std::floor(h.offset))
-    throw Error("its values would begin at byte " + format_number(h.offset) + ", within its header.");
+  if (h.offset != std::floor(h.offset) || !std::isfinite(h.offset))
+    throw Error("its values would begin at byte " + format_number(h.offset) + "; it is damaged. Get a complete copy.");
   return h.offset + h.dim[1] * h.dim[2] * h.dim[3] * double(size_of(type_of_nifti(h.type)));
 }
 

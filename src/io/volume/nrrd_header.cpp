@@ -8,6 +8,8 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <ranges>
+#include <sstream>
 
 #include "hapticut/core/errors.hpp"
 #include "io/mesh/text_lines.hpp"
@@ -279,6 +281,14 @@ NrrdAxes axes_of_space(const NrrdFields& fields, std::size_t dimensions) {
     throw Error("it has " + std::to_string(dimensions) +
                 " dimensions; a volume has three, and more only of one sample. Take one volume out of it, or put its "
                 "slices together.");
+  if (!fields.has("kinds")) return {axes[0], axes[1], axes[2]};
+  std::istringstream kinds{std::string(fields.get("kinds"))};
+  std::string kind;
+  for (std::size_t n = 0; kinds >> kind; ++n)
+    if (std::ranges::find(axes, n) != axes.end() && sizes[n] > 1 && kind != "domain" && kind != "space" &&
+        kind != "none" && kind != "???")
+      throw Error("its axis " + std::to_string(n + 1) + " is of the kind " + in_quotes(kind) +
+                  ", so it is no axis of a volume: take one of its " + format_number(sizes[n]) + " parts out of it.");
   return {axes[0], axes[1], axes[2]};
 }
 

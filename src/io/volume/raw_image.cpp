@@ -134,6 +134,12 @@ void require_bytes(double needed, double available, double best_ratio) {
                 format_number(available) + (compressed ? " compressed ones." : ".") + " Is it cut short?");
 }
 
+void require_no_more(std::uint64_t claimed, std::uint64_t available) {
+  if (available > claimed)
+    throw Error("its header claims " + std::to_string(claimed) + " bytes of data, but there are " +
+                std::to_string(available) + ". Check the type and the sizes that it names.");
+}
+
 void require_bytes(const std::filesystem::path& path, double needed, double available, double best_ratio) {
   naming(path, [&] { require_bytes(needed, available, best_ratio); });
 }

@@ -74,6 +74,19 @@ TEST(Assimp, ReadsGltfWithTheTransformsOfItsNodes) {
   }
 }
 
+// A mirror turns faces inside out, so that both halves of a jaw are outside out (glTF 2.0, 3.7.4).
+TEST(Assimp, AMirroredNodeEnclosesWhatItDid) {
+  const test::TemporaryFolder folder;
+  const TriangleMesh ball = test::ball_mesh(Vec3::Zero(), 2 * mm, 8);
+  const auto scene = scene_of(ball, Vec3::Zero());
+  aiMatrix4x4& transform = scene->mRootNode->mChildren[0]->mTransformation;
+  transform = aiMatrix4x4::Scaling(aiVector3D(-1, 1, 1), transform);
+  Assimp::Exporter exporter;
+  ASSERT_EQ(exporter.Export(scene.get(), "gltf2", (folder / "ball.gltf").string()), aiReturn_SUCCESS);
+  const double volume = test::signed_volume(read_mesh(folder / "ball.gltf").at(0).mesh);
+  EXPECT_NEAR(volume, test::signed_volume(ball), 1e-6 * volume);
+}
+
 std::string refusal_of(const std::filesystem::path& path) {
   try {
     (void)read_mesh(path);
@@ -141,6 +154,22 @@ TEST(Assimp, ExtensionsThatChangeTheShapeAreRefusedByName) {
     EXPECT_NE(refusal_with(R"("extensionsUsed":["EXT_mesh_gpu_instancing"])").find("_gpu_"), std::string::npos);
     EXPECT_EQ(refusal_with(R"("extensionsRequired":["KHR_materials_unlit","KHR_texture_transform"])"), "");
     EXPECT_EQ(refusal_with(R"("extras":{"a":"\"[","extensionsRequired":["VENDOR_shape"]})"), "");
+  }
+}
+
+TEST(Assimp, AShapeThatIsPosedIsRefused) {
+  const test::TemporaryFolder folder;
+  const auto scene = scene_of(test::ball_mesh(Vec3::Zero(), 2 * mm, 4), Vec3::Zero());
+  Assimp::Exporter exporter;
+  ASSERT_EQ(exporter.Export(scene.get(), "gltf2", (folder / "ball.gltf").string()), aiReturn_SUCCESS);
+  const std::string file = test::read_bytes(folder / "ball.gltf");
+  for (const auto& [before, member, posed] : {std::tuple{"\"mesh\":", "\"skin\":0,", true},
+                                              {"\"primitives\":", "\"weights\":[0,1],", true},
+                                              {"\"primitives\":", "\"weights\":[0,0],", false}}) {
+    std::string changed = file;
+    ASSERT_NE(file.find(before), std::string::npos) << file;
+    test::write_bytes(folder / "ball.gltf", changed.insert(file.find(before), member));
+    EXPECT_EQ(refusal_of(folder / "ball.gltf").find("posed by bones") != std::string::npos, posed) << member;
   }
 }
 

@@ -51,6 +51,28 @@ TEST(Dicom, FilesWithoutAPictureInAFolderAreLeftOut) {
   EXPECT_EQ(read_grey_volume(folder / "").dims, (std::array<int, 3>{4, 3, 3}));
 }
 
+// As an export leaves them in one folder: a report in colour, a mask, a damaged file.
+TEST(Dicom, PicturesOfOtherSeriesThatAreNoneOfAVolumeAreLeftOut) {
+  const TemporaryFolder folder;
+  for (int n = 1; n <= 3; ++n) write_bytes(folder / slice_name(n), slice(n));
+  test::DicomElements colour = elements(9);
+  colour.set(0x00280004, "CS", "RGB").set_word(0x00280002, 3);
+  const auto of_series = [&](const char* uid) {
+    write_bytes(folder / "other", test::dicom_file(colour.set(0x0020000e, "UI", uid)));
+  };
+  of_series("1.2.3.4");
+  for (const char* chosen : {"", "1.2.3.6"})
+    EXPECT_EQ(read_grey_volume(folder / "", {.dicom_series = chosen}).dims, (std::array<int, 3>{4, 3, 3}));
+  EXPECT_THROW((void)read_grey_volume(folder / "", {.dicom_series = "1.2.3.4"}), Error);
+  of_series("1.2.3.6");
+  EXPECT_NE(error_of(folder / "").find("other': it has several values per sample"), std::string::npos);
+  write_bytes(folder / "other", slice(4).substr(0, 300));
+  const std::string refusal = error_of(folder / "");
+  EXPECT_NE(refusal.find("If it is not of the series, take it out of the folder."), std::string::npos) << refusal;
+  for (int n = 1; n <= 3; ++n) std::filesystem::remove(folder / slice_name(n));
+  EXPECT_NE(error_of(folder / "").find("other': "), std::string::npos) << "there is nothing else";
+}
+
 // A damaged name of a series has a line break in it.
 TEST(Dicom, SeveralSeriesAreListedInOneLine) {
   const TemporaryFolder folder;

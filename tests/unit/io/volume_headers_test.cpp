@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 #include "hapticut/core/units.hpp"
@@ -111,6 +112,45 @@ TEST(Nrrd, OfASpaceThatDoesNotSayWhereThePatientIsIsRefused) {
                    kNrrd + "dimension: 3\nspace: " + space +
                        "\nsizes: 4 3 5\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n\n" + ramp(),
                    "whichever it is, into its header");
+}
+
+TEST(Nrrd, WithAnAxisThatIsNoneOfSpaceIsRefused) {
+  for (const char* kinds : {"RGB-color domain domain", "3-vector space space", "domain domain list"})
+    expect_refusal(
+        "v.nrrd", kNrrd + "dimension: 3\nsizes: 4 3 5\nspacings: 1 1 1\nkinds: " + std::string(kinds) + "\n\n" + ramp(),
+        "so it is no axis of a volume");
+  expect_ramp(read_nrrd("dimension: 3\nsizes: 4 3 5\nspacings: 0.1 0.2 0.7\nkinds: domain space ???\n"));
+}
+
+// As somebody writes one by hand for values in a file of their own: of 16 bits, or one slice short.
+TEST(VolumeHeader, OfLessThanThereIsIsRefused) {
+  const std::string detached = "dimension: 3\nspacings: 1 1 1\ndata file: v.raw\n";
+  expect_refusal("v.nhdr", kNrrd + detached + "sizes: 4 3 4\n",
+                 "its header claims 48 bytes of data, but there are 60. Check the type and the sizes");
+  expect_refusal("v.nrrd", kNrrd + "dimension: 3\nspacings: 1 1 1\nsizes: 4 3 5\n\n" + ramp() + "more",
+                 "but there are 64");
+  expect_refusal("v.nrrd",
+                 "NRRD0005\ntype: uchar\nencoding: ascii\ndimension: 3\nspacings: 1 1 1\nsizes: 1 1 3\n\n1 2 3 4",
+                 "more than the 3 values");
+  expect_refusal("v.mhd", kMeta + "NDims = 3\nDimSize = 4 3 4\nElementSpacing = 1 1 1\nElementDataFile = v.raw\n",
+                 "but there are 60");
+  EXPECT_EQ(read("v.mhd", kMeta + "NDims = 3\nDimSize = 4 3 4\nElementSpacing = 1 1 1\nHeaderSize = -1\n"
+                                  "ElementDataFile = v.raw\n")
+                .at(0, 0, 0),
+            13)
+      << "the last ones, which it asks for";
+}
+
+TEST(Nifti, WhoseValuesWouldBeginInItsHeaderHasThemBehindIt) {
+  test::NiftiFile file;
+  file.values.resize(60);
+  file.values[0] = 7;
+  const GreyVolume right = read("v.nii", file.bytes());
+  for (const float offset : {0.0F, 348.0F}) {
+    std::string bytes = file.bytes();
+    std::memcpy(bytes.data() + 108, &offset, sizeof offset);
+    EXPECT_EQ(read("v.nii", bytes).values, right.values) << offset;
+  }
 }
 
 TEST(Nifti, WithAMapOfZerosIsPlacedByItsQuaternion) {

@@ -31,6 +31,34 @@ TEST(Orient, ASurfaceThatIsRightStaysAsItIs) {
   EXPECT_EQ(mesh.triangles, before);
 }
 
+/// Balls of one centre, the second facing the other way: a shell with a cavity.
+TriangleMesh hollow_ball(const Vec3& center, bool inside_out) {
+  TriangleMesh shell = test::ball_mesh(center, 2e-3, 8);
+  const TriangleMesh cavity = test::ball_mesh(center, 1e-3, 8);
+  const auto first = std::uint32_t(shell.vertices.size());
+  shell.vertices.insert(shell.vertices.end(), cavity.vertices.begin(), cavity.vertices.end());
+  for (const auto& [a, b, c] : cavity.triangles) shell.triangles.push_back({first + a, first + c, first + b});
+  if (inside_out)
+    for (auto& t : shell.triangles) std::swap(t[1], t[2]);
+  return shell;
+}
+
+TEST(Orient, APieceThatIsInsideOutBesideAnotherIsTurnedWithItsCavity) {
+  const auto both = [](bool inside_out) {
+    TriangleMesh mesh = hollow_ball(Vec3::Zero(), false);
+    const TriangleMesh other = hollow_ball(Vec3(7e-3, 0, 0), inside_out);
+    const auto first = std::uint32_t(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+    for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
+    return mesh;
+  };
+  const Material bone = presets::cortical_bone();
+  const Workpiece right = build_from_mesh(both(false), bone), turned = build_from_mesh(both(true), bone);
+  EXPECT_EQ(turned.hash(), right.hash());
+  const double voxel = 1e9 * std::pow(right.voxel_size(), 3);  // [mm^3]
+  EXPECT_NEAR(double(right.solid_voxels()) * voxel, 2 * 4.0 / 3 * 3.1416 * (8 - 1), 8) << "the cavities are empty";
+}
+
 TEST(WorkEstimate, IsToldBeforeTheWorkAndRefusedAboveTheLimitUnlessAskedFor) {
   const TriangleMesh ball = test::ball_mesh(Vec3::Zero(), 2e-3, 8);
   WorkEstimate told;
