@@ -147,7 +147,7 @@ void take_values(const MetaHeader& header, std::string_view bytes, const DataFil
   require_bytes(needed, double(data.size()) - double(std::max<std::int64_t>(skip, 0)),
                 compressed ? kDeflate : kNotCompressed);
   const auto count = std::size_t(needed);
-  if (!compressed && skip != -1) require_no_more(std::uint64_t(skip) + count, data.size());
+  if (!local && !compressed && skip != -1) require_no_more(std::uint64_t(skip) + count, data.size());
   image.bytes.resize(count);
   if (compressed) {
     const std::string values = unpack_gzip(data, count);

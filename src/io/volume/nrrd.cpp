@@ -83,8 +83,6 @@ std::vector<std::byte> parse_text_values(std::string_view text, ValueType type, 
                                : in_quotes(word) + " among its values is not a number.");
     with_value_type(type, [&](auto zero) { append_value<decltype(zero)>(*number, bytes); });
   }
-  if (!words.word_of_any_line().empty())
-    throw Error("it has more than the " + std::to_string(count) + " values that its header claims.");
   return bytes;
 }
 
@@ -122,7 +120,7 @@ std::vector<std::byte> parse_nrrd_values(const NrrdHeader& header, std::string_v
   const std::uint64_t nifti = header.encoding == "raw" ? 0 : nifti_header_in(unpacked);
   const std::uint64_t offset = values_offset(header, nifti, values.size(), needed);
   require_bytes(double(offset) + double(needed), double(values.size()), kNotCompressed);
-  if (header.byte_skip >= 0) require_no_more(offset + needed, values.size());
+  if (header.byte_skip >= 0 && !header.data_files.empty()) require_no_more(offset + needed, values.size());
   const auto* first = reinterpret_cast<const std::byte*>(values.data()) + offset;
   return {first, first + needed};
 }

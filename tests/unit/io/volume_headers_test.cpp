@@ -127,11 +127,7 @@ TEST(VolumeHeader, OfLessThanThereIsIsRefused) {
   const std::string detached = "dimension: 3\nspacings: 1 1 1\ndata file: v.raw\n";
   expect_refusal("v.nhdr", kNrrd + detached + "sizes: 4 3 4\n",
                  "its header claims 48 bytes of data, but there are 60. Check the type and the sizes");
-  expect_refusal("v.nrrd", kNrrd + "dimension: 3\nspacings: 1 1 1\nsizes: 4 3 5\n\n" + ramp() + "more",
-                 "but there are 64");
-  expect_refusal("v.nrrd",
-                 "NRRD0005\ntype: uchar\nencoding: ascii\ndimension: 3\nspacings: 1 1 1\nsizes: 1 1 3\n\n1 2 3 4",
-                 "more than the 3 values");
+  expect_ramp(read("v.nrrd", kNrrd + "dimension: 3\nsizes: 4 3 5\nspacings: 0.1 0.2 0.7\n\n" + ramp() + "\n"));
   expect_refusal("v.mhd", kMeta + "NDims = 3\nDimSize = 4 3 4\nElementSpacing = 1 1 1\nElementDataFile = v.raw\n",
                  "but there are 60");
   EXPECT_EQ(read("v.mhd", kMeta + "NDims = 3\nDimSize = 4 3 4\nElementSpacing = 1 1 1\nHeaderSize = -1\n"
