@@ -235,12 +235,7 @@ class ShellsFiller {
  public:
   ShellsFiller(const std::vector<MeshShell>& shells, const GridFrame& frame, int points)
       : shells_(shells), frame_(frame), points_(points), found_(shells.size()) {
-    for (const MeshShell& shell : shells) {
-      TriangleMesh mesh = shell.mesh;
-      orient_alike(mesh);
-      orient_outwards(mesh);
-      samplers_.push_back(std::make_unique<ShellSampler>(mesh));
-    }
+    for (const MeshShell& shell : shells) samplers_.push_back(std::make_unique<ShellSampler>(oriented(shell.mesh)));
   }
 
   BlockKind operator()(const VoxelIndex& origin, BlockContent& content) {

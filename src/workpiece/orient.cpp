@@ -176,4 +176,10 @@ void orient_outwards(TriangleMesh& mesh) {
       for (const std::uint32_t t : pieces[n].triangles) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
 }
 
+TriangleMesh oriented(TriangleMesh mesh) {
+  orient_alike(mesh);
+  orient_outwards(mesh);
+  return mesh;
+}
+
 }  // namespace hapticut

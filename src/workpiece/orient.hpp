@@ -14,4 +14,7 @@ void orient_alike(TriangleMesh& mesh);
 /// in it. A piece within another keeps its side: it may be a cavity. Nothing is turned where a piece is open.
 void orient_outwards(TriangleMesh& mesh);
 
+/// A mesh after both.
+[[nodiscard]] TriangleMesh oriented(TriangleMesh mesh);
+
 }  // namespace hapticut
