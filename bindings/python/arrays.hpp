@@ -112,7 +112,8 @@ struct type_caster<hapticut::AngularSpeed> {
     if (is_whole && speed != 0)
       throw hapticut::Error("a speed of " + std::string(str(given)) +
                             " is a whole number, as turns a minute are, and speeds are in rad/s: write " +
-                            std::string(str(given)) + " * hapticut.units.rpm.");
+                            std::string(str(given)) + " * hapticut.units.rpm, or " + std::string(str(given)) +
+                            " * hapticut.units.rad_per_s.");
     value = hapticut::AngularSpeed::in_rad_per_s(speed);
     return true;
   }

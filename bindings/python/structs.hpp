@@ -256,13 +256,11 @@ py::class_<S> bind_struct(py::handle parent, const char* name, Fields... fields)
   return bind_struct<S>(parent, name, name, fields...);
 }
 
-/// Binds a struct with the fields that it describes itself, and `more`.
-template <Described S, class... More>
-py::class_<S> bind_described(py::handle parent, const char* name, const More&... more) {
+/// Binds a struct with the fields that it describes itself.
+template <Described S>
+py::class_<S> bind_described(py::handle parent, const char* name) {
   return std::apply(
-      [&](const auto&... fields) {
-        return bind_struct<S>(parent, name, name, detail::in_python(fields, name)..., more...);
-      },
+      [&](const auto&... fields) { return bind_struct<S>(parent, name, name, detail::in_python(fields, name)...); },
       fields_of(Of<S>{}));
 }
 

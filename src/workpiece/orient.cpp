@@ -73,7 +73,7 @@ struct Piece {
   std::array<Vec3, 6> ends;  // [m] a little beyond its vertices that are farthest along each axis, so outside of it
 };
 
-std::vector<Piece> pieces_of(const TriangleMesh& mesh, const Neighbours& neighbours) {
+std::vector<Piece> pieces_of(const TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>& neighbours) {
   std::vector<Piece> pieces;
   std::vector<bool> seen(mesh.triangles.size(), false);
   for (std::uint32_t first = 0; first < seen.size(); ++first) {
@@ -83,9 +83,9 @@ std::vector<Piece> pieces_of(const TriangleMesh& mesh, const Neighbours& neighbo
     piece.triangles = {first};
     for (std::size_t n = 0; n < piece.triangles.size(); ++n) {
       const std::uint32_t t = piece.triangles[n];
-      piece.closed &= neighbours.of[t].size() == 3;
+      piece.closed &= neighbours[t].size() == 3;
       piece.six_volumes += six_volumes(mesh, t);
-      for (const Neighbour& next : neighbours.of[t])
+      for (const Neighbour& next : neighbours[t])
         if (!seen[next.triangle]) {
           seen[next.triangle] = true;
           piece.triangles.push_back(next.triangle);
@@ -116,19 +116,35 @@ bool encloses(const WindingNumber& surface, const Piece& piece) {
   return std::ranges::all_of(piece.ends, [&](const Vec3& end) { return std::abs(surface.at(end)) > 0.5; });
 }
 
-TriangleMesh part_of(const TriangleMesh& mesh, const Piece& piece) {
-  TriangleMesh part;
-  part.vertices = mesh.vertices;
-  for (const std::uint32_t t : piece.triangles) part.triangles.push_back(mesh.triangles[t]);
-  return part;
+/// Whether the box around a piece holds another one.
+bool box_holds(const Piece& piece, const Piece& other) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (other.ends[2 * axis][int(axis)] < piece.ends[2 * axis][int(axis)] ||
+        other.ends[2 * axis + 1][int(axis)] > piece.ends[2 * axis + 1][int(axis)])
+      return false;
+  return true;
 }
 
-}  // namespace
+/// Which pieces lie in another one.
+std::vector<std::size_t> pieces_in(const TriangleMesh& mesh, const std::vector<Piece>& pieces, const Piece& outer) {
+  std::vector<std::size_t> within;
+  for (std::size_t n = 0; n < pieces.size(); ++n)
+    if (&pieces[n] != &outer && box_holds(outer, pieces[n])) within.push_back(n);
+  if (within.empty()) return within;
+  TriangleMesh part;
+  for (const std::uint32_t t : outer.triangles) {
+    const auto first = std::uint32_t(part.vertices.size());
+    for (const std::uint32_t v : mesh.triangles[t]) part.vertices.push_back(mesh.vertices[v]);
+    part.triangles.push_back({first, first + 1, first + 2});
+  }
+  const WindingNumber alone(part);
+  std::erase_if(within, [&](std::size_t n) { return !encloses(alone, pieces[n]); });
+  return within;
+}
 
-void orient_alike(TriangleMesh& mesh) {
-  const auto [neighbours, all_alike] = neighbours_in(mesh);
-  if (all_alike) return;
-
+/// Turns triangles round until those that share a side go through it in opposite directions; a piece where most do
+/// already keeps its side.
+void turn_alike(TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>& neighbours) {
   enum : std::uint8_t { kUnseen, kKept, kTurned };
   std::vector<std::uint8_t> state(mesh.triangles.size(), kUnseen);
   for (std::uint32_t first = 0; first < state.size(); ++first) {
@@ -159,26 +175,29 @@ void orient_alike(TriangleMesh& mesh) {
   }
 }
 
-void orient_outwards(TriangleMesh& mesh) {
-  const std::vector<Piece> pieces = pieces_of(mesh, neighbours_in(mesh));
+/// Turns closed pieces that lie in no other and face inwards, and with each what lies in it.
+void turn_outwards(TriangleMesh& mesh, const std::vector<std::vector<Neighbour>>& neighbours) {
+  const std::vector<Piece> pieces = pieces_of(mesh, neighbours);
   const auto faces_inwards = [](const Piece& piece) { return piece.six_volumes < 0; };
   if (!std::ranges::all_of(pieces, &Piece::closed) || std::ranges::none_of(pieces, faces_inwards)) return;
   const WindingNumber all(mesh);
   std::vector<bool> turns(pieces.size(), false);
-  for (const Piece& outer : pieces) {
-    if (!faces_inwards(outer) || encloses(all, outer)) continue;
-    const WindingNumber alone(part_of(mesh, outer));
-    for (std::size_t n = 0; n < pieces.size(); ++n)
-      if (&pieces[n] == &outer || encloses(alone, pieces[n])) turns[n] = true;
+  for (std::size_t n = 0; n < pieces.size(); ++n) {
+    if (!faces_inwards(pieces[n]) || encloses(all, pieces[n])) continue;
+    turns[n] = true;
+    for (const std::size_t within : pieces_in(mesh, pieces, pieces[n])) turns[within] = true;
   }
   for (std::size_t n = 0; n < pieces.size(); ++n)
     if (turns[n])
       for (const std::uint32_t t : pieces[n].triangles) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
 }
 
+}  // namespace
+
 TriangleMesh oriented(TriangleMesh mesh) {
-  orient_alike(mesh);
-  orient_outwards(mesh);
+  const auto [neighbours, all_alike] = neighbours_in(mesh);
+  if (!all_alike) turn_alike(mesh, neighbours);
+  turn_outwards(mesh, neighbours);
   return mesh;
 }
 

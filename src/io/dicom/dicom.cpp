@@ -132,7 +132,11 @@ std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::stri
   if (series.size() > 1)
     cannot_read(folder, "it has several DICOM series, or one of several kinds: " + list +
                             ". Choose one by VolumeReadOptions::dicom_series.");
-  return slices_of(series.front());
+  std::vector<DicomSlice> slices = slices_of(series.front());
+  if (found.unread.size() >= slices.size())  // then they may be what is meant
+    cannot_read(found.unread.front().path, found.unread.front().cause + " The folder has " + list +
+                                               " beside it; choose that by VolumeReadOptions::dicom_series.");
+  return slices;
 }
 
 FrameDecoder decoder_in(CodecProcess& process) {

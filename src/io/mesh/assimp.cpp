@@ -36,14 +36,21 @@ std::string json_of(const std::filesystem::path& path) {
   return json;
 }
 
-/// The texts in a list of the outermost object; none where the JSON is not sound, which Assimp says afterwards.
-std::vector<std::string> list_in_json(const nlohmann::json& json, const char* key) {
-  std::vector<std::string> texts;
-  const auto list = json.is_object() ? json.find(key) : json.end();
-  if (list == json.end()) return texts;
-  for (const nlohmann::json& item : *list)
-    if (item.is_string()) texts.push_back(item);
-  return texts;
+/// What Assimp says of a file that it refuses is about its own code, but for the name of a file that is missing.
+std::string cause_of(std::string_view reason) {
+  constexpr std::string_view kNamed = "referenced file \"";
+  if (const std::size_t at = reason.find(kNamed); at != std::string_view::npos) {
+    const std::string_view name = reason.substr(at + kNamed.size());
+    return "the file " + in_quotes(name.substr(0, name.find('"'))) +
+           " that it needs cannot be read; keep them together, or export the mesh as .glb.";
+  }
+  return "it is damaged, holds no mesh or is compressed; export it again as glTF 2.0 without compression, or as STL or "
+         "OBJ.";
+}
+
+/// A list of the outermost object; an empty one where it has none of that name.
+nlohmann::json list_in(const nlohmann::json& json, const char* key) {
+  return json.is_object() && json.contains(key) ? json[key] : nlohmann::json::array();
 }
 
 /// Whether an extension of glTF is about colours, pictures, lights or notes: what is cut is the same without it.
@@ -53,34 +60,33 @@ bool leaves_shapes_alone(std::string_view extension) {
                              [&](std::string_view part) { return extension.find(part) != std::string_view::npos; });
 }
 
-/// Whether a list of the outermost object holds an object with bones (a skin), or with weights of other shapes.
-bool any_is_posed(const nlohmann::json& json, const char* key) {
-  const auto list = json.is_object() ? json.find(key) : json.end();
-  return list != json.end() && std::ranges::any_of(*list, [](const nlohmann::json& item) {
-           if (!item.is_object()) return false;
-           const auto weights = item.find("weights");
-           return item.contains("skin") ||
-                  (weights != item.end() &&
-                   std::ranges::any_of(*weights, [](const nlohmann::json& weight) { return weight != 0; }));
-         });
+/// Whether an object has bones (a skin), or weights of other shapes.
+bool is_posed(const nlohmann::json& item) {
+  const nlohmann::json weights = list_in(item, "weights");
+  return item.contains("skin") ||
+         std::ranges::any_of(weights, [](const nlohmann::json& weight) { return weight != 0; });
 }
 
 /// Assimp reads on where an extension is needed that it does not know. Of copies by EXT_mesh_gpu_instancing only the
-/// first would be there, also where the file can do without.
-void require_known_shape(std::string_view text) {
+/// first would be there, also where the file can do without; and it leaves poses to its caller.
+void require_known_shape(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return (std::uint8_t(c) & 0x80U) != 0; }, '?');  // names in any encoding
+  text.erase(text.find_last_not_of('\0') + 1);                            // with which some programs fill up a .glb
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-  std::vector<std::string> extensions = list_in_json(json, "extensionsUsed");
-  std::erase_if(extensions, [](const std::string& extension) { return extension != "EXT_mesh_gpu_instancing"; });
-  for (const std::string& extension : list_in_json(json, "extensionsRequired"))
-    if (!leaves_shapes_alone(extension)) extensions.push_back(extension);
+  if (json.is_discarded()) throw Error(cause_of(""));
+  std::vector<std::string> extensions;
+  for (const nlohmann::json& used : list_in(json, "extensionsUsed"))
+    if (used == "EXT_mesh_gpu_instancing") extensions.push_back(used);
+  for (const nlohmann::json& required : list_in(json, "extensionsRequired"))
+    if (required.is_string() && !leaves_shapes_alone(required.get<std::string>())) extensions.push_back(required);
   if (!extensions.empty())
     throw Error("it needs the glTF extension " + in_quotes(extensions.front()) +
                 ", which is not read; export it again without that, or as STL or OBJ.");
-  if (any_is_posed(json, "nodes") || any_is_posed(json, "meshes"))
+  if (std::ranges::any_of(list_in(json, "nodes"), is_posed) || std::ranges::any_of(list_in(json, "meshes"), is_posed))
     throw Error(
-        "its shape is posed by bones (a skin) or by morph targets, which are not read; apply them where it was made, "
-        "and "
-        "export it again.");
+        "its shape is posed by bones (a skin) or by morph targets, which are not read; apply them in the program that "
+        "made it, and export it again.");
 }
 
 /// A name in which %20 stands for a blank, and so on.
@@ -160,28 +166,17 @@ void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent
   for (unsigned n = 0; n < node.mNumChildren; ++n) collect(scene, *node.mChildren[n], transform, polygons);
 }
 
-/// What Assimp says of a file that it refuses is about its own code, but for the name of a file that is missing.
-std::string cause_of(std::string_view reason) {
-  constexpr std::string_view kNamed = "referenced file \"";
-  if (const std::size_t at = reason.find(kNamed); at != std::string_view::npos) {
-    const std::string_view name = reason.substr(at + kNamed.size());
-    return "the file " + in_quotes(name.substr(0, name.find('"'))) +
-           " that it needs cannot be read; keep them together, or export the mesh as .glb.";
-  }
-  return "it is damaged, holds no mesh or is compressed; export it again as glTF 2.0 without compression, or as STL or "
-         "OBJ.";
-}
-
 }  // namespace
 
 Polygons read_with_assimp(const std::filesystem::path& path) {
   const std::string json = json_of(path);
-  require_known_shape(json);
   constexpr std::string_view kMark = "\xef\xbb\xbf";  // before a text in UTF-8, which Assimp does not know
+  const bool marked = json.starts_with(kMark);
+  const std::string_view text = std::string_view(json).substr(marked ? kMark.size() : 0);
+  require_known_shape(std::string(text));
   Assimp::Importer importer;
   // The importer owns it.
-  importer.SetIOHandler(new MeshAndFilesBeside(
-      path.string(), json.starts_with(kMark) ? std::string_view(json).substr(kMark.size()) : ""));
+  importer.SetIOHandler(new MeshAndFilesBeside(path.string(), marked ? text : ""));
   // No step of its own afterwards: its triangulation ends the program on damaged files.
   const aiScene* scene = importer.ReadFile(path.string(), 0);
   if (scene == nullptr || scene->mRootNode == nullptr) throw Error(cause_of(importer.GetErrorString()));

@@ -64,6 +64,10 @@ TEST(Dicom, PicturesOfOtherSeriesThatAreNoneOfAVolumeAreLeftOut) {
   for (const char* chosen : {"", "1.2.3.6"})
     EXPECT_EQ(read_grey_volume(folder / "", {.dicom_series = chosen}).dims, (std::array<int, 3>{4, 3, 3}));
   EXPECT_THROW((void)read_grey_volume(folder / "", {.dicom_series = "1.2.3.4"}), Error);
+  for (const char* name : {"more", "still more"}) write_bytes(folder / name, test::dicom_file(colour));
+  EXPECT_NE(error_of(folder / "").find("beside it; choose that"), std::string::npos) << "which of both is not clear";
+  EXPECT_EQ(read_grey_volume(folder / "", {.dicom_series = "1.2.3.6"}).dims, (std::array<int, 3>{4, 3, 3}));
+  for (const char* name : {"more", "still more"}) std::filesystem::remove(folder / name);
   of_series("1.2.3.6");
   EXPECT_NE(error_of(folder / "").find("other': it has several values per sample"), std::string::npos);
   write_bytes(folder / "other", slice(4).substr(0, 300));
