@@ -205,26 +205,17 @@ void bind_messages(py::module_& m) {
 
 void bind_interlock(py::module_& m) {
   using I = SpindleInterlock;
-  const auto writable = [](PythonSimulation& simulation) -> Simulation& {
-    simulation.occupancy.require_writable("The simulation");
-    return simulation.simulation;
-  };
   py::class_<I>(m, "SpindleInterlock", doc("SpindleInterlock"))
-      .def(py::init<AngularSpeed>(), py::arg("speed"), doc("SpindleInterlock::SpindleInterlock"))
-      .def_property_readonly("speed", &I::speed, doc("SpindleInterlock::speed"))
-      .def("set_speed", &I::set_speed, py::arg("speed"), doc("SpindleInterlock::set_speed"))
+      .def(py::init<>())
       .def("admits", &I::admits, py::arg("arming"), py::arg("touches"), doc("SpindleInterlock::admits"))
       .def("interrupt", &I::interrupt, doc("SpindleInterlock::interrupt"))
       .def(
           "turn",
-          [writable](I& self, PythonSimulation& simulation, ArmingState arming) {
-            self.turn(writable(simulation), arming);
+          [](I& self, PythonSimulation& simulation, ArmingState arming) {
+            simulation.occupancy.require_writable("The simulation");
+            self.turn(simulation.simulation, arming);
           },
-          py::arg("simulation"), py::arg("arming"), doc("SpindleInterlock::turn"))
-      .def(
-          "turn",
-          [writable](const I& self, PythonSimulation& simulation, bool may) { self.turn(writable(simulation), may); },
-          py::arg("simulation"), py::arg("may"), doc("SpindleInterlock::turn"));
+          py::arg("simulation"), py::arg("arming"), doc("SpindleInterlock::turn"));
 }
 
 void bind_model(py::module_& m) {

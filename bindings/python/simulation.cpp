@@ -209,6 +209,16 @@ void bind_the_simulation(py::module_& m) {
           },
           doc("Simulation::halt_spindle"))
       .def(
+          "hold_spindle",
+          [](S& self, bool hold) {
+            self.occupancy.require_writable("The simulation");
+            self.simulation.hold_spindle(hold);
+          },
+          py::arg("hold"), doc("Simulation::hold_spindle"))
+      .def_property_readonly(
+          "spindle_is_held", [](const S& self) { return read(self).spindle_is_held(); },
+          doc_or_none("Simulation::spindle_is_held"))
+      .def(
           "reserve_blocks",
           [](S& self, std::size_t count) {
             self.occupancy.require_writable("The simulation");

@@ -18,7 +18,7 @@ tool = hapticut.Tool(hapticut.SphereHead(2 * mm), spindle=hapticut.Spindle(30_00
 config = hapticut.SimulationConfig(reference_stiffness=hapticut.stiffness_for_device(tool.head, 600.0))
 simulation = hapticut.Simulation(block, tool, config)
 device = open_device("mock:spiral,device=touch,hand=nominal")
-interlock = SpindleInterlock(simulation.spindle_setting)
+interlock = SpindleInterlock()
 file = folder / "recording.h5"
 
 # A mock is quicker than the disk; a real device may not wait, and need not.

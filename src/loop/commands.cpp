@@ -110,7 +110,7 @@ bool SimulationModel::obey(LoopCommand& command) noexcept {
 
 bool SimulationModel::apply(const commands::SetSpindleSpeed& command) noexcept {
   if (!(std::abs(command.speed) <= kFastestSpindle)) return false;
-  interlock_.set_speed(command.speed);
+  simulation_->set_spindle_speed(command.speed);
   return true;
 }
 
@@ -172,14 +172,13 @@ void SimulationModel::after_exchange() noexcept {
   unfelt_ = true;
   feel_nothing(StepStatus::ok);
   if (coupling_) coupling_->leave(VirtualCoupling::Rejoin::free);
-  if (spindle_needs_force_) simulation_->halt_spindle();  // or it would cut while it runs down
+  if (spindle_needs_force_) simulation_->hold_spindle(true);  // or it would cut while it runs down
   device_->interrupt(SafetyEvent::model_swapped);
 }
 
 bool SimulationModel::apply(commands::SetTool& command) noexcept {
   if (!simulation_->exchange(command.tool)) return false;
   if (coupling_) coupling_->exchange_lists(command.lists);
-  interlock_.set_speed(simulation_->spindle_setting());
   after_exchange();
   return true;
 }
@@ -232,7 +231,6 @@ bool SimulationModel::apply(commands::ExchangeWorkpiece& command) noexcept {
   std::swap(bounds_, command.bounds);
   if (coupling_) coupling_->exchange_lists(command.lists);
   travel_ = Travel::none;
-  interlock_.set_speed(simulation_->spindle_setting());
   books_energy_ = is_foundation(simulation_->config());
   ++tool_.workpiece;
   after_exchange();

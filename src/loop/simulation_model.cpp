@@ -35,7 +35,6 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
       spindle_needs_force_(options.spindle_needs_force),
       pedal_(options.pedal),
       undo_blocks_per_tick_(options.undo_blocks_per_tick),
-      interlock_(simulation.spindle_setting()),
       books_energy_(is_foundation(simulation.config())) {
   require_fields_within(options, "SimulationModelOptions::");
   require_gains_within(options.map);
@@ -106,7 +105,7 @@ void SimulationModel::rest() noexcept {
   feel_nothing(StepStatus::ok);
   interlock_.interrupt();
   if (coupling_) coupling_->leave(VirtualCoupling::Rejoin::near);
-  if (spindle_needs_force_ && simulation_->spindle_setting() != 0) simulation_->halt_spindle();
+  if (spindle_needs_force_) simulation_->hold_spindle(true);
 }
 
 /// What was felt when it was to be held, in W, at the hand as it is now.
@@ -117,7 +116,7 @@ Wrench SimulationModel::hold_force(const DeviceState& state) const noexcept {
 void SimulationModel::turn_spindle(const DeviceState& state) noexcept {
   const bool admitted = interlock_.admits(tool_.force_held ? ArmingState::off : device_->last_arming(), touches_);
   const bool pressed = pedal_ < 0 || state.pressed(pedal_);
-  interlock_.turn(*simulation_, pressed && (admitted || !spindle_needs_force_));
+  simulation_->hold_spindle(!pressed || (!admitted && spindle_needs_force_));
 }
 
 /// Steps, with the coupling or without.  @return what the hand feels, about Ho of the hand, in W

@@ -102,6 +102,8 @@ bool Simulation::exchange(PreparedTool& prepared) noexcept {
   p.worst_case = worst;
   s.result.removed_voxels = {};
   s.motor = SpindleMotor(s.tool.spindle());
+  s.held_setting = s.motor.setting();
+  if (s.held) s.halt();
   s.load = {};
   s.share_cutting();
   s.compare_cutters();
@@ -134,12 +136,32 @@ void Simulation::exchange(Simulation& prepared) noexcept {
   s.start_afresh();
 }
 
-void Simulation::halt_spindle() noexcept {
-  state_->motor.halt();
-  state_->halted_since = true;
-  state_->load = {};
-  state_->share_cutting();
+void Simulation::State::halt() noexcept {
+  motor.halt();
+  halted_since = true;
+  load = {};
+  share_cutting();
 }
+
+void Simulation::halt_spindle() noexcept {
+  state_->held_setting = 0;
+  state_->halt();
+}
+
+void Simulation::hold_spindle(bool hold) noexcept {
+  State& s = *state_;
+  if (hold == s.held) return;
+  s.held = hold;
+  if (hold) {
+    s.held_setting = s.motor.setting();
+    s.halt();
+  } else {
+    s.motor.set(s.held_setting);
+    s.share_cutting();
+  }
+}
+
+bool Simulation::spindle_is_held() const noexcept { return state_->held; }
 
 void Simulation::set_tool(Tool tool) {
   PreparedTool prepared(std::move(tool), state_->workpiece.voxel_size(), state_->config);

@@ -74,7 +74,9 @@ const SimulationConfig& Simulation::config() const { return state_->config; }
 const StepResult& Simulation::last_result() const { return state_->result; }
 
 ChangedBlocks Simulation::changed_blocks() const noexcept { return state_->contact_stages.changed(); }
-AngularSpeed Simulation::spindle_setting() const noexcept { return state_->motor.setting(); }
+AngularSpeed Simulation::spindle_setting() const noexcept {
+  return state_->held ? AngularSpeed::in_rad_per_s(state_->held_setting) : state_->motor.setting();
+}
 const StepInput& Simulation::last_input() const noexcept { return state_->input; }
 std::uint64_t Simulation::steps() const noexcept { return state_->steps; }
 bool Simulation::starts_afresh() const noexcept { return !state_->has_pose; }
@@ -109,6 +111,8 @@ const StageTimes& Simulation::stage_times() const { return state_->times; }
 
 void Simulation::set_spindle_speed(AngularSpeed speed) {
   validate(Spindle{speed});
+  state_->held_setting = speed;
+  if (state_->held) return;
   state_->motor.set(speed);
   state_->share_cutting();
 }

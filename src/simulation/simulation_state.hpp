@@ -49,6 +49,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void prepare_workpiece();
   void set_material_friction() noexcept;
   void compare_cutters() noexcept;
+  void halt() noexcept;
   void start_afresh() noexcept;
 
   // The stages of a step, in their order.
@@ -99,8 +100,8 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void reject(StepStatus status) noexcept;
   void tell_of_step(const Simulation& simulation) const noexcept {
     for (StepObserver* observer : observers.all())
-      observer->on_step(
-          {simulation, steps - 1, input, free_blocks, after_letting_go, after_halt, output_path, hand, result});
+      observer->on_step({simulation, steps - 1, input, free_blocks, after_letting_go, after_halt, motor.setting(),
+                         output_path, hand, result});
   }
   void tell_of_exchange() noexcept {
     ++exchanges;
@@ -144,6 +145,8 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   std::size_t free_blocks = 0;    // when the last step began
   bool let_go_since = false;      // the last step
   bool after_letting_go = false;  // the last step was
+  bool held = false;              // the spindle, which then stands
+  double held_setting = 0;        // [rad/s] that was asked of it
   bool halted_since = false;      // the spindle, since the last step
   bool after_halt = false;        // the last step was
   OutputPath output_path = OutputPath::direct;

@@ -118,19 +118,18 @@ def test_a_cut_is_undone_while_the_loop_goes_on(coupled):
 
 
 def test_a_loop_of_ones_own_cuts_nothing_before_there_is_a_force(coupled):
-    interlock = h.loop.SpindleInterlock(coupled.spindle_setting)
-    states = h.safety.ArmingState
+    interlock = h.loop.SpindleInterlock()
+    states, speed = h.safety.ArmingState, coupled.spindle_setting
     interlock.turn(coupled, states.wait_free)
-    assert coupled.spindle_setting == 0 and interlock.speed != 0
+    assert coupled.spindle_is_held and coupled.spindle_setting == speed != 0
     assert not interlock.admits(states.ramp, True) and interlock.admits(states.ramp, False)
-    interlock.turn(coupled, True)
-    assert coupled.spindle_setting == interlock.speed
+    interlock.turn(coupled, states.on)
+    assert not coupled.spindle_is_held
     interlock.interrupt()
     assert not interlock.admits(states.on, True)
-    interlock.set_speed(100.0)
-    assert interlock.speed == 100
-    with pytest.raises(h.Error, match="Spindle::speed"):
-        interlock.set_speed(1e9)
+    coupled.hold_spindle(True)
+    coupled.set_spindle_speed(100.0)
+    assert coupled.spindle_is_held and coupled.spindle_setting == 100
 
 
 def test_everything_may_be_exchanged_while_the_loop_goes_on(coupled):

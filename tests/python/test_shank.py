@@ -61,7 +61,7 @@ def test_a_spindle_that_no_motor_turns_is_refused(block):
         with pytest.raises(h.Error, match="units.?.?rpm"):
             h.common_spindle(*turns_a_minute)
     simulation = h.Simulation(block, h.Tool(h.SphereHead(1 * mm)))
-    for give in (h.Spindle, h.loop.SpindleInterlock, h.loop.commands.SetSpindleSpeed, simulation.set_spindle_speed):
+    for give in (h.Spindle, h.loop.commands.SetSpindleSpeed, simulation.set_spindle_speed):
         with pytest.raises(h.Error, match="40000 . hapticut.units.rpm"):
             give(40000)
         with pytest.raises(h.Error, match="40000"):

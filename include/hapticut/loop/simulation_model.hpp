@@ -94,7 +94,7 @@ class SimulationModel final : public LoopModel {
   Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override;
   [[nodiscard]] ModelContact contact() const noexcept override { return contact_; }
   [[nodiscard]] double spindle_speed() const noexcept {
-    return interlock_.speed();
+    return simulation_->spindle_setting();
   }  ///< [rad/s] while there is a force
   bool obey(LoopCommand& command) noexcept override;
   void mark_changes(BlockOutbox& outbox) noexcept override;

@@ -45,7 +45,8 @@ struct ObservedStep {
   const StepInput& input;        ///< what it was given
   std::size_t free_blocks;       ///< reserved blocks that were left when it began
   bool let_go;                   ///< the hand had let go before it: see Simulation::let_go
-  bool halted;                   ///< the spindle had been halted before it: see Simulation::halt_spindle
+  bool halted;                   ///< the spindle had been made to stand before it: see Simulation::halt_spindle
+  double spindle_setting;        ///< [rad/s] asked of the spindle in it; 0 while it is held
   OutputPath path;               ///< of its force
   const HandOutput& hand;        ///< of the coupling, where `path` is coupled
   const StepResult& result;      ///< what came of it

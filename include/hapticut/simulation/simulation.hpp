@@ -89,7 +89,8 @@ class Simulation {
   /// What the last step has changed, and removals since.  @realtime no allocation, no lock; O(1)
   [[nodiscard]] ChangedBlocks changed_blocks() const noexcept;
 
-  /// [rad/s] that was asked of the spindle last; while it ramps or is loaded its speed is StepResult::spindle.
+  /// [rad/s] that was asked of the spindle last. Its speed is StepResult::spindle: while it ramps, is loaded or is held
+  /// another one.
   [[nodiscard]] AngularSpeed spindle_setting() const noexcept;
 
   /// What `step` was last called with, also by a loop or a coupling: dt = 0 before the first time.
@@ -128,6 +129,11 @@ class Simulation {
 
   /// The spindle stands from now on, whatever its ramp.  @realtime no allocation, no lock; O(1)
   void halt_spindle() noexcept;
+
+  /// Holds the spindle, so that it stands whatever is asked of it, or lets it turn as it is asked to. The guard of a
+  /// loop does so (SpindleInterlock).  @realtime no allocation, no lock; O(1)
+  void hold_spindle(bool hold) noexcept;
+  [[nodiscard]] bool spindle_is_held() const noexcept;
 
   /// Sets what is added to the model's force and what limits it, for the following steps.
   /// @throws Error naming the field, its value and the allowed range; then nothing has changed

@@ -228,7 +228,7 @@ void Recorder::State::note(const ObservedStep& step) noexcept {
   }
   time += row.input.dt;
   row.time = has_device_tick ? row.device.state.time : time;
-  row.spindle_setting = simulation.spindle_setting();
+  row.spindle_setting = step.spindle_setting;
   row.reserved_blocks = simulation.config().reserved_blocks;
   row.free_blocks = step.free_blocks;
   row.let_go = step.let_go;

@@ -17,7 +17,7 @@ TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInALoopOfOnesOwn) {
     const std::unique_ptr<Device> device = stiff_mock("rest");
     Simulation simulation(block(), ball(), config(true));
     VirtualCoupling coupling(simulation, touch_gains());
-    SpindleInterlock interlock(simulation.spindle_setting());
+    SpindleInterlock interlock;
     double unfelt = 0, felt = 0;  // [m^3]
     int n = 0;
     RunOptions run;
@@ -42,8 +42,8 @@ TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInALoopOfOnesOwn) {
   }
 }
 
-TEST(SpindleInterlock, WaitsUntilTheToolHasTouchedNothingAndTakesNoSpeedThatIsNone) {
-  SpindleInterlock interlock(3000 * units::rad_per_s);
+TEST(SpindleInterlock, WaitsUntilTheToolHasTouchedNothing) {
+  SpindleInterlock interlock;
   EXPECT_FALSE(interlock.admits(ArmingState::wait_free, false));
   EXPECT_FALSE(interlock.admits(ArmingState::ramp, true));
   EXPECT_TRUE(interlock.admits(ArmingState::ramp, false));
@@ -53,8 +53,33 @@ TEST(SpindleInterlock, WaitsUntilTheToolHasTouchedNothingAndTakesNoSpeedThatIsNo
   EXPECT_TRUE(interlock.admits(ArmingState::on, false));
   interlock.interrupt();
   EXPECT_FALSE(interlock.admits(ArmingState::on, true));
-  EXPECT_THROW(interlock.set_speed(2 * kFastestSpindle * units::rad_per_s), Error);
-  EXPECT_EQ(interlock.speed(), 3000);
+}
+
+// It was 0, the next loop took that for its speed, and nothing was cut any more, without a word.
+TEST(SpindleInterlock, LeavesWhatWasAskedOfTheSpindleAsItWas) {
+  Simulation simulation(block(), ball(), config(true));
+  const AngularSpeed speed = simulation.spindle_setting();
+  ASSERT_GT(speed, 0);
+  SpindleInterlock interlock;
+  const auto speed_of_step = [&] {
+    return simulation.step(Pose::from_translation(Vec3(0, 0, 5e-3)), {}, 1e-3).spindle.speed;
+  };
+  interlock.turn(simulation, ArmingState::wait_free);
+  EXPECT_TRUE(simulation.spindle_is_held());
+  EXPECT_EQ(speed_of_step(), 0);
+  EXPECT_EQ(simulation.spindle_setting(), speed);
+  simulation.set_spindle_speed(0.5 * speed * units::rad_per_s);
+  EXPECT_EQ(speed_of_step(), 0);
+  interlock.turn(simulation, ArmingState::on);
+  EXPECT_EQ(speed_of_step(), 0.5 * speed) << "what was asked meanwhile";
+  simulation.set_spindle_speed(speed);
+  interlock.turn(simulation, ArmingState::on);
+  EXPECT_EQ(speed_of_step(), speed) << "nobody takes it back";
+  simulation.hold_spindle(true);
+  simulation.set_tool(ball());
+  EXPECT_EQ(speed_of_step(), 0);
+  simulation.hold_spindle(false);
+  EXPECT_EQ(speed_of_step(), ball().spindle().speed);
 }
 
 TEST(SpindleInterlock, OfAModelWithAPedalTurnsWhileItIsDown) {
