@@ -96,12 +96,12 @@ std::vector<Piece> pieces_of(const TriangleMesh& mesh, const std::vector<std::ve
       for (const std::uint32_t v : mesh.triangles[t])
         for (int axis = 0; axis < 3; ++axis) {
           const Vec3& vertex = mesh.vertices[v];
-          Vec3 &low = piece.ends[std::size_t(2 * axis)], &high = piece.ends[std::size_t(2 * axis + 1)];
+          Vec3 &low = piece.ends[2 * std::size_t(axis)], &high = piece.ends[2 * std::size_t(axis) + 1];
           if (vertex[axis] < low[axis]) low = vertex;
           if (vertex[axis] > high[axis]) high = vertex;
         }
     for (int axis = 0; axis < 3; ++axis) {
-      Vec3 &low = piece.ends[std::size_t(2 * axis)], &high = piece.ends[std::size_t(2 * axis + 1)];
+      Vec3 &low = piece.ends[2 * std::size_t(axis)], &high = piece.ends[2 * std::size_t(axis) + 1];
       const double beyond = 1e-6 * (high[axis] - low[axis]);
       low[axis] -= beyond;
       high[axis] += beyond;

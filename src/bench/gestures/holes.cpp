@@ -71,7 +71,7 @@ void drill_lift_push(Report& report) {
     report.scene(borer.name + ", cortical bone, directly");
     const Material bone = bone_of(true);
     Drilled drilled(report, borer, bone);
-    drilled.rig.simulation.set_spindle_speed(0);
+    drilled.rig.simulation.set_spindle_speed(AngularSpeed{});
     Hand lift = drilled.from_here();
     lift.move({0, 0, kLift}, 0.06).hold(0.02);
     drilled.rig.play(lift);
@@ -109,7 +109,7 @@ void drill_lift_push(Report& report) {
   }
   report.scene("twist drill 2 mm, trabecular bone, coupled");
   Drilled drilled(report, borers().front(), bone_of(false));
-  drilled.rig.simulation.set_spindle_speed(0);
+  drilled.rig.simulation.set_spindle_speed(AngularSpeed{});
   drilled.rig.couple(gains_of_touch());
   Hand hand = drilled.from_here();
   drilled.rig.play(hand.move({0, 0, kLift}, 0.2).hold(0.1));
@@ -151,7 +151,7 @@ void pull_standing_drill(Report& report) {
   for (const Borer& borer : {borers()[0], borers()[1], borers()[2]}) {
     report.scene(borer.name + ", standing in its hole in trabecular bone, coupled");
     Drilled drilled(report, borer, bone_of(false));
-    drilled.rig.simulation.set_spindle_speed(0);
+    drilled.rig.simulation.set_spindle_speed(AngularSpeed{});
     drilled.rig.couple(gains_of_touch());
     Hand hand = drilled.from_here();
     drilled.rig.play(hand.hold(0.1));
