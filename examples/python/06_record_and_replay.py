@@ -22,12 +22,12 @@ interlock = SpindleInterlock()
 file = folder / "recording.h5"
 
 # A mock is quicker than the disk; a real device may not wait, and need not.
-options = io.RecorderOptions(device.name, wait_when_full=True)
-with io.Recorder(file, simulation, options) as recorder:
+options = io.RecorderOptions(wait_when_full=True)
+with io.Recorder(file, simulation, options, driven_by=device):
     def tick(state):
         """One millisecond: from the reading to the force."""
         interlock.turn(simulation, device.arming)  # nothing is cut that the hand does not feel
-        result = recorder.step(state.X_BS, state.velocity, 1e-3)
+        result = simulation.step(state.X_BS, state.velocity, 1e-3)
         return DeviceCommand(hapticut.Wrench(result.force, result.torque))
 
     report = device.run(tick, RunOptions(seconds=4, simulated_time=True))

@@ -100,6 +100,8 @@ void SimulationModel::travel(const DeviceState& state) noexcept {
   device_->interrupt(SafetyEvent::model_swapped);
 }
 
+SimulationModel::~SimulationModel() { simulation_->hold_spindle(false); }
+
 /// The hand is not known, or the clutch is open: the tool stays where it is, and cuts nothing.
 void SimulationModel::rest() noexcept {
   feel_nothing(StepStatus::ok);

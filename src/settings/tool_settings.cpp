@@ -325,9 +325,7 @@ Tool make_tool(const ToolSettings& s) {
   if (s.torque_limit_Nmm) spindle.torque_limit = *s.torque_limit_Nmm * units::N_mm;
   if (s.rotor_inertia_gmm2) spindle.rotor_inertia = *s.rotor_inertia_gmm2 * 1e-9;
   if (s.droop_rpm_per_Nmm) spindle.droop = *s.droop_rpm_per_Nmm * units::rpm / units::N_mm;
-  const bool drills = s.head == ToolSettings::Head::twist_drill;
-  Cutter cutter = common_cutter(s.cutter.value_or(drills ? CutterKind::twist_drill : CutterKind::carbide_bur));
-  if (s.lips > 0) cutter.lips = int(s.lips);
+  const Cutter cutter{s.cutter.value_or(usual_cutter(head).kind), int(s.lips)};
   return Tool(std::move(head), std::move(handle), spindle, cutter);
 }
 

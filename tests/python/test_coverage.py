@@ -157,7 +157,10 @@ def test_handles_and_tools():
         motor.drive(2e-3, 1e-3)
         motor.advance(2e-3, 1e-3)
     assert motor.stalled and motor.loaded and motor.speed == 0
-    assert h.catalogue.common_cutter(h.CutterKind.twist_drill).lips == 2
+    assert h.catalogue.lips_of(h.Cutter(h.CutterKind.twist_drill)) == 2
+    drill = h.catalogue.twist_drill_head(2 * mm, 5 * mm)
+    assert h.catalogue.usual_cutter(drill).kind == h.Tool(drill).cutter.kind == h.CutterKind.twist_drill
+    assert h.Tool(drill).cutter.lips == 2 and h.Tool(h.SphereHead(1 * mm)).cutter.lips == 6
     assert h.catalogue.tooth_rate(h.Cutter(lips=2), 2 * math.pi) == pytest.approx(2)
     h.validate(h.Spindle())
     with pytest.raises(h.Error, match="ConeHead"):

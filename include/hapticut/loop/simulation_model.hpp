@@ -69,6 +69,11 @@ class SimulationModel final : public LoopModel {
   ///         undo, or the device would be driven directly by a contact that is stiffer than what it renders
   SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options = {});
 
+  /// Lets the spindle turn again as it was asked to, for steps without a loop.
+  ~SimulationModel() override;
+  SimulationModel(const SimulationModel&) = delete;
+  SimulationModel& operator=(const SimulationModel&) = delete;
+
   /// The voxels whose blocks may change: RealtimeLoopOptions::region for pictures of the workpiece.
   [[nodiscard]] IndexBox region() const { return region_; }
 

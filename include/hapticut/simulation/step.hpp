@@ -95,7 +95,7 @@ enum class StepStatus : std::uint32_t {
   spindle_stands = 1U << 17,
   /// The tool cuts with another kind of cutter (Cutter::kind) than the one that a material's constants are for
   /// (Material::cutter): forces and removal are off by as much as tenfold. Cure: `find_preset(name,
-  /// tool.cutter().kind)`, or a tool with `common_cutter` of the material's kind; clear Material::cutter of constants
+  /// tool.cutter().kind)`, or a tool with a `Cutter` of the material's kind; clear Material::cutter of constants
   /// that are meant so.
   other_cutter = 1U << 18,
 };

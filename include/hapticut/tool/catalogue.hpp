@@ -51,8 +51,7 @@ namespace hapticut {
 /// [1] Radius at the foot of a tier of `christmas_tree_head`, of that of the rim below.
 inline constexpr double kTreeWaist = 0.6;
 
-/// A twist drill: only the cone of its point cuts, its side is smooth. Its two lips are the tool's:
-/// `Tool(twist_drill_head(...), handle, spindle, common_cutter(CutterKind::twist_drill))`.
+/// A twist drill: only the cone of its point cuts, its side is smooth. A Tool with it has two lips (`usual_cutter`).
 /// @param point_angle  full angle of the point, less than pi; 118 degrees for a common drill
 /// @param length       of the whole, more than that of the point
 [[nodiscard]] ToolHead twist_drill_head(double diameter, double length, double point_angle = 118 * units::deg);

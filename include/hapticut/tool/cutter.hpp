@@ -35,31 +35,33 @@ constexpr auto names_of(Of<CutterKind>) {
 /// depends on that.
 struct Cutter {
   CutterKind kind = CutterKind::carbide_bur;
-  int lips = 6;
+  int lips = 0;
 };
 
 constexpr auto fields_of(Of<Cutter>) {
   return std::tuple{
       field("kind", &Cutter::kind, "what the head cuts with"),
-      field("lips", &Cutter::lips, "1", Range::between(1, 1000),
-            "cutting edges that pass a place in a turn; 1 for grains, whose constants are those of a turn"),
+      field("lips", &Cutter::lips, "1", Range::between(0, 1000),
+            "cutting edges that pass a place in a turn; 0: as many as common cutters of the kind have"),
   };
 }
 
 /// @throws Error naming the field, its value and the allowed range
 inline void validate(const Cutter& cutter) { require_fields_within(cutter, "Cutter::"); }
 
-/// A cutter with as many lips as common ones of its kind have.
-[[nodiscard]] constexpr Cutter common_cutter(CutterKind kind) {
-  switch (kind) {
+/// z, where not given that of common cutters: 6 of a carbide bur, 2 of a drill, 8 of a mastoid cutting bur; 1 of
+/// grains, whose constants are those of a turn.
+[[nodiscard]] constexpr int lips_of(const Cutter& cutter) {
+  if (cutter.lips > 0) return cutter.lips;
+  switch (cutter.kind) {
     case CutterKind::carbide_bur:
-      return {kind, 6};
+      return 6;
     case CutterKind::twist_drill:
-      return {kind, 2};
+      return 2;
     case CutterKind::mastoid_cutting_bur:
-      return {kind, 8};
+      return 8;
     default:
-      return {kind, 1};
+      return 1;
   }
 }
 
@@ -67,7 +69,7 @@ inline void validate(const Cutter& cutter) { require_fields_within(cutter, "Cutt
 /// @param spindle_speed  [rad/s] of either sign
 /// @return [1/s]
 [[nodiscard]] inline double tooth_rate(const Cutter& cutter, double spindle_speed) {
-  return cutter.lips * std::abs(spindle_speed) / (2 * units::kPi);
+  return lips_of(cutter) * std::abs(spindle_speed) / (2 * units::kPi);
 }
 
 }  // namespace hapticut

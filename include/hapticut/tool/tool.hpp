@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/tool/cutter.hpp"
@@ -11,18 +14,37 @@
 
 namespace hapticut {
 
+/// What a head cuts with where nobody says: a twist drill, where a point cuts and the side above it is smooth, as that
+/// of `twist_drill_head`; else a carbide bur.
+[[nodiscard]] inline Cutter usual_cutter(const ToolHead& head) {
+  const auto* shape = std::get_if<ProfileHead>(&head.shape());
+  if (shape == nullptr) return {};
+  const std::vector<ProfileEdge>& edges = shape->profile().edges;
+  const bool points = edges[0].kind == EdgeKind::cutting && edges[0].radius == 0 && edges[0].z > shape->profile().tip;
+  const bool smooth_above =
+      edges.size() > 2 && edges[1].z > edges[0].z &&
+      std::all_of(edges.begin() + 1, edges.end(), [](const ProfileEdge& e) { return e.kind == EdgeKind::smooth; });
+  return {points && smooth_above ? CutterKind::twist_drill : CutterKind::carbide_bur};
+}
+
 /// What the hand holds: a head on a handle, turned by a spindle. An immutable description, checked when it is made.
 class Tool {
  public:
   /// `Tool(SphereHead{1 * mm}, RayHandle{20 * mm}, Spindle{40000 * rpm})`
   /// @param handle   by default none: the pose of the hand is that of the head, and no lever turns force into torque
   /// @param spindle  by default it stands: the head presses and rubs, and cuts nothing (StepStatus::spindle_stands)
+  /// @param cutter   by default that of `usual_cutter`
   /// @throws Error when a dimension of the head or handle, a number of the spindle or the lips are out of range, or a
   /// size must have been meant in millimetres
-  explicit Tool(ToolHead head, Handle handle = RayHandle{0}, Spindle spindle = {}, Cutter cutter = {})
-      : head_(std::move(head)), handle_(handle), spindle_(spindle), cutter_(cutter), X_HT_(head_in_handle(handle)) {
+  explicit Tool(ToolHead head, Handle handle = RayHandle{0}, Spindle spindle = {}, std::optional<Cutter> cutter = {})
+      : head_(std::move(head)),
+        handle_(handle),
+        spindle_(spindle),
+        cutter_(cutter.value_or(usual_cutter(head_))),
+        X_HT_(head_in_handle(handle)) {
     validate(spindle_);
     validate(cutter_);
+    cutter_.lips = lips_of(cutter_);
     constexpr double kLargestHead = 0.3, kFarthestHead = 5;  // [m] whoever holds it
     require_metres(head_.reach(), kLargestHead, "reach of the head [m]");
     require_metres(X_HT_.translation.norm(), kFarthestHead, "length of the handle [m]");
@@ -31,7 +53,7 @@ class Tool {
   [[nodiscard]] const ToolHead& head() const { return head_; }
   [[nodiscard]] const Handle& handle() const { return handle_; }
   [[nodiscard]] const Spindle& spindle() const { return spindle_; }
-  [[nodiscard]] const Cutter& cutter() const { return cutter_; }
+  [[nodiscard]] const Cutter& cutter() const { return cutter_; }  ///< lips too, where they were not given
   [[nodiscard]] const Pose& X_HT() const { return X_HT_; }  ///< pose of the head in the handle frame
 
  private:

@@ -60,7 +60,7 @@ void cut_by_default(Report& report) {
           thrust_of_drill(cut_of(bone, drill, 2 * mm), 1 * mm, 59 * units::deg), "C29 with chips");
   const Material enamel = presets::enamel(CutterKind::fine_diamond);
   const Tool diamond = tool_of(FlatHead{0.6 * mm, 3 * mm, FlatRule::bottom_only}, Spindle{300000 * rpm},
-                               common_cutter(CutterKind::fine_diamond));
+                               Cutter{CutterKind::fine_diamond});
   hold_to("fine diamond 1.2 mm, 300 000 rpm, enamel, 0.5 mm/s, directly", diamond, enamel, 0.5 * mm, 0.15 * mm,
           forms::axial_chip_wrench(cut_of(enamel, diamond, 0.5 * mm), 0.6 * mm).force.z(), "C35");
 }

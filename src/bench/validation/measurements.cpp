@@ -103,7 +103,7 @@ double DiamondBur::Plate::removal_under(double load) {
 namespace {
 
 closed_forms::SteadyCut carbide_cut(const Material& m) {
-  const Cutter cutter = common_cutter(CutterKind::carbide_bur);
+  const Cutter cutter = Cutter{CutterKind::carbide_bur};
   return {m.specific_cutting_energy,
           m.cutting_ratio,
           CarbideBur::kSpeed,
@@ -127,7 +127,7 @@ double CarbideBur::rate_under(double load, const Material& material) {
   constexpr int kSteps = 1500, kFrom = 500;
   Simulation simulation(build_block({Vec3(-0.6, -0.6, -1.2) * mm, Vec3(0.6, 0.6, 0) * mm}, 0.04 * mm, material),
                         Tool(FlatHead{kRadius, 2 * mm, FlatRule::bottom_only}, RayHandle{0},
-                             Spindle{kSpeed * units::rad_per_s}, common_cutter(CutterKind::carbide_bur)),
+                             Spindle{kSpeed * units::rad_per_s}, Cutter{CutterKind::carbide_bur}),
                         {});
   double z = 0, speed = 0, begin = 0;
   for (int n = 0; n < kSteps; ++n) {

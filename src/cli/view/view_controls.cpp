@@ -293,7 +293,7 @@ Tool ViewControls::tool() const {
   spindle.speed = spindle_speed();
   if (at(kPower) < kMostWatts) spindle.power_limit = at(kPower);
   Cutter cutter = tool_.cutter();  // the kind that the materials of the scene are for
-  if (int(at(kHead)) == 14) cutter.lips = common_cutter(CutterKind::twist_drill).lips;
+  if (int(at(kHead)) == 14) cutter.lips = lips_of({CutterKind::twist_drill});
   return Tool(head(), handle, spindle, cutter);
 }
 

@@ -6,21 +6,12 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/io/recording/recording.hpp"
+#include "io/recording/handle_reading.hpp"
 
 namespace hapticut {
 namespace {
 
 constexpr std::uint64_t kStepsAtOnce = 4096;  // steps
-
-/// The pose of the handle as a reading of a device whose base is the world.
-DeviceState reading_of(const RecordedStep& step) {
-  DeviceState state;
-  state.X_BS = step.input.pose;
-  state.velocity = step.input.velocity;
-  state.time = step.time;
-  state.sequence = step.number + 1;
-  return state;
-}
 
 DeviceCapabilities of_poses() {
   DeviceCapabilities capabilities;
@@ -46,7 +37,7 @@ std::unique_ptr<PlaybackDevice> open_playback(const std::filesystem::path& path,
   readings.reserve(count);
   for (std::uint64_t first = begin; first < end; first += kStepsAtOnce)
     for (const RecordedStep& step : recording.read(first, std::min(kStepsAtOnce, end - first))) {
-      const DeviceState reading = recording.has_device() ? step.device.state : reading_of(step);
+      const DeviceState reading = recording.has_device() ? step.device.state : reading_of_handle(step);
       // Behind a coupling a fast tick makes several steps of one reading. A reading that came again in a later tick has
       // a time of its own.
       if (!readings.empty() && readings.back().sequence == reading.sequence && readings.back().time == reading.time)

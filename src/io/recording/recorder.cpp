@@ -7,6 +7,7 @@
 
 #include "hapticut/core/build_info.hpp"
 #include "io/atomic_file.hpp"
+#include "io/recording/handle_reading.hpp"
 #include "io/recording/recording_columns.hpp"
 #include "io/recording/recording_file.hpp"
 #include "io/recording/recording_settings.hpp"
@@ -228,6 +229,7 @@ void Recorder::State::note(const ObservedStep& step) noexcept {
   }
   time += row.input.dt;
   row.time = has_device_tick ? row.device.state.time : time;
+  if (!has_device_tick) row.device = {reading_of_handle(row), {}, ArmingState::off};
   row.spindle_setting = step.spindle_setting;
   row.reserved_blocks = simulation.config().reserved_blocks;
   row.free_blocks = step.free_blocks;

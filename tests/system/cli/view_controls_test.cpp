@@ -77,7 +77,7 @@ const std::map<std::string, Turned>& turned() {
       {"application/Spindle", {0, [](P p) { return p.rig.model.spindle_speed(); }}},
       {"tool/Speed", {12345, [](P p) { return p.rig.model.spindle_speed() / rpm; }}},
       {"tool/Head",
-       {14, [](P p) { return p.tool().cutter().lips == common_cutter(CutterKind::twist_drill).lips ? 14 : 0; }}},
+       {14, [](P p) { return p.tool().cutter().lips == lips_of({CutterKind::twist_drill}) ? 14 : 0; }}},
       {"tool/Diameter", {2.5, [](P p) { return 2 * p.tool().head().largest_radius() / mm; }, cylinder}},
       {"tool/Length", {4.5, length, cylinder}},
       {"tool/Cone angle",

@@ -142,7 +142,7 @@ TEST(Chips, C38PlungingABall) {
 // Proves: chips.
 TEST(Chips, C42AGrooveInBoneIsManyTimesTheOneAtAConstantEnergy) {
   const double depth = 0.5 * mm;
-  const Cutter bur = common_cutter(CutterKind::carbide_bur);
+  const Cutter bur = Cutter{CutterKind::carbide_bur};
   for (const double spin : {2000.0, 8000.0}) {
     const Material bone = presets::cortical_bone();
     Simulation simulation(build_block({Vec3(-3.4, -1.6, -1.1) * mm, Vec3(2.6, 1.6, 0) * mm}, kVoxel, bone),

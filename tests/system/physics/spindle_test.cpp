@@ -132,21 +132,21 @@ TEST(Spindle, ThatTurnsAnotherCutterThanMaterialsAreMadeForIsTold) {
     simulation = Simulation(block(material), with);
   };
   EXPECT_FALSE(is_told());
-  start_again(presets::dentin(), tool(common_cutter(coarse_diamond)));
+  start_again(presets::dentin(), tool(Cutter{coarse_diamond}));
   EXPECT_TRUE(is_told());
   (void)is_told(-0.05 * mm);  // on its way out it still touches
   EXPECT_FALSE(is_told(-0.05 * mm)) << "in the air";
-  start_again(presets::dentin(), tool(common_cutter(coarse_diamond), 0));
+  start_again(presets::dentin(), tool(Cutter{coarse_diamond}, 0));
   EXPECT_FALSE(is_told()) << "standing it cuts nothing";
-  start_again(presets::dentin(coarse_diamond), tool(common_cutter(coarse_diamond)));
+  start_again(presets::dentin(coarse_diamond), tool(Cutter{coarse_diamond}));
   EXPECT_FALSE(is_told());
-  start_again(plain_material(), tool(common_cutter(twist_drill)));
+  start_again(plain_material(), tool(Cutter{twist_drill}));
   EXPECT_FALSE(is_told()) << "constants of one's own";
-  start_again(presets::clay(), tool(common_cutter(twist_drill)));
+  start_again(presets::clay(), tool(Cutter{twist_drill}));
   EXPECT_FALSE(is_told()) << "as every cutter meets it";
 
   start_again(presets::dentin(), tool({}));
-  simulation.set_tool(tool(common_cutter(twist_drill)));
+  simulation.set_tool(tool(Cutter{twist_drill}));
   (void)is_told(-0.1 * mm);
   EXPECT_TRUE(is_told());
   simulation.set_materials(MaterialTable({presets::dentin(twist_drill)}));

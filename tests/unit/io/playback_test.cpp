@@ -66,6 +66,29 @@ TEST(Playback, GivesTheReadingsOfARecordedDeviceAgain) {
   }
 }
 
+// It gave one reading: all the others were the same nothing.
+TEST(Playback, OfADeviceThatWasOnlyNamedGivesThePosesOfTheHandle) {
+  const TemporaryFolder folder;
+  Simulation simulation = find_scene("axial_flat").make();
+  RecorderOptions options = test::patient();
+  options.device = "a device";
+  Recorder recorder(folder / "a.h5", simulation, options);
+  const auto pose_at = [](int n) { return Pose::from_translation(Vec3(1e-5 * n, 0, 50e-3)); };
+  for (int n = 0; n < 20; ++n) simulation.step(pose_at(n), {}, 1e-3);
+  recorder.close();
+  const auto playback = open_playback(folder / "a.h5");
+  int n = 0;
+  (void)playback->run(
+      [&](const DeviceState& state) {
+        EXPECT_EQ(state.X_BS.translation, pose_at(n).translation) << n;
+        EXPECT_NEAR(state.time, 1e-3 * (n + 1), 1e-12);
+        ++n;
+        return DeviceCommand{};
+      },
+      in_simulated_time());
+  EXPECT_EQ(n, 20);
+}
+
 TEST(Playback, RepeatsAReadingThatCameAgainButNotThePartsOfATick) {
   const TemporaryFolder folder;
   Simulation simulation = find_scene("axial_flat").make();

@@ -82,6 +82,17 @@ TEST(SpindleInterlock, LeavesWhatWasAskedOfTheSpindleAsItWas) {
   EXPECT_EQ(speed_of_step(), ball().spindle().speed);
 }
 
+TEST(SpindleInterlock, OfAModelLetsGoOfTheSpindleWithIt) {
+  Rig rig;
+  {
+    SimulationModel model(rig.simulation, *rig.device);
+    LoopSnapshot snapshot;
+    (void)model.step({}, 1e-3, snapshot);
+    EXPECT_TRUE(rig.simulation.spindle_is_held()) << "there is no force yet";
+  }
+  EXPECT_FALSE(rig.simulation.spindle_is_held());
+}
+
 TEST(SpindleInterlock, OfAModelWithAPedalTurnsWhileItIsDown) {
   Rig rig;
   SimulationModelOptions options;

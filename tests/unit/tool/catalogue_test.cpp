@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/tool/tool.hpp"
 #include "support/catalogue_heads.hpp"
 #include "support/places.hpp"
 
@@ -109,6 +110,23 @@ std::string message_of(const std::function<void()>& make) {
     return error.what();
   }
   return "accepted";
+}
+
+// It had six lips, and pressed with nearly three times the force of a drill.
+TEST(Catalogue, ADrillHasTwoLipsAndABurSix) {
+  const Tool drill(twist_drill_head(2 * mm, 5 * mm));
+  EXPECT_EQ(drill.cutter().kind, CutterKind::twist_drill);
+  EXPECT_EQ(drill.cutter().lips, 2);
+  EXPECT_EQ(Tool(round_head(1 * mm), RayHandle{0}, {}, Cutter{CutterKind::twist_drill}).cutter().lips, 2);
+  EXPECT_EQ(Tool(round_head(1 * mm), RayHandle{0}, {}, Cutter{CutterKind::coarse_diamond}).cutter().lips, 1);
+  EXPECT_EQ(Tool(round_head(1 * mm), RayHandle{0}, {}, Cutter{CutterKind::twist_drill, 3}).cutter().lips, 3);
+  for (const ToolHead& bur : {round_head(1 * mm), needle_head(1 * mm, 4 * mm), cylinder_head(1 * mm, 4 * mm),
+                              pear_head(1 * mm, 2 * mm, 0.5 * mm), wheel_head(3 * mm, 1 * mm, 1 * mm),
+                              christmas_tree_head(2 * mm, 6 * mm, 3), ToolHead(ConeHead{0.5, 1 * mm})}) {
+    EXPECT_EQ(Tool(bur).cutter().kind, CutterKind::carbide_bur) << bur.description();
+    EXPECT_EQ(Tool(bur).cutter().lips, 6) << bur.description();
+  }
+  EXPECT_EQ(tooth_rate(Cutter{CutterKind::twist_drill}, 2 * units::kPi), 2);
 }
 
 TEST(Catalogue, RefusesDimensionsThatDoNotFitTogether) {

@@ -122,7 +122,7 @@ TEST(MaterialPresets, AreForEachCutterWhatTheTablesSay) {
 double rate_of(CutterKind kind, const Material& m, double load, double radius = 1 * units::mm) {
   constexpr double kSpin = 8000;  // [rad/s]
   closed_forms::SteadyCut cut{m.specific_cutting_energy, m.cutting_ratio, kSpin, 0};
-  cut.tooth_rate = tooth_rate(common_cutter(kind), kSpin);
+  cut.tooth_rate = tooth_rate(Cutter{kind}, kSpin);
   cut.edge_length = m.edge_length;
   cut.size_length = m.size_length;
   double low = 0, high = 1e3;  // [m/s]
@@ -186,7 +186,7 @@ TEST(MaterialPresets, LetACarbideBurIntoEnamelAndDentinAsFastAsWhiteMeasured) {
   const double speed = 250000 * units::rpm, radius = 0.42 * units::mm, load = 0.98;
   const auto rate = [&](const Material& m) {
     closed_forms::SteadyCut cut{m.specific_cutting_energy, m.cutting_ratio, speed, 1};
-    cut.tooth_rate = tooth_rate(common_cutter(CutterKind::carbide_bur), speed);
+    cut.tooth_rate = tooth_rate(Cutter{CutterKind::carbide_bur}, speed);
     cut.edge_length = m.edge_length;
     cut.size_length = m.size_length;
     return closed_forms::feed_with_chips_under(load, cut, radius) / units::mm;
