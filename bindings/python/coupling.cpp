@@ -81,6 +81,7 @@ py::array run(PythonCoupling& self, const Float64Array& poses, const Float64Arra
   CoupledRow* rows = trace.mutable_data();
   simulation.occupancy.require_writable("The simulation");  // last: what is above may let other threads run
   simulation.removed.clear();
+  TakenSteps taken;
   {
     const std::shared_ptr<void> recorder = simulation.recorder.lock();
     const ReleasedWriting released(simulation.occupancy);
@@ -89,10 +90,12 @@ py::array run(PythonCoupling& self, const Float64Array& poses, const Float64Arra
       const StepInput now = input[i];
       const CoupledResult& result = self.coupling.step(now.pose, now.velocity, now.dt);
       time += now.dt;
+      taken.note(result.status);
       rows[i] = coupled_row(result, time);
       simulation.remember(result.removed_voxels, i);
     }
   }
+  taken.tell();
   return trace;
 }
 

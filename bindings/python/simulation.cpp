@@ -245,9 +245,10 @@ void bind_the_simulation(py::module_& m) {
           "set_undo_mark",
           [](S& self) {
             self.occupancy.require_writable("The simulation");
-            self.simulation.set_undo_mark();
+            if (!self.simulation.set_undo_mark())
+              throw Error("There is no memory for undo; call reserve_undo first.");
           },
-          doc("Simulation::set_undo_mark"))
+          "Marks the present state of the workpiece. Raises Error without `reserve_undo`.")
       .def_property_readonly(
           "undo_marks", [](const S& self) { return read(self).undo_marks(); }, "How many marks `undo` can return to.")
       .def(

@@ -89,6 +89,12 @@ std::vector<VoxelIndex> origins_from(const py::array_t<std::int32_t, py::array::
   return origins;
 }
 
+void TakenSteps::tell() const {
+  if (taken_ == 0 && all_ > 0)
+    py::module_::import("hapticut._runs")
+        .attr("none_taken")("none of the " + std::to_string(all_) + " steps was taken: " + describe(seen_));
+}
+
 PythonStepResult make_step(PythonSimulation& simulation, const FewNumbers& pose, const FewNumbers& velocity, double dt,
                            const Stepper& step) {
   const StepInput input = step_input(pose, velocity, dt);
@@ -104,8 +110,7 @@ py::array make_steps(PythonSimulation& simulation, const Float64Array& poses, co
   auto* const rows = static_cast<std::byte*>(trace.mutable_data());
   simulation.occupancy.require_writable("The simulation");  // last: what is above may let other threads run
   simulation.removed.clear();
-  StepStatus seen = StepStatus::ok;
-  std::size_t taken = 0;
+  TakenSteps taken;
   {
     const std::shared_ptr<void> recorder = simulation.recorder.lock();
     const ReleasedWriting released(simulation.occupancy);
@@ -114,15 +119,12 @@ py::array make_steps(PythonSimulation& simulation, const Float64Array& poses, co
       const StepInput now = input[i];
       const StepResult& result = step(now);
       time += now.dt;
-      seen |= result.status;
-      taken += has_any(result.status, kRejected | StepStatus::tool_waits) ? 0 : 1;
+      taken.note(result.status);
       write_trace_row(result, time, rows + width * i);
       simulation.remember(result.removed_voxels, i);
     }
   }
-  if (taken == 0 && input.steps > 0)
-    py::module_::import("hapticut._runs")
-        .attr("none_taken")("none of the " + std::to_string(input.steps) + " steps was taken: " + describe(seen));
+  taken.tell();
   return trace;
 }
 

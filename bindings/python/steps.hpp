@@ -30,6 +30,22 @@ struct RunInput {
 /// @throws Error as above
 [[nodiscard]] StepInput step_input(const FewNumbers& pose, const FewNumbers& velocity, double dt);
 
+/// What became of the steps of a run.
+class TakenSteps {
+ public:
+  void note(StepStatus status) {
+    seen_ = seen_ | status;
+    ++all_;
+    taken_ += has_any(status, kRejected | StepStatus::tool_waits) ? 0 : 1;
+  }
+  /// Warns when there were some, and none of them was taken.
+  void tell() const;
+
+ private:
+  StepStatus seen_ = StepStatus::ok;
+  std::size_t all_ = 0, taken_ = 0;
+};
+
 /// (n, 3) int32 and (n,) uint8 that look into a list of voxels which `owner` keeps alive.
 [[nodiscard]] py::array voxel_indices(const std::vector<RemovedVoxel>& voxels, py::handle owner);
 [[nodiscard]] py::array voxel_materials(const std::vector<RemovedVoxel>& voxels, py::handle owner);

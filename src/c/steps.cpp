@@ -176,9 +176,7 @@ int hapticut_snapshot_restore(hapticut_simulation simulation, hapticut_snapshot 
 int hapticut_set_undo_mark(hapticut_simulation simulation) {
   const IdleSimulation use(simulation);
   if (!use) return use.code();
-  const std::size_t before = use->simulation.undo_marks();
-  use->simulation.set_undo_mark();
-  if (use->simulation.undo_marks() > 0 || before > 0) return HAPTICUT_OK;
+  if (use->simulation.set_undo_mark()) return HAPTICUT_OK;
   return fail(HAPTICUT_ERROR_REFUSED,
               "There is no memory for undo; make the simulation with hapticut_simulation_options.undo_blocks.");
 }

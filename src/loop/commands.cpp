@@ -134,9 +134,7 @@ bool SimulationModel::apply(const commands::SetScale& command) noexcept {
 }
 
 bool SimulationModel::apply(const commands::SetUndoMark& /*command*/) noexcept {
-  if (travel_ != Travel::none) return false;
-  simulation_->set_undo_mark();
-  return true;
+  return travel_ == Travel::none && simulation_->set_undo_mark();
 }
 
 bool SimulationModel::apply(const commands::Undo& /*command*/) noexcept {

@@ -137,7 +137,7 @@ void Simulation::restore(const WorkpieceSnapshot& snapshot) {
 
 void Simulation::reserve_undo(std::size_t blocks) { state_->workpiece.reserve_undo(blocks); }
 
-void Simulation::set_undo_mark() noexcept { state_->workpiece.set_mark(); }
+bool Simulation::set_undo_mark() noexcept { return state_->workpiece.set_mark(); }
 
 std::size_t Simulation::undo_marks() const noexcept { return state_->workpiece.marks(); }
 

@@ -142,8 +142,9 @@ void Workpiece::reserve_undo(std::size_t blocks) {
 
 std::size_t Workpiece::undo_blocks() const noexcept { return state_->journal ? state_->journal->capacity() : 0; }
 
-void Workpiece::set_mark() noexcept {
+bool Workpiece::set_mark() noexcept {
   if (state_->journal) state_->journal->set_mark();
+  return state_->journal != nullptr;
 }
 
 std::size_t Workpiece::marks() const noexcept { return state_->journal ? state_->journal->marks() : 0; }

@@ -79,6 +79,13 @@ def test_a_tool_that_was_left_waits_for_its_hand(coupled, plunge):
         coupling.set_gains(h.CouplingGains(mass=-1.0))
 
 
+def test_a_run_that_only_waits_says_so(coupled):
+    coupling = h.VirtualCoupling(coupled, h.coupling_gains(h.device.capabilities(h.device.device_model("touch"))))
+    inside = h.Pose.from_translation(np.zeros((20, 3)))
+    with pytest.warns(UserWarning, match="none of the 20 steps was taken: tool_waits"):
+        coupling.run(inside, np.zeros((20, 6)), 1e-3)
+
+
 def test_a_coupling_holds_the_tool_on_stiff_material(coupled, block, tool, plunge):
     poses = np.concatenate([plunge[0], np.repeat(plunge[0][-1:], 1500, axis=0)])  # and stays
     velocities = np.concatenate([plunge[1], np.zeros((1500, 6))])

@@ -153,8 +153,9 @@ def test_snapshots_bring_back_every_voxel(simulation, plunge):
 
 
 def test_undo_goes_back_to_a_mark_in_small_parts(simulation, plunge):
-    simulation.set_undo_mark()
-    assert simulation.undo_marks == 0  # there is no memory for it yet
+    with pytest.raises(hapticut.Error, match="reserve_undo"):
+        simulation.set_undo_mark()
+    assert simulation.undo_marks == 0
     simulation.reserve_undo(2000)
     assert simulation.workpiece.undo_blocks == 2000
     states = []

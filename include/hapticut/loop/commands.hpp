@@ -40,7 +40,7 @@ struct SetScale {
   double scale = 1;  ///< [1] world over hand, in the range of WorkspaceMapOptions::scale
 };
 
-/// Marks the workpiece as it is in this tick: see SimulationModelOptions::undo_blocks.
+/// Marks the workpiece as it is in this tick. Without SimulationModelOptions::undo_blocks it is refused.
 struct SetUndoMark {};
 
 /// Puts the workpiece back to the last mark, over as many ticks as it takes and without a force. Without a mark it is

@@ -183,8 +183,10 @@ class Simulation {
   void exchange(Simulation& prepared) noexcept;
 
   // --- undo while a loop goes on, between steps ----------------------------------------------------------------------
-  /// Marks the present state of the workpiece.  @realtime no allocation, no lock; O(1)
-  void set_undo_mark() noexcept;
+  /// Marks the present state of the workpiece.
+  /// @return false: there is no mark, because `reserve_undo` was not called
+  /// @realtime no allocation, no lock; O(1)
+  bool set_undo_mark() noexcept;
 
   [[nodiscard]] std::size_t undo_marks() const noexcept;  ///< that `undo` can return to
 

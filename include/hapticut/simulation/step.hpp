@@ -85,7 +85,8 @@ enum class StepStatus : std::uint32_t {
   /// The hand is inside material that the tool has not cut its way into: after a refused input or a jump, an exchange
   /// of workpiece, tool or materials (`undo`, `restore`, `set_tool` ...), or VirtualCoupling::release. No force,
   /// nothing is cut, for as long as it is in there. Cure: move the hand out of the material; after a refused input also
-  /// back to the tool. A script that is to go on in the material calls `reset` with the workpiece.
+  /// back to the tool. A script that is to go on in the material calls `reset` with the workpiece; behind a coupling it
+  /// begins outside of it.
   tool_waits = 1U << 15,
   /// The head pressed harder than a material's compressive_strength and crushed it. Cure: press less; let the tool
   /// turn.

@@ -100,9 +100,11 @@ class Workpiece {
 
   [[nodiscard]] std::size_t undo_blocks() const noexcept;  ///< that `reserve_undo` asked for
 
-  /// Marks the present state, to return to it. Nothing happens without `reserve_undo`; with more than 64 marks, or
-  /// where the memory is full, the oldest is forgotten.  @realtime no allocation, no lock; O(1)
-  void set_mark() noexcept;
+  /// Marks the present state, to return to it. With more than 64 marks, or where the memory is full, the oldest is
+  /// forgotten.
+  /// @return false: there is no mark, because `reserve_undo` was not called
+  /// @realtime no allocation, no lock; O(1)
+  bool set_mark() noexcept;
 
   [[nodiscard]] std::size_t marks() const noexcept;       ///< that can be returned to
   [[nodiscard]] std::size_t redo_marks() const noexcept;  ///< undone ones that `redo_block` can go forth over

@@ -160,7 +160,7 @@ TEST(Undo, ForgetsTheOldestMarkWhereTheMemoryIsFull) {
 
 TEST(Undo, IsNothingWithoutMemoryForItAndBeginsAnewAfterARestore) {
   Simulation without = slab(0);
-  without.set_undo_mark();
+  EXPECT_FALSE(without.set_undo_mark()) << "or `undo` would seem to go back to it";
   EXPECT_EQ(without.undo_marks(), 0U);
   EXPECT_TRUE(without.undo(10));
 
