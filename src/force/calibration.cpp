@@ -11,18 +11,20 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/workpiece/material.hpp"
 
 namespace hapticut {
 namespace {
 
 using units::kPi;
 
-constexpr double kLeastSpread = 1.05;  // [1] of the chips, to tell edge from chip
-constexpr double kLargestError = 0.5;  // [1] standard error over the constant
-constexpr double kSmallEdge = 0.1;     // [1] of thrust and torque; an edge known to this is known, be it 0
-constexpr double kExact = 1e-4;        // [1] root mean square of what a search leaves of numbers that fit exactly
-constexpr double kLeastTold = 1e-6;    // [1] of the eigenvalues, where constants are told from each other
-constexpr double kWithinErrors = 4;    // [1] times the variance: what may lie within two standard errors
+constexpr double kLeastSpread = 1.05;    // [1] of the chips, to tell edge from chip
+constexpr double kLargestError = 0.5;    // [1] standard error over the constant
+constexpr double kSmallEdge = 0.1;       // [1] of thrust and torque; an edge known to this is known, be it 0
+constexpr double kLargestRadius = 0.05;  // [m]
+constexpr double kExact = 1e-4;          // [1] root mean square of what a search leaves of numbers that fit exactly
+constexpr double kLeastTold = 1e-6;      // [1] of the eigenvalues, where constants are told from each other
+constexpr double kWithinErrors = 4;      // [1] times the variance: what may lie within two standard errors
 
 /// A thrust or a torque over its measured value, linear in u and in the second constant: chip u + edge e = 1. Both are
 /// for kappa = 1: thrusts go with 1/kappa, but for that of p_e; the torque of p_e goes with kappa.
@@ -153,8 +155,9 @@ Fit fit_with_ratio(double edge_over_u, std::vector<Row> rows, bool ratio_identif
 
 void require_measured(const DrillingTest& t) {
   require_positive(t.radius, "DrillingTest::radius [m]");
+  require_metres(t.radius, kLargestRadius, "DrillingTest::radius [m]");
   require_positive(std::abs(t.spindle_speed), "DrillingTest::spindle_speed [rad/s]");
-  require_positive(t.feed_speed, "DrillingTest::feed_speed [m/s]");
+  require_feed(t.feed_speed, "DrillingTest::feed_speed [m/s]");
   require_positive(t.lips, "DrillingTest::lips [1]");
   if (t.thrust != 0) require_positive(t.thrust, "DrillingTest::thrust [N]");
   if (t.torque != 0 || t.thrust == 0) require_positive(t.torque, "DrillingTest::torque [N m]");
@@ -162,7 +165,7 @@ void require_measured(const DrillingTest& t) {
 
 }  // namespace
 
-AxialCutForce axial_cut_force(const Calibration& c, double radius, double spindle_speed, double feed_speed,
+AxialCutForce axial_cut_force(const Calibration& c, double radius, AngularSpeed spindle_speed, double feed_speed,
                               double lips) {
   const double omega = std::abs(spindle_speed), tooth_rate = lips * omega / (2 * kPi);
   const double x =
@@ -210,8 +213,10 @@ Calibration calibrate(std::span<const DrillingTest> tests, ChipTerm term) {
   c.cutting_ratio = fit.kappa;
   if (fit.edge > 0) {
     if (term == ChipTerm::edge_pressure) c.edge_pressure = fit.edge;
-    // Where the edge carries all, u is the least that a material may have: its length is what it must be for that.
-    const double u = c.specific_cutting_energy = term == ChipTerm::edge_pressure ? fit.u : std::max(fit.u, 1.0);
+    // Where the edge carries all, u is the least with which a material may have its length.
+    const double longest = range_of(&Material::edge_length).high;
+    const double least_u = fit.edge / (term == ChipTerm::edge_length ? longest : std::sqrt(longest));
+    const double u = c.specific_cutting_energy = term == ChipTerm::edge_pressure ? fit.u : std::max(fit.u, least_u);
     if (term == ChipTerm::edge_length) c.edge_length = c.edge_assumed ? kAssumedEdgeLength : fit.edge / u;
     if (term == ChipTerm::size_length) c.size_length = std::pow(fit.edge / u, 2);
   }

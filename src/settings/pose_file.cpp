@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "settings/csv_file.hpp"
 

@@ -13,6 +13,7 @@
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/mesh/meshes.hpp"
 #include "hapticut/tool/profile_mesh.hpp"
+#include "settings/setting.hpp"
 #endif
 
 namespace hapticut::settings {

@@ -136,7 +136,7 @@ void require_words(const Tool& tool) {
   require(thesis_handle_torque(LHandle{0.1, 0.02}, Vec3::UnitZ(), 1, 1).allFinite(), "no torque at the handle");
   require(is_near(largest_contact_stiffness(tool.head()), closed_forms::largest_cap_stiffness(1, kRadius), 0.01) &&
               stiffness_for_device(tool.head(), 1000) > 0 &&
-              stiffness_for_accuracy(tool.head(), bone(), 4000, 1e-3) > 0,
+              stiffness_for_accuracy(tool.head(), bone(), 4000 * units::rad_per_s, 1e-3) > 0,
           "C2 does not hold");
   SpindleMotor motor(tool.spindle());
   motor.advance(1e-3, 1e-3);

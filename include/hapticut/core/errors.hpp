@@ -45,6 +45,16 @@ inline void require_metres(double value, double largest, const char* name) {
                 ". Sizes are in metres: " + format_number(value) + " mm is " + format_number(1e-3 * value) + ".");
 }
 
+inline constexpr double kFastestFeed = 0.5;  ///< [m/s] of what cuts; faster ones were meant in mm/s
+
+/// Throws unless a feed is positive and no faster than kFastestFeed.
+inline void require_feed(double value, const char* name) {
+  require_positive(value, name);
+  if (value > kFastestFeed)
+    throw Error(std::string(name) + " = " + format_number(value) + "; must be <= " + format_number(kFastestFeed) +
+                ". Speeds are in m/s: " + format_number(value) + " mm/s is " + format_number(1e-3 * value) + ".");
+}
+
 /// Throws unless `value` is finite and not negative.
 inline void require_not_negative(double value, const char* name) {
   if (!(std::isfinite(value) && value >= 0))

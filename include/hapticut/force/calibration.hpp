@@ -6,17 +6,18 @@
 
 #include "hapticut/core/abi.hpp"
 #include "hapticut/core/description.hpp"
+#include "hapticut/core/units.hpp"
 
 namespace hapticut {
 
 /// One drilling test: a head of radius R fed along its axis into material, at full diameter.
 struct DrillingTest {
-  double radius;         ///< [m] > 0
-  double spindle_speed;  ///< [rad/s] not 0
-  double feed_speed;     ///< [m/s] > 0
-  double thrust;         ///< [N] steady; 0: not measured
-  double torque;         ///< [N·m] steady; 0: not measured
-  double lips = 2;       ///< [1] z > 0
+  double radius;               ///< [m] > 0
+  AngularSpeed spindle_speed;  ///< not 0
+  double feed_speed;           ///< [m/s] > 0, at most kFastestFeed
+  double thrust;               ///< [N] steady; 0: not measured
+  double torque;               ///< [N·m] steady; 0: not measured
+  double lips = 2;             ///< [1] z > 0
 };
 
 /// What is fitted beside u and kappa: how thrust and torque do not go to zero with the chip.
@@ -69,7 +70,7 @@ struct AxialCutForce {
   double torque;  ///< [N·m]    (2 pi/3) kappa p_e R^3 + u pi R^2 V/omega
 };
 /// @param lips  [1] z
-[[nodiscard]] AxialCutForce axial_cut_force(const Calibration& constants, double radius, double spindle_speed,
+[[nodiscard]] AxialCutForce axial_cut_force(const Calibration& constants, double radius, AngularSpeed spindle_speed,
                                             double feed_speed, double lips = 2);
 
 /// Fits u, kappa and one more constant to drilling tests by least squares of the relative errors of what was measured.

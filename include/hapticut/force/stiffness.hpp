@@ -76,15 +76,16 @@ inline constexpr int kSection = 64;   // points across one of them
 /// radius: k_v = `200 u V/(kappa omega R^3)`, V = v_f + sqrt(h_s f_z v_f) + h_e f_z (C35), over the material's relative
 /// stiffness. Below it cutting forces come out low.
 /// @param material       u, h_e, h_s, kappa and the relative stiffness are used; kappa must be > 0
-/// @param spindle_speed  [rad/s] not 0
-/// @param feed_speed     [m/s] > 0
+/// @param spindle_speed  not 0
+/// @param feed_speed     [m/s] > 0, at most kFastestFeed
 /// @param cutter         its lips make the chips
 /// @return [N/m^4] for SimulationConfig::reference_stiffness
 /// @throws Error when one of them is out of range
-[[nodiscard]] inline double stiffness_for_accuracy(const ToolHead& head, const Material& material, double spindle_speed,
-                                                   double feed_speed, const Cutter& cutter = {}) {
+[[nodiscard]] inline double stiffness_for_accuracy(const ToolHead& head, const Material& material,
+                                                   AngularSpeed spindle_speed, double feed_speed,
+                                                   const Cutter& cutter = {}) {
   require_positive(std::abs(spindle_speed), "spindle speed [rad/s]");
-  require_positive(feed_speed, "feed speed [m/s]");
+  require_feed(feed_speed, "feed speed [m/s]");
   require_positive(material.cutting_ratio, "Material::cutting_ratio [1]");
   const double radius = head.cutting_radius(), teeth = tooth_rate(cutter, spindle_speed);
   const double speed = feed_speed + std::sqrt(material.size_length * teeth * feed_speed) + material.edge_length * teeth;

@@ -30,8 +30,8 @@ constexpr auto names_of(Of<MotorKind>) {
 }
 
 /// What commonly turns a head so fast: a turbine above 200 000 turns a minute, an electric motor below.
-/// @param speed  [rad/s] of either sign; 0: ideal
-[[nodiscard]] inline MotorKind common_motor(double speed) {
+/// @param speed  of either sign; 0: ideal
+[[nodiscard]] inline MotorKind common_motor(AngularSpeed speed) {
   if (speed == 0) return MotorKind::ideal;
   return std::abs(speed) > 200e3 * units::rpm ? MotorKind::air_turbine : MotorKind::electric;
 }

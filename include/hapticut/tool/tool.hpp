@@ -54,7 +54,7 @@ class Tool {
   [[nodiscard]] const Handle& handle() const { return handle_; }
   [[nodiscard]] const Spindle& spindle() const { return spindle_; }
   [[nodiscard]] const Cutter& cutter() const { return cutter_; }  ///< lips too, where they were not given
-  [[nodiscard]] const Pose& X_HT() const { return X_HT_; }  ///< pose of the head in the handle frame
+  [[nodiscard]] const Pose& X_HT() const { return X_HT_; }        ///< pose of the head in the handle frame
 
  private:
   ToolHead head_;

@@ -78,10 +78,16 @@ inline void validate(const Material& material) {
   if (material.name.empty()) throw Error("Material::name is empty; give every material a name.");
   const std::string prefix = "material '" + material.name + "': ";
   require_fields_within(material, prefix);
-  constexpr double kLeastStrength = 1e3;  // [Pa] a hundredth of an atmosphere: less was meant in another unit
-  if (material.compressive_strength > 0 && material.compressive_strength < kLeastStrength)
-    throw Error(prefix + "compressive_strength = " + format_number(material.compressive_strength) +
-                "; must be 0 or at least " + format_number(kLeastStrength) + ", for it is in Pa: 150 MPa are 150e6.");
+  constexpr double kLeastPressure = 1e3;  // [Pa] a hundredth of an atmosphere: less was meant in another unit
+  for (const auto& [name, pressure] : {std::pair("compressive_strength", material.compressive_strength),
+                                       std::pair("edge_pressure", material.edge_pressure)})
+    if (pressure > 0 && pressure < kLeastPressure)
+      throw Error(prefix + name + " = " + format_number(pressure) + "; must be 0 or at least " +
+                  format_number(kLeastPressure) + ", for it is in Pa: 150 MPa are 150e6.");
+  if (material.specific_cutting_energy < kLeastPressure)
+    throw Error(prefix + "specific_cutting_energy = " + format_number(material.specific_cutting_energy) +
+                "; must be at least " + format_number(kLeastPressure) +
+                ", for it is in J/m^3: 0.3 J/mm^3, or 300 MPa, are 3e8.");
   if (material.dynamic_friction > material.static_friction)
     throw Error(prefix + "dynamic_friction = " + format_number(material.dynamic_friction) +
                 "; must not exceed static_friction = " + format_number(material.static_friction) +

@@ -43,7 +43,7 @@ std::vector<Check> drillings() {
         {c.specific_cutting_energy, c.cutting_ratio, test.spindle_speed, test.feed_speed}, layer, test.radius);
     Simulation simulation(build_block({Vec3(-1.61, -1.57, -1.713) * mm, Vec3(1.61, 1.57, 0) * mm}, 0.05 * mm, material),
                           Tool(FlatHead{test.radius, 4 * mm, FlatRule::bottom_only}, RayHandle{0},
-                               Spindle{test.spindle_speed * units::rad_per_s}),
+                               Spindle{test.spindle_speed}),
                           config);
     const SteadyState steady =
         feed(simulation, Vec3(0.0293, 0.0113, 0) * mm, Vec3(0, 0, -test.feed_speed), 1.5 * mm, 2e-4);

@@ -20,7 +20,7 @@ struct PublishedDrilling {
   double torque;  ///< [N·m]
 
   static constexpr double kRadius = 1.25 * units::mm;
-  static constexpr double kSpeed = 1000 * units::rpm;
+  static constexpr AngularSpeed kSpeed = 1000 * units::rpm;
   /// [m] The source's table has no feed. What follows from thrust and torque alone (kappa, and all predictions for the
   /// same feed per turn) does not depend on it; u is inversely proportional to it.
   static constexpr double kFeedPerTurn = 0.1 * units::mm;

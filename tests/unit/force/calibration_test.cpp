@@ -22,9 +22,10 @@ using units::rpm;
 constexpr double kSearched = 1e-6;  // [1] kappa is searched to 1e-12 of its logarithm, where squares are flat to 1e-8
 constexpr double kNoNoise = 1e-4;   // [1] what a search among all kappa leaves of tests that fit exactly
 
+constexpr AngularSpeed kSpeed = 100 * units::rad_per_s;
 constexpr ChipTerm kPressure = ChipTerm::edge_pressure;
 
-DrillingTest made_by(const Calibration& constants, double radius, double speed, double feed) {
+DrillingTest made_by(const Calibration& constants, double radius, AngularSpeed speed, double feed) {
   const AxialCutForce force = axial_cut_force(constants, radius, speed, feed);
   return {radius, speed, feed, force.thrust, force.torque};
 }
@@ -36,8 +37,8 @@ RC_GTEST_PROP(Calibration, ReturnsTheConstantsThatMadeTheTests, ()) {
   made.edge_pressure = *number_between(0, 5e6);
   std::vector<DrillingTest> tests;
   for (int n = 0; n < 6; ++n)
-    tests.push_back(
-        made_by(made, *number_between(0.5, 2) * mm, *number_between(50, 5000), *number_between(0.2, 5) * mm * (n + 1)));
+    tests.push_back(made_by(made, *number_between(0.5, 2) * mm, *number_between(50, 5000) * units::rad_per_s,
+                            *number_between(0.2, 5) * mm * (n + 1)));
   const Calibration found = calibrate(tests, ChipTerm::edge_pressure);
   RC_PRE(found.edge_identified);  // six random feeds per turn hardly ever agree within a twentieth
   RC_ASSERT(found.thrust_residual < kNoNoise);
@@ -62,7 +63,7 @@ RC_GTEST_PROP(Calibration, ReturnsTheLengthsOfChipsThatMadeTheTests, ()) {
   const int missing = *rc::gen::inRange(0, 3);  // nothing, thrust, torque
   std::vector<DrillingTest> tests;
   for (const double factor : {0.5, 1.0, 2.0}) {
-    tests.push_back(by_speed ? made_by(made, 1 * mm, 100 * factor, 1 * mm) : made_by(made, 1 * mm, 100, factor * mm));
+    tests.push_back(by_speed ? made_by(made, 1 * mm, factor * kSpeed, 1 * mm) : made_by(made, 1 * mm, kSpeed, factor * mm));
     if (missing == 1) tests.back().thrust = 0;
     if (missing == 2) tests.back().torque = 0;
   }
@@ -78,7 +79,8 @@ RC_GTEST_PROP(Calibration, ReturnsTheLengthsOfChipsThatMadeTheTests, ()) {
 // One condition: u = M omega/(pi R^2 V), kappa = 2 M/(R F). Bovine bone, a 2.5 mm drill at 1000 rpm (Orelaja
 // et al. 2020: 20.07 N, 41.2 N mm); the feed is not in the table, so u is given per mm/s of it.
 TEST(Calibration, OfOneTestIsItsClosedFormAndSaysThatTheEdgeIsNotIdentified) {
-  const double R = 1.25 * mm, speed = 1000 * rpm, feed = 1 * mm, thrust = 20.07, torque = 41.2 * N_mm;
+  const double R = 1.25 * mm, feed = 1 * mm, thrust = 20.07, torque = 41.2 * N_mm;
+  const AngularSpeed speed = 1000 * rpm;
   const DrillingTest bovine{R, speed, feed, thrust, torque};
   for (const ChipTerm term : {ChipTerm::edge_length, ChipTerm::size_length, kPressure}) {
     const Calibration c = calibrate({&bovine, 1}, term);
@@ -118,8 +120,8 @@ RC_GTEST_PROP(Calibration, TakesAnyTermThatFitsAsManyNumbersAsConstantsExactly, 
   if (term == ChipTerm::size_length) made.size_length = *number_between(5, 50) * 1e-6;
   if (term == ChipTerm::edge_pressure) made.edge_pressure = *number_between(1e5, 5e6);
   std::vector<DrillingTest> tests = {
-      made_by(made, 1 * mm, 100, 1 * mm),
-      made_by(made, 1 * mm, 100 * *number_between(0.2, 0.6), *number_between(0.8, 2) * mm)};
+      made_by(made, 1 * mm, kSpeed, 1 * mm),
+      made_by(made, 1 * mm, *number_between(0.2, 0.6) * kSpeed, *number_between(0.8, 2) * mm)};
   const int missing = *rc::gen::inRange(0, 3);  // one torque, both, both thrusts
   tests[0].torque = missing == 2 ? tests[0].torque : 0;
   if (missing == 1) tests[1].torque = 0;
@@ -128,7 +130,7 @@ RC_GTEST_PROP(Calibration, TakesAnyTermThatFitsAsManyNumbersAsConstantsExactly, 
   RC_ASSERT(c.edge_identified && !c.edge_assumed && !c.checked);
   RC_ASSERT(c.thrust_residual < kNoNoise && c.torque_residual < kNoNoise);
   RC_ASSERT(std::abs(c.edge_length - made.edge_length) <= 0.01 * made.edge_length);
-  tests.push_back(made_by(made, 1.2 * mm, 300, 1 * mm));
+  tests.push_back(made_by(made, 1.2 * mm, 3 * kSpeed, 1 * mm));
   RC_ASSERT(calibrate(tests, term).checked);
 }
 
@@ -148,7 +150,8 @@ TEST(Calibration, AssumesAnEdgeLengthWhereTheTestsDoNotTellIt) {
 
 // Thrusts about in proportion to chips of a micrometre: an edge of thirty would have them nearly alike.
 TEST(Calibration, DoesNotAssumeAnEdgeLengthThatTheTestsContradict) {
-  const double speed = 10000 * rpm, feed = 0.5 * mm;
+  const double feed = 0.5 * mm;
+  const AngularSpeed speed = 10000 * rpm;
   const Calibration c = calibrate(std::vector<DrillingTest>{
       {1 * mm, speed, feed, 1.15, 0}, {1 * mm, speed, 2 * feed, 1.75, 0}, {1 * mm, speed, 4 * feed, 4.3, 0}});
   EXPECT_FALSE(c.edge_assumed);
@@ -201,7 +204,9 @@ TEST(Calibration, PredictsTheTrendsThatOthersMeasured) {
   const DrillingTest bovine{1.25 * mm, 1000 * rpm, 1 * mm, 20.07, 41.2 * N_mm};
   Calibration c = calibrate({&bovine, 1});
   c.edge_pressure = 1e6;
-  const auto at = [&](double radius, double speed, double feed) { return axial_cut_force(c, radius, speed, feed); };
+  const auto at = [&](double radius, double speed, double feed) {
+    return axial_cut_force(c, radius, speed * units::rad_per_s, feed);
+  };
   const AxialCutForce base = at(1.25 * mm, 100, 1 * mm);
   EXPECT_GT(at(1.25 * mm, 100, 2 * mm).thrust, base.thrust);
   EXPECT_GT(at(1.25 * mm, 100, 2 * mm).torque, base.torque);
@@ -219,7 +224,11 @@ TEST(Calibration, PredictsTheTrendsThatOthersMeasured) {
 
 TEST(CalibrationInput, OutOfRangeIsRefusedByName) {
   EXPECT_THROW((void)calibrate({}), Error);
-  DrillingTest bad{1 * mm, 100, 1 * mm, 10, -1};
+  const DrillingTest in_mm_per_s{1 * mm, kSpeed, 1, 10, 0},
+      in_mm{1, kSpeed, 1 * mm, 10, 0};
+  EXPECT_THROW((void)calibrate({&in_mm_per_s, 1}), Error);
+  EXPECT_THROW((void)calibrate({&in_mm, 1}), Error);
+  DrillingTest bad{1 * mm, kSpeed, 1 * mm, 10, -1};
   try {
     (void)calibrate({&bad, 1});
     FAIL();

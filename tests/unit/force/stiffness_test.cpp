@@ -33,7 +33,8 @@ TEST(Stiffness, ALongNearestFlatIsStifferSidewaysThanAlongItsAxis) {
 TEST(Stiffness, AccuracyAsksForAnEngagedLayerOfATenthOfTheRadius) {
   Material bone;
   bone.name = "bone";
-  const double radius = 1 * mm, feed = 2 * mm, speed = 2000;
+  const double radius = 1 * mm, feed = 2 * mm;
+  const AngularSpeed speed = 2000 * units::rad_per_s;
   const double k = stiffness_for_accuracy(SphereHead{radius}, bone, speed, feed);
   const double layer =
       closed_forms::engaged_layer({bone.specific_cutting_energy, bone.cutting_ratio, speed, feed}, k, radius);
@@ -55,7 +56,8 @@ TEST(Stiffness, RefusesAStandingSpindleAndAZeroFeed) {
   Material bone;
   bone.name = "bone";
   EXPECT_THROW((void)stiffness_for_accuracy(SphereHead{1 * mm}, bone, 0, 1 * mm), Error);
-  EXPECT_THROW((void)stiffness_for_accuracy(SphereHead{1 * mm}, bone, 100, 0), Error);
+  EXPECT_THROW((void)stiffness_for_accuracy(SphereHead{1 * mm}, bone, 100 * units::rad_per_s, 0), Error);
+  EXPECT_THROW((void)stiffness_for_accuracy(SphereHead{1 * mm}, bone, 100 * units::rad_per_s, 2), Error) << "mm/s";
   EXPECT_THROW((void)stiffness_for_device(SphereHead{1 * mm}, -1), Error);
 }
 

@@ -233,6 +233,8 @@ TEST(Material, IsRefusedInUnitsOfAWorkshop) {
   EXPECT_NE(refusal_of(&Material::size_length, 0.18).find("must be between"), std::string::npos);
   EXPECT_NE(refusal_of(&Material::compressive_strength, 150).find("150 MPa are 150e6"), std::string::npos);
   EXPECT_EQ(refusal_of(&Material::compressive_strength, 150e6), "");
+  EXPECT_NE(refusal_of(&Material::edge_pressure, 2).find("in Pa"), std::string::npos);
+  EXPECT_NE(refusal_of(&Material::specific_cutting_energy, 300).find("300 MPa, are 3e8"), std::string::npos);
 }
 
 TEST(MaterialPresets, HaveColorsThatCanBeToldApart) {
