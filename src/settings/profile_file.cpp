@@ -10,10 +10,10 @@
 
 #include "hapticut/core/units.hpp"
 #include "settings/csv_file.hpp"
+#include "settings/setting.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/mesh/meshes.hpp"
 #include "hapticut/tool/profile_mesh.hpp"
-#include "settings/setting.hpp"
 #endif
 
 namespace hapticut::settings {

@@ -3,7 +3,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
@@ -15,7 +14,6 @@ namespace {
 
 constexpr double kSolved = 1e-4;  // [voxels] a correction that moves no point of the head farther ends the iteration
 constexpr double kLeastDescent = 1e-4, kLeastShare = 1.0 / 64;   // [1] of a correction: what it must gain, and of it
-constexpr double kLargestTurn = 0.9 * std::numbers::pi;          // [rad] of a hand against its tool
 constexpr double kLeastDampingRatio = 0.5, kDampingRatio = 0.7;  // [1] below which a tool rings, and what is chosen
 constexpr double kLightest = 1e-3;                               // [kg] of a tool that a hand could hold
 
@@ -115,6 +113,7 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
   begin_tick();
   const StepStatus refused = check_input(simulation_->config(), pose, velocity, dt);
   if (refused != StepStatus::ok) return wait(refused);
+  if (!velocity_fits(pose, velocity, dt)) return wait(StepStatus::velocity_rejected);
   part_after_exchange();
   if (held_ && !waits_ && is_jump(pose, dt)) return wait(StepStatus::jump_rejected);
   if (held_ && !waits_ && is_turned_away(pose)) rejoin_ = Rejoin::free, waits_ = true;
@@ -333,65 +332,6 @@ void VirtualCoupling::book(const Pull& before, const Pull& after, const Twist& t
   energy.implicit += implicit;
   energy.kinetic = kinetic_energy(tool), energy.spring = spring_energy(after);
   energy.turnover += std::abs(by_hand) + std::abs(tool_work) + std::abs(damper) + std::abs(implicit);
-}
-
-/// The hand takes the tool: it brought it to its speed before, and stretched the spring.
-void VirtualCoupling::begin_grip(const Pose& pose, const Twist& velocity, double dt) noexcept {
-  X_WD_ = advance(pose, velocity, -dt);
-  result_.energy = {};
-  result_.energy.kinetic = kinetic_energy(result_.velocity);
-  result_.energy.spring = spring_energy(pull(result_.X_WH, result_.velocity, X_WD_, velocity));
-  result_.energy.hand_work = result_.energy.turnover = result_.energy.kinetic + result_.energy.spring;
-  simulation_->let_go();
-}
-
-/// What the tool is in after an exchange, it has not cut its way into.
-void VirtualCoupling::part_after_exchange() noexcept {
-  if (!simulation_->starts_afresh() || (!held_ && simulation_->steps() == 0)) return;
-  waits_ = true;
-  rejoin_ = Rejoin::free;
-}
-
-/// Whether no motion of a hand leads to a pose from the last one.
-bool VirtualCoupling::is_jump(const Pose& pose, double dt) const noexcept {
-  return !is_way_of_a_hand(X_WD_, pose, dt) || !is_turn_of_a_hand(X_WD_, pose, dt);
-}
-
-/// Whether the hand has turned so far from the tool that with a little more the torque would have the other sign.
-bool VirtualCoupling::is_turned_away(const Pose& pose) const noexcept {
-  return turns() && turns_beyond(result_.X_WH, pose, kLargestTurn);
-}
-
-/// Whether the hand is about where it was when the tool was left.
-bool VirtualCoupling::is_near(const Pose& pose) const noexcept {
-  return (pose.translation - X_WD_.translation).norm() + turn_between(X_WD_, pose) * reach() <= kNear;
-}
-
-/// Whether a tool that waits may be pulled after its hand from where it is.
-bool VirtualCoupling::may_go_on_from_here(const Pose& pose) const noexcept {
-  return held_ && is_near(pose) && !is_turned_away(pose) &&
-         (rejoin_ == Rejoin::near || !simulation_->touches(result_.X_WH));
-}
-
-/// [m] of the farthest point of the head from the handle
-double VirtualCoupling::reach() const noexcept {
-  return simulation_->tool().head().reach() + simulation_->tool().X_HT().translation.norm();
-}
-
-void VirtualCoupling::leave(Rejoin rejoin) noexcept {
-  begin_tick();
-  if (rejoin == Rejoin::free) rejoin_ = rejoin;
-  wait(StepStatus::ok);
-}
-
-/// Nothing is given to the hand, and the tool stays.
-const CoupledResult& VirtualCoupling::wait(StepStatus status) noexcept {
-  waits_ = true;
-  simulation_->let_go();
-  result_.hand = result_.coupling = {};
-  result_.velocity = {};
-  result_.status |= status;
-  return result_;
 }
 
 }  // namespace hapticut

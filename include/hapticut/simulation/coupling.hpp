@@ -138,7 +138,8 @@ class VirtualCoupling {
   /// or materials: `undo`, `redo`, `restore`, `reset`, `set_tool` ...; and when the hand has turned by nearly half a
   /// turn against a tool that could not follow.
   /// @param pose      X_WD of the hand's handle at the end of the tick
-  /// @param velocity  [m/s] of its Ho and [rad/s], in W, as the device estimates it; drives the damper
+  /// @param velocity  [m/s] of its Ho and [rad/s], in W, as the device estimates it; drives the damper. One that says
+  ///                  thirty times the way of the poses, as mm/s do, is StepStatus::velocity_rejected
   /// @param dt        [s] since the last call
   /// @return valid until the next call. An input that is refused, or to which no motion of a hand leads
   /// (StepStatus::jump_rejected), gives no force, and the tool stays where it was. It goes on from there when the hand
@@ -227,6 +228,7 @@ class VirtualCoupling {
             double dt) noexcept;
   void begin_grip(const Pose& pose, const Twist& velocity, double dt) noexcept;
   void part_after_exchange() noexcept;
+  [[nodiscard]] bool velocity_fits(const Pose& pose, const Twist& velocity, double dt) noexcept;
   [[nodiscard]] bool is_jump(const Pose& pose, double dt) const noexcept;
   [[nodiscard]] bool is_turned_away(const Pose& pose) const noexcept;
   [[nodiscard]] bool is_near(const Pose& pose) const noexcept;
@@ -241,6 +243,15 @@ class VirtualCoupling {
   bool waits_ = true;  // at first, and since it was left, or an input refused
   Rejoin rejoin_ = Rejoin::near;
   Pose X_WD_;  // of the hand, at the end of the last part
+
+  /// How far the hand has moved lately, by its poses and by its velocities.
+  struct Way {
+    double linear = 0, angular = 0;  // [m], [rad]
+    void add(const Twist& velocity, double dt) noexcept;
+  };
+  std::optional<Pose> given_;  // pose of the hand in the last tick
+  Way by_pose_, by_velocity_;
+
   Lists lists_;
   CoupledResult result_;
 };

@@ -36,8 +36,9 @@ enum class StepStatus : std::uint32_t {
   /// The pose held a number that is not finite, or its matrix was not a rotation. No force, workpiece untouched.
   /// Cure: check the device's matrix; re-orthonormalise it (`orthonormalized`) when it is only inexact.
   pose_rejected = 1U << 0,
-  /// The velocity held a number that is not finite, or was above 1e6 m/s or rad/s. No force, workpiece untouched.
-  /// Cure: check the velocity estimate.
+  /// The velocity held a number that is not finite, or was above 1e6 m/s or rad/s; or, behind a coupling, the velocities
+  /// say thirty times the way of the poses. No force, workpiece untouched. Cure: check the velocity estimate, and that
+  /// it is in m/s and rad/s.
   velocity_rejected = 1U << 1,
   /// dt was not within SimulationConfig::shortest_dt ... longest_dt. No force, workpiece untouched.
   /// Cure: pass the seconds since the last call; after a pause call with a fresh pose and the nominal period.
@@ -108,7 +109,7 @@ constexpr auto names_of(Of<StepStatus>) {
       Named{pose_rejected, "pose_rejected",
             "The pose of the hand is no rotation, so there is no force: check the device."},
       Named{velocity_rejected, "velocity_rejected",
-            "The speed of the hand is no number, or beyond reason, so there is no force: check the device."},
+            "The speed of the hand is no number, or not that of its way, so there is no force: check the device."},
       Named{dt_rejected, "dt_rejected",
             "A step came at the wrong time, so there is no force: close other programs that use the processor."},
       Named{jump_rejected, "jump_rejected", "The hand jumped, so there is no force: bring it back smoothly."},
