@@ -249,13 +249,24 @@ std::vector<Material> materials_of(const Grade& grade) {
   validate(grade.at_high);
   std::vector<Material> materials;
   const Material &a = grade.at_low, &b = grade.at_high;
+  if (a.cutter && b.cutter && a.cutter != b.cutter)
+    throw Error("the grade goes from '" + a.name + "', whose constants are for the cutter " +
+                std::string(name_or_null(*a.cutter)) + ", to '" + b.name + "', which is for " +
+                std::string(name_or_null(*b.cutter)) + ". Take both for the same: find_preset(name, cutter).");
   for (int n = 0; n < grade.steps; ++n) {
     const double t = (n + 0.5) / grade.steps;
     Material m;
     m.name = a.name + " " + std::to_string(n + 1) + "/" + std::to_string(grade.steps);
     for_each_number<Material>(
         [&](const auto& field) { m.*field.member = between(a.*field.member, b.*field.member, t); });
-    if (a.cutter == b.cutter) m.cutter = a.cutter;
+    // What a lip adds goes with u h_e and u sqrt(h_s): with both factors linear the middle would be the hardest.
+    const double u = m.specific_cutting_energy, edge = between(a.specific_cutting_energy * a.edge_length,
+                                                               b.specific_cutting_energy * b.edge_length, t);
+    m.edge_length = edge / u;
+    const double size = between(a.specific_cutting_energy * std::sqrt(a.size_length),
+                                b.specific_cutting_energy * std::sqrt(b.size_length), t);
+    m.size_length = std::pow(size / u, 2);
+    m.cutter = a.cutter ? a.cutter : b.cutter;
     materials.push_back(std::move(m));
   }
   return materials;

@@ -82,10 +82,12 @@ struct GreyRange {
 [[nodiscard]] Workpiece build_from_grey(const GreyVolume& volume, const std::vector<GreyRange>& ranges,
                                         const VolumeBuildOptions& options = {});
 
-/// A material whose constants change linearly with the grey value, e.g. bone over Hounsfield units.
+/// A material whose constants change linearly with the grey value, e.g. bone over Hounsfield units; of the lengths of
+/// chips, u h_e and u sqrt(h_s) do. Where one end's constants are for a cutter and the other's for all, they are for
+/// that.
 ///
 /// A voxel names one of 255 materials, so the grade is cut into `steps` equal pieces and each piece gets the constants
-/// of its middle: no constant is further from the exact one than |at_high - at_low| / (2 * steps). With the default
+/// of its middle: nothing linear is further from the exact one than |at_high - at_low| / (2 * steps). With the default
 /// that is 0.4 % of the difference between the ends, below what is known of any of these constants.
 struct Grade {
   double low;        ///< grey value where the body begins; below is empty

@@ -396,35 +396,5 @@ TEST(PartedTool, IsLetGoWhenItsHandTurnsByHalfATurnAgainstIt) {
   EXPECT_EQ(coupling.last_result().status, StepStatus::ok);
 }
 
-// Velocities in mm/s beside poses in metres, or in degrees, pushed the tool by the damper: 116 times the removal.
-TEST(PartedTool, WaitsWhileVelocitiesSayManyTimesTheWay) {
-  struct Result {
-    double removed = 0, force = 0;
-    int refused = 0;
-  };
-  const auto drill = [](double unit, double noise) {
-    Simulation simulation = cutting_simulation(ContactTime::end);
-    VirtualCoupling coupling(simulation, coupling_gains(capabilities(device_model("touch"))));
-    Result all;
-    for (int n = 0; n < 1500; ++n) {
-      const double wobble = noise * (n % 2 == 0 ? 1 : -1);
-      const Twist given{Vec3(wobble, 0, -2e-3 * unit), Vec3::Zero()};
-      const CoupledResult& tick = coupling.step(at_height(kRadius + 0.5 * mm - 2e-6 * n), given, 1e-3);
-      all.removed += tick.removed_volume;
-      all.force = std::max(all.force, tick.hand.force.norm());
-      all.refused += has_any(tick.status, StepStatus::velocity_rejected) ? 1 : 0;
-    }
-    return all;
-  };
-  const Result right = drill(1, 0), noisy = drill(1, 0.15), none = drill(0, 0), in_mm = drill(1000, 0);
-  EXPECT_GT(right.removed, 0);
-  EXPECT_EQ(right.refused + noisy.refused + none.refused, 0);
-  EXPECT_NEAR(none.removed / right.removed, 1, 0.1) << "a device may know none";
-  EXPECT_NEAR(noisy.removed / right.removed, 1, 0.1);
-  EXPECT_GT(in_mm.refused, 1400);
-  EXPECT_EQ(in_mm.removed, 0);
-  EXPECT_EQ(in_mm.force, 0);
-}
-
 }  // namespace
 }  // namespace hapticut::parted_tool_test

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "hapticut/core/units.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
 
 namespace hapticut::volume_builders_test {
 namespace {
@@ -282,6 +283,33 @@ TEST(Grade, TakesTheMeanGreyValueOfTheFilledPart) {
       volume, Grade{.low = 0, .high = 3000, .at_low = soft, .at_high = hard, .steps = 150}, {.voxel_size = 0.2 * mm});
   // Voxel 7 reaches from z = 1.35 to 1.55 mm: mean 1450, piece 72 of 20 grey values each.
   EXPECT_EQ(workpiece.material_at({1, 1, 7}), MaterialId(1450 / 20 + 1));
+}
+
+// With u and h_s linear, each by itself, its middle was 18 % harder than its hard end.
+TEST(Grade, CutsLinearlyBetweenItsEnds) {
+  for (const auto kind : {CutterKind::carbide_bur, CutterKind::coarse_diamond, CutterKind::twist_drill}) {
+    Material soft = presets::trabecular_bone(kind), hard = presets::cortical_bone(kind);
+    soft.edge_length = 2e-6, hard.edge_length = 30e-6;
+    const auto work = [](const Material& m, double feed) {  // [W/m^2] u V of C35, of 4000 lips a second
+      return m.specific_cutting_energy * (feed + std::sqrt(m.size_length * 4000 * feed) + m.edge_length * 4000);
+    };
+    const std::vector<Material> pieces =
+        materials_of({.low = 0, .high = 1, .at_low = soft, .at_high = hard, .steps = 8});
+    for (const double feed : {0.1 * mm, 2 * mm, 50 * mm})
+      for (std::size_t n = 0; n < 8; ++n) {
+        const double t = (double(n) + 0.5) / 8, linear = (1 - t) * work(soft, feed) + t * work(hard, feed);
+        EXPECT_NEAR(work(pieces[n], feed) / linear, 1, 1e-12) << n;
+      }
+  }
+}
+
+TEST(Grade, IsForTheCutterOfItsEnds) {
+  const auto kind = CutterKind::twist_drill;
+  const Material bone = presets::cortical_bone(kind), pulp = presets::pulp(), other = presets::cortical_bone();
+  EXPECT_EQ(materials_of({.low = 0, .high = 1, .at_low = pulp, .at_high = bone, .steps = 2})[1].cutter, kind);
+  EXPECT_EQ(materials_of({.low = 0, .high = 1, .at_low = bone, .at_high = pulp, .steps = 2})[0].cutter, kind);
+  EXPECT_EQ(materials_of({.low = 0, .high = 1, .at_low = pulp, .at_high = pulp, .steps = 2})[0].cutter, std::nullopt);
+  EXPECT_THROW((void)materials_of({.low = 0, .high = 1, .at_low = other, .at_high = bone}), Error);
 }
 
 TEST(Grade, RefusesWhatIsNoGrade) {
