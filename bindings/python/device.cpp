@@ -91,7 +91,17 @@ void bind_devices(py::module_& m) {
       .def_property_readonly("name", &Device::name, doc("Device::name"))
       .def_property_readonly("capabilities", &Device::capabilities, py::return_value_policy::copy,
                              "What it can measure and render.")
-      .def("run", &Device::run, py::arg("callback"), py::arg("options") = RunOptions{}, doc("Device::run"), Released())
+      .def(
+          "run",
+          [](Device& device, const DeviceCallback& callback, const RunOptions& options) {
+            try {
+              return device.run(callback, options);
+            } catch (const py::cast_error&) {
+              throw py::type_error(
+                  "the callback of Device.run returned no DeviceCommand; return DeviceCommand(Wrench(force, torque)).");
+            }
+          },
+          py::arg("callback"), py::arg("options") = RunOptions{}, doc("Device::run"), Released())
       .def_property_readonly("requests", &Device::requests, py::return_value_policy::reference_internal,
                              doc("Device::requests"))
       .def("stop", &Device::stop, doc("Device::stop"))

@@ -40,7 +40,8 @@ void bind_log(py::module_& m) {
       .def_readonly("event", &L::event, "What began.")
       .def_readonly("value", &L::value, doc("SafetyLogEntry::value"));
   m.def("describe", py::overload_cast<const SafetyLogEntry&>(&describe), py::arg("entry"),
-        "An entry in words: time, name and value.");
+        "An entry in words: time, name, value and the sentence.");
+  m.def("sentence_of", &sentence_of, py::arg("entry"), doc("sentence_of"));
   m.attr("kSafetyEvents") = kSafetyEvents;
   py::class_<SafetyLog>(m, "SafetyLog", doc("SafetyLog"))
       .def(py::init<>())

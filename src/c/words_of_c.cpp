@@ -18,7 +18,7 @@ constexpr std::size_t kLongest = 1000;
 /// What the library says in words of C++, and how a caller of C says it; longer ones first.
 constexpr std::pair<std::string_view, std::string_view> kPhrases[] = {
     {"SimulationConfig::contact_time = ContactTime::end", "hapticut_simulation_options.for_coupling = 1"},
-    {"SimulationModelOptions::coupling with contact_time = end; --coupling virtual",
+    {"SimulationModelOptions::coupling with contact_time = end",
      "hapticut_loop_options.coupling, with hapticut_simulation_options.for_coupling = 1"},
     {"DeviceCapabilities::stiffness, or set CouplingGains yourself", "hapticut_loop_options.stiffness"},
     {"RunOptions::realtime.", "hapticut_loop_options."},

@@ -61,7 +61,7 @@ void SimulationModel::require_renderable(double contact_stiffness, const Simulat
   throw Error("the device renders " + format_number(renders) + " N/m, and driven directly it would meet up to " +
               format_number(renders * config.reference_stiffness / most) +
               " N/m, and buzz. Put a virtual coupling between (SimulationModelOptions::coupling with contact_time = "
-              "end; --coupling virtual), or lower the reference stiffness to " +
+              "end), or lower the reference stiffness to " +
               format_number(most) + " N/m^4.");
 }
 

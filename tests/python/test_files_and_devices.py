@@ -138,10 +138,18 @@ def test_a_mock_device_runs_a_function_of_python():
     assert report.compute.buckets.shape == (2000,) and report.compute.min <= report.compute.mean
     assert "engaged" in report.events and device.count(h.safety.SafetyEvent.engaged) == report.events["engaged"]
     assert any(entry.event == h.safety.SafetyEvent.engaged for entry in report.log) and h.device.describe(report.log[0])
+    assert h.safety.sentence_of(report.log[0]) in h.device.describe(report.log[0])
     assert not device.is_running and isinstance(report.warnings, list)
     assert device.state.X_BS.shape == (4, 4) and device.arming == h.safety.ArmingState.off
     device.stop(), device.emergency_stop(), device.reset_fault(), device.interrupt(h.safety.SafetyEvent.reclutched)
     assert isinstance(device.drain_log(), list)
+
+
+def test_a_tick_that_gives_no_command_says_what_it_must_give():
+    device = h.device.open_device("mock:rest")
+    for what in (None, h.Wrench()):
+        with pytest.raises(TypeError, match="return DeviceCommand"):
+            device.run(lambda state, what=what: what, h.device.RunOptions(seconds=1, simulated_time=True))
 
 
 def test_an_exception_in_a_tick_comes_out_of_the_run():

@@ -25,6 +25,7 @@ from ._hapticut import (
     SafetyLog as SafetyLog,
     SafetyLogEntry as SafetyLogEntry,
     kSafetyEvents as kSafetyEvents,
+    sentence_of as sentence_of,
 
     # What a step says, in sentences with their cures
     sentences_of as sentences_of,

@@ -65,7 +65,7 @@ Simulation simulation_of(const Recording& recording, std::shared_ptr<const Force
   if (!recording.default_law() && !law)
     throw Error("the recording '" + recording.path().string() +
                 "' was made with a force law of its own, which no file can hold; pass the same law to the replay "
-                "(ReplayOptions::law; hapticut replay --law).");
+                "(ReplayOptions::law).");
   SimulationConfig config = recording.config();
   // Another law is asked as it can be.
   if (law && !law->integrates_parts() && config.quadrature == Quadrature::sub_voxel)

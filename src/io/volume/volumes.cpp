@@ -63,7 +63,7 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
                 "a picture is one slice, also where it has several pages; save each page as a file of its own, and "
                 "give their folder.");
   if (name.ends_with(".h5"))
-    cannot_read(path, "its ending is that of a recording, which is no volume; use read_recording, or hapticut replay.");
+    cannot_read(path, "its ending is that of a recording, which is no volume; use read_recording.");
   if (is_dicom_file(path)) return read_dicom_file(path);
   cannot_read(path,
               "its ending is not that of a format that is read: .nrrd .nhdr .nii .nii.gz .mhd .mha .inv3 .dcm, or a "
