@@ -61,6 +61,12 @@ CsvFile::CsvFile(const std::filesystem::path& path, const std::string& what, con
 CsvFile::CsvFile(std::string text, std::string name)
     : name_(std::move(name)), stream_(std::make_unique<std::istringstream>(std::move(text))) {}
 
+void CsvFile::require_names_once(const std::vector<std::string>& names) const {
+  for (auto name = names.begin(); name != names.end(); ++name)
+    if (!name->empty() && std::find(names.begin(), name, *name) != name)
+      fail("the column " + *name + " is named twice; leave one of them out.");
+}
+
 bool CsvFile::next_line(std::string& line) {
   line.clear();
   ++line_;

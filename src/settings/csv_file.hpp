@@ -33,6 +33,10 @@ class CsvFile {
   /// @throws Error when some numbers have commas, others points
   std::optional<double> number(std::string cell);
 
+  /// @param names  of the columns, in the first line
+  /// @throws Error when two columns have the same
+  void require_names_once(const std::vector<std::string>& names) const;
+
   /// @throws Error that begins with file and line
   [[noreturn]] void fail(const std::string& message) const;
 

@@ -28,6 +28,7 @@ class PoseFile {
     std::vector<TimedPose> poses;
     std::vector<std::string> cells;
     if (!lines_.next(cells)) fail("the file is empty; its first line must name the columns t_s, x_mm, y_mm, z_mm ...");
+    lines_.require_names_once(cells);
     read_names(cells);
     while (lines_.next(cells)) {
       if (poses.size() == kMostPoses)

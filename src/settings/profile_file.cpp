@@ -26,6 +26,7 @@ class ProfileFile {
   Profile read() {
     std::vector<std::string> cells;
     if (!lines_.next(cells)) fail("the file is empty; its first line must name the columns rho_mm, z_mm ...");
+    lines_.require_names_once(cells);
     read_names(cells);
     Profile profile;
     std::size_t points = 0;

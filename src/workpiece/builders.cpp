@@ -11,7 +11,6 @@ namespace hapticut {
 namespace {
 
 void validate(const Box& box, double voxel_size) {
-  constexpr double kLargestVoxel = 0.02;  // [m]
   require_positive(voxel_size, "voxel size [m]");
   require_metres(voxel_size, kLargestVoxel, "voxel size [m]");
   if (!is_finite(box.min) || !is_finite(box.max) || !((box.max - box.min).minCoeff() > 0))

@@ -52,10 +52,10 @@ inline std::string gzipped(const std::string& bytes) {
 }
 
 /// One PNG slice of grey values.
-/// @param claimed_width, claimed_height  what the header says, which need not be true
+/// @param claimed_width, claimed_height, kind  what the header says, which need not be true; kind 0: grey values
 template <class Grey>
 std::string png_slice(std::uint32_t width, std::uint32_t height, const std::vector<Grey>& values,
-                      std::uint32_t claimed_width = 0, std::uint32_t claimed_height = 0) {
+                      std::uint32_t claimed_width = 0, std::uint32_t claimed_height = 0, char kind = 0) {
   const auto chunk = [](const std::string& type, const std::string& data) {
     const std::string body = type + data;
     const auto sum = std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size())));
@@ -72,8 +72,8 @@ std::string png_slice(std::uint32_t width, std::uint32_t height, const std::vect
            uLong(rows.size()));
   packed.resize(size);
   const std::string header = big(claimed_width != 0 ? claimed_width : width) +
-                             big(claimed_height != 0 ? claimed_height : height) + char(8 * sizeof(Grey)) +
-                             std::string(4, '\0');
+                             big(claimed_height != 0 ? claimed_height : height) + char(8 * sizeof(Grey)) + kind +
+                             std::string(3, '\0');
   return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", packed) + chunk("IEND", "");
 }
 

@@ -14,8 +14,9 @@ namespace {
 
 constexpr std::size_t kPreamble = 128;
 constexpr std::string_view kFirstElement("\2\0\0\0UL\4\0", 8);  // of files that were saved without a preamble
-constexpr std::uint32_t kUndefined = 0xffffffff;                // length of what ends with a delimiter
-constexpr int kDeepest = 16;                                    // sequences within sequences
+constexpr std::string_view kImplicit = "1.2.840.10008.1.2", kExplicit = "1.2.840.10008.1.2.1";  // transfer syntaxes
+constexpr std::uint32_t kUndefined = 0xffffffff;  // length of what ends with a delimiter
+constexpr int kDeepest = 16;                      // sequences within sequences
 constexpr std::uint32_t kItem = dicom_tag(0xfffe, 0xe000), kItemEnd = dicom_tag(0xfffe, 0xe00d),
                         kSequenceEnd = dicom_tag(0xfffe, 0xe0dd), kTransferSyntax = dicom_tag(2, 0x10),
                         kFloats = dicom_tag(0x7fe0, 8), kDoubles = dicom_tag(0x7fe0, 9),
@@ -38,10 +39,25 @@ bool is_kept_sequence(std::uint32_t tag) {
   return std::find(std::begin(kKept), std::end(kKept), tag) != std::end(kKept);
 }
 
+/// Old files have neither preamble nor meta header: they begin with the length, character set, kind or identity of the
+/// picture.
+/// @return the transfer syntax that their first element shows; empty: it is no such file
+std::string_view syntax_without_header(std::string_view bytes) {
+  constexpr unsigned char kFirst[] = {0x00, 0x05, 0x08, 0x16, 0x18};
+  if (bytes.size() < kPreamble + 4 || !bytes.starts_with(std::string_view("\10\0", 2)) || bytes[3] != 0) return {};
+  if (std::find(std::begin(kFirst), std::end(kFirst), static_cast<unsigned char>(bytes[2])) == std::end(kFirst))
+    return {};
+  const std::string_view kind = bytes.substr(4, 2);
+  if (kind == "UL" || kind == "CS" || kind == "UI") return kExplicit;
+  return bytes[6] == 0 && bytes[7] == 0 ? kImplicit : std::string_view();  // less than 64 kB
+}
+
 class DicomWalker {
  public:
-  explicit DicomWalker(std::string_view bytes)
-      : bytes_(bytes), at_(bytes.starts_with(kFirstElement) ? 0 : kPreamble + 4) {}
+  explicit DicomWalker(std::string_view bytes) : bytes_(bytes), at_(kPreamble + 4) {
+    file_.syntax = syntax_without_header(bytes);
+    if (bytes.starts_with(kFirstElement) || !file_.syntax.empty()) at_ = 0;
+  }
 
   DicomFile walk_file() {
     while (at_ + 8 <= bytes_.size() && bytes_[at_] == 2 && bytes_[at_ + 1] == 0) {
@@ -52,11 +68,11 @@ class DicomWalker {
     }
     if (!file_.syntax.starts_with("1.2.840.10008.1.2")) fail("it does not say how its values are stored.");
     if (file_.syntax == "1.2.840.10008.1.2.1.99") fail("its elements are compressed; save it without that.");
-    explicit_ = file_.syntax != "1.2.840.10008.1.2";
+    explicit_ = file_.syntax != kImplicit;
     file_.big_endian = big_endian_ = file_.syntax == "1.2.840.10008.1.2.2";
     walk_elements(bytes_.size(), false, 0, &file_.data);
     if (!has_picture_) fail(std::string(kNoDicomPicture) + ".");
-    const bool plain = file_.syntax == "1.2.840.10008.1.2" || file_.syntax == "1.2.840.10008.1.2.1" || big_endian_;
+    const bool plain = file_.syntax == kImplicit || file_.syntax == kExplicit || big_endian_;
     if (plain == file_.compressed) fail("its picture is not stored in the way that it says.");
     return std::move(file_);
   }
@@ -109,7 +125,10 @@ class DicomWalker {
     } else if (letters && kShort.find(e.kind) != std::string_view::npos) {
       e.length = take_number<std::uint16_t>();
     } else {
-      fail("an element of it is of an unknown kind; it is damaged. Get a complete copy.");
+      fail(
+          "an element of it is of an unknown kind: it is damaged, or not stored in the transfer syntax that it names "
+          "(" +
+          std::string(file_.syntax) + "). Get another copy.");
     }
     return e;
   }
@@ -122,7 +141,9 @@ class DicomWalker {
     while (at_ < end) {
       const Element e = take_element();
       if (delimited && e.tag == kItemEnd) return;
-      if (e.tag <= before) fail("its elements are not in order; it is damaged. Get a complete copy.");
+      if (e.tag <= before)
+        fail("its elements are not in order: it is damaged, or not stored in the transfer syntax that it names (" +
+             std::string(file_.syntax) + "). Get another copy.");
       before = e.tag;
       // Where the file does not say what is a sequence, an undefined length does, or the tag.
       const bool unsaid = e.kind.empty() || e.kind == "UN";
@@ -232,7 +253,8 @@ int DicomFile::number(std::uint32_t tag, const char* name) const {
 }
 
 bool begins_like_dicom(std::string_view bytes) {
-  return bytes.starts_with(kFirstElement) || (bytes.size() >= kPreamble + 4 && bytes.substr(kPreamble, 4) == "DICM");
+  return bytes.starts_with(kFirstElement) || (bytes.size() >= kPreamble + 4 && bytes.substr(kPreamble, 4) == "DICM") ||
+         !syntax_without_header(bytes).empty();
 }
 
 DicomFile parse_dicom(std::string_view bytes) {

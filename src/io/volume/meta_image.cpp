@@ -107,6 +107,12 @@ FileGeometry geometry_in(const MetaHeader& header, std::size_t dimensions) {
     if (dims[axis] != 1)
       throw Error("it has " + format_number(dims[axis]) +
                   " volumes or values per sample; take one volume out of it first.");
+  constexpr std::pair<std::string_view, double> kUnits[] = {{"mm", 1}, {"um", 1e-3}, {"cm", 10}, {"m", 1000}};  // [mm]
+  const std::string unit = header.get("DistanceUnits", "mm");
+  const auto* known =
+      std::find_if(std::begin(kUnits), std::end(kUnits), [&](const auto& u) { return u.first == unit; });
+  if (known == std::end(kUnits))
+    throw Error("its field 'DistanceUnits' is " + in_quotes(unit) + "; it must be mm, um, cm or m.");
   const std::vector<double> zeros(dimensions, 0);
   const auto spacing = numbers(header, {"ElementSpacing", "ElementSize"}, zeros);
   const auto origin = numbers(header, {"Offset", "Position", "Origin"}, zeros);
@@ -116,8 +122,8 @@ FileGeometry geometry_in(const MetaHeader& header, std::size_t dimensions) {
   FileGeometry geometry;
   for (unsigned axis = 0; axis < 3; ++axis) {
     geometry.dims[axis] = int(dims[axis]);
-    geometry.spacing_mm[axis] = spacing[axis];
-    geometry.origin_mm[axis] = origin[axis];
+    geometry.spacing_mm[axis] = known->second * spacing[axis];
+    geometry.origin_mm[axis] = known->second * origin[axis];
     for (unsigned row = 0; row < 3; ++row) geometry.direction(row, axis) = matrix[dimensions * axis + row];
   }
   return geometry;
@@ -169,6 +175,9 @@ RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file) {
                 " dimensions; a volume has three. Take one volume out of it, or put its slices together.");
   const std::string channels = header.get("ElementNumberOfChannels", "1");
   if (channels != "1") throw Error("it has " + in_quotes(channels) + " values per sample; a volume has one.");
+  if (numbers(header, {"ElementToIntensityFunctionSlope"}, {1}) != std::vector<double>{1} ||
+      numbers(header, {"ElementToIntensityFunctionOffset"}, {0}) != std::vector<double>{0})
+    throw Error("its values are to be scaled (ElementToIntensityFunctionSlope); save them as they are meant.");
   const ValueType type = type_of_meta(header.get("ElementType", "none"));
   const std::string data = header.get("ElementDataFile", "");
   if (data.empty() || data.rfind("LIST", 0) == 0 || data.find('%') != std::string::npos)

@@ -123,6 +123,8 @@ RawImage read_slices(const fs::path& folder) {
   RawImage image;
   image.geometry.spacing_mm.setZero();
   image.geometry.dims = for_each_slice(folder, [&](const SliceFile& file, const PictureFile& picture) {
+    if (picture.channels == 2)
+      cannot_read(file.path, "it has grey values and transparency; save the grey values alone.");
     if (picture.channels != 1)
       cannot_read(file.path, "it is in colour; save grey values, or read labels with read_color_slices.");
     image.type = picture.type;

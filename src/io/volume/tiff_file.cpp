@@ -41,7 +41,8 @@ class TiffReader {
     const auto layout = field(TIFFTAG_PLANARCONFIG), meaning = field(TIFFTAG_PHOTOMETRIC);
     if (picture.channels > 1 && layout != PLANARCONFIG_CONTIG) fail("its channels are stored one by one");
     if (meaning != PHOTOMETRIC_MINISBLACK && meaning != PHOTOMETRIC_RGB)
-      fail("its values are neither grey, zero being black, nor red, green and blue");
+      fail("its values are neither grey, zero being black, nor red, green and blue; save it as one of these");
+    if (field(TIFFTAG_ORIENTATION) != ORIENTATION_TOPLEFT) fail("it is stored turned or mirrored; save it upright");
     const std::size_t row = std::size_t(width) * picture.channels * size_of(picture.type);
     require_bytes(path_, double(row) * height, available_, kAnyCompression);
     picture.bytes.resize(row * height);

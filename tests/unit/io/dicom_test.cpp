@@ -154,6 +154,24 @@ TEST(Dicom, AFileIsKnownByItsBeginningWhateverItsEnding) {
   write_bytes(one / "IM000001", test::dicom_file(two_frames()).substr(132));  // without the preamble
   for (const char* path : {"", "IM000001"})
     EXPECT_EQ(read_grey_volume(one / path).values, (std::vector<float>{-997, -996})) << path;
+  const TemporaryFolder old;  // nor a meta header, as files of the nineties
+  write_bytes(old / "explicit", two_frames().bytes());
+  write_bytes(old / "implicit", two_frames().bytes(true));
+  for (const char* name : {"explicit", "implicit"})
+    EXPECT_EQ(read_grey_volume(old / name).values, (std::vector<float>{-997, -996})) << name;
+}
+
+TEST(Dicom, AWrongTransferSyntaxIsSaidToBeOne) {
+  const TemporaryFolder folder;
+  const std::string implicit = two_frames().bytes(true), said_explicit = test::dicom_file({});
+  write_bytes(folder / "a.dcm", said_explicit + implicit);
+  try {
+    (void)read_grey_volume(folder / "a.dcm");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("transfer syntax that it names (1.2.840.10008.1.2.1)"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(Dicom, ATableOfGreyValuesIsAppliedInPlaceOfTheScale) {

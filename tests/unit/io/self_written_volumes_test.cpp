@@ -79,6 +79,18 @@ std::string error_of(const std::filesystem::path& path, const VolumeReadOptions&
   return "";
 }
 
+TEST(Slices, OfTiffThatAreTurnedAreRefused) {
+  constexpr std::uint16_t kSamples = 277, kOrientation = 274, kLong = 4;
+  const auto entry = [](std::uint16_t tag, std::uint32_t value) {
+    return test::little(tag) + test::little(kLong) + test::little(std::uint32_t(1)) + test::little(value);
+  };
+  std::string turned = test::tiff_slice(4, 3, ramp<std::uint8_t>(0, kSlice));
+  turned.replace(turned.find(entry(kSamples, 1)), 12, entry(kOrientation, 3));
+  const TemporaryFolder folder;
+  write_slices(folder, ".tif", [&](int) { return turned; });
+  EXPECT_NE(error_of(folder / "").find("turned or mirrored"), std::string::npos) << error_of(folder / "");
+}
+
 TEST(Slices, ThatDoNotBelongTogetherAreRefusedByName) {
   const auto png = [](int k) { return test::png_slice(4, 3, ramp<std::uint8_t>(k * kSlice, kSlice)); };
   const auto refuses = [&](const std::string& name, const std::string& bytes, const std::string& part) {
@@ -95,6 +107,8 @@ TEST(Slices, ThatDoNotBelongTogetherAreRefusedByName) {
   refuses("slice14.png", test::png_slice(3, 4, ramp<std::uint8_t>(0, kSlice)), "differs from the first slice");
   refuses("slice14.png", test::png_slice(4, 3, ramp<std::uint16_t>(0, kSlice)), "differs from the first slice");
   refuses("slice14.png", test::tiff_slice(4, 3, ramp<std::uint8_t>(0, kSlice)), "not a picture of the format");
+  constexpr char kGreyAndAlpha = 4;
+  refuses("slice14.png", test::png_slice(8, 3, ramp<std::uint8_t>(0, 24), 4, 3, kGreyAndAlpha), "transparency");
   const TemporaryFolder folder;
   write_slices(folder, ".png", png);
   EXPECT_NE(error_of(folder / "", {}).find("how far apart"), std::string::npos);

@@ -168,6 +168,15 @@ TEST(MetaImage, TakesTheSizeOfItsElementsWhereItNamesNoSpacing) {
   expect_ramp(read_meta(kMeta3 + "ElementSize = 9 9 9\nElementSpacing = 0.1 0.2 0.7\n"));
 }
 
+TEST(MetaImage, HasTheUnitThatItNamesAndNoScaleOfItsValues) {
+  expect_ramp(read_meta(kMeta3 + "DistanceUnits = um\nElementSpacing = 100 200 700\n"));
+  expect_ramp(read_meta(kMeta3 + "DistanceUnits = cm\nElementSpacing = 0.01 0.02 0.07\n"));
+  const std::string spaced = kMeta3 + "ElementSpacing = 0.1 0.2 0.7\n";
+  expect_ramp(read_meta(spaced + "ElementToIntensityFunctionSlope = 1\nElementToIntensityFunctionOffset = 0\n"));
+  expect_refusal("v.mha", spaced + "DistanceUnits = inch\n" + kLocal + ramp(), "must be mm, um, cm or m");
+  expect_refusal("v.mha", spaced + "ElementToIntensityFunctionSlope = 2\n" + kLocal + ramp(), "are to be scaled");
+}
+
 TEST(VolumeHeader, WithOtherAxesOfOneSampleIsAVolume) {
   expect_ramp(read_meta(kMeta + "NDims = 4\nDimSize = 4 3 5 1\nElementSpacing = 0.1 0.2 0.7 1\nOffset = 0 0 0 7\n"
                                 "TransformMatrix = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n"));

@@ -101,6 +101,15 @@ TEST(PosesOfText, SayTheLineThatIsWrong) {
   EXPECT_TRUE(refusal_of(kReadPoses, names + "1,0,0,0\n0,0,0,0\n").starts_with("a.csv:3: t_s = 0"));
 }
 
+TEST(TextFiles, NameEachColumnOnce) {
+  const std::string path = "t_s,x_mm,y_mm,z_mm,x_mm\n0,1,2,3,4\n1,1,2,3,4\n",
+                    profile = "rho_mm,z_mm,z_mm\n0,0,0\n1,1,1\n";
+  EXPECT_NE(refusal_of(kReadPoses, path).find("a.csv:1: the column x_mm is named twice"), std::string::npos)
+      << refusal_of(kReadPoses, path);
+  EXPECT_NE(refusal_of(kReadProfile, profile).find("z_mm is named twice"), std::string::npos);
+  EXPECT_EQ(refusal_of(kReadPoses, "t_s,x_mm,y_mm,z_mm,,\n0,1,2,3,,\n1,1,2,3,,\n"), "");
+}
+
 TEST(ProfileOfText, HasItsTipAtZero) {
   const Profile profile = kReadProfile("z_mm,rho_mm,kind\n1,0,cutting\n1.5,0.75,smooth\n");
   ASSERT_EQ(profile.edges.size(), 1U);
