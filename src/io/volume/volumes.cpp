@@ -36,7 +36,7 @@ RawImage read_folder(const fs::path& path, const VolumeReadOptions& options) {
   if (!has_slices(path))
     cannot_read(path,
                 "the folder has neither a DICOM series nor PNG or TIFF slices; pass the folder that they lie in "
-                "themselves.");
+                "themselves, and save pictures of another format (JPEG, BMP) as PNG.");
   require_no_series(path, options);
   if (!options.spacing)
     cannot_read(path, "PNG and TIFF slices do not say how far apart they are; set VolumeReadOptions::spacing.");
