@@ -16,7 +16,8 @@ namespace hapticut {
 
 /// What a head cuts with where nobody says: a twist drill, where a point cuts and the side above it is smooth, as that
 /// of `twist_drill_head`; else a carbide bur.
-[[nodiscard]] inline Cutter usual_cutter(const ToolHead& head) {
+// Not inline, where GCC 12 sees the profile of a ball, and takes it for used without a value.
+[[nodiscard, gnu::noinline]] inline Cutter usual_cutter(const ToolHead& head) {
   const auto* shape = std::get_if<ProfileHead>(&head.shape());
   if (shape == nullptr) return {};
   const std::vector<ProfileEdge>& edges = shape->profile().edges;

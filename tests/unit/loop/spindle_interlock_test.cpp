@@ -68,7 +68,7 @@ TEST(SpindleInterlock, LeavesWhatWasAskedOfTheSpindleAsItWas) {
   EXPECT_TRUE(simulation.spindle_is_held());
   EXPECT_EQ(speed_of_step(), 0);
   EXPECT_EQ(simulation.spindle_setting(), speed);
-  simulation.set_spindle_speed(0.5 * speed * units::rad_per_s);
+  simulation.set_spindle_speed(0.5 * speed);
   EXPECT_EQ(speed_of_step(), 0);
   interlock.turn(simulation, ArmingState::on);
   EXPECT_EQ(speed_of_step(), 0.5 * speed) << "what was asked meanwhile";
