@@ -32,18 +32,19 @@ void VirtualCoupling::Way::add(const Twist& velocity, double dt) noexcept {
   const double kept = std::max(0.0, 1 - dt / kMemory);
   linear = kept * linear + velocity.linear.norm() * dt;
   angular = kept * angular + velocity.angular.norm() * dt;
+  time = kept * time + dt;
 }
 
 /// Whether the velocities say what the poses do. An estimate of a device lags and is noisy, but it does not say many
 /// times the way, as a velocity in mm/s or in degrees does, with which the damper would push the tool.
 bool VirtualCoupling::velocity_fits(const Pose& pose, const Twist& velocity, double dt) noexcept {
   constexpr double kTold = 30;                           // [1] times the way of the poses
-  constexpr double kNoiseLinear = 0.02, kNoiseTurn = 2;  // [m], [rad] that estimates may say of a hand at rest
+  constexpr double kNoiseLinear = 0.2, kNoiseTurn = 20;  // [m/s], [rad/s] that an estimate may say of a hand at rest
   if (given_) by_pose_.add(twist_between(*given_, pose, dt), dt);
   if (given_) by_velocity_.add(velocity, dt);
   given_ = pose;
-  return by_velocity_.linear <= kNoiseLinear + kTold * by_pose_.linear &&
-         by_velocity_.angular <= kNoiseTurn + kTold * by_pose_.angular;
+  return by_velocity_.linear <= kNoiseLinear * by_velocity_.time + kTold * by_pose_.linear &&
+         by_velocity_.angular <= kNoiseTurn * by_velocity_.time + kTold * by_pose_.angular;
 }
 
 /// Whether no motion of a hand leads to a pose from the last one.

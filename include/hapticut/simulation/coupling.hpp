@@ -246,7 +246,7 @@ class VirtualCoupling {
 
   /// How far the hand has moved lately, by its poses and by its velocities.
   struct Way {
-    double linear = 0, angular = 0;  // [m], [rad]
+    double linear = 0, angular = 0, time = 0;  // [m], [rad], [s] of a tenth of a second, fading
     void add(const Twist& velocity, double dt) noexcept;
   };
   std::optional<Pose> given_;  // pose of the hand in the last tick

@@ -248,7 +248,7 @@ TEST(CalibrationInput, ThatNoCuttingRatioExplainsIsRefused) {
   };
   for (const DrillingTest& wrong : {DrillingTest{1.25 * mm, 1000 * rpm, 1 * mm, 20, 41.2 * N_mm * 1e6},
                                     DrillingTest{1.25 * mm, 1000 * rpm, 1e-300, 20, 41.2 * N_mm},
-                                    DrillingTest{1e200, 1000 * rpm, 1 * mm, 20, 41.2 * N_mm}})
+                                    DrillingTest{1e-200, 1000 * rpm, 1 * mm, 20, 41.2 * N_mm}})
     EXPECT_NE(message(wrong).find("no cutting ratio between 0.001 and 1000 explains"), std::string::npos);
 }
 

@@ -87,8 +87,15 @@ TEST(SpindleInterlock, OfAModelLetsGoOfTheSpindleWithIt) {
   {
     SimulationModel model(rig.simulation, *rig.device);
     LoopSnapshot snapshot;
-    (void)model.step({}, 1e-3, snapshot);
-    EXPECT_TRUE(rig.simulation.spindle_is_held()) << "there is no force yet";
+    RunOptions run;
+    run.simulated_time = true;
+    run.stop_on_signals = false;
+    (void)rig.device->run(
+        [&](const DeviceState& state) {
+          return DeviceCommand{model.step(state, 1e-3, snapshot), true};
+        },
+        run);
+    EXPECT_TRUE(rig.simulation.spindle_is_held()) << "there was no force yet";
   }
   EXPECT_FALSE(rig.simulation.spindle_is_held());
 }
