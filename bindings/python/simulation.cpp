@@ -245,8 +245,7 @@ void bind_the_simulation(py::module_& m) {
           "set_undo_mark",
           [](S& self) {
             self.occupancy.require_writable("The simulation");
-            if (!self.simulation.set_undo_mark())
-              throw Error("There is no memory for undo; call reserve_undo first.");
+            if (!self.simulation.set_undo_mark()) throw Error("There is no memory for undo; call reserve_undo first.");
           },
           "Marks the present state of the workpiece. Raises Error without `reserve_undo`.")
       .def_property_readonly(

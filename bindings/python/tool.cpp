@@ -157,8 +157,9 @@ void bind_tool(py::module_& m) {
   m.def("usual_cutter", &usual_cutter, py::arg("head"), doc("usual_cutter"));
   m.def("tooth_rate", &tooth_rate, py::arg("cutter"), py::arg("spindle_speed"), doc("tooth_rate"));
   py::class_<Tool>(m, "Tool", doc("Tool"))
-      .def(py::init<ToolHead, Handle, Spindle, std::optional<Cutter>>(), py::arg("head"), py::arg("handle") = Handle(RayHandle{0}),
-           py::arg("spindle") = Spindle{}, py::arg("cutter") = py::none(), doc("Tool::Tool"))
+      .def(py::init<ToolHead, Handle, Spindle, std::optional<Cutter>>(), py::arg("head"),
+           py::arg("handle") = Handle(RayHandle{0}), py::arg("spindle") = Spindle{}, py::arg("cutter") = py::none(),
+           doc("Tool::Tool"))
       .def_property_readonly("head", &Tool::head, py::return_value_policy::copy, "The cutting head.")
       .def_property_readonly("handle", &Tool::handle, py::return_value_policy::copy, "RayHandle or LHandle.")
       .def_property_readonly("spindle", &Tool::spindle, py::return_value_policy::copy, "The motor.")

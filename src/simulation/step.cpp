@@ -272,7 +272,8 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   result.spindle.speed = motor.speed();
   result.contact = contact_of(encounter);
   const bool could_cut = config.removal != RemovalLaw::none && encounter.resultant.voxels > 0;
-  if (could_cut && tool.spindle().speed == 0 && motor.setting() == 0 && !held) result.status |= StepStatus::spindle_stands;
+  if (could_cut && tool.spindle().speed == 0 && motor.setting() == 0 && !held)
+    result.status |= StepStatus::spindle_stands;
   if (could_cut && result.spindle.speed != 0 && other_cutter) result.status |= StepStatus::other_cutter;
   if (encounter.energies.crushed > 0) result.status |= StepStatus::material_crushed;
   if (encounter.blocks_exhausted) result.status |= StepStatus::blocks_exhausted;

@@ -36,9 +36,9 @@ enum class StepStatus : std::uint32_t {
   /// The pose held a number that is not finite, or its matrix was not a rotation. No force, workpiece untouched.
   /// Cure: check the device's matrix; re-orthonormalise it (`orthonormalized`) when it is only inexact.
   pose_rejected = 1U << 0,
-  /// The velocity held a number that is not finite, or was above 1e6 m/s or rad/s; or, behind a coupling, the velocities
-  /// say thirty times the way of the poses. No force, workpiece untouched. Cure: check the velocity estimate, and that
-  /// it is in m/s and rad/s.
+  /// The velocity held a number that is not finite, or was above 1e6 m/s or rad/s; or, behind a coupling, the
+  /// velocities say thirty times the way of the poses. No force, workpiece untouched. Cure: check the velocity
+  /// estimate, and that it is in m/s and rad/s.
   velocity_rejected = 1U << 1,
   /// dt was not within SimulationConfig::shortest_dt ... longest_dt. No force, workpiece untouched.
   /// Cure: pass the seconds since the last call; after a pause call with a fresh pose and the nominal period.

@@ -41,10 +41,9 @@ std::vector<Check> drillings() {
     const double layer = 0.08 * mm;
     config.reference_stiffness = forms::stiffness_for_layer(
         {c.specific_cutting_energy, c.cutting_ratio, test.spindle_speed, test.feed_speed}, layer, test.radius);
-    Simulation simulation(build_block({Vec3(-1.61, -1.57, -1.713) * mm, Vec3(1.61, 1.57, 0) * mm}, 0.05 * mm, material),
-                          Tool(FlatHead{test.radius, 4 * mm, FlatRule::bottom_only}, RayHandle{0},
-                               Spindle{test.spindle_speed}),
-                          config);
+    Simulation simulation(
+        build_block({Vec3(-1.61, -1.57, -1.713) * mm, Vec3(1.61, 1.57, 0) * mm}, 0.05 * mm, material),
+        Tool(FlatHead{test.radius, 4 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{test.spindle_speed}), config);
     const SteadyState steady =
         feed(simulation, Vec3(0.0293, 0.0113, 0) * mm, Vec3(0, 0, -test.feed_speed), 1.5 * mm, 2e-4);
     const std::string id = published.id,

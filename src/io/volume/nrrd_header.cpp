@@ -110,7 +110,8 @@ NrrdUnit unit_of_nrrd(std::string_view list, const NrrdAxes& axes) {
     const std::size_t to = std::min(list.find_first_of(quoted ? "\"" : " \t", from), list.size());
     const NrrdUnit this_one = unit_named(list.substr(from, to - from));
     const bool counts = std::find(axes.begin(), axes.end(), axis) != axes.end();
-    if (counts && unit && *unit != this_one) throw Error("its axes have different units: " + in_quotes(list) + "; save all in mm.");
+    if (counts && unit && *unit != this_one)
+      throw Error("its axes have different units: " + in_quotes(list) + "; save all in mm.");
     if (counts) unit = this_one;
     from = to + 1;
   }

@@ -63,7 +63,8 @@ RC_GTEST_PROP(Calibration, ReturnsTheLengthsOfChipsThatMadeTheTests, ()) {
   const int missing = *rc::gen::inRange(0, 3);  // nothing, thrust, torque
   std::vector<DrillingTest> tests;
   for (const double factor : {0.5, 1.0, 2.0}) {
-    tests.push_back(by_speed ? made_by(made, 1 * mm, factor * kSpeed, 1 * mm) : made_by(made, 1 * mm, kSpeed, factor * mm));
+    tests.push_back(by_speed ? made_by(made, 1 * mm, factor * kSpeed, 1 * mm)
+                             : made_by(made, 1 * mm, kSpeed, factor * mm));
     if (missing == 1) tests.back().thrust = 0;
     if (missing == 2) tests.back().torque = 0;
   }
@@ -224,8 +225,7 @@ TEST(Calibration, PredictsTheTrendsThatOthersMeasured) {
 
 TEST(CalibrationInput, OutOfRangeIsRefusedByName) {
   EXPECT_THROW((void)calibrate({}), Error);
-  const DrillingTest in_mm_per_s{1 * mm, kSpeed, 1, 10, 0},
-      in_mm{1, kSpeed, 1 * mm, 10, 0};
+  const DrillingTest in_mm_per_s{1 * mm, kSpeed, 1, 10, 0}, in_mm{1, kSpeed, 1 * mm, 10, 0};
   EXPECT_THROW((void)calibrate({&in_mm_per_s, 1}), Error);
   EXPECT_THROW((void)calibrate({&in_mm, 1}), Error);
   DrillingTest bad{1 * mm, kSpeed, 1 * mm, 10, -1};

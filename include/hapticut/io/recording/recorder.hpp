@@ -20,8 +20,8 @@ struct RecorderOptions {
   DeviceCapabilities capabilities;  ///< of that device, so that it can be played back
 
   /// The device whose loop makes the steps: then its name, its capabilities and its side of every step are taken from
-  /// it. Null: a loop of your own gives them, with `device`, `capabilities` and `Recorder::set_device_tick`; without the
-  /// last, the pose of the handle stands for the reading.
+  /// it. Null: a loop of your own gives them, with `device`, `capabilities` and `Recorder::set_device_tick`; without
+  /// the last, the pose of the handle stands for the reading.
   const Device* driven_by = nullptr;
 
   std::size_t steps = 8192;   ///< that the memory between loop and disk holds, about 1.5 kB each
