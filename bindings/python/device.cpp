@@ -96,10 +96,11 @@ void bind_devices(py::module_& m) {
           [](Device& device, const DeviceCallback& callback, const RunOptions& options) {
             try {
               return device.run(callback, options);
-            } catch (const py::cast_error&) {
-              throw py::type_error(
-                  "the callback of Device.run returned no DeviceCommand; return DeviceCommand(Wrench(force, torque)).");
+            } catch (const py::cast_error&) {            // another type
+            } catch (const py::reference_cast_error&) {  // None
             }
+            throw py::type_error(
+                "the callback of Device.run returned no DeviceCommand; return DeviceCommand(Wrench(force, torque)).");
           },
           py::arg("callback"), py::arg("options") = RunOptions{}, doc("Device::run"), Released())
       .def_property_readonly("requests", &Device::requests, py::return_value_policy::reference_internal,

@@ -81,7 +81,7 @@ def test_a_tool_that_was_left_waits_for_its_hand(coupled, plunge):
 
 def test_a_run_that_only_waits_says_so(coupled):
     coupling = h.VirtualCoupling(coupled, h.coupling_gains(h.device.capabilities(h.device.device_model("touch"))))
-    inside = h.Pose.from_translation(np.zeros((20, 3)))
+    inside = h.Pose.from_translation(np.tile([0, 0, 20 * mm], (20, 1)))  # the head is at the end of its handle
     with pytest.warns(UserWarning, match="none of the 20 steps was taken: tool_waits"):
         coupling.run(inside, np.zeros((20, 6)), 1e-3)
 
