@@ -8,7 +8,11 @@
 
 namespace hapticut {
 
-static constexpr double kLargestTurn = 0.9 * std::numbers::pi;  // [rad] of a hand against its tool
+namespace {
+
+constexpr double kLargestTurn = 0.9 * std::numbers::pi;  // [rad] of a hand against its tool
+
+}  // namespace
 
 /// The hand takes the tool: it brought it to its speed before, and stretched the spring.
 void VirtualCoupling::begin_grip(const Pose& pose, const Twist& velocity, double dt) noexcept {

@@ -123,7 +123,10 @@ bool Simulation::exchange(PreparedMaterials& prepared) noexcept {
 }
 
 void Simulation::exchange(Simulation& prepared) noexcept {
+  const bool held = state_->held;
+  hold_spindle(false);
   std::swap(state_, prepared.state_);
+  hold_spindle(held);
   const State& old = *prepared.state_;
   State& s = *state_;
   s.config.effects = old.config.effects;

@@ -157,7 +157,9 @@ void Simulation::reset(Workpiece workpiece) {
   if (const std::size_t blocks = state_->workpiece.undo_blocks(); blocks > 0) fresh->workpiece.reserve_undo(blocks);
   fresh->observers = state_->observers;
   fresh->exchanges = state_->exchanges;
+  const bool held = state_->held;
   state_ = std::move(fresh);
+  hold_spindle(held);
   state_->tell_of_exchange();
 }
 

@@ -78,6 +78,12 @@ TEST(SpindleInterlock, LeavesWhatWasAskedOfTheSpindleAsItWas) {
   simulation.hold_spindle(true);
   simulation.set_tool(ball());
   EXPECT_EQ(speed_of_step(), 0);
+  simulation.reset(block());
+  EXPECT_EQ(speed_of_step(), 0);
+  Simulation prepared(block(), ball(), config(true));
+  simulation.exchange(prepared);
+  EXPECT_EQ(speed_of_step(), 0);
+  EXPECT_FALSE(prepared.spindle_is_held()) << "what was put aside";
   simulation.hold_spindle(false);
   EXPECT_EQ(speed_of_step(), ball().spindle().speed);
 }
