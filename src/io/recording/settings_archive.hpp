@@ -10,6 +10,7 @@
 
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
+#include "hapticut/core/units.hpp"
 #include "io/recording/format_1.hpp"
 #include "io/recording/hdf5.hpp"
 
