@@ -23,11 +23,10 @@ inline Material plain_material() {
 }
 
 /// Springs alone: no removal, no friction; and a step may take the head anywhere, for `hold`.
-inline SimulationConfig static_config(Quadrature quadrature = Quadrature::centroid) {
+inline SimulationConfig static_config() {
   SimulationConfig config;
   config.reference_stiffness = kStiffness;
   config.removal = RemovalLaw::none;
-  config.quadrature = quadrature;
   config.friction = DryFriction{0, 0, 1};
   config.reserved_blocks = 1;
   config.longest_sweep = 1;

@@ -46,12 +46,15 @@ std::vector<Check> ball_stiffness_and_energy() {
     return config;
   }());
   for (int i = 0; i <= 500; ++i) (void)slow.step(ball_at(0.5 * kR * i / 500), {}, 1e-3);
+  const EnergyLedger& energy = slow.last_result().energy;
   return {{"C2", "ball, stiffness at d = 2R/3, its greatest", "N/m", forms::largest_cap_stiffness(kStiffness, kR),
            slope, kFine},
           {"C3", "ball, work of the hand down to R/2", "J", forms::cap_energy(kStiffness, kR, 0.5 * kR),
-           slow.last_result().energy.hand_work, kFine},
-          {"C3 stored", "ball, what is stored is what the hand paid", "J", slow.last_result().energy.hand_work,
-           slow.last_result().energy.elastic, kSinglePrecision}};
+           energy.hand_work, kFine},
+          {"C3 stored", "ball, what is stored is what the hand paid and what entered", "J",
+           energy.hand_work + energy.entered, energy.elastic, kSinglePrecision},
+          {"C3 entered", "what entered: (l/d)^2/130, by the least width of a section", "J", 0, energy.entered,
+           kFineSteps, energy.hand_work}};
 }
 
 std::vector<Check> cone() {

@@ -36,10 +36,10 @@ struct OracleHead {
   double closed_end;                                  // [m] z in T; 0: there is none
   double closed_radius;                               // [m]
 
-  // What to expect of voxels, with the greatest depth w of the pose: error <= constant (l/w)^2. The midpoint rule gives
-  // constants up to 0.5 with an upright head (C1, C4). Where the direction of the springs jumps inside the material, on
-  // the flat's cone between wall and bottom, between a cone's side and its base, lattice points of one and a half order
-  // come on top.
+  // What to expect of voxels, with the greatest depth w of the pose: error <= constant (l/w)^2. Sections give constants
+  // up to 0.5 with an upright head (C1, C4), and 4 for a ball whose centre is in the material (error_of_cap). Where the
+  // direction of the springs jumps inside the material, on the flat's cone between wall and bottom, between a cone's
+  // side and its base, lattice points of one and a half order come on top.
   double constant;
   double root_mean_square;  // [1] over all poses, at l = 0.05 mm; coarser with second order, finer with the least
   double least_order;
@@ -54,7 +54,7 @@ void PrintTo(const OracleHead& oracle, std::ostream* out) { *out << oracle.name;
 
 OracleHead ball() {
   const double R = 1 * mm;
-  return {"Ball", SphereHead{R}, [=](double rho, double z) { return R - std::hypot(rho, z); }, 0, 0, 1.5, 0.003, 1.7};
+  return {"Ball", SphereHead{R}, [=](double rho, double z) { return R - std::hypot(rho, z); }, 0, 0, 4.5, 0.003, 1.7};
 }
 
 OracleHead cone() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the force of a partly filled voxel is taken: how the three choices converge
-// (docs/decisions/0002-quadrature.md).
+// Where laws of one's own take the force of a partly filled voxel: how the two choices of points converge, and whole
+// voxels (docs/decisions/0002-quadrature.md).
 #include <gtest/gtest.h>
 
 #include "hapticut/bench/closed_forms.hpp"
@@ -17,6 +17,25 @@ constexpr double kRadius = 1 * mm;
 constexpr double kDepth = 0.3 * mm;
 const Vec3 kNormals[] = {Vec3::UnitZ(), Vec3(0.31, -0.52, 0.8).normalized()};
 const double kForce = closed_forms::cap_force(kStiffness, kRadius, kDepth);
+
+/// The springs of the default law at points.
+class PointSprings final : public ForceLaw {
+ public:
+  LawTotals evaluate(const HeadMotion& m, const ContactMaterials& materials, ContactBlock& b) const noexcept override {
+    const float volume = m.voxel_size * m.voxel_size * m.voxel_size;
+    for (int i = 0; i < b.lanes(); ++i) {
+      const auto n = std::size_t(i);
+      const float force = -materials[b.material_of(i)].stiffness * b.fill[n] * b.depth[n] * volume;
+      b.force_x[n] = force * b.normal_x[n];
+      b.force_y[n] = force * b.normal_y[n];
+      b.force_z[n] = force * b.normal_z[n];
+      b.fill_after[n] = b.fill[n];
+    }
+    LawTotals totals;
+    totals.may_remove = false;
+    return totals;
+  }
+};
 
 /// How a half space becomes voxels.
 enum class Surface {
@@ -43,11 +62,13 @@ ErrorConstants press(Surface surface, const Vec3& normal, double l) {
     const Box box = {body.box.min, Vec3(half_edge, half_edge, 0)};
     const bool upright = normal == Vec3::UnitZ() && surface != Surface::binary;
     const Vec3 on_surface = upright ? Vec3::Zero() : through;
+    SimulationConfig config = test::static_config();
+    config.law = std::make_shared<PointSprings>();
+    config.quadrature = surface == Surface::centroid ? Quadrature::centroid : Quadrature::voxel_center;
     Simulation simulation(
         upright ? test::box_at_phase(box, l, test::phase(n))
                 : build_body(body, l, test::materials_of_stiffness({1}), surface == Surface::binary ? 1 : 8),
-        Tool(SphereHead{kRadius}),
-        test::static_config(surface == Surface::centroid ? Quadrature::centroid : Quadrature::voxel_center));
+        Tool(SphereHead{kRadius}), config);
     const double force = hold(simulation, Vec3(on_surface + (kRadius - kDepth) * normal)).force.dot(normal);
     const double error = (force / kForce - 1) / std::pow(l / kDepth, surface == Surface::binary ? 1 : 2);
     sum += error;

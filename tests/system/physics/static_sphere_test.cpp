@@ -26,11 +26,17 @@ constexpr double kCoarsest = 0.1 * mm;  // voxel size, then 0.05 and 0.025 mm
 // The order is that of a root mean square over twelve phases, which is known to about 0.2.
 constexpr double kSecondOrder = 1.7;
 
-/// Quadrature at the centroid of the filled part is a midpoint rule along the normal. Its error is -l^2/24 times the
-/// slope of the slice force at the surface, F''(d): this constant times (l/d)^2.
-double midpoint_constant(double R, double d) {
-  const double e = d <= R ? d : 2 * R - d;
-  return std::abs(2 * R - 3 * e) / (2 * (4 * R - 3 * e)) * (d / e) * (d / e);
+/// [1] The error of the force, over (l/d)^2: root mean square over the fills f of the voxels that the surface z = 0
+/// cuts.
+///
+/// A whole voxel has the spring of its centre, not the mean over it; a cut one has the direction of its centre, not of
+/// its filled part, and that part is taken to lie beyond a plane across n. Together that is k_v l^2 (pi/12) d^2
+/// (1 - 6 f (1 - f)), which vanishes in the mean; 6 f (1 - f) deviates from 1 by sqrt(0.2). Where the ball's centre is
+/// below z = 0 the material lies on the near side of the plane, not beyond it: k_v l^2 f (1 - f) times the integral of
+/// |n_z| over the surface, 2 pi (d - R) (2 R - d), in the mean a sixth of that.
+double error_of_cap(double R, double d) {
+  const double error = d <= R ? std::sqrt(0.2) * units::kPi / 12 * d * d : units::kPi / 3 * (d - R) * (2 * R - d);
+  return error * d * d / forms::cap_force(1, R, d);
 }
 
 Simulation press_ball(double depth, double voxel_size, const Vec3& phase, const Handle& handle = RayHandle{0},
@@ -55,10 +61,9 @@ TEST_P(BallDepth, C1ForceIsThatOfTheCap) {
     Simulation simulation = press_ball(depth_, l, phase);
     return (hold(simulation, center_at(depth_)).force - Vec3(0, 0, expected)).norm() / expected;
   });
-  // On coarse grids the lattice adds to the midpoint rule's error what the kink of w at the head's surface costs.
-  const double constant = midpoint_constant(kRadius, depth_);
-  expect_convergence(c, kSecondOrder, 2.5 * constant, depth_);
-  EXPECT_NEAR(c.error[2] / (constant * std::pow(c.size[2] / depth_, 2)), 1, 0.2);
+  const double constant = error_of_cap(kRadius, depth_);
+  expect_convergence(c, kSecondOrder, 1.2 * constant, depth_);
+  EXPECT_NEAR(c.error[2] / (constant * std::pow(c.size[2] / depth_, 2)), 1, 0.3);  // of twelve phases
 }
 
 // Proves: torque.
@@ -116,14 +121,14 @@ TEST(Ball, C2IsStiffestAtTwoThirdsOfTheRadius) {
 TEST(Ball, C3StoredEnergyIsThatOfTheCap) {
   for (const double depth : {0.2 * kRadius, 0.5 * kRadius, 1.0 * kRadius}) {
     const double expected = forms::cap_energy(kStiffness, kRadius, depth);
-    // The midpoint rule's error is here -l^2/24 F'(d), C2; it vanishes at d = R.
-    const double midpoint = (kRadius - depth) / (2 * kRadius - 1.2 * depth);
+    // As that of the force: k_v l^2 (pi/36) d^3 (1 - 6 f (1 - f)).
+    const double constant = std::sqrt(0.2) * kStiffness * units::kPi / 36 * std::pow(depth, 5) / expected;
     expect_convergence(converge(kCoarsest,
                                 [&](double l, const Vec3& phase) {
                                   Simulation simulation = press_ball(depth, l, phase);
                                   return hold(simulation, center_at(depth)).energy.elastic / expected - 1;
                                 }),
-                       kSecondOrder, 1.1 * midpoint + 0.05, depth);
+                       kSecondOrder, 1.2 * constant, depth);
   }
 }
 
@@ -133,7 +138,9 @@ TEST(Ball, C3TheHandPaysForTheStoredEnergy) {
   for (int i = 0; i <= 500; ++i) (void)simulation.step(Pose::from_translation(center_at(depth * i / 500)), {}, 1e-3);
   const EnergyLedger& energy = simulation.last_result().energy;
   EXPECT_NEAR(energy.hand_work / forms::cap_energy(kStiffness, kRadius, depth), 1, 2e-3);
-  EXPECT_NEAR(energy.hand_work / energy.elastic, 1, 1e-5);
+  EXPECT_NEAR((energy.hand_work + energy.entered) / energy.elastic, 1, 1e-5);
+  // A section is at least 0.3 wide, and stores what its normal near the grid's axis must not.
+  EXPECT_LT(std::abs(energy.entered), 0.01 * std::pow(0.025 * mm / depth, 2) * energy.elastic);
 }
 
 // What was given in and taken out again was turned over too: the rest is not all of it.
@@ -187,7 +194,8 @@ Convergence press_into_layers(const Layers& layers, double depth, bool interface
 
 // Proves: layers and grades.
 TEST(Ball, C10LayersThatMeetOnAVoxelFaceConvergeWithSecondOrder) {
-  expect_convergence(press_into_layers({1, 0.2, 0.267 * kRadius}, 0.7 * kRadius, true), kSecondOrder, 0.3,
+  // 0.33 (l/d)^2 by the fluxes of error_of_cap, which no longer cancel where the stiffness changes.
+  expect_convergence(press_into_layers({1, 0.2, 0.267 * kRadius}, 0.7 * kRadius, true), kSecondOrder, 0.4,
                      0.7 * kRadius);
 }
 
@@ -200,8 +208,11 @@ TEST(Ball, C10LayersThatMeetInsideVoxelsConvergeWithFirstOrder) {
 }
 
 TEST(Ball, C10BreakthroughLeavesTheForceOfTheShell) {
-  expect_convergence(press_into_layers({1, 0, 0.267 * kRadius}, 0.7 * kRadius, false), kSecondOrder, 0.1,
-                     0.267 * kRadius);
+  const double thickness = 0.267 * kRadius, depth = 0.7 * kRadius, below = kRadius - depth + thickness;
+  // Of the plate's lower face the material lies on the near side (error_of_cap).
+  const double near_side = units::kPi / 3 * below * (kRadius - below) * kStiffness;
+  expect_convergence(press_into_layers({1, 0, thickness}, depth, false), kSecondOrder,
+                     1.2 * near_side * thickness * thickness / layered_force({1, 0, thickness}, depth), thickness);
 }
 
 TEST(Ball, C10TheLibrarysSlabHasTheForceOfItsLayers) {
@@ -263,7 +274,7 @@ TEST(Ball, C12StiffnessThatGrowsSidewaysPushesTheBallToTheSofterSide) {
     Simulation simulation = press_ball(depth, l, phase, RayHandle{0}, materials_of_stiffness(stiffnesses), step);
     return (hold(simulation, center_at(depth)).force - expected).norm() / expected.norm();
   };
-  expect_convergence(converge(kCoarsest, error), kSecondOrder, 0.15, depth);
+  expect_convergence(converge(kCoarsest, error), kSecondOrder, 0.25, depth);  // a spring's stiffness is the centre's
 }
 
 // --- damping ----------------------------------------------------------------------------------------------------

@@ -163,8 +163,7 @@ double static_error(const Vec3& normal, double voxel) {
                                         [&](const Vec3& p) { return normal.dot(p - surface); },
                                         [](const Vec3&) { return MaterialId(1); }};
     Simulation simulation(build_body(half_space, voxel, MaterialTable({plain_material()})),
-                          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{0}),
-                          fixtures::static_config(Quadrature::sub_voxel));
+                          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{0}), fixtures::static_config());
     const Pose pose = Pose::from_translation(surface + normal * (kRadius - depth));
     const double force = fixtures::hold(simulation, pose).force.dot(normal);
     square += std::pow(force / forms::cap_force(fixtures::kStiffness, kRadius, depth) - 1, 2) / kPhases;
@@ -201,7 +200,7 @@ TEST(SubVoxel, AProfilePressesAsTheShapeThatItDraws) {
     const auto force_of = [&](const ToolHead& head, double lowest) {
       Simulation simulation(
           build_block({Vec3(-1.63, -1.57, -1.2) * mm, Vec3(1.6, 1.6, 0) * mm}, kVoxel, plain_material()),
-          Tool(head, RayHandle{0}, Spindle{0}), fixtures::static_config(Quadrature::sub_voxel));
+          Tool(head, RayHandle{0}, Spindle{0}), fixtures::static_config());
       return fixtures::hold(simulation, Pose::from_translation({0, 0, -0.36 * mm - lowest})).force.z();
     };
     EXPECT_NEAR(force_of(c.profile, bottom) / force_of(c.shape, -c.tip), 1, 0.005);
