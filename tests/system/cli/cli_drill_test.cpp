@@ -248,6 +248,7 @@ TEST_F(Drill, PreparesTheMolarOfTheDemo) {
       drill("--settings " + test::source_path("examples/demo/molar.toml").string() + " --voxel_mm 0.2 --rate 200");
   EXPECT_GT(report["removed_volume_mm3"]["by_material"]["enamel"], 1);
   EXPECT_GT(report["removed_volume_mm3"]["by_material"]["dentin"], 1);
+  EXPECT_LT(report["force_N"]["max"], 50);
   EXPECT_LT(report["energy_closure"], 0.01);
 }
 
@@ -259,6 +260,8 @@ TEST_F(Drill, ClearsTheMastoidOfTheDemo) {
       drill("--settings " + test::source_path("examples/demo/skull.toml").string() + " --voxel_mm 0.5 --rate 100");
   EXPECT_GT(report["removed_volume_mm3"]["by_material"]["cortical_bone"], 10);
   EXPECT_GT(report["removed_volume_mm3"]["by_material"]["trabecular_bone"], 10);
+  EXPECT_LT(report["force_N"]["max"], 50);  // of a hand
+  EXPECT_EQ(report["status"]["spindle_stalled"], 0);
   EXPECT_LT(report["energy_closure"], 0.01);
 }
 #endif
