@@ -90,10 +90,6 @@ class LawProperty : public testing::TestWithParam<LawFamily> {
   }
 };
 
-// Positions in single precision differ in their last bits from one frame to another. A voxel that then counts a step
-// earlier or later is one of hundreds.
-constexpr double kOneVoxel = 5e-3;
-
 // Proves: symmetries.
 TEST_P(LawProperty, GivesTheRotatedWrenchInARotatedScene) {
   EXPECT_TRUE(rc::check([] {

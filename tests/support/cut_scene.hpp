@@ -15,6 +15,10 @@ namespace hapticut::test {
 
 inline constexpr double kSceneVoxel = 0.1 * units::mm;
 
+/// [1] of `difference`. Positions in single precision differ in their last bits from one frame to another, and a voxel
+/// then counts one step earlier or later, or by another of a profile's curves: one of hundreds.
+inline constexpr double kOneVoxel = 5e-3;
+
 /// A block of two materials that the head is pressed into, along a straight path.
 struct CutScene {
   Box box_V = {Vec3(-1.52, -1.43, -1.61) * units::mm, Vec3(1.38, 1.51, 0.03) * units::mm};
@@ -44,6 +48,7 @@ struct CutScene {
 struct CutOutcome {
   std::vector<Wrench> wrenches_V;   // about To, in the frame of the grid
   std::vector<double> most_normal;  // [N] which the sum of all normal forces cannot pass
+  double one_voxel = 0;             // [N] which the force of no voxel can pass; of the default law
   double removed_volume = 0;
   EnergyLedger energy;
   double turnover = 0;         // [J] of both works, to and fro
@@ -104,6 +109,10 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
     const double stiffest =
         config.reference_stiffness * std::max(scene.soft.relative_stiffness, scene.hard.relative_stiffness);
     outcome.most_normal.push_back(stiffest * result.contact.depth * result.contact.volume);
+    const double ratio = std::max(scene.soft.cutting_ratio, scene.hard.cutting_ratio);
+    if (!scene.law)
+      outcome.one_voxel = std::max(outcome.one_voxel,
+                                   stiffest * result.contact.depth * std::pow(kSceneVoxel, 3) * std::hypot(1.0, ratio));
     outcome.removed_volume += result.removed_volume;
     const EnergyLedger& after = result.energy;
     outcome.turnover += std::abs(after.hand_work - before.hand_work) + std::abs(after.motor_work - before.motor_work);
@@ -116,7 +125,8 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
   return outcome;
 }
 
-/// Largest difference of force and torque on the way, relative to the largest force and to 1 mm times it.
+/// Largest difference of force and torque on the way, relative to the largest force and to 1 mm times it. A contact of
+/// few voxels is compared as one of hundreds.
 inline double difference(const CutOutcome& a, const CutOutcome& b) {
   double force = 0, worst = 0;
   for (std::size_t n = 0; n < a.wrenches_V.size(); ++n) {
@@ -125,7 +135,7 @@ inline double difference(const CutOutcome& a, const CutOutcome& b) {
     worst = std::max(worst, (a.wrenches_V[n].torque - b.wrenches_V[n].torque).norm() / (1 * units::mm));
   }
   RC_ASSERT(force > 0);  // a scene without a force compares nothing
-  return worst / force;
+  return worst / std::max(force, a.one_voxel / kOneVoxel);
 }
 
 /// What a mirrored scene should give: a force mirrors like a position, a torque with the opposite sign.

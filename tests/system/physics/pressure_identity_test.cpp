@@ -41,6 +41,7 @@ struct OracleHead {
   // direction of the springs jumps inside the material, on the flat's cone between wall and bottom, between a cone's
   // side and its base, lattice points of one and a half order come on top.
   double constant;
+  double behind;            // the same where To is in the material
   double root_mean_square;  // [1] over all poses, at l = 0.05 mm; coarser with second order, finer with the least
   double least_order;
 
@@ -54,7 +55,8 @@ void PrintTo(const OracleHead& oracle, std::ostream* out) { *out << oracle.name;
 
 OracleHead ball() {
   const double R = 1 * mm;
-  return {"Ball", SphereHead{R}, [=](double rho, double z) { return R - std::hypot(rho, z); }, 0, 0, 4.5, 0.003, 1.7};
+  return {"Ball", SphereHead{R}, [=](double rho, double z) { return R - std::hypot(rho, z); }, 0, 0, 1.5, 4.5, 0.003,
+          1.7};
 }
 
 OracleHead cone() {
@@ -64,6 +66,7 @@ OracleHead cone() {
           [=](double rho, double z) { return std::min(z * std::sin(a) - rho * std::cos(a), kSmoothScale * (h - z)); },
           h,
           h * std::tan(a),
+          3.5,
           3.5,
           0.008,
           1.6};
@@ -79,6 +82,7 @@ OracleHead flat() {
           h,
           r,
           3.5,
+          3.5,
           0.008,
           1.6};
 }
@@ -91,6 +95,7 @@ OracleHead round_end() {
       [=](double rho, double z) { return std::min(r - std::hypot(rho, std::min(0.0, z - r)), kSmoothScale * (h - z)); },
       h,
       r,
+      1.5,
       1.5,
       0.003,
       1.7};
@@ -107,6 +112,7 @@ OracleHead inverted_cone() {
           },
           h,
           neck,
+          6.0,
           6.0,
           0.011,
           1.6};
@@ -137,6 +143,7 @@ OracleHead tree() {
           },
           h,
           R,
+          4.5,
           4.5,
           0.01,
           1.6};
@@ -230,7 +237,8 @@ TEST_P(PressureIdentity, C11HoldsForForceAndTorqueIn200RandomPosesAndConvergesOn
         const PoseError e = error_at(on_grid[level], X_WT, expected_T, reach);
         c.error[level] += e.largest() * e.largest() / (kPlanes * kPosesPerPlane);
         if (level == 0) continue;
-        EXPECT_LT(e.largest(), oracle.constant * std::pow(kVoxelSizes[level] / e.depth, 2))
+        const double constant = plane.height(X_WT.translation) < 0 ? oracle.behind : oracle.constant;
+        EXPECT_LT(e.largest(), constant * std::pow(kVoxelSizes[level] / e.depth, 2))
             << "l = " << kVoxelSizes[level] / mm << " mm, plane " << n << ", pose " << m << ", depth " << e.depth / mm
             << " mm";
       }

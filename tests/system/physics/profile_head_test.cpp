@@ -42,9 +42,9 @@ class ProfileTwin : public testing::TestWithParam<Twins> {};
 
 // Depths agree to single precision, so forces, sums over thousands of voxels, agree better than this.
 constexpr double kSinglePrecision = 2e-6;
-// Of voxels beyond a tip, whose parts reach into the head, a profile knows how far they are from it, a cone only how
-// far from its flank.
-constexpr double kBeyondTips = 1e-4, kVolumeBeyondTips = 2e-3;
+// Of voxels whose centres are beyond the sharp rim of a cone's base and whose parts reach in, cone and profile say
+// differently how far they are outside. Around the whole rim: 5e-5 of the force, 2.3e-3 of the volume.
+constexpr double kBeyondSharpRims = 1e-4, kVolumeBeyondSharpRims = 3e-3;
 
 TEST_P(ProfileTwin, FeelsTheSameForceAndTorque) {
   const Box block = {Vec3(-2.5, -2.5, -2.5) * mm, Vec3(2.5, 2.5, 0) * mm};
@@ -52,8 +52,8 @@ TEST_P(ProfileTwin, FeelsTheSameForceAndTorque) {
   const Handle handle = LHandle{4 * mm, 2 * mm, 0.8};
   Simulation with_analytic(workpiece.clone(), Tool(GetParam().analytic, handle), static_config());
   Simulation with_profile(workpiece.clone(), Tool(GetParam().profile, handle), static_config());
-  const bool tip = std::holds_alternative<ConeHead>(GetParam().analytic.shape());
-  const double tolerance = tip ? kBeyondTips : kSinglePrecision;
+  const bool sharp = std::holds_alternative<ConeHead>(GetParam().analytic.shape());
+  const double tolerance = sharp ? kBeyondSharpRims : kSinglePrecision;
   test::RandomPoses random(12);
   const HeadBox box = GetParam().analytic.bounding_box();
   int touching = 0;
@@ -67,7 +67,7 @@ TEST_P(ProfileTwin, FeelsTheSameForceAndTorque) {
     const double scale = test::kStiffness * a.contact.volume * a.contact.depth;
     EXPECT_LE((p.force - a.force).norm(), tolerance * scale);
     EXPECT_LE((p.torque - a.torque).norm(), tolerance * scale * 5 * mm);
-    EXPECT_NEAR(p.contact.volume, a.contact.volume, (tip ? kVolumeBeyondTips : 1e-4) * a.contact.volume);
+    EXPECT_NEAR(p.contact.volume, a.contact.volume, (sharp ? kVolumeBeyondSharpRims : 1e-4) * a.contact.volume);
     EXPECT_NEAR(p.contact.depth, a.contact.depth, kSinglePrecision * mm);
   }
   EXPECT_GT(touching, 30);

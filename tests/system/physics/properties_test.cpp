@@ -13,11 +13,6 @@ namespace {
 using namespace test;
 using units::mm;
 
-// Positions in single precision differ in their last bits from one frame to another, and a voxel then counts one step
-// earlier or later: where the spring does not vanish at the rim, or where cutting starts, that is one of a hundred or
-// more.
-constexpr double kOneVoxel = 1e-2;
-
 /// Heads of profiles take a while to make.
 const std::vector<ToolHead>& heads_of_profiles() {
   static const std::vector<ToolHead> kHeads = [] {

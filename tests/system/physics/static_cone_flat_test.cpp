@@ -99,8 +99,11 @@ TEST_P(FlatDepth, C5BottomOnlyIsTheDiskTimesTheDepthSquared) {
 TEST_P(FlatDepth, C5BothSpringsPushUpLikeTheBottomAloneAndCancelSideways) {
   const Vec3 bottom = press_flat(FlatRule::bottom_only, depth_, kCoarsest / 2, test::phase(1));
   const Vec3 both = press_flat(FlatRule::both, depth_, kCoarsest / 2, test::phase(1));
-  // A voxel that the bottom crosses has the section across the sum of both springs.
+  // A voxel that the bottom crosses has the section across the sum of both springs: second order.
   EXPECT_NEAR(both.z() / bottom.z(), 1, 0.2 * std::pow(kCoarsest / 2 / depth_, 2));
+  const Vec3 fine_bottom = press_flat(FlatRule::bottom_only, depth_, kCoarsest / 4, test::phase(1));
+  const Vec3 fine_both = press_flat(FlatRule::both, depth_, kCoarsest / 4, test::phase(1));
+  EXPECT_NEAR(fine_both.z() / fine_bottom.z(), 1, 0.2 * std::pow(kCoarsest / 4 / depth_, 2));
   // Sideways the wall's springs cancel up to the lattice's asymmetry, of the order of the error of C5.
   EXPECT_LT(std::hypot(both.x(), both.y()), 0.01 * both.z());
 }

@@ -258,6 +258,9 @@ TEST(Ball, C12StiffnessThatGrowsWithDepthAddsTheEnergyTimesItsSlope) {
   expect_convergence(converge(kCoarsest, error), kSecondOrder, 0.5, depth);
 }
 
+//
+// A whole voxel has the stiffness of its centre and lacks -l^2/12 of grad(k) . grad(w n) too: 0.19 (l/d)^2 with the
+// fills of error_of_cap.
 TEST(Ball, C12StiffnessThatGrowsSidewaysPushesTheBallToTheSofterSide) {
   const double depth = 0.7 * kRadius;
   const Grade grade = {Vec3(0.6 / mm, -0.3 / mm, -0.5 / mm)};
@@ -274,7 +277,7 @@ TEST(Ball, C12StiffnessThatGrowsSidewaysPushesTheBallToTheSofterSide) {
     Simulation simulation = press_ball(depth, l, phase, RayHandle{0}, materials_of_stiffness(stiffnesses), step);
     return (hold(simulation, center_at(depth)).force - expected).norm() / expected.norm();
   };
-  expect_convergence(converge(kCoarsest, error), kSecondOrder, 0.25, depth);  // a spring's stiffness is the centre's
+  expect_convergence(converge(kCoarsest, error), kSecondOrder, 0.21, depth);
 }
 
 // --- damping ----------------------------------------------------------------------------------------------------
