@@ -148,7 +148,10 @@ std::vector<Check> pressure_identity() {
 std::vector<Check> closed_path() {
   SimulationConfig config = static_config();
   config.longest_sweep = 64;
-  Simulation simulation(half_space(1.5 * kR, kR, kVoxel), Tool(SphereHead{kR}), config);
+  // Around an edge, where on a plane each half of the way would undo the other.
+  Simulation simulation(
+      build_block({Vec3(-1.61, -1.87, -1.13) * mm, Vec3(0.21, 1.85, 0) * mm}, kVoxel, plain_material()),
+      Tool(SphereHead{kR}), config);
   double work = 0, turnover = 0, before = 0, torque = 0;
   for (int i = 0; i <= 1000; ++i) {
     const double t = 2 * kPi * i / 1000;
