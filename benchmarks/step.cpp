@@ -13,16 +13,11 @@
 namespace hapticut::bench {
 namespace {
 
-/// hapticut itself, as a contestant.
-enum class As {
-  cutting,  ///< the full model with its defaults
-  points,   ///< the same with one sample to a voxel, in a foundation that is soft enough for it
-  still     ///< static, with the same voxels as the others
-};
-
+/// hapticut itself, as a contestant: the full model with its defaults, or, standing, with the same voxels as the
+/// others.
 class Hapticut final : public Contestant {
  public:
-  Hapticut(const Workload& w, As as) : simulation_(make(w, as)) {}
+  Hapticut(const Workload& w, bool cutting) : simulation_(make(w, cutting)) {}
 
   TickResult tick(const Vec3& center) override {
     if (first_) last_ = center;
@@ -33,18 +28,14 @@ class Hapticut final : public Contestant {
   }
 
  private:
-  static Simulation make(const Workload& w, As as) {
-    const bool cutting = as != As::still;
+  static Simulation make(const Workload& w, bool cutting) {
     Material bone;
     bone.name = "bone";
     bone.specific_cutting_energy = 1e8;
     bone.cutting_ratio = cutting ? 0.5 : 0.0;
     SimulationConfig config;
-    if (as == As::points) config.reference_stiffness = kStiffnessOfPoints;
-    if (as == As::still) config.reference_stiffness = 1e3 / std::pow(w.voxel_size, 3);  // 1 N/mm per voxel
+    if (!cutting) config.reference_stiffness = 1e3 / std::pow(w.voxel_size, 3);  // 1 N/mm per voxel
     config.removal = cutting ? RemovalLaw::constant_energy : RemovalLaw::none;
-    if (as == As::points) config.quadrature = Quadrature::centroid;
-    if (as == As::still) config.quadrature = Quadrature::voxel_center;
     config.deep_contact = cutting;  // static: the springs alone, as the others compute them
     config.reserved_blocks = 16384;
     config.friction = DryFriction{0, 0, 1};  // the other contestants have none
@@ -58,9 +49,8 @@ class Hapticut final : public Contestant {
 };
 
 std::unique_ptr<Contestant> make_any(const std::string& name, const Workload& workload) {
-  if (name == "hapticut") return std::make_unique<Hapticut>(workload, As::cutting);
-  if (name == "hapticut_points") return std::make_unique<Hapticut>(workload, As::points);
-  if (name == "hapticut_static") return std::make_unique<Hapticut>(workload, As::still);
+  if (name == "hapticut") return std::make_unique<Hapticut>(workload, true);
+  if (name == "hapticut_static") return std::make_unique<Hapticut>(workload, false);
   return make_contestant(name, workload);
 }
 
@@ -97,7 +87,6 @@ void register_all() {
         const Workload workload{path, h, radius};
         std::vector<std::string> names = contestant_names();
         names.emplace_back("hapticut");
-        names.emplace_back("hapticut_points");
         if (path == Path::w3 || (path == Path::w1 && radius > 1.5e-3)) names.emplace_back("hapticut_static");
         for (const std::string& name : names)
           benchmark::RegisterBenchmark(workload.name(name).c_str(),

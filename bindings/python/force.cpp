@@ -34,6 +34,8 @@ void bind_laws(py::module_& m) {
   using Foundation = FoundationLaw;
   LawBinding<Foundation>(m, "FoundationLaw", doc("FoundationLaw"))
       .def(py::init<>())
+      .def("__repr__", [](const Foundation&) { return "FoundationLaw()"; })
+      .def("__reduce__", [](const py::object& self) { return py::make_tuple(py::type::of(self), py::tuple()); })
       .def_readonly_static("kSlipRegularization", &Foundation::kSlipRegularization,
                            doc("FoundationLaw::kSlipRegularization"))
       .def_readonly_static("kLargestExponent", &Foundation::kLargestExponent, doc("FoundationLaw::kLargestExponent"))

@@ -26,6 +26,8 @@ void bind_result_of_step(py::module_& m) {
   bind_described_result<SpindleState>(m, "SpindleState");
   using E = EnergyLedger;
   bind_described_result<E>(m, "EnergyLedger")
+      .def("stored", &E::stored, doc("EnergyLedger::stored"))
+      .def("losses", &E::losses, doc("EnergyLedger::losses"))
       .def("imbalance", &E::imbalance, doc("EnergyLedger::imbalance"))
       .def("closure", &E::closure, doc("EnergyLedger::closure"));
 

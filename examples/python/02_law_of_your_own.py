@@ -19,8 +19,8 @@ depths = np.linspace(0.005, 0.5, 100) * mm
 poses = hapticut.Pose.from_translation(np.outer(1.5 * mm - depths, [0, 0, 1]))
 
 laws = {
-    "foundation, k = 5e11 N/m^4": (5e11, None),
-    "foundation, k = 1e12 N/m^4": (1e12, None),
+    "foundation, k = 5e11 N/m^4": (5e11, hapticut.FoundationLaw()),
+    "foundation, k = 1e12 N/m^4": (1e12, hapticut.FoundationLaw()),
     "Hertz, E* = 1 MPa": (1e12, hapticut.ContactMechanicsLaw(1e6)),
     "Hertzian burr, C1 = 1 MPa": (1e12, hapticut.HertzianBurrLaw(1e6)),
     "thesis, l0 = 0.1 mm": (1e12, hapticut.ThesisLaw(hapticut.ThesisLaw.Constants(reference_voxel_size=0.1 * mm))),

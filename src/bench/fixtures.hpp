@@ -33,6 +33,11 @@ inline SimulationConfig static_config() {
   return config;
 }
 
+/// [1] What is in no term of the ledger, `entered` among them, relative to the turnover: rounding.
+inline double unbooked(const EnergyLedger& energy) {
+  return std::abs(energy.imbalance() + energy.entered) / energy.turnover;
+}
+
 /// What a tool feels that stands still at a pose, or moves through it at the given velocity as far as damping knows.
 ///
 /// Two steps: the first takes the tool there, or is rejected as a jump and takes it there all the same; in the second

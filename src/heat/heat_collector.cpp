@@ -14,8 +14,8 @@ namespace {
 constexpr double kMostlyAxial = 0.1;  // [1] of the squared force lies across the axis, or its line passes nowhere near
 constexpr int kHalvings = 20;         // a millionth of the head
 
-double heat_of_cutting(const EnergyLedger& energy) { return energy.cutting + energy.released; }
 double heat_of_rubbing(const EnergyLedger& energy) { return energy.rubbing + energy.damping + energy.sliding; }
+double heat_of_cutting(const EnergyLedger& energy) { return energy.losses() - heat_of_rubbing(energy); }
 
 }  // namespace
 

@@ -52,18 +52,6 @@ HWY_INLINE ChordVectors chord_of_chips(const MaterialVectors& material, float to
   return chord;
 }
 
-/// The same of a point, which stands for the filled part of its voxel; where it is not cut, `least` is its own depth.
-/// @param work   [J/m^3] of the sub-step, kappa k_v w s dt
-HWY_INLINE ChordVectors chord_of_point(const MaterialVectors& material, const HeadMotion& m, Vec work, Vec depth,
-                                       Vec fill, Vec speed) {
-  const Vec zero = hn::Zero(Floats()), half_edge = broadcast(0.5F * m.voxel_size) * fill;
-  const Vec power = work * broadcast(0.5F / (m.duration * m.level_of_detail)) * material.inverse_energy;
-  const Vec rate = hn::IfThenElseZero(depth > zero, power / depth);
-  ChordVectors chord = chord_of_chips(material, m.tooth_rate, rate, depth + half_edge, depth - half_edge, speed);
-  chord.cut.least = hn::IfThenElse(chord.cut.excess > zero, chord.cut.least, depth);
-  return chord;
-}
-
 }  // namespace strips
 
 }  // namespace hapticut::kernels::HWY_NAMESPACE

@@ -18,19 +18,18 @@ struct ContactSums {
     kTorqueX,
     kTorqueY,
     kTorqueZ,
-    kElasticMiddle,   // k phi (w^2 + advance^2/4) / 2
-    kElasticChange,   // k phi w advance / 2: half of what is stored more at the end, where nothing is cut
-    kRemovedElastic,  // k removed (w + advance/2)^2 / 2
-    kLag,             // k w advance (phi - mean fill) / 2
-    kHelped,          // elastic energy that helped cutting (law G)
+    kBefore,    // stored at the beginning of the sub-step,
+    kChange,    // and by its end so much more: small beside it, and added up by itself
+    kReleased,  // stored in what was taken away: released, crushed and helped together
+    kCrushed,   // what of it crushing took
+    kHelped,    // and what helped cutting (law G)
+    kChips,     // cutting energy beyond u: of thin chips, and less than none of what was crushed
+    kCredited,
     kDamping,
     kRubbing,
-    kCredited,
     kCouple,
     kFill,
-    kChips,    // cutting energy beyond u: of thin chips, and less than none of what was crushed
-    kCrushed,  // what crushing took
-    kNormal,   // the reaction along the normals, whatever their directions; only where the head cuts
+    kNormal,  // the reaction along the normals, whatever their directions
     kTerms
   };
   static constexpr int kLanes = BlockChange::kStrip;

@@ -24,11 +24,13 @@ class SectionVectors {
     const Vec one = broadcast(1.0F);
     q_ = hn::Max(hn::Sqrt(hn::Max(hn::Zero(Floats()), hn::NegMulAdd(largest, largest, one))),
                  broadcast(VoxelSection<float>::kLeastWidth));
+    per_area_ = one / (p_ * q_);
   }
 
   [[nodiscard]] HWY_INLINE Vec span() const { return p_ + q_; }
 
   [[nodiscard]] HWY_INLINE Vec height_of(Vec fill) const {
+    if (hn::AllTrue(Floats(), fill >= broadcast(1.0F))) return span();
     const Vec half = broadcast(0.5F), wide = hn::Max(p_, q_), narrow = hn::Min(p_, q_);
     const Vec less = hn::Min(fill, broadcast(1.0F) - fill), ramp = wide * less, twice = ramp + ramp;
     const Vec height = hn::IfThenElse(twice <= narrow, hn::Sqrt(hn::Max(hn::Zero(Floats()), twice * narrow)),
@@ -38,12 +40,12 @@ class SectionVectors {
 
   [[nodiscard]] HWY_INLINE Vec area_at(Vec height) const {
     const Corners x = corners(hn::Max(hn::Zero(Floats()), height));
-    return hn::Max(hn::Zero(Floats()), x.all - x.without_p - x.without_q) / (p_ * q_);
+    return hn::Max(hn::Zero(Floats()), x.all - x.without_p - x.without_q) * per_area_;
   }
   [[nodiscard]] HWY_INLINE Vec fill_below(Vec height) const {
     const Corners x = corners(hn::Max(hn::Zero(Floats()), height));
     const Vec squares = x.all * x.all - x.without_p * x.without_p - x.without_q * x.without_q;
-    return squares / (broadcast(2.0F) * p_ * q_);
+    return broadcast(0.5F) * per_area_ * squares;
   }
 
   /// Of DepthIntegrals, what a voxel in contact has.
@@ -52,19 +54,15 @@ class SectionVectors {
   };
   [[nodiscard]] HWY_INLINE Pressed pressed(Vec height, Vec depth) const {
     const Corners x = corners(height);
-    const Vec inverse = broadcast(1.0F) / (p_ * q_);
-    return {inverse * broadcast(1.0F / 6) * depths(x, depth), inverse * broadcast(0.5F) * volumes(x, depth)};
+    return {broadcast(1.0F / 6) * per_area_ * depths(x, depth), broadcast(0.5F) * per_area_ * volumes(x, depth)};
   }
 
   /// DepthIntegrals::cutting.
   /// @param beyond  CutDepth::beyond
   [[nodiscard]] HWY_INLINE Vec cutting(Vec height, Vec least, Vec beyond) const {
     const Corners x = corners(height);
-    return hn::MulAdd(broadcast(0.5F) * least, volumes(x, beyond), broadcast(1.0F / 6) * depths(x, beyond)) / (p_ * q_);
+    return hn::MulAdd(broadcast(0.5F) * least, volumes(x, beyond), broadcast(1.0F / 6) * depths(x, beyond)) * per_area_;
   }
-
-  /// Of the depth over a whole voxel.
-  [[nodiscard]] HWY_INLINE Vec variance() const { return hn::MulAdd(p_, p_, q_ * q_) * broadcast(1.0F / 12); }
 
   /// DepthIntegrals::energy; zero where the depth is not positive.
   [[nodiscard]] HWY_INLINE Vec energy(Vec height, Vec depth) const {
@@ -76,7 +74,7 @@ class SectionVectors {
       return hn::IfThenElse(d < x, shallow, whole);
     };
     const Vec sum = ramp(height) - ramp(hn::Max(zero, height - p_)) - ramp(hn::Max(zero, height - q_));
-    return sum / (broadcast(24.0F) * p_ * q_);
+    return broadcast(1.0F / 24) * per_area_ * sum;
   }
 
  private:
@@ -106,7 +104,8 @@ class SectionVectors {
     return of(x.all) - of(x.without_p) - of(x.without_q);
   }
 
-  Vec p_, q_;
+  Vec p_, q_;     // [1] widths of the two boxes whose convolution is the section
+  Vec per_area_;  // [1] 1/(p q)
 };
 
 /// LayerRecession::of in vectors.
@@ -155,26 +154,6 @@ struct PressedParts {
   }
 };
 
-/// What follows for voxels that are whole, and wholly inside the head all the time: of the depth in their middle.
-HWY_INLINE PressedParts press_whole(const HeadMotion& m, const MaterialVectors& material, const Sample& s, Vec variance,
-                                    Vec fill, Mask inside) {
-  const Vec half = broadcast(0.5F), l = broadcast(m.voxel_size), advance = s.rate * broadcast(m.duration);
-  const Vec later = hn::MulAdd(advance, broadcast(0.5F - m.lead), s.depth);
-  PressedParts p;
-  p.cut = p.credit = p.released = p.yielding = hn::Zero(Floats());
-  p.kept = fill;
-  p.top = s.top;
-  p.left = fill;
-  p.energy = p.price = material.energy;
-  p.volume = hn::IfThenElseZero(inside, broadcast(1.0F));
-  p.depth = hn::IfThenElseZero(inside, s.depth);
-  p.elastic = p.rubbing = material.stiffness * p.depth;
-  p.after = half * material.stiffness * hn::IfThenElseZero(inside, hn::MulAdd(later, later, variance * l * l));
-  p.lead_work = material.stiffness * p.volume * advance * advance * broadcast(m.lead);
-  p.before = hn::NegMulAdd(p.rubbing, advance, p.after + p.lead_work);
-  return p;
-}
-
 /// @tparam kCrushes  some of them are deep enough to be crushed
 template <bool kCrushes>
 HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVectors& material, const Sample& s, Vec fill,
@@ -185,12 +164,6 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
   const Mask inside = s.top > zero;
   const SectionVectors section(s.largest);
   PressedParts p;
-  if (!may_cut && !kCrushes) {
-    const Vec reach = hn::MulAdd(half * l, section.span(), hn::Abs(s.rate) * broadcast(m.duration));
-    const Mask whole = hn::And(fill >= broadcast(1.0F), s.depth > reach);
-    if (hn::AllTrue(d, hn::Or(whole, hn::Not(inside))))
-      return press_whole(m, material, s, section.variance(), fill, inside);
-  }
   const Vec far_plane = hn::MulSub(s.depth, per_l, half * section.span());
   const Vec full_height = hn::MulSub(s.top, per_l, far_plane), stiff = material.stiffness * l;
   Vec height = full_height;

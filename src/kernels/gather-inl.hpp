@@ -17,10 +17,8 @@ namespace strips {
 
 /// [voxels] From the middle of a strip to its farthest voxel: half of seven along k and of one along j, rounded up.
 constexpr float kHalfStrip = 3.6F;
-/// [voxels] From the middle of a voxel to the farthest centroid of what is left of it: half its diagonal, rounded up.
-constexpr float kToCentroid = 0.9F;
 /// [voxels] From the middle of a block to the farthest place of it that lies in the zone about the axis: half the
-/// diagonal of the 7 x 7 x 7 edges between its voxels, the way to a centroid, and the zone, rounded up.
+/// diagonal of the 7 x 7 x 7 edges between its voxels, and the zone, rounded up.
 constexpr float kNearAxis = 7.0F + FoundationLaw::kAxisZone;
 
 /// Voxels of a few blocks, one after the other in the order of the blocks. What follows the last one repeats the first,
@@ -28,7 +26,7 @@ constexpr float kNearAxis = 7.0F + FoundationLaw::kAxisZone;
 struct VoxelList {
   static constexpr int kEnough = 256;  // to be pressed: fewer do not fill their vectors
   static constexpr int kRoom = kEnough + kBlockVoxels + kStripLanes;
-  alignas(64) float x[kRoom], y[kRoom], z[kRoom];  // [m] quadrature points in T
+  alignas(64) float x[kRoom], y[kRoom], z[kRoom];  // [m] their centres in T
   alignas(64) float fill[kRoom];                   // before the sub-step
   alignas(64) float fill_after[kRoom];             // the sub-step
   alignas(64) std::int32_t index[kRoom];           // 512 times the number of its block, plus its place in the block
@@ -71,11 +69,10 @@ class Gather {
   HWY_INLINE Gather(const Springs& springs, const ContactJob& job)
       : springs_(springs),
         job_(job),
-        beyond_(job.quadrature == Quadrature::sub_voxel ? kVoxelReach * job.motion.voxel_size : 0.0F),
+        beyond_(kVoxelReach * job.motion.voxel_size),
         steps_(job.grid.voxel_steps.template cast<float>()),
         firsts_(steps_, Eigen::Vector3f::Zero()),
-        middles_(steps_, steps_ * Eigen::Vector3f(0, 0.5F, 3.5F)),
-        lane_numbers_(hn::Iota(kInts, 0)) {
+        middles_(steps_, steps_ * Eigen::Vector3f(0, 0.5F, 3.5F)) {
     for (std::size_t part = 0; part < kParts; ++part) {
       const Vec lane = hn::Iota(Floats(), float(part * kWidth));
       const Vec j = hn::IfThenElseZero(lane >= broadcast(8.0F), broadcast(1.0F));
@@ -91,16 +88,31 @@ class Gather {
   /// @param number  of the block
   /// @return bit n: some of them are of strip n
   HWY_INLINE std::uint32_t append(const BlockView& block, int number, VoxelList& list) const {
+    return append_skimmed(block, number, list, 0, nullptr);
+  }
+
+  /// @param done  bit n: leaves strip n out
+  /// @param skim  called with the first of a vector of voxels, places, fills and which may be inside: returns those of
+  /// them that are to be listed; nullptr: all
+  template <class Skim>
+  HWY_INLINE std::uint32_t append_skimmed(const BlockView& block, int number, VoxelList& list, std::uint32_t done,
+                                          const Skim& skim) const {
     const hn::CappedTag<MaterialId, kWidth> ids;
     auto others = hn::Zero(ids);
     MaterialId material = block.uniform_material;
     int count = list.count, runs = list.runs;
     std::uint32_t strips = 0;
     for_each(
-        block, [&](int voxel, const Vectors& r, Mask hit, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
+        block,
+        done, [&](int voxel, const Vectors& r, Mask hit, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
           const Vec fill = block.fill == nullptr ? broadcast(1.0F) : hn::LoadU(Floats(), block.fill + voxel);
+          if constexpr (!std::is_null_pointer_v<Skim>) {
+            hit = skim(voxel, r, fill, hit);
+            lanes = bits_of(hit);
+            if (lanes == 0) return;
+          }
           const int first = number * kBlockVoxels + voxel;
-          keep(first, r, fill, hit, list, count);
+          keep(first, r, fill, lanes, list, count);
           if (block.material != nullptr) {
             if (strips == 0) material = block.material[voxel + std::countr_zero(lanes)];
             others = hn::Or(others, hn::Xor(hn::LoadU(ids, block.material + voxel), hn::Set(ids, material)));
@@ -119,6 +131,33 @@ class Gather {
     return strips;
   }
 
+  /// Calls `found(r)` for each vector of voxels of the strips all of whose voxels are solid and lie deeper than a
+  /// margin [m] inside a ball.
+  /// @return bit n: those of strip n do
+  template <class Found>
+  HWY_INLINE std::uint32_t for_each_within(const BlockView& block, float margin, const Found& found) const {
+    static_assert(Springs::kCentral);  // whose `hits` is exact, and which does not end at a margin
+    const Eigen::Vector3f base = first_voxel(block);
+    std::uint32_t done = 0;
+    Vectors lanes[kParts];
+    first_strip(base, lanes);
+    for (std::uint32_t rest = strips_within(base, -margin) & strips_on_turn(block); rest != 0; rest &= rest - 1) {
+      const int strip = std::countr_zero(rest);
+      if (block.solid != nullptr && (block.solid[strip >> 2] >> (16 * (strip & 3)) & 0xffff) != 0xffff) continue;
+      Vectors r[kParts];
+      Mask within = hn::FirstN(Floats(), kWidth);
+      for (std::size_t part = 0; part < kParts; ++part) {
+        r[part] = {lanes[part].x + broadcast(firsts_.x[strip]), lanes[part].y + broadcast(firsts_.y[strip]),
+                   lanes[part].z + broadcast(firsts_.z[strip])};
+        within = hn::And(within, springs_.hits(r[part].x, r[part].y, r[part].z, -margin));
+      }
+      if (!hn::AllTrue(Floats(), within)) continue;
+      done |= 1U << strip;
+      for (const Vectors& place : r) found(place);
+    }
+    return done;
+  }
+
   /// Whether a block reaches into the zone about the spindle's axis where voxels cut by their mean slip.
   [[nodiscard]] HWY_INLINE bool near_axis(const BlockView& block) const {
     const Eigen::Vector3f middle = first_voxel(block) + steps_ * Eigen::Vector3f::Constant(3.5F);
@@ -131,17 +170,14 @@ class Gather {
   /// Calls `found(voxel, r, hit, lanes)` for each vector of voxels of which some may be inside the head: the first of
   /// them in the block, their places [m] in T, and which lanes, as a mask and as bits.
   template <class Found>
-  HWY_INLINE void for_each(const BlockView& block, const Found& found) const {
+  HWY_INLINE void for_each(const BlockView& block, std::uint32_t done, const Found& found) const {
     const Eigen::Vector3f base = first_voxel(block);
-    const bool at_centroid = block.centroid != nullptr && job_.quadrature == Quadrature::centroid;
-    const float half = (at_centroid ? kHalfStrip + kToCentroid : kHalfStrip) * job_.motion.voxel_size + beyond_;
-    const std::uint32_t near = strips_within(base, half) & solid_strips(block) & strips_on_turn(block);
+    const float half = kHalfStrip * job_.motion.voxel_size + beyond_;
+    const std::uint32_t near = strips_within(base, half) & solid_strips(block) & strips_on_turn(block) & ~done;
     const std::uint32_t inner = strips_within(base, -half);
     const Mask all = hn::FirstN(Floats(), kWidth);
     Vectors lanes[kParts];
-    for (std::size_t part = 0; part < kParts; ++part)
-      lanes[part] = {lane_offsets_[part].x + broadcast(base.x()), lane_offsets_[part].y + broadcast(base.y()),
-                     lane_offsets_[part].z + broadcast(base.z())};
+    first_strip(base, lanes);
     for (std::uint32_t rest = near; rest != 0; rest &= rest - 1) {
       const int strip = std::countr_zero(rest);
       const auto solid =
@@ -149,9 +185,8 @@ class Gather {
       for (std::size_t part = 0; part < kParts; ++part) {
         const unsigned bits = solid >> (part * kWidth) & kAllLanes;
         const int voxel = strip * kStripLanes + int(part * kWidth);
-        Vectors r = {lanes[part].x + broadcast(firsts_.x[strip]), lanes[part].y + broadcast(firsts_.y[strip]),
-                     lanes[part].z + broadcast(firsts_.z[strip])};
-        if (at_centroid) shift_to_centroids(block.centroid + voxel, r);
+        const Vectors r = {lanes[part].x + broadcast(firsts_.x[strip]), lanes[part].y + broadcast(firsts_.y[strip]),
+                           lanes[part].z + broadcast(firsts_.z[strip])};
         Mask hit = all;
         unsigned hit_bits = kAllLanes;
         if (bits != kAllLanes || (inner >> strip & 1U) == 0) {
@@ -162,6 +197,13 @@ class Gather {
         found(voxel, r, hit, hit_bits);
       }
     }
+  }
+
+  /// Places of the voxels of a strip that begins at the block's first voxel.
+  HWY_INLINE void first_strip(const Eigen::Vector3f& base, Vectors (&lanes)[kParts]) const {
+    for (std::size_t part = 0; part < kParts; ++part)
+      lanes[part] = {lane_offsets_[part].x + broadcast(base.x()), lane_offsets_[part].y + broadcast(base.y()),
+                     lane_offsets_[part].z + broadcast(base.z())};
   }
 
   [[nodiscard]] HWY_INLINE Eigen::Vector3f first_voxel(const BlockView& block) const {
@@ -206,9 +248,9 @@ class Gather {
     return strips;
   }
 
-  HWY_INLINE void keep(int first, const Vectors& r, Vec fill, Mask hit, VoxelList& list, int at) const {
+  HWY_INLINE void keep(int first, const Vectors& r, Vec fill, unsigned hit, VoxelList& list, int at) const {
     const Floats d;
-    const auto lanes = hn::Compress(lane_numbers_, hn::RebindMask(kInts, hit));
+    const auto lanes = numbers_of(hit);
     const auto order = hn::IndicesFromVec(d, lanes);
     hn::StoreU(hn::TableLookupLanes(r.x, order), d, list.x + at);
     hn::StoreU(hn::TableLookupLanes(r.y, order), d, list.y + at);
@@ -217,24 +259,11 @@ class Gather {
     hn::StoreU(lanes + hn::Set(kInts, first), kInts, list.index + at);
   }
 
-  HWY_INLINE void shift_to_centroids(const std::int32_t* centroids, Vectors& r) const {
-    const auto packed = hn::LoadU(kInts, centroids);
-    if (hn::AllTrue(kInts, hn::Eq(packed, hn::Zero(kInts)))) return;
-    const Vec di = centroid_component<0>(packed), dj = centroid_component<10>(packed),
-              dk = centroid_component<20>(packed);
-    const auto shifted = [&](Vec p, int axis) HWY_ATTR {
-      return hn::MulAdd(di, broadcast(steps_(axis, 0)),
-                        hn::MulAdd(dj, broadcast(steps_(axis, 1)), hn::MulAdd(dk, broadcast(steps_(axis, 2)), p)));
-    };
-    r = {shifted(r.x, 0), shifted(r.y, 1), shifted(r.z, 2)};
-  }
-
   const Springs springs_;
   const ContactJob& job_;
   const float beyond_;  // [m] how far outside the head a voxel's centre may be whose part reaches into it
   const Eigen::Matrix3f steps_;
   const StripOffsets firsts_, middles_;
-  const hn::Vec<hn::RebindToSigned<Floats>> lane_numbers_;
   Vectors lane_offsets_[kParts];  // [m] of the lanes of a strip, from the strip's first voxel
 };
 

@@ -37,7 +37,7 @@
 ///     press = sample + law + sum, in one pass:
 ///
 ///     block -> strips near the head -> voxels in it    ->  sample           ->  law                  ->  sum
-///              Gather::for_each        Gather::append      Press::sample        Press::press_voxels      PressSums
+///              Gather::for_each        Gather::append      Press::sample        Press::press_parts       PressSums
 ///              from their middles      into a list         w, n, slip           f, fill, energies        F, T, ledger
 ///
 /// What to read, in this order. Before all, the scalar forms, which have the formulas and their reasons:
@@ -55,8 +55,8 @@
 ///     materials-inl.hpp         constants of the voxels in work, and what was removed of each material
 ///     places-inl.hpp            where they come from, and where goes what is left
 ///     motion-inl.hpp            how the head's surface moves at them
-///     cut_voxels-inl.hpp        the default law on parts of voxels (Quadrature::sub_voxel)
-///     press-inl.hpp             the default law: Press::sample, then Press::press_voxels
+///     cut_voxels-inl.hpp        the default law on parts of voxels
+///     press-inl.hpp             the default law on blocks: Press::sample, then Press::press_parts
 ///     press_blocks-inl.hpp      which Press for which head and motion
 ///     rows-inl.hpp              rows; with them the staged kernels for all other laws,
 ///     sampling-inl.hpp          sample_contact
@@ -85,7 +85,6 @@ struct ContactJob {
   GridInHead grid;
   HeadMotion motion;
   const ContactMaterials& materials;
-  Quadrature quadrature;
   bool damped;                   ///< some material has damping
   unsigned level_of_detail = 1;  ///< n: only an n-th of the strips is evaluated
   unsigned turn = 0;             ///< which of them

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel press_blocks: which Press for which head and motion; included once per instruction set.
+// Kernel press_blocks: which Press for which head; included once per instruction set.
 #if defined(HAPTICUT_KERNELS_PRESS_BLOCKS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAPTICUT_KERNELS_PRESS_BLOCKS_INL_HPP
 #undef HAPTICUT_KERNELS_PRESS_BLOCKS_INL_HPP
@@ -14,7 +14,7 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-template <class Springs, Mode kMode, bool kOfParts = false>
+template <class Springs>
 HWY_INLINE void PressAll(const Springs& springs, const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
                          StiffnessSums* stiffness, FrictionSums* friction) {
   VoxelList voxels;  // empty
@@ -23,9 +23,8 @@ HWY_INLINE void PressAll(const Springs& springs, const ContactJob& job, std::spa
   if (stiffness != nullptr) stiffness_lanes.clear();
   FrictionVectors friction_lanes;
   if (friction != nullptr) friction_lanes.clear();
-  Press<Springs, kMode, kOfParts> press(springs, job, voxels, samples, sums,
-                                        stiffness == nullptr ? nullptr : &stiffness_lanes,
-                                        friction == nullptr ? nullptr : &friction_lanes);
+  Press<Springs> press(springs, job, voxels, samples, sums, stiffness == nullptr ? nullptr : &stiffness_lanes,
+                       friction == nullptr ? nullptr : &friction_lanes);
   press.press(tasks);
   if (friction != nullptr) friction_lanes.flush(*friction);
   if (stiffness != nullptr) stiffness_lanes.flush(*stiffness);
@@ -35,17 +34,8 @@ HWY_INLINE void PressAll(const Springs& springs, const ContactJob& job, std::spa
 
 HWY_ATTR void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums,
                           StiffnessSums* stiffness, FrictionSums* friction) {
-  using strips::Mode;
-  visit_springs(job.head, [&](const auto& springs) HWY_ATTR {
-    using Springs = std::decay_t<decltype(springs)>;
-    if (job.quadrature == Quadrature::sub_voxel)  // whether the head turns and cuts, it asks as it runs
-      return strips::PressAll<Springs, Mode::cutting, true>(springs, job, tasks, sums, stiffness, friction);
-    if (job.motion.spin == 0)
-      return strips::PressAll<Springs, Mode::standing>(springs, job, tasks, sums, stiffness, friction);
-    if (job.motion.removal == RemovalLaw::none)
-      return strips::PressAll<Springs, Mode::rubbing>(springs, job, tasks, sums, stiffness, friction);
-    return strips::PressAll<Springs, Mode::cutting>(springs, job, tasks, sums, stiffness, friction);
-  });
+  visit_springs(job.head, [&](const auto& springs)
+                              HWY_ATTR { strips::PressAll(springs, job, tasks, sums, stiffness, friction); });
 }
 
 }  // namespace hapticut::kernels::HWY_NAMESPACE

@@ -17,18 +17,16 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-enum class Mode { standing, rubbing, cutting };  // spindle stands; turns with removal off; turns and cuts
-
 /// What stage sample_contact finds of a vector of voxels.
 struct Sample {
-  Vec depth;  // [m] w, of the point or, of a part of a voxel, of the voxel's centre; zero in lanes that do not count
+  Vec depth;          // [m] w of the voxel's centre; zero in lanes that do not count
   Vec radial, axial;  // of the gradient of -w, as in SpringVectors: the normal, kBeta times as long where it is smooth
   Vec rate;           // [m/s] of the depth
   Vec closing;        // [m/s] velocity along the gradient, over its length: the same but where it is smooth
   Vec felt_rate;      // [m/s] as the damping feels it; set where some material has damping
-  Vec inverse_slip;   // [s/m] set where the head turns
+  Vec inverse_slip;   // [s/m] zero where the head stands
   Vec slip_path;      // [m] in the sub-step, likewise
-  Vec top, largest;   // of a part of a voxel: its greatest depth [m], zero in lanes that do not count, and max |n_i|
+  Vec top, largest;   // of the filled part: its greatest depth [m], zero in lanes that do not count, and max |n_i|
   Vec smooth;         // [m^2] as in SpringVectors; read only of springs that are kSmooth
 
   [[nodiscard]] HWY_INLINE Mask on_smooth() const { return smooth > hn::Zero(Floats()); }
@@ -39,23 +37,21 @@ struct Sample {
 /// Samples of the voxels of a VoxelList.
 class SampleList {
  public:
-  /// @tparam kOfParts  they are parts of voxels
-  /// @tparam kSmooth   some may be on smooth surfaces
-  template <bool kOfParts, bool kSmooth>
+  /// @tparam kSmooth  some may be on smooth surfaces
+  template <bool kSmooth>
   HWY_INLINE void store(int first, const Sample& s) {
     const auto keep = [&](int n, Vec value) HWY_ATTR { hn::Store(value, Floats(), values_[n] + first); };
     keep(0, s.depth), keep(1, s.radial), keep(2, s.axial), keep(3, s.rate), keep(4, s.felt_rate);
-    keep(5, s.inverse_slip), keep(6, s.slip_path);
-    if (kOfParts) keep(7, s.top), keep(8, s.largest);
+    keep(5, s.inverse_slip), keep(6, s.slip_path), keep(7, s.top), keep(8, s.largest);
     if (kSmooth) keep(9, s.closing), keep(10, s.smooth);
   }
-  template <bool kOfParts, bool kSmooth>
+  template <bool kSmooth>
   [[nodiscard]] HWY_INLINE Sample load(int first) const {
     const auto value = [&](int n) HWY_ATTR { return hn::Load(Floats(), values_[n] + first); };
     Sample s;
     s.depth = value(0), s.radial = value(1), s.axial = value(2), s.rate = value(3), s.felt_rate = value(4);
     s.inverse_slip = value(5), s.slip_path = value(6);
-    s.top = value(kOfParts ? 7 : 0), s.largest = value(kOfParts ? 8 : 0);
+    s.top = value(7), s.largest = value(8);
     s.closing = kSmooth ? value(9) : s.rate;
     s.smooth = kSmooth ? value(10) : hn::Zero(Floats());
     return s;
@@ -66,31 +62,58 @@ class SampleList {
   alignas(64) float values_[kVectors][VoxelList::kRoom];
 };
 
-/// Running sums of one vector of lanes.
-struct PressSums {
-  Vec force_x, force_y, force_z, torque_x, torque_y, torque_z;
-  Vec twice_middle, elastic_change, twice_removed, lag, helped, chips, crushed, damping, rubbing, credited, couple,
-      fill, depth, pressed;
-  int voxels = 0;
+/// Force and torque of what only pushes.
+struct PushSums {
+  Vec force_x, force_y, force_z, torque_x, torque_y;
 
-  HWY_INLINE PressSums() {
-    const Vec zero = broadcast(0.0F);
-    force_x = force_y = force_z = torque_x = torque_y = torque_z = zero;
-    twice_middle = elastic_change = twice_removed = lag = helped = chips = crushed = zero;
-    damping = rubbing = credited = couple = fill = depth = pressed = zero;
-  }
-  /// @param normal   [N/m^3] along the normal
-  /// @param central  it has no torque
-  HWY_INLINE void add_normal(const Vectors& r, const Sample& s, Vec normal, bool central) {
+  HWY_INLINE PushSums() { force_x = force_y = force_z = torque_x = torque_y = broadcast(0.0F); }
+
+  /// @param normal  [N/m^3] along the normal: all there is
+  template <bool kCentral>
+  HWY_INLINE void add_push(const Vectors& r, const Sample& s, Vec normal) {
     const Vec across = normal * s.radial;
     force_x = hn::MulAdd(across, r.x, force_x);
     force_y = hn::MulAdd(across, r.y, force_y);
     force_z = hn::MulAdd(normal, s.axial, force_z);
-    if (central) return;
-    const Vec levered = normal * s.lever(r);
-    torque_x = hn::MulAdd(levered, r.y, torque_x);
-    torque_y = hn::NegMulAdd(levered, r.x, torque_y);
+    if constexpr (kCentral) return;
+    const Vec moment = normal * s.lever(r);
+    torque_x = hn::MulAdd(moment, r.y, torque_x);
+    torque_y = hn::NegMulAdd(moment, r.x, torque_y);
   }
+};
+
+/// What whole voxels add up to that lie wholly inside a standing head.
+struct DeepSums : PushSums {
+  Vec twice_after, change, damping, lead_work, normal_force, depth;
+  int voxels = 0;
+
+  HWY_INLINE DeepSums() { twice_after = change = damping = lead_work = normal_force = depth = broadcast(0.0F); }
+
+  /// @param k       [N/m^4] zero in lanes that do not count
+  /// @param w       [m] of the centres, by which they push; they advance by `advance` in the sub-step
+  /// @param to_end  [1] of the advance, from then on
+  /// @return [N/m^3] along the normal
+  HWY_INLINE Vec add_spring(Vec k, Vec w, Vec advance, float to_end, float voxel_size) {
+    const Vec pushed = k * w, at_end = hn::MulAdd(advance, broadcast(to_end), w);
+    normal_force = normal_force + pushed;
+    change = hn::MulAdd(pushed, advance, change);
+    twice_after = hn::MulAdd(k, hn::MulAdd(at_end, at_end, broadcast(voxel_size * voxel_size / 12)), twice_after);
+    return pushed;
+  }
+};
+
+/// ContactSums of one vector of lanes.
+struct PressSums : PushSums {
+  Vec torque_z;
+  Vec before, change, released, crushed, helped, chips, credited, damping, rubbing, couple, fill, normal_force, depth;
+  int voxels = 0, whole = 0;  // whole: of them not counted in `fill`
+
+  HWY_INLINE PressSums() {
+    torque_z = broadcast(0.0F);
+    before = change = released = crushed = helped = chips = credited = broadcast(0.0F);
+    damping = rubbing = couple = fill = normal_force = depth = broadcast(0.0F);
+  }
+
   /// @param normal  [N/m^3] along the normal
   /// @param drag    [N s/m^4] and against the velocity v
   HWY_INLINE void add_reaction(const Vectors& r, const Sample& s, Vec normal, Vec drag, const Vectors& v) {
@@ -105,9 +128,24 @@ struct PressSums {
     torque_z = hn::MulAdd(r.x, y, hn::NegMulAdd(r.y, x, torque_z));
   }
 
+  HWY_INLINE void add(const DeepSums& deep) {
+    force_x = force_x + deep.force_x;
+    force_y = force_y + deep.force_y;
+    force_z = force_z + deep.force_z;
+    torque_x = torque_x + deep.torque_x;
+    torque_y = torque_y + deep.torque_y;
+    const Vec more = deep.change - deep.lead_work;
+    change = change + more;
+    before = before + hn::MulSub(broadcast(0.5F), deep.twice_after, more);
+    damping = damping + deep.damping + deep.lead_work;
+    normal_force = normal_force + deep.normal_force;
+    depth = hn::Max(depth, deep.depth);
+    voxels += deep.voxels;
+    whole += deep.voxels;
+  }
+
   /// Adds the lanes to those of the sub-step, in double precision.
-  template <Mode kMode>
-  HWY_INLINE void flush(bool damped, ContactSums& totals) const {
+  HWY_INLINE void flush(ContactSums& totals) const {
     const auto add = [&](ContactSums::Term term, Vec sum) HWY_ATTR {
       alignas(64) float lanes[kWidth];
       hn::Store(sum, Floats(), lanes);
@@ -120,24 +158,19 @@ struct PressSums {
     add(ContactSums::kTorqueX, torque_x);
     add(ContactSums::kTorqueY, torque_y);
     add(ContactSums::kTorqueZ, torque_z);
-    const Vec half = broadcast(0.5F);
-    add(ContactSums::kElasticMiddle, half * twice_middle);
-    add(ContactSums::kElasticChange, elastic_change);
+    add(ContactSums::kBefore, before);
+    add(ContactSums::kChange, change);
+    add(ContactSums::kReleased, released);
+    add(ContactSums::kCrushed, crushed);
+    add(ContactSums::kHelped, helped);
+    add(ContactSums::kChips, chips);
+    add(ContactSums::kCredited, credited);
+    add(ContactSums::kDamping, damping);
+    add(ContactSums::kRubbing, rubbing);
+    add(ContactSums::kCouple, couple);
     add(ContactSums::kFill, fill);
-    if (damped) add(ContactSums::kDamping, damping);
-    if constexpr (kMode != Mode::standing) {
-      add(ContactSums::kRubbing, rubbing);
-      add(ContactSums::kCouple, couple);
-    }
-    if constexpr (kMode == Mode::cutting) {
-      add(ContactSums::kRemovedElastic, half * twice_removed);
-      add(ContactSums::kLag, lag);
-      add(ContactSums::kHelped, helped);
-      add(ContactSums::kChips, chips);
-      add(ContactSums::kCrushed, crushed);
-      add(ContactSums::kCredited, credited);
-      add(ContactSums::kNormal, pressed);
-    }
+    totals.lanes[ContactSums::kFill][0] += double(whole);
+    add(ContactSums::kNormal, normal_force);
     totals.voxels += voxels;
     totals.depth = std::max(totals.depth, hn::GetLane(hn::MaxOfLanes(Floats(), depth)));
   }

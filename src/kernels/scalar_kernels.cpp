@@ -28,7 +28,7 @@ void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, Stif
   task.change = {};
   std::array<std::uint64_t, kBlockEdge> solid;
   const BlockView block = job.level_of_detail > 1 ? with_turn(job, task.block, solid) : task.block;
-  sample_contact(job.head, block, job.grid, job.quadrature, contact);
+  sample_contact(job.head, block, job.grid, Quadrature::sub_voxel, contact);
   if (contact.samples == 0) return;
   HeadMotion motion = job.motion;
   if (!task.may_cut) motion.removal = RemovalLaw::none, motion.crushes = false;

@@ -63,18 +63,12 @@ Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_vol
   resultant.depth = double(sums.depth);
   resultant.normal_force = total(Term::kNormal);
   LawEnergies& energies = all.energies;
-  const double middle = total(Term::kElasticMiddle), change = total(Term::kElasticChange);
-  const double removed = total(Term::kRemovedElastic) / weight, lag = total(Term::kLag);
-  energies.elastic_before = middle - change;
-  if (job.quadrature == Quadrature::sub_voxel) {  // whose change and lag hold what was removed, once
-    const double taken_up = 2 * (change - lag);
-    energies.elastic = energies.elastic_before + (2 * change + (weight - 1) * taken_up) / weight;
-    energies.crushed = total(Term::kCrushed) / weight;
-    energies.released = -2 * lag / weight - total(Term::kHelped) / weight - energies.crushed;
-  } else {
-    energies.elastic = middle + change - removed;
-    energies.released = removed - 2 * lag - total(Term::kHelped) / weight;
-  }
+  const double taken = total(Term::kReleased) / weight;
+  energies.elastic_before = total(Term::kBefore);
+  energies.elastic =
+      energies.elastic_before + (total(Term::kChange) + (weight - 1) * taken);  // what waited for its turn lost nothing
+  energies.crushed = total(Term::kCrushed) / weight;
+  energies.released = taken - total(Term::kHelped) / weight - energies.crushed;
   energies.cutting = total(Term::kChips) / weight;  // beyond u
   energies.damping = total(Term::kDamping);
   energies.rubbing = total(Term::kRubbing) / weight;  // over all the time since the last turn

@@ -41,27 +41,22 @@ inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const Cont
                           StiffnessSums& sums) noexcept {
   const double volume = std::pow(double(m.voxel_size), 3);
   for (std::size_t i = 0; i < std::size_t(b.lanes()); ++i) {
-    if (!((b.sub_voxel ? b.top[i] : b.depth[i]) > 0)) continue;
+    if (!(b.top[i] > 0)) continue;
     const Eigen::Vector3f r(b.x[i], b.y[i], b.z[i]), n(b.normal_x[i], b.normal_y[i], b.normal_z[i]);
     const float damping = materials[b.material_of(int(i))].damping;
     const float scale = b.scale_of(int(i)),
                 damped = 1 + damping * scale * (m.felt_velocity + m.felt_angular_velocity.cross(r)).dot(n);
     const Eigen::Vector3f force(b.force_x[i], b.force_y[i], b.force_z[i]);
     if (!(damped > 0 && force.dot(n) < 0)) continue;
-    float in_contact = 1, crushed = 0, depth = b.depth[i];  // [1] of the sample, and [m] its mean depth
-    if (b.sub_voxel) {
-      const VoxelSection<float> section(b.largest[i]);
-      const float top = b.top[i] / m.voxel_size;
-      const float height = top - b.depth[i] / m.voxel_size + section.span() / 2;
-      const DepthIntegrals<float> part = section.integrals(height, top);
-      in_contact = part.volume;
-      const float crushing_depth = materials[b.material_of(int(i))].crushing_depth;
-      if (b.top[i] == crushing_depth) crushed = top * section.area_at(height);  // which goes on to go, not to press
-      depth = part.depth * m.voxel_size;
-    }
+    const VoxelSection<float> section(b.largest[i]);
+    const float top = b.top[i] / m.voxel_size, height = top - b.depth[i] / m.voxel_size + section.span() / 2;
+    const DepthIntegrals<float> part = section.integrals(height, top);
+    const float depth = part.depth * m.voxel_size;  // [m] mean over the voxel
+    const bool at_limit = b.top[i] == materials[b.material_of(int(i))].crushing_depth;
+    const float crushed = at_limit ? top * section.area_at(height) : 0.0F;  // which goes on to go, not to press
     const double spring = -double(force.dot(n)) / (volume * double(depth) * double(damped));  // k phi
     const double slope =
-        double(scale) * spring * double((in_contact - crushed) * damped + damping * depth / m.duration);
+        double(scale) * spring * double((part.volume - crushed) * damped + damping * depth / m.duration);
     const Eigen::Vector3d arm = r.cast<double>(), along = force.cast<double>() / double(force.dot(n));
     const auto add = [&](double strength, const Eigen::Vector3d& q, const Eigen::Vector3d& way) {
       Eigen::Matrix<double, 6, 1> row, column;

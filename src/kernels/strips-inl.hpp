@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include <array>
 #include <bit>
 #include <cstring>
 
@@ -168,6 +169,21 @@ HWY_INLINE bool all_are(const MaterialId* ids, MaterialId one) {
     difference |= word ^ Word(~Word(0) / 255 * one);
   }
   return difference == 0;
+}
+
+/// The numbers of the lanes whose bits are set, one after the other; what follows them is of no account. The library's
+/// own Compress copies its table onto the stack in each call, where vectors are of eight lanes.
+HWY_INLINE hn::Vec<hn::RebindToSigned<Floats>> numbers_of(unsigned lanes) {
+  const hn::RebindToSigned<Floats> ints;
+  if constexpr (kWidth > 8) return hn::Compress(hn::Iota(ints, 0), hn::RebindMask(ints, mask_of(lanes)));
+  static constexpr auto kNumbers = [] {
+    std::array<std::array<std::uint8_t, 8>, 256> numbers = {};
+    for (unsigned bits = 0; bits < 256; ++bits)
+      for (unsigned lane = 0, n = 0; lane < 8; ++lane)
+        if ((bits >> lane & 1U) != 0) numbers[bits][n++] = std::uint8_t(lane);
+    return numbers;
+  }();
+  return hn::PromoteTo(ints, hn::LoadU(hn::Rebind<std::uint8_t, decltype(ints)>(), kNumbers[lanes].data()));
 }
 
 /// Values that follow each other, to the lanes of a vector whose bits are set; the other lanes stay as they are.

@@ -229,7 +229,7 @@ bool SimulationModel::apply(commands::ExchangeWorkpiece& command) noexcept {
   std::swap(bounds_, command.bounds);
   if (coupling_) coupling_->exchange_lists(command.lists);
   travel_ = Travel::none;
-  books_energy_ = is_foundation(simulation_->config());
+  books_energy_ = simulation_->config().law->is_foundation();
   ++tool_.workpiece;
   after_exchange();
   return true;

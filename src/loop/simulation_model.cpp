@@ -8,15 +8,9 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/contact_materials.hpp"
-#include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/force/stiffness.hpp"
 
 namespace hapticut {
-namespace {
-
-double dissipated(const EnergyLedger& e) { return e.cutting + e.released + e.damping + e.rubbing + e.sliding; }
-
-}  // namespace
 
 SimulationModel::SimulationModel(Simulation& simulation, Device& device, const SimulationModelOptions& options)
     : config_(simulation.config()),
@@ -35,7 +29,7 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
       spindle_needs_force_(options.spindle_needs_force),
       pedal_(options.pedal),
       undo_blocks_per_tick_(options.undo_blocks_per_tick),
-      books_energy_(is_foundation(simulation.config())) {
+      books_energy_(config_.law->is_foundation()) {
   require_fields_within(options, "SimulationModelOptions::");
   require_gains_within(options.map);
   require_renderable(contact_stiffness_, config_, relative_stiffness_, options.map.scale);
@@ -45,16 +39,12 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
   if (options.islands) watch_ = std::make_unique<IslandWatch>(simulation, *options.islands);
 }
 
-/// Of other laws nobody knows how stiff they are, nor whether they book all that they store.
-bool SimulationModel::is_foundation(const SimulationConfig& config) noexcept {
-  return config.law == nullptr || dynamic_cast<const FoundationLaw*>(config.law.get()) != nullptr;
-}
-
-/// Where the law is not the default one the guard watches alone.
+/// Of other laws nobody knows how stiff they are, nor whether they book all that they store: there the guard watches
+/// alone.
 void SimulationModel::require_renderable(double contact_stiffness, const SimulationConfig& config,
                                          double relative_stiffness, double scale) const {
   constexpr double kRounding = 1.01;
-  if (renders_ == 0 || !is_foundation(config)) return;
+  if (renders_ == 0 || !config.law->is_foundation()) return;
   const double renders = renders_ / (scale * first_map_.force_scale);  // [N/m] of what is in the world
   const double most = renders / (contact_stiffness * relative_stiffness);
   if (config.reference_stiffness <= kRounding * most) return;
@@ -141,7 +131,7 @@ Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, dou
 
 Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept {
   const std::uint64_t steps = simulation_->steps();
-  const double before = dissipated(simulation_->last_result().energy);
+  const double before = simulation_->last_result().energy.losses();
   const Wrench felt = follow_hand(map_.to_world(state.X_BS), map_.to_world(state.X_BS, state.velocity), dt);
   tool_.seen |= tool_.status;
   if (simulation_->steps() == steps) {  // the tool waits for its hand
@@ -151,7 +141,7 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
   const StepResult& result = simulation_->last_result();
   touches_ = has_any(tool_.status, kRejected | StepStatus::tool_waits) || result.contact.voxels > 0;
   ++tool_.steps;
-  tool_.dissipated += dissipated(result.energy) - before;
+  tool_.dissipated += result.energy.losses() - before;
   if (!tool_.force_held) {
     tool_.force = felt.force;
     tool_.torque = felt.torque;

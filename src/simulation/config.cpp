@@ -10,6 +10,7 @@ namespace hapticut {
 
 void validate(const SimulationConfig& config) {
   require_fields_within(config, "SimulationConfig::");
+  if (!config.law) throw Error("SimulationConfig::law is null. Leave it as it is for FoundationLaw, or give a law.");
   if (config.friction) validate(*config.friction);
   validate(config.effects, config.update_rate);
   if (config.voxel_budget != 0)
@@ -19,8 +20,7 @@ void validate(const SimulationConfig& config) {
 
 SimulationConfig complete(SimulationConfig config, const ToolHead& head, double voxel_size) {
   if (config.quadrature == Quadrature::automatic)
-    config.quadrature =
-        config.law == nullptr || config.law->integrates_parts() ? Quadrature::sub_voxel : Quadrature::centroid;
+    config.quadrature = config.law->integrates_parts() ? Quadrature::sub_voxel : Quadrature::centroid;
   if (config.reference_stiffness == 0)
     config.reference_stiffness =
         config.quadrature == Quadrature::sub_voxel ? stiffness_for_grid(head, voxel_size) : kStiffnessOfPoints;

@@ -9,7 +9,6 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/reserve.hpp"
 #include "hapticut/force/contact_materials.hpp"
-#include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/force/laws/lumped.hpp"
 
 namespace hapticut {
@@ -45,18 +44,22 @@ ContactStages::Room::Room(const ToolHead& head, double voxel_size, const Simulat
 ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config)
     : workpiece_(workpiece),
       head_(head),
-      law_(std::dynamic_pointer_cast<const FoundationLaw>(config.law) ? nullptr : config.law),
+      law_(config.law),
       quadrature_(config.quadrature),
       voxel_volume_(std::pow(workpiece.voxel_size(), 3)),
       voxel_budget_(config.voxel_budget),
       bounds_(workpiece.bounds()) {
   ContactMaterials materials = contact_materials(workpiece.materials(), config.reference_stiffness);
   exchange_materials(materials);
-  if (quadrature_ == Quadrature::sub_voxel && law_ != nullptr && !law_->integrates_parts())
+  if (quadrature_ != Quadrature::sub_voxel && law_->is_foundation())
+    throw Error("SimulationConfig::quadrature = " + std::string(name_or_null(quadrature_)) +
+                " was given with FoundationLaw, which integrates over parts of voxels; points are for laws of your "
+                "own. Leave it automatic.");
+  if (quadrature_ == Quadrature::sub_voxel && !law_->integrates_parts())
     throw Error(
         "SimulationConfig::quadrature = sub_voxel was given with a law of your own that is asked for the force at "
         "points. Choose automatic or centroid, the default law, or a law that integrates_parts().");
-  if (law_ != nullptr && voxel_budget_ != 0)
+  if (!law_->is_foundation() && voxel_budget_ != 0)
     throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
                 " was given with a law of your own; only the default law has a level of detail. Leave it at 0.");
   Room room(head, workpiece.voxel_size(), config);
@@ -84,8 +87,10 @@ void ContactStages::exchange_materials(ContactMaterials& materials) noexcept {
   damped_ = std::any_of(materials_.begin(), materials_.end(), [](const auto& m) { return m.damping != 0; });
   any_chips_ = std::any_of(materials_.begin(), materials_.end(),
                            [](const auto& m) { return m.edge_length > 0 || m.size_length > 0; });
+  frictional_ =
+      int(std::count_if(materials_.begin(), materials_.end(), [](const auto& m) { return m.static_friction > 0; }));
   least_crushing_depth_ = ContactMaterial::kNeverCrushed;
-  if (law_ == nullptr && quadrature_ == Quadrature::sub_voxel)
+  if (law_->is_foundation())
     for (const ContactMaterial& m : materials_)
       least_crushing_depth_ = std::min(least_crushing_depth_, m.crushing_depth);
   set_cutting_share(share);
@@ -121,6 +126,7 @@ int ContactStages::level_of_detail(std::span<const CuttableBlock> blocks) const 
 
 void ContactStages::set_friction(MaterialId id, const DryFriction& friction) noexcept {
   ContactMaterial& material = materials_[id];
+  frictional_ += int(friction.static_friction > 0) - int(material.static_friction > 0);
   material.static_friction = float(friction.static_friction);
   material.dynamic_friction = float(friction.dynamic_friction);
   spinning_ratios_[id].sliding = material.dynamic_friction;
@@ -156,57 +162,81 @@ std::span<const CuttableBlock> ContactStages::find_blocks(const HeadPlacement& a
 
 Encounter ContactStages::press_and_cut(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                        RemovalRecord& removal) noexcept {
-  Encounter encounter =
-      law_ == nullptr ? cut_by_default_law(blocks, at, removal) : cut_by_given_law(blocks, at, removal);
-  encounter.drop_what_is_not_finite();
-  return encounter;
+  return meet(blocks, at, &removal, nullptr);
 }
 
 Encounter ContactStages::press(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                Stiffness* stiffness_T) noexcept {
-  if (law_ != nullptr) {
-    Encounter encounter = ask_law(blocks, at, [](const CuttableBlock&, bool) {});
-    encounter.drop_what_is_not_finite();
-    return encounter;
-  }
-  if (at.motion.cuts() || !at.motion.crushes) return press_once(blocks, at, stiffness_T);
-  // A head that does not cut hardly ever crushes: so it is looked at when something is that deep.
-  HeadPlacement gently = at;
-  gently.motion.crushes = false;
-  Encounter encounter = press_once(blocks, gently, stiffness_T);
-  return crushes(encounter) ? press_once(blocks, at, stiffness_T) : encounter;
+  if (stiffness_T != nullptr) stiffness_T->setZero();
+  return meet(blocks, at, nullptr, stiffness_T);
 }
 
-Encounter ContactStages::press_once(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
-                                    Stiffness* stiffness_T) noexcept {
+/// @param removal      null: nothing is changed
+/// @param stiffness_T  null: not wanted
+Encounter ContactStages::meet(std::span<const CuttableBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
+                              Stiffness* stiffness_T) noexcept {
+  Encounter encounter;
+  if (!law_->is_foundation()) {
+    encounter = ask_law(blocks, at, removal);
+  } else if (at.motion.cuts() || !at.motion.crushes) {
+    encounter = run_kernels(blocks, at, removal, stiffness_T);
+  } else {  // a head that does not cut hardly ever crushes: so it is looked at when something is that deep
+    HeadPlacement gently = at;
+    gently.motion.crushes = false;
+    encounter = run_kernels(blocks, gently, nullptr, stiffness_T);
+    if (crushes(encounter)) encounter = run_kernels(blocks, at, removal, stiffness_T);
+  }
+  encounter.drop_what_is_not_finite();
+  return encounter;
+}
+
+/// FoundationLaw, block by block in one pass of vector instructions.
+Encounter ContactStages::run_kernels(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                     RemovalRecord* removal, Stiffness* stiffness_T) noexcept {
   const kernels::ContactJob job = job_at(blocks, at);
-  const bool removes = at.motion.cuts() || at.motion.crushes;
+  const bool removes = at.motion.cuts() || at.motion.crushes, stands = at.motion.spin == 0;
+  const bool rubs = stands && frictional_ > 0;
+  const bool keeps = removes && removal != nullptr;
   kernels::ContactSums sums;
   kernels::StiffnessSums stiffness;
   kernels::FrictionSums friction;
-  const bool stands = at.motion.spin == 0;
-  for (std::size_t first = 0; first < blocks.size(); first += kPressedAtOnce) {
-    const std::size_t count = std::min(kPressedAtOnce, blocks.size() - first);
-    for (std::size_t n = 0; n < count; ++n) {  // the new fills are not read
-      const CuttableBlock& block = blocks[first + n];
-      tasks_[n] = {block.view, new_fill_.data(), removes && can_cut(block), {}};
+  bool exhausted = false;
+  for (std::size_t first = 0; first < blocks.size();) {
+    std::size_t count = 0;
+    while (first + count < blocks.size() && count < kPressedAtOnce) {
+      const CuttableBlock& block = blocks[first + count];
+      const bool writable = removes && can_cut(block);
+      exhausted |= removes && !writable;
+      if (keeps && writable && block.fill != nullptr) workpiece_.remember(block.view);
+      tasks_[count++] = {block.view, keeps ? fill_target(block) : new_fill_.data(), writable, {}};
+      if (keeps && block.fill == nullptr) break;  // its new fills must be kept before another block needs their place
     }
     kernels::press_blocks(job, std::span(tasks_).first(count), sums, stiffness_T != nullptr ? &stiffness : nullptr,
-                          stands ? &friction : nullptr);
+                          rubs ? &friction : nullptr);
+    if (keeps)
+      for (std::size_t n = 0; n < count; ++n) keep_change(blocks[first + n], tasks_[n].change);
+    first += count;
   }
   if (stiffness_T != nullptr) *stiffness_T = stiffness.total(double(job.level_of_detail) * voxel_volume_);
   Encounter encounter = encounter_of(job, sums);
+  encounter.blocks_exhausted = exhausted;
   if (stands) encounter.friction_T = friction.total(voxel_volume_, double(job.level_of_detail));
+  if (keeps) record(sums.removed, *removal);
   return encounter;
+}
+
+/// @param removed  [voxels] by MaterialId
+void ContactStages::record(const std::array<double, 256>& removed, RemovalRecord& removal) const noexcept {
+  for (int id = 1; id <= workpiece_.materials().size(); ++id)
+    if (removed[std::size_t(id)] != 0) removal.add_volume(MaterialId(id), removed[std::size_t(id)] * voxel_volume_);
 }
 
 kernels::ContactJob ContactStages::job_at(std::span<const CuttableBlock> blocks,
                                           const HeadPlacement& at) const noexcept {
   const int level = level_of_detail(blocks);
-  kernels::ContactJob job = {head_,           GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()),
-                             at.motion,       materials_,
-                             quadrature_,     damped_,
-                             unsigned(level), turn_};
+  kernels::ContactJob job = {
+      head_, GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()), at.motion, materials_, damped_, unsigned(level),
+      turn_};
   job.motion.level_of_detail = float(level);
   return job;
 }
@@ -226,49 +256,10 @@ Encounter ContactStages::encounter_of(const kernels::ContactJob& job, const kern
   return encounter;
 }
 
-/// FoundationLaw, block by block in one pass of vector instructions. A head that does not cut is only pressed, unless
-/// something is so deep that it is crushed.
-Encounter ContactStages::cut_by_default_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
-                                            RemovalRecord& removal) noexcept {
-  if (!at.motion.cuts()) {
-    HeadPlacement gently = at;
-    gently.motion.crushes = false;
-    Encounter encounter = press_once(blocks, gently, nullptr);
-    if (!at.motion.crushes || !crushes(encounter)) return encounter;
-  }
-  const kernels::ContactJob job = job_at(blocks, at);
-  kernels::ContactSums sums;
-  kernels::FrictionSums friction;
-  const bool stands = at.motion.spin == 0;
-  bool exhausted = false;
-  for (std::size_t first = 0; first < blocks.size();) {
-    std::size_t count = 0;
-    while (first + count < blocks.size() && count < kPressedAtOnce) {
-      const CuttableBlock& block = blocks[first + count];
-      const bool writable = can_cut(block);
-      exhausted |= !writable;
-      if (writable && block.fill != nullptr) workpiece_.remember(block.view);
-      tasks_[count++] = {block.view, fill_target(block), writable, {}};
-      if (block.fill == nullptr) break;  // its new fills must be kept before another block needs their place
-    }
-    kernels::press_blocks(job, std::span(tasks_).first(count), sums, nullptr, stands ? &friction : nullptr);
-    for (std::size_t n = 0; n < count; ++n) keep_change(blocks[first + n], tasks_[n].change);
-    first += count;
-  }
-  Encounter encounter = encounter_of(job, sums);
-  encounter.blocks_exhausted = exhausted;
-  if (stands) encounter.friction_T = friction.total(voxel_volume_, double(job.level_of_detail));
-  for (int id = 1; id <= workpiece_.materials().size(); ++id)
-    if (const double removed = sums.removed[std::size_t(id)]; removed != 0)
-      removal.add_volume(MaterialId(id), removed * voxel_volume_);
-  return encounter;
-}
-
 /// Any other law, stage by stage on the samples of one block.
-/// @param leave  called with what was sampled and left in `contact_`, and whether the law may remove any of it
-template <class Leave>
+/// @param removal  null: nothing is changed
 Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
-                                 const Leave& leave) noexcept {
+                                 RemovalRecord* removal) noexcept {
   Encounter encounter;
   const GridInHead grid(at.X_VT.inverse(), workpiece_.voxel_size());
   HeadMotion motion = at.motion;
@@ -284,6 +275,8 @@ Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const He
   }
   HeadMotion without_removal = motion;
   without_removal.removal = RemovalLaw::none;
+  SpreadFriction friction_T;
+  std::array<double, 256> removed = {};  // [voxels]
   for (const CuttableBlock& block : blocks) {
     kernels::sample_contact(head_, block.view, grid, quadrature_, contact_);
     if (contact_.samples == 0) continue;
@@ -292,23 +285,13 @@ Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const He
     const LawTotals totals = law_->evaluate(writable ? motion : without_removal, materials_, contact_);
     encounter.add(totals);
     kernels::sum_resultant(contact_, encounter.resultant);
-    if (motion.spin == 0) encounter.friction_T.add(contact_, motion, materials_);
-    leave(block, totals.may_remove && writable);
-  }
-  return encounter;
-}
-
-/// The same, and takes away what the law removes.
-Encounter ContactStages::cut_by_given_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
-                                          RemovalRecord& removal) noexcept {
-  std::array<double, 256> removed = {};  // [voxels]
-  Encounter encounter = ask_law(blocks, at, [&](const CuttableBlock& block, bool may_remove) {
-    if (!may_remove) return;
+    if (motion.spin == 0) friction_T.add(contact_, motion, materials_);
+    if (removal == nullptr || !totals.may_remove || !writable) continue;
     if (block.fill != nullptr) workpiece_.remember(block.view);
     keep_change(block, find_changes(contact_, block.view, fill_target(block), removed));
-  });
-  for (int id = 1; id <= workpiece_.materials().size(); ++id)
-    removal.add_volume(MaterialId(id), removed[std::size_t(id)] * voxel_volume_);
+  }
+  if (motion.spin == 0) encounter.friction_T = friction_T;
+  if (removal != nullptr) record(removed, *removal);
   return encounter;
 }
 

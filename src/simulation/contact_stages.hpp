@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,8 +29,8 @@ struct Encounter {
   LawEnergies energies;
   bool blocks_exhausted = false;
   bool force_not_finite = false;
-  int level_of_detail = 1;    // an n-th of the voxels was evaluated
-  SpreadFriction friction_T;  // of a head that stands, about To, in T
+  int level_of_detail = 1;                   // an n-th of the voxels was evaluated
+  std::optional<SpreadFriction> friction_T;  // about To, in T; of a head that stands, and of no other
 
   void add(const LawTotals& block) {
     energies += block.energies;
@@ -95,20 +96,12 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
                                         RemovalRecord& removal) noexcept;
 
   /// What `press_and_cut` would return, without a change to any block.
-  [[nodiscard]] Encounter try_cut(std::span<const CuttableBlock> blocks, const HeadPlacement& at) noexcept {
-    return press(blocks, at, nullptr);
-  }
-
-  /// The same with the stiffness.
   /// @param stiffness_T  of the contact about To, in T; zero where the law has none: see `knows_stiffness`
   [[nodiscard]] Encounter press(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
-                                Stiffness& stiffness_T) noexcept {
-    stiffness_T.setZero();
-    return press(blocks, at, &stiffness_T);
-  }
+                                Stiffness* stiffness_T = nullptr) noexcept;
 
   /// Whether `press` gives a stiffness: FoundationLaw does.
-  [[nodiscard]] bool knows_stiffness() const noexcept { return law_ == nullptr; }
+  [[nodiscard]] bool knows_stiffness() const noexcept { return law_->is_foundation(); }
 
   /// Stage `remove_emptied`: takes voxels that became empty out of the workpiece and lists them. Ends a turn of the
   /// level of detail.
@@ -154,23 +147,19 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
  private:
   static constexpr std::size_t kPressedAtOnce = 8;  // blocks that share single-precision sums
 
-  [[nodiscard]] Encounter press(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
-                                Stiffness* stiffness_T) noexcept;
+  [[nodiscard]] Encounter meet(std::span<const CuttableBlock> blocks, const HeadPlacement& at, RemovalRecord* removal,
+                               Stiffness* stiffness_T) noexcept;
   [[nodiscard]] kernels::ContactJob job_at(std::span<const CuttableBlock> blocks,
                                            const HeadPlacement& at) const noexcept;
   [[nodiscard]] Encounter encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums) const noexcept;
   [[nodiscard]] bool crushes(const Encounter& pressed) const noexcept {
     return pressed.resultant.depth > double(least_crushing_depth_);
   }
-  [[nodiscard]] Encounter press_once(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
-                                     Stiffness* stiffness_T) noexcept;
-  [[nodiscard]] Encounter cut_by_default_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
-                                             RemovalRecord& removal) noexcept;
-  [[nodiscard]] Encounter cut_by_given_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
-                                           RemovalRecord& removal) noexcept;
-  template <class Leave>
+  [[nodiscard]] Encounter run_kernels(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
+                                      RemovalRecord* removal, Stiffness* stiffness_T) noexcept;
   [[nodiscard]] Encounter ask_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
-                                  const Leave& leave) noexcept;
+                                  RemovalRecord* removal) noexcept;
+  void record(const std::array<double, 256>& removed, RemovalRecord& removal) const noexcept;
   [[nodiscard]] int level_of_detail(std::span<const CuttableBlock> blocks) const noexcept;
   [[nodiscard]] bool can_cut(const CuttableBlock& block) const noexcept;
   [[nodiscard]] float* fill_target(const CuttableBlock& block) noexcept;
@@ -179,7 +168,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
 
   Workpiece& workpiece_;
   const ToolHead& head_;
-  std::shared_ptr<const ForceLaw> law_;  // null: FoundationLaw, for which there are kernels
+  std::shared_ptr<const ForceLaw> law_;
   Quadrature quadrature_;
   ContactMaterials materials_;
   struct SpinningRatios {
@@ -192,6 +181,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   }
   double cutting_share_ = 1;                                     // [1] of them that holds now
   bool damped_ = false;                                          // some material has damping
+  int frictional_ = 0;                                           // how many materials have friction
   bool any_chips_ = false;                                       // the energy of some material depends on the chip
   float least_crushing_depth_ = ContactMaterial::kNeverCrushed;  // [m] of the materials
   double voxel_volume_;                                          // [m^3]

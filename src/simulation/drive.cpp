@@ -35,7 +35,7 @@ void Simulation::State::drive_spindle(std::span<const CuttableBlock> blocks, Sub
   double lack = 0, before = 0;  // [N·m] of the trial before, and its torque
   for (int trial = 0; trial < kMostTrials; ++trial) {
     const double torque = load.torque, speed = motor.speed();
-    const double taken = torque_to_turn(contact_stages.try_cut(blocks, sub_step.head));
+    const double taken = torque_to_turn(contact_stages.press(blocks, sub_step.head));
     load_spindle(taken, sub_step);
     if (std::abs(motor.speed() - speed) <= kSettled * std::abs(motor.speed())) return;
     const double slope = (taken - torque - lack) / (torque - before);

@@ -34,7 +34,7 @@ struct PreparedTool::State {
 PreparedTool::PreparedTool(Tool tool, double voxel_size, const SimulationConfig& config) {
   require_positive(voxel_size, "PreparedTool: voxel_size [m]");
   validate_head(tool.head(), voxel_size);
-  if (config.law) config.law->require_head(tool.head());
+  config.law->require_head(tool.head());
   ContactStages::Room room(tool.head(), voxel_size, config);
   const WorstCase worst = room.worst_case(config);
   std::vector<RemovedVoxel> removed;

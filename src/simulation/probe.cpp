@@ -27,7 +27,7 @@ bool Simulation::touches(const Pose& pose) const noexcept {
 /// Whether the head at a pose would touch material.
 bool Simulation::State::touches(const Pose& pose) noexcept {
   const HeadPlacement at = plan_sub_step(pose, 0, config.shortest_dt, {}, {}).head;
-  return contact_stages.try_cut(contact_stages.find_blocks(at), at).resultant.voxels > 0;
+  return contact_stages.press(contact_stages.find_blocks(at), at).resultant.voxels > 0;
 }
 
 /// What is felt from one pose to another.
@@ -85,7 +85,7 @@ Stiffness Simulation::State::measure_stiffness(const Pose& from, const Pose& pos
 ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepContact& deep,
                                                LimitSurface& friction) noexcept {
   Stiffness stiffness_T;
-  Encounter encounter = contact_stages.press(contact_stages.find_blocks(sub_step.head), sub_step.head, stiffness_T);
+  Encounter encounter = contact_stages.press(contact_stages.find_blocks(sub_step.head), sub_step.head, &stiffness_T);
   Wrench& wrench_T = encounter.resultant.wrench_T;
   const Mat3& R_WT = sub_step.X_WT.rotation;
 

@@ -60,7 +60,7 @@ void Simulation::State::prepare_workpiece() {
 Simulation::Simulation(Workpiece workpiece, Tool tool, SimulationConfig config) {
   validate(config);
   validate_pair(workpiece, tool);
-  if (config.law) config.law->require_head(tool.head());
+  config.law->require_head(tool.head());
   state_ = std::make_unique<State>(std::move(workpiece), std::move(tool), std::move(config));
 }
 

@@ -21,7 +21,7 @@ LimitSurface::Outcome Simulation::State::pull_of_anchor(const SubStep& sub_step,
   const double share = standing_share(motor.speed(), tool.head().cutting_radius());
   SpreadFriction contact;  // none
   if (share > 0 && encounter.resultant.voxels > 0)
-    contact = sub_step.head.motion.spin == 0 ? encounter.friction_T : press_standing(sub_step).friction_T;
+    contact = encounter.friction_T ? *encounter.friction_T : *press_standing(sub_step).friction_T;
   const Mat3& R_WT = sub_step.X_WT.rotation;
   contact.directions = transport(contact.directions, R_WT, Vec3::Zero());
   const Vec3 turning = sub_step.path_T.angular + Vec3(0, 0, motor.speed());
@@ -36,7 +36,7 @@ Encounter Simulation::State::press_standing(const SubStep& sub_step) noexcept {
   standing.motion.removal = RemovalLaw::none;
   standing.motion.crushes = false;
   const auto blocks = contact_stages.find_blocks(standing);  // again, for some may be gone
-  return contact_stages.press_and_cut(blocks, standing, removal);
+  return contact_stages.press(blocks, standing);
 }
 
 }  // namespace hapticut

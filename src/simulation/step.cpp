@@ -173,16 +173,16 @@ SubStep Simulation::State::plan_sub_step(const Pose& from, int index, double dur
   sub_step.path_T = expressed_in(sub_step.X_WT, transport(path, p_HoTo_W));
   const Twist felt_T = expressed_in(sub_step.X_WT, transport(felt, p_HoTo_W));
   sub_step.head.X_VT = X_VW * sub_step.X_WT;
-  sub_step.head.motion = {sub_step.path_T.linear.cast<float>(),
-                          sub_step.path_T.angular.cast<float>(),
-                          felt_T.linear.cast<float>(),
-                          felt_T.angular.cast<float>(),
-                          0,
-                          float(duration),
-                          float(workpiece.voxel_size()),
-                          config.removal,
-                          float(tool.head().cutting_radius()),
-                          float(lead)};
+  sub_step.head.motion = {.velocity = sub_step.path_T.linear.cast<float>(),
+                          .angular_velocity = sub_step.path_T.angular.cast<float>(),
+                          .felt_velocity = felt_T.linear.cast<float>(),
+                          .felt_angular_velocity = felt_T.angular.cast<float>(),
+                          .spin = 0,
+                          .duration = float(duration),
+                          .voxel_size = float(workpiece.voxel_size()),
+                          .removal = config.removal,
+                          .head_radius = float(tool.head().cutting_radius()),
+                          .lead = float(lead)};
   turn_head(sub_step.head.motion);
   return sub_step;
 }
@@ -217,8 +217,7 @@ void Simulation::State::hold_deep_contact(const SubStep& sub_step, Encounter& en
 DeepContact::Outcome Simulation::State::hold(const SubStep& sub_step, const Encounter& encounter,
                                              DeepContact& deep) noexcept {
   const auto* ball = std::get_if<SphereHead>(&tool.head().shape());
-  const bool law_holds = config.law == nullptr || config.law->holds_deep_contact();
-  if (ball == nullptr || !config.deep_contact || !law_holds) return {};
+  if (ball == nullptr || !config.deep_contact || !config.law->holds_deep_contact()) return {};
   const double filled = encounter.resultant.volume * voxel_volume / tool.head().volume();
   const Mat3& R_WT = sub_step.X_WT.rotation;
   // The force of a spinning ball also has a part along its surface; the normal one alone costs a second look.

@@ -77,7 +77,7 @@ Contact press(const ToolHead& head, const ForceLaw& law, const Pose& X_WT, doubl
   wall.for_each_block([&](const BlockView& block) {
     const bool touched = head.visit_springs<float>([&](const auto& springs) {
       if (!may_touch(springs, grid, block.origin, float(kVoxel))) return false;
-      sample_contact(springs, block, grid, Quadrature::centroid, samples);
+      sample_contact(springs, block, grid, Quadrature::sub_voxel, samples);
       return samples.samples > 0;
     });
     if (!touched) return;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/workpiece/cut_voxel.hpp"
 #include "support/cutting.hpp"
 #include "support/laws.hpp"
 #include "support/random_pose.hpp"
@@ -98,8 +99,10 @@ class LawContract : public testing::TestWithParam<NamedLaw> {
 };
 
 /// One block full of random samples.
-ContactBlock random_block(test::RandomPoses& random) {
+/// @param parts  of voxels, along the axes of the grid; otherwise points
+ContactBlock random_block(test::RandomPoses& random, bool parts, float voxel_size) {
   ContactBlock block;
+  block.sub_voxel = parts;
   block.rows = kBlockRows;
   block.samples = kBlockVoxels;
   block.one_material = 1;
@@ -111,6 +114,10 @@ ContactBlock random_block(test::RandomPoses& random) {
     const bool empty = i % 5 == 0;
     block.depth[n] = empty ? 0.0F : float(random.between(0, 0.3) * mm);
     block.fill[n] = empty ? 0.0F : float(random.between(0.01, 1));
+    block.largest[n] = float(normal.cwiseAbs().maxCoeff());
+    const VoxelSection<float> section(block.largest[n]);
+    const float above_middle = section.height_of(block.fill[n]) - section.span() / 2;
+    block.top[n] = empty ? 0.0F : block.depth[n] + voxel_size * above_middle;
     block.force_x[n] = block.force_y[n] = block.force_z[n] = block.fill_after[n] = 99;  // must be overwritten
   }
   for (int row = 0; row < kBlockRows; ++row) {
@@ -128,7 +135,7 @@ TEST_P(LawContract, LeavesNoMoreThanThereWasAndNothingWhereThereWasNothing) {
   materials[1] = {1e13F, 2, 0.5F, 3e8F, 0};
   for (const float spin : {0.0F, 2000.0F, -2000.0F})
     for (const RemovalLaw removal : {RemovalLaw::none, RemovalLaw::constant_energy, RemovalLaw::elastic_release}) {
-      ContactBlock block = random_block(random);
+      ContactBlock block = random_block(random, named().law->integrates_parts(), 1e-4F);
       HeadMotion motion{Eigen::Vector3f(0.001F, 0.002F, -0.003F),
                         Eigen::Vector3f(0.1F, 0, 0),
                         {0, 0, -0.003F},

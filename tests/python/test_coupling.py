@@ -38,7 +38,7 @@ def test_a_probe_feels_what_a_step_would_and_changes_nothing(block):
     assert np.allclose(there.wrench.force, felt.model.force, rtol=1e-5)
     assert there.sliding is False  # nothing rubs
     still, pose = np.zeros(6), h.Pose.from_translation(place)
-    for law, turns in ((None, True), (h.ContactMechanicsLaw(2e6), False)):  # a law of your own is asked for no more
+    for law, turns in ((h.FoundationLaw(), True), (h.ContactMechanicsLaw(2e6), False)):  # a law of your own is asked for no more
         own = h.Simulation(block, h.Tool(h.SphereHead(1.5 * mm)), h.SimulationConfig(law=law))
         straight = own.probe(pose, still, 1e-3, h.ProbedMotions.translations)
         assert straight.stiffness[2, 2] > 0 and straight.stiffness[3:].any() == turns

@@ -347,6 +347,8 @@ def test_a_simulation_tells_what_it_is(simulation, plunge):
     energy = use_attributes(last.energy)
     terms = ("elastic", "cutting", "damping", "rubbing", "anchored", "sliding", "credited", "entered", "released")
     assert all(math.isfinite(energy[term]) for term in terms) and energy["hand_work"] > 0 < energy["motor_work"]
+    assert last.energy.stored() == pytest.approx(energy["elastic"] + energy["anchored"])
+    assert last.energy.losses() > energy["cutting"]
     assert last.energy.imbalance() == pytest.approx(0, abs=1e-3 * energy["cutting"])  # single precision in the loop
     simulation.reserve_blocks(4000)
     assert use_attributes(simulation.last_result)["contact"].depth > 0

@@ -249,7 +249,8 @@ def test_effects_and_spindle_speed_change_between_steps(simulation, plunge):
 def test_another_law_gives_another_force(block, plunge):
     burr = hapticut.Tool(hapticut.SphereHead(1.5 * mm), hapticut.RayHandle(20 * mm))
     forces = []
-    for law in (None, hapticut.HertzianBurrLaw(1e7), hapticut.ThesisLaw(hapticut.ThesisLaw.Constants(damping=0.0))):
+    thesis = hapticut.ThesisLaw(hapticut.ThesisLaw.Constants(damping=0.0))
+    for law in (hapticut.FoundationLaw(), hapticut.HertzianBurrLaw(1e7), thesis):
         config = hapticut.SimulationConfig(reference_stiffness=1e12, law=law)
         assert config.law is law
         forces.append(hapticut.Simulation(block, burr, config).run(*plunge, 1e-3)["force"][-1, 2])

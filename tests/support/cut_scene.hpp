@@ -26,8 +26,8 @@ struct CutScene {
   VoxelIndex shift = {0, 0, 0};  // the same voxels under other indices
   bool mirrored = false;         // at x = 0 of the grid
   ToolHead head = SphereHead{0.8 * units::mm};
-  Handle handle = RayHandle{0};         // a ray without length: the hand feels at To
-  std::shared_ptr<const ForceLaw> law;  // null: the default one
+  Handle handle = RayHandle{0};  // a ray without length: the hand feels at To
+  std::shared_ptr<const ForceLaw> law = SimulationConfig{}.law;
   RemovalLaw removal = RemovalLaw::constant_energy;
   double spin = 2000;                                                   // [rad/s]
   std::optional<double> later_spin;                                     // [rad/s] asked for half-way
@@ -110,7 +110,7 @@ inline CutOutcome run(const CutScene& scene, int steps = 40) {
         config.reference_stiffness * std::max(scene.soft.relative_stiffness, scene.hard.relative_stiffness);
     outcome.most_normal.push_back(stiffest * result.contact.depth * result.contact.volume);
     const double ratio = std::max(scene.soft.cutting_ratio, scene.hard.cutting_ratio);
-    if (!scene.law)
+    if (scene.law->is_foundation())
       outcome.one_voxel = std::max(outcome.one_voxel,
                                    stiffest * result.contact.depth * std::pow(kSceneVoxel, 3) * std::hypot(1.0, ratio));
     outcome.removed_volume += result.removed_volume;

@@ -130,7 +130,7 @@ typedef struct hapticut_energy_ledger {
   double sliding;
   double credited;
   double entered;
-  double imbalance; /**< hand_work + motor_work + entered + credited less all others; 0 when the ledger closes */
+  double imbalance; /**< hand_work + motor_work + credited less what is stored and lost: about -entered */
   double turnover;  /**< hand_work, motor_work and entered without signs, summed part by part: judges imbalance */
 } hapticut_energy_ledger;
 
@@ -230,7 +230,7 @@ typedef struct hapticut_loop_state {
   double applied_torque[3]; /**< [N m] */
   double spindle_speed;     /**< [rad/s] */
   double removed_volume;    /**< [m^3] since the loop began */
-  double dissipated;        /**< [J] by cutting and rubbing, since the loop began */
+  double dissipated;        /**< [J] in all ways, since the loop began */
   double power;             /**< [W] mean since the last call: for the sound */
   double removal_rate;      /**< [m^3/s] the same */
   double contact_depth;     /**< [m] */

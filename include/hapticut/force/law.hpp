@@ -137,7 +137,11 @@ class ForceLaw {
   /// with depth beyond the radius, as that of springs that push from the centre, and the law claims to be right there.
   [[nodiscard]] virtual bool holds_deep_contact() const noexcept { return false; }
 
-  /// Whether `evaluate` knows blocks with `sub_voxel`, whose entries are parts of voxels and not points: with the depth
+  /// Whether this is FoundationLaw, which the library computes in vector instructions, with its stiffness, level of
+  /// detail and crushing.
+  [[nodiscard]] virtual bool is_foundation() const noexcept { return false; }
+
+  /// Whether `evaluate` takes blocks with `sub_voxel`, whose entries are parts of voxels and not points: with the depth
   /// of the voxel's centre, that of the part's `top`, and `largest` for VoxelSection, which integrates over the part.
   /// Where it does not, SimulationConfig::quadrature must be one of points.
   [[nodiscard]] virtual bool integrates_parts() const noexcept { return false; }

@@ -112,7 +112,6 @@ class SimulationModel final : public LoopModel {
                           double scale) const;
   void check_scale(double scale) const;
   void require_gains_within(const WorkspaceMapOptions& map) const;
-  [[nodiscard]] static bool is_foundation(const SimulationConfig& config) noexcept;
   [[nodiscard]] Wrench follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept;
   [[nodiscard]] Wrench move_tool(const DeviceState& state, double dt) noexcept;
   [[nodiscard]] Wrench hold_force(const DeviceState& state) const noexcept;

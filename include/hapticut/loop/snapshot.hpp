@@ -15,7 +15,7 @@ struct ToolSnapshot {
   Vec3 force = Vec3::Zero();   ///< [N] what the hand is meant to feel, in W
   Vec3 torque = Vec3::Zero();  ///< [N·m] about Ho, in W
   double removed_volume = 0;   ///< [m^3] since the loop began
-  double dissipated = 0;       ///< [J] by cutting and rubbing, since the loop began
+  double dissipated = 0;       ///< [J] EnergyLedger::losses since the loop began
   double contact_depth = 0;    ///< [m]
   int contact_voxels = 0;
   double spindle_speed = 0;            ///< [rad/s]

@@ -7,7 +7,7 @@
 
 #include "hapticut/core/description.hpp"
 #include "hapticut/force/friction.hpp"
-#include "hapticut/force/law.hpp"
+#include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/simulation/output.hpp"
 #include "hapticut/tool/handle.hpp"
 
@@ -43,7 +43,7 @@ struct SimulationConfig {
   /// later, and the difference is booked as EnergyLedger::entered.
   ContactTime contact_time = ContactTime::middle;
 
-  std::shared_ptr<const ForceLaw> law;
+  std::shared_ptr<const ForceLaw> law = std::make_shared<FoundationLaw>();  // never null
   std::optional<DryFriction> friction;
 
   /// See force/deep_contact.hpp. Only under a law that `holds_deep_contact`, the default one; the others' forces stay
@@ -87,7 +87,7 @@ constexpr auto fields_of(Of<SimulationConfig>) {
       field("removal", &C::removal, "how material is taken away"),
       field("quadrature", &C::quadrature, "where in a partly filled voxel its force is taken"),
       field("contact_time", &C::contact_time, "where on its way the head meets the material"),
-      field("law", &C::law, "the force law; null: FoundationLaw"),
+      field("law", &C::law, "the force law"),
       field("friction", &C::friction,
             "dry friction of the standing head, the same everywhere; empty: each material's own"),
       field("deep_contact", &C::deep_contact, "a ball pushed beyond its radius keeps pushing back"),

@@ -6,39 +6,47 @@
 
 namespace hapticut {
 
-/// Where the work went (docs/model.md, energy ledger). Everything is accumulated since construction, but `elastic` and
-/// `anchored`, which are the energies stored at the end of the last step. All in [J]; all losses are never negative.
+/// Where the work went (docs/model.md, energy ledger). Everything is accumulated since construction, but what is
+/// stored, which is that of the end of the last step. All in [J]; no loss is ever negative.
 ///
-///     hand_work + motor_work + entered + credited
-///         = elastic + cutting + crushed + released + damping + rubbing + anchored + sliding
+///     hand_work + motor_work + credited + entered = stored() + losses()
 ///
 struct EnergyLedger {
+  // Work on the tool
   double hand_work = 0;
   double motor_work = 0;
+
+  // Stored
   double elastic = 0;
+  double anchored = 0;
+
+  // Losses
   double cutting = 0;
   double crushed = 0;
   double released = 0;
   double damping = 0;
   double rubbing = 0;
-  double anchored = 0;
   double sliding = 0;
+
+  // Corrections
   double credited = 0;
 
   /// Elastic energy of material that came under the cutting surface without having been pressed there, less that of
   /// material that left it still pressed: where the tool appears out of nowhere, and where material passes a face
   /// behind which the depth does not begin at zero (the side of FlatRule::bottom_only, the base of a cone). Else zero
-  /// within the error of the quadrature.
+  /// within the error of the quadrature. No work brought it in, so that `closure` does not count it.
   double entered = 0;
 
   /// What came in and went out again as well, so that it only grows; by it an imbalance is judged.
   double turnover = 0;
 
-  /// [J] what the right side lacks; 0 when the ledger closes.
-  [[nodiscard]] double imbalance() const {
-    return hand_work + motor_work + entered + credited -
-           (elastic + cutting + crushed + released + damping + rubbing + anchored + sliding);
-  }
+  /// [J] in springs now
+  [[nodiscard]] double stored() const { return elastic + anchored; }
+  /// [J] what became heat, chips and new surface
+  [[nodiscard]] double losses() const { return cutting + crushed + released + damping + rubbing + sliding; }
+
+  /// [J] work that is found nowhere; `-entered` within single precision.
+  [[nodiscard]] double imbalance() const { return hand_work + motor_work + credited - stored() - losses(); }
 
   /// [1] imbalance relative to the turnover; 0 before any work.
   [[nodiscard]] double closure() const { return turnover > 0 ? imbalance() / turnover : 0.0; }
@@ -50,6 +58,7 @@ constexpr auto fields_of(Of<EnergyLedger>) {
       field("hand_work", &E::hand_work, "J", "work done by the hand on the tool"),
       field("motor_work", &E::motor_work, "J", "work done by the spindle motor on the tool"),
       field("elastic", &E::elastic, "J", "stored in the foundation now"),
+      field("anchored", &E::anchored, "J", "stored in the anchor of dry friction now"),
       field("cutting", &E::cutting, "J",
             "of removed volume: the specific cutting energy, and where chips are thin as many times it as their "
             "layer takes above its threshold"),
@@ -59,7 +68,6 @@ constexpr auto fields_of(Of<EnergyLedger>) {
       field("rubbing", &E::rubbing, "J",
             "tangential work that removes nothing: of edges and of what thin chips take below the threshold of their "
             "layer, on smooth sides and walls, under the edge pressure, with removal off"),
-      field("anchored", &E::anchored, "J", "stored in the anchor of dry friction now"),
       field("sliding", &E::sliding, "J", "dissipated by dry friction of the standing head"),
       field("credited", &E::credited, "J",
             "cutting energy of the last thousandth of a voxel, which is taken away without work"),

@@ -19,8 +19,6 @@ constexpr double kNoVolume = 1e-15;    // [m^3] a thousandth of a thousandth of 
 constexpr double kRounding = 1.001;    // [1]
 constexpr double kSpeedKnown = 2e-3;   // [1] of its setting: how closely the speed of a motor is solved for
 
-double stored_in(const EnergyLedger& energy) { return energy.elastic + energy.anchored; }
-
 /// [m] how far a voxel that is at least half full is below the surface of the head, whichever part of it: by its
 /// centre.
 double solid_depth(const Simulation& simulation, const Pose& X_WT) {
@@ -90,7 +88,7 @@ std::uint64_t mixed(std::uint64_t hash, double value) {
 void Story::begin(const Simulation& simulation) {
   has_begun_ = true;
   start_ = simulation.last_result().energy;
-  stored_at_start_ = stored_in(start_);
+  stored_at_start_ = start_.stored();
   turnover_ = least_given_ = most_entered_ = step_error_ = 0;
   hand_given_ = least_hand_given_ = hand_turnover_ = unexplained_ = deepest_ = unfelt_ = 0;
   most_felt_ = most_applied_ = most_torque_ = most_power_ = excess_power_ = 0;

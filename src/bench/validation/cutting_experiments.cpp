@@ -88,8 +88,8 @@ std::vector<Check> axial_constant_energy() {
            forms::torque_over_thrust_of_chips(cut.kappa, kR), -s.torque.z() / s.force.z(), kThinLayer},
           {"C34", "filled volume under a flat head: (4 pi/3) R^2 delta(R)", "m^3",
            forms::engaged_volume_under_a_flat_head(kR, kLayer), s.engaged_volume, kThickLayer},
-          {"ledger", "energy balance of the whole cut", "J", 0, s.energy.imbalance(), kSinglePrecision,
-           s.energy.motor_work + s.energy.hand_work}};
+          {"ledger", "energy balance of the whole cut", "J", 0, s.energy.imbalance() + s.energy.entered,
+           kSinglePrecision, s.energy.motor_work + s.energy.hand_work}};
 }
 
 std::vector<Check> axial_invariance() {

@@ -38,6 +38,9 @@ struct GridCut {
   forms::SteadyCut cut = kSlowCut;
   double tick = kTick;  ///< [s]
 
+  /// [1] Layer over the radius kR: what is pressed in by the pressure at the radius, u v_f/(kappa omega R).
+  [[nodiscard]] double layer(double stiffness) const;
+
   static constexpr Cutter kCutter = {CutterKind::carbide_bur, 2};
 
   [[nodiscard]] Material material() const;
@@ -56,16 +59,21 @@ struct Course {
 };
 [[nodiscard]] Course follow(Simulation& simulation, const GridCut& cut, const Way& way);
 
-/// [1] how far the worst of a case may be off.
+/// How far the worst of a case may be off.
 struct Limits {
-  double mean, torque, ripple;
+  double mean, torque, ripple;  ///< [1] on stiff foundations
+  double soft = 0;              ///< [1] mean and torque on soft ones, with 0.1 mm: so much more, times layer/R
 };
 
-/// On voxels of a size, or of 0.1 and 0.05 mm, and on foundations as stiff as the step allows and stiffer.
+/// On voxels of a size, or of 0.1 and 0.05 mm, and on stiff foundations. With 0.1 mm on soft ones too, where the error
+/// goes with the layer, whatever the voxel.
 [[nodiscard]] std::vector<Check> in_every_direction(const GridCut& cut, const Limits& limits, double voxel);
 [[nodiscard]] std::vector<Check> in_every_direction(const GridCut& cut, const Limits& coarse, const Limits& fine);
 
 inline const std::vector<double> kStiffFoundations = {1e16, 0, 1e17};  ///< [N/m^4] 0: the default
+
+/// [N/m^4] Here the layer that a cut presses in, 0.11 R and 0.035 R in `kSlowCut`, is not thin, as the forms have it.
+inline const std::vector<double> kSoftFoundations = {1e14, 1e15};
 
 inline const Box kPlate = {Vec3(-0.4, -1.4, -1) * units::mm, Vec3(2.6, 1.4, 0) * units::mm};
 inline const Box kBlock = {Vec3(-1.4, -1.4, -1.3) * units::mm, Vec3(1.4, 1.4, 0) * units::mm};

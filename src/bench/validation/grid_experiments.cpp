@@ -19,6 +19,10 @@ constexpr double kInPhase = 0.12;
 /// [1] Thrust in a groove that edges cut: its floor behind the middle, cut no further than to w0, presses up as well.
 constexpr double kBehind = 0.12;
 
+/// [1] What a layer that is not thin adds, in layer/R. Where a surface turns slowly, at the pole of a ball and the tip
+/// of a cone, the pressure and with it the layer are larger than at the radius; chips cost twice as much there.
+constexpr double kEvenLayer = 0.1, kRoundLayer = 1, kChipLayer = 1.7, kTipLayer = 3.5;
+
 GridCut drilled(double edge_pressure) {
   forms::SteadyCut cut = kSlowCut;
   cut.edge_pressure = edge_pressure;
@@ -90,41 +94,41 @@ std::vector<Experiment> grid_experiments() {
   return {
       {"grid, drilling",
        [] {
-         return in_every_direction(drilled(0), {0.02, 0.02, 0.015}, {0.02, 0.01, 0.015});
+         return in_every_direction(drilled(0), {0.02, 0.02, 0.015, kEvenLayer}, {0.02, 0.01, 0.015});
        }},
       {"grid, drilling with an edge",
        [] {
-         return in_every_direction(drilled(1e6), {0.02, 0.02, 0.015}, {0.02, 0.01, 0.015});
+         return in_every_direction(drilled(1e6), {0.02, 0.02, 0.015, kEvenLayer}, {0.02, 0.01, 0.015});
        }},
       {"grid, slotting",
        [=] {
-         return in_every_direction(slotted(), {0.02, 0.02, kOtherFaces}, {0.02, 0.02, 0.015});
+         return in_every_direction(slotted(), {0.02, 0.02, kOtherFaces, kEvenLayer}, {0.02, 0.02, 0.015});
        }},
       {"grid, groove",
        [=] {
          return in_every_direction(milled("C26", "ball in a groove of depth 0.6 R", SphereHead{kR}, kPlate, kR - groove,
                                           forms::groove_wrench(kSlowCut, kR, groove)),
-                                   {0.04, 0.02, 0.015}, {0.04, 0.02, 0.015});
+                                   {0.04, 0.02, 0.015, kRoundLayer}, {0.04, 0.02, 0.015});
        }},
       {"grid, buried ball",
        [=] {
          return in_every_direction(milled("C27", "buried ball fed sideways", SphereHead{kR}, buried, 0,
                                           forms::buried_ball_wrench(kSlowCut, kR)),
-                                   {0.02, 0.02, 0.015}, {0.02, 0.02, 0.015});
+                                   {0.02, 0.02, 0.015, kRoundLayer}, {0.02, 0.02, 0.015});
        }},
       {"grid, plunging ball",
        [=] {
          return in_every_direction(plunged("C28", "ball plunged to 0.7 R", SphereHead{kR}, depth,
                                            forms::ball_plunge_wrench(kSlowCut, kR, depth)),
-                                   {0.04, 0.04, 0.015}, {0.04, 0.04, 0.015});
+                                   {0.04, 0.04, 0.015, kRoundLayer}, {0.04, 0.04, 0.015});
        }},
       {"grid, 50 mm/s in steps of 1 ms",
        [] {
          std::vector<Check> checks =
              in_every_direction(hurried(drilled(0), "C20 50 mm/s", "flat head fed axially at 50 mm/s", 25, kTick),
-                                {0.02, 0.02, kInPhase}, 0.1 * mm);
+                                {0.02, 0.02, kInPhase, 0.6}, 0.1 * mm);
          for (Check& check : in_every_direction(hurried(slotted(), "C24 50 mm/s", "slotting at 50 mm/s", 25, kTick),
-                                                {0.02, 0.02, 0.03}, 0.1 * mm))
+                                                {0.02, 0.02, 0.03, 0.2}, 0.1 * mm))
            checks.push_back(std::move(check));
          return checks;
        }},
@@ -132,33 +136,33 @@ std::vector<Experiment> grid_experiments() {
        [] {
          return in_every_direction(
              hurried(drilled(0), "C20 0.1 ms", "flat head fed axially in steps of 0.1 ms", 1, 0.1 * kTick),
-             {0.02, 0.02, 0.015}, 0.1 * mm);
+             {0.02, 0.02, 0.015, kEvenLayer}, 0.1 * mm);
        }},
       {"grid, chips",
        [=] {
          const double slot = 1 * mm, deep = 1.2 * kR;
          std::vector<Check> checks = in_every_direction(
              with_chips(drilled(0), "C35", "flat head fed axially, chips", forms::axial_chip_wrench(with_chips(), kR)),
-             {0.03, 0.03, 0.015}, 0.1 * mm);
+             {0.03, 0.03, 0.015, 0.4}, 0.1 * mm);
          const auto add = [&](const GridCut& cut, const Limits& limits) {
            for (Check& check : in_every_direction(cut, limits, 0.1 * mm)) checks.push_back(std::move(check));
          };
          add(with_chips(slotted(), "C37", "slotting, chips", forms::slotting_chip_wrench(with_chips(), kR, slot)),
-             {0.035, 0.07, kOtherFaces});
+             {0.035, 0.07, kOtherFaces, kEvenLayer});
          GridCut ball = plunged("", "", SphereHead{kR}, deep, {});
          ball.box.min.z() = -2 * mm;
          add(with_chips(ball, "C38", "ball deeper than its radius, chips",
                         forms::ball_plunge_chip_wrench(with_chips(), kR)),
-             {0.03, 0.07, 0.015});
+             {0.03, 0.07, 0.015, kChipLayer});
          add(with_chips(milled("", "", SphereHead{kR}, kPlate, kR - groove, {}), "C42",
                         "ball in a groove of depth 0.6 R, chips", forms::groove_chip_wrench(with_chips(), kR, groove)),
-             {kBehind, 0.07, 0.015});
+             {kBehind, 0.07, 0.015, kChipLayer});
          return checks;
        }},
       {"grid, plunging cone", [=] {
          return in_every_direction(plunged("C29", "cone plunged to 0.7 mm", ConeHead{alpha, 2 * mm}, depth,
                                            forms::cone_plunge_wrench(kSlowCut, alpha, depth)),
-                                   {0.06, 0.06, 0.015}, {0.06, 0.06, 0.015});
+                                   {0.06, 0.06, 0.015, kTipLayer}, {0.06, 0.06, 0.015});
        }}};
 }
 

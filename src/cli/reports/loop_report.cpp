@@ -83,6 +83,7 @@ Json to_json(const LoopReport& r) {
         {"largest_applied", r.seen.last.largest_applied},
         {"applied_at_end", r.seen.last.output.applied.force.norm()}}},
       {"energy_closure", std::abs(r.simulation.last_result().energy.closure())},
+      {"energy_entered_J", r.simulation.last_result().energy.entered},
       {"graphics",
        {{"frames", r.seen.frames}, {"blocks", r.seen.blocks}, {"most_blocks_waiting", r.seen.most_blocks_waiting}}},
       {"steps_lost_by_recorder", r.steps_lost},
@@ -107,6 +108,9 @@ std::string to_table(const LoopReport& r) {
             text_of(r.run.compute) + ", " + std::to_string(r.run.compute.at_least(r.run.period)) + " over the period");
   table.add("removed", rounded(r.seen.last.tool.removed_volume / units::mm3) + " mm^3 in " +
                            std::to_string(r.seen.last.tool.steps) + " steps");
+  const EnergyLedger& energy = r.simulation.last_result().energy;
+  table.add("energy", "unaccounted for " + rounded(std::abs(energy.closure()), 2) + " of the work, entered " +
+                          rounded(energy.entered, 2) + " J");
   table.add("force", "largest: " + rounded(r.seen.last.largest_commanded) + " N commanded, " +
                          rounded(r.seen.last.largest_applied) + " N applied");
   table.add("graphics", std::to_string(r.seen.frames) + " frames, " + std::to_string(r.seen.blocks) +

@@ -135,7 +135,8 @@ std::string to_table(const DrillReport& report, const DrillResult& r, const Simu
                           rounded(r.mean_torque / units::N_mm) + " Nmm about the hand");
   table.add("energy", "hand " + rounded(r.energy.hand_work) + " J, motor " + rounded(r.energy.motor_work) +
                           " J, cutting " + rounded(r.energy.cutting) + " J, unaccounted for " +
-                          rounded(std::abs(r.energy.closure()), 2) + " of the work");
+                          rounded(std::abs(r.energy.closure()), 2) + " of the work, entered " +
+                          rounded(r.energy.entered, 2) + " J");
   table.add("step time", "p50 " + rounded(r.times.p50, 3) + " us, p99 " + rounded(r.times.p99, 3) + " us, p99.9 " +
                              rounded(r.times.p999, 3) + " us, max " + rounded(r.times.max, 3) + " us, " +
                              std::to_string(r.times.deadline_misses) + " over 1 ms (processor time)");

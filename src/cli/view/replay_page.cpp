@@ -139,7 +139,6 @@ class Film {
     const RecordedStep& step = last_;
     const double time = step.time - begin_;
     add_pages(time);
-    const EnergyLedger& energy = step.energy;
     shown_.tick = step.number;
     shown_.arming = recording_.has_device() ? step.device.arming : ArmingState::on;
     shown_.X_WT = step.input.pose * recording_.tool().X_HT();
@@ -150,7 +149,7 @@ class Film {
     shown_.tool.spindle_speed = step.spindle.speed;
     shown_.tool.status = step.status;
     const double before = shown_.tool.dissipated;
-    shown_.tool.dissipated = energy.cutting + energy.released + energy.damping + energy.rubbing + energy.sliding;
+    shown_.tool.dissipated = step.energy.losses();
     stream_.add(time, view::encode(shown_));
     view::Instruments instruments;
     instruments.X_WG = shown_.X_WT;

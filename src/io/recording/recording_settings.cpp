@@ -105,9 +105,7 @@ void write_settings(hid_t file, const SimulationConfig& config, const Tool& tool
     const hdf5::Group group = hdf5::create_group(file, "simulation");
     SettingsWriter write(group.get());
     visit_fields(write, "", config, StoredApart{});
-    const bool law_is_default =
-        config.law == nullptr || dynamic_cast<const FoundationLaw*>(config.law.get()) != nullptr;
-    write("law_is_default", law_is_default);
+    write("law_is_default", config.law->is_foundation());
     write("friction_is_given", config.friction.has_value());
     if (config.friction) visit_fields(write, "", *config.friction);
     write.close();

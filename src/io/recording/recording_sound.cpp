@@ -37,10 +37,6 @@ std::string wav_head(std::uint32_t rate, std::uint32_t data_bytes) {
   return head;
 }
 
-double dissipated_in(const EnergyLedger& energy) {
-  return energy.cutting + energy.released + energy.damping + energy.rubbing + energy.sliding;
-}
-
 /// Samples of a recording, in the order of its steps.
 class Listener {
  public:
@@ -48,7 +44,7 @@ class Listener {
 
   /// The sound of a step.
   std::span<const float> listen(const RecordedStep& step) {
-    const double dissipated = dissipated_in(step.energy), dt = step.input.dt;
+    const double dissipated = step.energy.losses(), dt = step.input.dt;
     const bool is_time = std::isfinite(dt) && dt > 0;  // a step whose input was refused may have any
     SoundInput input;
     input.spindle_speed = step.spindle.speed;

@@ -67,10 +67,13 @@ Simulation simulation_of(const Recording& recording, std::shared_ptr<const Force
                 "' was made with a force law of its own, which no file can hold; pass the same law to the replay "
                 "(ReplayOptions::law).");
   SimulationConfig config = recording.config();
-  // Another law is asked as it can be.
-  if (law && !law->integrates_parts() && config.quadrature == Quadrature::sub_voxel)
-    config.quadrature = Quadrature::automatic;
-  config.law = std::move(law);
+  const bool at_parts = config.quadrature == Quadrature::automatic || config.quadrature == Quadrature::sub_voxel;
+  if (!law && !at_parts)
+    throw Error("the recording '" + recording.path().string() +
+                "' is of a time when FoundationLaw took forces at points of voxels; it can be read, but not replayed.");
+  // A law that is passed is asked as it can be.
+  if (law && !law->integrates_parts() && at_parts) config.quadrature = Quadrature::automatic;
+  if (law) config.law = std::move(law);
   return Simulation(recording.workpiece(), recording.tool(), std::move(config));
 }
 

@@ -91,8 +91,8 @@ TEST(BadForceInput, ConstantsBeyondSinglePrecisionAreRefused) {
   };
   expect_refusal(with(&Material::damping, 1e50), {"damping", "= 1e+50", "must be between 0 and 1e+06"});
   expect_refusal(with(&Material::cutting_ratio, 1e50), {"cutting_ratio", "= 1e+50", "must be between 0 and 1e+06"});
-  for (const double u : {1e-50, 1e50})
-    expect_refusal(with(&Material::specific_cutting_energy, u), {"specific_cutting_energy", "between 1 and 1e+18"});
+  expect_refusal(with(&Material::specific_cutting_energy, 1e-50), {"specific_cutting_energy", "at least 1000"});
+  expect_refusal(with(&Material::specific_cutting_energy, 1e50), {"specific_cutting_energy", "between 1000 and 1e+18"});
   for (const double share : {1e-50, 1e50})
     expect_refusal(with(&Material::relative_stiffness, share),
                    {"reference_stiffness times relative_stiffness of 'plain'", "must be between 1 and 1e+25"});

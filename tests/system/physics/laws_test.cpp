@@ -210,7 +210,8 @@ TEST(TwistDrill, C31OfTheStepIsItsFormulaAndRemovesTheFedVolume) {
 TEST(TwistDrill, C31IsTheSteadyStateOfTheDefaultLaw) {
   const double a = 2 * kPi * kFeed / kSpin, u = 3e8;
   const TwistDrillLaw law({u});
-  const auto flat = drill(nullptr, FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 1, 2 * mm);
+  const auto flat =
+      drill(std::make_shared<FoundationLaw>(), FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 1, 2 * mm);
   EXPECT_NEAR(flat.force.z() / law.thrust(2 * kRadius, a, kPi), 1, kThinLayer);
   EXPECT_NEAR(-flat.torque.z() / law.torque(2 * kRadius, a), 1, kThinLayer);
 }
@@ -218,7 +219,8 @@ TEST(TwistDrill, C31IsTheSteadyStateOfTheDefaultLaw) {
 // C32: the ratio of torque and thrust of a flat head is kappa R/2 without edge pressure.
 // Proves: twist drill.
 TEST(TwistDrill, C32TheRatioOfTorqueToThrustIsKappaRHalf) {
-  const auto flat = drill(nullptr, FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 0.7, 2 * mm);
+  const auto flat =
+      drill(std::make_shared<FoundationLaw>(), FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 0.7, 2 * mm);
   EXPECT_NEAR(-flat.torque.z() / flat.force.z() / closed_forms::torque_over_thrust_of_chips(0.7, kRadius), 1,
               kThinLayer);
 }

@@ -88,6 +88,19 @@ TYPED_TEST(DescribedStruct, SaysEachThingOnceInTheOrderOfItsMembers) {
   });
 }
 
+TEST(EnergyLedger, CountsEachTermOnceInItsRole) {
+  for_each_field<EnergyLedger>([&](const auto& field) {
+    const std::string name = field.name;
+    EnergyLedger one;
+    one.*field.member = 1;
+    const bool is_judged = name != "entered" && name != "turnover", is_spent = one.stored() + one.losses() != 0;
+    EXPECT_EQ(one.stored() + one.losses(), is_spent ? 1 : 0) << name << " is both stored and lost";
+    EXPECT_EQ(one.imbalance(), is_judged ? (is_spent ? -1 : 1) : 0) << name;
+    EXPECT_EQ(is_spent, is_judged && !name.ends_with("work") && name != "credited") << name;
+  });
+  EXPECT_EQ(EnergyLedger{}.imbalance(), 0);
+}
+
 // --- which values an enumeration has --------------------------------------------------------------------------------
 
 /// How the compiler calls a value: by its name where it has one.

@@ -51,9 +51,7 @@ Drilled drill(HeatConfig config, const HeatCollectorOptions& options = {}) {
   return {std::move(field), simulation.last_result().energy};
 }
 
-double stays(const EnergyLedger& e) {
-  return 0.2 * (e.cutting + e.released) + 0.2 * (e.rubbing + e.damping + e.sliding);
-}
+double stays(const EnergyLedger& e) { return 0.2 * e.losses(); }
 
 TEST(HeatCollector, BringsTheSharesOfTheLedgerToTheField) {
   const Drilled drilled = drill({});
@@ -140,6 +138,19 @@ TEST(HeatField, TakesTheHeatOfAHeadThatOnlyRubsWhereItTouches) {
   const auto rise_at = [&](double x, double y) { return field.temperature_at(Vec3(x, y, -0.2) * mm) - 37; };
   EXPECT_GT(rise_at(1.4, 0.5), 0.5 * rise_at(1, 0.5));
   EXPECT_LT(rise_at(2.8, 0.5), 0.1 * rise_at(1, 0.5));
+}
+
+TEST(HeatCollector, CountsWhatCrushingTakes) {
+  Simulation block(build_block({Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm}, 0.1 * mm, presets::clay()),
+                   Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{0}));
+  HeatCollector collector(block);
+  HeatField field(block.workpiece());
+  for (int tick = 1; tick <= 100; ++tick)
+    (void)block.step(Pose::from_translation({0, 0, (1 - 0.005 * tick) * mm}), {}, 1 * ms);
+  field.advance(field.take(collector));
+  const EnergyLedger& energy = block.last_result().energy;
+  ASSERT_GT(energy.crushed, 0.5 * energy.losses());
+  EXPECT_NEAR(field.balance().brought_in / stays(energy), 1, 1e-9);
 }
 
 TEST(HeatCollector, HandsItsHeatToAnotherThread) {

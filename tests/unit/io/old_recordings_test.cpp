@@ -113,6 +113,10 @@ TEST(OldRecordings, OfEveryFormatAreReadAndReplayed) {
     EXPECT_GT(largest, 0.1);
     EXPECT_GT(voxels, 10U);
 
+    if (format == 1) {
+      EXPECT_THROW((void)replay(recording), Error);  // of forces at points of voxels
+      continue;
+    }
     // Made again by this version on this machine: bits are promised only where neither differs, numbers always.
     const ReplayReport report = replay(recording);
     EXPECT_EQ(report.steps, std::uint64_t(kSteps));

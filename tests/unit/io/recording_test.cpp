@@ -158,7 +158,7 @@ TEST(Recording, KeepsEveryKindOfToolAndSetting) {
   Spindle air_turbine{30000 * units::rad_per_s, 20, 1e5, 2e4};
   SimulationConfig config;
   config.removal = RemovalLaw::elastic_release;
-  config.quadrature = Quadrature::voxel_center;
+  config.quadrature = Quadrature::sub_voxel;
   config.contact_time = ContactTime::end;
   config.handle_torque = HandleTorque::thesis;
   config.handle_torque_scale = 0.7;

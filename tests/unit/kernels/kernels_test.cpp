@@ -136,15 +136,6 @@ TEST_P(KernelTarget, AgreesWithTheScalarReferenceInSamplingAndSumming) {
       const Mat3 rotation = rotation_from_vector(3 * vector());
       const Vec3 block_middle = rotation * Vec3::Constant(3.5 * kVoxel);
       const GridInHead grid({rotation, middle - block_middle + 0.4 * mm * vector()}, kVoxel);
-      HeadMotion motion{(2e-2 * vector()).cast<float>(),
-                        (2.0 * vector()).cast<float>(),
-                        (2e-2 * vector()).cast<float>(),
-                        (2.0 * vector()).cast<float>(),
-                        trial % 5 == 0 ? 0.0F : 2000.0F,
-                        1e-3F,
-                        float(kVoxel),
-                        RemovalLaw(trial % 3)};
-      const ContactMaterials materials = three_materials(trial % 2 == 0 ? 0.0F : 20.0F);
       const Quadrature quadrature = trial % 7 == 0 ? Quadrature::voxel_center : Quadrature::centroid;
 
       ContactBlock expected, got;
@@ -170,7 +161,12 @@ TEST_P(KernelTarget, AgreesWithTheScalarReferenceInSamplingAndSumming) {
             ASSERT_NEAR((got.*array)[std::size_t(n)], (expected.*array)[std::size_t(n)], 1e-4);
           }
 
-      FoundationLaw().evaluate(motion, materials, expected);
+      for (std::size_t n = 0; n < std::size_t(lanes); ++n) {  // springs
+        const float push = -1e3F * expected.fill[n] * expected.depth[n];
+        expected.force_x[n] = push * expected.normal_x[n];
+        expected.force_y[n] = push * expected.normal_y[n];
+        expected.force_z[n] = push * expected.normal_z[n];
+      }
       Resultant scalar, vector_sum;
       sum_resultant(expected, scalar);
       kernels::sum_resultant(expected, vector_sum);
@@ -193,9 +189,9 @@ struct Reference {
   std::array<float, kBlockVoxels> fill_after = {};
   kernels::StiffnessSums stiffness;
   SpreadFriction friction;
+  ContactBlock contact;
 
   Reference(const kernels::ContactJob& job, const BlockView& block) {
-    ContactBlock contact;
     std::array<std::uint64_t, kBlockEdge> with_turn = {};
     for (int row = 0; row < kBlockRows; ++row) {
       const int slab = row / kBlockEdge, in_slab = row % kBlockEdge;
@@ -206,7 +202,7 @@ struct Reference {
     BlockView evaluated = block;
     evaluated.solid = with_turn.data();
     job.head.visit_springs<float>(
-        [&](const auto& springs) { sample_contact(springs, evaluated, job.grid, job.quadrature, contact); });
+        [&](const auto& springs) { sample_contact(springs, evaluated, job.grid, Quadrature::sub_voxel, contact); });
     totals = FoundationLaw().evaluate(job.motion, job.materials, contact);
     sum_resultant(contact, resultant);
     kernels::add_stiffness(contact, job.motion, job.materials, stiffness);
@@ -242,16 +238,8 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       motion.crushes = trial % 17 < 9;
       const bool damped = trial % 2 != 0;
       const ContactMaterials materials = three_materials(damped ? 20.0F : 0.0F);
-      const kernels::ContactJob job = {head,
-                                       grid,
-                                       motion,
-                                       materials,
-                                       trial % 7 == 0  ? Quadrature::voxel_center
-                                       : trial % 7 < 4 ? Quadrature::sub_voxel
-                                                       : Quadrature::centroid,
-                                       damped,
-                                       unsigned(motion.level_of_detail),
-                                       unsigned(trial)};
+      const kernels::ContactJob job = {
+          head, grid, motion, materials, damped, unsigned(motion.level_of_detail), unsigned(trial)};
       const Reference expected(job, block.view);
       SCOPED_TRACE("head " + std::to_string(head.shape().index()) + ", trial " + std::to_string(trial));
 
@@ -287,11 +275,18 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       const LawEnergies &energies = expected.totals.energies, &found = pressed.energies;
       const double energy = energies.elastic_before + energies.cutting + energies.released + energies.rubbing +
                             energies.crushed + std::abs(energies.damping) + 1e-30;
-      EXPECT_NEAR(found.elastic_before / weight, energies.elastic_before, 2 * kRounding * energy);
+      // The reference takes every voxel by its section, which is 0.3 voxels wide or more; whole ones of a standing head
+      // need none, and store 0.3^2/24 k l^5 less each where the normal is along the grid.
+      double elastic_error = 2 * kRounding * energy;
+      for (std::size_t n = 0; n < std::size_t(expected.contact.lanes()) && motion.spin == 0; ++n)
+        if (expected.contact.top[n] > 0)
+          elastic_error +=
+              0.3 * 0.3 / 24 * materials[expected.contact.material_of(int(n))].stiffness * std::pow(kVoxel, 5);
+      EXPECT_NEAR(found.elastic_before / weight, energies.elastic_before, elastic_error);
       // Where strips take turns, what is stored counts for all and what was removed once: only n = 1 says which is
       // which.
       if (job.level_of_detail == 1) {
-        EXPECT_NEAR(found.elastic, energies.elastic, 2 * kRounding * energy);
+        EXPECT_NEAR(found.elastic, energies.elastic, elastic_error);
         EXPECT_NEAR(found.released, energies.released, 10 * kRounding * energy);
       }
       EXPECT_NEAR(found.damping / weight, energies.damping, kRounding * energy);
@@ -310,7 +305,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       stiff += k.norm() > 0 ? 1 : 0;
       if (motion.spin == 0) {
         const SpreadFriction all = friction.total(volume, 1);
-        EXPECT_LT((all.directions - expected.friction.directions).norm(),
+        EXPECT_LE((all.directions - expected.friction.directions).norm(),
                   20 * kRounding * expected.friction.static_limit);
         EXPECT_NEAR(all.static_limit, expected.friction.static_limit, kRounding * scale);
         EXPECT_NEAR(all.dynamic_limit, expected.friction.dynamic_limit, kRounding * scale);
@@ -351,7 +346,7 @@ TEST_P(KernelTarget, FeelsButLeavesABlockThatMayNotBeCut) {
   motion.velocity = motion.angular_velocity = motion.felt_velocity = motion.felt_angular_velocity =
       Eigen::Vector3f::Zero();
   const ContactMaterials materials = three_materials(0);
-  const kernels::ContactJob job = {head, grid, motion, materials, Quadrature::centroid, false};
+  const kernels::ContactJob job = {head, grid, motion, materials, false};
   std::array<float, kBlockVoxels> fill_after = {};
   kernels::PressTask task{block.view, fill_after.data(), false, {}};
   kernels::ContactSums sums;

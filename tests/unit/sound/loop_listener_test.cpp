@@ -51,8 +51,7 @@ TEST(LoopListener, HearsTheLedgerOfACutThroughSnapshotsAlone) {
         removed += input.removal_rate * kLook / 1000;
         touching += input.touching ? 1 : 0;
       });
-  const EnergyLedger& energy = rig.simulation.last_result().energy;
-  const double spent = energy.cutting + energy.released + energy.damping + energy.rubbing + energy.sliding;
+  const double spent = rig.simulation.last_result().energy.losses();
   EXPECT_GT(spent, 1e-3);
   EXPECT_NEAR(heard / spent, 1, 1e-6);
   EXPECT_NEAR(removed / rig.snapshot.tool.removed_volume, 1, 1e-6);

@@ -228,7 +228,8 @@ TEST(Material, IsRefusedInUnitsOfAWorkshop) {
     }
     return "";
   };
-  EXPECT_NE(refusal_of(&Material::specific_cutting_energy, 0.065).find("must be between"), std::string::npos);
+  EXPECT_NE(refusal_of(&Material::specific_cutting_energy, 0.065).find("0.3 J/mm^3, or 300 MPa, are 3e8"),
+            std::string::npos);
   EXPECT_NE(refusal_of(&Material::edge_length, 0.018).find("must be between"), std::string::npos);
   EXPECT_NE(refusal_of(&Material::size_length, 0.18).find("must be between"), std::string::npos);
   EXPECT_NE(refusal_of(&Material::compressive_strength, 150).find("150 MPa are 150e6"), std::string::npos);

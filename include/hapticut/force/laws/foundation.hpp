@@ -14,35 +14,44 @@ namespace hapticut {
 
 /// The default law: a volumetric elastic foundation that the spinning head cuts by the power it delivers.
 ///
-/// For every sample of depth w, fill phi and direction n, with the slip v_t tangential to the cutting surface:
+/// Material at depth w pushes back with the pressure gradient k_v w along the normal n, Hunt-Crossley damped by
+/// g_d = max(0, 1 + chi w_dot), and where the head turns it drags along the slip v_t tangential to the cutting surface:
 ///
-///     f = k_v phi w l^3 max(0, 1 + chi w_dot)                    normal force, Hunt-Crossley damped
-///     g = -f n - kappa f v_t / sqrt(|v_t|^2 + v_eps^2)           force on the tool; second term only when spinning
-///     phi <- phi exp(-x),  x = kappa k_v w max(0, 1 + chi w_dot) s dt / u     where w > w0 and the spindle turns
+///     g = -f n - kappa f v_t / sqrt(|v_t|^2 + v_eps^2)      f = k_v g_d l^3 phi <w>
 ///
-/// and the force uses the mean of phi over the sub-step, phi (1 - e^-x)/x, so that the tangential work of a cut sample
-/// is u l^3 times the fill that it loses, exactly, for any step. Law G replaces u by max(u - k_v w^2/2, 1e-6 u). Along
-/// the path w_dot = (V + Omega x r) . n; the damping factor takes w_dot from the device's own velocity.
+/// Each voxel is integrated over its filled part (VoxelSection): with the depth t of its top, and means <w> and <w>_c
+/// over that part of the depth and of the depth beyond w0, below which nothing is cut,
+///
+///     f = k_v g_d phi l^3 (<w> - <w>_c + <w>_c g)      phi <- phi e^-x      x = 2 k_d <w>_c g dt
+///
+/// where k_d = kappa k_v g_d s/(2 u) and g is how far the layer recedes within the sub-step, over what it would at the
+/// speed of its middle (LayerRecession). Cutting takes what is deepest, so that what only rubs stays. The force uses
+/// the mean of phi over the sub-step, phi (1 - e^-x)/x, so that the tangential work of what is cut is u l^3 times the
+/// fill that it loses, exactly, for any step. Law G replaces u by max(u - k_v w^2/2, 1e-6 u). Along the path w_dot = (V
+/// + Omega x r) . n; the damping factor takes w_dot from the device's own velocity.
+///
+/// Before all that, what the foundation would press harder than the material bears is gone: no part reaches deeper
+/// than the crushing depth sqrt(2 sigma/k_v), where a column's pressure k_v w^2/2 is sigma. What had gone into it and
+/// is no longer stored is what crushing took: sigma times the volume, within the error of the step.
 ///
 /// At a smooth surface w changes by s = kSmoothScale per distance (MeridianSpring): there n stands for s n, and so f
 /// for s f, and kappa for s mu_d; nothing is cut but within the material's land of a cutting edge, where kappa is s
 /// kappa.
 ///
 /// After the thesis's spring model (Uener 2007, eqs. 5.5-5.8, 5.15-5.16), with its dependence on voxel size and step
-/// repaired; see docs/decisions/0003-removal-and-ledger.md.
+/// repaired; see docs/decisions/0003-removal-and-ledger.md and 0009-cut-voxels.md.
 class FoundationLaw final : public ForceLaw {
  public:
-  /// The place to read the formulas, and the reference for the vector instructions that a simulation runs instead where
-  /// it was given no other law (src/kernels/press-inl.hpp).
+  /// The place to read the formulas, and the reference for the vector instructions that a simulation runs instead
+  /// (src/kernels/press-inl.hpp). The block must be sampled by Quadrature::sub_voxel.
   LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,
                      ContactBlock& block) const noexcept override {
+    HAPTICUT_ASSERT(block.sub_voxel);
     const bool spinning = motion.spin != 0;
-    const bool cutting = spinning && motion.removal != RemovalLaw::none;
-    if (block.sub_voxel) return evaluate_parts(motion, materials, spinning, cutting, block);
-    if (block.uniform) return evaluate_samples<true>(motion, materials, spinning, cutting, block);
-    return evaluate_samples<false>(motion, materials, spinning, cutting, block);
+    return evaluate_parts(motion, materials, spinning, spinning && motion.removal != RemovalLaw::none, block);
   }
 
+  [[nodiscard]] bool is_foundation() const noexcept override { return true; }
   [[nodiscard]] bool holds_deep_contact() const noexcept override { return true; }
   [[nodiscard]] bool integrates_parts() const noexcept override { return true; }
 
@@ -142,94 +151,6 @@ class FoundationLaw final : public ForceLaw {
     return there;
   }
 
-  template <bool kUniform>
-  static LawTotals evaluate_samples(const HeadMotion& m, const ContactMaterials& materials, bool spinning, bool cutting,
-                                    ContactBlock& b) noexcept {
-    const ContactMaterial first = materials[b.one_material];
-    const float dt = m.duration;
-    const float slip_time = dt * m.level_of_detail;  // a sample that waited for its turn makes up for it
-    const float voxel_volume = m.voxel_size * m.voxel_size * m.voxel_size;
-    const AxisSlip axis_slip(m);
-    const float friction_on = spinning ? 1.0F : 0.0F;
-    const float cutting_on = cutting ? 1.0F : 0.0F;
-    const float release_helps = m.removal == RemovalLaw::elastic_release ? 1.0F : 0.0F;
-
-    Sums sums = {};
-    for (int group = 0; group < b.lanes(); group += kLanes)
-      for (int lane = 0; lane < kLanes; ++lane) {
-        const int n = group + lane;
-        const SurfaceMotion s = surface_motion(m, b, n, axis_slip);
-        const ContactMaterial& material =
-            at_surface(kUniform ? first : materials[b.material[n]], m, b.smooth[n], s.scale);
-        const float k = material.stiffness, w = b.depth[n], phi = b.fill[n];
-        const float nx = s.scale * b.normal_x[n], ny = s.scale * b.normal_y[n], nz = s.scale * b.normal_z[n];
-
-        const float damped = std::max(0.0F, 1.0F + material.damping * s.felt_w_dot);
-
-        // Removal: x, the mean fill and the loss of the sub-step.
-        const float kappa = friction_on * material.cutting_ratio;
-        const float stored = 0.5F * k * w * w;  // [J/m^3] of a full voxel
-        float u = material.cutting_energy, w0 = material.cutting_depth;
-        if (m.tooth_rate > 0) {
-          const float half = 0.5F * m.voxel_size * phi;
-          const auto chord = ChipChord<float>::of(material, m.tooth_rate, 0.5F * kappa * k * damped * s.slip / u,
-                                                  w + half, w - half, s.w_dot);
-          u = chord.energy, w0 = chord.cut.excess > 0 ? chord.cut.least : w;
-        }
-        const float price = std::max(u - release_helps * stored, kLeastEnergyShare * u);
-        const float is_cut = w > w0 ? cutting_on : 0.0F;
-        const float rate = is_cut * kappa * k * w * damped * s.slip;  // [W/m^3] tangential power per filled volume
-        const float exponent = std::min(rate * slip_time / price, kLargestExponent);
-        const float mean_fill = phi * mean_of_decay(exponent);
-        const float loss = mean_fill * exponent;
-        const float left = phi - loss;
-        const bool finished = left < kSmallestFill && exponent > 0;
-        const float credit = finished ? left : 0.0F;
-        b.fill_after[n] = finished ? 0.0F : left;
-
-        const float spring = k * mean_fill * w;  // [N/m^3]
-        const float normal = spring * damped;
-        const float tangential = kappa * normal * s.inverse_slip;
-        b.force_x[n] = -voxel_volume * (normal * nx + tangential * s.tx);
-        b.force_y[n] = -voxel_volume * (normal * ny + tangential * s.ty);
-        b.force_z[n] = -voxel_volume * (normal * nz + tangential * s.tz);
-
-        const float advance = s.w_dot * dt;
-        const float w_middle = w - m.lead * advance;
-        const float w_begin = w_middle - 0.5F * advance, w_end = w_middle + 0.5F * advance;
-        const float taken = loss + credit;
-        // Elastic energy of what was removed: what went in, k mean_fill w advance, less what is still stored, exactly.
-        const float let_go = 0.5F * k * (w_middle * w_middle + 0.25F * advance * advance) * taken -
-                             k * w_middle * advance * (phi - 0.5F * taken - mean_fill);
-        // Evaluated after the middle, springs push harder than what they store: a damper's work. Those that were not
-        // touched at the beginning stored nothing there.
-        const float not_yet = m.lead > 0 ? std::max(0.0F, -w_begin) : 0.0F;
-        const float before_touch = 0.5F * k * phi * not_yet * not_yet;
-        const float lead_work = k * mean_fill * m.lead * advance * advance - before_touch;
-        sums.of[kElasticBefore][lane] += 0.5F * k * phi * w_begin * w_begin - before_touch;
-        sums.of[kElastic][lane] += 0.5F * k * b.fill_after[n] * w_end * w_end;
-        sums.of[kCutting][lane] += u * taken;
-        sums.of[kReleased][lane] += let_go - (u - price) * taken;
-        sums.of[kDamping][lane] += (normal - spring) * s.w_dot * dt + lead_work;
-        sums.of[kRubbing][lane] += kappa * normal * s.slip * slip_time * (1.0F - is_cut);
-        sums.of[kCredited][lane] += price * credit;
-        sums.of[kCouple][lane] += tangential * s.extra;
-      }
-
-    return sums.totals(voxel_volume, spinning ? m.spin : 0.0F, cutting);
-  }
-
-  /// The same where each voxel is integrated over its filled part (Quadrature::sub_voxel, VoxelSection): with the depth
-  /// t of its top, and means <w> and <w>_c over that part of the depth and of the depth beyond w0,
-  ///
-  ///     f = k_v phi l^3 (<w> - <w>_c + <w>_c g)      phi <- phi e^-x      x = 2 k_d <w>_c g dt
-  ///
-  /// where g is how far the layer recedes within the sub-step, over what it would at the speed of its middle
-  /// (LayerRecession). Cutting takes what is deepest, so that what only rubs stays.
-  ///
-  /// Before all that, what the foundation would press harder than the material bears is gone: no part reaches deeper
-  /// than the crushing depth sqrt(2 sigma/k_v), where a column's pressure k_v w^2/2 is sigma. What had gone into it and
-  /// is no longer stored is what crushing took: sigma times the volume, within the error of the step.
   static LawTotals evaluate_parts(const HeadMotion& m, const ContactMaterials& materials, bool spinning, bool cutting,
                                   ContactBlock& b) noexcept {
     const float l = m.voxel_size, dt = m.duration, slip_time = dt * m.level_of_detail, voxel_volume = l * l * l;
