@@ -39,7 +39,8 @@ std::vector<std::string> warnings_of(const DrillResult& r, const Simulation& sim
                           "raise simulation.reference_stiffness_N_per_m4 or feed slower.");
   if (std::abs(r.energy.closure()) > kLargestClosure)
     warnings.emplace_back("the energy ledger does not close: " + rounded(100 * r.energy.closure(), 3) +
-                          " % of the work is unaccounted for; raise the rate.");
+                          " % of the work is unaccounted for, " + rounded(r.energy.entered, 2) +
+                          " J entered without being pressed in; raise the rate.");
   return warnings;
 }
 
