@@ -56,8 +56,9 @@
 ///     places-inl.hpp            where they come from, and where goes what is left
 ///     motion-inl.hpp            how the head's surface moves at them
 ///     cut_voxels-inl.hpp        the default law on parts of voxels
-///     press-inl.hpp             the default law on blocks: Press::sample, then Press::press_parts
-///     press_blocks-inl.hpp      which Press for which head and motion
+///     press-inl.hpp             the default law on blocks: Press::press_deep for whole voxels of a standing head, and
+///                               for all others Press::sample, then Press::press_parts
+///     press_blocks-inl.hpp      which Press for which head
 ///     rows-inl.hpp              rows; with them the staged kernels for all other laws,
 ///     sampling-inl.hpp          sample_contact
 ///     resultant-inl.hpp         and sum_resultant

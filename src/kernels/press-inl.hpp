@@ -248,14 +248,14 @@ class Press : Places {
   template <bool kStands>
   HWY_INLINE void press_parts(int first, const Vectors& r, Vec old_fill, const Sample& s, PressSums& sums) {
     if constexpr (kStands)
-      press_parts_of<true, false>(first, r, old_fill, s, sums);
+      press_as<true, false>(first, r, old_fill, s, sums);
     else if (may_crush_ && !hn::AllFalse(Floats(), s.top > material_.vectors().crushing_depth)) [[unlikely]]
-      press_parts_of<false, true>(first, r, old_fill, s, sums);
+      press_as<false, true>(first, r, old_fill, s, sums);
     else
-      press_parts_of<false, false>(first, r, old_fill, s, sums);
+      press_as<false, false>(first, r, old_fill, s, sums);
   }
   template <bool kStands, bool kCrushes>
-  HWY_INLINE void press_parts_of(int first, const Vectors& r, Vec old_fill, const Sample& s, PressSums& sums) {
+  HWY_INLINE void press_as(int first, const Vectors& r, Vec old_fill, const Sample& s, PressSums& sums) {
     const Floats d;
     const Vec zero = hn::Zero(d);
     const Mask inside = s.top > zero;
@@ -263,8 +263,7 @@ class Press : Places {
     const MaterialVectors& material = material_at<Springs::kSmooth>(material_.vectors(), s, m_.voxel_size);
     const Vec damped =
         damped_ ? hn::Max(zero, hn::MulAdd(material.damping, s.felt_rate, broadcast(1.0F))) : broadcast(1.0F);
-    const PressedParts p =
-        strips::press_parts_of<kCrushes>(m_, material, s, fill, damped, !kStands && may_cut_, release_);
+    const PressedParts p = press_parts_of<kCrushes>(m_, material, s, fill, damped, !kStands && may_cut_, release_);
     if (!kStands && (kCrushes || writes())) {
       const Mask finished = p.credit > zero;
       if (!hn::AllFalse(d, finished)) {
