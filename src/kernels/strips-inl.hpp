@@ -171,8 +171,8 @@ HWY_INLINE bool all_are(const MaterialId* ids, MaterialId one) {
   return difference == 0;
 }
 
-/// The numbers of the lanes whose bits are set, one after the other; what follows them is of no account. The library's
-/// own Compress copies its table onto the stack in each call, where vectors are of eight lanes.
+/// The numbers of the lanes whose bits are set, one after the other; what follows them is of no account. Compress
+/// of Highway 1.0.3 copies its table onto the stack in each call where vectors are of eight lanes.
 HWY_INLINE hn::Vec<hn::RebindToSigned<Floats>> numbers_of(unsigned lanes) {
   const hn::RebindToSigned<Floats> ints;
   if constexpr (kWidth > 8) return hn::Compress(hn::Iota(ints, 0), hn::RebindMask(ints, mask_of(lanes)));

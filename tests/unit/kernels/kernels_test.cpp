@@ -358,6 +358,34 @@ TEST_P(KernelTarget, FeelsButLeavesABlockThatMayNotBeCut) {
   EXPECT_GT(pressed.energies.rubbing, 0);
 }
 
+TEST_P(KernelTarget, PressesStripsInsideABallAsTheScalarStagesDo) {  // without friction and dampers
+  std::mt19937 random(17);
+  const RandomBlock block(random, true, true, false);
+  const ToolHead head = SphereHead{1.2 * mm};
+  const ContactMaterials materials = three_materials(0);
+  const Eigen::Vector3f none = Eigen::Vector3f::Zero();
+  const HeadMotion motion{{0.02F, -0.01F, 0.03F}, none, none, none, 0, 1e-3F, float(kVoxel), RemovalLaw::none};
+  for (const double first : {-3.4, -1.1, 2.3}) {  // [voxels] where the block begins: wholly inside, and less and less
+    const GridInHead grid({rotation_from_vector(Vec3(0.3, 0.2, 0.1)), Vec3::Constant(first * kVoxel)}, kVoxel);
+    const kernels::ContactJob job = {head, grid, motion, materials, false};
+    const Reference expected(job, block.view);
+    std::array<float, kBlockVoxels> fill_after = {};
+    kernels::PressTask task{block.view, fill_after.data(), false, {}};
+    kernels::ContactSums sums;
+    kernels::press_blocks(job, std::span(&task, 1), sums);
+    const kernels::Pressed found = kernels::pressed(job, sums, std::pow(kVoxel, 3));
+    const LawEnergies &a = found.energies, &b = expected.totals.energies;
+    const Resultant& wanted = expected.resultant;
+    const double scale = wanted.normal_force, way = double(motion.velocity.norm() * motion.duration);
+    EXPECT_EQ(found.resultant.voxels, wanted.voxels);
+    EXPECT_LT((found.resultant.wrench_T.force - wanted.wrench_T.force).norm(), kRounding * scale);
+    EXPECT_LT((found.resultant.wrench_T.torque - wanted.wrench_T.torque).norm(), kRounding * scale * mm);
+    EXPECT_NEAR(found.resultant.volume, wanted.volume, kRounding * kBlockVoxels);
+    EXPECT_NEAR(found.resultant.depth, wanted.depth, kRounding * mm);
+    EXPECT_NEAR(a.elastic - a.elastic_before, b.elastic - b.elastic_before, kRounding * scale * way);
+  }
+}
+
 std::vector<std::int64_t> targets_of_this_machine() {
   std::vector<std::int64_t> targets;
   for (std::int64_t all = hwy::SupportedTargets() & ~std::int64_t(HAPTICUT_LEFT_OUT); all != 0; all &= all - 1)
