@@ -136,6 +136,7 @@ struct PressedParts {
   Vec left;                      // [1] fill after the sub-step
   Vec energy;                    // [J/m^3] u of what is cut, as its chips are
   Vec credit, price;             // [1] fill that went without work, and [J/m^3] what it would have cost
+  Vec refused;                   // [1] fill whose work was done, but which single precision cannot take away
   Vec before, after, lead_work;  // [J/m^3] stored at the beginning and the end; of a contact evaluated after the middle
   Vec released;                  // [J/m^3] what went in less what is stored; zero where nothing is cut
   Vec kept;                      // [1] fill that was not crushed
@@ -184,7 +185,7 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
   p.volume = hn::IfThenElseZero(inside, part.volume);
   p.depth = hn::IfThenElseZero(inside, part.depth) * l;
   p.elastic = p.rubbing = hn::IfThenElseZero(inside, stiff * part.depth);
-  p.cut = p.credit = zero;
+  p.cut = p.credit = p.refused = zero;
   p.left = p.kept;
   p.energy = p.price = material.energy;
   Mask is_cut = hn::MaskFromVec(zero);
@@ -218,7 +219,9 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
     const Vec mean = mean_of_decay(exponent);
     p.cut = hn::IfThenElseZero(is_cut, stiff * cutting * share * mean);
     p.rubbing = hn::IfThenElse(is_cut, stiff * hn::Max(zero, part.depth - cutting), p.rubbing);
-    p.left = hn::NegMulAdd(p.kept * exponent, mean, p.kept);
+    const Vec loss = p.kept * exponent * mean;
+    p.left = p.kept - loss;
+    p.refused = loss - (p.kept - p.left);
     const Mask finished = hn::And(hn::And(is_cut, exponent > zero), p.left < broadcast(FoundationLaw::kSmallestPart));
     // Never zero, so that it also says which lanes are finished.
     p.credit = hn::IfThenElseZero(finished, hn::Max(p.left, broadcast(1e-30F)));

@@ -270,6 +270,8 @@ class Press : Places {
         sums.credited = hn::MulAdd(p.price, p.credit, sums.credited);
         mark_emptied(first, bits_of(finished));
       }
+      sums.rubbing = hn::MulAdd(p.price, hn::Max(zero, p.refused), sums.rubbing);
+      sums.credited = hn::NegMulAdd(p.price, hn::Min(zero, p.refused), sums.credited);
       const Vec cut = p.kept - p.left;
       if (release_) sums.helped = hn::MulAdd(p.energy - p.price, cut, sums.helped);
       if (m_.tooth_rate > 0) sums.chips = hn::MulAdd(p.energy - material.energy, cut, sums.chips);

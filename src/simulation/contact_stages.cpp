@@ -51,17 +51,17 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
       bounds_(workpiece.bounds()) {
   ContactMaterials materials = contact_materials(workpiece.materials(), config.reference_stiffness);
   exchange_materials(materials);
-  if (quadrature_ != Quadrature::sub_voxel && law_->is_foundation())
+  if (quadrature_ != Quadrature::sub_voxel && law_->integrates_parts())
     throw Error("SimulationConfig::quadrature = " + std::string(name_or_null(quadrature_)) +
-                " was given with FoundationLaw, which integrates over parts of voxels; points are for laws of your "
-                "own. Leave it automatic.");
+                " was given with a law that integrates over parts of voxels, as FoundationLaw does; points are for "
+                "other laws. Leave it automatic.");
   if (quadrature_ == Quadrature::sub_voxel && !law_->integrates_parts())
     throw Error(
-        "SimulationConfig::quadrature = sub_voxel was given with a law of your own that is asked for the force at "
-        "points. Choose automatic or centroid, the default law, or a law that integrates_parts().");
+        "SimulationConfig::quadrature = sub_voxel was given with a law that is asked for the force at points. Choose "
+        "automatic or centroid, FoundationLaw, or a law that integrates_parts().");
   if (!law_->is_foundation() && voxel_budget_ != 0)
     throw Error("SimulationConfig::voxel_budget = " + std::to_string(voxel_budget_) +
-                " was given with a law of your own; only the default law has a level of detail. Leave it at 0.");
+                " was given with another law than FoundationLaw, which alone has a level of detail. Leave it at 0.");
   Room room(head, workpiece.voxel_size(), config);
   exchange_room(room);
 }

@@ -154,8 +154,8 @@ void remark(RecordingInfo& info, std::uint64_t size) {
                            std::to_string(size) + " steps.");
   if (info.lost > 0)
     info.remarks.push_back(std::to_string(info.lost) +
-                           " steps are missing, because the disk did not keep up or the workpiece was exchanged; a "
-                           "replay ends before the first of them.");
+                           " steps are missing: the disk did not keep up, or workpiece, tool, materials, friction or "
+                           "removal were exchanged between steps. A replay ends before the first of them.");
 }
 
 }  // namespace

@@ -64,8 +64,8 @@ std::optional<ReplayDifference> compare(const std::vector<const Column*>& column
 Simulation simulation_of(const Recording& recording, std::shared_ptr<const ForceLaw> law) {
   if (!recording.default_law() && !law)
     throw Error("the recording '" + recording.path().string() +
-                "' was made with a force law of its own, which no file can hold; pass the same law to the replay "
-                "(ReplayOptions::law).");
+                "' was made with another law than FoundationLaw, and no file can hold that; pass the same law to the "
+                "replay.");
   SimulationConfig config = recording.config();
   const bool at_parts = config.quadrature == Quadrature::automatic || config.quadrature == Quadrature::sub_voxel;
   if (!law && !at_parts)

@@ -217,7 +217,7 @@ TEST(SubVoxel, RefusesWhatItCannotDo) {
   SimulationConfig config = config_with(1e15);
   EXPECT_EQ(refusal_of(config), "");
   config.quadrature = Quadrature::centroid;
-  EXPECT_NE(refusal_of(config).find("points are for laws of your own"), std::string::npos) << refusal_of(config);
+  EXPECT_NE(refusal_of(config).find("points are for other laws"), std::string::npos) << refusal_of(config);
   config.quadrature = Quadrature::sub_voxel;
   config.law = std::make_shared<HertzianBurrLaw>(1e6);
   EXPECT_NE(refusal_of(config).find("Choose automatic or centroid"), std::string::npos) << refusal_of(config);

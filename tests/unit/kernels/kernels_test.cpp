@@ -271,20 +271,17 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
                 kRounding * scale * mm + couple_error);
       EXPECT_NEAR(pressed.resultant.volume / weight, expected.resultant.volume, kRounding * 512);
       EXPECT_NEAR(pressed.resultant.depth, expected.resultant.depth, kRounding * mm);
-
       const LawEnergies &energies = expected.totals.energies, &found = pressed.energies;
       const double energy = energies.elastic_before + energies.cutting + energies.released + energies.rubbing +
                             energies.crushed + std::abs(energies.damping) + 1e-30;
-      // The reference takes every voxel by its section, which is 0.3 voxels wide or more; whole ones of a standing head
-      // need none, and store 0.3^2/24 k l^5 less each where the normal is along the grid.
+      // A section is 0.3 voxels wide or more; a voxel that needs none stores up to 0.3^2/24 k l^5 less.
       double elastic_error = 2 * kRounding * energy;
       for (std::size_t n = 0; n < std::size_t(expected.contact.lanes()) && motion.spin == 0; ++n)
         if (expected.contact.top[n] > 0)
           elastic_error +=
               0.3 * 0.3 / 24 * materials[expected.contact.material_of(int(n))].stiffness * std::pow(kVoxel, 5);
       EXPECT_NEAR(found.elastic_before / weight, energies.elastic_before, elastic_error);
-      // Where strips take turns, what is stored counts for all and what was removed once: only n = 1 says which is
-      // which.
+      // Where strips take turns, what is stored counts for all, what was removed once: n = 1 says which is which.
       if (job.level_of_detail == 1) {
         EXPECT_NEAR(found.elastic, energies.elastic, elastic_error);
         EXPECT_NEAR(found.released, energies.released, 10 * kRounding * energy);
@@ -292,9 +289,12 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       EXPECT_NEAR(found.damping / weight, energies.damping, kRounding * energy);
       double whole = 0;  // as if nothing had been crushed
       for (std::size_t id = 1; id <= 3; ++id) whole += double(materials[id].cutting_energy) * sums.removed[id] * volume;
-      EXPECT_NEAR(whole + found.cutting, energies.cutting, 10 * kRounding * (energy + whole));
-      EXPECT_NEAR(found.rubbing, energies.rubbing, kRounding * energy);
-      EXPECT_NEAR(found.credited, energies.credited, 10 * kRounding * energy);
+      // Cutting, rubbing and credited hold what fills are rounded by, up or down; the work of the drag does not.
+      const double cut = whole + found.cutting, rounded = 10 * kRounding * (energy + whole);
+      const double drag = energies.cutting + energies.rubbing - energies.credited;
+      EXPECT_NEAR(cut + found.rubbing - found.credited, drag, 0.2 * rounded);
+      EXPECT_NEAR(found.rubbing, energies.rubbing, rounded);
+      EXPECT_NEAR(found.credited, energies.credited, rounded);
       EXPECT_NEAR(found.crushed, energies.crushed, 10 * kRounding * energy);
       crushed += found.crushed > 0 ? 1 : 0;
       const Stiffness k = stiffness.total(volume), k_expected = expected.stiffness.total(volume);

@@ -30,7 +30,8 @@ struct ReplayReport {
 
 /// How a recording is run again.
 struct ReplayOptions {
-  /// The force law, where the recorded one was not the library's own.
+  /// Needed where the recorded one was not FoundationLaw: the same one. Another than the recorded one, where it shall
+  /// be seen how the two differ.
   std::shared_ptr<const ForceLaw> law;
 
   /// Called now and then with the steps that are done.
