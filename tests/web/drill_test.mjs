@@ -99,7 +99,7 @@ test("the emergency stop takes the force, and a reset brings it back", async () 
   await page.keyboard.press("Escape");
   await until(page, () => hapticut.snapshot.arming === 5);
   await until(page, () => /fault/.test(document.getElementById("guard").textContent)); // with the next picture
-  assert.match(await page.locator("#cure").textContent(), /Reset/);
+  assert.match(await page.locator("#cure").textContent(), /reset/);
   await button("Reset").click();
   await until(page, () => hapticut.snapshot.arming === 4);
   await until(page, () => document.getElementById("notice").textContent === ""); // it is over
