@@ -74,8 +74,8 @@ constexpr auto fields_of(Of<EnergyLedger>) {
             "layer, on smooth sides and walls, under the edge pressure, with removal off"),
       field("sliding", &E::sliding, "J", "dissipated by dry friction of the standing head"),
       field("credited", &E::credited, "J",
-            "cutting energy of what is taken away without work: the last thousandth of a voxel, and what single "
-            "precision rounds"),
+            "cutting energy of what is taken away without work: the last millionth of a voxel (under other laws "
+            "than FoundationLaw a thousandth), and what single precision rounds"),
       field("entered", &E::entered, "J", "elastic energy of material that came in or left without having been pressed"),
       field("turnover", &E::turnover, "J", "hand_work, motor_work and entered of each sub-step without their signs"),
   };

@@ -189,7 +189,7 @@ class FoundationLaw final : public ForceLaw {
       if (crushed) b.immersed[n] = part.volume;
 
       float rubbing = k * l * part.depth, cut = 0, left = phi, credit = 0, price = u;  // springs: [N/m^3]
-      float kept = 0;  // [1] fill whose work was done, but which single precision cannot take away; or the reverse
+      float refused = 0;  // [1] fill whose work was done, but which single precision cannot take away; or the reverse
       if (cutting && cut_depth.excess > 0 && phi > 0) {
         float rate = power / price, share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time).share;
         if (m.removal == RemovalLaw::elastic_release) {  // helped by what is stored where the layer's top is on average
@@ -203,7 +203,7 @@ class FoundationLaw final : public ForceLaw {
         rubbing = k * l * std::max(0.0F, part.depth - part.cutting);
         const float loss = phi * exponent * mean;
         left = phi - loss;
-        kept = loss - (phi - left);
+        refused = loss - (phi - left);
         if (left < kSmallestPart && exponent > 0) {
           credit = std::max(0.0F, left);
           left = 0;
@@ -238,8 +238,8 @@ class FoundationLaw final : public ForceLaw {
       sums.of[kCutting][lane] += u * taken;
       if (releases) sums.of[crushed ? kCrushed : kReleased][lane] += released - (u - price) * taken;
       sums.of[kDamping][lane] += (normal - spring) * advance + lead_work;
-      sums.of[kRubbing][lane] += kappa * rubbing * damped * s.slip * slip_time + price * std::max(0.0F, kept);
-      sums.of[kCredited][lane] += price * (credit + std::max(0.0F, -kept));
+      sums.of[kRubbing][lane] += kappa * rubbing * damped * s.slip * slip_time + price * std::max(0.0F, refused);
+      sums.of[kCredited][lane] += price * (credit + std::max(0.0F, -refused));
       sums.of[kCouple][lane] += tangential * s.extra;
     }
     return sums.totals(voxel_volume, spinning ? m.spin : 0.0F, cutting || m.crushes);
