@@ -74,6 +74,8 @@ namespace Hapticut {
     public double spindleSpeed, spindleTorque, contactDepth, contactVolume;
     public uint contactVoxels, subSteps;
     public Pose X_WH;
+    public Vec3 contactPoint, contactNormal;
+    public double contactArea, contactPressure;
   }
 
   [StructLayout(LayoutKind.Sequential)]
@@ -131,6 +133,7 @@ namespace Hapticut {
     public uint contactVoxels, undoMarks, redoMarks;
     internal uint unused;
     public ulong commandsDropped, commandsRefused;
+    public Vec3 contactPoint;
   }
 
   public enum CommandKind : uint {

@@ -48,7 +48,7 @@ struct CoupledRow {
   double velocity[6];
   std::int64_t removed_voxels;  // how many
   double removed_volume;
-  std::int32_t parts, newton_steps;
+  std::int32_t parts, newton_steps, level_of_detail;
   CouplingEnergyRow energy;
   std::uint32_t status;
 };
@@ -68,6 +68,7 @@ CoupledRow coupled_row(const CoupledResult& result, double time) {
   row.removed_volume = result.removed_volume;
   row.parts = result.parts;
   row.newton_steps = result.newton_steps;
+  row.level_of_detail = result.level_of_detail;
   const CouplingEnergy& e = result.energy;
   row.energy = {e.hand_work, e.tool_work, e.spring, e.damper, e.kinetic, e.implicit, e.turnover};
   row.status = std::uint32_t(result.status);
@@ -141,6 +142,8 @@ void bind_coupled_result(py::module_& m) {
       .def_property_readonly(
           "newton_steps", [](const R& r) { return r.result.newton_steps; }, doc("CoupledResult::newton_steps"))
       .def_property_readonly(
+          "level_of_detail", [](const R& r) { return r.result.level_of_detail; }, doc("CoupledResult::level_of_detail"))
+      .def_property_readonly(
           "status", [](const R& r) { return std::uint32_t(r.result.status); },
           "Bits of StepStatus, of the simulation's steps; 0 = nothing to report.")
       .def_property_readonly(
@@ -153,7 +156,7 @@ void bind_coupling(py::module_& m) {
   PYBIND11_NUMPY_DTYPE(WrenchRow, force, torque);
   PYBIND11_NUMPY_DTYPE(CouplingEnergyRow, hand_work, tool_work, spring, damper, kinetic, implicit, turnover);
   PYBIND11_NUMPY_DTYPE(CoupledRow, time, hand, coupling, X_WH, velocity, removed_voxels, removed_volume, parts,
-                       newton_steps, energy, status);
+                       newton_steps, level_of_detail, energy, status);
   bind_gains(m);
   bind_coupled_result(m);
   using C = PythonCoupling;
@@ -203,6 +206,8 @@ void bind_coupling(py::module_& m) {
             self.coupling.set_gains(gains);
           },
           py::arg("gains"), doc("VirtualCoupling::set_gains"))
+      .def(
+          "worst_case", [](const C& self) { return self.coupling.worst_case(); }, doc("VirtualCoupling::worst_case"))
       .def_property_readonly(
           "gains", [](const C& self) { return self.coupling.gains(); }, "As they are now.")
       .def_property_readonly(

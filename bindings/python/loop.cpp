@@ -185,10 +185,14 @@ void bind_messages(py::module_& m) {
   const auto bits = [](StepStatus T::*status) {
     return [status](const T& snapshot) { return std::uint32_t(snapshot.*status); };
   };
+  bind_result<TickEffort>(m, "TickEffort", member("parts", &TickEffort::parts),
+                          member("newton_steps", &TickEffort::newton_steps),
+                          member("level_of_detail", &TickEffort::level_of_detail));
   bind_result<T>(m, "ToolSnapshot", member("force", &T::force), member("torque", &T::torque),
                  member("removed_volume", &T::removed_volume), member("dissipated", &T::dissipated),
                  member("contact_depth", &T::contact_depth), member("contact_voxels", &T::contact_voxels),
-                 member("spindle_speed", &T::spindle_speed), member("steps", &T::steps),
+                 member("contact_point", &T::contact_point), member("spindle_speed", &T::spindle_speed),
+                 member("steps", &T::steps), member("effort", &T::effort), member("most_effort", &T::most_effort),
                  member("undo_marks", &T::undo_marks), member("redo_marks", &T::redo_marks),
                  member("islands", &T::islands), member("undoing", &T::undoing), member("redoing", &T::redoing),
                  member("force_held", &T::force_held), member("workpiece", &T::workpiece))

@@ -54,7 +54,8 @@ void bind_limits(py::module_& m) {
   bind_described_result<StageTimes>(m, "StageTimes");
   bind_result<WorstCase>(m, "WorstCase", member("blocks", &WorstCase::blocks), member("voxels", &WorstCase::voxels),
                          member("sub_steps", &WorstCase::sub_steps),
-                         member("level_of_detail", &WorstCase::level_of_detail));
+                         member("level_of_detail", &WorstCase::level_of_detail),
+                         member("contacts", &WorstCase::contacts));
   m.def("most_voxels", &most_voxels, py::arg("head"), py::arg("voxel_size"), doc("most_voxels"));
   m.def("most_blocks", &most_blocks, py::arg("head"), py::arg("voxel_size"), doc("most_blocks"));
 }

@@ -33,10 +33,13 @@ struct ChordVectors {
 
 /// @param rate  [1/(m s)] kappa k_v s/(2 u), with the damping's factor
 HWY_INLINE ChordVectors chord_of_chips(const MaterialVectors& material, float tooth_rate, Vec rate, Vec top, Vec bottom,
-                                       Vec speed) {
+                                       Vec speed, float feed) {
   using Chord = ChipChord<float>;
   const Vec zero = hn::Zero(Floats()), slowest = broadcast(Chord::kSlowest), four = broadcast(4.0F);
-  const Vec edge = material.edge_length * broadcast(tooth_rate), square = material.size_length * broadcast(tooth_rate);
+  const Vec toward = hn::MulAdd(hn::Abs(speed), broadcast(1 / Chord::kGrazing), broadcast(Chord::kSlowestFeed));
+  const Vec share = hn::Min(broadcast(1.0F), toward * broadcast(1 / std::max(feed, Chord::kSlowestFeed)));
+  const Vec chips = broadcast(tooth_rate) * share;
+  const Vec edge = material.edge_length * chips, square = material.size_length * chips;
   const Vec b = hn::Sqrt(square), w0 = material.cutting_depth, w0_squared = w0 * w0;
   const auto root_of_speed = [&](Vec depth) HWY_ATTR {
     const Vec q = hn::Max(zero, hn::MulSub(rate, hn::MulSub(depth, depth, w0_squared), edge));

@@ -30,6 +30,13 @@ struct ContactSums {
     kCouple,
     kFill,
     kNormal,  // the reaction along the normals, whatever their directions
+    kPushX,   // of it, without the drag of the spin
+    kPushY,
+    kPushZ,
+    kMomentX,  // its size times its place
+    kMomentY,
+    kMomentZ,
+    kArea,  // [voxel edges^2] of the head's surface
     kTerms
   };
   static constexpr int kLanes = BlockChange::kStrip;

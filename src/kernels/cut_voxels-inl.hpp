@@ -132,26 +132,26 @@ HWY_INLINE Vec share_of_recession(Vec top, const CutDepthVectors& cut, Vec rate,
 
 /// FoundationLaw on parts of voxels.
 struct PressedParts {
-  Vec rubbing, cut;              // [N/m^3] springs: of what is not deep enough to be cut, and of what is
-  Vec left;                      // [1] fill after the sub-step
-  Vec energy;                    // [J/m^3] u of what is cut, as its chips are
-  Vec credit, price;             // [1] fill that went without work, and [J/m^3] what it would have cost
-  Vec refused;                   // [1] fill whose work was done, but which single precision cannot take away
-  Vec before, after, lead_work;  // [J/m^3] stored at the beginning and the end; of a contact evaluated after the middle
-  Vec released;                  // [J/m^3] what went in less what is stored; zero where nothing is cut
-  Vec kept;                      // [1] fill that was not crushed
-  Vec yielding;                  // [1] of the volume in contact that presses no more however deep it gets
-  Vec top;                       // [m] of what is left by crushing
-  Mask crushed;                  // only where some are
-  Vec elastic, volume, depth;    // [N/m^3] springs as they stand; [1] what is in contact; [m] its integral of the depth
+  Vec rubbing, cut;            // [N/m^3] springs: of what is not deep enough to be cut, and of what is
+  Vec left;                    // [1] fill after the sub-step
+  Vec energy;                  // [J/m^3] u of what is cut, as its chips are
+  Vec credit, price;           // [1] fill that went without work, and [J/m^3] what it would have cost
+  Vec refused;                 // [1] fill whose work was done, but which single precision cannot take away
+  Vec before, after;           // [J/m^3] stored at the beginning and the end
+  Vec released;                // [J/m^3] what went in less what is stored; zero where nothing is cut
+  Vec kept;                    // [1] fill that was not crushed
+  Vec yielding;                // [1] of the volume in contact that presses no more however deep it gets
+  Vec top;                     // [m] of what is left by crushing
+  Mask crushed;                // only where some are
+  Vec elastic, volume, depth;  // [N/m^3] springs as they stand; [1] what is in contact; [m] its integral of the depth
+  Vec area;                    // [voxel edges^2] of the head's surface
 
   /// [N/m^4] change of the force with depth, as the springs yield while they are cut
-  [[nodiscard]] HWY_INLINE Vec slope(const MaterialVectors& material, Vec damped, float duration) const {
-    const Vec zero = hn::Zero(Floats());
+  [[nodiscard]] HWY_INLINE Vec slope(const MaterialVectors& material, const DampingVectors& damped,
+                                     float duration) const {
     const Vec yields = (rubbing + cut) / hn::Max(elastic, broadcast(1e-20F));
-    const Vec damper = material.damping * depth * broadcast(1 / duration);
-    return hn::IfThenElseZero(damped > zero,
-                              material.stiffness * yields * hn::MulAdd(volume - yielding, damped, damper));
+    const Vec damper = damped.slope * material.damping * depth * broadcast(1 / duration);
+    return material.stiffness * yields * hn::MulAdd(volume - yielding, damped.factor, damper);
   }
 };
 
@@ -183,6 +183,7 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
   const Vec top = p.top * per_l;
   const auto part = section.pressed(height, top);
   p.volume = hn::IfThenElseZero(inside, part.volume);
+  p.area = hn::IfThenElseZero(inside, section.area_at(hn::Neg(far_plane)));
   p.depth = hn::IfThenElseZero(inside, part.depth) * l;
   p.elastic = p.rubbing = hn::IfThenElseZero(inside, stiff * part.depth);
   p.cut = p.credit = p.refused = zero;
@@ -196,7 +197,8 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
   if (may_cut) {
     if (m.tooth_rate > 0) {
       const Vec rate = work * per_time * material.inverse_energy;
-      const ChordVectors chord = chord_of_chips(material, m.tooth_rate, rate, p.top, far_plane * l, speed);
+      const ChordVectors chord =
+          chord_of_chips(material, m.tooth_rate, rate, p.top, far_plane * l, s.rate, m.velocity.norm());
       p.energy = p.price = chord.energy;
       cut = chord.cut;
     }
@@ -232,23 +234,19 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
   const Vec height_left = may_cut ? section.height_of(p.left) : height;
   const Vec later = hn::MulAdd(moved, broadcast(0.5F - m.lead), height_left + far_plane);
   p.after = hn::IfThenElseZero(hn::And(inside, p.left > zero), energy * section.energy(height_left, later));
-  p.lead_work = material.stiffness * p.volume * advance * advance * broadcast(m.lead);
   const Mask taken = fill - p.left > broadcast(FoundationLaw::kSmallestLoss) * fill;
-  const Vec earlier = hn::NegMulAdd(moved, broadcast(0.5F + m.lead), s.top * per_l);
-  if (m.lead > 0) {  // what a contact evaluated at the end pushes harder than it stores is a damper's work
-    const Vec stored = energy * section.energy(full_height, earlier);
-    const Vec harder = hn::Max(zero, hn::MulAdd(p.rubbing + p.cut, advance, stored - p.after));
-    p.lead_work = hn::IfThenElse(taken, p.lead_work, hn::IfThenElseZero(inside, harder));
-  }
   // Where nothing is cut nothing is released, and nowhere less: what the midpoint rule lacks has entered.
-  p.before = hn::NegMulAdd(p.rubbing + p.cut, advance, p.after + p.lead_work);
+  p.before = hn::NegMulAdd(p.rubbing + p.cut, advance, p.after);
   p.released = zero;
   if constexpr (kCrushes) {  // what is crushed to the last is finished too
     const Mask none_kept = hn::And(p.crushed, p.kept <= zero);
     p.credit = hn::IfThenElse(none_kept, broadcast(1e-30F), p.credit);
   }
   if ((may_cut || kCrushes) && !hn::AllFalse(d, taken)) {
-    const Vec surplus = hn::MulSub(energy, section.energy(full_height, earlier), p.before);
+    const Vec earlier = hn::NegMulAdd(moved, broadcast(0.5F + m.lead), s.top * per_l);
+    // What a contact evaluated at the end pushes harder than on average was not stored before.
+    const Vec harder = material.stiffness * p.volume * advance * advance * broadcast(m.lead);
+    const Vec surplus = hn::MulSub(energy, section.energy(full_height, earlier), p.before + harder);
     p.released = hn::IfThenElseZero(taken, hn::Max(zero, surplus));
     p.before = p.before + p.released;
   }

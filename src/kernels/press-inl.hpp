@@ -104,7 +104,9 @@ class Press : Places {
             Sample s;
             s.radial = spring.radial, s.axial = spring.axial;
             const Vec advance = rate_of_depth<true>(r, s, way, way);
-            more.template add_push<true>(r, s, more.add_spring(k, spring.depth, advance, 0.5F, m_.voxel_size));
+            const Vec pushed = more.add_spring(k, spring.depth, advance, 0.5F, m_.voxel_size);
+            more.template add_push<true>(r, s, pushed);
+            more.add_place(r, pushed);
             note_depth(spring.depth, r, s, hn::FirstN(Floats(), kWidth), more);
           });
       more.voxels = kStripLanes * std::popcount(done);
@@ -131,27 +133,28 @@ class Press : Places {
     if constexpr (Springs::kSmooth) deep = hn::AndNot(spring.smooth > hn::Zero(d), deep);
     const unsigned lanes = bits_of(deep);
     const MaterialId* ids = block.material == nullptr ? &block.uniform_material : block.material + voxel;
+    if (damped_ && job_.materials[ids[0]].crushing_depth < ContactMaterial::kNeverCrushed) return hit;
     if (lanes == 0 || (block.material != nullptr && !all_are(ids, ids[0]))) return hit;
 
     material_.load(ids[0]);
     const Vec depth = spring.depth, k = hn::IfThenElseZero(deep, material_.vectors().stiffness);
     const Vec pushed = sums.add_spring(k, depth, advance, 0.5F - m_.lead, m_.voxel_size);
-    Vec damped = one, normal = pushed;
+    DampingVectors damped;
+    Vec normal = pushed;
     if (damped_) {
       const Vec felt = rate_of_depth<Springs::kCentral>(r, s, m_.felt_velocity, m_.felt_angular_velocity);
-      damped = hn::Max(hn::Zero(d), hn::MulAdd(material_.vectors().damping, felt, one));
-      normal = pushed * damped;
+      damped = {material_.vectors().damping * felt, depth, broadcast(ContactMaterial::kNeverCrushed)};
+      normal = pushed * damped.factor;
       sums.damping = hn::MulAdd(normal - pushed, advance, sums.damping);
     }
     sums.template add_push<Springs::kCentral>(r, s, normal);
-    if (m_.lead > 0) sums.lead_work = hn::MulAdd(k * advance, advance * broadcast(m_.lead), sums.lead_work);
+    sums.add_place(r, normal);
     sums.voxels += std::popcount(lanes);
     note_depth(depth, r, s, deep, sums);
     if (stiffness_ != nullptr) [[unlikely]] {
-      const Vec damper = material_.vectors().damping * depth * broadcast(1 / m_.duration);
+      const Vec damper = damped.slope * material_.vectors().damping * depth * broadcast(1 / m_.duration);
       s.closing = s.inverse_slip = s.smooth = hn::Zero(d);
-      const Vec slope = hn::IfThenElseZero(damped > hn::Zero(d), k * (damped + damper));
-      add_springs(m_, slope, normal, hn::Zero(d), r, s, *stiffness_);
+      add_springs(m_, k * (damped.factor + damper), normal, hn::Zero(d), r, s, *stiffness_);
     }
     if (friction_ != nullptr) [[unlikely]] {
       s.smooth = hn::Zero(d);
@@ -261,9 +264,10 @@ class Press : Places {
     const Mask inside = s.top > zero;
     const Vec fill = hn::IfThenElseZero(inside, old_fill), advance = s.rate * broadcast(m_.duration);
     const MaterialVectors& material = material_at<Springs::kSmooth>(material_.vectors(), s, m_.voxel_size);
-    const Vec damped =
-        damped_ ? hn::Max(zero, hn::MulAdd(material.damping, s.felt_rate, broadcast(1.0F))) : broadcast(1.0F);
-    const PressedParts p = press_parts_of<kCrushes>(m_, material, s, fill, damped, !kStands && may_cut_, release_);
+    DampingVectors damped;
+    if (damped_) damped = {material.damping * s.felt_rate, s.top, material.crushing_depth};
+    const PressedParts p =
+        press_parts_of<kCrushes>(m_, material, s, fill, damped.factor, !kStands && may_cut_, release_);
     if (!kStands && (kCrushes || writes())) {
       const Mask finished = p.credit > zero;
       if (!hn::AllFalse(d, finished)) {
@@ -284,22 +288,24 @@ class Press : Places {
       book_removed(fill - p.left, first, inside);
       hn::Store(hn::IfThenElse(inside, p.left, old_fill), d, voxels_.fill_after + first);
     }
-    const Vec spring = p.rubbing + p.cut, normal = spring * damped;
+    const Vec spring = p.rubbing + p.cut, normal = spring * damped.factor;
     const Vec kappa = !kStands && turns_ ? material.cutting_ratio : zero;
     if constexpr (kStands) {
       sums.template add_push<Springs::kCentral>(r, s, normal);
     } else {
       const Vec tangential = kappa * normal * s.inverse_slip;
       sums.add_reaction(r, s, hn::NegMulAdd(tangential, s.closing, normal), tangential, surface_velocity(m_, r));
-      sums.rubbing = hn::MulAdd(kappa * p.rubbing * damped, s.slip_path, sums.rubbing);
+      sums.rubbing = hn::MulAdd(kappa * p.rubbing * damped.factor, s.slip_path, sums.rubbing);
+      sums.add_normal(r, s, normal);
       if (near_axis_) sums.couple = hn::MulAdd(tangential, slip_beyond_centers(m_, r, s), sums.couple);
     }
-    sums.normal_force = sums.normal_force + scaled<Springs::kSmooth>(s, spring);
+    sums.add_place(r, scaled<Springs::kSmooth>(s, normal));
+    sums.area = sums.area + scaled<Springs::kSmooth>(s, p.area);
 
     sums.before = sums.before + p.before;
     sums.change = sums.change + (p.after - p.before);
     sums.released = sums.released + p.released;
-    sums.damping = sums.damping + hn::MulAdd(normal - spring, advance, p.lead_work);
+    sums.damping = sums.damping + (normal - spring) * advance;
     if (stiffness_ != nullptr) [[unlikely]]
       add_springs(m_, p.slope(material, damped, m_.duration), normal, kappa, r, s, *stiffness_);
     if (friction_ != nullptr) add_friction(first, normal, p.volume, r, s);

@@ -62,11 +62,23 @@ class SampleList {
   alignas(64) float values_[kVectors][VoxelList::kRoom];
 };
 
-/// Force and torque of what only pushes.
+/// Force and torque of what only pushes, and where.
 struct PushSums {
   Vec force_x, force_y, force_z, torque_x, torque_y;
+  Vec moment_x, moment_y, moment_z, normal_force;
 
-  HWY_INLINE PushSums() { force_x = force_y = force_z = torque_x = torque_y = broadcast(0.0F); }
+  HWY_INLINE PushSums() {
+    force_x = force_y = force_z = torque_x = torque_y = broadcast(0.0F);
+    moment_x = moment_y = moment_z = normal_force = broadcast(0.0F);
+  }
+
+  /// @param size  [N/m^3] of the force along the normal
+  HWY_INLINE void add_place(const Vectors& r, Vec size) {
+    normal_force = normal_force + size;
+    moment_x = hn::MulAdd(size, r.x, moment_x);
+    moment_y = hn::MulAdd(size, r.y, moment_y);
+    moment_z = hn::MulAdd(size, r.z, moment_z);
+  }
 
   /// @param normal  [N/m^3] along the normal: all there is
   template <bool kCentral>
@@ -84,10 +96,10 @@ struct PushSums {
 
 /// What whole voxels add up to that lie wholly inside a standing head.
 struct DeepSums : PushSums {
-  Vec twice_after, change, damping, lead_work, normal_force, depth;
+  Vec twice_after, change, damping, depth;
   int voxels = 0;
 
-  HWY_INLINE DeepSums() { twice_after = change = damping = lead_work = normal_force = depth = broadcast(0.0F); }
+  HWY_INLINE DeepSums() { twice_after = change = damping = depth = broadcast(0.0F); }
 
   /// @param k       [N/m^4] zero in lanes that do not count
   /// @param w       [m] of the centres, by which they push; they advance by `advance` in the sub-step
@@ -95,7 +107,6 @@ struct DeepSums : PushSums {
   /// @return [N/m^3] along the normal
   HWY_INLINE Vec add_spring(Vec k, Vec w, Vec advance, float to_end, float voxel_size) {
     const Vec pushed = k * w, at_end = hn::MulAdd(advance, broadcast(to_end), w);
-    normal_force = normal_force + pushed;
     change = hn::MulAdd(pushed, advance, change);
     twice_after = hn::MulAdd(k, hn::MulAdd(at_end, at_end, broadcast(voxel_size * voxel_size / 12)), twice_after);
     return pushed;
@@ -104,14 +115,14 @@ struct DeepSums : PushSums {
 
 /// ContactSums of one vector of lanes.
 struct PressSums : PushSums {
-  Vec torque_z;
-  Vec before, change, released, crushed, helped, chips, credited, damping, rubbing, couple, fill, normal_force, depth;
+  Vec torque_z, push_x, push_y, push_z, area;
+  Vec before, change, released, crushed, helped, chips, credited, damping, rubbing, couple, fill, depth;
   int voxels = 0, whole = 0;  // whole: of them not counted in `fill`
 
   HWY_INLINE PressSums() {
-    torque_z = broadcast(0.0F);
+    torque_z = push_x = push_y = push_z = area = broadcast(0.0F);
     before = change = released = crushed = helped = chips = credited = broadcast(0.0F);
-    damping = rubbing = couple = fill = normal_force = depth = broadcast(0.0F);
+    damping = rubbing = couple = fill = depth = broadcast(0.0F);
   }
 
   /// @param normal  [N/m^3] along the normal
@@ -128,16 +139,26 @@ struct PressSums : PushSums {
     torque_z = hn::MulAdd(r.x, y, hn::NegMulAdd(r.y, x, torque_z));
   }
 
+  /// @param normal  [N/m^3] along the normal, the drag apart
+  HWY_INLINE void add_normal(const Vectors& r, const Sample& s, Vec normal) {
+    const Vec across = normal * s.radial;
+    push_x = hn::MulAdd(across, r.x, push_x);
+    push_y = hn::MulAdd(across, r.y, push_y);
+    push_z = hn::MulAdd(normal, s.axial, push_z);
+  }
+
   HWY_INLINE void add(const DeepSums& deep) {
+    moment_x = moment_x + deep.moment_x;
+    moment_y = moment_y + deep.moment_y;
+    moment_z = moment_z + deep.moment_z;
     force_x = force_x + deep.force_x;
     force_y = force_y + deep.force_y;
     force_z = force_z + deep.force_z;
     torque_x = torque_x + deep.torque_x;
     torque_y = torque_y + deep.torque_y;
-    const Vec more = deep.change - deep.lead_work;
-    change = change + more;
-    before = before + hn::MulSub(broadcast(0.5F), deep.twice_after, more);
-    damping = damping + deep.damping + deep.lead_work;
+    change = change + deep.change;
+    before = before + hn::MulSub(broadcast(0.5F), deep.twice_after, deep.change);
+    damping = damping + deep.damping;
     normal_force = normal_force + deep.normal_force;
     depth = hn::Max(depth, deep.depth);
     voxels += deep.voxels;
@@ -171,6 +192,13 @@ struct PressSums : PushSums {
     add(ContactSums::kFill, fill);
     totals.lanes[ContactSums::kFill][0] += double(whole);
     add(ContactSums::kNormal, normal_force);
+    add(ContactSums::kPushX, push_x);
+    add(ContactSums::kPushY, push_y);
+    add(ContactSums::kPushZ, push_z);
+    add(ContactSums::kMomentX, moment_x);
+    add(ContactSums::kMomentY, moment_y);
+    add(ContactSums::kMomentZ, moment_z);
+    add(ContactSums::kArea, area);
     totals.voxels += voxels;
     totals.depth = std::max(totals.depth, hn::GetLane(hn::MaxOfLanes(Floats(), depth)));
   }

@@ -14,7 +14,8 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 HWY_ATTR void SumResultant(const ContactBlock& b, Resultant& total) {
   const Floats d;
-  LaneSum force_x, force_y, force_z, torque_x, torque_y, torque_z, fill, deepest, normal;
+  LaneSum force_x, force_y, force_z, torque_x, torque_y, torque_z, fill, deepest, normal, area;
+  LaneSum push_x, push_y, push_z, moment_x, moment_y, moment_z;
   for (int row = 0; row < b.rows; ++row)
     for (std::size_t part = 0; part < kParts; ++part) {
       const std::size_t n = std::size_t(row) * kLanes + part * kWidth;
@@ -27,9 +28,18 @@ HWY_ATTR void SumResultant(const ContactBlock& b, Resultant& total) {
       torque_y.part[part] = torque_y.part[part] + hn::MulSub(z, fx, x * fz);
       torque_z.part[part] = torque_z.part[part] + hn::MulSub(x, fy, y * fx);
       fill.part[part] = fill.part[part] + hn::Load(d, &b.fill[n]);
-      const Vec along = hn::MulAdd(fx, hn::Load(d, &b.normal_x[n]),
-                                   hn::MulAdd(fy, hn::Load(d, &b.normal_y[n]), fz * hn::Load(d, &b.normal_z[n])));
+      const Vec nx = hn::Load(d, &b.normal_x[n]), ny = hn::Load(d, &b.normal_y[n]), nz = hn::Load(d, &b.normal_z[n]);
+      const Vec along = hn::MulAdd(fx, nx, hn::MulAdd(fy, ny, fz * nz));
       normal.part[part] = normal.part[part] + along;
+      push_x.part[part] = hn::MulAdd(along, nx, push_x.part[part]);
+      push_y.part[part] = hn::MulAdd(along, ny, push_y.part[part]);
+      push_z.part[part] = hn::MulAdd(along, nz, push_z.part[part]);
+      moment_x.part[part] = hn::NegMulAdd(along, x, moment_x.part[part]);
+      moment_y.part[part] = hn::NegMulAdd(along, y, moment_y.part[part]);
+      moment_z.part[part] = hn::NegMulAdd(along, z, moment_z.part[part]);
+      const Vec smooth = hn::Load(d, &b.smooth[n]),
+                scale = hn::IfThenElse(smooth > hn::Zero(d), broadcast(kBeta), broadcast(1.0F));
+      area.part[part] = hn::MulAdd(scale, hn::Load(d, &b.exposed[n]), area.part[part]);
       deepest.part[part] = hn::Max(deepest.part[part], hn::Load(d, &b.depth[n]));
     }
   total.wrench_T.force += Vec3(force_x.total(), force_y.total(), force_z.total());
@@ -37,6 +47,9 @@ HWY_ATTR void SumResultant(const ContactBlock& b, Resultant& total) {
   total.voxels += b.samples;
   total.volume += fill.total();
   total.normal_force -= normal.total();
+  total.push_T += Vec3(push_x.total(), push_y.total(), push_z.total());
+  total.moment_T += Vec3(moment_x.total(), moment_y.total(), moment_z.total());
+  total.area += area.total();
   for (const Vec& v : deepest.part) total.depth = std::max(total.depth, double(hn::GetLane(hn::MaxOfLanes(d, v))));
 }
 

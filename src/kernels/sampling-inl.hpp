@@ -19,6 +19,7 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
   const Floats d;
   const Eigen::Vector3f base = grid.position(block.origin).cast<float>();
   const Eigen::Matrix3f steps = grid.voxel_steps.cast<float>();
+  const float size = steps.col(0).norm();
 
   out.sub_voxel = false;
   out.rows = out.samples = 0;
@@ -64,6 +65,8 @@ HWY_INLINE void SampleRows(const Springs& springs, const BlockView& block, const
       hn::Store(spring.axial, d, &out.normal_z[n]);
       hn::Store(spring.smooth, d, &out.smooth[n]);
       hn::Store(hn::IfThenElseZero(is_inside, fill), d, &out.fill[n]);
+      const Mask is_near = hn::And(is_inside, spring.depth < broadcast(size));
+      hn::Store(hn::IfThenElseZero(is_near, broadcast(1.0F)), d, &out.exposed[n]);
     }
     if (inside != 0) keep_row(block, row, inside, out);
   }

@@ -65,6 +65,9 @@ Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_vol
   all.resultant.volume *= weight;
   all.energies.elastic_before *= weight;
   all.resultant.normal_force *= weight;
+  all.resultant.push_T *= weight;
+  all.resultant.moment_T *= weight;
+  all.resultant.area *= weight;
   // What waited for its turn takes up the work, and loses nothing.
   all.energies.elastic += (weight - 1) * (sums.energies.elastic + sums.energies.released + sums.energies.crushed);
   all.energies.damping *= weight;

@@ -62,6 +62,10 @@ Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_vol
   resultant.volume = weight * sums.total(Term::kFill);
   resultant.depth = double(sums.depth);
   resultant.normal_force = total(Term::kNormal);
+  resultant.push_T = job.motion.spin != 0 ? -Vec3(total(Term::kPushX), total(Term::kPushY), total(Term::kPushZ))
+                                          : resultant.wrench_T.force;
+  resultant.moment_T = Vec3(total(Term::kMomentX), total(Term::kMomentY), total(Term::kMomentZ));
+  resultant.area = weight * sums.total(Term::kArea);
   LawEnergies& energies = all.energies;
   const double taken = total(Term::kReleased) / weight;
   energies.elastic_before = total(Term::kBefore);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hapticut/force/contact_stiffness.hpp"
-#include "hapticut/force/law.hpp"
+#include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/workpiece/removal.hpp"
 
 namespace hapticut::kernels {
@@ -35,28 +35,29 @@ struct StiffnessSums {
 };
 
 /// Adds the stiffness of the samples of one block, after FoundationLaw has evaluated it: each is a spring and damper
-/// of `f' = s^2 k phi (max(0, 1 + chi w_dot) + chi w/dt)` along its normal, `phi` the mean fill of the sub-step and `s`
-/// the surface's scale. The reference for the vectors.
+/// of `f' = s^2 k phi (g_d + g_d' chi w/dt)` along its normal, `phi` the mean fill of the sub-step and `s` the
+/// surface's scale. The reference for the vectors.
 inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const ContactMaterials& materials,
                           StiffnessSums& sums) noexcept {
   const double volume = std::pow(double(m.voxel_size), 3);
   for (std::size_t i = 0; i < std::size_t(b.lanes()); ++i) {
     if (!(b.top[i] > 0)) continue;
     const Eigen::Vector3f r(b.x[i], b.y[i], b.z[i]), n(b.normal_x[i], b.normal_y[i], b.normal_z[i]);
-    const float damping = materials[b.material_of(int(i))].damping;
-    const float scale = b.scale_of(int(i)),
-                damped = 1 + damping * scale * (m.felt_velocity + m.felt_angular_velocity.cross(r)).dot(n);
+    const ContactMaterial& material = materials[b.material_of(int(i))];
+    const float scale = b.scale_of(int(i)), damping = material.damping;
+    const float closing = scale * (m.felt_velocity + m.felt_angular_velocity.cross(r)).dot(n);
+    const auto damped = FoundationLaw::Damping::of(damping * closing, b.top[i], material.crushing_depth);
     const Eigen::Vector3f force(b.force_x[i], b.force_y[i], b.force_z[i]);
-    if (!(damped > 0 && force.dot(n) < 0)) continue;
+    if (!(force.dot(n) < 0)) continue;
     const VoxelSection<float> section(b.largest[i]);
     const float top = b.top[i] / m.voxel_size, height = top - b.depth[i] / m.voxel_size + section.span() / 2;
     const DepthIntegrals<float> part = section.integrals(height, top);
     const float depth = part.depth * m.voxel_size;  // [m] mean over the voxel
-    const bool at_limit = b.top[i] == materials[b.material_of(int(i))].crushing_depth;
+    const bool at_limit = b.top[i] == material.crushing_depth;
     const float crushed = at_limit ? top * section.area_at(height) : 0.0F;  // which goes on to go, not to press
-    const double spring = -double(force.dot(n)) / (volume * double(depth) * double(damped));  // k phi
-    const double slope =
-        double(scale) * spring * double((part.volume - crushed) * damped + damping * depth / m.duration);
+    const double spring = -double(force.dot(n)) / (volume * double(depth) * double(damped.factor));  // k phi
+    const double slope = double(scale) * spring *
+                         double((part.volume - crushed) * damped.factor + damped.slope * damping * depth / m.duration);
     const Eigen::Vector3d arm = r.cast<double>(), along = force.cast<double>() / double(force.dot(n));
     const auto add = [&](double strength, const Eigen::Vector3d& q, const Eigen::Vector3d& way) {
       Eigen::Matrix<double, 6, 1> row, column;

@@ -83,6 +83,25 @@ HWY_INLINE Vec mean_of_decay(Vec x) {
   return hn::IfThenElse(small, series, (broadcast(1.0F) - exp_of_minus) / safe);
 }
 
+/// FoundationLaw::damping_factor.
+HWY_INLINE Vec damping_factor(Vec x) {
+  const Vec zero = hn::Zero(Floats()), one = broadcast(1.0F);
+  return (one + hn::Max(x, zero)) / (one - hn::Min(x, zero));
+}
+
+/// FoundationLaw::Damping of vectors.
+struct DampingVectors {
+  Vec factor, slope;
+
+  HWY_INLINE DampingVectors() : factor(broadcast(1.0F)), slope(hn::Zero(Floats())) {}
+  HWY_INLINE DampingVectors(Vec x, Vec top, Vec crushing_depth) {
+    const Vec one = broadcast(1.0F), ratio = crushing_depth / hn::Max(top, broadcast(1e-9F));
+    const Vec most = hn::Max(one, ratio * ratio), free = damping_factor(x), opening = hn::Min(free, one);
+    factor = hn::Min(free, most);
+    slope = hn::IfThenElseZero(free <= most, opening * opening);
+  }
+};
+
 /// Material constants of the lanes of one vector.
 struct MaterialVectors {
   Vec stiffness, damping, cutting_ratio, energy, inverse_energy, cutting_depth, edge_length, size_length,

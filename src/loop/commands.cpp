@@ -159,6 +159,8 @@ void SimulationModel::feel_nothing(StepStatus status) noexcept {
   tool_.force = tool_.torque = Vec3::Zero();
   tool_.contact_depth = tool_.spindle_speed = 0;
   tool_.contact_voxels = 0;
+  tool_.contact_point.setZero();
+  tool_.effort = {};
   tool_.status = status;
   touches_ = true;
 }

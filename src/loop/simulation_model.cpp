@@ -119,6 +119,7 @@ Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, dou
     changed_ = result.changed_blocks;
     tool_.removed_volume += result.removed_volume;
     tool_.status = result.status;
+    tool_.effort = {result.parts, result.newton_steps, result.level_of_detail};
     return result.hand;
   }
   const StepResult& result = simulation_->step(pose, velocity, dt);
@@ -126,6 +127,7 @@ Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, dou
   changed_ = simulation_->changed_blocks();
   tool_.removed_volume += result.removed_volume;
   tool_.status = result.status;
+  tool_.effort = {1, 0, result.contact.level_of_detail};
   return {result.force, result.torque};
 }
 
@@ -134,6 +136,9 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
   const double before = simulation_->last_result().energy.losses();
   const Wrench felt = follow_hand(map_.to_world(state.X_BS), map_.to_world(state.X_BS, state.velocity), dt);
   tool_.seen |= tool_.status;
+  tool_.most_effort = {std::max(tool_.most_effort.parts, tool_.effort.parts),
+                       std::max(tool_.most_effort.newton_steps, tool_.effort.newton_steps),
+                       std::max(tool_.most_effort.level_of_detail, tool_.effort.level_of_detail)};
   if (simulation_->steps() == steps) {  // the tool waits for its hand
     feel_nothing(tool_.status);
     return {};
@@ -148,6 +153,7 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
   }
   tool_.contact_depth = result.contact.depth;
   tool_.contact_voxels = result.contact.voxels;
+  tool_.contact_point = result.contact.point;
   tool_.spindle_speed = result.spindle.speed;
   contact_ = describe_contact(state, felt);
   return map_.to_device(state.X_BS, felt);

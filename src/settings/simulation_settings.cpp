@@ -36,10 +36,9 @@ std::vector<Setting> settings_of(SimulationSettings& s) {
       boolean("simulation.thesis_mode", "--thesis_mode", s.thesis_mode,
               "the whole model of the thesis: its law, friction, handle torque and filter, and from 1112 Hz on its "
               "vibration; what is set on its own counts [false]"),
-      number(
-          "simulation.reference_stiffness_N_per_m4", "--reference_stiffness", s.config.reference_stiffness,
-          range_of(&SimulationConfig::reference_stiffness),
-          "foundation stiffness, N/m^4, of a material of relative stiffness 1; 0: as stiff as head and grid allow [0]"),
+      number("simulation.reference_stiffness_N_per_m4", "--reference_stiffness", s.config.reference_stiffness,
+             range_of(&SimulationConfig::reference_stiffness),
+             "foundation stiffness, N/m^4, of a material of relative stiffness 1; 0: what suits the head's radius [0]"),
       choice("simulation.removal", "--removal", s.removal, "how material is taken away [constant_energy]"),
       choice("simulation.quadrature", "--quadrature", s.quadrature,
              "where in a partly filled voxel its force is taken [automatic: sub_voxel, or centroid under a law of "

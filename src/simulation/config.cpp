@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/force/contact_materials.hpp"
 #include "hapticut/force/stiffness.hpp"
 
 namespace hapticut {
@@ -18,12 +19,14 @@ void validate(const SimulationConfig& config) {
   require_between(config.longest_dt, config.shortest_dt, 1.0, "SimulationConfig::longest_dt [s]");
 }
 
-SimulationConfig complete(SimulationConfig config, const ToolHead& head, double voxel_size) {
+SimulationConfig complete(SimulationConfig config, const ToolHead& head, const MaterialTable& materials) {
   if (config.quadrature == Quadrature::automatic)
     config.quadrature = config.law->integrates_parts() ? Quadrature::sub_voxel : Quadrature::centroid;
   if (config.reference_stiffness == 0)
-    config.reference_stiffness =
-        config.quadrature == Quadrature::sub_voxel ? stiffness_for_grid(head, voxel_size) : kStiffnessOfPoints;
+    config.reference_stiffness = config.quadrature == Quadrature::sub_voxel
+                                     ? stiffness_for_head(head, largest_relative_stiffness(materials))
+                                     : kStiffnessOfPoints;
+  if (!config.contact_damping) config.contact_damping = config.contact_time == ContactTime::end ? kCalmingDamping : 0.0;
   return config;
 }
 

@@ -49,7 +49,8 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
       voxel_volume_(std::pow(workpiece.voxel_size(), 3)),
       voxel_budget_(config.voxel_budget),
       bounds_(workpiece.bounds()) {
-  ContactMaterials materials = contact_materials(workpiece.materials(), config.reference_stiffness);
+  ContactMaterials materials =
+      contact_materials(workpiece.materials(), config.reference_stiffness, config.contact_damping.value_or(0));
   exchange_materials(materials);
   if (quadrature_ != Quadrature::sub_voxel && law_->integrates_parts())
     throw Error("SimulationConfig::quadrature = " + std::string(name_or_null(quadrature_)) +
@@ -101,7 +102,7 @@ namespace {
 WorstCase worst_case_of(std::size_t most_voxels, std::size_t most_blocks, const SimulationConfig& config) noexcept {
   const std::size_t budget = config.voxel_budget == 0 ? most_voxels : config.voxel_budget;
   const std::size_t parts = (most_voxels + budget - 1) / budget;
-  return {most_blocks, std::min(most_voxels, budget), config.longest_sweep, int(parts)};
+  return {most_blocks, std::min(most_voxels, budget), config.longest_sweep, int(parts), 1};
 }
 
 }  // namespace

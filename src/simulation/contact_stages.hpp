@@ -42,6 +42,11 @@ struct Encounter {
     energies.elastic_before += lumped.elastic_before;
     energies.elastic += lumped.elastic;
     energies.damping += lumped.damped;
+    if (const double size = lumped.wrench_T.force.norm(); size > 0) {  // at the nearest point of its line of action
+      resultant.normal_force += size;
+      resultant.push_T += lumped.wrench_T.force;
+      resultant.moment_T += lumped.wrench_T.force.cross(lumped.wrench_T.torque) / size;
+    }
   }
   /// [m] How thick the layer is that carries the force: with springs, pressure p = k t^2/2 at depth t has the mean
   /// depth by force 2 (energy/force) = 2 t/3.

@@ -12,8 +12,13 @@
 namespace hapticut {
 namespace {
 
-constexpr double kSolved = 1e-4;  // [voxels] a correction that moves no point of the head farther ends the iteration
-constexpr double kLeastDescent = 1e-4, kLeastShare = 1.0 / 64;   // [1] of a correction: what it must gain, and of it
+// Newton's method. Forces in [N], shares [1].
+constexpr double kSolved = 1e-4;  // [voxels] a correction that moves no point of the head farther
+constexpr double kLeastDescent = 1e-4, kLeastShare = 0.1;  // of a correction: what it must gain, and what is tried
+constexpr double kNearBalance = 1e-3, kNearShare = 1e-3;   // that may lack, by itself and of the largest force, before
+constexpr double kFarBalance = 10e-3, kFarShare = 1e-2;    // the last correction: at first, and
+constexpr int kPatient = 6;                                // after so many
+
 constexpr double kLeastDampingRatio = 0.5, kDampingRatio = 0.7;  // [1] below which a tool rings, and what is chosen
 constexpr double kLightest = 1e-3;                               // [kg] of a tool that a hand could hold
 
@@ -94,7 +99,7 @@ class VirtualCoupling::Answer final : public HandCoupling {
   std::optional<HandOutput> answer(const StepResult& stepped) noexcept override {
     Wrench& wrench = coupling_.result_.coupling;
     wrench = {-after_.wrench.force, coupling_.turns() ? Vec3(-after_.wrench.torque) : stepped.model.torque};
-    if (!part_.last) return std::nullopt;
+    if (part_.left > 0) return std::nullopt;
     return HandOutput{part_.X_WD, wrench, part_.tick};
   }
 
@@ -138,8 +143,7 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
   result_.parts = plan_parts(dt);
   for (int part = 1; part <= result_.parts; ++part) {
     const Pose X_WD = part == result_.parts ? pose : advance(X_WD_before, hand_path, dt * part / result_.parts);
-    const bool last = part == result_.parts;
-    const StepStatus status = move({X_WD, dt / result_.parts, last, dt}, hand_path, velocity);
+    const StepStatus status = move({X_WD, dt / result_.parts, result_.parts - part, dt}, hand_path, velocity);
     if (has_any(status, kRejected | StepStatus::tool_waits)) return wait(status);
     result_.status |= status;
   }
@@ -154,6 +158,7 @@ void VirtualCoupling::begin_tick() noexcept {
   result_.removed_volume = 0;
   result_.changed_blocks = {};
   result_.parts = result_.newton_steps = 0;
+  result_.level_of_detail = 1;
   result_.status = StepStatus::ok;
 }
 
@@ -165,25 +170,38 @@ int VirtualCoupling::plan_parts(double dt) const noexcept {
   const double speed =
       transport(result_.velocity, p_HoTo_W).linear.norm() + result_.velocity.angular.norm() * tool.head().reach();
   const double parts = std::ceil(kMargin * speed * dt / (0.5 * simulation_->workpiece().voxel_size()));
-  return int(std::clamp(parts, 1.0, double(kMostParts)));
+  return int(std::clamp(parts, 1.0, double(most_parts())));
+}
+
+int VirtualCoupling::most_parts() const noexcept { return std::min(kMostParts, gains_.newton_steps / kLeastSteps); }
+
+WorstCase VirtualCoupling::worst_case() const {
+  WorstCase worst = simulation_->worst_case();
+  worst.contacts = gains_.newton_steps + most_parts();
+  return worst;
 }
 
 /// The hand moves on, the tool after it.
 StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const Twist& hand) noexcept {
   const Twist tool_before = result_.velocity;
   const Pull before = pull(result_.X_WH, tool_before, X_WD_, hand);
-  const Twist tool = solve(part.X_WD, hand, part.dt);
+  const Twist tool = solve(part, hand);
   Pose X_WH = advance(result_.X_WH, tool, part.dt);
   if (!turns()) X_WH.rotation = part.X_WD.rotation;
-  const double work_before = simulation_->last_result().energy.hand_work;
+  const double work_before = simulation_->last_result().energy.hand_work, missed = result_.energy.imbalance();
   Answer answer(*this, part, X_WH, tool, hand);
   const StepResult& stepped = simulation_->step(X_WH, tool, part.dt, &answer);
   if (has_any(stepped.status, kRejected | StepStatus::tool_waits)) return stepped.status;
   keep_lists(stepped);
+  result_.level_of_detail = std::max(result_.level_of_detail, stepped.contact.level_of_detail);
 
   result_.X_WH = X_WH;
   result_.velocity = tool;
   book(before, answer.after(), tool_before, hand_path, stepped.energy.hand_work - work_before, part.dt);
+  const double way = (tool.linear.norm() + (turns() ? tool.angular.norm() * reach() : 0)) * part.dt;
+  const double force = std::max(stepped.model.force.norm(), answer.after().wrench.force.norm());
+  if (std::abs(result_.energy.imbalance() - missed) > (kFarBalance + kFarShare * force) * way)
+    result_.status |= StepStatus::not_in_balance;
   X_WD_ = part.X_WD;
   return stepped.status;
 }
@@ -231,8 +249,13 @@ VirtualCoupling::Pull VirtualCoupling::pull(const Pose& X_WH, const Twist& tool,
 
 /// The twist of the tool at the end of the tick, with which all forces are in balance: Newton's method, whose
 /// corrections are halved until less is lacking. The contact's stiffness with the drag of the spin in it is not
-/// symmetric; docs/decisions/0005-implicit-coupling.md says when there is one solution.
-Twist VirtualCoupling::solve(const Pose& pose, const Twist& hand, double dt) noexcept {
+/// symmetric; docs/decisions/0005-implicit-coupling.md says when there is one solution. On a ridge of the head, where
+/// the force of a voxel turns within nanometres from one surface to the next, there is none: there a correction that
+/// gains nothing ends the search, and what lacks is less than a voxel pushes.
+Twist VirtualCoupling::solve(const Part& part, const Twist& hand) noexcept {
+  const Pose& pose = part.X_WD;
+  const double dt = part.dt;
+  const int most_steps = gains_.newton_steps - result_.newton_steps - kLeastSteps * part.left;
   const Twist before = result_.velocity;
   Twist tool = before, from = before;
   const Twist hand_path = twist_between(result_.X_WH, pose, dt);
@@ -245,7 +268,7 @@ Twist VirtualCoupling::solve(const Pose& pose, const Twist& hand, double dt) noe
   double least = lacked;  // [N]
   bool slid = false, from_rest = false;
 
-  for (int n = 0; n < gains_.newton_steps; ++n) {
+  for (int n = 0; n < most_steps; ++n) {
     ++result_.newton_steps;
     Pose X_WH = advance(result_.X_WH, tool, dt);
     if (!turns()) X_WH.rotation = pose.rotation;
@@ -255,8 +278,10 @@ Twist VirtualCoupling::solve(const Pose& pose, const Twist& hand, double dt) noe
     const Vec3 force = contact.wrench.force + p.wrench.force - gains_.mass / dt * (tool.linear - before.linear);
     const Vec3 torque = contact.wrench.torque + p.wrench.torque - gains_.inertia / dt * (tool.angular - before.angular);
     const double lacks = force.norm() + (turns() ? torque.norm() / lever : 0);
+    const double largest = std::max(contact.wrench.force.norm(), p.wrench.force.norm());  // [N]
     if (lacks < least) least = lacks, nearest = tool;
-    if (lacks > (1 - kLeastDescent * share) * lacked && share > kLeastShare) {
+    if (lacks > (1 - kLeastDescent * share) * lacked) {
+      if (share < kLeastShare) break;
       share *= 0.5;
       tool.linear = from.linear + share * linear;
       if (turns()) tool.angular = from.angular + share * angular;
@@ -294,8 +319,8 @@ Twist VirtualCoupling::solve(const Pose& pose, const Twist& hand, double dt) noe
     if (turns()) tool.angular += angular;
     slid = contact.sliding;
     if (linear.norm() + (turns() ? angular.norm() * lever : 0) < solved) return tool;
+    if (lacks < (n < kPatient ? kNearBalance + kNearShare * largest : kFarBalance + kFarShare * largest)) return tool;
   }
-  result_.status |= StepStatus::not_in_balance;
   return nearest;
 }
 

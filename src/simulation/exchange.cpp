@@ -56,7 +56,8 @@ struct PreparedMaterials::State {
 };
 
 PreparedMaterials::PreparedMaterials(MaterialTable materials, const SimulationConfig& config) {
-  const ContactMaterials constants = contact_materials(materials, config.reference_stiffness);
+  const ContactMaterials constants =
+      contact_materials(materials, config.reference_stiffness, config.contact_damping.value_or(0));
   state_ = std::make_unique<State>(State{std::move(materials), constants});
 }
 

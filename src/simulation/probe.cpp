@@ -96,11 +96,19 @@ ContactProbe Simulation::State::probe_sub_step(const SubStep& sub_step, DeepCont
   const LimitSurface::Outcome pull = pull_of_anchor(sub_step, encounter, friction);
   wrench_T.force += R_WT.transpose() * pull.wrench.force;
   wrench_T.torque += R_WT.transpose() * pull.wrench.torque;
+  // While it slides, friction goes with the forces along the normals, as if their pattern stayed.
+  const Vec3& push_T = encounter.resultant.push_T;
+  if (const double push = push_T.norm(); friction.sliding() && push > 0) {
+    Eigen::Matrix<double, 6, 1> rubs;
+    rubs << R_WT.transpose() * pull.wrench.force, R_WT.transpose() * pull.wrench.torque;
+    const Eigen::Matrix<double, 1, 6> pressed = push_T.transpose() / (push * push) * stiffness_T.topRows<3>();
+    stiffness_T += rubs * pressed;
+  }
   stiffness_T += transport(pull.stiffness, R_WT.transpose(), Vec3::Zero());
 
   const Vec3 p_HoTo_W = sub_step.X_WT.translation - sub_step.X_WH.translation;
   return {transport(Wrench{R_WT * wrench_T.force, R_WT * wrench_T.torque}, p_HoTo_W),
-          transport(stiffness_T, R_WT, p_HoTo_W), contact_of(encounter), friction.sliding()};
+          transport(stiffness_T, R_WT, p_HoTo_W), contact_of(sub_step, encounter), friction.sliding()};
 }
 
 }  // namespace hapticut

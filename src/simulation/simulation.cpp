@@ -40,7 +40,7 @@ void validate_head(const ToolHead& head, double voxel_size) {
 Simulation::State::State(Workpiece given_workpiece, Tool given_tool, SimulationConfig given_config)
     : workpiece(std::move(given_workpiece)),
       tool(std::move(given_tool)),
-      config(complete(std::move(given_config), tool.head(), workpiece.voxel_size())),
+      config(complete(std::move(given_config), tool.head(), workpiece.materials())),
       contact_stages(workpiece, tool.head(), config),
       motor(tool.spindle()),
       removal(config.removed_voxel_capacity > 0 ? config.removed_voxel_capacity

@@ -91,10 +91,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   [[nodiscard]] Encounter press_standing(const SubStep& sub_step) noexcept;
   void book_energy(const SubStep& sub_step, const Encounter& encounter) noexcept;
   void transport_to_handle(const SubStep& sub_step, const Encounter& encounter, double share) noexcept;
-  [[nodiscard]] Contact contact_of(const Encounter& encounter) const noexcept {
-    const Resultant& resultant = encounter.resultant;
-    return {resultant.voxels, resultant.volume * voxel_volume, resultant.depth, encounter.level_of_detail};
-  }
+  [[nodiscard]] Contact contact_of(const SubStep& sub_step, const Encounter& encounter) const noexcept;
   void give_output(HandCoupling* coupling) noexcept;
   void finish_step(int sub_steps) noexcept;
   void reject(StepStatus status) noexcept;

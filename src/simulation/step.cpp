@@ -13,6 +13,7 @@ namespace {
 constexpr double kRotationTolerance = 1e-3;  // [1] what device matrices are off by is below this
 constexpr double kFastestMotion = 1e6;       // [m/s], [rad/s] no estimate of a hand's velocity
 constexpr double kLongestTurn = 1;           // [rad] of a step; a script may turn faster than a hand
+constexpr double kCancelled = 1e-4;          // [1] of the forces along the normals: what single precision leaves
 constexpr double kThickLayer = 0.1;          // [1] of the head's radius
 
 Twist expressed_in(const Pose& X_WT, const Twist& twist_W) {
@@ -236,7 +237,12 @@ void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& en
   const double by_hand =
       (wrench_T.force.dot(sub_step.path_T.linear) + wrench_T.torque.dot(sub_step.path_T.angular)) * sub_step.duration;
   const double by_motor = wrench_T.torque.z() * motor.speed() * sub_step.duration;
-  const double entered = encounter.energies.elastic_before - energy.elastic;
+  double entered = encounter.energies.elastic_before - energy.elastic, damped = encounter.energies.damping;
+  if (config.contact_time == ContactTime::end) {
+    // The forces of the end do more work than springs store: what of the work is found nowhere was damped by that.
+    const double lost = damped - entered;
+    damped = std::max(0.0, lost), entered = std::max(0.0, -lost);
+  }
   energy.hand_work -= by_hand;
   energy.motor_work -= by_motor;
   energy.entered += entered;
@@ -245,7 +251,7 @@ void Simulation::State::book_energy(const SubStep& sub_step, const Encounter& en
   energy.cutting += encounter.energies.cutting;
   energy.crushed += encounter.energies.crushed;
   energy.released += encounter.energies.released;
-  energy.damping += encounter.energies.damping;
+  energy.damping += damped;
   energy.rubbing += encounter.energies.rubbing;
   energy.credited += encounter.energies.credited;
 }
@@ -269,7 +275,7 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
 
   result.spindle.torque -= share * wrench_T.torque.z();
   result.spindle.speed = motor.speed();
-  result.contact = contact_of(encounter);
+  result.contact = contact_of(sub_step, encounter);
   const bool could_cut = config.removal != RemovalLaw::none && encounter.resultant.voxels > 0;
   if (could_cut && tool.spindle().speed == 0 && motor.setting() == 0 && !held)
     result.status |= StepStatus::spindle_stands;
@@ -280,6 +286,23 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   if (encounter.level_of_detail > 1) result.status |= StepStatus::detail_reduced;
   if (encounter.energies.cutting > 0 && encounter.engaged_layer() > kThickLayer * tool.head().cutting_radius())
     result.status |= StepStatus::engaged_layer_thick;
+}
+
+/// What is touched, and where, by the forces along the normals alone.
+Contact Simulation::State::contact_of(const SubStep& sub_step, const Encounter& encounter) const noexcept {
+  const Resultant& resultant = encounter.resultant;
+  Contact contact;
+  contact.voxels = resultant.voxels;
+  contact.volume = resultant.volume * voxel_volume;
+  contact.depth = resultant.depth;
+  contact.level_of_detail = encounter.level_of_detail;
+  if (!(resultant.normal_force > 0)) return contact;
+  contact.point = sub_step.X_WT * Vec3(resultant.moment_T / resultant.normal_force);
+  if (const double push = resultant.push_T.norm(); push > kCancelled * resultant.normal_force)
+    contact.normal = sub_step.X_WT.rotation * resultant.push_T / push;
+  contact.area = resultant.area * std::pow(workpiece.voxel_size(), 2);
+  if (contact.area > 0) contact.pressure = resultant.normal_force / contact.area;
+  return contact;
 }
 
 /// What the hand is given: the force of the model, or of the coupling, with what is added to it, within its limits.

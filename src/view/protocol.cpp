@@ -195,7 +195,7 @@ Message encode(const LoopSnapshot& snapshot) {
   message.add(tool.removed_volume).add(tool.dissipated).add(tool.contact_depth).add(tool.spindle_speed);
   message.add(std::uint32_t(tool.contact_voxels)).add(std::uint32_t(tool.status)).add(std::uint32_t(tool.seen));
   message.add(std::uint32_t(tool.undo_marks)).add(std::uint32_t(tool.redo_marks)).add(flags);
-  message.add(tool.workpiece).add(std::uint32_t(snapshot.blocks_waiting));
+  message.add(tool.workpiece).add(std::uint32_t(snapshot.blocks_waiting)).add(tool.contact_point);
   return message.take();
 }
 

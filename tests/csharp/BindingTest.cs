@@ -52,7 +52,7 @@ spindle_rpm = 40000
     Type[] types = { typeof(Pose), typeof(SimulationOptions), typeof(SceneInfo), typeof(MaterialInfo), typeof(StepInput),
                      typeof(StepResult), typeof(DeviceInfo), typeof(LoopOptions), typeof(LoopState), typeof(LoopReport),
                      typeof(Vertex), typeof(SoundInput), typeof(RecordingReport) };
-    int[] sizes = { 96, 16, 336, 88, 160, 208, 240, 160, 416, 1344, 12, 32, 24 };
+    int[] sizes = { 96, 16, 336, 88, 160, 272, 240, 160, 440, 1344, 12, 32, 24 };
     for (int n = 0; n < types.Length; ++n)
       Require(Marshal.SizeOf(types[n]) == sizes[n], types[n].Name + " has " + Marshal.SizeOf(types[n]) + " bytes");
   }

@@ -20,7 +20,7 @@ def coupled(block, tool) -> h.Simulation:
 def test_a_probe_feels_what_a_step_would_and_changes_nothing(block):
     material = h.Material("smooth", cutting_ratio=0.0, static_friction=0.0, dynamic_friction=0.0)
     block.set_materials(h.MaterialTable([material]))
-    config = h.SimulationConfig(reference_stiffness=1e12, contact_time=h.ContactTime.end)
+    config = h.SimulationConfig(reference_stiffness=1e12, contact_time=h.ContactTime.end, contact_damping=0.0)
     simulation = h.Simulation(block, h.Tool(h.SphereHead(1.5 * mm)), config)
     place = np.array([0.013, 0.007, 1.0]) * mm
 
@@ -34,6 +34,9 @@ def test_a_probe_feels_what_a_step_would_and_changes_nothing(block):
     # 5 %: the voxels at the rim of the contact count whole or not at all.
     assert there.stiffness[2, 2] == pytest.approx(slope[2], rel=0.05)
     assert there.contact.voxels > 100 and there.contact.level_of_detail == 1 and simulation.steps == 0
+    contact = there.contact
+    assert np.allclose(contact.normal, [0, 0, 1], atol=0.02) and np.allclose(contact.point[:2], place[:2], atol=0.05 * mm)
+    assert contact.pressure == pytest.approx(there.wrench.force[2] / contact.area, rel=0.3)  # the normals spread
     felt = simulation.step(h.Pose.from_translation(place), np.zeros(6), 1e-3)
     assert np.allclose(there.wrench.force, felt.model.force, rtol=1e-5)
     assert there.sliding is False  # nothing rubs
@@ -110,6 +113,7 @@ def test_a_coupling_holds_the_tool_on_stiff_material(coupled, block, tool, plung
     assert [(r["index"].tolist(), r["material"]) for r in coupled.removed_in_run] == removed
     origins, complete = result.changed_blocks
     assert origins.shape[1] == 3 and complete and result.parts >= 1 and result.newton_steps >= 1
+    assert result.level_of_detail == 1 and result.newton_steps + result.parts <= coupling.worst_case().contacts
     assert not result.status & h.kRejected and result.removed_volume > 0 and result.velocity.shape == (6,)
     energy = coupling.last_result.energy
     assert energy.hand_work == other.last_result.energy.hand_work > 0 and abs(energy.closure()) < 1e-3  # Newton's rest

@@ -69,6 +69,9 @@ def test_a_loop_drives_a_simulation_in_a_thread_of_its_own(coupled):
     assert snapshot.commands_dropped == 0 and snapshot.X_WT.shape == (4, 4) and snapshot.commands_refused == 0
     assert tool.steps == coupled.steps > 0 and tool.contact_voxels > 0 and tool.contact_depth > 0
     assert tool.removed_volume == pytest.approx(coupled.removed_volume_by_material.sum()) and tool.removed_volume > 0
+    most, now = tool.most_effort, tool.effort
+    assert tool.contact_point.shape == (3,) and tool.contact_point.any()
+    assert most.parts >= now.parts >= 1 and most.newton_steps >= now.newton_steps >= 1 == most.level_of_detail
     assert tool.force[2] > 0 and tool.torque.shape == (3,) and tool.spindle_speed > 0
     assert tool.status & h.kRejected == 0 == tool.seen & h.kRejected
     assert snapshot.output.applied.force.any() and snapshot.blocks_waiting >= 0

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "hapticut/simulation/coupling.hpp"
 #include "support/cutting.hpp"
@@ -18,9 +19,11 @@ inline constexpr double kPress = 5;          // [N]
 inline constexpr double kApproach = 0.1;     // [m/s]
 inline const Vec3 kAside = {1e-5, 2e-5, 0};  // [m] off the symmetry of the grid
 
-inline SimulationConfig implicit(double reference_stiffness) {
+/// Springs alone, where nothing else is said: a material's own damping is all there is.
+inline SimulationConfig implicit(double reference_stiffness, std::optional<double> contact_damping = 0.0) {
   SimulationConfig config;
   config.reference_stiffness = reference_stiffness;
+  config.contact_damping = contact_damping;
   config.contact_time = ContactTime::end;
   return config;
 }

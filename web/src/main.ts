@@ -173,7 +173,7 @@ class Page {
     this.showOwn();
     const { snapshot, picture } = this;
     if (snapshot) {
-      this.tool.place(snapshot.X_WT, this.instruments?.X_WG ?? null, snapshot.force, snapshot.speed, seconds);
+      this.tool.place(snapshot, this.instruments?.X_WG ?? null, seconds);
       this.indicators.show(snapshot, this.instruments, this.curves.ring);
     }
     if (this.instruments) drawLatency(byId<HTMLCanvasElement>("latency"), this.instruments);

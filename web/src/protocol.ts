@@ -59,6 +59,7 @@ export interface Snapshot {
   held: boolean;
   workpiece: number;
   blocksWaiting: number;
+  point: Vec3; // m, of the contact
 }
 
 export interface Sound {
@@ -189,11 +190,11 @@ function read(kind: number, r: Reader): Message | null {
       const arming = r.u32(), tick = r.u64(), X_WT = r.pose(), force = r.vec(), torque = r.vec();
       const removed = r.f64(), dissipated = r.f64(), depth = r.f64(), speed = r.f64();
       const voxels = r.u32(), status = r.u32(), seen = r.u32(), undoMarks = r.u32(), redoMarks = r.u32();
-      const flags = r.u32(), workpiece = r.u32(), blocksWaiting = r.u32();
+      const flags = r.u32(), workpiece = r.u32(), blocksWaiting = r.u32(), point = r.vec();
       return {
         kind: "snapshot", arming, tick, X_WT, force, torque, removed, dissipated, depth, speed, voxels, status, seen,
         undoMarks, redoMarks, undoing: (flags & 1) !== 0, redoing: (flags & 2) !== 0, held: (flags & 4) !== 0,
-        workpiece, blocksWaiting,
+        workpiece, blocksWaiting, point,
       };
     }
     case 4: {

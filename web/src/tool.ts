@@ -3,7 +3,7 @@
 // it, and the arrow of the force. Units of the scene are mm.
 import * as three from "three";
 import { outline } from "./outline.ts";
-import type { Pose, Tool, Vec3 } from "./protocol.ts";
+import type { Pose, Snapshot, Tool } from "./protocol.ts";
 import { toMatrix } from "./scene.ts";
 
 const kCutting = 0xd9a441, kSmooth = 0x9aa4ad, kHandle = 0x8895a1, kGhost = 0x3fa7ff;
@@ -112,7 +112,8 @@ export class ToolView {
   }
 
   /** @param speed  [rad/s] of the spindle, shown slower than it turns */
-  place(X_WT: Pose, X_WG: Pose | null, force: Vec3, speed: number, seconds: number) {
+  place(snapshot: Snapshot, X_WG: Pose | null, seconds: number) {
+    const { X_WT, force, speed } = snapshot;
     this.group.matrix.copy(toMatrix(X_WT));
     this.handle.visible = this.showHandle;
     this.spin.rotation.z += Math.sign(speed) * Math.min(Math.abs(speed) / 400, 18) * seconds;
@@ -127,7 +128,8 @@ export class ToolView {
     const size = Math.hypot(...force);
     this.arrow.visible = size > 0.02;
     if (!this.arrow.visible) return;
-    this.arrow.position.copy(at);
+    if (snapshot.voxels > 0) this.arrow.position.set(...snapshot.point).multiplyScalar(1e3);
+    else this.arrow.position.copy(at);
     this.arrow.setDirection(new three.Vector3(...force).normalize());
     const long = this.reach * Math.min(3.5, 0.6 + 0.9 * Math.sqrt(size));
     this.arrow.setLength(long, Math.min(0.3 * long, 2), Math.min(0.16 * long, 1));

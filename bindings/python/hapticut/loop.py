@@ -19,6 +19,7 @@ from ._hapticut import (
     # What it shows
     ChangedBlock as ChangedBlock,
     LoopSnapshot as LoopSnapshot,
+    TickEffort as TickEffort,
     ToolSnapshot as ToolSnapshot,
 
     # From the workspace of the device to that of the scene

@@ -102,8 +102,12 @@ typedef struct hapticut_step_result {
   double contact_depth;    /**< [m] */
   double contact_volume;   /**< [m^3] */
   uint32_t contact_voxels;
-  uint32_t sub_steps; /**< 0: the input was rejected */
-  hapticut_pose X_WH; /**< of the tool: the input's, or behind a coupling that of the simulated tool */
+  uint32_t sub_steps;       /**< 0: the input was rejected */
+  hapticut_pose X_WH;       /**< of the tool: the input's, or behind a coupling that of the simulated tool */
+  double contact_point[3];  /**< [m] in W, where an arrow of the force begins; zero without a contact */
+  double contact_normal[3]; /**< [1] in W, of the push on the tool without the drag of the spin; zero likewise */
+  double contact_area;      /**< [m^2] of the head's surface that is in material */
+  double contact_pressure;  /**< [Pa] mean over that area */
 } hapticut_step_result;
 
 typedef struct hapticut_probe_result {
@@ -240,6 +244,7 @@ typedef struct hapticut_loop_state {
   uint32_t unused;
   uint64_t commands_dropped; /**< that found the queue full */
   uint64_t commands_refused; /**< that did not suit what was in place when they came to be obeyed */
+  double contact_point[3];   /**< [m] in W, where an arrow of the force begins; zero without a contact */
 } hapticut_loop_state;
 
 enum hapticut_command_kind {

@@ -178,6 +178,8 @@ void require_fields_within(const S& s, std::string_view prefix) {
     };
     if constexpr (kIsNumber<T>) {
       check(double(s.*field.member));
+    } else if constexpr (std::is_same_v<T, std::optional<double>>) {
+      if (s.*field.member) check(*(s.*field.member));
     } else if constexpr (requires(const T& vector) { vector.x() + vector.y() + vector.z(); }) {
       for (const double number : {(s.*field.member).x(), (s.*field.member).y(), (s.*field.member).z()}) check(number);
     }

@@ -29,7 +29,11 @@
 /// so that the layer's equation (LayerRecession) stays what it was. In a voxel that holds the bottom of the layer,
 /// where any chord through the top gives the same, its other end is the speed of the head, to which the recession
 /// tends; less where more than half of the voxel is in the layer, down to none where all of it is.
-/// docs/decisions/0010-chips.md compares this with what else was tried.
+///
+/// Where a head passes along a wall it has finished, no chip is taken, and constants of thin chips mean nothing: the
+/// wall would press on it for ever, at the pressure from which edges cut. Within half a degree of the feed h_e and h_s
+/// count as the speed towards the surface does (`share_of_chips`). docs/decisions/0010-chips.md compares this with what
+/// else was tried.
 namespace hapticut {
 
 /// What a voxel is cut by in place of u and w0.
@@ -38,14 +42,25 @@ struct ChipChord {
   Real energy;         ///< [J/m^3] u/sigma
   CutDepth<Real> cut;  ///< [m] from where the pressure reaches the threshold, p_e included
 
-  static constexpr Real kSlowest = Real(1e-9);  ///< [sqrt(m/s)] of y_1 + y_2
+  static constexpr Real kSlowest = Real(1e-9);      ///< [sqrt(m/s)] of y_1 + y_2
+  static constexpr Real kGrazing = Real(0.01);      ///< [1] of the feed towards a surface, from which lips take a chip
+  static constexpr Real kSlowestFeed = Real(1e-6);  ///< [m/s] of a head that only presses
+
+  /// [1] of h_e and h_s.
+  /// @param speed  [m/s] of the head towards the surface, or away from it
+  /// @param feed   [m/s] of the head, any way
+  static Real share_of_chips(Real speed, Real feed) {
+    return std::min(Real(1), (std::abs(speed) / kGrazing + kSlowestFeed) / std::max(feed, kSlowestFeed));
+  }
 
   /// @param tooth_rate  [1/s] f_z
   /// @param rate        [1/(m s)] kappa k_v s/(2 u) >= 0, with the damping's factor
   /// @param top,bottom  [m] depths of the part of a voxel; bottom <= 0: it holds the bottom of the layer
-  /// @param speed       [m/s] of the head towards it
-  static ChipChord of(const ContactMaterial& material, Real tooth_rate, Real rate, Real top, Real bottom, Real speed) {
-    const Real edge = material.edge_length * tooth_rate, square = material.size_length * tooth_rate;
+  /// @param speed,feed  [m/s] of the head towards it or away, and any way
+  static ChipChord of(const ContactMaterial& material, Real tooth_rate, Real rate, Real top, Real bottom, Real speed,
+                      Real feed) {
+    const Real chips = tooth_rate * share_of_chips(speed, feed);
+    const Real edge = material.edge_length * chips, square = material.size_length * chips;
     const Real b = std::sqrt(square), w0 = material.cutting_depth;
     const auto root_of_speed = [&](Real depth) {
       const Real q = std::max(Real(0), rate * (depth * depth - w0 * w0) - edge);

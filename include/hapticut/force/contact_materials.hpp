@@ -32,8 +32,10 @@ inline constexpr double kLayersOfLand = 3;
 /// The materials of a workpiece as the force laws read them: `k_v = relative_stiffness * reference_stiffness`,
 /// `w0 = sqrt(2 p_e / k_v)`, and the same for the strength.
 /// @param reference_stiffness  [N/m^4] of a material of relative stiffness 1
+/// @param contact_damping      [s/m] on top of each material's own
 /// @throws Error when k_v of a material is not between kSoftestContact and kStiffestContact
-[[nodiscard]] inline ContactMaterials contact_materials(const MaterialTable& table, double reference_stiffness) {
+[[nodiscard]] inline ContactMaterials contact_materials(const MaterialTable& table, double reference_stiffness,
+                                                        double contact_damping = 0) {
   ContactMaterials constants = {};
   constants[kEmpty].cutting_energy = 1;  // empty lanes are computed like others and must not divide by zero
   for (int id = 1; id <= table.size(); ++id) {
@@ -43,7 +45,7 @@ inline constexpr double kLayersOfLand = 3;
         stiffness, kSoftestContact, kStiffestContact,
         ("SimulationConfig::reference_stiffness times relative_stiffness of '" + m.name + "' [N/m^4]").c_str());
     constants[std::size_t(id)] = {float(stiffness),
-                                  float(m.damping),
+                                  float(m.damping + contact_damping),
                                   float(m.cutting_ratio),
                                   float(m.specific_cutting_energy),
                                   float(std::sqrt(2 * m.edge_pressure / stiffness)),

@@ -15,6 +15,11 @@ struct Resultant {
   double volume = 0;        ///< [voxels] filled volume inside the head
   double depth = 0;         ///< [m] greatest depth
   double normal_force = 0;  ///< [N] sum of the forces along the samples' normals, whatever their directions
+
+  // Where the contact is: of those forces alone, without the drag of the spin.
+  Vec3 push_T = Vec3::Zero();    ///< [N] their sum, on the tool, in T
+  Vec3 moment_T = Vec3::Zero();  ///< [N·m] sum of their sizes times their places from To, in T
+  double area = 0;               ///< [voxel edges^2] of the head's surface that is in material
 };
 
 /// Stage `sum_resultant`: `F = Sum g_i`, `T = Sum r_i x g_i` over one block, added to `total`.
@@ -22,7 +27,24 @@ struct Resultant {
 /// Single-precision partial sums per lane within a block, double precision across blocks, always in the same order.
 /// @realtime no allocation, no lock; O(samples)
 inline void sum_resultant(const ContactBlock& b, Resultant& total) {
-  enum Term { kForceX, kForceY, kForceZ, kTorqueX, kTorqueY, kTorqueZ, kFill, kNormal, kTerms };
+  enum Term {
+    kForceX,
+    kForceY,
+    kForceZ,
+    kTorqueX,
+    kTorqueY,
+    kTorqueZ,
+    kFill,
+    kNormal,
+    kPushX,
+    kPushY,
+    kPushZ,
+    kMomentX,
+    kMomentY,
+    kMomentZ,
+    kArea,
+    kTerms
+  };
   float sums[kTerms][kLanes] = {};
   float deepest[kLanes] = {};
   for (int group = 0; group < b.lanes(); group += kLanes)
@@ -37,7 +59,15 @@ inline void sum_resultant(const ContactBlock& b, Resultant& total) {
       sums[kTorqueY][lane] += z * fx - x * fz;
       sums[kTorqueZ][lane] += x * fy - y * fx;
       sums[kFill][lane] += b.sub_voxel ? b.immersed[n] : b.fill[n];
-      sums[kNormal][lane] -= fx * b.normal_x[n] + fy * b.normal_y[n] + fz * b.normal_z[n];
+      const float along = fx * b.normal_x[n] + fy * b.normal_y[n] + fz * b.normal_z[n];
+      sums[kNormal][lane] -= along;
+      sums[kPushX][lane] += along * b.normal_x[n];
+      sums[kPushY][lane] += along * b.normal_y[n];
+      sums[kPushZ][lane] += along * b.normal_z[n];
+      sums[kMomentX][lane] -= along * x;
+      sums[kMomentY][lane] -= along * y;
+      sums[kMomentZ][lane] -= along * z;
+      sums[kArea][lane] += b.scale_of(n) * b.exposed[n];
       deepest[lane] = std::max(deepest[lane], b.sub_voxel ? b.top[n] : b.depth[n]);
     }
   const auto sum = [&](Term term) {
@@ -50,6 +80,9 @@ inline void sum_resultant(const ContactBlock& b, Resultant& total) {
   total.voxels += b.samples;
   total.volume += sum(kFill);
   total.normal_force += sum(kNormal);
+  total.push_T += Vec3(sum(kPushX), sum(kPushY), sum(kPushZ));
+  total.moment_T += Vec3(sum(kMomentX), sum(kMomentY), sum(kMomentZ));
+  total.area += sum(kArea);
   for (const float depth : deepest) total.depth = std::max(total.depth, double(depth));
 }
 

@@ -20,22 +20,44 @@ namespace hapticut {
 /// as the head moves on.
 inline constexpr double kStiffnessOfPoints = 1e13;
 
-inline constexpr double kPressureOfCuts = 1e6;  ///< [Pa] of the interface in a common cut, from 0.1 to 10 MPa
-inline constexpr double kLayerOfVoxel = 0.1;    ///< [1] engaged layer at that pressure, at most, of a voxel
-inline constexpr double kLayerOfRadius = 0.02;  ///< [1] and of the head's radius
+inline constexpr double kPressureOfCuts = 1e6;    ///< [Pa] of the interface in a common cut, from 0.1 to 10 MPa
+inline constexpr double kLayerOfRadius = 0.01;    ///< [1] engaged layer at that pressure, of the head's radius
+inline constexpr double kLayerOfPoint = 4.0 / 3;  ///< [1] of that layer, for each unit of the slope of a pointed head
+inline constexpr double kThinnestLayer = 0.1;     ///< [1] of that layer, however pointed
+
+namespace detail {
+
+/// [1] d rho/dz of a head's end near its tip: above 2 for ends that are round or flat.
+[[nodiscard]] inline double slope_of_tip(const ToolHead& head) {
+  constexpr double kHeight = 0.05;  // [1] of the radius, above the tip
+  constexpr int kHalvings = 30;
+  const double radius = head.cutting_radius(), height = kHeight * radius, z = head.bounding_box().min.z() + height;
+  double inside = 0, outside = 2 * radius;
+  if (!(head.spring_at({0, 0, z}).depth > 0)) return outside / height;  // a hollow
+  for (int n = 0; n < kHalvings; ++n) {
+    const double rho = 0.5 * (inside + outside);
+    (head.spring_at({rho, 0, z}).depth > 0 ? inside : outside) = rho;
+  }
+  return inside / height;
+}
+
+}  // namespace detail
 
 /// The k_v that a simulation chooses by default: under kPressureOfCuts the interface between head and material, whose
-/// pressure is k_v t^2/2 at depth t, is pressed in by a tenth of a voxel or a fiftieth of the head's radius, whichever
-/// is less. From there on a thinner layer changes forces by less than a percent, while the contact goes on to cost the
-/// fewer voxels the thinner it is (docs/decisions/0009-cut-voxels.md).
-/// @param voxel_size  [m] > 0
+/// pressure is k_v t^2/2 at depth t, is pressed in by a hundredth of the head's radius; of a needle by less, or it
+/// would sink through bone before the material at its point is crushed. The size of voxels has no part in it, or what a
+/// constant force removes would depend on them: the rear half of a bur rests on its own groove, and how deep goes with
+/// k_v^-1/4 (docs/decisions/0021-hand-to-the-end.md).
+/// @param largest_relative_stiffness  [1] > 0, of the stiffest material
 /// @return [N/m^4] for a material of relative stiffness 1
-/// @throws Error when the voxel size is not positive
-[[nodiscard]] inline double stiffness_for_grid(const ToolHead& head, double voxel_size) {
-  require_positive(voxel_size, "voxel size [m]");
-  const double layer = std::min(kLayerOfVoxel * voxel_size, kLayerOfRadius * head.cutting_radius());
-  return 2 * kPressureOfCuts / (layer * layer);
+/// @throws Error when the relative stiffness is not positive
+[[nodiscard]] inline double stiffness_for_head(const ToolHead& head, double largest_relative_stiffness = 1) {
+  require_positive(largest_relative_stiffness, "the largest relative stiffness [1]");
+  const double pointed = std::clamp(kLayerOfPoint * detail::slope_of_tip(head), kThinnestLayer, 1.0);
+  const double layer = pointed * kLayerOfRadius * head.cutting_radius();
+  return 2 * kPressureOfCuts / (layer * layer) / largest_relative_stiffness;
 }
+
 namespace detail {
 
 inline constexpr int kSections = 64;  // planes through the head, in each direction

@@ -10,6 +10,13 @@
 
 namespace hapticut {
 
+/// How much there was to do in a tick.
+struct TickEffort {
+  int parts = 0;            ///< steps of the simulation
+  int newton_steps = 0;     ///< of the coupling, in all of them
+  int level_of_detail = 1;  ///< Contact::level_of_detail, the largest of them
+};
+
 /// What a model shows of its tool in its last tick.
 struct ToolSnapshot {
   Vec3 force = Vec3::Zero();   ///< [N] what the hand is meant to feel, in W
@@ -18,10 +25,13 @@ struct ToolSnapshot {
   double dissipated = 0;       ///< [J] EnergyLedger::losses since the loop began
   double contact_depth = 0;    ///< [m]
   int contact_voxels = 0;
+  Vec3 contact_point = Vec3::Zero();   ///< [m] Contact::point, in W; zero while the head touches nothing
   double spindle_speed = 0;            ///< [rad/s]
   StepStatus status = StepStatus::ok;  ///< of the last step
   StepStatus seen = StepStatus::ok;    ///< of all steps since the loop began
   std::uint64_t steps = 0;             ///< since the loop began
+  TickEffort effort;                   ///< in the last tick
+  TickEffort most_effort;              ///< the most of each since the loop began
   std::size_t undo_marks = 0;          ///< that can be returned to
   std::size_t redo_marks = 0;          ///< undone ones that can be gone forth over
   std::uint64_t islands = 0;           ///< pieces that were cut loose and have left

@@ -10,6 +10,8 @@
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/simulation/output.hpp"
 #include "hapticut/tool/handle.hpp"
+#include "hapticut/tool/head.hpp"
+#include "hapticut/workpiece/material.hpp"
 
 namespace hapticut {
 
@@ -27,20 +29,28 @@ constexpr auto names_of(Of<ContactTime>) {
   };
 }
 
+/// [s/m] What keeps burs calm behind a coupling at any rate, device and bone, with some margin; of a quiet press
+/// nothing is felt of it (docs/decisions/0021-hand-to-the-end.md).
+inline constexpr double kCalmingDamping = 300;
+
 /// How a simulation computes. Every field has a default that works; all are checked when the simulation is made.
 struct SimulationConfig {
   /// That of each material must be within 1 ... 1e25. A regularisation, not a material constant: cutting forces do not
-  /// depend on it while the engaged layer is thin. 0: as stiff as head and grid allow (`stiffness_for_grid`); where the
-  /// quadrature is one of points, kStiffnessOfPoints. A device that is driven without a coupling renders much less: see
-  /// force/stiffness.hpp.
+  /// depend on it while the engaged layer is thin. 0: a layer of a hundredth of the head's radius in the stiffest of
+  /// the materials (`stiffness_for_head`); where the quadrature is one of points, kStiffnessOfPoints. A device that is
+  /// driven without a coupling renders much less: see force/stiffness.hpp.
   double reference_stiffness = 0;
+
+  /// On top of each Material::damping. Behind a coupling the drag of the spin, which follows the contact's force, feeds
+  /// a vibration of the tool that the contact has to calm; a device that is driven directly would shake with the noise
+  /// of its velocity. Empty: kCalmingDamping where the contact_time is `end`, else 0.
+  std::optional<double> contact_damping;
 
   RemovalLaw removal = RemovalLaw::constant_energy;
   Quadrature quadrature = Quadrature::automatic;
 
-  /// With `end`, springs that are being pressed push harder than what they store in the sub-step; the difference is
-  /// booked as damping. Custom laws that do not read HeadMotion::lead store what they would half a sub-step
-  /// later, and the difference is booked as EnergyLedger::entered.
+  /// With `end`, springs push harder than what they store in the sub-step: the difference is booked as damping, and the
+  /// ledger of each sub-step closes by it; EnergyLedger::entered is what came out of nothing then.
   ContactTime contact_time = ContactTime::middle;
 
   std::shared_ptr<const ForceLaw> law = std::make_shared<FoundationLaw>();  // never null
@@ -83,7 +93,9 @@ constexpr auto fields_of(Of<SimulationConfig>) {
   using C = SimulationConfig;
   return std::tuple{
       field("reference_stiffness", &C::reference_stiffness, "N/m^4", Range::between(0, 1e25),
-            "k_v, foundation stiffness of a material of relative stiffness 1; 0: as stiff as head and grid allow"),
+            "k_v, foundation stiffness of a material of relative stiffness 1; 0: what suits the head's radius"),
+      field("contact_damping", &C::contact_damping, "s/m", Range::between(0, 1e6),
+            "chi, Hunt and Crossley's damping of all contact; empty: 300 at the end of a step, 0 at its middle"),
       field("removal", &C::removal, "how material is taken away"),
       field("quadrature", &C::quadrature, "where in a partly filled voxel its force is taken"),
       field("contact_time", &C::contact_time, "where on its way the head meets the material"),
@@ -115,7 +127,7 @@ constexpr auto fields_of(Of<SimulationConfig>) {
 void validate(const SimulationConfig& config);
 
 /// The same with what is left to the simulation: what `reference_stiffness` 0 and Quadrature::automatic stand for with
-/// this head in this grid. Simulation::config is the outcome for the head that the simulation was made with.
-[[nodiscard]] SimulationConfig complete(SimulationConfig config, const ToolHead& head, double voxel_size);
+/// this head in these materials. Simulation::config is the outcome for those that the simulation was made with.
+[[nodiscard]] SimulationConfig complete(SimulationConfig config, const ToolHead& head, const MaterialTable& materials);
 
 }  // namespace hapticut

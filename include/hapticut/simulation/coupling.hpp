@@ -29,7 +29,7 @@ struct CouplingGains {
   double angular_stiffness = 0;
   double angular_damping = 0;
   double inertia = 2e-5;
-  int newton_steps = 20;
+  int newton_steps = 100;
 };
 
 constexpr auto fields_of(Of<CouplingGains>) {
@@ -45,9 +45,9 @@ constexpr auto fields_of(Of<CouplingGains>) {
       field("angular_damping", &G::angular_damping, "N m s/rad", Range::between(0, 1e6), "b_R"),
       field("inertia", &G::inertia, "kg m^2", Range::positive(),
             "of the simulated tool about its handle point, the same about all axes"),
-      field(
-          "newton_steps", &G::newton_steps, "1", Range::between(1, 50),
-          "at most in one part of a tick; one is enough where the tool moves steadily, corners of hard faces take ten"),
+      field("newton_steps", &G::newton_steps, "1", Range::between(32, 400),
+            "at most in a tick, shared by its parts; one a part is enough where the tool moves steadily, corners of "
+            "hard faces take ten"),
   };
 }
 
@@ -107,6 +107,7 @@ struct CoupledResult {
   ChangedBlocks changed_blocks;                  ///< in this tick
   int parts = 0;                                 ///< steps of the simulation: more than one where the tool is fast
   int newton_steps = 0;                          ///< in all of them
+  int level_of_detail = 1;                       ///< Contact::level_of_detail, the largest of them
   StepStatus status = StepStatus::ok;            ///< of the simulation's steps
   CouplingEnergy energy;
 };
@@ -120,8 +121,8 @@ struct CoupledResult {
 ///
 /// by Newton's method with the contact's stiffness from `Simulation::probe`, starting from the twist of the last tick.
 /// Then the simulation takes its step to X. Where the tool would move by more than half a voxel, the tick is cut into
-/// up to eight equal parts. So the contact is stable however stiff the material is, the tool stays on the surface, and
-/// the hand feels at most the coupling.
+/// up to eight equal parts, which share its Newton steps. So the contact is stable however stiff the material is, the
+/// tool stays on the surface, and the hand feels at most the coupling.
 ///
 /// Gains: k_T and b_T must be what the device renders stably at its rate; see docs/devices.md.
 class VirtualCoupling {
@@ -145,9 +146,12 @@ class VirtualCoupling {
   /// (StepStatus::jump_rejected), gives no force, and the tool stays where it was. It goes on from there when the hand
   /// comes back within 2 mm of where it was, is put where the hand is when that is in no material, and waits otherwise:
   /// StepStatus::tool_waits.
-  /// @realtime no allocation, no lock, no exception; in each part at most newton_steps + 1 contacts are evaluated; with
-  /// a custom law 4 newton_steps + 1, or 7 newton_steps + 1 where the coupling turns the tool
+  /// @realtime no allocation, no lock, no exception; at most the contacts of `worst_case`
   const CoupledResult& step(const Pose& pose, const Twist& velocity, double dt) noexcept;
+
+  /// The most that a tick may have to do: that of a step in as many contacts as Newton's method may ask for, and one a
+  /// part that cuts. A law of your own is asked four times in a contact, seven times where the coupling turns the tool.
+  [[nodiscard]] WorstCase worst_case() const;
 
   /// What the parts of a tick have changed, together: as long as a tool may make the lists.
   struct Lists {
@@ -205,7 +209,9 @@ class VirtualCoupling {
   };
 
   static constexpr int kMostParts = 8;
+  static constexpr int kLeastSteps = 2;  // that are kept for each part
 
+  [[nodiscard]] int most_parts() const noexcept;
   [[nodiscard]] int plan_parts(double dt) const noexcept;
   void begin_tick() noexcept;
   class Answer;
@@ -214,14 +220,14 @@ class VirtualCoupling {
   struct Part {
     Pose X_WD;    // of the hand, at its end
     double dt;    // [s]
-    bool last;    // of the tick
+    int left;     // of the tick, after it
     double tick;  // [s] all of it
   };
 
   StepStatus move(const Part& part, const Twist& hand_path, const Twist& hand) noexcept;
   void keep_lists(const StepResult& stepped) noexcept;
   [[nodiscard]] Pull pull(const Pose& X_WH, const Twist& tool, const Pose& X_WD, const Twist& hand) const noexcept;
-  [[nodiscard]] Twist solve(const Pose& pose, const Twist& hand, double dt) noexcept;
+  [[nodiscard]] Twist solve(const Part& part, const Twist& hand) noexcept;
   [[nodiscard]] double kinetic_energy(const Twist& tool) const noexcept;
   [[nodiscard]] double spring_energy(const Pull& pull) const noexcept;
   void book(const Pull& before, const Pull& after, const Twist& tool_before, const Twist& hand_path, double tool_work,

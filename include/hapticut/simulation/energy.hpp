@@ -38,7 +38,8 @@ struct EnergyLedger {
   /// Elastic energy of material that came under the cutting surface without having been pressed there, less that of
   /// material that left it still pressed: where the tool appears out of nowhere, and where material passes a face
   /// behind which the depth does not begin at zero (the side of FlatRule::bottom_only, the base of a cone). Else zero
-  /// within the error of the quadrature. No work brought it in, so that `closure` does not count it.
+  /// within the error of the quadrature. No work brought it in, so that `closure` does not count it. With
+  /// ContactTime::end, what of that is more than `damping` took in the same sub-step.
   double entered = 0;
 
   /// What came in and went out again as well, so that it only grows; by it an imbalance is judged.
@@ -68,7 +69,8 @@ constexpr auto fields_of(Of<EnergyLedger>) {
             "layer takes above its threshold"),
       field("crushed", &E::crushed, "J", "compressive strength times crushed volume"),
       field("released", &E::released, "J", "elastic energy of removed material that did not help cutting"),
-      field("damping", &E::damping, "J", "Hunt-Crossley damping"),
+      field("damping", &E::damping, "J",
+            "Hunt-Crossley damping, and what springs take that are met at the end of a sub-step"),
       field("rubbing", &E::rubbing, "J",
             "tangential work that removes nothing: of edges and of what thin chips take below the threshold of their "
             "layer, on smooth sides and walls, under the edge pressure, with removal off"),

@@ -171,6 +171,10 @@ struct Contact {
   double volume = 0;
   double depth = 0;
   int level_of_detail = 1;
+  Vec3 point = Vec3::Zero();
+  Vec3 normal = Vec3::Zero();
+  double area = 0;
+  double pressure = 0;
 };
 
 constexpr auto fields_of(Of<Contact>) {
@@ -180,6 +184,13 @@ constexpr auto fields_of(Of<Contact>) {
       field("depth", &Contact::depth, "m", "greatest depth below the cutting surface"),
       field("level_of_detail", &Contact::level_of_detail, "1",
             "n: an n-th of the voxels was evaluated; see SimulationConfig::voxel_budget"),
+      field("point", &Contact::point, "m",
+            "in W: the mean place of the forces along the normals, where an arrow begins; zero without a contact"),
+      field("normal", &Contact::normal, "1",
+            "in W: the direction of those forces' sum on the tool, a unit vector; zero without a contact, and where "
+            "they cancel"),
+      field("area", &Contact::area, "m^2", "of the head's surface that is in material"),
+      field("pressure", &Contact::pressure, "Pa", "mean of the forces along the normals over that area"),
   };
 }
 

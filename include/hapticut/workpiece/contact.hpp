@@ -45,6 +45,7 @@ struct ContactBlock {
   Array<float> top;                           ///< [m] greatest depth of the filled part; valid only when `sub_voxel`
   Array<float> largest;                       ///< [1] largest |n_i| along the grid's axes, likewise
   Array<float> immersed;                      ///< [1] filled part of the voxel that is inside the head, likewise
+  Array<float> exposed;                       ///< [voxel edges^2] of the head's surface in it; of points about so much
   Array<MaterialId> material;                 ///< valid only when not `uniform`
 
   Array<float> force_x, force_y, force_z;  ///< [N] on the tool, written by the force law
@@ -153,6 +154,7 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
       const float radial = spring.n_radial / std::max(rho, 1e-12F);
       const float fill = block.fill == nullptr ? 1.0F : block.fill[voxel];
       bool is_inside = spring.depth > 0 && (solid >> lane & 1U) != 0;
+      out.exposed[n] = spring.depth < size ? 1.0F : 0.0F;
       if (sub_voxel) {
         const Eigen::Vector3f n_V = steps.transpose() * Eigen::Vector3f(radial * x, radial * y, spring.n_axial) / size;
         out.largest[n] = std::clamp(n_V.cwiseAbs().maxCoeff(), kLeastLargest, 1.0F);
@@ -161,7 +163,9 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
         is_inside = top > 0 && fill > 0 && (solid >> lane & 1U) != 0;
         out.top[n] = is_inside ? top : 0.0F;
         out.immersed[n] = is_inside ? section.integrals(height, top / size).volume : 0.0F;
+        out.exposed[n] = section.area_at(section.span() / 2 - spring.depth / size);
       }
+      if (!is_inside) out.exposed[n] = 0;
       inside |= is_inside ? 1U << lane : 0U;
       out.x[n] = x;
       out.y[n] = y;

@@ -87,7 +87,7 @@ std::vector<GestureRow> rows_of(const Gesture& gesture, std::vector<double> size
 std::vector<Gesture> all_gestures() {
   std::vector<Gesture> all;
   for (const auto& part : {hole_gestures(), press_gestures(), cutting_gestures(), motor_gestures(), device_gestures(),
-                           loop_gestures(), further_gestures(), further_loop_gestures()})
+                           loop_gestures(), further_gestures(), further_loop_gestures(), coupled_gestures()})
     all.insert(all.end(), part.begin(), part.end());
   std::ranges::sort(all, {}, [](const Gesture& gesture) { return number_of(gesture.id); });
   return all;

@@ -24,6 +24,7 @@ struct Gesture {
 [[nodiscard]] std::vector<Gesture> loop_gestures();          ///< the loop, its clutch, its commands and its faults
 [[nodiscard]] std::vector<Gesture> further_gestures();       ///< G26 and on
 [[nodiscard]] std::vector<Gesture> further_loop_gestures();  ///< the same, in the loop of a device
+[[nodiscard]] std::vector<Gesture> coupled_gestures();       ///< G42 and on: behind a coupling, whatever rate and head
 
 /// All of them, by their number.
 [[nodiscard]] std::vector<Gesture> all_gestures();

@@ -71,18 +71,19 @@ void Rig::couple(const CouplingGains& gains) {
   story.limits = {gains.largest_force, 0, gains.stiffness, false};
 }
 
-Span Rig::play(const Hand& hand, const std::function<void(Pose&, double time)>& spoil) {
+Span Rig::play(const Hand& hand, const std::function<void(Pose&, double& dt)>& spoil) {
   const std::size_t first = story.ticks.size();
-  const double dt = report_.period;
+  const double period = report_.period;
   const Mat3& turn = report_.turn;
-  const long ticks = std::lround(hand.seconds() / dt);
+  const long ticks = std::lround(hand.seconds() / period);
   if (first == 0) story.begin(simulation);
   for (long n = 1; n <= ticks; ++n) {
-    const Pose meant = hand.at(double(n) * dt);
-    const Twist path = twist_between(last_.value_or(hand.at(double(n - 1) * dt)), meant, dt);
+    const Pose meant = hand.at(double(n) * period);
+    const Twist path = twist_between(last_.value_or(hand.at(double(n - 1) * period)), meant, period);
     Pose pose = Pose{turn, Vec3::Zero()} * meant;
     const Twist velocity{turn * path.linear, turn * path.angular};
-    if (spoil) spoil(pose, double(n) * dt);
+    double dt = period;
+    if (spoil) spoil(pose, dt);
     Wrench felt;
     Pose X_WH = pose;
     double removed = 0;
@@ -97,14 +98,14 @@ Span Rig::play(const Hand& hand, const std::function<void(Pose&, double time)>& 
       removed = result.removed_volume;
     }
     last_ = meant;
-    Tick tick = tick_of(simulation, time_ + double(n) * dt, turn);
+    Tick tick = tick_of(simulation, time_ + double(n) * period, turn);
     tick.X_WD = meant;
     tick.X_WH = Pose{turn.transpose(), Vec3::Zero()} * X_WH;
     tick.felt = tick.applied = turned_back(felt, turn);
     tick.removed = removed;
     story.add(tick, simulation, coupling_ ? &*coupling_ : nullptr);
   }
-  time_ += double(ticks) * dt;
+  time_ += double(ticks) * period;
   return {first, story.ticks.size()};
 }
 

@@ -32,8 +32,9 @@ class Rig {
   /// From here on the hand holds it by a coupling, and the tool is where the hand is.
   void couple(const CouplingGains& gains);
 
-  /// @param spoil  what becomes of a pose on its way to the library, by the time of the script; empty: nothing
-  Span play(const Hand& hand, const std::function<void(Pose&, double time)>& spoil = {});
+  /// @param spoil  what becomes of a reading on its way to the library, and of the time [s] since the last; empty:
+  /// nothing
+  Span play(const Hand& hand, const std::function<void(Pose&, double& dt)>& spoil = {});
 
   /// Tells the report of the invariants.
   void judge() { story.judge(report_, simulation); }

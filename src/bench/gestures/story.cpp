@@ -93,6 +93,7 @@ void Story::begin(const Simulation& simulation) {
   hand_given_ = least_hand_given_ = hand_turnover_ = unexplained_ = deepest_ = unfelt_ = 0;
   most_felt_ = most_applied_ = most_torque_ = most_power_ = excess_power_ = 0;
   allowed_depth_ = 0;
+  rotor_speed_ = std::abs(simulation.last_result().spindle.speed);
   for (const Material& material : simulation.workpiece().materials().all()) {
     const double k = simulation.config().reference_stiffness * material.relative_stiffness;
     allowed_depth_ = std::max(allowed_depth_, 1.1 * crushing_depth(k, strength_of(material)));
@@ -144,8 +145,10 @@ void Story::add(const Tick& tick, const Simulation& simulation, const VirtualCou
     deepest_ =
         std::max(deepest_, solid_depth(simulation, Pose{turn, Vec3::Zero()} * tick.X_WH * simulation.tool().X_HT()));
   if (limits.has_guard && tick.applied.force.isZero(0) && tick.applied.torque.isZero(0)) unfelt_ += tick.removed;
-  most_felt_ = std::max(most_felt_, tick.felt.force.norm());
-  most_applied_ = std::max(most_applied_, tick.applied.force.norm());
+  if (limits.force > 0) {  // else it is driven directly so far
+    most_felt_ = std::max(most_felt_, tick.felt.force.norm());
+    most_applied_ = std::max(most_applied_, tick.applied.force.norm());
+  }
   most_torque_ = std::max({most_torque_, tick.felt.torque.norm(), tick.applied.torque.norm()});
   if (coupling == nullptr) return;
   const CouplingEnergy& e = coupling->last_result().energy;
@@ -156,12 +159,17 @@ void Story::on_step(const ObservedStep& step) noexcept {
   const SpindleState& spindle = step.result.spindle;
   const Spindle& motor = step.simulation.tool().spindle();
   const double w = std::abs(spindle.speed), torque = std::max(0.0, spindle.torque * (spindle.speed < 0 ? -1 : 1));
-  const double power = w * torque;
+  // What the rotor gives as it slows down is not the motor's, and that was on its way from one speed to the other, with
+  // swings as large as that.
+  const double slowed = std::max(0.0, rotor_speed_ * rotor_speed_ - w * w);
+  const double fastest = std::max(rotor_speed_, w), slowest = std::max(0.0, fastest - 2 * std::abs(w - rotor_speed_));
+  const double free = (1 + kSpeedKnown) * std::abs(step.simulation.spindle_setting());
+  const double strongest = std::clamp(0.5 * free, slowest, fastest);
+  rotor_speed_ = w;
+  const double power = w * torque - motor.rotor_inertia * slowed / 2 / step.input.dt;
   most_power_ = std::max(most_power_, power);
   double most = motor.power_limit;
-  if (motor.droop > 0)
-    most = std::min(
-        most, w * std::max(0.0, (1 + kSpeedKnown) * std::abs(step.simulation.spindle_setting()) - w) / motor.droop);
+  if (motor.droop > 0) most = std::min(most, strongest * std::max(0.0, free - strongest) / motor.droop);
   if (std::isfinite(most)) excess_power_ = std::max(excess_power_, power - kRounding * most);
   if (!probing || has_any(step.result.status, kRejected)) return;
   for (const double aside : {1e-4, -1e-4}) {

@@ -125,6 +125,7 @@ class Story final : public StepObserver {
   double unfelt_ = 0;                                                 // [m^3] cut while nothing was felt
   double most_felt_ = 0, most_applied_ = 0, most_torque_ = 0;         // [N], [N·m]
   double most_power_ = 0, excess_power_ = 0;                          // [W] and beyond the motor's characteristic
+  double rotor_speed_ = 0;                                            // [rad/s]
   bool has_begun_ = false;
 };
 

@@ -58,7 +58,25 @@ std::vector<Check> refinement() {
           {"D1 cured", "the same", "1", 1, ratio(Model::cured), kPartialVoxels}};
 }
 
+/// [1] of its force at rest that a ball keeps which leaves: `Int w c/(1 + x c)` over that of `w c`, c = -n_z.
+/// @param depth  [1] of the radius
+/// @param x      [1] chi times its speed
+double share_on_retreat(double depth, double x) {
+  constexpr int kSteps = 400;
+  double at_rest = 0, leaving = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double r = 1 - depth * (i + 0.5) / kSteps, least = (1 - depth) / r;
+    for (int j = 0; j < kSteps; ++j) {
+      const double c = 1 - (1 - least) * (j + 0.5) / kSteps, push = (1 - r) * r * r * (1 - least) * c;
+      at_rest += push;
+      leaving += push / (1 + x * c);
+    }
+  }
+  return leaving / at_rest;
+}
+
 std::vector<Check> damper() {
+  constexpr double kDamping = 20;  // [s/m]
   const auto damped = [](Model model, double voxel) {
     PressedBall still, moving;
     still.voxel = moving.voxel = voxel;
@@ -69,7 +87,7 @@ std::vector<Check> damper() {
   const auto ratio = [&](Model model) { return damped(model, 0.05 * mm) / damped(model, 0.1 * mm); };
   const auto on_retreat = [](Model model) {
     PressedBall still, leaving;
-    leaving.damping = model == Model::thesis ? 0.01 : 20;
+    leaving.damping = model == Model::thesis ? 0.01 : kDamping;
     leaving.speed = 0.1;
     return leaving.force(model) / still.force(model);
   };
@@ -80,7 +98,8 @@ std::vector<Check> damper() {
           {"D2 cured", "the same", "1", 1, ratio(Model::cured), kPartialVoxels},
           {"D2 thesis, retreat", "force over that at rest, 0.1 m/s outwards: it pulls the tool in", "1", pull,
            on_retreat(Model::thesis), kPartialVoxels},
-          {"D2 cured, retreat", "the same: nothing", "1", 0, on_retreat(Model::cured), kDoublePrecision, 1}};
+          {"D2 cured, retreat", "the same: it pushes on, the less the faster", "1",
+           share_on_retreat(still.depth / kR, kDamping * 0.1), on_retreat(Model::cured), kPartialVoxels}};
 }
 
 // --- a flat head fed along its axis ----------------------------------------------------------------------------------

@@ -77,6 +77,10 @@ Json to_json(const LoopReport& r) {
       {"safety_events", events},
       {"safety_log", log},
       {"steps", r.seen.last.tool.steps},
+      {"most_in_a_tick",
+       {{"parts", r.seen.last.tool.most_effort.parts},
+        {"newton_steps", r.seen.last.tool.most_effort.newton_steps},
+        {"level_of_detail", r.seen.last.tool.most_effort.level_of_detail}}},
       {"removed_volume_mm3", r.seen.last.tool.removed_volume / units::mm3},
       {"force_N",
        {{"largest_commanded", r.seen.last.largest_commanded},
@@ -106,6 +110,10 @@ std::string to_table(const LoopReport& r) {
   if (r.run.wake_up.count() > 0) table.add("wake-up", text_of(r.run.wake_up) + " late");
   table.add("compute",
             text_of(r.run.compute) + ", " + std::to_string(r.run.compute.at_least(r.run.period)) + " over the period");
+  const TickEffort& most = r.seen.last.tool.most_effort;
+  table.add("most in a tick", std::to_string(most.parts) + (most.parts == 1 ? " part, " : " parts, ") +
+                                  std::to_string(most.newton_steps) + " Newton steps, level of detail " +
+                                  std::to_string(most.level_of_detail));
   table.add("removed", rounded(r.seen.last.tool.removed_volume / units::mm3) + " mm^3 in " +
                            std::to_string(r.seen.last.tool.steps) + " steps");
   const EnergyLedger& energy = r.simulation.last_result().energy;

@@ -146,6 +146,7 @@ class Film {
     shown_.tool.torque = step.torque;
     shown_.tool.contact_depth = step.contact.depth;
     shown_.tool.contact_voxels = step.contact.voxels;
+    shown_.tool.contact_point = step.contact.point;
     shown_.tool.spindle_speed = step.spindle.speed;
     shown_.tool.status = step.status;
     const double before = shown_.tool.dissipated;

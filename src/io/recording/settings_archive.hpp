@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -46,6 +47,9 @@ class SettingsWriter {
   explicit SettingsWriter(hid_t group) : group_(group) {}
 
   void operator()(const char* name, const char* unit, const double& value) { write(name, unit, &value, 1); }
+  void operator()(const char* name, const char* unit, const std::optional<double>& value) {
+    if (value) (*this)(name, unit, *value);
+  }
   void operator()(const char* name, const char* unit, const std::vector<double>& values) {
     write(name, unit, values.data(), values.size());
   }
@@ -94,6 +98,9 @@ class SettingsReader {
 
   void operator()(const char* name, const char* /*unit*/, double& value) {
     if (has(name)) value = only(name, source_.reals(at(name)));
+  }
+  void operator()(const char* name, const char* unit, std::optional<double>& value) {
+    if (has(name)) (*this)(name, unit, value.emplace());
   }
   void operator()(const char* name, const char* /*unit*/, std::vector<double>& values) {
     if (has(name)) values = source_.reals(at(name));
@@ -160,7 +167,7 @@ class SettingsReader {
 template <class Archive, class Value>
 void visit_value(Archive& archive, const std::string& name, const char* unit, Value& value) {
   using Plain = std::remove_const_t<Value>;
-  if constexpr (std::is_same_v<Plain, double>) {
+  if constexpr (std::is_same_v<Plain, double> || std::is_same_v<Plain, std::optional<double>>) {
     archive(name.c_str(), unit, value);
   } else if constexpr (std::is_same_v<Plain, AngularSpeed>) {
     double number = value;

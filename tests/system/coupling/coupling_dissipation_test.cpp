@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
+#include "hapticut/core/errors.hpp"
 #include "support/coupling.hpp"
 
 namespace hapticut::coupling_dissipation_test {
@@ -110,6 +112,20 @@ INSTANTIATE_TEST_SUITE_P(Coupling, DampedContact,
                            return "k1e" + std::to_string(int(std::lround(std::log10(std::get<0>(p.param))))) + "chi" +
                                   std::to_string(int(std::get<1>(p.param)));
                          });
+
+TEST(CouplingDamping, IsThereByDefaultOnlyWhereContactIsTakenAtTheEndOfAStep) {
+  const auto damping_of = [](SimulationConfig config) {
+    return Simulation(half_space(), ball(), std::move(config)).config().contact_damping;
+  };
+  EXPECT_EQ(damping_of({}), 0);
+  SimulationConfig config;
+  config.contact_time = ContactTime::end;
+  EXPECT_EQ(damping_of(config), kCalmingDamping);
+  config.contact_damping = 0;
+  EXPECT_EQ(damping_of(config), 0);
+  config.contact_damping = -1;
+  EXPECT_THROW((void)damping_of(config), Error);
+}
 
 TEST(CouplingDamping, TakesTheSpeedOutOfAnImpact) {
   double last = 1;

@@ -9,6 +9,7 @@
 #include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/coupling.hpp"
 
@@ -298,6 +299,34 @@ TEST(Probe, OfRubbishFeelsNothing) {
 }
 
 // Velocities in mm/s beside poses in metres, or in degrees, pushed the tool by the damper: 116 times the removal.
+// However few steps there are, a wheel that falls on enamel at 0.3 m/s is held, and a tick does what was said.
+TEST(Coupling, DoesAtMostWhatItsWorstCaseSays) {
+  for (const int steps : {32, 100}) {
+    Simulation simulation(half_space(4 * mm, presets::enamel()),
+                          Tool(wheel_head(2.4 * mm, 0.8 * mm, 1 * mm), RayHandle{0}), implicit(0, {}));
+    CouplingGains gains = coupling_gains(capabilities(device_model("touch")));
+    gains.newton_steps = steps;
+    VirtualCoupling coupling(simulation, gains);
+    const double tip = simulation.tool().X_HT().translation.z() + simulation.tool().head().bounding_box().min.z();
+    double height = 1 * mm - tip, lowest = height;
+    int most_parts = 0, most_steps = 0;
+    for (int n = 0; n < 200; ++n) {
+      const double speed = n < 10 ? -0.3 : 0;
+      height += speed * kTick;
+      const CoupledResult& result =
+          coupling.step(Pose::from_translation({0.017 * mm, 0, height}), {{0, 0, speed}, {}}, kTick);
+      EXPECT_LE(result.newton_steps, steps);
+      EXPECT_LE(result.newton_steps + result.parts, coupling.worst_case().contacts);
+      most_parts = std::max(most_parts, result.parts), most_steps = std::max(most_steps, result.newton_steps);
+      lowest = std::min(lowest, result.X_WH.translation.z() + tip);
+    }
+    EXPECT_GE(most_parts, 6) << steps;
+    EXPECT_GE(most_steps, 8) << steps << ": the budget is of use";
+    EXPECT_GT(lowest, -0.03 * mm) << steps;
+    EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3) << steps;
+  }
+}
+
 TEST(Coupling, WaitsWhileVelocitiesSayManyTimesTheWay) {
   struct Result {
     double removed = 0, force = 0;

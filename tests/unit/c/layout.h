@@ -35,7 +35,9 @@ struct layout {
     FIELD(hapticut_step_result, spindle_speed) FIELD(hapticut_step_result, spindle_torque) \
     FIELD(hapticut_step_result, contact_depth) FIELD(hapticut_step_result, contact_volume) \
     FIELD(hapticut_step_result, contact_voxels) FIELD(hapticut_step_result, sub_steps) \
-    FIELD(hapticut_step_result, X_WH) \
+    FIELD(hapticut_step_result, X_WH) FIELD(hapticut_step_result, contact_point) \
+    FIELD(hapticut_step_result, contact_normal) FIELD(hapticut_step_result, contact_area) \
+    FIELD(hapticut_step_result, contact_pressure) \
   STRUCT(hapticut_probe_result) FIELD(hapticut_probe_result, struct_size) \
     FIELD(hapticut_probe_result, contact_voxels) FIELD(hapticut_probe_result, force) \
     FIELD(hapticut_probe_result, torque) FIELD(hapticut_probe_result, stiffness) \
@@ -80,7 +82,7 @@ struct layout {
     FIELD(hapticut_loop_state, contact_depth) FIELD(hapticut_loop_state, contact_voxels) \
     FIELD(hapticut_loop_state, undo_marks) FIELD(hapticut_loop_state, redo_marks) \
     FIELD(hapticut_loop_state, unused) FIELD(hapticut_loop_state, commands_dropped) \
-    FIELD(hapticut_loop_state, commands_refused) \
+    FIELD(hapticut_loop_state, commands_refused) FIELD(hapticut_loop_state, contact_point) \
   STRUCT(hapticut_command) FIELD(hapticut_command, struct_size) FIELD(hapticut_command, kind) \
     FIELD(hapticut_command, value) \
   STRUCT(hapticut_loop_report) FIELD(hapticut_loop_report, struct_size) FIELD(hapticut_loop_report, fault) \

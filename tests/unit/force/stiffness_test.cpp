@@ -3,9 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/force/chip.hpp"
+#include "hapticut/force/laws/foundation.hpp"
+#include "hapticut/tool/catalogue.hpp"
 
 namespace hapticut::stiffness_test {
 namespace {
@@ -59,6 +64,43 @@ TEST(Stiffness, RefusesAStandingSpindleAndAZeroFeed) {
   EXPECT_THROW((void)stiffness_for_accuracy(SphereHead{1 * mm}, bone, 100 * units::rad_per_s, 0), Error);
   EXPECT_THROW((void)stiffness_for_accuracy(SphereHead{1 * mm}, bone, 100 * units::rad_per_s, 2), Error) << "mm/s";
   EXPECT_THROW((void)stiffness_for_device(SphereHead{1 * mm}, -1), Error);
+}
+
+TEST(Stiffness, ByDefaultALayerIsAHundredthOfTheRadiusAndLessForAPointedHead) {
+  const double round = stiffness_for_head(SphereHead{1 * mm});
+  EXPECT_NEAR(round, 2e6 / std::pow(0.01 * mm, 2), 1e-6 * round);
+  EXPECT_NEAR(stiffness_for_head(SphereHead{1 * mm}, 0.1), 10 * round, 1e-6 * round) << "of what is there";
+  for (const ToolHead& blunt : {ToolHead(FlatHead{1 * mm, 4 * mm}), twist_drill_head(2 * mm, 4 * mm),
+                                ToolHead(ConeHead{60 * units::deg, 1 * mm / std::tan(60 * units::deg)})})
+    EXPECT_NEAR(stiffness_for_head(blunt), round, 1e-3 * round) << blunt.description();
+  const double needle = stiffness_for_head(needle_head(2 * mm, 20.0 / 3 * mm));
+  EXPECT_NEAR(needle, 25 * round, 0.01 * needle);
+  EXPECT_NEAR(stiffness_for_head(needle_head(2 * mm, 40 * mm)), 100 * round, 0.01 * needle) << "the thinnest";
+  EXPECT_THROW((void)stiffness_for_head(SphereHead{1 * mm}, 0), Error);
+}
+
+TEST(FoundationLaw, DampsSmoothlyAndNeverBeyondWhatCrushes) {
+  constexpr float kDepth = 1e-5F, kCrushing = 2e-5F;  // [m]
+  using Damping = FoundationLaw::Damping;
+  for (const float x : {-3.0F, -0.01F, 0.0F, 0.01F, 2.0F}) {
+    const auto at = [&](float there) { return Damping::of(there, kDepth, kCrushing).factor; };
+    EXPECT_NEAR((at(x + 1e-3F) - at(x - 1e-3F)) / 2e-3F, Damping::of(x, kDepth, kCrushing).slope, 2e-3F) << x;
+    EXPECT_GT(at(x), 0) << x;
+  }
+  EXPECT_EQ(Damping::of(100, kDepth, kCrushing).factor, 4) << "so k w^2/2 is the strength";
+  EXPECT_EQ(Damping::of(100, kDepth, kCrushing).slope, 0);
+  EXPECT_EQ(Damping::of(100, 2 * kCrushing, kCrushing).factor, 1);
+  EXPECT_EQ(Damping::of(100, kDepth, ContactMaterial::kNeverCrushed).factor, 101);
+}
+
+// A lip that passes along a wall takes no chip; one that a resting hand presses does.
+TEST(ChipChord, CountsThinChipsWhereTheFeedGoesIntoTheSurface) {
+  using Chord = ChipChord<double>;
+  EXPECT_EQ(Chord::share_of_chips(2e-3, 2e-3), 1);
+  EXPECT_EQ(Chord::share_of_chips(-1e-3, 2e-3), 1);
+  EXPECT_EQ(Chord::share_of_chips(0, 0), 1);
+  EXPECT_NEAR(Chord::share_of_chips(1e-5, 2e-3), 0.5, 1e-3);
+  EXPECT_LT(Chord::share_of_chips(0, 2e-3), 1e-3);
 }
 
 }  // namespace

@@ -211,12 +211,23 @@ struct Reference {
   }
 };
 
+/// @param turns  of the level of detail: `found` stands for as many
+void expect_same(const Resultant& found, const Resultant& wanted, double turns, double scale, double couple_error) {
+  EXPECT_LT((found.wrench_T.force / turns - wanted.wrench_T.force).norm(), kRounding * scale);
+  EXPECT_LT((found.wrench_T.torque / turns - wanted.wrench_T.torque).norm(), kRounding * scale * mm + couple_error);
+  EXPECT_LT((found.push_T / turns - wanted.push_T).norm(), kRounding * scale);
+  EXPECT_LT((found.moment_T / turns - wanted.moment_T).norm(), kRounding * scale * mm);
+  EXPECT_NEAR(found.normal_force / turns, wanted.normal_force, kRounding * scale);
+  EXPECT_NEAR(found.area / turns, wanted.area, kRounding * kBlockVoxels);
+  EXPECT_NEAR(found.volume / turns, wanted.volume, kRounding * kBlockVoxels);
+  EXPECT_NEAR(found.depth, wanted.depth, kRounding * mm);
+}
+
 TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto vector = [&] { return Vec3{unit(random), unit(random), unit(random)}; };  // in this order
-  long samples = 0, emptied = 0, stiff = 0, rubbed = 0, crushed = 0;
-  int blocks = 0, at_the_rim = 0, at_a_jump = 0;
+  long samples = 0, emptied = 0, stiff = 0, rubbed = 0, crushed = 0, blocks = 0, at_the_rim = 0, at_a_jump = 0;
   for (const ToolHead& head : all_heads())
     for (int trial = 0; trial < 100; ++trial) {
       const RandomBlock block(random, trial % 2 == 0, trial % 4 == 0, trial % 3 == 0);
@@ -260,20 +271,15 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       }
       samples += expected.resultant.voxels;
 
-      Wrench wrench = expected.resultant.wrench_T;
       // The largest force that the samples could add up to.
       const double scale = 1e-3 + 2e14 * volume * expected.resultant.depth * expected.resultant.volume;
-      // The couple fades out as 1 - (rho / zone)^2, where single precision cancels.
-      const double couple = expected.totals.spin_couple, couple_error = 1e-3 * std::abs(couple) + 1e-15;
-      wrench.torque.z() += couple;
-      EXPECT_LT((pressed.resultant.wrench_T.force / weight - wrench.force).norm(), kRounding * scale);
-      EXPECT_LT((pressed.resultant.wrench_T.torque / weight - wrench.torque).norm(),
-                kRounding * scale * mm + couple_error);
-      EXPECT_NEAR(pressed.resultant.volume / weight, expected.resultant.volume, kRounding * 512);
-      EXPECT_NEAR(pressed.resultant.depth, expected.resultant.depth, kRounding * mm);
+      Resultant wanted = expected.resultant;
+      const double couple = expected.totals.spin_couple;  // fades out as 1 - (rho / zone)^2: single precision cancels
+      wanted.wrench_T.torque.z() += couple;
+      expect_same(pressed.resultant, wanted, weight, scale, 1e-3 * std::abs(couple) + 1e-15);
       const LawEnergies &energies = expected.totals.energies, &found = pressed.energies;
-      const double energy = energies.elastic_before + energies.cutting + energies.released + energies.rubbing +
-                            energies.crushed + std::abs(energies.damping) + 1e-30;
+      const double energy = std::abs(energies.elastic_before) + energies.cutting + energies.released +
+                            energies.rubbing + energies.crushed + std::abs(energies.damping) + 1e-30;
       // A section is 0.3 voxels wide or more; a voxel that needs none stores up to 0.3^2/24 k l^5 less.
       double elastic_error = 2 * kRounding * energy;
       for (std::size_t n = 0; n < std::size_t(expected.contact.lanes()) && motion.spin == 0; ++n)
@@ -321,20 +327,18 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
         if (gone(task.change) != gone(expected.change)) ++differently_finished;
         emptied += gone(task.change) ? 1 : 0;
         if ((expected.change.strips >> (n / BlockChange::kStrip) & 1) == 0) continue;
-        ASSERT_NEAR(fill_after[std::size_t(n)], expected.fill_after[std::size_t(n)], 2 * double(kSmallestFill)) << n;
-        if (!gone(task.change) && !gone(expected.change)) {
-          ASSERT_NEAR(fill_after[std::size_t(n)], expected.fill_after[std::size_t(n)], kRounding) << n;
-        }
+        const bool kept = !gone(task.change) && !gone(expected.change);
+        const double rounding = (motion.tooth_rate > 0 ? 100 : 1) * kRounding;  // of speeds: ChipChord::share_of_chips
+        ASSERT_NEAR(fill_after[std::size_t(n)], expected.fill_after[std::size_t(n)],
+                    kept ? rounding : 2 * double(kSmallestFill))
+            << n;
       }
       EXPECT_LE(differently_finished, 1);
     }
   EXPECT_GT(samples, 10000) << "the heads must meet the blocks, or the test says nothing";
   EXPECT_LE(at_the_rim, kAtTheRim * blocks);
   EXPECT_LE(at_a_jump, kAtAJump * blocks);
-  EXPECT_GT(stiff, 100);
-  EXPECT_GT(rubbed, 20);
-  EXPECT_GT(crushed, 20);
-  EXPECT_GT(emptied, 20) << "some voxels must be cut out, or the test says nothing";
+  EXPECT_GT(std::min({stiff / 5, rubbed, crushed, emptied}), 20) << "each must be met, or the test says nothing";
 }
 
 TEST_P(KernelTarget, FeelsButLeavesABlockThatMayNotBeCut) {
@@ -342,9 +346,8 @@ TEST_P(KernelTarget, FeelsButLeavesABlockThatMayNotBeCut) {
   const RandomBlock block(random, false, false, false);
   const ToolHead head = SphereHead{0.6 * mm};
   const GridInHead grid(Pose::from_translation(Vec3::Constant(-3.5 * kVoxel)), kVoxel);
-  HeadMotion motion{{}, {}, {}, {}, 2000.0F, 1e-3F, float(kVoxel), RemovalLaw::constant_energy};
-  motion.velocity = motion.angular_velocity = motion.felt_velocity = motion.felt_angular_velocity =
-      Eigen::Vector3f::Zero();
+  const Eigen::Vector3f none = Eigen::Vector3f::Zero();
+  const HeadMotion motion{none, none, none, none, 2000.0F, 1e-3F, float(kVoxel), RemovalLaw::constant_energy};
   const ContactMaterials materials = three_materials(0);
   const kernels::ContactJob job = {head, grid, motion, materials, false};
   std::array<float, kBlockVoxels> fill_after = {};
@@ -378,10 +381,7 @@ TEST_P(KernelTarget, PressesStripsInsideABallAsTheScalarStagesDo) {  // without 
     const Resultant& wanted = expected.resultant;
     const double scale = wanted.normal_force, way = double(motion.velocity.norm() * motion.duration);
     EXPECT_EQ(found.resultant.voxels, wanted.voxels);
-    EXPECT_LT((found.resultant.wrench_T.force - wanted.wrench_T.force).norm(), kRounding * scale);
-    EXPECT_LT((found.resultant.wrench_T.torque - wanted.wrench_T.torque).norm(), kRounding * scale * mm);
-    EXPECT_NEAR(found.resultant.volume, wanted.volume, kRounding * kBlockVoxels);
-    EXPECT_NEAR(found.resultant.depth, wanted.depth, kRounding * mm);
+    expect_same(found.resultant, wanted, 1, scale, 0);
     EXPECT_NEAR(a.elastic - a.elastic_before, b.elastic - b.elastic_before, kRounding * scale * way);
   }
 }

@@ -90,10 +90,11 @@ TEST(ViewProtocol, ASnapshotHasWhatThePanelsShow) {
   snapshot.tool.force = Vec3(1, 2, 3);
   snapshot.tool.spindle_speed = 4000;
   snapshot.tool.contact_voxels = 17;
+  snapshot.tool.contact_point = Vec3(4, 5, 6);
   snapshot.tool.redoing = true;
   snapshot.blocks_waiting = 9;
   const Message message = encode(snapshot);
-  ASSERT_EQ(message.size(), 224U);
+  ASSERT_EQ(message.size(), 248U);
   EXPECT_EQ(message[0], 3);
   EXPECT_EQ(number_at<std::uint32_t>(message, 4), std::uint32_t(ArmingState::on));
   EXPECT_EQ(number_at<std::uint64_t>(message, 8), 12345U);
@@ -103,6 +104,7 @@ TEST(ViewProtocol, ASnapshotHasWhatThePanelsShow) {
   EXPECT_EQ(number_at<std::uint32_t>(message, 192), 17U);
   EXPECT_EQ(number_at<std::uint32_t>(message, 212), 2U) << "redoing";
   EXPECT_EQ(number_at<std::uint32_t>(message, 220), 9U);
+  EXPECT_EQ(number_at<double>(message, 240), 6);
 }
 
 TEST(ViewProtocol, SoundIsSixteenBitsAndBounded) {

@@ -197,7 +197,7 @@ TEST(MaterialPresets, LetACarbideBurIntoEnamelAndDentinAsFastAsWhiteMeasured) {
 
 // docs/model.md, "What is pressed too hard": w_c of a ball of 1 mm on voxels of 0.1 mm, by default.
 TEST(MaterialPresets, AreCrushedFromTheDepthOnThatThePageSays) {
-  const double k_v = stiffness_for_grid(SphereHead{1 * units::mm}, 0.1 * units::mm);
+  const double k_v = stiffness_for_head(SphereHead{1 * units::mm});
   const auto depth = [&](const Material& m) {
     return std::sqrt(2 * m.compressive_strength / (k_v * m.relative_stiffness));
   };

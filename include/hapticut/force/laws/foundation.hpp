@@ -15,7 +15,8 @@ namespace hapticut {
 /// The default law: a volumetric elastic foundation that the spinning head cuts by the power it delivers.
 ///
 /// Material at depth w pushes back with the pressure gradient k_v w along the normal n, Hunt-Crossley damped by
-/// g_d = max(0, 1 + chi w_dot), and where the head turns it drags along the slip v_t tangential to the cutting surface:
+/// g_d(chi w_dot), g_d(x) = 1 + x where the contact closes and 1/(1 - x) where it opens, and where the head turns it
+/// drags along the slip v_t tangential to the cutting surface:
 ///
 ///     g = -f n - kappa f v_t / sqrt(|v_t|^2 + v_eps^2)      f = k_v g_d l^3 phi <w>
 ///
@@ -60,6 +61,23 @@ class FoundationLaw final : public ForceLaw {
   static constexpr float kLeastEnergyShare = 1e-6F;    ///< [1] of u that law G always has to pay
   static constexpr float kSmallestPart = 1e-6F;        ///< [1] fill below which a cut voxel is empty
   static constexpr float kSmallestLoss = 1e-5F;        ///< [1] of a part, in a sub-step, of which no release is booked
+
+  /// [1] g_d of Hunt and Crossley's chi w_dot: smooth, and never less than nothing.
+  [[nodiscard]] static float damping_factor(float x) { return x < 0 ? 1 / (1 - x) : 1 + x; }
+
+  /// [1] g_d, and by how much it changes with x. It makes no pressure k_v w^2/2 pass what crushes the material.
+  struct Damping {
+    float factor, slope;
+    /// @param x    [1] chi w_dot
+    /// @param top  [m] depth of the top of a voxel's part
+    static Damping of(float x, float top, float crushing_depth) {
+      const float factor = damping_factor(x), ratio = crushing_depth / std::max(top, 1e-9F);
+      const float most = std::max(1.0F, ratio * ratio);
+      if (factor > most) return {most, 0};
+      return {factor, factor < 1 ? factor * factor : 1.0F};
+    }
+  };
+
   static constexpr float kAxisZone = 2.0F;  ///< [voxel edges] about the spindle's axis: voxels cut by their mean slip
   static constexpr float kAxisSlip = 0.2837F;  ///< 1/mean(1/rho) over a unit square about the axis = 1/(4 asinh 1)
 
@@ -154,6 +172,7 @@ class FoundationLaw final : public ForceLaw {
   static LawTotals evaluate_parts(const HeadMotion& m, const ContactMaterials& materials, bool spinning, bool cutting,
                                   ContactBlock& b) noexcept {
     const float l = m.voxel_size, dt = m.duration, slip_time = dt * m.level_of_detail, voxel_volume = l * l * l;
+    const float feed = m.velocity.norm();
     const AxisSlip axis_slip(m);
     Sums sums = {};
     for (int n = 0; n < b.lanes(); ++n) {
@@ -163,7 +182,7 @@ class FoundationLaw final : public ForceLaw {
       const int lane = n % kLanes;
       const SurfaceMotion s = surface_motion(m, b, n, axis_slip);
       const ContactMaterial& material = at_surface(materials[b.material_of(n)], m, b.smooth[n], s.scale);
-      const float damped = std::max(0.0F, 1.0F + material.damping * s.felt_w_dot);
+      const float damped = Damping::of(material.damping * s.felt_w_dot, b.top[n], material.crushing_depth).factor;
       const float k = material.stiffness, advance = s.w_dot * dt;
       const float kappa = spinning ? material.cutting_ratio : 0.0F;
       const float power = 0.5F * kappa * k * damped * s.slip, speed = std::max(0.0F, s.w_dot);
@@ -182,7 +201,7 @@ class FoundationLaw final : public ForceLaw {
       float u = material.cutting_energy;
       auto cut_depth = CutDepth<float>::of(top, material.cutting_depth);
       if (m.tooth_rate > 0) {
-        const auto chord = ChipChord<float>::of(material, m.tooth_rate, power / u, top, far_plane * l, speed);
+        const auto chord = ChipChord<float>::of(material, m.tooth_rate, power / u, top, far_plane * l, s.w_dot, feed);
         u = chord.energy, cut_depth = chord.cut;
       }
       const DepthIntegrals<float> part = section.integrals(height, top / l, cut_depth.scaled(1 / l));
@@ -224,20 +243,17 @@ class FoundationLaw final : public ForceLaw {
       const float after = left > 0 ? stored(section.height_of(left), (0.5F - m.lead) * advance) : 0.0F;
       const float taken = phi - left, gone = b.fill[n] - left;
       const bool releases = gone > kSmallestLoss * b.fill[n];
-      // What a contact evaluated at the end pushes harder than it stores is a damper's work: never less than nothing,
-      // for a spring is stiffer the deeper it gets.
-      float lead_work = k * part.volume * m.lead * advance * advance;
-      if (m.lead > 0 && !releases)
-        lead_work = std::max(0.0F, stored(full_height, -(0.5F + m.lead) * advance) + spring * advance - after);
-      // Where nothing is cut nothing is released, and nowhere less: what the midpoint rule lacks has entered.
-      const float stays = after + lead_work - spring * advance;
-      const float released = releases ? std::max(0.0F, stored(full_height, -(0.5F + m.lead) * advance) - stays) : 0.0F;
+      // Where nothing is cut nothing is released, and nowhere less: what the midpoint rule lacks has entered. What a
+      // contact evaluated at the end pushes harder than on average was not stored before.
+      const float stays = after - spring * advance, harder = k * part.volume * m.lead * advance * advance;
+      const float released =
+          releases ? std::max(0.0F, stored(full_height, -(0.5F + m.lead) * advance) - stays - harder) : 0.0F;
       const float before = stays + released;
       sums.of[kElasticBefore][lane] += before;
       sums.of[kElastic][lane] += after;
       sums.of[kCutting][lane] += u * taken;
       if (releases) sums.of[crushed ? kCrushed : kReleased][lane] += released - (u - price) * taken;
-      sums.of[kDamping][lane] += (normal - spring) * advance + lead_work;
+      sums.of[kDamping][lane] += (normal - spring) * advance;
       sums.of[kRubbing][lane] += kappa * rubbing * damped * s.slip * slip_time + price * std::max(0.0F, refused);
       sums.of[kCredited][lane] += price * (credit + std::max(0.0F, -refused));
       sums.of[kCouple][lane] += tangential * s.extra;

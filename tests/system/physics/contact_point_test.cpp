@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the contact is: its point, direction, area and pressure, against integrals over the cap of a ball and the end
+// of a cylinder.
+#include <gtest/gtest.h>
+
+#include "hapticut/force/laws/contact_mechanics.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
+#include "support/static_contact.hpp"
+
+namespace hapticut::contact_point_test {
+namespace {
+
+using test::box_at_phase;
+using test::half_space;
+using test::kStiffness;
+using test::materials_of_stiffness;
+using test::static_config;
+using units::kPi;
+using units::mm;
+
+constexpr double kRadius = 1 * mm, kDepth = 0.3 * mm;
+
+Contact contact_of(const ToolHead& head, const Vec3& place, double voxel_size, double spin = 0,
+                   const Mat3& R_WH = Mat3::Identity()) {
+  const Vec3 phase(0.3, 0.1, 0.7);
+  Simulation simulation(
+      box_at_phase(half_space(kRadius, kDepth, voxel_size), voxel_size, phase, materials_of_stiffness({1})),
+      Tool(head, RayHandle{0}, Spindle{spin * units::rad_per_s}), static_config());
+  return simulation.step({R_WH, place}, {}, 1e-3).contact;
+}
+
+/// [m] how far the mean place of the springs of a ball is from its centre: integrals over the cap of w = R - r.
+double lever_of_cap() {
+  constexpr int kSteps = 100000;
+  const double h = kRadius - kDepth;
+  double size = 0, moment = 0;
+  for (int n = 0; n < kSteps; ++n) {
+    const double r = h + kDepth * (n + 0.5) / kSteps, w = kRadius - r;
+    size += w * r * r * (1 - h / r);
+    moment += w * r * r * r * (1 - h * h / (r * r)) / 2;
+  }
+  return moment / size;
+}
+
+TEST(ContactPoint, OfABallIsThatOfItsCap) {
+  const double area = 2 * kPi * kRadius * kDepth;
+  double last = 1;
+  for (const double voxel : {0.1 * mm, 0.05 * mm}) {
+    const Contact contact = contact_of(SphereHead{kRadius}, {0, 0, kRadius - kDepth}, voxel);
+    const double lever = kRadius - kDepth - contact.point.z();
+    EXPECT_NEAR(lever, lever_of_cap(), 0.005 * kRadius);
+    EXPECT_LT(contact.point.head<2>().norm(), 0.005 * kRadius);
+    EXPECT_LT((contact.normal - Vec3::UnitZ()).norm(), 0.005);
+    const double off = std::abs(contact.area / area - 1);
+    EXPECT_LT(off, 0.03) << voxel;
+    EXPECT_LT(off, last) << voxel;
+    last = off;
+    double normal = 0;  // [N] the forces along the normals: of w over the cap
+    constexpr int kSteps = 100000;
+    const double h = kRadius - kDepth;
+    for (int n = 0; n < kSteps; ++n) {
+      const double r = h + kDepth * (n + 0.5) / kSteps;
+      normal += kStiffness * (kRadius - r) * 2 * kPi * r * r * (1 - h / r) * kDepth / kSteps;
+    }
+    EXPECT_NEAR(contact.pressure * contact.area / normal, 1, 0.01);
+  }
+}
+
+TEST(ContactPoint, OfTheEndOfACylinderIsItsMiddleAndThePressureThatOfItsDepth) {
+  const Mat3 tilted = rotation_from_vector(Vec3(kPi, 0, 0));  // from below: the end up, into nothing
+  const FlatHead head{kRadius, 3 * mm, FlatRule::bottom_only};
+  const Contact contact = contact_of(head, {0, 0, -kDepth}, 0.05 * mm);
+  EXPECT_NEAR(contact.area / (kPi * kRadius * kRadius), 1, 0.03);
+  EXPECT_NEAR(contact.pressure / (0.5 * kStiffness * kDepth * kDepth), 1, 0.03);
+  EXPECT_LT(contact.point.head<2>().norm(), 0.01 * kRadius);
+  EXPECT_LT((contact.normal - Vec3::UnitZ()).norm(), 1e-3);
+  const Contact none = contact_of(head, {0, 0, 4 * mm}, 0.05 * mm, 0, tilted);
+  EXPECT_EQ(none.voxels, 0);
+  EXPECT_TRUE(none.point.isZero(0) && none.normal.isZero(0));
+  EXPECT_EQ(none.area + none.pressure, 0);
+}
+
+TEST(ContactPoint, DirectionIsWithoutTheDragOfTheSpin) {
+  const Vec3 place(0, 0, kRadius - kDepth);
+  const Contact standing = contact_of(SphereHead{kRadius}, place, 0.05 * mm);
+  // Turned so that the axis lies along x: the drag is sideways.
+  const Contact turning =
+      contact_of(SphereHead{kRadius}, place, 0.05 * mm, 100, rotation_from_vector(Vec3(0, kPi / 2, 0)));
+  EXPECT_LT((turning.normal - standing.normal).norm(), 0.01);
+  EXPECT_LT((turning.point - standing.point).norm(), 0.01 * kRadius);
+}
+
+TEST(ContactPoint, IsThereUnderOtherLawsToo) {
+  SimulationConfig config;
+  config.law = std::make_shared<ContactMechanicsLaw>(1e9);
+  Simulation simulation(build_block({Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm}, 0.05 * mm, presets::cortical_bone()),
+                        Tool(SphereHead{kRadius}, RayHandle{0}, {}), config);
+  const Contact contact = simulation.step(Pose::from_translation({0, 0, kRadius - kDepth}), {}, 1e-3).contact;
+  EXPECT_LT((contact.normal - Vec3::UnitZ()).norm(), 0.02);
+  EXPECT_LT(contact.point.head<2>().norm(), 0.02 * kRadius);
+  EXPECT_NEAR(contact.area / (2 * kPi * kRadius * kDepth), 1, 0.1);
+}
+
+}  // namespace
+}  // namespace hapticut::contact_point_test
