@@ -328,10 +328,10 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
         emptied += gone(task.change) ? 1 : 0;
         if ((expected.change.strips >> (n / BlockChange::kStrip) & 1) == 0) continue;
         const bool kept = !gone(task.change) && !gone(expected.change);
-        const double rounding = (motion.tooth_rate > 0 ? 100 : 1) * kRounding;  // of speeds: ChipChord::share_of_chips
-        ASSERT_NEAR(fill_after[std::size_t(n)], expected.fill_after[std::size_t(n)],
-                    kept ? rounding : 2 * double(kSmallestFill))
-            << n;
+        const double apart = std::abs(double(fill_after[std::size_t(n)]) - double(expected.fill_after[std::size_t(n)]));
+        // Where the feed grazes a surface, ChipChord::share_of_chips magnifies what speeds are rounded by.
+        ASSERT_LE(apart, kept ? (motion.tooth_rate > 0 ? 100 : 1) * kRounding : 2 * double(kSmallestFill)) << n;
+        differently_finished += kept && apart > kRounding ? 1 : 0;
       }
       EXPECT_LE(differently_finished, 1);
     }
