@@ -10,8 +10,8 @@
 #
 #   --full        all that there is: the above with every instruction set, the slow tests, and the stages below
 #   --only STAGE  one of them alone:
-#                 address  the unit and contract tests, compiled by clang++ with its checks of addresses and of undefined
-#                          behaviour; the library, program, examples and benchmarks compile too
+#                 address  the unit and contract tests and 10^5 composed ticks, compiled by clang++ with its checks of
+#                          addresses and of undefined behaviour; the library, program, examples and benchmarks compile too
 #                 threads  the tests of what threads exchange, under the thread sanitizer
 #                 lint     clang-tidy on every source of the library
 #                 package  the package as outside projects use it, also as shared libraries by clang++, and for ARM
@@ -163,7 +163,8 @@ build_all() {
 address() {
   check "configure: address" configure address "-DHAPTICUT_PROPERTY_PARAMETERS=seed=1 max_success=10" &&
     check "build: address" build address &&
-    run_tests address address -LE slow
+    run_tests address address -LE slow &&
+    check "composed ticks: address" build/address/tests/system/test_coupling '--gtest_filter=Composed*'
 }
 
 # Only what threads exchange: the rest of the library is built for it without its optional parts.

@@ -45,11 +45,12 @@ void bind_guard_stages(py::module_& m) {
       .def(
           "control",
           [](P& p, const Vec3& force, const Vec3& applied, const Vec3& motion, double dt, const Vec3& effects,
-             std::optional<double> stored) {
-            return p.control({force, effects, applied, motion, dt, stored});
+             std::optional<double> stored, std::optional<double> motor) {
+            return p.control({force, effects, applied, motion, dt, stored, motor});
           },
           py::arg("force"), py::arg("applied"), py::arg("motion"), py::arg("dt"),
-          py::arg("effects") = Vec3(Vec3::Zero()), py::arg("stored") = py::none(), doc("PassivityController::control"))
+          py::arg("effects") = Vec3(Vec3::Zero()), py::arg("stored") = py::none(), py::arg("motor") = py::none(),
+          doc("PassivityController::control"))
       .def("restart", &P::restart, "Forgets what was stored.")
       .def_property_readonly("stored", &P::stored, doc("PassivityController::stored"))
       .def_property_readonly("taken", &P::taken, doc("PassivityController::taken"));

@@ -109,13 +109,13 @@ class SectionVectors {
 };
 
 /// LayerRecession::of in vectors.
-HWY_INLINE Vec share_of_recession(Vec top, const CutDepthVectors& cut, Vec rate, Vec speed, float duration) {
-  const Floats d;
-  const Vec zero = hn::Zero(d), one = broadcast(1.0F), dt = broadcast(duration);
-  const Vec least = cut.least, begin = hn::NegMulAdd(speed, broadcast(duration / 2), top);
-  const Vec late = (least - begin) / hn::Max(speed, broadcast(1e-20F));
-  const Vec time = hn::IfThenElse(begin < least, hn::Max(zero, dt - late), dt);
-  const Vec t = hn::Max(begin, least), least_squared = least * least;
+HWY_INLINE Vec share_of_recession(Vec top, const CutDepthVectors& cut, Vec rate, Vec speed, float duration,
+                                  bool at_end) {
+  const Vec one = broadcast(1.0F), dt = broadcast(duration);
+  const Vec least = cut.least, least_squared = least * least, half = broadcast(duration / 2);
+  const Vec deeper = hn::Min(top, cut.beyond(top));
+  const Vec before = hn::Min(half, deeper / hn::Max(speed, broadcast(1e-20F)));
+  const Vec time = before + (at_end ? before : half), t = hn::NegMulAdd(speed, before, top);
   const Vec gain = hn::MulAdd(rate, least_squared, speed);
   const Vec balance = time * time * rate * gain;
   // tanh(y)/y = m/(1 - y m) with m = (1 - e^-2y)/(2y), and by its series where (1 - tanh(y)/y)/y^2 would cancel
@@ -126,8 +126,8 @@ HWY_INLINE Vec share_of_recession(Vec top, const CutDepthVectors& cut, Vec rate,
   const Vec lack = hn::IfThenElse(small, lack_of_small, (one - c) / hn::Max(balance, broadcast(0.01F)));
   const Vec gone =
       hn::MulAdd(time * c, hn::MulSub(t, t, least_squared), speed * time * time * hn::MulAdd(time * gain, lack, t * c));
-  const Vec at_middle = dt * cut.excess;
-  return gone / (hn::MulAdd(t * rate, time * c, one) * hn::Max(at_middle, broadcast(1e-36F)));
+  const Vec as_evaluated = dt * cut.excess;
+  return gone / (hn::MulAdd(t * rate, time * c, one) * hn::Max(as_evaluated, broadcast(1e-36F)));
 }
 
 /// FoundationLaw on parts of voxels.
@@ -147,10 +147,9 @@ struct PressedParts {
   Vec area;                    // [voxel edges^2] of the head's surface
 
   /// [N/m^4] change of the force with depth, as the springs yield while they are cut
-  [[nodiscard]] HWY_INLINE Vec slope(const MaterialVectors& material, const DampingVectors& damped,
-                                     float duration) const {
+  [[nodiscard]] HWY_INLINE Vec slope(const MaterialVectors& material, const DampingVectors& damped, float time) const {
     const Vec yields = (rubbing + cut) / hn::Max(elastic, broadcast(1e-20F));
-    const Vec damper = damped.slope * material.damping * depth * broadcast(1 / duration);
+    const Vec damper = damped.slope * material.damping * depth * broadcast(1 / time);
     return material.stiffness * yields * hn::MulAdd(volume - yielding, damped.factor, damper);
   }
 };
@@ -208,13 +207,13 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
   if (!hn::AllFalse(d, is_cut)) {
     const Vec cutting = section.cutting(height, cut.least * per_l, cut.beyond(p.top) * per_l);
     Vec path = work / p.price;  // k_d dt
-    Vec share = share_of_recession(p.top, cut, path * per_time, speed, slip_time);
+    Vec share = share_of_recession(p.top, cut, path * per_time, speed, slip_time, m.at_end());
     if (release) {  // helped by what is stored where the layer's top is on average
       const Vec squared = hn::MulAdd(share, cut.excess, cut.least * cut.least);
       p.price = hn::Max(hn::NegMulAdd(half * material.stiffness, squared, p.price),
                         p.price * broadcast(FoundationLaw::kLeastEnergyShare));
       path = work / p.price;
-      share = share_of_recession(p.top, cut, path * per_time, speed, slip_time);
+      share = share_of_recession(p.top, cut, path * per_time, speed, slip_time, m.at_end());
     }
     const Vec gone = (path + path) * l * cutting * share / hn::Max(p.kept, broadcast(FoundationLaw::kSmallestPart));
     const Vec exponent = hn::IfThenElseZero(is_cut, hn::Min(gone, broadcast(FoundationLaw::kLargestExponent)));

@@ -131,6 +131,16 @@ class Gather {
     return strips;
   }
 
+  /// Number of those of a block.
+  [[nodiscard]] HWY_INLINE int count(const BlockView& block) const {
+    int count = 0;
+    for_each(
+        block, 0, [&](int, const Vectors&, Mask, unsigned lanes) HWY_ATTR __attribute__((always_inline)) {
+          count += std::popcount(lanes);
+        });
+    return count;
+  }
+
   /// Calls `found(r)` for each vector of voxels of the strips all of whose voxels are solid and lie deeper than a
   /// margin [m] inside a ball.
   /// @return bit n: those of strip n do

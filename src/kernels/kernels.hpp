@@ -77,6 +77,11 @@ namespace hapticut::kernels {
 void sample_contact(const ToolHead& head, const BlockView& block, const GridInHead& grid, Quadrature quadrature,
                     ContactBlock& out) noexcept;
 
+struct ContactJob;
+
+/// Number of the solid voxels of a block that `press_blocks` may find inside the head, without a level of detail.
+[[nodiscard]] int count_voxels(const ContactJob& job, const BlockView& block) noexcept;
+
 /// Stage `sum_resultant`.
 void sum_resultant(const ContactBlock& block, Resultant& total) noexcept;
 

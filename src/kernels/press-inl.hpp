@@ -152,7 +152,7 @@ class Press : Places {
     sums.voxels += std::popcount(lanes);
     note_depth(depth, r, s, deep, sums);
     if (stiffness_ != nullptr) [[unlikely]] {
-      const Vec damper = damped.slope * material_.vectors().damping * depth * broadcast(1 / m_.duration);
+      const Vec damper = damped.slope * material_.vectors().damping * depth * broadcast(1 / m_.time_to_move());
       s.closing = s.inverse_slip = s.smooth = hn::Zero(d);
       add_springs(m_, k * (damped.factor + damper), normal, hn::Zero(d), r, s, *stiffness_);
     }
@@ -307,7 +307,7 @@ class Press : Places {
     sums.released = sums.released + p.released;
     sums.damping = sums.damping + (normal - spring) * advance;
     if (stiffness_ != nullptr) [[unlikely]]
-      add_springs(m_, p.slope(material, damped, m_.duration), normal, kappa, r, s, *stiffness_);
+      add_springs(m_, p.slope(material, damped, m_.time_to_move()), normal, kappa, r, s, *stiffness_);
     if (friction_ != nullptr) add_friction(first, normal, p.volume, r, s);
     sums.fill = sums.fill + p.volume;
     sums.depth = hn::Max(sums.depth, p.top);

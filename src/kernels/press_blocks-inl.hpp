@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel press_blocks: which Press for which head; included once per instruction set.
+// Kernels press_blocks and count_voxels: which Press for which head; included once per instruction set.
 #if defined(HAPTICUT_KERNELS_PRESS_BLOCKS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAPTICUT_KERNELS_PRESS_BLOCKS_INL_HPP
 #undef HAPTICUT_KERNELS_PRESS_BLOCKS_INL_HPP
@@ -36,6 +36,11 @@ HWY_ATTR void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, Con
                           StiffnessSums* stiffness, FrictionSums* friction) {
   visit_springs(job.head, [&](const auto& springs)
                               HWY_ATTR { strips::PressAll(springs, job, tasks, sums, stiffness, friction); });
+}
+
+HWY_ATTR int CountVoxels(const ContactJob& job, const BlockView& block) {
+  return visit_springs(job.head,
+                       [&](const auto& springs) HWY_ATTR { return strips::Gather(springs, job).count(block); });
 }
 
 }  // namespace hapticut::kernels::HWY_NAMESPACE

@@ -22,9 +22,15 @@ BlockView with_turn(const ContactJob& job, const BlockView& block,
   return view;
 }
 
+/// Of one block, for each call of a kernel anew.
+ContactBlock& scratch() noexcept {
+  thread_local ContactBlock contact;
+  return contact;
+}
+
 void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, StiffnessSums* stiffness,
                  FrictionSums* friction) noexcept {
-  thread_local ContactBlock contact;
+  ContactBlock& contact = scratch();
   task.change = {};
   std::array<std::uint64_t, kBlockEdge> solid;
   const BlockView block = job.level_of_detail > 1 ? with_turn(job, task.block, solid) : task.block;
@@ -54,6 +60,11 @@ void sum_resultant(const ContactBlock& block, Resultant& total) noexcept { hapti
 void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums, StiffnessSums* stiffness,
                   FrictionSums* friction) noexcept {
   for (PressTask& task : tasks) press_block(job, task, sums, stiffness, friction);
+}
+
+int count_voxels(const ContactJob& job, const BlockView& block) noexcept {
+  sample_contact(job.head, block, job.grid, Quadrature::sub_voxel, scratch());
+  return scratch().samples;
 }
 
 Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_volume) noexcept {

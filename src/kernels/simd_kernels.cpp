@@ -19,6 +19,7 @@ void SampleContact(const ToolHead& head, const BlockView& block, const GridInHea
                    ContactBlock& out);
 void PressBlocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums& sums, StiffnessSums* stiffness,
                  FrictionSums* friction);
+int CountVoxels(const ContactJob& job, const BlockView& block);
 void SumResultant(const ContactBlock& block, Resultant& total);
 
 }  // namespace hapticut::kernels::HWY_NAMESPACE
@@ -29,6 +30,7 @@ namespace hapticut::kernels {
 
 HWY_EXPORT(SampleContact);
 HWY_EXPORT(PressBlocks);
+HWY_EXPORT(CountVoxels);
 HWY_EXPORT(SumResultant);
 
 void sample_contact(const ToolHead& head, const BlockView& block, const GridInHead& grid, Quadrature quadrature,
@@ -44,6 +46,10 @@ void press_blocks(const ContactJob& job, std::span<PressTask> tasks, ContactSums
   HWY_DYNAMIC_DISPATCH(PressBlocks)(job, tasks, sums, stiffness, friction);
 }
 
+int count_voxels(const ContactJob& job, const BlockView& block) noexcept {
+  return HWY_DYNAMIC_DISPATCH(CountVoxels)(job, block);
+}
+
 void sum_resultant(const ContactBlock& block, Resultant& total) noexcept {
   if (block.sub_voxel) return hapticut::sum_resultant(block, total);
   HWY_DYNAMIC_DISPATCH(SumResultant)(block, total);
@@ -57,7 +63,9 @@ Pressed pressed(const ContactJob& job, const ContactSums& sums, double voxel_vol
   Resultant& resultant = all.resultant;
   resultant.wrench_T.force = -Vec3(total(Term::kForceX), total(Term::kForceY), total(Term::kForceZ));
   resultant.wrench_T.torque = -Vec3(total(Term::kTorqueX), total(Term::kTorqueY), total(Term::kTorqueZ));
-  if (job.motion.spin != 0) resultant.wrench_T.torque.z() -= total(Term::kCouple) / double(job.motion.spin);
+  // The couple does its work against all of the turning: the spin's, and the handpiece's.
+  if (const float turning = job.motion.turning(); job.motion.spin != 0 && turning != 0)
+    resultant.wrench_T.torque.z() -= total(Term::kCouple) / double(turning);
   resultant.voxels = sums.voxels * int(job.level_of_detail);
   resultant.volume = weight * sums.total(Term::kFill);
   resultant.depth = double(sums.depth);

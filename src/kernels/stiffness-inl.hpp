@@ -65,8 +65,15 @@ HWY_INLINE void add_springs(const HeadMotion& m, Vec slope, Vec normal, Vec kapp
   if (m.spin == 0) return;
   const Vectors b = {hn::MulSub(n.y, v.z, n.z * v.y), hn::MulSub(n.z, v.x, n.x * v.z), hn::MulSub(n.x, v.y, n.y * v.x)};
   const Vec square = dot(b, b), least = broadcast(1e-12F);
-  sums.add(hn::IfThenElseZero(square > least, drag * normal / (hn::Max(square, least) * broadcast(m.duration))), r, b,
-           b);
+  const Vec damper =
+      hn::IfThenElseZero(square > least, drag * normal / (hn::Max(square, least) * broadcast(m.time_to_move())));
+  sums.add(damper, r, b, b);
+  constexpr float kRegular = FoundationLaw::kSlipRegularization, kSlow = StiffnessSums::kSlowSlip;
+  const auto slow = square <= broadcast(kSlow * kSlow);
+  if (hn::AllFalse(Floats(), slow)) return;
+  const Vec least_slip = broadcast(kRegular * kRegular), into = hn::Neg(dot(n, v));
+  const Vectors t = {hn::MulAdd(into, n.x, v.x), hn::MulAdd(into, n.y, v.y), hn::MulAdd(into, n.z, v.z)};
+  sums.add(hn::IfThenElseZero(slow, damper * least_slip / (square + least_slip)), r, t, t);
 }
 
 }  // namespace strips

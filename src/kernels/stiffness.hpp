@@ -15,10 +15,12 @@ namespace hapticut::kernels {
 /// direction. Without spin the sum is symmetric and positive semidefinite.
 ///
 /// Where the spin drags, it does so along the slip, and a motion across that turns it: a damper along n x slip, taken
-/// over the sub-step. How normals turn is left out (Gauss and Newton's approximation).
+/// over the sub-step. Where the slip is slow, below its regularisation, the drag grows with it: a damper along it. How
+/// normals turn is left out (Gauss and Newton's approximation).
 struct StiffnessSums {
   static constexpr std::size_t kTerms = 36;
   static constexpr std::size_t kLanes = BlockChange::kStrip;
+  static constexpr float kSlowSlip = 10 * FoundationLaw::kSlipRegularization;  ///< [m/s] beyond which the drag is whole
 
   alignas(64) std::array<std::array<double, kLanes>, kTerms> lanes = {};  ///< [N/m^4], [N/m^3], [N/m^2]
 
@@ -56,8 +58,9 @@ inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const Cont
     const bool at_limit = b.top[i] == material.crushing_depth;
     const float crushed = at_limit ? top * section.area_at(height) : 0.0F;  // which goes on to go, not to press
     const double spring = -double(force.dot(n)) / (volume * double(depth) * double(damped.factor));  // k phi
-    const double slope = double(scale) * spring *
-                         double((part.volume - crushed) * damped.factor + damped.slope * damping * depth / m.duration);
+    const double slope =
+        double(scale) * spring *
+        double((part.volume - crushed) * damped.factor + damped.slope * damping * depth / m.time_to_move());
     const Eigen::Vector3d arm = r.cast<double>(), along = force.cast<double>() / double(force.dot(n));
     const auto add = [&](double strength, const Eigen::Vector3d& q, const Eigen::Vector3d& way) {
       Eigen::Matrix<double, 6, 1> row, column;
@@ -73,7 +76,11 @@ inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const Cont
     const double slip = across.norm();
     if (m.spin == 0 || slip < 1e-6) continue;
     const double drag = double((force - force.dot(n) * n).norm()) / volume;
-    add(drag / (slip * double(m.duration)), across / slip, across / slip);
+    const double damper = drag / (slip * double(m.time_to_move())), least = double(FoundationLaw::kSlipRegularization);
+    add(damper, across / slip, across / slip);
+    if (slip > double(StiffnessSums::kSlowSlip)) continue;
+    const Eigen::Vector3d along_slip = (velocity - velocity.dot(n) * n).cast<double>() / slip;
+    add(damper * least * least / (slip * slip + least * least), along_slip, along_slip);
   }
 }
 

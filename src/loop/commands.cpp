@@ -122,6 +122,8 @@ bool SimulationModel::apply(const commands::OpenClutch& /*command*/) noexcept {
 bool SimulationModel::apply(const commands::CloseClutch& /*command*/) noexcept {
   map_.engage(X_BS_);
   unfelt_ = true;
+  interlock_.interrupt();  // it cuts nothing in this tick; the guard's state says so only from the next one on
+  touches_ = true;         // for all that is known
   device_->interrupt(SafetyEvent::reclutched);
   return true;
 }

@@ -106,8 +106,9 @@ Wrench SimulationModel::hold_force(const DeviceState& state) const noexcept {
 }
 
 void SimulationModel::turn_spindle(const DeviceState& state) noexcept {
-  const bool admitted = interlock_.admits(tool_.force_held ? ArmingState::off : device_->last_arming(), touches_);
-  const bool pressed = pedal_ < 0 || state.pressed(pedal_);
+  const bool unfelt = tool_.force_held || device_->requests().emergency();  // which the guard obeys after this tick
+  const bool admitted = interlock_.admits(unfelt ? ArmingState::off : device_->last_arming(), touches_);
+  const bool pressed = pedal_ < 0 || simulation_->tool().spindle().speed == 0 || state.pressed(pedal_);
   simulation_->hold_spindle(!pressed || (!admitted && spindle_needs_force_));
 }
 
@@ -134,6 +135,7 @@ Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, dou
 Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept {
   const std::uint64_t steps = simulation_->steps();
   const double before = simulation_->last_result().energy.losses();
+  const double motor_before = simulation_->last_result().energy.motor_work;
   const Wrench felt = follow_hand(map_.to_world(state.X_BS), map_.to_world(state.X_BS, state.velocity), dt);
   tool_.seen |= tool_.status;
   tool_.most_effort = {std::max(tool_.most_effort.parts, tool_.effort.parts),
@@ -155,12 +157,14 @@ Wrench SimulationModel::move_tool(const DeviceState& state, double dt) noexcept 
   tool_.contact_voxels = result.contact.voxels;
   tool_.contact_point = result.contact.point;
   tool_.spindle_speed = result.spindle.speed;
-  contact_ = describe_contact(state, felt);
+  contact_ = describe_contact(state, felt, result.energy.motor_work - motor_before);
   return map_.to_device(state.X_BS, felt);
 }
 
 /// What the guard shall know of a step.
-ModelContact SimulationModel::describe_contact(const DeviceState& state, const Wrench& felt) const noexcept {
+/// @param motor  [J] that the spindle's gave in it
+ModelContact SimulationModel::describe_contact(const DeviceState& state, const Wrench& felt,
+                                               double motor) const noexcept {
   const StepResult& result = simulation_->last_result();
   ModelContact contact;
   contact.touching = touches_;
@@ -170,7 +174,9 @@ ModelContact SimulationModel::describe_contact(const DeviceState& state, const W
   double stored = result.energy.elastic + result.energy.anchored;
   if (coupling_) stored += coupling_->last_result().energy.spring + coupling_->last_result().energy.kinetic;
   const WorkspaceMapOptions& map = map_.options();
-  contact.stored = std::max(map.force_scale / map.scale, map.torque_scale) * std::max(stored, 0.0);
+  const double at_hand = std::max(map.force_scale / map.scale, map.torque_scale);
+  contact.stored = at_hand * std::max(stored, 0.0);
+  if (coupling_ && !tool_.force_held) contact.motor = at_hand * motor;
   return contact;
 }
 

@@ -237,7 +237,11 @@ Wrench SafetyGuard::finite_or_none(const Wrench& commanded) noexcept {
 Wrench SafetyGuard::make_passive(const Wrench& wrench, const ModelContact& contact) noexcept {
   const Wrench effects = is_finite(contact.effects) ? contact.effects : Wrench{};
   Wrench w;
-  w.force = passivity_.control({wrench.force, effects.force, output_.applied.force, motion_, dt_, contact.stored});
+  // Where torque is rendered, the force may give back what a turn has given: then nothing is shortened.
+  const bool shortens = greatest_torque_ == 0 && std::isfinite(contact.motor.value_or(0));
+  const std::optional<double> motor = shortens ? contact.motor : std::nullopt;
+  w.force =
+      passivity_.control({wrench.force, effects.force, output_.applied.force, motion_, dt_, contact.stored, motor});
   w.torque =
       turning_passivity_.control({wrench.torque, effects.torque, output_.applied.torque, turn_, dt_, contact.stored});
   const double taken = std::max(passivity_.taken(), turning_passivity_.taken());

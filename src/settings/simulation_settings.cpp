@@ -39,6 +39,9 @@ std::vector<Setting> settings_of(SimulationSettings& s) {
       number("simulation.reference_stiffness_N_per_m4", "--reference_stiffness", s.config.reference_stiffness,
              range_of(&SimulationConfig::reference_stiffness),
              "foundation stiffness, N/m^4, of a material of relative stiffness 1; 0: what suits the head's radius [0]"),
+      number("simulation.contact_damping_s_per_m", "--contact_damping", s.config.contact_damping,
+             range_of(&SimulationConfig::contact_damping),
+             "damping of the contact, s/m, on top of each material's own [300 behind a coupling, 0 without]"),
       choice("simulation.removal", "--removal", s.removal, "how material is taken away [constant_energy]"),
       choice("simulation.quadrature", "--quadrature", s.quadrature,
              "where in a partly filled voxel its force is taken [automatic: sub_voxel, or centroid under a law of "

@@ -115,14 +115,27 @@ WorstCase ContactStages::worst_case(const SimulationConfig& config) const noexce
   return worst_case_of(most_voxels_, most_blocks_, config);
 }
 
-/// Into how many parts the voxels of the blocks must be divided to stay within the budget.
-int ContactStages::level_of_detail(std::span<const CuttableBlock> blocks) const noexcept {
-  if (voxel_budget_ == 0 || most_voxels_ <= voxel_budget_) return 1;
+namespace {
+
+std::size_t count_solid(const BlockView& block) noexcept {
+  if (block.solid == nullptr) return kBlockVoxels;
   std::size_t solid = 0;
-  for (const CuttableBlock& block : blocks)
-    for (int slab = 0; slab < kBlockEdge; ++slab)
-      solid += block.view.solid == nullptr ? 64 : std::size_t(std::popcount(block.view.solid[slab]));
-  return std::max(1, int((std::min(solid, most_voxels_) + voxel_budget_ - 1) / voxel_budget_));
+  for (int slab = 0; slab < kBlockEdge; ++slab) solid += std::size_t(std::popcount(block.solid[slab]));
+  return solid;
+}
+
+}  // namespace
+
+/// Into how many parts the voxels inside the head must be divided to stay within the budget. They are counted only
+/// where the blocks have more.
+int ContactStages::level_of_detail(std::span<const CuttableBlock> blocks,
+                                   const kernels::ContactJob& job) const noexcept {
+  if (voxel_budget_ == 0 || most_voxels_ <= voxel_budget_) return 1;
+  std::size_t solid = 0, inside = 0;
+  for (const CuttableBlock& block : blocks) solid += count_solid(block.view);
+  if (solid <= voxel_budget_) return 1;
+  for (const CuttableBlock& block : blocks) inside += std::size_t(kernels::count_voxels(job, block.view));
+  return std::max(1, int((inside + voxel_budget_ - 1) / voxel_budget_));
 }
 
 void ContactStages::set_friction(MaterialId id, const DryFriction& friction) noexcept {
@@ -234,11 +247,10 @@ void ContactStages::record(const std::array<double, 256>& removed, RemovalRecord
 
 kernels::ContactJob ContactStages::job_at(std::span<const CuttableBlock> blocks,
                                           const HeadPlacement& at) const noexcept {
-  const int level = level_of_detail(blocks);
   kernels::ContactJob job = {
-      head_, GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()), at.motion, materials_, damped_, unsigned(level),
-      turn_};
-  job.motion.level_of_detail = float(level);
+      head_, GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()), at.motion, materials_, damped_, 1, turn_};
+  job.level_of_detail = unsigned(level_of_detail(blocks, job));
+  job.motion.level_of_detail = float(job.level_of_detail);
   return job;
 }
 

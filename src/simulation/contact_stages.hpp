@@ -165,7 +165,8 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   [[nodiscard]] Encounter ask_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                   RemovalRecord* removal) noexcept;
   void record(const std::array<double, 256>& removed, RemovalRecord& removal) const noexcept;
-  [[nodiscard]] int level_of_detail(std::span<const CuttableBlock> blocks) const noexcept;
+  [[nodiscard]] int level_of_detail(std::span<const CuttableBlock> blocks,
+                                    const kernels::ContactJob& job) const noexcept;
   [[nodiscard]] bool can_cut(const CuttableBlock& block) const noexcept;
   [[nodiscard]] float* fill_target(const CuttableBlock& block) noexcept;
   [[nodiscard]] bool is_cut(const BlockChange& change) const noexcept;

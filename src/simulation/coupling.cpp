@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/simulation/coupling.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/reserve.hpp"
 #include "simulation/hand_motion.hpp"
+#include "simulation/newton_search.hpp"
 
 namespace hapticut {
 namespace {
 
-// Newton's method. Forces in [N], shares [1].
-constexpr double kSolved = 1e-4;  // [voxels] a correction that moves no point of the head farther
-constexpr double kLeastDescent = 1e-4, kLeastShare = 0.1;  // of a correction: what it must gain, and what is tried
-constexpr double kNearBalance = 1e-3, kNearShare = 1e-3;   // that may lack, by itself and of the largest force, before
-constexpr double kFarBalance = 10e-3, kFarShare = 1e-2;    // the last correction: at first, and
-constexpr int kPatient = 6;                                // after so many
+// What brakes a tool that the spindle throws about.
+constexpr double kBrake = 60, kUnbraked = 0.1;  // [N s/m], [m/s] beyond the hand
 
 constexpr double kLeastDampingRatio = 0.5, kDampingRatio = 0.7;  // [1] below which a tool rings, and what is chosen
 constexpr double kLightest = 1e-3;                               // [kg] of a tool that a hand could hold
@@ -170,14 +166,12 @@ int VirtualCoupling::plan_parts(double dt) const noexcept {
   const double speed =
       transport(result_.velocity, p_HoTo_W).linear.norm() + result_.velocity.angular.norm() * tool.head().reach();
   const double parts = std::ceil(kMargin * speed * dt / (0.5 * simulation_->workpiece().voxel_size()));
-  return int(std::clamp(parts, 1.0, double(most_parts())));
+  return int(std::clamp(parts, 1.0, double(kMostParts)));
 }
-
-int VirtualCoupling::most_parts() const noexcept { return std::min(kMostParts, gains_.newton_steps / kLeastSteps); }
 
 WorstCase VirtualCoupling::worst_case() const {
   WorstCase worst = simulation_->worst_case();
-  worst.contacts = gains_.newton_steps + most_parts();
+  worst.contacts = gains_.newton_steps + kMostParts;
   return worst;
 }
 
@@ -185,7 +179,7 @@ WorstCase VirtualCoupling::worst_case() const {
 StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const Twist& hand) noexcept {
   const Twist tool_before = result_.velocity;
   const Pull before = pull(result_.X_WH, tool_before, X_WD_, hand);
-  const Twist tool = solve(part, hand);
+  const Twist tool = NewtonSearch(*this, part, hand).find();
   Pose X_WH = advance(result_.X_WH, tool, part.dt);
   if (!turns()) X_WH.rotation = part.X_WD.rotation;
   const double work_before = simulation_->last_result().energy.hand_work, missed = result_.energy.imbalance();
@@ -202,6 +196,7 @@ StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const
   const double force = std::max(stepped.model.force.norm(), answer.after().wrench.force.norm());
   if (std::abs(result_.energy.imbalance() - missed) > (kFarBalance + kFarShare * force) * way)
     result_.status |= StepStatus::not_in_balance;
+  if (stepped.contact.voxels > 0 && !answer.after().brake.isZero(0)) result_.status |= StepStatus::tool_braked;
   X_WD_ = part.X_WD;
   return stepped.status;
 }
@@ -244,84 +239,19 @@ VirtualCoupling::Pull VirtualCoupling::pull(const Pose& X_WH, const Twist& tool,
   p.angular = limited(gains_.angular_stiffness * p.turn, gains_.angular_damping * (hand.angular - tool.angular),
                       gains_.largest_torque);
   p.wrench = {p.linear.force, p.angular.force};
+  brake(p, tool.linear, hand.linear);
   return p;
 }
 
-/// The twist of the tool at the end of the tick, with which all forces are in balance: Newton's method, whose
-/// corrections are halved until less is lacking. The contact's stiffness with the drag of the spin in it is not
-/// symmetric; docs/decisions/0005-implicit-coupling.md says when there is one solution. On a ridge of the head, where
-/// the force of a voxel turns within nanometres from one surface to the next, there is none: there a correction that
-/// gains nothing ends the search, and what lacks is less than a voxel pushes.
-Twist VirtualCoupling::solve(const Part& part, const Twist& hand) noexcept {
-  const Pose& pose = part.X_WD;
-  const double dt = part.dt;
-  const int most_steps = gains_.newton_steps - result_.newton_steps - kLeastSteps * part.left;
-  const Twist before = result_.velocity;
-  Twist tool = before, from = before;
-  const Twist hand_path = twist_between(result_.X_WH, pose, dt);
-  if (!turns()) tool.angular = hand_path.angular;
-  const double lever = reach();
-  const double solved = kSolved * simulation_->workpiece().voxel_size() / dt;  // [m/s]
-  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();                          // correction from `from`
-  double share = 1, lacked = std::numeric_limits<double>::infinity();          // [1] of it that was tried, [N]
-  Twist nearest = before;
-  double least = lacked;  // [N]
-  bool slid = false, from_rest = false;
-
-  for (int n = 0; n < most_steps; ++n) {
-    ++result_.newton_steps;
-    Pose X_WH = advance(result_.X_WH, tool, dt);
-    if (!turns()) X_WH.rotation = pose.rotation;
-    const ContactProbe contact =
-        simulation_->probe(X_WH, tool, dt, turns() ? ProbedMotions::all : ProbedMotions::translations);
-    const Pull p = pull(X_WH, tool, pose, hand);
-    const Vec3 force = contact.wrench.force + p.wrench.force - gains_.mass / dt * (tool.linear - before.linear);
-    const Vec3 torque = contact.wrench.torque + p.wrench.torque - gains_.inertia / dt * (tool.angular - before.angular);
-    const double lacks = force.norm() + (turns() ? torque.norm() / lever : 0);
-    const double largest = std::max(contact.wrench.force.norm(), p.wrench.force.norm());  // [N]
-    if (lacks < least) least = lacks, nearest = tool;
-    if (lacks > (1 - kLeastDescent * share) * lacked) {
-      if (share < kLeastShare) break;
-      share *= 0.5;
-      tool.linear = from.linear + share * linear;
-      if (turns()) tool.angular = from.angular + share * angular;
-      continue;
-    }
-
-    Stiffness a = dt * contact.stiffness;
-    a.topLeftCorner<3, 3>() += (gains_.damping + dt * gains_.stiffness) * p.linear.slope;
-    a.bottomRightCorner<3, 3>() += (gains_.angular_damping + dt * gains_.angular_stiffness) * p.angular.slope;
-    a.diagonal().head<3>().array() += gains_.mass / dt;
-    a.diagonal().tail<3>().array() += gains_.inertia / dt;
-    const Vec3 last = linear;
-    if (turns()) {
-      Vector6 lacking;
-      lacking << force, torque;
-      const Vector6 correction = a.partialPivLu().solve(lacking);
-      linear = correction.head<3>();
-      angular = correction.tail<3>();
-    } else {
-      linear = Mat3(a.topLeftCorner<3, 3>()).partialPivLu().solve(force);
-    }
-    if (slid && contact.sliding && !from_rest && linear.dot(last) < -0.5 * last.squaredNorm()) {
-      // To and fro between sliding one way and the other: the head sticks, or nearly so, and that is found from rest.
-      from_rest = true;
-      tool.linear.setZero();
-      if (turns()) tool.angular.setZero();
-      linear.setZero();
-      lacked = std::numeric_limits<double>::infinity();
-      continue;
-    }
-    from = tool;
-    lacked = lacks;
-    share = 1;
-    tool.linear += linear;
-    if (turns()) tool.angular += angular;
-    slid = contact.sliding;
-    if (linear.norm() + (turns() ? angular.norm() * lever : 0) < solved) return tool;
-    if (lacks < (n < kPatient ? kNearBalance + kNearShare * largest : kFarBalance + kFarShare * largest)) return tool;
-  }
-  return nearest;
+/// Takes from a tool that is faster than its hand what its spindle gave it.
+void VirtualCoupling::brake(Pull& pull, const Vec3& tool, const Vec3& hand) const noexcept {
+  pull.brake.setZero();
+  pull.brake_slope.setZero();
+  const double speed = tool.norm(), unbraked = (hand.norm() + kUnbraked) / speed;  // [m/s], [1] of it
+  if (simulation_->last_result().spindle.speed == 0 || !(unbraked < 1)) return;
+  const Vec3 along = tool / speed;
+  pull.brake = -kBrake * (1 - unbraked) * tool;
+  pull.brake_slope = kBrake * ((1 - unbraked) * Mat3::Identity() + unbraked * along * along.transpose());
 }
 
 double VirtualCoupling::kinetic_energy(const Twist& tool) const noexcept {
@@ -341,7 +271,7 @@ void VirtualCoupling::book(const Pull& before, const Pull& after, const Twist& t
   const Vec3 torque = turns() ? after.wrench.torque : Vec3(-result_.coupling.torque);
   const double by_hand = (after.wrench.force.dot(hand_path.linear) + torque.dot(hand_path.angular)) * dt;
   const Vec3 way = (hand_path.linear - tool.linear) * dt;
-  double damper = (after.linear.force - after.linear.spring).dot(way);
+  double damper = (after.linear.force - after.linear.spring).dot(way) - after.brake.dot(tool.linear) * dt;
   // What the spring's end force does on the way, less what it stores more; what the mass loses.
   double implicit = after.linear.spring.dot(way) - (spring_energy(after) - spring_energy(before)) +
                     0.5 * gains_.mass * (tool.linear - tool_before.linear).squaredNorm();

@@ -56,7 +56,7 @@ void Simulation::State::load_spindle(double torque, SubStep& sub_step) noexcept 
 /// A stalled head presses as if it were about to turn.
 void Simulation::State::turn_head(HeadMotion& motion) const noexcept {
   motion.spin = float(motor.stalled() ? turning_spin() : motor.speed());
-  motion.crushes = config.removal != RemovalLaw::none && contact_stages.any_crushing();
+  motion.crushes = !held && config.removal != RemovalLaw::none && contact_stages.any_crushing();
   motion.removal = motor.stalled() ? RemovalLaw::none : config.removal;
   motion.tooth_rate = contact_stages.any_chips() ? float(tooth_rate(tool.cutter(), double(motion.spin))) : 0;
 }

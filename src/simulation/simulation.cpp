@@ -14,6 +14,7 @@ namespace {
 
 // Memory for all voxels that a head may reach is taken at set-up; more than this is a mistake in the unit.
 constexpr double kMostVoxels = 1e9, kLongestDiagonal = 4000;  // [voxels]
+constexpr double kThinnest = 1.5;                             // [voxels] of a head: its forces are off by a fifth then
 
 void validate_pair(const Workpiece& workpiece, const Tool& tool) {
   if (workpiece.empty())
@@ -26,9 +27,10 @@ void validate_pair(const Workpiece& workpiece, const Tool& tool) {
 void validate_head(const ToolHead& head, double voxel_size) {
   const HeadBox box = head.bounding_box();
   const double thinnest = (box.max - box.min).minCoeff();
-  if (thinnest < voxel_size)
-    throw Error("the head is " + format_number(thinnest * 1e3) + " mm thin, less than a voxel of " +
-                format_number(voxel_size * 1e3) + " mm; it would slip between voxels. Choose smaller voxels.");
+  if (thinnest < kThinnest * voxel_size)
+    throw Error("the head is " + format_number(thinnest * 1e3) + " mm thin, less than " + format_number(kThinnest) +
+                " voxels of " + format_number(voxel_size * 1e3) +
+                " mm; it would slip between voxels. Choose smaller voxels.");
   const Vec3 spans = (box.max - box.min) / voxel_size;
   if (!(spans.prod() <= kMostVoxels && spans.norm() <= kLongestDiagonal))
     throw Error("the head spans " + format_number(spans.x()) + " x " + format_number(spans.y()) + " x " +

@@ -183,7 +183,8 @@ SubStep Simulation::State::plan_sub_step(const Pose& from, int index, double dur
                           .voxel_size = float(workpiece.voxel_size()),
                           .removal = config.removal,
                           .head_radius = float(tool.head().cutting_radius()),
-                          .lead = float(lead)};
+                          .lead = float(lead),
+                          .elapsed = float((index + 0.5 + lead) * duration)};
   turn_head(sub_step.head.motion);
   return sub_step;
 }
@@ -284,7 +285,8 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   if (encounter.blocks_exhausted) result.status |= StepStatus::blocks_exhausted;
   if (encounter.force_not_finite) result.status |= StepStatus::force_not_finite;
   if (encounter.level_of_detail > 1) result.status |= StepStatus::detail_reduced;
-  if (encounter.energies.cutting > 0 && encounter.engaged_layer() > kThickLayer * tool.head().cutting_radius())
+  if (config.removal != RemovalLaw::none && config.law->is_foundation() &&
+      encounter.engaged_layer() > kThickLayer * tool.head().cutting_radius())
     result.status |= StepStatus::engaged_layer_thick;
 }
 

@@ -138,6 +138,7 @@ struct ModelContact {
   std::optional<bool> touching;
   Wrench effects;
   std::optional<double> stored;
+  std::optional<double> motor = {};
 };
 
 constexpr auto fields_of(Of<ModelContact>) {
@@ -150,6 +151,9 @@ constexpr auto fields_of(Of<ModelContact>) {
       field("stored", &C::stored, "J",
             "at the hand, that contact and coupling could give back; empty: not known, and nothing is forgotten while "
             "the force lasts"),
+      field("motor", &C::motor, "J",
+            "at the hand, that the tool's motor gave in this tick; empty: not known. Where it is known, all that the "
+            "hand may get is, and force that pushes it on beyond that is not given"),
   };
 }
 

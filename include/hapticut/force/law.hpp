@@ -70,10 +70,18 @@ struct HeadMotion {
   float level_of_detail = 1;
   const WholeContact* whole = nullptr;  ///< only for laws that need moments
   float tooth_rate = 0;  ///< [1/s] f_z, at which lips pass; 0 where no material's energy depends on chips
+  float elapsed = 0;     ///< [s] since the step began, where the contact is evaluated; 0: the step has one sub-step
   bool crushes = false;  ///< what is deeper than its crushing_depth goes, whether the head turns or not
+
+  /// [rad/s] of the head's surface about +z: the spin, and the handpiece that turns with it.
+  [[nodiscard]] float turning() const noexcept { return spin + angular_velocity.z(); }
 
   /// Whether a spinning head takes material away.
   [[nodiscard]] bool cuts() const noexcept { return spin != 0 && removal != RemovalLaw::none; }
+  /// [s] over which a small motion to where the contact is evaluated changes the velocity.
+  [[nodiscard]] float time_to_move() const noexcept { return elapsed > 0 ? elapsed : duration; }
+  /// Whether the contact is evaluated at the end of the sub-step.
+  [[nodiscard]] bool at_end() const noexcept { return lead > 0; }
 };
 
 /// What one block adds to the energy ledger in one sub-step; [J], as defined in EnergyLedger.

@@ -118,7 +118,8 @@ class SimulationModel final : public LoopModel {
   void turn_spindle(const DeviceState& state) noexcept;
   void travel(const DeviceState& state) noexcept;
   void rest() noexcept;
-  [[nodiscard]] ModelContact describe_contact(const DeviceState& state, const Wrench& felt) const noexcept;
+  [[nodiscard]] ModelContact describe_contact(const DeviceState& state, const Wrench& felt,
+                                              double motor) const noexcept;
   void show(LoopSnapshot& snapshot) const noexcept;
 
   bool apply(const commands::SetSpindleSpeed& command) noexcept;

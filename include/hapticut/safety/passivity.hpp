@@ -63,7 +63,10 @@ constexpr auto fields_of(Of<PassivityOptions>) {
 /// With the last force the account is closed: nothing is damped in free air.
 ///
 /// A spindle that drags the tool sideways does generate energy; the controller then holds the hand back gently, which
-/// is what a guard is for.
+/// is what a guard is for. Where the model says what its motor gave, that is added to W. Then all that the hand may get
+/// is known, and in advance as well: of a force that pushes the hand on as it moves now, and a quarter faster, no
+/// more is given than W + k |dx|^2/2 covers. It is what keeps the work from the hand that a turn of the tool does where
+/// no motor renders the torque.
 /// @realtime no allocation, no lock
 class PassivityController {
  public:
@@ -72,12 +75,13 @@ class PassivityController {
 
   /// What is known in a tick.
   struct Tick {
-    Vec3 force = Vec3::Zero();     ///< [N] that the model asks for
-    Vec3 effects = Vec3::Zero();   ///< [N] of it that are not of contact
-    Vec3 applied = Vec3::Zero();   ///< [N] written to the device at the last tick
-    Vec3 motion = Vec3::Zero();    ///< [m] of the device since the last tick
-    double dt = 0;                 ///< [s] since the last tick
-    std::optional<double> stored;  ///< [J] by the model; empty: not known
+    Vec3 force = Vec3::Zero();         ///< [N] that the model asks for
+    Vec3 effects = Vec3::Zero();       ///< [N] of it that are not of contact
+    Vec3 applied = Vec3::Zero();       ///< [N] written to the device at the last tick
+    Vec3 motion = Vec3::Zero();        ///< [m] of the device since the last tick
+    double dt = 0;                     ///< [s] since the last tick
+    std::optional<double> stored;      ///< [J] by the model; empty: not known
+    std::optional<double> motor = {};  ///< [J] that its motor gave since the last tick; empty: not known
   };
 
   /// @return [N] the force with what damping it takes

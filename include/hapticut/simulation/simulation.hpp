@@ -130,8 +130,9 @@ class Simulation {
   /// The spindle stands from now on, whatever its ramp.  @realtime no allocation, no lock; O(1)
   void halt_spindle() noexcept;
 
-  /// Holds the spindle, so that it stands whatever is asked of it, or lets it turn as it is asked to. The guard of a
-  /// loop does so (SpindleInterlock).  @realtime no allocation, no lock; O(1)
+  /// Holds the spindle, so that it stands whatever is asked of it, or lets it turn as it is asked to. While it is held,
+  /// nothing is crushed either: the guard of a loop holds it while the hand feels nothing (SpindleInterlock).
+  /// @realtime no allocation, no lock; O(1)
   void hold_spindle(bool hold) noexcept;
   [[nodiscard]] bool spindle_is_held() const noexcept;
 

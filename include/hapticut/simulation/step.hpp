@@ -63,10 +63,10 @@ enum class StepStatus : std::uint32_t {
   /// The spindle is loaded beyond its largest power, or at its limit of power or torque: it slows down, and more load
   /// stalls it. Cure: press less, or Spindle::power_limit, torque_limit, droop.
   power_limited = 1U << 8,
-  /// The spindle cuts in a layer thicker than a tenth of the head's radius, weighed by the force that its depths carry:
-  /// the foundation is too soft for the feed, and forces come out wrong. Cure: leave
-  /// SimulationConfig::reference_stiffness to its default, or raise it (with a virtual coupling, where a device must
-  /// not feel it directly), or feed slower.
+  /// The head is in FoundationLaw's material by a layer thicker than a tenth of its radius, weighed by the force that
+  /// its depths carry: the foundation is too soft for the feed or the load. Forces of a cut come out wrong; a head that
+  /// stands passes through, as through rubber. Cure: leave SimulationConfig::reference_stiffness to its default, or
+  /// raise it (with a virtual coupling, where a device must not feel it directly), or feed slower and press less.
   engaged_layer_thick = 1U << 9,
   /// The step was too long for the vibration's frequency, which was left out. Cure: call the step at
   /// SimulationConfig::update_rate, or lower Vibration::frequency.
@@ -89,7 +89,8 @@ enum class StepStatus : std::uint32_t {
   /// back to the tool. A script that is to go on in the material calls `reset` with the workpiece; behind a coupling it
   /// begins outside of it.
   tool_waits = 1U << 15,
-  /// The head pressed harder than a material's compressive_strength and crushed it. Cure: press less; let the tool
+  /// The head pressed harder than a material's compressive_strength and crushed it: one that stands, or where one that
+  /// turns does not cut, as at the middle of a drill's point. Cure: press less, or feed slower; a head that stands may
   /// turn.
   material_crushed = 1U << 16,
   /// The head is in material, and its spindle has no speed, so that nothing is cut. Cure: make the tool with a spindle,
@@ -100,6 +101,10 @@ enum class StepStatus : std::uint32_t {
   /// tool.cutter().kind)`, or a tool with a `Cutter` of the material's kind; clear Material::cutter of constants
   /// that are meant so.
   other_cutter = 1U << 18,
+  /// The drag of the spindle threw the tool of a coupling about, faster than the hand by more than 0.1 m/s, and a brake
+  /// held it, which the hand does not feel (VirtualCoupling). Cure: press less; a material whose cutting_ratio was
+  /// measured on lips belongs to a head with lips, as `twist_drill_head`.
+  tool_braked = 1U << 19,
 };
 
 constexpr auto names_of(Of<StepStatus>) {
@@ -119,8 +124,9 @@ constexpr auto names_of(Of<StepStatus>) {
       Named{removed_list_full, "removed_list_full",
             "More was cut at once than can be listed; the sums are right: feed slower."},
       Named{power_limited, "power_limited", "The spindle is at its limit: press less."},
-      Named{engaged_layer_thick, "engaged_layer_thick",
-            "The feed is too fast for the stiffness, so forces come out wrong: feed slower."},
+      Named{
+          engaged_layer_thick, "engaged_layer_thick",
+          "The stiffness is too soft for the feed or the load, so forces come out wrong: feed slower, or press less."},
       Named{vibration_left_out, "vibration_left_out",
             "The vibration is too fast for the loop, so it is left out: lower its frequency."},
       Named{detail_reduced, "detail_reduced",
@@ -135,10 +141,12 @@ constexpr auto names_of(Of<StepStatus>) {
             "The hand is inside material that the tool has not cut, so it feels and cuts nothing until the hand has "
             "left it: bring it out of the material, or back to the tool."},
       Named{material_crushed, "material_crushed",
-            "The head has crushed the material: press less, and let the spindle turn."},
+            "The head crushes the material where it does not cut it: press less, or feed slower."},
       Named{spindle_stands, "spindle_stands", "The spindle of this tool has no speed, so nothing is cut: give it one."},
       Named{other_cutter, "other_cutter",
             "The materials are made for another kind of cutter, so forces come out wrong: take one with the other."},
+      Named{tool_braked, "tool_braked",
+            "The spindle throws the tool about in a corner, and it is braked: press less, or slow the spindle."},
   };
 }
 

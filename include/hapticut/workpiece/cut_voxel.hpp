@@ -142,19 +142,21 @@ class VoxelSection {
 /// which tends to t = sqrt(w0^2 + v/k_d) however stiff the foundation and long the step are.
 template <class Real>
 struct LayerRecession {
-  Real share;  ///< [1] recession over that of the depth in the middle, k_d (t^2 - w0^2) dt, for the whole sub-step
+  Real share;  ///< [1] recession over that of the given depth, k_d (t^2 - w0^2) dt, for the whole sub-step
 
-  /// @param top      [m] t in the middle of the sub-step, > w0
+  /// @param top      [m] t where the contact is evaluated, if nothing were cut before; > w0
   /// @param cut      [m] w0
   /// @param rate     [1/(m s)] k_d
   /// @param speed    [m/s] v >= 0
   /// @param duration [s]
-  static LayerRecession of(Real top, const CutDepth<Real>& cut, Real rate, Real speed, Real duration) {
-    const Real least = cut.least;
-    const Real begin = top - speed * duration / 2;
-    // [s] while it is deeper than w0
-    const Real time = begin < least ? std::max(Real(0), duration - (least - begin) / speed) : duration;
-    const Real t = std::max(begin, least);
+  /// @param at_end   whether the contact is evaluated at the end of the sub-step, in place of its middle: it stands for
+  /// as much of what follows as it was deeper than w0 before, so that a touch begins with nothing
+  static LayerRecession of(Real top, const CutDepth<Real>& cut, Real rate, Real speed, Real duration, bool at_end) {
+    const Real least = cut.least, half = duration / 2;
+    const Real deeper = std::max(Real(0), std::min(top, cut.beyond(top)));
+    const Real before = speed * half > deeper ? deeper / speed : half;  // [s] deeper than w0, and then
+    const Real after = at_end ? before : half;
+    const Real time = before + after, t = std::max(least, top - speed * before);
     const Real balance = time * time * rate * (rate * least * least + speed);  // y^2, y = k_d T_e time
     const Real c = tanh_over(balance);                                         // tanh(y) / y
     // (1 - c) / y^2, by its series where the difference cancels

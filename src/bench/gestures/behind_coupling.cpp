@@ -323,6 +323,26 @@ void deep_holes(Report& report) {
   }
 }
 
+// --- G51 -------------------------------------------------------------------------------------------------------------
+
+/// A tick takes 1 ms where 15 ns go for each voxel at the surface of the head (docs/performance.md).
+void rigid_hand(Report& report) {
+  constexpr double kMost = 1e-3 / 15e-9;
+  for (const bool turning : {false, true}) {
+    Pressed of{"", tool_of(round_head(4 * mm)), presets::cortical_bone(), 3.3};
+    if (turning) of.tool = tool_of(round_head(4 * mm), common_spindle(40000 * rpm));
+    report.scene(std::string("mastoid bur 4 mm, ") + (turning ? "40 000 rpm" : "standing") +
+                 ", a hand 6 mm inside cortical bone, 3.3 N, coupled");
+    Rig rig(report, slab_for(report, of), of.tool, Held::by_coupling);
+    Hand hand(of.tool, Vec3(0.017, 0.006, 0.3) * mm);
+    rig.play(hand.move({0, 0, -6.3 * mm}, 0.1).hold(0.3).move({0.5 * mm, 0, 0}, 0.1));
+    report.at_most("voxels in a tick",
+                   rig.story.most(rig.story.all(), [](const Tick& t) { return double(t.contacts) * t.voxels; }), kMost,
+                   "", "in all contacts that the coupling asks for");
+    rig.judge();
+  }
+}
+
 }  // namespace
 
 std::vector<Gesture> coupled_gestures() {
@@ -333,7 +353,8 @@ std::vector<Gesture> coupled_gestures() {
           {"G46", "cut under a constant force", constant_force},
           {"G47", "exchange while pressing", exchange_in_contact},
           {"G48", "refuse readings while pressing", refused_readings},
-          {"G49", "drill deep", deep_holes}};
+          {"G49", "drill deep", deep_holes},
+          {"G51", "hold a bur 6 mm inside with a rigid hand", rigid_hand}};
 }
 
 }  // namespace hapticut::gestures

@@ -3,6 +3,7 @@
 #include "bench/gestures/gesture_list.hpp"
 #include "bench/gestures/rigs.hpp"
 #include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/loop/island_watch.hpp"
 #include "hapticut/tool/cutter.hpp"
 
 namespace hapticut::gestures {
@@ -117,8 +118,16 @@ void undercut(Report& report) {
         .move({2.2 * mm, 0, 0}, 0.15)
         .move({-2.2 * mm, 0, 0}, 0.1);
   rig.play(hand.hold(0.05));
-  double island = 0;
   const Workpiece& left = rig.simulation.workpiece();
+  int ticks = 0;
+  for (Island& found : find_islands(left)) {
+    IslandRemoval leaving{std::move(found)};
+    do ++ticks;
+    while (!rig.simulation.remove_island(leaving, IslandWatchOptions{}.blocks_per_tick));
+  }
+  report.at_most("leaves within", 1e3 * (IslandWatchOptions{}.period + ticks * report.period), 50, "ms",
+                 "the period of IslandWatch and its ticks, beside its search");
+  double island = 0;
   const double voxel = report.voxel();
   const IndexBox bounds = left.bounds();
   for (int i = bounds.min[0]; i <= bounds.max[0]; ++i)

@@ -154,6 +154,24 @@ void faults_in_a_cut(Report& report) {
   chain.judge();
 }
 
+// --- G50 -------------------------------------------------------------------------------------------------------------
+
+void stop_at_once(Report& report) {
+  report.scene("ball 2 mm that cuts cortical bone, loop of a device, coupled; the device's emergency stop after 0.5 s");
+  Chain chain(report, bone_for(report), turning_ball());
+  chain.before = [&](double time) {
+    if (std::abs(time - kFaultAt) < 0.5 * report.period) chain.device().emergency_stop();
+  };
+  chain.play(pressing());
+  const Story& story = chain.story;
+  const auto applied_of = [](const Tick& tick) { return tick.applied.force.norm(); };
+  report.at_least("force before it", applied_of(story.at(kFaultAt - report.period)), 0.5, "N");
+  report.at_most("force after it", story.most(story.within(kFaultAt + 0.1, 10), applied_of), 0, "N",
+                 "from 100 ms on, although the hand presses on");
+  report.at_most("cut after it", 1e9 * story.sum(story.within(kFaultAt + 0.1, 10), removed_of), 0, "mm^3");
+  chain.judge();
+}
+
 // --- G22 -------------------------------------------------------------------------------------------------------------
 
 void change_while_touching(Report& report) {
@@ -261,6 +279,7 @@ std::vector<Gesture> loop_gestures() {
   return {{"G5", "arm with a tool that has a weight", arm_with_weight},
           {"G6", "open the clutch in a cut, close it again", open_clutch},
           {"G9", "one bad pose or one late tick in a cut", faults_in_a_cut},
+          {"G50", "press the emergency stop in a cut", stop_at_once},
           {"G22", "change tool, materials, effects and direction while touching", change_while_touching},
           {"G23", "lose the device, or a machine that sleeps, in contact", unplug}};
 }

@@ -111,12 +111,26 @@ struct NamedHead {
   return kPi * radius * radius;
 }
 
-/// [m] how far below the surface the strength times the section of a head carries a force.
-[[nodiscard]] inline double crushed_depth(const ToolHead& head, double force, const Material& material) {
+/// [m] how deep a force presses a standing head into a face: each ring of it bears k w^2/2 of the layer w below it,
+/// along its normal, but no more than the strength.
+/// @param stiffness  [N/m^4] k of the material
+[[nodiscard]] inline double pressed_depth(const ToolHead& head, double force, const Material& material,
+                                          double stiffness) {
   constexpr double kStep = 2e-6;
-  double depth = kStep;
-  while (section_area(head, depth) * strength_of(material) < force && depth < 2 * mm) depth += kStep;
-  return depth;
+  const double strength = strength_of(material);
+  std::vector<double> radii = {0};  // [m] at multiples of kStep above the tip
+  const auto carried = [&](std::size_t rings) {
+    double sum = 0;
+    for (std::size_t n = 0; n < rings; ++n) {
+      const double wider = std::max(0.0, radii[n + 1] - radii[n]), upright = wider / std::hypot(wider, kStep);
+      const double layer = (double(rings - n) - 0.5) * kStep * upright;
+      sum += kPi * (radii[n + 1] + radii[n]) * wider * std::min(0.5 * stiffness * layer * layer, strength);
+    }
+    return sum;
+  };
+  do radii.push_back(std::sqrt(section_area(head, double(radii.size()) * kStep) / kPi));
+  while (carried(radii.size() - 1) < force && double(radii.size()) * kStep < 1 * mm);
+  return double(radii.size() - 1) * kStep;
 }
 
 /// [m] how far the tip of a tool is below its handle point.

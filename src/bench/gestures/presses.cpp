@@ -160,12 +160,13 @@ void press_by_default(Report& report) {
       hand.hold(0.01).move({0, 0, -0.1 * mm - kForce / gains_of_touch().stiffness}, 0.15);
       rig.play(hand.hold(0.15));
       const double depth = tip_below_hand(tool) - rig.story.ticks.back().X_WH.translation.z();
-      const double bound = std::max(0.05 * radius, 1.2 * crushed_depth(named.head, kForce, material));
+      const double k = rig.simulation.config().reference_stiffness * material.relative_stiffness;
+      const double bound = std::max(0.05 * radius, 1.2 * pressed_depth(named.head, kForce, material, k));
       list(indents, material.name, shown(1e6 * depth, "um") + " of " + shown(1e6 * bound, "um"));
       worst = std::max(worst, depth / bound);
       if (material.name == "cortical_bone") rig.judge();
     }
-    report.that("indents", "at most 0.05 R under 2 N, or 1.2 of where strength times section carries them", indents,
+    report.that("indents", "at most 0.05 R under 2 N, or 1.2 of where foundation and strength carry them", indents,
                 worst <= 1);
   }
 }

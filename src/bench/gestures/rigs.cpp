@@ -103,6 +103,7 @@ Span Rig::play(const Hand& hand, const std::function<void(Pose&, double& dt)>& s
     tick.X_WH = Pose{turn.transpose(), Vec3::Zero()} * X_WH;
     tick.felt = tick.applied = turned_back(felt, turn);
     tick.removed = removed;
+    if (coupling_) tick.contacts = coupling_->last_result().newton_steps + coupling_->last_result().parts;
     story.add(tick, simulation, coupling_ ? &*coupling_ : nullptr);
   }
   time_ += double(ticks) * period;

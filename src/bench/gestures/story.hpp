@@ -28,6 +28,7 @@ struct Tick {
   double removed = 0;   // [m^3] in this tick
   double depth = 0;     // [m] greatest below the cutting surface
   int voxels = 0;       // that the head touches
+  int contacts = 1;     // that were evaluated: more behind a coupling
   double speed = 0;     // [rad/s] of the spindle
   EnergyLedger energy;  // of the simulation
   StepStatus status = StepStatus::ok;
@@ -125,7 +126,8 @@ class Story final : public StepObserver {
   double unfelt_ = 0;                                                 // [m^3] cut while nothing was felt
   double most_felt_ = 0, most_applied_ = 0, most_torque_ = 0;         // [N], [N·m]
   double most_power_ = 0, excess_power_ = 0;                          // [W] and beyond the motor's characteristic
-  double rotor_speed_ = 0;                                            // [rad/s]
+  double rotor_speed_ = 0, motor_work_ = 0;                           // [rad/s], [J] after the last step
+  double lent_ = 0;                                                   // [J] by the rotor
   bool has_begun_ = false;
 };
 

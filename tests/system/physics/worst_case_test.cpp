@@ -94,7 +94,7 @@ TEST(LevelOfDetail, KeepsTheBudgetTheForceAndTheCut) {
   EXPECT_FALSE(has_any(whole.status, StepStatus::detail_reduced));
   const Groove reduced = cut_groove(4096);
   EXPECT_LE(reduced.most_evaluated, 4096);
-  EXPECT_EQ(reduced.highest_level, 5) << "2 would do, but all solid voxels of the blocks touched are counted";
+  EXPECT_LE(reduced.highest_level, 3) << "2 would do; voxels just outside are counted, whose parts may reach inside";
   EXPECT_TRUE(has_any(reduced.status, StepStatus::detail_reduced));
   EXPECT_LT((reduced.force - whole.force).norm(), 0.07 * whole.force.norm()) << "the just noticeable difference";
   EXPECT_NEAR(reduced.removed, whole.removed, 0.02 * whole.removed);

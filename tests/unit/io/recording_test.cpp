@@ -314,7 +314,7 @@ TEST(Recording, HoldsHowManyTurnsAVoxelBudgetTakes) {
   SimulationConfig config;
   config.voxel_budget = 4096;
   Simulation simulation(build_block({Vec3(-2e-3, -2e-3, -2e-3), Vec3(2e-3, 2e-3, 0)}, 5e-5, test::plain_material()),
-                        Tool(SphereHead{1e-3}, RayHandle{20e-3}, Spindle{3000 * units::rad_per_s}), config);
+                        Tool(SphereHead{1e-3}, RayHandle{20e-3}), config);  // which presses on ever more voxels
   Recorder recorder(folder / "a.h5", simulation, patient());
   std::vector<int> levels;
   for (int tick = 0; tick < 300; ++tick)

@@ -333,7 +333,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
         ASSERT_LE(apart, kept ? (motion.tooth_rate > 0 ? 100 : 1) * kRounding : 2 * double(kSmallestFill)) << n;
         differently_finished += kept && apart > kRounding ? 1 : 0;
       }
-      EXPECT_LE(differently_finished, 1);
+      EXPECT_LE(differently_finished, motion.tooth_rate > 0 ? 3 : 1);
     }
   EXPECT_GT(samples, 10000) << "the heads must meet the blocks, or the test says nothing";
   EXPECT_LE(at_the_rim, kAtTheRim * blocks);

@@ -120,6 +120,25 @@ TEST(PassivityController, ForgetsWhatTheModelHasNotStored) {
   }
 }
 
+// Where the model says what its motor gave, a force that pushes the hand on is given as far as that and the spring go.
+TEST(PassivityController, GivesOfAPushWhatTheMotorPaysFor) {
+  const Vec3 pushes(0, 0, 1), on(0, 0, 1e-4);  // 0.1 mJ a tick
+  for (const double paid : {0.0, 0.5, 1.0}) {
+    PassivityController controller(options_of_touch(), kPeak);
+    Vec3 applied = Vec3::Zero();
+    double given = 0, motor = 0, held = 0;  // [J]
+    for (int n = 0; n < 100; ++n) {
+      given += applied.dot(on);
+      applied = controller.control({pushes, Vec3::Zero(), applied, on, kTick, 1.0, paid * pushes.dot(on)});
+      motor += paid * pushes.dot(on);
+      held += 0.5 * kStiffness * on.squaredNorm();
+      EXPECT_GE(applied.z(), 0) << "no more is taken than pushes";
+    }
+    EXPECT_LE(given, motor + held + 1e-12) << paid;
+    EXPECT_GE(given, 0.9 * std::min(1.0, paid) * 100 * pushes.dot(on)) << paid;
+  }
+}
+
 TEST(PassivityController, ClosesTheAccountWithTheLastForce) {
   PassivityController controller(options_of_touch(), kPeak);
   const Vec3 pushes(0, 0, 1), out(0, 0, 1e-4);

@@ -105,21 +105,23 @@ RC_GTEST_PROP(LayerRecession, IsThatOfItsEquation, ()) {
   const double rate = std::pow(10, *number_between(0, 4)), speed = *number_between(0, 5);
   const double least = *number_between(0, 1), top = least + *number_between(0.01, 1),
                duration = *number_between(0.01, 1);
+  const bool at_end = *rc::gen::arbitrary<bool>();
   if (rate * duration * (top + least) > 2000) return;  // the integration below would need more steps
   constexpr int kSteps = 20000;
-  const double h = duration / kSteps;
+  const double before = std::min(duration / 2, (top - least) / std::max(speed, 1e-300));
+  const double h = (before + (at_end ? before : duration / 2)) / kSteps;
   const auto slope = [&](double t) { return speed - (t > least ? rate * (t * t - least * least) : 0); };
-  double t = top - speed * duration / 2, gone = 0;
+  double t = top - speed * before, gone = 0;
   for (int n = 0; n < kSteps; ++n) {
     const double k1 = slope(t), k2 = slope(t + h / 2 * k1), k3 = slope(t + h / 2 * k2), k4 = slope(t + h * k3);
     const double next = t + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
     gone += speed * h - (next - t);
     t = next;
   }
-  const auto found = LayerRecession<double>::of(top, CutDepth<double>::of(top, least), rate, speed, duration);
+  const auto found = LayerRecession<double>::of(top, CutDepth<double>::of(top, least), rate, speed, duration, at_end);
   RC_ASSERT(std::abs(found.share * rate * (top * top - least * least) * duration / gone - 1) < 1e-4);
   const auto single = LayerRecession<float>::of(float(top), CutDepth<float>::of(float(top), float(least)), float(rate),
-                                                float(speed), float(duration));
+                                                float(speed), float(duration), at_end);
   RC_ASSERT(std::abs(double(single.share) / found.share - 1) < 1e-4);
 }
 

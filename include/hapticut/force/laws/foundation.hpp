@@ -26,9 +26,10 @@ namespace hapticut {
 ///     f = k_v g_d phi l^3 (<w> - <w>_c + <w>_c g)      phi <- phi e^-x      x = 2 k_d <w>_c g dt
 ///
 /// where k_d = kappa k_v g_d s/(2 u) and g is how far the layer recedes within the sub-step, over what it would at the
-/// speed of its middle (LayerRecession). Cutting takes what is deepest, so that what only rubs stays. The force uses
-/// the mean of phi over the sub-step, phi (1 - e^-x)/x, so that the tangential work of what is cut is u l^3 times the
-/// fill that it loses, exactly, for any step. Law G replaces u by max(u - k_v w^2/2, 1e-6 u). Along the path w_dot = (V
+/// speed of where the contact is evaluated (LayerRecession). Cutting takes what is deepest, so that what only rubs
+/// stays. The force uses the mean of phi over the sub-step, phi (1 - e^-x)/x, so that the tangential work of what is
+/// cut is u l^3 times the fill that it loses, exactly, for any step. Law G replaces u by max(u - k_v w^2/2, 1e-6 u).
+/// Along the path w_dot = (V
 /// + Omega x r) . n; the damping factor takes w_dot from the device's own velocity.
 ///
 /// Before all that, what the foundation would press harder than the material bears is gone: no part reaches deeper
@@ -96,7 +97,7 @@ class FoundationLaw final : public ForceLaw {
 
     explicit AxisSlip(const HeadMotion& m)
         : per_edge(1 / (m.voxel_size * m.voxel_size)),
-          per_slip(m.voxel_size * m.voxel_size * m.spin * m.spin),
+          per_slip(m.voxel_size * m.voxel_size * m.turning() * m.turning()),
           least(kAxisSlip * kAxisSlip * per_slip) {}
 
     /// [m^2/s^2] square of the slip that a voxel cuts by, from that of its centre at a distance rho [m]
@@ -114,14 +115,14 @@ class FoundationLaw final : public ForceLaw {
   struct Sums {
     float of[kTerms][kLanes];
 
-    /// @param spin  [rad/s] 0: the spindle stands
-    [[nodiscard]] LawTotals totals(float voxel_volume, float spin, bool may_remove) const {
+    /// @param turning  [rad/s] of the head's surface, against which the couple does its work; 0: the spindle stands
+    [[nodiscard]] LawTotals totals(float voxel_volume, float turning, bool may_remove) const {
       const auto total = [&](Term term) {
         double sum = 0;
         for (const float lane : of[term]) sum += double(lane);
         return sum * double(voxel_volume);
       };
-      const double couple = spin != 0 ? -total(kCouple) / double(spin) : 0.0;
+      const double couple = turning != 0 ? -total(kCouple) / double(turning) : 0.0;
       return {{total(kElasticBefore), total(kElastic), total(kCutting), total(kReleased), total(kDamping),
                total(kRubbing), total(kCredited), total(kCrushed)},
               couple,
@@ -210,11 +211,13 @@ class FoundationLaw final : public ForceLaw {
       float rubbing = k * l * part.depth, cut = 0, left = phi, credit = 0, price = u;  // springs: [N/m^3]
       float refused = 0;  // [1] fill whose work was done, but which single precision cannot take away; or the reverse
       if (cutting && cut_depth.excess > 0 && phi > 0) {
-        float rate = power / price, share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time).share;
+        float rate = power / price,
+              share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time, m.at_end()).share;
         if (m.removal == RemovalLaw::elastic_release) {  // helped by what is stored where the layer's top is on average
           const float w0 = cut_depth.least, squared = w0 * w0 + share * cut_depth.excess;
           price = std::max(u - 0.5F * k * squared, kLeastEnergyShare * u);
-          rate = power / price, share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time).share;
+          rate = power / price,
+          share = LayerRecession<float>::of(top, cut_depth, rate, speed, slip_time, m.at_end()).share;
         }
         const float exponent = std::min(2 * rate * l * part.cutting / phi * share * slip_time, kLargestExponent);
         const float mean = mean_of_decay(exponent);
@@ -258,7 +261,7 @@ class FoundationLaw final : public ForceLaw {
       sums.of[kCredited][lane] += price * (credit + std::max(0.0F, -refused));
       sums.of[kCouple][lane] += tangential * s.extra;
     }
-    return sums.totals(voxel_volume, spinning ? m.spin : 0.0F, cutting || m.crushes);
+    return sums.totals(voxel_volume, spinning ? m.turning() : 0.0F, cutting || m.crushes);
   }
 };
 

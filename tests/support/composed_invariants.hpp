@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "hapticut/simulation/coupling.hpp"
+#include "hapticut/workpiece/block.hpp"
+
+/// @file
+/// What holds of every tick, whatever came before it. The first invariant that is broken is kept in words.
+namespace hapticut::test {
+
+/// How near a run came to its bounds.
+struct Margins {
+  double entered = 0;      // [1] of the turnover, beyond what vanishes with the step
+  double unbooked = 0;     // [1] of the turnover, beside what entered
+  double unexplained = 0;  // [1] of what the coupling turned over
+  double announced = 0;    // [1] the same where not_in_balance says so
+  double volume = 0;       // [1] of the removed volume, by which two sums of it differ
+  double too_deep = 0;     // [1] depth of solid material in the head, of what is allowed
+  double power = 0;        // [1] of the motor's characteristic
+  std::uint64_t ticks = 0, cutting = 0, waiting = 0, refused = 0, stalled = 0, crushing = 0, unbalanced = 0,
+                grips = 0;  // of that kind
+
+  void add(const Margins& other) {
+    for (auto member : {&Margins::entered, &Margins::unbooked, &Margins::unexplained, &Margins::announced,
+                        &Margins::volume, &Margins::too_deep, &Margins::power})
+      this->*member = std::max(this->*member, other.*member);
+    for (auto member : {&Margins::ticks, &Margins::cutting, &Margins::waiting, &Margins::refused, &Margins::stalled,
+                        &Margins::crushing, &Margins::unbalanced, &Margins::grips})
+      this->*member += other.*member;
+  }
+  [[nodiscard]] std::string in_words() const {
+    std::ostringstream out;
+    out << ticks << " ticks, of which " << cutting << " cut, " << waiting << " wait, " << refused << " refused, "
+        << stalled << " stalled, " << crushing << " crush, " << unbalanced << " not in balance; " << grips
+        << " grips; most: entered " << entered << ", unbooked " << unbooked << ", unexplained " << unexplained
+        << ", announced " << announced << ", volume " << volume << ", depth " << too_deep << ", power " << power;
+    return out.str();
+  }
+};
+
+/// [m] how far a voxel that is at least half full is below the surface of the head, by its centre.
+inline double solid_depth(const Simulation& simulation, const Pose& X_WT) {
+  const Workpiece& workpiece = simulation.workpiece();
+  const GridFrame& frame = workpiece.frame();
+  const HeadBox box = simulation.tool().head().bounding_box();
+  const Pose X_VT = frame.X_WV.inverse() * X_WT, X_TV = X_VT.inverse();
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p((corner & 1) != 0 ? box.max.x() : box.min.x(), (corner & 2) != 0 ? box.max.y() : box.min.y(),
+                 (corner & 4) != 0 ? box.max.z() : box.min.z());
+    low = low.cwiseMin(X_VT * p);
+    high = high.cwiseMax(X_VT * p);
+  }
+  const IndexBox bounds = workpiece.bounds();
+  VoxelIndex first, last;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = std::size_t(axis);
+    first[a] = block_start(std::max(bounds.min[a], int(std::floor(low[axis] / frame.voxel_size))));
+    last[a] = std::min(bounds.max[a], int(std::ceil(high[axis] / frame.voxel_size)));
+  }
+  double deepest = 0;
+  simulation.tool().head().visit_springs<double>([&](const auto& springs) {
+    for (int i = first[0]; i <= last[0]; i += kBlockEdge)
+      for (int j = first[1]; j <= last[1]; j += kBlockEdge)
+        for (int k = first[2]; k <= last[2]; k += kBlockEdge) {
+          const BlockView block = workpiece.block({i, j, k});
+          if (block.empty()) continue;
+          for (int n = 0; n < kBlockVoxels; ++n) {
+            if (block.fill_of(n) < 0.5F) continue;
+            const Vec3 p = X_TV * Vec3(frame.voxel_size * Vec3(i + n / 64, j + n / 8 % 8, k + n % 8));
+            deepest = std::max(deepest, double(springs.margin(std::hypot(p.x(), p.y()), p.z())));
+          }
+        }
+    return 0;
+  });
+  return deepest;
+}
+
+inline double volume_of(const Workpiece& workpiece) {
+  double volume = 0;
+  for (const MaterialAmount& amount : workpiece.amounts()) volume += amount.volume;
+  return volume;
+}
+
+inline bool is_finite(const Wrench& wrench) { return wrench.force.allFinite() && wrench.torque.allFinite(); }
+inline bool same_bits(const Pose& a, const Pose& b) {
+  return a.translation == b.translation && a.rotation == b.rotation;
+}
+
+/// Looks at every step of a simulation, and at every tick of the coupling that makes them.
+class ComposedInvariants final : public StepObserver {
+ public:
+  explicit ComposedInvariants(Simulation& simulation) : simulation_(&simulation) {
+    simulation.add_observer(*this);
+    begin_volume();
+  }
+  ~ComposedInvariants() override { simulation_->remove_observer(*this); }
+  ComposedInvariants(const ComposedInvariants&) = delete;
+  ComposedInvariants& operator=(const ComposedInvariants&) = delete;
+
+  /// Before something else than a step changes the workpiece; afterwards `begin_volume`.
+  void end_volume() {
+    const double gone = volume_at_begin_ - volume_of(simulation_->workpiece());
+    const double off = std::abs(gone - removed_) / std::max(removed_, kVolume);
+    margins.volume = std::max(margins.volume, off);
+    must(off <= kVolumeShare, "removed_volume is what the workpiece lost", gone, removed_);
+  }
+  void begin_volume() {
+    volume_at_begin_ = volume_of(simulation_->workpiece());
+    removed_ = 0;
+  }
+
+  /// The coupling has other gains, or another tool hangs on it: what is stored in it jumps.
+  void expect_jump_of_stored() { energy_jumps_ = true; }
+
+  /// The hand takes the tool anew, and the coupling's ledger begins again.
+  void expect_new_grip() { is_let_go_ = true; }
+
+  /// @param was_refusable  the reading of this tick was no motion of a hand
+  void look(const CoupledResult& result, const CouplingGains& gains, const Effects& effects, bool was_refusable) {
+    ++margins.ticks;
+    const StepResult& stepped = simulation_->last_result();
+    must(is_finite(result.hand) && is_finite(result.coupling) && hapticut::is_finite(result.X_WH) &&
+             result.velocity.linear.allFinite() && result.velocity.angular.allFinite() &&
+             std::isfinite(result.removed_volume) && std::isfinite(result.energy.imbalance()),
+         "every number of the coupling is finite");
+    must(is_finite(stepped.model) && std::isfinite(stepped.energy.imbalance()) &&
+             std::isfinite(stepped.spindle.speed) && std::isfinite(stepped.spindle.torque) &&
+             !has_any(result.status, StepStatus::force_not_finite),
+         "every number of the step is finite");
+    const double force = std::min(gains.largest_force, effects.limits.largest_force);
+    must(result.hand.force.norm() <= kRounding * force, "the force is within its limit", result.hand.force.norm(),
+         force);
+    const double torque = gains.angular_stiffness > 0 ? gains.largest_torque : effects.limits.largest_torque;
+    must(result.hand.torque.norm() <= kRounding * torque, "the torque is within its limit", result.hand.torque.norm(),
+         torque);
+    const bool waits = has_any(result.status, kRejected | StepStatus::tool_waits);
+    margins.waiting += has_any(result.status, StepStatus::tool_waits) ? 1 : 0;
+    margins.refused += has_any(result.status, kRejected) ? 1 : 0;
+    margins.cutting += result.removed_volume > 0 ? 1 : 0;
+    margins.unbalanced += has_any(result.status, StepStatus::not_in_balance) ? 1 : 0;
+    if (was_refusable) must(waits, "a reading that is no motion of a hand is refused");
+    if (waits) {
+      must(result.removed_volume == 0, "nothing is cut while the hand feels nothing", result.removed_volume);
+      must(result.hand.force.isZero(0) && result.hand.torque.isZero(0), "a tool that waits gives no force");
+      if (has_any(result.status, kRejected)) must(same_bits(result.X_WH, X_WH_), "a refused reading leaves the tool");
+    }
+    must(result.removed_volume == removed_in_tick_, "the tick removes what its steps do", result.removed_volume,
+         removed_in_tick_);
+    look_at_coupling(result.energy, waits, has_any(result.status, StepStatus::not_in_balance));
+    // With removal off, or where a stall or missing memory leaves material, the head may press itself in elastically.
+    const bool is_free = waits || solid_may_be_deep_;
+    if (margins.ticks % kDepthEvery == 0 && !is_free) look_at_depth(result.X_WH * simulation_->tool().X_HT());
+    if (margins.ticks % kVolumeEvery == 0) end_volume();
+    X_WH_ = result.X_WH;
+    removed_in_tick_ = 0;
+    for (const Vec3& v : {result.hand.force, result.hand.torque, result.X_WH.translation, result.velocity.linear})
+      for (const double number : v) mix(number);
+    mix(stepped.energy.turnover);
+    mix(result.removed_volume);
+  }
+
+  /// The same of a tick of a loop, whose coupling is its own.
+  /// @param removed  [m^3] in this tick, as the loop says
+  /// @param applied  to the motors, after the guard
+  void look(double removed, const Wrench& applied, double greatest_force, const Pose& X_WT) {
+    ++margins.ticks;
+    must(is_finite(applied), "what the motors get is finite");
+    must(hapticut::is_finite(X_WT), "the pose of the tool is finite");
+    must(applied.force.norm() <= kRounding * greatest_force, "the motors get no more than they may",
+         applied.force.norm(), greatest_force);
+    must(std::abs(removed - removed_in_tick_) <= kVolumeShare * removed_in_tick_ + kVolume * kVolumeShare,
+         "the tick removes what its steps do", removed, removed_in_tick_);
+    if (applied.force.isZero(0) && applied.torque.isZero(0))
+      must(removed_in_tick_ == 0, "nothing is cut while the hand feels nothing", removed_in_tick_);
+    margins.cutting += removed_in_tick_ > 0 ? 1 : 0;
+    if (std::exchange(is_exchanged_, false))
+      begin_volume();
+    else if (margins.ticks % kLoopVolumeEvery == 0)
+      end_volume();
+    removed_in_tick_ = 0;
+    for (const double number : applied.force) mix(number);
+    for (const double number : X_WT.translation) mix(number);
+    mix(removed);
+  }
+
+  void on_exchange() noexcept override { is_exchanged_ = is_let_go_ = true; }
+
+  void on_step(const ObservedStep& step) noexcept override {
+    const StepResult& result = step.result;
+    removed_ += result.removed_volume;
+    removed_in_tick_ += result.removed_volume;
+    if (has_any(result.status, kRejected | StepStatus::tool_waits)) {
+      must(result.removed_volume == 0, "a step that is refused cuts nothing", result.removed_volume);
+      return;
+    }
+    margins.stalled += has_any(result.status, StepStatus::spindle_stalled) ? 1 : 0;
+    margins.crushing += has_any(result.status, StepStatus::material_crushed) ? 1 : 0;
+    look_at_ledger(step);
+    look_at_motor(step);
+    if (step.simulation.config().removal == RemovalLaw::none ||
+        has_any(result.status, StepStatus::blocks_exhausted | StepStatus::detail_reduced))
+      solid_may_be_deep_ = true;
+    else if (result.contact.voxels == 0)
+      solid_may_be_deep_ = false;
+    ledger_ = result.energy;
+  }
+
+  /// The simulation starts again with another workpiece, and a ledger that is empty.
+  void begin_ledger() {
+    ledger_ = {};
+    step_error_ = 0;
+  }
+
+  /// After something was exchanged that the motor belongs to.
+  void forget_motor() { rotor_speed_ = std::numeric_limits<double>::infinity(); }
+
+  [[nodiscard]] const std::string& broken() const { return broken_; }
+  [[nodiscard]] std::uint64_t hash() const { return hash_; }
+  Margins margins;
+
+ private:
+  static constexpr double kRounding = 1 + 1e-9;
+  static constexpr double kVolume = 1e-12;      // [m^3] below which a share of it says nothing
+  static constexpr double kVolumeShare = 1e-5;  // [1] what single precision leaves of fills
+  static constexpr double kUnbooked = 1e-5;     // [1] of the turnover
+  static constexpr double kEntered = 1e-2;      // [1] of the turnover
+  static constexpr double kUnexplained = 1e-2;  // [1] of what the coupling turned over
+  static constexpr double kLittle = 1e-4;       // [J] below which a share of a turnover says nothing
+  static constexpr std::uint64_t kDepthEvery = 7, kVolumeEvery = 500, kLoopVolumeEvery = 100;  // [ticks]
+
+  void must(bool holds, const char* what, double seen = 0, double bound = 0) noexcept {
+    if (holds || !broken_.empty()) return;
+    std::ostringstream out;
+    out.precision(9);
+    out << "broken: " << what << "; seen " << seen << ", bound " << bound;
+    broken_ = out.str();
+  }
+
+  void look_at_ledger(const ObservedStep& step) noexcept {
+    const EnergyLedger& e = step.result.energy;
+    constexpr std::array<double EnergyLedger::*, 8> kGrowing = {
+        &EnergyLedger::cutting, &EnergyLedger::crushed, &EnergyLedger::released, &EnergyLedger::damping,
+        &EnergyLedger::rubbing, &EnergyLedger::sliding, &EnergyLedger::credited, &EnergyLedger::turnover};
+    constexpr std::array<const char*, 8> kNames = {"cutting grows",  "crushed grows", "released grows",
+                                                   "damping grows",  "rubbing grows", "sliding grows",
+                                                   "credited grows", "turnover grows"};
+    for (std::size_t n = 0; n < kGrowing.size(); ++n)
+      must(e.*kGrowing[n] >= ledger_.*kGrowing[n], kNames[n], e.*kGrowing[n] - ledger_.*kGrowing[n]);
+    must(e.elastic >= 0 && e.anchored >= 0, "nothing stored is negative", std::min(e.elastic, e.anchored));
+    // What vanishes with the step: the change of force along the way, of which no sub-step makes more than half a
+    // voxel.
+    const Twist way = twist_between(pose_, step.input.pose, 1);
+    const double change = std::abs((step.result.model.force - model_.force).dot(way.linear)) +
+                          std::abs((step.result.model.torque - model_.torque).dot(way.angular));
+    step_error_ += change / std::max(1, step.result.sub_steps);
+    pose_ = step.input.pose;
+    model_ = step.result.model;
+    if (e.turnover < kLittle) return;
+    const double unbooked = std::abs(e.imbalance() + e.entered) / e.turnover;
+    const double entered = std::max(0.0, std::abs(e.entered) - step_error_) / e.turnover;
+    margins.unbooked = std::max(margins.unbooked, unbooked);
+    margins.entered = std::max(margins.entered, entered);
+    must(unbooked <= kUnbooked, "the ledger closes", unbooked, kUnbooked);
+    must(entered <= kEntered, "little comes in unpressed", entered, kEntered);
+  }
+
+  void look_at_coupling(const CouplingEnergy& e, bool waits, bool says_so) noexcept {
+    const bool is_new_grip = (is_let_go_ && !waits) || e.turnover < coupling_.turnover;
+    is_let_go_ = waits;
+    margins.grips += is_new_grip ? 1 : 0;
+    // A search for the balance that failed says so; what is missed then is counted by itself.
+    const double missed = e.imbalance() - coupling_.imbalance();
+    if (is_new_grip)
+      explained_ = 0;
+    else if (energy_jumps_)
+      explained_ += missed;
+    else if (says_so)
+      explained_ += missed, margins.announced = std::max(margins.announced, std::abs(explained_) / e.turnover);
+    if (!is_new_grip && !energy_jumps_) {
+      must(e.implicit >= coupling_.implicit - 1e-15, "implicit steps only dissipate", e.implicit - coupling_.implicit);
+    }
+    energy_jumps_ = false;
+    coupling_ = e;
+    if (e.turnover < kLittle) return;
+    const double unexplained = std::abs(e.imbalance() - explained_) / e.turnover;
+    margins.unexplained = std::max(margins.unexplained, unexplained);
+    must(unexplained <= kUnexplained, "the coupling's ledger closes", unexplained, kUnexplained);
+  }
+
+  void look_at_depth(const Pose& X_WT) {
+    double allowed = 0;
+    for (const Material& material : simulation_->workpiece().materials().all()) {
+      const double k = simulation_->config().reference_stiffness * material.relative_stiffness;
+      const double strength = material.compressive_strength > 0 ? material.compressive_strength : kStrong;
+      allowed = std::max(allowed, 1.1 * std::sqrt(2 * strength / k));
+    }
+    allowed += simulation_->workpiece().voxel_size();
+    const double depth = solid_depth(*simulation_, X_WT);
+    margins.too_deep = std::max(margins.too_deep, depth / allowed);
+    must(depth <= allowed, "no solid material deep in the head", depth, allowed);
+  }
+
+  /// The power of the motor in a step is its work less what the rotor gave as it slowed down. Its characteristic is
+  /// that of the speeds between which it was.
+  void look_at_motor(const ObservedStep& step) noexcept {
+    const Spindle& motor = step.simulation.tool().spindle();
+    const double w = std::abs(step.result.spindle.speed);
+    const double before = std::isinf(rotor_speed_) ? std::abs(double(motor.speed)) : rotor_speed_;
+    rotor_speed_ = w;
+    const double slowed = 0.5 * motor.rotor_inertia * std::max(0.0, before * before - w * w);
+    const double power = (step.result.energy.motor_work - ledger_.motor_work - slowed) / step.input.dt;
+    const double free = std::max(before, (1 + kSpeedKnown) * std::abs(step.spindle_setting));
+    double most = motor.power_limit;
+    if (motor.droop > 0) most = std::min(most, 0.25 * free * free / motor.droop);
+    if (std::isfinite(motor.torque_limit)) most = std::min(most, motor.torque_limit * free);
+    if (!std::isfinite(most)) return;
+    const double share = most > kNoPower ? (power - kLoadKnown * slowed / step.input.dt) / most : 0;
+    margins.power = std::max(margins.power, share);
+    must(power <= kPowerKnown * most + kLoadKnown * slowed / step.input.dt + kNoPower, "the motor has its power", power,
+         most);
+  }
+
+  void mix(double number) noexcept { hash_ = (hash_ ^ std::bit_cast<std::uint64_t>(number)) * 0x100000001b3ULL; }
+
+  static constexpr double kStrong = 150e6;      // [Pa] of a material that is never crushed
+  static constexpr double kSpeedKnown = 2e-3;   // [1] how closely the speed of a motor is solved for
+  static constexpr double kPowerKnown = 1.001;  // [1]
+  static constexpr double kLoadKnown = 0.1;     // [1] how closely the load of a rotor that runs down is known
+  static constexpr double kNoPower = 1e-5;      // [W]
+
+  Simulation* simulation_;
+  std::string broken_;
+  std::uint64_t hash_ = 0xcbf29ce484222325ULL;
+  double volume_at_begin_ = 0, removed_ = 0, removed_in_tick_ = 0;  // [m^3]
+  EnergyLedger ledger_;
+  Pose pose_;              // of the last step
+  Wrench model_;           // of it
+  double step_error_ = 0;  // [J] of `entered`
+  CouplingEnergy coupling_;
+  double explained_ = 0;  // [J] of the coupling's imbalance, by what changed between ticks
+  bool is_exchanged_ = false, is_let_go_ = true, energy_jumps_ = false, solid_may_be_deep_ = false;
+  double rotor_speed_ = std::numeric_limits<double>::infinity();  // [rad/s]
+  Pose X_WH_;
+};
+
+}  // namespace hapticut::test

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+// Composed ticks through the whole chain: device, map, guard, coupling, step; with the commands of a loop.
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <optional>
+
+#include "hapticut/device/simulated/mock.hpp"
+#include "hapticut/loop/simulation_model.hpp"
+#include "support/composed_hand.hpp"
+#include "support/composed_invariants.hpp"
+#include "support/composed_scenes.hpp"
+#include "support/sanitizers.hpp"
+
+namespace hapticut::composed_loop_test {
+namespace {
+
+using namespace test;
+using units::mm;
+
+constexpr int kRun = 2500;  // [ticks] of one scene
+
+/// What a reading may suffer on its way from the device.
+enum class Spoilt { not_at_all, no_number, flip, no_rotation, late, jump, invalid };
+
+constexpr auto names_of(Of<Spoilt>) {
+  using enum Spoilt;
+  return std::array{Named{not_at_all, "not_at_all"},   Named{no_number, "no_number"}, Named{flip, "flip"},
+                    Named{no_rotation, "no_rotation"}, Named{late, "late"},           Named{jump, "jump"},
+                    Named{invalid, "invalid"}};
+}
+
+class Course {
+ public:
+  explicit Course(std::uint64_t seed)
+      : random_(seed),
+        voxel_(random_.between(0.12, 0.25) * mm),
+        simulation_{some_piece(voxel_, random_), some_tool(random_), some_config(random_)},  // in this order
+        hand_(simulation_.tool()),
+        device_(*this),
+        model_(simulation_, device_, options()),
+        invariants_(simulation_) {
+    period_ = 1 / random_.between(500, 4000);
+  }
+
+  /// @return that no invariant is broken
+  bool run(int ticks) {
+    RunOptions options;
+    options.simulated_time = true;
+    options.stop_on_signals = false;
+    options.guard.period = period_;
+    options.guard.arming.ramp = options.guard.arming.short_ramp = 0.02;
+    const RunReport report = device_.run(
+        [&](const DeviceState& reading) {
+          if (left_-- == 0) begin_action();
+          const double dt = tick_ == 0 ? period_ : reading.time - last_time_;
+          last_time_ = reading.time;
+          DeviceCommand command;
+          command.wrench = model_.step(reading, dt > 0 ? dt : period_, snapshot_);
+          command.contact = model_.contact();
+          command.stop = ++tick_ >= ticks || !invariants_.broken().empty();
+          is_under_way_ = true;
+          return command;
+        },
+        options);
+    if (invariants_.broken().empty() && report.fault != DeviceFault::none) return false;
+    return invariants_.broken().empty();
+  }
+
+  [[nodiscard]] std::string what_is_broken() const {
+    return invariants_.broken() + "; tick " + std::to_string(tick_ - 1) + ", the hand does " +
+           std::string(name_or_null(hand_.motion())) + ", command " + std::to_string(command_) + ", reading " +
+           std::string(name_or_null(spoilt_)) + ", " + std::to_string(period_ * 1e3) + " ms, status " +
+           describe(snapshot_.tool.status) + ", arming " + std::string(name_or_null(device_.last_arming()));
+  }
+  [[nodiscard]] std::uint64_t hash() const { return invariants_.hash() ^ simulation_.workpiece().hash(); }
+  [[nodiscard]] const Margins& margins() const { return invariants_.margins; }
+
+ private:
+  /// A hand, a reading that may be spoilt, and a look at what the motors get.
+  class WatchedMock final : public MockDevice {
+   public:
+    explicit WatchedMock(Course& course) : MockDevice(rigid_touch()), course_(course) {}
+    static MockOptions rigid_touch() {
+      MockOptions options;
+      options.device = device_model("touch");
+      return options;
+    }
+
+   protected:
+    bool read(DeviceState& state) noexcept override {
+      if (!MockDevice::read(state)) return false;
+      course_.read(state);
+      return true;
+    }
+    Wrench write(const Wrench& wrench) noexcept override {
+      Wrench given = MockDevice::write(wrench);
+      course_.look(given);
+      return given;
+    }
+
+   private:
+    Course& course_;
+  };
+
+  SimulationModelOptions options() {
+    SimulationModelOptions options;
+    options.coupling = coupling_gains(device_.capabilities());
+    options.undo_blocks = 2000;
+    return options;
+  }
+
+  void read(DeviceState& state) noexcept {
+    hand_.move(applied_.force.norm(), period_);
+    state.X_BS = hand_.X_WD();
+    state.velocity = hand_.velocity();
+    state.time += late_;
+    if (left_ % every_ != 0) return;
+    switch (spoilt_) {
+      case Spoilt::no_number:
+        state.X_BS.translation.y() = std::numeric_limits<double>::quiet_NaN();
+        break;
+      case Spoilt::flip:
+        state.X_BS.rotation = rotation_from_vector(Vec3(units::kPi, 0, 0)) * state.X_BS.rotation;
+        break;
+      case Spoilt::no_rotation:
+        state.X_BS.rotation.col(0) *= -1;
+        break;
+      case Spoilt::late:
+        state.time -= late_;
+        late_ += random_.between(2e-3, 0.2);  // and all that come after it
+        state.time += late_;
+        break;
+      case Spoilt::jump:
+        state.X_BS.translation += random_.vector(40 * mm);
+        break;
+      case Spoilt::invalid:
+        state.valid = false;
+        break;
+      default:
+        break;
+    }
+  }
+
+  /// The motors have it: the tick is complete.
+  void look(const Wrench& applied) noexcept {
+    applied_ = applied;
+    if (!std::exchange(is_under_way_, false)) return;
+    const double removed = snapshot_.tool.removed_volume;
+    invariants_.look(removed - std::exchange(last_removed_, removed), applied, device_.capabilities().peak_force,
+                     snapshot_.X_WT);
+  }
+
+  void begin_action() {
+    left_ = int(random_.between(0.01, 0.3) / period_);
+    hand_.begin(snapshot_.tool.status == StepStatus::ok ? Motion(below(9, random_)) : Motion::lift, random_);
+    spoilt_ = below(3, random_) == 0 ? Spoilt(below(7, random_)) : Spoilt::not_at_all;
+    every_ = below(2, random_) == 0 ? 1000 : 1 + below(30, random_);
+    command_ = below(2, random_) == 0 ? -1 : below(15, random_);
+    if (is_open_ && below(3, random_) != 0) command_ = 1;  // or nothing would come of it
+    std::optional<LoopCommand> command = next();
+    if (!command) return;
+    if (command_ == 9) hand_.hold(std::get<commands::SetTool>(*command).tool.tool());
+    if (command_ == 9) invariants_.forget_motor();
+    model_.check(*command);
+    (void)model_.obey(*command);
+  }
+
+  std::optional<LoopCommand> next() {
+    const double own = simulation_.tool().spindle().speed;
+    switch (command_) {
+      case 0:
+        is_open_ = true;
+        return commands::OpenClutch{};
+      case 1:
+        is_open_ = false;
+        return commands::CloseClutch{};
+      case 2:
+        return commands::SetSpindleSpeed{-own * units::rad_per_s};
+      case 3:
+        return commands::SetSpindleSpeed{};
+      case 4:
+        return commands::SetSpindleSpeed{random_.between(0.2, 1) * own * units::rad_per_s};
+      case 5:
+        return commands::SetScale{random_.between(0.8, 1.2)};
+      case 6:
+        return commands::SetUndoMark{};
+      case 7:
+        return commands::Undo{};
+      case 8:
+        return commands::Redo{};
+      case 9:
+        return model_.prepare_tool(some_tool(random_));
+      case 10:
+        return model_.prepare_materials(some_materials(random_));
+      case 11:
+        return commands::SetFriction{DryFriction{0.4, 0.3, 1000}};
+      case 12:
+        return commands::SetRemoval{below(4, random_) == 0 ? RemovalLaw::none : RemovalLaw::constant_energy};
+      case 13:
+        return commands::HoldForce{below(3, random_) == 0};
+      case 14:
+        return commands::SetForceMask{{{below(4, random_) != 0, true, true}, {true, true, true}}};
+      default:
+        return std::nullopt;
+    }
+  }
+
+  RandomPoses random_;
+  double voxel_;
+  double period_ = 1e-3;  // [s]
+  Simulation simulation_;
+  ComposedHand hand_;
+  WatchedMock device_;
+  SimulationModel model_;
+  ComposedInvariants invariants_;
+  LoopSnapshot snapshot_;
+  Wrench applied_;
+  Spoilt spoilt_ = Spoilt::not_at_all;
+  double last_time_ = 0, last_removed_ = 0, late_ = 0;  // [s], [m^3], [s]
+  int tick_ = 0, left_ = 0, every_ = 1, command_ = -1;
+  bool is_under_way_ = false, is_open_ = false;
+};
+
+/// A strike of 0.12 m/s in which 9.9 % enter, for the step is most of the depth (docs/decisions/0021). A cure takes it
+/// off.
+constexpr std::uint64_t kKnownSeed = 17;
+
+void compose(std::uint64_t ticks) {
+  Margins margins;
+  int broken = 0;
+  std::uint64_t seed = number_from("HAPTICUT_COMPOSED_SEED", 1);
+  for (std::uint64_t done = 0; done < ticks && broken < 10; done += kRun, ++seed) {
+    Course course(seed);
+    const bool keeps = course.run(int(std::min<std::uint64_t>(kRun, ticks - done)));
+    if (seed == kKnownSeed) {
+      EXPECT_FALSE(keeps) << "seed 17 is no longer broken";
+    } else if (!keeps) {
+      ++broken;
+      ADD_FAILURE() << "seed " << seed << ": " << course.what_is_broken();
+    }
+    margins.add(course.margins());
+  }
+  std::cout << margins.in_words() << "\n";
+  EXPECT_GT(margins.cutting * 100, margins.ticks) << "or the invariants were not tried";
+}
+
+TEST(ComposedLoop, KeepsTheInvariants) { compose(kWithAddressSanitizer ? 2500 : 5000); }
+
+TEST(ComposedLoop, KeepsTheInvariantsForLong) { compose(number_from("HAPTICUT_COMPOSED_TICKS", 100000)); }
+
+TEST(ComposedLoop, GivesTheSameBitsAgain) {
+  Course once(1), again(1);
+  once.run(1500);
+  again.run(1500);
+  EXPECT_EQ(once.hash(), again.hash());
+}
+
+}  // namespace
+}  // namespace hapticut::composed_loop_test

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: Apache-2.0
+// Energy that 10^3 random hands get at the device: from the wrenches that were given out and held, and the poses.
+// Section "Passivity at the hand" of docs/devices.md has the argument.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "hapticut/bench/closed_loop.hpp"
+#include "hapticut/simulation/coupling.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
+#include "support/catalogue_heads.hpp"
+#include "support/random_pose.hpp"
+
+namespace hapticut::coupling_hands_test {
+namespace {
+
+using test::RandomPoses;
+using units::mm;
+
+constexpr std::uint64_t kSeed = 1;
+constexpr int kHands = 250;          // of each of the four kinds
+constexpr double kShare = 1e-3;      // [1] of its turnover that a hand may get
+constexpr double kNothing = 1e-7;    // [J] less than a hand can turn over
+constexpr double kAbove = 0.6 * mm;  // of the surface, where a path begins
+
+template <class Choices>
+auto& one_of(RandomPoses& random, Choices&& choices) {
+  return choices[std::min(std::size(choices) - 1, std::size_t(random.between(0, double(std::size(choices)))))];
+}
+
+// --- random scenes ---------------------------------------------------------------------------------------------------
+
+const ToolHead& any_head(RandomPoses& random) {
+  static const std::vector<ToolHead> heads = [] {
+    std::vector<ToolHead> made;
+    for (const test::CatalogueHead& head : test::catalogue_heads()) made.push_back(head.make());
+    return made;
+  }();
+  return one_of(random, heads);
+}
+
+/// The device's gains with a damper as weak as may be: it would hide what the spring gives.
+CouplingGains any_gains(RandomPoses& random, const DeviceModel& device) {
+  CouplingGains gains = coupling_gains(capabilities(device));
+  const double weak = random.between(0, 1);
+  gains.damping *= weak;
+  gains.angular_damping *= weak;
+  return gains;
+}
+
+Material any_material(RandomPoses& random) {
+  Material material = find_preset(one_of(random, preset_names()));
+  if (random.between(0, 1) < 0.5) return material;
+  material.damping = random.between(0, 300);
+  material.static_friction = random.between(0, 0.6);
+  material.dynamic_friction = random.between(0, 1) * material.static_friction;
+  return material;
+}
+
+Workpiece any_slab(RandomPoses& random) {
+  const double voxel = random.between(0.2 * mm, 0.3 * mm);
+  const Vec3 aside = voxel * Vec3(random.between(0, 1), random.between(0, 1), random.between(0, 1));
+  return build_block({Vec3(-4, -4, -3) * mm - aside, Vec3(4, 4, 0) * mm}, voxel, any_material(random));
+}
+
+SimulationConfig at_the_end() {
+  SimulationConfig config;
+  config.contact_time = ContactTime::end;
+  return config;
+}
+
+Pose above_the_slab(RandomPoses& random, const Tool& tool) {
+  const Vec3 axis = random.direction();
+  const Mat3 tilt = rotation_from_vector(random.between(0, 0.4) * Vec3(axis.x(), axis.y(), 0));
+  const HeadBox box = tool.head().bounding_box();
+  double lowest = 0;
+  for (const double x : {box.min.x(), box.max.x()})
+    for (const double y : {box.min.y(), box.max.y()})
+      for (const double z : {box.min.z(), box.max.z()}) lowest = std::min(lowest, (tilt * Vec3(x, y, z)).z());
+  const Vec3 aside = random.vector(1 * mm);
+  return Pose{tilt, Vec3(aside.x(), aside.y(), kAbove - lowest)} * tool.X_HT().inverse();
+}
+
+/// A smooth way of the hand into the material and elsewhere, which closes.
+struct ClosedPath {
+  static constexpr int kWaves = 3;
+  Pose start;
+  std::array<Vec3, kWaves> ways, turns;  // [m], [rad]
+  double seconds = 0;
+
+  [[nodiscard]] Pose at(double time) const {
+    Vec3 way = Vec3::Zero(), turn = Vec3::Zero();
+    const double angle = std::numbers::pi * std::clamp(time / seconds, 0.0, 1.0);
+    for (int n = 0; n < kWaves; ++n) {
+      const double wave = std::pow(std::sin((n + 1) * angle), 2);
+      way += wave * ways[std::size_t(n)];
+      turn += wave * turns[std::size_t(n)];
+    }
+    return {rotation_from_vector(turn) * start.rotation, start.translation + way};
+  }
+};
+
+struct Scene {
+  double period;
+  const DeviceModel& device;
+  CouplingGains gains;
+  Tool tool;
+  Simulation simulation;
+  VirtualCoupling coupling;
+  ClosedPath path;
+
+  /// @param turns  whether the hand turns as well
+  Scene(RandomPoses& random, const DeviceModel& model, bool spins, bool turns)
+      : period(1 / one_of(random, std::array{500.0, 1000.0, 2000.0, 4000.0})),
+        device(model),
+        gains(any_gains(random, device)),
+        tool(any_head(random), RayHandle{random.between(0, 1) < 0.3 ? 0 : random.between(10 * mm, 100 * mm)},
+             Spindle{(spins ? random.between(500, 4000) : 0) * units::rad_per_s}),
+        simulation(any_slab(random), tool, at_the_end()),
+        coupling(simulation, gains) {
+    path.start = above_the_slab(random, tool);
+    path.seconds = random.between(0.05, 0.2);
+    const double reach = tool.head().reach() + tool.X_HT().translation.norm();
+    for (int n = 0; n < ClosedPath::kWaves; ++n) {
+      path.ways[std::size_t(n)] = random.vector((n == 0 ? 1.5 : 0.5) * mm);
+      path.turns[std::size_t(n)] = turns ? random.vector(std::min(0.3, 2 * mm / reach) / (n + 1)) : Vec3(Vec3::Zero());
+    }
+    path.ways[0].z() = -kAbove - random.between(0.1, 1.2) * gains.largest_force / gains.stiffness;
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  [[nodiscard]] std::string words() const {
+    return std::string(device.name) + " at " + std::to_string(std::lround(1 / period)) + " Hz, " +
+           simulation.workpiece().materials().all().back().name + ", reach " + std::to_string(tool.head().reach()) +
+           " m, damping " + std::to_string(gains.damping) + " N s/m";
+  }
+};
+
+// --- the work --------------------------------------------------------------------------------------------------------
+
+/// What motor and turning do, step by step.
+class Steps final : public StepObserver {
+ public:
+  double motor = 0;   // [J] of the spindle
+  double turned = 0;  // [J] that a hand would give that feels the contact's torque at the end of each step
+  Pose last;
+
+  void on_step(const ObservedStep& step) noexcept override {
+    if (has_any(step.result.status, kRejected)) return;
+    motor += step.result.spindle.torque * step.result.spindle.speed * step.input.dt;
+    const Mat3 turn = step.input.pose.rotation * last.rotation.transpose();
+    turned -= step.result.model.torque.dot(vector_from_rotation(turn));
+    last = step.input.pose;
+  }
+};
+
+/// What a hand gives to a device that holds each wrench until the next, beyond what holding and reading may cost.
+class HandWork {
+ public:
+  explicit HandWork(const Scene& scene, double encoder_step = 0)
+      : gains_(scene.gains), period_(scene.period), encoder_step_(encoder_step) {}
+
+  /// From pose to pose, with the wrench that was given out before.
+  /// @param read  what the device says of the way, as a twist in a tick, and its estimate of the velocity
+  void go(const Pose& from, const Pose& to, const Twist& read, const Twist& estimate, const CoupledResult& result) {
+    const Twist way = twist_between(from, to, 1);
+    const double work = -held_.force.dot(way.linear) - held_.torque.dot(way.angular);
+    const double parts = std::max(1, result.parts), hold = (parts + 1) * (2 * parts + 1) / (6 * parts);
+    allowed_ += 0.5 * hold * gains_.stiffness * read.linear.squaredNorm();
+    allowed_ += 0.5 * hold * gains_.angular_stiffness * read.angular.squaredNorm();
+    allowed_ += 0.5 * std::sqrt(3) * encoder_step_ * (result.hand.force - held_.force).norm();
+    allowed_ += 0.25 * gains_.damping * period_ * (estimate.linear - read.linear / period_).squaredNorm();
+    allowed_ += 0.25 * gains_.angular_damping * period_ * (estimate.angular - read.angular / period_).squaredNorm();
+    given_ += work;
+    turnover_ += std::abs(work);
+    booked_ -= result.coupling.force.dot(way.linear) + result.coupling.torque.dot(way.angular);
+    held_ = result.hand;
+    if (gains_.angular_stiffness == 0) held_.torque.setZero();  // no motors
+    most_force_ = std::max(most_force_, held_.force.norm());
+    most_parts_ = std::max(most_parts_, result.parts);
+    waited_ = waited_ || has_any(result.status, StepStatus::tool_waits | kRejected);
+  }
+
+  /// After each tick. @param others  [J] that others than the hand gave
+  void judge(double others) {
+    least_ = std::min(least_, given_ + allowed_ + others);
+    others_ = others;
+  }
+
+  [[nodiscard]] const Wrench& held() const { return held_; }
+  [[nodiscard]] double given() const { return given_; }
+  [[nodiscard]] double least() const { return least_; }
+  [[nodiscard]] double allowed() const { return allowed_; }
+  [[nodiscard]] double turnover() const { return turnover_ + std::abs(others_); }
+  [[nodiscard]] double booked() const { return booked_; }
+  [[nodiscard]] double most_force() const { return most_force_; }
+  [[nodiscard]] int most_parts() const { return most_parts_; }
+  [[nodiscard]] bool waited() const { return waited_; }
+
+ private:
+  CouplingGains gains_;
+  double period_, encoder_step_;
+  Wrench held_;
+  double given_ = 0, allowed_ = 0, turnover_ = 0, booked_ = 0, others_ = 0, least_ = 0, most_force_ = 0;
+  int most_parts_ = 0;
+  bool waited_ = false;
+};
+
+/// A hand that goes along the path whatever it feels.
+HandWork follow(Scene& scene, Steps& steps, bool counts_turning) {
+  HandWork work(scene);
+  steps.last = scene.path.start;
+  scene.simulation.add_observer(steps);
+  Pose last = scene.path.start;
+  const long ticks = std::lround(std::ceil(scene.path.seconds / scene.period));
+  for (long n = 0; n <= ticks; ++n) {
+    const Pose pose = scene.path.at(double(n) * scene.period);
+    const Twist read = twist_between(last, pose, 1), velocity = twist_between(last, pose, scene.period);
+    work.go(last, pose, read, velocity, scene.coupling.step(pose, velocity, scene.period));
+    work.judge(steps.motor + (counts_turning ? steps.turned : 0));
+    last = pose;
+  }
+  scene.simulation.remove_observer(steps);
+  return work;
+}
+
+/// What all hands of a kind did: a test in which nothing happens proves nothing.
+struct Tally {
+  int touched = 0, cut = 0, got = 0;
+  double most_got = 0;  // [J]
+
+  void add(const Scene& scene, const HandWork& work) {
+    touched += work.most_force() > 0.1 ? 1 : 0;
+    cut += scene.simulation.removed_volume_by_material()[1] > 0 ? 1 : 0;
+    got += work.given() < -kNothing ? 1 : 0;
+    most_got = std::max(most_got, -work.given());
+  }
+  ~Tally() {
+    testing::Test::RecordProperty("hands_that_got_energy", got);
+    testing::Test::RecordProperty("most_energy_in_mJ", std::to_string(1e3 * most_got));
+  }
+};
+
+void expect_passive(const Scene& scene, const HandWork& work) {
+  EXPECT_GE(work.least(), -kShare * work.turnover() - kNothing) << scene.words();
+  EXPECT_FALSE(work.waited()) << scene.words();
+}
+
+std::string named(const char* kind, int n) {
+  return std::string(kind) + ", hand " + std::to_string(n) + " of seed " + std::to_string(kSeed);
+}
+
+RandomPoses hand(int kind, int n) {
+  return RandomPoses(kSeed + std::uint64_t(1000003) * std::uint64_t(kHands * kind + n));
+}
+
+TEST(RandomHands, GetNothingFromAHeadThatStands) {
+  Tally tally;
+  for (int n = 0; n < kHands; ++n) {
+    SCOPED_TRACE(named("standing", n));
+    RandomPoses random = hand(0, n);
+    const DeviceModel& device = one_of(random, device_models());
+    Scene scene(random, device, false, device.peak_torque > 0);
+    Steps steps;
+    const HandWork work = follow(scene, steps, false);
+    expect_passive(scene, work);
+    const CouplingEnergy& energy = scene.coupling.last_result().energy;
+    if (work.most_parts() == 1 && scene.gains.angular_stiffness > 0) {
+      EXPECT_NEAR(work.booked(), energy.hand_work, 1e-9 + 1e-6 * energy.turnover);
+    }
+    tally.add(scene, work);
+  }
+  EXPECT_GT(tally.touched, kHands * 9 / 10);
+}
+
+TEST(RandomHands, AndTheMotorGetNothingFromAHeadThatTurns) {
+  Tally tally;
+  for (int n = 0; n < kHands; ++n) {
+    SCOPED_TRACE(named("turning", n));
+    RandomPoses random = hand(1, n);
+    const DeviceModel& device = one_of(random, device_models());
+    Scene scene(random, device, true, device.peak_torque > 0);
+    Steps steps;
+    const HandWork work = follow(scene, steps, false);
+    expect_passive(scene, work);
+    tally.add(scene, work);
+  }
+  EXPECT_GT(tally.touched, kHands * 3 / 4);
+  EXPECT_GT(tally.cut, kHands * 3 / 4);
+}
+
+// A device without motors for torque lets the hand turn the tool for nothing. What it gives away is that work, not
+// more.
+TEST(RandomHands, GetFromATurnWithoutMotorsAtMostWhatTheTurnWouldCost) {
+  Tally tally;
+  for (int n = 0; n < kHands; ++n) {
+    SCOPED_TRACE(named("no motors for torque", n));
+    RandomPoses random = hand(2, n);
+    const DeviceModel* device = &one_of(random, device_models());
+    while (device->peak_torque > 0) device = &one_of(random, device_models());
+    Scene scene(random, *device, false, true);
+    Steps steps;
+    const HandWork work = follow(scene, steps, true);
+    expect_passive(scene, work);
+    tally.add(scene, work);
+  }
+  EXPECT_GT(tally.touched, kHands * 9 / 10);
+  EXPECT_GT(tally.got, 0) << "the page says that this is given away";
+}
+
+// Mass, spring and damper, bonded or behind a pad, which want to go along the path and are moved by the force.
+TEST(RandomHands, ThatTheForceMovesGetNothing) {
+  Tally tally;
+  for (int n = 0; n < kHands; ++n) {
+    SCOPED_TRACE(named("moved", n));
+    RandomPoses random = hand(3, n);
+    const DeviceModel& device = one_of(random, device_models());
+    const bool turns = device.peak_torque > 0;
+    Scene scene(random, device, random.between(0, 1) < 0.5, turns);
+    ClosedLoopConfig config;
+    config.device = device;
+    config.hand = one_of(random, hand_models().subspan(1));
+    for (double HandModel::*number : {&HandModel::mass, &HandModel::damping, &HandModel::stiffness})
+      config.hand.*number *= random.between(0.5, 2);
+    config.period = scene.period;
+    config.encoder = random.between(0, 1) < 0.5;
+    config.velocity_filter = random.between(0, 1) < 0.5 ? 100 : 0;
+    config.rotation = turns;
+    ClosedLoop loop(config);
+    loop.reset(scene.path.start);
+    Steps steps;
+    steps.last = scene.path.start;
+    scene.simulation.add_observer(steps);
+    HandWork work(scene, config.encoder ? device.encoder_step : 0);
+    Pose last = loop.plant().pose(), last_read = loop.read().X_BS;
+    const long ticks = std::lround(1.5 * scene.path.seconds / scene.period);  // and then it holds still
+    for (long k = 0; k <= ticks; ++k) {
+      loop.plant().set_target(scene.path.at(double(k) * scene.period));
+      const DeviceState& state = loop.read();
+      const Pose now = loop.plant().pose();
+      work.go(last, now, twist_between(last_read, state.X_BS, 1), state.velocity,
+              scene.coupling.step(state.X_BS, state.velocity, scene.period));
+      work.judge(steps.motor);
+      last = now, last_read = state.X_BS;
+      loop.write(work.held());
+    }
+    scene.simulation.remove_observer(steps);
+    expect_passive(scene, work);
+    tally.add(scene, work);
+  }
+  EXPECT_GT(tally.touched, kHands * 3 / 4);
+}
+
+}  // namespace
+}  // namespace hapticut::coupling_hands_test
