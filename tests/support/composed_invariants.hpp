@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "bench/gestures/solid_depth.hpp"
 #include "hapticut/simulation/coupling.hpp"
-#include "hapticut/workpiece/block.hpp"
 
 /// @file
 /// What holds of every tick, whatever came before it. The first invariant that is broken is kept in words.
@@ -46,44 +46,6 @@ struct Margins {
     return out.str();
   }
 };
-
-/// [m] how far a voxel that is at least half full is below the surface of the head, by its centre.
-inline double solid_depth(const Simulation& simulation, const Pose& X_WT) {
-  const Workpiece& workpiece = simulation.workpiece();
-  const GridFrame& frame = workpiece.frame();
-  const HeadBox box = simulation.tool().head().bounding_box();
-  const Pose X_VT = frame.X_WV.inverse() * X_WT, X_TV = X_VT.inverse();
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p((corner & 1) != 0 ? box.max.x() : box.min.x(), (corner & 2) != 0 ? box.max.y() : box.min.y(),
-                 (corner & 4) != 0 ? box.max.z() : box.min.z());
-    low = low.cwiseMin(X_VT * p);
-    high = high.cwiseMax(X_VT * p);
-  }
-  const IndexBox bounds = workpiece.bounds();
-  VoxelIndex first, last;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto a = std::size_t(axis);
-    first[a] = block_start(std::max(bounds.min[a], int(std::floor(low[axis] / frame.voxel_size))));
-    last[a] = std::min(bounds.max[a], int(std::ceil(high[axis] / frame.voxel_size)));
-  }
-  double deepest = 0;
-  simulation.tool().head().visit_springs<double>([&](const auto& springs) {
-    for (int i = first[0]; i <= last[0]; i += kBlockEdge)
-      for (int j = first[1]; j <= last[1]; j += kBlockEdge)
-        for (int k = first[2]; k <= last[2]; k += kBlockEdge) {
-          const BlockView block = workpiece.block({i, j, k});
-          if (block.empty()) continue;
-          for (int n = 0; n < kBlockVoxels; ++n) {
-            if (block.fill_of(n) < 0.5F) continue;
-            const Vec3 p = X_TV * Vec3(frame.voxel_size * Vec3(i + n / 64, j + n / 8 % 8, k + n % 8));
-            deepest = std::max(deepest, double(springs.margin(std::hypot(p.x(), p.y()), p.z())));
-          }
-        }
-    return 0;
-  });
-  return deepest;
-}
 
 inline double volume_of(const Workpiece& workpiece) {
   double volume = 0;
@@ -305,7 +267,7 @@ class ComposedInvariants final : public StepObserver {
       allowed = std::max(allowed, 1.1 * std::sqrt(2 * strength / k));
     }
     allowed += simulation_->workpiece().voxel_size();
-    const double depth = solid_depth(*simulation_, X_WT);
+    const double depth = gestures::solid_depth(*simulation_, X_WT);
     margins.too_deep = std::max(margins.too_deep, depth / allowed);
     must(depth <= allowed, "no solid material deep in the head", depth, allowed);
   }
