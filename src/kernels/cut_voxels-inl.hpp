@@ -149,15 +149,18 @@ struct PressedParts {
   /// [N/m^4] change of the force with depth, as the springs yield while they are cut
   [[nodiscard]] HWY_INLINE Vec slope(const MaterialVectors& material, const DampingVectors& damped, float time) const {
     const Vec yields = (rubbing + cut) / hn::Max(elastic, broadcast(1e-20F));
-    const Vec damper = damped.slope * material.damping * depth * broadcast(1 / time);
+    // The faster they are, the less deep those at the strength.
+    const Vec limit = hn::IfThenElseZero(damped.factor > broadcast(1.0F), broadcast(0.5F) * top * yielding);
+    const Vec damper = damped.slope * material.damping * (depth - limit) * broadcast(1 / time);
     return material.stiffness * yields * hn::MulAdd(volume - yielding, damped.factor, damper);
   }
 };
 
-/// @tparam kCrushes  some of them are deep enough to be crushed
+/// @tparam kCrushes       some of them are deep enough to be crushed:
+/// @param crushing_depth  [m] deeper than this
 template <bool kCrushes>
 HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVectors& material, const Sample& s, Vec fill,
-                                       Vec damped, bool may_cut, bool release) {
+                                       Vec damped, Vec crushing_depth, bool may_cut, bool release) {
   const Floats d;
   const Vec zero = hn::Zero(d), half = broadcast(0.5F);
   const Vec l = broadcast(m.voxel_size), per_l = broadcast(1 / m.voxel_size);
@@ -171,8 +174,8 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
   p.kept = fill;
   p.yielding = zero;
   if constexpr (kCrushes) {
-    p.crushed = s.top > material.crushing_depth;
-    p.top = hn::IfThenElse(p.crushed, material.crushing_depth, s.top);
+    p.crushed = s.top > crushing_depth;
+    p.top = hn::IfThenElse(p.crushed, crushing_depth, s.top);
     height = hn::IfThenElse(p.crushed, hn::Max(zero, hn::MulSub(p.top, per_l, far_plane)), height);
     const Vec below = section.fill_below(height);
     const Vec kept = hn::IfThenElseZero(below >= broadcast(FoundationLaw::kSmallestPart), below);

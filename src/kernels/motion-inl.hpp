@@ -22,7 +22,7 @@ HWY_INLINE Vectors surface_velocity(const HeadMotion& m, const Vectors& r) {
 
 /// [m^2/s^2] square of the slip at the voxels' centres: of what is not along the normal
 HWY_INLINE Vec slip_of_centers(const Vectors& velocity, const Sample& s) {
-  return hn::Max(hn::Zero(Floats()), hn::NegMulAdd(s.rate, s.closing, dot(velocity, velocity)));
+  return hn::Max(hn::Zero(Floats()), hn::NegMulAdd(s.rate, s.rate, dot(velocity, velocity)));
 }
 
 /// [m/s] how fast voxels come nearer along the normal: n (v + omega x r) = v n + omega (r x n)

@@ -143,7 +143,7 @@ class Press : Places {
     Vec normal = pushed;
     if (damped_) {
       const Vec felt = rate_of_depth<Springs::kCentral>(r, s, m_.felt_velocity, m_.felt_angular_velocity);
-      damped = {material_.vectors().damping * felt, depth, broadcast(ContactMaterial::kNeverCrushed)};
+      damped = DampingVectors(material_.vectors().damping * felt);
       normal = pushed * damped.factor;
       sums.damping = hn::MulAdd(normal - pushed, advance, sums.damping);
     }
@@ -153,7 +153,7 @@ class Press : Places {
     note_depth(depth, r, s, deep, sums);
     if (stiffness_ != nullptr) [[unlikely]] {
       const Vec damper = damped.slope * material_.vectors().damping * depth * broadcast(1 / m_.time_to_move());
-      s.closing = s.inverse_slip = s.smooth = hn::Zero(d);
+      s.rate = s.inverse_slip = s.smooth = hn::Zero(d);
       add_springs(m_, k * (damped.factor + damper), normal, hn::Zero(d), r, s, *stiffness_);
     }
     if (friction_ != nullptr) [[unlikely]] {
@@ -223,24 +223,22 @@ class Press : Places {
     s.largest = largest_component(axes_, r, s);
     const SectionVectors section(s.largest);
     const Vec above_middle = hn::NegMulAdd(broadcast(0.5F), section.span(), section.height_of(fill));
-    s.top = hn::MulAdd(broadcast(m_.voxel_size), above_middle, spring.depth);
+    const Vec depth = distance_below<Springs::kSmooth>(s, spring.depth);
+    s.top = hn::MulAdd(broadcast(m_.voxel_size), above_middle, depth);
     const Mask inside = hn::And(hn::And(s.top > hn::Zero(d), fill > hn::Zero(d)), listed);
     s.top = hn::IfThenElseZero(inside, s.top);
-    s.depth = hn::IfThenElseZero(inside, spring.depth);
-    s.radial = scaled<Springs::kSmooth>(s, s.radial), s.axial = scaled<Springs::kSmooth>(s, s.axial);
+    s.depth = hn::IfThenElseZero(inside, depth);
     sums.voxels += int(hn::CountTrue(d, inside));
     if (!kStands && turns_) {
       const Vectors v = surface_velocity(m_, r);
-      s.rate = s.closing = hn::MulAdd(s.radial, hn::MulAdd(r.x, v.x, r.y * v.y), s.axial * v.z);
-      if constexpr (Springs::kSmooth)
-        s.closing = hn::IfThenElse(s.on_smooth(), s.rate * broadcast(1 / (kBeta * kBeta)), s.rate);
+      s.rate = hn::MulAdd(s.radial, hn::MulAdd(r.x, v.x, r.y * v.y), s.axial * v.z);
       Vec slip_squared = slip_of_centers(v, s);
       if (near_axis_) slip_squared = slip_squared + slip_about_axis(m_, r, slip_squared);
       constexpr float kRegular = FoundationLaw::kSlipRegularization * FoundationLaw::kSlipRegularization;
       s.inverse_slip = inverse_root(slip_squared + broadcast(kRegular));
       s.slip_path = slip_squared * s.inverse_slip * broadcast(m_.duration * m_.level_of_detail);
     } else {
-      s.rate = s.closing = rate_of_depth<Springs::kCentral>(r, s, m_.velocity, m_.angular_velocity);
+      s.rate = rate_of_depth<Springs::kCentral>(r, s, m_.velocity, m_.angular_velocity);
     }
     if (damped_) s.felt_rate = rate_of_depth<Springs::kCentral>(r, s, m_.felt_velocity, m_.felt_angular_velocity);
     return s;
@@ -250,24 +248,27 @@ class Press : Places {
   /// @param first  of the list
   template <bool kStands>
   HWY_INLINE void press_parts(int first, const Vectors& r, Vec old_fill, const Sample& s, PressSums& sums) {
+    const MaterialVectors& material = material_at<Springs::kSmooth>(material_.vectors(), s, m_.voxel_size);
+    DampingVectors damped;
+    if (damped_) damped = DampingVectors(material.damping * s.felt_rate);
+    const auto deep = [&]() HWY_ATTR { return s.top > damped.crushing_depth(material.crushing_depth); };
     if constexpr (kStands)
-      press_as<true, false>(first, r, old_fill, s, sums);
-    else if (may_crush_ && !hn::AllFalse(Floats(), s.top > material_.vectors().crushing_depth)) [[unlikely]]
-      press_as<false, true>(first, r, old_fill, s, sums);
+      press_as<true, false>(first, r, old_fill, s, material, damped, sums);
+    else if (may_crush_ && !hn::AllFalse(Floats(), deep())) [[unlikely]]
+      press_as<false, true>(first, r, old_fill, s, material, damped, sums);
     else
-      press_as<false, false>(first, r, old_fill, s, sums);
+      press_as<false, false>(first, r, old_fill, s, material, damped, sums);
   }
   template <bool kStands, bool kCrushes>
-  HWY_INLINE void press_as(int first, const Vectors& r, Vec old_fill, const Sample& s, PressSums& sums) {
+  HWY_INLINE void press_as(int first, const Vectors& r, Vec old_fill, const Sample& s, const MaterialVectors& material,
+                           const DampingVectors& damped, PressSums& sums) {
     const Floats d;
     const Vec zero = hn::Zero(d);
     const Mask inside = s.top > zero;
     const Vec fill = hn::IfThenElseZero(inside, old_fill), advance = s.rate * broadcast(m_.duration);
-    const MaterialVectors& material = material_at<Springs::kSmooth>(material_.vectors(), s, m_.voxel_size);
-    DampingVectors damped;
-    if (damped_) damped = {material.damping * s.felt_rate, s.top, material.crushing_depth};
+    const Vec crushing_depth = kCrushes ? damped.crushing_depth(material.crushing_depth) : zero;
     const PressedParts p =
-        press_parts_of<kCrushes>(m_, material, s, fill, damped.factor, !kStands && may_cut_, release_);
+        press_parts_of<kCrushes>(m_, material, s, fill, damped.factor, crushing_depth, !kStands && may_cut_, release_);
     if (!kStands && (kCrushes || writes())) {
       const Mask finished = p.credit > zero;
       if (!hn::AllFalse(d, finished)) {
@@ -294,13 +295,13 @@ class Press : Places {
       sums.template add_push<Springs::kCentral>(r, s, normal);
     } else {
       const Vec tangential = kappa * normal * s.inverse_slip;
-      sums.add_reaction(r, s, hn::NegMulAdd(tangential, s.closing, normal), tangential, surface_velocity(m_, r));
+      sums.add_reaction(r, s, hn::NegMulAdd(tangential, s.rate, normal), tangential, surface_velocity(m_, r));
       sums.rubbing = hn::MulAdd(kappa * p.rubbing * damped.factor, s.slip_path, sums.rubbing);
       sums.add_normal(r, s, normal);
       if (near_axis_) sums.couple = hn::MulAdd(tangential, slip_beyond_centers(m_, r, s), sums.couple);
     }
-    sums.add_place(r, scaled<Springs::kSmooth>(s, normal));
-    sums.area = sums.area + scaled<Springs::kSmooth>(s, p.area);
+    sums.add_place(r, normal);
+    sums.area = sums.area + p.area;
 
     sums.before = sums.before + p.before;
     sums.change = sums.change + (p.after - p.before);
@@ -317,14 +318,8 @@ class Press : Places {
     const FrictionConstants constants(job_.materials, [&](int lane) HWY_ATTR {
       return material_.one() != kEmpty ? material_.one() : material_of(first + lane);
     });
-    // Copies, so that the ones in the loop need no address.
-    const Vectors place = r;
-    const Vec shorter =
-        Springs::kSmooth ? hn::IfThenElse(s.on_smooth(), broadcast(1 / kBeta), broadcast(1.0F)) : broadcast(1.0F);
-    const Vec radial = s.radial * shorter, axial = s.axial * shorter;
-    normal = scaled<Springs::kSmooth>(s, normal);
-    filled = scaled<Springs::kSmooth>(s, scaled<Springs::kSmooth>(s, filled));
-    friction_->add(normal, filled, constants, place, radial, axial);
+    const Vectors place = r;  // a copy, so that the one in the loop needs no address
+    friction_->add(normal, scaled<Springs::kSmooth>(s, filled, kBeta * kBeta), constants, place, s.radial, s.axial);
   }
 
   const Springs& springs_;

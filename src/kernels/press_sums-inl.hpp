@@ -19,10 +19,9 @@ namespace strips {
 
 /// What stage sample_contact finds of a vector of voxels.
 struct Sample {
-  Vec depth;          // [m] w of the voxel's centre; zero in lanes that do not count
-  Vec radial, axial;  // of the gradient of -w, as in SpringVectors: the normal, kBeta times as long where it is smooth
+  Vec depth;          // [m] of the voxel's centre below the surface; zero in lanes that do not count
+  Vec radial, axial;  // of the normal, as in SpringVectors
   Vec rate;           // [m/s] of the depth
-  Vec closing;        // [m/s] velocity along the gradient, over its length: the same but where it is smooth
   Vec felt_rate;      // [m/s] as the damping feels it; set where some material has damping
   Vec inverse_slip;   // [s/m] zero where the head stands
   Vec slip_path;      // [m] in the sub-step, likewise
@@ -43,7 +42,7 @@ class SampleList {
     const auto keep = [&](int n, Vec value) HWY_ATTR { hn::Store(value, Floats(), values_[n] + first); };
     keep(0, s.depth), keep(1, s.radial), keep(2, s.axial), keep(3, s.rate), keep(4, s.felt_rate);
     keep(5, s.inverse_slip), keep(6, s.slip_path), keep(7, s.top), keep(8, s.largest);
-    if (kSmooth) keep(9, s.closing), keep(10, s.smooth);
+    if (kSmooth) keep(9, s.smooth);
   }
   template <bool kSmooth>
   [[nodiscard]] HWY_INLINE Sample load(int first) const {
@@ -52,13 +51,12 @@ class SampleList {
     s.depth = value(0), s.radial = value(1), s.axial = value(2), s.rate = value(3), s.felt_rate = value(4);
     s.inverse_slip = value(5), s.slip_path = value(6);
     s.top = value(7), s.largest = value(8);
-    s.closing = kSmooth ? value(9) : s.rate;
-    s.smooth = kSmooth ? value(10) : hn::Zero(Floats());
+    s.smooth = kSmooth ? value(9) : hn::Zero(Floats());
     return s;
   }
 
  private:
-  static constexpr int kVectors = 11;
+  static constexpr int kVectors = 10;
   alignas(64) float values_[kVectors][VoxelList::kRoom];
 };
 

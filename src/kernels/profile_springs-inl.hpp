@@ -138,13 +138,14 @@ class CurveSprings {
   HWY_INLINE SpringVectors<V> at(V squared, V inverse_rho, V rho, V z) const {
     const V m_rho = same(z, normal_rho_), m_z = same(z, normal_z_), none = same(z, 0.0F), scale = same(z, scale_);
     if (kind_ == Kind::line)
-      return {scale * hn::MulAdd(m_rho, rho, hn::MulSub(m_z, z, same(z, offset_))), hn::Neg(m_rho * inverse_rho),
-              hn::Neg(m_z), none};
+      return {depth_below(hn::MulAdd(m_rho, rho, hn::MulSub(m_z, z, same(z, offset_))), scale),
+              hn::Neg(m_rho * inverse_rho), hn::Neg(m_z), none};
     const V v_z = z - same(z, center_z_), turn = same(z, turn_);
     if (kind_ == Kind::arc_about_axis) {
       const V distance_squared = hn::MulAdd(v_z, v_z, squared);
       const V turned = turn * inverse_root(hn::Max(distance_squared, same(z, kLeastSquare)));
-      return {scale * hn::NegMulAdd(distance_squared, turned, same(z, radius_)), turned, turned * v_z, none};
+      return {depth_below(hn::NegMulAdd(distance_squared, turned, same(z, radius_)), scale), turned, turned * v_z,
+              none};
     }
     // R - |x - c| without its cancellation, because the arc may be flat.
     const V v_rho = rho - same(z, center_rho_);
@@ -155,7 +156,7 @@ class CurveSprings {
     const V inward = hn::MulAdd(m_rho, q_rho, m_z * q_z);
     const V twice = hn::NegMulAdd(curvature, hn::MulAdd(q_rho, q_rho, q_z * q_z), inward + inward);
     const V root = curvature * (distance_squared * turned);
-    return {scale * twice / (same(z, 1.0F) + root), turned * inverse_rho * v_rho, turned * v_z, none};
+    return {depth_below(twice / (same(z, 1.0F) + root), scale), turned * inverse_rho * v_rho, turned * v_z, none};
   }
 
  private:
@@ -199,17 +200,20 @@ struct PlainProfileVectors : ProfileBounds {
       spring.axial = hn::IfThenElse(where, other.axial, spring.axial);
       smooth = curve.is_smooth() ? hn::Or(smooth, where) : hn::AndNot(where, smooth);
     };
-    if (rule != CellRule::first) {
+    const auto take_nearer = [&](const CurveSprings& curve, const SpringVectors<V>& other) HWY_ATTR {
+      const V depth = depth_below_both(spring.depth, other.depth);
+      const auto is_edge_of_both = curve.is_smooth() ? hn::Not(smooth) : smooth;
+      const V lesser = hn::Min(spring.depth, other.depth);
+      take(other.depth < spring.depth, curve, other);
+      spring.depth = hn::IfThenElse(is_edge_of_both, depth, lesser);
+    };
+    if (rule == CellRule::nearer) {
+      take_nearer(second, second.at(squared, inverse_rho, rho, z));
+    } else if (rule != CellRule::first) {
       const SpringVectors<V> other = second.at(squared, inverse_rho, rho, z);
-      take(rule == CellRule::sides    ? second.begins_before(rho, z)
-           : rule == CellRule::nearer ? other.depth < spring.depth
-                                      : other.depth > spring.depth,
-           second, other);
+      take(rule == CellRule::sides ? second.begins_before(rho, z) : other.depth > spring.depth, second, other);
     }
-    if (has_lid) {
-      const SpringVectors<V> end = lid.at(squared, inverse_rho, rho, z);
-      take(end.depth < spring.depth, lid, end);
-    }
+    if (has_lid) take_nearer(lid, lid.at(squared, inverse_rho, rho, z));
     spring.smooth = from_corners(smooth, rho, z);
     return spring;
   }
@@ -249,7 +253,7 @@ struct MeridianVectors {
     const V q_rho = rho - c.rho, q_z = z - c.z;
     const V inward = hn::MulAdd(c.normal_rho, q_rho, c.normal_z * q_z);
     scale = c.scale;
-    twice = scale * hn::NegMulAdd(c.curvature, hn::MulAdd(q_rho, q_rho, q_z * q_z), inward + inward);
+    twice = depth_below(hn::NegMulAdd(c.curvature, hn::MulAdd(q_rho, q_rho, q_z * q_z), inward + inward), scale);
     g_rho = hn::MulSub(c.curvature, q_rho, c.normal_rho), g_z = hn::MulSub(c.curvature, q_z, c.normal_z);
     const V squared = hn::MulAdd(g_rho, g_rho, g_z * g_z);
     inverse_root = kernels::HWY_NAMESPACE::inverse_root(hn::Max(squared, same(z, kLeastSquare)));

@@ -15,12 +15,19 @@ namespace hapticut::kernels::HWY_NAMESPACE {
 
 namespace strips {
 
-/// `value`, times kBeta where the surface is smooth.
+/// `value`, times `factor` where the surface is smooth.
 /// @tparam kSmooth  some of it may be
 template <bool kSmooth>
-HWY_INLINE Vec scaled(const Sample& s, Vec value) {
-  if constexpr (kSmooth) return hn::IfThenElse(s.on_smooth(), value * broadcast(kBeta), value);
+HWY_INLINE Vec scaled(const Sample& s, Vec value, float factor) {
+  if constexpr (kSmooth) return hn::IfThenElse(s.on_smooth(), value * broadcast(factor), value);
   return value;
+}
+
+/// hapticut::distance_below in vectors.
+template <bool kSmooth>
+HWY_INLINE Vec distance_below(const Sample& s, Vec depth) {
+  if constexpr (kSmooth) return hn::Min(depth, scaled<true>(s, depth, 1 / kBeta));
+  return depth;
 }
 
 /// The constants at the surface of samples: FoundationLaw::at_surface.
@@ -33,9 +40,13 @@ template <bool kSmooth>
     if (hn::AllFalse(Floats(), smooth)) return there;
     const Vec land = hn::Max(material.land, broadcast(2 * voxel_size));
     const Mask slides = hn::And(s.smooth > land * land, smooth);
-    const Vec ratio = hn::IfThenElse(slides, material.sliding_ratio, material.cutting_ratio);
-    there.cutting_ratio = hn::IfThenElse(smooth, ratio * broadcast(kBeta), ratio);
-    there.cutting_depth = hn::IfThenElse(slides, broadcast(ContactMaterial::kNeverCut), material.cutting_depth);
+    const auto at = [&](Vec value, float factor) HWY_ATTR { return scaled<true>(s, value, factor); };
+    there.stiffness = at(material.stiffness, kBeta * kBeta);
+    there.damping = at(material.damping, kBeta);
+    there.crushing_depth = at(material.crushing_depth, 1 / kBeta);
+    there.cutting_ratio = hn::IfThenElse(slides, material.sliding_ratio, material.cutting_ratio);
+    there.cutting_depth =
+        hn::IfThenElse(slides, broadcast(ContactMaterial::kNeverCut), at(material.cutting_depth, 1 / kBeta));
     return there;
   } else {
     return (material);

@@ -37,6 +37,23 @@ HWY_INLINE V square_from_corner(V along_rho, V along_z) {
 }
 
 constexpr float kBeta = float(kSmoothScale);
+
+/// hapticut::depth_below in vectors.
+template <class V>
+HWY_INLINE V depth_below(V distance, V scale) {
+  return hn::Max(distance, scale * distance);
+}
+
+/// hapticut::depth_below_both in vectors.
+template <class V>
+HWY_INLINE V depth_below_both(V one, V other) {
+  const hn::DFromV<V> d;
+  const auto outside = hn::Max(one, other) < hn::Zero(d);
+  const V least = hn::Min(one, other);
+  if (hn::AllFalse(d, outside)) return least;
+  return hn::IfThenElse(outside, hn::Neg(hn::Sqrt(hn::MulAdd(one, one, other * other))), least);
+}
+
 constexpr float kFarOutside = -1;       // [m] where there is no surface near
 constexpr float kLeastSquare = 1e-24F;  // [m^2] keeps the direction on the axis, or in the centre, finite
 

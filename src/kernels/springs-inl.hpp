@@ -62,9 +62,9 @@ struct ConeVectors {
     const V zero = same(x, 0.0F), squared = hn::MulAdd(x, x, y * y);
     const V inverse = inverse_root(hn::Max(squared, same(x, kLeastSquare))), rho = squared * inverse;
     const V side = hn::MulSub(z, same(x, sine), rho * same(x, cosine));
-    const V above = same(x, height) - z, base = above * same(x, kBeta);
+    const V above = same(x, height) - z, base = depth_below(above, same(x, kBeta));
     const auto on_base = base < side;
-    return {hn::Min(base, side), hn::IfThenElse(on_base, zero, inverse * same(x, cosine)),
+    return {depth_below_both(base, side), hn::IfThenElse(on_base, zero, inverse * same(x, cosine)),
             hn::IfThenElse(on_base, same(x, 1.0F), same(x, -sine)),
             hn::IfThenElseZero(on_base, square_from_corner(same(x, base_radius) - rho, above))};
   }
@@ -101,11 +101,11 @@ struct FlatVectors {
       const V share = inverse_root(hn::Max(depth_squared, same(x, kLeastSquare)));
       return {hn::IfThenElseZero(inside, depth_squared * share), side * share * inverse, hn::Neg(z * share), zero};
     } else {
-      const V cutting = hn::Min(side, z), top = above * same(x, kBeta);
+      const V cutting = hn::Min(side, z), top = depth_below(above, same(x, kBeta));
       const auto on_top = top < cutting, on_side = hn::AndNot(on_top, side < z);
       const V upwards = hn::IfThenElse(on_top, same(x, 1.0F), same(x, -1.0F));
-      return {hn::Min(cutting, top), hn::IfThenElseZero(on_side, inverse), hn::IfThenZeroElse(on_side, upwards),
-              hn::IfThenElseZero(on_top, square_from_corner(side, above))};
+      return {depth_below_both(cutting, top), hn::IfThenElseZero(on_side, inverse),
+              hn::IfThenZeroElse(on_side, upwards), hn::IfThenElseZero(on_top, square_from_corner(side, above))};
     }
   }
   template <class V>

@@ -58,7 +58,7 @@ class StiffnessVectors {
 HWY_INLINE void add_springs(const HeadMotion& m, Vec slope, Vec normal, Vec kappa, const Vectors& r, const Sample& s,
                             StiffnessVectors& sums) {
   const Vectors n = {r.x * s.radial, r.y * s.radial, s.axial}, v = surface_velocity(m, r);
-  const Vec drag = kappa * s.inverse_slip, along = hn::NegMulAdd(drag, s.closing, broadcast(1.0F));
+  const Vec drag = kappa * s.inverse_slip, along = hn::NegMulAdd(drag, s.rate, broadcast(1.0F));
   sums.add(
       slope, r, n,
       {hn::MulAdd(along, n.x, drag * v.x), hn::MulAdd(along, n.y, drag * v.y), hn::MulAdd(along, n.z, drag * v.z)});

@@ -37,30 +37,31 @@ struct StiffnessSums {
 };
 
 /// Adds the stiffness of the samples of one block, after FoundationLaw has evaluated it: each is a spring and damper
-/// of `f' = s^2 k phi (g_d + g_d' chi w/dt)` along its normal, `phi` the mean fill of the sub-step and `s` the
-/// surface's scale. The reference for the vectors.
+/// of `f' = k phi (g_d + g_d' chi w/dt)` along its normal, `phi` the mean fill of the sub-step, with the constants at
+/// its surface. The reference for the vectors.
 inline void add_stiffness(const ContactBlock& b, const HeadMotion& m, const ContactMaterials& materials,
                           StiffnessSums& sums) noexcept {
   const double volume = std::pow(double(m.voxel_size), 3);
   for (std::size_t i = 0; i < std::size_t(b.lanes()); ++i) {
     if (!(b.top[i] > 0)) continue;
     const Eigen::Vector3f r(b.x[i], b.y[i], b.z[i]), n(b.normal_x[i], b.normal_y[i], b.normal_z[i]);
-    const ContactMaterial& material = materials[b.material_of(int(i))];
-    const float scale = b.scale_of(int(i)), damping = material.damping;
-    const float closing = scale * (m.felt_velocity + m.felt_angular_velocity.cross(r)).dot(n);
-    const auto damped = FoundationLaw::Damping::of(damping * closing, b.top[i], material.crushing_depth);
+    const ContactMaterial& material =
+        FoundationLaw::at_surface(materials[b.material_of(int(i))], m, b.smooth[i], b.scale_of(int(i)));
+    const float damping = material.damping, closing = (m.felt_velocity + m.felt_angular_velocity.cross(r)).dot(n);
+    const auto damped = FoundationLaw::Damping::of(damping * closing);
     const Eigen::Vector3f force(b.force_x[i], b.force_y[i], b.force_z[i]);
     if (!(force.dot(n) < 0)) continue;
     const VoxelSection<float> section(b.largest[i]);
     const float top = b.top[i] / m.voxel_size, height = top - b.depth[i] / m.voxel_size + section.span() / 2;
     const DepthIntegrals<float> part = section.integrals(height, top);
     const float depth = part.depth * m.voxel_size;  // [m] mean over the voxel
-    const bool at_limit = b.top[i] == material.crushing_depth;
+    const bool at_limit = m.crushes && b.top[i] >= (1 - 1e-5F) * damped.crushing_depth(material.crushing_depth);
     const float crushed = at_limit ? top * section.area_at(height) : 0.0F;  // which goes on to go, not to press
+    // The faster it is, the less deep the limit.
+    const float moving = depth - (damped.factor > 1 ? 0.5F * b.top[i] * crushed : 0.0F);
     const double spring = -double(force.dot(n)) / (volume * double(depth) * double(damped.factor));  // k phi
     const double slope =
-        double(scale) * spring *
-        double((part.volume - crushed) * damped.factor + damped.slope * damping * depth / m.time_to_move());
+        spring * double((part.volume - crushed) * damped.factor + damped.slope * damping * moving / m.time_to_move());
     const Eigen::Vector3d arm = r.cast<double>(), along = force.cast<double>() / double(force.dot(n));
     const auto add = [&](double strength, const Eigen::Vector3d& q, const Eigen::Vector3d& way) {
       Eigen::Matrix<double, 6, 1> row, column;

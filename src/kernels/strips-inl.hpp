@@ -94,11 +94,12 @@ struct DampingVectors {
   Vec factor, slope;
 
   HWY_INLINE DampingVectors() : factor(broadcast(1.0F)), slope(hn::Zero(Floats())) {}
-  HWY_INLINE DampingVectors(Vec x, Vec top, Vec crushing_depth) {
-    const Vec one = broadcast(1.0F), ratio = crushing_depth / hn::Max(top, broadcast(1e-9F));
-    const Vec most = hn::Max(one, ratio * ratio), free = damping_factor(x), opening = hn::Min(free, one);
-    factor = hn::Min(free, most);
-    slope = hn::IfThenElseZero(free <= most, opening * opening);
+  HWY_INLINE explicit DampingVectors(Vec x) : factor(damping_factor(x)) {
+    const Vec opening = hn::Min(factor, broadcast(1.0F));
+    slope = opening * opening;
+  }
+  [[nodiscard]] HWY_INLINE Vec crushing_depth(Vec at_rest) const {
+    return at_rest / hn::Sqrt(hn::Max(factor, broadcast(1.0F)));
   }
 };
 

@@ -56,14 +56,15 @@ const std::vector<LawKind>& law_kinds() {
         {"thesis_spin_exponent", &S::thesis_spin_exponent, Range::between(-10, 10),
          "law thesis: power of the spindle speed in that torque [0]"},
         {"thesis_required_power", &S::thesis_required_power, Range::not_negative(),
-         "law thesis: power that takes a voxel away over its stiffness, W/(N/m^2) [1e-9]"}},
+         "law thesis: power that takes a voxel away over its stiffness, W/(N/m^2) [where a ball would press with 2 "
+         "N]"}},
        [](const S& s) -> Pointer {
          ThesisLaw::Constants c;
          if (s.thesis_voxel_mm) c.reference_voxel_size = *s.thesis_voxel_mm * units::mm;
          c.damping = s.thesis_damping_Ns_per_m.value_or(c.damping);
          c.spin_torque = s.thesis_spin_torque.value_or(c.spin_torque);
          c.spin_exponent = s.thesis_spin_exponent.value_or(c.spin_exponent);
-         c.required_power = s.thesis_required_power.value_or(c.required_power);
+         c.required_power = s.thesis_required_power;
          return std::make_shared<ThesisLaw>(c);
        }},
       {Law::contact_mechanics,

@@ -7,14 +7,11 @@
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/core/reserve.hpp"
 #include "hapticut/force/contact_materials.hpp"
 #include "hapticut/force/laws/lumped.hpp"
 
 namespace hapticut {
 namespace {
-
-constexpr int kListedSubSteps = 64;  // whose changed blocks are listed one by one before repetitions are dropped
 
 /// The box of voxels that the head can reach, cut to `bounds`.
 /// @param beyond  [voxels] how far outside the head the centre of a voxel may be that is in contact
@@ -33,13 +30,6 @@ IndexBox reach_of(const HeadBox& box, const Pose& X_VT, double voxel_size, const
 }
 
 }  // namespace
-
-ContactStages::Room::Room(const ToolHead& head, double voxel_size, const SimulationConfig& config)
-    : most_voxels(hapticut::most_voxels(head, voxel_size)), most_blocks(hapticut::most_blocks(head, voxel_size)) {
-  reserve_touched(blocks, most_blocks);
-  reserve_touched(emptied, most_blocks);
-  reserve_touched(changed, most_blocks * std::size_t(std::min(config.longest_sweep, kListedSubSteps)));
-}
 
 ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const SimulationConfig& config)
     : workpiece_(workpiece),
@@ -67,25 +57,14 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
   exchange_room(room);
 }
 
-void ContactStages::exchange_room(Room& room) noexcept {
-  forget_changes();
-  emptied_.clear();
-  blocks_.clear();
-  std::swap(most_voxels_, room.most_voxels);
-  std::swap(most_blocks_, room.most_blocks);
-  std::swap(changed_, room.changed);
-  std::swap(blocks_, room.blocks);
-  std::swap(emptied_, room.emptied);
-  turn_ = 0;
-}
-
 void ContactStages::exchange_materials(ContactMaterials& materials) noexcept {
   const double share = cutting_share_;
   set_cutting_share(1);
   std::swap(materials_, materials);
   for (std::size_t id = 0; id < materials_.size(); ++id)
     spinning_ratios_[id] = {materials_[id].cutting_ratio, materials_[id].sliding_ratio};
-  damped_ = std::any_of(materials_.begin(), materials_.end(), [](const auto& m) { return m.damping != 0; });
+  damping_ = 0;
+  for (const ContactMaterial& m : materials_) damping_ = std::max(damping_, m.damping);
   any_chips_ = std::any_of(materials_.begin(), materials_.end(),
                            [](const auto& m) { return m.edge_length > 0 || m.size_length > 0; });
   frictional_ =
@@ -95,24 +74,6 @@ void ContactStages::exchange_materials(ContactMaterials& materials) noexcept {
     for (const ContactMaterial& m : materials_)
       least_crushing_depth_ = std::min(least_crushing_depth_, m.crushing_depth);
   set_cutting_share(share);
-}
-
-namespace {
-
-WorstCase worst_case_of(std::size_t most_voxels, std::size_t most_blocks, const SimulationConfig& config) noexcept {
-  const std::size_t budget = config.voxel_budget == 0 ? most_voxels : config.voxel_budget;
-  const std::size_t parts = (most_voxels + budget - 1) / budget;
-  return {most_blocks, std::min(most_voxels, budget), config.longest_sweep, int(parts), 1};
-}
-
-}  // namespace
-
-WorstCase ContactStages::Room::worst_case(const SimulationConfig& config) const noexcept {
-  return worst_case_of(most_voxels, most_blocks, config);
-}
-
-WorstCase ContactStages::worst_case(const SimulationConfig& config) const noexcept {
-  return worst_case_of(most_voxels_, most_blocks_, config);
 }
 
 namespace {
@@ -198,10 +159,19 @@ Encounter ContactStages::meet(std::span<const CuttableBlock> blocks, const HeadP
     HeadPlacement gently = at;
     gently.motion.crushes = false;
     encounter = run_kernels(blocks, gently, nullptr, stiffness_T);
-    if (crushes(encounter)) encounter = run_kernels(blocks, at, removal, stiffness_T);
+    if (crushes(encounter, at.motion)) encounter = run_kernels(blocks, at, removal, stiffness_T);
   }
   encounter.drop_what_is_not_finite();
   return encounter;
+}
+
+/// Whether something may be as deep as what is crushed: the less deep, the faster the contact closes.
+bool ContactStages::crushes(const Encounter& pressed, const HeadMotion& motion) const noexcept {
+  const HeadBox box = head_.bounding_box();
+  const double extent = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).norm();
+  const double fastest = double(motion.felt_velocity.norm()) + extent * double(motion.felt_angular_velocity.norm());
+  const auto damping = FoundationLaw::Damping::of(damping_ * float(kSmoothScale * fastest));
+  return kSmoothScale * pressed.resultant.depth > double(damping.crushing_depth(least_crushing_depth_));
 }
 
 /// FoundationLaw, block by block in one pass of vector instructions.
@@ -248,7 +218,7 @@ void ContactStages::record(const std::array<double, 256>& removed, RemovalRecord
 kernels::ContactJob ContactStages::job_at(std::span<const CuttableBlock> blocks,
                                           const HeadPlacement& at) const noexcept {
   kernels::ContactJob job = {
-      head_, GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()), at.motion, materials_, damped_, 1, turn_};
+      head_, GridInHead(at.X_VT.inverse(), workpiece_.voxel_size()), at.motion, materials_, damping_ > 0, 1, turn_};
   job.level_of_detail = unsigned(level_of_detail(blocks, job));
   job.motion.level_of_detail = float(job.level_of_detail);
   return job;

@@ -83,6 +83,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
     Room(const ToolHead& head, double voxel_size, const SimulationConfig& config);
     [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
     std::size_t most_voxels, most_blocks;
+    double thin_up_to;
     std::vector<VoxelIndex> changed;
     std::vector<CuttableBlock> blocks;
     std::vector<EmptiedBlock> emptied;
@@ -140,6 +141,9 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   /// Whether some material can be crushed, as the default law does it.
   [[nodiscard]] bool any_crushing() const noexcept { return least_crushing_depth_ < ContactMaterial::kNeverCrushed; }
 
+  /// [m] Height along the spindle's axis, in T, up to which a point of the head is thinner than the voxels.
+  [[nodiscard]] double thin_up_to() const noexcept { return thin_up_to_; }
+
   /// Whether some material's energy depends on the chip: then motions have a tooth_rate.
   [[nodiscard]] bool any_chips() const noexcept { return any_chips_; }
 
@@ -157,9 +161,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   [[nodiscard]] kernels::ContactJob job_at(std::span<const CuttableBlock> blocks,
                                            const HeadPlacement& at) const noexcept;
   [[nodiscard]] Encounter encounter_of(const kernels::ContactJob& job, const kernels::ContactSums& sums) const noexcept;
-  [[nodiscard]] bool crushes(const Encounter& pressed) const noexcept {
-    return pressed.resultant.depth > double(least_crushing_depth_);
-  }
+  [[nodiscard]] bool crushes(const Encounter& pressed, const HeadMotion& motion) const noexcept;
   [[nodiscard]] Encounter run_kernels(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                       RemovalRecord* removal, Stiffness* stiffness_T) noexcept;
   [[nodiscard]] Encounter ask_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
@@ -186,12 +188,13 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
     materials_[id].sliding_ratio = float(cutting_share_) * spinning_ratios_[id].sliding;
   }
   double cutting_share_ = 1;                                     // [1] of them that holds now
-  bool damped_ = false;                                          // some material has damping
+  float damping_ = 0;                                            // [s/m] the most that a material has
   int frictional_ = 0;                                           // how many materials have friction
   bool any_chips_ = false;                                       // the energy of some material depends on the chip
   float least_crushing_depth_ = ContactMaterial::kNeverCrushed;  // [m] of the materials
   double voxel_volume_;                                          // [m^3]
   std::size_t most_voxels_ = 0, most_blocks_ = 0;
+  double thin_up_to_ = 0;
   std::size_t voxel_budget_;  // 0: no limit
   unsigned turn_ = 0;         // of the level of detail
   IndexBox bounds_;           // voxels that were ever solid

@@ -13,8 +13,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // The search ends when a correction moves no point of the head farther than kSolved; or after one more when little is
 // lacking: kNearBalance at first, kFarBalance after kPatient steps, or where nothing is gained.
 constexpr double kSolved = 1e-4;       // [voxels]
-constexpr double kNearBalance = 1e-3;  // [N] by itself,
-constexpr double kNearShare = 1e-3;    // [1] and of the largest force
+constexpr double kNearBalance = 2e-4;  // [N] by itself,
+constexpr double kNearShare = 2e-4;    // [1] and of the largest force
 constexpr int kPatient = 6;
 // A share of a correction must gain so much of it, or a smaller one is tried.
 constexpr double kLeastDescent = 1e-4;           // [1]

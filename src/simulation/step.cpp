@@ -288,6 +288,10 @@ void Simulation::State::transport_to_handle(const SubStep& sub_step, const Encou
   if (config.removal != RemovalLaw::none && config.law->is_foundation() &&
       encounter.engaged_layer() > kThickLayer * tool.head().cutting_radius())
     result.status |= StepStatus::engaged_layer_thick;
+  const Resultant& met = encounter.resultant;
+  if (config.removal != RemovalLaw::none && met.normal_force > 0 &&
+      met.moment_T.z() < contact_stages.thin_up_to() * met.normal_force)
+    result.status |= StepStatus::point_thin;
 }
 
 /// What is touched, and where, by the forces along the normals alone.

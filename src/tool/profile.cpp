@@ -24,7 +24,7 @@ MeridianSpring<double> ProfileHead::exact_spring(double rho, double z) const {
   if (curve == detail::Meridian::kNone) return none;
   const detail::MeridianCurve& nearest = meridian_->curves()[curve];
   MeridianSpring<double> spring = nearest.spring(x);
-  spring.depth *= nearest.scale();
+  spring.depth = depth_below(spring.depth, nearest.scale());
   if (nearest.smooth()) spring.smooth = ProfileSprings<double>(*table_).square_from_corner(rho, z);
   return spring;
 }

@@ -26,6 +26,7 @@ struct GestureRow {
   std::string expected;   ///< in words and numbers, with the unit
   std::string seen;       ///< the same of what the library gives
   bool pass = false;      ///< what was seen is what was expected
+  double strain = 0;      ///< [1] how near it is to its bound, which is 1; 0 of what is so or not
   std::string known;      ///< of a row that does not pass: the reason, where it is on the list of known failures
 };
 

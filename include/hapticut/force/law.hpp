@@ -150,7 +150,8 @@ class ForceLaw {
   [[nodiscard]] virtual bool is_foundation() const noexcept { return false; }
 
   /// Whether `evaluate` takes blocks with `sub_voxel`, whose entries are parts of voxels and not points: with the depth
-  /// of the voxel's centre, that of the part's `top`, and `largest` for VoxelSection, which integrates over the part.
+  /// of the voxel's centre and that of the part's `top`, both as distances (ContactBlock::scale_of makes them w), and
+  /// `largest` for VoxelSection, which integrates over the part.
   /// Where it does not, SimulationConfig::quadrature must be one of points.
   [[nodiscard]] virtual bool integrates_parts() const noexcept { return false; }
 

@@ -67,7 +67,7 @@ inline void sum_resultant(const ContactBlock& b, Resultant& total) {
       sums[kMomentX][lane] -= along * x;
       sums[kMomentY][lane] -= along * y;
       sums[kMomentZ][lane] -= along * z;
-      sums[kArea][lane] += b.scale_of(n) * b.exposed[n];
+      sums[kArea][lane] += (b.sub_voxel ? 1.0F : b.scale_of(n)) * b.exposed[n];
       deepest[lane] = std::max(deepest[lane], b.sub_voxel ? b.top[n] : b.depth[n]);
     }
   const auto sum = [&](Term term) {

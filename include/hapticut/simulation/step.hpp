@@ -105,6 +105,9 @@ enum class StepStatus : std::uint32_t {
   /// held it, which the hand does not feel (VirtualCoupling). Cure: press less; a material whose cutting_ratio was
   /// measured on lips belongs to a head with lips, as `twist_drill_head`.
   tool_braked = 1U << 19,
+  /// The material in contact is about a point of the head, of a needle or a slender cone, that is thinner than 1.5
+  /// voxels: it is met or missed by half a voxel, and how deep it sinks is off by as much. Cure: smaller voxels.
+  point_thin = 1U << 20,
 };
 
 constexpr auto names_of(Of<StepStatus>) {
@@ -147,6 +150,8 @@ constexpr auto names_of(Of<StepStatus>) {
             "The materials are made for another kind of cutter, so forces come out wrong: take one with the other."},
       Named{tool_braked, "tool_braked",
             "The spindle throws the tool about in a corner, and it is braked: press less, or slow the spindle."},
+      Named{point_thin, "point_thin",
+            "The point of the head is thinner than the voxels, so it sinks too deep or too little: take smaller ones."},
   };
 }
 

@@ -53,8 +53,8 @@ struct ProfileCell {
 ///
 ///     g = k q - m      depth w = s (2 m.q - k q.q) / (1 + |g|)      n = g / |g|
 ///
-/// which is s (R - |x - c|) without its cancellation, and s m.q for a line; s is 1 where the curve cuts and
-/// kSmoothScale where it is smooth. Curve 0 is all zeros: no depth anywhere.
+/// which is s (R - |x - c|) without its cancellation, and s m.q for a line; s is 1 where the curve cuts, and outside,
+/// and kSmoothScale where it is smooth (`depth_below`). Curve 0 is all zeros: no depth anywhere.
 template <class Real>
 struct ProfileCurves {
   std::vector<Real> rho, z;                ///< [m] starting point p, in the direction from tip to shank
@@ -143,7 +143,7 @@ struct ProfileSprings {
     const Real g_rho = k * q_rho - m_rho, g_z = k * q_z - m_z;
     const Real root = std::sqrt(g_rho * g_rho + g_z * g_z);
     const Real inverse = Real(1) / std::max(root, Real(1e-12));
-    return {scale[curve] * twice / (Real(1) + root), g_rho * inverse, g_z * inverse};
+    return {depth_below(twice / (Real(1) + root), scale[curve]), g_rho * inverse, g_z * inverse};
   }
 
   [[nodiscard]] MeridianSpring<Real> spring(Real at_rho, Real at_z) const {
@@ -168,21 +168,24 @@ struct ProfileSprings {
       curve = other;
       found = spring;
     };
+    const auto take_nearer = [&](std::uint32_t other, const MeridianSpring<Real>& spring) {
+      const bool is_edge_of_both = scale[curve] != scale[other];
+      const Real depth = depth_below_both(found.depth, spring.depth);
+      take_if(spring.depth < found.depth, other, spring);
+      if (is_edge_of_both) found.depth = depth;
+    };
     const CellRule rule = ProfileCell::rule(cell);
     if (rule != CellRule::first) {
       const std::uint32_t other = ProfileCell::second(cell);
       const MeridianSpring<Real> second = below(other, at_rho, at_z);
       // The tangent at p, towards the shank, is m turned by -90 degrees.
       const Real along = normal_z[other] * (at_rho - rho[other]) - normal_rho[other] * (at_z - z[other]);
-      take_if(rule == CellRule::nearer    ? second.depth < found.depth
-              : rule == CellRule::farther ? second.depth > found.depth
-                                          : along >= 0,
-              other, second);
+      if (rule == CellRule::nearer)
+        take_nearer(other, second);
+      else
+        take_if(rule == CellRule::farther ? second.depth > found.depth : along >= 0, other, second);
     }
-    if (lid != 0 && cell == everywhere) {
-      const MeridianSpring<Real> end = below(lid, at_rho, at_z);
-      take_if(end.depth < found.depth, lid, end);
-    }
+    if (lid != 0 && cell == everywhere) take_nearer(lid, below(lid, at_rho, at_z));
     if (scale[curve] > 1) found.smooth = square_from_corner(at_rho, at_z);
     return found;
   }

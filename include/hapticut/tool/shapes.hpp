@@ -28,6 +28,24 @@ namespace hapticut {
 /// than single precision and the coupling bear.
 inline constexpr double kSmoothScale = 2;
 
+/// [m] w at a distance below a surface of a scale, 1 or kSmoothScale; outside it is the distance, whatever the surface,
+/// so that the nearest one has the material there.
+template <class Real>
+[[nodiscard]] constexpr Real depth_below(Real distance, Real scale) {
+  return std::max(distance, scale * distance);
+}
+/// [m] and back
+template <class Real>
+[[nodiscard]] constexpr Real distance_below(Real depth, Real scale) {
+  return std::min(depth, depth / scale);
+}
+
+/// [m] Below a cutting and a smooth surface that meet in an edge; outside both it is the distance from the edge.
+template <class Real>
+[[nodiscard]] Real depth_below_both(Real one, Real other) {
+  return one < 0 && other < 0 ? -std::sqrt(one * one + other * other) : std::min(one, other);
+}
+
 /// The spring at one point, in the meridian plane; `Spring` is the same in space. The depth is that below the surface
 /// whose depth is least, w = min(distance from the cutting surface, beta distance from the smooth one): it is nothing
 /// on the whole surface, and continuous inside, so that forces along its gradient make no energy on any path.
@@ -135,9 +153,10 @@ struct ConeSprings {
         base_radius(Real(head.height * std::tan(head.half_angle))) {}
 
   [[nodiscard]] MeridianSpring<Real> spring(Real rho, Real z) const {
-    const Real side = z * sine - rho * cosine, base = Real(kSmoothScale) * (height - z);
-    if (base < side) return {base, 0, 1, square_from_corner(base_radius - rho, height - z)};
-    return {side, cosine, -sine};
+    const Real side = z * sine - rho * cosine, base = depth_below(height - z, Real(kSmoothScale));
+    const Real depth = depth_below_both(side, base);
+    if (base < side) return {depth, 0, 1, square_from_corner(base_radius - rho, height - z)};
+    return {depth, cosine, -sine};
   }
   [[nodiscard]] Real margin(Real rho, Real z) const { return std::min(z * sine - rho * cosine, height - z); }
 };
@@ -163,8 +182,9 @@ struct FlatSprings {
       return {margin(rho, z) > Real(0) ? depth : Real(-1), side * inverse, -z * inverse};
     } else {
       const bool on_side = side < z;
-      const Real depth = std::min(side, z), top = Real(kSmoothScale) * (height - z);
-      if (top < depth) return {top, 0, 1, square_from_corner(side, height - z)};
+      const Real cutting = std::min(side, z), top = depth_below(height - z, Real(kSmoothScale));
+      const Real depth = depth_below_both(cutting, top);
+      if (top < cutting) return {depth, 0, 1, square_from_corner(side, height - z)};
       return {depth, on_side ? Real(1) : Real(0), on_side ? Real(0) : Real(-1)};
     }
   }

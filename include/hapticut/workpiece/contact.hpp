@@ -32,7 +32,8 @@ struct ContactBlock {
   int samples = 0;      ///< lanes inside the head
   bool uniform = true;  ///< all samples are of `one_material`
   MaterialId one_material = kEmpty;
-  bool sub_voxel = false;  ///< sampled by Quadrature::sub_voxel: `depth` is that of the centre, and may be negative
+  bool sub_voxel = false;  ///< sampled by Quadrature::sub_voxel: `depth` is the centre's distance below the surface
+                           ///< whose w is least, and may be negative
 
   std::array<std::uint8_t, kBlockRows> row;     ///< place of each row in the block: its first voxel's block_offset / 8
   std::array<std::uint8_t, kBlockRows> inside;  ///< bit set: the lane is a sample
@@ -42,7 +43,7 @@ struct ContactBlock {
   Array<float> normal_x, normal_y, normal_z;  ///< [1] n, from the tool into the material
   Array<float> smooth;                        ///< [m^2] 0: of a surface that cuts; see MeridianSpring::smooth
   Array<float> fill;                          ///< [1] phi before this sub-step
-  Array<float> top;                           ///< [m] greatest depth of the filled part; valid only when `sub_voxel`
+  Array<float> top;                           ///< [m] greatest distance of the filled part; only when `sub_voxel`
   Array<float> largest;                       ///< [1] largest |n_i| along the grid's axes, likewise
   Array<float> immersed;                      ///< [1] filled part of the voxel that is inside the head, likewise
   Array<float> exposed;                       ///< [voxel edges^2] of the head's surface in it; of points about so much
@@ -54,7 +55,7 @@ struct ContactBlock {
   /// Entries of the arrays in use.
   [[nodiscard]] int lanes() const { return rows * kLanes; }
   [[nodiscard]] MaterialId material_of(int n) const { return uniform ? one_material : material[std::size_t(n)]; }
-  /// [1] By how much entry n's depth changes per distance along its normal.
+  /// [1] By how much w changes at entry n per distance along its normal.
   [[nodiscard]] float scale_of(int n) const { return smooth[std::size_t(n)] > 0 ? float(kSmoothScale) : 1.0F; }
 };
 
@@ -153,24 +154,25 @@ void sample_contact(const Springs& springs, const BlockView& block, const GridIn
       const MeridianSpring<float> spring = springs.spring(rho, z);
       const float radial = spring.n_radial / std::max(rho, 1e-12F);
       const float fill = block.fill == nullptr ? 1.0F : block.fill[voxel];
-      bool is_inside = spring.depth > 0 && (solid >> lane & 1U) != 0;
+      const float depth = sub_voxel ? distance_below(spring.depth, spring.scale()) : spring.depth;
+      bool is_inside = depth > 0 && (solid >> lane & 1U) != 0;
       out.exposed[n] = spring.depth < size ? 1.0F : 0.0F;
       if (sub_voxel) {
         const Eigen::Vector3f n_V = steps.transpose() * Eigen::Vector3f(radial * x, radial * y, spring.n_axial) / size;
         out.largest[n] = std::clamp(n_V.cwiseAbs().maxCoeff(), kLeastLargest, 1.0F);
         const VoxelSection<float> section(out.largest[n]);
-        const float height = section.height_of(fill), top = spring.depth + size * (height - section.span() / 2);
+        const float height = section.height_of(fill), top = depth + size * (height - section.span() / 2);
         is_inside = top > 0 && fill > 0 && (solid >> lane & 1U) != 0;
         out.top[n] = is_inside ? top : 0.0F;
         out.immersed[n] = is_inside ? section.integrals(height, top / size).volume : 0.0F;
-        out.exposed[n] = section.area_at(section.span() / 2 - spring.depth / size);
+        out.exposed[n] = section.area_at(section.span() / 2 - depth / size);
       }
       if (!is_inside) out.exposed[n] = 0;
       inside |= is_inside ? 1U << lane : 0U;
       out.x[n] = x;
       out.y[n] = y;
       out.z[n] = z;
-      out.depth[n] = is_inside ? spring.depth : 0.0F;
+      out.depth[n] = is_inside ? depth : 0.0F;
       out.smooth[n] = spring.smooth;
       out.normal_x[n] = radial * x;
       out.normal_y[n] = radial * y;

@@ -51,7 +51,7 @@ std::vector<GestureRow> rows_of(const Gesture& gesture, std::vector<double> size
     gesture.run(reports.emplace_back(gesture.id, gesture.name, voxel));
     append(rows, reports.back());
   }
-  const GestureRow like{gesture.id, gesture.name, "", 0, "", "", "", true, ""};
+  const GestureRow like{gesture.id, gesture.name, "", 0, "", "", "", true, 0, ""};
 
   Report probed(gesture.id, gesture.name, sizes.front());
   probed.probing = true;

@@ -23,30 +23,32 @@ std::string shown(double value, const std::string& unit) {
   return unit.empty() ? text.data() : std::string(text.data()) + " " + unit;
 }
 
-void Report::that(const std::string& demand, const std::string& expected, const std::string& seen, bool pass) {
-  rows_.push_back({gesture_, name_, scene_, voxel_, demand, expected, seen, pass, ""});
+void Report::that(const std::string& demand, const std::string& expected, const std::string& seen, bool pass,
+                  double strain) {
+  rows_.push_back({gesture_, name_, scene_, voxel_, demand, expected, seen, pass, strain, ""});
 }
 
 void Report::at_most(const std::string& demand, double seen, double bound, const std::string& unit,
                      const std::string& why) {
-  that(demand, with_reason("at most " + shown(bound, unit), why), shown(seen, unit), seen <= bound);
+  that(demand, with_reason("at most " + shown(bound, unit), why), shown(seen, unit), seen <= bound, seen / bound);
 }
 
 void Report::at_least(const std::string& demand, double seen, double bound, const std::string& unit,
                       const std::string& why) {
-  that(demand, with_reason("at least " + shown(bound, unit), why), shown(seen, unit), seen >= bound);
+  that(demand, with_reason("at least " + shown(bound, unit), why), shown(seen, unit), seen >= bound, bound / seen);
 }
 
 void Report::between(const std::string& demand, double seen, double low, double high, const std::string& unit,
                      const std::string& why) {
   that(demand, with_reason(shown(low, "") + " ... " + shown(high, unit), why), shown(seen, unit),
-       seen >= low && seen <= high);
+       seen >= low && seen <= high, std::abs(2 * seen - low - high) / (high - low));
 }
 
 void Report::near(const std::string& demand, double seen, double expected, double tolerance, const std::string& unit,
                   const std::string& why) {
   that(demand, with_reason(shown(expected, unit) + " within " + shown(100 * tolerance, "%"), why), shown(seen, unit),
-       std::abs(seen - expected) <= tolerance * std::abs(expected));
+       std::abs(seen - expected) <= tolerance * std::abs(expected),
+       std::abs(seen - expected) / (tolerance * std::abs(expected)));
 }
 
 }  // namespace hapticut::gestures

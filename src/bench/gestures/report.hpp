@@ -36,7 +36,8 @@ class Report {
   /// Names what follows: tool, material, how it is driven.
   void scene(std::string text) { scene_ = std::move(text); }
 
-  void that(const std::string& demand, const std::string& expected, const std::string& seen, bool pass);
+  void that(const std::string& demand, const std::string& expected, const std::string& seen, bool pass,
+            double strain = 0);
 
   /// @param why  the formula in words; empty where the bound speaks for itself
   void at_most(const std::string& demand, double seen, double bound, const std::string& unit,

@@ -181,7 +181,9 @@ void Story::judge_energy(Report& report) const {
     seen += ", at the device gained " + shown(1e3 * hand_gain, "mJ") + " of " + shown(1e3 * hand_turnover_, "mJ");
   if (unexplained_ > kUnexplained) seen += ", unexplained by the coupling " + shown(100 * unexplained_, "%");
   report.that("invariant 1", "gained, entered at most 0.1 % of the turnover; unexplained at most 1 %", seen,
-              gain <= allowed && vanishes && hand_gain <= hand_allowed && unexplained_ <= kUnexplained);
+              gain <= allowed && vanishes && hand_gain <= hand_allowed && unexplained_ <= kUnexplained,
+              std::max({gain / allowed, most_entered_ / (allowed + step_error_), hand_gain / hand_allowed,
+                        unexplained_ / kUnexplained}));
 }
 
 void Story::judge(Report& report, const Simulation& simulation) const {

@@ -134,8 +134,54 @@ std::string scene_of(const std::vector<Line>& lines, const std::string& scene) {
   return "\n" + what + ":\n\n| demand | expected | seen |\n|---|---|---|\n" + table;
 }
 
+/// What a tool behind a coupling must keep to, at any rate and in any voxels.
+struct Figure {
+  std::string_view gesture, demand, words;  // gesture "": any
+};
+constexpr auto kFigures = std::to_array<Figure>({
+    {"G42", "volume", "volume, 0.5 ... 16 kHz"},
+    {"G42", "mean force", "mean force, 0.5 ... 16 kHz"},
+    {"G42", "not in balance", "ticks not in balance, 0.5 ... 16 kHz"},
+    {"G43", "tool's speed 50 ms later", "speed beyond the hand's 50 ms after a jerk"},
+    {"G44", "hole", "hole of a twist drill over the drill"},
+    {"G46", "invariant 7", "volume under a constant force, from one size of voxels to the next"},
+    {"G51", "voxels in a tick", "voxels in a tick, a rigid hand 6 mm inside"},
+    {"G45", "sinks", "depth of a standing head under 1 N"},
+    {"G45", "hole that is left", "hole that it leaves"},
+    {"", "invariant 1", "work gained, `entered` and unexplained, of all gestures"},
+    {"G49", "torque at 2 ... 8 mm", "torque of a deep drill over C35, least"},
+    {"G49", "torque at 2 ... 8 mm, most", "torque of a deep drill over C35, most"},
+});
+
+/// Of each figure, the row nearest to its bound or beyond it, at each size of voxels.
+std::string figures_of(const std::vector<GestureRow>& rows) {
+  std::string table;
+  for (const Figure& figure : kFigures) {
+    std::vector<const GestureRow*> worst;
+    for (const GestureRow& row : rows) {
+      if (!figure.gesture.empty() && row.gesture != figure.gesture) continue;
+      if (row.demand != figure.demand) continue;
+      const auto same = std::ranges::find(worst, row.voxel_size, &GestureRow::voxel_size);
+      if (same == worst.end())
+        worst.push_back(&row);
+      else if (row.strain > (*same)->strain)
+        *same = &row;
+    }
+    for (const GestureRow* row : worst) {
+      const std::string scene = row->scene.substr(0, row->scene.find(','));
+      table += "| " + (row == worst.front() ? std::string(figure.words) : "") + " | " + size_of(*row) + " | " + scene +
+               " | " + row->expected.substr(0, row->expected.find(" (")) + " | " + seen_of(*row) + " |\n";
+    }
+  }
+  if (table.empty()) return table;
+  return "\n## Behind a coupling, at any rate and in any voxels\n\nOf all scenes the one that is nearest to its "
+         "bound.\n"
+         "\n| what | voxels | scene | must be | seen |\n|---|---|---|---|---|\n" +
+         table;
+}
+
 std::string page_of(const std::vector<GestureRow>& rows) {
-  std::string page = kPreface;
+  std::string page = kPreface + figures_of(rows);
   for (const std::string& gesture : gesture_ids()) {
     const std::vector<Line> lines = lines_of(rows, gesture);
     if (lines.empty()) continue;

@@ -26,14 +26,14 @@ TEST_F(Gestures, ReportsEveryDemandAndEndsWellWhereAllAreMet) {
 }
 
 TEST_F(Gestures, FailsWithCodeOneAndSaysWhatIsKnown) {
-  const Outcome outcome = run("gestures --only G4 --json " + path("g.json") + " --markdown " + path("g.md"));
+  const Outcome outcome = run("gestures --only G10 --json " + path("g.json") + " --markdown " + path("g.md"));
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.errors.find("demands on gestures are not met"), std::string::npos) << outcome.errors;
-  EXPECT_NE(outcome.out.find("known G4   rim pushes"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("known G10  invariant 1"), std::string::npos) << outcome.out;
   const nlohmann::json report = read_json(folder / "g.json");
   EXPECT_GT(report["failed"], 0) << "the report is written all the same";
   EXPECT_EQ(report["failed"], report["known"]);
-  EXPECT_NE(test::read_bytes(path("g.md")).find("| rim pushes | "), std::string::npos);
+  EXPECT_NE(test::read_bytes(path("g.md")).find("| invariant 1 | "), std::string::npos);
 }
 
 TEST_F(Gestures, RefusesOneThatDoesNotExist) {

@@ -156,6 +156,64 @@ TEST(Crushing, APlateIsPunchedThrough) {
   }
 }
 
+// The pin fills its hole through a plate. A smooth side is twice as stiff, and a damped contact many times: still a
+// column of voxels bears no more than the strength, whatever part of it lies in which voxel.
+TEST(Crushing, AWallBearsItsStrengthEvenlyWhateverPressesIt) {
+  const double thickness = 1 * mm, speed = 10 * mm;  // [m], [m/s]
+  const auto pin = [](EdgeKind side) {
+    return ProfileHead({0, {{kRadius, 0}, {kRadius, 4 * mm, 0, side}, {0, 4 * mm, 0, EdgeKind::smooth}}});
+  };
+  for (const EdgeKind side : {EdgeKind::cutting, EdgeKind::smooth})
+    for (const double damping : {0.0, 300.0})
+      for (const double voxel : {0.2 * mm, 0.1 * mm}) {
+        const BodyDescription plate = {{Vec3(-1.6, -1.6, -1.4) * mm, Vec3(2.4, 1.6, 0.4) * mm},
+                                       [&](const Vec3& p) {
+                                         const double hole = kRadius - p.head<2>().norm();
+                                         return std::max({p.z(), -thickness - p.z(), hole});
+                                       },
+                                       [](const Vec3&) { return MaterialId(1); }};
+        SimulationConfig config = Press::config(2e16, RemovalLaw::constant_energy);
+        config.contact_damping = damping;
+        Simulation simulation(build_body(plate, voxel, MaterialTable({brittle()})), Tool(pin(side)), config);
+        double least = 1e9, most = 0;
+        for (int n = 1; n <= 50; ++n) {
+          const Vec3 at = kAside + Vec3(n * speed * 1e-3, 0, -2 * mm);
+          const double force =
+              -simulation.step(Pose::from_translation(at), {Vec3(speed, 0, 0), Vec3::Zero()}, 1e-3).force.x();
+          if (n > 25) least = std::min(least, force), most = std::max(most, force);
+        }
+        const double bears = kStrength * 2 * kRadius * thickness;
+        const std::string scene = std::string(name_or_null(side)) + ", damping " + std::to_string(damping) +
+                                  " s/m, voxels of " + std::to_string(1e3 * voxel) + " mm";
+        EXPECT_GT(least, 0.8 * bears) << scene;
+        EXPECT_LT(most, 1.03 * bears) << scene;
+        EXPECT_LT(most - least, 0.1 * bears) << scene;
+      }
+}
+
+TEST(Crushing, AStandingPointThinnerThanTheVoxelsSaysSo) {
+  struct Case {
+    ToolHead head;
+    double voxel;  // [m]
+    bool thin;
+  };
+  const ToolHead needle = ConeHead{8.5 * deg, 4 * mm};  // 0.03 mm from the axis at a depth of 0.2 mm
+  for (const Case& c :
+       {Case{needle, 0.1 * mm, true}, Case{needle, 0.01 * mm, false}, Case{SphereHead{0.5 * mm}, 0.1 * mm, false},
+        Case{ConeHead{60 * deg, 1 * mm}, 0.1 * mm, false}}) {
+    const double half = 4 * c.voxel;  // beyond the point
+    const Box box = {Vec3(-half - 0.05 * mm, -half - 0.05 * mm, -0.4 * mm),
+                     Vec3(half + 0.05 * mm, half + 0.05 * mm, 0)};
+    Simulation simulation(build_block(box, c.voxel, brittle()), Tool(c.head),
+                          Press::config(1e16, RemovalLaw::constant_energy));
+    StepStatus seen = StepStatus::ok;
+    const double tip = -c.head.bounding_box().min.z();
+    for (int n = 1; n <= 100; ++n)
+      seen = simulation.step(Pose::from_translation(Vec3(3e-6, 1e-6, tip - n * 2e-6)), {}, 1e-3).status;
+    EXPECT_EQ(has_any(seen, StepStatus::point_thin), c.thin) << c.head.description() << ", " << c.voxel;
+  }
+}
+
 TEST(Crushing, NothingIsCrushedWhereNothingMayBeRemoved) {
   Press press(SphereHead{kRadius}, 1e16, 0.1 * mm, Mat3::Identity(), 2 * mm, RemovalLaw::none);
   (void)press.move(0, 0.5 * mm, kRadius);

@@ -66,8 +66,8 @@ OracleHead cone() {
           [=](double rho, double z) { return std::min(z * std::sin(a) - rho * std::cos(a), kSmoothScale * (h - z)); },
           h,
           h * std::tan(a),
-          3.5,
-          3.5,
+          4,  // voxels at the crease are integrated in space, where the distance jumps
+          4,
           0.008,
           1.6};
 }

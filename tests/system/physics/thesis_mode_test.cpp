@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/force/stiffness.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
 #include "support/cutting.hpp"
 #include "support/static_contact.hpp"
 
@@ -165,6 +165,29 @@ TEST(ThesisMode, LeavesOutWhatTheRateCannotShowAndRefusesWhatNoToolHas) {
   mode = {};
   mode.law.reference_voxel_size = -1;
   EXPECT_THROW((void)thesis_mode(mode), Error);
+}
+
+// From a mastoid bur to a small one at the speed of a turbine.
+TEST(ThesisMode, IsFeltAndCutsWithItsDefaults) {
+  struct Bur {
+    double radius, spin;  // [m], [rad/s]
+  };
+  for (const Bur& bur : {Bur{2.5 * mm, 80000 * units::rpm}, Bur{1.5 * mm, 40000 * units::rpm},
+                         Bur{1 * mm, 30000 * units::rpm}, Bur{0.5 * mm, 300000 * units::rpm}}) {
+    Simulation simulation(build_block({Vec3(-4, -4, -2) * mm, Vec3(4, 4, 0) * mm}, kVoxel, presets::cortical_bone()),
+                          Tool(SphereHead{bur.radius}, RayHandle{0}, Spindle{bur.spin * units::rad_per_s}),
+                          thesis_mode());
+    const double depth = 0.8 * bur.radius, feed = 4 * mm;
+    double force = 0;  // [N] most
+    const int steps = int(depth / feed / 1e-3);
+    for (int n = 1; n <= steps; ++n) {
+      const Pose pose = Pose::from_translation(Vec3(0.013 * mm, 0.021 * mm, bur.radius - n * depth / steps));
+      force = std::max(force, simulation.step(pose, {Vec3(0, 0, -feed), Vec3::Zero()}, 1e-3).force.norm());
+    }
+    EXPECT_GT(force, 0.1) << bur.radius;
+    EXPECT_LT(force, 20) << bur.radius;
+    EXPECT_GT(simulation.removed_volume_by_material()[1], 0) << bur.radius;
+  }
 }
 
 }  // namespace

@@ -80,17 +80,15 @@ TEST(Stiffness, ByDefaultALayerIsAHundredthOfTheRadiusAndLessForAPointedHead) {
 }
 
 TEST(FoundationLaw, DampsSmoothlyAndNeverBeyondWhatCrushes) {
-  constexpr float kDepth = 1e-5F, kCrushing = 2e-5F;  // [m]
+  constexpr float kCrushing = 2e-5F;  // [m]
   using Damping = FoundationLaw::Damping;
   for (const float x : {-3.0F, -0.01F, 0.0F, 0.01F, 2.0F}) {
-    const auto at = [&](float there) { return Damping::of(there, kDepth, kCrushing).factor; };
-    EXPECT_NEAR((at(x + 1e-3F) - at(x - 1e-3F)) / 2e-3F, Damping::of(x, kDepth, kCrushing).slope, 2e-3F) << x;
+    const auto at = [&](float there) { return Damping::of(there).factor; };
+    EXPECT_NEAR((at(x + 1e-3F) - at(x - 1e-3F)) / 2e-3F, Damping::of(x).slope, 2e-3F) << x;
     EXPECT_GT(at(x), 0) << x;
   }
-  EXPECT_EQ(Damping::of(100, kDepth, kCrushing).factor, 4) << "so k w^2/2 is the strength";
-  EXPECT_EQ(Damping::of(100, kDepth, kCrushing).slope, 0);
-  EXPECT_EQ(Damping::of(100, 2 * kCrushing, kCrushing).factor, 1);
-  EXPECT_EQ(Damping::of(100, kDepth, ContactMaterial::kNeverCrushed).factor, 101);
+  EXPECT_EQ(Damping::of(3).crushing_depth(kCrushing), 0.5F * kCrushing) << "so k g_d w^2/2 is the strength";
+  EXPECT_EQ(Damping::of(-3).crushing_depth(kCrushing), kCrushing);
 }
 
 // A lip that passes along a wall takes no chip; one that a resting hand presses does.

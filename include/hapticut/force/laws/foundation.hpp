@@ -33,12 +33,13 @@ namespace hapticut {
 /// + Omega x r) . n; the damping factor takes w_dot from the device's own velocity.
 ///
 /// Before all that, what the foundation would press harder than the material bears is gone: no part reaches deeper
-/// than the crushing depth sqrt(2 sigma/k_v), where a column's pressure k_v w^2/2 is sigma. What had gone into it and
-/// is no longer stored is what crushing took: sigma times the volume, within the error of the step.
+/// than the crushing depth sqrt(2 sigma/(k_v max(1, g_d))), where a column's pressure k_v g_d w^2/2 is sigma. What had
+/// gone into it and is no longer stored is what crushing took, with what was damped: sigma times the volume, within the
+/// error of the step.
 ///
-/// At a smooth surface w changes by s = kSmoothScale per distance (MeridianSpring): there n stands for s n, and so f
-/// for s f, and kappa for s mu_d; nothing is cut but within the material's land of a cutting edge, where kappa is s
-/// kappa.
+/// At a smooth surface w changes by s = kSmoothScale per distance (MeridianSpring). There w stands for the distance,
+/// and k_v for s^2 k_v, chi for s chi, every depth for an s-th of it; kappa is mu_d, and nothing is cut but within the
+/// material's land of a cutting edge (`at_surface`).
 ///
 /// After the thesis's spring model (Uener 2007, eqs. 5.5-5.8, 5.15-5.16), with its dependence on voxel size and step
 /// repaired; see docs/decisions/0003-removal-and-ledger.md and 0009-cut-voxels.md.
@@ -66,18 +67,32 @@ class FoundationLaw final : public ForceLaw {
   /// [1] g_d of Hunt and Crossley's chi w_dot: smooth, and never less than nothing.
   [[nodiscard]] static float damping_factor(float x) { return x < 0 ? 1 / (1 - x) : 1 + x; }
 
-  /// [1] g_d, and by how much it changes with x. It makes no pressure k_v w^2/2 pass what crushes the material.
+  /// [1] g_d, and by how much it changes with x = chi w_dot.
   struct Damping {
     float factor, slope;
-    /// @param x    [1] chi w_dot
-    /// @param top  [m] depth of the top of a voxel's part
-    static Damping of(float x, float top, float crushing_depth) {
-      const float factor = damping_factor(x), ratio = crushing_depth / std::max(top, 1e-9F);
-      const float most = std::max(1.0F, ratio * ratio);
-      if (factor > most) return {most, 0};
+    static Damping of(float x) {
+      const float factor = damping_factor(x);
       return {factor, factor < 1 ? factor * factor : 1.0F};
     }
+    /// [m] Below which nothing stays, where a column's pressure k_v g_d w^2/2 is the strength.
+    /// @param at_rest  [m] ContactMaterial::crushing_depth
+    [[nodiscard]] float crushing_depth(float at_rest) const { return at_rest / std::sqrt(std::max(1.0F, factor)); }
   };
+
+  /// The constants that hold for a sample, whose depth is a distance: of a smooth surface others than of one that cuts.
+  /// @param smooth  [m^2] MeridianSpring::smooth
+  /// @param scale   [1] and its scale
+  static ContactMaterial at_surface(const ContactMaterial& material, const HeadMotion& m, float smooth, float scale) {
+    if (!(smooth > 0)) return material;
+    ContactMaterial there = material;
+    const bool cuts = smooth <= material.square_of_land(m.voxel_size);
+    there.stiffness *= scale * scale;
+    there.damping *= scale;
+    there.crushing_depth /= scale;
+    there.cutting_ratio = cuts ? material.cutting_ratio : material.sliding_ratio;
+    there.cutting_depth = cuts ? material.cutting_depth / scale : ContactMaterial::kNeverCut;
+    return there;
+  }
 
   static constexpr float kAxisZone = 2.0F;  ///< [voxel edges] about the spindle's axis: voxels cut by their mean slip
   static constexpr float kAxisSlip = 0.2837F;  ///< 1/mean(1/rho) over a unit square about the axis = 1/(4 asinh 1)
@@ -132,8 +147,7 @@ class FoundationLaw final : public ForceLaw {
 
   /// How the head's surface moves at a sample.
   struct SurfaceMotion {
-    float scale;       ///< [1] of the surface: s
-    float w_dot;       ///< [m/s] by which the handpiece's motion changes w
+    float w_dot;       ///< [m/s] of the handpiece along n, which changes the depth
     float tx, ty, tz;  ///< [m/s] the slip: the rest of it plus the spin, which is tangential to any head of revolution
     float extra;       ///< [m^2/s^2] by how much the square of the slip is beyond that of the voxel's centre (AxisSlip)
     float inverse_slip, slip;
@@ -146,28 +160,16 @@ class FoundationLaw final : public ForceLaw {
     SurfaceMotion s;
     const float px = v.x() + o.y() * z - o.z() * y, py = v.y() + o.z() * x - o.x() * z,
                 pz = v.z() + o.x() * y - o.y() * x;
-    s.scale = b.scale_of(n);
-    const float along = px * nx + py * ny + pz * nz;
-    s.w_dot = s.scale * along;
+    const float along = s.w_dot = px * nx + py * ny + pz * nz;
     s.tx = px - along * nx - m.spin * y, s.ty = py - along * ny + m.spin * x, s.tz = pz - along * nz;
     const float of_center = s.tx * s.tx + s.ty * s.ty + s.tz * s.tz;
     const float slip_squared = axis_slip.squared(of_center, x * x + y * y);
     s.extra = slip_squared - of_center;
     s.inverse_slip = 1.0F / std::sqrt(slip_squared + kSlipRegularization * kSlipRegularization);
     s.slip = slip_squared * s.inverse_slip;
-    s.felt_w_dot = s.scale * ((h.x() + a.y() * z - a.z() * y) * nx + (h.y() + a.z() * x - a.x() * z) * ny +
-                              (h.z() + a.x() * y - a.y() * x) * nz);
+    s.felt_w_dot = (h.x() + a.y() * z - a.z() * y) * nx + (h.y() + a.z() * x - a.x() * z) * ny +
+                   (h.z() + a.x() * y - a.y() * x) * nz;
     return s;
-  }
-
-  /// The constants that hold for a sample: of a smooth surface others than of one that cuts.
-  static ContactMaterial at_surface(const ContactMaterial& material, const HeadMotion& m, float smooth, float scale) {
-    if (!(smooth > 0)) return material;
-    ContactMaterial there = material;
-    const bool cuts = smooth <= material.square_of_land(m.voxel_size);
-    there.cutting_ratio = scale * (cuts ? material.cutting_ratio : material.sliding_ratio);
-    if (!cuts) there.cutting_depth = ContactMaterial::kNeverCut;
-    return there;
   }
 
   static LawTotals evaluate_parts(const HeadMotion& m, const ContactMaterials& materials, bool spinning, bool cutting,
@@ -182,16 +184,17 @@ class FoundationLaw final : public ForceLaw {
       if (!(b.fill[n] > 0)) continue;
       const int lane = n % kLanes;
       const SurfaceMotion s = surface_motion(m, b, n, axis_slip);
-      const ContactMaterial& material = at_surface(materials[b.material_of(n)], m, b.smooth[n], s.scale);
-      const float damped = Damping::of(material.damping * s.felt_w_dot, b.top[n], material.crushing_depth).factor;
+      const ContactMaterial& material = at_surface(materials[b.material_of(n)], m, b.smooth[n], b.scale_of(n));
+      const Damping damping = Damping::of(material.damping * s.felt_w_dot);
+      const float damped = damping.factor, crushing_depth = damping.crushing_depth(material.crushing_depth);
       const float k = material.stiffness, advance = s.w_dot * dt;
       const float kappa = spinning ? material.cutting_ratio : 0.0F;
       const float power = 0.5F * kappa * k * damped * s.slip, speed = std::max(0.0F, s.w_dot);
       const VoxelSection<float> section(b.largest[n]);
       const float far_plane = (b.depth[n] / l) - section.span() / 2;  // depth of the far corner
       const float full_height = b.top[n] / l - far_plane;
-      const bool crushed = m.crushes && b.top[n] > material.crushing_depth;
-      if (crushed) b.top[n] = material.crushing_depth;
+      const bool crushed = m.crushes && b.top[n] > crushing_depth;
+      if (crushed) b.top[n] = crushing_depth;
       const float top = b.top[n], height = crushed ? std::max(0.0F, top / l - far_plane) : full_height;
       float phi = b.fill[n];
       if (crushed) {
@@ -233,10 +236,9 @@ class FoundationLaw final : public ForceLaw {
         b.fill_after[n] = left;
       }
       const float spring = rubbing + cut, normal = spring * damped, tangential = kappa * normal * s.inverse_slip;
-      const float pushing = s.scale * normal;
-      b.force_x[n] = -voxel_volume * (pushing * b.normal_x[n] + tangential * s.tx);
-      b.force_y[n] = -voxel_volume * (pushing * b.normal_y[n] + tangential * s.ty);
-      b.force_z[n] = -voxel_volume * (pushing * b.normal_z[n] + tangential * s.tz);
+      b.force_x[n] = -voxel_volume * (normal * b.normal_x[n] + tangential * s.tx);
+      b.force_y[n] = -voxel_volume * (normal * b.normal_y[n] + tangential * s.ty);
+      b.force_z[n] = -voxel_volume * (normal * b.normal_z[n] + tangential * s.tz);
 
       // [J/m^3] stored in a part of this height when the far corner has moved on
       const auto stored = [&](float part_height, float moved) {

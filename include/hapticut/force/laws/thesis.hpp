@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/core/units.hpp"
 #include "hapticut/force/law.hpp"
 
 namespace hapticut {
@@ -36,8 +39,12 @@ class ThesisLaw final : public ForceLaw {
     double damping = 0;                  ///< [N·s/m] >= 0 of one voxel, b
     double spin_torque = 0.3;            ///< [1] >= 0, lambda
     double spin_exponent = 0;            ///< [1] m
-    double required_power = 1e-9;        ///< [W/(N/m^2)] >= 0, c: power to remove a voxel over its stiffness
+    /// [W/(N/m^2)] >= 0, c: power to remove a voxel over its stiffness. The thesis gives no number; where it is empty a
+    /// voxel goes at the depth at which a ball of the head's radius presses with kFelt, or at half that radius.
+    std::optional<double> required_power = {};
   };
+
+  static constexpr double kFelt = 2;  ///< [N]
 
   /// @throws Error naming the constant, its value and the allowed range
   explicit ThesisLaw(const Constants& constants) : c_(constants) {
@@ -45,7 +52,7 @@ class ThesisLaw final : public ForceLaw {
     require_not_negative(c_.damping, "ThesisLaw::damping [N s/m]");
     require_not_negative(c_.spin_torque, "ThesisLaw::spin_torque [1]");
     require_between(c_.spin_exponent, -10, 10, "ThesisLaw::spin_exponent [1]");
-    require_not_negative(c_.required_power, "ThesisLaw::required_power [W/(N/m^2)]");
+    if (c_.required_power) require_not_negative(*c_.required_power, "ThesisLaw::required_power [W/(N/m^2)]");
   }
 
   [[nodiscard]] const Constants& constants() const { return c_; }
@@ -84,7 +91,8 @@ class ThesisLaw final : public ForceLaw {
       totals.energies.elastic_before += 0.5 * k * l * before * before;
       totals.energies.damping += damper.dot(V + turning.cross(r)) * dt;
       const double generated = spin_share * double(m.head_radius) * normal * std::abs(spin);
-      if (removes && generated >= c_.required_power * k) {
+      const bool goes = c_.required_power ? generated >= *c_.required_power * k : w >= felt_depth(m, k);
+      if (removes && goes) {
         b.fill_after[n] = 0;
         totals.energies.released += 0.5 * k * l * after * after;
       } else {
@@ -97,6 +105,13 @@ class ThesisLaw final : public ForceLaw {
   }
 
  private:
+  /// [m] at which a ball of the head's radius presses with kFelt; not deeper than half the radius.
+  /// @param k  [N/m^2] of a voxel
+  static double felt_depth(const HeadMotion& m, double k) {
+    const double l = double(m.voxel_size), R = double(m.head_radius);
+    return std::min(0.5 * R, std::cbrt(3 * kFelt * l * l / (units::kPi * R * k)));
+  }
+
   Constants c_;
 };
 

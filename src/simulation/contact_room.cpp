@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// What ContactStages needs to know of a head and its voxels beforehand, and room for what a step may list.
+#include <algorithm>
+#include <utility>
+
+#include "hapticut/core/reserve.hpp"
+#include "simulation/contact_stages.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr int kListedSubSteps = 64;  // whose changed blocks are listed one by one before repetitions are dropped
+
+/// [m] Up to which height a head is thinner than its voxels; below all of it where it ends as wide as it is high there,
+/// or wider, as a ball does.
+double thin_up_to(const ToolHead& head, double voxel_size) {
+  constexpr double kThin = 0.75, kStep = 0.125;  // [voxels] radius, and heights that are tried
+  const HeadBox box = head.bounding_box();
+  const double bottom = box.min.z();
+  double top = bottom;
+  while (top < box.max.z() && head.spring_at({kThin * voxel_size, 0, top}).depth <= 0) top += kStep * voxel_size;
+  return top - bottom > (kThin + kStep) * voxel_size ? top : bottom - voxel_size;
+}
+
+WorstCase worst_case_of(std::size_t most_voxels, std::size_t most_blocks, const SimulationConfig& config) noexcept {
+  const std::size_t budget = config.voxel_budget == 0 ? most_voxels : config.voxel_budget;
+  const std::size_t parts = (most_voxels + budget - 1) / budget;
+  return {most_blocks, std::min(most_voxels, budget), config.longest_sweep, int(parts), 1};
+}
+
+}  // namespace
+
+ContactStages::Room::Room(const ToolHead& head, double voxel_size, const SimulationConfig& config)
+    : most_voxels(hapticut::most_voxels(head, voxel_size)),
+      most_blocks(hapticut::most_blocks(head, voxel_size)),
+      thin_up_to(hapticut::thin_up_to(head, voxel_size)) {
+  reserve_touched(blocks, most_blocks);
+  reserve_touched(emptied, most_blocks);
+  reserve_touched(changed, most_blocks * std::size_t(std::min(config.longest_sweep, kListedSubSteps)));
+}
+
+void ContactStages::exchange_room(Room& room) noexcept {
+  forget_changes();
+  emptied_.clear();
+  blocks_.clear();
+  std::swap(most_voxels_, room.most_voxels);
+  std::swap(most_blocks_, room.most_blocks);
+  std::swap(thin_up_to_, room.thin_up_to);
+  std::swap(changed_, room.changed);
+  std::swap(blocks_, room.blocks);
+  std::swap(emptied_, room.emptied);
+  turn_ = 0;
+}
+
+WorstCase ContactStages::Room::worst_case(const SimulationConfig& config) const noexcept {
+  return worst_case_of(most_voxels, most_blocks, config);
+}
+
+WorstCase ContactStages::worst_case(const SimulationConfig& config) const noexcept {
+  return worst_case_of(most_voxels_, most_blocks_, config);
+}
+
+}  // namespace hapticut
