@@ -165,13 +165,15 @@ Encounter ContactStages::meet(std::span<const CuttableBlock> blocks, const HeadP
   return encounter;
 }
 
-/// Whether something may be as deep as what is crushed: the less deep, the faster the contact closes.
+/// Whether something may be as deep as what is crushed: the less deep, the faster the contact closes, and below a
+/// smooth surface, which a ball has not.
 bool ContactStages::crushes(const Encounter& pressed, const HeadMotion& motion) const noexcept {
   const HeadBox box = head_.bounding_box();
   const double extent = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).norm();
   const double fastest = double(motion.felt_velocity.norm()) + extent * double(motion.felt_angular_velocity.norm());
-  const auto damping = FoundationLaw::Damping::of(damping_ * float(kSmoothScale * fastest));
-  return kSmoothScale * pressed.resultant.depth > double(damping.crushing_depth(least_crushing_depth_));
+  const double scale = std::holds_alternative<SphereHead>(head_.shape()) ? 1 : kSmoothScale;
+  const auto damping = FoundationLaw::Damping::of(damping_ * float(scale * fastest));
+  return scale * pressed.resultant.depth > double(damping.crushing_depth(least_crushing_depth_));
 }
 
 /// FoundationLaw, block by block in one pass of vector instructions.
