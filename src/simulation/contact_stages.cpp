@@ -39,9 +39,9 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
       voxel_volume_(std::pow(workpiece.voxel_size(), 3)),
       voxel_budget_(config.voxel_budget),
       bounds_(workpiece.bounds()) {
-  ContactMaterials materials =
-      contact_materials(workpiece.materials(), config.reference_stiffness, config.contact_damping.value_or(0));
-  exchange_materials(materials);
+  require_contact_stiffness(workpiece.materials(), config.reference_stiffness);
+  set_materials(
+      contact_materials(workpiece.materials(), config.reference_stiffness, config.contact_damping.value_or(0)));
   if (quadrature_ != Quadrature::sub_voxel && law_->integrates_parts())
     throw Error("SimulationConfig::quadrature = " + std::string(name_or_null(quadrature_)) +
                 " was given with a law that integrates over parts of voxels, as FoundationLaw does; points are for "
@@ -57,10 +57,10 @@ ContactStages::ContactStages(Workpiece& workpiece, const ToolHead& head, const S
   exchange_room(room);
 }
 
-void ContactStages::exchange_materials(ContactMaterials& materials) noexcept {
+void ContactStages::set_materials(const ContactMaterials& materials) noexcept {
   const double share = cutting_share_;
   set_cutting_share(1);
-  std::swap(materials_, materials);
+  materials_ = materials;
   for (std::size_t id = 0; id < materials_.size(); ++id)
     spinning_ratios_[id] = {materials_[id].cutting_ratio, materials_[id].sliding_ratio};
   damping_ = 0;

@@ -117,9 +117,8 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   /// @realtime no allocation, no lock; O(1)
   void exchange_room(Room& room) noexcept;
 
-  /// Goes on with other constants; `materials` are the old ones then.
-  /// @realtime no allocation, no lock; O(1)
-  void exchange_materials(ContactMaterials& materials) noexcept;
+  /// Goes on with other constants.
+  void set_materials(const ContactMaterials& materials) noexcept;
 
   [[nodiscard]] WorstCase worst_case(const SimulationConfig& config) const noexcept;
 

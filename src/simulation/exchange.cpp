@@ -9,6 +9,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/reserve.hpp"
 #include "hapticut/force/contact_materials.hpp"
+#include "hapticut/force/stiffness.hpp"
 #include "simulation/simulation_state.hpp"
 
 namespace hapticut {
@@ -29,6 +30,7 @@ struct PreparedTool::State {
   ContactStages::Room room;
   WorstCase worst_case;
   std::vector<RemovedVoxel> removed;
+  double stiffness;  // [N/m^4] stiffness_for_head
 };
 
 PreparedTool::PreparedTool(Tool tool, double voxel_size, const SimulationConfig& config) {
@@ -39,7 +41,9 @@ PreparedTool::PreparedTool(Tool tool, double voxel_size, const SimulationConfig&
   const WorstCase worst = room.worst_case(config);
   std::vector<RemovedVoxel> removed;
   reserve_touched(removed, listed_voxels(config, room.most_voxels));
-  state_ = std::make_unique<State>(State{std::move(tool), voxel_size, std::move(room), worst, std::move(removed)});
+  const double stiffness = stiffness_for_head(tool.head());
+  state_ = std::make_unique<State>(
+      State{std::move(tool), voxel_size, std::move(room), worst, std::move(removed), stiffness});
 }
 
 PreparedTool::PreparedTool(PreparedTool&&) noexcept = default;
@@ -52,13 +56,11 @@ WorstCase PreparedTool::worst_case() const noexcept { return state_->worst_case;
 
 struct PreparedMaterials::State {
   MaterialTable materials;
-  ContactMaterials constants;
 };
 
 PreparedMaterials::PreparedMaterials(MaterialTable materials, const SimulationConfig& config) {
-  const ContactMaterials constants =
-      contact_materials(materials, config.reference_stiffness, config.contact_damping.value_or(0));
-  state_ = std::make_unique<State>(State{std::move(materials), constants});
+  require_contact_stiffness(materials, config.reference_stiffness);
+  state_ = std::make_unique<State>(State{std::move(materials)});
 }
 
 PreparedMaterials::PreparedMaterials(PreparedMaterials&&) noexcept = default;
@@ -68,6 +70,16 @@ PreparedMaterials::~PreparedMaterials() = default;
 const MaterialTable& PreparedMaterials::materials() const noexcept { return state_->materials; }
 
 // --- between steps --------------------------------------------------------------------------------------------------
+
+/// What the contact reads of the materials, with the stiffness that suits them and the head where it was left to the
+/// simulation.
+void Simulation::State::set_contact_materials() noexcept {
+  if (chooses_stiffness)
+    config.reference_stiffness = head_stiffness / largest_relative_stiffness(workpiece.materials());
+  contact_stages.set_materials(
+      contact_materials(workpiece.materials(), config.reference_stiffness, config.contact_damping.value_or(0)));
+  set_material_friction();
+}
 
 /// The friction of each material that the standing head meets.
 void Simulation::State::set_material_friction() noexcept {
@@ -100,7 +112,9 @@ bool Simulation::exchange(PreparedTool& prepared) noexcept {
   std::swap(s.tool, p.tool);
   s.contact_stages.exchange_room(p.room);
   s.removal.exchange_list(p.removed);
+  std::swap(s.head_stiffness, p.stiffness);
   p.worst_case = worst;
+  s.set_contact_materials();
   s.result.removed_voxels = {};
   s.motor = SpindleMotor(s.tool.spindle());
   s.held_setting = s.motor.setting();
@@ -116,8 +130,7 @@ bool Simulation::exchange(PreparedMaterials& prepared) noexcept {
   State& s = *state_;
   PreparedMaterials::State& p = *prepared.state_;
   if (!s.workpiece.exchange_materials(p.materials)) return false;
-  s.contact_stages.exchange_materials(p.constants);
-  s.set_material_friction();
+  s.set_contact_materials();
   s.compare_cutters();
   s.start_afresh();
   return true;

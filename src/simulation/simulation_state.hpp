@@ -47,6 +47,7 @@ void validate_head(const ToolHead& head, double voxel_size);
 struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding): in the order of their making
   State(Workpiece given_workpiece, Tool given_tool, SimulationConfig given_config);
   void prepare_workpiece();
+  void set_contact_materials() noexcept;
   void set_material_friction() noexcept;
   void compare_cutters() noexcept;
   void halt() noexcept;
@@ -116,12 +117,14 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
 
   Workpiece workpiece;
   Tool tool;
+  bool chooses_stiffness;  // by the head and the materials that are there
   SimulationConfig config;
 
   // Derived from them at set-up.
   ContactStages contact_stages;
   Pose X_VW;
-  double voxel_volume = 0;  // [m^3]
+  double voxel_volume = 0;    // [m^3]
+  double head_stiffness = 0;  // [N/m^4] stiffness_for_head
 
   // What one step hands to the next.
   bool has_pose = false;

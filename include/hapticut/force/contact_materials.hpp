@@ -29,21 +29,28 @@ inline constexpr double kLayersOfLand = 3;
   return largest;
 }
 
+/// @param reference_stiffness  [N/m^4] of a material of relative stiffness 1
+/// @throws Error when k_v of a material is not between kSoftestContact and kStiffestContact
+inline void require_contact_stiffness(const MaterialTable& table, double reference_stiffness) {
+  for (int id = 1; id <= table.size(); ++id) {
+    const Material& m = table[MaterialId(id)];
+    require_between(
+        m.relative_stiffness * reference_stiffness, kSoftestContact, kStiffestContact,
+        ("SimulationConfig::reference_stiffness times relative_stiffness of '" + m.name + "' [N/m^4]").c_str());
+  }
+}
+
 /// The materials of a workpiece as the force laws read them: `k_v = relative_stiffness * reference_stiffness`,
 /// `w0 = sqrt(2 p_e / k_v)`, and the same for the strength.
-/// @param reference_stiffness  [N/m^4] of a material of relative stiffness 1
+/// @param reference_stiffness  [N/m^4] of a material of relative stiffness 1; see require_contact_stiffness
 /// @param contact_damping      [s/m] on top of each material's own
-/// @throws Error when k_v of a material is not between kSoftestContact and kStiffestContact
 [[nodiscard]] inline ContactMaterials contact_materials(const MaterialTable& table, double reference_stiffness,
-                                                        double contact_damping = 0) {
+                                                        double contact_damping = 0) noexcept {
   ContactMaterials constants = {};
   constants[kEmpty].cutting_energy = 1;  // empty lanes are computed like others and must not divide by zero
   for (int id = 1; id <= table.size(); ++id) {
-    const Material& m = table[MaterialId(id)];
+    const Material& m = *table.find(MaterialId(id));
     const double stiffness = m.relative_stiffness * reference_stiffness;
-    require_between(
-        stiffness, kSoftestContact, kStiffestContact,
-        ("SimulationConfig::reference_stiffness times relative_stiffness of '" + m.name + "' [N/m^4]").c_str());
     constants[std::size_t(id)] = {float(stiffness),
                                   float(m.damping + contact_damping),
                                   float(m.cutting_ratio),

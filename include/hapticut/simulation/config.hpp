@@ -37,8 +37,8 @@ inline constexpr double kCalmingDamping = 300;
 struct SimulationConfig {
   /// That of each material must be within 1 ... 1e25. A regularisation, not a material constant: cutting forces do not
   /// depend on it while the engaged layer is thin. 0: a layer of a hundredth of the head's radius in the stiffest of
-  /// the materials (`stiffness_for_head`); where the quadrature is one of points, kStiffnessOfPoints. A device that is
-  /// driven without a coupling renders much less: see force/stiffness.hpp.
+  /// the materials (`stiffness_for_head`), also when tool or materials are exchanged; where the quadrature is one of
+  /// points, kStiffnessOfPoints. A device that is driven without a coupling renders much less: see force/stiffness.hpp.
   double reference_stiffness = 0;
 
   /// On top of each Material::damping. Behind a coupling the drag of the spin, which follows the contact's force, feeds
@@ -127,7 +127,7 @@ constexpr auto fields_of(Of<SimulationConfig>) {
 void validate(const SimulationConfig& config);
 
 /// The same with what is left to the simulation: what `reference_stiffness` 0 and Quadrature::automatic stand for with
-/// this head in these materials. Simulation::config is the outcome for those that the simulation was made with.
+/// this head in these materials. Simulation::config is the outcome for those that it has.
 [[nodiscard]] SimulationConfig complete(SimulationConfig config, const ToolHead& head, const MaterialTable& materials);
 
 }  // namespace hapticut

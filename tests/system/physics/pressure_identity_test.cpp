@@ -143,8 +143,8 @@ OracleHead tree() {
           },
           h,
           R,
-          4.5,
-          4.5,
+          5,  // ridges and a crease with the smooth end
+          5,
           0.01,
           1.6};
 }

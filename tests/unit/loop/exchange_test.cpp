@@ -68,11 +68,15 @@ TEST(SetTool, KeepsTheWorkpieceAndAllThatWasCounted) {
 }
 
 TEST(SetTool, MakesTheSimulationThatItWouldHaveBeenWithThisTool) {
-  // Larger and smaller than the first one: lists and bounds are those of the tool in place.
-  for (const double radius : {0.5e-3, 2.5e-3}) {
-    Simulation with(block(), ball(radius), config());
-    Simulation changed(block(), ball(1e-3), config());
+  // Larger and smaller than the first one: lists, bounds and a stiffness left to the simulation are those of the tool
+  // in place.
+  for (const auto& [radius, stiffness] : {std::pair(0.5e-3, 1e13), {2.5e-3, 1e13}, {2.5e-3, 0.0}}) {
+    SimulationConfig of_stiffness = config();
+    of_stiffness.reference_stiffness = stiffness;
+    Simulation with(block(), ball(radius), of_stiffness);
+    Simulation changed(block(), ball(1e-3), of_stiffness);
     changed.set_tool(ball(radius));
+    EXPECT_EQ(changed.config().reference_stiffness, with.config().reference_stiffness);
     EXPECT_EQ(changed.worst_case().voxels, with.worst_case().voxels);
     EXPECT_EQ(changed.worst_case().blocks, with.worst_case().blocks);
     EXPECT_EQ(drill(changed, radius), drill(with, radius));
@@ -133,6 +137,18 @@ TEST(SetMaterials, ChangesWhatACutCostsAndKeepsTheRest) {
     EXPECT_EQ(drill(was, 1e-3), drill(is, 1e-3));
     EXPECT_EQ(was.workpiece().hash(), is.workpiece().hash());
   }
+}
+
+TEST(SetMaterials, SuitsTheStiffnessToTheStiffestOfThem) {
+  Material stiffer = material(3e8);
+  stiffer.relative_stiffness = 4;
+  const auto stiffness_in = [](const Simulation& simulation) { return simulation.config().reference_stiffness; };
+  Simulation by_itself(block(), ball(1e-3), {}), given(block(), ball(1e-3), config());
+  const double before = stiffness_in(by_itself);
+  by_itself.set_materials(MaterialTable({stiffer}));
+  given.set_materials(MaterialTable({stiffer}));
+  EXPECT_EQ(stiffness_in(by_itself), before / 4);
+  EXPECT_EQ(stiffness_in(given), 1e13);
 }
 
 TEST(SetMaterials, TakesTheirFrictionOver) {

@@ -106,5 +106,25 @@ RC_GTEST_PROP(Shapes, NearestIsTheShallowestOfBottomSideAndTop, ()) {
   RC_ASSERT(at(FlatRule::nearest) == std::min(cutting, top));
 }
 
+// A corner of 90 degrees between a cutting and a smooth surface, whose distances are independent there.
+TEST(Shapes, OutsideOfTwoSurfacesDepthIsTheDistanceFromTheirEdge) {
+  const auto below = [](double cutting, double smooth) {
+    return depth_below_both(depth_below(cutting, 1.0), depth_below(smooth, kSmoothScale));
+  };
+  EXPECT_DOUBLE_EQ(below(-3, -4), -5);
+  EXPECT_DOUBLE_EQ(below(-3, 4), -3);
+  EXPECT_DOUBLE_EQ(below(3, -4), -4);
+  EXPECT_DOUBLE_EQ(below(3, 1), kSmoothScale);
+  EXPECT_DOUBLE_EQ(below(1, 3), 1);
+  EXPECT_NEAR(below(-1e-9, -4), below(1e-9, -4), 1e-8) << "continuous";
+  for (const double distance : {-2.0, 0.0, 0.7})
+    EXPECT_DOUBLE_EQ(distance_below(depth_below(distance, kSmoothScale), kSmoothScale), distance);
+  // The same of a cone, past the rim of its base.
+  const ConeHead cone = {30 * kPi / 180, 1 * mm};
+  const double rho = cone.height * std::tan(cone.half_angle) + 0.2 * mm, z = cone.height + 0.1 * mm;
+  const double side = z * std::sin(cone.half_angle) - rho * std::cos(cone.half_angle);
+  EXPECT_NEAR(spring_at(cone, rho, z).depth, -std::hypot(side, 0.1 * mm), 1e-12);
+}
+
 }  // namespace
 }  // namespace hapticut::shapes_test
