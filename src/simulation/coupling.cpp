@@ -71,7 +71,7 @@ VirtualCoupling::VirtualCoupling(Simulation& simulation, const CouplingGains& ga
   const bool is_somewhere =
       !simulation.starts_afresh() && !has_any(simulation.last_result().status, kRejected | StepStatus::tool_waits);
   if (!is_somewhere) return;
-  held_ = true;
+  held_ = is_somewhere_ = true;
   result_.X_WH = X_WD_ = simulation.last_input().pose;
 }
 
@@ -120,12 +120,13 @@ const CoupledResult& VirtualCoupling::step(const Pose& hand_pose, const Twist& h
   if (held_ && !waits_ && is_turned_away(pose)) rejoin_ = Rejoin::free, waits_ = true;
   if (waits_ && !may_go_on_from_here(pose)) {
     if (simulation_->touches(pose) || simulation_->touches(advance(pose, velocity, -dt))) {
-      if (!held_) result_.X_WH = pose;
+      if (!is_somewhere_) result_.X_WH = pose;
       return wait(StepStatus::tool_waits);
     }
     held_ = false;
   }
   if (!std::exchange(held_, true)) {
+    is_somewhere_ = true;
     result_.X_WH = advance(pose, velocity, -dt);
     result_.velocity = velocity;
     begin_grip(pose, velocity, dt);
@@ -192,7 +193,9 @@ StepStatus VirtualCoupling::move(const Part& part, const Twist& hand_path, const
   result_.X_WH = X_WH;
   result_.velocity = tool;
   book(before, answer.after(), tool_before, hand_path, stepped.energy.hand_work - work_before, part.dt);
-  const double way = (tool.linear.norm() + (turns() ? tool.angular.norm() * reach() : 0)) * part.dt;
+  // A tool at rest is found to a small way.
+  const double way = std::max((tool.linear.norm() + (turns() ? tool.angular.norm() * reach() : 0)) * part.dt,
+                              NewtonSearch::kSolved * simulation_->workpiece().voxel_size());
   const double force = std::max(stepped.model.force.norm(), answer.after().wrench.force.norm());
   if (std::abs(result_.energy.imbalance() - missed) > (kFarBalance + kFarShare * force) * way)
     result_.status |= StepStatus::not_in_balance;
@@ -252,6 +255,18 @@ void VirtualCoupling::brake(Pull& pull, const Vec3& tool, const Vec3& hand) cons
   const Vec3 along = tool / speed;
   pull.brake = -kBrake * (1 - unbraked) * tool;
   pull.brake_slope = kBrake * ((1 - unbraked) * Mat3::Identity() + unbraked * along * along.transpose());
+}
+
+void VirtualCoupling::set_gains(const CouplingGains& gains) noexcept {
+  gains_ = gains;
+  if (!held_ || waits_) return;
+  CouplingEnergy& energy = result_.energy;
+  const double before = energy.kinetic + energy.spring;
+  energy.kinetic = kinetic_energy(result_.velocity);
+  energy.spring = spring_energy(pull(result_.X_WH, result_.velocity, X_WD_, {}));
+  const double brought = energy.kinetic + energy.spring - before;
+  energy.hand_work += brought;
+  energy.turnover += std::abs(brought);
 }
 
 double VirtualCoupling::kinetic_energy(const Twist& tool) const noexcept {

@@ -69,7 +69,7 @@ double Simulation::State::turning_spin() const noexcept {
 
 /// How much of the cutting ratio acts: all but what dry friction has of a slow head, or what the motor can hold.
 void Simulation::State::share_cutting() noexcept {
-  cutting_share = motor.stalled() ? std::min(1.0, motor.stall_torque() / load.torque)
+  cutting_share = motor.stalled() ? std::min(1.0, motor.stall_torque() / std::abs(load.torque))
                                   : 1 - standing_share(motor.speed(), tool.head().cutting_radius());
   contact_stages.set_cutting_share(cutting_share);
 }

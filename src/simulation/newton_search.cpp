@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace hapticut {
 namespace {
@@ -12,7 +13,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The search ends when a correction moves no point of the head farther than kSolved; or after one more when little is
 // lacking: kNearBalance at first, kFarBalance after kPatient steps, or where nothing is gained.
-constexpr double kSolved = 1e-4;       // [voxels]
 constexpr double kNearBalance = 2e-4;  // [N] by itself,
 constexpr double kNearShare = 2e-4;    // [1] and of the largest force
 constexpr int kPatient = 6;
@@ -40,7 +40,7 @@ Twist VirtualCoupling::NewtonSearch::find() noexcept {
   double share = 1, lacked = kInfinity;  // [1] of it that is tried, [N] without it
   Lack least;
   least.size = kInfinity;
-  bool slid = false, from_rest = false, is_measured = false;
+  bool slid = false, from_rest = false, is_measured = false, from_air = false;
   int tries = 0;
 
   for (int n = 0; left_ > 0; ++n) {
@@ -55,7 +55,15 @@ Twist VirtualCoupling::NewtonSearch::find() noexcept {
       continue;
     }
     if (!gains) {
-      if (is_measured || least.size < kFarBalance + kFarShare * least.largest || left_ < 6) return nearest;
+      if (least.size < kFarBalance + kFarShare * least.largest || left_ < 6) return nearest;
+      if (is_measured) {
+        if (std::exchange(from_air, true)) return nearest;
+        is_measured = false;
+        tool = without_contact(nearest, least);
+        correction.setZero();
+        lacked = kInfinity;
+        continue;
+      }
       is_measured = true;
       tool = nearest, lack = least;
       lack.slope = measure_slope(tool, lack);
@@ -102,7 +110,9 @@ VirtualCoupling::NewtonSearch::Lack VirtualCoupling::NewtonSearch::lack_at(const
   lack.size = lack.of.head<3>().norm() + lack.of.tail<3>().norm() / lever_;
   lack.largest = std::max(contact.wrench.force.norm(), p.wrench.force.norm());
   lack.sliding = contact.sliding;
-  lack.slope = dt * contact.stiffness;
+  lack.of_contact << contact.wrench.force, contact.wrench.torque;
+  lack.slope_of_contact = dt * contact.stiffness;
+  lack.slope = lack.slope_of_contact;
   lack.slope.topLeftCorner<3, 3>() += (gains.damping + dt * gains.stiffness) * p.linear.slope + p.brake_slope;
   lack.slope.bottomRightCorner<3, 3>() += (gains.angular_damping + dt * gains.angular_stiffness) * p.angular.slope;
   lack.slope.diagonal().head<3>().array() += gains.mass / dt;
@@ -127,6 +137,14 @@ VirtualCoupling::NewtonSearch::Vector6 VirtualCoupling::NewtonSearch::correct(co
   Vector6 correction = Vector6::Zero();
   correction.head<3>() = Mat3(lack.slope.topLeftCorner<3, 3>()).partialPivLu().solve(Vec3(lack.of.head<3>()));
   return correction;
+}
+
+/// The twist in balance if there were no contact.
+Twist VirtualCoupling::NewtonSearch::without_contact(const Twist& tool, const Lack& lack) const noexcept {
+  Lack rest = lack;
+  rest.of -= lack.of_contact;
+  rest.slope -= lack.slope_of_contact;
+  return moved(tool, correct(rest));
 }
 
 Twist VirtualCoupling::NewtonSearch::moved(const Twist& from, const Vector6& by) const noexcept {

@@ -14,7 +14,18 @@ void Simulation::State::add_friction(const SubStep& sub_step, Encounter& encount
   result.energy.sliding += pull.dissipated;
 }
 
-/// Moves the anchor with the head.
+namespace {
+
+/// The same contact of a head that may roll about an axis: what friction bears about it is nothing.
+Stiffness free_about(const Stiffness& directions, const Vec3& axis) noexcept {
+  const Eigen::Matrix<double, 6, 1, Eigen::DontAlign> about = directions.rightCols<3>() * axis;
+  const double held = about.tail<3>().dot(axis);
+  return held > 0 ? Stiffness(directions - about * about.transpose() / held) : directions;
+}
+
+}  // namespace
+
+/// Moves the anchor with the head. A stalled one rolls: the motor alone holds it.
 /// @return about To, in W
 LimitSurface::Outcome Simulation::State::pull_of_anchor(const SubStep& sub_step, const Encounter& encounter,
                                                         LimitSurface& friction) noexcept {
@@ -24,6 +35,7 @@ LimitSurface::Outcome Simulation::State::pull_of_anchor(const SubStep& sub_step,
     contact = encounter.friction_T ? *encounter.friction_T : *press_standing(sub_step).friction_T;
   const Mat3& R_WT = sub_step.X_WT.rotation;
   contact.directions = transport(contact.directions, R_WT, Vec3::Zero());
+  if (motor.stalled()) contact.directions = free_about(contact.directions, R_WT.col(2));
   const Vec3 turning = sub_step.path_T.angular + Vec3(0, 0, motor.speed());
   const Twist displacement = {R_WT * sub_step.path_T.linear * sub_step.duration, R_WT * turning * sub_step.duration};
   return friction.move(contact, displacement, share, double(sub_step.head.motion.lead));

@@ -125,9 +125,9 @@ struct CoupledResult {
 /// tool stays on the surface, and the hand feels at most the coupling.
 ///
 /// In a corner of faces that a spinning head drags along, whose sides cut with a ratio of 3 and more, there is no
-/// steady balance: the motor throws the tool about. There it is braked, as the flesh of a hand would brake it: beyond
-/// the hand's speed and v_0 = 0.1 m/s by b (1 - v_0/v) V, b = 60 N s/m. The hand does not feel the brake, and
-/// StepStatus::tool_braked says so.
+/// steady balance: the motor throws the tool about. A tool that turns is braked, as the flesh of a hand would brake it,
+/// also where it breaks through a plate: beyond the hand's speed and v_0 = 0.1 m/s by b (1 - v_0/v) V, b = 60 N s/m.
+/// The hand does not feel the brake, and StepStatus::tool_braked says so.
 ///
 /// Gains: k_T and b_T must be what the device renders stably at its rate; see docs/devices.md.
 class VirtualCoupling {
@@ -188,8 +188,9 @@ class VirtualCoupling {
   /// @realtime no allocation, no lock; O(1)
   void leave(Rejoin rejoin) noexcept;
 
-  /// Other gains from the next step on.  @pre they are valid
-  void set_gains(const CouplingGains& gains) noexcept { gains_ = gains; }
+  /// Other gains from the next step on; what spring and tool store more by that is CouplingEnergy::hand_work. While the
+  /// tool is pulled the force jumps.  @pre they are valid
+  void set_gains(const CouplingGains& gains) noexcept;
 
   [[nodiscard]] const CouplingGains& gains() const { return gains_; }
   [[nodiscard]] const CoupledResult& last_result() const { return result_; }
@@ -253,7 +254,8 @@ class VirtualCoupling {
   Simulation* simulation_;
   CouplingGains gains_;
   bool held_ = false;
-  bool waits_ = true;  // at first, and since it was left, or an input refused
+  bool is_somewhere_ = false;  // the tool, since it was first put somewhere
+  bool waits_ = true;          // at first, and since it was left, or an input refused
   Rejoin rejoin_ = Rejoin::near;
   Pose X_WD_;  // of the hand, at the end of the last part
 

@@ -101,8 +101,9 @@ enum class StepStatus : std::uint32_t {
   /// tool.cutter().kind)`, or a tool with a `Cutter` of the material's kind; clear Material::cutter of constants
   /// that are meant so.
   other_cutter = 1U << 18,
-  /// The drag of the spindle threw the tool of a coupling about, faster than the hand by more than 0.1 m/s, and a brake
-  /// held it, which the hand does not feel (VirtualCoupling). Cure: press less; a material whose cutting_ratio was
+  /// The turning tool of a coupling was faster than the hand by more than 0.1 m/s: the drag of the spindle threw it
+  /// about, or it broke through, and a brake held it, which the hand does not feel (VirtualCoupling). Cure: press less;
+  /// in corners, a material whose cutting_ratio was
   /// measured on lips belongs to a head with lips, as `twist_drill_head`.
   tool_braked = 1U << 19,
   /// The material in contact is about a point of the head, of a needle or a slender cone, that is thinner than 1.5
@@ -149,7 +150,7 @@ constexpr auto names_of(Of<StepStatus>) {
       Named{other_cutter, "other_cutter",
             "The materials are made for another kind of cutter, so forces come out wrong: take one with the other."},
       Named{tool_braked, "tool_braked",
-            "The spindle throws the tool about in a corner, and it is braked: press less, or slow the spindle."},
+            "The tool breaks through, or is thrown about in a corner, and is braked: press less, or slow the spindle."},
       Named{point_thin, "point_thin",
             "The point of the head is thinner than the voxels, so it sinks too deep or too little: take smaller ones."},
   };
@@ -198,7 +199,8 @@ constexpr auto fields_of(Of<Contact>) {
       field("level_of_detail", &Contact::level_of_detail, "1",
             "n: an n-th of the voxels was evaluated; see SimulationConfig::voxel_budget"),
       field("point", &Contact::point, "m",
-            "in W: the mean place of the forces along the normals, where an arrow begins; zero without a contact"),
+            "in W: the mean place of the forces along the normals, where an arrow begins, by the middles of voxels, so "
+            "within half a voxel; zero without a contact"),
       field("normal", &Contact::normal, "1",
             "in W: the direction of those forces' sum on the tool, a unit vector; zero without a contact, and where "
             "they cancel"),
@@ -247,7 +249,8 @@ struct SpindleState {
 constexpr auto fields_of(Of<SpindleState>) {
   return std::tuple{
       field("speed", &SpindleState::speed, "rad/s", "signed about +z of T"),
-      field("torque", &SpindleState::torque, "N m", "that the motor delivers, positive when it drives the spin"),
+      field("torque", &SpindleState::torque, "N m",
+            "that the motor delivers about +z of T: it drives a cut when it has the sign of the speed"),
   };
 }
 

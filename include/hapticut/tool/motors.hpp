@@ -45,7 +45,7 @@ constexpr auto names_of(Of<MotorKind>) {
 
 /// The spindle of a common handpiece: `common_spindle(MotorKind::electric, 40000 * units::rpm)`.
 /// @param speed  [rad/s] free running, signed about +z of T; only an ideal one may stand
-/// @throws Error when it is 0, or beyond any such motor
+/// @throws Error when another than an ideal one shall stand, or when it is beyond any such motor
 [[nodiscard]] inline Spindle common_spindle(MotorKind motor, AngularSpeed speed) {
   Spindle spindle{speed};
   validate(spindle);
@@ -76,7 +76,9 @@ constexpr auto names_of(Of<MotorKind>) {
   return spindle;
 }
 
-/// The same with the motor that is common at such a speed.
+/// The spindle of the handpiece that is common at such a speed; one that stands at 0.
+/// @param speed  [rad/s] free running, signed about +z of T
+/// @throws Error when it is beyond any such motor
 [[nodiscard]] inline Spindle common_spindle(AngularSpeed speed) { return common_spindle(common_motor(speed), speed); }
 
 }  // namespace hapticut

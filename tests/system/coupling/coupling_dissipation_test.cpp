@@ -8,6 +8,9 @@
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/tool/catalogue.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
 #include "support/coupling.hpp"
 
 namespace hapticut::coupling_dissipation_test {
@@ -157,6 +160,58 @@ TEST(CouplingEnergy, IsJudgedByWhatWasTurnedOverAlsoWhereTheDamperGives) {
   EXPECT_GE(energy.turnover, std::abs(energy.damper) + std::abs(energy.implicit));
   EXPECT_EQ(energy.closure(), energy.imbalance() / energy.turnover);
   EXPECT_LT(std::abs(energy.closure()), 1e-3);
+}
+
+TEST(CouplingEnergy, ClosesAlsoWhereGainsChangeWhileTheToolIsPulled) {
+  for (const double factor : {2.0, 0.5}) {
+    Simulation simulation(half_space(), ball(), implicit(1e16));
+    VirtualCoupling coupling(simulation, {});
+    press(coupling, 1, 500);
+    CouplingGains others = coupling.gains();
+    others.stiffness *= factor;
+    others.mass *= factor;
+    coupling.set_gains(others);
+    EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
+    press(coupling, factor, 500);
+    EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
+  }
+}
+
+/// A needle, pressed with 2 N by a hand that comes down within 0.2 s, waits, and lifts by 8 mm within 1 s.
+struct Prick {
+  double pull = 0, height = 0;  // [N] the most that it takes to draw it out, [m] of its tip at the end
+  int unsolved = 0, ticks = 0;
+};
+Prick prick(double dt) {
+  const double handle = 20 * mm, before = 0.1 * mm;
+  Simulation simulation(half_space(3 * mm, presets::dentin()), Tool(needle_head(1.6 * mm, 4 * mm), RayHandle{handle}),
+                        implicit(0, std::nullopt));
+  VirtualCoupling coupling(simulation, coupling_gains(capabilities(device_model("touch"))));
+  const double down = 2 / coupling.gains().stiffness;
+  const auto smooth = [](double q) { return q < 0 ? 0 : q > 1 ? 1 : q * q * (3 - 2 * q); };
+  Prick seen;
+  double last = handle + before;
+  for (double time = dt; time < 1.7; time += dt, ++seen.ticks) {
+    const double z = handle + before - (before + down) * smooth(time / 0.2) + (down + 8 * mm) * smooth(time - 0.6);
+    const CoupledResult& result =
+        coupling.step(Pose::from_translation(Vec3(0, 0, z)), {Vec3(0, 0, (z - last) / dt), Vec3::Zero()}, dt);
+    last = z;
+    if (time > 0.6) seen.pull = std::max(seen.pull, -result.hand.force.z());
+    seen.unsolved += has_any(result.status, StepStatus::not_in_balance);
+  }
+  seen.height = coupling.last_result().X_WH.translation.z() - handle;
+  return seen;
+}
+
+// Friction mu/tan(alpha) = 1.5 times what the normals bear: it locks itself, and lets go within a tick.
+TEST(CouplingFriction, LetsASlenderPointOutAtEveryRate) {
+  for (const double rate : {500.0, 1000.0, 4000.0}) {
+    const Prick seen = prick(1 / rate);
+    EXPECT_GT(seen.pull, 0.1) << rate;
+    EXPECT_LT(seen.pull, 0.6) << rate;
+    EXPECT_NEAR(seen.height, 8 * mm, 0.1 * mm) << rate;
+    EXPECT_LE(seen.unsolved, 0.002 * seen.ticks) << rate;
+  }
 }
 
 TEST(CouplingFriction, SticksAndSlipsBehindALooseCoupling) {

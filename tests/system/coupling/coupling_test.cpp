@@ -111,6 +111,23 @@ TEST(Coupling, RestsInBalanceAlsoInTorque) {
   EXPECT_LT(std::abs(result.energy.closure()), 1e-3);
 }
 
+// Work is judged by the way, and a tool at rest has none but the rounding of its ledger.
+TEST(Coupling, OfAToolAtRestIsInBalance) {
+  for (const ToolHead& head : {twist_drill_head(2 * mm, 8 * mm), flame_head(1.4 * mm, 4 * mm, 0.8 * mm, 1.5 * mm),
+                               cylinder_head(1.6 * mm, 4 * mm)}) {
+    Simulation simulation(half_space(4 * mm, presets::cortical_bone()), Tool(head, RayHandle{0}),
+                          implicit(0, std::nullopt));
+    VirtualCoupling coupling(simulation, {});
+    press(coupling, 2, 2000);
+    const Pose hand = Pose::from_translation(kAside + Vec3(0, 0, kRadius - 2 / coupling.gains().stiffness));
+    int unsolved = 0;
+    for (int n = 0; n < 1000; ++n)
+      unsolved += has_any(coupling.step(hand, {}, kTick).status, StepStatus::not_in_balance);
+    EXPECT_EQ(unsolved, 0);
+    EXPECT_GT(coupling.last_result().hand.force.z(), 0.1);
+  }
+}
+
 TEST(Coupling, IsTheSameBitByBitEveryTime) {
   const auto last_pose = [] {
     Simulation simulation(half_space(), ball(kSpin), implicit(1e15));

@@ -2,11 +2,15 @@
 // What the step does with rubbish: a status bit, no force, and an untouched workpiece.
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <string>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/simulation/status_sentences.hpp"
 #include "support/cutting.hpp"
+#include "support/places.hpp"
 
 namespace hapticut::bad_input_test {
 namespace {
@@ -241,6 +245,16 @@ TEST(StepStatusText, NamesEveryBitThatIsSet) {
   EXPECT_EQ(describe(StepStatus::ok), "ok");
   EXPECT_EQ(describe(StepStatus::blocks_low), "blocks_low");
   EXPECT_EQ(describe(StepStatus::power_limited | StepStatus::pose_rejected), "pose_rejected | power_limited");
+}
+
+TEST(StepStatusText, StandsInThePageOfTheStep) {
+  std::ifstream page(test::source_path("docs/step.md"));
+  const std::string text(std::istreambuf_iterator<char>(page), {});
+  for (const auto& bit : names_of(Of<StepStatus>())) {
+    if (bit.value == StepStatus::ok) continue;
+    EXPECT_NE(text.find("| `" + std::string(bit.name) + "` | " + std::string(bit.words) + " |"), std::string::npos)
+        << bit.name;
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/simulation/status_sentences.hpp"
+#include "hapticut/tool/motors.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/cutting.hpp"
 
@@ -215,6 +216,7 @@ TEST(Spindle, OfAnAirTurbineStallsUnderAPushAndRunsAgainWhenTheHandYields) {
             EXPECT_EQ(result.spindle.speed, 0);
             EXPECT_EQ(result.removed_volume, 0);
             EXPECT_LE(std::abs(result.spindle.torque), 0.204 * units::N_mm);
+            EXPECT_GT(sign * result.spindle.torque, 0) << "it pushes on the way that it cannot turn";
           }
           if (time > 0.05 && time < 0.2) stalled_while_held &= stalls;
           changes += stalls != stalled;
@@ -234,6 +236,28 @@ TEST(Spindle, OfAnAirTurbineStallsUnderAPushAndRunsAgainWhenTheHandYields) {
         EXPECT_LT(fixtures::unbooked(simulation.last_result().energy), kClosure);
         EXPECT_TRUE(has_any(seen, StepStatus::spindle_stalled));
       }
+}
+
+// The friction of a head that may roll under its motor bears nothing about the axis: a ball that lies in bone.
+TEST(Spindle, StalledAndRubbedAlongItsSideHasTheTorqueOfTheMotorAlone) {
+  for (const double sign : {1.0, -1.0}) {
+    const Spindle turbine = common_spindle(MotorKind::air_turbine, sign * 100e3 * units::rpm);
+    Simulation simulation(build_block({Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm}, 0.1 * mm, presets::cortical_bone()),
+                          Tool(SphereHead{kRadius}, RayHandle{0}, turbine));
+    const Mat3 lying = rotation_from_vector(Vec3(0, 0.5 * kPi, 0));
+    Vec3 place(0.013 * mm, 0.007 * mm, kRadius);
+    int stalled = 0;
+    for (int n = 0; n < 400; ++n) {
+      const Vec3 feed = n < 100 ? Vec3(0, 0, -5e-3) : Vec3(0, 5e-4, -5e-4);
+      place += 1e-3 * feed;
+      const StepResult& result = simulation.step({lying, place}, {feed, Vec3::Zero()}, 1e-3);
+      if (!has_any(result.status, StepStatus::spindle_stalled)) continue;
+      ++stalled;
+      EXPECT_LT(sign * result.spindle.torque, 1.02 * 1.5 * units::N_mm) << n;
+    }
+    EXPECT_GT(stalled, 100);
+    EXPECT_LT(fixtures::unbooked(simulation.last_result().energy), kClosure);
+  }
 }
 
 // Proves: ramp.
