@@ -159,8 +159,9 @@ struct PressedParts {
 /// @tparam kCrushes       some of them are deep enough to be crushed:
 /// @param crushing_depth  [m] deeper than this
 template <bool kCrushes>
-HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVectors& material, const Sample& s, Vec fill,
-                                       Vec damped, Vec crushing_depth, bool may_cut, bool release) {
+HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVectors& material, const Sample& s,
+                                       Vec mean_rate, Vec fill, Vec damped, Vec crushing_depth, bool may_cut,
+                                       bool release) {
   const Floats d;
   const Vec zero = hn::Zero(d), half = broadcast(0.5F);
   const Vec l = broadcast(m.voxel_size), per_l = broadcast(1 / m.voxel_size);
@@ -200,7 +201,7 @@ HWY_INLINE PressedParts press_parts_of(const HeadMotion& m, const MaterialVector
     if (m.tooth_rate > 0) {
       const Vec rate = work * per_time * material.inverse_energy;
       const ChordVectors chord =
-          chord_of_chips(material, m.tooth_rate, rate, p.top, far_plane * l, s.rate, m.velocity.norm());
+          chord_of_chips(material, m.tooth_rate, rate, p.top, far_plane * l, mean_rate, (m.velocity - m.ripple).norm());
       p.energy = p.price = chord.energy;
       cut = chord.cut;
     }

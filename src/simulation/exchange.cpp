@@ -100,6 +100,7 @@ void Simulation::State::compare_cutters() noexcept {
 void Simulation::State::start_afresh() noexcept {
   parted = parted || has_pose;
   has_pose = false;
+  mean_velocity.reset();
   jumped_to.reset();
   tell_of_exchange();
 }

@@ -94,7 +94,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   void transport_to_handle(const SubStep& sub_step, const Encounter& encounter, double share) noexcept;
   [[nodiscard]] Contact contact_of(const SubStep& sub_step, const Encounter& encounter) const noexcept;
   void give_output(HandCoupling* coupling) noexcept;
-  void finish_step(int sub_steps) noexcept;
+  void finish_step(int sub_steps, const Twist& path) noexcept;
   void reject(StepStatus status) noexcept;
   void tell_of_step(const Simulation& simulation) const noexcept {
     for (StepObserver* observer : observers.all())
@@ -128,11 +128,12 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
 
   // What one step hands to the next.
   bool has_pose = false;
-  bool other_cutter = false;      // than the one that materials are made for
-  bool parted = false;            // from its hand, by an exchange
-  Pose X_WH;                      // at the end of the last accepted step
-  bool after_refusal = false;     // the last step's input was refused
-  std::optional<Pose> jumped_to;  // what the last step was given, when that was a jump
+  bool other_cutter = false;          // than the one that materials are made for
+  bool parted = false;                // from its hand, by an exchange
+  Pose X_WH;                          // at the end of the last accepted step
+  bool after_refusal = false;         // the last step's input was refused
+  std::optional<Vec3> mean_velocity;  // [m/s] of To, in W, of the last time
+  std::optional<Pose> jumped_to;      // what the last step was given, when that was a jump
   SpindleMotor motor;
   SpindleLoad load;
   double cutting_share = 1;  // [1] of the cutting ratio: what slow heads and stalled ones have of it

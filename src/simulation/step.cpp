@@ -62,7 +62,7 @@ void Simulation::State::take_step(HandCoupling* coupling) noexcept {
     advance_spindle(sub_step, encounter);
   }
   give_output(coupling);
-  finish_step(sub_steps);
+  finish_step(sub_steps, path);
 }
 
 void Simulation::State::begin_step(const StepInput& given) noexcept {
@@ -162,6 +162,17 @@ int Simulation::State::plan_sweep(const Pose& from, const Pose& pose) const noex
   return int(std::clamp(parts, 1.0, config.longest_sweep + 1.0));
 }
 
+namespace {
+
+/// [m/s] The mean of a velocity over about kMemory, another while later. Shorter than a hand takes to turn, and longer
+/// than a tool needs to pass a voxel, or to be calm again (docs/decisions/0021-hand-to-the-end.md).
+Vec3 mean_of(const std::optional<Vec3>& before, const Vec3& velocity, double dt) noexcept {
+  constexpr double kMemory = 0.02;  // [s]
+  return before ? Vec3(*before + std::min(1.0, dt / kMemory) * (velocity - *before)) : velocity;
+}
+
+}  // namespace
+
 SubStep Simulation::State::plan_sub_step(const Pose& from, int index, double duration, const Twist& path,
                                          const Twist& felt) const noexcept {
   const StageTimer timer = timed(&StageTimes::plan_sub_step);
@@ -185,6 +196,9 @@ SubStep Simulation::State::plan_sub_step(const Pose& from, int index, double dur
                           .head_radius = float(tool.head().cutting_radius()),
                           .lead = float(lead),
                           .elapsed = float((index + 0.5 + lead) * duration)};
+  const Vec3 velocity = transport(path, p_HoTo_W).linear;
+  const Vec3 ripple = velocity - mean_of(mean_velocity, velocity, (index + 1) * duration);
+  sub_step.head.motion.ripple = (sub_step.X_WT.rotation.transpose() * ripple).cast<float>();
   turn_head(sub_step.head.motion);
   return sub_step;
 }
@@ -338,8 +352,10 @@ void Simulation::let_go() noexcept {
   state_->result.force = state_->result.torque = Vec3::Zero();
 }
 
-void Simulation::State::finish_step(int sub_steps) noexcept {
+void Simulation::State::finish_step(int sub_steps, const Twist& path) noexcept {
   X_WH = input.pose;
+  const Vec3 velocity = transport(path, X_WH.rotation * tool.X_HT().translation).linear;
+  mean_velocity = mean_of(mean_velocity, velocity, input.dt);
   result.sub_steps = sub_steps;
   result.removed_voxels = removal.voxels();
   result.removed_volume = removal.volume();

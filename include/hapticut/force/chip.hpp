@@ -28,7 +28,9 @@
 ///
 /// so that the layer's equation (LayerRecession) stays what it was. In a voxel that holds the bottom of the layer,
 /// where any chord through the top gives the same, its other end is the speed of the head, to which the recession
-/// tends; less where more than half of the voxel is in the layer, down to none where all of it is.
+/// tends, by its mean velocity over some time (HeadMotion::ripple), or the root would make cuts cheaper the more
+/// the tool of a coupling trembles; less where more than half of the voxel is in the layer, down to none where all of
+/// it is.
 ///
 /// Where a head passes along a wall it has finished, no chip is taken, and constants of thin chips mean nothing: the
 /// wall would press on it for ever, at the pressure from which edges cut. Within half a degree of the feed h_e and h_s

@@ -71,6 +71,8 @@ struct HeadMotion {
   const WholeContact* whole = nullptr;  ///< only for laws that need moments
   float tooth_rate = 0;  ///< [1/s] f_z, at which lips pass; 0 where no material's energy depends on chips
   float elapsed = 0;     ///< [s] since the step began, where the contact is evaluated; 0: the step has one sub-step
+  /// [m/s] What the velocity has beyond its mean over the last 20 ms: the energy of chips does not see it.
+  Eigen::Vector3f ripple = Eigen::Vector3f::Zero();
   bool crushes = false;  ///< what is deeper than its crushing_depth goes, whether the head turns or not
 
   /// [rad/s] of the head's surface about +z: the spin, and the handpiece that turns with it.

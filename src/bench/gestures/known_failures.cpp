@@ -19,7 +19,7 @@ constexpr auto kKnown = std::to_array<KnownGestureFailure>({
     {"G11", "invariant 1", kPoint, "entered 2.78 %, cone at 0.05 mm"},
     {"G14", "indents", kPoint,
      "needle, flame at 0.2 mm 1.04, 1.29 of the bound; edges of a christmas tree 1.08 ... 1.58"},
-    {"G42", "volume", kGroove, "2.7 % of 2 %, ball 3 mm at 0.2 mm"},
+    {"G42", "volume", kGroove, "3.0 % of 2 %, ball 1.6 mm in enamel at 0.2 mm"},
     {"G45", "sinks", kPoint, "0.33 mm of 0.2, 0.24 mm, at 0.2 mm"},
     {"G45", "hole that is left", kPoint, "0 ... 0.08 of 0.006 ... 0.1"},
     {"G45", "invariant 1", kPoint, "entered 1.5 ... 36 %, unexplained by the coupling up to 18 %"},

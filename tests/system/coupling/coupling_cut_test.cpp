@@ -2,11 +2,15 @@
 // What a hand feels of a cut through the coupling: feeds under a constant force, and the force across the feed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 
 #include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/tool/motors.hpp"
+#include "hapticut/workpiece/material_presets.hpp"
 #include "support/coupling.hpp"
 
 namespace hapticut::coupling_cut_test {
@@ -161,6 +165,34 @@ TEST(CouplingCut, FeelsTheForceAcrossTheFeedAsADrivenToolDoes) {
     EXPECT_LT((direct.force - mean).norm(), kRipple * mean.norm()) << k;
     EXPECT_NEAR(direct.force.y(), mean.y(), kRipple * std::abs(mean.y())) << k;
   }
+}
+
+/// [mm^3] that a ball under about 1 N removes over 2.5 mm of a groove of a voxel's depth.
+double light_groove(double dt) {
+  constexpr double kBall = 1.5 * mm, kFeed = 2.5 * mm, kAbove = 0.05 * mm, kDown = 0.3, kFrom = 0.35, kUntil = 1.45;
+  const Material bone = presets::cortical_bone();
+  Simulation simulation(build_block({{-1.2 * mm, -1.2 * mm, -0.8 * mm}, {4 * mm, 1.2 * mm, 0}}, 0.1 * mm, bone),
+                        Tool(SphereHead{kBall}, RayHandle{0}, common_spindle(40000 * units::rpm)),
+                        implicit(0, std::nullopt));
+  VirtualCoupling coupling(simulation, {});
+  const double below = 1 / coupling.gains().stiffness;
+  Vec3 last = kAside + Vec3(0, 0, kBall + kAbove);
+  double removed = 0;
+  for (int n = 1; n * dt < kUntil; ++n) {
+    const double time = n * dt, down = (kAbove + below) * std::min(1.0, time / kDown);
+    const Vec3 hand = kAside + Vec3(kFeed * std::max(0.0, time - kFrom), 0, kBall + kAbove - down);
+    coupling.step(Pose::from_translation(hand), {(hand - last) / dt, Vec3::Zero()}, dt);
+    last = hand;
+    removed += coupling.last_result().removed_volume;
+  }
+  return removed / (mm * mm * mm);
+}
+
+// Where a tool trembles, chips do not get cheaper: by its speed of the moment it removed 8 % more at 4 than at 0.5 kHz.
+TEST(CouplingCut, RemovesTheSameFromALightGrooveAtEveryRate) {
+  const double slow = light_groove(2e-3), usual = light_groove(1e-3), fast = light_groove(0.25e-3);
+  EXPECT_NEAR(slow, usual, 0.025 * usual);
+  EXPECT_NEAR(fast, usual, 0.025 * usual);
 }
 
 }  // namespace

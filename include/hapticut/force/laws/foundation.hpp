@@ -152,6 +152,7 @@ class FoundationLaw final : public ForceLaw {
     float extra;       ///< [m^2/s^2] by how much the square of the slip is beyond that of the voxel's centre (AxisSlip)
     float inverse_slip, slip;
     float felt_w_dot;  ///< [m/s] as the damping feels it
+    float mean_w_dot;  ///< [m/s] as chips see it
   };
   static SurfaceMotion surface_motion(const HeadMotion& m, const ContactBlock& b, int n, const AxisSlip& axis_slip) {
     const Eigen::Vector3f &v = m.velocity, &o = m.angular_velocity, &h = m.felt_velocity, &a = m.felt_angular_velocity;
@@ -169,13 +170,14 @@ class FoundationLaw final : public ForceLaw {
     s.slip = slip_squared * s.inverse_slip;
     s.felt_w_dot = (h.x() + a.y() * z - a.z() * y) * nx + (h.y() + a.z() * x - a.x() * z) * ny +
                    (h.z() + a.x() * y - a.y() * x) * nz;
+    s.mean_w_dot = along - (m.ripple.x() * nx + m.ripple.y() * ny + m.ripple.z() * nz);
     return s;
   }
 
   static LawTotals evaluate_parts(const HeadMotion& m, const ContactMaterials& materials, bool spinning, bool cutting,
                                   ContactBlock& b) noexcept {
     const float l = m.voxel_size, dt = m.duration, slip_time = dt * m.level_of_detail, voxel_volume = l * l * l;
-    const float feed = m.velocity.norm();
+    const float feed = (m.velocity - m.ripple).norm();
     const AxisSlip axis_slip(m);
     Sums sums = {};
     for (int n = 0; n < b.lanes(); ++n) {
@@ -205,7 +207,8 @@ class FoundationLaw final : public ForceLaw {
       float u = material.cutting_energy;
       auto cut_depth = CutDepth<float>::of(top, material.cutting_depth);
       if (m.tooth_rate > 0) {
-        const auto chord = ChipChord<float>::of(material, m.tooth_rate, power / u, top, far_plane * l, s.w_dot, feed);
+        const auto chord =
+            ChipChord<float>::of(material, m.tooth_rate, power / u, top, far_plane * l, s.mean_w_dot, feed);
         u = chord.energy, cut_depth = chord.cut;
       }
       const DepthIntegrals<float> part = section.integrals(height, top / l, cut_depth.scaled(1 / l));
