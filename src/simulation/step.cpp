@@ -182,7 +182,8 @@ SubStep Simulation::State::plan_sub_step(const Pose& from, int index, double dur
   sub_step.X_WH = advance(from, path, (index + 0.5 + lead) * duration);
   sub_step.X_WT = sub_step.X_WH * tool.X_HT();
   const Vec3 p_HoTo_W = sub_step.X_WT.translation - sub_step.X_WH.translation;
-  sub_step.path_T = expressed_in(sub_step.X_WT, transport(path, p_HoTo_W));
+  const Twist path_W = transport(path, p_HoTo_W);
+  sub_step.path_T = expressed_in(sub_step.X_WT, path_W);
   const Twist felt_T = expressed_in(sub_step.X_WT, transport(felt, p_HoTo_W));
   sub_step.head.X_VT = X_VW * sub_step.X_WT;
   sub_step.head.motion = {.velocity = sub_step.path_T.linear.cast<float>(),
@@ -196,8 +197,7 @@ SubStep Simulation::State::plan_sub_step(const Pose& from, int index, double dur
                           .head_radius = float(tool.head().cutting_radius()),
                           .lead = float(lead),
                           .elapsed = float((index + 0.5 + lead) * duration)};
-  const Vec3 velocity = transport(path, p_HoTo_W).linear;
-  const Vec3 ripple = velocity - mean_of(mean_velocity, velocity, (index + 1) * duration);
+  const Vec3 ripple = path_W.linear - mean_of(mean_velocity, path_W.linear, (index + 1) * duration);
   sub_step.head.motion.ripple = (sub_step.X_WT.rotation.transpose() * ripple).cast<float>();
   turn_head(sub_step.head.motion);
   return sub_step;

@@ -170,12 +170,12 @@ class Simulation {
   // ------------------------------------------------------------------
   /// `set_tool` without an allocation. `prepared` holds the old tool then.
   /// @return false, and nothing has changed, when it was made for voxels of another size
-  /// @realtime no allocation, no lock; O(1)
+  /// @realtime no allocation, no lock; O(materials)
   [[nodiscard]] bool exchange(PreparedTool& prepared) noexcept;
 
   /// `set_materials` without an allocation. `prepared` holds the old ones then.
   /// @return false, and nothing has changed, when there are not as many
-  /// @realtime no allocation, no lock; O(1)
+  /// @realtime no allocation, no lock; O(materials)
   [[nodiscard]] bool exchange(PreparedMaterials& prepared) noexcept;
 
   /// Goes on with workpiece and tool of another simulation, which holds the old ones then. Energies, removed volumes
