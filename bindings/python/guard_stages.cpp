@@ -46,11 +46,11 @@ void bind_guard_stages(py::module_& m) {
           "control",
           [](P& p, const Vec3& force, const Vec3& applied, const Vec3& motion, double dt, const Vec3& effects,
              std::optional<double> stored, std::optional<double> motor) {
-            return p.control({force, effects, applied, motion, dt, stored, motor});
+            return p.control({{force}, {effects}, {applied}, motion, Vec3::Zero(), dt, stored, motor}).force;
           },
           py::arg("force"), py::arg("applied"), py::arg("motion"), py::arg("dt"),
           py::arg("effects") = Vec3(Vec3::Zero()), py::arg("stored") = py::none(), py::arg("motor") = py::none(),
-          doc("PassivityController::control"))
+          "[N] (3,) the force with what damping it takes. Forces, effects and motion are (3,), in N and m.")
       .def("restart", &P::restart, "Forgets what was stored.")
       .def_property_readonly("stored", &P::stored, doc("PassivityController::stored"))
       .def_property_readonly("taken", &P::taken, doc("PassivityController::taken"));

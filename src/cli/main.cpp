@@ -5,6 +5,8 @@
 #include <csignal>
 #include <cstdio>
 #include <deque>
+#include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,12 +52,41 @@ void register_flags(Registered& entry) {
   }
 }
 
+std::string name_of(const Setting& setting) { return setting.flag.empty() ? setting.key : setting.flag; }
+
+/// What a run reads is not what it writes, and each of its outputs has a file of its own.
+/// @throws Error naming both settings
+void require_own_files(const std::vector<Setting>& settings, const std::string& settings_file) {
+  std::map<std::filesystem::path, std::string> taken;  // by file, the setting that names it
+  const auto place_of = [](const std::string& file) {
+    std::error_code unknown;
+    const std::filesystem::path path = std::filesystem::absolute(file);
+    const std::filesystem::path place = std::filesystem::weakly_canonical(path, unknown);
+    return unknown ? path : place;
+  };
+  if (!settings_file.empty()) taken[place_of(settings_file)] = "--settings";
+  const auto is_output = [](const Setting& setting) { return setting.key.starts_with("output."); };
+  for (const Setting& setting : settings)
+    if (setting.file && !setting.file->empty() && !is_output(setting))
+      taken.try_emplace(place_of(*setting.file), name_of(setting));
+  for (const Setting& setting : settings) {
+    if (!setting.file || setting.file->empty() || !is_output(setting)) continue;
+    const std::filesystem::path place = place_of(*setting.file);
+    const auto [other, is_new] = taken.try_emplace(place, name_of(setting));
+    std::error_code unknown;
+    if (!is_new && (std::filesystem::is_regular_file(place, unknown) || !std::filesystem::exists(place, unknown)))
+      throw Error(name_of(setting) + " would overwrite '" + *setting.file + "', which is the file of " + other->second +
+                  ". Give it another name.");
+  }
+}
+
 void run(const Registered& entry) {
   const std::vector<Setting>& settings = entry.command.settings;
   if (!entry.settings_file.empty())
     read_settings_file(entry.settings_file, settings, {}, " Check the name given to --settings.");
   for (std::size_t i = 0; i < settings.size(); ++i)
     if (!entry.texts[i].empty()) apply_flag(settings[i], entry.texts[i]);
+  require_own_files(settings, entry.settings_file);
   entry.command.run();
 }
 

@@ -17,8 +17,6 @@ constexpr double kUnitsWatched = 1;         // [s]
 constexpr double kImplausiblyFar = 2;       // [m] no desktop device reaches farther
 constexpr double kImplausiblySmall = 1e-6;  // [m] of all motion within a second, while the stylus turns
 
-constexpr double kFastTurn = 10;  // [rad/s] at which damping may take all the torque there is
-
 /// The options with the stiffness and the damping that a device can render, where the options name none.
 PassivityOptions rendered_by(PassivityOptions options, double stiffness, double damping) {
   if (options.stiffness == 0) options.stiffness = stiffness;
@@ -31,6 +29,13 @@ PassivityOptions rendered_by(PassivityOptions options, double stiffness, double 
 double default_growth(double stiffness, double fastest_contact, double greatest_force) {
   const double needed = least_force_growth(stiffness, fastest_contact);
   return needed > 0 ? needed : greatest_force / 10e-3;
+}
+
+/// [m] by which torques and turns are compared with forces and ways.
+double lever_of(double stiffness, const DeviceCapabilities& device, double greatest_force, double greatest_torque) {
+  if (device.output_degrees_of_freedom < 6 || greatest_torque <= 0) return 0;
+  const bool known = stiffness > 0 && device.rotational_stiffness > 0;
+  return known ? std::sqrt(device.rotational_stiffness / stiffness) : greatest_torque / greatest_force;
 }
 
 double or_default(double value, double fallback) { return value > 0 ? value : fallback; }
@@ -67,9 +72,9 @@ SafetyGuard::SafetyGuard(const DeviceCapabilities& capabilities, const GuardOpti
       arming_(options.arming),
       passivity_(
           rendered_by(options.passivity, or_default(options.stiffness, capabilities.stiffness), capabilities.damping),
-          greatest_force_),
-      turning_passivity_(
-          rendered_by(options.passivity, capabilities.rotational_stiffness, greatest_torque_ / kFastTurn),
+          greatest_force_,
+          lever_of(or_default(options.stiffness, capabilities.stiffness), capabilities, greatest_force_,
+                   greatest_torque_),
           greatest_torque_),
       thermal_(greatest_force_, capabilities.continuous_force, options.thermal),
       requests_(requests != nullptr ? requests : &own_requests_) {
@@ -94,7 +99,6 @@ void SafetyGuard::start() noexcept {
   started_ = false;
   gate_.restart();
   passivity_.restart();
-  turning_passivity_.restart();
   not_finite_ = 0;
   before_ramp_ = {};
   output_ = {};
@@ -236,20 +240,16 @@ Wrench SafetyGuard::finite_or_none(const Wrench& commanded) noexcept {
 
 Wrench SafetyGuard::make_passive(const Wrench& wrench, const ModelContact& contact) noexcept {
   const Wrench effects = is_finite(contact.effects) ? contact.effects : Wrench{};
-  Wrench w;
   // Where torque is rendered, the force may give back what a turn has given: then nothing is shortened.
   const bool shortens = greatest_torque_ == 0 && std::isfinite(contact.motor.value_or(0));
   const std::optional<double> motor = shortens ? contact.motor : std::nullopt;
-  w.force =
-      passivity_.control({wrench.force, effects.force, output_.applied.force, motion_, dt_, contact.stored, motor});
-  w.torque =
-      turning_passivity_.control({wrench.torque, effects.torque, output_.applied.torque, turn_, dt_, contact.stored});
-  const double taken = std::max(passivity_.taken(), turning_passivity_.taken());
-  if (taken > 0) {
+  const Wrench damped = passivity_.control(
+      {wrench, effects, output_.applied, motion_, turn_, dt_, contact.stored, motor, !contact.touching.value_or(true)});
+  if (passivity_.taken() > 0) {
     output_.changes |= OutputChange::damped;
-    log_.report(SafetyEvent::passivity, taken);
+    log_.report(SafetyEvent::passivity, passivity_.taken());
   }
-  return w;
+  return damped;
 }
 
 // Saturation, thermal budget, growth.
@@ -306,7 +306,6 @@ Wrench SafetyGuard::release(const Wrench& commanded, const ModelContact& contact
     output_.changes |= OutputChange::held_back;
     before_ramp_ = {};
     passivity_.restart();
-    turning_passivity_.restart();
   }
   thermal_.tick(wrench.force.norm(), gate_.state().temperature, dt_);
   output_.applied = wrench;

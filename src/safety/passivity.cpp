@@ -10,12 +10,17 @@
 namespace hapticut {
 namespace {
 
-constexpr double kFaster = 1.25;  // [1] times as fast as now the hand may go on
+constexpr double kFaster = 1.25;        // [1] times as fast as now the hand may go on
+constexpr double kLongestStill = 0.02;  // [s] over which a step of the encoders may have been made
 
 }  // namespace
 
-PassivityController::PassivityController(const PassivityOptions& options, double greatest)
-    : options_(options), greatest_(options.greatest > 0 ? options.greatest : greatest) {
+PassivityController::PassivityController(const PassivityOptions& options, double greatest, double lever,
+                                         double greatest_torque)
+    : options_(options),
+      greatest_(options.greatest > 0 ? options.greatest : greatest),
+      lever_(lever),
+      greatest_torque_(greatest_torque) {
   require_fields_within(options, "PassivityOptions::");
   if (options_.credit == 0) options_.credit = std::numeric_limits<double>::infinity();
   if (options_.greatest_damping == 0) options_.greatest_damping = std::numeric_limits<double>::infinity();
@@ -25,38 +30,68 @@ PassivityController::PassivityController(const PassivityOptions& options, double
 void PassivityController::restart() noexcept {
   stored_ = taken_ = asked_ = 0;
   effects_.setZero();
+  mean_.setZero();
+  still_.setZero();
   next_ = 0;
-  under_way_.fill(Vec3::Zero());
+  under_way_.fill(Vector6::Zero());
 }
 
-Vec3 PassivityController::control(const Tick& tick) noexcept {
+PassivityController::Vector6 PassivityController::compared(const Wrench& wrench) const noexcept {
+  Vector6 all = Vector6::Zero();
+  all.head<3>() = wrench.force;
+  if (lever_ > 0) all.tail<3>() = wrench.torque / lever_;
+  return all;
+}
+
+/// [J] what acted gives the hand
+double PassivityController::work_of(const Vector6& acted, const Vector6& motion, double dt) noexcept {
+  const double longest = std::max(1.0, kLongestStill / dt);
+  double work = 0;
+  for (int axis = 0; axis < 6; ++axis) {
+    still_[axis] = std::min(still_[axis] + 1, longest);
+    mean_[axis] += (acted[axis] - mean_[axis]) / still_[axis];
+    if (motion[axis] == 0) continue;
+    work += mean_[axis] * motion[axis];
+    still_[axis] = 0;
+  }
+  return work;
+}
+
+Wrench PassivityController::control(const Tick& tick) noexcept {
   taken_ = 0;
-  if (!options_.enabled) return tick.force;
-  const double applied = tick.applied.norm();
-  Vec3 acted = tick.applied - (applied < asked_ ? applied / asked_ : 1.0) * effects_;
-  asked_ = tick.force.norm();
-  effects_ = tick.effects;
+  if (!options_.enabled) return tick.asked;
+  Vector6 acted = compared(tick.applied), motion = Vector6::Zero();
+  const double applied = acted.norm();
+  acted -= (applied < asked_ ? applied / asked_ : 1.0) * effects_;
+  asked_ = compared(tick.asked).norm();
+  effects_ = compared(tick.effects);
+  const Vector6 of_contact = compared(tick.asked) - effects_;
+  motion << tick.motion, lever_ * tick.turn;
   if (options_.delay > 0) {
     std::swap(acted, under_way_[std::size_t(next_)]);
     next_ = (next_ + 1) % options_.delay;
   }
-  if ((tick.force - tick.effects).norm() < options_.free) {
+  double work = work_of(acted, motion, tick.dt);
+  if (tick.motor && !tick.in_air) work = std::max(work, acted.dot(motion));
+  if (of_contact.norm() < options_.free) {
     stored_ = 0;
-    return tick.force;
+    return tick.asked;
   }
-  const double moved = tick.motion.norm(), speed = moved / tick.dt;
+  const double moved = motion.norm(), speed = moved / tick.dt;
   const double held = (0.5 + options_.delay) * options_.stiffness * moved * moved;
   const double most = std::min(options_.credit, tick.stored.value_or(options_.credit));
-  stored_ = std::min(stored_ - acted.dot(tick.motion) + held + tick.motor.value_or(0), most);
+  stored_ = std::min(stored_ - work + held + tick.motor.value_or(0), most);
 
-  if (speed < options_.slowest) return tick.force;
+  if (speed < options_.slowest) return tick.asked;
   const double left = stored_ + options_.allowance;
   if (left < 0) taken_ = std::min({-left / moved, greatest_, options_.greatest_damping * speed});
   if (tick.motor) {
-    const double pushes = kFaster * (tick.force - tick.effects).dot(tick.motion);  // [J] in the next tick
+    const double pushes = kFaster * of_contact.dot(motion);  // [J] in the next tick
     taken_ += std::max(0.0, (pushes - std::max(0.0, left) - held) / (kFaster * moved));
   }
-  return tick.force - taken_ / moved * tick.motion;
+  const double along = taken_ / moved, turning = lever_ * lever_ * along * tick.turn.norm();
+  const double share = turning > greatest_torque_ ? greatest_torque_ / turning : 1.0;
+  return {tick.asked.force - along * tick.motion, tick.asked.torque - share * lever_ * lever_ * along * tick.turn};
 }
 
 }  // namespace hapticut

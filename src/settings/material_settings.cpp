@@ -33,6 +33,15 @@ void apply(const MaterialChange& change, Material& material) {
   validate(material);
 }
 
+void require_preset(const std::string& name) {
+  const std::vector<std::string> presets = known_presets();
+  if (std::find(presets.begin(), presets.end(), name) != presets.end()) return;
+  std::string known;
+  for (const std::string& preset : presets) known += (known.empty() ? "" : ", ") + preset;
+  throw Error("there is no material " + name + "; the presets are " + known + "." + suggestion(name, presets) +
+              " For one of your own write [material." + name + "] with based_on = \"a preset\".");
+}
+
 }  // namespace
 
 Setting MaterialChanges::setting() {
@@ -45,16 +54,10 @@ Setting MaterialChanges::setting() {
 }
 
 Material MaterialChanges::find(const std::string& name) const {
-  const std::vector<std::string> presets = known_presets();
   const auto change = changes_.find(name);
   const std::string base =
       change != changes_.end() && !change->second.based_on.empty() ? change->second.based_on : name;
-  if (std::find(presets.begin(), presets.end(), base) == presets.end()) {
-    std::string known;
-    for (const std::string& preset : presets) known += (known.empty() ? "" : ", ") + preset;
-    throw Error("there is no material " + base + "; the presets are " + known + "." + suggestion(base, presets) +
-                " For one of your own write [material." + base + "] with based_on = \"a preset\".");
-  }
+  require_preset(base);
   Material material = find_preset(base, cutter);
   material.name = name;
   if (change != changes_.end()) apply(change->second, material);
@@ -65,6 +68,15 @@ Material MaterialChanges::changed(Material material) const {
   const auto change = changes_.find(material.name);
   if (change == changes_.end()) return material;
   return change->second.based_on.empty() ? (apply(change->second, material), material) : find(material.name);
+}
+
+void MaterialChanges::require_known(const MaterialTable& of_workpiece) const {
+  for (const auto& [name, change] : changes_) {
+    const auto is_this = [&name = name](const Material& material) { return material.name == name; };
+    const std::vector<Material>& present = of_workpiece.all();
+    if (!change.based_on.empty() || std::none_of(present.begin(), present.end(), is_this))
+      require_preset(change.based_on.empty() ? name : change.based_on);
+  }
 }
 
 }  // namespace hapticut::settings

@@ -34,6 +34,9 @@ class MaterialChanges {
   /// The material with the changes that were made to its name, if any.
   [[nodiscard]] Material changed(Material material) const;
 
+  /// @throws Error naming a table whose material is no preset, is made of none and is not one of the workpiece's
+  void require_known(const MaterialTable& of_workpiece) const;
+
   [[nodiscard]] bool empty() const { return changes_.empty(); }
 
  private:

@@ -50,6 +50,7 @@ struct Setting {
   std::function<bool(const std::string& text)> assign_short_form = {};
   /// Of a text that names a file: the same from a settings file in `folder`, where names are relative to it.
   std::function<std::string(const std::string& text, const std::filesystem::path& folder)> in_folder = {};
+  const std::string* file = nullptr;  ///< the same: where its name is kept
 };
 
 namespace detail {

@@ -49,7 +49,7 @@ std::vector<Setting> settings_of(SimulationSettings& s) {
       integer("simulation.reserved_blocks", "--reserved_blocks", s.config.reserved_blocks, 1, 1e6,
               "blocks kept ready for cutting; they are refilled between steps [2048]"),
       integer("simulation.voxel_budget", "--voxel_budget", s.config.voxel_budget, 0, 1e9,
-              "most voxels that a step evaluates, the others take turns; 0: all [0]"),
+              "most voxels that a step evaluates, at least 4096, the others take turns; 0: all [0]"),
   };
   for (std::vector<Setting> more : {settings_of(s.force), settings_of(s.effects)})
     all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));

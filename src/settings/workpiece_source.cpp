@@ -152,8 +152,9 @@ bool is_volume(const WorkpieceSettings& s) {
   return std::filesystem::exists(s.source);
 }
 
-Workpiece make_workpiece(WorkpieceSettings s, CutterKind cutter) {
-  s.materials.cutter = cutter;
+namespace {
+
+Workpiece made_or_read(const WorkpieceSettings& s) {
   if (s.source.empty())
     throw Error(
         "the workpiece is missing. Set --workpiece to block, slab, molar or a file, or source under [workpiece] in "
@@ -182,6 +183,15 @@ Workpiece make_workpiece(WorkpieceSettings s, CutterKind cutter) {
               "' cannot be read, because this program was built without its io component; only .vdb "
               "files can. Build it with HAPTICUT_WITH_IO=ON.");
 #endif
+}
+
+}  // namespace
+
+Workpiece make_workpiece(WorkpieceSettings s, CutterKind cutter) {
+  s.materials.cutter = cutter;
+  Workpiece workpiece = made_or_read(s);
+  s.materials.require_known(workpiece.materials());
+  return workpiece;
 }
 
 }  // namespace hapticut::settings

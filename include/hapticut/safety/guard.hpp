@@ -157,7 +157,7 @@ class SafetyGuard {
   SafetyLog log_;
   PoseGate gate_;
   Arming arming_;
-  PassivityController passivity_, turning_passivity_;
+  PassivityController passivity_;
   ThermalBudget thermal_;
 
   Requests own_requests_;

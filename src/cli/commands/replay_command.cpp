@@ -151,7 +151,7 @@ Command export_command() {
   return {"export",
           "Write the steps of a recording as CSV, NumPy, sound or a page that replays it",
           {path("export.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
-           path("export.target", "TARGET", settings->target, "file to write, .csv, .npz, .wav or .html"),
+           path("output.target", "TARGET", settings->target, "file to write, .csv, .npz, .wav or .html"),
            path("export.page", "--page", settings->page, ".html: folder of the built page [beside the program]")},
           [settings] {
             if (settings->recording.empty() || settings->target.empty())

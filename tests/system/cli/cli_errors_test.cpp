@@ -139,6 +139,29 @@ TEST_F(SettingsFile, WithAnUnknownKeyIsRefusedWithLineKeyAndTheNearestOne) {
                  "workpiece.layers.thickness: there is no such setting. Did you mean workpiece.layers.thickness_mm?");
 }
 
+TEST_F(SettingsFile, NamesMaterialsThatExistEvenWhereNothingIsMadeOfThem) {
+  const auto expect_of = [this](const std::string& table, const std::string& part) {
+    write_bytes(folder / "scene.toml", table);
+    expect("drill --settings " + path("scene.toml") + " " + kBlock + kBall + kLine, kFailed, part);
+  };
+  expect_of("[material.dentine]\ndensity_kg_per_m3 = 2000\n", "there is no material dentine");
+  expect_of("[material.soft]\nbased_on = \"dentine\"\n", "there is no material dentine");
+}
+
+TEST_F(Flags, NameAFileThatIsNotReadOrWrittenOtherwise) {
+  const std::string scene = "[tool]\nhead = \"sphere\"\n";
+  write_bytes(folder / "scene.toml", scene);
+  std::filesystem::create_symlink(folder / "scene.toml", folder / "link.toml");
+  const std::string drill = "drill --settings " + path("scene.toml") + " " + kBlock + kBall + kLine;
+  for (const char* output : {"--json ", "--steps_csv ", "--record "})
+    for (const char* name : {"scene.toml", "link.toml"})
+      expect(drill + output + path(name), kFailed, "which is the file of --settings. Give it another name.");
+  expect(drill + "--record " + path("a.vdb") + " --save " + path("./a.vdb"), kFailed, "the file of --record");
+  write_bytes(folder / "a.h5", "");
+  expect("replay " + path("a.h5") + " --json " + path("a.h5"), kFailed, "the file of RECORDING");
+  EXPECT_EQ(test::read_bytes(folder / "scene.toml"), scene);
+}
+
 TEST_F(SettingsFile, WithAnotherUnitIsRefusedWithTheRightOne) {
   expect_in_file("[tool]\nradius_cm = 1\n", 2,
                  "tool.radius_cm: there is no such setting. Did you mean tool.radius_mm?");

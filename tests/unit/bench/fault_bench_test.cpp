@@ -130,7 +130,7 @@ TEST(Passivity, TheControllerTakesTheSpeedOutOfABounceAsInTheTable) {
           const Vec3 motion = started ? Vec3(s.X_BS.translation - last) : Vec3::Zero();
           started = true;
           last = s.X_BS.translation;
-          wrench.force = controller.control({wrench.force, Vec3::Zero(), held, motion, 1e-3, {}});
+          wrench = controller.control({wrench, {}, {held}, motion, Vec3::Zero(), 1e-3, {}});
           if (wrench.force.norm() > 3.3) wrench.force *= 3.3 / wrench.force.norm();
           held = wrench.force;
           return wrench;

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <deque>
+#include <optional>
 
 namespace hapticut::passivity_test {
 namespace {
@@ -16,6 +18,12 @@ PassivityOptions options_of_touch() {
   options.stiffness = kStiffness;
   options.greatest_damping = 3;
   return options;
+}
+
+/// Of forces and ways alone.
+Vec3 control(PassivityController& controller, const Vec3& force, const Vec3& effects, const Vec3& applied,
+             const Vec3& motion, std::optional<double> stored = {}, std::optional<double> motor = {}) {
+  return controller.control({{force}, {effects}, {applied}, motion, Vec3::Zero(), kTick, stored, motor}).force;
 }
 
 /// A hand at 0.1 m/s into a wall and out again, three times.
@@ -39,7 +47,7 @@ Pressed press(PassivityController& controller, double stiffness, int late) {
     const double height = std::min(down > -depth ? down : up, 8e-3);
     const Vec3 force(0, 0, std::max(0.0, -stiffness * height)), motion(0, 0, height - last);
     seen.given += under_way.front().dot(motion);
-    applied = controller.control({force, Vec3::Zero(), applied, motion, kTick, {}});
+    applied = control(controller, force, Vec3::Zero(), applied, motion);
     under_way.pop_front();
     under_way.push_back(applied);
     seen.taken = std::max(seen.taken, controller.taken());
@@ -86,8 +94,7 @@ TEST(PassivityController, LeavesWeightAndVibrationOutOfTheAccount) {
     Vec3 applied = Vec3::Zero();
     double taken = 0;
     for (int n = 0; n < 50; ++n) {  // the hand gives way to the weight
-      applied = controller.control(
-          {weight + touch, says ? weight : Vec3(Vec3::Zero()), applied, Vec3(0, 0, -1e-4), kTick, {}});
+      applied = control(controller, weight + touch, says ? weight : Vec3(Vec3::Zero()), applied, Vec3(0, 0, -1e-4));
       taken = std::max(taken, controller.taken());
     }
     EXPECT_EQ(taken == 0, says);
@@ -102,14 +109,14 @@ TEST(PassivityController, ForgetsWhatTheModelHasNotStored) {
     const std::optional<double> stored = says ? std::optional(1e-4) : std::nullopt;
     const Vec3 resists(0, 0, 1);
     for (int n = 0; n < 1000; ++n)  // a cut of 10 mm: 10 mJ that are gone
-      (void)controller.control({resists, Vec3::Zero(), resists, Vec3(0, 0, -1e-5), kTick, stored});
+      (void)control(controller, resists, Vec3::Zero(), resists, Vec3(0, 0, -1e-5), stored);
     EXPECT_NEAR(controller.stored(), says ? 1e-4 : 10e-3, 5e-5);
     Vec3 applied = resists;
     double given = 0;
     for (int n = 0; n < 500; ++n) {  // the same force along the motion: a model that pushes
       const Vec3 motion(0, 0, 1e-5);
       given += applied.dot(motion);
-      applied = controller.control({resists, Vec3::Zero(), applied, motion, kTick, stored});
+      applied = control(controller, resists, Vec3::Zero(), applied, motion, stored);
     }
     EXPECT_EQ(controller.taken() > 0, says);
     if (says) {
@@ -129,7 +136,7 @@ TEST(PassivityController, GivesOfAPushWhatTheMotorPaysFor) {
     double given = 0, motor = 0, held = 0;  // [J]
     for (int n = 0; n < 100; ++n) {
       given += applied.dot(on);
-      applied = controller.control({pushes, Vec3::Zero(), applied, on, kTick, 1.0, paid * pushes.dot(on)});
+      applied = control(controller, pushes, Vec3::Zero(), applied, on, 1.0, paid * pushes.dot(on));
       motor += paid * pushes.dot(on);
       held += 0.5 * kStiffness * on.squaredNorm();
       EXPECT_GE(applied.z(), 0) << "no more is taken than pushes";
@@ -139,12 +146,52 @@ TEST(PassivityController, GivesOfAPushWhatTheMotorPaysFor) {
   }
 }
 
+// A spring and damper to a light tool behind encoders of 55 um: each step is answered when the hand has passed it.
+TEST(PassivityController, LeavesTheStepsOfEncodersAlone) {
+  constexpr double kStep = 55e-6, kDamper = 4, kMass = 5e-3;  // [m], [N s/m], [kg]
+  for (const double speed : {2e-3, 5e-3, 10e-3, 20e-3, 40e-3}) {
+    PassivityController controller(options_of_touch(), kPeak);
+    Vec3 applied = Vec3::Zero();
+    double taken = 0, before = 0, tool = 0, tool_speed = 0;
+    for (int n = 1; n < 2000; ++n) {
+      const double hand = kStep * std::floor(speed * n * kTick / kStep), hand_speed = (hand - before) / kTick;
+      const double force = (kStiffness * (hand - tool) + kDamper * (hand_speed - tool_speed)) /
+                           (1 + kTick * (kDamper + kStiffness * kTick) / kMass);  // at the end of the tick
+      tool_speed += kTick * force / kMass;
+      tool += kTick * tool_speed;
+      applied = control(controller, Vec3(-force, 0, 0), Vec3::Zero(), applied, Vec3(hand - before, 0, 0),
+                        0.5 * kStiffness * (hand - tool) * (hand - tool) + 0.5 * kMass * tool_speed * tool_speed);
+      taken = std::max(taken, controller.taken());
+      before = hand;
+    }
+    EXPECT_LT(taken, 1e-9) << speed;
+  }
+}
+
+// A tip that is held while the hand turns about it: force and torque work against each other.
+TEST(PassivityController, CountsForceAndTorqueInOneAccount) {
+  constexpr double kLength = 0.05, kTurn = 1e-3;  // [m], [rad] a tick
+  PassivityController controller(options_of_touch(), kPeak, 0.02, 0.1);
+  const Vec3 turn(0, kTurn, 0), motion = turn.cross(Vec3(0, 0, kLength));
+  Wrench held{Vec3(1, 0, 0), Vec3(0, -kLength, 0)};  // of a force that acts at the tip
+  for (int n = 0; n < 500; ++n) {
+    const Wrench given = controller.control({held, {}, held, motion, turn, kTick, 0.0});
+    EXPECT_EQ(controller.taken(), 0);
+    EXPECT_TRUE(given.force == held.force && given.torque == held.torque);
+  }
+  held.torque.setZero();  // now it pushes the hand on
+  Wrench given;
+  for (int n = 0; n < 50; ++n) given = controller.control({held, {}, held, motion, turn, kTick, 0.0});
+  EXPECT_LT(given.force.x(), 1);
+  EXPECT_LT(given.torque.y(), 0);
+}
+
 TEST(PassivityController, ClosesTheAccountWithTheLastForce) {
   PassivityController controller(options_of_touch(), kPeak);
   const Vec3 pushes(0, 0, 1), out(0, 0, 1e-4);
-  for (int n = 0; n < 20; ++n) (void)controller.control({pushes, Vec3::Zero(), pushes, out, kTick, {}});
+  for (int n = 0; n < 20; ++n) (void)control(controller, pushes, Vec3::Zero(), pushes, out);
   EXPECT_LT(controller.stored(), 0);
-  EXPECT_TRUE(controller.control({Vec3::Zero(), Vec3::Zero(), pushes, out, kTick, {}}).isZero(0));
+  EXPECT_TRUE(control(controller, Vec3::Zero(), Vec3::Zero(), pushes, out).isZero(0));
   EXPECT_EQ(controller.stored(), 0);
 }
 
