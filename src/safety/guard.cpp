@@ -31,9 +31,9 @@ double default_growth(double stiffness, double fastest_contact, double greatest_
   return needed > 0 ? needed : greatest_force / 10e-3;
 }
 
-/// [m] by which torques and turns are compared with forces and ways.
+/// [m] by which torques and turns are compared with forces and ways; 0: only forces are watched.
 double lever_of(double stiffness, const DeviceCapabilities& device, double greatest_force, double greatest_torque) {
-  if (device.output_degrees_of_freedom < 6 || greatest_torque <= 0) return 0;
+  if (device.output_degrees_of_freedom < 6 || greatest_torque <= 0 || greatest_force <= 0) return 0;
   const bool known = stiffness > 0 && device.rotational_stiffness > 0;
   return known ? std::sqrt(device.rotational_stiffness / stiffness) : greatest_torque / greatest_force;
 }

@@ -8,6 +8,9 @@
 #include <deque>
 #include <optional>
 
+#include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/safety/guard.hpp"
+
 namespace hapticut::passivity_test {
 namespace {
 
@@ -184,6 +187,41 @@ TEST(PassivityController, CountsForceAndTorqueInOneAccount) {
   for (int n = 0; n < 50; ++n) given = controller.control({held, {}, held, motion, turn, kTick, 0.0});
   EXPECT_LT(given.force.x(), 1);
   EXPECT_LT(given.torque.y(), 0);
+}
+
+// The same through the guard of a device that renders torque.
+TEST(Guard, LeavesAHandAloneThatPivotsAboutTheTip) {
+  constexpr double kLength = 0.05, kTurn = 1e-4;  // [m], [rad] a tick
+  SafetyGuard guard(capabilities(device_model("premium6dof")), {});
+  guard.start();
+  DeviceState reading;
+  reading.valid = true;
+  ModelContact contact;
+  contact.stored = 0;
+  double angle = 0;
+  const auto tick = [&](const Wrench& wrench) {
+    reading.time += kTick;
+    ++reading.sequence;
+    reading.X_BS.rotation = Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
+    reading.X_BS.translation = reading.X_BS.rotation * Vec3(0, 0, kLength);
+    guard.admit(reading);
+    return guard.release(wrench, contact);
+  };
+  for (int n = 0; n < 5000 && guard.state() != ArmingState::on; ++n) tick({});
+  ASSERT_EQ(guard.state(), ArmingState::on);
+  Wrench at_tip{Vec3(0.4, 0, 0), Vec3(0, -0.4 * kLength, 0)};
+  for (int n = 0; n < 200; ++n) tick(at_tip);  // as fast as force may grow
+  const auto turn = [&] {
+    for (int n = 0; n < 300; ++n) {
+      angle += kTurn;
+      tick(at_tip);
+    }
+  };
+  turn();
+  EXPECT_EQ(guard.log().count(SafetyEvent::passivity), 0U);
+  at_tip.torque.setZero();  // now it pushes the hand on
+  turn();
+  EXPECT_GT(guard.log().count(SafetyEvent::passivity), 0U);
 }
 
 TEST(PassivityController, ClosesTheAccountWithTheLastForce) {
