@@ -10,12 +10,12 @@
 #include <functional>
 #include <string>
 
+#include "hapticut/build/volume_builders.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/profile.hpp"
 #include "hapticut/workpiece/builders.hpp"
-#include "hapticut/workpiece/volume_builders.hpp"
 #include "surfaces.hpp"
 #include "tick_times.hpp"
 

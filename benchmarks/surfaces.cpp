@@ -13,12 +13,12 @@
 #include <thread>
 #include <vector>
 
+#include "hapticut/build/volume_builders.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/loop/change_feed.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/surface/extract_surface.hpp"
 #include "hapticut/surface/surface_stream.hpp"
-#include "hapticut/workpiece/volume_builders.hpp"
 #include "support/ball_cuts.hpp"
 #include "tick_times.hpp"
 

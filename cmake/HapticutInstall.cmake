@@ -10,8 +10,10 @@ set(HAPTICUT_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/hapticut")
 
 # What was not built yet is built first: the demo, for one, builds no more than it needs.
 set(_programs hapticut_cli hapticut_decoder hapticut_recording_reader)
-foreach(_target hapticut hapticut_bench hapticut_io hapticut_settings hapticut_view hapticut_c hapticut_openhaptics
-        hapticut_forcedimension ${_programs})
+list(TRANSFORM HAPTICUT_COMPONENTS_WITH_CORE PREPEND hapticut_ OUTPUT_VARIABLE _with_core)
+set(_others bench io settings view c openhaptics forcedimension)
+list(TRANSFORM _others PREPEND hapticut_ OUTPUT_VARIABLE _libraries)
+foreach(_target hapticut ${_with_core} ${_libraries} ${_programs})
   if(TARGET ${_target})
     install(CODE "if(NOT EXISTS \"$<TARGET_FILE:${_target}>\")\n  list(APPEND hapticut_absent ${_target})\nendif()")
   endif()
@@ -42,7 +44,7 @@ endforeach()
 
 # A shared library is found beside its users, wherever the whole is installed.
 file(RELATIVE_PATH _from_programs "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
-foreach(_target hapticut_bench hapticut_io hapticut_settings hapticut_view hapticut_c hapticut_cli)
+foreach(_target ${_with_core} ${_libraries} hapticut_cli)
   if(TARGET ${_target} AND BUILD_SHARED_LIBS)
     set_target_properties(${_target} PROPERTIES INSTALL_RPATH "$ORIGIN;$ORIGIN/${_from_programs}")
   endif()
@@ -50,10 +52,13 @@ endforeach()
 
 # One set of exported targets per component: what a component needs is looked up only for those who ask for it.
 if(TARGET hapticut)
-  install(TARGETS hapticut EXPORT hapticutTargets)
+  foreach(_component IN LISTS HAPTICUT_COMPONENTS_WITH_CORE)
+    set_target_properties(hapticut_${_component} PROPERTIES EXPORT_NAME ${_component})
+  endforeach()
+  install(TARGETS hapticut ${_with_core} EXPORT hapticutTargets)
   install(EXPORT hapticutTargets NAMESPACE hapticut:: DESTINATION "${HAPTICUT_CMAKE_DIR}")
 endif()
-foreach(_component physics bench io settings view c openhaptics forcedimension)
+foreach(_component physics ${_others})
   if(TARGET hapticut_${_component})
     set_target_properties(hapticut_${_component} PROPERTIES EXPORT_NAME ${_component})
     install(TARGETS hapticut_${_component} EXPORT hapticut_${_component}Targets)

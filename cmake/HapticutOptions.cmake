@@ -42,6 +42,16 @@ function(hapticut_rooms target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
 endfunction()
 
+# hapticut_library(name source...): the component hapticut::<name>, which stands on the core.
+function(hapticut_library name)
+  add_library(hapticut_${name} ${ARGN})
+  add_library(hapticut::${name} ALIAS hapticut_${name})
+  target_include_directories(hapticut_${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(hapticut_${name} PUBLIC hapticut::hapticut PRIVATE $<BUILD_INTERFACE:hapticut_build_flags>)
+  set_target_properties(hapticut_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON VERSION ${PROJECT_VERSION} SOVERSION 0
+    DEFINE_SYMBOL "")  # every symbol is visible, and static and shared libraries are the same objects
+endfunction()
+
 # What every target of ours is compiled with. Nothing of it reaches a user's code.
 add_library(hapticut_build_flags INTERFACE)
 target_compile_features(hapticut_build_flags INTERFACE cxx_std_20)
@@ -78,6 +88,9 @@ set(HAPTICUT_NEEDS_TESTS "GTest|GTest_FOUND|libgtest-dev" "rapidcheck|rapidcheck
 set(HAPTICUT_NEEDS_BENCHMARKS "benchmark|benchmark_FOUND|libbenchmark-dev")
 set(HAPTICUT_NEEDS_EXAMPLES "")
 set(HAPTICUT_NEEDS_PYTHON "Python|Python_FOUND|python3-dev" "pybind11|pybind11_FOUND|pybind11-dev")
+
+# Libraries that need nothing but the core, and are found with it.
+set(HAPTICUT_COMPONENTS_WITH_CORE build surface heat sound)
 
 # Parts of the library hapticut::io, which is the same target with and without them.
 set(HAPTICUT_PARTS_OF_IO ITK ASSIMP)

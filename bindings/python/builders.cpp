@@ -3,10 +3,10 @@
 #include "hapticut/workpiece/builders.hpp"
 
 #include "bindings.hpp"
+#include "hapticut/build/mesh_builder.hpp"
+#include "hapticut/build/molar.hpp"
+#include "hapticut/build/volume_builders.hpp"
 #include "hapticut/core/volume.hpp"
-#include "hapticut/workpiece/mesh_builder.hpp"
-#include "hapticut/workpiece/molar.hpp"
-#include "hapticut/workpiece/volume_builders.hpp"
 #include "structs.hpp"
 #include "workpiece.hpp"
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "bindings.hpp"
+#include "hapticut/build/volume_operations.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
-#include "hapticut/workpiece/volume_operations.hpp"
 #include "structs.hpp"
 #include "workpiece.hpp"
 #ifdef HAPTICUT_PYTHON_WITH_IO

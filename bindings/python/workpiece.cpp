@@ -9,8 +9,8 @@
 
 #include "bindings.hpp"
 #include "core.hpp"
+#include "hapticut/build/volume_builders.hpp"
 #include "hapticut/workpiece/contact.hpp"
-#include "hapticut/workpiece/volume_builders.hpp"
 #include "simulation.hpp"
 #include "structs.hpp"
 

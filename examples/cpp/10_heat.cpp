@@ -5,6 +5,8 @@
 #include <cmath>
 #include <filesystem>
 #include <hapticut/hapticut.hpp>
+#include <hapticut/heat/heat_collector.hpp>
+#include <hapticut/heat/heat_field.hpp>
 #include <iostream>
 
 #include "line_plot.hpp"

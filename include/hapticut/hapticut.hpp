@@ -2,120 +2,47 @@
 #pragma once
 
 /// @file
-/// What a simulator needs, room by room in the order to read them. Included on their own: `workpiece/openvdb.hpp`, the
-/// door to OpenVDB; `bench.hpp`, `io/` and `settings/`, which are components of their own; the adapters of makers in
-/// `device/`. `physics.hpp` is the part of it that stands without a library.
+/// What a first program needs, by groups in the order in which it needs them. All of it is hapticut::hapticut, the
+/// core. Each group says what else its folder has; a file of that is included on its own, and so are the components:
+/// `build/` (scans, meshes, the molar), `surface/`, `heat/`, `sound/`, `io/`, `settings/`, `bench.hpp`, `view/` and
+/// `c/`. `physics.hpp` is what stands without a library.
 
+// Words: millimetres and revolutions per minute, poses, which version this is.
 #include "hapticut/core/build_info.hpp"
-#include "hapticut/core/description.hpp"
-#include "hapticut/core/device_state.hpp"
-#include "hapticut/core/errors.hpp"
-#include "hapticut/core/mesh.hpp"
-#include "hapticut/core/reserve.hpp"
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/core/units.hpp"
-#include "hapticut/core/volume.hpp"
-//
+
+// A tool: a head on a handle, and the spindle that turns it. Also there: heads of any profile, shanks, heads from
+// meshes.
 #include "hapticut/tool/catalogue.hpp"
-#include "hapticut/tool/handle.hpp"
-#include "hapticut/tool/head.hpp"
 #include "hapticut/tool/motors.hpp"
-#include "hapticut/tool/profile.hpp"
-#include "hapticut/tool/profile_mesh.hpp"
-#include "hapticut/tool/profile_table.hpp"
-#include "hapticut/tool/shank.hpp"
-#include "hapticut/tool/shapes.hpp"
-#include "hapticut/tool/spindle.hpp"
 #include "hapticut/tool/tool.hpp"
-//
-#include "hapticut/workpiece/block.hpp"
+
+// A workpiece: bodies of materials. Also there: loose pieces, grids of OpenVDB.
 #include "hapticut/workpiece/builders.hpp"
-#include "hapticut/workpiece/changes.hpp"
-#include "hapticut/workpiece/contact.hpp"
-#include "hapticut/workpiece/islands.hpp"
-#include "hapticut/workpiece/material.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
-#include "hapticut/workpiece/mesh_builder.hpp"
-#include "hapticut/workpiece/molar.hpp"
-#include "hapticut/workpiece/removal.hpp"
-#include "hapticut/workpiece/volume_builders.hpp"
-#include "hapticut/workpiece/volume_operations.hpp"
-#include "hapticut/workpiece/work_estimate.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
-//
-#include "hapticut/force/calibration.hpp"
-#include "hapticut/force/contact_materials.hpp"
-#include "hapticut/force/contact_stiffness.hpp"
-#include "hapticut/force/deep_contact.hpp"
-#include "hapticut/force/effects/axis_mask.hpp"
-#include "hapticut/force/effects/delta_filter.hpp"
-#include "hapticut/force/effects/gravity.hpp"
-#include "hapticut/force/effects/vibration.hpp"
-#include "hapticut/force/friction.hpp"
-#include "hapticut/force/law.hpp"
+
+// The force: laws to choose from. The default, FoundationLaw, needs no choice. Also there: friction, effects.
 #include "hapticut/force/laws/contact_mechanics.hpp"
-#include "hapticut/force/laws/damping_matrix.hpp"
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/force/laws/hertzian_burr.hpp"
 #include "hapticut/force/laws/lumped.hpp"
 #include "hapticut/force/laws/thesis.hpp"
 #include "hapticut/force/laws/twist_drill.hpp"
-#include "hapticut/force/limit_surface.hpp"
-#include "hapticut/force/resultant.hpp"
-#include "hapticut/force/spread_friction.hpp"
-#include "hapticut/force/stiffness.hpp"
-#include "hapticut/force/whole_contact.hpp"
-//
-#include "hapticut/simulation/config.hpp"
+
+// The step, and the coupling that holds the tool for the hand.
 #include "hapticut/simulation/coupling.hpp"
-#include "hapticut/simulation/energy.hpp"
-#include "hapticut/simulation/exchange.hpp"
-#include "hapticut/simulation/output.hpp"
-#include "hapticut/simulation/output_limits.hpp"
 #include "hapticut/simulation/simulation.hpp"
-#include "hapticut/simulation/stage_times.hpp"
 #include "hapticut/simulation/status_sentences.hpp"
-#include "hapticut/simulation/step.hpp"
 #include "hapticut/simulation/thesis_mode.hpp"
-#include "hapticut/simulation/worst_case.hpp"
-//
-#include "hapticut/surface/extract_surface.hpp"
-#include "hapticut/surface/surface_page.hpp"
-#include "hapticut/surface/surface_stream.hpp"
-//
-#include "hapticut/safety/arming.hpp"
-#include "hapticut/safety/guard.hpp"
-#include "hapticut/safety/passivity.hpp"
-#include "hapticut/safety/pose_gate.hpp"
-#include "hapticut/safety/requests.hpp"
-#include "hapticut/safety/safety_log.hpp"
-#include "hapticut/safety/thermal_budget.hpp"
-#include "hapticut/safety/watchdog.hpp"
-//
-#include "hapticut/realtime/histogram.hpp"
-#include "hapticut/realtime/realtime.hpp"
-#include "hapticut/realtime/triple_buffer.hpp"
-//
+
+// A device behind its guard, here simulated ones; those of makers have a header each in `device/`.
 #include "hapticut/device/device.hpp"
-#include "hapticut/device/simulated/device_models.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/device/simulated/mouse.hpp"
-#include "hapticut/device/simulated/plant.hpp"
-#include "hapticut/device/simulated/playback.hpp"
-//
-#include "hapticut/loop/block_outbox.hpp"
-#include "hapticut/loop/change_feed.hpp"
-#include "hapticut/loop/commands.hpp"
-#include "hapticut/loop/device_tick.hpp"
-#include "hapticut/loop/island_watch.hpp"
+
+// The loop: the steps in a thread of their own, with commands to it and snapshots from it.
 #include "hapticut/loop/realtime_loop.hpp"
 #include "hapticut/loop/simulation_model.hpp"
-#include "hapticut/loop/snapshot.hpp"
 #include "hapticut/loop/spindle_interlock.hpp"
-#include "hapticut/loop/workspace_map.hpp"
-//
-#include "hapticut/heat/heat_collector.hpp"
-#include "hapticut/heat/heat_field.hpp"
-//
-#include "hapticut/sound/drill_sound.hpp"
-#include "hapticut/sound/loop_listener.hpp"

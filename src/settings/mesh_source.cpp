@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <map>
 
+#include "hapticut/build/mesh_builder.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/mesh/meshes.hpp"
-#include "hapticut/workpiece/mesh_builder.hpp"
 #include "io/mesh/mesh_extensions.hpp"
 
 namespace hapticut::settings {

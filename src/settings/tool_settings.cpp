@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <string_view>
+#include <utility>
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/tool/catalogue.hpp"
@@ -13,37 +16,7 @@
 namespace hapticut::settings {
 namespace {
 
-using Head = ToolSettings::Head;
 using HandleKind = ToolSettings::HandleKind;
-
-using Number = std::optional<double> ToolSettings::*;
-
-/// The numbers that describe heads, by their keys.
-struct Dimension {
-  const char* key;
-  Number value;
-};
-constexpr Dimension kRadius{"tool.radius_mm", &ToolSettings::radius_mm},
-    kHeight{"tool.height_mm", &ToolSettings::height_mm},
-    kHalfAngle{"tool.half_angle_deg", &ToolSettings::half_angle_deg},
-    kDiameter{"tool.diameter_mm", &ToolSettings::diameter_mm}, kLength{"tool.length_mm", &ToolSettings::length_mm},
-    kTip{"tool.tip_diameter_mm", &ToolSettings::tip_diameter_mm},
-    kNeck{"tool.neck_diameter_mm", &ToolSettings::neck_diameter_mm},
-    kShank{"tool.shank_diameter_mm", &ToolSettings::shank_diameter_mm},
-    kWidest{"tool.widest_height_mm", &ToolSettings::widest_height_mm},
-    kPointAngle{"tool.point_angle_deg", &ToolSettings::point_angle_deg};
-constexpr std::array kDimensions = {kRadius, kHeight, kHalfAngle, kDiameter, kLength,
-                                    kTip,    kNeck,   kShank,     kWidest,   kPointAngle};
-
-/// What one kind of head is called and needs, and how it is made.
-struct HeadKind {
-  Head head;
-  const char* name;
-  const char* owner;  // in messages
-  std::vector<Dimension> needs;
-  std::vector<Dimension> may_have;
-  ToolHead (*make)(const ToolSettings& s);
-};
 
 /// @throws Error that names the file, whether it cannot be read or its profile is no head
 ToolHead head_of_profile(const std::string& file) {
@@ -56,142 +29,17 @@ ToolHead head_of_profile(const std::string& file) {
   }
 }
 
-double mm_of(const std::optional<double>& value) { return *value * units::mm; }
-
-const std::vector<HeadKind>& head_kinds() {
-  static const std::vector<HeadKind> kinds = {
-      {Head::sphere,
-       "sphere",
-       "a sphere",
-       {kRadius},
-       {},
-       [](const ToolSettings& s) -> ToolHead { return SphereHead{mm_of(s.radius_mm)}; }},
-      {Head::cone,
-       "cone",
-       "a cone, given by angle and height,",
-       {kHalfAngle, kHeight},
-       {},
-       [](const ToolSettings& s) -> ToolHead {
-         return ConeHead{*s.half_angle_deg * units::deg, mm_of(s.height_mm)};
-       }},
-      {Head::flat,
-       "flat",
-       "a flat head",
-       {kRadius, kHeight},
-       {},
-       [](const ToolSettings& s) -> ToolHead {
-         return FlatHead{mm_of(s.radius_mm), mm_of(s.height_mm), s.flat_rule.value_or(FlatRule::nearest)};
-       }},
-      {Head::profile,
-       "profile",
-       "a head of a profile",
-       {},
-       {},
-       [](const ToolSettings& s) { return head_of_profile(s.profile); }},
-      {Head::round,
-       "round",
-       "a round head",
-       {kDiameter},
-       {},
-       [](const ToolSettings& s) { return round_head(mm_of(s.diameter_mm)); }},
-      {Head::inverted_cone,
-       "inverted_cone",
-       "an inverted cone",
-       {kTip, kNeck, kLength},
-       {},
-       [](const ToolSettings& s) {
-         return inverted_cone_head(mm_of(s.tip_diameter_mm), mm_of(s.neck_diameter_mm), mm_of(s.length_mm));
-       }},
-      {Head::cylinder,
-       "cylinder",
-       "a cylinder",
-       {kDiameter, kLength},
-       {},
-       [](const ToolSettings& s) { return cylinder_head(mm_of(s.diameter_mm), mm_of(s.length_mm)); }},
-      {Head::round_end_cylinder,
-       "round_end_cylinder",
-       "a round-end cylinder",
-       {kDiameter, kLength},
-       {},
-       [](const ToolSettings& s) { return round_end_cylinder_head(mm_of(s.diameter_mm), mm_of(s.length_mm)); }},
-      {Head::tapered,
-       "tapered",
-       "a tapered head",
-       {kTip, kDiameter, kLength},
-       {},
-       [](const ToolSettings& s) {
-         return tapered_head(mm_of(s.tip_diameter_mm), mm_of(s.diameter_mm), mm_of(s.length_mm));
-       }},
-      {Head::round_end_tapered,
-       "round_end_tapered",
-       "a round-end tapered head",
-       {kTip, kDiameter, kLength},
-       {},
-       [](const ToolSettings& s) {
-         return round_end_tapered_head(mm_of(s.tip_diameter_mm), mm_of(s.diameter_mm), mm_of(s.length_mm));
-       }},
-      {Head::needle,
-       "needle",
-       "a needle",
-       {kDiameter, kLength},
-       {},
-       [](const ToolSettings& s) { return needle_head(mm_of(s.diameter_mm), mm_of(s.length_mm)); }},
-      {Head::flame,
-       "flame",
-       "a flame",
-       {kDiameter, kLength, kNeck, kWidest},
-       {},
-       [](const ToolSettings& s) {
-         return flame_head(mm_of(s.diameter_mm), mm_of(s.length_mm), mm_of(s.neck_diameter_mm),
-                           mm_of(s.widest_height_mm));
-       }},
-      {Head::pear,
-       "pear",
-       "a pear",
-       {kDiameter, kLength, kNeck},
-       {},
-       [](const ToolSettings& s) {
-         return pear_head(mm_of(s.diameter_mm), mm_of(s.length_mm), mm_of(s.neck_diameter_mm));
-       }},
-      {Head::wheel,
-       "wheel",
-       "a wheel",
-       {kDiameter, kLength, kShank},
-       {},
-       [](const ToolSettings& s) {
-         return wheel_head(mm_of(s.diameter_mm), mm_of(s.length_mm), mm_of(s.shank_diameter_mm));
-       }},
-      {Head::christmas_tree,
-       "christmas_tree",
-       "a christmas tree",
-       {kDiameter, kLength},
-       {},
-       [](const ToolSettings& s) {
-         return christmas_tree_head(mm_of(s.diameter_mm), mm_of(s.length_mm), int(s.tiers));
-       }},
-      {Head::twist_drill,
-       "twist_drill",
-       "a twist drill",
-       {kDiameter, kLength},
-       {kPointAngle},
-       [](const ToolSettings& s) {
-         return twist_drill_head(mm_of(s.diameter_mm), mm_of(s.length_mm),
-                                 s.point_angle_deg.value_or(118) * units::deg);
-       }}};
-  return kinds;
-}
-
-bool holds(const std::vector<Dimension>& dimensions, const Dimension& d) {
-  return std::any_of(dimensions.begin(), dimensions.end(),
-                     [&](const Dimension& other) { return other.value == d.value; });
+/// Of a dimension of heads: "tool.tip_diameter_mm".
+std::string key_of(HeadDimension dimension) {
+  const std::string unit = shown_unit(unit_of(dimension)).name;
+  return "tool." + std::string(name_or_null(dimension)) + (unit.empty() ? "" : "_" + unit);
 }
 
 /// The heads that have a dimension: "choose --head cone or flat".
-std::string heads_with(const Dimension& d) {
+std::string heads_with(HeadDimension dimension) {
   std::string names;
-  for (const HeadKind& kind : head_kinds())
-    if (holds(kind.needs, d) || holds(kind.may_have, d))
-      names += (names.empty() ? "" : " or ") + std::string(kind.name);
+  for (const HeadShape& shape : head_shapes())
+    if (shape.find(dimension) != nullptr) names += (names.empty() ? "" : " or ") + std::string(shape.name);
   return "choose --head " + names;
 }
 
@@ -201,25 +49,45 @@ ToolHead make_head(const ToolSettings& s) {
         "the head of the tool is missing. Set --head to sphere, cone, flat, profile or a name of the catalogue, or "
         "head under "
         "[tool] in the settings file.");
-  const HeadKind& kind =
-      *std::find_if(head_kinds().begin(), head_kinds().end(), [&](const HeadKind& k) { return k.head == *s.head; });
-  for (const Dimension& d : kDimensions)
-    if (!holds(kind.needs, d) && !holds(kind.may_have, d)) refuse(s.*d.value, d.key, kind.owner, heads_with(d));
-  for (const Dimension& d : kind.needs) (void)required(s.*d.value, d.key, kind.owner);
-  const auto tiers = s.tiers > 0 ? std::optional(double(s.tiers)) : std::nullopt;
-  if (kind.head == Head::christmas_tree) (void)required(tiers, "tool.tiers", kind.owner);
-  if (kind.head != Head::christmas_tree) refuse(tiers, "tool.tiers", kind.owner, "choose --head christmas_tree");
-  if (kind.head != Head::flat) refuse(s.flat_rule, "tool.flat_rule", kind.owner, "choose --head flat");
-  if (kind.head == Head::profile && s.profile.empty()) fail_missing("tool.profile", kind.owner);
-  if (kind.head != Head::profile && !s.profile.empty())
-    refuse(std::optional(s.profile), "tool.profile", kind.owner, "choose --head profile");
-  return kind.make(s);
+  const HeadShape* shape = *s.head;
+  const char* owner = shape != nullptr ? shape->in_sentences : "a head of a profile";
+  const bool is_flat = shape != nullptr && shape->name == std::string_view("flat");
+  for (const Named<HeadDimension>& one : names_of(Of<HeadDimension>{}))
+    if (shape == nullptr || shape->find(one.value) == nullptr)
+      refuse(s.dimension(one.value), key_of(one.value), owner, heads_with(one.value));
+  if (!is_flat) refuse(s.flat_rule, "tool.flat_rule", owner, "choose --head flat");
+  if (shape == nullptr) {
+    if (s.profile.empty()) fail_missing("tool.profile", owner);
+    return head_of_profile(s.profile);
+  }
+  if (!s.profile.empty()) refuse(std::optional(s.profile), "tool.profile", owner, "choose --head profile");
+  std::vector<double> dimensions;
+  for (const HeadShape::Dimension& needed : shape->dimensions) {
+    const std::optional<double> given = s.dimension(needed.what);
+    const double factor = shown_unit(unit_of(needed.what)).factor;
+    dimensions.push_back(given || !needed.may_be_left_out ? required(given, key_of(needed.what), owner) * factor
+                                                          : needed.usual);
+  }
+  if (is_flat) return FlatHead{dimensions[0], dimensions[1], s.flat_rule.value_or(FlatRule::nearest)};
+  return shape->make(dimensions);
 }
 
-std::vector<std::pair<std::string, Head>> names_of_heads() {
-  std::vector<std::pair<std::string, Head>> names;
-  for (const HeadKind& kind : head_kinds()) names.emplace_back(kind.name, kind.head);
+/// Of settings; a profile is no shape of the catalogue.
+std::vector<std::pair<std::string, const HeadShape*>> names_of_heads() {
+  std::vector<std::pair<std::string, const HeadShape*>> names;
+  for (const HeadShape& shape : head_shapes()) names.emplace_back(shape.name, &shape);
+  names.emplace_back("profile", nullptr);
   return names;
+}
+
+Setting setting_of(const Named<HeadDimension>& dimension, ToolSettings& t) {
+  using enum HeadDimension;
+  const std::string key = key_of(dimension.value), flag = "--" + key.substr(key.find('.') + 1);
+  if (dimension.value == tiers) return integer(key, flag, t.tiers, 1, 20, dimension.words);
+  const Range range = dimension.value == half_angle    ? Range{0, 90, true}
+                      : dimension.value == point_angle ? Range{0, 180, true}
+                                                       : Range::positive();
+  return number(key, flag, t.lengths_and_angles[std::size_t(dimension.value)], range, dimension.words);
 }
 
 Handle make_handle(const ToolSettings& s) {
@@ -236,29 +104,22 @@ Handle make_handle(const ToolSettings& s) {
 
 }  // namespace
 
+std::optional<double> ToolSettings::dimension(HeadDimension dimension) const {
+  if (dimension != HeadDimension::tiers) return lengths_and_angles[std::size_t(dimension)];
+  return tiers > 0 ? std::optional(double(tiers)) : std::nullopt;
+}
+
+void ToolSettings::set_sphere(double radius_mm) {
+  head = &head_shapes().front();
+  lengths_and_angles[std::size_t(HeadDimension::radius)] = radius_mm;
+}
+
 std::vector<Setting> settings_of(ToolSettings& t) {
-  return {
-      choice("tool.head", "--head", t.head, names_of_heads(), "shape of the cutting head; docs/heads.md draws them"),
-      number("tool.radius_mm", "--radius_mm", t.radius_mm, Range::positive(), "radius of a sphere or flat head"),
-      number("tool.height_mm", "--height_mm", t.height_mm, Range::positive(), "height of a cone or flat head"),
-      number("tool.half_angle_deg", "--half_angle_deg", t.half_angle_deg, Range{0, 90, true},
-             "angle of a cone between axis and side"),
+  std::vector<Setting> settings = {
+      choice("tool.head", "--head", t.head, names_of_heads(), "shape of the cutting head; docs/heads.md draws them")};
+  for (const Named<HeadDimension>& one : names_of(Of<HeadDimension>{})) settings.push_back(setting_of(one, t));
+  std::vector<Setting> others = {
       choice("tool.flat_rule", "--flat_rule", t.flat_rule, "which surface of a flat head carries the spring [nearest]"),
-      number("tool.diameter_mm", "--diameter_mm", t.diameter_mm, Range::positive(),
-             "largest diameter of a head of the catalogue"),
-      number("tool.length_mm", "--length_mm", t.length_mm, Range::positive(),
-             "length of a head of the catalogue, thickness of a wheel"),
-      number("tool.tip_diameter_mm", "--tip_diameter_mm", t.tip_diameter_mm, Range::positive(),
-             "diameter at the tip of an inverted_cone, tapered or round_end_tapered head"),
-      number("tool.neck_diameter_mm", "--neck_diameter_mm", t.neck_diameter_mm, Range::positive(),
-             "diameter at the shank of an inverted_cone, flame or pear"),
-      number("tool.shank_diameter_mm", "--shank_diameter_mm", t.shank_diameter_mm, Range::positive(),
-             "of a wheel: what of its upper face does not cut"),
-      number("tool.widest_height_mm", "--widest_height_mm", t.widest_height_mm, Range::positive(),
-             "of a flame: from the tip to its widest place"),
-      integer("tool.tiers", "--tiers", t.tiers, 1, 20, "of a christmas_tree: number of cones"),
-      number("tool.point_angle_deg", "--point_angle_deg", t.point_angle_deg, Range{0, 180, true},
-             "of a twist_drill: full angle of its point [118]"),
       path("tool.profile", "--profile", t.profile,
            "of a head of kind profile: CSV file of its meridian, or a mesh of revolution in mm (glTF in m), shank "
            "towards +z"),
@@ -292,6 +153,8 @@ std::vector<Setting> settings_of(ToolSettings& t) {
              "what the head cuts with [twist_drill of a twist drill, carbide_bur of others]"),
       integer("tool.lips", "--lips", t.lips, 1, 1000, "cutting edges that pass a place in a turn [as common cutters]"),
   };
+  std::move(others.begin(), others.end(), std::back_inserter(settings));
+  return settings;
 }
 
 namespace {

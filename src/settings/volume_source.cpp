@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "hapticut/build/volume_builders.hpp"
+#include "hapticut/build/volume_operations.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/volume/volume_filters.hpp"
 #include "hapticut/io/volume/volumes.hpp"
-#include "hapticut/workpiece/volume_builders.hpp"
-#include "hapticut/workpiece/volume_operations.hpp"
 
 namespace hapticut::settings {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/build/volume_builders.hpp"
+#include "hapticut/build/work_estimate.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
-#include "hapticut/workpiece/volume_builders.hpp"
-#include "hapticut/workpiece/work_estimate.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 #include "settings/material_settings.hpp"
 #include "settings/setting.hpp"

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <set>
 
+#include "hapticut/build/molar.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/workpiece/builders.hpp"
-#include "hapticut/workpiece/molar.hpp"
 #include "io/mesh/mesh_extensions.hpp"
 #include "settings/workpiece_settings.hpp"
 #ifdef HAPTICUT_HAS_IO

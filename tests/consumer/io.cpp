@@ -10,6 +10,7 @@
 #include <hapticut/io/vdb/vdb.hpp>
 #include <hapticut/io/volume/volume_filters.hpp>
 #include <hapticut/io/volume/volumes.hpp>
+#include <hapticut/surface/extract_surface.hpp>
 #include <string>
 
 namespace {

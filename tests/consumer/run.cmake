@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Builds and runs the outside project against this build:
-#   cmake -DCASE=installed|physics|c|openvdb|io|settings|no_io|abi|subdirectory|program_without_io|avx|no_openvdb -DSOURCE=... -DBUILD=... -DWORK=... -DCXX=... -P run.cmake
+#   cmake -DCASE=installed|with_core|physics|c|openvdb|io|settings|no_io|abi|subdirectory|program_without_io|avx|no_openvdb -DSOURCE=... -DBUILD=... -DWORK=... -DCXX=... -P run.cmake
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -32,6 +32,17 @@ if(CASE STREQUAL "installed")
   if(EXISTS "${WORK}/prefix/bin/hapticut")
     must("${WORK}/prefix/bin/hapticut" --version)
   endif()
+  # A program that links the core alone has nothing else in it: the core does not define what the components do.
+  file(GLOB_RECURSE core "${WORK}/prefix/libhapticut.a" "${WORK}/prefix/libhapticut.so")
+  must(nm -C --defined-only ${core})
+  if(NOT output MATCHES "hapticut::Simulation::step")
+    message(FATAL_ERROR "nm does not show what the core defines: ${core}")
+  endif()
+  if(output MATCHES "hapticut::(HeatField|DrillSound|SurfaceStream|extract_surface|build_molar|build_from_mesh)")
+    message(FATAL_ERROR "the core has what belongs to a component: ${CMAKE_MATCH_0}")
+  endif()
+elseif(CASE STREQUAL "with_core")
+  build_consumer(with_core "-DCOMPONENT=build,surface,heat,sound")
 elseif(CASE STREQUAL "physics")
   # Nothing to link is left, and OpenVDB is not to be found.
   file(GLOB_RECURSE libraries "${WORK}/prefix/libhapticut*")

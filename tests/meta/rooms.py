@@ -12,8 +12,8 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-ROOMS = ["core", "tool", "workpiece", "force", "kernels", "simulation", "surface", "safety", "realtime", "device", "loop", "heat", "sound",
-         "io", "settings", "bench", "view", "c", "cli"]
+ROOMS = ["core", "tool", "workpiece", "force", "kernels", "simulation", "safety", "realtime", "device", "loop",
+         "build", "surface", "heat", "sound", "io", "settings", "bench", "view", "c", "cli"]
 LONGEST = 400
 
 

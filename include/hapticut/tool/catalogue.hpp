@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
 #include "hapticut/core/abi.hpp"
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/tool/head.hpp"
 
@@ -55,5 +61,64 @@ inline constexpr double kTreeWaist = 0.6;
 /// @param point_angle  full angle of the point, less than pi; 118 degrees for a common drill
 /// @param length       of the whole, more than that of the point
 [[nodiscard]] ToolHead twist_drill_head(double diameter, double length, double point_angle = 118 * units::deg);
+
+/// The numbers that describe heads.
+enum class HeadDimension {
+  radius,
+  height,
+  half_angle,
+  diameter,
+  length,
+  tip_diameter,
+  neck_diameter,
+  shank_diameter,
+  widest_height,
+  tiers,
+  point_angle
+};
+constexpr auto names_of(Of<HeadDimension>) {
+  using enum HeadDimension;
+  return std::array{
+      Named{radius, "radius", "radius of a sphere or flat head"},
+      Named{height, "height", "height of a cone or flat head"},
+      Named{half_angle, "half_angle", "angle of a cone between axis and side"},
+      Named{diameter, "diameter", "largest diameter of a head of the catalogue"},
+      Named{length, "length", "length of a head of the catalogue, thickness of a wheel"},
+      Named{tip_diameter, "tip_diameter", "diameter at the tip of an inverted_cone, tapered or round_end_tapered head"},
+      Named{neck_diameter, "neck_diameter", "diameter at the shank of an inverted_cone, flame or pear"},
+      Named{shank_diameter, "shank_diameter", "of a wheel: what of its upper face does not cut"},
+      Named{widest_height, "widest_height", "of a flame: from the tip to its widest place"},
+      Named{tiers, "tiers", "of a christmas_tree: number of cones"},
+      Named{point_angle, "point_angle", "of a twist_drill: full angle of its point [118]"}};
+}
+inline constexpr std::size_t kHeadDimensions = names_of(Of<HeadDimension>{}).size();
+
+/// "m" or "rad", and "1" of a number of tiers.
+[[nodiscard]] constexpr const char* unit_of(HeadDimension dimension) {
+  using enum HeadDimension;
+  if (dimension == half_angle || dimension == point_angle) return "rad";
+  return dimension == tiers ? "1" : "m";
+}
+
+/// A shape of heads: what it is called, what describes it, how it is made. Settings, the page, tests and docs/heads.md
+/// walk `head_shapes`: a new bur is a function above and an entry there.
+struct HeadShape {
+  struct Dimension {
+    HeadDimension what;
+    double usual;                  ///< [SI] of a common bur
+    bool may_be_left_out = false;  ///< then it is the usual one
+  };
+  const char* name;                                      ///< "pear"
+  const char* in_sentences;                              ///< "a pear"
+  std::vector<Dimension> dimensions;                     ///< in the order in which `make` takes them
+  ToolHead (*make)(std::span<const double> dimensions);  ///< [SI]
+
+  /// Null where this shape has no such dimension.
+  [[nodiscard]] const Dimension* find(HeadDimension dimension) const;
+  /// With its usual dimensions.
+  [[nodiscard]] ToolHead usual() const;
+};
+/// The sphere, cone and flat head and the catalogue above.
+[[nodiscard]] const std::vector<HeadShape>& head_shapes();
 
 }  // namespace hapticut

@@ -46,7 +46,7 @@ class Tool {
     validate(spindle_);
     validate(cutter_);
     cutter_.lips = lips_of(cutter_);
-    constexpr double kLargestHead = 0.3, kFarthestHead = 5;  // [m] whoever holds it
+    constexpr double kFarthestHead = 5;  // [m] whoever holds it
     require_metres(head_.reach(), kLargestHead, "reach of the head [m]");
     require_metres(X_HT_.translation.norm(), kFarthestHead, "length of the handle [m]");
   }

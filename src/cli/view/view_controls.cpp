@@ -12,9 +12,11 @@
 namespace hapticut::cli {
 namespace {
 
-constexpr const char* kHeads =
-    "of the scene|sphere|cone|flat|inverted_cone|cylinder|round_end_cylinder|tapered|round_end_tapered|needle|flame|"
-    "pear|wheel|christmas_tree|twist_drill";
+std::string names_of_heads() {
+  std::string names = "of the scene";
+  for (const HeadShape& shape : head_shapes()) names += std::string("|") + shape.name;
+  return names;
+}
 
 constexpr double kMostWatts = 1000;
 constexpr int kShownMaterials = 15;
@@ -73,7 +75,7 @@ void ViewControls::add_application(const Tool& tool, bool can_record) {
 void ViewControls::add_tool(const Tool& tool) {
   using Kind = view::Control::Kind;
   const HeadBox box = tool.head().bounding_box();
-  controls_.push_back({kHead, Kind::choice, 0, 0, 14, "tool", "Head", "", kHeads});
+  controls_.push_back({kHead, Kind::choice, 0, 0, double(head_shapes().size()), "tool", "Head", "", names_of_heads()});
   number(kDiameter, "tool", "Diameter", "mm", 2 * tool.head().largest_radius() / units::mm, 0.2, 30);
   number(kLength, "tool", "Length", "mm", (box.max.z() - box.min.z()) / units::mm, 0.2, 60);
   number(kAngle, "tool", "Cone angle", "°", 30, 1, 80);
@@ -250,39 +252,38 @@ MaterialTable ViewControls::materials() const {
 }
 
 ToolHead ViewControls::head() const {
-  const double d = at(kDiameter) * units::mm, length = at(kLength) * units::mm;
-  switch (int(at(kHead))) {
-    case 1:
-      return round_head(d);
-    case 2:
-      return ConeHead{at(kAngle) * units::deg, length};
-    case 3:
-      return FlatHead{d / 2, length};
-    case 4:
-      return inverted_cone_head(d, 0.6 * d, length);
-    case 5:
-      return cylinder_head(d, length);
-    case 6:
-      return round_end_cylinder_head(d, length);
-    case 7:
-      return tapered_head(0.6 * d, d, length);
-    case 8:
-      return round_end_tapered_head(0.6 * d, d, length);
-    case 9:
-      return needle_head(d, length);
-    case 10:
-      return flame_head(d, length, 0.4 * d, std::max(0.5 * d, 0.4 * length));
-    case 11:
-      return pear_head(d, length, 0.4 * d);
-    case 12:
-      return wheel_head(d, length, 0.4 * d);
-    case 13:
-      return christmas_tree_head(d, length, 4);
-    case 14:
-      return twist_drill_head(d, length);
-    default:
-      return tool_.head();
+  using enum HeadDimension;
+  const auto chosen = std::size_t(at(kHead));
+  if (chosen == 0) return tool_.head();
+  const HeadShape& shape = head_shapes()[chosen - 1];
+  const double diameter_m = at(kDiameter) * units::mm, length_m = at(kLength) * units::mm;
+  const HeadShape::Dimension* across =
+      shape.find(diameter) != nullptr ? shape.find(diameter) : shape.find(tip_diameter);
+  std::vector<double> values;
+  for (const HeadShape::Dimension& dimension : shape.dimensions) {
+    switch (dimension.what) {
+      case radius:
+        values.push_back(diameter_m / 2);
+        break;
+      case height:
+      case length:
+        values.push_back(length_m);
+        break;
+      case half_angle:
+        values.push_back(at(kAngle) * units::deg);
+        break;
+      case widest_height:
+        values.push_back(dimension.usual * length_m / shape.find(length)->usual);
+        break;
+      case tiers:
+      case point_angle:
+        values.push_back(dimension.usual);
+        break;
+      default:  // other diameters keep their proportion
+        values.push_back(dimension.usual * diameter_m / across->usual);
+    }
   }
+  return shape.make(values);
 }
 
 Tool ViewControls::tool() const {
@@ -293,8 +294,10 @@ Tool ViewControls::tool() const {
   spindle.speed = spindle_speed();
   if (at(kPower) < kMostWatts) spindle.power_limit = at(kPower);
   Cutter cutter = tool_.cutter();  // the kind that the materials of the scene are for
-  if (int(at(kHead)) == 14) cutter.lips = lips_of({CutterKind::twist_drill});
-  return Tool(head(), handle, spindle, cutter);
+  ToolHead its_head = head();
+  if (at(kHead) != 0 && usual_cutter(its_head).kind == CutterKind::twist_drill)
+    cutter.lips = lips_of({CutterKind::twist_drill});
+  return Tool(std::move(its_head), handle, spindle, cutter);
 }
 
 }  // namespace hapticut::cli

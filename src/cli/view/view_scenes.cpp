@@ -24,8 +24,7 @@ SceneSettings clay_scene() {
   s.workpiece.size_mm = Vec3(20, 20, 20);
   s.workpiece.voxel_mm = 0.2;
   s.workpiece.material = "clay";
-  s.tool.head = ToolSettings::Head::sphere;
-  s.tool.radius_mm = 2;
+  s.tool.set_sphere(2);
   s.tool.handle = ToolSettings::HandleKind::ray;
   s.tool.handle_length_mm = 100;
   s.tool.spindle_rpm = 20000;
@@ -36,8 +35,7 @@ SceneSettings molar_scene() {
   SceneSettings s;
   s.workpiece.source = "molar";
   s.workpiece.voxel_mm = 0.1;
-  s.tool.head = ToolSettings::Head::sphere;
-  s.tool.radius_mm = 0.8;
+  s.tool.set_sphere(0.8);
   s.tool.handle = ToolSettings::HandleKind::angled;
   s.tool.handle_length_mm = 100;
   s.tool.handle_neck_mm = 15;
@@ -57,8 +55,7 @@ SceneSettings skull_scene() {
   s.workpiece.voxel_mm = 0.2;
   s.workpiece.largest_component = true;
   s.workpiece.grey = {{"trabecular_bone", 226, 700}, {"cortical_bone", 700, std::nullopt}};
-  s.tool.head = ToolSettings::Head::sphere;
-  s.tool.radius_mm = 2;
+  s.tool.set_sphere(2);
   s.tool.handle = ToolSettings::HandleKind::ray;
   s.tool.handle_length_mm = 120;
   s.tool.spindle_rpm = 40000;
@@ -82,8 +79,7 @@ SceneSettings scene_of_file(const std::string& name) {
 void complete_tool(ToolSettings& tool, const Box& box) {
   if (tool.head) return;
   const double size = (box.max - box.min).maxCoeff();
-  tool.head = ToolSettings::Head::sphere;
-  tool.radius_mm = std::clamp(size / 24 / units::mm, 0.3, 5.0);
+  tool.set_sphere(std::clamp(size / 24 / units::mm, 0.3, 5.0));
   if (!tool.handle) {
     tool.handle = ToolSettings::HandleKind::ray;
     tool.handle_length_mm = 100;

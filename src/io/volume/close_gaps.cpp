@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "hapticut/build/volume_operations.hpp"
 #include "hapticut/io/volume/volume_filters.hpp"
-#include "hapticut/workpiece/volume_operations.hpp"
 #include "io/volume/itk_volume.hpp"
 
 namespace hapticut {

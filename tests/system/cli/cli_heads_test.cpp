@@ -2,11 +2,13 @@
 // Heads of the catalogue and of profiles on the command line.
 #include <cmath>
 
+#include "hapticut/core/errors.hpp"
+#include "hapticut/tool/catalogue.hpp"
+#include "settings/setting.hpp"
 #include "support/program.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/mesh/meshes.hpp"
-#include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/profile_mesh.hpp"
 #endif
 
@@ -33,20 +35,16 @@ class HeadSettings : public test::Program {
 };
 
 TEST_F(HeadSettings, EveryHeadOfTheCatalogueIsPressedIn) {
-  for (const std::string head :
-       {"round --diameter_mm 1.4", "inverted_cone --tip_diameter_mm 1.4 --neck_diameter_mm 0.9 --length_mm 1.2",
-        "cylinder --diameter_mm 1.2 --length_mm 4", "round_end_cylinder --diameter_mm 1.2 --length_mm 4",
-        "tapered --tip_diameter_mm 0.9 --diameter_mm 1.6 --length_mm 4",
-        "round_end_tapered --tip_diameter_mm 0.8 --diameter_mm 1.6 --length_mm 4",
-        "needle --diameter_mm 1.2 --length_mm 3",
-        "flame --diameter_mm 1.4 --length_mm 4 --neck_diameter_mm 0.9 --widest_height_mm 2",
-        "pear --diameter_mm 1.4 --length_mm 2.6 --neck_diameter_mm 0.8",
-        "wheel --diameter_mm 4 --length_mm 0.8 --shank_diameter_mm 1.4",
-        "christmas_tree --diameter_mm 2 --length_mm 3 --tiers 3", "twist_drill --diameter_mm 2 --length_mm 5",
-        "twist_drill --diameter_mm 2 --length_mm 5 --point_angle_deg 90"}) {
-    const nlohmann::json report = plunge("--head " + head);
-    EXPECT_GT(report["force_N"]["max"], 1e-3) << head;
+  for (const HeadShape& shape : head_shapes()) {
+    std::string head = "--head " + std::string(shape.name);
+    for (const HeadShape::Dimension& dimension : shape.dimensions) {
+      const settings::ShownUnit shown = settings::shown_unit(unit_of(dimension.what));
+      head += " --" + std::string(name_or_null(dimension.what)) + (shown.name.empty() ? "" : "_" + shown.name) + " " +
+              format_number(dimension.usual / shown.factor);
+    }
+    EXPECT_GT(plunge(head)["force_N"]["max"], 1e-3) << head;
   }
+  EXPECT_GT(plunge("--head twist_drill --diameter_mm 2 --length_mm 5")["force_N"]["max"], 1e-3);
 }
 
 TEST_F(HeadSettings, ARoundHeadIsASphereOfHalfTheDiameter) {

@@ -68,7 +68,7 @@ const LHandle& bent(const Panel& p) { return std::get<LHandle>(p.tool().handle()
 const std::map<std::string, Turned>& turned() {
   using P = const Panel&;
   const std::map<std::string, double> shaking = {{"vibration/Vibration", 1}}, filtering = {{"additional/Filter", 1}},
-                                      bending = {{"tool/Handle", 1}}, cylinder = {{"tool/Head", 5}};
+                                      bending = {{"tool/Handle", 1}}, cylinder = {{"tool/Head", 6}};
   static const std::map<std::string, Turned> all = {
       {"application/Haptics", {0, [](P p) { return p.effects().enabled.force[1]; }}},
       {"application/Cutting", {0, [](P p) { return p.rig.simulation.config().removal != RemovalLaw::none; }}},
@@ -76,7 +76,7 @@ const std::map<std::string, Turned>& turned() {
        {1, [](P p) { return p.rig.simulation.config().removal == RemovalLaw::elastic_release; }}},
       {"application/Spindle", {0, [](P p) { return p.rig.model.spindle_speed(); }}},
       {"tool/Speed", {12345, [](P p) { return p.rig.model.spindle_speed() / rpm; }}},
-      {"tool/Head", {14, [](P p) { return p.tool().cutter().lips == lips_of({CutterKind::twist_drill}) ? 14 : 0; }}},
+      {"tool/Head", {15, [](P p) { return p.tool().cutter().lips == lips_of({CutterKind::twist_drill}) ? 15 : 0; }}},
       {"tool/Diameter", {2.5, [](P p) { return 2 * p.tool().head().largest_radius() / mm; }, cylinder}},
       {"tool/Length", {4.5, length, cylinder}},
       {"tool/Cone angle",
@@ -174,14 +174,14 @@ TEST(ViewControls, GiveEachHeadOfTheListItsShape) {
     const view::Message drawn = view::encode(panel.tool());
     shapes.emplace(drawn.begin(), drawn.end());
   }
-  EXPECT_EQ(shapes.size(), 13U);  // the scene's own is a sphere, and a cylinder is flat
+  EXPECT_EQ(shapes.size(), 13U);  // the scene's own and a round head are spheres, and a cylinder is flat
 }
 
 TEST(ViewControls, AreTakenBackWhenSizesDoNotFit) {
   Panel panel;
   panel.turn("tool/Diameter", 8);
   panel.turn("tool/Length", 4);
-  ASSERT_EQ(panel.set("tool/Head", 8), Change::tool);  // a round end needs a length of half the diameter and more
+  ASSERT_EQ(panel.set("tool/Head", 9), Change::tool);  // a round end needs a length of half the diameter and more
   EXPECT_THROW((void)panel.controls.tool(), Error);
   panel.controls.take_back();
   EXPECT_EQ(panel.control("tool/Head").value, 0);

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <set>
 
+#include "hapticut/build/volume_builders.hpp"
+#include "hapticut/build/volume_operations.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/volume/volume_filters.hpp"
 #include "hapticut/io/volume/volumes.hpp"
-#include "hapticut/workpiece/volume_builders.hpp"
-#include "hapticut/workpiece/volume_operations.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "hapticut/build/volume_builders.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/workpiece/builders.hpp"
-#include "hapticut/workpiece/volume_builders.hpp"
 #include "settings/material_settings.hpp"
 #include "support/temporary_folder.hpp"
 #ifdef HAPTICUT_HAS_IO

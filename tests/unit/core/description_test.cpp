@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hapticut/bench/fault_bench.hpp"
+#include "hapticut/build/volume_builders.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/force_dimension.hpp"
 #include "hapticut/device/open_haptics.hpp"
@@ -21,7 +22,6 @@
 #include "hapticut/loop/device_tick.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "hapticut/simulation/simulation.hpp"
-#include "hapticut/workpiece/volume_builders.hpp"
 
 namespace hapticut::description_test {
 

@@ -6,9 +6,9 @@
 #include <functional>
 #include <random>
 
+#include "hapticut/build/mesh_builder.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
-#include "hapticut/workpiece/mesh_builder.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/meshes.hpp"
 #include "support/no_disk_space.hpp"

@@ -6,9 +6,9 @@
 
 #include <random>
 
+#include "hapticut/build/molar.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
-#include "hapticut/workpiece/molar.hpp"
 #include "support/ball_cuts.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/random_pose.hpp"

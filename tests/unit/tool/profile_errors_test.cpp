@@ -67,6 +67,7 @@ std::vector<Refused> refused() {
       {"crosses or touches itself", "edge 2", "edge 4"});
   add("TurnsBack", 0, {{2 * mm, 0}, {0.5 * mm, 0}, {0, 1 * mm}}, {"turns back on itself at (2, 0) mm"});
   add("FromShankToTip", 2 * mm, {{1 * mm, 2 * mm}, {1 * mm, 0}, {0, 0}}, {"2 mm", "from the tip to the shank"});
+  add("InMillimetres", 0, {{1, 0}, {1, 5}, {0, 5}}, {"reach of the head [m] = 5.0", "<= 0.3", "in metres"});
   add("NothingCuts", 0, {{1 * mm, 0, 0, kSmooth}, {0, 1 * mm, 0, kSmooth}}, {"no cutting edge", "kind"});
   return all;
 }

@@ -7,7 +7,7 @@
 #include "hapticut/core/volume.hpp"
 
 /// @file
-/// What is done to a volume with ITK (HAPTICUT_WITH_ITK); the rest is in `workpiece/volume_operations.hpp`. Every
+/// What is done to a volume with ITK (HAPTICUT_WITH_ITK); the rest is in `build/volume_operations.hpp`. Every
 /// result keeps its place in the world; every function throws Error when the volume is not consistent, and when the
 /// library was built without ITK.
 namespace hapticut {

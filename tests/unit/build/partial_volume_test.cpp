@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
+#include "hapticut/build/volume_builders.hpp"
 #include "hapticut/core/units.hpp"
-#include "hapticut/workpiece/volume_builders.hpp"
 
 namespace hapticut::partial_volume_test {
 namespace {

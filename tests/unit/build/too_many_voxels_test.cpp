@@ -6,12 +6,12 @@
 #include <limits>
 #include <vector>
 
+#include "hapticut/build/mesh_builder.hpp"
+#include "hapticut/build/molar.hpp"
+#include "hapticut/build/volume_builders.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
-#include "hapticut/workpiece/mesh_builder.hpp"
-#include "hapticut/workpiece/molar.hpp"
-#include "hapticut/workpiece/volume_builders.hpp"
 #include "support/memory_growth.hpp"
 #include "support/meshes.hpp"
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <string>
 
-#include "hapticut/workpiece/volume_operations.hpp"
+#include "hapticut/build/volume_operations.hpp"
 
 namespace hapticut {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "workpiece/winding_number.hpp"
+#include "build/winding_number.hpp"
 
 #include <algorithm>
 #include <cmath>

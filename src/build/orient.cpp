@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "workpiece/orient.hpp"
+#include "build/orient.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <ranges>
 #include <vector>
 
-#include "workpiece/winding_number.hpp"
+#include "build/winding_number.hpp"
 
 namespace hapticut {
 namespace {

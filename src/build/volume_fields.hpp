@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "workpiece/volume_sampling.hpp"
+#include "build/volume_sampling.hpp"
 
 /// @file
 /// What the samples of a volume mean: labels, or ranges of grey values. See VolumeFiller for what a field is asked.

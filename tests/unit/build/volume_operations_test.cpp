@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/workpiece/volume_operations.hpp"
+#include "hapticut/build/volume_operations.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "hapticut/build/work_estimate.hpp"
 #include "hapticut/core/mesh.hpp"
-#include "hapticut/workpiece/work_estimate.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 
 namespace hapticut {

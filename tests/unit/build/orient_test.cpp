@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "workpiece/orient.hpp"
+#include "build/orient.hpp"
 
 #include <gtest/gtest.h>
 
+#include "hapticut/build/mesh_builder.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
-#include "hapticut/workpiece/mesh_builder.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/meshes.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/workpiece/mesh_builder.hpp"
+#include "hapticut/build/mesh_builder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "hapticut/build/work_estimate.hpp"
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/volume.hpp"
 #include "hapticut/workpiece/builders.hpp"
-#include "hapticut/workpiece/work_estimate.hpp"
 
 /// @file
 /// Workpieces from dense volumes: a CT whose grey values say what is where, or a segmentation whose labels do.

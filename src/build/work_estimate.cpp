@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/workpiece/work_estimate.hpp"
+#include "hapticut/build/work_estimate.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "hapticut/build/mesh_builder.hpp"
 #include "hapticut/core/errors.hpp"
-#include "hapticut/workpiece/mesh_builder.hpp"
 
 namespace hapticut {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/workpiece/mesh_builder.hpp"
+#include "hapticut/build/mesh_builder.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -7,11 +7,11 @@
 #include <memory>
 #include <string>
 
+#include "build/orient.hpp"
+#include "build/volume_sampling.hpp"  // kMaxSubsamples
+#include "build/winding_number.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
-#include "workpiece/orient.hpp"
-#include "workpiece/volume_sampling.hpp"  // kMaxSubsamples
-#include "workpiece/winding_number.hpp"
 
 namespace hapticut {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/workpiece/molar.hpp"
+#include "hapticut/build/molar.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/workpiece/volume_builders.hpp"
+#include "hapticut/build/volume_builders.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/workpiece/volume_builders.hpp"
+#include "hapticut/build/volume_builders.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
+#include "build/volume_fields.hpp"
 #include "hapticut/core/errors.hpp"
 #include "workpiece/coverage.hpp"
-#include "workpiece/volume_fields.hpp"
 
 namespace hapticut {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/workpiece/molar.hpp"
+#include "hapticut/build/molar.hpp"
 
 #include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "build/implicit_shapes.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
-#include "workpiece/implicit_shapes.hpp"
 
 namespace hapticut {
 namespace {
