@@ -129,17 +129,6 @@ std::optional<ViewCommand> payload_of(CommandKind kind, Reader& reader) {
       return commands::Redo{};
     case CommandKind::hold_force:
       return commands::HoldForce{reader.take_bool()};
-    case CommandKind::set_removal: {
-      const auto law = reader.take<std::uint8_t>();
-      reader.refuse_if(law >= names_of(Of<RemovalLaw>{}).size());
-      return commands::SetRemoval{RemovalLaw(law)};
-    }
-    case CommandKind::set_force_mask: {
-      commands::SetForceMask command;
-      for (bool& axis : command.enabled.force) axis = reader.take_bool();
-      for (bool& axis : command.enabled.torque) axis = reader.take_bool();
-      return command;
-    }
     case CommandKind::move_hand: {
       MoveHand command;
       command.X_WH = reader.take_pose();

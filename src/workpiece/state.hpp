@@ -43,10 +43,6 @@ struct VoxelTrees {
 
 /// Nodes made at set-up, so that cutting can take them without allocating.
 struct BlockPool {
-  struct Entry {
-    std::unique_ptr<Leaf<MaterialTree>> material;
-    std::unique_ptr<Leaf<FillTree>> fill;
-  };
   std::vector<std::unique_ptr<Leaf<MaterialTree>>> material_leaves;
   std::vector<std::unique_ptr<Leaf<FillTree>>> fill_leaves;
   std::vector<std::unique_ptr<Branch<FillTree>>> fill_branches;

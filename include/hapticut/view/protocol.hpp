@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "hapticut/core/mesh.hpp"
-#include "hapticut/force/effects/axis_mask.hpp"
 #include "hapticut/loop/commands.hpp"
 #include "hapticut/loop/snapshot.hpp"
 #include "hapticut/surface/surface_page.hpp"
@@ -113,8 +112,6 @@ enum class CommandKind : std::uint8_t {
   undo = 3,
   redo = 4,
   hold_force = 5,
-  set_removal = 6,
-  set_force_mask = 7,
   move_hand = 8,
   stop = 9,
   look_at = 10,
@@ -151,9 +148,8 @@ inline constexpr std::size_t kLongestName = 120;
 /// Said by the server itself: the writer has gone. A hand without a device must stop, and a real one be faded out.
 struct WriterLeft {};
 
-using ViewCommand =
-    std::variant<commands::SetSpindleSpeed, commands::SetUndoMark, commands::Undo, commands::Redo, commands::HoldForce,
-                 commands::SetRemoval, commands::SetForceMask, MoveHand, Stop, LookAt, SetControl, Load, WriterLeft>;
+using ViewCommand = std::variant<commands::SetSpindleSpeed, commands::SetUndoMark, commands::Undo, commands::Redo,
+                                 commands::HoldForce, MoveHand, Stop, LookAt, SetControl, Load, WriterLeft>;
 
 /// @return nothing when the message is not one of these in every byte: another version or length, a number that is not
 ///         finite, a matrix that is no rotation, a value that has no meaning

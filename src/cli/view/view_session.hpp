@@ -84,8 +84,6 @@ class ViewSession {
   void handle(const commands::Undo& command) { send(command); }
   void handle(const commands::Redo& command) { send(command); }
   void handle(const commands::HoldForce& command) { send(command); }
-  void handle(const commands::SetRemoval& command) { send(command); }
-  void handle(const commands::SetForceMask& command) { send(command); }
   void handle(const view::MoveHand& command);
   void handle(const view::Stop&) { device().emergency_stop(); }
   void handle(const view::LookAt& command) {

@@ -55,9 +55,10 @@ RecordingInfo read_info(RecordingSource& source) {
     throw Error("it is an HDF5 file, but not a recording of hapticut");
   RecordingInfo info;
   info.format = source.number_attribute("", "format");
-  if (info.format < 1 || info.format > kRecordingFormat)
-    throw Error("it has format " + std::to_string(info.format) + ", and this version of hapticut reads formats 1 to " +
-                std::to_string(kRecordingFormat) + "; use a newer version");
+  if (info.format != kRecordingFormat)
+    throw Error("it has format " + std::to_string(info.format) + ", and this version of hapticut reads format " +
+                std::to_string(kRecordingFormat) + "; use " +
+                (info.format < kRecordingFormat ? "the version that wrote it" : "a newer version"));
   info.version = source.text_attribute("", "version");
   info.commit = source.text_attribute("", "commit");
   info.compiler = source.text_attribute("", "compiler");
@@ -120,7 +121,7 @@ void open_columns(OpenRecording& s) {
     s.size = std::min(s.size, shape[0]);
     s.columns.push_back(&column);
   }
-  if (listed.complete && known != listed.names.size())
+  if (known != listed.names.size())
     throw Error("it has a column that this version of hapticut does not know; use a newer version");
   if (s.columns.empty() || s.columns.front()->name != "number") throw Error("it lacks the column 'steps/number'");
 }

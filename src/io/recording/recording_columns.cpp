@@ -103,11 +103,9 @@ std::vector<Column> make_columns() {
   const char *const W = "W", *const B = "B", *const none = "";
   const char* const about_handle = "on the tool about Ho, in W";
   const char* const about_stylus = "on the stylus about its point, in B";
-  std::vector<Column> contact = columns_of(result, "contact_", none, HAPTICUT_MEMBER(contact));
-  const std::vector<Column> energy = columns_of(result, "energy_", none, HAPTICUT_MEMBER(energy)),
+  const std::vector<Column> contact = columns_of(result, "contact_", none, HAPTICUT_MEMBER(contact)),
+                            energy = columns_of(result, "energy_", none, HAPTICUT_MEMBER(energy)),
                             spindle = columns_of(result, "spindle_", "about +z of T", HAPTICUT_MEMBER(spindle));
-  for (Column& c : contact)
-    if (c.name == "contact_level_of_detail") c.name = "contact_turns";  // as all recordings have it
   std::vector<Column> columns = {
       column(input, "number", "1", none, "steps since the recording began", HAPTICUT_MEMBER(number)),
       column(input, "time", "s", none, "at the end of the step", HAPTICUT_MEMBER(time)),

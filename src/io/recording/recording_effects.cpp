@@ -61,21 +61,6 @@ void visit_effects(AnyEffects& effects, const Visit& visit) {
 }
 static_assert(kFieldsOf<Effects> == 5, "a new effect needs a line above");
 
-/// What some numbers were called in recordings of format 1.
-std::string name_now(const std::string& name) {
-  constexpr std::pair<const char*, const char*> kFormat1[] = {
-      {"gravity_center_x_m", "gravity_center_of_mass_x_m"},
-      {"gravity_center_y_m", "gravity_center_of_mass_y_m"},
-      {"gravity_center_z_m", "gravity_center_of_mass_z_m"},
-      {"gravity_x_m_per_s2", "gravity_acceleration_x_m_per_s2"},
-      {"gravity_y_m_per_s2", "gravity_acceleration_y_m_per_s2"},
-      {"gravity_z_m_per_s2", "gravity_acceleration_z_m_per_s2"},
-      {"vibration_amplitude_N_per_W", "vibration_amplitude_per_watt_N_per_W"}};
-  for (const auto& [before, now] : kFormat1)
-    if (name == before) return now;
-  return name;
-}
-
 }  // namespace
 
 EffectNumbers pack(const Effects& effects) noexcept {
@@ -89,7 +74,7 @@ EffectNumbers pack(const Effects& effects) noexcept {
 Effects unpack(const std::string& names, std::span<const double> numbers) {
   std::vector<std::string> given;
   std::istringstream list(names);
-  for (std::string name; std::getline(list, name, ',');) given.push_back(name_now(name));
+  for (std::string name; std::getline(list, name, ',');) given.push_back(name);
   if (given.size() != numbers.size()) throw Error("its 'effects/values' has not as many columns as names");
   std::size_t used = 0;
   Effects effects;

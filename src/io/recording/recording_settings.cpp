@@ -140,7 +140,6 @@ SimulationConfig read_config(RecordingSource& source) {
   SettingsReader read = settings_of(source, "simulation");
   SimulationConfig config;
   visit_fields(read, "", config, StoredApart{});
-  if (!config.contact_damping) config.contact_damping = 0;  // recordings that do not say had none
   bool friction_is_given = false, law_is_default = false;
   read("friction_is_given", friction_is_given);
   if (friction_is_given) visit_fields(read, "", config.friction.emplace());

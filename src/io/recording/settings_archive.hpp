@@ -12,7 +12,6 @@
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/core/units.hpp"
-#include "io/recording/format_1.hpp"
 #include "io/recording/hdf5.hpp"
 
 /// @file
@@ -20,24 +19,21 @@
 /// list of them serves both; of a struct that describes itself (core/description.hpp) its fields are that list.
 ///
 /// A group lists the names of what it holds in its attribute `fields`. So a reader knows whether a data set is missing,
-/// or belongs to a field that came later, which then has its default; and it refuses a field that it does not know. The
-/// lists of recordings of format 1, which do not hold them, are in format_1.hpp.
+/// or belongs to a field that came later, which then has its default; and it refuses a field that it does not know.
 namespace hapticut {
 
 inline constexpr char kFieldsAttribute[] = "fields";
 
 /// What a group of a file should hold.
 struct FieldList {
-  FieldList(RecordingSource& source, const std::string& name) : complete(source.has_attribute(name, kFieldsAttribute)) {
-    std::istringstream list(complete ? source.text_attribute(name, kFieldsAttribute)
-                                     : std::string(fields_of_format_1(name)));
+  FieldList(RecordingSource& source, const std::string& name) {
+    std::istringstream list(source.text_attribute(name, kFieldsAttribute));
     for (std::string field; std::getline(list, field, ',');) names.push_back(field);
   }
   [[nodiscard]] bool contains(const std::string& name) const {
     return std::find(names.begin(), names.end(), name) != names.end();
   }
 
-  bool complete;  ///< there is nothing else in the group
   std::vector<std::string> names;
 };
 
@@ -133,7 +129,6 @@ class SettingsReader {
 
   /// @throws Error when the group holds something that was not asked for
   void close() const {
-    if (!listed_.complete) return;
     for (const std::string& field : listed_.names)
       if (std::find(asked_.begin(), asked_.end(), field) == asked_.end())
         throw Error("it has '" + name_ + "/" + field +

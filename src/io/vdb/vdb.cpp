@@ -25,17 +25,13 @@ namespace hapticut {
 namespace {
 
 constexpr double kUnit = 1e-3;  // [m] the world unit of the files: OpenVDB refuses voxels below 14 um in metres
-constexpr int kFormat = 2;      // 2 lists the fields of a material; raised when an older hapticut could misread a file
+constexpr int kFormat = 2;      // raised when another hapticut could misread a file; 1 was never released
 constexpr char kFormatKey[] = "hapticut_format";
 constexpr char kUnitKey[] = "hapticut_unit_m";
 constexpr char kVoxelSizeKey[] = "hapticut_voxel_size_m";
 constexpr char kPoseKey[] = "hapticut_X_WV_m";
 constexpr char kMaterialsKey[] = "hapticut_materials";
 constexpr char kFieldsKey[] = "hapticut_material_fields";
-// What a file of format 1 holds of a material. Files of later formats say it themselves.
-constexpr char kFieldsOfFormat1[] =
-    "name,relative_stiffness,damping,cutting_ratio,specific_cutting_energy,edge_pressure,static_friction,"
-    "dynamic_friction,tangential_stiffness,density";
 
 std::string key_of(int id, const char* field) { return "hapticut_material_" + std::to_string(id) + "_" + field; }
 
@@ -187,8 +183,7 @@ void read_meta(const openvdb::MetaMap& meta, const std::string& key, std::option
 /// The fields that a file has of each material.
 /// @throws Error when one of them is unknown here
 std::vector<std::string> fields_in(const openvdb::MetaMap& meta) {
-  const bool says_it = require_meta<std::int32_t>(meta, kFormatKey) > 1;
-  std::istringstream list(says_it ? require_meta<std::string>(meta, kFieldsKey) : kFieldsOfFormat1);
+  std::istringstream list(require_meta<std::string>(meta, kFieldsKey));
   std::vector<std::string> names;
   for (std::string name; std::getline(list, name, ',');) {
     bool known = false;
@@ -266,8 +261,8 @@ Workpiece parse(std::string bytes) {
   const auto material = require_grid<openvdb::Int32Grid>(file, "material");
   const auto centroid = require_grid<openvdb::Int32Grid>(file, "centroid");
   const auto format = require_meta<std::int32_t>(*material, kFormatKey);
-  if (format < 1 || format > kFormat)
-    throw Error("it has format " + std::to_string(format) + "; this version of hapticut reads formats 1 to " +
+  if (format != kFormat)
+    throw Error("it has format " + std::to_string(format) + "; this version of hapticut reads format " +
                 std::to_string(kFormat) + ". Use the version that wrote it.");
   MaterialTable materials = read_materials(*material);
   const GridFrame frame = read_frame(*material);

@@ -333,13 +333,16 @@ TEST(BadRecording, IsNamedInOneSentence) {
     change(folder / "bad.h5", action);
     return complaint_about(folder / "bad.h5");
   };
-  contains(damaged([](hid_t file) {
-             const std::uint64_t version = 99;
-             const hid_t attribute = H5Aopen(file, "format", H5P_DEFAULT);
-             H5Awrite(attribute, H5T_NATIVE_UINT64, &version);
-             H5Aclose(attribute);
-           }),
-           "format 99");
+  const auto of_format = [&](std::uint64_t format) {
+    return damaged([format](hid_t file) {
+      const hid_t attribute = H5Aopen(file, "format", H5P_DEFAULT);
+      H5Awrite(attribute, H5T_NATIVE_UINT64, &format);
+      H5Aclose(attribute);
+    });
+  };
+  contains(of_format(kRecordingFormat + 1), "reads format 3; use a newer version");
+  contains(of_format(kRecordingFormat - 1),
+           "it has format 2, and this version of hapticut reads format 3; use the version that wrote it");
   const auto without = [&](const char* name) {
     return damaged([name](hid_t file) { H5Ldelete(file, name, H5P_DEFAULT); });
   };

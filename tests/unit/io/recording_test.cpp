@@ -337,8 +337,7 @@ TEST(Recording, HasAColumnForEachFieldOfAResult) {
     const std::string name = field.name;
     if constexpr (Described<Type>)
       for_each_field<Type>([&](const auto& part) {
-        const std::string column = part.name == std::string_view("level_of_detail") ? "turns" : part.name;
-        EXPECT_TRUE(hdf5::exists(group.get(), name + "_" + column)) << name << " " << column;
+        EXPECT_TRUE(hdf5::exists(group.get(), name + "_" + part.name)) << name << " " << part.name;
       });
     else if constexpr (std::is_same_v<Type, Wrench>)
       EXPECT_TRUE(hdf5::exists(group.get(), name + "_force") && hdf5::exists(group.get(), name + "_torque")) << name;
@@ -374,8 +373,10 @@ std::string refusal_of(const std::filesystem::path& path) {
 
 TEST(Recording, GivesAFieldThatCameLaterItsDefaultAndRefusesOneThatIsMissingOrUnknown) {
   const TemporaryFolder folder;
-  const std::pair<const char*, const char*> fields[] = {
-      {"simulation", "longest_sweep"}, {"tool", "spindle_droop"}, {"materials", "density"}, {"steps", "contact_turns"}};
+  const std::pair<const char*, const char*> fields[] = {{"simulation", "longest_sweep"},
+                                                        {"tool", "spindle_droop"},
+                                                        {"materials", "density"},
+                                                        {"steps", "contact_level_of_detail"}};
   for (const auto& [group, field] : fields) {
     const std::string name = field;
     test::record_scene(folder / "a.h5", "axial_flat", 5);

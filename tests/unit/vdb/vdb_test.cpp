@@ -183,6 +183,22 @@ TEST(Vdb, AFileThatIsCutOffAnywhereIsRefused) {
   EXPECT_NE(error_of([&] { (void)load_vdb(folder / "cut.vdb"); }), "");
 }
 
+TEST(Vdb, AFileOfAnotherFormatIsRefusedAndSaysWhatReadsIt) {
+  const TemporaryFolder folder;
+  save_vdb(build_sphere(Vec3::Zero(), 1 * mm, 0.2 * mm, named("clay")), folder / "a.vdb");
+  for (const int format : {1, 3}) {
+    openvdb::io::File file((folder / "a.vdb").string());
+    file.open();
+    const openvdb::GridPtrVecPtr grids = file.getGrids();
+    for (const auto& grid : *grids)
+      if (grid->getName() == "material") grid->insertMeta("hapticut_format", openvdb::Int32Metadata(format));
+    openvdb::io::File((folder / "b.vdb").string()).write(*grids);
+    const std::string error = error_of([&] { (void)load_vdb(folder / "b.vdb"); });
+    EXPECT_NE(error.find("format " + std::to_string(format)), std::string::npos) << error;
+    EXPECT_NE(error.find("Use the version that wrote it"), std::string::npos) << error;
+  }
+}
+
 TEST(Vdb, RandomBytesAndOtherFilesAreRefused) {
   const TemporaryFolder folder;
   std::mt19937 random(1);

@@ -127,13 +127,6 @@ TEST(ViewProtocol, CommandsArriveAsTheyWereMeant) {
   EXPECT_TRUE(std::holds_alternative<Stop>(*decode_command(Bytes(CommandKind::stop).bytes)));
   const auto hold = decode_command(Bytes(CommandKind::hold_force).add(std::uint8_t(0)).bytes);
   EXPECT_FALSE(std::get<commands::HoldForce>(*hold).hold);
-  const auto removal = decode_command(Bytes(CommandKind::set_removal).add(std::uint8_t(1)).bytes);
-  EXPECT_EQ(std::get<commands::SetRemoval>(*removal).removal, RemovalLaw::constant_energy);
-  Bytes mask(CommandKind::set_force_mask);
-  for (int axis = 0; axis < 6; ++axis) mask.add(std::uint8_t(axis % 2));
-  const AxisMask enabled = std::get<commands::SetForceMask>(*decode_command(mask.bytes)).enabled;
-  EXPECT_EQ(enabled.force, (std::array<bool, 3>{false, true, false}));
-  EXPECT_EQ(enabled.torque, (std::array<bool, 3>{true, false, true}));
   const Pose X_WH = {rotation_from_vector(Vec3(0.1, 0.2, 0.3)), Vec3(0.01, -0.02, 0.03)};
   const auto hand =
       std::get<MoveHand>(*decode_command(Bytes(CommandKind::move_hand).add(X_WH).add(std::uint8_t(1)).bytes));
@@ -152,7 +145,6 @@ TEST(ViewProtocol, WhatIsNoCommandInEveryByteIsRefused) {
   EXPECT_TRUE(is_refused(Bytes(CommandKind::set_spindle_speed).add(1.0).add(std::uint8_t(0)))) << "too long";
   EXPECT_TRUE(is_refused(Bytes(CommandKind::set_spindle_speed).add(1.0F))) << "too short";
   EXPECT_TRUE(is_refused(Bytes(CommandKind::hold_force).add(std::uint8_t(2))));
-  EXPECT_TRUE(is_refused(Bytes(CommandKind::set_removal).add(std::uint8_t(3))));
   EXPECT_TRUE(is_refused(Bytes(CommandKind(0))));
   EXPECT_TRUE(is_refused(Bytes(CommandKind(13))));
   EXPECT_TRUE(is_refused(Bytes(CommandKind::look_at).add(Vec3(1, nan, 1))));

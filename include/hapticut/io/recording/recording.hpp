@@ -17,7 +17,7 @@
 namespace hapticut {
 
 /// The newest format that this library writes; it reads all from 1 on.
-inline constexpr std::uint64_t kRecordingFormat = 2;
+inline constexpr std::uint64_t kRecordingFormat = 3;
 
 /// One row of a recording: a step, what led to it and what came of it.
 struct RecordedStep {
