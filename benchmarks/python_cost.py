@@ -1,25 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What Python costs: Simulation.run against the same loop in C++, one call of step, the import, and a sweep.
+"""What Python costs: Simulation.run against the same loop in C++, one call of step, and the import.
 
-    python benchmarks/python_cost.py [--runs 10000] [--json FILE]
+    python benchmarks/python_cost.py [--json FILE]
 
-Needs an installed hapticut. Times are processor time of the thread and the least of several repetitions; of the sweep it is
-said how busy it keeps the processors.
+Needs an installed hapticut. Times are processor time of the thread and the least of several repetitions.
 """
 import argparse
 import json
-import os
 import subprocess
 import sys
-import tempfile
 import time
 from pathlib import Path
 
 import numpy as np
 
 import hapticut
-from hapticut.sweep.scheduler import Scheduler
 from hapticut.units import mm, ms, rpm
 
 REPETITIONS = 15
@@ -74,59 +70,8 @@ def seconds_to_import():
                for _ in range(5))
 
 
-def drill(parameters, rng):
-    """Some milliseconds of drilling."""
-    block = hapticut.build_block(hapticut.Box([-1 * mm, -1 * mm, -1 * mm], [1 * mm, 1 * mm, 0]), 0.1 * mm,
-                                 hapticut.presets.cortical_bone())
-    tool = hapticut.Tool(hapticut.SphereHead(0.5 * mm), spindle=hapticut.Spindle(parameters["speed"]))
-    simulation = hapticut.Simulation(block, tool, hapticut.SimulationConfig(reference_stiffness=1e15))
-    n = 250
-    hand = np.zeros((n, 3))
-    hand[:, 2] = 0.5 * mm - parameters["feed"] * 1e-3 * np.arange(1, n + 1)
-    hand[:, :2] = rng.normal(scale=2e-6, size=(n, 2))
-    trace = simulation.run(hapticut.Pose.from_translation(hand), np.zeros((n, 6)), 1e-3)
-    return {"thrust": trace["force"][:, 2].max()}
-
-
-def idle_time():
-    """[s] that the processors of this machine have waited since it began; nan where that is not known."""
-    try:
-        fields = Path("/proc/stat").read_text().split("\n", 1)[0].split()
-    except OSError:
-        return float("nan")
-    return (int(fields[4]) + int(fields[5])) / os.sysconf("SC_CLK_TCK")
-
-
-def sweep(runs):
-    """How busy a sweep keeps the processors: the share of the time that its workers spend inside of runs, which other
-    programs do not change, and the shares of the processors' time, which they do."""
-    inside = []
-    of_scheduler = Scheduler.chunks
-
-    def chunks(self):
-        for chunk in of_scheduler(self):
-            inside.append(chunk.seconds)
-            yield chunk
-
-    Scheduler.chunks = chunks
-    space = [{"feed": 1e-3 + 2e-3 * n / runs, "speed": 4000.0} for n in range(runs)]
-    with tempfile.TemporaryDirectory() as folder:
-        before, idle, begin = os.times(), idle_time(), time.monotonic()
-        hapticut.sweep(space, drill, out=folder, progress=False)
-        wall, after = time.monotonic() - begin, os.times()
-        idle = idle_time() - idle
-    Scheduler.chunks = of_scheduler
-    used = sum(getattr(after, name) - getattr(before, name)
-               for name in ("user", "system", "children_user", "children_system"))
-    available = wall * os.cpu_count()
-    return {"runs": runs, "seconds": wall, "processors": os.cpu_count(), "workers_inside_runs": sum(inside) / available,
-            "processor_time": {"sweep": used / available, "idle": idle / available,
-                               "other_programs": 1 - (used + idle) / available}}
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--runs", type=int, default=10_000, help="of the sweep; 0: none")
     parser.add_argument("--json", type=Path, help="write the numbers to a file, too")
     arguments = parser.parse_args()
 
@@ -135,8 +80,6 @@ def main():
     free = cost_of(in_cpp, above=10 * mm)
     call = cost_of(step_by_step, above=10 * mm) - cost_of(python_alone, above=10 * mm)
     report |= {"overhead_of_step_us": (call - free) * 1e6, "import_s": seconds_to_import()}
-    if arguments.runs > 0:
-        report["sweep"] = sweep(arguments.runs)
     report["build"] = {name: getattr(hapticut.build_info(), name) for name in ("version", "commit", "compiler", "cpu")}
     text = json.dumps(report, indent=2)
     print(text)

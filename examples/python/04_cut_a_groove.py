@@ -7,7 +7,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import hapticut
-from hapticut import plot
+import plots
 from hapticut.units import mm, ms, rpm
 
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
@@ -31,10 +31,10 @@ velocities[:, :3] = np.gradient(hand, 1 * ms, axis=0)
 trace = simulation.run(hapticut.Pose.from_translation(hand), velocities, 1 * ms)
 
 figure, axes = plt.subplots(2, 2, figsize=(12, 7), layout="constrained")
-plot.force(trace, axes[0, 0])
-plot.removed_volume(simulation, axes[0, 1])
-plot.slice_through(simulation.workpiece, axis=1, ax=axes[1, 0])
-plot.surface(simulation.workpiece, axes[1, 1])
+plots.force(trace, axes[0, 0])
+plots.removed_volume(simulation, axes[0, 1])
+plots.slice_through(simulation.workpiece, axis=1, ax=axes[1, 0])
+plots.surface(simulation.workpiece, axes[1, 1])
 figure.savefig(folder / "groove.png", dpi=120)
 volume = trace["removed_volume"].sum()
 print(f"removed {volume * 1e9:.2f} mm^3; the energy ledger is off by {simulation.last_result.energy.closure():.1e}")

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.ndimage import gaussian_filter, maximum_filter
 
 import hapticut
-from hapticut import plot
+import plots
 from hapticut.units import mm, ms, rpm
 
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
@@ -39,5 +39,5 @@ hand = np.tile(surface + [0, 0, 1.1 * mm], (n, 1))
 hand[:, 2] -= 2.5 * mm * np.arange(1, n + 1) / n
 trace = simulation.run(hapticut.Pose.from_translation(hand), np.tile([0, 0, -2 * mm, 0, 0, 0], (n, 1)), 1 * ms)
 print(f"greatest force {trace['force'][:, 2].max():.2f} N, removed {trace['removed_volume'].sum() * 1e9:.1f} mm^3")
-plot.slice_through(simulation.workpiece, axis=1, index=middle[1]).figure.savefig(folder / "tooth_section.png", dpi=120)
-plot.surface(simulation.workpiece, elevation=55).figure.savefig(folder / "tooth.png", dpi=120)
+plots.slice_through(simulation.workpiece, axis=1, index=middle[1]).figure.savefig(folder / "tooth_section.png", dpi=120)
+plots.surface(simulation.workpiece, elevation=55).figure.savefig(folder / "tooth.png", dpi=120)

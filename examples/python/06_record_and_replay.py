@@ -5,7 +5,8 @@ import sys
 from pathlib import Path
 
 import hapticut
-from hapticut import io, plot
+import plots
+from hapticut import io
 from hapticut.device import DeviceCommand, RunOptions, open_device
 from hapticut.loop import SpindleInterlock
 from hapticut.units import mm, rpm
@@ -36,5 +37,5 @@ recording = io.read_recording(file)
 replay = io.replay(recording)
 print(f"{report.ticks} ticks ({report.end}), {file.stat().st_size / 1e6:.1f} MB; the replay of {replay.steps} steps is "
       f"{'identical, bit by bit' if replay.identical else f'different: {replay.first_difference}'}")
-plot.force(recording.read()["trace"]).figure.savefig(folder / "replay.png", dpi=120)
+plots.force(recording.read()["trace"]).figure.savefig(folder / "replay.png", dpi=120)
 sys.exit(0 if replay.identical else 1)

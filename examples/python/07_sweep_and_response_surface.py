@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""2 000 drilling runs over feed, speed and material on all processors, and a response surface through the results.
+"""2 000 drilling runs over feed, speed and material, and a response surface through the results.
 
-With another executor the same runs go to a cluster: dask.distributed.Client("host:8786").get_executor()."""
+    python 07_sweep_and_response_surface.py FOLDER [RUNS]                            # on all processors
+    python 07_sweep_and_response_surface.py FOLDER RUNS dask [tcp://scheduler:8786]  # on a cluster of dask
+    mpiexec -n 65 python -m mpi4py.futures 07_sweep_and_response_surface.py FOLDER RUNS mpi
+
+The table is the same. Started again, it makes only the runs that are not in FOLDER yet."""
 import sys
 from pathlib import Path
 
@@ -9,7 +13,6 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import hapticut
-from hapticut import plot
 from hapticut.units import mm, ms
 
 RADIUS = 0.6 * mm
@@ -32,13 +35,24 @@ def drill(parameters, rng):
     return {"thrust": trace["force"][:, 2].mean(), "torque": -trace["torque"][:, 2].mean()}
 
 
+def executor_of(name="processes", *address):
+    """Where the runs are made; None is a pool of processes."""
+    if name == "dask":
+        from dask.distributed import Client
+        return Client(*address).get_executor()
+    if name == "mpi":
+        from mpi4py.futures import MPIPoolExecutor
+        return MPIPoolExecutor()
+    return None
+
+
 def main():
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
     runs = int(sys.argv[2]) if len(sys.argv) > 2 else 2000
     design = hapticut.sweep.latin_hypercube(runs // len(MATERIALS), {"feed": (1e-3, 4e-3), "speed": (2e3, 2e4, "log")},
                                             seed=1)
     space = [{**point, "material": material} for material in MATERIALS for point in design]
-    table = hapticut.sweep(space, drill, out=folder / "sweep", seed=1,
+    table = hapticut.sweep(space, drill, executor_of(*sys.argv[3:]), folder / "sweep", seed=1,
                            units={"feed": "m/s", "speed": "rad/s", "thrust": "N", "torque": "N·m"})
 
     # ln F = a + b ln(feed) + c ln(speed) for each material. Chips as thin as a bur's cost by their size effect: there
@@ -57,10 +71,6 @@ def main():
         ax.set(title=f"{material}: thrust", xlabel="feed [mm/s]", yscale="log")
     axes[0].set_ylabel("spindle speed [rad/s]")
     figure.savefig(folder / "response_surface.png", dpi=120)
-
-    table["feed class"] = (table["feed"] * 1e3).round(0)
-    ax = plot.sweep_matrix(table, "feed class", "material", "thrust", units={"feed class": "mm/s"})
-    ax.figure.savefig(folder / "sweep_matrix.png", dpi=120)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The cutting-force model for haptic rendering: step it, sweep it, plot it.
+"""The cutting-force model for haptic rendering: step it, sweep it.
 
 The names are those of the C++ library. Everything is in SI units and in the world frame W, which is the workpiece's,
 unless a name says otherwise. Arrays are float64: points ``(n, 3)``, poses ``(4, 4)`` homogeneous matrices, twists
@@ -22,8 +22,8 @@ Here is what builds a workpiece and a tool and moves the one through the other. 
     what is seen and heard beside the steps
 ``bench``
     closed loops, stability and faults, without a device
-``sweep``, ``plot``
-    many runs on many processors, pictures; imported when they are first used
+``sweep``
+    many runs on many processors; imported when it is first used
 """
 from __future__ import annotations
 
@@ -195,16 +195,15 @@ from ._hapticut import (
 from ._pose import Pose as Pose
 
 if TYPE_CHECKING:
-    from . import plot as plot
     from .sweep import sweep as sweep
 else:
 
     def __getattr__(name: str) -> Any:
-        if name in ("plot", "sweep"):
-            return importlib.import_module(f"{__name__}.{name}")
+        if name == "sweep":
+            return importlib.import_module(f"{__name__}.sweep")
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}{where_is(name)}")
 
 
 export(__name__, "Pose", "bench", "calibration", "catalogue", "device", "effects", "heat", "io", "islands", "loop",
-       "plot", "presets", "safety", "sound", "surface", "sweep", "units", "volume")
+       "presets", "safety", "sound", "surface", "sweep", "units", "volume")
 __version__: str = build_info().version

@@ -6,33 +6,28 @@ order in which the runs end. A sweep that was killed goes on where it was.
 """
 from __future__ import annotations
 
+import multiprocessing
 import os
 import sys
 import types
-from collections.abc import Mapping, Sequence
-from concurrent.futures import Executor
+from collections.abc import Iterable, Mapping, Sequence
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, as_completed
+from contextlib import ExitStack
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from .._export import export
 from .._hapticut import Error
-from .chunks import Run, generator
-from .scheduler import Scheduler, SerialExecutor
-from .spaces import Parameters, Space, design, grid, latin_hypercube, sobol, space_from, whole
+from .outcome import Outcome, Run, generator, outcome_of
+from .spaces import Parameters, design, grid, latin_hypercube, points_of, sobol, whole
 from .study import Study, load_traces
 
 if TYPE_CHECKING:
     import pandas as pd
 
-__all__ = ["Parameters", "Run", "SerialExecutor", "Space", "design", "generator", "grid", "latin_hypercube",
-           "load_traces", "main", "sobol", "sweep"]
+__all__ = ["Parameters", "Run", "design", "generator", "grid", "latin_hypercube", "load_traces", "sobol", "sweep"]
 
 
-def name_of(run: Run) -> str:
-    """What a study calls its function."""
-    return str(getattr(run, "__qualname__", type(run).__qualname__))
-
-
-def sweep(space: Union[Space, Mapping[str, Sequence[Any]], Sequence[Mapping[str, Any]]], run: Run,
+def sweep(space: Union[Mapping[str, Sequence[Any]], Sequence[Mapping[str, Any]]], run: Run,
           executor: Optional[Executor] = None, out: Union[str, "os.PathLike[str]"] = "out/sweep", *,
           resume: bool = True, seed: int = 0, units: Optional[Mapping[str, str]] = None,
           workers: Optional[int] = None, progress: bool = True) -> pd.DataFrame:
@@ -45,13 +40,13 @@ def sweep(space: Union[Space, Mapping[str, Sequence[Any]], Sequence[Mapping[str,
     run
         Called as ``run(parameters, rng)`` with a dict and a `numpy.random.Generator` of its own. Returns a dict of
         numbers and texts, which become columns, and of arrays, which `load_traces` finds again. A run that raises is a
-        row with its error; so is one whose simulation took none of its steps. With a pool of processes it must be at the top level of a module, and a script needs
-        ``if __name__ == "__main__":`` around what it does.
+        row with its error; so is one whose simulation took none of its steps. With a pool of processes it must be at
+        the top level of a module, and a script needs ``if __name__ == "__main__":`` around what it does.
     executor
         None: a pool of one process per processor. Else any `concurrent.futures.Executor`, which stays open:
-        ``dask.distributed.Client(...).get_executor()`` for a cluster, an MPI pool, `SerialExecutor()`.
+        ``dask.distributed.Client(...).get_executor()``, ``mpi4py.futures.MPIPoolExecutor()``, a pool of threads.
     out
-        The folder of the study. Every chunk of about a second of work is a file in it, so that nothing is lost.
+        The folder of the study. Every finished run is a line in it, so that nothing is lost.
     resume
         Go on with what is in the folder; False: refuse a folder that holds runs.
     seed
@@ -59,26 +54,21 @@ def sweep(space: Union[Space, Mapping[str, Sequence[Any]], Sequence[Mapping[str,
     units
         dict from a column to its unit, kept with the table.
     workers
-        Processes of the pool, or how many the executor has; None: as many as there are processors.
+        Processes of the pool; None: as many as there are processors.
     progress
         A progress bar, where tqdm is there.
 
     Returns
     -------
     pandas.DataFrame
-        One row per run in the order of the space: run, parameters, summary columns, error (missing where there is none);
-        ``attrs["units"]``. The same is in ``table.parquet`` in the folder, or ``table.csv`` where pyarrow is missing.
+        One row per run in the order of the space: run, parameters, summary columns, error (missing where there is
+        none); ``attrs["units"]``. The same is in ``table.csv`` in the folder.
 
     Raises
     ------
     Error
         When the space is empty, the folder cannot be written or holds another study, or the executor dies. What was
         finished is kept.
-
-    Warns
-    -----
-    UserWarning
-        When a column mixes texts and numbers, so that the table is written as CSV, not Parquet.
     """
     try:
         import pandas  # noqa: F401
@@ -91,54 +81,57 @@ def sweep(space: Union[Space, Mapping[str, Sequence[Any]], Sequence[Mapping[str,
         raise Error(f"executor is {executor!r}; it must be a concurrent.futures.Executor{hint}.")
     if units is not None and not isinstance(units, Mapping):
         raise Error(f"units are {units!r}; needed is a dict from a column to its unit.")
-    if workers is not None:
-        workers = whole(workers, "workers", 1)
+    processes = len(os.sched_getaffinity(0)) if workers is None else whole(workers, "workers", 1)
     seed = whole(seed, "seed", 0)
-    points = space_from(space)
-    study = Study(out, points, name_of(run), seed, units or {}, resume)
+    points = points_of(space)
+    study = Study(out, points, str(getattr(run, "__qualname__", type(run).__qualname__)), seed, resume)
     missing = study.missing()
-    if missing:
-        scheduler = Scheduler(points, run, seed, missing, executor, workers)
-        with _Bar(len(points), len(points) - len(missing), progress) as bar:
-            chunks = scheduler.chunks()
+    with ExitStack() as stack:
+        if executor is None and missing:
+            # A forked child of a process with threads may hang; a fresh one cannot.
+            context = multiprocessing.get_context("spawn")
+            executor = stack.enter_context(ProcessPoolExecutor(processes, mp_context=context))
+        if executor is not None:
+            _make(study, missing, run, seed, executor, progress)
+    return study.table(units or {})
+
+
+def _make(study: Study, missing: Sequence[int], run: Run, seed: int, executor: Executor, progress: bool) -> None:
+    """Hands the missing runs to the executor, and keeps each when it is finished."""
+    futures: set[Future[Outcome]] = set()
+    failure: Optional[Exception] = None  # of the executor: outcome_of itself does not raise, and each has its own
+    try:
+        for index in missing:
+            futures.add(executor.submit(outcome_of, run, seed, index, study.space[index]))
+    except Exception as error:
+        failure = error
+    try:
+        for future in _with_bar(as_completed(futures), len(study.space), len(missing), progress):
+            futures.discard(future)  # which lets go of its traces
             try:
-                for chunk in chunks:
-                    study.keep(chunk.rows)
-                    bar.advance(len(chunk.rows))
-            finally:
-                chunks.close()
-    return study.write_table()[0]
+                outcome = future.result()
+            except Exception as error:
+                failure = failure or error
+            else:
+                study.keep(outcome)
+    finally:
+        for future in futures:
+            future.cancel()
+    if failure is not None:
+        raise Error(f"the executor gave up ({type(failure).__name__}: {failure}). What was finished is kept: call "
+                    "sweep again to go on. The workers need hapticut and the module of run, and a script `if __name__ "
+                    "== \"__main__\":` around what it does.") from failure
 
 
-class _Bar:
-    """A progress bar, or nothing."""
-
-    def __init__(self, total: int, done: int, wanted: bool):
-        self._bar: Any = None
-        if wanted:
-            try:
-                from tqdm import tqdm
-            except ImportError:
-                return
-            self._bar = tqdm(total=total, initial=done, unit="run", disable=None)
-
-    def advance(self, runs: int) -> None:
-        if self._bar is not None:
-            self._bar.update(runs)
-
-    def __enter__(self) -> _Bar:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        if self._bar is not None:
-            self._bar.close()
-
-
-def main(arguments: Optional[Sequence[str]] = None) -> int:
-    """The command `hapticut-sweep`."""
-    from .command import main as command
-
-    return command(arguments)
+def _with_bar(finished: Iterable[Future[Outcome]], total: int, missing: int, wanted: bool) -> Iterable[Future[Outcome]]:
+    """The same with a progress bar, where tqdm is there."""
+    try:
+        from tqdm import tqdm
+    except ImportError:
+        return finished
+    bar: Iterable[Future[Outcome]] = tqdm(finished, total=total, initial=total - missing, unit="run",
+                                          disable=None if wanted else True)
+    return bar
 
 
 class _CallableModule(types.ModuleType):
