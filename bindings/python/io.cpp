@@ -163,8 +163,6 @@ void bind_volume_files(py::module_& m) {
         "Reads grey values from a file without a header.", Released());
   m.def("read_raw_label_volume", &read_raw_label_volume, py::arg("path"), py::arg("layout"),
         "Reads labels from a file without a header.", Released());
-  m.def("read_invesalius_project", &read_invesalius_project, py::arg("path"), doc("read_invesalius_project"),
-        Released());
   m.def(
       "write_nrrd", [](const Path& path, const GreyVolume& volume) { write_nrrd(path, volume); }, py::arg("path"),
       py::arg("volume"), doc("write_nrrd"), Released());

@@ -1,13 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
-#include <cstring>
+#include <string>
 #include <string_view>
 
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut {
+
+/// The first bytes as a number.
+/// @pre there are as many
+/// @param reversed  they are in the other order than the machine's
+template <class Number>
+[[nodiscard]] Number number_in(std::string_view bytes, bool reversed = false) {
+  std::array<char, sizeof(Number)> raw;
+  std::copy_n(bytes.begin(), raw.size(), raw.begin());
+  if (reversed) std::reverse(raw.begin(), raw.end());
+  return std::bit_cast<Number>(raw);
+}
+
+/// Puts the bytes of a number behind others, in the machine's order.
+template <class Number>
+void append_bytes_of(std::string& bytes, const Number& number) {
+  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
 
 /// Goes through the bytes of a file and never beyond their end.
 class ByteReader {
@@ -28,9 +48,7 @@ class ByteReader {
   /// The next bytes as a number, little-endian like the machine.
   template <class T>
   T take() {
-    T value;
-    std::memcpy(&value, take(sizeof(T)).data(), sizeof(T));
-    return value;
+    return number_in<T>(take(sizeof(T)));
   }
 
   /// @throws Error when that is behind or outside the file

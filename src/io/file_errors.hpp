@@ -33,11 +33,15 @@ auto naming(const std::filesystem::path& path, const Work& work) {
   }
 }
 
-/// Size of a regular file that can be opened for reading.
+/// Size of a regular file that can be opened for reading: a pipe or a device could be read for ever.
 /// @throws Error otherwise
 [[nodiscard]] std::uint64_t readable_size(const std::filesystem::path& path);
 
 /// The first bytes of a file, at most `count`.
 [[nodiscard]] std::string first_bytes(const std::filesystem::path& path, std::size_t count);
+
+/// All bytes of a regular file.
+/// @throws Error when it is none, or cannot be read to its end
+[[nodiscard]] std::string bytes_of_file(const std::filesystem::path& path);
 
 }  // namespace hapticut

@@ -13,8 +13,6 @@
 namespace hapticut::test {
 namespace {
 
-MeshBytes as_mesh(std::string_view bytes) { return {reinterpret_cast<const std::byte*>(bytes.data()), bytes.size()}; }
-
 [[maybe_unused]] void fuzz_dicom(std::string_view bytes) {
   const DicomFile file = parse_dicom(bytes);
   const DicomPicture picture = describe_picture(file);
@@ -32,10 +30,10 @@ MeshBytes as_mesh(std::string_view bytes) { return {reinterpret_cast<const std::
 [[maybe_unused]] void fuzz_meta(std::string_view bytes) {
   (void)parse_meta_image(bytes, [&](const std::string&) { return std::string(bytes); });
 }
-[[maybe_unused]] void fuzz_stl(std::string_view bytes) { (void)to_meshes(parse_stl(as_mesh(bytes)), 1e-3); }
-[[maybe_unused]] void fuzz_ply(std::string_view bytes) { (void)to_meshes(parse_ply(as_mesh(bytes)), 1e-3); }
-[[maybe_unused]] void fuzz_obj(std::string_view bytes) { (void)to_meshes(parse_obj(as_mesh(bytes)), 1e-3); }
-[[maybe_unused]] void fuzz_off(std::string_view bytes) { (void)to_meshes(parse_off(as_mesh(bytes)), 1e-3); }
+[[maybe_unused]] void fuzz_stl(std::string_view bytes) { (void)to_meshes(parse_stl(bytes), 1e-3); }
+[[maybe_unused]] void fuzz_ply(std::string_view bytes) { (void)to_meshes(parse_ply(bytes), 1e-3); }
+[[maybe_unused]] void fuzz_obj(std::string_view bytes) { (void)to_meshes(parse_obj(bytes), 1e-3); }
+[[maybe_unused]] void fuzz_off(std::string_view bytes) { (void)to_meshes(parse_off(bytes), 1e-3); }
 
 }  // namespace
 }  // namespace hapticut::test

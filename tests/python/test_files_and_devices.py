@@ -66,9 +66,8 @@ def test_volumes_are_worked_on(tmp_path, block):
     layout = h.io.RawLayout(dims=[2, 3, 4], spacing=[1 * mm] * 3, type=h.io.ValueType.uint8)
     assert h.io.read_raw_grey_volume(tmp_path / "raw", layout).values[1, 2, 3] == 23
     assert h.io.read_raw_label_volume(tmp_path / "raw", layout).values[1, 0, 0] == 1
-    for read in (h.io.read_invesalius_project, lambda path: h.io.read_color_slices(path, {(1, 2, 3): 4}, [1 * mm] * 3)):
-        with pytest.raises(h.Error):
-            read(tmp_path / "nothing")
+    with pytest.raises(h.Error):
+        h.io.read_color_slices(tmp_path / "nothing", {(1, 2, 3): 4}, [1 * mm] * 3)
     assert h.io.kMaxVolumeSamples > 0
 
 

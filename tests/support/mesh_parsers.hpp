@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hapticut/core/errors.hpp"
@@ -15,11 +15,9 @@
 /// The readers of mesh formats, given texts.
 namespace hapticut::test {
 
-using Parser = Polygons (*)(MeshBytes);
+using Parser = Polygons (*)(std::string_view);
 
-inline std::vector<NamedMesh> meshes_in(Parser parse, const std::string& text) {
-  return to_meshes(parse(std::as_bytes(std::span(text))), 1);
-}
+inline std::vector<NamedMesh> meshes_in(Parser parse, const std::string& text) { return to_meshes(parse(text), 1); }
 
 inline TriangleMesh only_mesh_in(Parser parse, const std::string& text) {
   const std::vector<NamedMesh> meshes = meshes_in(parse, text);

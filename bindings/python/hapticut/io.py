@@ -21,7 +21,6 @@ if TYPE_CHECKING or kWithIo:
         kMaxVolumeSamples as kMaxVolumeSamples,
         read_color_slices as read_color_slices,
         read_grey_volume as read_grey_volume,
-        read_invesalius_project as read_invesalius_project,
         read_label_volume as read_label_volume,
         read_raw_grey_volume as read_raw_grey_volume,
         read_raw_label_volume as read_raw_label_volume,

@@ -2,26 +2,20 @@
 #include "io/dicom/codec_process.hpp"
 
 #include <chrono>
-#include <cstring>
 
-#include "hapticut/core/errors.hpp"
+#include "io/byte_reader.hpp"
 
 namespace hapticut {
 namespace {
 
 constexpr std::chrono::seconds kLongestWait{20};  // for a frame
 
-template <class Number>
-void append_little(std::string& bytes, Number number) {
-  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
-}
-
 void append_element(std::string& bytes, std::uint32_t tag, const char* kind, std::string value) {
   if (value.size() % 2 != 0) value += kind == std::string_view("UI") ? '\0' : ' ';
-  append_little(bytes, std::uint16_t(tag >> 16U));
-  append_little(bytes, std::uint16_t(tag));
+  append_bytes_of(bytes, std::uint16_t(tag >> 16U));
+  append_bytes_of(bytes, std::uint16_t(tag));
   bytes += kind;
-  append_little(bytes, std::uint16_t(value.size()));
+  append_bytes_of(bytes, std::uint16_t(value.size()));
   bytes += value;
 }
 
@@ -51,9 +45,9 @@ std::string one_frame_file(const DicomFile& file, const DicomPicture& picture, s
   append_number(bytes, dicom_tag(0x28, 0x103), picture.has_sign ? 1 : 0);
   bytes += std::string("\xe0\x7f\x10\0OB\0\0\xff\xff\xff\xff", 12);
   const auto append_item = [&](std::uint16_t element, std::string_view content) {
-    append_little(bytes, std::uint16_t(0xfffe));
-    append_little(bytes, element);
-    append_little(bytes, std::uint32_t(content.size()));
+    append_bytes_of(bytes, std::uint16_t(0xfffe));
+    append_bytes_of(bytes, element);
+    append_bytes_of(bytes, std::uint32_t(content.size()));
     bytes += content;
   };
   append_item(0xe000, "");
@@ -80,8 +74,8 @@ std::string CodecProcess::unpack(const DicomFile& file, const DicomPicture& pict
   process_.start();
   const std::string request = one_frame_file(file, picture, packed);
   std::string message;
-  append_little(message, std::uint64_t(request.size()));
-  append_little(message, std::uint64_t(picture.frame_bytes()));
+  append_bytes_of(message, std::uint64_t(request.size()));
+  append_bytes_of(message, std::uint64_t(picture.frame_bytes()));
   std::uint64_t length = 0;
   std::string values(picture.frame_bytes(), '\0');
   std::chrono::nanoseconds patience = kLongestWait;

@@ -16,8 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string bytes_of_file(const fs::path& path) { return first_bytes(path, std::size_t(readable_size(path))); }
-
 /// A slice of a series. Its values are read when all slices are known to belong together.
 struct DicomSlice {
   fs::path path;
@@ -179,9 +177,11 @@ std::optional<RawImage> read_dicom_series(const fs::path& folder, const std::str
   RawImage image;
   image.geometry = slices.front().picture.geometry;
   image.geometry.dims[2] = int(slices.size());
-  require_sane_dims(folder, {double(image.geometry.dims[0]), double(image.geometry.dims[1]), double(slices.size())});
   const auto name = [&](std::size_t n) { return "'" + slices[n].path.filename().string() + "'"; };
-  const auto order = naming(folder, [&] { return stack_planes(places, "slices", name, image.geometry); });
+  const auto order = naming(folder, [&] {
+    require_sane_dims({double(image.geometry.dims[0]), double(image.geometry.dims[1]), double(slices.size())});
+    return stack_planes(places, "slices", name, image.geometry);
+  });
   CodecProcess process;
   for (const std::size_t n : order) {
     const DicomSlice& slice = slices[n];

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "hapticut/core/errors.hpp"
+#include "io/byte_reader.hpp"
 #include "io/volume/number_text.hpp"
 
 namespace hapticut {
@@ -96,12 +97,7 @@ class DicomWalker {
 
   template <class Number>
   Number take_number() {
-    std::array<char, sizeof(Number)> raw;
-    std::memcpy(raw.data(), take(sizeof(Number)).data(), sizeof(Number));
-    if (big_endian_) std::reverse(raw.begin(), raw.end());
-    Number number;
-    std::memcpy(&number, raw.data(), sizeof(Number));
-    return number;
+    return number_in<Number>(take(sizeof(Number)), big_endian_);
   }
 
   std::uint32_t take_tag() {
@@ -248,8 +244,7 @@ int DicomFile::number(std::uint32_t tag, const char* name) const {
   const auto found = data.values.find(tag);
   if (found == data.values.end() || found->second.size() != 2)
     throw Error(std::string("its ") + name + " is missing or not one number.");
-  const int first = static_cast<unsigned char>(found->second[0]), second = static_cast<unsigned char>(found->second[1]);
-  return big_endian ? 256 * first + second : 256 * second + first;
+  return number_in<std::uint16_t>(found->second, big_endian);
 }
 
 bool begins_like_dicom(std::string_view bytes) {

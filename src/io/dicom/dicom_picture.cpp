@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "hapticut/core/errors.hpp"
+#include "io/byte_reader.hpp"
 #include "io/volume/formats.hpp"
 #include "io/volume/number_text.hpp"
 
@@ -144,12 +145,8 @@ std::optional<double> stored_number(const DicomFile& file, const DicomPicture& p
                                     std::uint32_t tag) {
   const DicomItem* item = item_with(file, frame, tag);
   if (item == nullptr || item->values.at(tag).empty()) return std::nullopt;
-  std::string bytes(item->values.at(tag));
-  if (file.big_endian) std::reverse(bytes.begin(), bytes.end());
-  const auto as = [&](auto number) {
-    std::memcpy(&number, bytes.data(), sizeof number);
-    return double(number);
-  };
+  const std::string_view bytes = item->values.at(tag);
+  const auto as = [&](auto zero) { return double(number_in<decltype(zero)>(bytes, file.big_endian)); };
   if (bytes.size() == 2) return picture.has_sign ? as(std::int16_t{}) : as(std::uint16_t{});
   if (bytes.size() == 4) return picture.has_sign ? as(std::int32_t{}) : as(std::uint32_t{});
   throw Error("its pixel padding value is not one number; it is damaged. Get a complete copy.");
@@ -174,8 +171,7 @@ void read_table(const DicomFile& file, DicomPicture& picture) {
     return value == found->second.front().values.end() ? std::string_view() : value->second;
   };
   const auto word = [&](std::string_view bytes, std::size_t n) {
-    const auto first = std::uint8_t(bytes[2 * n]), second = std::uint8_t(bytes[2 * n + 1]);
-    return std::uint16_t(file.big_endian ? 256 * first + second : 256 * second + first);
+    return number_in<std::uint16_t>(bytes.substr(2 * n), file.big_endian);
   };
   const std::string_view layout = bytes_of(kTableLayout), values = bytes_of(kTableValues);
   const std::size_t count = layout.size() != 6 ? 0 : word(layout, 0) == 0 ? 65536 : word(layout, 0);
@@ -272,9 +268,7 @@ std::vector<std::vector<std::string_view>> fragments_of_frames(const DicomFile& 
     std::size_t frame = 0;
     std::uint64_t place = 0;
     for (const std::string_view fragment : file.fragments) {
-      std::uint32_t next = 0;
-      if (frame + 1 < frames) std::memcpy(&next, file.offsets.data() + 4 * (frame + 1), sizeof next);
-      if (frame + 1 < frames && place == next) ++frame;
+      if (frame + 1 < frames && place == number_in<std::uint32_t>(file.offsets.substr(4 * (frame + 1)))) ++frame;
       parts[frame].push_back(fragment);
       place += 8 + fragment.size();
     }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is checked of compressed pictures, and the one compression that is unpacked here: run lengths (PS3.5, annex G).
-#include <algorithm>
 #include <array>
-#include <cstring>
 
 #include "hapticut/core/errors.hpp"
+#include "io/byte_reader.hpp"
 #include "io/dicom/dicom_picture.hpp"
 
 namespace hapticut {
@@ -37,18 +36,11 @@ void unpack_segment(std::string_view segment, std::size_t samples, char* to, std
   if (done < samples) fail_rle("a segment holds too few values");
 }
 
-std::uint32_t big_word(std::string_view bytes, std::size_t at) {
-  std::uint32_t word = 0;
-  for (const char c : bytes.substr(at, 4)) word = word << 8U | std::uint32_t(static_cast<unsigned char>(c));
-  return word;
-}
-
 }  // namespace
 
 std::string unpack_rle(std::string_view packed, std::size_t samples, std::size_t bytes_per_sample) {
   if (packed.size() < kRleHeader) fail_rle("it has no header");
-  std::array<std::uint32_t, kRleHeader / 4> header;
-  std::memcpy(header.data(), packed.data(), kRleHeader);
+  const auto header = number_in<std::array<std::uint32_t, kRleHeader / 4>>(packed);
   if (header[0] != bytes_per_sample)
     fail_rle("it has " + std::to_string(header[0]) + " segments where " + std::to_string(bytes_per_sample) +
              " must be");
@@ -69,7 +61,7 @@ void require_jpeg_2000_of(std::string_view stream, const DicomPicture& picture) 
   if (begin == std::string_view::npos || stream.size() - begin < kHeader)
     throw Error("its picture is not in JPEG 2000, as it says; it is damaged. Get a complete copy.");
   const std::string_view header = stream.substr(begin, kHeader);
-  const auto word = [&](std::size_t at) { return big_word(header, at); };
+  const auto word = [&](std::size_t at) { return number_in<std::uint32_t>(header.substr(at), true); };
   const std::uint32_t left = word(16), top = word(20), tile_width = word(24), tile_height = word(28),
                       tile_left = word(32), tile_top = word(36);
   const bool of_the_size = std::uint64_t(word(8)) == std::uint64_t(left) + std::uint64_t(picture.geometry.dims[0]) &&

@@ -7,11 +7,10 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <charconv>
-#include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "hapticut/core/errors.hpp"
+#include "io/byte_reader.hpp"
+#include "io/file_errors.hpp"
 #include "io/mesh/mesh_formats.hpp"
 #include "io/mesh/text_lines.hpp"
 
@@ -21,19 +20,9 @@ namespace {
 /// What a file says in JSON: all of a .gltf, the first part of a .glb.
 std::string json_of(const std::filesystem::path& path) {
   constexpr std::size_t kHeader = 20, kPlaceOfLength = 12;  // [bytes] of a .glb
-  std::ifstream stream(path, std::ios_base::binary);
-  std::string json(std::filesystem::file_size(path), '\0');
-  const std::size_t header = std::min(json.size(), kHeader);
-  stream.read(json.data(), std::streamsize(header));
-  std::size_t have = header;
-  if (header == kHeader && json.starts_with("glTF")) {
-    std::uint32_t length = 0;
-    std::memcpy(&length, json.data() + kPlaceOfLength, sizeof length);
-    json.resize(std::min<std::size_t>(length, json.size() - kHeader));
-    have = 0;
-  }
-  stream.read(json.data() + have, std::streamsize(json.size() - have));
-  return json;
+  const std::string file = bytes_of_file(path);
+  if (file.size() < kHeader || !file.starts_with("glTF")) return file;
+  return file.substr(kHeader, number_in<std::uint32_t>(std::string_view(file).substr(kPlaceOfLength)));
 }
 
 /// What Assimp says of a file that it refuses is about its own code, but for the name of a file that is missing.

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
+#include "io/mesh/text_lines.hpp"
 
 /// @file
 /// Which files are meshes and how long their units are, by the endings of their names.
@@ -23,9 +23,7 @@ inline constexpr std::array<std::string_view, 2> kAssimpExtensions = {".glb", ".
 
 /// The ending of a name, in lower case.
 [[nodiscard]] inline std::string extension_in_lower_case(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
+  return lower_case(path.extension().string());
 }
 
 [[nodiscard]] inline bool is_mesh_file(const std::filesystem::path& path) {

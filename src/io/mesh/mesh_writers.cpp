@@ -8,6 +8,7 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/mesh/meshes.hpp"
 #include "io/atomic_file.hpp"
+#include "io/byte_reader.hpp"
 #include "io/mesh/stl_layout.hpp"
 
 namespace hapticut {
@@ -15,14 +16,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL and PLY are written as the memory has them");
 
-/// Appends the bytes of a value.
-template <class Value>
-void append(std::string& bytes, const Value& value) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
 void append(std::string& bytes, const Vec3& v, double scale) {
-  for (int axis = 0; axis < 3; ++axis) append(bytes, float(v[axis] * scale));
+  for (int axis = 0; axis < 3; ++axis) append_bytes_of(bytes, float(v[axis] * scale));
 }
 
 void write_ply(const TriangleMesh& mesh, const std::vector<Color>* colors, const std::filesystem::path& path,
@@ -38,11 +33,12 @@ void write_ply(const TriangleMesh& mesh, const std::vector<Color>* colors, const
   for (std::size_t n = 0; n < mesh.vertices.size(); ++n) {
     append(bytes, mesh.vertices[n], scale);
     if (colors == nullptr) continue;
-    for (const std::uint8_t value : {(*colors)[n].red, (*colors)[n].green, (*colors)[n].blue}) append(bytes, value);
+    for (const std::uint8_t value : {(*colors)[n].red, (*colors)[n].green, (*colors)[n].blue})
+      append_bytes_of(bytes, value);
   }
   for (const auto& t : mesh.triangles) {
-    append(bytes, std::uint8_t(3));
-    for (const std::uint32_t v : t) append(bytes, std::int32_t(v));
+    append_bytes_of(bytes, std::uint8_t(3));
+    for (const std::uint32_t v : t) append_bytes_of(bytes, std::int32_t(v));
   }
   write_atomically(path, [&](std::ostream& stream) { stream.write(bytes.data(), std::streamsize(bytes.size())); });
 }
@@ -93,14 +89,14 @@ void write_stl(const TriangleMesh& mesh, const std::filesystem::path& path, doub
   const double scale = 1 / (unit_mm * units::mm);
   std::string bytes = "written by hapticut, one unit is " + format_number(unit_mm) + " mm";
   bytes.resize(80, ' ');
-  append(bytes, std::uint32_t(mesh.triangles.size()));
+  append_bytes_of(bytes, std::uint32_t(mesh.triangles.size()));
   bytes.reserve(kStlHeader + kStlTriangle * mesh.triangles.size());
   for (const auto& t : mesh.triangles) {
     const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
     const Vec3 normal = (b - a).cross(c - a);
     append(bytes, normal.norm() > 0 ? Vec3(normal / normal.norm()) : Vec3(Vec3::Zero()), 1);
     for (const Vec3& v : {a, b, c}) append(bytes, v, scale);
-    append(bytes, std::uint16_t(0));
+    append_bytes_of(bytes, std::uint16_t(0));
   }
   write_atomically(path, [&](std::ostream& stream) { stream.write(bytes.data(), std::streamsize(bytes.size())); });
 }

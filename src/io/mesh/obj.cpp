@@ -128,8 +128,6 @@ class ObjParser {
 
 }  // namespace
 
-Polygons parse_obj(MeshBytes bytes) {
-  return ObjParser({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).parse();
-}
+Polygons parse_obj(std::string_view file) { return ObjParser(file).parse(); }
 
 }  // namespace hapticut

@@ -91,8 +91,6 @@ class OffParser {
 
 }  // namespace
 
-Polygons parse_off(MeshBytes bytes) {
-  return OffParser({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).parse();
-}
+Polygons parse_off(std::string_view file) { return OffParser(file).parse(); }
 
 }  // namespace hapticut

@@ -2,12 +2,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "hapticut/core/errors.hpp"
+#include "io/byte_reader.hpp"
 #include "io/mesh/mesh_formats.hpp"
 #include "io/mesh/ply_header.hpp"
 #include "io/mesh/text_lines.hpp"
+#include "io/volume/raw_image.hpp"
 
 namespace hapticut {
 namespace {
@@ -26,27 +27,11 @@ class PlyValues {
     index_ = index;
   }
 
-  double take(PlyType type) {
+  double take(ValueType type) {
     if (format_ == PlyFormat::text) return take_word();
-    switch (type) {
-      case PlyType::int8:
-        return double(take_bytes<std::int8_t>());
-      case PlyType::uint8:
-        return double(take_bytes<std::uint8_t>());
-      case PlyType::int16:
-        return double(take_bytes<std::int16_t>());
-      case PlyType::uint16:
-        return double(take_bytes<std::uint16_t>());
-      case PlyType::int32:
-        return double(take_bytes<std::int32_t>());
-      case PlyType::uint32:
-        return double(take_bytes<std::uint32_t>());
-      case PlyType::float32:
-        return double(take_bytes<float>());
-      case PlyType::float64:
-        break;
-    }
-    return take_bytes<double>();
+    double value = 0;
+    with_value_type(type, [&](auto zero) { value = double(take_bytes<decltype(zero)>()); });
+    return value;
   }
 
   /// The length of a list, or 1 for a single value.
@@ -91,11 +76,9 @@ class PlyValues {
   template <class Number>
   Number take_bytes() {
     if (bytes_.size() - at_ < sizeof(Number)) fail("is not there; the file was cut off.");
-    std::array<char, sizeof(Number)> bytes;
-    std::memcpy(bytes.data(), bytes_.data() + at_, sizeof(Number));
-    if (format_ == PlyFormat::big_endian) std::reverse(bytes.begin(), bytes.end());
+    const std::string_view next = bytes_.substr(at_, sizeof(Number));
     at_ += sizeof(Number);
-    return std::bit_cast<Number>(bytes);
+    return number_in<Number>(next, format_ == PlyFormat::big_endian);
   }
 
   PlyFormat format_;
@@ -220,8 +203,6 @@ class PlyParser {
 
 }  // namespace
 
-Polygons parse_ply(MeshBytes bytes) {
-  return PlyParser({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).parse();
-}
+Polygons parse_ply(std::string_view file) { return PlyParser(file).parse(); }
 
 }  // namespace hapticut

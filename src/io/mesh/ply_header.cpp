@@ -13,14 +13,14 @@ namespace {
   throw Error("line " + std::to_string(line) + " of its header: " + reason);
 }
 
-std::optional<PlyType> type_named(std::string_view name) {
-  static const std::map<std::string_view, PlyType> kTypes = {
-      {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
-      {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
-      {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},   {"int", PlyType::int32},
-      {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
-      {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
-      {"float64", PlyType::float64}};
+std::optional<ValueType> type_named(std::string_view name) {
+  static const std::map<std::string_view, ValueType> kTypes = {
+      {"char", ValueType::int8},      {"int8", ValueType::int8},       {"uchar", ValueType::uint8},
+      {"uint8", ValueType::uint8},    {"short", ValueType::int16},     {"int16", ValueType::int16},
+      {"ushort", ValueType::uint16},  {"uint16", ValueType::uint16},   {"int", ValueType::int32},
+      {"int32", ValueType::int32},    {"uint", ValueType::uint32},     {"uint32", ValueType::uint32},
+      {"float", ValueType::float32},  {"float32", ValueType::float32}, {"double", ValueType::float64},
+      {"float64", ValueType::float64}};
   const auto found = kTypes.find(name);
   return found == kTypes.end() ? std::nullopt : std::optional(found->second);
 }
@@ -89,7 +89,7 @@ class PlyHeaderParser {
       if (!property.length) fail(in_quotes(length) + " is no type of numbers.");
       type = words.word();
     }
-    const std::optional<PlyType> value = type_named(type);
+    const std::optional<ValueType> value = type_named(type);
     if (!value) fail(in_quotes(type) + " is no type of numbers.");
     property.value = *value;
     property.name = words.word();
@@ -101,24 +101,6 @@ class PlyHeaderParser {
 };
 
 }  // namespace
-
-std::size_t size_of(PlyType type) {
-  switch (type) {
-    case PlyType::int8:
-    case PlyType::uint8:
-      return 1;
-    case PlyType::int16:
-    case PlyType::uint16:
-      return 2;
-    case PlyType::int32:
-    case PlyType::uint32:
-    case PlyType::float32:
-      return 4;
-    case PlyType::float64:
-      break;
-  }
-  return 8;
-}
 
 PlyHeader parse_ply_header(std::string_view file) {
   const std::size_t begin = file.starts_with("\xef\xbb\xbf") ? 3 : 0;  // behind the mark of a text in UTF-8

@@ -7,21 +7,18 @@
 #include <string_view>
 #include <vector>
 
+#include "hapticut/io/volume/volumes.hpp"
+
 /// @file
 /// The header of a PLY file: a text that says of which elements the file is made, and of which properties each element.
 namespace hapticut {
 
 enum class PlyFormat : std::uint8_t { text, little_endian, big_endian };
 
-enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-/// [bytes] of a value in a binary file
-[[nodiscard]] std::size_t size_of(PlyType type);
-
 struct PlyProperty {
   std::string name;
-  std::optional<PlyType> length;  ///< of a list: how its length is written
-  PlyType value;
+  std::optional<ValueType> length;  ///< of a list: how its length is written
+  ValueType value;
 };
 
 struct PlyElement {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <bit>
 #include <cctype>
-#include <cstring>
 
-#include "hapticut/core/errors.hpp"
+#include "io/byte_reader.hpp"
 #include "io/mesh/mesh_formats.hpp"
 #include "io/mesh/stl_layout.hpp"
 #include "io/mesh/text_lines.hpp"
@@ -88,25 +87,21 @@ class StlTextParser {
 };
 
 /// 0 where the file is too short for its header.
-std::uint64_t announced_triangles(MeshBytes bytes) {
-  if (bytes.size() < kStlHeader) return 0;
-  std::uint32_t triangles = 0;
-  std::memcpy(&triangles, bytes.data() + kStlHeader - sizeof triangles, sizeof triangles);
-  return triangles;
+std::uint64_t announced_triangles(std::string_view bytes) {
+  return bytes.size() < kStlHeader ? 0 : number_in<std::uint32_t>(bytes.substr(kStlHeader - sizeof(std::uint32_t)));
 }
 
 /// Programs write binary files that begin with `solid`, too: the length of the file decides, then bytes that no text
 /// has.
-bool is_text_stl(MeshBytes bytes) {
+bool is_text_stl(std::string_view bytes) {
   if (bytes.size() >= kStlHeader && bytes.size() == kStlHeader + announced_triangles(bytes) * kStlTriangle)
     return false;
   constexpr std::size_t kLookedAt = 1000;
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  return text.substr(0, kLookedAt).find('\0') == std::string_view::npos &&
-         is_word(TextLines(text).word_of_any_line(), "solid");
+  return bytes.substr(0, kLookedAt).find('\0') == std::string_view::npos &&
+         is_word(TextLines(bytes).word_of_any_line(), "solid");
 }
 
-Polygons parse_binary(MeshBytes bytes) {
+Polygons parse_binary(std::string_view bytes) {
   if (bytes.size() < kStlHeader)
     throw Error("it is neither a text that begins with 'solid' nor long enough for a binary STL file.");
   const std::uint64_t triangles = announced_triangles(bytes);
@@ -119,8 +114,8 @@ Polygons parse_binary(MeshBytes bytes) {
   object.corners.reserve(3 * triangles);
   object.ends.reserve(triangles);
   for (std::uint64_t n = 0; n < triangles; ++n) {
-    std::array<float, 12> numbers;  // normal, then three vertices
-    std::memcpy(numbers.data(), bytes.data() + kStlHeader + n * kStlTriangle, sizeof numbers);
+    // Normal, then three vertices.
+    const auto numbers = number_in<std::array<float, 12>>(bytes.substr(kStlHeader + n * kStlTriangle));
     for (std::size_t at = 3; at < numbers.size(); at += 3) {
       const Vec3 position = Eigen::Vector3f(numbers.data() + at).cast<double>();
       if (!is_finite(position))
@@ -137,9 +132,9 @@ Polygons parse_binary(MeshBytes bytes) {
 
 }  // namespace
 
-Polygons parse_stl(MeshBytes bytes) {
+Polygons parse_stl(std::string_view bytes) {
   if (!is_text_stl(bytes)) return parse_binary(bytes);
-  return StlTextParser({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).parse();
+  return StlTextParser(bytes).parse();
 }
 
 }  // namespace hapticut

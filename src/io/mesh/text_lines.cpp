@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/mesh/text_lines.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 
@@ -20,6 +21,11 @@ std::string in_quotes(std::string_view word) {
   std::string text = "'";
   for (const char c : word.substr(0, kLongest)) text += c >= ' ' && c < 127 ? c : '?';
   return text + (word.size() > kLongest ? "...'" : "'");
+}
+
+std::string_view trimmed(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r"), text.size()));
+  return text.substr(0, text.find_last_not_of(" \t\r") + 1);
 }
 
 std::optional<double> parse_real(std::string_view word) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cctype>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,6 +13,15 @@ namespace hapticut {
 
 /// A word as a message can show it: short, and without characters that do not print.
 [[nodiscard]] std::string in_quotes(std::string_view word);
+
+/// Without blanks at its ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+[[nodiscard]] inline std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
 
 /// The whole word as a number; infinity where it is too large for one.
 [[nodiscard]] std::optional<double> parse_real(std::string_view word);

@@ -76,19 +76,7 @@ NumberType type_of(std::int32_t) { return {H5T_NATIVE_INT32, H5T_STD_I32LE}; }
 NumberType type_of(std::uint32_t) { return {H5T_NATIVE_UINT32, H5T_STD_U32LE}; }
 NumberType type_of(std::uint64_t) { return {H5T_NATIVE_UINT64, H5T_STD_U64LE}; }
 NumberType type_of(ColumnKind kind) {
-  switch (kind) {
-    case ColumnKind::flag:
-      return type_of(std::uint8_t());
-    case ColumnKind::int32:
-      return type_of(std::int32_t());
-    case ColumnKind::uint32:
-      return type_of(std::uint32_t());
-    case ColumnKind::uint64:
-      return type_of(std::uint64_t());
-    case ColumnKind::real:
-      break;
-  }
-  return type_of(double());
+  return with_number_of(kind, [](auto number) { return type_of(number); });
 }
 
 Group create_group(hid_t parent, const std::string& name) {

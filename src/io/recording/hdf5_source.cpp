@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/recording/hdf5_source.hpp"
 
-#include <fstream>
 #include <string_view>
+
+#include "io/file_errors.hpp"
 
 namespace hapticut {
 namespace {
 
 constexpr std::size_t kHead = 12;  // [bytes] of a file that say what it is
-
-std::string head_of(const std::filesystem::path& path) {
-  std::string head(kHead, '\0');
-  std::ifstream stream(path, std::ios::binary);
-  stream.read(head.data(), std::streamsize(head.size()));
-  head.resize(std::size_t(stream.gcount()));
-  return head;
-}
 
 /// Whether a writer has the file open, or was killed while it had: a bit in the head of the file (HDF5 File Format
 /// Specification, superblock version 3).
@@ -44,7 +37,7 @@ std::string holder_of(const std::string& place) {
 
 std::unique_ptr<Hdf5Source> open_hdf5_file(const std::filesystem::path& path) {
   const hdf5::Quiet quiet;
-  const std::string head = head_of(path);
+  const std::string head = first_bytes(path, kHead);
   const hdf5::Properties access(H5Pcreate(H5P_FILE_ACCESS), "preparing");
   constexpr unsigned kAttempts = 12;  // to read what the writer is just changing; HDF5's own 100 take minutes
   unsigned mode = H5F_ACC_RDONLY;

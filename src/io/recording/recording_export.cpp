@@ -42,20 +42,12 @@ void append_number(std::string& line, const Column& column, const std::byte* row
 
 // --- NumPy ----------------------------------------------------------------------------------------------------------
 
-const char* dtype_of(ColumnKind kind) {
-  switch (kind) {
-    case ColumnKind::flag:
-      return "|u1";
-    case ColumnKind::int32:
-      return "<i4";
-    case ColumnKind::uint32:
-      return "<u4";
-    case ColumnKind::uint64:
-      return "<u8";
-    case ColumnKind::real:
-      break;
-  }
-  return "<f8";
+/// `<f8`, `|u1`: order of the bytes, kind and length.
+std::string dtype_of(ColumnKind kind) {
+  return with_number_of(kind, []<class Number>(Number) {
+    const char* letter = std::is_floating_point_v<Number> ? "f" : std::is_signed_v<Number> ? "i" : "u";
+    return (sizeof(Number) == 1 ? "|" : "<") + (letter + std::to_string(sizeof(Number)));
+  });
 }
 
 /// The head of a .npy file, format 1.0: magic, length, and a Python dictionary that ends on a multiple of 64 bytes.
@@ -63,7 +55,7 @@ std::string npy_head(const Column& column, std::uint64_t rows) {
   std::string shape = std::to_string(rows) + ",";
   for (const hsize_t length : column.shape) shape += std::to_string(length) + ",";
   std::string dictionary =
-      std::string("{'descr': '") + dtype_of(column.kind) + "', 'fortran_order': False, 'shape': (" + shape + "), }";
+      "{'descr': '" + dtype_of(column.kind) + "', 'fortran_order': False, 'shape': (" + shape + "), }";
   constexpr std::size_t kBefore = 10;
   dictionary.append((64 - (kBefore + dictionary.size() + 1) % 64) % 64, ' ');
   dictionary += '\n';

@@ -7,6 +7,7 @@
 
 #include "hapticut/sound/drill_sound.hpp"
 #include "io/atomic_file.hpp"
+#include "io/byte_reader.hpp"
 #include "io/recording/recording_access.hpp"
 
 namespace hapticut {
@@ -16,24 +17,20 @@ constexpr std::uint64_t kStepsHeardAtOnce = 4096;
 constexpr std::uint32_t kHeadBytes = 44;
 constexpr double kMostBytes = 4e9;  // lengths have 32 bits
 
-void append_bytes(std::string& text, std::uint32_t number, int bytes) {
-  for (int n = 0; n < bytes; ++n) text += char(number >> (8 * n) & 0xff);
-}
-
 /// RIFF, its format chunk (PCM, one channel, 16 bits) and the head of its data.
 std::string wav_head(std::uint32_t rate, std::uint32_t data_bytes) {
   std::string head = "RIFF";
-  append_bytes(head, kHeadBytes - 8 + data_bytes, 4);
+  append_bytes_of(head, kHeadBytes - 8 + data_bytes);
   head += "WAVEfmt ";
-  append_bytes(head, 16, 4);
-  append_bytes(head, 1, 2);
-  append_bytes(head, 1, 2);
-  append_bytes(head, rate, 4);
-  append_bytes(head, 2 * rate, 4);
-  append_bytes(head, 2, 2);
-  append_bytes(head, 16, 2);
+  append_bytes_of(head, std::uint32_t(16));
+  append_bytes_of(head, std::uint16_t(1));
+  append_bytes_of(head, std::uint16_t(1));
+  append_bytes_of(head, rate);
+  append_bytes_of(head, 2 * rate);
+  append_bytes_of(head, std::uint16_t(2));
+  append_bytes_of(head, std::uint16_t(16));
   head += "data";
-  append_bytes(head, data_bytes, 4);
+  append_bytes_of(head, data_bytes);
   return head;
 }
 
@@ -90,7 +87,7 @@ void write_wav(const Recording& recording, const std::filesystem::path& path, do
       for (const RecordedStep& step : recording.read(first, kStepsHeardAtOnce)) {
         text.clear();
         for (const float sample : listener.listen(step))
-          append_bytes(text, std::uint32_t(std::uint16_t(std::int16_t(std::lround(sample * 32767.0F)))), 2);
+          append_bytes_of(text, std::int16_t(std::lround(sample * 32767.0F)));
         bytes += double(text.size());
         if (bytes > kMostBytes)
           throw Error("'" + path.string() +

@@ -19,17 +19,7 @@ std::vector<Number> numbers_of(const std::vector<std::byte>& bytes) {
 }  // namespace
 
 std::size_t bytes_of(ColumnKind kind) noexcept {
-  switch (kind) {
-    case ColumnKind::flag:
-      return sizeof(std::uint8_t);
-    case ColumnKind::int32:
-    case ColumnKind::uint32:
-      return sizeof(std::uint32_t);
-    case ColumnKind::uint64:
-    case ColumnKind::real:
-      break;
-  }
-  return sizeof(double);
+  return with_number_of(kind, [](auto number) { return sizeof number; });
 }
 
 std::string name_at(const std::string& place) { return place.substr(place.rfind('/') + 1); }

@@ -23,6 +23,24 @@ class Failure : public Error {
 /// How a column's numbers are stored.
 enum class ColumnKind { real, flag, int32, uint32, uint64 };
 
+/// Calls `use(Number{})` with the C++ type of such a number.
+template <class Use>
+auto with_number_of(ColumnKind kind, const Use& use) {
+  switch (kind) {
+    case ColumnKind::flag:
+      return use(std::uint8_t{});
+    case ColumnKind::int32:
+      return use(std::int32_t{});
+    case ColumnKind::uint32:
+      return use(std::uint32_t{});
+    case ColumnKind::uint64:
+      return use(std::uint64_t{});
+    case ColumnKind::real:
+      break;
+  }
+  return use(double{});
+}
+
 /// [bytes] of one number in memory.
 [[nodiscard]] std::size_t bytes_of(ColumnKind kind) noexcept;
 

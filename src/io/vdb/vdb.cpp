@@ -5,12 +5,9 @@
 #include <openvdb/openvdb.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <sstream>
-#include <system_error>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/openvdb.hpp"
@@ -115,22 +112,6 @@ struct VdbFile {
   openvdb::GridPtrVec grids;
   std::vector<VdbEntry> entries;
 };
-
-std::string read_file(const std::filesystem::path& path) {
-  std::error_code code;
-  const auto status = std::filesystem::status(path, code);
-  if (std::filesystem::is_directory(status)) throw Error("it is a folder; give a .vdb file.");
-  // A pipe or a device could be read for ever.
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw Error("it is no regular file; give a .vdb file.");
-  errno = 0;
-  std::ifstream stream(path, std::ios_base::binary);
-  if (!stream) throw Error(std::generic_category().message(errno) + "; check the path and its permissions.");
-  std::ostringstream bytes;
-  if (stream.peek() != std::ifstream::traits_type::eof()) bytes << stream.rdbuf();
-  if (stream.bad() || bytes.fail()) throw Error("reading failed; check the disk.");
-  return std::move(bytes).str();
-}
 
 VdbFile read_grids(std::string bytes) {
   openvdb::initialize();
@@ -334,7 +315,7 @@ std::string vdb_bytes(const Workpiece& workpiece) {
 }
 
 Workpiece load_vdb(const std::filesystem::path& path) {
-  return naming(path, [&] { return workpiece_of_vdb(read_file(path)); });
+  return naming(path, [&] { return workpiece_of_vdb(bytes_of_file(path)); });
 }
 
 Workpiece workpiece_of_vdb(std::string bytes) {
@@ -347,7 +328,7 @@ Workpiece workpiece_of_vdb(std::string bytes, const VdbImport& options) {
 
 Workpiece load_vdb(const std::filesystem::path& path, const VdbImport& options) {
   require_positive(options.unit_mm, "VdbImport::unit_mm [mm]");
-  return naming(path, [&] { return workpiece_of_vdb(read_file(path), options); });
+  return naming(path, [&] { return workpiece_of_vdb(bytes_of_file(path), options); });
 }
 
 }  // namespace hapticut

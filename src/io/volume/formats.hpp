@@ -69,8 +69,4 @@ void require_bytes(double needed, double available, double best_ratio);
 ///         another size: a sentence that begins with "its"
 void require_no_more(std::uint64_t claimed, std::uint64_t available);
 
-/// The same as above.
-/// @throws Error with the name of the file before it
-void require_bytes(const std::filesystem::path& path, double needed, double available, double best_ratio);
-
 }  // namespace hapticut

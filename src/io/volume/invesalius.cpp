@@ -3,13 +3,14 @@
 #include <archive_entry.h>
 #include <expat.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <map>
 #include <memory>
+#include <span>
 
 #include "io/file_errors.hpp"
 #include "io/volume/formats.hpp"
+#include "io/volume/number_text.hpp"
 
 namespace hapticut {
 namespace {
@@ -19,32 +20,25 @@ namespace fs = std::filesystem;
 /// What an InVesalius project says of its grey values, by path of keys: `matrix/shape` -> "108 256 256 ".
 class PropertyList {
  public:
-  explicit PropertyList(const fs::path& path, const std::string& xml) : path_(path) {
+  explicit PropertyList(std::string_view xml) {
     const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr), XML_ParserFree);
     XML_SetUserData(parser.get(), this);
     XML_SetElementHandler(parser.get(), &PropertyList::start, &PropertyList::end);
     XML_SetCharacterDataHandler(parser.get(), &PropertyList::text);
     if (XML_Parse(parser.get(), xml.data(), int(xml.size()), 1) == XML_STATUS_ERROR)
-      cannot_read(path,
-                  std::string("its main.plist is damaged (") + XML_ErrorString(XML_GetErrorCode(parser.get())) + ").");
+      throw Error(std::string("its main.plist is damaged (") + XML_ErrorString(XML_GetErrorCode(parser.get())) + ").");
   }
 
   [[nodiscard]] const std::string& get(const std::string& key) const {
     const auto found = values_.find(key);
-    if (found == values_.end()) cannot_read(path_, "its main.plist has no '" + key + "'.");
+    if (found == values_.end()) throw Error("its main.plist has no '" + key + "'.");
     return found->second;
   }
 
   [[nodiscard]] Vec3 three_numbers(const std::string& key) const {
-    Vec3 numbers = Vec3::Zero();
-    const char* at = get(key).c_str();
-    for (double& number : numbers) {
-      char* next = nullptr;
-      number = std::strtod(at, &next);
-      if (next == at) cannot_read(path_, "'" + key + "' in its main.plist is not three numbers.");
-      at = next;
-    }
-    return numbers;
+    const std::optional<std::vector<double>> numbers = numbers_in(get(key), " \t\r\n");
+    if (!numbers || numbers->size() != 3) throw Error("'" + key + "' in its main.plist is not three numbers.");
+    return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
   }
 
  private:
@@ -70,7 +64,6 @@ class PropertyList {
     static_cast<PropertyList*>(self)->text_.append(characters, std::size_t(count));
   }
 
-  const fs::path& path_;
   std::map<std::string, std::string> values_;
   std::string prefix_, key_, text_;
   int depth_ = 0;
@@ -79,7 +72,7 @@ class PropertyList {
 /// The tar.gz that a project is.
 class ProjectArchive {
  public:
-  explicit ProjectArchive(const fs::path& path) : path_(path), archive_(archive_read_new(), archive_read_free) {
+  explicit ProjectArchive(const fs::path& path) : archive_(archive_read_new(), archive_read_free) {
     archive_read_support_format_tar(archive_.get());
     archive_read_support_filter_gzip(archive_.get());
     if (archive_read_open_filename(archive_.get(), path.c_str(), 1U << 16U) != ARCHIVE_OK) fail();
@@ -87,65 +80,68 @@ class ProjectArchive {
 
   /// Reads the file of that name, in whatever folder of the archive it is.
   /// @param largest  [bytes] a larger one is refused
-  std::vector<std::byte> read(const std::string& name, double largest) {
+  std::string read(const std::string& name, double largest) {
     archive_entry* entry = nullptr;
     for (;;) {
       const int status = archive_read_next_header(archive_.get(), &entry);
-      if (status == ARCHIVE_EOF) cannot_read(path_, "it holds no file '" + name + "'; is it an InVesalius project?");
+      if (status == ARCHIVE_EOF) throw Error("it holds no file '" + name + "'; is it an InVesalius project?");
       if (status != ARCHIVE_OK) fail();
       if (const char* at = archive_entry_pathname(entry); at != nullptr && fs::path(at).filename() == name) break;
     }
     const auto size = double(archive_entry_size(entry));
     if (!(size >= 0 && size <= largest))
-      cannot_read(path_, "its file '" + name + "' has " + format_number(size) + " bytes; at most " +
-                             format_number(largest) + " are read.");
+      throw Error("its file '" + name + "' has " + format_number(size) + " bytes; at most " + format_number(largest) +
+                  " are read.");
     // The archive may claim more than it holds: grow as data arrive.
-    std::vector<std::byte> bytes;
-    std::vector<std::byte> buffer(1U << 20U);
+    std::string bytes, buffer(1U << 20U, '\0');
     for (;;) {
       const auto count = archive_read_data(archive_.get(), buffer.data(), buffer.size());
       if (count < 0) fail();
       if (count == 0) break;
-      bytes.insert(bytes.end(), buffer.begin(), buffer.begin() + count);
+      bytes.append(buffer, 0, std::size_t(count));
     }
-    if (double(bytes.size()) != size) cannot_read(path_, "its file '" + name + "' is cut short.");
+    if (double(bytes.size()) != size) throw Error("its file '" + name + "' is cut short.");
     return bytes;
   }
 
  private:
   [[noreturn]] void fail() {
     const char* reason = archive_error_string(archive_.get());
-    cannot_read(path_, "it is not an InVesalius project, or it is damaged (" +
-                           std::string(reason != nullptr ? reason : "unknown format") + ").");
+    throw Error("it is not an InVesalius project, or it is damaged (" +
+                std::string(reason != nullptr ? reason : "unknown format") + ").");
   }
 
-  const fs::path& path_;
   std::unique_ptr<archive, int (*)(archive*)> archive_;
 };
+
+/// @throws Error a sentence about "it"
+RawImage read_project(const fs::path& path) {
+  constexpr double kLargestList = 1e6;  // [bytes]
+  const PropertyList list(ProjectArchive(path).read("main.plist", kLargestList));
+  if (list.get("matrix/dtype") != "int16")
+    throw Error("its values are of type '" + list.get("matrix/dtype") + "'; only int16 is read.");
+
+  RawImage image;
+  image.type = ValueType::int16;
+  const Vec3 shape = list.three_numbers("matrix/shape");  // slices, rows, columns
+  require_sane_dims({shape[2], shape[1], shape[0]});
+  image.geometry.dims = {int(shape[2]), int(shape[1]), int(shape[0])};
+  image.geometry.spacing_mm = list.three_numbers("spacing");
+  const double needed = 2 * shape.prod();
+  const std::string values = ProjectArchive(path).read(list.get("matrix/filename"), needed);
+  if (double(values.size()) != needed)
+    throw Error("it has " + std::to_string(values.size()) + " bytes of values, but its shape needs " +
+                format_number(needed) + ".");
+  const auto bytes = std::as_bytes(std::span(values));
+  image.bytes.assign(bytes.begin(), bytes.end());
+  return image;
+}
 
 }  // namespace
 
 RawImage read_invesalius(const fs::path& path) {
   (void)readable_size(path);
-  constexpr double kLargestList = 1e6;  // [bytes]
-  const std::vector<std::byte> xml = ProjectArchive(path).read("main.plist", kLargestList);
-  const PropertyList list(path, std::string(reinterpret_cast<const char*>(xml.data()), xml.size()));
-  if (list.get("matrix/dtype") != "int16")
-    cannot_read(path, "its values are of type '" + list.get("matrix/dtype") + "'; only int16 is read.");
-
-  RawImage image;
-  image.type = ValueType::int16;
-  const Vec3 shape = list.three_numbers("matrix/shape");  // slices, rows, columns
-  require_sane_dims(path, {shape[2], shape[1], shape[0]});
-  if (shape != shape.array().floor().matrix()) cannot_read(path, "its shape is not of whole numbers.");
-  image.geometry.dims = {int(shape[2]), int(shape[1]), int(shape[0])};
-  image.geometry.spacing_mm = list.three_numbers("spacing");
-  const double needed = 2 * shape.prod();
-  image.bytes = ProjectArchive(path).read(list.get("matrix/filename"), needed);
-  if (double(image.bytes.size()) != needed)
-    cannot_read(path, "it has " + std::to_string(image.bytes.size()) + " bytes of values, but its shape needs " +
-                          format_number(needed) + ".");
-  return image;
+  return naming(path, [&] { return read_project(path); });
 }
 
 }  // namespace hapticut

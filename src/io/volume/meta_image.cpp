@@ -34,11 +34,6 @@ struct MetaHeader {
 // ITK reads this format too, but the parser behind it prints to stderr when a header is damaged and stops the program
 // on some that are not headers at all. The format is a list of `name = value`, so it is read here.
 
-std::string_view trimmed_meta(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t\r"), text.size()));
-  return text.substr(0, text.find_last_not_of(" \t\r") + 1);
-}
-
 bool is_local(std::string_view data_file) {
   return data_file == "LOCAL" || data_file == "Local" || data_file == "local";
 }
@@ -52,7 +47,7 @@ MetaHeader parse_meta_header(std::string_view bytes) {
   while (header.end < text.size()) {
     const std::size_t end = std::min(text.find('\n', header.end), text.size());
     if (end == text.size() && text.size() < bytes.size()) break;
-    const std::string_view line = trimmed_meta(text.substr(header.end, end - header.end));
+    const std::string_view line = trimmed(text.substr(header.end, end - header.end));
     header.end = std::min(end + 1, text.size());
     if (line.empty()) continue;
     const bool plain =
@@ -60,8 +55,8 @@ MetaHeader parse_meta_header(std::string_view bytes) {
     const std::size_t equals = line.find_first_of("=:");
     if (!plain || equals == std::string_view::npos || equals == 0)
       throw Error("it is not a MetaImage file, or its header is damaged at " + in_quotes(line) + ".");
-    const std::string name(trimmed_meta(line.substr(0, equals)));
-    const std::string& value = header.fields[name] = trimmed_meta(line.substr(equals + 1));
+    const std::string name(trimmed(line.substr(0, equals)));
+    const std::string& value = header.fields[name] = trimmed(line.substr(equals + 1));
     // Behind a list stand the names of files; it is refused.
     if (name == "ElementDataFile" && (is_local(value) || value.starts_with("LIST"))) return header;
   }
@@ -193,8 +188,7 @@ RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file) {
 }
 
 RawImage read_meta_image(const fs::path& path) {
-  const std::uint64_t size = readable_size(path);
-  return naming(path, [&] { return parse_meta_image(first_bytes(path, std::size_t(size)), data_files_beside(path)); });
+  return naming(path, [&] { return parse_meta_image(bytes_of_file(path), data_files_beside(path)); });
 }
 
 }  // namespace hapticut

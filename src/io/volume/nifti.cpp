@@ -5,6 +5,7 @@
 #include <cstring>
 #include <optional>
 
+#include "io/byte_reader.hpp"
 #include "io/file_errors.hpp"
 #include "io/volume/formats.hpp"
 #include "io/volume/unpack.hpp"
@@ -34,12 +35,7 @@ class NiftiFields {
 
   template <class Number>
   [[nodiscard]] Number at(std::size_t place) const {
-    std::array<char, sizeof(Number)> raw;
-    std::memcpy(raw.data(), bytes_.substr(place, sizeof(Number)).data(), sizeof(Number));
-    if (swapped_) std::reverse(raw.begin(), raw.end());
-    Number number;
-    std::memcpy(&number, raw.data(), sizeof(Number));
-    return number;
+    return number_in<Number>(bytes_.substr(place, sizeof(Number)), swapped_);
   }
 
   template <class Number, class Numbers>
@@ -222,9 +218,9 @@ RawImage read_nifti(const std::filesystem::path& path) {
     const std::string start = first_bytes(path, kNifti2);
     if (!start.starts_with("\x1f\x8b")) {
       require_bytes(bytes_needed(parse_nifti_header(start)), double(size), kNotCompressed);
-      return parse_nifti(first_bytes(path, std::size_t(size)));
+      return parse_nifti(bytes_of_file(path));
     }
-    const std::string packed = first_bytes(path, std::size_t(size));
+    const std::string packed = bytes_of_file(path);
     const double needed = bytes_needed(parse_nifti_header(start_of_gzip(packed, kNifti2)));
     require_bytes(needed, double(size), kDeflate);
     constexpr std::uint64_t kMore = 1U << 20U;  // [bytes] that may follow the values

@@ -3,10 +3,10 @@
 #include <bit>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <type_traits>
 
+#include "io/byte_reader.hpp"
 #include "io/file_errors.hpp"
 #include "io/volume/formats.hpp"
 #include "io/volume/nrrd_header.hpp"
@@ -30,9 +30,8 @@ std::uint64_t samples_of(const NrrdHeader& header) {
 
 /// Whether unpacked data begin with the header of a NIfTI file, and where its values start.
 std::uint64_t nifti_header_in(const std::string& data) {
-  if (data.size() < 352 || std::memcmp(data.data() + 344, "n+1", 4) != 0) return 0;
-  float offset = 0;
-  std::memcpy(&offset, data.data() + 108, sizeof offset);
+  if (data.size() < 352 || data.compare(344, 4, "n+1", 4) != 0) return 0;
+  const auto offset = number_in<float>(std::string_view(data).substr(108));
   return offset >= 348 && offset < 1e9F ? std::uint64_t(offset) : 0;
 }
 
@@ -155,7 +154,7 @@ RawImage read_nrrd(const fs::path& path) {
     if (header.data_files.empty() && header.encoding == "raw")
       require_bytes(needed + double(std::max<std::int64_t>(header.byte_skip, 0)), double(size) - double(header.end),
                     kNotCompressed);
-    return parse_nrrd(first_bytes(path, header.data_files.empty() ? std::size_t(size) : kMaxNrrdHeader),
+    return parse_nrrd(header.data_files.empty() ? bytes_of_file(path) : first_bytes(path, kMaxNrrdHeader),
                       data_files_beside(path));
   });
 }

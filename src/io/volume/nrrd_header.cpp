@@ -2,7 +2,6 @@
 #include "io/volume/nrrd_header.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -21,60 +20,22 @@ namespace {
 constexpr std::size_t kMaxNrrdLine = 1 << 14;  // [bytes] of a header; a list of data files has a line for each
 constexpr std::size_t kMaxNrrdFiles = 1 << 16;
 
-std::string_view trimmed_nrrd(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t\r"), text.size()));
-  return text.substr(0, text.find_last_not_of(" \t\r") + 1);
-}
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
-
-std::optional<ValueType> type_of_nrrd(const std::string& name) {
-  static const std::map<std::string, ValueType> kTypes = {{"signed char", ValueType::int8},
-                                                          {"int8", ValueType::int8},
-                                                          {"int8_t", ValueType::int8},
-                                                          {"uchar", ValueType::uint8},
-                                                          {"unsigned char", ValueType::uint8},
-                                                          {"uint8", ValueType::uint8},
-                                                          {"uint8_t", ValueType::uint8},
-                                                          {"short", ValueType::int16},
-                                                          {"short int", ValueType::int16},
-                                                          {"signed short", ValueType::int16},
-                                                          {"signed short int", ValueType::int16},
-                                                          {"int16", ValueType::int16},
-                                                          {"int16_t", ValueType::int16},
-                                                          {"ushort", ValueType::uint16},
-                                                          {"unsigned short", ValueType::uint16},
-                                                          {"unsigned short int", ValueType::uint16},
-                                                          {"uint16", ValueType::uint16},
-                                                          {"uint16_t", ValueType::uint16},
-                                                          {"int", ValueType::int32},
-                                                          {"signed int", ValueType::int32},
-                                                          {"int32", ValueType::int32},
-                                                          {"int32_t", ValueType::int32},
-                                                          {"uint", ValueType::uint32},
-                                                          {"unsigned int", ValueType::uint32},
-                                                          {"uint32", ValueType::uint32},
-                                                          {"uint32_t", ValueType::uint32},
-                                                          {"longlong", ValueType::int64},
-                                                          {"long long", ValueType::int64},
-                                                          {"long long int", ValueType::int64},
-                                                          {"signed long long", ValueType::int64},
-                                                          {"int64", ValueType::int64},
-                                                          {"signed long long int", ValueType::int64},
-                                                          {"int64_t", ValueType::int64},
-                                                          {"ulonglong", ValueType::uint64},
-                                                          {"unsigned long long", ValueType::uint64},
-                                                          {"unsigned long long int", ValueType::uint64},
-                                                          {"uint64", ValueType::uint64},
-                                                          {"uint64_t", ValueType::uint64},
-                                                          {"float", ValueType::float32},
-                                                          {"double", ValueType::float64}};
-  const auto found = kTypes.find(name);
-  return found == kTypes.end() ? std::nullopt : std::optional(found->second);
+std::optional<ValueType> type_of_nrrd(std::string_view name) {
+  static const std::pair<ValueType, std::vector<std::string_view>> kNames[] = {
+      {ValueType::int8, {"signed char", "int8", "int8_t"}},
+      {ValueType::uint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+      {ValueType::int16, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
+      {ValueType::uint16, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+      {ValueType::int32, {"int", "signed int", "int32", "int32_t"}},
+      {ValueType::uint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
+      {ValueType::int64,
+       {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64", "int64_t"}},
+      {ValueType::uint64, {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
+      {ValueType::float32, {"float"}},
+      {ValueType::float64, {"double"}}};
+  for (const auto& [type, names] : kNames)
+    if (std::ranges::find(names, name) != names.end()) return type;
+  return std::nullopt;
 }
 
 /// Three of the axes of a file: those of space.
@@ -94,7 +55,7 @@ NrrdUnit unit_named(std::string_view text) {
       {"mm", 1},    {"centimeter", 10},   {"centimetre", 10},  {"millimeter", 1},    {"millimetre", 1},
       {"um", 1e-3}, {"micrometer", 1e-3}, {"micron", 1e-3},    {"micrometre", 1e-3}, {"\xc2\xb5m", 1e-3},
       {"nm", 1e-6}, {"nanometer", 1e-6},  {"nanometre", 1e-6}, {"\xce\xbcm", 1e-3},  {"\xb5m", 1e-3}};
-  std::string name = lower_case(trimmed_nrrd(text));
+  std::string name = lower_case(trimmed(text));
   if (name.size() > 2 && name.ends_with('s')) name.pop_back();
   const auto known = kUnits.find(name);
   return known == kUnits.end() ? NrrdUnit{1, std::string(text)} : NrrdUnit{known->second};
@@ -196,7 +157,7 @@ class NrrdFields {
       const auto numbers = none ? std::vector<double>(4, std::nan("")) : numbers_in(text.substr(1, close - 1), " \t,");
       if (!numbers || (!none && numbers->size() != (with_time ? 4 : 3))) fail(name, must_be);
       found.emplace_back((*numbers)[0], (*numbers)[1], (*numbers)[2]);
-      text = trimmed_nrrd(text.substr(close + 1));
+      text = trimmed(text.substr(close + 1));
     }
     if (found.size() != count) fail(name, must_be);
     return found;
@@ -211,7 +172,7 @@ class NrrdFields {
     const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
     if (end - at_ > kMaxNrrdLine)
       throw Error("a line of its NRRD header is longer than " + std::to_string(kMaxNrrdLine) + " bytes.");
-    const std::string_view line = trimmed_nrrd(bytes_.substr(at_, end - at_));
+    const std::string_view line = trimmed(bytes_.substr(at_, end - at_));
     at_ = std::min(end + 1, bytes_.size());
     return line;
   }
@@ -227,7 +188,7 @@ class NrrdFields {
                                                                    {"centers", "centerings"}};
     std::string name = lower_case(line.substr(0, colon));
     if (const auto other = kOtherNames.find(name); other != kOtherNames.end()) name = other->second;
-    if (!fields_.emplace(name, trimmed_nrrd(line.substr(colon + 2))).second)
+    if (!fields_.emplace(name, trimmed(line.substr(colon + 2))).second)
       throw Error("its field " + in_quotes(name) + " is there twice.");
   }
 

@@ -41,9 +41,9 @@ class PngReader {
       png_read_update_info(png_, info_);
     });
     const png_uint_32 width = png_get_image_width(png_, info_), height = png_get_image_height(png_, info_);
-    require_sane_dims(path_, {double(width), double(height), 1});
+    require_sane_dims({double(width), double(height), 1});
     const std::size_t row = png_get_rowbytes(png_, info_);
-    require_bytes(path_, double(row) * height, double(file_.size()), kDeflate);
+    require_bytes(double(row) * height, double(file_.size()), kDeflate);
 
     PictureFile picture{{int(width), int(height)},
                         png_get_channels(png_, info_),
@@ -91,10 +91,10 @@ class PngReader {
 }  // namespace
 
 PictureFile read_png(const std::filesystem::path& path) {
-  const std::string file = first_bytes(path, std::size_t(readable_size(path)));
+  const std::string file = bytes_of_file(path);
   if (!file.starts_with("\x89PNG\r\n\x1a\n"))
     cannot_read(path, "it is not a picture of the format that its name says.");
-  return PngReader(path, file).read();
+  return naming(path, [&] { return PngReader(path, file).read(); });
 }
 
 }  // namespace hapticut

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <type_traits>
 
@@ -123,10 +122,6 @@ void require_sane_dims(const std::array<double, 3>& dims) {
                 " are read. Crop or downsample it first.");
 }
 
-void require_sane_dims(const std::filesystem::path& path, const std::array<double, 3>& dims) {
-  naming(path, [&] { require_sane_dims(dims); });
-}
-
 void require_bytes(double needed, double available, double best_ratio) {
   const bool compressed = best_ratio > kNotCompressed;
   if (needed > available * best_ratio + (compressed ? 1024 : 0))
@@ -138,10 +133,6 @@ void require_no_more(std::uint64_t claimed, std::uint64_t available) {
   if (available > claimed)
     throw Error("its header claims " + std::to_string(claimed) + " bytes of data, but there are " +
                 std::to_string(available) + ". Check the type and the sizes that it names.");
-}
-
-void require_bytes(const std::filesystem::path& path, double needed, double available, double best_ratio) {
-  naming(path, [&] { require_bytes(needed, available, best_ratio); });
 }
 
 void swap_bytes(RawImage& image) {
@@ -177,27 +168,8 @@ DataFile data_files_beside(const std::filesystem::path& path) {
     std::error_code code;
     if (!std::filesystem::is_regular_file(file, code))
       throw Error("its data file '" + file.string() + "' cannot be opened.");
-    return first_bytes(file, std::size_t(readable_size(file)));
+    return bytes_of_file(file);
   };
-}
-
-std::uint64_t readable_size(const std::filesystem::path& path) {
-  std::error_code code;
-  const auto status = std::filesystem::status(path, code);
-  if (!std::filesystem::exists(status)) cannot_read(path, "there is no such file.");
-  if (!std::filesystem::is_regular_file(status)) cannot_read(path, "it is not a regular file.");
-  if (!std::ifstream(path, std::ios::binary)) cannot_read(path, "it cannot be opened; check its permissions.");
-  const auto size = std::filesystem::file_size(path, code);
-  if (code) cannot_read(path, code.message() + ".");
-  return size;
-}
-
-std::string first_bytes(const std::filesystem::path& path, std::size_t count) {
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes(count, '\0');
-  file.read(bytes.data(), std::streamsize(count));
-  bytes.resize(std::size_t(std::max<std::streamsize>(file.gcount(), 0)));
-  return bytes;
 }
 
 }  // namespace hapticut

@@ -76,10 +76,6 @@ void with_value_type(ValueType type, const Use& use) {
 /// @throws Error a sentence that begins with "it"
 void require_sane_dims(const std::array<double, 3>& dims);
 
-/// The same.
-/// @throws Error with the name of the file before it
-void require_sane_dims(const std::filesystem::path& path, const std::array<double, 3>& dims);
-
 /// Reverses the bytes of every value.
 void swap_bytes(RawImage& image);
 

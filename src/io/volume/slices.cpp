@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,6 +7,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
+#include "io/mesh/text_lines.hpp"
 #include "io/volume/formats.hpp"
 #include "io/volume/picture_file.hpp"
 
@@ -21,8 +21,7 @@ enum class SliceFormat : std::uint8_t { kPng, kTiff };
 /// Nothing for what is no slice, such as the notes `._name` that macOS leaves beside a file.
 std::optional<SliceFormat> format_of(const fs::path& path) {
   if (path.filename().string().starts_with("._")) return std::nullopt;
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string ending = lower_case(path.extension().string());
   if (ending == ".png") return SliceFormat::kPng;
   if (ending == ".tif" || ending == ".tiff") return SliceFormat::kTiff;
   return std::nullopt;
@@ -100,7 +99,7 @@ std::array<int, 3> for_each_slice(const fs::path& folder, const Use& use) {
     if (!first) {
       first = PictureFile{picture.dims, picture.channels, picture.type, {}};
       dims = {picture.dims[0], picture.dims[1], int(files.size())};
-      require_sane_dims(folder, {double(dims[0]), double(dims[1]), double(dims[2])});
+      naming(folder, [&] { require_sane_dims({double(dims[0]), double(dims[1]), double(dims[2])}); });
     }
     if (picture.dims != first->dims || picture.channels != first->channels || picture.type != first->type)
       cannot_read(file.path, "it differs from the first slice in size, channels or depth.");

@@ -35,7 +35,7 @@ class TiffReader {
     if (TIFFGetField(tiff_.get(), TIFFTAG_IMAGEWIDTH, &width) != 1 ||
         TIFFGetField(tiff_.get(), TIFFTAG_IMAGELENGTH, &height) != 1)
       fail("it has no width or height");
-    require_sane_dims(path_, {double(width), double(height), 1});
+    require_sane_dims({double(width), double(height), 1});
     PictureFile picture{{int(width), int(height)}, field(TIFFTAG_SAMPLESPERPIXEL), value_type(), {}};
     if (picture.channels < 1 || picture.channels > 4) fail("it has more than four channels");
     const auto layout = field(TIFFTAG_PLANARCONFIG), meaning = field(TIFFTAG_PHOTOMETRIC);
@@ -44,7 +44,7 @@ class TiffReader {
       fail("its values are neither grey, zero being black, nor red, green and blue; save it as one of these");
     if (field(TIFFTAG_ORIENTATION) != ORIENTATION_TOPLEFT) fail("it is stored turned or mirrored; save it upright");
     const std::size_t row = std::size_t(width) * picture.channels * size_of(picture.type);
-    require_bytes(path_, double(row) * height, available_, kAnyCompression);
+    require_bytes(double(row) * height, available_, kAnyCompression);
     picture.bytes.resize(row * height);
     if (TIFFIsTiled(tiff_.get()) != 0)
       read_tiles(picture, row);
@@ -121,6 +121,8 @@ class TiffReader {
 
 }  // namespace
 
-PictureFile read_tiff(const std::filesystem::path& path) { return TiffReader(path).read(); }
+PictureFile read_tiff(const std::filesystem::path& path) {
+  return naming(path, [&] { return TiffReader(path).read(); });
+}
 
 }  // namespace hapticut

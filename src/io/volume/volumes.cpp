@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/io/volume/volumes.hpp"
 
-#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <utility>
 
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
+#include "io/mesh/text_lines.hpp"
 #include "io/volume/formats.hpp"
 #include "io/volume/raw_image.hpp"
 
@@ -15,13 +15,6 @@ namespace hapticut {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The name in lower case, for comparing its ending.
-std::string lower_name(const fs::path& path) {
-  std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return name;
-}
 
 void require_no_series(const fs::path& path, const VolumeReadOptions& options) {
   if (!options.dicom_series.empty())
@@ -49,7 +42,7 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
   std::error_code code;
   if (fs::is_directory(path, code)) return read_folder(path, options);
   require_no_series(path, options);
-  const std::string name = lower_name(path);
+  const std::string name = lower_case(path.filename().string());
   if (name.ends_with(".nrrd") || name.ends_with(".nhdr")) return read_nrrd(path);
   if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return read_nifti(path);
   if (name.ends_with(".mhd") || name.ends_with(".mha")) return read_meta_image(path);
@@ -73,7 +66,7 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
 
 RawImage read_raw(const fs::path& path, const RawLayout& layout) {
   for (int axis = 0; axis < 3; ++axis) require_positive(layout.spacing[axis], "RawLayout::spacing [m]");
-  require_sane_dims(path, {double(layout.dims[0]), double(layout.dims[1]), double(layout.dims[2])});
+  naming(path, [&] { require_sane_dims({double(layout.dims[0]), double(layout.dims[1]), double(layout.dims[2])}); });
   RawImage image;
   image.type = layout.type;
   image.geometry.dims = layout.dims;
@@ -110,10 +103,6 @@ GreyVolume read_raw_grey_volume(const fs::path& path, const RawLayout& layout) {
 
 LabelVolume read_raw_label_volume(const fs::path& path, const RawLayout& layout) {
   return to_label_volume(read_raw(path, layout), path, std::nullopt);
-}
-
-GreyVolume read_invesalius_project(const fs::path& path) {
-  return to_grey_volume(read_invesalius(path), path, std::nullopt);
 }
 
 }  // namespace hapticut

@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(ImportOracle, LabelledToothVolumes,
 TEST(ImportOracle, TheSkullHas475759VoxelsOfBone) {
   const std::filesystem::path project = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
   if (!std::filesystem::exists(project)) GTEST_SKIP() << "needs the Debian package invesalius-examples";
-  const GreyVolume skull = read_invesalius_project(project);
+  const GreyVolume skull = read_grey_volume(project);
   EXPECT_EQ(skull.dims, (std::array<int, 3>{256, 256, 108}));
   EXPECT_TRUE(skull.spacing.isApprox(Vec3(0.9570312, 0.9570312, 1.5) * mm, 1e-9));
   EXPECT_EQ(std::count_if(skull.values.begin(), skull.values.end(), [](float v) { return v >= 226; }), 475759);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG and TIFF slices, NIfTI files, DICOM series and InVesalius projects that the test writes itself: what is in them
-// comes back, and damaged ones give a clear error or the volume, whatever is done to them.
+// PNG and TIFF slices, NRRD, MetaImage and NIfTI files, DICOM series and InVesalius projects that the test writes
+// itself: what is in them comes back, and damaged ones give a clear error or the volume, whatever is done to them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -252,6 +252,19 @@ struct Format {
 
 void PrintTo(const Format& format, std::ostream* out) { *out << format.name; }
 
+std::string nrrd_file(std::uint32_t side_x, std::uint32_t side_y, bool packed) {
+  const std::string values = test::little(ramp<std::int16_t>());
+  return "NRRD0004\ntype: short\nendian: little\ndimension: 3\nsizes: " + std::to_string(side_x) + " " +
+         std::to_string(side_y) +
+         " 5\nspacings: 0.1 0.2 0.7\nencoding: " + (packed ? "gzip\n\n" + test::gzipped(values) : "raw\n\n" + values);
+}
+
+std::string meta_file(std::uint32_t side_x, std::uint32_t side_y) {
+  return "ObjectType = Image\nNDims = 3\nOffset = 1 2 3\nElementSpacing = 0.1 0.2 0.7\nDimSize = " +
+         std::to_string(side_x) + " " + std::to_string(side_y) +
+         " 5\nElementType = MET_SHORT\nElementDataFile = LOCAL\n" + test::little(ramp<std::int16_t>());
+}
+
 std::vector<Format> formats() {
   const auto png = [](int k) { return test::png_slice(4, 3, ramp<std::uint8_t>(k * kSlice, kSlice)); };
   const auto tiff = [](int k) { return test::tiff_slice(4, 3, ramp<std::uint16_t>(k * kSlice, kSlice)); };
@@ -260,6 +273,12 @@ std::vector<Format> formats() {
        [](std::uint32_t side) { return test::png_slice(4, 3, ramp<std::uint8_t>(0, kSlice), side, side); }},
       {"Tiff", "slice9.tif", true, [=](const TemporaryFolder& f) { write_slices(f, ".tif", tiff); },
        [](std::uint32_t side) { return test::tiff_slice(4, 3, ramp<std::uint16_t>(0, kSlice), side, side); }},
+      {"Nrrd", "a.nrrd", false, [](const TemporaryFolder& f) { write_bytes(f / "a.nrrd", nrrd_file(4, 3, false)); },
+       [](std::uint32_t side) { return nrrd_file(side, side, false); }},
+      {"NrrdGz", "a.nrrd", false, [](const TemporaryFolder& f) { write_bytes(f / "a.nrrd", nrrd_file(4, 3, true)); },
+       [](std::uint32_t side) { return nrrd_file(side, side, true); }},
+      {"MetaImage", "a.mha", false, [](const TemporaryFolder& f) { write_bytes(f / "a.mha", meta_file(4, 3)); },
+       [](std::uint32_t side) { return meta_file(side, side); }},
       {"Nifti", "a.nii", false, [](const TemporaryFolder& f) { write_bytes(f / "a.nii", ramp_file().bytes()); },
        [](std::uint32_t side) {
          NiftiFile file = ramp_file();

@@ -37,10 +37,10 @@ struct VolumeReadOptions {
 };
 
 /// Reads grey values.
-/// @param path  a file: NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), MetaImage (.mhd, .mha), InVesalius (.inv3) or
-///              multi-frame DICOM, whatever its ending; or a folder: one DICOM series, or PNG or TIFF slices, ordered
-///              by the number that changes along their names. The spacing of a DICOM series is the distance of its
-///              slices, not their thickness.
+/// @param path  a file: NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), MetaImage (.mhd, .mha), InVesalius (.inv3,
+///              which has no pose: the first sample is at the origin) or multi-frame DICOM, whatever its ending; or a
+///              folder: one DICOM series, or PNG or TIFF slices, ordered by the number that changes along their names.
+///              The spacing of a DICOM series is the distance of its slices, not their thickness.
 [[nodiscard]] GreyVolume read_grey_volume(const std::filesystem::path& path, const VolumeReadOptions& options = {});
 
 /// Reads labels: the same formats; every value must be a whole number, 0 ... 65535.
@@ -77,10 +77,6 @@ struct RawLayout {
 /// @throws Error also when the file is not exactly as long as the layout says
 [[nodiscard]] GreyVolume read_raw_grey_volume(const std::filesystem::path& path, const RawLayout& layout);
 [[nodiscard]] LabelVolume read_raw_label_volume(const std::filesystem::path& path, const RawLayout& layout);
-
-/// Reads the grey values of a project of the program InVesalius (.inv3). A project has no pose: the first sample is at
-/// the origin.
-[[nodiscard]] GreyVolume read_invesalius_project(const std::filesystem::path& path);
 
 /// Writes a compressed NRRD file in millimetres. The file appears under its name only when it is complete.
 /// @throws Error when the volume is not consistent or the file cannot be written; what was there before remains

@@ -4,7 +4,6 @@
 #include <gdcmImageReader.h>
 #include <gdcmTrace.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,37 +12,14 @@
 #include <sstream>
 #include <string>
 
+#include "io/child_side.hpp"
+
 namespace {
 
 constexpr unsigned kSeconds = 15;                                  // of a frame
 constexpr std::uint64_t kLargest = std::uint64_t(1) << 33U;        // [bytes] of a frame and of its file
 constexpr std::uint64_t kMemoryBesides = std::uint64_t(1) << 29U;  // [bytes] for the program and its codecs
 constexpr std::uint64_t kCopiesOfAFrame = 16;                      // that codecs hold of it, in wider numbers
-
-bool take(char* bytes, std::size_t count) {
-  while (count > 0) {
-    const ssize_t got = ::read(STDIN_FILENO, bytes, count);
-    if (got <= 0) return false;
-    bytes += got;
-    count -= std::size_t(got);
-  }
-  return true;
-}
-
-bool give(const char* bytes, std::size_t count) {
-  while (count > 0) {
-    const ssize_t sent = ::write(STDIN_FILENO, bytes, count);
-    if (sent <= 0) return false;
-    bytes += sent;
-    count -= std::size_t(sent);
-  }
-  return true;
-}
-
-void limit(int what, std::uint64_t most) {
-  const rlimit value = {most, most};
-  ::setrlimit(what, &value);
-}
 
 /// @return the values of the frame; empty: it cannot be read
 std::string unpacked(const std::string& file) {
@@ -59,6 +35,7 @@ std::string unpacked(const std::string& file) {
 }  // namespace
 
 int main() {
+  using namespace hapticut::child;
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it has no use without the program that started it
   ::signal(SIGPIPE, SIG_IGN);
   limit(RLIMIT_CORE, 0);
@@ -69,8 +46,7 @@ int main() {
   for (std::uint64_t lengths[2]; take(reinterpret_cast<char*>(lengths), sizeof lengths);) {
     if (lengths[0] > kLargest || lengths[1] > kLargest) return 1;
     most = std::max(most, kMemoryBesides + kCopiesOfAFrame * lengths[1] + 4 * lengths[0]);
-    const rlimit memory = {most, RLIM_INFINITY};
-    ::setrlimit(RLIMIT_AS, &memory);
+    limit(RLIMIT_AS, most);
     ::alarm(kSeconds);
     std::string file(lengths[0], '\0');
     if (!take(file.data(), file.size())) return 1;

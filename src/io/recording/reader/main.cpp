@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program that reads recordings for the library: it answers questions about one HDF5 file over the socket that it
 // is given as its input. A file that was made to hurt may end it in any way: the library takes that for damage.
-#include <sys/resource.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <memory>
 #include <new>
 #include <string>
 
+#include "io/byte_reader.hpp"
+#include "io/child_side.hpp"
 #include "io/recording/hdf5_source.hpp"
 #include "io/recording/recording_messages.hpp"
 
@@ -25,36 +25,13 @@
 namespace hapticut::recording_reader {
 namespace {
 
+using child::give;
+using child::limit;
+using child::take;
+
 constexpr std::uint64_t kMemory = std::uint64_t(1) << 30U;  // [bytes] besides some for each byte of the file
 constexpr std::uint64_t kMemoryPerByte = 4;
 constexpr std::uint64_t kLargestBlock = std::uint64_t(1) << 40U;  // [bytes] that a question may ask for
-
-bool take(char* bytes, std::size_t count) {
-  while (count > 0) {
-    const ssize_t got = ::read(STDIN_FILENO, bytes, count);
-    if (got <= 0) return false;
-    bytes += got;
-    count -= std::size_t(got);
-  }
-  return true;
-}
-
-bool give(const char* bytes, std::size_t count) {
-  while (count > 0) {
-    const ssize_t sent = ::write(STDIN_FILENO, bytes, count);
-    if (sent <= 0) return false;
-    bytes += sent;
-    count -= std::size_t(sent);
-  }
-  return true;
-}
-
-void limit(int what, std::uint64_t most) {
-  rlimit value{};
-  ::getrlimit(what, &value);
-  value.rlim_cur = std::min<rlim_t>(most, value.rlim_max);
-  ::setrlimit(what, &value);
-}
 
 void limit_memory(const std::string& path) {
 #if !defined(HAPTICUT_SANITIZED)
@@ -64,11 +41,6 @@ void limit_memory(const std::string& path) {
 #else
   (void)path;  // the sanitizer reserves more than any limit
 #endif
-}
-
-template <class Number>
-void append(std::string& bytes, const Number& number) {
-  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
 std::string answer_to(const Question& q, const std::string& place, const std::string& name,
@@ -93,15 +65,15 @@ std::string answer_to(const Question& q, const std::string& place, const std::st
       content = source->text_attribute(place, name);
       break;
     case Ask::number_attribute:
-      append(content, source->number_attribute(place, name));
+      append_bytes_of(content, source->number_attribute(place, name));
       break;
     case Ask::text:
       content = source->text(place);
       break;
     case Ask::layout: {
       const DataSetLayout layout = source->layout(place);
-      append(content, std::uint64_t(layout.is_real));
-      for (const std::uint64_t length : layout.shape) append(content, length);
+      append_bytes_of(content, std::uint64_t(layout.is_real));
+      for (const std::uint64_t length : layout.shape) append_bytes_of(content, length);
       break;
     }
     case Ask::block: {

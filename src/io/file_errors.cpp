@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/file_errors.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+namespace hapticut {
+
+std::uint64_t readable_size(const std::filesystem::path& path) {
+  std::error_code code;
+  const auto status = std::filesystem::status(path, code);
+  if (!std::filesystem::exists(status)) cannot_read(path, "there is no such file.");
+  if (std::filesystem::is_directory(status)) cannot_read(path, "it is a folder; give a file.");
+  if (!std::filesystem::is_regular_file(status)) cannot_read(path, "it is not a regular file.");
+  if (!std::ifstream(path, std::ios::binary)) cannot_read(path, "it cannot be opened; check its permissions.");
+  const auto size = std::filesystem::file_size(path, code);
+  if (code) cannot_read(path, code.message() + ".");
+  return size;
+}
+
+std::string first_bytes(const std::filesystem::path& path, std::size_t count) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(count, '\0');
+  file.read(bytes.data(), std::streamsize(count));
+  bytes.resize(std::size_t(std::max<std::streamsize>(file.gcount(), 0)));
+  return bytes;
+}
+
+std::string bytes_of_file(const std::filesystem::path& path) {
+  const auto size = std::size_t(readable_size(path));
+  std::string bytes = first_bytes(path, size);
+  if (bytes.size() != size) cannot_read(path, "it could not be read to its end; check the disk.");
+  return bytes;
+}
+
+}  // namespace hapticut
