@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
-#include "bench/gestures/solid_depth.hpp"
 #include "hapticut/simulation/coupling.hpp"
+#include "support/solid_depth.hpp"
 
 /// @file
 /// What holds of every tick, whatever came before it. The first invariant that is broken is kept in words.
@@ -260,14 +260,8 @@ class ComposedInvariants final : public StepObserver {
   }
 
   void look_at_depth(const Pose& X_WT) {
-    double allowed = 0;
-    for (const Material& material : simulation_->workpiece().materials().all()) {
-      const double k = simulation_->config().reference_stiffness * material.relative_stiffness;
-      const double strength = material.compressive_strength > 0 ? material.compressive_strength : kStrong;
-      allowed = std::max(allowed, 1.1 * std::sqrt(2 * strength / k));
-    }
-    allowed += simulation_->workpiece().voxel_size();
-    const double depth = gestures::solid_depth(*simulation_, X_WT);
+    const double allowed = allowed_depth(*simulation_) + simulation_->workpiece().voxel_size();
+    const double depth = solid_depth(*simulation_, X_WT);
     margins.too_deep = std::max(margins.too_deep, depth / allowed);
     must(depth <= allowed, "no solid material deep in the head", depth, allowed);
   }
@@ -294,7 +288,6 @@ class ComposedInvariants final : public StepObserver {
 
   void mix(double number) noexcept { hash_ = (hash_ ^ std::bit_cast<std::uint64_t>(number)) * 0x100000001b3ULL; }
 
-  static constexpr double kStrong = 150e6;      // [Pa] of a material that is never crushed
   static constexpr double kSpeedKnown = 2e-3;   // [1] how closely the speed of a motor is solved for
   static constexpr double kPowerKnown = 1.001;  // [1]
   static constexpr double kLoadKnown = 0.1;     // [1] how closely the load of a rotor that runs down is known

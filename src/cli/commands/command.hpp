@@ -27,14 +27,12 @@ struct Command {
 [[nodiscard]] Command replay_command();
 [[nodiscard]] Command export_command();
 [[nodiscard]] Command stability_command();
-[[nodiscard]] Command gestures_command();
 [[nodiscard]] Command view_command();
 
 /// All of them, in the order of the help.
 [[nodiscard]] inline std::vector<Command> all_commands() {
-  return {drill_command(),     inspect_command(),  convert_command(), validate_command(),
-          calibrate_command(), loop_command(),     replay_command(),  export_command(),
-          stability_command(), gestures_command(), view_command()};
+  return {drill_command(), inspect_command(), convert_command(), validate_command(),  calibrate_command(),
+          loop_command(),  replay_command(),  export_command(),  stability_command(), view_command()};
 }
 
 }  // namespace hapticut::cli

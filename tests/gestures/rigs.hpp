@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "bench/gestures/pieces.hpp"
-#include "bench/gestures/story.hpp"
+#include "gestures/pieces.hpp"
+#include "gestures/story.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "hapticut/safety/guard.hpp"
@@ -50,6 +50,9 @@ class Rig {
   std::optional<Pose> last_;
   double time_ = 0;
 };
+
+/// What the simulation says of its last step. @param turn  of the scene
+[[nodiscard]] Tick tick_of(const Simulation& simulation, double time, const Mat3& turn);
 
 /// What a Touch renders, for couplings of one's own.
 [[nodiscard]] CouplingGains gains_of_touch(std::optional<double> mass = {});

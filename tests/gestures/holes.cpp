@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A tool in a hole: its own one, or one that fits.
-#include "bench/gestures/gesture_list.hpp"
-#include "bench/gestures/rigs.hpp"
+#include "gestures/gesture_list.hpp"
+#include "gestures/rigs.hpp"
 #include "hapticut/tool/profile.hpp"
 
 namespace hapticut::gestures {
@@ -62,7 +62,6 @@ struct Drilled {
 double crescent(double R, double x) {
   return kPi * R * R - 2 * R * R * std::acos(x / (2 * R)) + x / 2 * std::sqrt(4 * R * R - x * x);
 }
-double side_of(const Tick& tick) { return tick.felt.force.head<2>().norm(); }
 double axial_of(const Tick& tick) { return std::abs(tick.felt.force.z()); }
 
 void drill_lift_push(Report& report) {
@@ -219,8 +218,8 @@ void press_fit(Report& report) {
               1e3 * bone.dynamic_friction * squeeze(kIn) * kHole, 0.2, "N mm", "mu times the sum of normal forces, R");
   Hand pull(turn.end());
   const Span pulled = rig.play(pull.move({0, 0, kPulled}, 0.1));
-  report.near("pull", -rig.story.mean(pulled.tail(0.2), [](const Tick& t) { return t.felt.force.z(); }),
-              bone.dynamic_friction * squeeze(kIn - kPulled), 0.2, "N", "mu times the sum of normal forces");
+  report.near("pull", -rig.story.mean(pulled.tail(0.2), thrust_of), bone.dynamic_friction * squeeze(kIn - kPulled), 0.2,
+              "N", "mu times the sum of normal forces");
   rig.judge();
 }
 

@@ -5,13 +5,29 @@
 #include <string>
 #include <vector>
 
-#include "hapticut/bench/gestures.hpp"
 #include "hapticut/core/spatial.hpp"
 
 namespace hapticut::gestures {
 
 /// A number with three digits and its unit: "2.36 N"; as a share where the unit is "%".
 [[nodiscard]] std::string shown(double value, const std::string& unit);
+
+/// Adds one to a list of numbers, as they are shown.
+inline void list(std::string& text, const std::string& of, const std::string& value) {
+  text += (text.empty() ? "" : ", ") + of + " " + value;
+}
+
+/// One demand on one scene of a gesture.
+struct Row {
+  std::string gesture;    // "G7"
+  std::string scene;      // tool, material, how it is driven
+  double voxel_size = 0;  // [m]; 0: no voxels take part, or several sizes are compared
+  std::string demand;     // what is asked, in a few words, "axial force"; with `gesture` it names a known failure
+  std::string expected;   // in words and numbers, with the unit
+  std::string seen;       // the same of what the library gives
+  bool is_met = false;    // what was seen is what was expected
+  double strain = 0;      // [1] how near it is to its bound, which is 1; 0 of what is so or not
+};
 
 /// A number that must not depend on how finely space and time are cut up.
 struct Quantity {
@@ -23,8 +39,7 @@ struct Quantity {
 /// What one run of a gesture at one size of voxels has to say, and how it is to be run.
 class Report {
  public:
-  Report(std::string gesture, std::string name, double voxel_size)
-      : gesture_(std::move(gesture)), name_(std::move(name)), voxel_(voxel_size) {}
+  Report(std::string gesture, double voxel_size) : gesture_(std::move(gesture)), voxel_(voxel_size) {}
 
   // --- how it is to be run ------------------------------------------------------------------------------------------
   [[nodiscard]] double voxel() const { return voxel_; }  ///< [m]
@@ -36,7 +51,7 @@ class Report {
   /// Names what follows: tool, material, how it is driven.
   void scene(std::string text) { scene_ = std::move(text); }
 
-  void that(const std::string& demand, const std::string& expected, const std::string& seen, bool pass,
+  void that(const std::string& demand, const std::string& expected, const std::string& seen, bool is_met,
             double strain = 0);
 
   /// @param why  the formula in words; empty where the bound speaks for itself
@@ -60,12 +75,12 @@ class Report {
 
   [[nodiscard]] std::uint64_t bits() const { return bits_; }
   [[nodiscard]] const std::vector<Quantity>& quantities() const { return quantities_; }
-  [[nodiscard]] std::vector<GestureRow>& rows() { return rows_; }
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
  private:
-  std::string gesture_, name_, scene_;
+  std::string gesture_, scene_;
   double voxel_;
-  std::vector<GestureRow> rows_;
+  std::vector<Row> rows_;
   std::vector<Quantity> quantities_;
   std::uint64_t bits_ = 0xcbf29ce484222325ULL;
 };

@@ -2,8 +2,8 @@
 // What a device makes of a coupling, and the guard of a force.
 #include <random>
 
-#include "bench/gestures/gesture_list.hpp"
-#include "bench/gestures/rigs.hpp"
+#include "gestures/gesture_list.hpp"
+#include "gestures/rigs.hpp"
 #include "hapticut/bench/closed_loop.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/safety/guard.hpp"
@@ -62,9 +62,8 @@ void passive_spring(Report& report) {
   bool free = true, clean = true;
   for (const DeviceModel& model : device_models()) {
     const Leaving seen = press_spring(model, report.period);
-    const std::string name(model.name);
-    pulled += (pulled.empty() ? "" : ", ") + name + " " + shown(seen.pulled, "N");
-    left += (left.empty() ? "" : ", ") + name + " " + shown(seen.left, "N");
+    list(pulled, std::string(model.name), shown(seen.pulled, "N"));
+    list(left, std::string(model.name), shown(seen.left, "N"));
     free = free && seen.pulled <= 0.01;
     clean = clean && seen.left <= 1e-9;
     report.add_bits(std::uint64_t(1e9 * (seen.pulled + seen.left)));
@@ -105,17 +104,11 @@ void readme_on_touch(Report& report) {
       const DeviceState reading = loop.read();
       const StepResult& result = simulation.step(reading.X_BS, reading.velocity, report.period);
       loop.write({result.force, result.torque});
-      Tick tick;
-      tick.time = double(n) * report.period;
+      Tick tick = tick_of(simulation, double(n) * report.period, Mat3::Identity());
       tick.X_WD = tick.X_WH = reading.X_BS;
       tick.felt = {result.force, result.torque};
       tick.applied = loop.applied();
-      tick.model = result.model;
       tick.removed = result.removed_volume;
-      tick.depth = result.contact.depth;
-      tick.voxels = result.contact.voxels;
-      tick.speed = result.spindle.speed;
-      tick.energy = result.energy;
       story.add(tick, simulation, nullptr);
     }
     report.at_least("sd of the steady force", unsteadiness(story), 5, "%", "it is right to refuse that");
@@ -152,7 +145,7 @@ void heavy_tool(Report& report) {
   }
   const double zeta = gains->damping / (2 * std::sqrt(gains->stiffness * gains->mass));
   const Tool ball = tool_of(SphereHead{1 * mm});
-  Rig rig(report, slab(1 * mm, 1 * mm, 0.2 * mm, plain()), ball, Held::by_coupling, {}, gains);
+  Rig rig(report, slab(1 * mm, 1 * mm, 0.2 * mm, plain_material()), ball, Held::by_coupling, {}, gains);
   Hand hand(ball, Vec3(0, 0, 5 * mm));
   rig.play(hand.hold(0.05).move({20 * mm, 0, 0}, 0.06).hold(1.5));
   double rings = 0;
@@ -172,7 +165,7 @@ void flick(Report& report) {
   const Tool tool(SphereHead{1 * mm}, RayHandle{kLength});
   ChainOptions options;
   options.map.X_WB = Pose::from_translation(Vec3(0, 0, kLength));  // the stylus is held at the base's origin
-  Chain chain(report, build_block({Vec3(1.5, -3, -3) * mm, Vec3(5, 3, 3) * mm}, report.voxel(), plain()), tool,
+  Chain chain(report, build_block({Vec3(1.5, -3, -3) * mm, Vec3(5, 3, 3) * mm}, report.voxel(), plain_material()), tool,
               options);
   const Pose start;
   Hand hand(start);

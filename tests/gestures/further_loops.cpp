@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Further shapes of trouble, in the loop of a device: tapping, the rim of the workspace, commands in contact.
-#include "bench/gestures/gesture_list.hpp"
-#include "bench/gestures/rigs.hpp"
-#include "hapticut/safety/guard.hpp"
+#include "gestures/gesture_list.hpp"
+#include "gestures/loop_scenes.hpp"
 
 namespace hapticut::gestures {
 namespace {
 
-constexpr double kHead = 1 * mm;  // [m] radius of the ball
-constexpr double kNow = 0.5;      // [s] when it happens
-
-Tool ball_at(double speed) { return tool_of(SphereHead{kHead}, Spindle{speed * units::rad_per_s}); }
-Workpiece cortical(const Report& report) { return slab(1.6 * mm, 3 * mm, report.voxel(), presets::cortical_bone()); }
+constexpr double kNow = 0.5;  // [s] when it happens
 
 /// Pressed by 2.8 N from 0.2 s on.
-Hand pressed_hand(const Tool& tool) {
-  Hand hand(tool, Vec3(0, 0, 0.2 * mm));
+Hand pressed_hand() {
+  Hand hand(turning_ball(), Vec3(0, 0, 0.2 * mm));
   return hand.move({0, 0, -4.2 * mm}, 0.2);
 }
-
-double applied_of(const Tick& tick) { return tick.applied.force.norm(); }
 
 /// [m] of the tool between a moment and the end of a span.
 double moved_since(const Story& story, double time, const Span& span) {
@@ -42,13 +35,7 @@ void demand_quiet(Report& report, Chain& chain, double until) {
   for (std::size_t n = after.first; n < after.last; ++n)
     if (applied_of(story.ticks[n]) == 0) unfelt += story.ticks[n].removed;
   report.at_most("cut without a force", 1e9 * unfelt, 1e-6, "mm^3");
-  double most = 0;
-  for (std::size_t n = after.first; n < after.last; ++n) {
-    const Vec3 &last = story.ticks[n - 1].applied.force, &now = story.ticks[n].applied.force;
-    most = std::max(most, (now - growth_limited(last, now, 0)).norm());
-  }
-  const double slew = SafetyGuard(capabilities(device_model("touch")), {}).slew();
-  report.at_most("force step", most, 1.001 * slew * report.period, "N", "the slew limit");
+  demand_slow_growth(report, story, after);
 }
 
 // --- G28 -------------------------------------------------------------------------------------------------------------
@@ -58,12 +45,12 @@ void press_far_tip(Report& report) {
   report.scene(
       "ball 2 mm on a handle of 80 mm that lies flat, standing, pressed on cortical bone, Premium of six motors, "
       "coupled");
-  const Tool tool(SphereHead{kHead}, RayHandle{kArm});
+  const Tool tool(SphereHead{kBallRadius}, RayHandle{kArm});
   ChainOptions options;
   options.device = "premium6dof";
-  Chain chain(report, cortical(report), tool, options);
+  Chain chain(report, bone_for(report), tool, options);
   // The handle lies along x: the head is in the middle, the hand 80 mm beside it.
-  Hand hand(Pose{rotation_from_vector(Vec3(0, kPi / 2, 0)), Vec3(kArm, 0, kHead + 0.2 * mm)});
+  Hand hand(Pose{rotation_from_vector(Vec3(0, kPi / 2, 0)), Vec3(kArm, 0, kBallRadius + 0.2 * mm)});
   hand.move({0, 0, -13 * mm}, 0.5);
   const double pressed = hand.seconds();
   chain.play(hand.hold(0.5));
@@ -77,17 +64,17 @@ void press_far_tip(Report& report) {
 
 void lean_on_wall(Report& report) {
   for (const double kappa : {0.5, 3.3}) {
-    Material material = plain();
+    Material material = plain_material();
     material.cutting_ratio = kappa;
     material.specific_cutting_energy = 3e9;
     report.scene("side of a cylinder of 2 mm, 30 000 rpm, leant with 0.3 N on a wall of u 3e9 J/m^3, kappa " +
                  shown(kappa, "") + ", Touch in a nominal hand, coupled");
-    const Tool bur = tool_of(FlatHead{kHead, 4 * mm}, Spindle{30000 * rpm});
+    const Tool bur = tool_of(FlatHead{kBallRadius, 4 * mm}, Spindle{30000 * rpm});
     ChainOptions options;
     options.hand = "nominal";
     Chain chain(report, build_block({Vec3(-9, 0, -2) * mm, Vec3(9, 1, 0) * mm}, report.voxel(), material), bur,
                 options);
-    Hand hand(bur, Vec3(0.2 * mm, -kHead - 0.3 * mm, -1.5 * mm));
+    Hand hand(bur, Vec3(0.2 * mm, -kBallRadius - 0.3 * mm, -1.5 * mm));
     hand.move({0, 0.3 * mm + 0.3 / 210, 0}, 0.3);  // spring of the hand and coupling in a row: 210 N/m
     const double leant = hand.seconds();
     chain.play(hand.hold(0.7));
@@ -105,8 +92,8 @@ void tap(Report& report) {
       "ball 2 mm, standing, 10 taps a second from 2 mm above to 2 mm below enamel, Touch in a nominal hand, coupled");
   ChainOptions options;
   options.hand = "nominal";
-  Chain chain(report, slab(1.6 * mm, 2 * mm, report.voxel(), presets::enamel()), ball_at(0), options);
-  Hand hand(ball_at(0), Vec3(0, 0, 2 * mm));
+  Chain chain(report, slab(1.6 * mm, 2 * mm, report.voxel(), presets::enamel()), turning_ball(0), options);
+  Hand hand(turning_ball(0), Vec3(0, 0, 2 * mm));
   for (int n = 0; n < 10; ++n) hand.move({0, 0, -4 * mm}, 0.05).move({0, 0, 4 * mm}, 0.05);
   const double taps = hand.seconds();
   chain.play(hand.hold(0.3));
@@ -121,8 +108,8 @@ void tap(Report& report) {
 void begin_inside(Report& report) {
   report.scene(
       "ball 2 mm, 40 000 rpm, 1 mm deep in cortical bone when the run begins, then drawn out and pressed, coupled");
-  Chain chain(report, cortical(report), ball_at(40000 * rpm));
-  Hand hand(ball_at(40000 * rpm), Vec3(0, 0, -1 * mm));
+  Chain chain(report, bone_for(report), turning_ball());
+  Hand hand(turning_ball(), Vec3(0, 0, -1 * mm));
   hand.hold(0.2);
   const double inside = hand.seconds();
   hand.move({0, 0, 2 * mm}, 0.2).hold(1.7);
@@ -146,8 +133,8 @@ void over_the_rim(Report& report) {
   ChainOptions options;
   const double rim = device_model("touch").workspace_half_width + 0.05;  // [m] to which a reading is believed
   options.map.X_WB.translation.x() = -(rim - 1 * mm);
-  Chain chain(report, cortical(report), ball_at(40000 * rpm), options);
-  Hand in_world = pressed_hand(ball_at(40000 * rpm));
+  Chain chain(report, bone_for(report), turning_ball(), options);
+  Hand in_world = pressed_hand();
   Pose start = in_world.at(0), down = in_world.end();
   start.translation.x() += rim - 1 * mm;
   down.translation.x() += rim - 1 * mm;
@@ -162,9 +149,9 @@ void over_the_rim(Report& report) {
 
 void change_scale(Report& report) {
   report.scene("ball 2 mm that cuts cortical bone, scale from 1 to 3, coupled");
-  Chain chain(report, cortical(report), ball_at(40000 * rpm));
+  Chain chain(report, bone_for(report), turning_ball());
   once(chain, [&] { chain.tell(commands::SetScale{3}); });
-  Hand hand = pressed_hand(ball_at(40000 * rpm));
+  Hand hand = pressed_hand();
   hand.hold(0.4);
   const double rests = hand.seconds();
   hand.move({0, 0, 3 * mm}, 0.2).hold(0.4);
@@ -187,13 +174,13 @@ void change_scale(Report& report) {
 
 void hold_and_leave(Report& report) {
   report.scene("ball 2 mm that cuts cortical bone, force held, hand 10 mm up and back, force released, coupled");
-  Chain chain(report, cortical(report), ball_at(40000 * rpm));
+  Chain chain(report, bone_for(report), turning_ball());
   bool held = false, released = false;
   chain.before = [&](double time) {
     if (time >= kNow && !std::exchange(held, true)) chain.tell(commands::HoldForce{true});
     if (time >= kNow + 0.5 && !std::exchange(released, true)) chain.tell(commands::HoldForce{false});
   };
-  Hand hand = pressed_hand(ball_at(40000 * rpm));
+  Hand hand = pressed_hand();
   chain.play(hand.hold(0.35).move({0, 0, 10 * mm}, 0.2).move({0, 0, -10 * mm}, 0.2).hold(0.3));
   const Span after = chain.story.within(kNow + 0.5, kNow + 0.75);
   report.at_most("cut while held", 1e9 * chain.story.sum(chain.story.within(kNow + 2e-3, kNow + 0.5), removed_of), 1e-6,
@@ -207,10 +194,10 @@ void undo_in_cavity(Report& report) {
   report.scene("ball 2 mm in the cavity that it cut in cortical bone, undone, then drawn out, coupled");
   ChainOptions options;
   options.undo_blocks = 4000;
-  Chain chain(report, cortical(report), ball_at(40000 * rpm), options);
+  Chain chain(report, bone_for(report), turning_ball(), options);
   chain.tell(commands::SetUndoMark{});
   once(chain, [&] { chain.tell(commands::Undo{}); });
-  Hand hand = pressed_hand(ball_at(40000 * rpm));
+  Hand hand = pressed_hand();
   hand.hold(0.5);
   const double rests = hand.seconds();
   chain.play(hand.move({0, 0, 8 * mm}, 0.3).hold(0.4));
@@ -223,13 +210,13 @@ void undo_in_cavity(Report& report) {
 
 void stop_and_go(Report& report) {
   report.scene("ball 2 mm that cuts cortical bone, spindle switched off for 0.3 s and on again, coupled");
-  Chain chain(report, cortical(report), ball_at(40000 * rpm));
+  Chain chain(report, bone_for(report), turning_ball());
   bool off = false, on = false;
   chain.before = [&](double time) {
     if (time >= kNow && !std::exchange(off, true)) chain.tell(commands::SetSpindleSpeed{0});
     if (time >= kNow + 0.3 && !std::exchange(on, true)) chain.tell(commands::SetSpindleSpeed{40000 * rpm});
   };
-  Hand hand = pressed_hand(ball_at(40000 * rpm));
+  Hand hand = pressed_hand();
   chain.play(hand.hold(1));
   const Story& story = chain.story;
   const auto height = [&](double time) { return story.at(time).X_WH.translation.z(); };

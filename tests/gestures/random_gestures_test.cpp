@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whatever a hand does one thing after another: what holds of the whole chain always, and how often the invariants that
 // do not hold yet are broken.
+#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <sstream>
 
-#include "bench/gestures/rigs.hpp"
+#include "gestures/rigs.hpp"
 #include "hapticut/safety/guard.hpp"
 #include "support/generators.hpp"
 
@@ -58,7 +59,7 @@ Tool ball(double radius) {
 
 /// The chain that has done all of it.
 struct Done {
-  Done(const std::vector<Part>& parts, bool probing) : report("random", "", kVoxel) {
+  Done(const std::vector<Part>& parts, bool probing) : report("random", kVoxel) {
     report.probing = probing;
     ChainOptions options;
     options.guard.arming.ramp = options.guard.arming.short_ramp = 0.02;
@@ -162,7 +163,7 @@ RC_GTEST_PROP(RandomGestures, KeepToTheDeviceAndCloseTheLedgerAndGiveTheSameBits
   RC_ASSERT(energy.cutting >= 0 && energy.damping >= 0 && energy.rubbing >= 0 && energy.sliding >= 0);
   RC_ASSERT(Done(parts, true).report.bits() == done.report.bits());
   RC_CLASSIFY(std::abs(energy.imbalance()) > 1e-3 * turnover, "ledger off by more than 1e-3");
-  for (const GestureRow& row : done.report.rows()) RC_CLASSIFY(!row.pass, row.demand + " broken");
+  for (const gestures::Row& row : done.report.rows()) RC_CLASSIFY(!row.is_met, row.demand + " broken");
 }
 
 }  // namespace

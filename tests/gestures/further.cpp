@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Further shapes of trouble, in a loop of one's own: slow, fast, over edges and borders, with heads that are too small.
-#include "bench/gestures/gesture_list.hpp"
-#include "bench/gestures/rigs.hpp"
-#include "hapticut/bench/closed_forms.hpp"
+#include "gestures/gesture_list.hpp"
+#include "gestures/rigs.hpp"
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut::gestures {
-
 namespace {
 
 namespace forms = closed_forms;
 
-double up_of(const Tick& tick) { return tick.felt.force.z(); }
-
 /// [m^3] of a ball that has gone down to a depth, less than its radius.
 double cap_volume(double R, double depth) { return kPi * depth * depth * (R - depth / 3); }
-
-forms::SteadyCut plain_cut(const Material& m, double spin, double feed) {
-  return {m.specific_cutting_energy, m.cutting_ratio, spin, feed};
-}
 
 // --- G38 -------------------------------------------------------------------------------------------------------------
 
@@ -26,16 +18,17 @@ void creep(Report& report) {
   constexpr double kRadius = 0.5 * mm, kFeed = 0.02 * mm, kDepth = 0.1 * mm, kSpin = 4000;
   report.scene("ball 1 mm, fed by 0.02 um in a tick, u 3e8 J/m^3, directly");
   const Tool ball = tool_of(SphereHead{kRadius}, Spindle{kSpin * units::rad_per_s});
-  Rig rig(report, slab(0.8 * mm, 0.6 * mm, report.voxel(), plain()), ball, Held::directly);
+  Rig rig(report, slab(0.8 * mm, 0.6 * mm, report.voxel(), plain_material()), ball, Held::directly);
   const double start = 1 * units::um;
   Hand hand(ball, Vec3(0.013 * mm, 0.007 * mm, start));
   const Span fed = rig.play(hand.move({0, 0, -kDepth - start}, (kDepth + start) / kFeed));
   const double removed = rig.story.sum(fed, removed_of);
   report.near("volume", 1e9 * removed, 1e9 * cap_volume(kRadius, kDepth), 0.05, "mm^3", "of the cap");
-  const double thrust = rig.story.mean(fed.tail(0.1), up_of);
-  report.near("thrust", 1e3 * thrust,
-              1e3 * forms::ball_plunge_wrench(plain_cut(plain(), kSpin, kFeed), kRadius, 0.95 * kDepth).force.z(), 0.1,
-              "mN", "C28");
+  const double thrust = rig.story.mean(fed.tail(0.1), thrust_of);
+  report.near(
+      "thrust", 1e3 * thrust,
+      1e3 * forms::ball_plunge_wrench(steady_cut(plain_material(), {}, kSpin, kFeed), kRadius, 0.95 * kDepth).force.z(),
+      0.1, "mN", "C28");
   report.quantity("thrust", 1e3 * thrust, "mN", 0.1);
   rig.judge();
 }
@@ -48,7 +41,7 @@ void reverse_at_bottom(Report& report) {
   Spindle spindle{3000 * units::rad_per_s};
   spindle.acceleration_limit = 6000 / 0.03;
   const Tool bur = tool_of(FlatHead{kRadius, 3 * mm, FlatRule::bottom_only}, spindle);
-  Rig rig(report, slab(1.2 * mm, 1.8 * mm, report.voxel(), plain()), bur, Held::directly);
+  Rig rig(report, slab(1.2 * mm, 1.8 * mm, report.voxel(), plain_material()), bur, Held::directly);
   Hand hand(bur, Vec3(0, 0, 0.02 * mm));
   const Span before = rig.play(hand.move({0, 0, -0.5 * mm}, 0.5 * mm / kFeed)).tail(0.2);
   rig.simulation.set_spindle_speed(-3000 * units::rad_per_s);
@@ -56,7 +49,8 @@ void reverse_at_bottom(Report& report) {
   rig.play(on.move({0, 0, -0.1 * mm}, 0.1 * mm / kFeed));
   Hand end(on.end());
   const Span after = rig.play(end.move({0, 0, -0.4 * mm}, 0.4 * mm / kFeed)).tail(0.2);
-  report.near("thrust after", rig.story.mean(after, up_of), rig.story.mean(before, up_of), 0.1, "N", "as before");
+  report.near("thrust after", rig.story.mean(after, thrust_of), rig.story.mean(before, thrust_of), 0.1, "N",
+              "as before");
   const auto torque = [](const Tick& t) { return t.felt.torque.z(); };
   report.near("torque after", 1e3 * rig.story.mean(after, torque), -1e3 * rig.story.mean(before, torque), 0.1, "N mm",
               "the other way");
@@ -68,7 +62,7 @@ void reverse_at_bottom(Report& report) {
 void over_a_border(Report& report) {
   constexpr double kRadius = 0.8 * mm, kHeight = 0.6 * mm, kFeed = 4 * mm, kSpin = 4000;
   report.scene("side of a cylinder of 1.6 mm in a slot from u 3e8 into u 3e9 J/m^3, directly");
-  Material soft = plain(), hard = plain();
+  Material soft = plain_material(), hard = plain_material();
   soft.name = "soft", hard.name = "hard";
   hard.specific_cutting_energy = 3e9;
   const double voxel = report.voxel();
@@ -80,10 +74,10 @@ void over_a_border(Report& report) {
   Rig rig(report, std::move(piece), bur, Held::directly);
   Hand hand(bur, Vec3(-2 * mm - kRadius, 0, -kHeight - 0.5 * mm));
   rig.play(hand.move({3.4 * mm, 0, 0}, 3.4 * mm / kFeed));
-  const double in_hard = forms::slotting_wrench(plain_cut(hard, kSpin, kFeed), kRadius, kHeight).force.head<2>().norm();
-  const auto side = [](const Tick& t) { return t.felt.force.head<2>().norm(); };
-  report.at_most("overshoot", rig.story.most(rig.story.all(), side) / in_hard, 1.1, "", "of C24 in the hard one");
-  const double end = rig.story.mean(rig.story.all().tail(0.08), side);
+  const double in_hard =
+      forms::slotting_wrench(steady_cut(hard, {}, kSpin, kFeed), kRadius, kHeight).force.head<2>().norm();
+  report.at_most("overshoot", rig.story.most(rig.story.all(), side_of) / in_hard, 1.1, "", "of C24 in the hard one");
+  const double end = rig.story.mean(rig.story.all().tail(0.08), side_of);
   report.near("force behind it", end, in_hard, 0.1, "N", "C24");
   report.quantity("force behind it", end, "N", 0.1);
   rig.judge();
@@ -154,7 +148,7 @@ void sweep_from_afar(Report& report) {
   report.scene(
       "ball 2 mm on a handle of 100 mm, 30 000 rpm, swept through u 3e8 J/m^3 by turning it about its end, coupled");
   const Tool ball(SphereHead{1 * mm}, RayHandle{kArm}, Spindle{30000 * rpm});
-  Rig rig(report, build_block({Vec3(-2, -2, -3) * mm, Vec3(2, 2, 0) * mm}, report.voxel(), plain()), ball,
+  Rig rig(report, build_block({Vec3(-2, -2, -3) * mm, Vec3(2, 2, 0) * mm}, report.voxel(), plain_material()), ball,
           Held::by_coupling);
   const Vec3 pivot(0, 0, kArm + 0.4 * mm);
   const double wide = 0.05;
@@ -176,11 +170,12 @@ void too_thin(Report& report) {
     const double R = 0.5 * size * report.voxel(), feed = R / 0.2;
     const Tool ball = tool_of(SphereHead{R}, Spindle{4000 * units::rad_per_s});
     try {
-      Rig rig(report, slab(4 * report.voxel(), 4 * report.voxel(), report.voxel(), plain()), ball, Held::directly);
+      Rig rig(report, slab(4 * report.voxel(), 4 * report.voxel(), report.voxel(), plain_material()), ball,
+              Held::directly);
       Hand hand(ball, Vec3(0.011 * mm, 0.017 * mm, 0));
       const Span fed = rig.play(hand.move({0, 0, -3 * R}, 3 * R / feed)).tail(0.3);
-      report.near("thrust", rig.story.mean(fed, up_of),
-                  forms::ball_plunge_wrench(plain_cut(plain(), 4000, feed), R, R).force.z(), 0.2, "N",
+      report.near("thrust", rig.story.mean(fed, thrust_of),
+                  forms::ball_plunge_wrench(steady_cut(plain_material(), {}, 4000, feed), R, R).force.z(), 0.2, "N",
                   "C28, or refused");
       rig.judge();
     } catch (const Error& refusal) {

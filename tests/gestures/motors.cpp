@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The motor that turns the head, beyond its stall torque.
-#include "bench/gestures/gesture_list.hpp"
-#include "bench/gestures/rigs.hpp"
+#include "gestures/gesture_list.hpp"
+#include "gestures/rigs.hpp"
 
 namespace hapticut::gestures {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/gestures/rigs.hpp"
+#include "gestures/rigs.hpp"
 
 #include <utility>
 
@@ -33,6 +33,8 @@ SimulationConfig with_contact_time(SimulationConfig config, bool coupled) {
   return config;
 }
 
+}  // namespace
+
 Tick tick_of(const Simulation& simulation, double time, const Mat3& turn) {
   const StepResult& result = simulation.last_result();
   Tick tick;
@@ -45,8 +47,6 @@ Tick tick_of(const Simulation& simulation, double time, const Mat3& turn) {
   tick.status = result.status;
   return tick;
 }
-
-}  // namespace
 
 CouplingGains gains_of_touch(std::optional<double> mass) {
   return coupling_gains(capabilities(device_model("touch")), mass);

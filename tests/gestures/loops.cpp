@@ -2,33 +2,14 @@
 // The loop: arming, clutch, faults, commands, and the cable.
 #include <limits>
 
-#include "bench/gestures/gesture_list.hpp"
-#include "bench/gestures/rigs.hpp"
-#include "hapticut/safety/guard.hpp"
+#include "gestures/gesture_list.hpp"
+#include "gestures/loop_scenes.hpp"
 
 namespace hapticut::gestures {
 namespace {
 
-constexpr double kBall = 1 * mm;  // [m] radius
-
-Tool turning_ball(double speed = 40000 * rpm) { return tool_of(SphereHead{kBall}, Spindle{speed * units::rad_per_s}); }
-Workpiece bone_for(const Report& report) { return slab(1.6 * mm, 3 * mm, report.voxel(), presets::cortical_bone()); }
-
 /// [m] of the hand below the surface at which a Touch's coupling presses with a force.
 double press_depth(double force) { return force / gains_of_touch().stiffness; }
-
-/// [N/s] by which the guard of a Touch lets a force grow.
-double slew_of_touch() { return SafetyGuard(capabilities(device_model("touch")), {}).slew(); }
-
-/// [N] the largest growth of what the motors got in one tick of a span.
-double largest_growth(const Story& story, const Span& span) {
-  double most = 0;
-  for (std::size_t n = std::max<std::size_t>(span.first, 1); n < span.last; ++n) {
-    const Vec3 &last = story.ticks[n - 1].applied.force, &now = story.ticks[n].applied.force;
-    most = std::max(most, (now - growth_limited(last, now, 0)).norm());
-  }
-  return most;
-}
 
 /// [m] the farthest that the tool is within a span from where it was before it.
 double strayed(const Story& story, const Span& span) {
@@ -85,10 +66,9 @@ void open_clutch(Report& report) {
   chain.play(hand);
   const Story& story = chain.story;
   const Span open = story.within(kOpen + 2e-3, kClose), closing = story.within(kClose, kClose + 0.02);
-  report.at_most("felt while open", story.most(open, [](const Tick& t) { return t.applied.force.norm(); }), 0, "N");
+  report.at_most("felt while open", story.most(open, applied_of), 0, "N");
   report.at_most("cut while open", 1e9 * story.sum(open, removed_of), 1e-6, "mm^3");
-  report.at_most("force step of closing", largest_growth(story, closing), 1.001 * slew_of_touch() * report.period, "N",
-                 "the slew limit");
+  demand_slow_growth(report, story, closing, "force step of closing");
   report.at_most("tool jumps at closing", 1e3 * strayed(story, closing), 0.1, "mm");
   chain.judge();
 }
@@ -164,7 +144,6 @@ void stop_at_once(Report& report) {
   };
   chain.play(pressing());
   const Story& story = chain.story;
-  const auto applied_of = [](const Tick& tick) { return tick.applied.force.norm(); };
   report.at_least("force before it", applied_of(story.at(kFaultAt - report.period)), 0.5, "N");
   report.at_most("force after it", story.most(story.within(kFaultAt + 0.1, 10), applied_of), 0, "N",
                  "from 100 ms on, although the hand presses on");
@@ -180,7 +159,7 @@ void change_while_touching(Report& report) {
   Material soft = presets::cortical_bone();
   soft.relative_stiffness *= 0.5;
   Chain chain(report, bone_for(report), turning_ball());
-  LoopCommand other_tool = chain.model().prepare_tool(tool_of(SphereHead{1.3 * kBall}, Spindle{40000 * rpm}));
+  LoopCommand other_tool = chain.model().prepare_tool(tool_of(SphereHead{1.3 * kBallRadius}, Spindle{40000 * rpm}));
   LoopCommand other_material = chain.model().prepare_materials(MaterialTable({soft}));
   Hand hand(turning_ball(), Vec3(0, 0, 1 * mm));
   const double turn = 0.5;  // [s] to and fro
@@ -208,8 +187,7 @@ void change_while_touching(Report& report) {
   const Span span = chain.play(hand);
   const Story& story = chain.story;
   report.at_most("refused", refused, 0, "");
-  report.at_most("force step", largest_growth(story, span), 1.001 * slew_of_touch() * report.period, "N",
-                 "the slew limit");
+  demand_slow_growth(report, story, span);
   int early = 0;
   double jump = 0;
   for (const std::size_t at : exchanges) {
@@ -251,7 +229,7 @@ void unplug(Report& report) {
       const Tick& tick = chain.story.ticks[n];
       if (tick.time > 0.1) break;
       removed += tick.removed;
-      force = std::max(force, tick.applied.force.norm());
+      force = std::max(force, applied_of(tick));
     }
     report.at_most("force before it is free", force, 0, "N");
     report.at_most("cut before it is free", 1e9 * removed, 1e-6, "mm^3");
@@ -266,8 +244,7 @@ void unplug(Report& report) {
   };
   chain.play(pressing());
   const Span awake = chain.story.within(kFaultAt, kFaultAt + 0.2);
-  report.at_most("force on waking", chain.story.most(awake, [](const Tick& t) { return t.applied.force.norm(); }), 0,
-                 "N", "the tool touches");
+  report.at_most("force on waking", chain.story.most(awake, applied_of), 0, "N", "the tool touches");
   report.at_most("cut on waking", 1e9 * chain.story.sum(awake, removed_of), 1e-6, "mm^3");
   report.at_most("tool stays", 1e3 * strayed(chain.story, awake), 0.1, "mm");
   chain.judge();

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A head that stands, pressed and slid; and a corner, standing and cutting.
-#include "bench/gestures/gesture_list.hpp"
-#include "bench/gestures/rigs.hpp"
+#include "gestures/gesture_list.hpp"
+#include "gestures/rigs.hpp"
 
 namespace hapticut::gestures {
 namespace {
-
-/// Adds one to a list of numbers, as they are shown.
-void list(std::string& text, const std::string& of, const std::string& value) {
-  text += (text.empty() ? "" : ", ") + of + " " + value;
-}
 
 // --- G10 -------------------------------------------------------------------------------------------------------------
 
@@ -20,9 +15,10 @@ void corner(Report& report) {
   for (const bool cutting : {false, true}) {
     report.scene(std::string("ball 2 mm, ") + (cutting ? "turning" : "standing") + ", coupled");
     std::string unexplained, force;
-    bool explained = true, bounded = true;
+    double worst = 0;  // [1] unexplained
+    bool bounded = true;
     for (const double kappa : {0.5, 1.0, 2.0, 3.3, 5.0}) {
-      Material hard = plain();
+      Material hard = plain_material();
       hard.cutting_ratio = kappa;
       hard.specific_cutting_energy = 1e11;  // it stays a corner
       Workpiece piece = carved(box, report.voxel(), hard, [](const Vec3& p) { return std::min(p.x(), p.z()); });
@@ -39,11 +35,12 @@ void corner(Report& report) {
       const double lost = std::abs(e.closure()), most = rig.story.most(rig.story.all(), force_of);
       list(unexplained, "kappa " + shown(kappa, "") + ":", shown(100 * lost, "%"));
       list(force, "kappa " + shown(kappa, "") + ":", shown(most, "N"));
-      explained = explained && lost < 1e-2;
+      worst = std::max(worst, lost);
       bounded = bounded && most <= 1.001 * rig.story.limits.force;
       if (kappa == 5.0) rig.judge();
     }
-    report.that("converges", "less than 1 % of the work unexplained, or a bit that says so", unexplained, explained);
+    report.that("converges", "less than 1 % of the work unexplained, or a bit that says so", unexplained, worst < 1e-2,
+                worst / 1e-2);
     report.that("force", "at most 3.3 N, largest_force of the coupling", force, bounded);
   }
 }
@@ -91,7 +88,7 @@ void plates(Report& report) {
         const double solid_before = (1.1 + 1.13) * (1.1 + 1.17) * mm * mm * t;
         const double less = solid_before - rig.simulation.workpiece().amounts().front().volume;
         const double gone = less > 1e-6 * volume ? less : 0;  // or the rounding of single precision
-        const double most = rig.story.most(rig.story.all(), [](const Tick& tick) { return tick.felt.force.z(); });
+        const double most = rig.story.most(rig.story.all(), thrust_of);
         const double strength = strength_of(bone) * punch.area(t);
         // The wall that is left presses on the side, and friction there adds to what the strength resists.
         const double rubs = strength_of(bone) * bone.static_friction * 2 * kPi * punch.radius * t;
@@ -116,7 +113,7 @@ void plates(Report& report) {
 
 void groove(Report& report) {
   constexpr double kRadius = 1 * mm, kPressed = 30 * units::um, kLeft = 0.1, kRight = 0.5;
-  Material left = plain(), right = plain();
+  Material left = plain_material(), right = plain_material();
   left.name = "left", left.static_friction = left.dynamic_friction = kLeft;
   right.name = "right", right.static_friction = right.dynamic_friction = kRight;
   const Box box{Vec3(-1.7, -2.3, -2) * mm, Vec3(1.7, 2.3, 0) * mm};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The demands on gestures that the library does not meet yet. A cure takes its lines off the list.
+#include "gestures/known_failures.hpp"
+
 #include <array>
 
-#include "hapticut/bench/gestures.hpp"
-
-namespace hapticut {
+namespace hapticut::gestures {
 namespace {
 
 constexpr std::string_view kSlow = "a hard corner of few voxels, at kappa 5: the first touch of both faces";
@@ -13,7 +13,7 @@ constexpr std::string_view kPoint =
 constexpr std::string_view kPlate = "a plate of a voxel's thickness is met at once";
 constexpr std::string_view kGroove = "a groove of a fifth of a voxel";
 
-constexpr auto kKnown = std::to_array<KnownGestureFailure>({
+constexpr auto kKnown = std::to_array<KnownFailure>({
     {"G10", "invariant 1", kSlow, "unexplained by the coupling 2.3 %, at 0.2 mm"},
     {"G11", "resists", kPlate, "5.37 N of at most 5.36 N, cylinder on trabecular bone at 0.2 mm"},
     {"G11", "invariant 1", kPoint, "entered 2.78 %, cone at 0.05 mm"},
@@ -28,6 +28,13 @@ constexpr auto kKnown = std::to_array<KnownGestureFailure>({
 
 }  // namespace
 
-std::span<const KnownGestureFailure> known_gesture_failures() { return kKnown; }
+std::span<const KnownFailure> known_failures() { return kKnown; }
 
-}  // namespace hapticut
+std::string_view known_reason(const Row& row) {
+  if (row.is_met) return {};
+  for (const KnownFailure& failure : kKnown)
+    if (failure.gesture == row.gesture && failure.demand == row.demand) return failure.reason;
+  return {};
+}
+
+}  // namespace hapticut::gestures

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A head that cuts.
-#include "bench/gestures/gesture_list.hpp"
-#include "bench/gestures/rigs.hpp"
-#include "hapticut/bench/closed_forms.hpp"
+#include "gestures/gesture_list.hpp"
+#include "gestures/rigs.hpp"
 #include "hapticut/loop/island_watch.hpp"
-#include "hapticut/tool/cutter.hpp"
 
 namespace hapticut::gestures {
 namespace {
@@ -12,14 +10,8 @@ namespace {
 namespace forms = closed_forms;
 using forms::SteadyCut;
 
-double thrust_of(const Tick& tick) { return tick.felt.force.z(); }
-
 SteadyCut cut_of(const Material& m, const Tool& tool, double feed) {
-  SteadyCut cut{m.specific_cutting_energy, m.cutting_ratio, std::abs(tool.spindle().speed), feed};
-  cut.tooth_rate = tooth_rate(tool.cutter(), tool.spindle().speed);
-  cut.edge_length = m.edge_length;
-  cut.size_length = m.size_length;
-  return cut;
+  return steady_cut(m, tool.cutter(), std::abs(tool.spindle().speed), feed);
 }
 
 // --- G15 -------------------------------------------------------------------------------------------------------------
@@ -50,11 +42,11 @@ void cut_by_default(Report& report) {
     report.quantity("thrust", seen, "N", 0.1);
   };
   const Tool flat = tool_of(FlatHead{1 * mm, 3 * mm, FlatRule::bottom_only}, Spindle{2000 * units::rad_per_s});
-  hold_to("flat 2 mm, u 3e8 J/m^3, 2 mm/s, directly", flat, plain(), 2 * mm, 0.3 * mm,
-          forms::axial_cutting_force_of_a_flat_head(cut_of(plain(), flat, 2 * mm), 1 * mm), "C20");
+  hold_to("flat 2 mm, u 3e8 J/m^3, 2 mm/s, directly", flat, plain_material(), 2 * mm, 0.3 * mm,
+          forms::axial_cutting_force_of_a_flat_head(cut_of(plain_material(), flat, 2 * mm), 1 * mm), "C20");
   const Tool ball = tool_of(SphereHead{1 * mm}, Spindle{2000 * units::rad_per_s});
-  hold_to("ball 2 mm, u 3e8 J/m^3, 4 mm/s, directly", ball, plain(), 4 * mm, 1.3 * mm,
-          forms::ball_plunge_wrench(cut_of(plain(), ball, 4 * mm), 1 * mm, 1.2 * mm).force.z(), "C28");
+  hold_to("ball 2 mm, u 3e8 J/m^3, 4 mm/s, directly", ball, plain_material(), 4 * mm, 1.3 * mm,
+          forms::ball_plunge_wrench(cut_of(plain_material(), ball, 4 * mm), 1 * mm, 1.2 * mm).force.z(), "C28");
   const Material bone = presets::cortical_bone(CutterKind::twist_drill);
   const Tool drill = tool_of(twist_drill_head(2 * mm, 4 * mm), Spindle{1000 * rpm}, {CutterKind::twist_drill, 2});
   hold_to("twist drill 2 mm, 1000 rpm, cortical bone, 2 mm/s, directly", drill, bone, 2 * mm, 1 * mm,
@@ -76,7 +68,7 @@ void side_milling(Report& report) {
     std::string seen;
     bool pass = true;
     for (const double kappa : {0.5, 1.6, 3.3}) {
-      Material material = plain();
+      Material material = plain_material();
       material.cutting_ratio = kappa;
       // The feed is along +x, the spin about +z: on the side of +y a chip begins at its full thickness.
       const double low = climb ? 0 : -1.7 * mm, high = climb ? 1.7 * mm : 0;
@@ -90,8 +82,7 @@ void side_milling(Report& report) {
       const Vec3 force(rig.story.mean(fed, [](const Tick& t) { return t.felt.force.x(); }),
                        rig.story.mean(fed, [](const Tick& t) { return t.felt.force.y(); }), 0);
       const double error = (force - form.force).norm() / form.force.norm();
-      seen += (seen.empty() ? "" : ", ") +
-              ("kappa " + shown(kappa, "") + ": " + shown(force.norm(), "N") + ", off by " + shown(100 * error, "%"));
+      list(seen, "kappa " + shown(kappa, "") + ":", shown(force.norm(), "N") + ", off by " + shown(100 * error, "%"));
       pass = pass && error <= 0.1;
       if (kappa == 0.5) rig.judge();
       if (kappa == 0.5) report.quantity("force", force.norm(), "N", 0.05);
@@ -105,7 +96,7 @@ void side_milling(Report& report) {
 void undercut(Report& report) {
   report.scene("ball 0.8 mm through the stem of a mushroom, directly");
   const Box box{Vec3(-1.2, -1.2, -2.4) * mm, Vec3(1.2, 1.2, 0) * mm};
-  Workpiece piece = carved(box, report.voxel(), plain(), [](const Vec3& p) {
+  Workpiece piece = carved(box, report.voxel(), plain_material(), [](const Vec3& p) {
     const double stem = std::max(std::hypot(p.x(), p.y()) - 0.3 * mm, std::max(-1.8 * mm - p.z(), p.z() + 0.5 * mm));
     const double cap = std::max(-0.8 * mm - p.z(), std::hypot(p.x(), p.y()) - 1 * mm);
     return std::min({stem, cap, p.z() + 1.7 * mm});
@@ -147,7 +138,7 @@ void break_through(Report& report) {
   constexpr double kPlate = 0.6 * mm, kGap = 2 * mm, kForce = 5, kRadius = 1 * mm;
   report.scene("ball 2 mm, 30 000 rpm, omega in a nominal hand that wants 5 N, u 3e8 J/m^3, coupled");
   const Box box{Vec3(-1.5, -1.5, -4.6) * mm, Vec3(1.5, 1.5, 0) * mm};
-  Workpiece piece = carved(box, report.voxel(), plain(), [](const Vec3& p) {
+  Workpiece piece = carved(box, report.voxel(), plain_material(), [](const Vec3& p) {
     return std::min(-kPlate - p.z(), p.z() + kPlate + kGap);  // between the plates
   });
   const Tool ball = tool_of(SphereHead{kRadius}, Spindle{30000 * rpm});
@@ -184,7 +175,7 @@ void break_through(Report& report) {
   const double most = story.most(after, force_of);
   double bound = 0.05 * mm;
   for (std::size_t n = after.first; n < after.last; ++n) {
-    const double per_speed = forms::ball_plunge_wrench(cut_of(plain(), ball, 1), kRadius, bound).force.z();
+    const double per_speed = forms::ball_plunge_wrench(cut_of(plain_material(), ball, 1), kRadius, bound).force.z();
     bound += most / per_speed * report.period;
   }
   report.at_most("into the second plate", 1e3 * -(kPlate + kGap + story.least(after, tip)), 1e3 * bound, "mm",
@@ -198,7 +189,7 @@ void wiggle_in_slot(Report& report) {
   constexpr double kRadius = 1 * mm;
   report.scene("cylinder 2 mm, 30 000 rpm, slot of its width, Premium of six motors, u 3e9 J/m^3, coupled");
   const Box box{Vec3(-3, -2, -2.5) * mm, Vec3(3, 2, 0) * mm};
-  Material hard = plain();
+  Material hard = plain_material();
   hard.specific_cutting_energy = 3e9;
   Workpiece piece = carved(box, report.voxel(), hard,
                            [](const Vec3& p) { return std::min(kRadius * 1.01 - std::abs(p.y()), p.z() + 2 * mm); });

@@ -8,7 +8,27 @@
 #include "hapticut/simulation/simulation.hpp"
 #include "hapticut/workpiece/block.hpp"
 
-namespace hapticut::gestures {
+/// @file
+/// How deep solid material is in a head, and how deep it may be.
+namespace hapticut::test {
+
+/// [Pa] at which a material is crushed; one that never is counts as cortical bone.
+[[nodiscard]] inline double strength_of(const Material& material) {
+  return material.compressive_strength > 0 ? material.compressive_strength : 150e6;
+}
+
+/// [m] depth at which the pressure k w^2/2 of the foundation reaches a strength.
+[[nodiscard]] inline double crushing_depth(double k_v, double strength) { return std::sqrt(2 * strength / k_v); }
+
+/// [m] a tenth more than the greatest of them, of all materials of a workpiece: deeper is crushed.
+[[nodiscard]] inline double allowed_depth(const Simulation& simulation) {
+  double deepest = 0;
+  for (const Material& material : simulation.workpiece().materials().all()) {
+    const double k = simulation.config().reference_stiffness * material.relative_stiffness;
+    deepest = std::max(deepest, crushing_depth(k, strength_of(material)));
+  }
+  return 1.1 * deepest;
+}
 
 /// [m] how far a voxel that is at least half full is below the surface of the head, whichever part of it: by its
 /// centre.
@@ -50,4 +70,4 @@ namespace hapticut::gestures {
   return deepest;
 }
 
-}  // namespace hapticut::gestures
+}  // namespace hapticut::test

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a hand does behind a coupling at any rate, with any head: G42 and on.
-#include "bench/gestures/gesture_list.hpp"
-#include "bench/gestures/rigs.hpp"
-#include "hapticut/bench/closed_forms.hpp"
+#include "gestures/gesture_list.hpp"
+#include "gestures/rigs.hpp"
 #include "hapticut/tool/motors.hpp"
 
 namespace hapticut::gestures {
@@ -302,10 +301,7 @@ void deep_holes(Report& report) {
                  "cortical bone, directly");
     const Tool tool = tool_of(twist ? twist_drill_head(2 * kRadius, 10 * mm) : cylinder_head(2 * kRadius, 10 * mm),
                               Spindle{kSpeed * units::rad_per_s}, Cutter{CutterKind::twist_drill, 2});
-    forms::SteadyCut cut{bone.specific_cutting_energy, bone.cutting_ratio, kSpeed, feed, bone.edge_pressure};
-    cut.tooth_rate = tooth_rate(tool.cutter(), kSpeed);
-    cut.edge_length = bone.edge_length;
-    cut.size_length = bone.size_length;
+    const forms::SteadyCut cut = steady_cut(bone, tool.cutter(), kSpeed, feed);
     const double expected = std::abs(forms::axial_chip_wrench(cut, kRadius).torque.z());
     Rig rig(report, slab(kRadius + 0.6 * mm, 8.6 * mm, report.voxel(), bone), tool, Held::directly);
     Hand hand(tool, Vec3(0.013, 0.007, 0.05) * mm);

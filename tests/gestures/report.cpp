@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/gestures/report.hpp"
+#include "gestures/report.hpp"
 
 #include <array>
 #include <cmath>
@@ -23,9 +23,9 @@ std::string shown(double value, const std::string& unit) {
   return unit.empty() ? text.data() : std::string(text.data()) + " " + unit;
 }
 
-void Report::that(const std::string& demand, const std::string& expected, const std::string& seen, bool pass,
+void Report::that(const std::string& demand, const std::string& expected, const std::string& seen, bool is_met,
                   double strain) {
-  rows_.push_back({gesture_, name_, scene_, voxel_, demand, expected, seen, pass, strain, ""});
+  rows_.push_back({gesture_, scene_, voxel_, demand, expected, seen, is_met, strain});
 }
 
 void Report::at_most(const std::string& demand, double seen, double bound, const std::string& unit,

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/gestures/story.hpp"
+#include "gestures/story.hpp"
 
-#include <cstring>
+#include <bit>
 #include <limits>
 
-#include "bench/gestures/pieces.hpp"
-#include "bench/gestures/solid_depth.hpp"
-#include "hapticut/bench/closed_forms.hpp"
-#include "hapticut/tool/cutter.hpp"
+#include "gestures/pieces.hpp"
+#include "support/solid_depth.hpp"
 
 namespace hapticut::gestures {
 namespace {
@@ -29,21 +27,12 @@ double thickest_layer(const Simulation& simulation, double feed) {
   double layer = 0;
   if (spin == 0) return layer;
   for (const Material& m : simulation.workpiece().materials().all()) {
-    closed_forms::SteadyCut cut{m.specific_cutting_energy, m.cutting_ratio, spin, feed};
-    cut.tooth_rate = tooth_rate(tool.cutter(), spin);
-    cut.edge_length = m.edge_length;
-    cut.size_length = m.size_length;
+    closed_forms::SteadyCut cut = steady_cut(m, tool.cutter(), spin, feed);
     cut.feed_speed += cut.size_speed() + cut.edge_speed();
     const double k = simulation.config().reference_stiffness * m.relative_stiffness;
     layer = std::max(layer, 1.1 * closed_forms::engaged_layer(cut, k, 0.5 * simulation.workpiece().voxel_size()));
   }
   return layer;
-}
-
-std::uint64_t mixed(std::uint64_t hash, double value) {
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  return (hash ^ bits) * 0x100000001b3ULL;
 }
 
 }  // namespace
@@ -55,13 +44,9 @@ void Story::begin(const Simulation& simulation) {
   turnover_ = least_given_ = most_entered_ = step_error_ = 0;
   hand_given_ = least_hand_given_ = hand_turnover_ = unexplained_ = deepest_ = unfelt_ = 0;
   most_felt_ = most_applied_ = most_torque_ = most_power_ = excess_power_ = lent_ = 0;
-  allowed_depth_ = 0;
+  allowed_depth_ = test::allowed_depth(simulation);
   rotor_speed_ = std::abs(simulation.last_result().spindle.speed);
   motor_work_ = simulation.last_result().energy.motor_work;
-  for (const Material& material : simulation.workpiece().materials().all()) {
-    const double k = simulation.config().reference_stiffness * material.relative_stiffness;
-    allowed_depth_ = std::max(allowed_depth_, 1.1 * crushing_depth(k, strength_of(material)));
-  }
 }
 
 void Story::look_at_energy(const Tick& tick, double voxel) {
@@ -106,8 +91,8 @@ void Story::add(const Tick& tick, const Simulation& simulation, const VirtualCou
   if (is_known && tick.depth <= allowed_depth_)
     deepest_ = std::max(deepest_, tick.depth);
   else if (ticks.size() % kEvery == 0 || tick.depth > 1.5 * last_depth)
-    deepest_ =
-        std::max(deepest_, solid_depth(simulation, Pose{turn, Vec3::Zero()} * tick.X_WH * simulation.tool().X_HT()));
+    deepest_ = std::max(deepest_,
+                        test::solid_depth(simulation, Pose{turn, Vec3::Zero()} * tick.X_WH * simulation.tool().X_HT()));
   if (limits.has_guard && tick.applied.force.isZero(0) && tick.applied.torque.isZero(0)) unfelt_ += tick.removed;
   if (limits.force > 0) {  // else it is driven directly so far
     most_felt_ = std::max(most_felt_, tick.felt.force.norm());
@@ -207,12 +192,10 @@ void Story::judge(Report& report, const Simulation& simulation) const {
   if (motor.droop > 0 || std::isfinite(motor.power_limit))
     report.that("invariant 5", "within the motor's characteristic",
                 shown(most_power_, "W") + ", beyond it " + shown(excess_power_, "W"), excess_power_ <= kNoPower);
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const Tick& tick : ticks)
     for (const double value : {tick.felt.force.x(), tick.felt.force.y(), tick.felt.force.z(), tick.X_WH.translation.x(),
                                tick.X_WH.translation.z(), tick.energy.hand_work})
-      hash = mixed(hash, value);
-  report.add_bits(hash);
+      report.add_bits(std::bit_cast<std::uint64_t>(value));
   report.add_bits(simulation.workpiece().hash());
 }
 

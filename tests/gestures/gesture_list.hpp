@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/gestures/report.hpp"
+#include "gestures/report.hpp"
 
 namespace hapticut::gestures {
 
@@ -28,5 +28,9 @@ struct Gesture {
 
 /// All of them, by their number.
 [[nodiscard]] std::vector<Gesture> all_gestures();
+
+/// What it gives at each size of voxels [m], from coarse to fine; then at the coarsest with probes between the steps,
+/// at twice the rate, and turned. The same rows every time.
+[[nodiscard]] std::vector<Row> rows_of(const Gesture& gesture, std::vector<double> voxel_sizes);
 
 }  // namespace hapticut::gestures

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "bench/gestures/report.hpp"
+#include "gestures/report.hpp"
 #include "hapticut/core/device_state.hpp"
 #include "hapticut/safety/arming.hpp"
 #include "hapticut/simulation/coupling.hpp"
@@ -132,6 +132,8 @@ class Story final : public StepObserver {
 };
 
 inline double force_of(const Tick& tick) { return tick.felt.force.norm(); }
+inline double thrust_of(const Tick& tick) { return tick.felt.force.z(); }
+inline double side_of(const Tick& tick) { return tick.felt.force.head<2>().norm(); }
 inline double removed_of(const Tick& tick) { return tick.removed; }
 
 }  // namespace hapticut::gestures

@@ -7,11 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/tool/catalogue.hpp"
+#include "hapticut/tool/cutter.hpp"
 #include "hapticut/tool/tool.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
+#include "support/cutting.hpp"
+#include "support/solid_depth.hpp"
 
 /// @file
 /// What the gestures are made with: pieces, heads, and what the hand does, by key frames.
@@ -21,22 +25,9 @@ using units::kPi;
 using units::mm;
 using units::rpm;
 
-// --- materials -------------------------------------------------------------------------------------------------------
-
-/// [Pa] at which a material is crushed; one that never is counts as cortical bone.
-[[nodiscard]] inline double strength_of(const Material& material) {
-  return material.compressive_strength > 0 ? material.compressive_strength : 150e6;
-}
-
-/// [m] depth at which the pressure k w^2/2 of the foundation reaches a strength.
-[[nodiscard]] inline double crushing_depth(double k_v, double strength) { return std::sqrt(2 * strength / k_v); }
-
-/// u = 3e8 J/m^3 whatever the chip, kappa = 0.5, mu = 0.3.
-[[nodiscard]] inline Material plain() {
-  Material material;
-  material.name = "plain";
-  return material;
-}
+using test::crushing_depth;
+using test::plain_material;
+using test::strength_of;
 
 // --- pieces ----------------------------------------------------------------------------------------------------------
 
@@ -136,6 +127,17 @@ struct NamedHead {
 /// [m] how far the tip of a tool is below its handle point.
 [[nodiscard]] inline double tip_below_hand(const Tool& tool) {
   return -(tool.X_HT().translation.z() + tool.head().bounding_box().min.z());
+}
+
+/// What the closed forms ask of a cut.
+/// @param spin, feed  [rad/s], [m/s]
+[[nodiscard]] inline closed_forms::SteadyCut steady_cut(const Material& m, const Cutter& cutter, double spin,
+                                                        double feed) {
+  closed_forms::SteadyCut cut{m.specific_cutting_energy, m.cutting_ratio, spin, feed, m.edge_pressure};
+  cut.tooth_rate = tooth_rate(cutter, spin);
+  cut.edge_length = m.edge_length;
+  cut.size_length = m.size_length;
+  return cut;
 }
 
 /// A tool held at the place where the device feels it.

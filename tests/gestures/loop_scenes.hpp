@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+#include "gestures/rigs.hpp"
+#include "hapticut/safety/guard.hpp"
+
+/// @file
+/// A ball on a block of bone, in the loop of a Touch.
+namespace hapticut::gestures {
+
+inline constexpr double kBallRadius = 1 * mm;  // [m]
+
+[[nodiscard]] inline Tool turning_ball(double speed = 40000 * rpm) {
+  return tool_of(SphereHead{kBallRadius}, Spindle{speed * units::rad_per_s});
+}
+
+[[nodiscard]] inline Workpiece bone_for(const Report& report) {
+  return slab(1.6 * mm, 3 * mm, report.voxel(), presets::cortical_bone());
+}
+
+[[nodiscard]] inline double applied_of(const Tick& tick) { return tick.applied.force.norm(); }
+
+/// In no tick of a span does what the motors get grow faster than the guard of a Touch lets it.
+inline void demand_slow_growth(Report& report, const Story& story, const Span& span,
+                               const std::string& demand = "force step") {
+  double most = 0;  // [N] in one tick
+  for (std::size_t n = std::max<std::size_t>(span.first, 1); n < span.last; ++n) {
+    const Vec3 &last = story.ticks[n - 1].applied.force, &now = story.ticks[n].applied.force;
+    most = std::max(most, (now - growth_limited(last, now, 0)).norm());
+  }
+  const double slew = SafetyGuard(capabilities(device_model("touch")), {}).slew();  // [N/s]
+  report.at_most(demand, most, 1.001 * slew * report.period, "N", "the slew limit");
+}
+
+}  // namespace hapticut::gestures
