@@ -13,7 +13,6 @@ void bind_effects(py::module_& m) {
   bind_described<AxisMask>(m, "AxisMask");
   bind_described<OutputLimits>(m, "OutputLimits");
   bind_described<Effects>(m, "Effects");
-  m.attr("kFastestVibration") = kFastestVibration;
   m.def("validate", py::overload_cast<const Gravity&>(&validate), py::arg("gravity"), doc("validate"));
   m.def("validate", py::overload_cast<const DeltaFilter&>(&validate), py::arg("filter"), doc("validate"));
   m.def("validate", py::overload_cast<const OutputLimits&>(&validate), py::arg("limits"), doc("validate"));

@@ -2,7 +2,7 @@
 // include/hapticut/force: laws, friction, stiffness and calibration
 #include "bindings.hpp"
 #include "hapticut/force/calibration.hpp"
-#include "hapticut/force/deep_contact.hpp"
+#include "hapticut/force/friction.hpp"
 #include "hapticut/force/law.hpp"
 #include "hapticut/force/laws/contact_mechanics.hpp"
 #include "hapticut/force/laws/damping_matrix.hpp"
@@ -10,7 +10,6 @@
 #include "hapticut/force/laws/hertzian_burr.hpp"
 #include "hapticut/force/laws/thesis.hpp"
 #include "hapticut/force/laws/twist_drill.hpp"
-#include "hapticut/force/limit_surface.hpp"
 #include "hapticut/force/stiffness.hpp"
 #include "structs.hpp"
 #include "tool_head.hpp"
@@ -35,16 +34,7 @@ void bind_laws(py::module_& m) {
   LawBinding<Foundation>(m, "FoundationLaw", doc("FoundationLaw"))
       .def(py::init<>())
       .def("__repr__", [](const Foundation&) { return "FoundationLaw()"; })
-      .def("__reduce__", [](const py::object& self) { return py::make_tuple(py::type::of(self), py::tuple()); })
-      .def_readonly_static("kSlipRegularization", &Foundation::kSlipRegularization,
-                           doc("FoundationLaw::kSlipRegularization"))
-      .def_readonly_static("kLargestExponent", &Foundation::kLargestExponent, doc("FoundationLaw::kLargestExponent"))
-      .def_readonly_static("kLeastEnergyShare", &Foundation::kLeastEnergyShare, doc("FoundationLaw::kLeastEnergyShare"))
-      .def_readonly_static("kSmallestPart", &Foundation::kSmallestPart, doc("FoundationLaw::kSmallestPart"))
-      .def_readonly_static("kSmallestLoss", &Foundation::kSmallestLoss, doc("FoundationLaw::kSmallestLoss"))
-      .def_readonly_static("kAxisZone", &Foundation::kAxisZone, doc("FoundationLaw::kAxisZone"))
-      .def_readonly_static("kAxisSlip", &Foundation::kAxisSlip, doc("FoundationLaw::kAxisSlip"));
-  m.attr("kSmallestFill") = kSmallestFill;
+      .def("__reduce__", [](const py::object& self) { return py::make_tuple(py::type::of(self), py::tuple()); });
 
   LawBinding<ThesisLaw> thesis(m, "ThesisLaw", doc("ThesisLaw"));
   using Thesis = ThesisLaw::Constants;
@@ -87,65 +77,6 @@ void bind_laws(py::module_& m) {
 void bind_friction(py::module_& m) {
   bind_described<DryFriction>(m, "DryFriction");
   m.def("validate", py::overload_cast<const DryFriction&>(&validate), py::arg("friction"), doc("validate"));
-  m.attr("kFullSpinSpeed") = kFullSpinSpeed;
-  m.def("standing_share", &standing_share, py::arg("spin"), py::arg("radius"), doc("standing_share"));
-
-  py::class_<SpreadFriction>(m, "SpreadFriction", doc("SpreadFriction"))
-      .def(py::init<>())
-      .def(
-          "add",
-          [](SpreadFriction& self, const Vec3& r, const Vec3& n, double normal, const DryFriction& friction,
-             double spring) { self.add(r, n, normal, friction, spring); },
-          py::arg("r"), py::arg("n"), py::arg("normal"), py::arg("friction"), py::arg("spring") = 0.0,
-          doc("SpreadFriction::add"))
-      .def_static("at_point", &SpreadFriction::at_point, py::arg("normal_force"), py::arg("friction"),
-                  py::arg("spring") = 0.0, doc("SpreadFriction::at_point"))
-      .def_readonly("directions", &SpreadFriction::directions, doc("SpreadFriction::directions"))
-      .def_readonly("static_limit", &SpreadFriction::static_limit, doc("SpreadFriction::static_limit"))
-      .def_readonly("dynamic_limit", &SpreadFriction::dynamic_limit, doc("SpreadFriction::dynamic_limit"))
-      .def_readonly("anchors", &SpreadFriction::anchors, doc("SpreadFriction::anchors"))
-      .def_readonly("springs", &SpreadFriction::springs, doc("SpreadFriction::springs"))
-      .def_property_readonly("stiffness", &SpreadFriction::stiffness, doc("SpreadFriction::stiffness"));
-
-  py::class_<LimitSurface> limit_surface(m, "LimitSurface", doc("LimitSurface"));
-  py::class_<LimitSurface::Outcome>(limit_surface, "Outcome", "What a motion of the tool gave.")
-      .def_readonly("wrench", &LimitSurface::Outcome::wrench, doc("LimitSurface::Outcome::wrench"))
-      .def_readonly("dissipated", &LimitSurface::Outcome::dissipated, doc("LimitSurface::Outcome::dissipated"))
-      .def_readonly("stiffness", &LimitSurface::Outcome::stiffness, doc("LimitSurface::Outcome::stiffness"));
-  limit_surface.def(py::init<>())
-      .def(
-          "move",
-          [](LimitSurface& self, const SpreadFriction& contact, const Twist& displacement, double share, double lead) {
-            return self.move(contact, displacement, share, lead);
-          },
-          py::arg("contact"), py::arg("displacement"), py::arg("share") = 1.0, py::arg("lead") = 0.0,
-          doc("LimitSurface::move"))
-      .def_property_readonly("stored", &LimitSurface::stored, doc("LimitSurface::stored"))
-      .def_property_readonly("anchored", &LimitSurface::anchored, doc("LimitSurface::anchored"))
-      .def_property_readonly("sliding", &LimitSurface::sliding, "It slides.")
-      .def_property_readonly("stiffness", &LimitSurface::stiffness, doc("LimitSurface::stiffness"))
-      .def("release", &LimitSurface::release, doc("LimitSurface::release"));
-
-  py::class_<DeepContact> deep(m, "DeepContact", doc("DeepContact"));
-  using Outcome = DeepContact::Outcome;
-  py::class_<Outcome>(deep, "Outcome", "What a motion of the ball gave.")
-      .def_readonly("force", &Outcome::force, doc("DeepContact::Outcome::force"))
-      .def_readonly("stored_before", &Outcome::stored_before, doc("DeepContact::Outcome::stored_before"))
-      .def_readonly("stored", &Outcome::stored, doc("DeepContact::Outcome::stored"))
-      .def_readonly("released", &Outcome::released, doc("DeepContact::Outcome::released"));
-  deep.def(py::init<>())
-      .def("move", &DeepContact::move, py::arg("start"), py::arg("to"), py::arg("filled"), py::arg("normal_force"),
-           py::arg("radius"), doc("DeepContact::move"))
-      .def_readonly_static("kDeep", &DeepContact::kDeep, doc("DeepContact::kDeep"))
-      .def_readonly_static("kFree", &DeepContact::kFree, doc("DeepContact::kFree"))
-      .def("wants_normal_force", &DeepContact::wants_normal_force, py::arg("filled"),
-           doc("DeepContact::wants_normal_force"))
-      .def_property_readonly("held", &DeepContact::held, doc("DeepContact::held"))
-      .def_property_readonly("stiffness", &DeepContact::stiffness, doc("DeepContact::stiffness"))
-      .def_property_readonly(
-          "normal", [](const DeepContact& d) { return d.normal(); }, doc("DeepContact::normal"))
-      .def_property_readonly("stored", &DeepContact::stored, doc("DeepContact::stored"))
-      .def("release", &DeepContact::release, "Lets go.");
 }
 
 }  // namespace

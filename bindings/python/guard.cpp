@@ -42,13 +42,7 @@ void bind_log(py::module_& m) {
   m.def("describe", py::overload_cast<const SafetyLogEntry&>(&describe), py::arg("entry"),
         "An entry in words: time, name, value and the sentence.");
   m.def("sentence_of", &sentence_of, py::arg("entry"), doc("sentence_of"));
-  m.attr("kSafetyEvents") = kSafetyEvents;
   py::class_<SafetyLog>(m, "SafetyLog", doc("SafetyLog"))
-      .def(py::init<>())
-      .def("begin_tick", &SafetyLog::begin_tick, py::arg("time"), py::arg("sequence"),
-           "What is reported from here on belongs to this reading.")
-      .def("report", &SafetyLog::report, py::arg("event"), py::arg("value") = 0.0, doc("SafetyLog::report"))
-      .def("note", &SafetyLog::note, py::arg("event"), py::arg("value") = 0.0, doc("SafetyLog::note"))
       .def("count", &SafetyLog::count, py::arg("event"), doc("SafetyLog::count"))
       .def_property_readonly("dropped", &SafetyLog::dropped, doc("SafetyLog::dropped"))
       .def("drain", &SafetyLog::drain, doc("SafetyLog::drain"));
@@ -77,12 +71,7 @@ void bind_guard(py::module_& m) {
       .def("interrupt", &Q::interrupt, py::arg("reason"), doc("Requests::interrupt"))
       .def_property_readonly("stop_wanted", &Q::stop_wanted, "Whether a stop is asked for.")
       .def_property_readonly("emergency", &Q::emergency, "Whether an emergency stop lasts.")
-      .def_property_readonly("reset_wanted", &Q::reset_wanted, "Whether a reset is asked for.")
-      .def("forget_stop", &Q::forget_stop, "Takes a stop back.")
-      .def("take_reset", &Q::take_reset, doc("Requests::take_reset"))
-      .def("take_interruption", &Q::take_interruption,
-           "Takes an interruption; SafetyEvent.count of C++, which is len(SafetyEvent.__members__), where there was "
-           "no interruption.");
+      .def_property_readonly("reset_wanted", &Q::reset_wanted, "Whether a reset is asked for.");
   bind_options(m);
   m.def("output_limits", &output_limits, py::arg("device"), py::arg("fastest_contact") = 0.5, doc("output_limits"));
   py::class_<SafetyGuard>(m, "SafetyGuard", doc("SafetyGuard"))
@@ -120,8 +109,6 @@ void bind_guard(py::module_& m) {
   using H = LatencyHistogram;
   py::class_<H>(m, "LatencyHistogram", doc("LatencyHistogram"))
       .def(py::init<>())
-      .def_readonly_static("kBuckets", &H::kBuckets, "How many buckets there are.")
-      .def_readonly_static("kBucketWidth", &H::kBucketWidth, "[s]")
       .def("add", &H::add, py::arg("seconds"), doc("LatencyHistogram::add"))
       .def_property_readonly("count", &H::count, "How many durations were added.")
       .def_property_readonly("min", &H::min, doc("LatencyHistogram::min"))

@@ -288,9 +288,7 @@ void bind_loop(py::module_& m) {
             if (!self.loop().receive(*block)) block.reset();
             return block;
           },
-          "Takes one changed block; None when there is none.")
-      .def_property_readonly_static(
-          "kCommands", [](const py::object&) { return RealtimeLoop::kCommands; }, doc("RealtimeLoop::kCommands"));
+          "Takes one changed block; None when there is none.");
 }
 
 void bind_changed_block(py::module_& m) {

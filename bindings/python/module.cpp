@@ -89,7 +89,6 @@ PYBIND11_MODULE(_hapticut, m) {
   bind_simulation(m);
   bind_io(m);
   bind_guard(m);
-  bind_guard_stages(m);
   bind_coupling(m);
   bind_device(m);
   bind_bench(m);

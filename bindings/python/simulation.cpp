@@ -218,7 +218,7 @@ void bind_the_simulation(py::module_& m) {
           py::arg("hold"), doc("Simulation::hold_spindle"))
       .def_property_readonly(
           "spindle_is_held", [](const S& self) { return read(self).spindle_is_held(); },
-          doc_or_none("Simulation::spindle_is_held"))
+          "Whether the spindle is held, whatever it is set to.")
       .def(
           "reserve_blocks",
           [](S& self, std::size_t count) {

@@ -100,7 +100,6 @@ void bind_heads(py::module_& m) {
         doc("wheel_head"));
   m.def("christmas_tree_head", &christmas_tree_head, py::arg("diameter"), py::arg("length"), py::arg("tiers"),
         doc("christmas_tree_head"));
-  m.attr("kTreeWaist") = kTreeWaist;
   m.def("twist_drill_head", &twist_drill_head, py::arg("diameter"), py::arg("length"),
         py::arg("point_angle") = 118 * units::deg, doc("twist_drill_head"));
 

@@ -9,19 +9,9 @@ os.environ.setdefault("MPLBACKEND", "Agg")
 import hapticut  # noqa: E402
 import numpy as np  # noqa: E402
 import pytest  # noqa: E402
-import usage  # noqa: E402
 from hapticut.units import mm, rpm  # noqa: E402
 
 REPOSITORY = Path(__file__).resolve().parents[2]
-usage.begin()
-
-
-def pytest_collection_modifyitems(session: pytest.Session, config: pytest.Config, items: list[pytest.Item]) -> None:
-    """What looks back at all tests comes after them."""
-    items.sort(key=lambda item: item.get_closest_marker("last") is not None)
-    everything = not (config.getoption("keyword") or config.getoption("markexpr") or config.getoption("deselect"))
-    files = {item.path.name for item in items}
-    config.all_tests_run = everything and files >= {path.name for path in Path(__file__).parent.glob("test_*.py")}
 
 
 @pytest.fixture

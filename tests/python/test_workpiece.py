@@ -244,3 +244,53 @@ def test_a_material_has_every_field_of_the_table_of_the_documentation():
         assert getattr(hapticut.Material, name).__doc__.startswith(f"[{unit}] "), name
         material = hapticut.Material("clay", **{name: 0.25})
         assert getattr(material, name) == 0.25 and f"{name}=0.25" in repr(material)
+
+
+def test_a_table_of_materials_is_a_container():
+    table = hapticut.MaterialTable([hapticut.presets.enamel()])
+    assert table.add(hapticut.presets.dentin()) == 2 and table.size() == len(table) == 2
+    assert 2 in table and 3 not in table and [material.name for material in table] == ["enamel", "dentin"]
+    assert table[2].name == "dentin" and table.id_of("dentin") == 2
+    with pytest.raises(hapticut.Error):
+        table[9]
+    with pytest.raises(hapticut.Error, match=r"damping.*= -1"):
+        hapticut.validate(hapticut.Material("x", damping=-1.0))
+
+
+def test_builders_give_the_volumes_that_were_asked_for():
+    clay = hapticut.presets.clay()
+    molar = hapticut.build_molar(0.4 * mm, hapticut.MolarParameters(caries_depth=2 * mm))
+    assert [m.name for m in molar.materials] == ["enamel", "dentin", "pulp", "caries"]
+    assert hapticut.kMolarCaries == 4 and hapticut.describe_molar().material(np.zeros(3)) in (2, 3)
+    ball = hapticut.build_sphere([0, 0, 0], 1 * mm, 0.1 * mm, clay)
+    assert ball.amounts()[0].volume == pytest.approx(4 / 3 * np.pi * mm**3, rel=1e-3)
+    layers = [hapticut.Layer(clay, 0.5 * mm), hapticut.Layer(hapticut.presets.pulp(), 1 * mm)]
+    slab = hapticut.build_layered_slab(hapticut.Box([-1 * mm] * 3, [1 * mm] * 3), 0.1 * mm, layers)
+    assert [a.volume for a in slab.amounts()] == pytest.approx([2e-9, 4e-9], rel=1e-6)
+    values = np.full((4, 4, 4), 2, np.uint16)
+    labels = hapticut.volume.LabelVolume(values, [1 * mm] * 3)
+    assert hapticut.build_from_labels(labels, [hapticut.LabelMaterial([2], clay)]).solid_voxels() == 64
+    with pytest.raises(hapticut.Error, match="no material claims"):
+        hapticut.build_from_labels(labels, [hapticut.LabelMaterial([1], clay)],
+                                   unclaimed=hapticut.UnclaimedLabels.refuse)
+    grey = hapticut.volume.GreyVolume(values.astype(float), [1 * mm] * 3)
+    assert np.allclose(grey.position(1, 2, 3), [1 * mm, 2 * mm, 3 * mm]) and np.array_equal(grey.X_WG, np.eye(4))
+    assert not hapticut.build_from_grey(grey, hapticut.Grade(1.0, 3.0, clay, hapticut.presets.pulp())).empty()
+    shells = [hapticut.MeshShell(hapticut.mesh_of_revolution(hapticut.catalogue.round_head(2 * mm).profile(), 24), 1)]
+    table = hapticut.MaterialTable([clay])
+    assert hapticut.build_from_shells(shells, table, hapticut.MeshImport(0.2 * mm)).solid_voxels() > 0
+
+
+def test_a_workpiece_tells_what_it_is(block):
+    bounds = block.bounds()
+    assert bounds.voxels() == block.solid_voxels() == 60 * 60 * 40 and block.voxel_size == block.frame.voxel_size
+    assert np.allclose(block.centroid_at(bounds.min), 0) and block.material_at([-5, 0, 0]) == 0
+    assert np.allclose(block.frame.center([0, 0, 0]), block.frame.X_WV[:3, 3])
+    [amount] = block.amounts()
+    assert amount.material == 1 and amount.mass == pytest.approx(amount.volume * block.materials[1].density)
+    block.reserve_undo(10)
+    block.set_mark()
+    assert block.marks == 1 and block.undo_block() is None and block.marks == 0  # nothing was cut since
+    assert block.redo_marks == 1 and block.redo_block() is None and block.marks == 1
+    with pytest.raises(hapticut.Error, match="empty"):
+        block.material_array(hapticut.IndexBox())

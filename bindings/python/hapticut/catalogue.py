@@ -11,7 +11,6 @@ from ._hapticut import (
     fastest_speed as fastest_speed,
     flame_head as flame_head,
     inverted_cone_head as inverted_cone_head,
-    kTreeWaist as kTreeWaist,
     lips_of as lips_of,
     needle_head as needle_head,
     on_shank as on_shank,

@@ -14,7 +14,6 @@ from ._hapticut import (
     VibrationPhase as VibrationPhase,
     filtered as filtered,
     gravity_wrench as gravity_wrench,
-    kFastestVibration as kFastestVibration,
     masked as masked,
 
     # Limits of the output

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What protects the hand: the guard, its inner stages and its log."""
+"""What protects the hand: the guard, the options of its stages, and its log."""
 from ._export import export
 from ._hapticut import (
     GuardOptions as GuardOptions,
@@ -7,24 +7,18 @@ from ._hapticut import (
     SafetyGuard as SafetyGuard,
     output_limits as output_limits,
 
-    # Its stages
-    Arming as Arming,
+    # Options and states of its stages
     ArmingOptions as ArmingOptions,
     ArmingState as ArmingState,
-    PassivityController as PassivityController,
     PassivityOptions as PassivityOptions,
-    PoseGate as PoseGate,
     PoseGateOptions as PoseGateOptions,
-    ThermalBudget as ThermalBudget,
     ThermalOptions as ThermalOptions,
-    Watchdog as Watchdog,
     WatchdogOptions as WatchdogOptions,
 
     # What it notes
     SafetyEvent as SafetyEvent,
     SafetyLog as SafetyLog,
     SafetyLogEntry as SafetyLogEntry,
-    kSafetyEvents as kSafetyEvents,
     sentence_of as sentence_of,
 
     # What a step says, in sentences with their cures
