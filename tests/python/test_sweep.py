@@ -198,7 +198,7 @@ def test_designs_fill_their_bounds_evenly():
 
 
 @pytest.mark.parametrize("space, message", [
-    ([], "give a dict"), ({}, "without axes"), ({"x": []}, "axis x"), ({"x": "abc"}, "axis x"), (3, "a sweep over 3"),
+    ([], "give a dict"), ({}, "without axes"), ({"x": []}, "axis x"), ({"x": "abc"}, "axis x"), (3, "the space is 3"),
     ([{"x": 1}, {"y": 1}], "run 1 has the parameters"), ([{"x": [1]}], "parameter x of run 0"), ([1, 2], "one dict"),
     ({"run": [1]}, "neither run nor error"), ({1: [1]}, "names must be texts")])
 def test_spaces_that_make_no_sense_are_refused(space, message, serial, tmp_path):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 import operator
+import reprlib
 from collections.abc import Mapping, Sequence
 from typing import Any, Optional, Union
 
@@ -121,7 +122,7 @@ def points_of(space: Mapping[str, Sequence[Any]] | Sequence[Mapping[str, Any]]) 
     if isinstance(space, Mapping):
         space = _grid(space)
     if not isinstance(space, Sequence) or not space or not all(isinstance(row, Mapping) for row in space):
-        raise Error(f"a sweep over {space!r} was asked for; give a dict of lists, or a list of one dict for each run.")
+        raise Error(f"the space is {reprlib.repr(space)}; give a dict of lists, or a list of one dict for each run.")
     names = list(space[0])
     if not all(isinstance(name, str) and name and name not in RESERVED for name in names):
         raise Error(f"the parameters are named {names!r}; names must be texts that are not empty, and neither "
