@@ -8,7 +8,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "io/byte_reader.hpp"
-#include "io/volume/number_text.hpp"
+#include "io/text_lines.hpp"
 
 namespace hapticut {
 namespace {

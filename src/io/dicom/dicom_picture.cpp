@@ -8,8 +8,8 @@
 
 #include "hapticut/core/errors.hpp"
 #include "io/byte_reader.hpp"
+#include "io/text_lines.hpp"
 #include "io/volume/formats.hpp"
-#include "io/volume/number_text.hpp"
 
 namespace hapticut {
 namespace {

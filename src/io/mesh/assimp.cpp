@@ -12,7 +12,7 @@
 #include "io/byte_reader.hpp"
 #include "io/file_errors.hpp"
 #include "io/mesh/mesh_formats.hpp"
-#include "io/mesh/text_lines.hpp"
+#include "io/text_lines.hpp"
 
 namespace hapticut {
 namespace {

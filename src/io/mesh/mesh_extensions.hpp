@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
-#include "io/mesh/text_lines.hpp"
+#include "io/text_lines.hpp"
 
 /// @file
 /// Which files are meshes and how long their units are, by the endings of their names.

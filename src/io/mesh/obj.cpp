@@ -3,7 +3,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "io/mesh/mesh_formats.hpp"
-#include "io/mesh/text_lines.hpp"
+#include "io/text_lines.hpp"
 
 namespace hapticut {
 namespace {

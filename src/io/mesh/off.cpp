@@ -4,7 +4,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "io/mesh/mesh_formats.hpp"
-#include "io/mesh/text_lines.hpp"
+#include "io/text_lines.hpp"
 
 namespace hapticut {
 namespace {
@@ -20,16 +20,15 @@ class OffParser {
     const std::uint64_t vertices = count(behind_key.empty() ? lines_.word_of_any_line() : behind_key, "vertices");
     const std::uint64_t faces = count(lines_.word_of_any_line(), "faces");
     for (std::uint64_t n = 0; n < vertices; ++n) {
-      go_to_line("vertex", n, vertices);
+      const std::string_view x = first_word("vertex", n, vertices);
       Vec3& position = polygons_.vertices.emplace_back(Vec3::Zero());
-      position.x() = coordinate(first_);
-      for (int axis = 1; axis < 3; ++axis) position[axis] = lines_.real("a coordinate");
+      for (int axis = 0; axis < 3; ++axis) position[axis] = lines_.real("a coordinate", axis == 0 ? x : lines_.word());
     }
     PolygonObject object;
     for (std::uint64_t n = 0; n < faces; ++n) {
-      go_to_line("face", n, faces);
-      const std::optional<std::int64_t> corners = parse_whole(first_);
-      if (!corners || *corners < 3) lines_.fail("a face has " + in_quotes(first_) + " corners; at least 3 are needed.");
+      const std::string_view number = first_word("face", n, faces);
+      const std::optional<std::int64_t> corners = parse_whole(number);
+      if (!corners || *corners < 3) lines_.fail("a face has " + in_quotes(number) + " corners; at least 3 are needed.");
       for (std::int64_t k = 0; k < *corners; ++k) object.corners.push_back(corner());
       object.ends.push_back(object.corners.size());
     }
@@ -59,19 +58,12 @@ class OffParser {
     return std::uint64_t(*number);
   }
 
-  /// Goes to the next line that is not empty and takes its first word.
-  void go_to_line(const char* what, std::uint64_t n, std::uint64_t announced) {
-    do
-      if (!lines_.next_line())
-        throw Error("it announces " + std::to_string(announced) + (announced == 1 ? " " : " times a ") + what +
-                    ", but ends after " + std::to_string(n) + "; it was cut off.");
-    while ((first_ = lines_.word()).empty());
-  }
-
-  double coordinate(std::string_view word) {
-    const std::optional<double> number = parse_real(word);
-    if (!number) lines_.fail(in_quotes(word) + ", where a coordinate should stand, is not a number.");
-    return *number;
+  /// Goes to the next line that is not empty.
+  std::string_view first_word(const char* what, std::uint64_t n, std::uint64_t announced) {
+    while (lines_.next_line())
+      if (const std::string_view word = lines_.word(); !word.empty()) return word;
+    throw Error("it announces " + std::to_string(announced) + (announced == 1 ? " " : " times a ") + what +
+                ", but ends after " + std::to_string(n) + "; it was cut off.");
   }
 
   std::uint32_t corner() {
@@ -86,7 +78,6 @@ class OffParser {
 
   TextLines lines_;
   Polygons polygons_;
-  std::string_view first_;  // word of the line
 };
 
 }  // namespace

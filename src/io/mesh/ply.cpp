@@ -7,7 +7,7 @@
 #include "io/byte_reader.hpp"
 #include "io/mesh/mesh_formats.hpp"
 #include "io/mesh/ply_header.hpp"
-#include "io/mesh/text_lines.hpp"
+#include "io/text_lines.hpp"
 #include "io/volume/raw_image.hpp"
 
 namespace hapticut {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "hapticut/core/errors.hpp"
-#include "io/mesh/text_lines.hpp"
+#include "io/text_lines.hpp"
 
 namespace hapticut {
 namespace {

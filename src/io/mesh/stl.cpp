@@ -5,7 +5,7 @@
 #include "io/byte_reader.hpp"
 #include "io/mesh/mesh_formats.hpp"
 #include "io/mesh/stl_layout.hpp"
-#include "io/mesh/text_lines.hpp"
+#include "io/text_lines.hpp"
 
 namespace hapticut {
 namespace {

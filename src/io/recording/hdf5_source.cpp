@@ -75,27 +75,28 @@ hid_t Hdf5Source::data_set_at(const std::string& place) {
   return data_sets_.emplace(place, std::move(set)).first->second.get();
 }
 
+template <class Use>
+auto Hdf5Source::with_object(const std::string& place, const Use& use) const {
+  const hdf5::Quiet quiet;
+  if (place.empty()) return use(file_.get());
+  return use(hdf5::open_object(group_at(holder_of(place)).get(), name_at(place)).get());
+}
+
 bool Hdf5Source::exists(const std::string& place) {
   const hdf5::Quiet quiet;
   return hdf5::exists(group_at(holder_of(place)).get(), name_at(place));
 }
 
 bool Hdf5Source::has_attribute(const std::string& place, const std::string& name) {
-  const hdf5::Quiet quiet;
-  if (place.empty()) return hdf5::has_attribute(file_.get(), name);
-  return hdf5::has_attribute(hdf5::open_object(group_at(holder_of(place)).get(), name_at(place)).get(), name);
+  return with_object(place, [&](hid_t object) { return hdf5::has_attribute(object, name); });
 }
 
 std::string Hdf5Source::text_attribute(const std::string& place, const std::string& name) {
-  const hdf5::Quiet quiet;
-  if (place.empty()) return hdf5::read_text_attribute(file_.get(), name);
-  return hdf5::read_text_attribute(hdf5::open_object(group_at(holder_of(place)).get(), name_at(place)).get(), name);
+  return with_object(place, [&](hid_t object) { return hdf5::read_text_attribute(object, name); });
 }
 
 std::uint64_t Hdf5Source::number_attribute(const std::string& place, const std::string& name) {
-  const hdf5::Quiet quiet;
-  if (place.empty()) return hdf5::read_number_attribute(file_.get(), name);
-  return hdf5::read_number_attribute(hdf5::open_object(group_at(holder_of(place)).get(), name_at(place)).get(), name);
+  return with_object(place, [&](hid_t object) { return hdf5::read_number_attribute(object, name); });
 }
 
 std::string Hdf5Source::text(const std::string& place) {

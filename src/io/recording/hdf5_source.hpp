@@ -31,6 +31,9 @@ class Hdf5Source final : public RecordingSource {
   /// A group inside the file itself; where HDF5 would follow a link, this throws.
   hdf5::Group group_at(const std::string& place) const;
   hid_t data_set_at(const std::string& place);
+  /// Calls `use(object)` with a group, a data set or the file.
+  template <class Use>
+  auto with_object(const std::string& place, const Use& use) const;
 
   hdf5::File file_;
   std::map<std::string, hdf5::DataSet> data_sets_;  ///< that are open

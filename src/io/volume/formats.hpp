@@ -14,29 +14,21 @@
 /// One reader per format. Each checks what the header claims against the size of the file before it allocates.
 namespace hapticut {
 
-[[nodiscard]] RawImage read_nrrd(const std::filesystem::path& path);
-
 /// Gives the content of a file that a header names.
 using DataFile = std::function<std::string(const std::string& name)>;
 
-/// Looks beside the file that names them.
-/// @throws Error when there is no such file, or it is something else
-[[nodiscard]] DataFile data_files_beside(const std::filesystem::path& path);
-
-/// @param bytes  the whole file, or its header where the data are elsewhere
+/// @param bytes  the whole file
 /// @throws Error a sentence that begins with "it" or "its"
 [[nodiscard]] RawImage parse_nrrd(std::string_view bytes, const DataFile& data_file);
 [[nodiscard]] RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file);
 
-[[nodiscard]] RawImage read_nifti(const std::filesystem::path& path);
-
 /// NIfTI-1 or NIfTI-2 in one file.
-/// @param bytes  the whole file, unpacked
-/// @throws Error a sentence that begins with "it" or "its"
+/// @param bytes  the whole file, packed by gzip or not
+/// @throws Error as above
 [[nodiscard]] RawImage parse_nifti(std::string_view bytes);
 
-[[nodiscard]] RawImage read_meta_image(const std::filesystem::path& path);
-[[nodiscard]] RawImage read_invesalius(const std::filesystem::path& path);
+/// @throws Error as above
+[[nodiscard]] RawImage parse_invesalius(std::string_view bytes);
 
 /// A file with several frames.
 [[nodiscard]] RawImage read_dicom_file(const std::filesystem::path& path);

@@ -6,16 +6,13 @@
 #include <cstring>
 #include <map>
 #include <memory>
-#include <span>
 
-#include "io/file_errors.hpp"
+#include "hapticut/core/errors.hpp"
+#include "io/text_lines.hpp"
 #include "io/volume/formats.hpp"
-#include "io/volume/number_text.hpp"
 
 namespace hapticut {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// What an InVesalius project says of its grey values, by path of keys: `matrix/shape` -> "108 256 256 ".
 class PropertyList {
@@ -72,10 +69,10 @@ class PropertyList {
 /// The tar.gz that a project is.
 class ProjectArchive {
  public:
-  explicit ProjectArchive(const fs::path& path) : archive_(archive_read_new(), archive_read_free) {
+  explicit ProjectArchive(std::string_view bytes) : archive_(archive_read_new(), archive_read_free) {
     archive_read_support_format_tar(archive_.get());
     archive_read_support_filter_gzip(archive_.get());
-    if (archive_read_open_filename(archive_.get(), path.c_str(), 1U << 16U) != ARCHIVE_OK) fail();
+    if (archive_read_open_memory(archive_.get(), bytes.data(), bytes.size()) != ARCHIVE_OK) fail();
   }
 
   /// Reads the file of that name, in whatever folder of the archive it is.
@@ -86,7 +83,8 @@ class ProjectArchive {
       const int status = archive_read_next_header(archive_.get(), &entry);
       if (status == ARCHIVE_EOF) throw Error("it holds no file '" + name + "'; is it an InVesalius project?");
       if (status != ARCHIVE_OK) fail();
-      if (const char* at = archive_entry_pathname(entry); at != nullptr && fs::path(at).filename() == name) break;
+      if (const char* at = archive_entry_pathname(entry); at != nullptr && std::filesystem::path(at).filename() == name)
+        break;
     }
     const auto size = double(archive_entry_size(entry));
     if (!(size >= 0 && size <= largest))
@@ -114,10 +112,11 @@ class ProjectArchive {
   std::unique_ptr<archive, int (*)(archive*)> archive_;
 };
 
-/// @throws Error a sentence about "it"
-RawImage read_project(const fs::path& path) {
+}  // namespace
+
+RawImage parse_invesalius(std::string_view bytes) {
   constexpr double kLargestList = 1e6;  // [bytes]
-  const PropertyList list(ProjectArchive(path).read("main.plist", kLargestList));
+  const PropertyList list(ProjectArchive(bytes).read("main.plist", kLargestList));
   if (list.get("matrix/dtype") != "int16")
     throw Error("its values are of type '" + list.get("matrix/dtype") + "'; only int16 is read.");
 
@@ -128,20 +127,13 @@ RawImage read_project(const fs::path& path) {
   image.geometry.dims = {int(shape[2]), int(shape[1]), int(shape[0])};
   image.geometry.spacing_mm = list.three_numbers("spacing");
   const double needed = 2 * shape.prod();
-  const std::string values = ProjectArchive(path).read(list.get("matrix/filename"), needed);
+  const std::string values = ProjectArchive(bytes).read(list.get("matrix/filename"), needed);
   if (double(values.size()) != needed)
     throw Error("it has " + std::to_string(values.size()) + " bytes of values, but its shape needs " +
                 format_number(needed) + ".");
-  const auto bytes = std::as_bytes(std::span(values));
-  image.bytes.assign(bytes.begin(), bytes.end());
+  const auto* first = reinterpret_cast<const std::byte*>(values.data());
+  image.bytes.assign(first, first + values.size());
   return image;
-}
-
-}  // namespace
-
-RawImage read_invesalius(const fs::path& path) {
-  (void)readable_size(path);
-  return naming(path, [&] { return read_project(path); });
 }
 
 }  // namespace hapticut

@@ -5,16 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "io/file_errors.hpp"
-#include "io/mesh/text_lines.hpp"
+#include "io/text_lines.hpp"
 #include "io/volume/formats.hpp"
-#include "io/volume/number_text.hpp"
 #include "io/volume/unpack.hpp"
 
 namespace hapticut {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// The header of a MetaImage file, up to the name of its data file.
 struct MetaHeader {
@@ -185,10 +181,6 @@ RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file) {
   image.type = type;
   take_values(header, bytes, data_file, image);
   return image;
-}
-
-RawImage read_meta_image(const fs::path& path) {
-  return naming(path, [&] { return parse_meta_image(bytes_of_file(path), data_files_beside(path)); });
 }
 
 }  // namespace hapticut

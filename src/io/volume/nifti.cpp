@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "io/byte_reader.hpp"
-#include "io/file_errors.hpp"
 #include "io/volume/formats.hpp"
 #include "io/volume/unpack.hpp"
 
@@ -196,9 +195,7 @@ void scale(const NiftiHeader& h, RawImage& image) {
   image.type = ValueType::float32;
 }
 
-}  // namespace
-
-RawImage parse_nifti(std::string_view bytes) {
+RawImage parse_unpacked(std::string_view bytes) {
   const NiftiHeader header = parse_nifti_header(bytes);
   const double needed = bytes_needed(header);
   require_bytes(needed, double(bytes.size()), kNotCompressed);
@@ -212,20 +209,14 @@ RawImage parse_nifti(std::string_view bytes) {
   return image;
 }
 
-RawImage read_nifti(const std::filesystem::path& path) {
-  const std::uint64_t size = readable_size(path);
-  return naming(path, [&] {
-    const std::string start = first_bytes(path, kNifti2);
-    if (!start.starts_with("\x1f\x8b")) {
-      require_bytes(bytes_needed(parse_nifti_header(start)), double(size), kNotCompressed);
-      return parse_nifti(bytes_of_file(path));
-    }
-    const std::string packed = bytes_of_file(path);
-    const double needed = bytes_needed(parse_nifti_header(start_of_gzip(packed, kNifti2)));
-    require_bytes(needed, double(size), kDeflate);
-    constexpr std::uint64_t kMore = 1U << 20U;  // [bytes] that may follow the values
-    return parse_nifti(unpack_gzip(packed, std::uint64_t(needed) + kMore));
-  });
+}  // namespace
+
+RawImage parse_nifti(std::string_view bytes) {
+  if (!bytes.starts_with("\x1f\x8b")) return parse_unpacked(bytes);
+  const double needed = bytes_needed(parse_nifti_header(start_of_gzip(bytes, kNifti2)));
+  require_bytes(needed, double(bytes.size()), kDeflate);
+  constexpr std::uint64_t kMore = 1U << 20U;  // [bytes] that may follow the values
+  return parse_unpacked(unpack_gzip(bytes, std::uint64_t(needed) + kMore));
 }
 
 }  // namespace hapticut

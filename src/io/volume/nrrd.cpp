@@ -7,21 +7,16 @@
 #include <type_traits>
 
 #include "io/byte_reader.hpp"
-#include "io/file_errors.hpp"
+#include "io/text_lines.hpp"
 #include "io/volume/formats.hpp"
 #include "io/volume/nrrd_header.hpp"
-#include "io/volume/number_text.hpp"
 #include "io/volume/unpack.hpp"
 
 namespace hapticut {
 namespace {
 
-namespace fs = std::filesystem;
-
 // The library that other programs read this format with copies lines of a header into a buffer of fixed length, and
 // takes `left-anterior-superior` for `right-anterior-superior`'s mirror image; so the format is read here.
-
-constexpr std::size_t kMaxNrrdHeader = std::size_t(1) << 20U;
 
 std::uint64_t samples_of(const NrrdHeader& header) {
   const auto& dims = header.geometry.dims;
@@ -143,20 +138,6 @@ RawImage parse_nrrd(std::string_view bytes, const DataFile& data_file) {
   }
   if (header.big_endian != (std::endian::native == std::endian::big)) swap_bytes(image);
   return image;
-}
-
-RawImage read_nrrd(const fs::path& path) {
-  const std::uint64_t size = readable_size(path);
-  return naming(path, [&] {
-    const NrrdHeader header = parse_nrrd_header(first_bytes(path, kMaxNrrdHeader));
-    // Nothing large is read for a header that asks for more than there is.
-    const double needed = double(samples_of(header)) * double(size_of(header.type));
-    if (header.data_files.empty() && header.encoding == "raw")
-      require_bytes(needed + double(std::max<std::int64_t>(header.byte_skip, 0)), double(size) - double(header.end),
-                    kNotCompressed);
-    return parse_nrrd(header.data_files.empty() ? bytes_of_file(path) : first_bytes(path, kMaxNrrdHeader),
-                      data_files_beside(path));
-  });
 }
 
 }  // namespace hapticut

@@ -11,12 +11,12 @@
 #include <sstream>
 
 #include "hapticut/core/errors.hpp"
-#include "io/mesh/text_lines.hpp"
-#include "io/volume/number_text.hpp"
+#include "io/text_lines.hpp"
 
 namespace hapticut {
 namespace {
 
+constexpr std::size_t kMaxNrrdHeader = 1 << 20;
 constexpr std::size_t kMaxNrrdLine = 1 << 14;  // [bytes] of a header; a list of data files has a line for each
 constexpr std::size_t kMaxNrrdFiles = 1 << 16;
 
@@ -101,7 +101,7 @@ Vec3 signs_of_space(std::string name) {
 /// The lines of a header, and what they say before it is put together.
 class NrrdFields {
  public:
-  explicit NrrdFields(std::string_view bytes) : bytes_(bytes) {
+  explicit NrrdFields(std::string_view bytes) : bytes_(bytes.substr(0, kMaxNrrdHeader)) {
     if (!bytes.starts_with("NRRD000")) throw Error("it is not an NRRD file.");
     bool ended = false;
     while (!ended && at_ < bytes_.size()) {

@@ -10,7 +10,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
-#include "io/mesh/text_lines.hpp"
+#include "io/text_lines.hpp"
 #include "io/volume/formats.hpp"
 
 namespace hapticut {
@@ -160,16 +160,6 @@ LabelVolume to_label_volume(const RawImage& image, const std::filesystem::path& 
                             ", but labels are whole numbers from 0 to 65535. Read it as a grey volume instead.");
     return std::uint16_t(value);
   });
-}
-
-DataFile data_files_beside(const std::filesystem::path& path) {
-  return [folder = path.parent_path()](const std::string& name) {
-    const std::filesystem::path file = folder / name;
-    std::error_code code;
-    if (!std::filesystem::is_regular_file(file, code))
-      throw Error("its data file '" + file.string() + "' cannot be opened.");
-    return bytes_of_file(file);
-  };
 }
 
 }  // namespace hapticut

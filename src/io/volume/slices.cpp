@@ -7,7 +7,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
-#include "io/mesh/text_lines.hpp"
+#include "io/text_lines.hpp"
 #include "io/volume/formats.hpp"
 #include "io/volume/picture_file.hpp"
 

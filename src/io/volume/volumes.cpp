@@ -7,7 +7,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
-#include "io/mesh/text_lines.hpp"
+#include "io/text_lines.hpp"
 #include "io/volume/formats.hpp"
 #include "io/volume/raw_image.hpp"
 
@@ -36,6 +36,21 @@ RawImage read_folder(const fs::path& path, const VolumeReadOptions& options) {
   return read_slices(path);
 }
 
+/// Gives the content of files beside the one that names them.
+DataFile data_files_beside(const fs::path& path) {
+  return [folder = path.parent_path()](const std::string& name) {
+    const fs::path file = folder / name;
+    std::error_code code;
+    if (!fs::is_regular_file(file, code)) throw Error("its data file '" + file.string() + "' cannot be opened.");
+    return bytes_of_file(file);
+  };
+}
+
+template <class Parse>
+RawImage read_whole(const fs::path& path, const Parse& parse) {
+  return naming(path, [&] { return parse(bytes_of_file(path)); });
+}
+
 RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
   if (options.spacing)
     for (int axis = 0; axis < 3; ++axis) require_positive((*options.spacing)[axis], "VolumeReadOptions::spacing [m]");
@@ -43,10 +58,13 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
   if (fs::is_directory(path, code)) return read_folder(path, options);
   require_no_series(path, options);
   const std::string name = lower_case(path.filename().string());
-  if (name.ends_with(".nrrd") || name.ends_with(".nhdr")) return read_nrrd(path);
-  if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return read_nifti(path);
-  if (name.ends_with(".mhd") || name.ends_with(".mha")) return read_meta_image(path);
-  if (name.ends_with(".inv3")) return read_invesalius(path);
+  const DataFile beside = data_files_beside(path);
+  if (name.ends_with(".nrrd") || name.ends_with(".nhdr"))
+    return read_whole(path, [&](const std::string& file) { return parse_nrrd(file, beside); });
+  if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return read_whole(path, parse_nifti);
+  if (name.ends_with(".mhd") || name.ends_with(".mha"))
+    return read_whole(path, [&](const std::string& file) { return parse_meta_image(file, beside); });
+  if (name.ends_with(".inv3")) return read_whole(path, parse_invesalius);
   if (name.ends_with(".dcm")) return read_dicom_file(path);
   (void)readable_size(path);
   if (name.ends_with(".raw"))

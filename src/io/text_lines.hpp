@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// @file
 /// The words and numbers of a text file. Numbers are read the same whatever the language of the machine.
@@ -28,6 +29,10 @@ namespace hapticut {
 
 /// The whole word as a whole number of 64 bits.
 [[nodiscard]] std::optional<std::int64_t> parse_whole(std::string_view word);
+
+/// The numbers of a text; nothing where one of its words is none.
+/// @param separators  any of these characters stand between two numbers
+[[nodiscard]] std::optional<std::vector<double>> numbers_in(std::string_view text, std::string_view separators);
 
 /// How a format writes what is not part of a line, and what belongs to it though it stands in the next.
 struct TextRules {
@@ -53,10 +58,11 @@ class TextLines {
   /// The next word of this line or of a later one; empty at the end of the text.
   std::string_view word_of_any_line();
 
-  /// The next word of the line as a number.
+  /// The next word of the line as a number, or one that was taken.
   /// @param what  it is, for the message
   /// @throws Error when there is no word, or it is not a number
-  double real(const char* what);
+  double real(const char* what) { return real(what, word()); }
+  [[nodiscard]] double real(const char* what, std::string_view text) const;
 
   /// Of the line, counted from 1.
   [[nodiscard]] std::size_t number() const { return number_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/mesh/text_lines.hpp"
+#include "io/text_lines.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -47,6 +47,19 @@ std::optional<std::int64_t> parse_whole(std::string_view word) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
   return value;
+}
+
+std::optional<std::vector<double>> numbers_in(std::string_view text, std::string_view separators) {
+  std::vector<double> numbers;
+  for (std::size_t at = text.find_first_not_of(separators); at != std::string_view::npos;
+       at = text.find_first_not_of(separators, at)) {
+    const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
+    const std::optional<double> number = parse_real(text.substr(at, end - at));
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    at = end;
+  }
+  return numbers;
 }
 
 TextLines::TextLines(std::string_view text, TextRules rules, std::size_t first_line)
@@ -99,8 +112,7 @@ std::string_view TextLines::word_of_any_line() {
   }
 }
 
-double TextLines::real(const char* what) {
-  const std::string_view text = word();
+double TextLines::real(const char* what, std::string_view text) const {
   if (text.empty()) fail(std::string(what) + " is missing.");
   const std::optional<double> value = parse_real(text);
   if (!value) fail(in_quotes(text) + ", where " + what + " should stand, is not a number.");
