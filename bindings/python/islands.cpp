@@ -19,12 +19,9 @@ py::array indices_of(const Island& island) {
   py::array_t<std::int32_t> indices({py::ssize_t(island.voxels), py::ssize_t(3)});
   std::int32_t* next = indices.mutable_data();
   for (const BlockVoxels& block : island.blocks)
-    for (int n = 0; n < kBlockVoxels; ++n) {
-      if ((block.voxels[std::size_t(n >> 6)] >> (n & 63) & 1) == 0) continue;
-      *next++ = block.origin[0] + (n >> 6);
-      *next++ = block.origin[1] + (n >> 3 & 7);
-      *next++ = block.origin[2] + (n & 7);
-    }
+    block.voxels.for_each([&](int voxel) {
+      for (const int i : voxel_at(block.origin, voxel)) *next++ = i;
+    });
   return indices;
 }
 

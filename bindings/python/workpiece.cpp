@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "bindings.hpp"
 #include "core.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 #include "hapticut/workpiece/contact.hpp"
 #include "hapticut/workpiece/volume_builders.hpp"
 #include "simulation.hpp"
@@ -69,17 +71,17 @@ void for_each_voxel(const Workpiece& workpiece, const IndexBox& box, const Funct
   }
   if (both.empty()) return;
   const auto place = [&box](int index, std::size_t axis) { return std::size_t(std::int64_t(index) - box.min[axis]); };
-  for (int bi = block_start(both.min[0]); bi <= both.max[0]; bi += kBlockEdge)
-    for (int bj = block_start(both.min[1]); bj <= both.max[1]; bj += kBlockEdge)
-      for (int bk = block_start(both.min[2]); bk <= both.max[2]; bk += kBlockEdge) {
-        const BlockView block = workpiece.block({bi, bj, bk});
-        if (block.empty()) continue;
-        for (int i = std::max(bi, both.min[0]); i <= std::min(bi + kBlockEdge - 1, both.max[0]); ++i)
-          for (int j = std::max(bj, both.min[1]); j <= std::min(bj + kBlockEdge - 1, both.max[1]); ++j)
-            for (int k = std::max(bk, both.min[2]); k <= std::min(bk + kBlockEdge - 1, both.max[2]); ++k)
-              function(block, block_offset(i - bi, j - bj, k - bk),
-                       (place(i, 0) * extent[1] + place(j, 1)) * extent[2] + place(k, 2));
-      }
+  for_each_block_origin(both, [&](const VoxelIndex& origin) {
+    const BlockView block = workpiece.block(origin);
+    if (block.empty()) return;
+    const auto first = [&](std::size_t axis) { return std::max(origin[axis], both.min[axis]); };
+    const auto last = [&](std::size_t axis) { return std::min(origin[axis] + kBlockEdge - 1, both.max[axis]); };
+    for (int i = first(0); i <= last(0); ++i)
+      for (int j = first(1); j <= last(1); ++j)
+        for (int k = first(2); k <= last(2); ++k)
+          function(block, block_offset(i - origin[0], j - origin[1], k - origin[2]),
+                   (place(i, 0) * extent[1] + place(j, 1)) * extent[2] + place(k, 2));
+  });
 }
 
 template <class Value, class Function>
@@ -90,14 +92,10 @@ py::array dense(const PythonWorkpiece& workpiece, const std::optional<IndexBox>&
   std::fill_n(values, array.size(), Value(0));
   workpiece.read_released([&](const Workpiece& w) {
     for_each_voxel(w, wanted, [&](const BlockView& block, int voxel, std::size_t at) {
-      if (block.fill_of(voxel) > 0) values[at] = value_of(block, voxel);
+      if (block.fill_of(voxel) > 0) values[at] = std::invoke(value_of, block, voxel);
     });
   });
   return array;
-}
-
-MaterialId material_of(const BlockView& block, int voxel) {
-  return block.material != nullptr ? block.material[voxel] : block.uniform_material;
 }
 
 /// A workpiece from dense arrays of voxels, exactly: the opposite of material_array and fill_array.
@@ -309,7 +307,9 @@ void bind_state(py::class_<PythonWorkpiece>& binding) {
           py::arg("index"), "[voxel edges] (3,) from a voxel's centre to the centroid of its filled part.")
       .def(
           "material_array",
-          [](const W& w, const std::optional<IndexBox>& box) { return dense<std::uint8_t>(w, box, &material_of); },
+          [](const W& w, const std::optional<IndexBox>& box) {
+            return dense<std::uint8_t>(w, box, &BlockView::material_of);
+          },
           py::arg("box") = py::none(),
           "(nx, ny, nz) uint8: the material of every voxel of a box, 0 where it is empty; without a box, of bounds().")
       .def(

@@ -29,6 +29,8 @@
 #include "hapticut/tool/tool.hpp"
 //
 #include "hapticut/workpiece/block.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
+#include "hapticut/workpiece/block_mask.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/changes.hpp"
 #include "hapticut/workpiece/contact.hpp"

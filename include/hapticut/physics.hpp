@@ -26,6 +26,7 @@
 #include "hapticut/tool/tool.hpp"
 //
 #include "hapticut/workpiece/block.hpp"
+#include "hapticut/workpiece/block_mask.hpp"
 #include "hapticut/workpiece/changes.hpp"
 #include "hapticut/workpiece/contact.hpp"
 #include "hapticut/workpiece/cut_voxel.hpp"

@@ -9,6 +9,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/loop/change_feed.hpp"
 #include "hapticut/surface/surface_stream.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 
 namespace hapticut::c {
 namespace {
@@ -140,14 +141,9 @@ int hapticut_surface_catch_up(hapticut_surface surface) {
     for (ChangedBlock old; use->feed->receive(old);) {  // is older than what comes now
     }
     const Workpiece& workpiece = use->simulation->simulation.workpiece();
-    std::vector<VoxelIndex> row;
-    const IndexBox& bounds = use->bounds;
-    for (int x = block_start(bounds.min[0]); x <= bounds.max[0]; x += kBlockEdge)
-      for (int y = block_start(bounds.min[1]); y <= bounds.max[1]; y += kBlockEdge) {
-        row.clear();
-        for (int z = block_start(bounds.min[2]); z <= bounds.max[2]; z += kBlockEdge) row.push_back({x, y, z});
-        (void)use->stream.update(workpiece, row);  // all of them are within its bounds
-      }
+    for_each_block_origin(use->bounds, [&](const VoxelIndex& origin) {
+      (void)use->stream.update(workpiece, {&origin, 1});  // all of them are within its bounds
+    });
     return HAPTICUT_OK;
   });
 }

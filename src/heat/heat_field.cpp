@@ -66,10 +66,7 @@ HeatField::HeatField(const Workpiece& workpiece, HeatConfig config)
   }
   BlockContent content;
   workpiece.for_each_block([&](const BlockView& block) {
-    for (int n = 0; n < kBlockVoxels; ++n) {
-      content.material[std::size_t(n)] = block.material != nullptr ? block.material[n] : block.uniform_material;
-      content.fill[std::size_t(n)] = block.fill_of(n);
-    }
+    block.copy_to(content.material, content.fill);
     update(block.origin, content.material.data(), content.fill.data());
   });
   refresh_changed();
@@ -116,14 +113,7 @@ void HeatField::update(const VoxelIndex& origin, const MaterialId* material, con
 void HeatField::update(const Workpiece& workpiece, std::span<const VoxelIndex> origins) {
   BlockContent content;
   for (const VoxelIndex& origin : origins) {
-    const BlockView block = workpiece.block(origin);
-    for (int n = 0; n < kBlockVoxels; ++n) {
-      const bool solid = !block.empty() && (block.solid == nullptr || (block.solid[n >> 6] >> (n & 63) & 1) != 0);
-      content.material[std::size_t(n)] = !solid                      ? kEmpty
-                                         : block.material != nullptr ? block.material[n]
-                                                                     : block.uniform_material;
-      content.fill[std::size_t(n)] = solid ? block.fill_of(n) : 0.0F;
-    }
+    workpiece.block(origin).copy_to(content.material, content.fill);
     update(origin, content.material.data(), content.fill.data());
   }
 }

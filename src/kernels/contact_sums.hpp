@@ -42,9 +42,9 @@ struct ContactSums {
   static constexpr int kLanes = BlockChange::kStrip;
 
   alignas(64) std::array<std::array<double, kLanes>, kTerms> lanes = {};
-  std::array<double, 256> removed = {};  ///< [voxels] filled volume that was removed, by MaterialId
-  int voxels = 0;                        ///< samples
-  float depth = 0;                       ///< [m] greatest
+  ByMaterial<double> removed = {};  ///< [voxels] filled volume that was removed, by MaterialId
+  int voxels = 0;                   ///< samples
+  float depth = 0;                  ///< [m] greatest
 
   [[nodiscard]] double total(Term term) const {
     double sum = 0;

@@ -114,8 +114,8 @@ struct Pressed {
 
 #ifdef HAPTICUT_SCALAR_KERNELS
 namespace hapticut::kernels {
-struct ContactSums : Pressed {           // the scalar reference adds up what it finds
-  std::array<double, 256> removed = {};  ///< [voxels] filled volume that was removed, by MaterialId
+struct ContactSums : Pressed {      // the scalar reference adds up what it finds
+  ByMaterial<double> removed = {};  ///< [voxels] filled volume that was removed, by MaterialId
 };
 struct FrictionSums {  // likewise
   SpreadFriction sum;

@@ -26,7 +26,7 @@ class Places {
       const int n = first + std::countr_zero(lanes), voxel = voxel_of(n);
       BlockChange& change = task_of(n).change;
       change.any_emptied = true;
-      change.emptied[std::size_t(voxel >> 6)] |= std::uint64_t(1) << (voxel & 63);
+      change.emptied.add(voxel);
     }
   }
 

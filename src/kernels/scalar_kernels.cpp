@@ -10,15 +10,15 @@ namespace hapticut::kernels {
 namespace {
 
 /// Leaves out what has no turn.
-BlockView with_turn(const ContactJob& job, const BlockView& block,
-                    std::array<std::uint64_t, kBlockEdge>& solid) noexcept {
+BlockView with_turn(const ContactJob& job, const BlockView& block, BlockMask& solid) noexcept {
   BlockView view = block;
+  solid = block.solid_voxels();
   for (int slab = 0; slab < kBlockEdge; ++slab) {
-    std::uint64_t& word = solid[std::size_t(slab)] = block.solid == nullptr ? ~std::uint64_t(0) : block.solid[slab];
+    std::uint64_t& word = solid.words[std::size_t(slab)];
     for (int strip = 0; strip < kBlockVoxels / kBlockEdge / BlockChange::kStrip; ++strip)
       if (!job.has_turn(block.origin, slab, strip)) word &= ~(0xFFFFULL << (BlockChange::kStrip * strip));
   }
-  view.solid = solid.data();
+  view.solid = solid.words.data();
   return view;
 }
 
@@ -32,7 +32,7 @@ void press_block(const ContactJob& job, PressTask& task, ContactSums& sums, Stif
                  FrictionSums* friction) noexcept {
   ContactBlock& contact = scratch();
   task.change = {};
-  std::array<std::uint64_t, kBlockEdge> solid;
+  BlockMask solid;
   const BlockView block = job.level_of_detail > 1 ? with_turn(job, task.block, solid) : task.block;
   sample_contact(job.head, block, job.grid, Quadrature::sub_voxel, contact);
   if (contact.samples == 0) return;

@@ -19,16 +19,11 @@ struct BlockOutbox::Queue {
   boost::lockfree::spsc_queue<ChangedBlock> blocks;
 };
 
-BlockOutbox::BlockOutbox(const IndexBox& region, std::size_t capacity) {
+BlockOutbox::BlockOutbox(const IndexBox& region, std::size_t capacity) : blocks_(region) {
   if (region.empty()) throw Error("The region of a BlockOutbox is empty; give it the voxels that may be cut.");
   require_within(double(capacity), range_of(&RealtimeLoopOptions::block_capacity),
                  "the capacity of a BlockOutbox [blocks]");
-  double blocks = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    first_[axis] = block_start(region.min[axis]);
-    blocks_[axis] = (block_start(region.max[axis]) - first_[axis]) / kBlockEdge + 1;
-    blocks *= blocks_[axis];
-  }
+  const double blocks = blocks_.count();
   if (blocks > kMostBlocks)
     throw Error("The region of a BlockOutbox has " + format_number(blocks) + " blocks; at most " +
                 format_number(kMostBlocks) + " are possible. Give it only the voxels that may be cut.");
@@ -39,26 +34,15 @@ BlockOutbox::BlockOutbox(const IndexBox& region, std::size_t capacity) {
 
 BlockOutbox::~BlockOutbox() = default;
 
-VoxelIndex BlockOutbox::origin_of(std::uint32_t number) const noexcept {
-  const int n = int(number);
-  return {first_[0] + kBlockEdge * (n / (blocks_[1] * blocks_[2])),
-          first_[1] + kBlockEdge * (n / blocks_[2] % blocks_[1]), first_[2] + kBlockEdge * (n % blocks_[2])};
-}
-
 bool BlockOutbox::mark(const VoxelIndex& origin) noexcept {
-  VoxelIndex at;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    at[axis] = origin[axis] < first_[axis] ? -1 : (origin[axis] - first_[axis]) / kBlockEdge;
-    if (at[axis] >= 0 && at[axis] < blocks_[axis]) continue;
+  const auto number = blocks_.number_of(origin);
+  if (!number) {
     ++outside_;
     return false;
   }
-  const std::size_t number =
-      (std::size_t(at[0]) * std::size_t(blocks_[1]) + std::size_t(at[1])) * std::size_t(blocks_[2]) +
-      std::size_t(at[2]);
-  if (is_marked_[number]) return true;
-  is_marked_[number] = true;
-  order_[(head_ + count_++) % order_.size()] = std::uint32_t(number);
+  if (is_marked_[*number]) return true;
+  is_marked_[*number] = true;
+  order_[(head_ + count_++) % order_.size()] = std::uint32_t(*number);
   return true;
 }
 
@@ -66,7 +50,7 @@ std::size_t BlockOutbox::send(const Copy& copy, std::size_t most) noexcept {
   const std::size_t sent = std::min({most, count_, queue_->blocks.write_available()});
   for (std::size_t n = 0; n < sent; ++n) {
     const std::uint32_t number = order_[head_];
-    scratch_.origin = origin_of(number);
+    scratch_.origin = blocks_.origin_of(number);
     scratch_.version = ++version_;
     copy(scratch_);
     // There is room: only this thread takes any.

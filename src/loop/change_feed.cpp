@@ -14,16 +14,10 @@ ChangeFeed::ChangeFeed(Simulation& simulation, const ChangeFeedOptions& options)
     : simulation_(simulation),
       per_step_(options.blocks_per_step),
       outbox_(simulation.workpiece().bounds(), options.block_capacity),
-      copy_([this](ChangedBlock& block) { copy_block(simulation_.workpiece(), block); }) {
+      copy_([this](ChangedBlock& block) { copy_block(simulation_.workpiece(), block); }),
+      all_(std::size_t(outbox_.blocks().count())),
+      swept_(all_) {
   require_fields_within(options, "ChangeFeedOptions::");
-  const IndexBox bounds = simulation.workpiece().bounds();
-  all_ = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    first_[axis] = block_start(bounds.min[axis]);
-    blocks_[axis] = (block_start(bounds.max[axis]) - first_[axis]) / kBlockEdge + 1;
-    all_ *= std::size_t(blocks_[axis]);
-  }
-  swept_ = all_;
   simulation.add_observer(*this);
 }
 
@@ -39,11 +33,8 @@ void ChangeFeed::on_step(const ObservedStep& step) noexcept {
 
 /// Marks some more of all blocks, where all are to be sent.
 void ChangeFeed::sweep() noexcept {
-  for (std::size_t n = 0; n < kSweptPerStep && swept_ < all_; ++n, ++swept_) {
-    const auto ny = std::size_t(blocks_[1]), nz = std::size_t(blocks_[2]);
-    outbox_.mark({first_[0] + kBlockEdge * int(swept_ / (ny * nz)), first_[1] + kBlockEdge * int(swept_ / nz % ny),
-                  first_[2] + kBlockEdge * int(swept_ % nz)});
-  }
+  for (std::size_t n = 0; n < kSweptPerStep && swept_ < all_; ++n, ++swept_)
+    outbox_.mark(outbox_.blocks().origin_of(swept_));
 }
 
 }  // namespace hapticut

@@ -2,7 +2,6 @@
 #include "hapticut/loop/simulation_model.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <memory>
 #include <utility>
 
@@ -195,9 +194,7 @@ void SimulationModel::mark_changes(BlockOutbox& outbox) noexcept {
   if (watch_)
     for (const VoxelIndex& origin : watch_->changed()) outbox.mark(origin);
   if (changed_.complete) return;
-  for (int i = block_start(bounds_.min[0]); i <= bounds_.max[0]; i += kBlockEdge)
-    for (int j = block_start(bounds_.min[1]); j <= bounds_.max[1]; j += kBlockEdge)
-      for (int k = block_start(bounds_.min[2]); k <= bounds_.max[2]; k += kBlockEdge) outbox.mark({i, j, k});
+  for_each_block_origin(bounds_, [&](const VoxelIndex& origin) { outbox.mark(origin); });
 }
 
 std::vector<Island> SimulationModel::islands_left() { return watch_ ? watch_->left() : std::vector<Island>(); }
@@ -208,20 +205,7 @@ void SimulationModel::copy(ChangedBlock& block) noexcept {
 }
 
 void copy_block(const Workpiece& workpiece, ChangedBlock& block) noexcept {
-  const BlockView view = workpiece.block(block.origin);
-  if (view.material == nullptr) {
-    block.material.fill(view.uniform_material);
-    for (int n = 0; n < kBlockVoxels; ++n) block.fill[std::size_t(n)] = view.empty() ? 0.0F : view.fill_of(n);
-    return;
-  }
-  block.material.fill(kEmpty);
-  block.fill.fill(0);
-  for (int word = 0; word < 8; ++word)
-    for (std::uint64_t bits = view.solid[word]; bits != 0; bits &= bits - 1) {
-      const int n = 64 * word + std::countr_zero(bits);
-      block.material[std::size_t(n)] = view.material[n];
-      block.fill[std::size_t(n)] = view.fill_of(n);
-    }
+  workpiece.block(block.origin).copy_to(block.material, block.fill);
 }
 
 }  // namespace hapticut

@@ -9,6 +9,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/contact_materials.hpp"
 #include "hapticut/force/laws/lumped.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 
 namespace hapticut {
 namespace {
@@ -76,24 +77,13 @@ void ContactStages::set_materials(const ContactMaterials& materials) noexcept {
   set_cutting_share(share);
 }
 
-namespace {
-
-std::size_t count_solid(const BlockView& block) noexcept {
-  if (block.solid == nullptr) return kBlockVoxels;
-  std::size_t solid = 0;
-  for (int slab = 0; slab < kBlockEdge; ++slab) solid += std::size_t(std::popcount(block.solid[slab]));
-  return solid;
-}
-
-}  // namespace
-
 /// Into how many parts the voxels inside the head must be divided to stay within the budget. They are counted only
 /// where the blocks have more.
 int ContactStages::level_of_detail(std::span<const CuttableBlock> blocks,
                                    const kernels::ContactJob& job) const noexcept {
   if (voxel_budget_ == 0 || most_voxels_ <= voxel_budget_) return 1;
   std::size_t solid = 0, inside = 0;
-  for (const CuttableBlock& block : blocks) solid += count_solid(block.view);
+  for (const CuttableBlock& block : blocks) solid += std::size_t(block.view.solid_voxels().count());
   if (solid <= voxel_budget_) return 1;
   for (const CuttableBlock& block : blocks) inside += std::size_t(kernels::count_voxels(job, block.view));
   return std::max(1, int((inside + voxel_budget_ - 1) / voxel_budget_));
@@ -123,14 +113,11 @@ std::span<const CuttableBlock> ContactStages::find_blocks(const HeadPlacement& a
   if (voxels.empty()) return blocks_;
   const GridInHead grid(at.X_VT.inverse(), size);
   head_.visit_springs<float>([&](const auto& springs) {
-    for (int i = block_start(voxels.min[0]); i <= voxels.max[0]; i += kBlockEdge)
-      for (int j = block_start(voxels.min[1]); j <= voxels.max[1]; j += kBlockEdge)
-        for (int k = block_start(voxels.min[2]); k <= voxels.max[2]; k += kBlockEdge) {
-          const VoxelIndex origin = {i, j, k};
-          if (!may_touch(springs, grid, origin, float(size))) continue;
-          const CuttableBlock block = workpiece_.cuttable_block(origin);
-          if (!block.view.empty()) blocks_.push_back(block);
-        }
+    for_each_block_origin(voxels, [&](const VoxelIndex& origin) {
+      if (!may_touch(springs, grid, origin, float(size))) return;
+      const CuttableBlock block = workpiece_.cuttable_block(origin);
+      if (!block.view.empty()) blocks_.push_back(block);
+    });
   });
   return blocks_;
 }
@@ -212,7 +199,7 @@ Encounter ContactStages::run_kernels(std::span<const CuttableBlock> blocks, cons
 }
 
 /// @param removed  [voxels] by MaterialId
-void ContactStages::record(const std::array<double, 256>& removed, RemovalRecord& removal) const noexcept {
+void ContactStages::record(const ByMaterial<double>& removed, RemovalRecord& removal) const noexcept {
   for (int id = 1; id <= workpiece_.materials().size(); ++id)
     if (removed[std::size_t(id)] != 0) removal.add_volume(MaterialId(id), removed[std::size_t(id)] * voxel_volume_);
 }
@@ -261,7 +248,7 @@ Encounter ContactStages::ask_law(std::span<const CuttableBlock> blocks, const He
   HeadMotion without_removal = motion;
   without_removal.removal = RemovalLaw::none;
   SpreadFriction friction_T;
-  std::array<double, 256> removed = {};  // [voxels]
+  ByMaterial<double> removed = {};  // [voxels]
   for (const CuttableBlock& block : blocks) {
     kernels::sample_contact(head_, block.view, grid, quadrature_, contact_);
     if (contact_.samples == 0) continue;

@@ -75,7 +75,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
  public:
   struct EmptiedBlock {
     BlockView block;
-    std::array<std::uint64_t, 8> emptied;
+    BlockMask emptied;
   };
 
   /// Lists as long as a head can make them in voxels of a size.
@@ -165,7 +165,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
                                       RemovalRecord* removal, Stiffness* stiffness_T) noexcept;
   [[nodiscard]] Encounter ask_law(std::span<const CuttableBlock> blocks, const HeadPlacement& at,
                                   RemovalRecord* removal) noexcept;
-  void record(const std::array<double, 256>& removed, RemovalRecord& removal) const noexcept;
+  void record(const ByMaterial<double>& removed, RemovalRecord& removal) const noexcept;
   [[nodiscard]] int level_of_detail(std::span<const CuttableBlock> blocks,
                                     const kernels::ContactJob& job) const noexcept;
   [[nodiscard]] bool can_cut(const CuttableBlock& block) const noexcept;
@@ -181,7 +181,7 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   struct SpinningRatios {
     float cutting, sliding;  // [1] of a material at full spin
   };
-  std::array<SpinningRatios, 256> spinning_ratios_ = {};
+  ByMaterial<SpinningRatios> spinning_ratios_ = {};
   void share_ratios(std::size_t id) noexcept {
     materials_[id].cutting_ratio = float(cutting_share_) * spinning_ratios_[id].cutting;
     materials_[id].sliding_ratio = float(cutting_share_) * spinning_ratios_[id].sliding;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pieces that were cut loose leave a simulation.
-#include <bit>
-
 #include "hapticut/simulation/simulation.hpp"
 #include "simulation/simulation_state.hpp"
 
@@ -10,24 +8,17 @@ namespace hapticut {
 bool Simulation::remove_voxels(const BlockVoxels& removed) noexcept {
   State& s = *state_;
   const BlockView before = s.workpiece.block(removed.origin);
-  BlockVoxels taken = {removed.origin, {}};
-  std::array<double, 256> volume = {};
-  for (int word = 0; word < 8; ++word) {
-    const std::uint64_t there = before.solid != nullptr ? before.solid[word] : before.empty() ? 0 : ~std::uint64_t(0);
-    taken.voxels[std::size_t(word)] = removed.voxels[std::size_t(word)] & there;
-    for (std::uint64_t bits = taken.voxels[std::size_t(word)]; bits != 0; bits &= bits - 1) {
-      const int n = 64 * word + std::countr_zero(bits);
-      volume[before.material != nullptr ? before.material[n] : before.uniform_material] +=
-          double(before.fill_of(n)) * s.voxel_volume;
-    }
-  }
-  if (taken.voxels == std::array<std::uint64_t, 8>{}) return true;
+  const BlockVoxels taken = {removed.origin, removed.voxels & before.solid_voxels()};
+  if (taken.voxels.empty()) return true;
+  ByMaterial<double> volume = {};
+  taken.voxels.for_each(
+      [&](int voxel) { volume[before.material_of(voxel)] += double(before.fill_of(voxel)) * s.voxel_volume; });
   if (before.fill != nullptr)
     s.workpiece.remember(before);
   else if (s.workpiece.writable_fill(removed.origin) == nullptr)
     return false;
   s.workpiece.forget_redo();
-  s.workpiece.empty_voxels(removed.origin, taken.voxels.data());
+  s.workpiece.empty_voxels(removed.origin, taken.voxels);
   s.contact_stages.list_change(removed.origin);
   for (std::size_t id = 0; id < volume.size(); ++id) s.island_volume[id] += volume[id];
   for (StepObserver* observer : s.observers.all()) observer->on_removal(taken);
@@ -51,6 +42,6 @@ bool Simulation::remove_island(IslandRemoval& removal, std::size_t most) noexcep
   return removal.is_over();
 }
 
-const std::array<double, 256>& Simulation::island_volume_by_material() const noexcept { return state_->island_volume; }
+const ByMaterial<double>& Simulation::island_volume_by_material() const noexcept { return state_->island_volume; }
 
 }  // namespace hapticut

@@ -105,9 +105,7 @@ void Simulation::remove_observer(StepObserver& observer) noexcept {
   present.count = std::size_t(end - present.places.begin());
 }
 
-const std::array<double, 256>& Simulation::removed_volume_by_material() const {
-  return state_->removal.total_by_material();
-}
+const ByMaterial<double>& Simulation::removed_volume_by_material() const { return state_->removal.total_by_material(); }
 
 WorstCase Simulation::worst_case() const { return state_->contact_stages.worst_case(state_->config); }
 

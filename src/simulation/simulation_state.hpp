@@ -156,7 +156,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   Observers observers;
 
   RemovalRecord removal;
-  std::array<double, 256> island_volume = {};  // [m^3] by MaterialId
+  ByMaterial<double> island_volume = {};  // [m^3] by MaterialId
   StepResult result;
   mutable StageTimes times;
 };

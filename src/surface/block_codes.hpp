@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/workpiece/block.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 
 namespace hapticut::surface {
 
@@ -22,36 +22,34 @@ class BlockCodes {
   /// @param step  [voxels] a power of two, of which the region's ends are multiples
   /// @throws Error when there are too many blocks
   BlockCodes(const IndexBox& voxels, int step) {
-    double blocks = 1;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      // Edges whose upper end is the lowest voxel belong to the block before it.
-      first_[axis] = voxels.empty() ? 0 : (voxels.min[axis] - 1) & ~(step - 1);
-      const int last = voxels.empty() ? -1 : voxels.max[axis] | (step - 1);
-      dims_[axis] = (last + 1 - first_[axis]) / kBlockEdge;
-      blocks *= dims_[axis];
+    if (!voxels.empty()) {
+      IndexBox region;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        // Edges whose upper end is the lowest voxel belong to the block before it.
+        region.min[axis] = (voxels.min[axis] - 1) & ~(step - 1);
+        region.max[axis] = voxels.max[axis] | (step - 1);
+      }
+      blocks_ = BlockGrid(region);
     }
-    if (blocks > kMostBlocks)
-      throw Error("the workpiece spans " + format_number(blocks) +
+    if (blocks_.count() > kMostBlocks)
+      throw Error("the workpiece spans " + format_number(blocks_.count()) +
                   " blocks of 8 x 8 x 8 voxels; a surface is found of " + format_number(kMostBlocks) +
                   " at most. Cut it to what is needed, or use larger voxels.");
-    codes_.resize(std::size_t(blocks), kEmpty);
+    codes_.resize(std::size_t(blocks_.count()), kEmpty);
   }
 
-  [[nodiscard]] const VoxelIndex& first() const { return first_; }        // voxel
-  [[nodiscard]] const std::array<int, 3>& dims() const { return dims_; }  // blocks along each axis
+  [[nodiscard]] const VoxelIndex& first() const { return blocks_.first(); }        // voxel
+  [[nodiscard]] const std::array<int, 3>& dims() const { return blocks_.dims(); }  // blocks along each axis
   [[nodiscard]] std::size_t count() const { return codes_.size(); }
 
   /// @return false when the block that starts there is not in the region
-  [[nodiscard]] bool contains(const VoxelIndex& origin) const {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (origin[axis] < first_[axis] || origin[axis] >= first_[axis] + kBlockEdge * dims_[axis]) return false;
-    return true;
-  }
+  [[nodiscard]] bool contains(const VoxelIndex& origin) const { return blocks_.number_of(origin).has_value(); }
 
   [[nodiscard]] std::uint32_t at(const VoxelIndex& origin) const {
-    return contains(origin) ? codes_[place_of(origin)] : kEmpty;
+    const auto number = blocks_.number_of(origin);
+    return number ? codes_[*number] : kEmpty;
   }
-  std::uint32_t& operator[](const VoxelIndex& origin) { return codes_[place_of(origin)]; }
+  std::uint32_t& operator[](const VoxelIndex& origin) { return codes_[*blocks_.number_of(origin)]; }
 
   /// Whether no surface can pass the cells of a block: it and its neighbours are all empty, or all full.
   [[nodiscard]] bool is_plain(const VoxelIndex& origin) const {
@@ -67,15 +65,7 @@ class BlockCodes {
   }
 
  private:
-  [[nodiscard]] std::size_t place_of(const VoxelIndex& origin) const {
-    std::size_t place = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      place = place * std::size_t(dims_[axis]) + std::size_t((origin[axis] - first_[axis]) / kBlockEdge);
-    return place;
-  }
-
-  VoxelIndex first_;
-  std::array<int, 3> dims_;
+  BlockGrid blocks_;
   std::vector<std::uint32_t> codes_;
 };
 

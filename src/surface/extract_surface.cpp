@@ -44,9 +44,7 @@ void read_views(const ViewedBlocks& blocks, const VoxelIndex& origin, MaterialId
             code < surface::BlockCodes::kMixed ? nullptr : &blocks.views[code - surface::BlockCodes::kMixed];
         for (int n = 0; n < count; ++n) {
           const int voxel = first + n;
-          MaterialId id = MaterialId(view == nullptr ? code : view->uniform_material);
-          if (view != nullptr && view->material != nullptr)
-            id = (view->solid[voxel >> 6] >> (voxel & 63) & 1) != 0 ? view->material[voxel] : kEmpty;
+          MaterialId id = view == nullptr ? MaterialId(code) : view->material_of(voxel);
           if (only != kEmpty && id != only) id = kEmpty;
           material[n] = id;
           fill[n] = id == kEmpty ? 0.0F : view == nullptr ? 1.0F : view->fill_of(voxel);

@@ -79,12 +79,7 @@ std::int16_t rounded_position(int voxel, float in_cell) {
 }
 
 void copy_view(const BlockView& view, StoredBlock& block) {
-  for (int n = 0; n < kBlockVoxels; ++n) {
-    const MaterialId id = view.material == nullptr                    ? view.uniform_material
-                          : (view.solid[n >> 6] >> (n & 63) & 1) != 0 ? view.material[n]
-                                                                      : kEmpty;
-    block.set(std::size_t(n), id, id == kEmpty ? 0.0F : view.fill_of(n));
-  }
+  for (int n = 0; n < kBlockVoxels; ++n) block.set(std::size_t(n), view.material_of(n), view.fill_of(n));
 }
 
 std::int8_t rounded_normal(float component) { return std::int8_t(std::lround(component * 127.0F)); }
@@ -170,7 +165,7 @@ struct SurfaceStream::State {
     for (int n = 0; n < kBlockVoxels; ++n) {
       const auto place = std::size_t(n);
       if (before.fill[place] == block.fill[place] && before.material[place] == block.material[place]) continue;
-      const std::array<int, 3> at = {n >> 6, n >> 3 & 7, n & 7};
+      const VoxelIndex at = place_in_block(n);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         low[axis] = std::min(low[axis], at[axis]);
         high[axis] = std::max(high[axis], at[axis]);

@@ -51,7 +51,7 @@ Workpiece build_body(const BodyDescription& body, double voxel_size, MaterialTab
     const bool wholly_inside = block_distance <= -block_reach;
     BlockCoverage block(body.distance, frame, origin, subsamples);
     for (int n = 0; n < kBlockVoxels; ++n) {
-      const int x = n >> 6, y = n >> 3 & 7, z = n & 7;
+      const auto [x, y, z] = place_in_block(n);
       const Vec3 center = frame.center({origin[0] + x, origin[1] + y, origin[2] + z});
       const double distance = wholly_inside ? -voxel_reach : block.at_center(x, y, z);
       content.material[n] = kEmpty;
@@ -124,11 +124,10 @@ Workpiece build_layered_slab(const Box& box, double voxel_size, const std::vecto
     if (full && material_at(height_of(0)) == material_at(height_of(kBlockEdge - 1)))
       return BlockKind::solid(material_at(height_of(0)));
     for (int n = 0; n < kBlockVoxels; ++n) {
-      const Covered& x = along[0][n >> 6];
-      const Covered& y = along[1][n >> 3 & 7];
-      const Covered& z = along[2][n & 7];
+      const VoxelIndex at = place_in_block(n);
+      const Covered &x = along[0][at[0]], &y = along[1][at[1]], &z = along[2][at[2]];
       const double fill = x.fraction * y.fraction * z.fraction;
-      content.material[n] = fill > 1e-6 ? material_at(height_of(n & 7)) : kEmpty;
+      content.material[n] = fill > 1e-6 ? material_at(height_of(at[2])) : kEmpty;
       content.fill[n] = fill > 1e-6 ? float(fill) : 0;
       content.centroid[n] = fill < 1 ? CentroidOffset::from_offset({x.middle, y.middle, z.middle}) : CentroidOffset{};
     }

@@ -51,11 +51,9 @@ void clip_to(const IndexBox& domain, const VoxelIndex& origin, BlockContent& con
     inside &= origin[axis] >= domain.min[axis] && origin[axis] + kBlockEdge - 1 <= domain.max[axis];
   if (inside) return;
   for (int n = 0; n < kBlockVoxels; ++n) {
-    const VoxelIndex local = {n >> 6, n >> 3 & 7, n & 7};
-    for (int axis = 0; axis < 3; ++axis) {
-      const int i = origin[axis] + local[axis];
-      if (i < domain.min[axis] || i > domain.max[axis]) content.material[n] = kEmpty;
-    }
+    const VoxelIndex at = voxel_at(origin, n);
+    for (int axis = 0; axis < 3; ++axis)
+      if (at[axis] < domain.min[axis] || at[axis] > domain.max[axis]) content.material[n] = kEmpty;
   }
 }
 

@@ -67,7 +67,7 @@ class GridSampler {
     }
     const Patch patch = gather(at);
     for (int n = 0; n < kBlockVoxels; ++n) {
-      const int x = n >> 6, y = n >> 3 & 7, z = n & 7;
+      const auto [x, y, z] = place_in_block(n);
       content.centroid[n] = {};
       if (level_set_)
         cover(patch, x, y, z, content.fill[n], content.centroid[n]);

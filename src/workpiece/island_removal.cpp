@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "hapticut/workpiece/islands.hpp"
-#include "workpiece/block_masks.hpp"
 
 namespace hapticut {
 namespace {
@@ -16,28 +15,28 @@ BlockMask voxels_at(const Island& island, const VoxelIndex& origin) noexcept {
 
 /// The voxels of a block that belong to an island or touch it.
 BlockMask around(const Island& island, const BlockVoxels& block) noexcept {
-  BlockMask mask = grown(block.voxels);
+  BlockMask mask = block.voxels.grown();
   for (int side = 0; side < kSides; ++side)
-    mask = mask | across(voxels_at(island, beside(block.origin, side)), side ^ 1);
+    mask = mask | voxels_at(island, beside(block.origin, side)).across(side ^ 1);
   return mask;
 }
 
 BlockMask filled_enough(const Island& island, const BlockView& block) noexcept {
-  return filled_voxels(block, float(island.least_fill));
+  return block.filled_voxels(float(island.least_fill));
 }
 
 }  // namespace
 
 bool is_loose(const Island& island, std::size_t block, const Workpiece& workpiece) noexcept {
   const BlockVoxels& here = island.blocks[block];
-  const BlockMask others = without(filled_enough(island, workpiece.block(here.origin)), here.voxels);
-  return !any(around(island, here) & others);
+  const BlockMask others = filled_enough(island, workpiece.block(here.origin)).without(here.voxels);
+  return (around(island, here) & others).empty();
 }
 
 BlockVoxels with_skin(const Island& island, std::size_t block, const Workpiece& workpiece) noexcept {
   const BlockVoxels& here = island.blocks[block];
   const BlockView now = workpiece.block(here.origin);
-  const BlockMask there = filled_voxels(now, 0), skin = without(there, filled_enough(island, now));
+  const BlockMask there = now.filled_voxels(0), skin = there.without(filled_enough(island, now));
   return {here.origin, there & (here.voxels | (skin & around(island, here)))};
 }
 

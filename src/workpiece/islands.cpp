@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
-#include "workpiece/block_masks.hpp"
 
 namespace hapticut {
 namespace {
@@ -54,14 +53,14 @@ class IslandSearch {
 
   /// Begins pieces at some voxels of a block, all of one group.
   void begin(std::size_t block, BlockMask seeds, std::size_t group) {
-    for (seeds = seeds & finder_.solid_[block]; any(seeds);) {
-      const BlockMask one = first_of(seeds);
+    for (seeds = seeds & finder_.solid_[block]; !seeds.empty();) {
+      const BlockMask one = seeds.first();
       const std::size_t piece = pieces_.add({groups_.root(group), 0, true, false, {{block, one}}});
       ++groups_[groups_.root(group)].open;
       grow(piece);
       wait_for_turn(piece);
       for (const Part& part : found_[block])  // other parts may be of other groups, and are still to be met
-        if (any(one & part.voxels)) seeds = without(seeds, part.voxels);
+        if (!(one & part.voxels).empty()) seeds = seeds.without(part.voxels);
     }
   }
 
@@ -154,21 +153,21 @@ class IslandSearch {
     pieces_[piece].way.pop_back();
     std::vector<Part>& here = found_[block];
     for (Part& part : here)
-      if (any(bits & part.voxels)) {
-        bits = without(bits, part.voxels);
+      if (!(bits & part.voxels).empty()) {
+        bits = bits.without(part.voxels);
         piece = join(piece, pieces_.root(part.piece));
       }
-    bits = joined_to(bits, finder_.solid_[block]);
-    if (any(bits)) {
+    bits = bits.joined(finder_.solid_[block]);
+    if (!bits.empty()) {
       here.push_back({bits, piece});
       Piece& of = pieces_[piece];
-      of.voxels += count(bits);
-      const VoxelIndex origin = finder_.origin_of(block);
+      of.voxels += bits.count();
+      const VoxelIndex origin = finder_.blocks_.origin_of(block);
       for (int side = 0; side < kSides; ++side) {
-        const auto next = finder_.number_of(beside(origin, side));
+        const auto next = finder_.blocks_.number_of(beside(origin, side));
         if (!next) continue;
-        const BlockMask there = across(bits, side) & finder_.solid_[*next];
-        if (any(there)) of.way.emplace_back(*next, there);
+        const BlockMask there = bits.across(side) & finder_.solid_[*next];
+        if (!there.empty()) of.way.emplace_back(*next, there);
       }
       if (is_fixed(origin, bits)) fix(piece);
     }
@@ -222,8 +221,8 @@ class IslandSearch {
     const std::optional<Box>& box = finder_.options_.fixed;
     if (!box) return false;
     for (int n = 0; n < kBlockVoxels; ++n) {
-      if ((voxels[std::size_t(n >> 6)] >> (n & 63) & 1) == 0) continue;
-      const Vec3 p_W = finder_.frame_.center({origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7)});
+      if (!voxels.has(n)) continue;
+      const Vec3 p_W = finder_.frame_.center(voxel_at(origin, n));
       if ((p_W.array() >= box->min.array()).all() && (p_W.array() <= box->max.array()).all()) return true;
     }
     return false;
@@ -241,39 +240,17 @@ class IslandSearch {
 // --- the finder -----------------------------------------------------------------------------------------------------
 
 IslandFinder::IslandFinder(const Workpiece& workpiece, const IslandOptions& options)
-    : options_(options), frame_(workpiece.frame()) {
+    : options_(options), blocks_(workpiece.bounds()), frame_(workpiece.frame()) {
   require_fields_within(options_, "IslandOptions::");
-  const IndexBox bounds = workpiece.bounds();
-  if (bounds.empty()) return;
-  double blocks = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    first_[axis] = block_start(bounds.min[axis]);
-    blocks_[axis] = (block_start(bounds.max[axis]) - first_[axis]) / kBlockEdge + 1;
-    blocks *= blocks_[axis];
-  }
+  const double blocks = blocks_.count();
   if (blocks > kMostWatchedBlocks)
     throw Error("the workpiece spans " + format_number(blocks) + " blocks, more than " +
                 format_number(kMostWatchedBlocks) + " in which islands can be looked for; crop it.");
   solid_.resize(std::size_t(blocks));
   workpiece.for_each_block([&](const BlockView& block) {
-    if (const auto number = number_of(block.origin)) solid_[*number] = filled_voxels(block, float(options_.least_fill));
+    if (const auto number = blocks_.number_of(block.origin))
+      solid_[*number] = block.filled_voxels(float(options_.least_fill));
   });
-}
-
-std::optional<std::size_t> IslandFinder::number_of(const VoxelIndex& origin) const {
-  std::size_t number = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const int n = (origin[axis] - first_[axis]) / kBlockEdge;
-    if (origin[axis] < first_[axis] || n >= blocks_[axis]) return std::nullopt;
-    number = number * std::size_t(blocks_[axis]) + std::size_t(n);
-  }
-  return number;
-}
-
-VoxelIndex IslandFinder::origin_of(std::size_t number) const {
-  const auto ny = std::size_t(blocks_[1]), nz = std::size_t(blocks_[2]);
-  return {first_[0] + kBlockEdge * int(number / (ny * nz)), first_[1] + kBlockEdge * int(number / nz % ny),
-          first_[2] + kBlockEdge * int(number % nz)};
 }
 
 void IslandFinder::update(const VoxelIndex& origin, const float* fill) {
@@ -289,15 +266,15 @@ void IslandFinder::update(const Workpiece& workpiece, std::span<const VoxelIndex
 }
 
 void IslandFinder::update(const BlockView& block) {
-  const auto number = number_of(block.origin);
+  const auto number = blocks_.number_of(block.origin);
   if (!number) return;
   // Where nothing is asked of the fill, a voxel without any is empty all the same.
   const float least = std::max(float(options_.least_fill), std::numeric_limits<float>::min());
-  const BlockMask now = filled_voxels(block, least), went = without(solid_[*number], now);
+  const BlockMask now = block.filled_voxels(least), went = solid_[*number].without(now);
   solid_[*number] = now;
   const auto known = gone_.find(*number);
-  const BlockMask gone = known == gone_.end() ? went : without(known->second | went, now);
-  if (any(gone))
+  const BlockMask gone = known == gone_.end() ? went : (known->second | went).without(now);
+  if (!gone.empty())
     gone_.insert_or_assign(*number, gone);
   else if (known != gone_.end())
     gone_.erase(known);  // undone
@@ -309,19 +286,19 @@ std::vector<Island> IslandFinder::find() {
   for (auto gone = std::exchange(gone_, {}); !gone.empty();) {
     const std::size_t group = search.add_group();
     std::map<std::size_t, BlockMask> touched;
-    std::vector<std::pair<std::size_t, BlockMask>> way = {{gone.begin()->first, first_of(gone.begin()->second)}};
+    std::vector<std::pair<std::size_t, BlockMask>> way = {{gone.begin()->first, gone.begin()->second.first()}};
     while (!way.empty()) {
       const auto [block, seeds] = way.back();
       way.pop_back();
       const auto here = gone.find(block);
       if (here == gone.end()) continue;
-      const BlockMask part = joined_to(seeds, here->second);
-      if (here->second = without(here->second, part); !any(here->second)) gone.erase(here);
-      touched[block] = touched[block] | grown(part);
-      const VoxelIndex origin = origin_of(block);
+      const BlockMask part = seeds.joined(here->second);
+      if (here->second = here->second.without(part); here->second.empty()) gone.erase(here);
+      touched[block] = touched[block] | part.grown();
+      const VoxelIndex origin = blocks_.origin_of(block);
       for (int side = 0; side < kSides; ++side)
-        if (const BlockMask there = across(part, side); any(there))
-          if (const auto next = number_of(beside(origin, side))) {
+        if (const BlockMask there = part.across(side); !there.empty())
+          if (const auto next = blocks_.number_of(beside(origin, side))) {
             touched[*next] = touched[*next] | there;
             way.emplace_back(*next, there);
           }
@@ -338,18 +315,18 @@ std::vector<Island> IslandFinder::find() {
 Island IslandFinder::take_out(const std::vector<std::pair<std::size_t, BlockMask>>& parts) {
   std::map<std::size_t, BlockMask> all;
   for (const auto& [block, voxels] : parts) {
-    solid_[block] = without(solid_[block], voxels);
+    solid_[block] = solid_[block].without(voxels);
     all[block] = all[block] | voxels;
-    const VoxelIndex origin = origin_of(block);
+    const VoxelIndex origin = blocks_.origin_of(block);
     for (int side = 0; side < kSides; ++side)
-      if (any(across(voxels, side)))
-        if (const auto next = number_of(beside(origin, side))) all.try_emplace(*next, BlockMask{});
+      if (!voxels.across(side).empty())
+        if (const auto next = blocks_.number_of(beside(origin, side))) all.try_emplace(*next, BlockMask{});
   }
   Island island;
   island.least_fill = options_.least_fill;
   for (const auto& [block, voxels] : all) {
-    island.blocks.push_back({origin_of(block), voxels});
-    island.voxels += count(voxels);
+    island.blocks.push_back({blocks_.origin_of(block), voxels});
+    island.voxels += voxels.count();
   }
   return island;
 }
@@ -359,7 +336,7 @@ std::vector<Island> find_islands(const Workpiece& workpiece, const IslandOptions
   IslandSearch search(finder);
   const std::size_t group = search.add_group();
   for (std::size_t block = 0; block < finder.solid_.size(); ++block) {
-    search.begin(block, without(finder.solid_[block], search.found_in(block)), group);
+    search.begin(block, finder.solid_[block].without(search.found_in(block)), group);
     search.grow_all();
   }
   std::vector<Island> islands;

@@ -178,13 +178,13 @@ class ShellSampler {
     for (int n = 0; n < kBlockVoxels; ++n) {
       Voxel& voxel = block.voxels[std::size_t(n)];
       if (voxel != Voxel::unknown) continue;
-      const std::array<int, 3> at = {n >> 6, n >> 3 & 7, n & 7};
+      const VoxelIndex at = place_in_block(n);
       const double w = winding_.at(corner + voxel_size * Vec3(at[0] + 0.5, at[1] + 0.5, at[2] + 0.5));
       voxel = std::abs(w - kInside) < kUncertain ? Voxel::open : w > kInside ? Voxel::inside : Voxel::outside;
       if (std::abs(w - std::round(w)) >= kDecided) continue;
       for (int axis = 0; axis < 3; ++axis)
         for (const int side : {-1, 1}) {
-          std::array<int, 3> next = at;
+          VoxelIndex next = at;
           next[std::size_t(axis)] += side;
           if (next[std::size_t(axis)] < 0 || next[std::size_t(axis)] >= kBlockEdge) continue;
           Voxel& neighbour = block.voxels[std::size_t(block_offset(next[0], next[1], next[2]))];
@@ -255,8 +255,7 @@ class ShellsFiller {
 
     std::vector<MaterialId> points(std::size_t(points_ * points_ * points_));
     for (int n = 0; n < kBlockVoxels; ++n) {
-      const Vec3 center = frame_.center({origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7)});
-      fill_voxel(blocks, n, center, points, content);
+      fill_voxel(blocks, n, frame_.center(voxel_at(origin, n)), points, content);
     }
     for (std::size_t s = 0; s < shells_.size(); ++s) {
       found_[s].cut += blocks[s].cut;
@@ -313,7 +312,7 @@ class ShellsFiller {
   }
 
   void combine(const std::vector<MaterialId>& points, int n, BlockContent& content) const {
-    std::array<int, kMaxMaterials + 1> count{};
+    ByMaterial<int> count{};
     Vec3 sum = Vec3::Zero();
     int filled = 0;
     for (int a = 0, m = 0; a < points_; ++a)

@@ -20,7 +20,7 @@ void keep_content(const BlockView& block, SavedBlock& entry) noexcept {
   entry.has_fill = block.fill != nullptr;
   entry.uniform_material = block.uniform_material;
   if (entry.has_voxels) {
-    std::copy_n(block.solid, entry.solid.size(), entry.solid.begin());
+    entry.solid = block.solid_voxels();
     std::copy_n(block.material, kBlockVoxels, entry.material.begin());
   }
   if (entry.has_fill) std::copy_n(block.fill, kBlockVoxels, entry.fill.begin());
@@ -28,16 +28,10 @@ void keep_content(const BlockView& block, SavedBlock& entry) noexcept {
 
 }  // namespace
 
-UndoJournal::UndoJournal(const IndexBox& bounds, std::size_t capacity) {
-  double count = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    first_[axis] = block_start(bounds.min[axis]);
-    blocks_[axis] = (block_start(bounds.max[axis]) - first_[axis]) / kBlockEdge + 1;
-    count *= blocks_[axis];
-  }
-  if (count > kMostBlocks)
-    throw Error("the workpiece spans " + format_number(count) + " blocks, more than " + format_number(kMostBlocks) +
-                " that can be watched for undo; crop it.");
+UndoJournal::UndoJournal(const IndexBox& bounds, std::size_t capacity) : blocks_(bounds) {
+  if (blocks_.count() > kMostBlocks)
+    throw Error("the workpiece spans " + format_number(blocks_.count()) + " blocks, more than " +
+                format_number(kMostBlocks) + " that can be watched for undo; crop it.");
   const auto refuse = [&](const char* why) {
     throw Error("undo memory of " + std::to_string(capacity) + " blocks, " +
                 format_number(double(capacity) * sizeof(SavedBlock) * 1e-9) + " GB, was asked for; " + why +
@@ -45,23 +39,13 @@ UndoJournal::UndoJournal(const IndexBox& bounds, std::size_t capacity) {
   };
   if (capacity > kMostCapacity) refuse(("at most " + std::to_string(kMostCapacity) + " blocks are allowed").c_str());
   try {
-    saved_.assign(std::size_t(count), 0);
+    saved_.assign(std::size_t(blocks_.count()), 0);
     ring_.resize(capacity);
     marks_.reserve(kMarks);
     undone_.reserve(kMarks);
   } catch (const std::bad_alloc&) {
     refuse("the system has no such memory");
   }
-}
-
-std::size_t UndoJournal::number_of(const VoxelIndex& origin) const noexcept {
-  std::size_t number = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const int n = (origin[axis] - first_[axis]) / kBlockEdge;
-    HAPTICUT_ASSERT(n >= 0 && n < blocks_[axis]);
-    number = number * std::size_t(blocks_[axis]) + std::size_t(n);
-  }
-  return number;
 }
 
 void UndoJournal::drop_oldest_mark() noexcept {
@@ -90,7 +74,7 @@ void UndoJournal::set_mark() noexcept {
 
 void UndoJournal::save(const BlockView& block) noexcept {
   if (marks_.empty()) return;
-  std::uint32_t& saved = saved_[number_of(block.origin)];
+  std::uint32_t& saved = saved_[*blocks_.number_of(block.origin)];
   if (saved == marks_.back().number) return;
   forget_redo();  // this block takes its place
   while (count_ == ring_.size() && !marks_.empty()) drop_oldest_mark();
@@ -114,7 +98,7 @@ SavedBlock* UndoJournal::take_back() noexcept {
   --mark.blocks;
   ++mark.undone;
   SavedBlock& entry = ring_[(oldest_ + --count_) % ring_.size()];
-  saved_[number_of(entry.origin)] = entry.saved_before;
+  saved_[*blocks_.number_of(entry.origin)] = entry.saved_before;
   return &entry;
 }
 
@@ -130,7 +114,7 @@ SavedBlock* UndoJournal::take_forth() noexcept {
   SavedBlock& entry = ring_[(oldest_ + count_++) % ring_.size()];
   ++mark.blocks;
   --mark.undone;
-  entry.saved_before = std::exchange(saved_[number_of(entry.origin)], mark.number);
+  entry.saved_before = std::exchange(saved_[*blocks_.number_of(entry.origin)], mark.number);
   return &entry;
 }
 
@@ -213,8 +197,8 @@ void Workpiece::put_content(const SavedBlock& content) noexcept {
   auto* leaf = materials->probeLeaf(at);
   std::copy(content.material.begin(), content.material.end(), leaf->buffer().data());
   auto mask = leaf->getValueMask();
-  for (std::size_t word = 0; word < content.solid.size(); ++word)
-    mask.getWord<openvdb::Index64>(openvdb::Index(word)) = content.solid[word];
+  for (std::size_t word = 0; word < content.solid.words.size(); ++word)
+    mask.getWord<openvdb::Index64>(openvdb::Index(word)) = content.solid.words[word];
   leaf->setValueMask(mask);
   if (!content.has_fill) return;
   if (!fills->isChildMaskOn(n)) {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hapticut/workpiece/block.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 
 /// @file
 /// Steps back of a workpiece, and forth again: what blocks were before they were cut, and after.
@@ -17,7 +17,7 @@ struct SavedBlock {
   std::uint32_t saved_before;  ///< mark under which the block had been saved last
   bool has_voxels, has_fill;   ///< false: uniform; all that is solid is full
   MaterialId uniform_material;
-  std::array<std::uint64_t, 8> solid;
+  BlockMask solid;
   std::array<MaterialId, kBlockVoxels> material;
   std::array<float, kBlockVoxels> fill;
 };
@@ -70,10 +70,9 @@ class UndoJournal {
     std::size_t undone = 0;  // after it
   };
   [[nodiscard]] bool half_way() const noexcept { return !marks_.empty() && marks_.back().undone > 0; }
-  [[nodiscard]] std::size_t number_of(const VoxelIndex& origin) const noexcept;
   void drop_oldest_mark() noexcept;
 
-  VoxelIndex first_, blocks_;           // origin of the first block of the bounds; blocks along each axis
+  BlockGrid blocks_;                    // of the bounds
   std::vector<std::uint32_t> saved_;    // mark under which each block was saved last; 0: never
   std::vector<SavedBlock> ring_;        // of all marks, oldest first
   std::size_t oldest_ = 0, count_ = 0;  // in the ring; `count_` blocks before the place where we are

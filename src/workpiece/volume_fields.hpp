@@ -28,7 +28,7 @@ class MaterialShares {
   }
 
  private:
-  std::array<float, 256> shares_{};
+  ByMaterial<float> shares_{};
   MaterialId low_ = 255, high_ = 1;  // only these are looked through
 };
 
@@ -241,7 +241,7 @@ class GreyField {
   std::vector<Run> runs_;    // every grey value is in one
   bool graded_;
   std::optional<Vec3> spacing_;
-  std::array<float, 256> empty_below_{};  // [material] value below which a border begins; none where nothing is denser
+  ByMaterial<float> empty_below_{};  // [material] value below which a border begins; none where nothing is denser
 };
 
 }  // namespace hapticut

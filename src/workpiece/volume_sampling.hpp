@@ -115,7 +115,7 @@ class VolumeFiller {
     Points sparse;
     for (int axis = 0; axis < 3; ++axis)
       for (int n = 0; n < kBlockEdge * sparse_; ++n) sparse[axis][n] = point_on(axis, origin[axis], n, sparse_);
-    for (int n = 0; n < kBlockVoxels; ++n) fill_voxel(points, sparse, origin, {n >> 6, n >> 3 & 7, n & 7}, n, content);
+    for (int n = 0; n < kBlockVoxels; ++n) fill_voxel(points, sparse, origin, place_in_block(n), n, content);
     return BlockKind::mixed();
   }
 

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 #include "workpiece/state.hpp"
 
 namespace hapticut {
@@ -103,7 +104,7 @@ std::size_t Workpiece::pool_bytes() const {
 std::vector<MaterialAmount> Workpiece::amounts() const {
   const double voxel_volume = std::pow(voxel_size(), 3);
   std::vector<MaterialAmount> amounts;
-  std::vector<double> filled(kMaxMaterials + 1, 0.0);  // in voxels
+  ByMaterial<double> filled = {};  // in voxels
   for (int id = 1; id <= materials().size(); ++id) amounts.push_back({MaterialId(id), 0, 0, 0});
   for_each_block([&](const BlockView& block) {
     if (block.material == nullptr) {
@@ -112,9 +113,9 @@ std::vector<MaterialAmount> Workpiece::amounts() const {
       return;
     }
     for (int n = 0; n < kBlockVoxels; ++n) {
-      if ((block.solid[n >> 6] >> (n & 63) & 1) == 0) continue;
+      if (!block.is_solid(n)) continue;
       amounts[block.material[n] - 1U].voxels += 1;
-      filled[block.material[n]] += block.fill != nullptr ? double(block.fill[n]) : 1.0;
+      filled[block.material[n]] += double(block.fill_of(n));
     }
   });
   for (MaterialAmount& amount : amounts) {
@@ -138,21 +139,17 @@ CentroidOffset Workpiece::centroid_at(const VoxelIndex& index) const {
 }
 
 void Workpiece::for_each_block(const std::function<void(const BlockView&)>& function) const {
-  const auto visit_blocks_of = [&](const openvdb::CoordBBox& region) {
-    for (int x = region.min().x(); x <= region.max().x(); x += kBlockEdge)
-      for (int y = region.min().y(); y <= region.max().y(); y += kBlockEdge)
-        for (int z = region.min().z(); z <= region.max().z(); z += kBlockEdge) {
-          const BlockView view = block({x, y, z});
-          if (!view.empty()) function(view);
-        }
+  const auto visit = [&](const VoxelIndex& block_origin) {
+    const BlockView view = block(block_origin);
+    if (!view.empty()) function(view);
   };
   const auto& root = state_->trees->material.root();
   for (auto trunk = root.cbeginChildOn(); trunk; ++trunk) {
     // Branch by branch in the order of the trunk's table; inactive tiles hold nothing.
     for (openvdb::Index n = 0; n < Trunk<MaterialTree>::NUM_VALUES; ++n) {
       if (!trunk->isChildMaskOn(n) && !trunk->isValueMaskOn(n)) continue;
-      const Coord origin = trunk->offsetToGlobalCoord(n);
-      visit_blocks_of(openvdb::CoordBBox::createCube(origin, kBranchEdge));
+      const Coord first = trunk->offsetToGlobalCoord(n);
+      for_each_block_origin({to_index(first), to_index(first.offsetBy(kBranchEdge - 1))}, visit);
     }
   }
 }
@@ -168,7 +165,7 @@ std::uint64_t Workpiece::hash() const {
   const auto voxel_word = [](MaterialId material, float fill) {
     return std::uint64_t(material) << 32 | std::bit_cast<std::uint32_t>(fill);
   };
-  std::vector<std::uint64_t> uniform(kMaxMaterials + 1, 0);
+  ByMaterial<std::uint64_t> uniform = {};
   std::uint64_t total = 0xcbf29ce484222325ULL;
   for_each_block([&](const BlockView& block) {
     std::uint64_t content = 0xcbf29ce484222325ULL;
@@ -181,10 +178,8 @@ std::uint64_t Workpiece::hash() const {
       content = known;
     } else {
       for (int n = 0; n < kBlockVoxels; ++n) {
-        const bool solid = block.material == nullptr || (block.solid[n >> 6] >> (n & 63) & 1) != 0;
-        const MaterialId material = block.material == nullptr ? block.uniform_material : block.material[n];
-        const float fill = block.fill == nullptr ? 1.0F : block.fill[n];
-        content = mix(content, solid ? voxel_word(material, fill) : 0);
+        const MaterialId material = block.material_of(n);
+        content = mix(content, material != kEmpty ? voxel_word(material, block.fill_of(n)) : 0);
       }
     }
     for (const int i : block.origin) total = mix(total, std::uint64_t(std::uint32_t(i)));
@@ -347,7 +342,7 @@ float* Workpiece::writable_fill(const VoxelIndex& origin) noexcept {
   return fill_leaf->buffer().data();
 }
 
-void Workpiece::empty_voxels(const VoxelIndex& origin, const std::uint64_t* emptied) noexcept {
+void Workpiece::empty_voxels(const VoxelIndex& origin, const BlockMask& emptied) noexcept {
   State& state = *state_;
   const Coord at = to_coord(origin);
   const State::BranchCache& branches = state.branches_at(at);
@@ -357,11 +352,9 @@ void Workpiece::empty_voxels(const VoxelIndex& origin, const std::uint64_t* empt
 
   float* fill = fill_leaf->buffer().data();
   auto mask = material_leaf->getValueMask();
-  for (int word = 0; word < 8; ++word) {
-    mask.getWord<openvdb::Index64>(openvdb::Index(word)) &= ~emptied[word];
-    for (std::uint64_t bits = emptied[word]; bits != 0; bits &= bits - 1)
-      fill[word * 64 + std::countr_zero(bits)] = 0.0F;
-  }
+  for (std::size_t word = 0; word < emptied.words.size(); ++word)
+    mask.getWord<openvdb::Index64>(openvdb::Index(word)) &= ~emptied.words[word];
+  emptied.for_each([&](int voxel) { fill[voxel] = 0.0F; });
   material_leaf->setValueMask(mask);
   if (!mask.isOff()) return;
 

@@ -84,7 +84,7 @@ Contact press(const ToolHead& head, const ForceLaw& law, const Pose& X_WT, doubl
     contact.energies += law.evaluate(motion, materials, samples).energies;
     sum_resultant(samples, contact.resultant);
     std::array<float, kBlockVoxels> fill;
-    std::array<double, 256> taken = {};
+    ByMaterial<double> taken = {};
     (void)find_changes(samples, block, fill.data(), taken);
     contact.taken += taken[1];
     contact.samples += samples.samples;

@@ -171,8 +171,7 @@ TEST_P(HeadContract, NoBlockIsSkippedThatHoldsAPointOfTheHead) {
     const bool may =
         head().visit_springs<float>([&](const auto& springs) { return may_touch(springs, grid, origin, float(size)); });
     bool does = false;
-    for (int v = 0; v < kBlockVoxels; ++v)
-      does |= head().spring_at(grid.position({v >> 6, v >> 3 & 7, v & 7})).depth > 0;
+    for (int v = 0; v < kBlockVoxels; ++v) does |= head().spring_at(grid.position(place_in_block(v))).depth > 0;
     ASSERT_TRUE(may || !does);
     skipped += !may;
     touched += does;

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "hapticut/workpiece/block_grid.hpp"
 #include "hapticut/workpiece/builders.hpp"
 
 /// @file
@@ -21,33 +22,31 @@ inline std::vector<VoxelIndex> cut_ball(Workpiece& workpiece, const Vec3& center
   std::vector<VoxelIndex> changed;
   VoxelIndex low, high;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    low[axis] = block_start(int(std::floor(center[Eigen::Index(axis)] - radius - 1)));
+    low[axis] = int(std::floor(center[Eigen::Index(axis)] - radius - 1));
     high[axis] = int(std::ceil(center[Eigen::Index(axis)] + radius + 1));
   }
   workpiece.forget_redo();
-  for (int i = low[0]; i <= high[0]; i += kBlockEdge)
-    for (int j = low[1]; j <= high[1]; j += kBlockEdge)
-      for (int k = low[2]; k <= high[2]; k += kBlockEdge) {
-        const BlockView before = workpiece.block({i, j, k});
-        if (before.empty()) continue;
-        std::array<float, kBlockVoxels> left;
-        bool cuts = false;
-        for (int n = 0; n < kBlockVoxels; ++n) {
-          const double distance = (Vec3(i + (n >> 6), j + (n >> 3 & 7), k + (n & 7)) - center).norm() - radius;
-          left[std::size_t(n)] = std::min(before.fill_of(n), float(std::clamp(distance + 0.5, 0.0, 1.0)));
-          cuts = cuts || left[std::size_t(n)] < before.fill_of(n);
-        }
-        if (!cuts) continue;
-        workpiece.remember(before);
-        std::array<std::uint64_t, 8> emptied = {};
-        for (int n = 0; n < kBlockVoxels; ++n)
-          if (left[std::size_t(n)] == 0 && before.fill_of(n) > 0) emptied[std::size_t(n >> 6)] |= 1ULL << (n & 63);
-        float* fill = workpiece.writable_fill({i, j, k});
-        if (fill == nullptr) continue;  // the pool is exhausted: the block stays as it is
-        std::copy(left.begin(), left.end(), fill);
-        workpiece.empty_voxels({i, j, k}, emptied.data());
-        changed.push_back({i, j, k});
-      }
+  for_each_block_origin({low, high}, [&](const VoxelIndex& origin) {
+    const BlockView before = workpiece.block(origin);
+    if (before.empty()) return;
+    std::array<float, kBlockVoxels> left;
+    BlockMask emptied;
+    bool cuts = false;
+    for (int n = 0; n < kBlockVoxels; ++n) {
+      const VoxelIndex at = voxel_at(origin, n);
+      const double distance = (Vec3(at[0], at[1], at[2]) - center).norm() - radius;
+      left[std::size_t(n)] = std::min(before.fill_of(n), float(std::clamp(distance + 0.5, 0.0, 1.0)));
+      cuts = cuts || left[std::size_t(n)] < before.fill_of(n);
+      if (left[std::size_t(n)] == 0 && before.fill_of(n) > 0) emptied.add(n);
+    }
+    if (!cuts) return;
+    workpiece.remember(before);
+    float* fill = workpiece.writable_fill(origin);
+    if (fill == nullptr) return;  // the pool is exhausted: the block stays as it is
+    std::copy(left.begin(), left.end(), fill);
+    workpiece.empty_voxels(origin, emptied);
+    changed.push_back(origin);
+  });
   return changed;
 }
 

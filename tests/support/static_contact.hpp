@@ -64,7 +64,7 @@ inline Workpiece box_on_grid(const Box& box_V, const GridFrame& frame, MaterialT
       }
     if (full && !material_at) return BlockKind::solid(1);
     for (int n = 0; n < kBlockVoxels; ++n) {
-      const int i = n >> 6, j = n >> 3 & 7, k = n & 7;
+      const auto [i, j, k] = place_in_block(n);
       const double fill = length[0][i] * length[1][j] * length[2][k];
       const Vec3 offset(middle[0][i], middle[1][j], middle[2][k]);
       const Vec3 centroid = l * (Vec3(origin[0] + i, origin[1] + j, origin[2] + k) + offset);

@@ -51,8 +51,7 @@ struct ContactMaterial {
     return most * most;
   }
 };
-using ContactMaterials =
-    std::array<ContactMaterial, 256>;  ///< by MaterialId; entry 0 has no stiffness and costs 1 J/m^3
+using ContactMaterials = ByMaterial<ContactMaterial>;  ///< that of kEmpty has no stiffness and costs 1 J/m^3
 
 /// How the head moves during one sub-step, in T where the contact is evaluated.
 struct HeadMotion {

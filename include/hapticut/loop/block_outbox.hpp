@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hapticut/core/abi.hpp"
-#include "hapticut/workpiece/block.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 
 namespace hapticut {
 
@@ -51,6 +51,9 @@ class BlockOutbox {
   /// @realtime no allocation, no lock; O(most)
   std::size_t send(const Copy& copy, std::size_t most) noexcept;
 
+  /// The blocks that may be marked.
+  [[nodiscard]] const BlockGrid& blocks() const noexcept { return blocks_; }
+
   /// Blocks that are marked and not sent. For the thread that marks.
   [[nodiscard]] std::size_t marked() const noexcept { return count_; }
 
@@ -63,9 +66,7 @@ class BlockOutbox {
  private:
   struct Queue;
 
-  [[nodiscard]] VoxelIndex origin_of(std::uint32_t number) const noexcept;
-
-  VoxelIndex first_, blocks_;  // origin of the first block; blocks along each axis
+  BlockGrid blocks_;
   std::vector<bool> is_marked_;
   std::vector<std::uint32_t> order_;  // ring of marked blocks; has room for all there are
   std::size_t head_ = 0, count_ = 0;

@@ -58,8 +58,7 @@ class ChangeFeed final : public StepObserver {
   std::size_t per_step_;
   BlockOutbox outbox_;
   BlockOutbox::Copy copy_;
-  VoxelIndex first_ = {0, 0, 0}, blocks_ = {0, 0, 0};  // origin of the first block; blocks along each axis
-  std::size_t all_ = 0, swept_ = 0;                    // blocks; of them marked since the last exchange
+  std::size_t all_, swept_;  // blocks; of them marked since the last exchange
 };
 
 }  // namespace hapticut

@@ -114,7 +114,7 @@ class Simulation {
   [[nodiscard]] std::span<StepObserver* const> observers() const noexcept;
 
   /// [m^3] taken away since construction or reset, by MaterialId.
-  [[nodiscard]] const std::array<double, 256>& removed_volume_by_material() const;
+  [[nodiscard]] const ByMaterial<double>& removed_volume_by_material() const;
 
   /// What a step may have to do at most.
   [[nodiscard]] WorstCase worst_case() const;
@@ -222,7 +222,7 @@ class Simulation {
   bool remove_voxels(const BlockVoxels& voxels) noexcept;
 
   /// [m^3] that `remove_voxels` and `remove_island` took away since construction or reset, by MaterialId.
-  [[nodiscard]] const std::array<double, 256>& island_volume_by_material() const noexcept;
+  [[nodiscard]] const ByMaterial<double>& island_volume_by_material() const noexcept;
 
   /// Starts again with another workpiece: tool position, energies, removed volumes and undo marks are forgotten. It
   /// gets as much memory for undo as the old one had.

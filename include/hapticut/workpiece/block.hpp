@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
 #include "hapticut/core/spatial.hpp"
+#include "hapticut/workpiece/block_mask.hpp"
 #include "hapticut/workpiece/material.hpp"
 
 /// @file
@@ -19,6 +21,15 @@ using VoxelIndex = std::array<int, 3>;
 
 /// Place of voxel (x, y, z) of a block, 0 <= x, y, z < 8, in the block's arrays: z runs fastest.
 [[nodiscard]] constexpr int block_offset(int x, int y, int z) { return (x << 6) | (y << 3) | z; }
+
+/// The other way: (x, y, z) of the voxel at a place of the arrays.
+[[nodiscard]] constexpr VoxelIndex place_in_block(int voxel) { return {voxel >> 6, voxel >> 3 & 7, voxel & 7}; }
+
+/// Index of a voxel of the block that begins at `origin`.
+[[nodiscard]] constexpr VoxelIndex voxel_at(const VoxelIndex& origin, int voxel) {
+  const VoxelIndex place = place_in_block(voxel);
+  return {origin[0] + place[0], origin[1] + place[1], origin[2] + place[2]};
+}
 
 /// A box of voxels, both ends included.
 struct IndexBox {
@@ -103,10 +114,49 @@ struct BlockView {
 
   [[nodiscard]] bool empty() const { return material == nullptr && uniform_material == kEmpty; }
 
-  /// [1] filled fraction of voxel `block_offset` of a block that is not empty.
+  /// Whether voxel `block_offset` is not yet empty.
+  [[nodiscard]] bool is_solid(int voxel) const { return solid == nullptr ? !empty() : BlockMask::has(solid, voxel); }
+  /// kEmpty where there is nothing.
+  [[nodiscard]] MaterialId material_of(int voxel) const {
+    if (!is_solid(voxel)) return kEmpty;
+    return material != nullptr ? material[voxel] : uniform_material;
+  }
+  /// [1] filled fraction; 0 where there is nothing.
   [[nodiscard]] float fill_of(int voxel) const {
     if (fill != nullptr) return fill[voxel];
-    return solid == nullptr || (solid[voxel >> 6] >> (voxel & 63) & 1) != 0 ? 1.0F : 0.0F;
+    return is_solid(voxel) ? 1.0F : 0.0F;
+  }
+
+  /// The voxels that are not yet empty.
+  [[nodiscard]] BlockMask solid_voxels() const {
+    if (solid == nullptr) return empty() ? BlockMask{} : BlockMask::all();
+    BlockMask mask;
+    std::copy_n(solid, mask.words.size(), mask.words.begin());
+    return mask;
+  }
+  /// Those of them that are filled at least so much.
+  [[nodiscard]] BlockMask filled_voxels(float least_fill) const {
+    BlockMask mask = solid_voxels();
+    if (fill == nullptr) return mask;
+    for (std::size_t x = 0; x < mask.words.size(); ++x) {
+      std::uint64_t filled = 0;
+      for (std::size_t n = 0; n < 64; ++n) filled |= std::uint64_t(fill[64 * x + n] >= least_fill) << n;
+      mask.words[x] &= filled;
+    }
+    return mask;
+  }
+
+  /// Writes out what every voxel holds.
+  /// @param material_of_each  [512] kEmpty where there is nothing
+  /// @param fill_of_each      [512] 0 where there is nothing
+  void copy_to(std::array<MaterialId, kBlockVoxels>& material_of_each,
+               std::array<float, kBlockVoxels>& fill_of_each) const {
+    material_of_each.fill(kEmpty);
+    fill_of_each.fill(0);
+    solid_voxels().for_each([&](int voxel) {
+      material_of_each[std::size_t(voxel)] = material_of(voxel);
+      fill_of_each[std::size_t(voxel)] = fill_of(voxel);
+    });
   }
 };
 

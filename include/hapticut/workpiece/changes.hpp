@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
 
@@ -14,9 +13,9 @@ namespace hapticut {
 struct BlockChange {
   static constexpr int kStrip = 16;  ///< voxels of a strip: two rows, which follow each other in memory
 
-  std::uint32_t strips = 0;                   ///< bit n: some of the fills `kStrip * n ...` may have changed
-  bool any_emptied = false;                   ///< some voxel is empty now
-  std::array<std::uint64_t, 8> emptied = {};  ///< bit `block_offset`: this voxel became empty
+  std::uint32_t strips = 0;  ///< bit n: some of the fills `kStrip * n ...` may have changed
+  bool any_emptied = false;  ///< some voxel is empty now
+  BlockMask emptied;         ///< the voxels that became empty
 };
 
 /// What a force law left of the samples of one block.
@@ -24,7 +23,7 @@ struct BlockChange {
 /// @param removed     [voxels] filled volume that was removed is added here, by MaterialId
 /// @realtime no allocation, no lock; O(samples)
 inline BlockChange find_changes(const ContactBlock& contact, const BlockView& block, float* fill_after,
-                                std::array<double, 256>& removed) noexcept {
+                                ByMaterial<double>& removed) noexcept {
   BlockChange change;
   for (int row = 0; row < contact.rows; ++row) {
     float most = 0;
@@ -44,7 +43,7 @@ inline BlockChange find_changes(const ContactBlock& contact, const BlockView& bl
       removed[contact.material_of(n)] += double(contact.fill[n] - contact.fill_after[n]);
       fill_after[voxel] = contact.fill_after[n];
       if (contact.fill_after[n] > 0) continue;
-      change.emptied[voxel >> 6] |= std::uint64_t(1) << (voxel & 63);
+      change.emptied.add(voxel);
       change.any_emptied = true;
     }
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "hapticut/core/description.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 
@@ -20,8 +20,8 @@ namespace hapticut {
 
 /// Some voxels of one block.
 struct BlockVoxels {
-  VoxelIndex origin = {0, 0, 0};             ///< of the block's first voxel
-  std::array<std::uint64_t, 8> voxels = {};  ///< bit `block_offset`
+  VoxelIndex origin = {0, 0, 0};  ///< of the block's first voxel
+  BlockMask voxels;
 
   [[nodiscard]] bool operator==(const BlockVoxels&) const = default;
 };
@@ -76,19 +76,15 @@ class IslandFinder {
   [[nodiscard]] std::vector<Island> find();
 
  private:
-  using Mask = std::array<std::uint64_t, 8>;
-
   void update(const BlockView& block);
-  [[nodiscard]] std::optional<std::size_t> number_of(const VoxelIndex& origin) const;
-  [[nodiscard]] VoxelIndex origin_of(std::size_t number) const;
-  [[nodiscard]] Island take_out(const std::vector<std::pair<std::size_t, Mask>>& parts);
+  [[nodiscard]] Island take_out(const std::vector<std::pair<std::size_t, BlockMask>>& parts);
 
   friend class IslandSearch;
   friend std::vector<Island> find_islands(const Workpiece& workpiece, const IslandOptions& options);
   IslandOptions options_;
-  VoxelIndex first_ = {0, 0, 0}, blocks_ = {0, 0, 0};  // origin of the first block; blocks along each axis
-  std::vector<Mask> solid_;                            // filled enough
-  std::map<std::size_t, Mask> gone_;                   // since the last search, by number of the block
+  BlockGrid blocks_;
+  std::vector<BlockMask> solid_;           // filled enough
+  std::map<std::size_t, BlockMask> gone_;  // since the last search, by number of the block
   GridFrame frame_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,6 +19,10 @@ namespace hapticut {
 using MaterialId = std::uint8_t;
 inline constexpr MaterialId kEmpty = 0;
 inline constexpr int kMaxMaterials = 255;
+
+/// One for each MaterialId, kEmpty among them.
+template <class T>
+using ByMaterial = std::array<T, kMaxMaterials + 1>;
 
 /// What a workpiece is made of. Constants of cutting belong to this material together with this kind of tool.
 /// What each number means, its unit and its range stand in the list below.

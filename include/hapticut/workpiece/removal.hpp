@@ -53,29 +53,22 @@ class RemovalRecord {
   [[nodiscard]] bool overflowed() const { return overflowed_; }  ///< some voxels were not listed, though they are gone
 
   /// [m^3] taken away since construction, by MaterialId; not reset by `clear`.
-  [[nodiscard]] const std::array<double, 256>& total_by_material() const { return total_by_material_; }
+  [[nodiscard]] const ByMaterial<double>& total_by_material() const { return total_by_material_; }
 
  private:
   std::vector<RemovedVoxel> voxels_;
   double volume_ = 0;  // [m^3]
   bool overflowed_ = false;
-  std::array<double, 256> total_by_material_ = {};
+  ByMaterial<double> total_by_material_ = {};
 };
 
 /// Stage `remove_emptied` for one block: takes its emptied voxels out of the workpiece and lists them.
 /// @param block  as it was before the sub-step
 /// @realtime no allocation, no lock; O(emptied voxels)
-inline void empty_voxels(const BlockView& block, const std::array<std::uint64_t, 8>& emptied, Workpiece& workpiece,
+inline void empty_voxels(const BlockView& block, const BlockMask& emptied, Workpiece& workpiece,
                          RemovalRecord& record) noexcept {
-  for (int slab = 0; slab < kBlockEdge; ++slab)
-    for (std::uint64_t bits = emptied[slab]; bits != 0; bits &= bits - 1) {
-      const int in_slab = std::countr_zero(bits);
-      const MaterialId material =
-          block.material != nullptr ? block.material[slab * 64 + in_slab] : block.uniform_material;
-      record.add(
-          {{block.origin[0] + slab, block.origin[1] + (in_slab >> 3), block.origin[2] + (in_slab & 7)}, material});
-    }
-  workpiece.empty_voxels(block.origin, emptied.data());
+  emptied.for_each([&](int voxel) { record.add({voxel_at(block.origin, voxel), block.material_of(voxel)}); });
+  workpiece.empty_voxels(block.origin, emptied);
 }
 
 }  // namespace hapticut

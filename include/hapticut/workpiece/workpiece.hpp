@@ -148,11 +148,11 @@ class Workpiece {
   /// @realtime no allocation, no lock; O(512)
   [[nodiscard]] float* writable_fill(const VoxelIndex& origin) noexcept;
 
-  /// Empties the voxels of one block whose bit is set (bit `block_offset` of 8 words) and sets their fill to 0. A block
-  /// with nothing left goes back to the pool: pointers into it are then void.
+  /// Empties voxels of one block and sets their fill to 0. A block with nothing left goes back to the pool: pointers
+  /// into it are then void.
   /// @pre `writable_fill` returned memory for this block
   /// @realtime no allocation, no lock; O(512)
-  void empty_voxels(const VoxelIndex& origin, const std::uint64_t* emptied) noexcept;
+  void empty_voxels(const VoxelIndex& origin, const BlockMask& emptied) noexcept;
 
  private:
   friend struct WorkpieceAccess;  // the door to the trees, for workpiece/openvdb.hpp and the file formats

@@ -11,16 +11,16 @@ Workpiece turned(Workpiece piece, const Mat3& turn) {
   if (turn.isIdentity(0)) return piece;
   GridFrame frame = piece.frame();
   frame.X_WV = Pose{turn, Vec3::Zero()} * frame.X_WV;
-  return Workpiece::from_blocks(
-      piece.bounds(), frame, piece.materials(), [&](const VoxelIndex& origin, BlockContent& content) {
-        for (int n = 0; n < kBlockVoxels; ++n) {
-          const VoxelIndex at = {origin[0] + n / 64, origin[1] + n / 8 % 8, origin[2] + n % 8};
-          content.material[std::size_t(n)] = piece.material_at(at);
-          content.fill[std::size_t(n)] = float(piece.fill_at(at));
-          content.centroid[std::size_t(n)] = piece.centroid_at(at);
-        }
-        return BlockKind::mixed();
-      });
+  return Workpiece::from_blocks(piece.bounds(), frame, piece.materials(),
+                                [&](const VoxelIndex& origin, BlockContent& content) {
+                                  for (int n = 0; n < kBlockVoxels; ++n) {
+                                    const VoxelIndex at = voxel_at(origin, n);
+                                    content.material[std::size_t(n)] = piece.material_at(at);
+                                    content.fill[std::size_t(n)] = float(piece.fill_at(at));
+                                    content.centroid[std::size_t(n)] = piece.centroid_at(at);
+                                  }
+                                  return BlockKind::mixed();
+                                });
 }
 
 Wrench turned_back(const Wrench& wrench, const Mat3& turn) {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "hapticut/simulation/simulation.hpp"
-#include "hapticut/workpiece/block.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 
 namespace hapticut::gestures {
 
@@ -28,23 +28,21 @@ namespace hapticut::gestures {
   VoxelIndex first, last;
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = std::size_t(axis);
-    first[a] = block_start(std::max(bounds.min[a], int(std::floor(low[axis] / frame.voxel_size))));
+    first[a] = std::max(bounds.min[a], int(std::floor(low[axis] / frame.voxel_size)));
     last[a] = std::min(bounds.max[a], int(std::ceil(high[axis] / frame.voxel_size)));
   }
   double deepest = 0;
   simulation.tool().head().visit_springs<double>([&](const auto& springs) {
-    for (int i = first[0]; i <= last[0]; i += kBlockEdge)
-      for (int j = first[1]; j <= last[1]; j += kBlockEdge)
-        for (int k = first[2]; k <= last[2]; k += kBlockEdge) {
-          const BlockView block = workpiece.block({i, j, k});
-          if (block.empty()) continue;
-          for (int n = 0; n < kBlockVoxels; ++n) {
-            if (block.fill_of(n) < 0.5F) continue;
-            const VoxelIndex at = {i + n / 64, j + n / 8 % 8, k + n % 8};
-            const Vec3 p = X_TV * Vec3(frame.voxel_size * Vec3(at[0], at[1], at[2]));
-            deepest = std::max(deepest, double(springs.margin(std::hypot(p.x(), p.y()), p.z())));
-          }
-        }
+    for_each_block_origin({first, last}, [&](const VoxelIndex& origin) {
+      const BlockView block = workpiece.block(origin);
+      if (block.empty()) return;
+      for (int n = 0; n < kBlockVoxels; ++n) {
+        if (block.fill_of(n) < 0.5F) continue;
+        const VoxelIndex at = voxel_at(origin, n);
+        const Vec3 p = X_TV * Vec3(frame.voxel_size * Vec3(at[0], at[1], at[2]));
+        deepest = std::max(deepest, double(springs.margin(std::hypot(p.x(), p.y()), p.z())));
+      }
+    });
     return 0;
   });
   return deepest;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kFewMaterials = 16;  // up to here materials that were not cut are listed too
 
-Json by_material(const MaterialTable& materials, const std::array<double, 256>& volumes) {
+Json by_material(const MaterialTable& materials, const ByMaterial<double>& volumes) {
   Json json = Json::object();
   for (int id = 1; id <= materials.size(); ++id) {
     const double volume = volumes[std::size_t(id)] / units::mm3;

@@ -168,7 +168,7 @@ class Film {
   std::unique_ptr<SurfaceStream> surface_;
   LoopSnapshot shown_;
   RecordedStep last_;
-  std::array<double, 256> removed_{};  // [m^3] by material
+  ByMaterial<double> removed_{};  // [m^3] by material
   int materials_ = 0;
   std::vector<view::TraceSample> trace_;
   std::uint64_t first_ = 0;

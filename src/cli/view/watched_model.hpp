@@ -68,7 +68,7 @@ class WatchedModel final : public LoopModel {
     const double share = given_share();
     snapshot.tool.force *= share, snapshot.tool.torque *= share;
     note(snapshot.tool, share);
-    const std::array<double, 256>& removed = simulation_.removed_volume_by_material();
+    const ByMaterial<double>& removed = simulation_.removed_volume_by_material();
     for (std::size_t n = 0; n < kMaterials; ++n) removed_[n].store(removed[n + 1], std::memory_order_relaxed);
     return wrench;
   }

@@ -93,10 +93,9 @@ void copy_voxels(const Workpiece& workpiece, Volume<Value>& volume, const Set& s
   const IndexBox box = workpiece.bounds();
   workpiece.for_each_block([&](const BlockView& block) {
     for (int n = 0; n < kBlockVoxels; ++n) {
-      if (block.solid != nullptr && (block.solid[n >> 6] >> (n & 63) & 1U) == 0) continue;
-      const int i = block.origin[0] + (n >> 6) - box.min[0];
-      const int j = block.origin[1] + (n >> 3 & 7) - box.min[1];
-      const int k = block.origin[2] + (n & 7) - box.min[2];
+      if (!block.is_solid(n)) continue;
+      const VoxelIndex at = voxel_at(block.origin, n);
+      const int i = at[0] - box.min[0], j = at[1] - box.min[1], k = at[2] - box.min[2];
       if (i < 0 || j < 0 || k < 0 || i >= volume.dims[0] || j >= volume.dims[1] || k >= volume.dims[2]) continue;
       set(volume.at(i, j, k), block, n);
     }
@@ -111,9 +110,8 @@ void write_nrrd(const std::filesystem::path& path, const LabelVolume& volume) { 
 
 void write_nrrd(const std::filesystem::path& path, const Workpiece& workpiece) {
   auto materials = volume_around<std::uint16_t>(workpiece);
-  copy_voxels(workpiece, materials, [](std::uint16_t& value, const BlockView& block, int n) {
-    value = block.material != nullptr ? block.material[n] : block.uniform_material;
-  });
+  copy_voxels(workpiece, materials,
+              [](std::uint16_t& value, const BlockView& block, int n) { value = block.material_of(n); });
   auto fills = volume_around<float>(workpiece);
   copy_voxels(workpiece, fills, [](float& value, const BlockView& block, int n) {
     value = block.fill != nullptr ? block.fill[n] : 1.0F;

@@ -136,9 +136,9 @@ TEST(HeatField, KeepsItsBalanceWhileMaterialGoesAndWaterFlows) {
       const int voxel = block_offset(at[0] & 7, at[1] & 7, at[2] & 7);
       fill[voxel] *= 0.3F;
       if (n % 3 == 0) {
-        std::array<std::uint64_t, 8> emptied = {};
-        emptied[std::size_t(voxel >> 6)] = std::uint64_t(1) << (voxel & 63);
-        slab.empty_voxels(origin, emptied.data());
+        BlockMask emptied;
+        emptied.add(voxel);
+        slab.empty_voxels(origin, emptied);
       }
       field.update(slab, {&origin, 1});
       field.add_cutting_heat(2e-3);
@@ -193,12 +193,11 @@ TEST(HeatField, ReportsByMaterialAndForgetsTheTimeOfWhatIsGone) {
   slab.for_each_block([&](const BlockView& block) { origins.push_back(block.origin); });
   const MaterialId enamel = slab.materials().id_of(presets::enamel().name);
   for (const VoxelIndex& origin : origins) {
-    std::array<std::uint64_t, 8> emptied = {};
+    BlockMask emptied;
     for (int n = 0; n < kBlockVoxels; ++n)
-      if (slab.material_at({origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7)}) == enamel)
-        emptied[std::size_t(n >> 6)] |= std::uint64_t(1) << (n & 63);
+      if (slab.material_at(voxel_at(origin, n)) == enamel) emptied.add(n);
     ASSERT_NE(slab.writable_fill(origin), nullptr);
-    slab.empty_voxels(origin, emptied.data());
+    slab.empty_voxels(origin, emptied);
   }
   field.update(slab, origins);
   field.advance(0.05);

@@ -25,7 +25,7 @@ TEST(Recorder, EndsWhenAPieceThatWasCutLooseLeavesAndWhatCameBeforeReplays) {
   step_in_the_air(recorder, 10);
   BlockVoxels some;
   simulation.workpiece().for_each_block([&](const BlockView& block) { some.origin = block.origin; });
-  some.voxels[0] = 0xff;
+  some.voxels.words[0] = 0xff;
   ASSERT_TRUE(simulation.remove_voxels(some));
   step_in_the_air(recorder, 5);
   EXPECT_EQ(recorder.recorded(), 10U);

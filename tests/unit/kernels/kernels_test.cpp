@@ -50,7 +50,7 @@ struct RandomBlock {
     for (std::uint64_t& word : solid)
       word = (std::uint64_t(random()) << 32 | random()) | (std::uint64_t(random()) << 7);
     for (int n = 0; n < kBlockVoxels; ++n)
-      if ((solid[std::size_t(n >> 6)] >> (n & 63) & 1) == 0) fill[std::size_t(n)] = 0;
+      if (!BlockMask::has(solid.data(), n)) fill[std::size_t(n)] = 0;
     view.uniform_material = uniform && full ? first : kEmpty;
     if (!uniform || !full) {
       view.material = material.data();
@@ -184,7 +184,7 @@ TEST_P(KernelTarget, AgreesWithTheScalarReferenceInSamplingAndSumming) {
 struct Reference {
   Resultant resultant;
   LawTotals totals;
-  std::array<double, 256> removed = {};
+  ByMaterial<double> removed = {};
   BlockChange change;
   std::array<float, kBlockVoxels> fill_after = {};
   kernels::StiffnessSums stiffness;
@@ -322,7 +322,7 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       // A voxel may be finished in one and keep the last thousandth in the other; count those, compare the rest.
       int differently_finished = 0;
       for (int n = 0; n < kBlockVoxels; ++n) {
-        const auto gone = [n](const BlockChange& c) { return (c.emptied[std::size_t(n >> 6)] >> (n & 63) & 1) != 0; };
+        const auto gone = [n](const BlockChange& c) { return c.emptied.has(n); };
         if (gone(task.change) != gone(expected.change)) ++differently_finished;
         emptied += gone(task.change) ? 1 : 0;
         if ((expected.change.strips >> (n / BlockChange::kStrip) & 1) == 0) continue;
@@ -356,7 +356,7 @@ TEST_P(KernelTarget, FeelsButLeavesABlockThatMayNotBeCut) {
   const kernels::Pressed pressed = kernels::pressed(job, sums, kVoxel * kVoxel * kVoxel);
   EXPECT_GT(pressed.resultant.voxels, 100);
   EXPECT_EQ(task.change.strips, 0U);
-  EXPECT_EQ(sums.removed, (std::array<double, 256>{}));
+  EXPECT_EQ(sums.removed, (ByMaterial<double>{}));
   EXPECT_GT(pressed.energies.rubbing, 0);
 }
 

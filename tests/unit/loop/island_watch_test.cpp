@@ -31,7 +31,7 @@ void cut_through(Simulation& simulation, int tick) {
   (void)simulation.step(Pose::from_translation({x, 0.013 * mm, kCut}), {{speed, 0, 0}, Vec3::Zero()}, 1e-3);
 }
 
-double sum(const std::array<double, 256>& volumes) { return std::accumulate(volumes.begin(), volumes.end(), 0.0); }
+double sum(const ByMaterial<double>& volumes) { return std::accumulate(volumes.begin(), volumes.end(), 0.0); }
 
 double volume_of(const Workpiece& workpiece) {
   double volume = 0;
@@ -103,7 +103,7 @@ TEST(RemoveIsland, WaitsWhereNoReservedBlockIsLeft) {
   Simulation simulation(build_block({Vec3::Zero(), Vec3::Constant(1.6 * mm)}, kVoxel, bone), Tool(SphereHead{kRadius}),
                         config);
   BlockVoxels some;
-  some.voxels[3] = 0xff;
+  some.voxels.words[3] = 0xff;
   BlockVoxels others = some;
   others.origin = {8, 8, 8};
   EXPECT_TRUE(simulation.remove_voxels(some));
@@ -154,10 +154,9 @@ TEST(SimulationModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
       for (int z = 8; z < 40; z += 8) {
         BlockVoxels around{{x, y, z}, {}};
         for (int n = 0; n < kBlockVoxels; ++n) {
-          const std::array<int, 3> at = {x + (n >> 6), y + (n >> 3 & 7), z + (n & 7)};
+          const VoxelIndex at = voxel_at({x, y, z}, n);
           const auto in_cube = [&](int from, int a) { return a >= from && a <= 39; };
-          if (!(in_cube(20, at[0]) && in_cube(20, at[1]) && at[2] >= 12 && at[2] <= 31))
-            around.voxels[std::size_t(n >> 6)] |= std::uint64_t(1) << (n & 63);
+          if (!(in_cube(20, at[0]) && in_cube(20, at[1]) && at[2] >= 12 && at[2] <= 31)) around.voxels.add(n);
         }
         ASSERT_TRUE(simulation.remove_voxels(around));
       }

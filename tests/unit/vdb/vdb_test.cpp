@@ -45,7 +45,8 @@ Workpiece intricate_workpiece() {
       {{-40, -40, -40}, {39, 39, 39}}, frame, MaterialTable({hard, named("soft")}),
       [](const VoxelIndex& origin, BlockContent& content) {
         for (int n = 0; n < kBlockVoxels; ++n) {
-          const Vec3 p(origin[0] + (n >> 6), origin[1] + (n >> 3 & 7), origin[2] + (n & 7));
+          const VoxelIndex at = voxel_at(origin, n);
+          const Vec3 p(at[0], at[1], at[2]);
           const double depth = 35.3 - p.norm();
           content.material[n] = p.z() > 0 ? 1 : 2;
           content.fill[n] = float(std::clamp(depth + 0.5, 0.0, 1.0));
@@ -58,7 +59,7 @@ Workpiece intricate_workpiece() {
   float* fill = workpiece.writable_fill({0, 0, 0});
   EXPECT_NE(fill, nullptr);
   fill[17] = 1.0F / 3;
-  const std::uint64_t emptied[8] = {0, 0xff, 0, 0, 0, 0, 0, 1};
+  const BlockMask emptied = {{0, 0xff, 0, 0, 0, 0, 0, 1}};
   workpiece.empty_voxels({0, 0, 0}, emptied);
   return workpiece;
 }
@@ -92,7 +93,7 @@ TEST(Vdb, AWorkpieceComesBackBitByBit) {
   int with_centroid = 0;
   saved.for_each_block([&](const BlockView& block) {
     for (int n = 0; n < kBlockVoxels; ++n) {
-      const VoxelIndex at = {block.origin[0] + (n >> 6), block.origin[1] + (n >> 3 & 7), block.origin[2] + (n & 7)};
+      const VoxelIndex at = voxel_at(block.origin, n);
       ASSERT_EQ(loaded.centroid_at(at), saved.centroid_at(at));
       with_centroid += saved.centroid_at(at) == CentroidOffset{} ? 0 : 1;
     }
@@ -106,7 +107,7 @@ TEST(Vdb, ALoadedWorkpieceCanBeCut) {
   Workpiece loaded = load_vdb(folder / "a.vdb");
   loaded.reserve_blocks(2);
   ASSERT_NE(loaded.writable_fill({8, 8, 8}), nullptr);
-  const std::uint64_t emptied[8] = {1, 0, 0, 0, 0, 0, 0, 0};
+  const BlockMask emptied = {{1, 0, 0, 0, 0, 0, 0, 0}};
   const std::int64_t before = loaded.solid_voxels();
   loaded.empty_voxels({8, 8, 8}, emptied);
   EXPECT_EQ(loaded.solid_voxels(), before - 1);

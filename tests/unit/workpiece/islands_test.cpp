@@ -31,22 +31,19 @@ Workpiece block_of(int x, int y, int z) {
 template <class Choose>
 std::vector<VoxelIndex> cut(Workpiece& workpiece, const IndexBox& box, const Choose& choose) {
   std::vector<VoxelIndex> changed;
-  for (int x = block_start(box.min[0]); x <= box.max[0]; x += kBlockEdge)
-    for (int y = block_start(box.min[1]); y <= box.max[1]; y += kBlockEdge)
-      for (int z = block_start(box.min[2]); z <= box.max[2]; z += kBlockEdge) {
-        std::array<std::uint64_t, 8> emptied = {};
-        for (int n = 0; n < kBlockVoxels; ++n) {
-          const VoxelIndex at = {x + (n >> 6), y + (n >> 3 & 7), z + (n & 7)};
-          bool inside = true;
-          for (std::size_t a = 0; a < 3; ++a) inside = inside && at[a] >= box.min[a] && at[a] <= box.max[a];
-          if (inside && workpiece.material_at(at) != kEmpty && choose(at))
-            emptied[std::size_t(n >> 6)] |= std::uint64_t(1) << (n & 63);
-        }
-        if (emptied == std::array<std::uint64_t, 8>{}) continue;
-        EXPECT_NE(workpiece.writable_fill({x, y, z}), nullptr);
-        workpiece.empty_voxels({x, y, z}, emptied.data());
-        changed.push_back({x, y, z});
-      }
+  for_each_block_origin(box, [&](const VoxelIndex& origin) {
+    BlockMask emptied;
+    for (int n = 0; n < kBlockVoxels; ++n) {
+      const VoxelIndex at = voxel_at(origin, n);
+      bool inside = true;
+      for (std::size_t a = 0; a < 3; ++a) inside = inside && at[a] >= box.min[a] && at[a] <= box.max[a];
+      if (inside && workpiece.material_at(at) != kEmpty && choose(at)) emptied.add(n);
+    }
+    if (emptied.empty()) return;
+    EXPECT_NE(workpiece.writable_fill(origin), nullptr);
+    workpiece.empty_voxels(origin, emptied);
+    changed.push_back(origin);
+  });
   return changed;
 }
 std::vector<VoxelIndex> cut(Workpiece& workpiece, const IndexBox& box) {
@@ -67,9 +64,7 @@ std::vector<VoxelIndex> undercut(Workpiece& workpiece, const IndexBox& piece, in
 std::set<VoxelIndex> voxels_of(const Island& island) {
   std::set<VoxelIndex> voxels;
   for (const BlockVoxels& block : island.blocks)
-    for (int n = 0; n < kBlockVoxels; ++n)
-      if ((block.voxels[std::size_t(n >> 6)] >> (n & 63) & 1) != 0)
-        voxels.insert({block.origin[0] + (n >> 6), block.origin[1] + (n >> 3 & 7), block.origin[2] + (n & 7)});
+    block.voxels.for_each([&](int voxel) { voxels.insert(voxel_at(block.origin, voxel)); });
   return voxels;
 }
 

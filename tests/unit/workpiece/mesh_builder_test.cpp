@@ -47,7 +47,7 @@ TEST(MeshBuilder, CentroidsOfCutVoxelsPutTheBodyWhereItIs) {
   double weight = 0, off_center = 0;
   workpiece.for_each_block([&](const BlockView& block) {
     for (int n = 0; n < kBlockVoxels; ++n) {
-      const VoxelIndex at = {block.origin[0] + (n >> 6), block.origin[1] + (n >> 3 & 7), block.origin[2] + (n & 7)};
+      const VoxelIndex at = voxel_at(block.origin, n);
       const double fill = workpiece.fill_at(at);
       const auto steps = workpiece.centroid_at(at).steps;
       const Vec3 offset = Vec3(steps[0], steps[1], steps[2]) / CentroidOffset::kSteps * workpiece.voxel_size();

@@ -23,8 +23,8 @@ bool cut_voxel(Workpiece& workpiece, const VoxelIndex& index) {
   const VoxelIndex origin = {block_start(index[0]), block_start(index[1]), block_start(index[2])};
   if (workpiece.writable_fill(origin) == nullptr) return false;
   const int n = block_offset(index[0] - origin[0], index[1] - origin[1], index[2] - origin[2]);
-  std::uint64_t emptied[8] = {};
-  emptied[n >> 6] = std::uint64_t(1) << (n & 63);
+  BlockMask emptied;
+  emptied.add(n);
   workpiece.empty_voxels(origin, emptied);
   return true;
 }
@@ -54,8 +54,7 @@ TEST(Workpiece, CuttingOneVoxelOfATileChangesThatVoxelOnly) {
 TEST(Workpiece, ABlockCutEmptyGoesBackToThePool) {
   Workpiece workpiece = build_block({Vec3::Zero(), Vec3(4, 4, 4) * mm}, 0.1 * mm, clay());
   workpiece.reserve_blocks(1);
-  for (int n = 0; n < kBlockVoxels; ++n)
-    ASSERT_TRUE(cut_voxel(workpiece, {8 + (n >> 6), 8 + (n >> 3 & 7), 8 + (n & 7)}));
+  for (int n = 0; n < kBlockVoxels; ++n) ASSERT_TRUE(cut_voxel(workpiece, voxel_at({8, 8, 8}, n)));
   EXPECT_TRUE(workpiece.block({8, 8, 8}).empty());
   EXPECT_EQ(workpiece.reserved_blocks(), 1U);
   EXPECT_TRUE(cut_voxel(workpiece, {16, 16, 16}));

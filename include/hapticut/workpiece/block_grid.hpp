@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "hapticut/workpiece/block.hpp"
+
+namespace hapticut {
+
+/// Calls `function(origin)` for each block that a box of voxels touches; z runs fastest.
+template <class Function>
+void for_each_block_origin(const IndexBox& voxels, const Function& function) {
+  if (voxels.empty()) return;
+  for (int i = block_start(voxels.min[0]); i <= voxels.max[0]; i += kBlockEdge)
+    for (int j = block_start(voxels.min[1]); j <= voxels.max[1]; j += kBlockEdge)
+      for (int k = block_start(voxels.min[2]); k <= voxels.max[2]; k += kBlockEdge) function(VoxelIndex{i, j, k});
+}
+
+inline constexpr int kSides = 6;  ///< of a block: -x, +x, -y, +y, -z, +z
+
+/// Origin of the block at a side.
+[[nodiscard]] inline VoxelIndex beside(VoxelIndex origin, int side) noexcept {
+  origin[std::size_t(side / 2)] += side % 2 == 0 ? -kBlockEdge : kBlockEdge;
+  return origin;
+}
+
+/// The blocks that a box of voxels touches, numbered from 0 in the order of `for_each_block_origin`, for tables of
+/// them.
+class BlockGrid {
+ public:
+  BlockGrid() = default;  ///< of no block
+  explicit BlockGrid(const IndexBox& voxels) {
+    if (voxels.empty()) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      first_[axis] = block_start(voxels.min[axis]);
+      dims_[axis] = (block_start(voxels.max[axis]) - first_[axis]) / kBlockEdge + 1;
+    }
+  }
+
+  [[nodiscard]] const VoxelIndex& first() const { return first_; }        ///< origin of the first block
+  [[nodiscard]] const std::array<int, 3>& dims() const { return dims_; }  ///< blocks along each axis
+
+  /// How many there are: a number that fits a table only after it was looked at.
+  [[nodiscard]] double count() const { return double(dims_[0]) * dims_[1] * dims_[2]; }
+
+  /// @return nothing for a block that is not among them
+  [[nodiscard]] std::optional<std::size_t> number_of(const VoxelIndex& origin) const noexcept {
+    std::size_t number = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::int64_t from_first = std::int64_t(origin[axis]) - first_[axis];
+      if (from_first < 0 || from_first / kBlockEdge >= dims_[axis]) return std::nullopt;
+      number = number * std::size_t(dims_[axis]) + std::size_t(from_first / kBlockEdge);
+    }
+    return number;
+  }
+  [[nodiscard]] VoxelIndex origin_of(std::size_t number) const noexcept {
+    const auto ny = std::size_t(dims_[1]), nz = std::size_t(dims_[2]);
+    return {first_[0] + kBlockEdge * int(number / (ny * nz)), first_[1] + kBlockEdge * int(number / nz % ny),
+            first_[2] + kBlockEdge * int(number % nz)};
+  }
+
+ private:
+  VoxelIndex first_ = {0, 0, 0};
+  std::array<int, 3> dims_ = {0, 0, 0};
+};
+
+}  // namespace hapticut
