@@ -2,7 +2,6 @@
 // A tool that is fed along a line through the grid, in any direction of it.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -47,26 +46,6 @@ inline Fed feed_along(Simulation& simulation, const Mat3& R_WT, const Vec3& star
   fed.torque_T /= count;
   fed.energy = simulation.last_result().energy;
   return fed;
-}
-
-/// [m/s] how fast a tool comes down that a hand pushes through a damper, and [N] the force that it feels meanwhile.
-struct Pushed {
-  double speed, force;
-};
-inline Pushed push_down(Simulation& simulation, double hand_force) {
-  const double damper = 1000;  // [N s/m] of the hand, soft against a layer of bone and firm against its own push
-  double z = 0.001 * units::mm, speed = 0, force = 0, mean_force = 0, begin = 0;
-  constexpr double kTick = 1e-4, kFastest = 5 * units::mm;
-  constexpr int kTicks = 8000, kFrom = 4000;
-  for (int n = 0; n < kTicks; ++n) {
-    speed = (hand_force - force) / damper;
-    z -= std::clamp(speed, -kFastest, kFastest) * kTick;
-    const Pose pose = Pose::from_translation({0.0293 * units::mm, 0.0113 * units::mm, z});
-    force = simulation.step(pose, {{0, 0, -speed}, Vec3::Zero()}, kTick).force.z();
-    if (n == kFrom) begin = z;
-    if (n >= kFrom) mean_force += force / (kTicks - kFrom);
-  }
-  return {(begin - z) / (kTick * (kTicks - kFrom)), mean_force};
 }
 
 }  // namespace hapticut::test

@@ -45,9 +45,9 @@ Worst errors_of(const Course& course, const Wrench& expected) {
           std::abs(course.closure)};
 }
 
-Worst worst_of(const GridCut& cut, double voxel, const std::vector<double>& foundations) {
+Worst worst_of(const GridCut& cut, const std::vector<Way>& ways, double voxel, const std::vector<double>& foundations) {
   Worst worst;
-  for (const Way& way : ways(voxel)) {
+  for (const Way& way : ways) {
     const Workpiece block = oriented_block(way, cut.box, voxel, cut.material());
     for (const double stiffness : foundations) {
       Simulation simulation = cut.at_begin(way, block.clone(), stiffness);
@@ -57,18 +57,33 @@ Worst worst_of(const GridCut& cut, double voxel, const std::vector<double>& foun
   return worst;
 }
 
+constexpr const char* kOfGrid = "measured, worst of grid";
+
+std::vector<Check> checks_of(const std::string& id, const std::string& of, const Worst& worst, const Limits& limits) {
+  return {{id, of + "force off by", "1", 0, worst.mean, {limits.mean, kOfGrid}, 1},
+          {id + " torque", of + "torque off by", "1", 0, worst.torque, {limits.torque, kOfGrid}, 1},
+          {id + " ripple", of + "ripple", "1", 0, worst.ripple, {limits.ripple, kOfGrid}, 1},
+          {id + " ledger", of + "closure", "1", 0, worst.closure, kSinglePrecision, 1}};
+}
+
 /// By how much more a cut is off where its layer is not thin, over layer/R.
-std::vector<Check> on_soft_foundations(const GridCut& cut, const Limits& limits, double voxel) {
-  double more = 0, closure = 0;
-  for (const double stiffness : kSoftFoundations) {
-    const Worst worst = worst_of(cut, voxel, {stiffness});
+Check on_soft_foundations(const GridCut& cut, const Limits& limits, double voxel, double& closure) {
+  double more = 0;
+  for (const double stiffness : {1e14, 1e15}) {
+    if (stiffness >= limits.stiff_from) continue;
+    const Worst worst = worst_of(cut, ways(voxel), voxel, {stiffness});
     const double beyond = std::max(worst.mean - limits.mean, worst.torque - limits.torque);
     more = std::max(more, beyond / cut.layer(stiffness));
     closure = std::max(closure, worst.closure);
   }
-  const std::string id = std::string(cut.id) + " soft", of = std::string(cut.what) + "; k_v = 1e14, 1e15; ";
-  return {{id, of + "off by more than stiff, in layer/R", "1", 0, more, limits.soft, 1},
-          {id + " ledger", of + "closure", "1", 0, closure, kSinglePrecision, 1}};
+  const char* which = limits.stiff_from > 1e15 ? "; k_v = 1e14, 1e15; " : "; k_v = 1e14; ";
+  return {cut.id + " soft",
+          cut.what + which + "off by more than stiff, in layer/R",
+          "1",
+          0,
+          more,
+          {limits.soft, "a layer that is not thin"},
+          1};
 }
 
 }  // namespace
@@ -147,17 +162,30 @@ double GridCut::layer(double stiffness) const {
 }
 
 std::vector<Check> in_every_direction(const GridCut& cut, const Limits& limits, double voxel) {
-  const Worst worst = worst_of(cut, voxel, kStiffFoundations);
   const bool coarse = voxel > 0.07 * mm;
-  const std::string id = std::string(cut.id) + (coarse ? " grid 0.1 mm" : " grid 0.05 mm");
-  const std::string of = std::string(cut.what) + "; ";
-  std::vector<Check> checks = {{id, of + "force off by", "1", 0, worst.mean, limits.mean, 1},
-                               {id + " torque", of + "torque off by", "1", 0, worst.torque, limits.torque, 1},
-                               {id + " ripple", of + "ripple", "1", 0, worst.ripple, limits.ripple, 1},
-                               {id + " ledger", of + "closure", "1", 0, worst.closure, kSinglePrecision, 1}};
-  if (coarse)
-    for (Check& check : on_soft_foundations(cut, limits, voxel)) checks.push_back(std::move(check));
+  std::vector<double> foundations = {1e16, 0, 1e17};  // 0: the default
+  if (coarse && limits.stiff_from < 1e16) foundations.push_back(limits.stiff_from);
+  Worst worst = worst_of(cut, ways(voxel), voxel, foundations);
+  std::vector<Check> soft;
+  if (coarse) soft.push_back(on_soft_foundations(cut, limits, voxel, worst.closure));
+  std::vector<Check> checks =
+      checks_of(cut.id + (coarse ? " grid 0.1 mm" : " grid 0.05 mm"), cut.what + "; ", worst, limits);
+  checks.insert(checks.end(), soft.begin(), soft.end());
   return checks;
+}
+
+std::vector<Check> along_the_faces(const GridCut& cut, const Limits& limits, const std::vector<double>& foundations) {
+  std::vector<Way> turned;
+  for (const double angle : {0.0, 29.0, 45.0})
+    turned.push_back({Eigen::AngleAxisd(angle * deg, Vec3::UnitZ()).toRotationMatrix(), Vec3::Zero()});
+  return checks_of(cut.id + " faces", cut.what + ", along the faces of voxels; ",
+                   worst_of(cut, turned, 0.1 * mm, foundations), limits);
+}
+
+std::vector<Check> tilted(const GridCut& cut, const Limits& limits, const std::vector<double>& foundations) {
+  const std::vector<Way> all = ways(0.1 * mm);
+  return checks_of(cut.id + " tilted", cut.what + ", tilted in the grid; ",
+                   worst_of(cut, {all[2], all[4], all[6]}, 0.1 * mm, foundations), limits);
 }
 
 std::vector<Check> in_every_direction(const GridCut& cut, const Limits& coarse, const Limits& fine) {

@@ -28,8 +28,7 @@ inline constexpr forms::SteadyCut kSlowCut = {3e8, 0.5, 2000, 2 * units::mm, 0};
 /// One cut, in the tool's axes: fed from `start` quickly to `begin`, then at the speed of the cut to `end`; the last
 /// part of that way is measured.
 struct GridCut {
-  const char* id;
-  const char* what;
+  std::string id, what;
   ToolHead head;
   Box box;
   Vec3 start, begin, end;
@@ -63,17 +62,22 @@ struct Course {
 struct Limits {
   double mean, torque, ripple;  ///< [1] on stiff foundations
   double soft = 0;              ///< [1] mean and torque on soft ones, with 0.1 mm: so much more, times layer/R
+  double stiff_from = 1e16;     ///< [N/m^4] with 0.1 mm
 };
 
-/// On voxels of a size, or of 0.1 and 0.05 mm, and on stiff foundations. With 0.1 mm on soft ones too, where the error
-/// goes with the layer, whatever the voxel.
+/// On voxels of a size, or of 0.1 and 0.05 mm, and on stiff foundations: 1e16 N/m^4, the default and 1e17. With 0.1 mm
+/// on soft ones too, 1e14 and 1e15, where the layer that a cut presses in, 0.11 R and 0.035 R in `kSlowCut`, is not
+/// thin, as the forms have it: there the error goes with the layer, whatever the voxel.
 [[nodiscard]] std::vector<Check> in_every_direction(const GridCut& cut, const Limits& limits, double voxel);
 [[nodiscard]] std::vector<Check> in_every_direction(const GridCut& cut, const Limits& coarse, const Limits& fine);
 
-inline const std::vector<double> kStiffFoundations = {1e16, 0, 1e17};  ///< [N/m^4] 0: the default
+/// Turned about the tool's axis by 0, 29 and 45 degrees, on voxels of 0.1 mm whose faces are those of the plate.
+[[nodiscard]] std::vector<Check> along_the_faces(const GridCut& cut, const Limits& limits,
+                                                 const std::vector<double>& foundations);
 
-/// [N/m^4] Here the layer that a cut presses in, 0.11 R and 0.035 R in `kSlowCut`, is not thin, as the forms have it.
-inline const std::vector<double> kSoftFoundations = {1e14, 1e15};
+/// Tilted by 10 and 45 degrees and along <111>, on voxels of 0.1 mm.
+[[nodiscard]] std::vector<Check> tilted(const GridCut& cut, const Limits& limits,
+                                        const std::vector<double>& foundations);
 
 inline const Box kPlate = {Vec3(-0.4, -1.4, -1) * units::mm, Vec3(2.6, 1.4, 0) * units::mm};
 inline const Box kBlock = {Vec3(-1.4, -1.4, -1.3) * units::mm, Vec3(1.4, 1.4, 0) * units::mm};

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // C20, C22, C24, C26-C29 in every direction of the grid, on stiff foundations, and with chips C35, C37, C38, C42.
+#include <algorithm>
+#include <iterator>
+#include <string>
+
 #include "bench/validation/bench.hpp"
 #include "bench/validation/checks.hpp"
 #include "bench/validation/grid_cuts.hpp"
 
 namespace hapticut::validation {
-namespace {
+namespace in_the_grid {
 
 using units::deg;
 using units::mm;
@@ -53,15 +57,21 @@ GridCut plunged(const char* id, const char* what, const ToolHead& head, double d
           expected};
 }
 
-/// A feed whose chips cost about as much again as what they take away, by edges and by being thin.
-forms::SteadyCut with_chips() {
-  forms::SteadyCut cut = kSlowCut;
-  cut.tooth_rate = tooth_rate(GridCut::kCutter, cut.spin);
-  const double chip = cut.feed_speed / cut.tooth_rate;
-  cut.edge_length = chip;
-  cut.size_length = 2 * chip;
-  return cut;
-}
+/// A feed whose chips cost about as much again as what they take away, by edges or by being thin, or by both.
+struct Chips {
+  const char* name;
+  double edge, size;  // [1] lengths over the chip
+
+  [[nodiscard]] forms::SteadyCut cut() const {
+    forms::SteadyCut cut = kSlowCut;
+    cut.tooth_rate = tooth_rate(GridCut::kCutter, cut.spin);
+    const double chip = cut.feed_speed / cut.tooth_rate;
+    cut.edge_length = edge * chip;
+    cut.size_length = size * chip;
+    return cut;
+  }
+};
+constexpr Chips kEdges = {"chips of edges", 2, 0}, kThin = {"thin chips", 0, 4}, kBoth = {"chips", 1, 2};
 
 /// The same cut at another speed, of feed and spin alike, or in other steps.
 GridCut hurried(GridCut cut, const char* id, const char* what, double factor, double tick) {
@@ -78,92 +88,128 @@ GridCut slotted() {
                 forms::slotting_wrench(kSlowCut, kR, 1 * mm));
 }
 
-GridCut with_chips(GridCut cut, const char* id, const char* what, const Wrench& expected) {
-  cut.id = id;
-  cut.what = what;
-  cut.cut = with_chips();
+void append(std::vector<Check>& checks, std::vector<Check> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(checks));
+}
+
+GridCut with_chips(const char* form, const char* of, const Chips& chips, GridCut cut, const Wrench& expected) {
+  cut.id = std::string(form) + (&chips == &kBoth ? "" : std::string(" ") + chips.name);
+  cut.what = std::string(of) + ", " + chips.name;
+  cut.cut = chips.cut();
   cut.expected = expected;
   return cut;
 }
 
-}  // namespace
+constexpr double kGroove = 0.6 * kR, kDepth = 0.7 * mm, kAlpha = 45 * deg, kSlot = 1 * mm;
+
+std::vector<Check> drilled_chips() {
+  std::vector<Check> checks;
+  const auto drill = [](const Chips& chips) {
+    return with_chips("C35", "flat head fed axially", chips, drilled(0), forms::axial_chip_wrench(chips.cut(), kR));
+  };
+  for (const Chips* chips : {&kBoth, &kEdges})
+    append(checks, in_every_direction(drill(*chips), {0.03, 0.03, 0.013, 0.4, 1e15}, 0.1 * mm));
+  append(checks, in_every_direction(drill(kThin), {0.03, 0.03, 0.016, 0.4, 1e15}, 0.1 * mm));
+  append(checks, tilted(drill(kThin), {0.03, 0.03, 0.013}, {1e15, 1e16, 1e17}));
+  return checks;
+}
+
+/// Behind the middle the slot's walls press with what is too little to cut them, a layer of w0, and rub.
+std::vector<Check> slotted_chips() {
+  const auto slot = [](const char* id, const Chips& chips) {
+    return with_chips(id, "slotting", chips, slotted(), forms::slotting_chip_wrench(chips.cut(), kR, kSlot));
+  };
+  constexpr double kForce = 0.035, kRubbed = 0.07, kRipple = 0.013;
+  std::vector<Check> checks =
+      in_every_direction(slot("C37", kBoth), {kForce, kRubbed, kOtherFaces, kEvenLayer}, 0.1 * mm);
+  for (const Chips* chips : {&kBoth, &kEdges}) {
+    append(checks, along_the_faces(slot("C37 soft", *chips), {kForce, kRubbed, kRipple}, {1e15, 1e16}));
+    append(checks, along_the_faces(slot("C37 stiff", *chips), {kForce, kForce, kRipple}, {1e17}));
+  }
+  append(checks, along_the_faces(slot("C37", kThin), {kForce, 0.03, kRipple}, {1e15, 1e16, 1e17}));
+  return checks;
+}
+
+std::vector<Check> plunged_chips() {
+  std::vector<Check> checks;
+  GridCut ball = plunged("", "", SphereHead{kR}, 1.2 * kR, {});
+  ball.box.min.z() = -2 * mm;
+  for (const Chips* chips : {&kBoth, &kEdges, &kThin})
+    append(checks, in_every_direction(with_chips("C38", "ball deeper than its radius", *chips, ball,
+                                                 forms::ball_plunge_chip_wrench(chips->cut(), kR)),
+                                      {0.03, chips == &kThin ? 0.03 : 0.06, 0.015, kChipLayer}, 0.1 * mm));
+  append(checks, in_every_direction(with_chips("C42", "ball in a groove of depth 0.6 R", kBoth,
+                                               milled("", "", SphereHead{kR}, kPlate, kR - kGroove, {}),
+                                               forms::groove_chip_wrench(kBoth.cut(), kR, kGroove)),
+                                    {kBehind, 0.07, 0.015, kChipLayer}, 0.1 * mm));
+  return checks;
+}
+
+/// Half a voxel a tick, ten times the layer; the spin is such that the feed is a 400th of the rim's speed, as the
+/// closed forms ask for.
+std::vector<Check> hurried_cuts() {
+  std::vector<Check> checks =
+      in_every_direction(hurried(drilled(0), "C20 50 mm/s", "flat head fed axially at 50 mm/s", 25, kTick),
+                         {0.02, 0.02, kInPhase, 0.6}, 0.1 * mm);
+  const GridCut slot = hurried(slotted(), "C24 50 mm/s", "slotting at 50 mm/s", 25, kTick);
+  append(checks, in_every_direction(slot, {0.02, 0.02, 0.03, 0.2}, 0.1 * mm));
+  return checks;
+}
+
+}  // namespace in_the_grid
 
 std::vector<Experiment> grid_experiments() {
-  const double groove = 0.6 * kR, depth = 0.7 * mm, alpha = 45 * deg;
+  using namespace in_the_grid;
   const Box buried = {Vec3(-0.4, -1.4, -1.4) * mm, Vec3(2.6, 1.4, 1.4) * mm};
-  return {
-      {"grid, drilling",
-       [] {
-         return in_every_direction(drilled(0), {0.02, 0.02, 0.015, kEvenLayer}, {0.02, 0.01, 0.015});
-       }},
-      {"grid, drilling with an edge",
-       [] {
-         return in_every_direction(drilled(1e6), {0.02, 0.02, 0.015, kEvenLayer}, {0.02, 0.01, 0.015});
-       }},
-      {"grid, slotting",
-       [=] {
-         return in_every_direction(slotted(), {0.02, 0.02, kOtherFaces, kEvenLayer}, {0.02, 0.02, 0.015});
-       }},
-      {"grid, groove",
-       [=] {
-         return in_every_direction(milled("C26", "ball in a groove of depth 0.6 R", SphereHead{kR}, kPlate, kR - groove,
-                                          forms::groove_wrench(kSlowCut, kR, groove)),
-                                   {0.04, 0.02, 0.015, kRoundLayer}, {0.04, 0.02, 0.015});
-       }},
-      {"grid, buried ball",
-       [=] {
-         return in_every_direction(milled("C27", "buried ball fed sideways", SphereHead{kR}, buried, 0,
-                                          forms::buried_ball_wrench(kSlowCut, kR)),
-                                   {0.02, 0.02, 0.015, kRoundLayer}, {0.02, 0.02, 0.015});
-       }},
-      {"grid, plunging ball",
-       [=] {
-         return in_every_direction(plunged("C28", "ball plunged to 0.7 R", SphereHead{kR}, depth,
-                                           forms::ball_plunge_wrench(kSlowCut, kR, depth)),
-                                   {0.04, 0.04, 0.015, kRoundLayer}, {0.04, 0.04, 0.015});
-       }},
-      {"grid, 50 mm/s in steps of 1 ms",
-       [] {
-         std::vector<Check> checks =
-             in_every_direction(hurried(drilled(0), "C20 50 mm/s", "flat head fed axially at 50 mm/s", 25, kTick),
-                                {0.02, 0.02, kInPhase, 0.6}, 0.1 * mm);
-         for (Check& check : in_every_direction(hurried(slotted(), "C24 50 mm/s", "slotting at 50 mm/s", 25, kTick),
-                                                {0.02, 0.02, 0.03, 0.2}, 0.1 * mm))
-           checks.push_back(std::move(check));
-         return checks;
-       }},
-      {"grid, steps of 0.1 ms",
-       [] {
-         return in_every_direction(
-             hurried(drilled(0), "C20 0.1 ms", "flat head fed axially in steps of 0.1 ms", 1, 0.1 * kTick),
-             {0.02, 0.02, 0.015, kEvenLayer}, 0.1 * mm);
-       }},
-      {"grid, chips",
-       [=] {
-         const double slot = 1 * mm, deep = 1.2 * kR;
-         std::vector<Check> checks = in_every_direction(
-             with_chips(drilled(0), "C35", "flat head fed axially, chips", forms::axial_chip_wrench(with_chips(), kR)),
-             {0.03, 0.03, 0.015, 0.4}, 0.1 * mm);
-         const auto add = [&](const GridCut& cut, const Limits& limits) {
-           for (Check& check : in_every_direction(cut, limits, 0.1 * mm)) checks.push_back(std::move(check));
-         };
-         add(with_chips(slotted(), "C37", "slotting, chips", forms::slotting_chip_wrench(with_chips(), kR, slot)),
-             {0.035, 0.07, kOtherFaces, kEvenLayer});
-         GridCut ball = plunged("", "", SphereHead{kR}, deep, {});
-         ball.box.min.z() = -2 * mm;
-         add(with_chips(ball, "C38", "ball deeper than its radius, chips",
-                        forms::ball_plunge_chip_wrench(with_chips(), kR)),
-             {0.03, 0.07, 0.015, kChipLayer});
-         add(with_chips(milled("", "", SphereHead{kR}, kPlate, kR - groove, {}), "C42",
-                        "ball in a groove of depth 0.6 R, chips", forms::groove_chip_wrench(with_chips(), kR, groove)),
-             {kBehind, 0.07, 0.015, kChipLayer});
-         return checks;
-       }},
-      {"grid, plunging cone", [=] {
-         return in_every_direction(plunged("C29", "cone plunged to 0.7 mm", ConeHead{alpha, 2 * mm}, depth,
-                                           forms::cone_plunge_wrench(kSlowCut, alpha, depth)),
-                                   {0.06, 0.06, 0.015, kTipLayer}, {0.06, 0.06, 0.015});
-       }}};
+  const Limits flat = {0.02, 0.02, 0.015, kEvenLayer, 1e15}, fine = {0.02, 0.01, 0.015};
+  return {{"grid, drilling", [=] { return in_every_direction(drilled(0), flat, fine); }},
+          {"grid, drilling with an edge", [=] { return in_every_direction(drilled(1e6), flat, fine); }},
+          // Proves: tangential force of the spin.
+          {"grid, slotting",
+           [=] {
+             std::vector<Check> checks =
+                 in_every_direction(slotted(), {0.02, 0.02, kOtherFaces, kEvenLayer, 1e15}, {0.02, 0.02, 0.015});
+             append(checks, along_the_faces(slotted(), {0.02, 0.02, 0.008}, {1e15, 1e16, 1e17}));
+             return checks;
+           }},
+          {"grid, groove",
+           [=] {
+             return in_every_direction(milled("C26", "ball in a groove of depth 0.6 R", SphereHead{kR}, kPlate,
+                                              kR - kGroove, forms::groove_wrench(kSlowCut, kR, kGroove)),
+                                       {0.04, 0.02, 0.015, kRoundLayer}, {0.04, 0.02, 0.015});
+           }},
+          // Proves: removal by law A.
+          {"grid, buried ball",
+           [=] {
+             return in_every_direction(milled("C27", "buried ball fed sideways", SphereHead{kR}, buried, 0,
+                                              forms::buried_ball_wrench(kSlowCut, kR)),
+                                       {0.02, 0.02, 0.015, kRoundLayer}, {0.02, 0.02, 0.015});
+           }},
+          // Proves: removal by law A.
+          {"grid, plunging ball",
+           [=] {
+             return in_every_direction(plunged("C28", "ball plunged to 0.7 R", SphereHead{kR}, kDepth,
+                                               forms::ball_plunge_wrench(kSlowCut, kR, kDepth)),
+                                       {0.04, 0.04, 0.015, kRoundLayer}, {0.04, 0.04, 0.015});
+           }},
+          {"grid, 50 mm/s in steps of 1 ms", hurried_cuts},
+          {"grid, steps of 0.1 ms",
+           [] {
+             return in_every_direction(
+                 hurried(drilled(0), "C20 0.1 ms", "flat head fed axially in steps of 0.1 ms", 1, 0.1 * kTick),
+                 {0.02, 0.02, 0.015, kEvenLayer}, 0.1 * mm);
+           }},
+          // Proves: chips; energy ledger.
+          {"grid, chips, drilling", drilled_chips},
+          // Proves: chips.
+          {"grid, chips, slotting", slotted_chips},
+          // Proves: chips.
+          {"grid, chips, balls", plunged_chips},
+          {"grid, plunging cone", [=] {
+             return in_every_direction(plunged("C29", "cone plunged to 0.7 mm", ConeHead{kAlpha, 2 * mm}, kDepth,
+                                               forms::cone_plunge_wrench(kSlowCut, kAlpha, kDepth)),
+                                       {0.06, 0.06, 0.015, kTipLayer}, {0.06, 0.06, 0.015});
+           }}};
 }
 
 }  // namespace hapticut::validation

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <sstream>
 #include <string>
 
 #include "bench/validation/bench.hpp"
 #include "bench/validation/checks.hpp"
+#include "bench/validation/page.hpp"
 #include "bench/validation/tolerances.hpp"
 #include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
@@ -21,12 +21,6 @@ using units::N_mm;
 using units::rpm;
 
 constexpr double kThickestChip = 0.2;  // [mm] twice that of the tests
-
-std::string digits(double value, int count = 3) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", count, value);
-  return text.data();
-}
 
 /// The library with constants from one drilling test, on that test again: a round trip, no prediction.
 std::vector<Check> drillings() {
@@ -143,13 +137,43 @@ namespace {
 
 /// The preset for a diamond bur under the load of DC4, and those for a carbide bur under the load of White's.
 std::vector<Check> tooth() {
-  DiamondBur::Plate under_load(presets::enamel(CutterKind::fine_diamond), 0.025 * mm);
-  return {{"DC4 removal", "enamel and a fine diamond under 65 g: what Fais et al. removed", "m^3/s",
-           DiamondBur::kRemoval, under_load.removal_under(DiamondBur::kLoad), kThickLayer},
+  const Material diamond = presets::enamel(CutterKind::fine_diamond);
+  const auto plate = [&] { return DiamondBur::Plate(diamond, 0.025 * mm); };
+  const double load = plate().load_at(DiamondBur::kRemoval);
+  // A load that the edges carry cuts nothing.
+  Material carbide = diamond;
+  carbide.specific_cutting_energy = 1.75e9;
+  carbide.edge_pressure = 200e3;
+  const double edges = carbide.edge_pressure * DiamondBur::Plate::kArea;
+  constexpr Tolerance kScatter = {CarbideBur::kScatter, "scatter of the source"};
+  return {{"DC4 energy",
+           "u of enamel under a fine diamond, the preset's",
+           "J/m^3",
+           DiamondBur::energy(),
+           diamond.specific_cutting_energy,
+           {5e-3, "three digits of the preset"}},
+          {"DC4 removal", "enamel and a fine diamond under 65 g: what Fais et al. removed", "m^3/s",
+           DiamondBur::kRemoval, plate().removal_under(DiamondBur::kLoad), kThickLayer},
+          {"DC4 half", "under half the load: half of it", "m^3/s", DiamondBur::kRemoval / 2,
+           plate().removal_under(DiamondBur::kLoad / 2), kThickLayer},
+          {"DC4 load", "the load that their removal needs", "N", DiamondBur::kLoad, load, kThickLayer},
+          {"DC3 load",
+           "it is within 0.43 ... 1.79 N, what dentists press with",
+           "N",
+           1.11,
+           load,
+           {0.61, "range of the source"}},
+          {"DC4 below",
+           "a carbide bur under four fifths of what its edges bear: removal",
+           "m^3/s",
+           0,
+           DiamondBur::Plate(carbide, 0.015 * mm).removal_under(0.8 * edges),
+           {0.01, "what settles"},
+           DiamondBur::kRemoval},
           {"DC9 enamel", "carbide bur pushed with 0.98 N: White's axial rate", "m/s", CarbideBur::kInEnamel,
-           CarbideBur::rate_under(CarbideBur::kLoad, presets::enamel()), CarbideBur::kScatter},
+           CarbideBur::rate_under(CarbideBur::kLoad, presets::enamel()), kScatter},
           {"DC9 dentin", "the same into dentin", "m/s", CarbideBur::kInDentin,
-           CarbideBur::rate_under(CarbideBur::kLoad, presets::dentin()), CarbideBur::kScatter}};
+           CarbideBur::rate_under(CarbideBur::kLoad, presets::dentin()), kScatter}};
 }
 
 void add_drilling(std::ostream& page) {

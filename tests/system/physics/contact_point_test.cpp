@@ -101,5 +101,27 @@ TEST(ContactPoint, IsThereUnderOtherLawsToo) {
   EXPECT_NEAR(contact.area / (2 * kPi * kRadius * kDepth), 1, 0.1);
 }
 
+// What was given in and taken out again was turned over too: the rest is not all of it.
+TEST(Contact, TheLedgerOfAPressThatIsLiftedOutIsClosed) {
+  const double voxel = 0.05 * mm;
+  Simulation simulation(box_at_phase(half_space(kRadius, kDepth, voxel), voxel, test::phase(3)),
+                        Tool(SphereHead{kRadius}), static_config());
+  double given = 0, last = 0, turned = 0;  // [J]
+  for (int i = 0; i <= 200; ++i) {
+    const double deep = kDepth * std::min(i, 200 - i) / 100 - 0.01 * kDepth;
+    const EnergyLedger& energy = simulation.step(Pose::from_translation({0, 0, kRadius - deep}), {}, 1e-3).energy;
+    given += std::max(0.0, energy.hand_work - last);
+    last = energy.hand_work;
+    EXPECT_GE(energy.turnover, turned);
+    turned = energy.turnover;
+  }
+  const EnergyLedger& energy = simulation.last_result().energy;
+  EXPECT_EQ(energy.elastic, 0) << "it is out again";
+  EXPECT_LT(std::abs(energy.hand_work), 1e-3 * given);
+  EXPECT_GT(energy.turnover, 1.99 * given);
+  EXPECT_LT(fixtures::unbooked(energy), 1e-5);
+  EXPECT_EQ(energy.closure(), energy.imbalance() / energy.turnover);
+}
+
 }  // namespace
 }  // namespace hapticut::contact_point_test

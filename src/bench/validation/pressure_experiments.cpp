@@ -2,22 +2,20 @@
 // C11: the wrench of the foundation is that of the pressure k_v w^2/2 on the surface of the material inside the head.
 // A plane quadrature of that pressure, with the heads' depths written again here, against the voxels of 200 poses of
 // every head: six components, tilted heads, tilted planes, bent handles.
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <cmath>
 
-#include "hapticut/bench/closed_forms.hpp"
+#include "bench/random_pose.hpp"
+#include "bench/validation/bench.hpp"
+#include "bench/validation/checks.hpp"
+#include "bench/validation/convergence.hpp"
 #include "hapticut/tool/catalogue.hpp"
-#include "support/random_pose.hpp"
-#include "support/static_contact.hpp"
 
-namespace hapticut::pressure_identity_test {
-namespace {
+namespace hapticut::validation {
+namespace pressure_identity {
 
 using closed_forms::Plane;
-using test::hold;
-using test::kStiffness;
-using test::RandomPoses;
+using fixtures::RandomPoses;
 using units::deg;
 using units::kPi;
 using units::mm;
@@ -51,17 +49,15 @@ struct OracleHead {
   }
 };
 
-void PrintTo(const OracleHead& oracle, std::ostream* out) { *out << oracle.name; }
-
 OracleHead ball() {
   const double R = 1 * mm;
-  return {"Ball", SphereHead{R}, [=](double rho, double z) { return R - std::hypot(rho, z); }, 0, 0, 1.5, 4.5, 0.003,
+  return {"ball", SphereHead{R}, [=](double rho, double z) { return R - std::hypot(rho, z); }, 0, 0, 1.5, 4.5, 0.003,
           1.7};
 }
 
 OracleHead cone() {
   const double a = 35 * deg, h = 1.6 * mm;
-  return {"Cone",
+  return {"cone",
           ConeHead{a, h},
           [=](double rho, double z) { return std::min(z * std::sin(a) - rho * std::cos(a), kSmoothScale * (h - z)); },
           h,
@@ -74,7 +70,7 @@ OracleHead cone() {
 
 OracleHead flat() {
   const double r = 0.8 * mm, h = 1.6 * mm;
-  return {"FlatNearest",
+  return {"flat head",
           FlatHead{r, h},
           [=](double rho, double z) {
             return std::min({z, r - rho, kSmoothScale * (h - z)});
@@ -90,7 +86,7 @@ OracleHead flat() {
 OracleHead round_end() {
   const double r = 0.7 * mm, h = 1.6 * mm;
   return {
-      "ProfileRoundEnd",
+      "round end",
       round_end_cylinder_head(2 * r, h),
       [=](double rho, double z) { return std::min(r - std::hypot(rho, std::min(0.0, z - r)), kSmoothScale * (h - z)); },
       h,
@@ -104,7 +100,7 @@ OracleHead round_end() {
 /// Sharper than a right angle at the tip's rim, where the direction of the springs jumps the more.
 OracleHead inverted_cone() {
   const double tip = 0.8 * mm, neck = 0.5 * mm, h = 1.4 * mm;
-  return {"ProfileInvertedCone",
+  return {"inverted cone",
           inverted_cone_head(2 * tip, 2 * neck, h),
           [=](double rho, double z) {
             const double wall = ((tip - rho) * h - z * (tip - neck)) / std::hypot(h, tip - neck);
@@ -128,7 +124,7 @@ OracleHead tree() {
   const double inner = kTreeWaist * R / 2;
   const std::vector<Segment> segments = {
       {{0, 0}, {R / 2, h / 2}, 1}, {{R / 2, h / 2}, {inner, h / 2}, 1}, {{inner, h / 2}, {R, h}, 9}};
-  return {"ProfileTree",
+  return {"tree",
           christmas_tree_head(2 * R, h, 2),
           [=](double rho, double z) {
             const double limit = z < h / 2 ? z * R / h : inner + (2 * z / h - 1) * (R - inner);
@@ -180,11 +176,11 @@ Workpiece half_space_below(const Plane& plane, double half_edge, double voxel_si
   // Subsampling finds a plane along the grid only to half a subsample; that one is built exactly.
   if (plane.normal == Vec3::UnitZ()) {
     box.max.z() = plane.offset;
-    return test::box_at_phase(box, voxel_size, test::phase(6));
+    return box_at_phase(box, voxel_size, phase(6));
   }
   const BodyDescription body = {box, [=](const Vec3& p) { return plane.height(p); },
                                 [](const Vec3&) { return MaterialId(1); }};
-  return build_body(body, voxel_size, test::materials_of_stiffness({1}));
+  return build_body(body, voxel_size, materials_of_stiffness({1}));
 }
 
 /// Relative errors of one pose: force, torque about To and torque about Ho, over force and force times lever.
@@ -196,7 +192,7 @@ struct PoseError {
 
 PoseError error_at(Simulation& simulation, const Pose& X_WT, const Wrench& expected_T, double reach) {
   const Pose X_WH = X_WT * simulation.tool().X_HT().inverse();
-  const StepResult& felt = hold(simulation, X_WH);
+  const StepResult& felt = hold_well(simulation, X_WH);
   const Vec3 p_HoTo_W = X_WT.translation - X_WH.translation;
   const Vec3 expected_torque_H = expected_T.torque + p_HoTo_W.cross(expected_T.force);
   const Vec3 torque_T = felt.torque - p_HoTo_W.cross(felt.force);
@@ -210,18 +206,14 @@ Handle random_handle(int n, RandomPoses& random) {
   return LHandle{random.between(0, 5 * mm), random.between(0, 3 * mm), random.between(-kPi, kPi)};
 }
 
-class PressureIdentity : public testing::TestWithParam<OracleHead> {};
-
 // The grids, from coarse to fine. On the first the deepest springs of a pose have a handful of voxels, so that the
 // bound of a single pose is asked of the others only.
 constexpr double kVoxelSizes[] = {0.1 * mm, 0.05 * mm, 0.025 * mm};
 
-// Proves: pressure identity.
-TEST_P(PressureIdentity, C11HoldsForForceAndTorqueIn200RandomPosesAndConvergesOnThreeGrids) {
-  const OracleHead& oracle = GetParam();
+/// Errors of force, torque about To and torque about Ho in all poses: of each, and their root mean square.
+void measure(const OracleHead& oracle, Convergence& c, Largest& single) {
   const double reach = oracle.reach();
   RandomPoses random(7);
-  test::Convergence c = {{kVoxelSizes[0], kVoxelSizes[1], kVoxelSizes[2]}, {0, 0, 0}};
   for (int n = 0; n < kPlanes; ++n) {
     const Plane plane = {n == 0 ? Vec3(0, 0, 1) : random.direction(), random.between(-0.2, 0.2) * mm};
     // The box is larger than all that the poses touch; its own faces stay outside the head.
@@ -229,7 +221,7 @@ TEST_P(PressureIdentity, C11HoldsForForceAndTorqueIn200RandomPosesAndConvergesOn
     const Tool tool(oracle.head, random_handle(n, random));
     std::vector<Simulation> on_grid;
     for (const double l : kVoxelSizes)
-      on_grid.emplace_back(half_space_below(plane, half_edge, l), tool, test::static_config());
+      on_grid.emplace_back(half_space_below(plane, half_edge, l), tool, static_config());
     for (int m = 0; m < kPosesPerPlane; ++m) {
       const Pose X_WT = random_pose(oracle, plane, random);
       const Wrench expected_T = pressure_on_plane(oracle, X_WT, plane, kQuadraturePoints);
@@ -238,34 +230,55 @@ TEST_P(PressureIdentity, C11HoldsForForceAndTorqueIn200RandomPosesAndConvergesOn
         c.error[level] += e.largest() * e.largest() / (kPlanes * kPosesPerPlane);
         if (level == 0) continue;
         const double constant = plane.height(X_WT.translation) < 0 ? oracle.behind : oracle.constant;
-        EXPECT_LT(e.largest(), constant * std::pow(kVoxelSizes[level] / e.depth, 2))
-            << "l = " << kVoxelSizes[level] / mm << " mm, plane " << n << ", pose " << m << ", depth " << e.depth / mm
-            << " mm";
+        single.add(e.largest(), constant * std::pow(kVoxelSizes[level] / e.depth, 2));
       }
     }
   }
   for (double& error : c.error) error = std::sqrt(error);
-  test::expect_convergence(c, oracle.least_order, [&](double l) {
-    return oracle.root_mean_square * std::pow(l / kVoxelSizes[1], l > kVoxelSizes[1] ? 2 : oracle.least_order);
-  });
 }
 
-TEST_P(PressureIdentity, TheOracleItselfIsExactEnough) {
-  const OracleHead& oracle = GetParam();
+/// Of the quadrature itself: against four times as many points.
+Check quadrature(const OracleHead& oracle, const std::string& id) {
+  Largest off;
   RandomPoses random(11);
   for (int n = 0; n < 10; ++n) {
     const Plane plane = {random.direction(), 0};
     const Pose X_WT = random_pose(oracle, plane, random);
     const Wrench used = pressure_on_plane(oracle, X_WT, plane, kQuadraturePoints);
     const Wrench finer = pressure_on_plane(oracle, X_WT, plane, 4 * kQuadraturePoints);
-    EXPECT_LT((used.force - finer.force).norm(), 2e-4 * finer.force.norm());
-    EXPECT_LT((used.torque - finer.torque).norm(), 2e-4 * finer.force.norm() * oracle.reach());
+    off.add((used.force - finer.force).norm(), 2e-4 * finer.force.norm());
+    off.add((used.torque - finer.torque).norm(), 2e-4 * finer.force.norm() * oracle.reach());
   }
+  return off.check(id + " quadrature", "of the quadrature itself, error", "2e-4 of the force");
 }
 
-INSTANTIATE_TEST_SUITE_P(Heads, PressureIdentity,
-                         testing::Values(ball(), cone(), flat(), round_end(), inverted_cone(), tree()),
-                         [](const auto& oracle) { return std::string(oracle.param.name); });
+std::vector<Check> checks_of(const OracleHead& oracle) {
+  const std::string id = std::string("C11 ") + oracle.name;
+  Convergence c = {{kVoxelSizes[0], kVoxelSizes[1], kVoxelSizes[2]}, {0, 0, 0}};
+  Largest single;
+  measure(oracle, c, single);
+  Refined error(id, std::string(oracle.name) + ", force and torque in 200 poses, root mean square of the error", 2,
+                "measured; lattice points at ridges", {1 - oracle.least_order / 2, "of 200 poses"});
+  error.add(c, [&](double l) {
+    return oracle.root_mean_square * std::pow(l / kVoxelSizes[1], l > kVoxelSizes[1] ? 2 : oracle.least_order);
+  });
+  std::vector<Check> checks;
+  error.append_to(checks);
+  checks.push_back(single.check(id + " each", "of each pose, error", "constant of the head (l/w)^2"));
+  checks.push_back(quadrature(oracle, id));
+  return checks;
+}
 
-}  // namespace
-}  // namespace hapticut::pressure_identity_test
+}  // namespace pressure_identity
+
+std::vector<Experiment> pressure_experiments() {
+  using namespace pressure_identity;
+  std::vector<Experiment> experiments;
+  for (const OracleHead& oracle : {ball(), cone(), flat(), round_end(), inverted_cone(), tree()})
+    experiments.push_back(
+        // Proves: pressure identity.
+        {"pressure identity, " + std::string(oracle.name), [=] { return checks_of(oracle); }});
+  return experiments;
+}
+
+}  // namespace hapticut::validation

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of experiments of `hapticut validate`: each of them a test, and its rows in docs/validation.md.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "bench/validation/checks.hpp"
+#include "bench/validation/measurements.hpp"
+#include "bench/validation/page.hpp"
+#include "support/places.hpp"
+
+namespace hapticut::validation {
+void PrintTo(const Experiment& experiment, std::ostream* out) { *out << experiment.name; }
+}  // namespace hapticut::validation
+
+namespace hapticut::experiments_test {
+namespace {
+
+using validation::all_experiments;
+using validation::Check;
+
+std::string page(const char* name) {
+  std::ifstream in(test::source_path(name));
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+using Cells = std::vector<std::string>;
+
+/// The lines of a table, cell by cell; the first is empty.
+std::vector<Cells> rows_of(const std::string& table) {
+  std::vector<Cells> rows;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("| ") || line.starts_with("| experiment ")) continue;
+    std::istringstream row(line.substr(1));
+    rows.emplace_back();
+    for (std::string cell; std::getline(row, cell, '|');)
+      if (!cell.empty()) rows.back().push_back(cell.substr(1, cell.size() - 2));
+  }
+  return rows;
+}
+
+/// Those of an experiment, without what was computed, whose last digits depend on the processor.
+std::vector<Cells> what_is_asked(const std::string& table, const std::string& experiment) {
+  std::vector<Cells> rows = rows_of(table);
+  std::erase_if(rows, [&](const Cells& row) { return row.at(0) != experiment; });
+  for (Cells& row : rows) row.erase(row.begin() + 4, row.begin() + 6);
+  return rows;
+}
+
+class Experiment : public testing::TestWithParam<validation::Experiment> {};
+
+TEST_P(Experiment, IsWithinItsTolerances) {
+  std::string table;
+  for (const Check& check : GetParam().run()) {
+    EXPECT_TRUE(check.pass()) << check.id << ": expected " << check.expected << ", computed " << check.computed << " "
+                              << check.unit << ", off by " << check.relative_error() << ", tolerance "
+                              << check.tolerance.share << ", " << check.tolerance.reason;
+    table += row_of(GetParam().name, check);
+  }
+  EXPECT_EQ(what_is_asked(page("docs/validation.md"), GetParam().name), what_is_asked(table, GetParam().name))
+      << "run hapticut validate --markdown docs/validation.md";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Experiment, testing::ValuesIn(all_experiments()), [](const auto& e) {
+  std::string name = e.param.name;
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return name;
+});
+
+TEST(ValidationPage, HasTheExperimentsInTheirOrderAndEachCaseOnce) {
+  std::vector<std::string> named, known;
+  for (const validation::Experiment& experiment : all_experiments()) known.push_back(experiment.name);
+  std::set<std::string> ids, first_words;
+  for (const Cells& row : rows_of(page("docs/validation.md"))) {
+    if (named.empty() || named.back() != row.at(0)) named.push_back(row[0]);
+    EXPECT_TRUE(ids.insert(row.at(1)).second) << row[1] << " appears twice";
+    first_words.insert(row[1].substr(0, row[1].find(' ')));
+  }
+  EXPECT_EQ(named, known);
+  std::vector<std::string> numbers = {"C42", "B1a", "B1b", "B1c", "B1d", "B1e", "B1f", "DC4"};
+  for (int n = 1; n <= 38; ++n) numbers.push_back(std::string("C").append(std::to_string(n)));
+  for (const int n : {1, 2, 5, 6, 7, 8, 11, 15}) numbers.push_back(std::string("D").append(std::to_string(n)));
+  for (const std::string& number : numbers) EXPECT_EQ(first_words.count(number), 1U) << number;
+}
+
+// The thesis's model and the default one on the same case: the first shows the defect, in the second it is gone.
+TEST(ValidationPage, ShowsEachDefectInTheThesisAndThatItIsCuredInTheDefault) {
+  std::set<std::string> rows;
+  for (const Cells& row : rows_of(page("docs/validation.md"))) rows.insert(row.at(1));
+  for (const validation::Experiment& experiment : validation::defect_experiments()) {
+    const std::string name = experiment.name.substr(std::string("defect ").size());
+    EXPECT_TRUE(rows.lower_bound(name + " thesis")->starts_with(name + " thesis")) << name;
+    EXPECT_TRUE(rows.lower_bound(name + " cured")->starts_with(name + " cured")) << name;
+  }
+}
+
+TEST(MeasurementsPage, IsWhatTheLibraryWrites) {
+  EXPECT_EQ(page("docs/measurements.md"), validation::measurements_page())
+      << "run hapticut validate --measurements docs/measurements.md";
+}
+
+TEST(Check, OfANumberThatIsNoneDoesNotPass) {
+  Check check{"x", "", "", 1, std::nan(""), {0.1, ""}};
+  EXPECT_FALSE(check.pass());
+  check.computed = 1.05;
+  EXPECT_TRUE(check.pass());
+  check.computed = 1.2;
+  EXPECT_FALSE(check.pass());
+  check.at_least = true;
+  EXPECT_TRUE(check.pass());
+}
+
+}  // namespace
+}  // namespace hapticut::experiments_test
