@@ -45,7 +45,7 @@ inline void require_metres(double value, double largest, const char* name) {
                 ". Sizes are in metres: " + format_number(value) + " mm is " + format_number(1e-3 * value) + ".");
 }
 
-inline constexpr double kLargestHead = 0.3;   ///< [m] reach of a head; larger ones were meant in mm
+inline constexpr double kLargestHead = 0.3;  ///< [m] reach of a head; larger ones were meant in mm
 inline constexpr double kFastestFeed = 0.5;  ///< [m/s] of what cuts; faster ones were meant in mm/s
 
 /// Throws unless a feed is positive and no faster than kFastestFeed.

@@ -107,7 +107,8 @@ TEST(NoAllocation, WhileAnIslandLeavesBetweenSteps) {
   simulation.reserve_undo(100);
   simulation.set_undo_mark();
   BlockVoxels layer;  // between the two halves
-  for (std::uint64_t& word : layer.voxels) word = 0x0101010101010101ULL;
+  for (int x = 0; x < kBlockEdge; ++x)
+    for (int y = 0; y < kBlockEdge; ++y) layer.voxels.add(block_offset(x, y, 0));
   for (const int x : {0, 8, 16})
     for (const int y : {0, 8, 16}) {
       layer.origin = {x, y, 48};
