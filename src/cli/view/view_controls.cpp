@@ -273,7 +273,7 @@ ToolHead ViewControls::head() const {
         values.push_back(at(kAngle) * units::deg);
         break;
       case widest_height:
-        values.push_back(dimension.usual * length_m / shape.find(length)->usual);
+        values.push_back(std::max(diameter_m / 2, dimension.usual * length_m / shape.find(length)->usual));
         break;
       case tiers:
       case point_angle:

@@ -172,7 +172,7 @@ TEST_F(SettingsFile, WithAnotherUnitIsRefusedWithTheRightOne) {
 
 TEST_F(SettingsFile, WithTheWrongTypeIsRefused) {
   expect_in_file("[tool]\nradius_mm = true\n", 2, "tool.radius_mm: must be a number > 0, not true.");
-  expect_in_file("[tool]\nhead = 3\n", 2, "tool.head: must be one of sphere, cone, flat, profile");
+  expect_in_file("[tool]\nhead = 3\n", 2, "tool.head: must be one of sphere, cone, flat, round");
   expect_in_file("[path]\nfrom_mm = 3\n", 2, "path.from_mm: must be 3 numbers, not a number.");
   expect_in_file("[path]\nfrom_mm = [1, 2, \"x\"]\n", 2, "path.from_mm: must be 3 numbers, not a list.");
   expect_in_file("tool = 3\n", 1, "tool: must be a table");
@@ -185,7 +185,7 @@ TEST_F(SettingsFile, WithAValueOutOfRangeIsRefused) {
   expect_in_file("[tool]\nradius_mm = inf\n", 2, "tool.radius_mm: must be a number > 0, not inf.");
   expect_in_file("[simulation]\nrate_Hz = 5\n", 2, "simulation.rate_Hz: must be a number from 10 to 1e+06, not 5.");
   expect_in_file("[path]\nfrom_mm = [1, 2]\n", 2, "path.from_mm: must be 3 numbers, not [1, 2].");
-  expect_in_file("[tool]\nhead = \"ball\"\n", 2, "tool.head: must be one of sphere, cone, flat, profile");
+  expect_in_file("[tool]\nhead = \"ball\"\n", 2, "tool.head: must be one of sphere, cone, flat, round");
 }
 
 TEST_F(SettingsFile, ThatIsNoTomlOrIsNotThereIsRefused) {
