@@ -265,6 +265,9 @@ ToolHead ViewControls::head() const {
       case radius:
         values.push_back(diameter_m / 2);
         break;
+      case diameter:
+        values.push_back(diameter_m);
+        break;
       case height:
       case length:
         values.push_back(length_m);
