@@ -243,7 +243,7 @@ Wrench SafetyGuard::make_passive(const Wrench& wrench, const ModelContact& conta
   // Where torque is rendered, the force may give back what a turn has given: then nothing is shortened.
   const bool shortens = greatest_torque_ == 0 && std::isfinite(contact.motor.value_or(0));
   const std::optional<double> motor = shortens ? contact.motor : std::nullopt;
-  const Wrench damped = passivity_.control(
+  Wrench damped = passivity_.control(
       {wrench, effects, output_.applied, motion_, turn_, dt_, contact.stored, motor, !contact.touching.value_or(true)});
   if (passivity_.taken() > 0) {
     output_.changes |= OutputChange::damped;

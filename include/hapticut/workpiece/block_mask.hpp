@@ -41,7 +41,7 @@ struct BlockMask {
         function(64 * x + std::countr_zero(bits));
   }
 
-  [[nodiscard]] constexpr auto operator<=>(const BlockMask&) const = default;
+  [[nodiscard]] constexpr auto operator<=>(const BlockMask&) const = default;  // NOLINT(modernize-use-nullptr): none
   [[nodiscard]] friend constexpr BlockMask operator&(BlockMask a, const BlockMask& b) {
     for (std::size_t x = 0; x < 8; ++x) a.words[x] &= b.words[x];
     return a;

@@ -141,7 +141,8 @@ std::vector<Check> stiffness() {
   }
   Simulation simulation = ball(kR, kFinest, phase(2));
   double stiffest = 0, at = 0;
-  for (double depth = 0.3 * kR; depth < 0.8 * kR; depth += 0.02 * kR) {
+  for (int step = 0; step < 25; ++step) {
+    const double depth = (0.3 + 0.02 * step) * kR;
     const double stiffness = stiffness_at(simulation, depth);
     if (stiffness > stiffest) stiffest = stiffness, at = depth;
   }

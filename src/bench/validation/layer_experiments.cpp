@@ -96,8 +96,8 @@ Convergence into_depth_grade() {
     std::vector<double> stiffnesses;
     const double first_face = (phase.z() - 1) * l;  // the lower face of the partly filled layer
     stiffnesses.push_back(relative_stiffness(slope, Vec3(0, 0, first_face / 2)));
-    for (double face = first_face; face > -kDepth - 3 * l; face -= l)
-      stiffnesses.push_back(relative_stiffness(slope, Vec3(0, 0, face - l / 2)));
+    for (int layer = 0; first_face - layer * l > -kDepth - 3 * l; ++layer)
+      stiffnesses.push_back(relative_stiffness(slope, Vec3(0, 0, first_face - (layer + 0.5) * l)));
     return box_at_phase(fixtures::half_space_box(kR, kDepth, l), l, phase, materials_of_stiffness(stiffnesses),
                         [&](const Vec3& p) { return MaterialId(1 + std::max(0, int((first_face - p.z()) / l + 1))); });
   });
@@ -109,6 +109,7 @@ Convergence into_side_grade() {
   const Vec3 slope(0.6 / mm, -0.3 / mm, -0.5 / mm);
   constexpr int kSteps = kMaxMaterials;
   std::vector<double> stiffnesses;
+  stiffnesses.reserve(kSteps);
   for (int i = 0; i < kSteps; ++i) stiffnesses.push_back(3 * (i + 0.5) / kSteps);
   return into_grade(slope, [&](double l, const Vec3& phase) {
     return box_at_phase(fixtures::half_space_box(kR, kDepth, l), l, phase, materials_of_stiffness(stiffnesses),

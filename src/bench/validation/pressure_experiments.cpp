@@ -163,7 +163,7 @@ Pose random_pose(const OracleHead& oracle, const Plane& plane, RandomPoses& rand
   for (;;) {
     const Mat3 R_WT = random.rotation();
     const Vec3 on_plane = plane.offset * plane.normal + 0.1 * reach * random.direction();
-    const Pose X_WT = {
+    Pose X_WT = {
         R_WT, on_plane + random.between(-0.5, 0.9) * reach * plane.normal - R_WT * Vec3(0, 0, oracle.closed_end / 2)};
     if (oracle.closed_end > 0 && lowest_of_closed_end(oracle, X_WT, plane) < 0.02 * mm) continue;
     const Wrench wrench = pressure_on_plane(oracle, X_WT, plane, 40);

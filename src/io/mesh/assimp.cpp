@@ -20,7 +20,7 @@ namespace {
 /// What a file says in JSON: all of a .gltf, the first part of a .glb.
 std::string json_of(const std::filesystem::path& path) {
   constexpr std::size_t kHeader = 20, kPlaceOfLength = 12;  // [bytes] of a .glb
-  const std::string file = bytes_of_file(path);
+  std::string file = bytes_of_file(path);
   if (file.size() < kHeader || !file.starts_with("glTF")) return file;
   return file.substr(kHeader, number_in<std::uint32_t>(std::string_view(file).substr(kPlaceOfLength)));
 }
