@@ -10,6 +10,7 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/volume/volume_filters.hpp"
 #include "hapticut/io/volume/volumes.hpp"
+#include "support/named_material.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
 
@@ -17,14 +18,9 @@ namespace hapticut::import_oracles_test {
 namespace {
 
 using test::data_path;
+using test::named;
 using units::mm;
 using units::mm3;
-
-Material named(const std::string& name) {
-  Material material;
-  material.name = name;
-  return material;
-}
 
 TEST(ImportOracle, TwelveEncodingsOfTheBallGiveOneBall) {
   HAPTICUT_NEEDS_DATA("formats/BallBinary30x30x30.nrrd");

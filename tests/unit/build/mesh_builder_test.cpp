@@ -9,20 +9,16 @@
 #include "hapticut/core/units.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/meshes.hpp"
+#include "support/named_material.hpp"
 
 namespace hapticut::mesh_builder_test {
 namespace {
 
 using test::ball_mesh;
 using test::cube_mesh;
+using test::named;
 using units::mm;
 using units::mm3;
-
-Material named(const std::string& name) {
-  Material material;
-  material.name = name;
-  return material;
-}
 
 double volume(const Workpiece& workpiece) {
   double sum = 0;

@@ -8,10 +8,12 @@
 
 #include "hapticut/build/volume_builders.hpp"
 #include "hapticut/core/units.hpp"
+#include "support/named_material.hpp"
 
 namespace hapticut::partial_volume_test {
 namespace {
 
+using test::named;
 using units::kPi;
 using units::mm;
 
@@ -54,12 +56,6 @@ GreyVolume scan(const Ball& ball, double spacing, double sigma, double noise = 0
         volume.at(i, j, k) = float(grey + noise * grain(random));
       }
   return volume;
-}
-
-Material named(const char* name) {
-  Material material;
-  material.name = name;
-  return material;
 }
 
 constexpr double kAir = -1000, kMarrow = 0, kSoft = 450, kHard = 1600;

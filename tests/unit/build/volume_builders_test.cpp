@@ -9,18 +9,14 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
+#include "support/named_material.hpp"
 
 namespace hapticut::volume_builders_test {
 namespace {
 
+using test::named;
 using units::kPi;
 using units::mm;
-
-Material named(const char* name) {
-  Material material;
-  material.name = name;
-  return material;
-}
 
 template <class Value>
 Volume<Value> volume_of(std::array<int, 3> dims, const Vec3& spacing) {

@@ -11,6 +11,7 @@
 #include "hapticut/core/units.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/meshes.hpp"
+#include "support/named_material.hpp"
 #include "support/no_disk_space.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
@@ -19,15 +20,10 @@ namespace hapticut::meshes_test {
 namespace {
 
 using test::data_path;
+using test::named;
 using test::TemporaryFolder;
 using units::mm;
 using units::mm3;
-
-Material named(const std::string& name) {
-  Material material;
-  material.name = name;
-  return material;
-}
 
 std::string error_of(const std::function<void()>& function) {
   try {

@@ -7,19 +7,15 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/mesh_measures.hpp"
+#include "support/named_material.hpp"
 
 namespace hapticut::extract_surface_test {
 namespace {
 
 using test::is_closed;
+using test::named;
 using test::signed_volume;
 using units::mm;
-
-Material named(const std::string& name) {
-  Material material;
-  material.name = name;
-  return material;
-}
 
 TEST(Surface, OfABallConvergesToItsVolumeAndRadius) {
   double previous_error = 1;

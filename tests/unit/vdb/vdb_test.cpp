@@ -13,6 +13,7 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "support/named_material.hpp"
 #include "support/no_disk_space.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
@@ -20,15 +21,10 @@
 namespace hapticut::vdb_test {
 namespace {
 
+using test::named;
 using test::TemporaryFolder;
 using units::mm;
 using units::mm3;
-
-Material named(const std::string& name) {
-  Material material;
-  material.name = name;
-  return material;
-}
 
 /// Two materials with odd numbers, a rotated frame, antialiased surfaces, and a hole cut through a tile.
 Workpiece intricate_workpiece() {

@@ -6,18 +6,14 @@
 #include <atomic>
 
 #include "hapticut/core/units.hpp"
+#include "support/named_material.hpp"
 
 namespace hapticut::builders_test {
 namespace {
 
+using test::named;
 using units::kPi;
 using units::mm;
-
-Material named(const char* name) {
-  Material material;
-  material.name = name;
-  return material;
-}
 
 TEST(BuildBlock, FillsAPartlyCoveredLastRowByItsFraction) {
   const Workpiece workpiece = build_block({Vec3::Zero(), Vec3(1, 1, 0.96) * mm}, 0.1 * mm, named("clay"));

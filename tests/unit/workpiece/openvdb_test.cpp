@@ -10,23 +10,19 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "support/named_material.hpp"
 
 namespace hapticut::openvdb_test {
 namespace {
 
 using openvdb::FloatGrid;
 using openvdb::Int32Grid;
+using test::named;
 using units::kPi;
 using units::mm;
 using units::mm3;
 
 constexpr double kBallRadius_mm = 1.0;
-
-Material named(const std::string& name) {
-  Material material;
-  material.name = name;
-  return material;
-}
 
 MaterialTable two_materials() { return MaterialTable({named("lower"), named("upper")}); }
 
