@@ -93,7 +93,7 @@ constexpr const char* kVoxels = "whole voxels: 2 %, slopes 10 %, balls 5 %";
 
 std::vector<Check> of_the_thesis() {
   const Stepping flat = step_down(kFlat), cone = step_down(kCone), ball = step_down(kBall);
-  Largest volume, constant, force, cone_volume, ball_volume;
+  Largest volume, constant, cone_volume, ball_volume;
   double total_cone = 0, total_ball = 0;
   for (std::size_t i = 0; i < flat.volume.size(); ++i) {
     const double d = kStep * double(i + 1);
