@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <cstring>
 
-#include "hapticut/bench/scenes.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "support/scenes.hpp"
 #include "workloads.hpp"
 
 namespace {
@@ -35,7 +35,7 @@ double buried_ball(RemovalLaw removal, double spin) {
 }
 
 double scene(const char* name) {
-  const Scene& scene = find_scene(name);
+  const test::Scene& scene = test::find_scene(name);
   Simulation simulation = scene.make();
   double sum = 0;
   for (int t = 0; t < kSteps; ++t) {

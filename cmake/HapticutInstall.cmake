@@ -11,7 +11,7 @@ set(HAPTICUT_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/hapticut")
 # What was not built yet is built first: the demo, for one, builds no more than it needs.
 set(_programs hapticut_cli hapticut_decoder hapticut_recording_reader)
 list(TRANSFORM HAPTICUT_COMPONENTS_WITH_CORE PREPEND hapticut_ OUTPUT_VARIABLE _with_core)
-set(_others bench io settings view c openhaptics forcedimension)
+set(_others io settings view c openhaptics forcedimension)
 list(TRANSFORM _others PREPEND hapticut_ OUTPUT_VARIABLE _libraries)
 foreach(_target hapticut ${_with_core} ${_libraries} ${_programs})
   if(TARGET ${_target})

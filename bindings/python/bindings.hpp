@@ -20,7 +20,7 @@ void bind_coupling(pybind11::module_& m);
 void bind_io(pybind11::module_& m);
 void bind_device(pybind11::module_& m);
 void bind_guard(pybind11::module_& m);
-void bind_bench(pybind11::module_& m);
+void bind_analysis(pybind11::module_& m);
 void bind_recordings(pybind11::module_& m);
 void bind_changed_block(pybind11::module_& m);
 void bind_surface(pybind11::module_& m);

@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "hapticut/bench/closed_loop.hpp"
+#include "hapticut/analysis/closed_loop.hpp"
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut::python {

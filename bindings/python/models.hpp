@@ -4,7 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include "arrays.hpp"
-#include "hapticut/bench/stability.hpp"
+#include "hapticut/analysis/stability.hpp"
 
 namespace hapticut::python {
 
@@ -20,8 +20,8 @@ struct PythonModelFactory {
 
 HAPTICUT_NAMED_ARGUMENT(AnyFactory);  ///< a factory of the library, or a function of Python
 
-/// What the bench works with. A LinearWall or a ForceModel that a function of Python returns runs in C++ from then on;
-/// anything else that can be called is called at every tick, with the interpreter lock.
+/// What the closed loop works with. A LinearWall or a ForceModel that a function of Python returns runs in C++ from
+/// then on; anything else that can be called is called at every tick, with the interpreter lock.
 /// @throws Error when it cannot be called
 [[nodiscard]] ModelFactory factory_from(const AnyFactory& given);
 

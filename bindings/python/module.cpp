@@ -91,7 +91,7 @@ PYBIND11_MODULE(_hapticut, m) {
   bind_guard(m);
   bind_coupling(m);
   bind_device(m);
-  bind_bench(m);
+  bind_analysis(m);
   bind_recordings(m);
   bind_loop(m);
   bind_heat(m);

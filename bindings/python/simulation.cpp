@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "bindings.hpp"
-#include "hapticut/bench/scenes.hpp"
 #include "hapticut/simulation/thesis_mode.hpp"
 #include "steps.hpp"
 #include "structs.hpp"
@@ -308,20 +307,6 @@ double loop_in_cpp(PythonSimulation& self, const Float64Array& poses, const Floa
   return sum;
 }
 
-void bind_scenes(py::module_& m) {
-  py::class_<Scene>(m, "Scene", doc("Scene"))
-      .def_readonly("name", &Scene::name, "What find_scene is asked for.")
-      .def_readonly("description", &Scene::description, doc("Scene::description"))
-      .def(
-          "make", [](const Scene& scene) { return std::make_shared<PythonSimulation>(scene.make()); },
-          doc("Scene::make"))
-      .def(
-          "input", [](const Scene& scene, int tick) { return scene.input(tick); }, py::arg("tick"),
-          doc("Scene::input"));
-  m.def("scenes", &scenes, py::return_value_policy::copy, doc("scenes"));
-  m.def("find_scene", &find_scene, py::return_value_policy::copy, py::arg("name"), doc("find_scene"));
-}
-
 }  // namespace
 
 void bind_simulation(py::module_& m) {
@@ -330,7 +315,6 @@ void bind_simulation(py::module_& m) {
   bind_the_simulation(m);
   m.def("_loop_in_cpp", &loop_in_cpp, py::arg("simulation"), py::arg("poses"), py::arg("velocities"), py::arg("dt"),
         "For benchmarks/python_cost.py.");
-  bind_scenes(m);
 }
 
 }  // namespace hapticut::python

@@ -4,8 +4,8 @@
 /// @file
 /// What a first program needs, by groups in the order in which it needs them. All of it is hapticut::hapticut, the
 /// core. Each group says what else its folder has; a file of that is included on its own, and so are the components:
-/// `build/` (scans, meshes, the molar), `surface/`, `heat/`, `sound/`, `io/`, `settings/`, `bench.hpp`, `view/` and
-/// `c/`. `physics.hpp` is what stands without a library.
+/// `build/` (scans, meshes, the molar), `surface/`, `heat/`, `sound/`, `io/`, `settings/`, `analysis.hpp`, `view/`
+/// and `c/`. `physics.hpp` and `closed_forms.hpp` are what stands without a library.
 
 // Words: millimetres and revolutions per minute, poses, which version this is.
 #include "hapticut/core/build_info.hpp"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The four components that come with the core, each linked by its own name: a molar, its surface, its temperature and
-// the sound of a drill.
+// The five components that come with the core, each linked by its own name: a molar, its surface, its temperature, the
+// sound of a drill and a hand that presses a ball.
 #include <array>
+#include <hapticut/analysis/pressed_ball.hpp>
 #include <hapticut/build/molar.hpp>
 #include <hapticut/heat/heat_field.hpp>
 #include <hapticut/sound/drill_sound.hpp>
@@ -13,5 +14,8 @@ bool use_build() {
   const HeatField heat(molar);
   std::array<float, 480> samples = {};
   DrillSound().render(samples, 48000, SoundInput{});
-  return !extract_surface(molar).mesh.triangles.empty() && samples.back() == 0;
+  DeviceState above;
+  above.X_BS.translation.z() = 2e-3;
+  const Wrench untouched = contact_models({})(1e12)(above);
+  return !extract_surface(molar).mesh.triangles.empty() && samples.back() == 0 && untouched.force.norm() == 0;
 }

@@ -4,7 +4,7 @@
 #include <bitset>
 #include <cmath>
 #include <cstdio>
-#include <hapticut/bench/closed_forms.hpp>
+#include <hapticut/closed_forms.hpp>
 #include <hapticut/physics.hpp>
 #include <stdexcept>
 #include <string>

@@ -290,7 +290,7 @@ TEST_P(CableContract, EndsWithoutForceAndSaysWhyWhenItIsUnplugged) {
   expect_no_force_now();
 }
 
-// The bench of stability_test.cpp with the whole device and the guard in the loop: no tick is lost on the way.
+// The loop of stability_test.cpp with the whole device and the guard in the loop: no tick is lost on the way.
 TEST_P(ClosedLoopContract, AddsNoDelay) {
   const auto swing = [&](double stiffness) {
     NudgedPlant plant("touch");

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "hapticut/bench/scenes.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/mesh/meshes.hpp"
 #include "hapticut/io/vdb/vdb.hpp"

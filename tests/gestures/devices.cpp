@@ -4,7 +4,7 @@
 
 #include "gestures/gesture_list.hpp"
 #include "gestures/rigs.hpp"
-#include "hapticut/bench/closed_loop.hpp"
+#include "hapticut/analysis/closed_loop.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/safety/guard.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/closed_forms.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/cutter.hpp"

@@ -5,7 +5,7 @@
     cited.py closed_forms|files [--root FOLDER]
 
 closed_forms  every closed form (C1) and defect (D1) that is cited anywhere has a row in docs/model.md, "C1 ... C9" ends with
-              the last of them, every row names its function in bench/closed_forms, and every row of a measurement
+              the last of them, every row names its function in closed_forms, and every row of a measurement
               (B1a, DC4) has a source in docs/measurements.md
 files         every file that a comment or a page names by its path from the top of the repository is there, and the README
               names no engine that has no folder in bindings
@@ -49,14 +49,14 @@ def check_closed_forms(root: Path) -> tuple[list[str], int]:
     sources = (root / "docs/measurements.md").read_text(encoding="utf-8")
     sources = sources[sources.index("## Sources"):]
     headers = "".join(path.read_text(encoding="utf-8")
-                      for path in sorted((root / "include/hapticut/bench/closed_forms").glob("*.hpp")))
+                      for path in sorted((root / "include/hapticut/closed_forms").glob("*.hpp")))
     documented = FUNCTION.findall(headers)
     wrong = []
     for form in sorted(row for row in rows if row[0] == "C"):
         functions = {name for comment, name in documented if re.search(rf"\b{form}\b", comment)}
         lines = [line for line in model.splitlines() if line.startswith((f"| {form} |", f"**{form}**"))]
         if not any(f"`{name}`" in line for name in functions for line in lines):
-            wrong.append(f"{form} of docs/model.md names no function of include/hapticut/bench/closed_forms; those of it "
+            wrong.append(f"{form} of docs/model.md names no function of include/hapticut/closed_forms; those of it "
                          f"are {sorted(functions)}")
     cited = 0
     for path, text in texts(root):

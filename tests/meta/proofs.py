@@ -35,7 +35,7 @@ def tests_of(root: Path) -> list[tuple[str, str]]:
 
 def experiments_of(root: Path) -> list[tuple[str, str]]:
     """Name of each experiment that proves terms, and the terms."""
-    return [(name, terms) for path in sorted((root / "src/bench/validation").glob("*.cpp"))
+    return [(name, terms) for path in sorted((root / "tests/experiments").glob("*.cpp"))
             for terms, name in EXPERIMENT.findall(path.read_text(encoding="utf-8"))]
 
 

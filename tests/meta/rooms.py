@@ -12,8 +12,9 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-ROOMS = ["core", "tool", "workpiece", "force", "kernels", "simulation", "safety", "realtime", "device", "loop",
-         "build", "surface", "heat", "sound", "io", "settings", "bench", "view", "c", "cli"]
+ROOMS = ["core", "tool", "closed_forms", "workpiece", "force", "kernels", "simulation", "safety", "realtime", "device",
+         "loop", "build", "surface", "heat", "sound", "analysis", "io", "settings", "view", "c", "cli"]
+OF_THE_TESTS = {("cli", "experiments")}  # `hapticut validate` runs them
 LONGEST = 400
 
 
@@ -35,11 +36,13 @@ def arrows():
     for path in sources("include", "src"):
         room = room_of(path)
         if room is None:
-            continue  # hapticut.hpp, bench.hpp: the indices
+            continue  # hapticut.hpp, analysis.hpp: the indices
         if room not in ROOMS:
             mistakes.append(f"{path.relative_to(ROOT)}: the room {room} has no place in the order of rooms")
             continue
         for target in re.findall(r'^#include "(?:hapticut/)?(?!hapticut)(\w+)/', path.read_text(encoding="utf-8"), re.M):
+            if (room, target) in OF_THE_TESTS:
+                continue
             if target not in ROOMS:
                 mistakes.append(f"{path.relative_to(ROOT)} includes {target}/, which is no room")
             elif ROOMS.index(target) > ROOMS.index(room):
@@ -97,7 +100,7 @@ def abi():
                 all_of(other, seen)
         return seen
 
-    links_nothing = all_of("hapticut/physics.hpp", set()) | all_of("hapticut/bench/closed_forms.hpp", set())
+    links_nothing = all_of("hapticut/physics.hpp", set()) | all_of("hapticut/closed_forms.hpp", set())
     compiled = [str(path.relative_to(include)) for path in sorted(include.rglob("*.hpp"))
                 if (ROOT / "src" / path.relative_to(include / "hapticut")).with_suffix(".cpp").exists()]
     mistakes = [f"{name} is outside hapticut::physics and does not include {asks}"

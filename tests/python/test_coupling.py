@@ -131,31 +131,31 @@ def test_a_coupling_holds_the_tool_on_stiff_material(coupled, block, tool, plung
         coupling.run(poses.astype(np.float32), velocities, 1e-3)
 
 
-def test_the_contact_bench_runs_without_the_interpreter():
+def test_the_pressed_ball_runs_without_the_interpreter():
     touch = h.device.device_model("touch")
-    config = h.bench.ClosedLoopConfig(device=touch, hand=h.device.hand_model("nominal"))
-    bench = h.bench.ContactBench(coupling=h.coupling_gains(h.device.capabilities(touch)), voxel_size=0.2 * mm)
-    models = h.bench.contact_models(bench)
+    config = h.analysis.ClosedLoopConfig(device=touch, hand=h.device.hand_model("nominal"))
+    ball = h.analysis.PressedBall(coupling=h.coupling_gains(h.device.capabilities(touch)), voxel_size=0.2 * mm)
+    models = h.analysis.contact_models(ball)
     wrench = models(1e12)(h.device.DeviceState(X_BS=h.Pose.from_translation([0, 0, 0.5 * mm])))
-    assert isinstance(models, h.bench.ModelFactory) and isinstance(models(1e12), h.bench.ForceModel)
+    assert isinstance(models, h.analysis.ModelFactory) and isinstance(models(1e12), h.analysis.ForceModel)
     assert wrench.force[2] >= 0
-    search = h.bench.pressed_search(bench)
+    search = h.analysis.pressed_search(ball)
     assert search.target[2, 3] < 0
     search.window, search.windows = 0.1, 2
-    assert h.bench.is_stable(config, models, 1e12, search)
-    pressed = h.bench.PressTest(height=bench.radius, seconds=0.3, measured=0.1)
-    assert h.bench.measure_buzz(config, models, 1e12, pressed).greatest_force > 0
-    dropped = h.bench.BounceTest(height=bench.radius, phases=1, time_limit=0.1)
-    bounced = h.bench.measure_bounce(config, models, 1e12, dropped)
+    assert h.analysis.is_stable(config, models, 1e12, search)
+    pressed = h.analysis.PressTest(height=ball.radius, seconds=0.3, measured=0.1)
+    assert h.analysis.measure_buzz(config, models, 1e12, pressed).greatest_force > 0
+    dropped = h.analysis.BounceTest(height=ball.radius, phases=1, time_limit=0.1)
+    bounced = h.analysis.measure_bounce(config, models, 1e12, dropped)
     assert bounced.peak_force > 0
     with pytest.raises(h.Error, match="factory.*type int"):
-        h.bench.is_stable(config, 3, 1e12)
+        h.analysis.is_stable(config, 3, 1e12)
     with pytest.raises(h.Error, match="the factory returned.*type int"):
-        h.bench.is_stable(config, lambda stiffness: 3, 1e12)
+        h.analysis.is_stable(config, lambda stiffness: 3, 1e12)
     with pytest.raises(h.Error, match="radius"):
-        h.bench.contact_models(h.bench.ContactBench(radius=-1.0))(1.0)
+        h.analysis.contact_models(h.analysis.PressedBall(radius=-1.0))(1.0)
     seen = []
-    loop = h.bench.ClosedLoop(config)
+    loop = h.analysis.ClosedLoop(config)
     loop.reset(np.eye(4))
     loop.read()
     loop.write(h.Wrench([0, 0, 1], [0, 0, 0]), lambda plant, applied: seen.append(plant.pose[2, 3]))

@@ -22,7 +22,7 @@ MODULES = [hapticut, *(module for name, module in vars(hapticut).items()
                        if inspect.ismodule(module) and name in hapticut.__all__)]  # all but sweep
 COMPILED = {name for name in dir(core) if not name.startswith("_")}
 NAMES = [name for name in dir(hapticut) if name in COMPILED or name == "Pose"]
-ROOMS = ("bench", "device", "io", "loop", "safety")  # folders of C++ that are modules of Python
+ROOMS = ("analysis", "device", "io", "loop", "safety")  # folders of C++ that are modules of Python
 # What is looked for elsewhere than in the folder where C++ needs it.
 MOVED = {"LabelInterpolation"}
 
@@ -84,7 +84,7 @@ def test_functions_say_where_they_are_imported_from():
 LOOK = """
 import pickle, pydoc, hapticut
 assert pickle.loads(pickle.dumps(hapticut.build_block)) is hapticut.build_block
-print(pydoc.plain(pydoc.render_doc(hapticut.build_block)), pydoc.plain(pydoc.render_doc(hapticut.bench.ClosedLoop)))
+print(pydoc.plain(pydoc.render_doc(hapticut.build_block)), pydoc.plain(pydoc.render_doc(hapticut.analysis.ClosedLoop)))
 try:
     hapticut.build_block(3)
 except TypeError as error:
@@ -94,7 +94,7 @@ except TypeError as error:
 
 def test_help_and_errors_speak_of_names_that_can_be_imported():
     said = subprocess.run([sys.executable, "-c", LOOK], check=True, capture_output=True, text=True).stdout
-    assert "in module hapticut\n" in said and "in module hapticut.bench\n" in said
+    assert "in module hapticut\n" in said and "in module hapticut.analysis\n" in said
     assert said.count("build_block(box: Box, voxel_size: ") == 1 and "1. (box: Box, " in said
     assert "hapticut._hapticut." not in said.replace("hapticut._hapticut.kWithIo", "")
     page = pydoc.plain(pydoc.render_doc(hapticut))
@@ -104,7 +104,7 @@ def test_help_and_errors_speak_of_names_that_can_be_imported():
 def test_a_name_that_is_elsewhere_is_said_where():
     for module, name, place in ((hapticut, "open_device", "hapticut.device.open_device"),
                                 (hapticut, "SafetyGuard", "hapticut.safety.SafetyGuard"),
-                                (hapticut.bench, "Simulation", "hapticut.Simulation")):
+                                (hapticut.analysis, "Simulation", "hapticut.Simulation")):
         with pytest.raises(AttributeError, match=f"has no attribute '{name}'; it is {place}$"):
             getattr(module, name)
     with pytest.raises(AttributeError, match="'cheese'$"):

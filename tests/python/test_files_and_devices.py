@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files, recordings, devices and the bench."""
+"""Files, recordings, devices and the closed loop."""
 from __future__ import annotations
 
 import math
@@ -122,7 +122,7 @@ def test_recordings_are_replayed_bit_by_bit(simulation, plunge, tmp_path):
 def test_a_mock_device_runs_a_function_of_python():
     device = h.device.open_device("mock:press,device=touch,hand=nominal")
     assert device.capabilities.peak_force > 0 and device.name.startswith("mock")
-    wall = h.bench.LinearWall(stiffness=300.0)
+    wall = h.analysis.LinearWall(stiffness=300.0)
     ticks = []
 
     def tick(state):
@@ -234,31 +234,31 @@ def test_models_maps_and_the_guard():
     assert histogram.at_least(4e-6) == 1 and histogram.at_least(6e-6) == 0
 
 
-def test_the_bench_finds_the_limit_of_colgate_and_schenkel():
-    config = h.bench.ClosedLoopConfig(device=h.device.device_model("premium15"), hand=h.device.hand_model("released"))
+def test_the_closed_loop_finds_the_limit_of_colgate_and_schenkel():
+    config = h.analysis.ClosedLoopConfig(device=h.device.device_model("premium15"), hand=h.device.hand_model("released"))
 
     def wall(stiffness):
-        return h.bench.LinearWall(stiffness=stiffness, one_sided=False)
+        return h.analysis.LinearWall(stiffness=stiffness, one_sided=False)
 
-    found = h.bench.largest_stable_stiffness(config, wall, h.bench.StabilitySearch(low=50, high=200))
+    found = h.analysis.largest_stable_stiffness(config, wall, h.analysis.StabilitySearch(low=50, high=200))
     # 2 %: the windows of the search are finite.
     assert found == pytest.approx(2 * config.device.damping / config.period, rel=0.02)
-    assert h.bench.is_stable(config, wall, 0.5 * found) and not h.bench.is_stable(config, wall, 1.2 * found)
-    one_sided = lambda stiffness: h.bench.LinearWall(stiffness=stiffness)  # noqa: E731
-    bounced = h.bench.measure_bounce(config, one_sided, 500.0, h.bench.BounceTest(phases=2))
+    assert h.analysis.is_stable(config, wall, 0.5 * found) and not h.analysis.is_stable(config, wall, 1.2 * found)
+    one_sided = lambda stiffness: h.analysis.LinearWall(stiffness=stiffness)  # noqa: E731
+    bounced = h.analysis.measure_bounce(config, one_sided, 500.0, h.analysis.BounceTest(phases=2))
     assert bounced.penetration > 0 and bounced.generated_energy >= 0 and bounced.peak_force > 0
     assert bounced.restitution >= bounced.mean_restitution
-    held = h.bench.ClosedLoopConfig(device=h.device.device_model("touch"), hand=h.device.hand_model("nominal"))
-    buzz = h.bench.measure_buzz(held, one_sided, 200.0, h.bench.PressTest(seconds=1.0, measured=0.5))
+    held = h.analysis.ClosedLoopConfig(device=h.device.device_model("touch"), hand=h.device.hand_model("nominal"))
+    buzz = h.analysis.measure_buzz(held, one_sided, 200.0, h.analysis.PressTest(seconds=1.0, measured=0.5))
     assert buzz.position_rms < 50e-6 and buzz.frequency >= 0 and buzz.generated_power < 5e-3
     assert not buzz.buzzes() and math.isfinite(buzz.force_peak_to_peak)
     options = h.safety.GuardOptions(stiffness=300.0)
-    assert len(h.bench.injected_faults()) == len(h.bench.InjectedFault.__members__)
-    response = h.bench.measure_fault_response(held, one_sided, 300.0, options, h.bench.InjectedFault.unplugged)
+    assert len(h.analysis.injected_faults()) == len(h.analysis.InjectedFault.__members__)
+    response = h.analysis.measure_fault_response(held, one_sided, 300.0, options, h.analysis.InjectedFault.unplugged)
     assert 0 <= response.time_to_zero < 0.1 and response.oldest_force <= 0.05 and response.greatest_growth >= 0
     assert response.greatest_force <= held.device.peak_force
     guard = h.safety.SafetyGuard(h.device.capabilities(held.device), options)
-    assert h.bench.obeys_the_rules(response, guard, 1e-3)
+    assert h.analysis.obeys_the_rules(response, guard, 1e-3)
     assert response.end in list(h.safety.ArmingState.__members__.values())
 
 
@@ -269,7 +269,7 @@ def test_a_plant_and_a_closed_loop_step_by_step():
     plant.advance(h.Wrench()), plant.creep(h.Wrench())
     assert plant.pose[0, 3] > 0 and np.allclose(plant.measured_pose, plant.pose) and plant.velocity.shape == (6,)
     assert plant.device.name == "touch" and plant.hand.name == "released" and plant.options.period == 1e-3
-    loop = h.bench.ClosedLoop(h.bench.ClosedLoopConfig(device=plant.device, hand=plant.hand))
+    loop = h.analysis.ClosedLoop(h.analysis.ClosedLoopConfig(device=plant.device, hand=plant.hand))
     loop.reset(np.eye(4))
     loop.read()
     loop.write(h.Wrench([1, 0, 0], [0, 0, 0]))
@@ -277,6 +277,6 @@ def test_a_plant_and_a_closed_loop_step_by_step():
     loop.tick(lambda state: h.Wrench())
     assert loop.plant.pose[0, 3] > 0 and loop.generated_energy > 0 and loop.device_dissipation > 0
     assert loop.applied.force.shape == (3,) and loop.config.delay == 0
-    wall = h.bench.LinearWall(stiffness=1.0)
+    wall = h.analysis.LinearWall(stiffness=1.0)
     wall.stiffness, wall.damping, wall.filter, wall.one_sided, wall.height = 2.0, 0.0, 0.0, True, 0.1
     assert wall(h.device.DeviceState()).force[2] == pytest.approx(0.2)

@@ -258,13 +258,3 @@ def test_another_law_gives_another_force(block, plunge):
     with pytest.raises(hapticut.Error, match="TwistDrillLaw"):
         law = hapticut.TwistDrillLaw(hapticut.TwistDrillLaw.Constants())
         hapticut.Simulation(block, burr, hapticut.SimulationConfig(law=law))
-
-
-def test_scenes_are_those_of_the_tests_and_benchmarks_in_cpp():
-    names = [scene.name for scene in hapticut.bench.scenes()]
-    scene = hapticut.bench.find_scene(names[0])
-    simulation, given = scene.make(), scene.input(0)
-    assert scene.description
-    assert simulation.step(given.pose, given.velocity, given.dt).sub_steps >= 1
-    with pytest.raises(hapticut.Error, match=names[0]):
-        hapticut.bench.find_scene("nowhere")

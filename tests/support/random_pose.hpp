@@ -1,10 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "bench/random_pose.hpp"
+#include <cmath>
+#include <cstdint>
+
+#include "hapticut/core/spatial.hpp"
+#include "hapticut/core/units.hpp"
 
 namespace hapticut::test {
 
-using fixtures::RandomPoses;
+/// Numbers, vectors and rotations that are the same on every machine and with every standard library (SplitMix64).
+class RandomPoses {
+ public:
+  explicit RandomPoses(std::uint64_t seed) : state_(seed) {}
+
+  [[nodiscard]] double between(double low, double high) {
+    state_ += 0x9e3779b97f4a7c15U;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+    z ^= z >> 31;
+    return low + (high - low) * (double(z >> 11) * 0x1p-53);
+  }
+
+  /// Uniform on the sphere.
+  [[nodiscard]] Vec3 direction() {
+    const double z = between(-1, 1), angle = between(0, 2 * units::kPi), rho = std::sqrt(1 - z * z);
+    return {rho * std::cos(angle), rho * std::sin(angle), z};
+  }
+
+  /// Of length up to `longest`, in any direction.
+  [[nodiscard]] Vec3 vector(double longest) {
+    const double length = between(0, longest);
+    return length * direction();
+  }
+
+  /// Uniform over all rotations (Shoemake).
+  [[nodiscard]] Mat3 rotation() {
+    const double u = between(0, 1), a = between(0, 2 * units::kPi), b = between(0, 2 * units::kPi);
+    const Eigen::Quaterniond q(std::sqrt(u) * std::cos(b), std::sqrt(1 - u) * std::sin(a),
+                               std::sqrt(1 - u) * std::cos(a), std::sqrt(u) * std::sin(b));
+    return q.normalized().toRotationMatrix();
+  }
+
+ private:
+  std::uint64_t state_;
+};
 
 }  // namespace hapticut::test

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "hapticut/bench/scenes.hpp"
 #include "hapticut/io/recording/recorder.hpp"
 #include "hapticut/io/recording/recording.hpp"
+#include "support/scenes.hpp"
 
 /// @file
 /// Recordings for tests.

@@ -1,39 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include "bench/fixtures.hpp"
-#include "bench/grid_boxes.hpp"
+#include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/simulation/simulation.hpp"
+#include "hapticut/simulation/status_sentences.hpp"
+#include "support/grid_boxes.hpp"
 
 /// @file
 /// A tool whose spindle stands, held still in a workpiece whose grid is misaligned with it.
 namespace hapticut::test {
 
-using fixtures::box_at_phase;
-using fixtures::box_on_grid;
-using fixtures::kPhases;
-using fixtures::kStiffness;
-using fixtures::MaterialAt;
-using fixtures::materials_of_stiffness;
-using fixtures::phase;
-using fixtures::static_config;
+inline constexpr double kStiffness = 1e12;  ///< [N/m^4] k_v of the static cases, at relative stiffness 1
 
-inline Box half_space(double lateral_reach, double depth, double voxel_size) {
-  return fixtures::half_space_box(lateral_reach, depth, voxel_size);
+/// Springs alone: no removal, no friction; and a step may take the head anywhere, for `hold`.
+inline SimulationConfig static_config() {
+  SimulationConfig config;
+  config.reference_stiffness = kStiffness;
+  config.removal = RemovalLaw::none;
+  config.friction = DryFriction{0, 0, 1};
+  config.reserved_blocks = 1;
+  config.longest_sweep = 1;
+  return config;
 }
 
-/// `fixtures::hold`, of which the tests ask that it went well.
+/// What a tool feels that stands still at a pose, or moves through it at the given velocity as far as damping knows.
+///
+/// Two steps: the first takes the tool there, or is rejected as a jump and takes it there all the same; in the second
+/// it does not move, so that the wrench is the one of exactly this pose.
 inline const StepResult& hold(Simulation& simulation, const Pose& X_WH, const Twist& velocity = {}) {
-  const StepResult& result = fixtures::hold(simulation, X_WH, velocity);
-  EXPECT_EQ(result.status, StepStatus::ok);
-  EXPECT_EQ(result.sub_steps, 1);
+  (void)simulation.step(X_WH, velocity, 1e-3);
+  return simulation.step(X_WH, velocity, 1e-3);
+}
+
+/// `hold`, of which nothing else is expected than that it goes well.
+/// @throws Error where the step says otherwise
+inline const StepResult& hold_well(Simulation& simulation, const Pose& X_WH, const Twist& velocity = {}) {
+  const StepResult& result = hold(simulation, X_WH, velocity);
+  if (result.status != StepStatus::ok || result.sub_steps != 1)
+    throw Error("a head that is held still takes " + std::to_string(result.sub_steps) +
+                " sub-steps: " + describe(result.status));
   return result;
 }
 
-inline const StepResult& hold(Simulation& simulation, const Vec3& p_WHo, const Twist& velocity = {}) {
-  return hold(simulation, Pose::from_translation(p_WHo), velocity);
+inline const StepResult& hold_well(Simulation& simulation, const Vec3& p_WHo, const Twist& velocity = {}) {
+  return hold_well(simulation, Pose::from_translation(p_WHo), velocity);
 }
 
 }  // namespace hapticut::test

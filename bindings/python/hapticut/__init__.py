@@ -10,6 +10,8 @@ Here is what builds a workpiece and a tool and moves the one through the other. 
 
 ``catalogue``, ``presets``, ``units``
     ready-made heads, ready-made materials, factors to SI
+``analysis``
+    closed loops, stability and faults, without a device
 ``calibration``, ``effects``
     materials from measurements; what is added to the force of the model before a hand feels it
 ``volume``, ``io``
@@ -20,8 +22,6 @@ Here is what builds a workpiece and a tool and moves the one through the other. 
     temperatures beside the steps; pieces that were cut loose
 ``surface``, ``sound``
     what is seen and heard beside the steps
-``bench``
-    closed loops, stability and faults, without a device
 ``sweep``
     many runs on many processors; imported when it is first used
 """
@@ -31,7 +31,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from . import (
-    bench as bench,
+    analysis as analysis,
     calibration as calibration,
     catalogue as catalogue,
     device as device,
@@ -165,7 +165,6 @@ from ._hapticut import (
     Simulation as Simulation,
     SimulationConfig as SimulationConfig,
     StageTimes as StageTimes,
-    StepInput as StepInput,
     StepResult as StepResult,
     StepStatus as StepStatus,
     ThesisMode as ThesisMode,
@@ -198,6 +197,6 @@ else:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}{where_is(name)}")
 
 
-export(__name__, "Pose", "bench", "calibration", "catalogue", "device", "effects", "heat", "io", "islands", "loop",
+export(__name__, "Pose", "analysis", "calibration", "catalogue", "device", "effects", "heat", "io", "islands", "loop",
        "presets", "safety", "sound", "surface", "sweep", "units", "volume")
 __version__: str = build_info().version

@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "bench/wall_table.hpp"
+#include "analysis/wall_table.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/reports/json_file.hpp"
 #include "cli/reports/progress.hpp"
 #include "cli/reports/table.hpp"
-#include "hapticut/bench/contact_bench.hpp"
-#include "hapticut/bench/fault_bench.hpp"
+#include "hapticut/analysis/faults.hpp"
+#include "hapticut/analysis/pressed_ball.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/force/stiffness.hpp"
 
@@ -51,7 +51,7 @@ ModelFactory linear_walls() {
   };
 }
 
-/// What the bench found, for people, for machines and for the exit code.
+/// What was found, for people, for machines and for the exit code.
 struct Findings {
   Json wall = Json::array(), contact = Json::array(), faults = Json::array();
   std::vector<std::string> complaints;
@@ -59,7 +59,7 @@ struct Findings {
 };
 
 /// The textbook's wall, against the table and against K = 2 b/T.
-void bench_wall(const DeviceModel& device, Findings& findings) {
+void measure_wall(const DeviceModel& device, Findings& findings) {
   for (const WallRow& row : kWallTable) {
     if (row.device != device.name) continue;
     for (int delay = 0; delay < kWallDelays; ++delay) {
@@ -88,11 +88,11 @@ CouplingGains gains_of(const DeviceModel& device) {
 }
 
 /// The real model, felt directly and through the coupling.
-void bench_contact(const DeviceModel& device, std::string_view hand, Findings& findings) {
+void measure_contact(const DeviceModel& device, std::string_view hand, Findings& findings) {
   for (int delay = 0; delay < kWallDelays; ++delay) {
     ClosedLoopConfig config = loop_of(device, hand, delay);
     config.velocity_filter = 100;
-    const ContactBench direct, coupled{.coupling = gains_of(device)};
+    const PressedBall direct, coupled{.coupling = gains_of(device)};
     const double slope = largest_contact_stiffness(SphereHead{direct.radius});
     const double k_direct = largest_stable_stiffness(config, contact_models(direct), pressed_search(direct));
     const double k_coupled = largest_stable_stiffness(config, contact_models(coupled), pressed_search(coupled));
@@ -137,11 +137,11 @@ void bench_contact(const DeviceModel& device, std::string_view hand, Findings& f
   }
 }
 
-/// Every fault that the bench can inject, with the real model behind guard and coupling.
-void bench_faults(const DeviceModel& device, std::string_view hand, Findings& findings) {
-  const ContactBench bench{.coupling = gains_of(device)};
+/// Every fault that can be injected, with the real model behind guard and coupling.
+void measure_faults(const DeviceModel& device, std::string_view hand, Findings& findings) {
+  const PressedBall ball{.coupling = gains_of(device)};
   GuardOptions options;
-  options.stiffness = bench.coupling->stiffness;
+  options.stiffness = ball.coupling->stiffness;
   const SafetyGuard guard(capabilities(device), options);
   for (int delay = 0; delay < kWallDelays; ++delay) {
     double slowest = 0;
@@ -151,7 +151,7 @@ void bench_faults(const DeviceModel& device, std::string_view hand, Findings& fi
       config.dry_friction = config.encoder = config.saturation = true;
       config.velocity_filter = 100;
       const FaultResponse response =
-          measure_fault_response(config, contact_models(bench), kPressedStiffness, options, fault, bench.radius);
+          measure_fault_response(config, contact_models(ball), kPressedStiffness, options, fault, ball.radius);
       const bool obeyed = obeys_the_rules(response, guard, config.period);
       findings.faults.push_back(
           {{"device", device.name},
@@ -186,9 +186,9 @@ void run_stability(const StabilitySettings& s) {
   findings.progress = &progress;
   for (const DeviceModel& device : device_models()) {
     if (which != "all" && which != device.name) continue;
-    bench_wall(device, findings);
-    bench_contact(device, hand, findings);
-    bench_faults(device, hand, findings);
+    measure_wall(device, findings);
+    measure_contact(device, hand, findings);
+    measure_faults(device, hand, findings);
   }
   const BuildInfo build = build_info();
   write_json(s.json, {{"wall", findings.wall},
@@ -197,8 +197,8 @@ void run_stability(const StabilitySettings& s) {
                       {"complaints", findings.complaints},
                       {"build", {{"version", build.version}, {"commit", build.commit}}}});
   if (findings.complaints.empty()) return;
-  throw Error(std::to_string(findings.complaints.size()) + " of the bench's rules are broken; the first: " +
-              findings.complaints.front() + ". Look at the report for the rest.");
+  throw Error(std::to_string(findings.complaints.size()) +
+              " rules are broken; the first: " + findings.complaints.front() + ". Look at the report for the rest.");
 }
 
 /// The names of the presets, each meaning itself.

@@ -3,13 +3,13 @@
 #include <cstdio>
 #include <memory>
 
-#include "bench/validation/checks.hpp"
-#include "bench/validation/measurements.hpp"
-#include "bench/validation/page.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/reports/json_file.hpp"
 #include "cli/reports/progress.hpp"
 #include "cli/reports/table.hpp"
+#include "experiments/checks.hpp"
+#include "experiments/measurements.hpp"
+#include "experiments/page.hpp"
 #include "hapticut/core/build_info.hpp"
 #include "hapticut/core/errors.hpp"
 #include "io/atomic_file.hpp"
@@ -20,7 +20,7 @@ using namespace settings;
 
 namespace {
 
-using validation::Check;
+using experiments::Check;
 
 struct ValidateSettings {
   std::string only, json, markdown, measurements;
@@ -43,8 +43,8 @@ void print(const Check& c) {
 
 void run_validate(const ValidateSettings& s) {
   for (const std::string& path : {s.json, s.markdown, s.measurements}) require_writable(path);
-  std::vector<validation::Experiment> experiments;
-  for (validation::Experiment& experiment : validation::all_experiments())
+  std::vector<experiments::Experiment> experiments;
+  for (experiments::Experiment& experiment : experiments::all_experiments())
     if (experiment.name.find(s.only) != std::string::npos) experiments.push_back(std::move(experiment));
   if (experiments.empty())
     throw Error("no experiment has '" + s.only + "' in its name. Leave --only out to run all of them.");
@@ -74,9 +74,9 @@ void run_validate(const ValidateSettings& s) {
                        {"reason", c.tolerance.reason},
                        {"pass", c.pass()}});
       failed += c.pass() ? 0 : 1;
-      rows += validation::row_of(experiments[n].name, c);
       ++count;
     }
+    rows += experiments::rows_of(experiments[n].name, results);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::printf("%zu cases, %d failed, %s s\n", count, failed, rounded(seconds, 3).c_str());
@@ -84,8 +84,8 @@ void run_validate(const ValidateSettings& s) {
                       {"failed", failed},
                       {"seconds", seconds},
                       {"build", {{"version", build_info().version}, {"commit", build_info().commit}}}});
-  write_page(s.markdown, validation::validation_page(rows));
-  write_page(s.measurements, validation::measurements_page());
+  write_page(s.markdown, experiments::validation_page(rows));
+  write_page(s.measurements, experiments::measurements_page());
   if (failed > 0)
     throw Error(std::to_string(failed) + " of " + std::to_string(count) +
                 " cases are off by more than their tolerance: this build does not compute what it should.");
@@ -101,7 +101,7 @@ Command validate_command() {
            path("output.json", "--json", settings->json, "report for machines"),
            number("validate.tolerance_factor", "--tolerance_factor", settings->tolerance_factor, Range::between(0, 1),
                   "all tolerances times this, to see how near the cases are to them [1]"),
-           path("output.markdown", "--markdown", settings->markdown, "the same as a page of the documentation"),
+           path("output.markdown", "--markdown", settings->markdown, "the worst case of each form, as a page of the documentation"),
            path("output.measurements", "--measurements", settings->measurements,
                 "what published measurements predict, as a page of the documentation")},
           [settings] { run_validate(*settings); }};

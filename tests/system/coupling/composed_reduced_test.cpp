@@ -22,7 +22,7 @@ TEST(TwistedSpindle, LeavesTheLedgerClosed) {
         const Pose pose{rotation_from_vector({0, 0, twist * n * kTick}), kAside + Vec3(0, 0, kRadius - 1e-6 * n)};
         simulation.step(pose, {Vec3(0, 0, -1e-3), Vec3(0, 0, twist)}, kTick);
       }
-      EXPECT_LT(fixtures::unbooked(simulation.last_result().energy), 1e-5) << spin << ", twisted by " << twist;
+      EXPECT_LT(test::unbooked(simulation.last_result().energy), 1e-5) << spin << ", twisted by " << twist;
     }
 }
 

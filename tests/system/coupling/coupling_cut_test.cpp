@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/closed_forms.hpp"
 #include "hapticut/tool/motors.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/coupling.hpp"

@@ -94,7 +94,7 @@ TEST_P(DampedContact, IsStableAndPassiveUnderAHandThatStrikesRubsAndLeaves) {
     EXPECT_GT(energy.tool_work, 0) << at.str() << ": what the contact took in it has kept";
     EXPECT_LT(std::abs(energy.closure()), 1e-3) << at.str();
     EXPECT_LT(seen.greatest_imbalance, 1e-3 * energy.hand_work) << at.str();
-    EXPECT_LT(fixtures::unbooked(simulation.last_result().energy), 1e-5) << at.str();
+    EXPECT_LT(test::unbooked(simulation.last_result().energy), 1e-5) << at.str();
   }
 }
 
@@ -106,7 +106,7 @@ TEST_P(DampedContact, CutsWithAClosedLedger) {
   EXPECT_GT(simulation.removed_volume_by_material()[1], 1e-9);
   EXPECT_LT(seen.rebound, 0.5 * kApproach);
   EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
-  EXPECT_LT(fixtures::unbooked(simulation.last_result().energy), 1e-5);
+  EXPECT_LT(test::unbooked(simulation.last_result().energy), 1e-5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Coupling, DampedContact,

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "hapticut/bench/closed_loop.hpp"
+#include "hapticut/analysis/closed_loop.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"

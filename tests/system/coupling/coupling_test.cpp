@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/simulated/device_models.hpp"
 #include "hapticut/tool/catalogue.hpp"
@@ -33,7 +33,7 @@ TEST_P(AnyStiffness, LetsTheToolRestOnTheSurfaceWithoutJitter) {
   const double damper = gains.damping * coupling.last_result().velocity.linear.z();
   EXPECT_NEAR(pressed.rest_force, kPress - gains.stiffness * pressed.rest_penetration + damper, 1e-9);
   EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
-  EXPECT_LT(fixtures::unbooked(simulation.last_result().energy), 1e-5) << "finite turns of the anchor of friction";
+  EXPECT_LT(test::unbooked(simulation.last_result().energy), 1e-5) << "finite turns of the anchor of friction";
 }
 
 /// Stiffnesses of the contact at rest from 3e4 to 1e6 N/m.

@@ -6,9 +6,9 @@
 #include <map>
 #include <set>
 
-#include "hapticut/bench/scenes.hpp"
 #include "hapticut/core/units.hpp"
 #include "support/cutting.hpp"
+#include "support/scenes.hpp"
 
 namespace hapticut::changed_blocks_test {
 namespace {
@@ -36,7 +36,7 @@ std::set<VoxelIndex> listed(const ChangedBlocks& changed) { return {changed.orig
 
 TEST(ChangedBlocks, AreThoseWhoseVoxelsDiffer) {
   for (const char* name : {"axial_flat", "cone_layers"}) {
-    const Scene& scene = find_scene(name);
+    const test::Scene& scene = test::find_scene(name);
     Simulation simulation = scene.make();
     std::map<VoxelIndex, Fills> before = fills_of(simulation.workpiece());
     std::size_t changed = 0;
@@ -56,7 +56,7 @@ TEST(ChangedBlocks, AreThoseWhoseVoxelsDiffer) {
 }
 
 TEST(ChangedBlocks, AreNoneOfAStepThatIsRejectedOrCutsNothing) {
-  const Scene& scene = find_scene("axial_flat");
+  const test::Scene& scene = test::find_scene("axial_flat");
   Simulation simulation = scene.make();
   for (int tick = 0; tick < 60; ++tick) simulation.step(scene.input(tick).pose, scene.input(tick).velocity, 1e-3);
   ASSERT_FALSE(simulation.changed_blocks().origins.empty());
@@ -98,7 +98,7 @@ struct Counter final : StepObserver {
 };
 
 TEST(Simulation, CountsItsStepsAndTellsOfThemAndOfTheExchangesOfItsWorkpiece) {
-  const Scene& scene = find_scene("axial_flat");
+  const test::Scene& scene = test::find_scene("axial_flat");
   Simulation simulation = scene.make();
   Counter told;
   simulation.add_observer(told);

@@ -2,7 +2,7 @@
 // Chips in the presets of bone, and where they are too thin for single precision (docs/decisions/0010-chips.md).
 #include <gtest/gtest.h>
 
-#include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/closed_forms.hpp"
 #include "hapticut/tool/motors.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/cutting.hpp"

@@ -119,7 +119,7 @@ TEST(Contact, TheLedgerOfAPressThatIsLiftedOutIsClosed) {
   EXPECT_EQ(energy.elastic, 0) << "it is out again";
   EXPECT_LT(std::abs(energy.hand_work), 1e-3 * given);
   EXPECT_GT(energy.turnover, 1.99 * given);
-  EXPECT_LT(fixtures::unbooked(energy), 1e-5);
+  EXPECT_LT(test::unbooked(energy), 1e-5);
   EXPECT_EQ(energy.closure(), energy.imbalance() / energy.turnover);
 }
 

@@ -2,7 +2,7 @@
 // What a head presses harder than its strength is crushed, whether the spindle turns or not.
 #include <gtest/gtest.h>
 
-#include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/closed_forms.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/cutting.hpp"
 #include "support/fed_tool.hpp"
@@ -104,7 +104,7 @@ TEST(Crushing, C39AFlatHeadGoesDownAtItsStrength) {
         EXPECT_NEAR(mean / expected, 1, 0.01);
         EXPECT_LT(std::sqrt(square) / mean, 0.01);
         EXPECT_NEAR(press.energy().crushed / (kStrength * press.crushed()), 1, 0.01);
-        EXPECT_LT(fixtures::unbooked(press.energy()), 1e-6);
+        EXPECT_LT(test::unbooked(press.energy()), 1e-6);
         EXPECT_LT(std::abs(press.energy().entered), 1e-3 * press.energy().hand_work);
         EXPECT_EQ(press.energy().cutting, 0);
         EXPECT_TRUE(has_any(press.simulation.last_result().status, StepStatus::material_crushed));
@@ -126,7 +126,7 @@ TEST(Crushing, C40ABallGoesDownAtItsStrengthTimesItsArea) {
         EXPECT_NEAR(force / forms::cap_crushing_force(kStrength, w0, kRadius, at), 1, 0.02);
       }
       EXPECT_NEAR(press.energy().crushed / (kStrength * press.crushed()), 1, 0.02);
-      EXPECT_LT(fixtures::unbooked(press.energy()), 1e-6);
+      EXPECT_LT(test::unbooked(press.energy()), 1e-6);
     }
 }
 
@@ -242,7 +242,7 @@ TEST(Crushing, ATurningHeadBearsNoMoreThanAStandingOne) {
   EXPECT_LE(force, 1.02 * forms::flat_bottom_crushing_force(kStrength, kRadius));
   EXPECT_GT(press.energy().cutting, 0);
   EXPECT_GT(press.energy().crushed, 0);
-  EXPECT_LT(fixtures::unbooked(press.energy()), 1e-5);
+  EXPECT_LT(test::unbooked(press.energy()), 1e-5);
 }
 
 }  // namespace

@@ -3,13 +3,13 @@
 
 #include <bit>
 
-#include "hapticut/bench/scenes.hpp"
+#include "support/scenes.hpp"
 
 namespace hapticut::determinism_test {
 namespace {
 
 /// Every bit that a run of a scene produces: forces, torques, energies and the workpiece at the end.
-std::uint64_t run_hash(const Scene& scene, int steps) {
+std::uint64_t run_hash(const test::Scene& scene, int steps) {
   Simulation simulation = scene.make();
   std::uint64_t hash = 0;
   const auto mix = [&](double value) {
@@ -31,11 +31,11 @@ std::uint64_t run_hash(const Scene& scene, int steps) {
 }
 
 TEST(Determinism, TheSameInputGivesTheSameBitsInEveryScene) {
-  for (const Scene& scene : scenes()) EXPECT_EQ(run_hash(scene, 1500), run_hash(scene, 1500)) << scene.name;
+  for (const test::Scene& scene : test::scenes()) EXPECT_EQ(run_hash(scene, 1500), run_hash(scene, 1500)) << scene.name;
 }
 
 TEST(Determinism, ARestoredSnapshotAndAFreshWorkpieceContinueAlike) {
-  const Scene& scene = find_scene("axial_flat");
+  const test::Scene& scene = test::find_scene("axial_flat");
   const auto forces_of = [&](Simulation& simulation) {
     std::vector<Vec3> forces;
     for (int tick = 0; tick < 500; ++tick) {

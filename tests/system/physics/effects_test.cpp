@@ -2,7 +2,6 @@
 // Effects in the whole step: what the hand feels beside the model, and that the ledger does not see it.
 #include <gtest/gtest.h>
 
-#include "hapticut/bench/scenes.hpp"
 #include "hapticut/core/errors.hpp"
 #include "support/cutting.hpp"
 

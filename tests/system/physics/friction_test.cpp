@@ -90,7 +90,7 @@ TEST(Friction, OfAStandingBallIsTheDynamicRatioOfItsNormalForceAndActsAtTheConta
   EXPECT_NEAR(result.force.y() / normal, 0, kNormal);
   EXPECT_NEAR(result.torque.y() / (-expected.arm * result.force.x()), 1, kArm) << "arm: from the centre to the contact";
   EXPECT_EQ(result.removed_volume, 0);
-  EXPECT_LT(fixtures::unbooked(result.energy), kClosure);
+  EXPECT_LT(test::unbooked(result.energy), kClosure);
   EXPECT_GT(result.energy.sliding, 0);
   EXPECT_GT(result.energy.anchored, 0);
 }

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "hapticut/bench/scenes.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/heat/heat_collector.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/allocation_count.hpp"
 #include "support/laws.hpp"
+#include "support/scenes.hpp"
 
 namespace hapticut::no_allocation_test {
 namespace {
@@ -49,7 +49,7 @@ TEST(CallCounts, SeeEveryKindOfAllocationAndLock) {
 class NoAllocation : public testing::TestWithParam<std::string> {};
 
 TEST_P(NoAllocation, In10000StepsOfTheScene) {
-  const Scene& scene = find_scene(GetParam());
+  const test::Scene& scene = test::find_scene(GetParam());
   Simulation simulation = scene.make();
   std::vector<StepInput> inputs;
   for (int tick = 0; tick < kSteps; ++tick) inputs.push_back(scene.input(tick));
@@ -77,7 +77,7 @@ TEST_P(NoAllocation, In10000StepsOfTheScene) {
 }
 
 TEST(NoAllocation, WhileHeatAndChangedBlocksAreCollectedAndNobodyTakesThem) {
-  const Scene& scene = find_scene("axial_flat");
+  const test::Scene& scene = test::find_scene("axial_flat");
   Simulation simulation = scene.make();
   HeatCollectorOptions options;
   options.pulses = 100;
@@ -129,7 +129,7 @@ TEST(NoAllocation, WhileAnIslandLeavesBetweenSteps) {
 }
 
 TEST(NoAllocationOnBadInput, WhenTheInputIsRejectedOrThePoolIsExhausted) {
-  const Scene& scene = find_scene("deep_ball");
+  const test::Scene& scene = test::find_scene("deep_ball");
   Simulation simulation = scene.make();
   StepInput bad = scene.input(0);
   bad.pose.translation.x() = std::nan("");
@@ -196,7 +196,7 @@ TEST(NoAllocationOfAnyLaw, WhileItCuts) {
 
 std::vector<std::string> scene_names() {
   std::vector<std::string> names;
-  for (const Scene& scene : scenes()) names.push_back(scene.name);
+  for (const test::Scene& scene : test::scenes()) names.push_back(scene.name);
   return names;
 }
 

@@ -3,13 +3,13 @@
 // voxels (docs/decisions/0002-quadrature.md).
 #include <gtest/gtest.h>
 
-#include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/closed_forms.hpp"
 #include "support/static_contact.hpp"
 
 namespace hapticut::quadrature_test {
 namespace {
 
-using test::hold;
+using test::hold_well;
 using test::kStiffness;
 using units::mm;
 
@@ -69,7 +69,7 @@ ErrorConstants press(Surface surface, const Vec3& normal, double l) {
         upright ? test::box_at_phase(box, l, test::phase(n))
                 : build_body(body, l, test::materials_of_stiffness({1}), surface == Surface::binary ? 1 : 8),
         Tool(SphereHead{kRadius}), config);
-    const double force = hold(simulation, Vec3(on_surface + (kRadius - kDepth) * normal)).force.dot(normal);
+    const double force = hold_well(simulation, Vec3(on_surface + (kRadius - kDepth) * normal)).force.dot(normal);
     const double error = (force / kForce - 1) / std::pow(l / kDepth, surface == Surface::binary ? 1 : 2);
     sum += error;
     squares += error * error;

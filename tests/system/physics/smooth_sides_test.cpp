@@ -2,7 +2,7 @@
 // Smooth surfaces: the side of a drill in its own hole, a pin pushed against the wall, a path around an edge.
 #include <gtest/gtest.h>
 
-#include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/closed_forms.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/shank.hpp"
 #include "support/cutting.hpp"
@@ -69,7 +69,7 @@ TEST(SmoothSides, ADrillDeepInItsHoleFeelsItsPointOnly) {
       EXPECT_NEAR(fed.force_T.z() / expected.force.z(), 1, grid.tolerance);
       EXPECT_NEAR(fed.torque_T.z() / expected.torque.z(), 1, grid.tolerance);
       EXPECT_LT(fed.force_T.head<2>().norm(), 0.05 * expected.force.z());
-      EXPECT_LT(fixtures::unbooked(fed.energy), 1e-6);
+      EXPECT_LT(test::unbooked(fed.energy), 1e-6);
     }
 }
 

@@ -2,7 +2,7 @@
 // The motor: its torque, its power, and what a limit of it does to the cut.
 #include <gtest/gtest.h>
 
-#include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/simulation/status_sentences.hpp"
 #include "hapticut/tool/motors.hpp"
@@ -71,7 +71,7 @@ TEST(Spindle, APowerLimitSlowsItDownAndTheWorkStaysWithinIt) {
   EXPECT_TRUE(has_any(status, StepStatus::power_limited));
   EXPECT_LT(slowest, 0.5 * kSpin);
   EXPECT_LT(simulation.last_result().energy.motor_work, 1.003 * limit * ticks * 1e-3);
-  EXPECT_LT(fixtures::unbooked(simulation.last_result().energy), kClosure);
+  EXPECT_LT(test::unbooked(simulation.last_result().energy), kClosure);
 }
 
 TEST(Spindle, RecoversItsSpeedWhenTheToolIsLifted) {
@@ -210,7 +210,7 @@ TEST(Spindle, OfAnAirTurbineStallsUnderAPushAndRunsAgainWhenTheHandYields) {
         EXPECT_EQ(changes, 2) << "it does not alternate";
         EXPECT_LT(largest_jump, 0.01) << "[N] while it is held";
         EXPECT_NEAR(turned, spindle.speed, 1e-6 * kSpin);
-        EXPECT_LT(fixtures::unbooked(simulation.last_result().energy), kClosure);
+        EXPECT_LT(test::unbooked(simulation.last_result().energy), kClosure);
         EXPECT_TRUE(has_any(seen, StepStatus::spindle_stalled));
       }
 }
@@ -233,7 +233,7 @@ TEST(Spindle, StalledAndRubbedAlongItsSideHasTheTorqueOfTheMotorAlone) {
       EXPECT_LT(sign * result.spindle.torque, 1.02 * 1.5 * units::N_mm) << n;
     }
     EXPECT_GT(stalled, 100);
-    EXPECT_LT(fixtures::unbooked(simulation.last_result().energy), kClosure);
+    EXPECT_LT(test::unbooked(simulation.last_result().energy), kClosure);
   }
 }
 

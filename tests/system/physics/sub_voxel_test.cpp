@@ -38,8 +38,8 @@ TEST(SubVoxel, AProfilePressesAsTheShapeThatItDraws) {
     const auto force_of = [&](const ToolHead& head, double lowest) {
       Simulation simulation(
           build_block({Vec3(-1.63, -1.57, -1.2) * mm, Vec3(1.6, 1.6, 0) * mm}, kVoxel, plain_material()),
-          Tool(head, RayHandle{0}, Spindle{0}), fixtures::static_config());
-      return fixtures::hold(simulation, Pose::from_translation({0, 0, -0.36 * mm - lowest})).force.z();
+          Tool(head, RayHandle{0}, Spindle{0}), test::static_config());
+      return test::hold(simulation, Pose::from_translation({0, 0, -0.36 * mm - lowest})).force.z();
     };
     EXPECT_NEAR(force_of(c.profile, bottom) / force_of(c.shape, -c.tip), 1, 0.005);
   }

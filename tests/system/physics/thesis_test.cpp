@@ -25,7 +25,7 @@ TEST(ThesisLaw, SpinTorqueIsLambdaTimesTheNormalForcesAndTheRadius) {
     Simulation simulation(
         test::box_at_phase({Vec3(-1.2, -1.2, -0.8) * mm, Vec3(1.2, 1.2, 0) * mm}, 0.1 * mm, Vec3::Zero()),
         Tool(FlatHead{1 * mm, 2 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{spin * units::rad_per_s}), config);
-    const StepResult& result = test::hold(simulation, Vec3(0, 0, -0.5 * mm));
+    const StepResult& result = test::hold_well(simulation, Vec3(0, 0, -0.5 * mm));
     // All normal forces of the bottom are along the axis, so their sum is the force.
     EXPECT_NEAR(result.torque.z() / (-std::copysign(0.2 * 10 * 1 * mm * result.force.z(), spin)), 1, kSinglePrecision);
   }
@@ -40,7 +40,7 @@ TEST(ThesisLaw, ForceFollowsTheStiffnessOfEachVoxel) {
                                              Vec3::Zero(), test::materials_of_stiffness({left, right}),
                                              [](const Vec3& p) { return MaterialId(p.x() < 0 ? 1 : 2); }),
                           Tool(SphereHead{1 * mm}), config);
-    return test::hold(simulation, Vec3(0, 0, 0.6 * mm)).force;
+    return test::hold_well(simulation, Vec3(0, 0, 0.6 * mm)).force;
   };
   const Vec3 equal = layered(0.5, 0.5), unequal = layered(0.3, 0.7);
   EXPECT_NEAR(unequal.z() / equal.z(), 1, kSinglePrecision) << "the halves weigh alike";

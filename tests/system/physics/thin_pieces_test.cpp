@@ -2,7 +2,7 @@
 // Cuts that leave or meet pieces thinner than a voxel: sheets, and grooves that cross.
 #include <gtest/gtest.h>
 
-#include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/closed_forms.hpp"
 #include "support/cutting.hpp"
 #include "support/fed_tool.hpp"
 
@@ -41,7 +41,7 @@ TEST(ThinPieces, ASheetThinnerThanAVoxelCostsWhatItsVolumeDoes) {
       SCOPED_TRACE(std::to_string(thickness / mm) + " mm at " + std::to_string(tilt) + " deg");
       EXPECT_NEAR(energy.motor_work / (3e8 * volume), 1, 0.01);
       EXPECT_NEAR(energy.hand_work / (thrust * thickness), 1, 0.02);
-      EXPECT_LT(fixtures::unbooked(energy), 1e-6);
+      EXPECT_LT(test::unbooked(energy), 1e-6);
       EXPECT_EQ(simulation.workpiece().material_at({0, 0, 0}), kEmpty);
     }
 }
@@ -78,7 +78,7 @@ TEST(ThinPieces, CrossingGroovesTakeAwayTheUnionOfTheirSweeps) {
         expected += cell * cell * std::max(depth_at(x, y), depth_at(y, x));
     SCOPED_TRACE(std::to_string(angle) + " deg");
     EXPECT_NEAR(removed / expected, 1, 0.02);
-    EXPECT_LT(fixtures::unbooked(simulation.last_result().energy), 1e-6);
+    EXPECT_LT(test::unbooked(simulation.last_result().energy), 1e-6);
   }
 }
 

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include "hapticut/bench/scenes.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/force/laws/thesis.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "support/cutting.hpp"
 #include "support/random_pose.hpp"
+#include "support/scenes.hpp"
 
 namespace hapticut::worst_case_test {
 namespace {
@@ -147,7 +147,7 @@ TEST(StageTimes, AreMeasuredOnlyWhenAskedFor) {
 }
 
 TEST(PageFaults, DoNotHappenInTheStepAfterSetUp) {
-  for (const Scene& scene : scenes()) {
+  for (const test::Scene& scene : test::scenes()) {
     std::vector<StepInput> inputs;
     for (int tick = 0; tick < 2000; ++tick) inputs.push_back(scene.input(tick));
     // One simulation touches the pages of the program; it lives on, so that the other gets memory of its own.

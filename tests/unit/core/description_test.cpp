@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "hapticut/bench/fault_bench.hpp"
+#include "hapticut/analysis/faults.hpp"
 #include "hapticut/build/volume_builders.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/force_dimension.hpp"

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "hapticut/bench/closed_loop.hpp"
+#include "hapticut/analysis/closed_loop.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "support/written_device.hpp"

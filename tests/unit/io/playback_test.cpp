@@ -30,7 +30,7 @@ bool same(const DeviceState& a, const DeviceState& b) {
 TEST(Playback, GivesTheReadingsOfARecordedDeviceAgain) {
   const TemporaryFolder folder;
   const auto device = open_device("mock:spiral,seconds=3,hand=nominal");
-  Simulation simulation = find_scene("axial_flat").make();
+  Simulation simulation = test::find_scene("axial_flat").make();
   RecorderOptions options = test::patient();
   options.device = device->name();
   options.capabilities = device->capabilities();
@@ -69,7 +69,7 @@ TEST(Playback, GivesTheReadingsOfARecordedDeviceAgain) {
 // It gave one reading: all the others were the same nothing.
 TEST(Playback, OfADeviceThatWasOnlyNamedGivesThePosesOfTheHandle) {
   const TemporaryFolder folder;
-  Simulation simulation = find_scene("axial_flat").make();
+  Simulation simulation = test::find_scene("axial_flat").make();
   RecorderOptions options = test::patient();
   options.device = "a device";
   Recorder recorder(folder / "a.h5", simulation, options);
@@ -91,7 +91,7 @@ TEST(Playback, OfADeviceThatWasOnlyNamedGivesThePosesOfTheHandle) {
 
 TEST(Playback, RepeatsAReadingThatCameAgainButNotThePartsOfATick) {
   const TemporaryFolder folder;
-  Simulation simulation = find_scene("axial_flat").make();
+  Simulation simulation = test::find_scene("axial_flat").make();
   RecorderOptions options = test::patient();
   options.device = "a device";
   options.capabilities.model = "of the tests";
@@ -138,7 +138,7 @@ TEST(Playback, PlaysAPartOfARecording) {
             return DeviceCommand{};
           },
           in_simulated_time());
-  EXPECT_EQ(first, find_scene("axial_flat").input(50).pose.translation.z());
+  EXPECT_EQ(first, test::find_scene("axial_flat").input(50).pose.translation.z());
 }
 
 TEST(Playback, OfARecordingWithoutADeviceGivesThePosesOfTheHandle) {
@@ -147,7 +147,7 @@ TEST(Playback, OfARecordingWithoutADeviceGivesThePosesOfTheHandle) {
   const auto playback = open_playback(folder / "a.h5");
   EXPECT_EQ(playback->size(), 200U);
   EXPECT_EQ(playback->capabilities().output_degrees_of_freedom, 0);
-  const Scene& scene = find_scene("axial_flat");
+  const test::Scene& scene = test::find_scene("axial_flat");
   int tick = 0;
   (void)playback->run(
       [&](const DeviceState& state) {

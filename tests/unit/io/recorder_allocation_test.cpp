@@ -11,7 +11,7 @@ namespace {
 TEST(RecorderStep, AllocatesNothingAndTakesNoLock) {
   const test::TemporaryFolder folder;
   for (const std::size_t steps : {std::size_t(16), std::size_t(8192)}) {  // with and without room
-    const Scene& scene = find_scene("axial_flat");
+    const test::Scene& scene = test::find_scene("axial_flat");
     Simulation simulation = scene.make();
     RecorderOptions options;
     options.device = "a device";

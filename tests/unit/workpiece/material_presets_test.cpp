@@ -9,7 +9,7 @@
 #include <map>
 #include <sstream>
 
-#include "hapticut/bench/closed_forms.hpp"
+#include "hapticut/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/force/stiffness.hpp"

@@ -8,7 +8,8 @@
 #include "hapticut/core/device_state.hpp"
 
 /// @file
-/// Mechanical models of devices and of the hand that holds them, for the mock device and the closed-loop bench.
+/// Mechanical models of devices and of the hand that holds them, for the mock device and the closed loop in simulated
+/// time.
 namespace hapticut {
 
 /// A device as mechanics sees it, the same along every axis: an apparent mass at the tip with viscous and dry friction,

@@ -29,7 +29,7 @@ constexpr auto fields_of(Of<PlantOptions>) {
   };
 }
 
-/// A device in a hand, moved by the force it renders: the mechanics of the closed-loop bench and of the mock device.
+/// A device in a hand, moved by the force it renders: the mechanics of `ClosedLoop` and of the mock device.
 ///
 /// Per axis, with x the tip, x_h the hand and x_0 the set point that the hand wants to reach:
 ///

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <functional>
+
+#include "hapticut/device/simulated/plant.hpp"
+
+/// @file
+/// The closed loop of a device, the hand that holds it and the model that computes the force, in simulated time.
+namespace hapticut {
+
+/// What is tested: from a reading of the device to the wrench that it shall render until the next reading.
+using ForceModel = std::function<Wrench(const DeviceState&)>;
+
+/// A virtual wall that fills z < `height`: `F = -K p - B p'` along z with p the penetration, never pulling.
+/// The reference model, for which stability limits are known in closed form.
+struct LinearWall {
+  double stiffness = 0;   ///< [N/m] K
+  double damping = 0;     ///< [N·s/m] B, on the backward difference of the position
+  double filter = 0;      ///< [Hz] cut-off of the low-pass behind that difference; 0: none
+  bool one_sided = true;  ///< false: it also pulls, so that it is linear
+  double height = 0;      ///< [m]
+
+  Wrench operator()(const DeviceState& state);
+
+ private:
+  double last_ = 0, last_time_ = 0, speed_ = 0;
+  bool started_ = false;
+};
+
+/// What the loop is made of.
+struct ClosedLoopConfig {
+  DeviceModel device;
+  HandModel hand;
+  int delay = 0;               ///< [ticks] >= 0, <= 8, between a force and the tick that applies it, beyond the hold
+  double period = 1e-3;        ///< [s]
+  bool dry_friction = false;   ///< Coulomb friction of the device
+  bool encoder = false;        ///< positions in steps of the encoder
+  bool saturation = false;     ///< the device renders no more than its peak force
+  bool rotation = false;       ///< the gimbal turns under torque
+  double velocity_filter = 0;  ///< [Hz] of the velocity in the readings, as drivers have one; 0: plain difference
+};
+
+/// The loop: read, compute, hold the force for one period, and so on. Deterministic; knows no clock.
+class ClosedLoop {
+ public:
+  /// @throws Error when a number is out of range
+  explicit ClosedLoop(const ClosedLoopConfig& config);
+
+  /// At rest at a pose, with no force under way.
+  void reset(const Pose& X_BS);
+
+  /// What the device reads now.
+  [[nodiscard]] const DeviceState& read();
+
+  /// Accepts the wrench for the last reading, and moves device and hand by one period.
+  void write(const Wrench& wrench);
+
+  /// The same in fine steps, after each of which the observer is called, for events within a tick.
+  void write(const Wrench& wrench, const std::function<void(const Plant&, const Wrench& applied)>& observer);
+
+  /// A tick without a word from the model: the device holds the last wrench, or the share of it that a watchdog allows.
+  void miss_tick(double scale = 1);
+
+  void tick(const ForceModel& model) { write(model(read())); }
+
+  [[nodiscard]] Plant& plant() { return plant_; }
+  [[nodiscard]] const Plant& plant() const { return plant_; }
+  [[nodiscard]] const ClosedLoopConfig& config() const { return config_; }
+  [[nodiscard]] const Wrench& applied() const { return applied_; }  ///< during the last period
+
+  /// [J] that the rendered force has put into device and hand since the reset; exact, because the force is held:
+  /// `E += F(n) (x(n+1) - x(n)) + tau(n) log(R(n+1) R(n)^T)`.
+  [[nodiscard]] double generated_energy() const { return generated_energy_; }
+
+  /// [J] that the viscous friction of the device alone has taken since the reset.
+  [[nodiscard]] double device_dissipation() const { return device_dissipation_; }
+
+ private:
+  void take(const Wrench& wrench);
+  template <typename Motion>
+  void advance(const Motion& motion);
+
+  ClosedLoopConfig config_;
+  Plant plant_;
+  static constexpr int kLongestDelay = 8;
+  std::array<Wrench, kLongestDelay> under_way_;
+  int next_ = 0;
+  Wrench applied_, written_;
+  DeviceState state_;
+  Twist smooth_velocity_;
+  Pose X_BS_read_;
+  bool started_ = false;
+  double time_ = 0, generated_energy_ = 0, device_dissipation_ = 0;
+};
+
+}  // namespace hapticut

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "experiments/checks.hpp"
+#include "support/static_contact.hpp"
+
+/// @file
+/// A standing head in a workpiece whose grid is misaligned with it, and how the error of what it feels falls with the
+/// voxel size.
+namespace hapticut::experiments {
+
+using test::box_at_phase;
+using test::half_space;
+using test::hold_well;
+using test::kPhases;
+using test::MaterialAt;
+using test::materials_of_stiffness;
+using test::phase;
+
+/// Errors at three sizes, each half of the one before: of voxels, or of whatever else is refined.
+struct Convergence {
+  std::array<double, 3> size;   // [m]
+  std::array<double, 3> error;  // [1] relative, root mean square over the grid phases
+
+  /// p of error ~ size^p, from the coarsest to the finest.
+  [[nodiscard]] double order() const;
+};
+
+/// @param relative_error  of one voxel size [m] and phase
+[[nodiscard]] Convergence converge(double coarsest, const std::function<double(double, const Vec3&)>& relative_error);
+
+/// The bound `constant * (l / length)^2`.
+[[nodiscard]] std::function<double(double)> second_order(double constant, double length);
+
+/// Orders of root mean squares over twelve phases are known to about 0.2.
+inline constexpr Tolerance kOrder = {0.15, "of twelve phases"};
+inline constexpr double kSecondOrder = 2;  ///< [1]
+inline constexpr double kRimOrder = 1.5;   ///< [1] of lattice points in a disk
+inline constexpr Tolerance kOfRimOrder = {1.0 / 6, "of twelve phases"};
+
+/// What must stay below a bound: the largest of all over it.
+struct Largest {
+  double of_bound = 0;  // [1]
+
+  void add(double value, double bound);
+  [[nodiscard]] Check check(const std::string& id, const std::string& what, const char* reason) const;
+};
+
+/// Several cases of one closed form: the largest error over what is predicted for its voxel size, and the least order.
+class Refined {
+ public:
+  /// @param reason  what the bound of the error is made of
+  Refined(std::string id, std::string what, double order, const char* reason, Tolerance of_order = kOrder);
+
+  /// @param bound  [1] of the relative error, for a size [m]
+  void add(const Convergence& c, const std::function<double(double)>& bound);
+  void append_to(std::vector<Check>& checks) const;
+
+ private:
+  std::string id_, what_;
+  double order_;
+  const char* reason_;
+  Tolerance of_order_;
+  Largest worst_;
+  double least_order_ = 1e9;
+};
+
+}  // namespace hapticut::experiments

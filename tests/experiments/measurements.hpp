@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "hapticut/core/units.hpp"
+#include "hapticut/force/calibration.hpp"
+#include "hapticut/simulation/simulation.hpp"
+
+/// @file
+/// Measurements that others published: constants calibrated on them, and what the model then predicts elsewhere.
+namespace hapticut::experiments {
+
+/// A drilling test of Orelaja, Wang et al. 2020 (J Healthc Eng 8817422, Table 6): mean largest thrust and torque.
+struct PublishedDrilling {
+  const char* id;  ///< of the rows of thrust and torque
+  const char* material;
+  double thrust;  ///< [N]
+  double torque;  ///< [N·m]
+
+  static constexpr double kRadius = 1.25 * units::mm;
+  static constexpr AngularSpeed kSpeed = 1000 * units::rpm;
+  /// [m] The source's table has no feed. What follows from thrust and torque alone (kappa, and all predictions for the
+  /// same feed per turn) does not depend on it; u is inversely proportional to it.
+  static constexpr double kFeedPerTurn = 0.1 * units::mm;
+
+  [[nodiscard]] DrillingTest test() const {
+    return {kRadius, kSpeed, kFeedPerTurn * kSpeed / (2 * units::kPi), thrust, torque};
+  }
+  [[nodiscard]] Calibration constants() const {
+    const DrillingTest one = test();
+    return calibrate({&one, 1}, ChipTerm::edge_pressure);  // which one test does not tell: none
+  }
+};
+
+inline constexpr std::array<PublishedDrilling, 3> kPublishedDrillings = {
+    {{"B1a, B1d", "bovine bone", 20.07, 41.2 * units::N_mm},
+     {"B1b, B1e", "porcine bone", 11.25, 37.0 * units::N_mm},
+     {"B1c, B1f", "artificial bone", 5.62, 13.6 * units::N_mm}}};
+
+/// Enamel under a diamond bur (DC4: Fais et al. 2010, Braz J Oral Sci 9:39). The source gives mass, time and load; bur
+/// and speed are those of a usual high-speed handpiece, and kappa is the preset's: assumptions.
+struct DiamondBur {
+  static constexpr double kRadius = 0.6 * units::mm;
+  static constexpr double kSpeed = 300000 * units::rpm;
+  static constexpr double kCuttingRatio = 0.5;
+  static constexpr double kLoad = 0.065 * 9.80665;                    ///< [N] middle of 50 ... 80 g
+  static constexpr double kRemoval = 0.1117e-3 / 2950 / (12.0 * 60);  ///< [m^3/s]
+
+  /// [W] what the side of the bur spends under a load.
+  [[nodiscard]] static constexpr double power(double load) { return kCuttingRatio * load * kSpeed * kRadius; }
+  /// [J/m^3] u of enamel with this bur.
+  [[nodiscard]] static constexpr double energy() { return power(kLoad) / kRemoval; }
+  /// A plate of enamel whose edge the side of the bur wears down, in the library: 0.3 mm thick, 1 mm of the bur long.
+  class Plate {
+   public:
+    static constexpr double kArea = 0.3 * 1e-6;  ///< [m^2] of contact
+
+    /// @param layer  [m] of material that is engaged at the removal of DC4
+    Plate(const Material& material, double layer);
+    /// [N] against the feed.
+    [[nodiscard]] double load_at(double removal);
+    /// [m^3/s] under a constant load of the hand.
+    [[nodiscard]] double removal_under(double load);
+
+   private:
+    const StepResult& feed_to(double depth);
+
+    Simulation simulation_;
+  };
+};
+
+/// A carbide bur at high speed, pushed along its axis into tooth (DC9: White 1998, Proc SPIE 3248). The source gives
+/// the rates; load, blades and the speed under load are those of a usual handpiece: assumptions.
+struct CarbideBur {
+  static constexpr double kRadius = 0.42 * units::mm;
+  static constexpr double kSpeed = 250000 * units::rpm;
+  static constexpr double kLoad = 0.98;                   ///< [N]
+  static constexpr double kInEnamel = 0.273 * units::mm;  ///< [m/s]
+  static constexpr double kInDentin = 0.493 * units::mm;  ///< [m/s]
+  static constexpr double kScatter = 0.17;                ///< [1] of the rate in enamel, as the source gives it
+
+  /// [m/s] by C36.
+  [[nodiscard]] static double rate_of(double load, const Material& material);
+  /// [m/s] in the library.
+  [[nodiscard]] static double rate_under(double load, const Material& material);
+};
+
+/// The page docs/measurements.md.
+[[nodiscard]] std::string measurements_page();
+
+}  // namespace hapticut::experiments

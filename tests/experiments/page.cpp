@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/page.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+
+namespace hapticut::experiments {
+namespace {
+
+std::string percent(double share, int count) { return digits(100 * share, count) + " %"; }
+
+/// The number that an id begins with: "C20" of "C20 thrust", "DC4" of "DC4 half"; empty where there is none.
+std::string form_of(const std::string& id) {
+  const std::string word = id.substr(0, id.find(' '));
+  const std::size_t digit = word.find_first_of("0123456789");
+  return digit == 1 || (digit == 2 && word.starts_with("DC")) ? word : "";
+}
+
+bool is_order(const Check& check) { return check.id.ends_with(" order"); }
+
+/// The cases of one form in one experiment.
+struct Cases {
+  std::string form;
+  std::vector<const Check*> all;
+
+  /// The one that is nearest to its tolerance, or furthest beyond it.
+  [[nodiscard]] const Check* worst(bool of_orders) const {
+    const Check* found = nullptr;
+    for (const Check* check : all)
+      if (is_order(*check) == of_orders && (found == nullptr || !(check->of_tolerance() <= found->of_tolerance())))
+        found = check;
+    return found;
+  }
+  [[nodiscard]] std::string row(const std::string& experiment) const {
+    const Check &worst_one = *worst(false), *order = worst(true);
+    std::string names;
+    for (const Check* check : all) {
+      if (is_order(*check)) continue;
+      const std::string name =
+          check->id.size() > form.size() + 1 && !form.empty() ? check->id.substr(form.size() + 1) : check->id;
+      const char* mark = check == &worst_one && all.size() > 1 ? "**" : "";
+      names += (names.empty() ? mark : std::string("; ") + mark) + name + mark;
+    }
+    const bool pass = std::all_of(all.begin(), all.end(), [](const Check* check) { return check->pass(); });
+    return "| " + experiment + " | " + form + " | " + all.front()->what + " | " + names + " | " +
+           percent(worst_one.relative_error(), 2) + (pass ? "" : " **FAIL**") + " | " +
+           percent(worst_one.tolerance.share, 3) + " | " + worst_one.tolerance.reason + " | " +
+           (order == nullptr ? "" : digits(order->computed) + " of " + digits(order->expected)) + " |\n";
+  }
+};
+
+}  // namespace
+
+std::string digits(double value, int count) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", count, value);
+  return text.data();
+}
+
+std::string rows_of(const std::string& experiment, const std::vector<Check>& checks) {
+  std::vector<Cases> forms;
+  for (const Check& check : checks) {
+    const std::string form = form_of(check.id);
+    auto found = std::find_if(forms.begin(), forms.end(), [&](const Cases& cases) { return cases.form == form; });
+    if (found == forms.end()) found = forms.insert(forms.end(), {form, {}});
+    found->all.push_back(&check);
+  }
+  std::string rows;
+  for (const Cases& cases : forms) rows += cases.row(experiment);
+  return rows;
+}
+
+std::string validation_page(const std::string& rows) {
+  return R"(<!-- SPDX-License-Identifier: Apache-2.0 -->
+# Validation
+
+How far the library is off each closed form, how far it may be, and why: a row for each form of an experiment, with its first case in
+words, the names of all its cases, the worst in bold, the error of that one, and the order in which errors fall with the voxels, "of"
+what is expected. Written by `hapticut validate --markdown docs/validation.md`, which prints every case with what the form gives and
+what the library gives, and so does `--json`; `--only` takes the name of an experiment. Each is a test of the library too. The formulas
+are in [model.md](model.md). C20 ... C34 are for a constant energy, which no preset of blades or drills has: with theirs
+hold C35 ... C38 and C42. "grid" and "pushed" are the worst of 7 directions of the grid and 3 or more stiffnesses; an error "over its
+bound" is the worst of all cases, places in the grid and voxel sizes, and 100 % of the bound, which the reason names.
+
+| experiment | form | first case | cases | error | tolerance | reason | order |
+|---|---|---|---|---|---|---|---|
+)" + rows;
+}
+
+}  // namespace hapticut::experiments

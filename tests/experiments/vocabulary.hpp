@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "experiments/checks.hpp"
+#include "experiments/tolerances.hpp"
+#include "hapticut/closed_forms.hpp"
+#include "hapticut/core/units.hpp"
+#include "support/cutting.hpp"
+#include "support/static_contact.hpp"
+
+/// @file
+/// The words of the experiments: a head held still in a half space, or fed along a line through a block.
+namespace hapticut::experiments {
+
+namespace forms = closed_forms;
+using test::feed;
+using test::hold;
+using test::kStiffness;
+using test::plain_material;
+using test::static_config;
+using test::SteadyState;
+using units::deg;
+using units::kPi;
+using units::mm;
+
+inline constexpr double kR = 1 * mm;   // [m] of the heads, where nothing else is said
+inline constexpr double kTick = 1e-3;  // [s]
+
+}  // namespace hapticut::experiments

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "hapticut/simulation/simulation.hpp"
+
+/// @file
+/// Named fixed scenes, shared by tests and benchmarks: the same numbers everywhere.
+namespace hapticut::test {
+
+/// A workpiece, a tool and a motion.
+struct Scene {
+  std::string name;
+  std::string description;                   ///< one sentence
+  std::function<Simulation()> make;          ///< builds it anew each time
+  std::function<StepInput(int tick)> input;  ///< what the hand does in step `tick` = 0, 1, 2 ...; endless
+};
+
+/// All scenes, in a fixed order.
+[[nodiscard]] const std::vector<Scene>& scenes();
+
+/// @throws Error when no scene has that name; the message lists the names
+[[nodiscard]] const Scene& find_scene(const std::string& name);
+
+}  // namespace hapticut::test
