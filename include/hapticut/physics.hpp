@@ -4,7 +4,8 @@
 /// @file
 /// Component `physics`, target hapticut::physics: the arithmetic of the force for programs that bring voxels of their
 /// own. The samples of a block, the laws on them, what a cut takes away, their resultant, friction, the handle, the
-/// spindle, effects. Headers that need Eigen and nothing else; nothing of ours is linked.
+/// spindle, effects. Headers that need Eigen and nothing else; nothing of ours is linked. What they give on paper is in
+/// closed_forms.hpp.
 ///
 ///     sample_contact -> ForceLaw::evaluate -> sum_resultant -> find_changes         block by block
 ///

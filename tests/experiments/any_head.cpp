@@ -61,10 +61,7 @@ std::vector<Check> section() {
       else
         smooth.add(errors, second_order(0.7, depth));
     }
-  std::vector<Check> checks;
-  smooth.append_to(checks);
-  rimmed.append_to(checks);
-  return checks;
+  return joined({smooth.checks(), rimmed.checks()});
 }
 
 SimulationConfig swept() {
@@ -109,9 +106,7 @@ std::vector<Check> closed_path() {
   for (const HeadCase& c : heads())
     work.add(converge(0.2 * mm, [&](double l, const Vec3& phase) { return work_around_an_edge(c, l, phase); }),
              second_order(1.2e-4, 0.05 * mm));
-  std::vector<Check> checks;
-  work.append_to(checks);
-  return checks;
+  return work.checks();
 }
 
 // C19 is an identity of what is computed, not of its limit: it holds to rounding on every grid.

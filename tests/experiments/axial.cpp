@@ -6,7 +6,7 @@
 #include <string>
 
 #include "experiments/convergence.hpp"
-#include "experiments/vocabulary.hpp"
+#include "experiments/steady_cuts.hpp"
 #include "hapticut/tool/catalogue.hpp"
 
 namespace hapticut::experiments {
@@ -32,7 +32,9 @@ struct Axial {
     return {material.specific_cutting_energy, material.cutting_ratio, kAxialSpin, feed_speed, material.edge_pressure};
   }
   [[nodiscard]] double thrust() const { return forms::axial_cutting_force_of_a_flat_head(form(), kR); }
-  [[nodiscard]] double torque() const { return forms::axial_cutting_torque_of_a_flat_head(form(), kR); }
+  [[nodiscard]] Wrench wrench() const {
+    return {Vec3(0, 0, thrust()), Vec3(0, 0, forms::axial_cutting_torque_of_a_flat_head(form(), kR))};
+  }
 
   /// The block's grid is misaligned with the tool's axis and its top face on purpose.
   [[nodiscard]] Simulation simulation() const {
@@ -61,9 +63,7 @@ Axial axial_with_layer(double layer) {
 std::vector<Check> axial_constant_energy() {
   const Axial cut = axial_with_layer(kLayer);
   const SteadyState s = cut.run();
-  std::vector<Check> checks = {
-      {"C20 thrust", "flat head fed axially, law A", "N", cut.thrust(), s.force.z(), kThinnest},
-      {"C20 torque", "its torque", "N m", cut.torque(), s.torque.z(), kThinnest},
+  const std::vector<Check> others = {
       {"C20 aside", "its force across the axis", "N", 0, s.force.head<2>().cwiseAbs().maxCoeff(), kThinnest,
        s.force.z()},
       {"C30", "power of motor and hand over the cutting energy of the removed volume", "J",
@@ -81,13 +81,14 @@ std::vector<Check> axial_constant_energy() {
   Convergence c = {{kR / 10, kR / 20, kLayer}, {0, 0, error(s.force.z(), cut.thrust())}};
   for (std::size_t n = 0; n < 2; ++n) c.error[n] = error(axial_with_layer(c.size[n]).run().force.z(), cut.thrust());
   thinner.add(c, [](double layer) { return 0.6 * layer / kR; });
-  thinner.append_to(checks);
-  return checks;
+  return joined(
+      {compared("C20", "flat head fed axially, law A", cut.wrench(), s, kThinnest), others, thinner.checks()});
 }
 
 /// What the cut costs and removes does not hang on voxels, steps and places.
 std::vector<Check> axial_invariance(FlatRule rule) {
-  constexpr Tolerance kHalved = {0.01, "two voxels to a layer"};
+  constexpr Tolerance kHalved = {0.01, "two voxels to a layer"}, kPlaced = {0.02, "slip of voxels on the axis"},
+                      kLastOfVoxels = {1e-3, "last thousandth of a voxel"};
   const bool nearest = rule == FlatRule::nearest;
   const auto id = [nearest](const char* of) { return std::string(of) + (nearest ? " nearest" : ""); };
   Axial cut;
@@ -117,21 +118,14 @@ std::vector<Check> axial_invariance(FlatRule rule) {
           {id("invariance dt"), "thrust of C20 with steps of 0.1 instead of 1 ms", "N", slow.force.z(), fast.force.z(),
            kInvariant},
           {id("invariance dt, volume"), "its volume", "m^3", slow.removed_volume, fast.removed_volume, kInvariant},
-          {id("invariance place"),
-           "greatest over least thrust of C20 at four places in the grid",
-           "1",
-           1,
-           high / low,
-           {0.02, "slip of voxels on the axis"}},
+          {id("invariance place"), "greatest over least thrust of C20 at four places in the grid", "1", 1, high / low,
+           kPlaced},
           {id("C30 volume"), "cutting energy over u times the removed volume", "1", 1,
            slow.energy.cutting / (cut.material.specific_cutting_energy * slow.removed_volume), kSinglePrecision},
-          {id("C30 power"),
-           "what hand and motor paid and is not stored, over the cutting energy",
-           "1",
-           1,
+          {id("C30 power"), "what hand and motor paid and is not stored, over the cutting energy", "1", 1,
            (slow.energy.hand_work + slow.energy.motor_work - slow.energy.elastic - slow.energy.released) /
                slow.energy.cutting,
-           {1e-3, "last thousandth of a voxel"}}};
+           kLastOfVoxels}};
 }
 
 /// With an edge and a damper, by both laws of removal.
@@ -164,12 +158,9 @@ std::vector<Check> axial_nearest() {
     return 1 - cut.run().force.z() / cut.thrust();
   };
   const double thick = error(2.5e13), thin = error(1e14);
-  return {{"C20 nearest",
-           "rule nearest: error of the thrust over that with half the layer",
-           "1",
-           2.4,
-           thin > 0 ? thick / thin : 0,
-           {0.25, "between layer and its square"}}};
+  constexpr Tolerance kHalved = {0.25, "between layer and its square"};
+  return {{"C20 nearest", "rule nearest: error of the thrust over that with half the layer", "1", 2.4,
+           thin > 0 ? thick / thin : 0, kHalved}};
 }
 
 std::vector<Check> axial_elastic_release() {
@@ -190,15 +181,9 @@ std::vector<Check> axial_edge_pressure() {
   stopped.material.edge_pressure = 1e9;
   const SteadyState below = stopped.run();
   const double rubbed = below.energy.rubbing > 0 ? 0 : 1;
-  return {{"C22 thrust", "flat head fed axially, with edge pressure", "N", cut.thrust(), s.force.z(), kThinnest},
-          {"C22 torque", "its torque", "N m", cut.torque(), s.torque.z(), kThinnest},
-          {"C23 below",
-           "below the edge pressure nothing is cut and work is rubbed: volume",
-           "m^3",
-           0,
-           below.removed_volume + rubbed,
-           {0, "nothing"},
-           1}};
+  return joined({compared("C22", "flat head fed axially, with edge pressure", cut.wrench(), s, kThinnest),
+                 {error_of("C23 below", "below the edge pressure nothing is cut and work is rubbed: volume",
+                           below.removed_volume + rubbed, {0, "nothing"}, "m^3")}});
 }
 
 /// So slow that the edge carries nineteen parts of twenty.
@@ -214,21 +199,16 @@ std::vector<Check> axial_edge_dominated() {
            kThinLayer}};
 }
 
-/// [m/s] The feed that a hand finds that pushes with a constant force: its speed grows until the cut pushes back as
-/// much.
-double feed_under(double hand, const Axial& cut) {
+/// [m/s] The feed under a constant force of the hand.
+/// @param expected  [m/s]
+double feed_under(double hand, const Axial& cut, double expected) {
   Simulation simulation = cut.simulation();
-  // [N s/m] heavy enough not to follow the ripple of single voxels, light enough to settle within 0.1 s
-  const double inertia = 0.02 * cut.thrust() / kAxialFeed;
-  double depth = 0, speed = kAxialFeed, sum = 0;
-  int counted = 0;
-  while (depth < cut.travel) {
-    depth += speed * kTick;
-    const StepResult& result = simulation.step(Pose::from_translation(cut.axis - Vec3(0, 0, depth)), {}, kTick);
-    speed = std::max(0.0, speed + (hand - result.force.z()) / inertia * kTick);
-    if (depth > 0.5 * cut.travel) sum += speed, ++counted;
-  }
-  return sum / counted;
+  const int steps = int(cut.travel / (expected * kTick));
+  // Light enough to settle within 0.1 s.
+  const Hand pushing = {hand, 0.02 * cut.thrust() / kAxialFeed, steps, steps / 2, kAxialFeed};
+  return pushing.mean_speed([&](double depth, double /*speed*/) {
+    return simulation.step(Pose::from_translation(cut.axis - Vec3(0, 0, depth)), {}, kTick).force.z();
+  });
 }
 
 std::vector<Check> constant_hand_force() {
@@ -238,10 +218,11 @@ std::vector<Check> constant_hand_force() {
   std::vector<Check> checks;
   for (const double share : {0.5, 1.0}) {
     const double hand = edge + share * (cut.thrust() - edge);
+    const double expected = forms::feed_of_a_flat_head_under(hand, cut.form(), kR);
     checks.push_back(
         {share < 1 ? "C23 half" : "C23",
          share < 1 ? "the same with half of what is above the edges" : "feed speed under a constant force of the hand",
-         "m/s", forms::feed_of_a_flat_head_under(hand, cut.form(), kR), feed_under(hand, cut), kOfThinLayer});
+         "m/s", expected, feed_under(hand, cut, expected), kOfThinLayer});
   }
   return checks;
 }
@@ -264,11 +245,9 @@ std::vector<Check> twist_drill() {
   const SteadyState p = feed(pointed, Vec3(0.013, 0.007, 0) * mm, Vec3(0, 0, -kAxialFeed), 2 * mm, kTick);
   const Wrench of_point = forms::twist_drill_wrench(cut.form(), 2 * kR, point);
   // Measured: thrust -4 %, torque +1 %: in a soft foundation the layer at the rim is nearer to the smooth side.
-  return {{"C31 thrust", "default law with kappa = 1/sin(beta/2): the twist drill's thrust", "N", drill.force.z(),
-           s.force.z(), kThinLayer},
-          {"C31 torque", "and torque, K_s a D^2/8", "N m", drill.torque.z(), s.torque.z(), kPartialVoxels},
-          {"C31 point thrust", "a drill with its point of 118 deg", "N", of_point.force.z(), p.force.z(), kThickLayer},
-          {"C31 point torque", "its torque", "N m", of_point.torque.z(), p.torque.z(), kOfThinLayer}};
+  return joined({compared("C31", "default law with kappa = 1/sin(beta/2): the twist drill's thrust", drill, s,
+                          kPartialVoxels, kThinLayer),
+                 compared("C31 point", "a drill with its point of 118 deg", of_point, p, kOfThinLayer, kThickLayer)});
 }
 
 }  // namespace axial_cuts

@@ -48,10 +48,8 @@ std::vector<Check> force() {
     error.add(c, second_order(1.2 * constant, depth));
     off.add(c.error[2] / (constant * std::pow(c.size[2] / depth, 2)) - 1, 0.3);
   }
-  std::vector<Check> checks;
-  error.append_to(checks);
-  checks.push_back(off.check("C1 fills", "its error against that of the fills", "30 % of twelve phases"));
-  return checks;
+  return joined(
+      {error.checks(), {off.check("C1 fills", "its error against that of the fills", "30 % of twelve phases")}});
 }
 
 /// [1] rms error of the force over shifts of the grid against the surface, whose normal is given in the grid's axes.
@@ -77,24 +75,11 @@ std::vector<Check> askew() {
   const Vec3 tilted = Vec3(0.3, 0.2, 1).normalized();
   const double coarse = error_on(tilted, 0.2 * mm), fine = error_on(tilted, 0.1 * mm),
                coarse_along = error_on(Vec3::UnitZ(), 0.2 * mm), fine_along = error_on(Vec3::UnitZ(), 0.1 * mm);
-  return {
-      {"C1 askew",
-       "ball at 0.4 R in a surface askew to voxels of 0.2 mm, error",
-       "1",
-       0,
-       coarse,
-       {0.006, "errors that cancel"},
-       1},
-      {"C1 askew order", "its order or more", "1", 3, std::log2(coarse / fine), {0.7 / 3, "of six shifts"}, 0, true},
-      {"C1 along", "the same along the grid", "1", 0, coarse_along, {0.019, "curvature, far side"}, 1},
-      {"C1 along order",
-       "its order or more",
-       "1",
-       2,
-       std::log2(coarse_along / fine_along),
-       {0.1, "of six shifts"},
-       0,
-       true}};
+  return {error_of("C1 askew", "ball at 0.4 R in a surface askew to voxels of 0.2 mm, error", coarse,
+                   {0.006, "errors that cancel"}),
+          order_of("C1 askew", 3, std::log2(coarse / fine), {0.7 / 3, "of six shifts"}),
+          error_of("C1 along", "the same along the grid", coarse_along, {0.019, "curvature, far side"}),
+          order_of("C1 along", 2, std::log2(coarse_along / fine_along), {0.1, "of six shifts"})};
 }
 
 /// Every spring points at the centre, on any grid.
@@ -142,12 +127,10 @@ std::vector<Check> stiffness() {
     const double stiffness = stiffness_at(simulation, depth);
     if (stiffness > stiffest) stiffest = stiffness, at = depth;
   }
-  std::vector<Check> checks;
-  error.append_to(checks);
-  checks.push_back({"C2 greatest", "its greatest stiffness", "N/m", forms::largest_cap_stiffness(kStiffness, kR),
-                    stiffest, kCutVoxels});
-  checks.push_back({"C2 place", "where it is, over R", "1", 2.0 / 3, at / kR, {0.05, "a flat maximum"}, 1});
-  return checks;
+  return joined({error.checks(),
+                 {{"C2 greatest", "its greatest stiffness", "N/m", forms::largest_cap_stiffness(kStiffness, kR),
+                   stiffest, kCutVoxels},
+                  {"C2 place", "where it is, over R", "1", 2.0 / 3, at / kR, {0.05, "a flat maximum"}, 1}}});
 }
 
 std::vector<Check> energy() {
@@ -167,17 +150,15 @@ std::vector<Check> energy() {
   Simulation slow = ball(depth, kFinest, phase(3));
   for (int i = 0; i <= 500; ++i) (void)slow.step(Pose::from_translation(center_at(depth * i / 500)), {}, kTick);
   const EnergyLedger& spent = slow.last_result().energy;
-  std::vector<Check> checks;
-  error.append_to(checks);
-  checks.push_back({"C3 work", "work of the hand down to R/2", "J", forms::cap_energy(kStiffness, kR, depth),
-                    spent.hand_work, kFineVoxels});
-  checks.push_back({"C3 paid", "what is stored is what the hand paid and what entered", "J",
-                    spent.hand_work + spent.entered, spent.elastic, kSinglePrecision});
   // A section is at least 0.3 wide, and stores what its normal near the grid's axis must not.
   Largest entered;
   entered.add(spent.entered, 0.01 * std::pow(kFinest / depth, 2) * spent.elastic);
-  checks.push_back(entered.check("C3 entered", "energy that entered", "(l/d)^2/100 of what is stored"));
-  return checks;
+  return joined({error.checks(),
+                 {{"C3 work", "work of the hand down to R/2", "J", forms::cap_energy(kStiffness, kR, depth),
+                   spent.hand_work, kFineVoxels},
+                  {"C3 paid", "what is stored is what the hand paid and what entered", "J",
+                   spent.hand_work + spent.entered, spent.elastic, kSinglePrecision},
+                  entered.check("C3 entered", "energy that entered", "(l/d)^2/100 of what is stored")}});
 }
 
 constexpr double kDamping = 20, kSpeed = 0.02;  // [s/m] chi, [m/s]
@@ -216,14 +197,11 @@ std::vector<Check> damping() {
     off.add(force / (forms::cap_force(kStiffness, kR, middle) + damping_force(middle)) - 1, 0.004);
   }
   const EnergyLedger& spent = descent.last_result().energy;
-  std::vector<Check> checks;
-  error.append_to(checks);
-  checks.push_back(
-      off.check("C15 descent", "force all along a descent from 0.3 to 0.8 R, error", "0.5 (l/d)^2 at 0.3 R"));
-  checks.push_back({"C15 work", "work of the damper in the ledger", "J", loss, spent.damping, kFineVoxels});
-  checks.push_back(
-      {"C15 ledger", "balance of the descent, over the turnover", "1", 0, test::unbooked(spent), kSinglePrecision, 1});
-  return checks;
+  return joined(
+      {error.checks(),
+       {off.check("C15 descent", "force all along a descent from 0.3 to 0.8 R, error", "0.5 (l/d)^2 at 0.3 R"),
+        {"C15 work", "work of the damper in the ledger", "J", loss, spent.damping, kFineVoxels},
+        error_of("C15 ledger", "balance of the descent, over the turnover", test::unbooked(spent), kSinglePrecision)}});
 }
 
 }  // namespace pressed_ball

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,15 @@ struct Check {
   }
   [[nodiscard]] bool pass() const { return relative_error() <= tolerance.share; }  // not a number does not pass
 };
+
+/// An error, or another number that should be 0.
+[[nodiscard]] Check error_of(const std::string& id, const std::string& what, double value, const Tolerance& allowed,
+                             const char* unit = "1");
+/// An order of convergence, of which more is no error.
+[[nodiscard]] Check order_of(const std::string& id, double least, double found, const Tolerance& tolerance);
+
+/// One list of several.
+[[nodiscard]] std::vector<Check> joined(std::initializer_list<std::vector<Check>> parts);
 
 /// Checks that come out of one simulation.
 struct Experiment {

@@ -44,10 +44,7 @@ std::vector<Check> cone() {
     aside.add(converge(depth / 8, [&](double l, const Vec3& p) { return press(l, p).head<2>().norm() / expected; }),
               second_order(1.1 / std::pow(std::tan(angle), 3), depth));
   }
-  std::vector<Check> checks;
-  axial.append_to(checks);
-  aside.append_to(checks);
-  return checks;
+  return joined({axial.checks(), aside.checks()});
 }
 
 /// Force of a flat head at depth d below the surface of a half space.
@@ -83,14 +80,11 @@ std::vector<Check> flat() {
     }
     side_up.add(press_flat(FlatRule::side_only, d, kCoarsest / 2, phase(2)).z(), 1e-12 * whole);
   }
-  std::vector<Check> checks;
-  bottom.append_to(checks);
-  nearest.append_to(checks);
-  checks.push_back(both_up.check("C5 both", "rule both pushes up as the bottom alone, error", "0.2 (l/d)^2"));
-  checks.push_back(
-      both_aside.check("C5 both, sideways", "and cancels sideways, rest", "1 %, asymmetry of the lattice"));
-  checks.push_back(side_up.check("C5 side_only", "rule side_only does not push up, force", "1e-12, nothing"));
-  return checks;
+  return joined({bottom.checks(),
+                 nearest.checks(),
+                 {both_up.check("C5 both", "rule both pushes up as the bottom alone, error", "0.2 (l/d)^2"),
+                  both_aside.check("C5 both, sideways", "and cancels sideways, rest", "1 %, asymmetry of the lattice"),
+                  side_up.check("C5 side_only", "rule side_only does not push up, force", "1e-12, nothing")}});
 }
 
 /// A wall x > R - d beside the head, that reaches from z0 to z1 above its bottom.
@@ -141,10 +135,7 @@ std::vector<Check> wall() {
                         }),
                second_order(wall.error(), depth));
   }
-  std::vector<Check> checks;
-  force.append_to(checks);
-  torque.append_to(checks);
-  return checks;
+  return joined({force.checks(), torque.checks()});
 }
 
 std::vector<Check> wall_rules() {
@@ -200,10 +191,7 @@ std::vector<Check> edge() {
     torque.add(converge(kCoarsest, [&](double l, const Vec3& p) { return press(l, p).torque.y() / turn - 1; }),
                bound(2 * moment / kR));
   }
-  std::vector<Check> checks;
-  force.append_to(checks);
-  torque.append_to(checks);
-  return checks;
+  return joined({force.checks(), torque.checks()});
 }
 
 }  // namespace pressed_edges

@@ -35,9 +35,8 @@ void Refined::add(const Convergence& c, const std::function<double(double)>& bou
   if (!(c.order() >= least_order_)) least_order_ = c.order();
 }
 
-void Refined::append_to(std::vector<Check>& checks) const {
-  checks.push_back(worst_.check(id_, what_ + "; error", reason_));
-  checks.push_back({id_ + " order", "its order or more", "1", order_, least_order_, of_order_, 0, true});
+std::vector<Check> Refined::checks() const {
+  return {worst_.check(id_, what_ + "; error", reason_), order_of(id_, order_, least_order_, of_order_)};
 }
 
 void Largest::add(double value, double bound) {
@@ -46,7 +45,7 @@ void Largest::add(double value, double bound) {
 }
 
 Check Largest::check(const std::string& id, const std::string& what, const char* reason) const {
-  return {id, what + " over its bound, the largest", "1", 0, of_bound, {1, reason}, 1};
+  return error_of(id, what + " over its bound, the largest", of_bound, {1, reason});
 }
 
 }  // namespace hapticut::experiments

@@ -59,7 +59,7 @@ class Refined {
 
   /// @param bound  [1] of the relative error, for a size [m]
   void add(const Convergence& c, const std::function<double(double)>& bound);
-  void append_to(std::vector<Check>& checks) const;
+  [[nodiscard]] std::vector<Check> checks() const;
 
  private:
   std::string id_, what_;

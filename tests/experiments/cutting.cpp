@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "experiments/vocabulary.hpp"
+#include "experiments/steady_cuts.hpp"
 
 namespace hapticut::experiments {
 namespace lateral_cuts {
@@ -65,17 +65,13 @@ std::vector<Check> milling() {
   turned.spin = -kSpin;
   const SteadyState left = turned.run();
   constexpr Tolerance kMirrored = {1e-4, "single precision, a sum"};
-  return {
-      {"C24 against the feed", "slotting with a cylinder", "N", in_slot.force.x(), slot.force.x(), kOfThinLayer},
-      {"C24 across", "its side force", "N", in_slot.force.y(), slot.force.y(), kOfThinLayer},
-      {"C24 torque", "its torque", "N m", in_slot.torque.z(), slot.torque.z(), kOfThinLayer},
-      {"C24 other way", "spin the other way: force against the feed", "N", right.force.x(), left.force.x(), kMirrored},
-      {"C24 other way, across", "the side force turns round", "N", -right.force.y(), left.force.y(), kMirrored},
-      {"C24 other way, torque", "and the torque", "N m", -right.torque.z(), left.torque.z(), kMirrored},
-      {"C25 against the feed", "side milling, engaged over a quarter turn", "N", at_side.force.x(), side.force.x(),
-       kWall},
-      {"C25 across", "its side force", "N", at_side.force.y(), side.force.y(), kWall},
-      {"C25 torque", "its torque", "N m", at_side.torque.z(), side.torque.z(), kWall}};
+  return joined(
+      {compared("C24", "slotting with a cylinder", in_slot, slot, kOfThinLayer),
+       {{"C24 other way", "spin the other way: force against the feed", "N", right.force.x(), left.force.x(),
+         kMirrored},
+        {"C24 other way, across", "the side force turns round", "N", -right.force.y(), left.force.y(), kMirrored},
+        {"C24 other way, torque", "and the torque", "N m", -right.torque.z(), left.torque.z(), kMirrored}},
+       compared("C25", "side milling, engaged over a quarter turn", at_side, side, kWall)});
 }
 
 std::vector<Check> balls() {
@@ -95,17 +91,12 @@ std::vector<Check> balls() {
   const SteadyState buried = deep.run();
   deep.layer = 0.1 * mm;
   const SteadyState soft = deep.run();
-  return {
-      {"C26 against the feed", "ball in a groove of depth 0.6 R", "N", in_groove.force.x(), groove.force.x(), kBall},
-      {"C26 across", "its side force", "N", in_groove.force.y(), groove.force.y(), kBall},
-      {"C26 thrust", "its thrust", "N", in_groove.force.z(), groove.force.z(), kBottom},
-      {"C26 torque", "its torque", "N m", in_groove.torque.z(), groove.torque.z(), kBall},
-      {"C27 against the feed", "buried ball fed sideways", "N", below.force.x(), buried.force.x(), kBall},
-      {"C27 across", "its side force", "N", below.force.y(), buried.force.y(), kBall},
-      {"C27 torque", "its torque", "N m", below.torque.z(), buried.torque.z(), kBall},
-      {"C30 ball", "its cutting energy over u times the removed volume, layer of R/10", "1", 1,
-       soft.energy.cutting / (plain_material().specific_cutting_energy * soft.removed_volume), kFineSteps},
-      {"C30 ball, ledger", "and its balance, over the turnover", "1", 0, test::unbooked(soft.energy), kFineSteps, 1}};
+  return joined(
+      {compared("C26", "ball in a groove of depth 0.6 R", in_groove, groove, kBall, kBottom),
+       compared("C27", "buried ball fed sideways", below, buried, kBall),
+       {{"C30 ball", "its cutting energy over u times the removed volume, layer of R/10", "1", 1,
+         soft.energy.cutting / (plain_material().specific_cutting_energy * soft.removed_volume), kFineSteps},
+        error_of("C30 ball, ledger", "and its balance, over the turnover", test::unbooked(soft.energy), kFineSteps)}});
 }
 
 std::vector<Check> plunges() {
@@ -120,12 +111,9 @@ std::vector<Check> plunges() {
   };
   const SteadyState ball = plunge(SphereHead{kR}, kR), cone = plunge(ConeHead{alpha, 2 * mm}, 0);
   const forms::SteadyCut cut = cut_of(speed, kSpin);
-  const Wrench of_ball = forms::ball_plunge_wrench(cut, kR, depth),
-               of_cone = forms::cone_plunge_wrench(cut, alpha, depth);
-  return {{"C28 thrust", "ball plunged to 0.9 R", "N", of_ball.force.z(), ball.force.z(), kBottom},
-          {"C28 torque", "its torque", "N m", of_ball.torque.z(), ball.torque.z(), kBottom},
-          {"C29 thrust", "cone plunged to 0.9 mm", "N", of_cone.force.z(), cone.force.z(), kBottom},
-          {"C29 torque", "its torque", "N m", of_cone.torque.z(), cone.torque.z(), kBottom}};
+  return joined(
+      {compared("C28", "ball plunged to 0.9 R", forms::ball_plunge_wrench(cut, kR, depth), ball, kBottom),
+       compared("C29", "cone plunged to 0.9 mm", forms::cone_plunge_wrench(cut, alpha, depth), cone, kBottom)});
 }
 
 }  // namespace lateral_cuts

@@ -149,14 +149,12 @@ std::vector<Check> threshold() {
   slow.speed = 0.5e-3;
   const auto ratio = [&](Model model) { return fast.run(model).force.z() / slow.run(model).force.z(); };
   const double k_v = 1e13 * std::pow(0.1 * mm / AxialFeed::kVoxel, 2);  // of the springs of the thesis
-  return {{"D5 thesis", "thrust at four times the feed: the same", "1", 1, ratio(Model::thesis), kThickLayer},
-          {"D5 thesis, depth",
-           "it is that of the depth of the threshold",
-           "N",
-           forms::flat_bottom_force(k_v, AxialFeed::kRadius, slow.removed_at),
-           slow.run(Model::thesis).force.z(),
-           {0.25, "layers that are met or not"}},
-          {"D5 cured", "the same: proportional to the feed", "1", 4, ratio(Model::cured), kThickLayer}};
+  constexpr Tolerance kLayers = {0.25, "layers that are met or not"};
+  return {
+      {"D5 thesis", "thrust at four times the feed: the same", "1", 1, ratio(Model::thesis), kThickLayer},
+      {"D5 thesis, depth", "it is that of the depth of the threshold", "N",
+       forms::flat_bottom_force(k_v, AxialFeed::kRadius, slow.removed_at), slow.run(Model::thesis).force.z(), kLayers},
+      {"D5 cured", "the same: proportional to the feed", "1", 4, ratio(Model::cured), kThickLayer}};
 }
 
 std::vector<Check> step_size() {
@@ -176,14 +174,9 @@ std::vector<Check> energy() {
   const auto ratio = [&](Model model) { return twice.energy_of_a_volume(model) / once.energy_of_a_volume(model); };
   const EnergyLedger spent = once.run(Model::thesis).energy;
   const double lost = (spent.released + spent.rubbing) / (spent.hand_work + spent.motor_work);
-  return {{"D7 thesis, ledger",
-           "work that is released or rubbed, of all; none pays for a volume",
-           "1",
-           1,
-           spent.cutting == 0 ? lost : 0,
-           {0.1, "what is stored"},
-           0,
-           true},
+  constexpr Tolerance kStored = {0.1, "what is stored"};
+  return {{"D7 thesis, ledger", "work that is released or rubbed, of all; none pays for a volume", "1", 1,
+           spent.cutting == 0 ? lost : 0, kStored, 0, true},
           {"D7 thesis", "energy to cut a volume at twice the spindle speed: half, by no law of the material", "1", 0.5,
            ratio(Model::thesis), kThickLayer},
           {"D7 cured", "the same: u", "1", 1, ratio(Model::cured), kRim}};
@@ -231,17 +224,14 @@ std::vector<Check> filter() {
   const Touch thesis(Model::thesis), cured(Model::cured);
   const DeltaFilter constants;
   const double growth = touch_limits().force_growth;
+  const Tolerance of_tick = {kTick * growth / cured.pressed, "a tick"};
   return {{"D8 thesis", "force 0.25 s after 3 N were released: felt still", "N",
            thesis.pressed - kReleased * constants.epsilon, thesis.left, kInvariant},
           {"D8 cured", "the same: nothing", "N", 0, cured.left, kDoublePrecision, cured.pressed},
           {"D8 thesis, rise", "time until a force of 3 N is felt", "s",
            (thesis.pressed - constants.delta) / constants.epsilon * kTick, thesis.rise, kPartialVoxels},
-          {"D8 cured, rise",
-           "the same within the limits of a Touch, 437.5 N/s; within a tick",
-           "s",
-           cured.pressed / growth,
-           cured.rise,
-           {kTick * growth / cured.pressed, "a tick"}}};
+          {"D8 cured, rise", "the same within the limits of a Touch, 437.5 N/s; within a tick", "s",
+           cured.pressed / growth, cured.rise, of_tick}};
 }
 
 // --- static ----------------------------------------------------------------------------------------------------------

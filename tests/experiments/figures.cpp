@@ -115,13 +115,8 @@ std::vector<Check> of_the_thesis() {
       ball_volume.check("C33 sphere volume", "7.3: volume of the sphere until each step, error", kVoxels),
       {"C33 sphere force", "its seventh step", "N", forms::step_force_of_a_ball(k_v, kHead, 6.5 * kStep, kStep),
        ball.force[6], kWholeVoxels},
-      {"C33 rise",
-       "steps in which the cone's volume, force and torque, or the sphere's volume, do not rise",
-       "1",
-       0,
-       double(falling),
-       {0, "none"},
-       1}};
+      error_of("C33 rise", "steps in which the cone's volume, force and torque, or the sphere's volume, do not rise",
+               falling, {0, "none"})};
 }
 
 /// The volume of a step is the same, and its force the steady one: of C20 for the flat head, of C29 for the cone and of
@@ -153,7 +148,7 @@ std::vector<Check> of_the_default() {
            flat.volume[13] / flat.volume[1], kInvariant},
           cones.check("C33 energy cone", "volume of the cone and force against C29, error", kVoxels),
           balls.check("C33 energy sphere", "volume of the sphere and force against C28, error", kVoxels),
-          {"C33 energy rise", "steps in which cone or sphere do not rise", "1", 0, double(falling), {0, "none"}, 1}};
+          error_of("C33 energy rise", "steps in which cone or sphere do not rise", falling, {0, "none"})};
 }
 
 }  // namespace figures

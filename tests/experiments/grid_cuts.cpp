@@ -60,10 +60,10 @@ Worst worst_of(const GridCut& cut, const std::vector<Way>& ways, double voxel, c
 constexpr const char* kOfGrid = "measured, worst of grid";
 
 std::vector<Check> checks_of(const std::string& id, const std::string& of, const Worst& worst, const Limits& limits) {
-  return {{id, of + "force off by", "1", 0, worst.mean, {limits.mean, kOfGrid}, 1},
-          {id + " torque", of + "torque off by", "1", 0, worst.torque, {limits.torque, kOfGrid}, 1},
-          {id + " ripple", of + "ripple", "1", 0, worst.ripple, {limits.ripple, kOfGrid}, 1},
-          {id + " ledger", of + "closure", "1", 0, worst.closure, kSinglePrecision, 1}};
+  return {error_of(id, of + "force off by", worst.mean, {limits.mean, kOfGrid}),
+          error_of(id + " torque", of + "torque off by", worst.torque, {limits.torque, kOfGrid}),
+          error_of(id + " ripple", of + "ripple", worst.ripple, {limits.ripple, kOfGrid}),
+          error_of(id + " ledger", of + "closure", worst.closure, kSinglePrecision)};
 }
 
 /// By how much more a cut is off where its layer is not thin, over layer/R.
@@ -77,13 +77,8 @@ Check on_soft_foundations(const GridCut& cut, const Limits& limits, double voxel
     closure = std::max(closure, worst.closure);
   }
   const char* which = limits.stiff_from > 1e15 ? "; k_v = 1e14, 1e15; " : "; k_v = 1e14; ";
-  return {cut.id + " soft",
-          cut.what + which + "off by more than stiff, in layer/R",
-          "1",
-          0,
-          more,
-          {limits.soft, "a layer that is not thin"},
-          1};
+  return error_of(cut.id + " soft", cut.what + which + "off by more than stiff, in layer/R", more,
+                  {limits.soft, "a layer that is not thin"});
 }
 
 }  // namespace
@@ -111,6 +106,15 @@ Workpiece oriented_block(const Way& way, const Box& box_T, double voxel, const M
       [=](const Vec3& p) { return ((way.R_VT.transpose() * (p - way.p_V) - middle).cwiseAbs() - half).maxCoeff(); },
       [](const Vec3&) { return MaterialId(1); }};
   return build_body(body, voxel, MaterialTable({material}));
+}
+
+forms::SteadyCut slow_cut_with_chips(double edge, double size) {
+  forms::SteadyCut cut = kSlowCut;
+  cut.tooth_rate = tooth_rate(GridCut::kCutter, cut.spin);
+  const double chip = cut.feed_speed / cut.tooth_rate;
+  cut.edge_length = edge * chip;
+  cut.size_length = size * chip;
+  return cut;
 }
 
 Material GridCut::material() const {
@@ -168,10 +172,8 @@ std::vector<Check> in_every_direction(const GridCut& cut, const Limits& limits, 
   Worst worst = worst_of(cut, ways(voxel), voxel, foundations);
   std::vector<Check> soft;
   if (coarse) soft.push_back(on_soft_foundations(cut, limits, voxel, worst.closure));
-  std::vector<Check> checks =
-      checks_of(cut.id + (coarse ? " grid 0.1 mm" : " grid 0.05 mm"), cut.what + "; ", worst, limits);
-  checks.insert(checks.end(), soft.begin(), soft.end());
-  return checks;
+  return joined(
+      {checks_of(cut.id + (coarse ? " grid 0.1 mm" : " grid 0.05 mm"), cut.what + "; ", worst, limits), soft});
 }
 
 std::vector<Check> along_the_faces(const GridCut& cut, const Limits& limits, const std::vector<double>& foundations) {
@@ -189,9 +191,7 @@ std::vector<Check> tilted(const GridCut& cut, const Limits& limits, const std::v
 }
 
 std::vector<Check> in_every_direction(const GridCut& cut, const Limits& coarse, const Limits& fine) {
-  std::vector<Check> checks = in_every_direction(cut, coarse, 0.1 * mm);
-  for (Check& check : in_every_direction(cut, fine, 0.05 * mm)) checks.push_back(std::move(check));
-  return checks;
+  return joined({in_every_direction(cut, coarse, 0.1 * mm), in_every_direction(cut, fine, 0.05 * mm)});
 }
 
 }  // namespace hapticut::experiments

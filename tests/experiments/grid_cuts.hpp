@@ -25,6 +25,9 @@ struct Way {
 /// What is the same in all cuts, unless they say otherwise.
 inline constexpr forms::SteadyCut kSlowCut = {3e8, 0.5, 2000, 2 * units::mm, 0};
 
+/// The same with chips: the lengths of their edges and of their size effect, over the chip.
+[[nodiscard]] forms::SteadyCut slow_cut_with_chips(double edge, double size);
+
 /// One cut, in the tool's axes: fed from `start` quickly to `begin`, then at the speed of the cut to `end`; the last
 /// part of that way is measured.
 struct GridCut {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "experiments/convergence.hpp"
-#include "experiments/vocabulary.hpp"
+#include "experiments/steady_cuts.hpp"
 #include "hapticut/force/laws/contact_mechanics.hpp"
 #include "hapticut/force/laws/damping_matrix.hpp"
 #include "hapticut/force/laws/hertzian_burr.hpp"
@@ -73,19 +73,19 @@ std::vector<Check> twist_drill_law() {
   const Wrench of_flat = forms::twist_drill_wrench(cut, 2 * kR, kPi);
   // The drill takes as its radius that of the outermost voxel centre in material, up to a voxel too little.
   constexpr Tolerance kVoxelOfRadius = {0.1, "radius of whole voxels"}, kItsSquare = {0.2, "radius of whole voxels"};
-  return {{"twist drill thrust", "its own law, point angle 118 deg", "N", expected.force.z(), s.force.z(), kThickLayer},
-          {"twist drill torque", "K_s a D^2/8", "N m", expected.torque.z(), s.torque.z(), kWholeVoxels},
-          {"twist drill power", "M omega is what the fed volume costs", "W",
-           forms::cutting_power(cut, kPi * kR * kR * cut.feed_speed), -of_flat.torque.z() * cut.spin, kDoublePrecision},
-          {"twist drill flat, thrust", "its own law, a flat head", "N", of_flat.force.z(), f.force.z(), kVoxelOfRadius},
-          {"twist drill flat, most", "and no more than that", "N", 0, std::max(0.0, f.force.z() - of_flat.force.z()),
-           kDoublePrecision, of_flat.force.z()},
-          {"twist drill flat, torque", "its torque", "N m", of_flat.torque.z(), f.torque.z(), kItsSquare},
-          {"twist drill flat, volume", "its volume", "m^3", kPi * kR * kR * travel, f.removed_volume, kItsSquare}};
+  return joined(
+      {compared("twist drill", "its own law, point angle 118 deg", expected, s, kWholeVoxels, kThickLayer),
+       {{"twist drill power", "M omega is what the fed volume costs", "W",
+         forms::cutting_power(cut, kPi * kR * kR * cut.feed_speed), -of_flat.torque.z() * cut.spin, kDoublePrecision}},
+       compared("twist drill flat,", "its own law, a flat head", of_flat, f, kItsSquare, kVoxelOfRadius),
+       {{"twist drill flat, most", "and no more than that", "N", 0, std::max(0.0, f.force.z() - of_flat.force.z()),
+         kDoublePrecision, of_flat.force.z()},
+        {"twist drill flat, volume", "its volume", "m^3", kPi * kR * kR * travel, f.removed_volume, kItsSquare}}});
 }
 
 std::vector<Check> damping_matrix() {
   constexpr double kMu = 0.4, kM = 2e8, kSpeed = 5e-3;
+  constexpr Tolerance kExact = {1e-6, "single precision"};
   std::vector<Check> checks;
   for (const double spin : {500.0, -500.0}) {
     SimulationConfig config;
@@ -101,19 +101,10 @@ std::vector<Check> damping_matrix() {
     const std::string way = spin > 0 ? "" : " other way";
     checks.push_back({"damping matrix" + way, "m V along the motion", "N",
                       -kM * result.contact.volume / result.contact.depth * kSpeed, result.force.x(), kInvariant});
-    checks.push_back({"damping matrix across" + way,
-                      "mu of it across, -m mu omega x V",
-                      "1",
-                      std::copysign(kMu, spin),
-                      result.force.y() / result.force.x(),
-                      {1e-6, "single precision"}});
-    checks.push_back({"damping matrix rest" + way,
-                      "force along the axis, and where nothing moves",
-                      "N",
-                      0,
-                      std::abs(result.force.z()) + still,
-                      {1e-9, "nothing"},
-                      1});
+    checks.push_back({"damping matrix across" + way, "mu of it across, -m mu omega x V", "1", std::copysign(kMu, spin),
+                      result.force.y() / result.force.x(), kExact});
+    checks.push_back(error_of("damping matrix rest" + way, "force along the axis, and where nothing moves",
+                              std::abs(result.force.z()) + still, {1e-9, "nothing"}, "N"));
   }
   return checks;
 }

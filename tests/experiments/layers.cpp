@@ -46,7 +46,6 @@ double force_of_slab(double thickness) {
 }
 
 std::vector<Check> layers() {
-  std::vector<Check> checks;
   // By the fluxes of C1, which no longer cancel where the stiffness changes: 0.33 (l/d)^2.
   Refined on_face("C10", "ball through a layer that ends on a face of the voxels, force", kSecondOrder, "0.4 (l/d)^2");
   on_face.add(into_layers(0.2, true), second_order(0.4, kDepth));
@@ -61,15 +60,11 @@ std::vector<Check> layers() {
   Refined breakthrough("C10 breakthrough", "ball through a plate", kSecondOrder, "1.2 of the fills at the lower face");
   breakthrough.add(into_layers(0, false),
                    second_order(1.2 * near_side * kThickness * kThickness / expected_force(0), kThickness));
-  for (const Refined& refined : {on_face, inside, breakthrough}) refined.append_to(checks);
   const double thickness = 0.2675 * kR;
-  checks.push_back({"C10 slab",
-                    "the library's own layers",
-                    "N",
-                    expected_force(0.2, thickness),
-                    force_of_slab(thickness),
-                    {1e-3, "voxels of d/28"}});
-  return checks;
+  constexpr Tolerance kVoxels = {1e-3, "voxels of d/28"};
+  const Check slab = {
+      "C10 slab", "the library's own layers", "N", expected_force(0.2, thickness), force_of_slab(thickness), kVoxels};
+  return joined({on_face.checks(), inside.checks(), breakthrough.checks(), {slab}});
 }
 
 /// k_v = kStiffness (1 + slope . p) for p in the half space.
@@ -122,10 +117,7 @@ std::vector<Check> grades() {
   // fills of C1.
   Refined aside("C12 sideways", "stiffness that grows sideways too", kSecondOrder, "0.21 (l/d)^2");
   aside.add(into_side_grade(), second_order(0.21, kDepth));
-  std::vector<Check> checks;
-  down.append_to(checks);
-  aside.append_to(checks);
-  return checks;
+  return joined({down.checks(), aside.checks()});
 }
 
 }  // namespace pressed_layers

@@ -6,7 +6,6 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/force/calibration.hpp"
-#include "hapticut/simulation/simulation.hpp"
 
 /// @file
 /// Measurements that others published: constants calibrated on them, and what the model then predicts elsewhere.
@@ -52,23 +51,6 @@ struct DiamondBur {
   [[nodiscard]] static constexpr double power(double load) { return kCuttingRatio * load * kSpeed * kRadius; }
   /// [J/m^3] u of enamel with this bur.
   [[nodiscard]] static constexpr double energy() { return power(kLoad) / kRemoval; }
-  /// A plate of enamel whose edge the side of the bur wears down, in the library: 0.3 mm thick, 1 mm of the bur long.
-  class Plate {
-   public:
-    static constexpr double kArea = 0.3 * 1e-6;  ///< [m^2] of contact
-
-    /// @param layer  [m] of material that is engaged at the removal of DC4
-    Plate(const Material& material, double layer);
-    /// [N] against the feed.
-    [[nodiscard]] double load_at(double removal);
-    /// [m^3/s] under a constant load of the hand.
-    [[nodiscard]] double removal_under(double load);
-
-   private:
-    const StepResult& feed_to(double depth);
-
-    Simulation simulation_;
-  };
 };
 
 /// A carbide bur at high speed, pushed along its axis into tooth (DC9: White 1998, Proc SPIE 3248). The source gives
@@ -80,11 +62,6 @@ struct CarbideBur {
   static constexpr double kInEnamel = 0.273 * units::mm;  ///< [m/s]
   static constexpr double kInDentin = 0.493 * units::mm;  ///< [m/s]
   static constexpr double kScatter = 0.17;                ///< [1] of the rate in enamel, as the source gives it
-
-  /// [m/s] by C36.
-  [[nodiscard]] static double rate_of(double load, const Material& material);
-  /// [m/s] in the library.
-  [[nodiscard]] static double rate_under(double load, const Material& material);
 };
 
 /// The page docs/measurements.md.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdio>
 
 namespace hapticut::experiments {
@@ -34,7 +33,8 @@ struct Cases {
     return found;
   }
   [[nodiscard]] std::string row(const std::string& experiment) const {
-    const Check &worst_one = *worst(false), *order = worst(true);
+    const Check& worst_one = *worst(false);
+    const Check* order = worst(true);
     std::string names;
     for (const Check* check : all) {
       if (is_order(*check)) continue;

@@ -258,11 +258,9 @@ std::vector<Check> checks_of(const OracleHead& oracle) {
   error.add(c, [&](double l) {
     return oracle.root_mean_square * std::pow(l / kVoxelSizes[1], l > kVoxelSizes[1] ? 2 : oracle.least_order);
   });
-  std::vector<Check> checks;
-  error.append_to(checks);
-  checks.push_back(single.check(id + " each", "of each pose, error", "constant of the head (l/w)^2"));
-  checks.push_back(quadrature(oracle, id));
-  return checks;
+  return joined(
+      {error.checks(),
+       {single.check(id + " each", "of each pose, error", "constant of the head (l/w)^2"), quadrature(oracle, id)}});
 }
 
 }  // namespace pressure_identity

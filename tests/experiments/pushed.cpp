@@ -56,7 +56,7 @@ Check pushed(const char* id, const char* what, const GridCut& cut, double hand, 
       worst = std::max(worst, std::abs(found.speed / speed_under(found.force) - 1));
     }
   }
-  return {id, std::string(what) + "; speed off by", "1", 0, worst, tolerance, 1};
+  return error_of(id, std::string(what) + "; speed off by", worst, tolerance);
 }
 
 /// Where the force goes with the speed.
@@ -109,11 +109,7 @@ std::vector<Check> drills_with_chips() {
         Chips{"C36 edges pushed", "the same, chips of edges", 2, 0, 0.9, kEdges},
         Chips{"C36 edges pushed upright", "the same, the axis along the grid", 2, 0, 0.9, kPushed, true},
         Chips{"C36 thin pushed", "the same, thin chips", 0, 4, 0.9}}) {
-    forms::SteadyCut chips = kSlowCut;
-    chips.tooth_rate = tooth_rate(GridCut::kCutter, chips.spin);
-    const double chip = chips.feed_speed / chips.tooth_rate;
-    chips.edge_length = c.edge * chip;
-    chips.size_length = c.size * chip;
+    const forms::SteadyCut chips = slow_cut_with_chips(c.edge, c.size);
     checks.push_back(pushed(
         c.id, c.what, drill_with(chips), c.share * forms::axial_chip_wrench(chips, kR).force.z(), 0.1 * mm,
         [=](double force) { return forms::feed_with_chips_under(force, chips, kR); }, kThin, c.tolerance, c.upright));
@@ -134,25 +130,13 @@ std::vector<Check> below_the_edges() {
   };
   forms::SteadyCut edge = kSlowCut;
   edge.edge_pressure = 5e5;
-  forms::SteadyCut lips = kSlowCut;
-  lips.tooth_rate = tooth_rate(GridCut::kCutter, lips.spin);
-  lips.edge_length = 2 * lips.feed_speed / lips.tooth_rate;
+  const forms::SteadyCut lips = slow_cut_with_chips(2, 0);
   forms::SteadyCut standing = lips;
   standing.feed_speed = 0;
-  return {{"C23 pushed, stands",
-           "flat head pushed with 95 % of its edge pressure: speed",
-           "m/s",
-           0,
-           speed(edge, 0.95 * kPi * kR * kR * edge.edge_pressure),
-           {1e-6, "1 um/s"},
-           1},
-          {"C36 pushed, stands",
-           "flat head pushed with 90 % of what the edges of its chips bear: speed",
-           "m/s",
-           0,
-           speed(lips, 0.9 * forms::axial_chip_wrench(standing, kR).force.z()),
-           {2e-5, "20 um/s"},
-           1}};
+  return {error_of("C23 pushed, stands", "flat head pushed with 95 % of its edge pressure: speed",
+                   speed(edge, 0.95 * kPi * kR * kR * edge.edge_pressure), {1e-6, "1 um/s"}, "m/s"),
+          error_of("C36 pushed, stands", "flat head pushed with 90 % of what the edges of its chips bear: speed",
+                   speed(lips, 0.9 * forms::axial_chip_wrench(standing, kR).force.z()), {2e-5, "20 um/s"}, "m/s")};
 }
 
 std::vector<Check> slots_and_balls() {

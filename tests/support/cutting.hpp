@@ -27,11 +27,21 @@ inline double unbooked(const EnergyLedger& energy) {
   return std::abs(energy.imbalance() + energy.entered) / energy.turnover;
 }
 
+/// How a tool points in the grid, from its z axis.
+struct Way {
+  const char* name;
+  Mat3 R_WT;
+};
+inline const std::vector<Way> kWays = {
+    {"10 deg", Eigen::AngleAxisd(10 * units::deg, Vec3::UnitY()).toRotationMatrix()},
+    {"45 deg", Eigen::AngleAxisd(45 * units::deg, Vec3::UnitY()).toRotationMatrix()},
+    {"<111>", Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 1, 1)).toRotationMatrix()},
+};
+
 /// Means over a part of a straight feed.
 struct SteadyState {
-  Vec3 force = Vec3::Zero();           // [N]
+  Vec3 force = Vec3::Zero();           // [N] along the axes of the tool
   Vec3 torque = Vec3::Zero();          // [N·m]
-  double ripple_z = 0;                 // [1] standard deviation of force.z over its mean
   double engaged_volume = 0;           // [m^3] filled volume in the head
   double removed_volume = 0;           // [m^3] on the whole path
   EnergyLedger energy;                 // at the end
@@ -40,28 +50,24 @@ struct SteadyState {
 
 /// Feeds the tool along a straight line at constant speed and averages from `from` of the path on.
 inline SteadyState feed(Simulation& simulation, const Vec3& start, const Vec3& feed_velocity, double travel, double dt,
-                        double from = 0.5) {
+                        double from = 0.5, const Mat3& R_WT = Mat3::Identity()) {
   SteadyState state;
   const int steps = int(std::lround(travel / (feed_velocity.norm() * dt)));
-  std::vector<double> thrusts;
+  int count = 0;
   for (int i = 0; i < steps; ++i) {
-    const Pose pose = Pose::from_translation(start + feed_velocity * (dt * (i + 1)));
+    const Pose pose = {R_WT, start + feed_velocity * (dt * (i + 1))};
     const StepResult& result = simulation.step(pose, {feed_velocity, Vec3::Zero()}, dt);
     state.removed_volume += result.removed_volume;
     state.status |= result.status;
     if (i < from * steps) continue;
-    thrusts.push_back(result.force.z());
-    state.force += result.force;
-    state.torque += result.torque;
+    ++count;
+    state.force += R_WT.transpose() * result.force;
+    state.torque += R_WT.transpose() * result.torque;
     state.engaged_volume += result.contact.volume;
   }
-  const double n = double(thrusts.size());
-  state.force /= n;
-  state.torque /= n;
-  state.engaged_volume /= n;
-  double variance = 0;
-  for (const double thrust : thrusts) variance += std::pow(thrust - state.force.z(), 2) / n;
-  state.ripple_z = std::sqrt(variance) / std::abs(state.force.z());
+  state.force /= count;
+  state.torque /= count;
+  state.engaged_volume /= count;
   state.energy = simulation.last_result().energy;
   return state;
 }

@@ -6,14 +6,13 @@
 #include "hapticut/tool/motors.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/cutting.hpp"
-#include "support/fed_tool.hpp"
 
 namespace hapticut::chips_test {
 namespace {
 
 namespace forms = closed_forms;
-using test::Fed;
-using test::feed_along;
+using test::feed;
+using test::SteadyState;
 using units::mm;
 
 constexpr double kRadius = 1 * mm;
@@ -60,14 +59,14 @@ TEST(Chips, C42AGrooveInBoneIsManyTimesTheOneAtAConstantEnergy) {
     Simulation simulation(build_block({Vec3(-3.4, -1.6, -1.1) * mm, Vec3(2.6, 1.6, 0) * mm}, kVoxel, bone),
                           Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin * units::rad_per_s}, bur), {});
     const Vec3 start = Vec3(-3.517 * mm, 0.006 * mm, kRadius - depth);
-    const Fed s = feed_along(simulation, Mat3::Identity(), start, Vec3(kFeed, 0, 0), 4 * mm, 0.3);
+    const SteadyState s = feed(simulation, start, Vec3(kFeed, 0, 0), 4 * mm, 1e-3, 0.3);
     forms::SteadyCut cut{bone.specific_cutting_energy, bone.cutting_ratio, spin, kFeed};
     cut.tooth_rate = tooth_rate(bur, spin);
     cut.size_length = bone.size_length;
     const Wrench expected = forms::groove_chip_wrench(cut, kRadius, depth);
     SCOPED_TRACE(spin);
-    EXPECT_LT((s.force_T - expected.force).norm(), kLayer * expected.force.norm());
-    EXPECT_NEAR(s.torque_T.z() / expected.torque.z(), 1, kSlot);
+    EXPECT_LT((s.force - expected.force).norm(), kLayer * expected.force.norm());
+    EXPECT_NEAR(s.torque.z() / expected.torque.z(), 1, kSlot);
     EXPECT_GT(expected.force.norm(), 9 * forms::groove_wrench(cut, kRadius, depth).force.norm());
     // The words of EnergyLedger: both hold what thin chips take, without an edge pressure and with removal on.
     const EnergyLedger& spent = s.energy;

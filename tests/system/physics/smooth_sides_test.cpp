@@ -6,7 +6,6 @@
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/shank.hpp"
 #include "support/cutting.hpp"
-#include "support/fed_tool.hpp"
 
 namespace hapticut::smooth_sides_test {
 namespace {
@@ -64,11 +63,11 @@ TEST(SmoothSides, ADrillDeepInItsHoleFeelsItsPointOnly) {
       SCOPED_TRACE(std::string(way.name) + ", k_v " + std::to_string(grid.stiffness));
       Simulation simulation(block(way.R_WT, grid.voxel, 3.6 * mm, bone(0.3)),
                             Tool(drill, RayHandle{0}, Spindle{kSpin * units::rad_per_s}), config(grid.stiffness));
-      const test::Fed fed = test::feed_along(simulation, way.R_WT, way.R_WT * (kAside + Vec3(0, 0, 0.01 * mm)),
-                                             way.R_WT * Vec3(0, 0, -kFeed), 3 * mm, 0.8);
-      EXPECT_NEAR(fed.force_T.z() / expected.force.z(), 1, grid.tolerance);
-      EXPECT_NEAR(fed.torque_T.z() / expected.torque.z(), 1, grid.tolerance);
-      EXPECT_LT(fed.force_T.head<2>().norm(), 0.05 * expected.force.z());
+      const test::SteadyState fed = test::feed(simulation, way.R_WT * (kAside + Vec3(0, 0, 0.01 * mm)),
+                                               way.R_WT * Vec3(0, 0, -kFeed), 3 * mm, 1e-3, 0.8, way.R_WT);
+      EXPECT_NEAR(fed.force.z() / expected.force.z(), 1, grid.tolerance);
+      EXPECT_NEAR(fed.torque.z() / expected.torque.z(), 1, grid.tolerance);
+      EXPECT_LT(fed.force.head<2>().norm(), 0.05 * expected.force.z());
       EXPECT_LT(test::unbooked(fed.energy), 1e-6);
     }
 }

@@ -4,7 +4,6 @@
 
 #include "hapticut/closed_forms.hpp"
 #include "support/cutting.hpp"
-#include "support/fed_tool.hpp"
 
 namespace hapticut::thin_pieces_test {
 namespace {
@@ -34,7 +33,7 @@ TEST(ThinPieces, ASheetThinnerThanAVoxelCostsWhatItsVolumeDoes) {
           build_body(sheet, kVoxel, MaterialTable({plain_material()})),
           Tool(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, RayHandle{0}, Spindle{kSpin * units::rad_per_s}));
       const double above = 0.2 * mm, way = thickness + 3 * above;
-      (void)test::feed_along(simulation, R, middle + normal * (thickness / 2 + above), -normal * kFeed, way, 1);
+      (void)test::feed(simulation, middle + normal * (thickness / 2 + above), -normal * kFeed, way, 1e-3, 1, R);
       const EnergyLedger& energy = simulation.last_result().energy;
       const double volume = kPi * kRadius * kRadius * thickness;
       const double thrust = forms::axial_cutting_force_of_a_flat_head({3e8, 0.5, kSpin, kFeed}, kRadius);
@@ -58,11 +57,10 @@ TEST(ThinPieces, CrossingGroovesTakeAwayTheUnionOfTheirSweeps) {
       const double before = simulation.last_result().energy.cutting;
       const Vec3 start = R * (Vec3(0, 0, height) - half * along);
       (void)simulation.step(Pose::from_translation(start + Vec3(0, 0, 2 * kRadius)), {}, 1e-3);
-      (void)test::feed_along(simulation, Mat3::Identity(), start + Vec3(0, 0, 2 * kRadius), Vec3(0, 0, -20 * mm),
-                             2 * kRadius, 1);
-      (void)test::feed_along(simulation, Mat3::Identity(), start, R * along * kFeed, 2 * half, 1);
-      (void)test::feed_along(simulation, Mat3::Identity(), start + R * along * 2 * half, Vec3(0, 0, 20 * mm),
-                             2 * kRadius, 1);
+      const Vec3 up(0, 0, 20 * mm);
+      (void)test::feed(simulation, start + Vec3(0, 0, 2 * kRadius), -up, 2 * kRadius, 1e-3, 1);
+      (void)test::feed(simulation, start, R * along * kFeed, 2 * half, 1e-3, 1);
+      (void)test::feed(simulation, start + R * along * 2 * half, up, 2 * kRadius, 1e-3, 1);
       removed = simulation.last_result().energy.cutting / 3e8;
       EXPECT_GT(simulation.last_result().energy.cutting, before);
     }

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "hapticut/closed_forms.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/simulation/output.hpp"
 #include "support/generators.hpp"
@@ -153,27 +152,12 @@ TEST(DeltaFilter, ReadAsANumberAddedToTheForceItWouldRunAwayTo13N) {
   EXPECT_NEAR(force, 13, 1e-9);
 }
 
-// --- limits (C18) ----------------------------------------------------------------------------------------------------
+// --- limits ----------------------------------------------------------------------------------------------------------
 
 // Proves: saturation.
 TEST(Saturation, KeepsTheDirection) {
   EXPECT_LT((saturated(Vec3(3, 4, 0), 2.5) - Vec3(1.5, 2, 0)).norm(), 1e-15);
   EXPECT_EQ(saturated(Vec3(3, 4, 0), 5), Vec3(3, 4, 0));
-}
-
-// Proves: growth limit.
-TEST(GrowthLimit, TakesTheTimeOfC18WhateverTheStepAndKeepsTheDirection) {
-  const Vec3 target(3, 4, 0);
-  for (const double dt : {1e-3, 2.5e-4, 1e-4}) {
-    Vec3 force = Vec3::Zero();
-    double time = 0;
-    while ((force - target).norm() > 1e-9) {
-      force = growth_limited(force, target, 500 * dt);
-      time += dt;
-      ASSERT_LT(force.cross(target).norm(), 1e-12);
-    }
-    EXPECT_NEAR(time, closed_forms::growth_time(5, 500), 1.001 * dt);
-  }
 }
 
 // Proves: growth limit.

@@ -180,21 +180,6 @@ TEST(MaterialPresets, LetCuttingBursThroughBoneFasterThanDiamondsFromOneAndAHalf
               << names_of(Of<CutterKind>{})[std::size_t(pair.grains)].name << ", " << load << " N, " << radius << " m";
 }
 
-// White 1998, Proc SPIE 3248: a carbide bur of 0.84 mm at high speed goes 0.273 +- 0.047 mm/s into enamel, 0.493 mm/s
-// into dentin. Its load is not given: that of dentists, 0.98 N, and six blades at 250000 rpm under it are assumed.
-TEST(MaterialPresets, LetACarbideBurIntoEnamelAndDentinAsFastAsWhiteMeasured) {
-  const double speed = 250000 * units::rpm, radius = 0.42 * units::mm, load = 0.98;
-  const auto rate = [&](const Material& m) {
-    closed_forms::SteadyCut cut{m.specific_cutting_energy, m.cutting_ratio, speed, 1};
-    cut.tooth_rate = tooth_rate(Cutter{CutterKind::carbide_bur}, speed);
-    cut.edge_length = m.edge_length;
-    cut.size_length = m.size_length;
-    return closed_forms::feed_with_chips_under(load, cut, radius) / units::mm;
-  };
-  EXPECT_NEAR(rate(presets::enamel()), 0.273, 0.047);
-  EXPECT_NEAR(rate(presets::dentin()) / 0.493, 1, 0.1);
-}
-
 // docs/model.md, "What is pressed too hard": w_c of a ball of 1 mm on voxels of 0.1 mm, by default.
 TEST(MaterialPresets, AreCrushedFromTheDepthOnThatThePageSays) {
   const double k_v = stiffness_for_head(SphereHead{1 * units::mm});
