@@ -101,7 +101,8 @@ Command validate_command() {
            path("output.json", "--json", settings->json, "report for machines"),
            number("validate.tolerance_factor", "--tolerance_factor", settings->tolerance_factor, Range::between(0, 1),
                   "all tolerances times this, to see how near the cases are to them [1]"),
-           path("output.markdown", "--markdown", settings->markdown, "the worst case of each form, as a page of the documentation"),
+           path("output.markdown", "--markdown", settings->markdown,
+                "the worst case of each form, as a page of the documentation"),
            path("output.measurements", "--measurements", settings->measurements,
                 "what published measurements predict, as a page of the documentation")},
           [settings] { run_validate(*settings); }};
