@@ -59,20 +59,22 @@ struct SteadyState {
 };
 
 /// Feeds the tool along a straight line at constant speed and averages from `from` of the path on.
+/// @param R_WT  how the tool points, in whose axes the means are told
 inline SteadyState feed(Simulation& simulation, const Vec3& start, const Vec3& feed_velocity, double travel, double dt,
-                        double from = 0.5) {
+                        double from = 0.5, const Mat3& R_WT = Mat3::Identity()) {
   SteadyState state;
   const int steps = int(std::lround(travel / (feed_velocity.norm() * dt)));
   std::vector<double> thrusts;
   for (int i = 0; i < steps; ++i) {
-    const Pose pose = Pose::from_translation(start + feed_velocity * (dt * (i + 1)));
+    const Pose pose = {R_WT, start + feed_velocity * (dt * (i + 1))};
     const StepResult& result = simulation.step(pose, {feed_velocity, Vec3::Zero()}, dt);
     state.removed_volume += result.removed_volume;
     state.status |= result.status;
     if (i < from * steps) continue;
-    thrusts.push_back(result.force.z());
-    state.force += result.force;
-    state.torque += result.torque;
+    const Vec3 force_T = R_WT.transpose() * result.force;
+    thrusts.push_back(force_T.z());
+    state.force += force_T;
+    state.torque += R_WT.transpose() * result.torque;
     state.engaged_volume += result.contact.volume;
   }
   const double n = double(thrusts.size());

@@ -208,8 +208,7 @@ void wiggle_in_slot(Report& report) {
   const double moved = hand.seconds();
   chain.play(hand.move({0, 1 * mm, 0}, 0.1).hold(0.4));
   const Span rest = chain.story.within(moved + 0.3, moved + 0.5);
-  report.at_most("sd of the steady force", 100 * chain.story.unsteadiness(rest, force_of), 5, "%",
-                 "of its mean, about a straight line");
+  demand_steady(report, chain.story, rest);
   chain.judge();
 }
 

@@ -95,7 +95,7 @@ void slide_off_an_edge(Report& report) {
     const Tool ball = tool_of(SphereHead{kRadius});
     Rig rig(report, std::move(piece), ball, Held::by_coupling);
     Hand hand(ball, Vec3(-1 * mm, 0.013 * mm, 0.1 * mm));
-    hand.move({0, 0, -0.1 * mm - kForce / gains_of_touch().stiffness}, 0.1).hold(0.05);
+    hand.move({0, 0, -0.1 * mm - kForce / touch_gains().stiffness}, 0.1).hold(0.05);
     rig.play(hand);
     Hand on(hand.end());
     const Span slid = rig.play(on.move({3 * mm, 0, 0}, 3 * mm / speed).hold(0.2));

@@ -20,12 +20,6 @@ double moved_since(const Story& story, double time, const Span& span) {
   return story.most(span, [&](const Tick& tick) { return (tick.X_WH.translation - from).norm(); });
 }
 
-void once(Chain& chain, const std::function<void()>& happens) {
-  chain.before = [happens, done = false](double time) mutable {
-    if (time >= kNow && !std::exchange(done, true)) happens();
-  };
-}
-
 /// What holds whatever was told to the loop in a cut: nothing moves, nothing is cut until there is a force again.
 void demand_quiet(Report& report, Chain& chain, double until) {
   const Story& story = chain.story;
@@ -55,8 +49,7 @@ void press_far_tip(Report& report) {
   const double pressed = hand.seconds();
   chain.play(hand.hold(0.5));
   const Span rest = chain.story.within(pressed + 0.3, pressed + 0.5);
-  report.at_most("sd of the steady force", 100 * chain.story.unsteadiness(rest, force_of), 5, "%",
-                 "of its mean, about a straight line");
+  demand_steady(report, chain.story, rest);
   chain.judge();
 }
 
@@ -79,8 +72,7 @@ void lean_on_wall(Report& report) {
     const double leant = hand.seconds();
     chain.play(hand.hold(0.7));
     const Span rest = chain.story.within(leant + 0.4, leant + 0.7);
-    report.at_most("sd of the steady force", 100 * chain.story.unsteadiness(rest, force_of), 5, "%",
-                   "of its mean, about a straight line");
+    demand_steady(report, chain.story, rest);
     chain.judge();
   }
 }
@@ -150,7 +142,7 @@ void over_the_rim(Report& report) {
 void change_scale(Report& report) {
   report.scene("ball 2 mm that cuts cortical bone, scale from 1 to 3, coupled");
   Chain chain(report, bone_for(report), turning_ball());
-  once(chain, [&] { chain.tell(commands::SetScale{3}); });
+  chain.at(kNow, [&] { chain.tell(commands::SetScale{3}); });
   Hand hand = pressed_hand();
   hand.hold(0.4);
   const double rests = hand.seconds();
@@ -175,11 +167,8 @@ void change_scale(Report& report) {
 void hold_and_leave(Report& report) {
   report.scene("ball 2 mm that cuts cortical bone, force held, hand 10 mm up and back, force released, coupled");
   Chain chain(report, bone_for(report), turning_ball());
-  bool held = false, released = false;
-  chain.before = [&](double time) {
-    if (time >= kNow && !std::exchange(held, true)) chain.tell(commands::HoldForce{true});
-    if (time >= kNow + 0.5 && !std::exchange(released, true)) chain.tell(commands::HoldForce{false});
-  };
+  chain.at(kNow, [&] { chain.tell(commands::HoldForce{true}); });
+  chain.at(kNow + 0.5, [&] { chain.tell(commands::HoldForce{false}); });
   Hand hand = pressed_hand();
   chain.play(hand.hold(0.35).move({0, 0, 10 * mm}, 0.2).move({0, 0, -10 * mm}, 0.2).hold(0.3));
   const Span after = chain.story.within(kNow + 0.5, kNow + 0.75);
@@ -196,7 +185,7 @@ void undo_in_cavity(Report& report) {
   options.undo_blocks = 4000;
   Chain chain(report, bone_for(report), turning_ball(), options);
   chain.tell(commands::SetUndoMark{});
-  once(chain, [&] { chain.tell(commands::Undo{}); });
+  chain.at(kNow, [&] { chain.tell(commands::Undo{}); });
   Hand hand = pressed_hand();
   hand.hold(0.5);
   const double rests = hand.seconds();
@@ -211,11 +200,8 @@ void undo_in_cavity(Report& report) {
 void stop_and_go(Report& report) {
   report.scene("ball 2 mm that cuts cortical bone, spindle switched off for 0.3 s and on again, coupled");
   Chain chain(report, bone_for(report), turning_ball());
-  bool off = false, on = false;
-  chain.before = [&](double time) {
-    if (time >= kNow && !std::exchange(off, true)) chain.tell(commands::SetSpindleSpeed{0});
-    if (time >= kNow + 0.3 && !std::exchange(on, true)) chain.tell(commands::SetSpindleSpeed{40000 * rpm});
-  };
+  chain.at(kNow, [&] { chain.tell(commands::SetSpindleSpeed{0}); });
+  chain.at(kNow + 0.3, [&] { chain.tell(commands::SetSpindleSpeed{40000 * rpm}); });
   Hand hand = pressed_hand();
   chain.play(hand.hold(1));
   const Story& story = chain.story;

@@ -109,7 +109,7 @@ void drill_lift_push(Report& report) {
   report.scene("twist drill 2 mm, trabecular bone, coupled");
   Drilled drilled(report, borers().front(), bone_of(false));
   drilled.rig.simulation.set_spindle_speed(AngularSpeed{});
-  drilled.rig.couple(gains_of_touch());
+  drilled.rig.couple(touch_gains());
   Hand hand = drilled.from_here();
   drilled.rig.play(hand.move({0, 0, kLift}, 0.2).hold(0.1));
   const Pose lifted = drilled.rig.story.ticks.back().X_WH;
@@ -151,12 +151,12 @@ void pull_standing_drill(Report& report) {
     report.scene(borer.name + ", standing in its hole in trabecular bone, coupled");
     Drilled drilled(report, borer, bone_of(false));
     drilled.rig.simulation.set_spindle_speed(AngularSpeed{});
-    drilled.rig.couple(gains_of_touch());
+    drilled.rig.couple(touch_gains());
     Hand hand = drilled.from_here();
     drilled.rig.play(hand.hold(0.1));
     const Pose before = drilled.rig.story.ticks.back().X_WH;
     Hand pull(hand.end());
-    drilled.rig.play(pull.move({kPull / gains_of_touch().stiffness, 0, 0}, 0.3).hold(0.5));
+    drilled.rig.play(pull.move({kPull / touch_gains().stiffness, 0, 0}, 0.3).hold(0.5));
     const Vec3 strayed = drilled.rig.story.ticks.back().X_WH.translation - before.translation;
     report.at_most("strays sideways", 1e3 * strayed.head<2>().norm(), 0.1, "mm");
     report.at_most("climbs", 1e3 * std::abs(strayed.z()), 0.1, "mm");

@@ -12,5 +12,36 @@ namespace hapticut::test {
 using fixtures::feed;
 using fixtures::plain_material;
 using fixtures::SteadyState;
+using fixtures::unbooked;
+
+inline constexpr double kRadius = 1 * units::mm;  // [m] of a head, where nothing else is said
+inline constexpr double kVoxel = 0.1 * units::mm;
+inline constexpr double kFeed = 2 * units::mm;  // [m/s]
+inline constexpr double kSpin = 2000;           // [rad/s]
+inline constexpr double kTick = 1e-3;           // [s]
+
+/// Held where the hand feels it.
+inline Tool tool_of(const ToolHead& head, double spin = 0) {
+  return Tool(head, RayHandle{0}, Spindle{spin * units::rad_per_s});
+}
+
+inline SimulationConfig on_foundation(double reference_stiffness, bool deep_contact = true) {
+  SimulationConfig config;
+  config.reference_stiffness = reference_stiffness;
+  config.deep_contact = deep_contact;
+  return config;
+}
+
+/// As large as a millimetre's head asks for, below z = 0, on voxels of kVoxel.
+/// @param half_width, depth  [m]
+inline Workpiece plain_block(double half_width = 2 * units::mm, double depth = 2 * units::mm) {
+  return build_block({Vec3(-half_width, -half_width, -depth), Vec3(half_width, half_width, 0)}, kVoxel,
+                     plain_material());
+}
+
+/// A step of the hand along z.
+inline const StepResult& step_to(Simulation& simulation, const Vec3& p_WHo, const Vec3& velocity = Vec3::Zero()) {
+  return simulation.step(Pose::from_translation(p_WHo), {velocity, Vec3::Zero()}, kTick);
+}
 
 }  // namespace hapticut::test

@@ -38,7 +38,7 @@ CornerRun push_into_corner(double kappa, double spin, bool hard, double stiffnes
   if (hard) material.specific_cutting_energy = 1e14;  // nothing is cut
   const Tool tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin * units::rad_per_s});
   Simulation simulation(corner(material, 0.1 * mm), tool, implicit(stiffness));
-  CouplingGains gains = coupling_gains(capabilities(device_model("touch")));
+  CouplingGains gains = touch_gains();
   VirtualCoupling coupling(simulation, gains);
   CornerRun run;
   Vec3 last = Vec3(-1.3, 0, 1.3) * mm;
