@@ -114,11 +114,8 @@ void readme_on_touch(Report& report) {
   for (const bool coupled : {false, true}) {
     report.scene(std::string("README's first example, Touch in a nominal hand, ") +
                  (coupled ? "coupled" : "SimulationModel without a coupling"));
-    ChainOptions options;
-    options.hand = "nominal";
-    options.coupled = coupled;
     try {
-      Chain chain(report, bone(), bur, options);
+      Chain chain(report, bone(), bur, {.hand = "nominal", .coupled = coupled});
       chain.play(hand);
       demand_steady(report, chain.story, chain.story.within(0.95, 1.2));
       chain.judge();
@@ -160,10 +157,9 @@ void flick(Report& report) {
   const int flicks = report.voxel() < 2e-4 ? 100 : 1000;
   report.scene("ball 2 mm on a handle of 100 mm, standing, Touch, coupled");
   const Tool tool(SphereHead{1 * mm}, RayHandle{kLength});
-  ChainOptions options;
-  options.map.X_WB = Pose::from_translation(Vec3(0, 0, kLength));  // the stylus is held at the base's origin
+  const WorkspaceMapOptions map{.X_WB = Pose::from_translation(Vec3(0, 0, kLength))};  // held at the base's origin
   Chain chain(report, build_block({Vec3(1.5, -3, -3) * mm, Vec3(5, 3, 3) * mm}, report.voxel(), plain_material()), tool,
-              options);
+              {.map = map});
   const Pose start;
   Hand hand(start);
   hand.hold(0.02);

@@ -40,9 +40,7 @@ void press_far_tip(Report& report) {
       "ball 2 mm on a handle of 80 mm that lies flat, standing, pressed on cortical bone, Premium of six motors, "
       "coupled");
   const Tool tool(SphereHead{kBallRadius}, RayHandle{kArm});
-  ChainOptions options;
-  options.device = "premium6dof";
-  Chain chain(report, bone_for(report), tool, options);
+  Chain chain(report, bone_for(report), tool, {.device = "premium6dof"});
   // The handle lies along x: the head is in the middle, the hand 80 mm beside it.
   Hand hand(Pose{rotation_from_vector(Vec3(0, kPi / 2, 0)), Vec3(kArm, 0, kBallRadius + 0.2 * mm)});
   hand.move({0, 0, -13 * mm}, 0.5);
@@ -63,10 +61,8 @@ void lean_on_wall(Report& report) {
     report.scene("side of a cylinder of 2 mm, 30 000 rpm, leant with 0.3 N on a wall of u 3e9 J/m^3, kappa " +
                  shown(kappa, "") + ", Touch in a nominal hand, coupled");
     const Tool bur = tool_of(FlatHead{kBallRadius, 4 * mm}, Spindle{30000 * rpm});
-    ChainOptions options;
-    options.hand = "nominal";
     Chain chain(report, build_block({Vec3(-9, 0, -2) * mm, Vec3(9, 1, 0) * mm}, report.voxel(), material), bur,
-                options);
+                {.hand = "nominal"});
     Hand hand(bur, Vec3(0.2 * mm, -kBallRadius - 0.3 * mm, -1.5 * mm));
     hand.move({0, 0.3 * mm + 0.3 / 210, 0}, 0.3);  // spring of the hand and coupling in a row: 210 N/m
     const double leant = hand.seconds();
@@ -82,9 +78,7 @@ void lean_on_wall(Report& report) {
 void tap(Report& report) {
   report.scene(
       "ball 2 mm, standing, 10 taps a second from 2 mm above to 2 mm below enamel, Touch in a nominal hand, coupled");
-  ChainOptions options;
-  options.hand = "nominal";
-  Chain chain(report, slab(1.6 * mm, 2 * mm, report.voxel(), presets::enamel()), turning_ball(0), options);
+  Chain chain(report, slab(1.6 * mm, 2 * mm, report.voxel(), presets::enamel()), turning_ball(0), {.hand = "nominal"});
   Hand hand(turning_ball(0), Vec3(0, 0, 2 * mm));
   for (int n = 0; n < 10; ++n) hand.move({0, 0, -4 * mm}, 0.05).move({0, 0, 4 * mm}, 0.05);
   const double taps = hand.seconds();
@@ -181,9 +175,7 @@ void hold_and_leave(Report& report) {
 
 void undo_in_cavity(Report& report) {
   report.scene("ball 2 mm in the cavity that it cut in cortical bone, undone, then drawn out, coupled");
-  ChainOptions options;
-  options.undo_blocks = 4000;
-  Chain chain(report, bone_for(report), turning_ball(), options);
+  Chain chain(report, bone_for(report), turning_ball(), {.undo_blocks = 4000});
   chain.tell(commands::SetUndoMark{});
   chain.at(kNow, [&] { chain.tell(commands::Undo{}); });
   Hand hand = pressed_hand();

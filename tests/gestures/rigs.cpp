@@ -103,6 +103,7 @@ Span Rig::play(const Hand& hand, const std::function<void(Pose&, double& dt)>& s
     story.add(tick, simulation, coupling_ ? &*coupling_ : nullptr);
   }
   time_ += double(ticks) * period;
+  end_ = hand.end();
   return {first, story.ticks.size()};
 }
 

@@ -39,6 +39,9 @@ class Rig {
   /// nothing
   Span play(const Hand& hand, const std::function<void(Pose&, double& dt)>& spoil = {});
 
+  /// The hand, where the last script left it.
+  [[nodiscard]] Hand from_here() const { return Hand(end_); }
+
   /// Tells the report of the invariants.
   void judge() { story.judge(report_, simulation); }
 
@@ -51,6 +54,7 @@ class Rig {
   Report& report_;
   std::optional<VirtualCoupling> coupling_;
   std::optional<Pose> last_;
+  Pose end_;  // of the last script
   double time_ = 0;
 };
 

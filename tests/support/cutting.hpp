@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "bench/fixtures.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
@@ -39,7 +41,19 @@ inline Workpiece plain_block(double half_width = 2 * units::mm, double depth = 2
                      plain_material());
 }
 
-/// A step of the hand along z.
+/// How a tool points in the grid, from its z axis.
+struct Way {
+  const char* name;
+  Mat3 R_WT;
+};
+inline const std::vector<Way> kWays = {
+    {"10 deg", Eigen::AngleAxisd(10 * units::deg, Vec3::UnitY()).toRotationMatrix()},
+    {"45 deg", Eigen::AngleAxisd(45 * units::deg, Vec3::UnitY()).toRotationMatrix()},
+    {"<111>", Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 1, 1)).toRotationMatrix()},
+};
+inline const Vec3 kOffGrid(0.0293 * units::mm, 0.0113 * units::mm, 0);  // [m] of a tool's axis, in its own axes
+
+/// A step of the hand with the tool upright.
 inline const StepResult& step_to(Simulation& simulation, const Vec3& p_WHo, const Vec3& velocity = Vec3::Zero()) {
   return simulation.step(Pose::from_translation(p_WHo), {velocity, Vec3::Zero()}, kTick);
 }

@@ -5,7 +5,6 @@
 #include "hapticut/bench/closed_forms.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/cutting.hpp"
-#include "support/fed_tool.hpp"
 
 namespace hapticut::crushing_test {
 namespace {

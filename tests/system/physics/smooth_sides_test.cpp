@@ -6,7 +6,6 @@
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/tool/shank.hpp"
 #include "support/cutting.hpp"
-#include "support/fed_tool.hpp"
 
 namespace hapticut::smooth_sides_test {
 namespace {
