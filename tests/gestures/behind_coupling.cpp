@@ -211,17 +211,11 @@ struct Exchange {
 void exchange_in_contact(Report& report) {
   const Pressed of = turning_burs().back();
   const std::vector<Exchange> all = {
-      {"undo",
-       [](Rig& rig, const auto&) {
-         while (!rig.simulation.undo(64)) {
-         }
-       }},
+      {"undo", [](Rig& rig, const auto&) { test::undo_all(rig.simulation); }},
       {"undo and redo",
        [](Rig& rig, const auto&) {
-         while (!rig.simulation.undo(64)) {
-         }
-         while (!rig.simulation.redo(64)) {
-         }
+         test::undo_all(rig.simulation);
+         test::redo_all(rig.simulation);
        }},
       {"restore", [](Rig& rig, const WorkpieceSnapshot& before) { rig.simulation.restore(before); }},
       {"a larger tool",

@@ -41,6 +41,13 @@ inline Workpiece plain_block(double half_width = 2 * units::mm, double depth = 2
                      plain_material());
 }
 
+inline void undo_all(Simulation& simulation) {
+  while (!simulation.undo(64)) continue;
+}
+inline void redo_all(Simulation& simulation) {
+  while (!simulation.redo(64)) continue;
+}
+
 /// How a tool points in the grid, from its z axis.
 struct Way {
   const char* name;

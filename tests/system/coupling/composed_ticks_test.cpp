@@ -12,6 +12,7 @@
 
 #include "support/composed_hand.hpp"
 #include "support/composed_scenes.hpp"
+#include "support/cutting.hpp"
 
 namespace hapticut::composed_ticks_test {
 namespace {
@@ -153,17 +154,9 @@ class Episode {
            e.simulation_.set_removal(below(3, e.random_) == 0 ? RemovalLaw::none : RemovalLaw::constant_energy);
          }},
         {"mark", [](Episode& e) { e.simulation_.set_undo_mark(); }},
-        {"undo",
-         [](Episode& e) {
-           while (!e.simulation_.undo(64)) continue;
-         },
-         true},
+        {"undo", [](Episode& e) { undo_all(e.simulation_); }, true},
         {"part_of_undo", [](Episode& e) { (void)e.simulation_.undo(1); }, true},
-        {"redo",
-         [](Episode& e) {
-           while (!e.simulation_.redo(64)) continue;
-         },
-         true},
+        {"redo", [](Episode& e) { redo_all(e.simulation_); }, true},
         {"restore", [](Episode& e) { e.simulation_.restore(e.fresh_); }, true},
         {"other_workpiece",
          [](Episode& e) {
