@@ -60,6 +60,12 @@ inline const std::vector<Way> kWays = {
 };
 inline const Vec3 kOffGrid(0.0293 * units::mm, 0.0113 * units::mm, 0);  // [m] of a tool's axis, in its own axes
 
+/// What of a box is where `distance` [m] is negative, of one material.
+template <class Distance>
+Workpiece body(const Box& box, double voxel, const Material& material, const Distance& distance) {
+  return build_body({box, distance, [](const Vec3&) { return MaterialId(1); }}, voxel, MaterialTable({material}));
+}
+
 /// A step of the hand with the tool upright.
 inline const StepResult& step_to(Simulation& simulation, const Vec3& p_WHo, const Vec3& velocity = Vec3::Zero()) {
   return simulation.step(Pose::from_translation(p_WHo), {velocity, Vec3::Zero()}, kTick);

@@ -32,14 +32,11 @@ struct Press {
       : R(R_WT), simulation(block(R_WT, voxel, thickness), tool_of(head, spin), config(stiffness, removal)) {}
 
   static Workpiece block(const Mat3& R, double voxel, double thickness) {
-    const BodyDescription body = {{Vec3::Constant(-3 * mm), Vec3::Constant(3 * mm)},
-                                  [R, thickness](const Vec3& p) {
-                                    const Vec3 q = R.transpose() * p;
-                                    const double across = std::max(std::abs(q.x()), std::abs(q.y())) - 1.6 * mm;
-                                    return std::max({q.z(), -thickness - q.z(), across});
-                                  },
-                                  [](const Vec3&) { return MaterialId(1); }};
-    return build_body(body, voxel, MaterialTable({brittle()}));
+    return body({Vec3::Constant(-3 * mm), Vec3::Constant(3 * mm)}, voxel, brittle(), [R, thickness](const Vec3& p) {
+      const Vec3 q = R.transpose() * p;
+      const double across = std::max(std::abs(q.x()), std::abs(q.y())) - 1.6 * mm;
+      return std::max({q.z(), -thickness - q.z(), across});
+    });
   }
   static SimulationConfig config(double stiffness, RemovalLaw removal = RemovalLaw::constant_energy) {
     SimulationConfig config = on_foundation(stiffness, false);
@@ -153,15 +150,13 @@ TEST(Crushing, AWallBearsItsStrengthEvenlyWhateverPressesIt) {
   for (const EdgeKind side : {EdgeKind::cutting, EdgeKind::smooth})
     for (const double damping : {0.0, 300.0})
       for (const double voxel : {0.2 * mm, 0.1 * mm}) {
-        const BodyDescription plate = {{Vec3(-1.6, -1.6, -1.4) * mm, Vec3(2.4, 1.6, 0.4) * mm},
-                                       [&](const Vec3& p) {
-                                         const double hole = kRadius - p.head<2>().norm();
-                                         return std::max({p.z(), -thickness - p.z(), hole});
-                                       },
-                                       [](const Vec3&) { return MaterialId(1); }};
+        const Box box = {Vec3(-1.6, -1.6, -1.4) * mm, Vec3(2.4, 1.6, 0.4) * mm};
+        Workpiece plate = body(box, voxel, brittle(), [&](const Vec3& p) {
+          return std::max({p.z(), -thickness - p.z(), kRadius - p.head<2>().norm()});
+        });
         SimulationConfig config = Press::config(2e16);
         config.contact_damping = damping;
-        Simulation simulation(build_body(plate, voxel, MaterialTable({brittle()})), Tool(pin(side)), config);
+        Simulation simulation(std::move(plate), Tool(pin(side)), config);
         double least = 1e9, most = 0;
         for (int n = 1; n <= 50; ++n) {
           const Vec3 at = kOffGrid + Vec3(n * speed * 1e-3, 0, -2 * mm);

@@ -15,16 +15,17 @@ using units::mm;
 using units::rpm;
 
 /// By 5 % at least from each input to the next.
-void expect_rise(const char* what, const std::vector<double>& inputs, const std::function<double(double)>& of) {
+void expect_rise(const char* what, const std::vector<double>& inputs, const std::function<double(double)>& of,
+                 double factor = 1.05) {
   double last = 0;
   for (const double input : inputs) {
     const double now = of(input);
-    EXPECT_GT(now, 1.05 * last) << what << ", " << input;
+    EXPECT_GT(now, factor * last) << what << ", " << input;
     last = now;
   }
 }
 void expect_fall(const char* what, const std::vector<double>& inputs, const std::function<double(double)>& of) {
-  expect_rise(what, {inputs.rbegin(), inputs.rend()}, of);
+  expect_rise(what, {inputs.rbegin(), inputs.rend()}, of, 1 / 0.95);
 }
 
 /// Bone with an edge that rubs, as a drill of a millimetre sees it.

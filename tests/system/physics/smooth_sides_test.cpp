@@ -30,15 +30,12 @@ Material bone(double friction) {
 
 /// A block below z = 0 of the tool's own axes, which lie in the grid as `R` says.
 Workpiece block(const Mat3& R, double voxel, double depth, const Material& material, double hole = 0) {
-  const BodyDescription body = {{Vec3::Constant(-5 * mm), Vec3::Constant(5 * mm)},
-                                [=](const Vec3& p) {
-                                  const Vec3 q = R.transpose() * p - kOffGrid;
-                                  const double across = q.head<2>().norm() - 2 * mm;
-                                  const double solid = std::max({q.z(), -depth - q.z(), across});
-                                  return hole > 0 ? std::max(solid, hole - q.head<2>().norm()) : solid;
-                                },
-                                [](const Vec3&) { return MaterialId(1); }};
-  return build_body(body, voxel, MaterialTable({material}));
+  return test::body({Vec3::Constant(-5 * mm), Vec3::Constant(5 * mm)}, voxel, material, [=](const Vec3& p) {
+    const Vec3 q = R.transpose() * p - kOffGrid;
+    const double across = q.head<2>().norm() - 2 * mm;
+    const double solid = std::max({q.z(), -depth - q.z(), across});
+    return hole > 0 ? std::max(solid, hole - q.head<2>().norm()) : solid;
+  });
 }
 
 struct Grid {

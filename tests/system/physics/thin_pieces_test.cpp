@@ -21,11 +21,9 @@ TEST(ThinPieces, ASheetThinnerThanAVoxelCostsWhatItsVolumeDoes) {
     for (const double tilt : {0.0, 10.0, 45.0}) {
       const Mat3 R = Eigen::AngleAxisd(tilt * deg, Vec3::UnitY()).toRotationMatrix();
       const Vec3 normal = R.col(2), middle = Vec3(0.013, 0.021, 0) * mm + 0.37 * kVoxel * normal;
-      const BodyDescription sheet = {{Vec3::Constant(-2 * mm), Vec3::Constant(2 * mm)},
-                                     [&](const Vec3& p) { return std::abs(normal.dot(p - middle)) - thickness / 2; },
-                                     [](const Vec3&) { return MaterialId(1); }};
-      Simulation simulation(build_body(sheet, kVoxel, MaterialTable({plain_material()})),
-                            tool_of(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, kSpin));
+      Workpiece sheet = body({Vec3::Constant(-2 * mm), Vec3::Constant(2 * mm)}, kVoxel, plain_material(),
+                             [&](const Vec3& p) { return std::abs(normal.dot(p - middle)) - thickness / 2; });
+      Simulation simulation(std::move(sheet), tool_of(FlatHead{kRadius, 8 * mm, FlatRule::bottom_only}, kSpin));
       const double above = 0.2 * mm, way = thickness + 3 * above;
       (void)feed(simulation, middle + normal * (thickness / 2 + above), -normal * kFeed, way, kTick, 0.5, R);
       const EnergyLedger& energy = simulation.last_result().energy;
