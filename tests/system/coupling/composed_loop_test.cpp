@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/loop/simulation_model.hpp"
@@ -14,16 +16,6 @@ namespace {
 
 using namespace test;
 using units::mm;
-
-/// What a reading may suffer on its way from the device.
-enum class Spoilt { not_at_all, no_number, flip, no_rotation, late, jump, invalid };
-
-constexpr auto names_of(Of<Spoilt>) {
-  using enum Spoilt;
-  return std::array{Named{not_at_all, "not_at_all"},   Named{no_number, "no_number"}, Named{flip, "flip"},
-                    Named{no_rotation, "no_rotation"}, Named{late, "late"},           Named{jump, "jump"},
-                    Named{invalid, "invalid"}};
-}
 
 class Course {
  public:
@@ -65,7 +57,7 @@ class Course {
   [[nodiscard]] std::string what_is_broken() const {
     return invariants_.broken() + "; tick " + std::to_string(tick_ - 1) + ", the hand does " +
            std::string(name_or_null(hand_.motion())) + ", command " + std::to_string(command_) + ", reading " +
-           std::string(name_or_null(spoilt_)) + ", " + std::to_string(period_ * 1e3) + " ms, status " +
+           std::string(spoilt_->name) + ", " + std::to_string(period_ * 1e3) + " ms, status " +
            describe(snapshot_.tool.status) + ", arming " + std::string(name_or_null(device_.last_arming()));
   }
   [[nodiscard]] std::uint64_t hash() const { return invariants_.hash() ^ simulation_.workpiece().hash(); }
@@ -111,30 +103,34 @@ class Course {
     state.velocity = hand_.velocity();
     state.time += late_;
     if (left_ % every_ != 0) return;
-    switch (spoilt_) {
-      case Spoilt::no_number:
-        state.X_BS.translation.y() = std::numeric_limits<double>::quiet_NaN();
-        break;
-      case Spoilt::flip:
-        state.X_BS.rotation = rotation_from_vector(Vec3(units::kPi, 0, 0)) * state.X_BS.rotation;
-        break;
-      case Spoilt::no_rotation:
-        state.X_BS.rotation.col(0) *= -1;
-        break;
-      case Spoilt::late:
-        state.time -= late_;
-        late_ += random_.between(2e-3, 0.2);  // and all that come after it
-        state.time += late_;
-        break;
-      case Spoilt::jump:
-        state.X_BS.translation += random_.vector(40 * mm);
-        break;
-      case Spoilt::invalid:
-        state.valid = false;
-        break;
-      default:
-        break;
-    }
+    spoilt_->happens(*this, state);
+  }
+
+  /// What a reading may suffer on its way from the device.
+  struct Spoilt {
+    std::string_view name;
+    void (*happens)(Course& course, DeviceState& state);
+  };
+
+  static const std::vector<Spoilt>& spoilt() {
+    static const std::vector<Spoilt> all = {
+        {"not_at_all", [](Course&, DeviceState&) {}},
+        {"no_number",
+         [](Course&, DeviceState& state) { state.X_BS.translation.y() = std::numeric_limits<double>::quiet_NaN(); }},
+        {"flip",
+         [](Course&, DeviceState& state) {
+           state.X_BS.rotation = rotation_from_vector(Vec3(units::kPi, 0, 0)) * state.X_BS.rotation;
+         }},
+        {"no_rotation", [](Course&, DeviceState& state) { state.X_BS.rotation.col(0) *= -1; }},
+        {"late",
+         [](Course& course, DeviceState& state) {
+           state.time -= course.late_;
+           course.late_ += course.random_.between(2e-3, 0.2);  // and all that come after it
+           state.time += course.late_;
+         }},
+        {"jump", [](Course& course, DeviceState& state) { state.X_BS.translation += course.random_.vector(40 * mm); }},
+        {"invalid", [](Course&, DeviceState& state) { state.valid = false; }}};
+    return all;
   }
 
   /// The motors have it: the tick is complete.
@@ -149,7 +145,7 @@ class Course {
   void begin_action() {
     left_ = int(random_.between(0.01, 0.3) / period_);
     hand_.begin(snapshot_.tool.status == StepStatus::ok ? Motion(below(9, random_)) : Motion::lift, random_);
-    spoilt_ = below(3, random_) == 0 ? Spoilt(below(7, random_)) : Spoilt::not_at_all;
+    spoilt_ = &spoilt()[below(3, random_) == 0 ? std::size_t(below(int(spoilt().size()), random_)) : 0];
     every_ = below(2, random_) == 0 ? 1000 : 1 + below(30, random_);
     command_ = below(2, random_) == 0 ? -1 : below(15, random_);
     if (is_open_ && below(3, random_) != 0) command_ = 1;  // or nothing would come of it
@@ -211,7 +207,7 @@ class Course {
   ComposedInvariants invariants_;
   LoopSnapshot snapshot_;
   Wrench applied_;
-  Spoilt spoilt_ = Spoilt::not_at_all;
+  const Spoilt* spoilt_ = &spoilt()[0];
   double last_time_ = 0, last_removed_ = 0, late_ = 0;  // [s], [m^3], [s]
   int tick_ = 0, left_ = 0, every_ = 1, command_ = -1;
   bool is_under_way_ = false, is_open_ = false;
