@@ -15,7 +15,7 @@ struct Pressed {
   Tool tool;
   Material material;
   double force;  // [N]
-  CouplingGains gains = gains_of_touch();
+  CouplingGains gains = touch_gains();
 };
 
 std::vector<Pressed> turning_burs() {
@@ -113,7 +113,7 @@ void drill_a_hole(Report& report) {
     Pressed of{"", tool_of(twist_drill_head(diameter, 8 * mm), Spindle{4000 * rpm}, Cutter{CutterKind::twist_drill, 2}),
                presets::trabecular_bone(), 2};
     for (const bool common : {true, false}) {
-      of.gains = common ? CouplingGains{} : gains_of_touch();
+      of.gains = common ? CouplingGains{} : touch_gains();
       report.scene("twist drill " + shown(1e3 * diameter, "mm") + ", 4000 rpm, 2 N on trabecular bone, " +
                    (common ? "gains by default" : "gains of a Touch"));
       const double depth = 2.5 * mm;
@@ -157,7 +157,7 @@ void needle(Report& report) {
     Hand hand(tool, Vec3(0.017, 0.006, 0.3) * mm);
     const double strength = strength_of(material);
     const auto depth_by_strength = [&](double force) { return std::sqrt(force / (kPi * strength)) / slope; };
-    hand.move({0, 0, -0.3 * mm - depth_by_strength(kForce) - kForce / gains_of_touch().stiffness}, 0.3);
+    hand.move({0, 0, -0.3 * mm - depth_by_strength(kForce) - kForce / touch_gains().stiffness}, 0.3);
     rig.play(hand.hold(0.2));
     const Tick& end = rig.story.ticks.back();
     const double depth = tip_below_hand(tool) - end.X_WH.translation.z(), force = end.felt.force.norm();
@@ -211,17 +211,11 @@ struct Exchange {
 void exchange_in_contact(Report& report) {
   const Pressed of = turning_burs().back();
   const std::vector<Exchange> all = {
-      {"undo",
-       [](Rig& rig, const auto&) {
-         while (!rig.simulation.undo(64)) {
-         }
-       }},
+      {"undo", [](Rig& rig, const auto&) { test::undo_all(rig.simulation); }},
       {"undo and redo",
        [](Rig& rig, const auto&) {
-         while (!rig.simulation.undo(64)) {
-         }
-         while (!rig.simulation.redo(64)) {
-         }
+         test::undo_all(rig.simulation);
+         test::redo_all(rig.simulation);
        }},
       {"restore", [](Rig& rig, const WorkpieceSnapshot& before) { rig.simulation.restore(before); }},
       {"a larger tool",

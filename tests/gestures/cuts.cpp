@@ -142,10 +142,7 @@ void break_through(Report& report) {
     return std::min(-kPlate - p.z(), p.z() + kPlate + kGap);  // between the plates
   });
   const Tool ball = tool_of(SphereHead{kRadius}, Spindle{30000 * rpm});
-  ChainOptions options;
-  options.device = "omega";
-  options.hand = "nominal";
-  Chain chain(report, std::move(piece), ball, options);
+  Chain chain(report, std::move(piece), ball, {.device = "omega", .hand = "nominal"});
   const double reach = kForce / hand_model("nominal").stiffness;
   Hand hand(Pose::from_translation(Vec3(0, 0, kRadius + 0.5 * mm)));
   chain.play(hand.move({0, 0, -0.5 * mm - reach}, 0.3).hold(0.9));
@@ -194,9 +191,7 @@ void wiggle_in_slot(Report& report) {
   Workpiece piece = carved(box, report.voxel(), hard,
                            [](const Vec3& p) { return std::min(kRadius * 1.01 - std::abs(p.y()), p.z() + 2 * mm); });
   const Tool bur = tool_of(FlatHead{kRadius, 4 * mm}, Spindle{30000 * rpm});
-  ChainOptions options;
-  options.device = "premium6dof";
-  Chain chain(report, std::move(piece), bur, options);
+  Chain chain(report, std::move(piece), bur, {.device = "premium6dof"});
   Hand hand(bur, Vec3(0, 0, 0.3 * mm));
   hand.move({0, 0, -1.5 * mm}, 0.2);
   for (int n = 0; n < 3; ++n)
@@ -208,8 +203,7 @@ void wiggle_in_slot(Report& report) {
   const double moved = hand.seconds();
   chain.play(hand.move({0, 1 * mm, 0}, 0.1).hold(0.4));
   const Span rest = chain.story.within(moved + 0.3, moved + 0.5);
-  report.at_most("sd of the steady force", 100 * chain.story.unsteadiness(rest, force_of), 5, "%",
-                 "of its mean, about a straight line");
+  demand_steady(report, chain.story, rest);
   chain.judge();
 }
 

@@ -82,14 +82,10 @@ void readme_on_touch(Report& report) {
   const Tool bur(SphereHead{1.5 * mm}, RayHandle{20 * mm}, Spindle{40000 * rpm});
   Hand hand(bur, Vec3(0, 0, 0.3 * mm));
   hand.move({0, 0, -3.4 * mm}, 0.8).hold(0.4);  // then the hand is steady
-  const auto unsteadiness = [](const Story& story) {
-    return 100 * story.unsteadiness(story.within(0.95, 1.2), force_of);
-  };
   {
     report.scene("README's first example, Touch in a nominal hand, stepped directly, which SimulationModel refuses");
     Simulation simulation(bone(), bur);
-    Story story({device_model("touch").peak_force, 0, device_model("touch").rendered_stiffness, false});
-    story.probing = report.probing;
+    Story story({device_model("touch").peak_force, 0, device_model("touch").rendered_stiffness, false}, report);
     simulation.add_observer(story);
     ClosedLoopConfig config;
     config.device = device_model("touch");
@@ -111,19 +107,17 @@ void readme_on_touch(Report& report) {
       tick.removed = result.removed_volume;
       story.add(tick, simulation, nullptr);
     }
-    report.at_least("sd of the steady force", unsteadiness(story), 5, "%", "it is right to refuse that");
+    report.at_least("sd of the steady force", 100 * story.unsteadiness(story.within(0.95, 1.2), force_of), 5, "%",
+                    "it is right to refuse that");
     simulation.remove_observer(story);
   }
   for (const bool coupled : {false, true}) {
     report.scene(std::string("README's first example, Touch in a nominal hand, ") +
                  (coupled ? "coupled" : "SimulationModel without a coupling"));
-    ChainOptions options;
-    options.hand = "nominal";
-    options.coupled = coupled;
     try {
-      Chain chain(report, bone(), bur, options);
+      Chain chain(report, bone(), bur, {.hand = "nominal", .coupled = coupled});
       chain.play(hand);
-      report.at_most("sd of the steady force", unsteadiness(chain.story), 5, "%", "of its mean, about a straight line");
+      demand_steady(report, chain.story, chain.story.within(0.95, 1.2));
       chain.judge();
     } catch (const Error& refusal) {
       report.that("sd of the steady force", "at most 5 % of its mean, or refused", "refused", !coupled);
@@ -138,7 +132,7 @@ void heavy_tool(Report& report) {
   report.scene("tool of 0.3 kg on a Touch, 20 mm in 60 ms, in the air, coupled");
   std::optional<CouplingGains> gains;
   try {
-    gains = gains_of_touch(kMass);
+    gains = touch_gains(kMass);
   } catch (const Error&) {
     report.that("damping ratio", "at least 0.5, or refused", "refused", true);
     return;
@@ -163,10 +157,10 @@ void flick(Report& report) {
   const int flicks = report.voxel() < 2e-4 ? 100 : 1000;
   report.scene("ball 2 mm on a handle of 100 mm, standing, Touch, coupled");
   const Tool tool(SphereHead{1 * mm}, RayHandle{kLength});
-  ChainOptions options;
-  options.map.X_WB = Pose::from_translation(Vec3(0, 0, kLength));  // the stylus is held at the base's origin
+  WorkspaceMapOptions map;
+  map.X_WB = Pose::from_translation(Vec3(0, 0, kLength));  // held at the base's origin
   Chain chain(report, build_block({Vec3(1.5, -3, -3) * mm, Vec3(5, 3, 3) * mm}, report.voxel(), plain_material()), tool,
-              options);
+              {.map = map});
   const Pose start;
   Hand hand(start);
   hand.hold(0.02);

@@ -45,10 +45,8 @@ void reverse_at_bottom(Report& report) {
   Hand hand(bur, Vec3(0, 0, 0.02 * mm));
   const Span before = rig.play(hand.move({0, 0, -0.5 * mm}, 0.5 * mm / kFeed)).tail(0.2);
   rig.simulation.set_spindle_speed(-3000 * units::rad_per_s);
-  Hand on(hand.end());
-  rig.play(on.move({0, 0, -0.1 * mm}, 0.1 * mm / kFeed));
-  Hand end(on.end());
-  const Span after = rig.play(end.move({0, 0, -0.4 * mm}, 0.4 * mm / kFeed)).tail(0.2);
+  rig.play(rig.from_here().move({0, 0, -0.1 * mm}, 0.1 * mm / kFeed));
+  const Span after = rig.play(rig.from_here().move({0, 0, -0.4 * mm}, 0.4 * mm / kFeed)).tail(0.2);
   report.near("thrust after", rig.story.mean(after, thrust_of), rig.story.mean(before, thrust_of), 0.1, "N",
               "as before");
   const auto torque = [](const Tick& t) { return t.felt.torque.z(); };
@@ -95,10 +93,9 @@ void slide_off_an_edge(Report& report) {
     const Tool ball = tool_of(SphereHead{kRadius});
     Rig rig(report, std::move(piece), ball, Held::by_coupling);
     Hand hand(ball, Vec3(-1 * mm, 0.013 * mm, 0.1 * mm));
-    hand.move({0, 0, -0.1 * mm - kForce / gains_of_touch().stiffness}, 0.1).hold(0.05);
+    hand.move({0, 0, -0.1 * mm - kForce / touch_gains().stiffness}, 0.1).hold(0.05);
     rig.play(hand);
-    Hand on(hand.end());
-    const Span slid = rig.play(on.move({3 * mm, 0, 0}, 3 * mm / speed).hold(0.2));
+    const Span slid = rig.play(rig.from_here().move({3 * mm, 0, 0}, 3 * mm / speed).hold(0.2));
     double sunk = 0;  // below the surface, on the bone
     for (std::size_t n = slid.first; n < slid.last; ++n) {
       const Vec3& p = rig.story.ticks[n].X_WH.translation;

@@ -20,12 +20,6 @@ double moved_since(const Story& story, double time, const Span& span) {
   return story.most(span, [&](const Tick& tick) { return (tick.X_WH.translation - from).norm(); });
 }
 
-void once(Chain& chain, const std::function<void()>& happens) {
-  chain.before = [happens, done = false](double time) mutable {
-    if (time >= kNow && !std::exchange(done, true)) happens();
-  };
-}
-
 /// What holds whatever was told to the loop in a cut: nothing moves, nothing is cut until there is a force again.
 void demand_quiet(Report& report, Chain& chain, double until) {
   const Story& story = chain.story;
@@ -46,17 +40,14 @@ void press_far_tip(Report& report) {
       "ball 2 mm on a handle of 80 mm that lies flat, standing, pressed on cortical bone, Premium of six motors, "
       "coupled");
   const Tool tool(SphereHead{kBallRadius}, RayHandle{kArm});
-  ChainOptions options;
-  options.device = "premium6dof";
-  Chain chain(report, bone_for(report), tool, options);
+  Chain chain(report, bone_for(report), tool, {.device = "premium6dof"});
   // The handle lies along x: the head is in the middle, the hand 80 mm beside it.
   Hand hand(Pose{rotation_from_vector(Vec3(0, kPi / 2, 0)), Vec3(kArm, 0, kBallRadius + 0.2 * mm)});
   hand.move({0, 0, -13 * mm}, 0.5);
   const double pressed = hand.seconds();
   chain.play(hand.hold(0.5));
   const Span rest = chain.story.within(pressed + 0.3, pressed + 0.5);
-  report.at_most("sd of the steady force", 100 * chain.story.unsteadiness(rest, force_of), 5, "%",
-                 "of its mean, about a straight line");
+  demand_steady(report, chain.story, rest);
   chain.judge();
 }
 
@@ -70,17 +61,14 @@ void lean_on_wall(Report& report) {
     report.scene("side of a cylinder of 2 mm, 30 000 rpm, leant with 0.3 N on a wall of u 3e9 J/m^3, kappa " +
                  shown(kappa, "") + ", Touch in a nominal hand, coupled");
     const Tool bur = tool_of(FlatHead{kBallRadius, 4 * mm}, Spindle{30000 * rpm});
-    ChainOptions options;
-    options.hand = "nominal";
     Chain chain(report, build_block({Vec3(-9, 0, -2) * mm, Vec3(9, 1, 0) * mm}, report.voxel(), material), bur,
-                options);
+                {.hand = "nominal"});
     Hand hand(bur, Vec3(0.2 * mm, -kBallRadius - 0.3 * mm, -1.5 * mm));
     hand.move({0, 0.3 * mm + 0.3 / 210, 0}, 0.3);  // spring of the hand and coupling in a row: 210 N/m
     const double leant = hand.seconds();
     chain.play(hand.hold(0.7));
     const Span rest = chain.story.within(leant + 0.4, leant + 0.7);
-    report.at_most("sd of the steady force", 100 * chain.story.unsteadiness(rest, force_of), 5, "%",
-                   "of its mean, about a straight line");
+    demand_steady(report, chain.story, rest);
     chain.judge();
   }
 }
@@ -90,9 +78,7 @@ void lean_on_wall(Report& report) {
 void tap(Report& report) {
   report.scene(
       "ball 2 mm, standing, 10 taps a second from 2 mm above to 2 mm below enamel, Touch in a nominal hand, coupled");
-  ChainOptions options;
-  options.hand = "nominal";
-  Chain chain(report, slab(1.6 * mm, 2 * mm, report.voxel(), presets::enamel()), turning_ball(0), options);
+  Chain chain(report, slab(1.6 * mm, 2 * mm, report.voxel(), presets::enamel()), turning_ball(0), {.hand = "nominal"});
   Hand hand(turning_ball(0), Vec3(0, 0, 2 * mm));
   for (int n = 0; n < 10; ++n) hand.move({0, 0, -4 * mm}, 0.05).move({0, 0, 4 * mm}, 0.05);
   const double taps = hand.seconds();
@@ -150,7 +136,7 @@ void over_the_rim(Report& report) {
 void change_scale(Report& report) {
   report.scene("ball 2 mm that cuts cortical bone, scale from 1 to 3, coupled");
   Chain chain(report, bone_for(report), turning_ball());
-  once(chain, [&] { chain.tell(commands::SetScale{3}); });
+  chain.at(kNow, [&] { chain.tell(commands::SetScale{3}); });
   Hand hand = pressed_hand();
   hand.hold(0.4);
   const double rests = hand.seconds();
@@ -175,11 +161,8 @@ void change_scale(Report& report) {
 void hold_and_leave(Report& report) {
   report.scene("ball 2 mm that cuts cortical bone, force held, hand 10 mm up and back, force released, coupled");
   Chain chain(report, bone_for(report), turning_ball());
-  bool held = false, released = false;
-  chain.before = [&](double time) {
-    if (time >= kNow && !std::exchange(held, true)) chain.tell(commands::HoldForce{true});
-    if (time >= kNow + 0.5 && !std::exchange(released, true)) chain.tell(commands::HoldForce{false});
-  };
+  chain.at(kNow, [&] { chain.tell(commands::HoldForce{true}); });
+  chain.at(kNow + 0.5, [&] { chain.tell(commands::HoldForce{false}); });
   Hand hand = pressed_hand();
   chain.play(hand.hold(0.35).move({0, 0, 10 * mm}, 0.2).move({0, 0, -10 * mm}, 0.2).hold(0.3));
   const Span after = chain.story.within(kNow + 0.5, kNow + 0.75);
@@ -192,11 +175,9 @@ void hold_and_leave(Report& report) {
 
 void undo_in_cavity(Report& report) {
   report.scene("ball 2 mm in the cavity that it cut in cortical bone, undone, then drawn out, coupled");
-  ChainOptions options;
-  options.undo_blocks = 4000;
-  Chain chain(report, bone_for(report), turning_ball(), options);
+  Chain chain(report, bone_for(report), turning_ball(), {.undo_blocks = 4000});
   chain.tell(commands::SetUndoMark{});
-  once(chain, [&] { chain.tell(commands::Undo{}); });
+  chain.at(kNow, [&] { chain.tell(commands::Undo{}); });
   Hand hand = pressed_hand();
   hand.hold(0.5);
   const double rests = hand.seconds();
@@ -211,11 +192,8 @@ void undo_in_cavity(Report& report) {
 void stop_and_go(Report& report) {
   report.scene("ball 2 mm that cuts cortical bone, spindle switched off for 0.3 s and on again, coupled");
   Chain chain(report, bone_for(report), turning_ball());
-  bool off = false, on = false;
-  chain.before = [&](double time) {
-    if (time >= kNow && !std::exchange(off, true)) chain.tell(commands::SetSpindleSpeed{0});
-    if (time >= kNow + 0.3 && !std::exchange(on, true)) chain.tell(commands::SetSpindleSpeed{40000 * rpm});
-  };
+  chain.at(kNow, [&] { chain.tell(commands::SetSpindleSpeed{0}); });
+  chain.at(kNow + 0.3, [&] { chain.tell(commands::SetSpindleSpeed{40000 * rpm}); });
   Hand hand = pressed_hand();
   chain.play(hand.hold(1));
   const Story& story = chain.story;

@@ -11,7 +11,7 @@ constexpr double kDrillRadius = 1 * mm;  // [m]
 constexpr double kDrillLength = 6 * mm;  // [m]
 constexpr double kHoleDepth = 3 * mm;    // [m] of the tip
 constexpr Vec3::Scalar kFeed = 5 * mm;   // [m/s]
-constexpr double kPoint = 118 * units::deg;
+constexpr double kPointAngle = 118 * units::deg;
 
 /// A head that makes a hole, and the height of its point.
 struct Borer {
@@ -26,8 +26,8 @@ ToolHead end_cutting_head(double radius, double length) {
 }
 
 std::vector<Borer> borers() {
-  return {{"twist drill 2 mm", twist_drill_head(2 * kDrillRadius, kDrillLength, kPoint),
-           kDrillRadius / std::tan(kPoint / 2)},
+  return {{"twist drill 2 mm", twist_drill_head(2 * kDrillRadius, kDrillLength, kPointAngle),
+           kDrillRadius / std::tan(kPointAngle / 2)},
           {"cylinder 2 mm", cylinder_head(2 * kDrillRadius, kDrillLength), 0},
           {"round-end cylinder 2 mm", round_end_cylinder_head(2 * kDrillRadius, kDrillLength), kDrillRadius},
           {"end-cutting bur 2 mm", end_cutting_head(kDrillRadius, kDrillLength), 0}};
@@ -41,21 +41,23 @@ Material bone_of(bool cortical) {
 struct Drilled {
   Drilled(Report& report, const Borer& borer, const Material& bone)
       : tool(tool_of(borer.head, Spindle{3000 * rpm}, {CutterKind::twist_drill, 2})),
-        rig(report, slab(1.8 * mm, 4 * mm, report.voxel(), bone), tool, Held::directly, at_the_end()),
-        hand(tool, Vec3(0, 0, 0.1 * mm)) {
-    hand.move({0, 0, -0.1 * mm - kHoleDepth}, (0.1 * mm + kHoleDepth) / kFeed).hold(0.05);
-    rig.play(hand);
+        rig(report, slab(1.8 * mm, 4 * mm, report.voxel(), bone), tool, Held::directly, at_the_end()) {
+    Hand hand(tool, Vec3(0, 0, 0.1 * mm));
+    rig.play(hand.move({0, 0, -0.1 * mm - kHoleDepth}, (0.1 * mm + kHoleDepth) / kFeed).hold(0.05));
   }
   static SimulationConfig at_the_end() {
     SimulationConfig config;
     config.contact_time = ContactTime::end;
     return config;
   }
-  [[nodiscard]] Hand from_here() const { return Hand(hand.end()); }
+  /// The spindle stands, and the hand holds the drill by a coupling.
+  void stop_and_couple() {
+    rig.simulation.set_spindle_speed(AngularSpeed{});
+    rig.couple(touch_gains());
+  }
 
   Tool tool;
   Rig rig;
-  Hand hand;
 };
 
 /// [m^2] of a disk of radius R that is moved by x, out of where it was
@@ -64,6 +66,16 @@ double crescent(double R, double x) {
 }
 double axial_of(const Tick& tick) { return std::abs(tick.felt.force.z()); }
 
+/// What a hand does with a tool that hardly moves.
+void demand_to_stay(Report& report, Rig& rig, const Hand& hand, const std::string& why = "") {
+  const Vec3 before = rig.story.ticks.back().X_WH.translation;
+  rig.play(hand);
+  const Vec3 strayed = rig.story.ticks.back().X_WH.translation - before;
+  report.at_most("strays sideways", 1e3 * strayed.head<2>().norm(), 0.1, "mm", why);
+  report.at_most("climbs", 1e3 * std::abs(strayed.z()), 0.1, "mm");
+  rig.judge();
+}
+
 void drill_lift_push(Report& report) {
   constexpr double kLift = 0.6 * mm, kPush = 0.5 * mm;
   for (const Borer& borer : borers()) {
@@ -71,16 +83,12 @@ void drill_lift_push(Report& report) {
     const Material bone = bone_of(true);
     Drilled drilled(report, borer, bone);
     drilled.rig.simulation.set_spindle_speed(AngularSpeed{});
-    Hand lift = drilled.from_here();
-    lift.move({0, 0, kLift}, 0.06).hold(0.02);
-    drilled.rig.play(lift);
+    drilled.rig.play(drilled.rig.from_here().move({0, 0, kLift}, 0.06).hold(0.02));
     // Round a closed path: sideways, out, back over the hole, and down again to where it was.
     const double before = drilled.rig.simulation.last_result().energy.hand_work;
-    Hand push(lift.end());
-    push.move({kPush, 0, 0}, 0.1).hold(0.02);
-    const Span pushed = drilled.rig.play(push);
+    const Span pushed = drilled.rig.play(drilled.rig.from_here().move({kPush, 0, 0}, 0.1).hold(0.02));
     const Story& story = drilled.rig.story;
-    Hand out(push.end());
+    Hand out = drilled.rig.from_here();
     out.move({0, 0, kHoleDepth}, 0.3).move({-kPush, 0, 0}, 0.02).move({0, 0, -kHoleDepth}, 0.3);
     const Span round = {pushed.first, drilled.rig.play(out).last};
     const double cost = story.ticks.back().energy.hand_work - before;
@@ -108,17 +116,9 @@ void drill_lift_push(Report& report) {
   }
   report.scene("twist drill 2 mm, trabecular bone, coupled");
   Drilled drilled(report, borers().front(), bone_of(false));
-  drilled.rig.simulation.set_spindle_speed(AngularSpeed{});
-  drilled.rig.couple(gains_of_touch());
-  Hand hand = drilled.from_here();
-  drilled.rig.play(hand.move({0, 0, kLift}, 0.2).hold(0.1));
-  const Pose lifted = drilled.rig.story.ticks.back().X_WH;
-  Hand push(hand.end());
-  drilled.rig.play(push.move({1 * mm, 0, 0}, 0.2).hold(0.3));
-  const Vec3 strayed = drilled.rig.story.ticks.back().X_WH.translation - lifted.translation;
-  report.at_most("strays sideways", 1e3 * strayed.head<2>().norm(), 0.1, "mm", "0.7 N of spring");
-  report.at_most("climbs", 1e3 * std::abs(strayed.z()), 0.1, "mm");
-  drilled.rig.judge();
+  drilled.stop_and_couple();
+  drilled.rig.play(drilled.rig.from_here().move({0, 0, kLift}, 0.2).hold(0.1));
+  demand_to_stay(report, drilled.rig, drilled.rig.from_here().move({1 * mm, 0, 0}, 0.2).hold(0.3), "0.7 N of spring");
 }
 
 void tilt_in_hole(Report& report) {
@@ -131,7 +131,7 @@ void tilt_in_hole(Report& report) {
   const double thrust = drilled.rig.story.ticks.back().felt.force.z();  // of the edges on the ground, below what cuts
   double before = 0;
   for (const double angle : {1.0, 2.0, 5.0}) {
-    Hand tilt(before == 0 ? drilled.hand.end() : drilled.rig.story.ticks.back().X_WD);
+    Hand tilt = before == 0 ? drilled.rig.from_here() : Hand(drilled.rig.story.ticks.back().X_WD);
     tilt.turn({0, (angle - before) * units::deg, 0}, middle, (angle - before) * units::deg / kSpeed);
     drilled.rig.play(tilt);
     before = angle;
@@ -150,17 +150,10 @@ void pull_standing_drill(Report& report) {
   for (const Borer& borer : {borers()[0], borers()[1], borers()[2]}) {
     report.scene(borer.name + ", standing in its hole in trabecular bone, coupled");
     Drilled drilled(report, borer, bone_of(false));
-    drilled.rig.simulation.set_spindle_speed(AngularSpeed{});
-    drilled.rig.couple(gains_of_touch());
-    Hand hand = drilled.from_here();
-    drilled.rig.play(hand.hold(0.1));
-    const Pose before = drilled.rig.story.ticks.back().X_WH;
-    Hand pull(hand.end());
-    drilled.rig.play(pull.move({kPull / gains_of_touch().stiffness, 0, 0}, 0.3).hold(0.5));
-    const Vec3 strayed = drilled.rig.story.ticks.back().X_WH.translation - before.translation;
-    report.at_most("strays sideways", 1e3 * strayed.head<2>().norm(), 0.1, "mm");
-    report.at_most("climbs", 1e3 * std::abs(strayed.z()), 0.1, "mm");
-    drilled.rig.judge();
+    drilled.stop_and_couple();
+    drilled.rig.play(drilled.rig.from_here().hold(0.1));
+    demand_to_stay(report, drilled.rig,
+                   drilled.rig.from_here().move({kPull / touch_gains().stiffness, 0, 0}, 0.3).hold(0.5));
   }
 }
 
@@ -212,12 +205,10 @@ void press_fit(Report& report) {
     return k * std::pow(kPin - kHole, 2) / 2 * 2 * kPi * kHole * length;
   };
   constexpr double kPulled = 0.2 * mm;
-  Hand turn(hand.end());
-  const Span turned = rig.play(turn.turn({0, 0, 0.3}, Vec3::Zero(), 0.15));
+  const Span turned = rig.play(rig.from_here().turn({0, 0, 0.3}, Vec3::Zero(), 0.15));
   report.near("torque", 1e3 * -rig.story.mean(turned.tail(0.2), [](const Tick& t) { return t.felt.torque.z(); }),
               1e3 * bone.dynamic_friction * squeeze(kIn) * kHole, 0.2, "N mm", "mu times the sum of normal forces, R");
-  Hand pull(turn.end());
-  const Span pulled = rig.play(pull.move({0, 0, kPulled}, 0.1));
+  const Span pulled = rig.play(rig.from_here().move({0, 0, kPulled}, 0.1));
   report.near("pull", -rig.story.mean(pulled.tail(0.2), thrust_of), bone.dynamic_friction * squeeze(kIn - kPulled), 0.2,
               "N", "mu times the sum of normal forces");
   rig.judge();

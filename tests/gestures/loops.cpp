@@ -9,7 +9,7 @@ namespace hapticut::gestures {
 namespace {
 
 /// [m] of the hand below the surface at which a Touch's coupling presses with a force.
-double press_depth(double force) { return force / gains_of_touch().stiffness; }
+double press_depth(double force) { return force / touch_gains().stiffness; }
 
 /// [m] the farthest that the tool is within a span from where it was before it.
 double strayed(const Story& story, const Span& span) {
@@ -31,10 +31,7 @@ void arm_with_weight(Report& report) {
     Chain chain(report, bone_for(report), turning_ball(0), options);
     Hand hand(turning_ball(0), Vec3(0, 0, 0.5 * mm));
     hand.hold(0.05).move({0, 0, -0.5 * mm - press_depth(weight)}, 0.2).hold(0.3);
-    bool interrupted = false;
-    chain.before = [&](double time) {
-      if (time > kInterrupted && !std::exchange(interrupted, true)) chain.device().interrupt(SafetyEvent::reclutched);
-    };
+    chain.at(kInterrupted, [&] { chain.device().interrupt(SafetyEvent::reclutched); });
     chain.play(hand);
     const ArmingState state = chain.story.at(0).arming;
     report.that("arms in the air", "on", name_of(state), state == ArmingState::on);
@@ -58,11 +55,8 @@ void open_clutch(Report& report) {
   Hand hand(turning_ball(), Vec3(0, 0, 0.2 * mm));
   hand.move({0, 0, -0.2 * mm - press_depth(2.6)}, 0.2).hold(0.25);
   hand.move({0, 0, 10 * mm}, 0.4).move({0, 0, -8 * mm}, 0.5).hold(0.3);
-  bool opened = false, closed = false;
-  chain.before = [&](double time) {
-    if (time > kOpen && !std::exchange(opened, true)) chain.tell(commands::OpenClutch{});
-    if (time > kClose && !std::exchange(closed, true)) chain.tell(commands::CloseClutch{});
-  };
+  chain.at(kOpen, [&] { chain.tell(commands::OpenClutch{}); });
+  chain.at(kClose, [&] { chain.tell(commands::CloseClutch{}); });
   chain.play(hand);
   const Story& story = chain.story;
   const Span open = story.within(kOpen + 2e-3, kClose), closing = story.within(kClose, kClose + 0.02);
@@ -139,9 +133,7 @@ void faults_in_a_cut(Report& report) {
 void stop_at_once(Report& report) {
   report.scene("ball 2 mm that cuts cortical bone, loop of a device, coupled; the device's emergency stop after 0.5 s");
   Chain chain(report, bone_for(report), turning_ball());
-  chain.before = [&](double time) {
-    if (std::abs(time - kFaultAt) < 0.5 * report.period) chain.device().emergency_stop();
-  };
+  chain.at(kFaultAt, [&] { chain.device().emergency_stop(); });
   chain.play(pressing());
   const Story& story = chain.story;
   report.at_least("force before it", applied_of(story.at(kFaultAt - report.period)), 0.5, "N");

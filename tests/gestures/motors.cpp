@@ -55,8 +55,7 @@ void stall(Report& report) {
       report.at_most("speed in the hold", story.most(hold, [](const Tick& t) { return std::abs(t.speed); }) / rpm,
                      0.01 * motor.spindle.speed / rpm, "rpm", "it stands");
     if (motor.stalls)
-      report.at_most("sd of the force in the hold", 100 * story.unsteadiness(hold, force_of), 5, "%",
-                     "of its mean, about a straight line");
+      demand_steady(report, story, hold, "sd of the force in the hold");
     else
       report.at_most("rises of the force in the hold", 100 * rises_in(story, hold) / force_of(story.ticks[hold.first]),
                      1, "%", "of the first: it cuts itself free, ever more slowly");

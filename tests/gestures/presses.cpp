@@ -129,7 +129,7 @@ void groove(Report& report) {
                    report.voxel(), MaterialTable({left, right}), 8);
     Rig rig(report, std::move(piece), tool_of(SphereHead{kRadius}), held);
     const double seat = -1.6 * mm + std::sqrt(2) * kRadius;  // of its centre
-    const double pressed = held == Held::directly ? std::sqrt(2) * kPressed : 2.0 / gains_of_touch().stiffness;
+    const double pressed = held == Held::directly ? std::sqrt(2) * kPressed : 2.0 / touch_gains().stiffness;
     Hand hand(Pose::from_translation(Vec3(0, -1 * mm, seat + 0.2 * mm)));
     hand.move({0, 0, -0.18 * mm}, 0.1).hold(0.02);  // for a tool that begins in contact waits
     hand.move({0, 0, -0.02 * mm - pressed}, 0.05).hold(0.02);
@@ -154,7 +154,7 @@ void press_by_default(Report& report) {
     for (const Material& material : {presets::enamel(), presets::dentin(), presets::cortical_bone()}) {
       Rig rig(report, slab(radius + 0.5 * mm, 2 * mm, report.voxel(), material), tool, Held::by_coupling);
       Hand hand(tool, Vec3(0.013, 0.021, 0.1) * mm);
-      hand.hold(0.01).move({0, 0, -0.1 * mm - kForce / gains_of_touch().stiffness}, 0.15);
+      hand.hold(0.01).move({0, 0, -0.1 * mm - kForce / touch_gains().stiffness}, 0.15);
       rig.play(hand.hold(0.15));
       const double depth = tip_below_hand(tool) - rig.story.ticks.back().X_WH.translation.z();
       const double k = rig.simulation.config().reference_stiffness * material.relative_stiffness;

@@ -6,6 +6,8 @@
 namespace hapticut::gestures {
 namespace {
 
+constexpr double kArming = 1.7;  // [s] in the air before the script, in which the guard fades the force in
+
 /// The same piece, grid and all, turned about the origin.
 Workpiece turned(Workpiece piece, const Mat3& turn) {
   if (turn.isIdentity(0)) return piece;
@@ -48,20 +50,14 @@ Tick tick_of(const Simulation& simulation, double time, const Mat3& turn) {
   return tick;
 }
 
-CouplingGains gains_of_touch(std::optional<double> mass) {
-  return coupling_gains(capabilities(device_model("touch")), mass);
-}
-
 Rig::Rig(Report& report, Workpiece workpiece, Tool tool, Held held, SimulationConfig config,
          const std::optional<CouplingGains>& gains)
     : simulation(turned(std::move(workpiece), report.turn), std::move(tool),
                  with_contact_time(std::move(config), held == Held::by_coupling)),
-      story(Limits{}),
+      story(Limits{}, report),
       report_(report) {
-  story.probing = report.probing;
-  story.turn = report.turn;
   simulation.add_observer(story);
-  if (held == Held::by_coupling) couple(gains.value_or(gains_of_touch()));
+  if (held == Held::by_coupling) couple(gains.value_or(touch_gains()));
 }
 
 Rig::~Rig() { simulation.remove_observer(story); }
@@ -107,6 +103,7 @@ Span Rig::play(const Hand& hand, const std::function<void(Pose&, double& dt)>& s
     story.add(tick, simulation, coupling_ ? &*coupling_ : nullptr);
   }
   time_ += double(ticks) * period;
+  end_ = hand.end();
   return {first, story.ticks.size()};
 }
 
@@ -128,7 +125,7 @@ class Chain::WatchedMock final : public MockDevice {
  protected:
   bool read(DeviceState& state) noexcept override {
     if (!MockDevice::read(state)) return false;
-    if (chain_.spoil) chain_.spoil(state, state.time - chain_.script_begin_);
+    if (chain_.spoil) chain_.spoil(state, state.time - kArming);
     return true;
   }
   Wrench write(const Wrench& wrench) noexcept override {
@@ -145,12 +142,11 @@ Chain::Chain(Report& a_report, Workpiece workpiece, Tool tool, ChainOptions opti
     : simulation(turned(std::move(workpiece), a_report.turn), std::move(tool),
                  with_contact_time(options.config, options.coupled)),
       story({device_model(options.device).peak_force, device_model(options.device).peak_torque,
-             device_model(options.device).rendered_stiffness, true}),
+             device_model(options.device).rendered_stiffness, true},
+            a_report),
       report_(a_report),
       options_(std::move(options)),
       device_(std::make_unique<WatchedMock>(*this, WatchedMock::options_of(*this))) {
-  story.probing = report_.probing;
-  story.turn = report_.turn;
   options_.map.X_WB = Pose{report_.turn, Vec3::Zero()} * options_.map.X_WB;
   SimulationModelOptions model;
   model.map = options_.map;
@@ -172,14 +168,12 @@ bool Chain::tell(LoopCommand command) {
 Span Chain::play(const Hand& hand) {
   const std::size_t first = story.ticks.size();
   if (first == 0) story.begin(simulation);
-  script_begin_ = options_.arming;
   seconds_ = hand.seconds();
   count_ = 0;
-  path_ = [hand, begin = script_begin_](double time) { return hand.at(time - begin); };
+  path_ = [hand](double time) { return hand.at(time - kArming); };
   RunOptions run;
   run.simulated_time = true;
   run.stop_on_signals = false;
-  run.guard = options_.guard;
   run.guard.period = report_.period;
   report = device_->run([this](const DeviceState& reading) { return tick(reading); }, run);
   under_way_.reset();
@@ -188,7 +182,9 @@ Span Chain::play(const Hand& hand) {
 
 DeviceCommand Chain::tick(const DeviceState& reading) {
   const double scripted = double(count_) * report_.period;  // the reading's own time may be spoiled
-  const double time = scripted - script_begin_;
+  const double time = scripted - kArming;
+  for (Moment& moment : moments_)
+    if (moment.happens && time >= moment.time) std::exchange(moment.happens, {})();
   if (before) before(time);
   const double dt = count_ == 0 ? report_.period : reading.time - last_time_;
   last_time_ = reading.time;
@@ -207,7 +203,7 @@ DeviceCommand Chain::tick(const DeviceState& reading) {
   tick.arming = device_->last_arming();
   under_way_ = tick;
   ++count_;
-  command.stop = time >= seconds_ || (ends && ends(time));
+  command.stop = time >= seconds_;
   return command;
 }
 

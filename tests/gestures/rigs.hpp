@@ -5,16 +5,19 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gestures/pieces.hpp"
 #include "gestures/story.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/loop/simulation_model.hpp"
-#include "hapticut/safety/guard.hpp"
+#include "support/touch_gains.hpp"
 
 /// @file
 /// The ways in which a gesture meets the library: a loop of one's own, or the whole chain of a device.
 namespace hapticut::gestures {
+
+using test::touch_gains;
 
 /// How the hand holds the tool in a loop of one's own.
 enum class Held { directly, by_coupling };
@@ -36,6 +39,9 @@ class Rig {
   /// nothing
   Span play(const Hand& hand, const std::function<void(Pose&, double& dt)>& spoil = {});
 
+  /// The hand, where the last script left it.
+  [[nodiscard]] Hand from_here() const { return Hand(end_); }
+
   /// Tells the report of the invariants.
   void judge() { story.judge(report_, simulation); }
 
@@ -48,24 +54,20 @@ class Rig {
   Report& report_;
   std::optional<VirtualCoupling> coupling_;
   std::optional<Pose> last_;
+  Pose end_;  // of the last script
   double time_ = 0;
 };
 
 /// What the simulation says of its last step. @param turn  of the scene
 [[nodiscard]] Tick tick_of(const Simulation& simulation, double time, const Mat3& turn);
 
-/// What a Touch renders, for couplings of one's own.
-[[nodiscard]] CouplingGains gains_of_touch(std::optional<double> mass = {});
-
 struct ChainOptions {
   std::string device = "touch";
-  std::string hand;  // empty: the stylus is where the script says, whatever the force
-  SimulationConfig config;
-  std::optional<CouplingGains> gains;  // empty: coupling_gains of the device
+  std::string hand = {};  // empty: the stylus is where the script says, whatever the force
+  SimulationConfig config = {};
+  std::optional<CouplingGains> gains = {};  // empty: coupling_gains of the device
   bool coupled = true;
-  WorkspaceMapOptions map;
-  double arming = 1.7;  // [s] in the air before the script, in which the guard fades the force in
-  GuardOptions guard;   // its period is that of the report
+  WorkspaceMapOptions map = {};
   std::size_t undo_blocks = 0;
 };
 
@@ -87,9 +89,11 @@ class Chain {
   /// Tells the report of the invariants.
   void judge() { story.judge(report_, simulation); }
 
+  /// Once, before the tick of this time [s] of the script.
+  void at(double time, std::function<void()> happens) { moments_.push_back({time, std::move(happens)}); }
+
   std::function<void(double time)> before;                       // each tick
   std::function<void(DeviceState& reading, double time)> spoil;  // on its way from the device
-  std::function<bool(double time)> ends;                         // the run, before the script does
 
   Simulation simulation;
   Story story;
@@ -97,7 +101,6 @@ class Chain {
   [[nodiscard]] Device& device();
   [[nodiscard]] SimulationModel& model() { return *model_; }
   [[nodiscard]] const LoopSnapshot& snapshot() const { return snapshot_; }
-  [[nodiscard]] const ChainOptions& options() const { return options_; }
 
  private:
   class WatchedMock;
@@ -110,7 +113,12 @@ class Chain {
   std::unique_ptr<SimulationModel> model_;
   LoopSnapshot snapshot_;
   ScriptedPath path_;
-  double last_time_ = 0, last_removed_ = 0, script_begin_ = 0, seconds_ = 0;
+  struct Moment {
+    double time;
+    std::function<void()> happens;
+  };
+  std::vector<Moment> moments_;
+  double last_time_ = 0, last_removed_ = 0, seconds_ = 0;
   long count_ = 0;
   std::optional<Tick> under_way_;  // computed, not yet given to the motors
 };

@@ -91,8 +91,8 @@ void Story::add(const Tick& tick, const Simulation& simulation, const VirtualCou
   if (is_known && tick.depth <= allowed_depth_)
     deepest_ = std::max(deepest_, tick.depth);
   else if (ticks.size() % kEvery == 0 || tick.depth > 1.5 * last_depth)
-    deepest_ = std::max(deepest_,
-                        test::solid_depth(simulation, Pose{turn, Vec3::Zero()} * tick.X_WH * simulation.tool().X_HT()));
+    deepest_ = std::max(
+        deepest_, test::solid_depth(simulation, Pose{turn_, Vec3::Zero()} * tick.X_WH * simulation.tool().X_HT()));
   if (limits.has_guard && tick.applied.force.isZero(0) && tick.applied.torque.isZero(0)) unfelt_ += tick.removed;
   if (limits.force > 0) {  // else it is driven directly so far
     most_felt_ = std::max(most_felt_, tick.felt.force.norm());
@@ -126,7 +126,7 @@ void Story::on_step(const ObservedStep& step) noexcept {
     lent_ = std::max(0.0, lent_ + beyond * step.input.dt);
     if (lent_ > kLent * holds + kNothing) excess_power_ = std::max(excess_power_, beyond);
   }
-  if (!probing || has_any(step.result.status, kRejected)) return;
+  if (!probing_ || has_any(step.result.status, kRejected)) return;
   for (const double aside : {1e-4, -1e-4}) {
     Pose elsewhere = step.input.pose;
     elsewhere.translation += Vec3(aside, -0.5 * aside, aside);

@@ -54,7 +54,8 @@ struct Limits {
 /// All ticks of a scene, and the invariants that every gesture must keep.
 class Story final : public StepObserver {
  public:
-  explicit Story(const Limits& a_limits) : limits(a_limits) {}
+  Story(const Limits& a_limits, const Report& report)
+      : limits(a_limits), probing_(report.probing), turn_(report.turn) {}
 
   std::vector<Tick> ticks;
   Limits limits;
@@ -68,8 +69,6 @@ class Story final : public StepObserver {
   /// Adds a row for each invariant, and the bits of everything.
   void judge(Report& report, const Simulation& simulation) const;
 
-  bool probing = false;
-  Mat3 turn = Mat3::Identity();  // of the scene: ticks are told as if it were not turned
   void on_step(const ObservedStep& step) noexcept override;
 
   // --- looking at it ------------------------------------------------------------------------------------------------
@@ -129,11 +128,18 @@ class Story final : public StepObserver {
   double rotor_speed_ = 0, motor_work_ = 0;                           // [rad/s], [J] after the last step
   double lent_ = 0;                                                   // [J] by the rotor
   bool has_begun_ = false;
+  bool probing_;
+  Mat3 turn_;  // of the scene: ticks are told as if it were not turned
 };
 
 inline double force_of(const Tick& tick) { return tick.felt.force.norm(); }
 inline double thrust_of(const Tick& tick) { return tick.felt.force.z(); }
 inline double side_of(const Tick& tick) { return tick.felt.force.head<2>().norm(); }
 inline double removed_of(const Tick& tick) { return tick.removed; }
+
+inline void demand_steady(Report& report, const Story& story, const Span& span,
+                          const std::string& demand = "sd of the steady force") {
+  report.at_most(demand, 100 * story.unsteadiness(span, force_of), 5, "%", "of its mean, about a straight line");
+}
 
 }  // namespace hapticut::gestures

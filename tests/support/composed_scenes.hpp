@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
 #include <vector>
 
 #include "hapticut/device/simulated/device_models.hpp"
@@ -12,10 +15,13 @@
 #include "hapticut/tool/motors.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
+#include "support/composed_invariants.hpp"
 #include "support/random_pose.hpp"
+#include "support/sanitizers.hpp"
 
 /// @file
-/// Pieces, tools, gains and configurations that a seed draws, for sequences that nobody thought of.
+/// Pieces, tools, gains and configurations that a seed draws, for sequences that nobody thought of, and how many such
+/// sequences are run.
 namespace hapticut::test {
 
 inline int below(int n, RandomPoses& random) { return std::min(n - 1, int(random.between(0, n))); }
@@ -116,6 +122,42 @@ inline SimulationConfig some_config(RandomPoses& random) {
 inline std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
   const char* text = std::getenv(variable);
   return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+inline const std::uint64_t kFewTicks = kWithAddressSanitizer ? 2500 : 5000;
+inline std::uint64_t many_ticks() { return number_from("HAPTICUT_COMPOSED_TICKS", 100000); }
+
+/// Runs one sequence after the other, each of a seed of its own, until there are so many ticks.
+/// @tparam Run    made of a seed; run(ticks) says whether the invariants hold, what_is_broken() which does not
+/// @param broken  a seed that is known to break one; 0: none
+template <class Run>
+Margins compose(std::uint64_t ticks, std::uint64_t broken = 0) {
+  constexpr std::uint64_t kTicks = 2500;  // of one sequence
+  Margins margins;
+  int failures = 0;
+  std::uint64_t seed = number_from("HAPTICUT_COMPOSED_SEED", 1);
+  for (std::uint64_t done = 0; done < ticks && failures < 10; done += kTicks, ++seed) {
+    Run run(seed);
+    const bool keeps = run.run(int(std::min(kTicks, ticks - done)));
+    if (keeps == (seed == broken)) {
+      ++failures;
+      ADD_FAILURE() << "seed " << seed << ": " << (keeps ? "is no longer broken" : run.what_is_broken());
+    }
+    margins.add(run.margins());
+  }
+  testing::Test::RecordProperty("composed", margins.in_words());
+  std::cout << margins.in_words() << "\n";
+  EXPECT_GT(margins.cutting * 100, margins.ticks) << "or the invariants were not tried";
+  return margins;
+}
+
+/// Runs the sequence of a seed twice.
+template <class Run>
+void expect_the_same_bits(std::uint64_t seed, int ticks) {
+  Run once(seed), again(seed);
+  once.run(ticks);
+  again.run(ticks);
+  EXPECT_EQ(once.hash(), again.hash()) << "seed " << seed;
 }
 
 }  // namespace hapticut::test

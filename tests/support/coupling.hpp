@@ -5,16 +5,13 @@
 #include <cmath>
 #include <optional>
 
-#include "hapticut/simulation/coupling.hpp"
 #include "support/cutting.hpp"
+#include "support/touch_gains.hpp"
 
 /// @file
 /// Tools on a virtual coupling, and a hand that presses them down.
 namespace hapticut::test {
 
-inline constexpr double kTick = 1e-3;        // [s]
-inline constexpr double kRadius = 1e-3;      // [m] of the ball
-inline constexpr double kSpin = 2000;        // [rad/s]
 inline constexpr double kPress = 5;          // [N]
 inline constexpr double kApproach = 0.1;     // [m/s]
 inline const Vec3 kAside = {1e-5, 2e-5, 0};  // [m] off the symmetry of the grid
@@ -33,7 +30,9 @@ inline Workpiece half_space(double depth = 4e-3, const Material& material = plai
   return build_block({{-4e-3, -4e-3, -depth}, {4e-3, 4e-3, 0}}, voxel, material);
 }
 
-inline Tool ball(double spin = 0) { return Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin * units::rad_per_s}); }
+inline Tool ball(double spin = 0) { return tool_of(SphereHead{kRadius}, spin); }
+
+inline Pose at_height(double z) { return Pose::from_translation(kAside + Vec3(0, 0, z)); }
 
 /// A hand that comes down along z and stays where the coupling pulls with a force.
 struct PressedTool {
@@ -51,8 +50,7 @@ inline PressedTool press(VirtualCoupling& coupling, double force = kPress, int t
   double last = start, low = 1, high = -1;
   for (int n = 0; n < ticks; ++n) {
     const double z = std::max(start - kApproach * n * kTick, end);
-    const CoupledResult& result = coupling.step(Pose::from_translation(kAside + Vec3(0, 0, z)),
-                                                {Vec3(0, 0, (z - last) / kTick), Vec3::Zero()}, kTick);
+    const CoupledResult& result = coupling.step(at_height(z), {Vec3(0, 0, (z - last) / kTick), Vec3::Zero()}, kTick);
     last = z;
     const double height = result.X_WH.translation.z();
     pressed.newton_steps += result.newton_steps;

@@ -13,6 +13,12 @@
 /// no length, so that its frame is that of the head.
 namespace hapticut::test {
 
+inline constexpr double kRadius = 1 * units::mm;  // [m] of a head, where nothing else is said
+inline constexpr double kVoxel = 0.1 * units::mm;
+inline constexpr double kFeed = 2 * units::mm;  // [m/s]
+inline constexpr double kSpin = 2000;           // [rad/s]
+inline constexpr double kTick = 1e-3;           // [s]
+
 /// u = 3e8 J/m^3, kappa = 0.5, no edge pressure, no damping.
 inline Material plain_material() {
   Material material;
@@ -27,6 +33,32 @@ inline double unbooked(const EnergyLedger& energy) {
   return std::abs(energy.imbalance() + energy.entered) / energy.turnover;
 }
 
+/// Held where the hand feels it.
+inline Tool tool_of(const ToolHead& head, double spin = 0) {
+  return Tool(head, RayHandle{0}, Spindle{spin * units::rad_per_s});
+}
+
+inline SimulationConfig on_foundation(double reference_stiffness, bool deep_contact = true) {
+  SimulationConfig config;
+  config.reference_stiffness = reference_stiffness;
+  config.deep_contact = deep_contact;
+  return config;
+}
+
+/// As large as a millimetre's head asks for, below z = 0, on voxels of kVoxel.
+/// @param half_width, depth  [m]
+inline Workpiece plain_block(double half_width = 2 * units::mm, double depth = 2 * units::mm) {
+  return build_block({Vec3(-half_width, -half_width, -depth), Vec3(half_width, half_width, 0)}, kVoxel,
+                     plain_material());
+}
+
+inline void undo_all(Simulation& simulation) {
+  while (!simulation.undo(64)) continue;
+}
+inline void redo_all(Simulation& simulation) {
+  while (!simulation.redo(64)) continue;
+}
+
 /// How a tool points in the grid, from its z axis.
 struct Way {
   const char* name;
@@ -37,6 +69,18 @@ inline const std::vector<Way> kWays = {
     {"45 deg", Eigen::AngleAxisd(45 * units::deg, Vec3::UnitY()).toRotationMatrix()},
     {"<111>", Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 1, 1)).toRotationMatrix()},
 };
+inline const Vec3 kOffGrid(0.0293 * units::mm, 0.0113 * units::mm, 0);  // [m] of a tool's axis, in its own axes
+
+/// What of a box is where `distance` [m] is negative, of one material.
+template <class Distance>
+Workpiece body(const Box& box, double voxel, const Material& material, const Distance& distance) {
+  return build_body({box, distance, [](const Vec3&) { return MaterialId(1); }}, voxel, MaterialTable({material}));
+}
+
+/// A step of the hand with the tool upright.
+inline const StepResult& step_to(Simulation& simulation, const Vec3& p_WHo, const Vec3& velocity = Vec3::Zero()) {
+  return simulation.step(Pose::from_translation(p_WHo), {velocity, Vec3::Zero()}, kTick);
+}
 
 /// Means over a part of a straight feed.
 struct SteadyState {
@@ -49,6 +93,7 @@ struct SteadyState {
 };
 
 /// Feeds the tool along a straight line at constant speed and averages from `from` of the path on.
+/// @param R_WT  how the tool points, in whose axes the means are told
 inline SteadyState feed(Simulation& simulation, const Vec3& start, const Vec3& feed_velocity, double travel, double dt,
                         double from = 0.5, const Mat3& R_WT = Mat3::Identity()) {
   SteadyState state;

@@ -11,6 +11,7 @@
 #include "hapticut/loop/simulation_model.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/cutting.hpp"
+#include "support/touch_gains.hpp"
 
 /// @file
 /// A simulation in the loop of a device, tick by tick in the hands of a test.
@@ -28,8 +29,7 @@ inline std::unique_ptr<Device> stiff_mock(const std::string& path, double second
   return std::make_unique<MockDevice>(std::move(options));
 }
 
-/// The coupling of the device that `stiff_mock` says to be stiffer.
-inline CouplingGains touch_gains() { return coupling_gains(capabilities(device_model("touch"))); }
+using test::touch_gains;  // of the device that `stiff_mock` says to be stiffer
 
 inline Workpiece block(double voxel = 2e-4, double depth = 8e-3) {
   return build_block({Vec3(-8e-3, -8e-3, -depth), Vec3(8e-3, 8e-3, 0)}, voxel, plain_material());

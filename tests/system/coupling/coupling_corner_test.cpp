@@ -16,13 +16,9 @@ using units::mm;
 
 /// A block with a quarter of space cut out of it along y: walls x > 0 and z < 0.
 Workpiece corner(const Material& material, double voxel) {
-  const BodyDescription body = {{Vec3(-4, -2, -2) * mm, Vec3(2, 2, 4) * mm},
-                                [](const Vec3& p) {
-                                  return std::max(-std::max(p.x(), -p.z()),
-                                                  (p.cwiseAbs() - Vec3::Constant(5 * mm)).maxCoeff());
-                                },
-                                [](const Vec3&) { return MaterialId(1); }};
-  return build_body(body, voxel, MaterialTable({material}));
+  return body({Vec3(-4, -2, -2) * mm, Vec3(2, 2, 4) * mm}, voxel, material, [](const Vec3& p) {
+    return std::max(-std::max(p.x(), -p.z()), (p.cwiseAbs() - Vec3::Constant(5 * mm)).maxCoeff());
+  });
 }
 
 struct CornerRun {
@@ -38,7 +34,7 @@ CornerRun push_into_corner(double kappa, double spin, bool hard, double stiffnes
   if (hard) material.specific_cutting_energy = 1e14;  // nothing is cut
   const Tool tool(SphereHead{kRadius}, RayHandle{0}, Spindle{spin * units::rad_per_s});
   Simulation simulation(corner(material, 0.1 * mm), tool, implicit(stiffness));
-  CouplingGains gains = coupling_gains(capabilities(device_model("touch")));
+  CouplingGains gains = touch_gains();
   VirtualCoupling coupling(simulation, gains);
   CornerRun run;
   Vec3 last = Vec3(-1.3, 0, 1.3) * mm;

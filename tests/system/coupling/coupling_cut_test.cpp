@@ -33,10 +33,9 @@ ConstantForceCut cut_under(VirtualCoupling& coupling, double force, double from,
   const double below = force / coupling.gains().stiffness;
   double z = from + 0.1 * mm, time = 0, sum = 0;
   double begin = 0;
-  coupling.step(Pose::from_translation(kAside + Vec3(0, 0, z)), {}, kTick);
+  coupling.step(at_height(z), {}, kTick);
   for (int n = 0; n < 60000 && z > to; ++n) {
-    const CoupledResult& result =
-        coupling.step(Pose::from_translation(kAside + Vec3(0, 0, z - below)), coupling.last_result().velocity, kTick);
+    const CoupledResult& result = coupling.step(at_height(z - below), coupling.last_result().velocity, kTick);
     z = result.X_WH.translation.z();
     if (z > from + (to - from) / 3) continue;
     if (time == 0) begin = z;
@@ -102,8 +101,7 @@ struct Plunge {
 void expect_the_feed_of_the_oracle(const Plunge& plunge) {
   double last_error = 1;
   for (const double k : {1e14, 1e15, 1e16}) {
-    Simulation simulation(half_space(6 * mm, plain_material(), kFineVoxel),
-                          Tool(plunge.head, RayHandle{0}, Spindle{kSpin * units::rad_per_s}), implicit(k));
+    Simulation simulation(half_space(6 * mm, plain_material(), kFineVoxel), tool_of(plunge.head, kSpin), implicit(k));
     VirtualCoupling coupling(simulation, {});
     const ConstantForceCut cut = cut_under(coupling, plunge.force, plunge.start, plunge.start - 3 * mm);
     EXPECT_NEAR(cut.force, plunge.force, 0.01 * plunge.force);

@@ -94,19 +94,8 @@ TEST_P(DampedContact, IsStableAndPassiveUnderAHandThatStrikesRubsAndLeaves) {
     EXPECT_GT(energy.tool_work, 0) << at.str() << ": what the contact took in it has kept";
     EXPECT_LT(std::abs(energy.closure()), 1e-3) << at.str();
     EXPECT_LT(seen.greatest_imbalance, 1e-3 * energy.hand_work) << at.str();
-    EXPECT_LT(test::unbooked(simulation.last_result().energy), 1e-5) << at.str();
+    EXPECT_LT(unbooked(simulation.last_result().energy), 1e-5) << at.str();
   }
-}
-
-TEST_P(DampedContact, CutsWithAClosedLedger) {
-  const auto [k, chi] = GetParam();
-  Simulation simulation(half_space(4 * mm, material(chi, 1e3)), ball(kSpin), implicit(k));
-  VirtualCoupling coupling(simulation, {});
-  const Stroke seen = stroke(coupling, 3);
-  EXPECT_GT(simulation.removed_volume_by_material()[1], 1e-9);
-  EXPECT_LT(seen.rebound, 0.5 * kApproach);
-  EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
-  EXPECT_LT(test::unbooked(simulation.last_result().energy), 1e-5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Coupling, DampedContact,
@@ -128,17 +117,6 @@ TEST(CouplingDamping, IsThereByDefaultOnlyWhereContactIsTakenAtTheEndOfAStep) {
   EXPECT_EQ(damping_of(config), 0);
   config.contact_damping = -1;
   EXPECT_THROW((void)damping_of(config), Error);
-}
-
-TEST(CouplingDamping, TakesTheSpeedOutOfAnImpact) {
-  double last = 1;
-  for (const double chi : {0.0, 3.0, 10.0, 30.0, 100.0}) {
-    Simulation simulation(half_space(4 * mm, material(chi, 1e3)), ball(), implicit(1e14));
-    VirtualCoupling coupling(simulation, {});
-    const double rebound = stroke(coupling, 3).rebound;
-    EXPECT_LT(rebound, last) << chi;
-    last = rebound;
-  }
 }
 
 // A speed that is told too late, or wrong, gives the damper work to do on the tool: its loss is negative.
@@ -186,7 +164,7 @@ Prick prick(double dt) {
   const double handle = 20 * mm, before = 0.1 * mm;
   Simulation simulation(half_space(3 * mm, presets::dentin()), Tool(needle_head(1.6 * mm, 4 * mm), RayHandle{handle}),
                         implicit(0, std::nullopt));
-  VirtualCoupling coupling(simulation, coupling_gains(capabilities(device_model("touch"))));
+  VirtualCoupling coupling(simulation, touch_gains());
   const double down = 2 / coupling.gains().stiffness;
   const auto smooth = [](double q) { return q < 0 ? 0 : q > 1 ? 1 : q * q * (3 - 2 * q); };
   Prick seen;

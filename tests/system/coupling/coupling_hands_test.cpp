@@ -171,46 +171,43 @@ class HandWork {
   /// @param read  what the device says of the way, as a twist in a tick, and its estimate of the velocity
   void go(const Pose& from, const Pose& to, const Twist& read, const Twist& estimate, const CoupledResult& result) {
     const Twist way = twist_between(from, to, 1);
-    const double work = -held_.force.dot(way.linear) - held_.torque.dot(way.angular);
+    const double work = -held.force.dot(way.linear) - held.torque.dot(way.angular);
     const double parts = std::max(1, result.parts), hold = (parts + 1) * (2 * parts + 1) / (6 * parts);
-    allowed_ += 0.5 * hold * gains_.stiffness * read.linear.squaredNorm();
-    allowed_ += 0.5 * hold * gains_.angular_stiffness * read.angular.squaredNorm();
-    allowed_ += 0.5 * std::sqrt(3) * encoder_step_ * (result.hand.force - held_.force).norm();
-    allowed_ += 0.25 * gains_.damping * period_ * (estimate.linear - read.linear / period_).squaredNorm();
-    allowed_ += 0.25 * gains_.angular_damping * period_ * (estimate.angular - read.angular / period_).squaredNorm();
-    given_ += work;
-    turnover_ += std::abs(work);
-    booked_ -= result.coupling.force.dot(way.linear) + result.coupling.torque.dot(way.angular);
-    held_ = result.hand;
-    if (gains_.angular_stiffness == 0) held_.torque.setZero();  // no motors
-    most_force_ = std::max(most_force_, held_.force.norm());
-    most_parts_ = std::max(most_parts_, result.parts);
-    waited_ = waited_ || has_any(result.status, StepStatus::tool_waits | kRejected);
+    allowed += 0.5 * hold * gains_.stiffness * read.linear.squaredNorm();
+    allowed += 0.5 * hold * gains_.angular_stiffness * read.angular.squaredNorm();
+    allowed += 0.5 * std::sqrt(3) * encoder_step_ * (result.hand.force - held.force).norm();
+    allowed += 0.25 * gains_.damping * period_ * (estimate.linear - read.linear / period_).squaredNorm();
+    allowed += 0.25 * gains_.angular_damping * period_ * (estimate.angular - read.angular / period_).squaredNorm();
+    given += work;
+    turnover += std::abs(work);
+    booked -= result.coupling.force.dot(way.linear) + result.coupling.torque.dot(way.angular);
+    held = result.hand;
+    if (gains_.angular_stiffness == 0) held.torque.setZero();  // no motors
+    most_force = std::max(most_force, held.force.norm());
+    most_parts = std::max(most_parts, result.parts);
+    waited = waited || has_any(result.status, StepStatus::tool_waits | kRejected);
   }
 
-  /// After each tick. @param others  [J] that others than the hand gave
-  void judge(double others) {
-    least_ = std::min(least_, given_ + allowed_ + others);
-    others_ = others;
+  /// After each tick. @param by_others  [J] that others than the hand gave
+  void judge(double by_others) {
+    others = by_others;
+    least = std::min(least, given + allowed + others);
   }
 
-  [[nodiscard]] const Wrench& held() const { return held_; }
-  [[nodiscard]] double given() const { return given_; }
-  [[nodiscard]] double least() const { return least_; }
-  [[nodiscard]] double allowed() const { return allowed_; }
-  [[nodiscard]] double turnover() const { return turnover_ + std::abs(others_); }
-  [[nodiscard]] double booked() const { return booked_; }
-  [[nodiscard]] double most_force() const { return most_force_; }
-  [[nodiscard]] int most_parts() const { return most_parts_; }
-  [[nodiscard]] bool waited() const { return waited_; }
+  Wrench held;            // by the motors
+  double given = 0;       // [J] by the hand so far
+  double allowed = 0;     // [J] what holding and reading may cost
+  double turnover = 0;    // [J] of the hand
+  double others = 0;      // [J] given by them
+  double booked = 0;      // [J] by the coupling, of the hand
+  double least = 0;       // [J] that hand and others had given, with what is allowed
+  double most_force = 0;  // [N]
+  int most_parts = 0;
+  bool waited = false;
 
  private:
   CouplingGains gains_;
   double period_, encoder_step_;
-  Wrench held_;
-  double given_ = 0, allowed_ = 0, turnover_ = 0, booked_ = 0, others_ = 0, least_ = 0, most_force_ = 0;
-  int most_parts_ = 0;
-  bool waited_ = false;
 };
 
 /// A hand that goes along the path whatever it feels.
@@ -237,10 +234,10 @@ struct Tally {
   double most_got = 0;  // [J]
 
   void add(const Scene& scene, const HandWork& work) {
-    touched += work.most_force() > 0.1 ? 1 : 0;
+    touched += work.most_force > 0.1 ? 1 : 0;
     cut += scene.simulation.removed_volume_by_material()[1] > 0 ? 1 : 0;
-    got += work.given() < -kNothing ? 1 : 0;
-    most_got = std::max(most_got, -work.given());
+    got += work.given < -kNothing ? 1 : 0;
+    most_got = std::max(most_got, -work.given);
   }
   ~Tally() {
     testing::Test::RecordProperty("hands_that_got_energy", got);
@@ -249,8 +246,8 @@ struct Tally {
 };
 
 void expect_passive(const Scene& scene, const HandWork& work) {
-  EXPECT_GE(work.least(), -kShare * work.turnover() - kNothing) << scene.words();
-  EXPECT_FALSE(work.waited()) << scene.words();
+  EXPECT_GE(work.least, -kShare * (work.turnover + std::abs(work.others)) - kNothing) << scene.words();
+  EXPECT_FALSE(work.waited) << scene.words();
 }
 
 std::string named(const char* kind, int n) {
@@ -272,9 +269,9 @@ void expect_all_passive(int kind, const char* name, bool turning, Tally& tally) 
     const HandWork work = follow(scene, steps, false);
     expect_passive(scene, work);
     tally.add(scene, work);
-    if (turning || work.most_parts() > 1 || !(scene.gains.angular_stiffness > 0)) continue;
+    if (turning || work.most_parts > 1 || !(scene.gains.angular_stiffness > 0)) continue;
     const CouplingEnergy& energy = scene.coupling.last_result().energy;
-    EXPECT_NEAR(work.booked(), energy.hand_work, 1e-9 + 1e-6 * energy.turnover);
+    EXPECT_NEAR(work.booked, energy.hand_work, 1e-9 + 1e-6 * energy.turnover);
   }
 }
 
@@ -344,7 +341,7 @@ TEST(RandomHands, ThatTheForceMovesGetNothing) {
               scene.coupling.step(state.X_BS, state.velocity, scene.period));
       work.judge(steps.motor);
       last = now, last_read = state.X_BS;
-      loop.write(work.held());
+      loop.write(work.held);
     }
     scene.simulation.remove_observer(steps);
     expect_passive(scene, work);

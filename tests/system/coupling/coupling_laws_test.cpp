@@ -64,7 +64,7 @@ TEST(CouplingLaws, AMeasuredStiffnessIsTheSlopeOfTheForceAndNeverNegative) {
     const Tool tool(named.head, RayHandle{20 * mm}, Spindle{kSpin * units::rad_per_s});
     Simulation simulation(half_space(), tool, with_law(named.law, 1e13));
     const double lowest = named.head.bounding_box().min.z();
-    const Pose at = Pose::from_translation(kAside + Vec3(0, 0, 20 * mm - lowest - 0.25 * mm));
+    const Pose at = at_height(20 * mm - lowest - 0.25 * mm);
     const Twist down = {Vec3(0, 0, -5e-3), Vec3::Zero()};
     const ContactProbe probe = simulation.probe(at, down, kTick);
     ASSERT_GT(probe.contact.voxels, 0) << named.name;
@@ -83,12 +83,12 @@ TEST(CouplingLaws, AMeasuredStiffnessIsTheSlopeOfTheForceAndNeverNegative) {
 // A small motion must not change into how many sub-steps the way is cut: the mean force over one sub-step and over two
 // differ by far more than what the motion does.
 TEST(CouplingLaws, AMeasuredStiffnessIsThatOfTheWayAlsoWhereOneMoreSubStepIsNear) {
-  constexpr double kVoxel = 0.1 * mm, kPart = 0.5 * kVoxel;  // [m]
+  constexpr double kPart = 0.5 * kVoxel;  // [m]
   for (const double parts : {0.7, 0.9999, 1.0001, 1.9999, 2.0001, 2.5}) {
     SimulationConfig own = implicit(1e14), disguised = with_law(std::make_shared<Disguised>(), 1e14);
     own.friction = disguised.friction = DryFriction{0.3, 0.3, 1000};  // soft beside the springs
     Simulation known(half_space(), ball(0), own), measured(half_space(), ball(0), disguised);
-    const Pose from = Pose::from_translation(kAside + Vec3(0, 0, kRadius - 1.5 * kVoxel));
+    const Pose from = at_height(kRadius - 1.5 * kVoxel);
     const Pose to = Pose::from_translation(from.translation - Vec3(0, 0, parts * kPart));
     known.step(from, {}, kTick);
     measured.step(from, {}, kTick);
@@ -119,8 +119,7 @@ class EveryLaw : public testing::TestWithParam<NamedLaw> {};
 TEST_P(EveryLaw, IsStableBehindTheCouplingAndItsLedgerCloses) {
   const NamedLaw& named = GetParam();
   for (const double spin : {0.0, kSpin}) {
-    Simulation simulation(half_space(), Tool(named.head, RayHandle{0}, Spindle{spin * units::rad_per_s}),
-                          with_law(named.law, 1e14));
+    Simulation simulation(half_space(), tool_of(named.head, spin), with_law(named.law, 1e14));
     CouplingGains gains;
     gains.largest_force = 3;
     VirtualCoupling coupling(simulation, gains);

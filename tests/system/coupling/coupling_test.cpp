@@ -12,6 +12,7 @@
 #include "hapticut/tool/catalogue.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
 #include "support/coupling.hpp"
+#include "support/refusal.hpp"
 
 namespace hapticut::coupling_test {
 namespace {
@@ -33,28 +34,12 @@ TEST_P(AnyStiffness, LetsTheToolRestOnTheSurfaceWithoutJitter) {
   const double damper = gains.damping * coupling.last_result().velocity.linear.z();
   EXPECT_NEAR(pressed.rest_force, kPress - gains.stiffness * pressed.rest_penetration + damper, 1e-9);
   EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
-  EXPECT_LT(test::unbooked(simulation.last_result().energy), 1e-5) << "finite turns of the anchor of friction";
+  EXPECT_LT(unbooked(simulation.last_result().energy), 1e-5) << "finite turns of the anchor of friction";
 }
 
 /// Stiffnesses of the contact at rest from 3e4 to 1e6 N/m.
 INSTANTIATE_TEST_SUITE_P(Foundations, AnyStiffness, testing::Values(1e14, 1e15, 1e16, 1e17, 1e18),
                          [](const auto& k) { return "1e" + std::to_string(int(std::lround(std::log10(k.param)))); });
-
-TEST(Coupling, IsStableForContactStiffnessesFromAThousandToAMillionNewtonsPerMetre) {
-  double softest = 1e300, stiffest = 0;
-  for (const double reference : {1e13, 1e15, 1e17, 1e19}) {
-    Simulation simulation(half_space(), ball(), implicit(reference));
-    VirtualCoupling coupling(simulation, {});
-    const PressedTool pressed = press(coupling, reference == 1e13 ? 1 : kPress);
-    EXPECT_LT(pressed.jitter, 1e-9) << reference;
-    const CoupledResult& rest = coupling.last_result();
-    const double stiffness = simulation.probe(rest.X_WH, {}, kTick).stiffness(2, 2);
-    softest = std::min(softest, stiffness);
-    stiffest = std::max(stiffest, stiffness);
-  }
-  EXPECT_LT(softest, 6e3);
-  EXPECT_GT(stiffest, 1e6);
-}
 
 TEST(Coupling, KeepsTheToolWithinATenthOfAMillimetreOfEnamelUnderFiveNewtons) {
   Simulation simulation(half_space(4 * mm, presets::enamel()), ball(), implicit(1e16));
@@ -74,7 +59,7 @@ TEST(Coupling, IsHeldByAThinWallAndFeelsItBreak) {
 
   // The same hand, at rest, with the spindle running: it sinks, then the wall is gone and so is the force.
   simulation.set_spindle_speed(kSpin * units::rad_per_s);
-  const Pose hand = Pose::from_translation(kAside + Vec3(0, 0, kRadius - kPress / coupling.gains().stiffness));
+  const Pose hand = at_height(kRadius - kPress / coupling.gains().stiffness);
   double before_break = 0;
   int ticks = 0;
   while (coupling.step(hand, {}, kTick).coupling.force.z() > 0.1 && ++ticks < 20000)
@@ -131,69 +116,12 @@ TEST(Coupling, OfAToolAtRestIsInBalance) {
   }
 }
 
-TEST(Coupling, IsTheSameBitByBitEveryTime) {
-  const auto last_pose = [] {
-    Simulation simulation(half_space(), ball(kSpin), implicit(1e15));
-    VirtualCoupling coupling(simulation, {});
-    press(coupling, 2, 300);
-    return coupling.last_result().X_WH.translation;
-  };
-  EXPECT_EQ(last_pose(), last_pose());
-}
-
-TEST(Coupling, GivesNoForceForRubbishAndTheToolStaysWhereItWas) {
-  Simulation simulation(half_space(), ball(kSpin), implicit(1e15));
-  VirtualCoupling coupling(simulation, {});
-  press(coupling, 2, 200);
-  const Pose hand = Pose::from_translation(kAside + Vec3(0, 0, kRadius - 2.0 / coupling.gains().stiffness));
-  const Vec3 tool = coupling.last_result().X_WH.translation;
-  const double felt = coupling.last_result().hand.force.z();
-  ASSERT_GT(felt, 1);
-  Pose rubbish = hand;
-  rubbish.translation.x() = NAN;
-  const auto expect_nothing = [&](const CoupledResult& refused, StepStatus bit) {
-    EXPECT_TRUE(has_any(refused.status, bit)) << describe(refused.status);
-    EXPECT_EQ(refused.hand.force, Vec3::Zero());
-    EXPECT_EQ(refused.removed_volume, 0);
-    EXPECT_EQ(refused.X_WH.translation, tool);
-  };
-  expect_nothing(coupling.step(rubbish, {}, kTick), StepStatus::pose_rejected);
-  expect_nothing(coupling.step(hand, {Vec3(NAN, 0, 0), {}}, kTick), StepStatus::velocity_rejected);
-  expect_nothing(coupling.step(hand, {}, -1), StepStatus::dt_rejected);
-  const Pose deeper = Pose::from_translation(kAside + Vec3(3, 0, -1) * mm);
-  for (int n = 0; n < 5; ++n) expect_nothing(coupling.step(deeper, {}, kTick), StepStatus::tool_waits);
-  const CoupledResult& back = coupling.step(hand, {}, kTick);
-  EXPECT_EQ(back.status, StepStatus::ok);
-  EXPECT_NEAR(back.hand.force.z(), felt, 0.1 * felt);
-  EXPECT_LT((back.X_WH.translation - tool).norm(), 0.01 * mm);
-  for (int n = 0; n < 100; ++n) coupling.step(hand, {}, kTick);
-  EXPECT_LT(std::abs(coupling.last_result().energy.closure()), 1e-3);
-}
-
-TEST(Coupling, PutsTheToolWhereTheHandIsWhenThatIsInNoMaterial) {
-  Simulation simulation(half_space(), ball(), implicit(1e15));
-  VirtualCoupling coupling(simulation, {});
-  press(coupling, 2, 200);
-  coupling.step(Pose::from_translation({NAN, 0, 0}), {}, kTick);
-  const Pose far = Pose::from_translation({0, 0, 50 * mm});
-  for (int n = 0; n < 3; ++n) {
-    EXPECT_EQ(coupling.step(far, {}, kTick).hand.force, Vec3::Zero());
-    EXPECT_EQ(coupling.last_result().X_WH.translation, far.translation);
-  }
-  EXPECT_EQ(coupling.last_result().status, StepStatus::ok);
-}
-
 TEST(CouplingGains, RefuseAToolThatWouldRingWithTheLargestThatDoesNot) {
   DeviceCapabilities device = capabilities(device_model("touch"));
   device.damping = 5;
-  std::string message;
-  try {
-    (void)coupling_gains(device, 0.3);
-  } catch (const Error& error) {
-    message = error.what();
-  }
   const double most = 25 / device.stiffness;
-  EXPECT_NE(message.find("Choose at most " + format_number(most) + " kg"), std::string::npos) << message;
+  expect_refused([&] { return coupling_gains(device, 0.3); },
+                 {("Choose at most " + format_number(most) + " kg").c_str()});
   const CouplingGains gains = coupling_gains(device, 0.999 * most);
   EXPECT_NEAR(gains.damping / (2 * std::sqrt(gains.stiffness * gains.mass)), 0.5, 0.01);
   EXPECT_NEAR(gains.inertia / CouplingGains{}.inertia, gains.mass / CouplingGains{}.mass, 1e-12);
@@ -201,7 +129,7 @@ TEST(CouplingGains, RefuseAToolThatWouldRingWithTheLargestThatDoesNot) {
 
 TEST(Coupling, NeverPullsWithMoreThanTheDeviceCanRender) {
   Simulation simulation(half_space(), ball(), implicit(1e16));
-  CouplingGains gains = coupling_gains(capabilities(device_model("touch")));
+  CouplingGains gains = touch_gains();
   VirtualCoupling coupling(simulation, gains);
   const PressedTool pressed = press(coupling, 20);
   EXPECT_NEAR(pressed.rest_force, gains.largest_force, 1e-6);
@@ -213,7 +141,7 @@ TEST(Coupling, LeavesTheToolAndGoesOnFromWhereItIs) {
   using Rejoin = VirtualCoupling::Rejoin;
   for (const Rejoin rejoin : {Rejoin::near, Rejoin::free}) {
     Simulation simulation(half_space(), ball(), implicit(1e13));
-    const CouplingGains gains = coupling_gains(capabilities(device_model("touch")));
+    const CouplingGains gains = touch_gains();
     VirtualCoupling coupling(simulation, gains);
     const auto hand = [&](double height, int ticks) -> const CoupledResult& {
       for (int n = 0; n < ticks; ++n) coupling.step(Pose::from_translation(Vec3(0, 0, kRadius + height)), {}, 1e-3);
@@ -239,28 +167,20 @@ TEST(Coupling, LeavesTheToolAndGoesOnFromWhereItIs) {
 }
 
 TEST(CouplingInput, IsRefusedWithItsValueAndTheCure) {
-  const auto message = [](const auto& call) {
-    try {
-      call();
-    } catch (const Error& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
-  };
   CouplingGains gains;
   gains.mass = -1;
-  EXPECT_NE(message([&] { validate(gains); }).find("CouplingGains::mass"), std::string::npos);
+  expect_refused([&] { validate(gains); }, {"CouplingGains::mass"});
   gains = {};
   gains.largest_force = NAN;
-  EXPECT_NE(message([&] { validate(gains); }).find("CouplingGains::largest_force"), std::string::npos);
+  expect_refused([&] { validate(gains); }, {"CouplingGains::largest_force"});
   Simulation explicit_contact(half_space(), ball());
-  EXPECT_NE(message([&] { VirtualCoupling(explicit_contact, {}); }).find("ContactTime::end"), std::string::npos);
+  expect_refused([&] { VirtualCoupling(explicit_contact, {}); }, {"ContactTime::end"});
   DeviceCapabilities silent;
   silent.model = "silent";
-  EXPECT_NE(message([&] { (void)coupling_gains(silent); }).find("silent"), std::string::npos);
+  expect_refused([&] { return coupling_gains(silent); }, {"silent"});
   DeviceCapabilities boasting = capabilities(device_model("touch"));
   boasting.stiffness = 1e6;
-  EXPECT_NE(message([&] { (void)coupling_gains(boasting); }).find("DeviceCapabilities::stiffness"), std::string::npos);
+  expect_refused([&] { return coupling_gains(boasting); }, {"DeviceCapabilities::stiffness"});
 }
 
 // --- Simulation::probe ----------------------------------------------------------------------------------------------
@@ -291,7 +211,7 @@ TEST(Probe, StiffnessIsTheSlopeOfTheForce) {
   SimulationConfig smooth = implicit(1e14);
   smooth.friction = DryFriction{0, 0, 0};  // which has a stiffness of its own
   Simulation simulation(half_space(), Tool(SphereHead{kRadius}, RayHandle{20 * mm}), smooth);
-  const Pose pose = Pose::from_translation(kAside + Vec3(0, 0, kRadius + 20 * mm - 0.3 * mm));
+  const Pose pose = at_height(kRadius + 20 * mm - 0.3 * mm);
   const ContactProbe at = simulation.probe(pose, {}, kTick);
   const auto moved = [&](const Vec3& shift) {
     Simulation fresh(half_space(), simulation.tool(), smooth);
@@ -324,7 +244,7 @@ TEST(Coupling, DoesAtMostWhatItsWorstCaseSays) {
   for (const int steps : {32, 100}) {
     Simulation simulation(half_space(4 * mm, presets::enamel()),
                           Tool(wheel_head(2.4 * mm, 0.8 * mm, 1 * mm), RayHandle{0}), implicit(0, {}));
-    CouplingGains gains = coupling_gains(capabilities(device_model("touch")));
+    CouplingGains gains = touch_gains();
     gains.newton_steps = steps;
     VirtualCoupling coupling(simulation, gains);
     const double tip = simulation.tool().X_HT().translation.z() + simulation.tool().head().bounding_box().min.z();
@@ -354,13 +274,12 @@ TEST(Coupling, WaitsWhileVelocitiesSayManyTimesTheWay) {
   };
   const auto drill = [](double unit, double noise) {
     Simulation simulation(half_space(), ball(300), implicit(1e14));
-    VirtualCoupling coupling(simulation, coupling_gains(capabilities(device_model("touch"))));
+    VirtualCoupling coupling(simulation, touch_gains());
     Result all;
     for (int n = 0; n < 1500; ++n) {
       const double wobble = noise * (n % 2 == 0 ? 1 : -1);
       const Twist given{Vec3(wobble, 0, -2e-3 * unit), Vec3::Zero()};
-      const CoupledResult& tick =
-          coupling.step(Pose::from_translation(kAside + Vec3(0, 0, kRadius + 0.5 * mm - 2e-6 * n)), given, 1e-3);
+      const CoupledResult& tick = coupling.step(at_height(kRadius + 0.5 * mm - 2e-6 * n), given, 1e-3);
       all.removed += tick.removed_volume;
       all.force = std::max(all.force, tick.hand.force.norm());
       all.refused += has_any(tick.status, StepStatus::velocity_rejected) ? 1 : 0;

@@ -69,13 +69,12 @@ TEST(ChangedBlocks, AreNoneOfAStepThatIsRejectedOrCutsNothing) {
 
 // A stroke of 30 mm in one step: 600 sub-steps, which list most blocks many times.
 TEST(ChangedBlocks, AreCompleteInALongSweepOrSaidNotToBe) {
-  SimulationConfig config;
+  SimulationConfig config = test::on_foundation(1e14);
   config.longest_sweep = 1000;
-  config.reference_stiffness = 1e14;
   config.reserved_blocks = 4096;
   Simulation simulation(
       build_block({Vec3(-1, -3, -3) * units::mm, Vec3(31, 3, 0) * units::mm}, 1e-4, test::plain_material()),
-      Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
+      test::tool_of(SphereHead{test::kRadius}, 3000), config);
   const std::map<VoxelIndex, Fills> before = fills_of(simulation.workpiece());
   simulation.step(Pose::from_translation(Vec3(-3e-3, 0, 0)), {}, 1e-3);
   simulation.step(Pose::from_translation(Vec3(27e-3, 0, 0)), {}, 1e-3);
@@ -85,6 +84,25 @@ TEST(ChangedBlocks, AreCompleteInALongSweepOrSaidNotToBe) {
   EXPECT_GT(expected.size(), 100U);
   EXPECT_TRUE(simulation.changed_blocks().complete);
   for (const VoxelIndex& origin : expected) EXPECT_TRUE(origins.contains(origin));
+}
+
+TEST(Simulation, GoesOnFromARestoredSnapshotAsItDidFromTheFreshWorkpiece) {
+  const test::Scene& scene = test::find_scene("axial_flat");
+  Simulation simulation = scene.make();
+  const auto forces_again = [&] {
+    std::vector<Vec3> forces;
+    for (int tick = 0; tick < 500; ++tick) {
+      const StepInput input = scene.input(tick);
+      forces.push_back(simulation.step(input.pose, input.velocity, input.dt).force);
+    }
+    return forces;
+  };
+  const WorkpieceSnapshot fresh = simulation.snapshot();
+  const std::vector<Vec3> first = forces_again();
+  const std::uint64_t hash = simulation.workpiece().hash();
+  simulation.restore(fresh);
+  EXPECT_EQ(forces_again(), first);
+  EXPECT_EQ(simulation.workpiece().hash(), hash);
 }
 
 /// Counts what it is told of.

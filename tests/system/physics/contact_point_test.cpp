@@ -5,20 +5,17 @@
 
 #include "hapticut/force/laws/contact_mechanics.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
+#include "support/cutting.hpp"
 #include "support/static_contact.hpp"
 
 namespace hapticut::contact_point_test {
 namespace {
 
-using test::box_at_phase;
-using test::half_space;
-using test::kStiffness;
-using test::materials_of_stiffness;
-using test::static_config;
+using namespace test;
 using units::kPi;
 using units::mm;
 
-constexpr double kRadius = 1 * mm, kDepth = 0.3 * mm;
+constexpr double kDepth = 0.3 * mm;
 
 Contact contact_of(const ToolHead& head, const Vec3& place, double voxel_size, double spin = 0,
                    const Mat3& R_WH = Mat3::Identity()) {
@@ -29,8 +26,12 @@ Contact contact_of(const ToolHead& head, const Vec3& place, double voxel_size, d
   return simulation.step({R_WH, place}, {}, 1e-3).contact;
 }
 
-/// [m] how far the mean place of the springs of a ball is from its centre: integrals over the cap of w = R - r.
-double lever_of_cap() {
+/// Integrals over the cap of a ball, of its springs w = R - r.
+struct Cap {
+  double lever = 0;   // [m] how far the mean place of the springs is from the ball's centre
+  double normal = 0;  // [N] sum of the forces along the normals
+};
+Cap cap() {
   constexpr int kSteps = 100000;
   const double h = kRadius - kDepth;
   double size = 0, moment = 0;
@@ -39,7 +40,7 @@ double lever_of_cap() {
     size += w * r * r * (1 - h / r);
     moment += w * r * r * r * (1 - h * h / (r * r)) / 2;
   }
-  return moment / size;
+  return {moment / size, kStiffness * 2 * kPi * kDepth / kSteps * size};
 }
 
 TEST(ContactPoint, OfABallIsThatOfItsCap) {
@@ -48,21 +49,14 @@ TEST(ContactPoint, OfABallIsThatOfItsCap) {
   for (const double voxel : {0.1 * mm, 0.05 * mm}) {
     const Contact contact = contact_of(SphereHead{kRadius}, {0, 0, kRadius - kDepth}, voxel);
     const double lever = kRadius - kDepth - contact.point.z();
-    EXPECT_NEAR(lever, lever_of_cap(), 0.005 * kRadius);
+    EXPECT_NEAR(lever, cap().lever, 0.005 * kRadius);
     EXPECT_LT(contact.point.head<2>().norm(), 0.005 * kRadius);
     EXPECT_LT((contact.normal - Vec3::UnitZ()).norm(), 0.005);
     const double off = std::abs(contact.area / area - 1);
     EXPECT_LT(off, 0.03) << voxel;
     EXPECT_LT(off, last) << voxel;
     last = off;
-    double normal = 0;  // [N] the forces along the normals: of w over the cap
-    constexpr int kSteps = 100000;
-    const double h = kRadius - kDepth;
-    for (int n = 0; n < kSteps; ++n) {
-      const double r = h + kDepth * (n + 0.5) / kSteps;
-      normal += kStiffness * (kRadius - r) * 2 * kPi * r * r * (1 - h / r) * kDepth / kSteps;
-    }
-    EXPECT_NEAR(contact.pressure * contact.area / normal, 1, 0.01);
+    EXPECT_NEAR(contact.pressure * contact.area / cap().normal, 1, 0.01);
   }
 }
 
@@ -99,28 +93,6 @@ TEST(ContactPoint, IsThereUnderOtherLawsToo) {
   EXPECT_LT((contact.normal - Vec3::UnitZ()).norm(), 0.02);
   EXPECT_LT(contact.point.head<2>().norm(), 0.02 * kRadius);
   EXPECT_NEAR(contact.area / (2 * kPi * kRadius * kDepth), 1, 0.1);
-}
-
-// What was given in and taken out again was turned over too: the rest is not all of it.
-TEST(Contact, TheLedgerOfAPressThatIsLiftedOutIsClosed) {
-  const double voxel = 0.05 * mm;
-  Simulation simulation(box_at_phase(half_space(kRadius, kDepth, voxel), voxel, test::phase(3)),
-                        Tool(SphereHead{kRadius}), static_config());
-  double given = 0, last = 0, turned = 0;  // [J]
-  for (int i = 0; i <= 200; ++i) {
-    const double deep = kDepth * std::min(i, 200 - i) / 100 - 0.01 * kDepth;
-    const EnergyLedger& energy = simulation.step(Pose::from_translation({0, 0, kRadius - deep}), {}, 1e-3).energy;
-    given += std::max(0.0, energy.hand_work - last);
-    last = energy.hand_work;
-    EXPECT_GE(energy.turnover, turned);
-    turned = energy.turnover;
-  }
-  const EnergyLedger& energy = simulation.last_result().energy;
-  EXPECT_EQ(energy.elastic, 0) << "it is out again";
-  EXPECT_LT(std::abs(energy.hand_work), 1e-3 * given);
-  EXPECT_GT(energy.turnover, 1.99 * given);
-  EXPECT_LT(test::unbooked(energy), 1e-5);
-  EXPECT_EQ(energy.closure(), energy.imbalance() / energy.turnover);
 }
 
 }  // namespace

@@ -10,14 +10,12 @@ namespace hapticut::crushing_test {
 namespace {
 
 namespace forms = closed_forms;
-using test::plain_material;
+using namespace test;
 using units::deg;
 using units::kPi;
 using units::mm;
 
-constexpr double kRadius = 1 * mm;
 constexpr double kStrength = 100e6;  // [Pa]
-const Vec3 kAside(0.0293 * mm, 0.0113 * mm, 0);
 
 Material brittle(double strength = kStrength) {
   Material material = plain_material();
@@ -31,37 +29,28 @@ double crushing_depth(double stiffness) { return std::sqrt(2 * kStrength / stiff
 struct Press {
   Press(const ToolHead& head, double stiffness, double voxel, const Mat3& R_WT = Mat3::Identity(),
         double thickness = 2 * mm, RemovalLaw removal = RemovalLaw::constant_energy, double spin = 0)
-      : R(R_WT),
-        simulation(block(R_WT, voxel, thickness), Tool(head, RayHandle{0}, Spindle{spin * units::rad_per_s}),
-                   config(stiffness, removal)) {}
+      : R(R_WT), simulation(block(R_WT, voxel, thickness), tool_of(head, spin), config(stiffness, removal)) {}
 
   static Workpiece block(const Mat3& R, double voxel, double thickness) {
-    const BodyDescription body = {{Vec3::Constant(-3 * mm), Vec3::Constant(3 * mm)},
-                                  [R, thickness](const Vec3& p) {
-                                    const Vec3 q = R.transpose() * p;
-                                    const double across = std::max(std::abs(q.x()), std::abs(q.y())) - 1.6 * mm;
-                                    return std::max({q.z(), -thickness - q.z(), across});
-                                  },
-                                  [](const Vec3&) { return MaterialId(1); }};
-    return build_body(body, voxel, MaterialTable({brittle()}));
+    return body({Vec3::Constant(-3 * mm), Vec3::Constant(3 * mm)}, voxel, brittle(), [R, thickness](const Vec3& p) {
+      const Vec3 q = R.transpose() * p;
+      const double across = std::max(std::abs(q.x()), std::abs(q.y())) - 1.6 * mm;
+      return std::max({q.z(), -thickness - q.z(), across});
+    });
   }
-  static SimulationConfig config(double stiffness, RemovalLaw removal) {
-    SimulationConfig config;
-    config.reference_stiffness = stiffness;
+  static SimulationConfig config(double stiffness, RemovalLaw removal = RemovalLaw::constant_energy) {
+    SimulationConfig config = on_foundation(stiffness, false);
     config.removal = removal;
-    config.deep_contact = false;
     return config;
   }
+  [[nodiscard]] Pose at(double z) const { return {R, R * (kOffGrid + Vec3(0, 0, z))}; }
   /// Moves the lowest point from one depth to another, and returns what is felt along the axis at the end.
   double move(double from, double to, double lowest, double step = 2e-6) {
     const int steps = std::max(1, int(std::lround(std::abs(to - from) / step)));
     for (int n = 1; n <= steps; ++n) {
-      const double z = lowest - (from + (to - from) * n / steps);
-      Pose pose;
-      pose.rotation = R;
-      pose.translation = R * (kAside + Vec3(0, 0, z));
-      const double speed = (to - from) / steps / 1e-3;
-      force_T = R.transpose() * simulation.step(pose, {R * Vec3(0, 0, -speed), Vec3::Zero()}, 1e-3).force;
+      const Vec3 velocity = R * Vec3(0, 0, -(to - from) / steps / kTick);
+      const Pose pose = at(lowest - (from + (to - from) * n / steps));
+      const Vec3 force_T = R.transpose() * simulation.step(pose, {velocity, Vec3::Zero()}, kTick).force;
       forces.push_back(force_T.z());
     }
     return forces.back();
@@ -71,23 +60,19 @@ struct Press {
 
   Mat3 R;
   Simulation simulation;
-  Vec3 force_T;
   std::vector<double> forces;
 };
 
-const std::vector<test::Way>& ways() {
-  static const std::vector<test::Way> all = [] {
-    std::vector<test::Way> of = {{"along the grid", Mat3::Identity()}};
-    of.insert(of.end(), test::kWays.begin(), test::kWays.end());
-    return of;
-  }();
+std::vector<Way> ways() {
+  std::vector<Way> all = {{"along the grid", Mat3::Identity()}};
+  all.insert(all.end(), kWays.begin(), kWays.end());
   return all;
 }
 
 // Proves: crushing.
 TEST(Crushing, C39AFlatHeadGoesDownAtItsStrength) {
   const double expected = forms::flat_bottom_crushing_force(kStrength, kRadius);
-  for (const test::Way& way : ways())
+  for (const Way& way : ways())
     for (const double stiffness : {1e16, 1e17})
       for (const double voxel : {0.1 * mm, 0.05 * mm}) {
         SCOPED_TRACE(std::string(way.name) + ", k_v " + std::to_string(stiffness) + ", voxel " +
@@ -103,7 +88,7 @@ TEST(Crushing, C39AFlatHeadGoesDownAtItsStrength) {
         EXPECT_NEAR(mean / expected, 1, 0.01);
         EXPECT_LT(std::sqrt(square) / mean, 0.01);
         EXPECT_NEAR(press.energy().crushed / (kStrength * press.crushed()), 1, 0.01);
-        EXPECT_LT(test::unbooked(press.energy()), 1e-6);
+        EXPECT_LT(unbooked(press.energy()), 1e-6);
         EXPECT_LT(std::abs(press.energy().entered), 1e-3 * press.energy().hand_work);
         EXPECT_EQ(press.energy().cutting, 0);
         EXPECT_TRUE(has_any(press.simulation.last_result().status, StepStatus::material_crushed));
@@ -112,7 +97,7 @@ TEST(Crushing, C39AFlatHeadGoesDownAtItsStrength) {
 
 // Proves: crushing.
 TEST(Crushing, C40ABallGoesDownAtItsStrengthTimesItsArea) {
-  for (const test::Way& way : ways())
+  for (const Way& way : ways())
     for (const double stiffness : {1e16, 1e17}) {
       Press press(SphereHead{kRadius}, stiffness, 0.1 * mm, way.R_WT);
       const double w0 = crushing_depth(stiffness);
@@ -125,7 +110,7 @@ TEST(Crushing, C40ABallGoesDownAtItsStrengthTimesItsArea) {
         EXPECT_NEAR(force / forms::cap_crushing_force(kStrength, w0, kRadius, at), 1, 0.02);
       }
       EXPECT_NEAR(press.energy().crushed / (kStrength * press.crushed()), 1, 0.02);
-      EXPECT_LT(test::unbooked(press.energy()), 1e-6);
+      EXPECT_LT(unbooked(press.energy()), 1e-6);
     }
 }
 
@@ -145,7 +130,7 @@ TEST(Crushing, WhatIsLeftIsElastic) {
 // A plate gives way to a standing ball, which leaves a hole; what the hand did is the strength times the hole.
 TEST(Crushing, APlateIsPunchedThrough) {
   for (const double thickness : {0.2 * mm, 0.5 * mm}) {
-    Press press(SphereHead{kRadius}, 1e17, 0.1 * mm, test::kWays[0].R_WT, thickness);
+    Press press(SphereHead{kRadius}, 1e17, 0.1 * mm, kWays[0].R_WT, thickness);
     (void)press.move(0, 2 * kRadius + 2 * thickness, kRadius);
     const double hole = kPi * std::pow(kRadius - crushing_depth(1e17), 2) * thickness;
     SCOPED_TRACE(std::to_string(thickness / mm) + " mm");
@@ -165,20 +150,17 @@ TEST(Crushing, AWallBearsItsStrengthEvenlyWhateverPressesIt) {
   for (const EdgeKind side : {EdgeKind::cutting, EdgeKind::smooth})
     for (const double damping : {0.0, 300.0})
       for (const double voxel : {0.2 * mm, 0.1 * mm}) {
-        const BodyDescription plate = {{Vec3(-1.6, -1.6, -1.4) * mm, Vec3(2.4, 1.6, 0.4) * mm},
-                                       [&](const Vec3& p) {
-                                         const double hole = kRadius - p.head<2>().norm();
-                                         return std::max({p.z(), -thickness - p.z(), hole});
-                                       },
-                                       [](const Vec3&) { return MaterialId(1); }};
-        SimulationConfig config = Press::config(2e16, RemovalLaw::constant_energy);
+        const Box box = {Vec3(-1.6, -1.6, -1.4) * mm, Vec3(2.4, 1.6, 0.4) * mm};
+        Workpiece plate = body(box, voxel, brittle(), [&](const Vec3& p) {
+          return std::max({p.z(), -thickness - p.z(), kRadius - p.head<2>().norm()});
+        });
+        SimulationConfig config = Press::config(2e16);
         config.contact_damping = damping;
-        Simulation simulation(build_body(plate, voxel, MaterialTable({brittle()})), Tool(pin(side)), config);
+        Simulation simulation(std::move(plate), Tool(pin(side)), config);
         double least = 1e9, most = 0;
         for (int n = 1; n <= 50; ++n) {
-          const Vec3 at = kAside + Vec3(n * speed * 1e-3, 0, -2 * mm);
-          const double force =
-              -simulation.step(Pose::from_translation(at), {Vec3(speed, 0, 0), Vec3::Zero()}, 1e-3).force.x();
+          const Vec3 at = kOffGrid + Vec3(n * speed * 1e-3, 0, -2 * mm);
+          const double force = -step_to(simulation, at, Vec3(speed, 0, 0)).force.x();
           if (n > 25) least = std::min(least, force), most = std::max(most, force);
         }
         const double bears = kStrength * 2 * kRadius * thickness;
@@ -203,12 +185,10 @@ TEST(Crushing, AStandingPointThinnerThanTheVoxelsSaysSo) {
     const double half = 4 * c.voxel;  // beyond the point
     const Box box = {Vec3(-half - 0.05 * mm, -half - 0.05 * mm, -0.4 * mm),
                      Vec3(half + 0.05 * mm, half + 0.05 * mm, 0)};
-    Simulation simulation(build_block(box, c.voxel, brittle()), Tool(c.head),
-                          Press::config(1e16, RemovalLaw::constant_energy));
+    Simulation simulation(build_block(box, c.voxel, brittle()), Tool(c.head), Press::config(1e16));
     StepStatus seen = StepStatus::ok;
     const double tip = -c.head.bounding_box().min.z();
-    for (int n = 1; n <= 100; ++n)
-      seen = simulation.step(Pose::from_translation(Vec3(3e-6, 1e-6, tip - n * 2e-6)), {}, 1e-3).status;
+    for (int n = 1; n <= 100; ++n) seen = step_to(simulation, Vec3(3e-6, 1e-6, tip - n * 2e-6)).status;
     EXPECT_EQ(has_any(seen, StepStatus::point_thin), c.thin) << c.head.description() << ", " << c.voxel;
   }
 }
@@ -221,11 +201,9 @@ TEST(Crushing, NothingIsCrushedWhereNothingMayBeRemoved) {
 }
 
 TEST(Crushing, IsAskedForTheSameByAProbe) {
-  Press press(SphereHead{kRadius}, 1e16, 0.1 * mm, test::kWays[0].R_WT);
+  Press press(SphereHead{kRadius}, 1e16, 0.1 * mm, kWays[0].R_WT);
   (void)press.move(0, 0.4 * mm, kRadius);
-  Pose next;
-  next.rotation = press.R;
-  next.translation = press.R * (kAside + Vec3(0, 0, kRadius - 0.41 * mm));
+  const Pose next = press.at(kRadius - 0.41 * mm);
   const Twist twist = {press.R * Vec3(0, 0, -0.01 * mm / 1e-3), Vec3::Zero()};
   const ContactProbe probed = press.simulation.probe(next, twist, 1e-3);
   const StepResult& stepped = press.simulation.step(next, twist, 1e-3);
@@ -235,13 +213,13 @@ TEST(Crushing, IsAskedForTheSameByAProbe) {
 
 // A turning head that is pressed into what it cannot cut as fast crushes what is beyond the strength as well.
 TEST(Crushing, ATurningHeadBearsNoMoreThanAStandingOne) {
-  Press press(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 1e16, 0.1 * mm, test::kWays[0].R_WT, 2 * mm,
+  Press press(FlatHead{kRadius, 4 * mm, FlatRule::bottom_only}, 1e16, 0.1 * mm, kWays[0].R_WT, 2 * mm,
               RemovalLaw::constant_energy, 20);
   const double force = press.move(0, 0.6 * mm, 0, 1e-5);
   EXPECT_LE(force, 1.02 * forms::flat_bottom_crushing_force(kStrength, kRadius));
   EXPECT_GT(press.energy().cutting, 0);
   EXPECT_GT(press.energy().crushed, 0);
-  EXPECT_LT(test::unbooked(press.energy()), 1e-5);
+  EXPECT_LT(unbooked(press.energy()), 1e-5);
 }
 
 }  // namespace

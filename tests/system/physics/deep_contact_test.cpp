@@ -15,17 +15,20 @@ using units::mm;
 
 constexpr double kRadius = 0.5 * mm;
 
-Simulation ball_over(const Box& box, bool deep_contact, Spindle spindle = {}) {
+const Box kBlock{Vec3(-1, -1, -3) * mm, Vec3(1, 1, 0) * mm};
+
+SimulationConfig swept(bool deep_contact = true) {
   SimulationConfig config = test::static_config();
   config.longest_sweep = 64;
   config.reserved_blocks = 2000;
   config.deep_contact = deep_contact;
-  if (spindle.speed != 0) config.removal = RemovalLaw::constant_energy;
+  return config;
+}
+
+Simulation ball_over(const SimulationConfig& config, const Box& box = kBlock, Spindle spindle = {}) {
   return Simulation(test::box_at_phase(box, 0.05 * mm, Vec3(0.3, 0.6, 0.2)),
                     Tool(SphereHead{kRadius}, RayHandle{0}, spindle), config);
 }
-
-const Box kBlock{Vec3(-1, -1, -3) * mm, Vec3(1, 1, 0) * mm};
 
 /// Vertical force with the tip `depth` below the surface, on the way down from above.
 double push_to(Simulation& simulation, double& z, double depth) {
@@ -39,7 +42,7 @@ double push_to(Simulation& simulation, double& z, double depth) {
 
 // Proves: deep contact.
 TEST(DeepContact, D15TheForceOfABallNeverFallsAsItGoesDeeper) {
-  Simulation held = ball_over(kBlock, true), springs = ball_over(kBlock, false);
+  Simulation held = ball_over(swept()), springs = ball_over(swept(false));
   double z = kRadius + 0.01 * mm, z_springs = z, before = 0, largest = 0;
   for (double depth = 0.02; depth <= 1.6; depth += 0.02) {
     const double force = push_to(held, z, depth * mm);
@@ -58,7 +61,7 @@ TEST(DeepContact, D15TheForceOfABallNeverFallsAsItGoesDeeper) {
 
 // Proves: deep contact.
 TEST(DeepContact, CostsNoWorkOnTheWayInAndOut) {
-  Simulation simulation = ball_over(kBlock, true);
+  Simulation simulation = ball_over(swept());
   double z = kRadius + 0.01 * mm;
   (void)push_to(simulation, z, 0);
   (void)push_to(simulation, z, 1.4 * mm);
@@ -73,7 +76,7 @@ TEST(DeepContact, CostsNoWorkOnTheWayInAndOut) {
 // Proves: deep contact.
 TEST(DeepContact, YieldsWhereAWallBreaks) {
   const Box wall{Vec3(-1, -1, -0.75) * mm, Vec3(1, 1, 0) * mm};
-  Simulation simulation = ball_over(wall, true);
+  Simulation simulation = ball_over(swept(), wall);
   double z = kRadius + 0.01 * mm;
   double held = push_to(simulation, z, 0.8 * mm);
   EXPECT_GT(held, 0);
@@ -91,12 +94,9 @@ TEST(DeepContact, ActsUnderNoLawButTheOneThatClaimsIt) {
     if (!std::holds_alternative<SphereHead>(named.head.shape()) || named.law->holds_deep_contact()) continue;
     ++others;
     const auto pushed = [&](bool deep_contact) {
-      SimulationConfig config = test::static_config();
-      config.longest_sweep = 64;
+      SimulationConfig config = swept(deep_contact);
       config.law = named.law;
-      config.deep_contact = deep_contact;
-      Simulation simulation(test::box_at_phase(kBlock, 0.05 * mm, Vec3(0.3, 0.6, 0.2)), Tool(SphereHead{kRadius}),
-                            config);
+      Simulation simulation = ball_over(config);
       double z = kRadius + 0.01 * mm;
       return push_to(simulation, z, 1.4 * kRadius);
     };
@@ -110,12 +110,8 @@ TEST(DeepContact, ActsUnderNoLawButTheOneThatClaimsIt) {
 // push of the springs alone.
 // Proves: deep contact.
 TEST(DeepContact, HoldsASpinningBallAlongItsNormalForceAndNotAlongItsDrag) {
-  SimulationConfig config = test::static_config();
-  config.longest_sweep = 64;
-  const auto pushed = [&](bool deep_contact) {
-    config.deep_contact = deep_contact;
-    Simulation simulation(test::box_at_phase(kBlock, 0.05 * mm, Vec3(0.3, 0.6, 0.2)),
-                          Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{2000 * units::rad_per_s}), config);
+  const auto pushed = [](bool deep_contact) {
+    Simulation simulation = ball_over(swept(deep_contact), kBlock, Spindle{2000 * units::rad_per_s});
     Pose pose = {rotation_from_vector(Vec3(0, 0.5 * units::kPi, 0)), Vec3(0, 0, kRadius)};
     for (; pose.translation.z() > -0.4 * kRadius; pose.translation.z() -= 0.005 * mm)
       (void)simulation.step(pose, {}, 1e-3);
@@ -131,15 +127,13 @@ TEST(DeepContact, HoldsASpinningBallAlongItsNormalForceAndNotAlongItsDrag) {
 
 TEST(DeepContact, LetsACuttingBallGoWhereItCuts) {
   // Sunk standing to 1.4 R, then the spindle is switched on: what held the ball is cut away.
-  Simulation simulation = ball_over(kBlock, true);
+  Simulation simulation = ball_over(swept());
   double z = kRadius + 0.01 * mm;
   const double standing = push_to(simulation, z, 0.7 * mm);
   EXPECT_GT(standing, 0);
-  SimulationConfig config = test::static_config();
-  config.longest_sweep = 64;
-  config.reserved_blocks = 2000;
+  SimulationConfig config = swept();
   config.removal = RemovalLaw::constant_energy;
-  Simulation cutting(test::box_at_phase(kBlock, 0.05 * mm, Vec3(0.3, 0.6, 0.2)), Tool(SphereHead{kRadius}), config);
+  Simulation cutting = ball_over(config);
   z = kRadius + 0.01 * mm;
   (void)push_to(cutting, z, 0.7 * mm);
   cutting.set_spindle_speed(20000 * units::rad_per_s);

@@ -2,16 +2,14 @@
 // Effects in the whole step: what the hand feels beside the model, and that the ledger does not see it.
 #include <gtest/gtest.h>
 
-#include "hapticut/core/errors.hpp"
 #include "support/cutting.hpp"
 
 namespace hapticut::effects_test {
 namespace {
 
+using namespace test;
 using units::deg;
 using units::mm;
-
-constexpr double kTick = 1e-3;
 
 Effects all_effects() {
   Effects effects;
@@ -21,12 +19,11 @@ Effects all_effects() {
   return effects;
 }
 
-Simulation cut(const Effects& effects, HandleTorque torque = HandleTorque::full_wrench) {
+Simulation cut(const Effects& effects) {
   SimulationConfig config;
   config.effects = effects;
-  config.handle_torque = torque;
-  return Simulation(build_block({Vec3(-3, -3, -3) * mm, Vec3(3, 3, 0) * mm}, 0.1 * mm, test::plain_material()),
-                    Tool(SphereHead{1 * mm}, LHandle{80 * mm, 15 * mm, 60 * deg}, Spindle{3000 * units::rad_per_s}),
+  return Simulation(plain_block(3 * mm, 3 * mm),
+                    Tool(SphereHead{kRadius}, LHandle{80 * mm, 15 * mm, 60 * deg}, Spindle{3000 * units::rad_per_s}),
                     config);
 }
 
@@ -104,36 +101,6 @@ TEST(EffectsInTheStep, FallToZeroWithARejectedInputAndGrowAgainWithinTheLimit) {
   bad.translation.x() = std::nan("");
   EXPECT_EQ(simulation.step(bad, {}, kTick).force, Vec3(0, 0, 0));
   EXPECT_LE(step(simulation, 200).force.norm(), 100 * kTick * (1 + 1e-12));
-}
-
-TEST(EffectsInTheStep, AreRefusedWithoutChangingAnything) {
-  Effects bad;
-  bad.vibration = Vibration{500};
-  EXPECT_THROW(cut(bad), Error);
-  Simulation simulation = cut(all_effects());
-  EXPECT_THROW(simulation.set_effects(bad), Error);
-  EXPECT_EQ(simulation.config().effects.vibration->frequency, Vibration{}.frequency);
-  simulation.set_effects({});
-  EXPECT_FALSE(simulation.config().effects.gravity.has_value());
-}
-
-// Proves: handles of the thesis.
-TEST(HandleTorqueInTheStep, OfTheThesisFollowsItsFormulasWithTheSameForce) {
-  Simulation exact = cut({}), thesis = cut({}, HandleTorque::thesis);
-  double work = 0;
-  for (int tick = 0; tick < 300; ++tick) {
-    const StepResult& a = step(exact, tick);
-    const StepResult& b = step(thesis, tick);
-    ASSERT_EQ(a.force, b.force);
-    ASSERT_EQ(a.energy.hand_work, b.energy.hand_work);
-    work = (a.torque - b.torque).norm();
-    if (tick != 299) continue;
-    const Mat3 R_WH = (head_at(299) * exact.tool().X_HT().inverse()).rotation;
-    const Vec3 expected =
-        R_WH * thesis_handle_torque(exact.tool().handle(), R_WH.transpose() * b.force, -b.spindle.torque, 1);
-    EXPECT_LT((b.torque - expected).norm(), 1e-12);
-  }
-  EXPECT_GT(work, 0) << "it drops the lateral torque of the head and turns the spin elsewhere";
 }
 
 }  // namespace

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// The formulas of contact mechanics against integrals, and what the Hertzian burr erodes. What both give in the step
-// are rows of `hapticut validate`.
+// The formulas of contact mechanics against integrals, the layers of the thesis, and what the Hertzian burr erodes.
+// What each gives in the step are rows of `hapticut validate`.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "support/cutting.hpp"
 #include "support/laws.hpp"
+#include "support/static_contact.hpp"
 
 namespace hapticut::laws_test {
 namespace {
 
+using test::kRadius;
 using units::deg;
 using units::kPi;
 using units::mm;
 
-constexpr double kRadius = 1 * mm;
-
-constexpr double kQuadrature = 1e-6;    // [1] of the midpoint rule with thousands of points
-constexpr double kMidpointWork = 1e-4;  // [1] of a work over thousands of steps
-constexpr double kFineVoxels = 0.02;    // [1] the same for a fifth of it or less, with a form that is steeper
+constexpr double kQuadrature = 1e-6;       // [1] of the midpoint rule with thousands of points
+constexpr double kSinglePrecision = 1e-4;  // [1] of sums of some thousand forces
+constexpr double kFineVoxels = 0.02;       // [1] for a fifth of them or less, with a form that is steeper
 
 // --- contact mechanics (Table 5.1) -----------------------------------------------------------------------------------
 
@@ -60,17 +60,6 @@ TEST(ContactMechanics, FormulasAreThoseOfSneddonsIntegrals) {
   EXPECT_NEAR(law.force(FlatHead{kRadius, 1 * mm}, d) / flat, 1, kQuadrature);
 }
 
-TEST(ContactMechanics, EnergyIsTheWorkOfTheForce) {
-  const ContactMechanicsLaw law(3e6);
-  for (const ToolHead& head :
-       {ToolHead(SphereHead{kRadius}), ToolHead(ConeHead{0.6, 2 * mm}), ToolHead(FlatHead{kRadius, 2 * mm})}) {
-    double work = 0;
-    constexpr int kSteps = 2000;
-    for (int i = 0; i < kSteps; ++i) work += law.force(head, 0.3 * mm * (i + 0.5) / kSteps) * 0.3 * mm / kSteps;
-    EXPECT_NEAR(law.energy(head, 0.3 * mm) / work, 1, kMidpointWork);
-  }
-}
-
 TEST(ContactMechanics, DepthIsThatOfTheHalfSpaceThatFillsTheSameVolume) {
   const SphereHead ball{kRadius};
   for (const double d : {0.01, 0.3, 1.0, 1.7, 1.99}) {
@@ -80,6 +69,25 @@ TEST(ContactMechanics, DepthIsThatOfTheHalfSpaceThatFillsTheSameVolume) {
   EXPECT_NEAR(ContactMechanicsLaw::depth_of(ConeHead{45 * deg, 2 * mm}, kPi / 3 * std::pow(0.5 * mm, 3)), 0.5 * mm,
               1e-12);
   EXPECT_NEAR(ContactMechanicsLaw::depth_of(FlatHead{kRadius, 2 * mm}, kPi * 1e-6 * 0.5 * mm), 0.5 * mm, 1e-12);
+}
+
+// --- the law of the thesis -------------------------------------------------------------------------------------------
+
+// Proves: layers and grades; law of the thesis.
+TEST(ThesisLaw, ForceFollowsTheStiffnessOfEachVoxel) {
+  SimulationConfig config = test::static_config();
+  config.law = std::make_shared<ThesisLaw>(ThesisLaw::Constants{});
+  const auto layered = [&](double left, double right) {
+    Simulation simulation(test::box_at_phase({Vec3(-1.2, -1.2, -0.8) * mm, Vec3(1.2, 1.2, 0) * mm}, 0.1 * mm,
+                                             Vec3::Zero(), test::materials_of_stiffness({left, right}),
+                                             [](const Vec3& p) { return MaterialId(p.x() < 0 ? 1 : 2); }),
+                          Tool(SphereHead{1 * mm}), config);
+    return test::hold_well(simulation, Vec3(0, 0, 0.6 * mm)).force;
+  };
+  const Vec3 equal = layered(0.5, 0.5), unequal = layered(0.3, 0.7);
+  EXPECT_NEAR(unequal.z() / equal.z(), 1, kSinglePrecision) << "the halves weigh alike";
+  EXPECT_LT(unequal.x(), -0.01 * equal.z()) << "the stiffer half pushes the tool away";
+  EXPECT_NEAR(equal.x(), 0, kSinglePrecision * equal.z());
 }
 
 // --- Hertzian burr ---------------------------------------------------------------------------------------------------

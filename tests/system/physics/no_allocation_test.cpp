@@ -11,10 +11,10 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/heat/heat_collector.hpp"
 #include "hapticut/simulation/coupling.hpp"
-#include "hapticut/workpiece/builders.hpp"
 #include "support/allocation_count.hpp"
+#include "support/cutting.hpp"
 #include "support/laws.hpp"
-#include "support/scenes.hpp"
+#include "support/named_material.hpp"
 
 namespace hapticut::no_allocation_test {
 namespace {
@@ -46,6 +46,17 @@ TEST(CallCounts, SeeEveryKindOfAllocationAndLock) {
   EXPECT_EQ(counts.locks, 1);
 }
 
+/// Expects that nothing in it allocates, frees or locks.
+template <class Work>
+void expect_no_calls(const Work& work) {
+  test::arm_call_counts();
+  work();
+  const test::CallCounts counts = test::disarm_call_counts();
+  EXPECT_EQ(counts.allocations, 0);
+  EXPECT_EQ(counts.deallocations, 0);
+  EXPECT_EQ(counts.locks, 0);
+}
+
 class NoAllocation : public testing::TestWithParam<std::string> {};
 
 TEST_P(NoAllocation, In10000StepsOfTheScene) {
@@ -57,18 +68,14 @@ TEST_P(NoAllocation, In10000StepsOfTheScene) {
   double removed = 0;
   int contacts = 0;
   StepStatus status = StepStatus::ok;
-  test::arm_call_counts();
-  for (const StepInput& input : inputs) {
-    const StepResult& result = simulation.step(input.pose, input.velocity, input.dt);
-    removed += result.removed_volume;
-    contacts += result.contact.voxels > 0 ? 1 : 0;
-    status |= result.status;
-  }
-  const test::CallCounts counts = test::disarm_call_counts();
-
-  EXPECT_EQ(counts.allocations, 0);
-  EXPECT_EQ(counts.deallocations, 0);
-  EXPECT_EQ(counts.locks, 0);
+  expect_no_calls([&] {
+    for (const StepInput& input : inputs) {
+      const StepResult& result = simulation.step(input.pose, input.velocity, input.dt);
+      removed += result.removed_volume;
+      contacts += result.contact.voxels > 0 ? 1 : 0;
+      status |= result.status;
+    }
+  });
   EXPECT_GT(contacts, kSteps / 10) << "the scene must be at work, or the test says nothing";
   if (simulation.tool().spindle().speed != 0) {
     EXPECT_GT(removed, 0);
@@ -84,25 +91,20 @@ TEST(NoAllocation, WhileHeatAndChangedBlocksAreCollectedAndNobodyTakesThem) {
   options.blocks.block_capacity = 50;
   HeatCollector collector(simulation, options);
   double removed = 0;
-  test::arm_call_counts();
-  for (int tick = 0; tick < 2000; ++tick) {
-    const StepInput input = scene.input(tick);
-    removed += simulation.step(input.pose, input.velocity, input.dt).removed_volume;
-  }
-  const test::CallCounts counts = test::disarm_call_counts();
-  EXPECT_EQ(counts.allocations, 0);
-  EXPECT_EQ(counts.deallocations, 0);
-  EXPECT_EQ(counts.locks, 0);
+  expect_no_calls([&] {
+    for (int tick = 0; tick < 2000; ++tick) {
+      const StepInput input = scene.input(tick);
+      removed += simulation.step(input.pose, input.velocity, input.dt).removed_volume;
+    }
+  });
   EXPECT_GT(removed, 0);
   HeatPulse pulse;
   EXPECT_TRUE(collector.receive(pulse));
 }
 
 TEST(NoAllocation, WhileAnIslandLeavesBetweenSteps) {
-  Material bone;
-  bone.name = "bone";
   const double voxel = 0.1 * units::mm;
-  Workpiece bar = build_block({Vec3::Zero(), voxel * Vec3(24, 24, 80)}, voxel, bone);
+  Workpiece bar = build_block({Vec3::Zero(), voxel * Vec3(24, 24, 80)}, voxel, test::named("bone"));
   Simulation simulation(std::move(bar), Tool(SphereHead{0.6 * units::mm}));
   simulation.reserve_undo(100);
   simulation.set_undo_mark();
@@ -117,13 +119,10 @@ TEST(NoAllocation, WhileAnIslandLeavesBetweenSteps) {
   const std::vector<Island> islands = find_islands(simulation.workpiece());
   ASSERT_EQ(islands.size(), 1U);
   IslandRemoval removal{islands[0]};
-  test::arm_call_counts();
-  while (!simulation.remove_island(removal, 5)) {
-  }
-  const test::CallCounts counts = test::disarm_call_counts();
-  EXPECT_EQ(counts.allocations, 0);
-  EXPECT_EQ(counts.deallocations, 0);
-  EXPECT_EQ(counts.locks, 0);
+  expect_no_calls([&] {
+    while (!simulation.remove_island(removal, 5)) {
+    }
+  });
   EXPECT_FALSE(removal.joined);
   EXPECT_EQ(simulation.workpiece().solid_voxels(), 24 * 24 * 48);
 }
@@ -133,18 +132,15 @@ TEST(NoAllocationOnBadInput, WhenTheInputIsRejectedOrThePoolIsExhausted) {
   Simulation simulation = scene.make();
   StepInput bad = scene.input(0);
   bad.pose.translation.x() = std::nan("");
-  test::arm_call_counts();
-  (void)simulation.step(bad.pose, bad.velocity, bad.dt);
-  (void)simulation.step(scene.input(0).pose, {}, -1);
-  (void)simulation.step(Pose::from_translation(Vec3(1, 1, 1)), {}, 1e-3);
-  (void)simulation.step(Pose::from_translation(Vec3(-1, 1, 1)), {}, 1e-3);
-  const test::CallCounts counts = test::disarm_call_counts();
-  EXPECT_EQ(counts.allocations, 0);
+  expect_no_calls([&] {
+    (void)simulation.step(bad.pose, bad.velocity, bad.dt);
+    (void)simulation.step(scene.input(0).pose, {}, -1);
+    (void)simulation.step(Pose::from_translation(Vec3(1, 1, 1)), {}, 1e-3);
+    (void)simulation.step(Pose::from_translation(Vec3(-1, 1, 1)), {}, 1e-3);
+  });
 }
 
 TEST(NoAllocationWithEveryTerm, WhileTheSpindleStartsAndStops) {
-  Material material;
-  material.name = "bone";
   SimulationConfig config;
   config.effects.gravity = Gravity{0.05};
   config.effects.vibration = Vibration{};
@@ -152,45 +148,42 @@ TEST(NoAllocationWithEveryTerm, WhileTheSpindleStartsAndStops) {
   config.effects.limits = {3, 0.1, 1000, 100, 0.1};
   config.handle_torque = HandleTorque::thesis;
   Spindle spindle{0, 5, 100, 1e3};
-  Simulation simulation(build_block({Vec3(-5, -5, -5) * units::mm, Vec3(5, 5, 0) * units::mm}, 1e-4, material),
-                        Tool(SphereHead{1e-3}, LHandle{0.1, 0.02, 1.2}, spindle), config);
+  Simulation simulation(
+      build_block({Vec3(-5, -5, -5) * units::mm, Vec3(5, 5, 0) * units::mm}, test::kVoxel, test::named("bone")),
+      Tool(SphereHead{1e-3}, LHandle{0.1, 0.02, 1.2}, spindle), config);
   const Pose X_TH = simulation.tool().X_HT().inverse();
   int standing = 0, between = 0, spinning = 0;
-  test::arm_call_counts();
-  for (int tick = 0; tick < kSteps; ++tick) {
-    if (tick % 500 == 0) simulation.set_spindle_speed((tick % 1000 == 0 ? 0 : 20) * units::rad_per_s);
-    const double t = 1e-3 * tick;
-    const Vec3 head(2e-3 * std::sin(t), 2e-3 * std::cos(t), 0.9e-3);
-    const StepResult& result = simulation.step(Pose::from_translation(head) * X_TH, {}, 1e-3);
-    const double share = standing_share(result.spindle.speed, 1e-3);
-    ++(share == 1 ? standing : share == 0 ? spinning : between);
-  }
-  const test::CallCounts counts = test::disarm_call_counts();
-  EXPECT_EQ(counts.allocations, 0);
-  EXPECT_EQ(counts.deallocations, 0);
-  EXPECT_EQ(counts.locks, 0);
+  expect_no_calls([&] {
+    for (int tick = 0; tick < kSteps; ++tick) {
+      if (tick % 500 == 0) simulation.set_spindle_speed((tick % 1000 == 0 ? 0 : 20) * units::rad_per_s);
+      const double t = 1e-3 * tick;
+      const Vec3 head(2e-3 * std::sin(t), 2e-3 * std::cos(t), 0.9e-3);
+      const StepResult& result = simulation.step(Pose::from_translation(head) * X_TH, {}, 1e-3);
+      const double share = standing_share(result.spindle.speed, 1e-3);
+      ++(share == 1 ? standing : share == 0 ? spinning : between);
+    }
+  });
   EXPECT_GT(std::min({standing, between, spinning}), kSteps / 20);
   EXPECT_GT(simulation.last_result().energy.sliding, 0);
 }
 
 TEST(NoAllocationOfAnyLaw, WhileItCuts) {
   for (const test::NamedLaw& named : test::all_laws()) {
-    Material material;
-    material.name = "bone";
+    SCOPED_TRACE(named.name);
     SimulationConfig config;
     config.law = named.law;
-    Simulation simulation(build_block({Vec3(-2, -2, -3) * units::mm, Vec3(2, 2, 0) * units::mm}, 1e-4, material),
-                          Tool(named.head, RayHandle{0}, Spindle{2000 * units::rad_per_s}), config);
+    Simulation simulation(
+        build_block({Vec3(-2, -2, -3) * units::mm, Vec3(2, 2, 0) * units::mm}, test::kVoxel, test::named("bone")),
+        test::tool_of(named.head, test::kSpin), config);
     const double lowest = named.head.bounding_box().min.z();
     double removed = 0;
-    test::arm_call_counts();
-    for (int tick = 0; tick < 1000; ++tick) {
-      const Vec3 head(1e-4 * std::sin(0.01 * tick), 0, -lowest - 1e-6 * tick);
-      removed += simulation.step(Pose::from_translation(head), {}, 1e-3).removed_volume;
-    }
-    const test::CallCounts counts = test::disarm_call_counts();
-    EXPECT_EQ(counts.allocations + counts.deallocations + counts.locks, 0) << named.name;
-    EXPECT_GT(removed, 0) << named.name;
+    expect_no_calls([&] {
+      for (int tick = 0; tick < 1000; ++tick) {
+        const Vec3 head(1e-4 * std::sin(0.01 * tick), 0, -lowest - 1e-6 * tick);
+        removed += simulation.step(Pose::from_translation(head), {}, 1e-3).removed_volume;
+      }
+    });
+    EXPECT_GT(removed, 0);
   }
 }
 
@@ -204,30 +197,22 @@ INSTANTIATE_TEST_SUITE_P(Scenes, NoAllocation, testing::ValuesIn(scene_names()),
                          [](const auto& scene) { return scene.param; });
 
 TEST(NoAllocation, InStepsOfAVirtualCoupling) {
-  SimulationConfig config;
-  config.reference_stiffness = 1e16;
+  SimulationConfig config = test::on_foundation(1e16);
   config.contact_time = ContactTime::end;
-  Material material;
-  material.name = "plain";
-  material.cutting_ratio = 0.5;
-  material.specific_cutting_energy = 3e8;
   const Box box{Vec3(-4e-3, -4e-3, -4e-3), Vec3(4e-3, 4e-3, 0)};
-  Simulation simulation(build_block(box, 1e-4, material),
+  Simulation simulation(build_block(box, test::kVoxel, test::plain_material()),
                         Tool(SphereHead{1e-3}, RayHandle{20e-3}, Spindle{2000 * units::rad_per_s}), config);
   CouplingGains gains;
   gains.angular_stiffness = 0.3;
   VirtualCoupling coupling(simulation, gains);
   double removed = 0;
-  test::arm_call_counts();
-  for (int n = 0; n < 2000; ++n) {
-    const double z = 22e-3 - 4e-6 * n;
-    removed += coupling.step(Pose::from_translation({1e-6 * n, 0, z}), {Vec3(1e-3, 0, -4e-3), Vec3::Zero()}, 1e-3)
-                   .removed_volume;
-  }
-  const test::CallCounts counts = test::disarm_call_counts();
-  EXPECT_EQ(counts.allocations, 0);
-  EXPECT_EQ(counts.deallocations, 0);
-  EXPECT_EQ(counts.locks, 0);
+  expect_no_calls([&] {
+    for (int n = 0; n < 2000; ++n) {
+      const double z = 22e-3 - 4e-6 * n;
+      removed += coupling.step(Pose::from_translation({1e-6 * n, 0, z}), {Vec3(1e-3, 0, -4e-3), Vec3::Zero()}, 1e-3)
+                     .removed_volume;
+    }
+  });
   EXPECT_GT(removed, 1e-9);
 }
 

@@ -4,16 +4,17 @@
 #include <gtest/gtest.h>
 
 #include "hapticut/closed_forms.hpp"
+#include "support/cutting.hpp"
 #include "support/static_contact.hpp"
 
 namespace hapticut::quadrature_test {
 namespace {
 
 using test::hold_well;
+using test::kRadius;
 using test::kStiffness;
 using units::mm;
 
-constexpr double kRadius = 1 * mm;
 constexpr double kDepth = 0.3 * mm;
 const Vec3 kNormals[] = {Vec3::UnitZ(), Vec3(0.31, -0.52, 0.8).normalized()};
 const double kForce = closed_forms::cap_force(kStiffness, kRadius, kDepth);

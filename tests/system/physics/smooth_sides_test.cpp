@@ -11,12 +11,14 @@ namespace hapticut::smooth_sides_test {
 namespace {
 
 namespace forms = closed_forms;
+using test::kOffGrid;
+using test::kTick;
+using test::on_foundation;
 using test::plain_material;
 using units::deg;
 using units::mm;
 
 constexpr double kRadius = 1.25 * mm;
-const Vec3 kAside(0.0293 * mm, 0.0113 * mm, 0);
 
 Material bone(double friction) {
   Material material = plain_material();
@@ -28,22 +30,12 @@ Material bone(double friction) {
 
 /// A block below z = 0 of the tool's own axes, which lie in the grid as `R` says.
 Workpiece block(const Mat3& R, double voxel, double depth, const Material& material, double hole = 0) {
-  const BodyDescription body = {{Vec3::Constant(-5 * mm), Vec3::Constant(5 * mm)},
-                                [=](const Vec3& p) {
-                                  const Vec3 q = R.transpose() * p - kAside;
-                                  const double across = q.head<2>().norm() - 2 * mm;
-                                  const double solid = std::max({q.z(), -depth - q.z(), across});
-                                  return hole > 0 ? std::max(solid, hole - q.head<2>().norm()) : solid;
-                                },
-                                [](const Vec3&) { return MaterialId(1); }};
-  return build_body(body, voxel, MaterialTable({material}));
-}
-
-SimulationConfig config(double stiffness) {
-  SimulationConfig config;
-  config.reference_stiffness = stiffness;
-  config.deep_contact = false;
-  return config;
+  return test::body({Vec3::Constant(-5 * mm), Vec3::Constant(5 * mm)}, voxel, material, [=](const Vec3& p) {
+    const Vec3 q = R.transpose() * p - kOffGrid;
+    const double across = q.head<2>().norm() - 2 * mm;
+    const double solid = std::max({q.z(), -depth - q.z(), across});
+    return hole > 0 ? std::max(solid, hole - q.head<2>().norm()) : solid;
+  });
 }
 
 struct Grid {
@@ -61,10 +53,10 @@ TEST(SmoothSides, ADrillDeepInItsHoleFeelsItsPointOnly) {
   for (const Grid& grid : {Grid{1e14, 0.1 * mm, 0.05}, Grid{1e15, 0.1 * mm, 0.025}})
     for (const test::Way& way : test::kWays) {
       SCOPED_TRACE(std::string(way.name) + ", k_v " + std::to_string(grid.stiffness));
-      Simulation simulation(block(way.R_WT, grid.voxel, 3.6 * mm, bone(0.3)),
-                            Tool(drill, RayHandle{0}, Spindle{kSpin * units::rad_per_s}), config(grid.stiffness));
-      const test::SteadyState fed = test::feed(simulation, way.R_WT * (kAside + Vec3(0, 0, 0.01 * mm)),
-                                               way.R_WT * Vec3(0, 0, -kFeed), 3 * mm, 1e-3, 0.8, way.R_WT);
+      Simulation simulation(block(way.R_WT, grid.voxel, 3.6 * mm, bone(0.3)), test::tool_of(drill, kSpin),
+                            on_foundation(grid.stiffness, false));
+      const test::SteadyState fed = test::feed(simulation, way.R_WT * (kOffGrid + Vec3(0, 0, 0.01 * mm)),
+                                               way.R_WT * Vec3(0, 0, -kFeed), 3 * mm, kTick, 0.8, way.R_WT);
       EXPECT_NEAR(fed.force.z() / expected.force.z(), 1, grid.tolerance);
       EXPECT_NEAR(fed.torque.z() / expected.torque.z(), 1, grid.tolerance);
       EXPECT_LT(fed.force.head<2>().norm(), 0.05 * expected.force.z());
@@ -82,15 +74,14 @@ TEST(SmoothSides, C41APinPushedAgainstTheWallOfItsHole) {
     for (const test::Way& way : test::kWays) {
       SCOPED_TRACE(std::string(way.name) + ", k_v " + std::to_string(grid.stiffness));
       // Through the whole block, so that its end presses nowhere.
-      Simulation simulation(block(way.R_WT, grid.voxel, kLength, bone(0), kRadius), Tool(pin), config(grid.stiffness));
-      const Vec3 start = kAside - Vec3(0, 0, 3 * mm);
+      Simulation simulation(block(way.R_WT, grid.voxel, kLength, bone(0), kRadius), Tool(pin),
+                            on_foundation(grid.stiffness, false));
+      const Vec3 start = kOffGrid - Vec3(0, 0, 3 * mm);
       Vec3 force_T;
       for (int n = 1; n <= 100; ++n) {
-        Pose pose;
-        pose.rotation = way.R_WT;
-        pose.translation = way.R_WT * (start + Vec3(kPush * n / 100, 0, 0));
+        const Pose pose = {way.R_WT, way.R_WT * (start + Vec3(kPush * n / 100, 0, 0))};
         const Twist twist{way.R_WT * Vec3(kPush / 0.1, 0, 0), Vec3::Zero()};
-        force_T = way.R_WT.transpose() * simulation.step(pose, twist, 1e-3).force;
+        force_T = way.R_WT.transpose() * simulation.step(pose, twist, kTick).force;
       }
       EXPECT_NEAR(-force_T.x() / forms::pushed_pin_force(grid.stiffness, kRadius, kLength, kPush), 1, grid.tolerance);
       EXPECT_LT(std::abs(force_T.y()), 0.01 * std::abs(force_T.x()));
@@ -104,18 +95,17 @@ TEST(SmoothSides, AClosedPathOverTheRimOfAHoleCostsNoWork) {
   const ToolHead pin = on_shank(round_head(1.2 * mm), {0.8 * mm, 0.3 * mm, 1 * mm, 1.6 * mm, 8 * mm});
   for (const test::Way& way : test::kWays) {
     SCOPED_TRACE(way.name);
-    Simulation simulation(block(way.R_WT, 0.1 * mm, 2.4 * mm, bone(0), 0.9 * mm), Tool(pin), config(1e14));
+    Simulation simulation(block(way.R_WT, 0.1 * mm, 2.4 * mm, bone(0), 0.9 * mm), Tool(pin),
+                          on_foundation(1e14, false));
     const std::vector<Vec3> corners = {{0, 0, -3}, {0.25, 0, -3}, {0.25, 0, 1.5}, {0, 0, 1.5}, {0, 0, -3}};
     double turned = 0, last = 0, most = 0;
     for (std::size_t n = 0; n + 1 < corners.size(); ++n) {
       const Vec3 leg = (corners[n + 1] - corners[n]) * mm;
       const int steps = int(std::ceil(leg.norm() / (2e-3 * mm)));
       for (int i = 1; i <= steps; ++i) {
-        Pose pose;
-        pose.rotation = way.R_WT;
-        pose.translation = way.R_WT * (kAside + corners[n] * mm + leg * i / steps);
+        const Pose pose = {way.R_WT, way.R_WT * (kOffGrid + corners[n] * mm + leg * i / steps)};
         const Twist twist{way.R_WT * leg / (steps * 1e-3), Vec3::Zero()};
-        const StepResult& result = simulation.step(pose, twist, 1e-3);
+        const StepResult& result = simulation.step(pose, twist, kTick);
         turned += std::abs(result.energy.hand_work - last);
         last = result.energy.hand_work;
         most = std::max(most, result.force.norm());

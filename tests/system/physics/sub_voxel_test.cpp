@@ -3,22 +3,18 @@
 // are rows of `hapticut validate` (docs/decisions/0009-cut-voxels.md).
 #include <gtest/gtest.h>
 
-#include "hapticut/core/errors.hpp"
 #include "hapticut/force/laws/hertzian_burr.hpp"
 #include "hapticut/tool/catalogue.hpp"
 #include "support/cutting.hpp"
 #include "support/profiles.hpp"
+#include "support/refusal.hpp"
 #include "support/static_contact.hpp"
 
 namespace hapticut::sub_voxel_test {
 namespace {
 
-using test::plain_material;
+using namespace test;
 using units::mm;
-
-constexpr double kRadius = 1 * mm;
-constexpr double kVoxel = 0.1 * mm;
-constexpr double kSpin = 2000;  // [rad/s]
 
 // Just outside a profile its table must know the surface too. The side of the second one is in two pieces, which makes
 // three curves: it needs its cells, where the other two have one rule for all places.
@@ -31,40 +27,31 @@ TEST(SubVoxel, AProfilePressesAsTheShapeThatItDraws) {
   const Profile in_pieces = {0,
                              {{kRadius, 0}, {kRadius, 0.2 * mm}, {kRadius, height}, {0, height, 0, EdgeKind::smooth}}};
   ASSERT_EQ(ProfileHead(in_pieces).table().everywhere, 0U);
-  for (const Case& c : {Case{ProfileHead(test::flat_profile(kRadius, height)), FlatHead{kRadius, height}, 0},
+  for (const Case& c : {Case{ProfileHead(flat_profile(kRadius, height)), FlatHead{kRadius, height}, 0},
                         Case{ProfileHead(in_pieces), FlatHead{kRadius, height}, 0},
                         Case{round_end_cylinder_head(2 * kRadius, height), SphereHead{kRadius}, kRadius}}) {
     const double bottom = c.profile.bounding_box().min.z();
     const auto force_of = [&](const ToolHead& head, double lowest) {
       Simulation simulation(
-          build_block({Vec3(-1.63, -1.57, -1.2) * mm, Vec3(1.6, 1.6, 0) * mm}, kVoxel, plain_material()),
-          Tool(head, RayHandle{0}, Spindle{0}), test::static_config());
-      return test::hold(simulation, Pose::from_translation({0, 0, -0.36 * mm - lowest})).force.z();
+          build_block({Vec3(-1.63, -1.57, -1.2) * mm, Vec3(1.6, 1.6, 0) * mm}, kVoxel, plain_material()), Tool(head),
+          static_config());
+      return hold_well(simulation, Pose::from_translation({0, 0, -0.36 * mm - lowest})).force.z();
     };
     EXPECT_NEAR(force_of(c.profile, bottom) / force_of(c.shape, -c.tip), 1, 0.005);
   }
 }
 
 TEST(SubVoxel, RefusesWhatItCannotDo) {
-  const auto refusal_of = [](const SimulationConfig& config) -> std::string {
-    try {
-      (void)Simulation(build_block({Vec3::Zero(), Vec3::Constant(1 * mm)}, kVoxel, plain_material()),
-                       Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{kSpin * units::rad_per_s}), config);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
-  };
-  SimulationConfig config;
-  config.reference_stiffness = 1e15;
-  EXPECT_EQ(refusal_of(config), "");
+  SimulationConfig config = on_foundation(1e15);
+  const auto simulate = [&] { Simulation simulation(plain_block(), tool_of(SphereHead{kRadius}, kSpin), config); };
+  EXPECT_EQ(refusal(simulate), "");
   config.quadrature = Quadrature::centroid;
-  EXPECT_NE(refusal_of(config).find("points are for other laws"), std::string::npos) << refusal_of(config);
+  expect_refused(simulate, {"points are for other laws"});
   config.quadrature = Quadrature::sub_voxel;
   config.law = std::make_shared<HertzianBurrLaw>(1e6);
-  EXPECT_NE(refusal_of(config).find("Choose automatic or centroid"), std::string::npos) << refusal_of(config);
+  expect_refused(simulate, {"Choose automatic or centroid"});
   config.law = nullptr;
-  EXPECT_NE(refusal_of(config).find("SimulationConfig::law is null"), std::string::npos) << refusal_of(config);
+  expect_refused(simulate, {"SimulationConfig::law is null"});
 }
 
 }  // namespace

@@ -7,27 +7,25 @@
 namespace hapticut::sweep_test {
 namespace {
 
-using test::feed;
-using test::plain_material;
+using namespace test;
 using units::mm;
 
-constexpr double kRadius = 1 * mm;
-
-/// A ball that grooves a block from end to end, half its radius deep, in material that yields at once.
-Simulation soft_groove(const ToolHead& head) {
-  Material butter = plain_material();
-  butter.specific_cutting_energy = 1e3;  // engaged layer far below a voxel at any of the speeds
-  SimulationConfig config;
-  return Simulation(build_block({Vec3(-6, -2, -2) * mm, Vec3(6, 2, 0) * mm}, 0.1 * mm, butter),
-                    Tool(head, RayHandle{0}, Spindle{20000 * units::rad_per_s}), config);
+/// Engaged layer far below a voxel at any of the speeds.
+Workpiece butter(double half_length) {
+  Material material = plain_material();
+  material.specific_cutting_energy = 1e3;
+  return build_block({Vec3(-half_length, -2 * mm, -2 * mm), Vec3(half_length, 2 * mm, 0)}, kVoxel, material);
 }
+
+/// A ball that grooves a block from end to end, half its radius deep.
+Simulation soft_groove() { return Simulation(butter(6 * mm), tool_of(SphereHead{kRadius}, 20000)); }
 
 const Vec3 kStart = Vec3(-8.013, 0.007, 0.5) * mm;
 constexpr double kTravel = 16 * mm;
 
 TEST(Sweep, AStrokeAtHalfAMeterPerSecondRemovesTheVolumeOfASlowOne) {
-  Simulation slow = soft_groove(SphereHead{kRadius});
-  Simulation fast = soft_groove(SphereHead{kRadius});
+  Simulation slow = soft_groove();
+  Simulation fast = soft_groove();
   const double slow_volume = feed(slow, kStart, Vec3(0.01, 0, 0), kTravel, 1e-3).removed_volume;
   const double fast_volume = feed(fast, kStart, Vec3(0.5, 0, 0), kTravel, 1e-3).removed_volume;
   EXPECT_NEAR(fast_volume / slow_volume, 1, 0.01);
@@ -38,7 +36,7 @@ TEST(Sweep, AStrokeAtHalfAMeterPerSecondRemovesTheVolumeOfASlowOne) {
 }
 
 TEST(Sweep, AFastStrokeLeavesNoGap) {
-  Simulation fast = soft_groove(SphereHead{kRadius});
+  Simulation fast = soft_groove();
   (void)feed(fast, kStart, Vec3(0.5, 0, 0), kTravel, 1e-3);
   // Along the bottom of the groove, two voxels above its floor, nothing is left anywhere.
   const GridFrame& frame = fast.workpiece().frame();
@@ -51,10 +49,8 @@ TEST(Sweep, AFastStrokeLeavesNoGap) {
 
 TEST(Sweep, ATurnOfTheHandleIsSweptToo) {
   // A ball at the end of a 30 mm handle that turns by 0.4 rad in 20 ms, head on an arc through the block.
-  Material butter = plain_material();
-  butter.specific_cutting_energy = 1e3;
   const auto removed_with = [&](int steps) {
-    Simulation simulation(build_block({Vec3(-10, -2, -2) * mm, Vec3(10, 2, 0) * mm}, 0.1 * mm, butter),
+    Simulation simulation(butter(10 * mm),
                           Tool(SphereHead{kRadius}, RayHandle{30 * mm}, Spindle{20000 * units::rad_per_s}));
     double removed = 0;
     for (int i = 0; i < steps; ++i) {
@@ -68,7 +64,7 @@ TEST(Sweep, ATurnOfTheHandleIsSweptToo) {
 }
 
 TEST(Sweep, AStepLongerThanTheLongestSweepIsAJump) {
-  Simulation simulation = soft_groove(SphereHead{kRadius});
+  Simulation simulation = soft_groove();
   (void)simulation.step(Pose::from_translation(kStart), {}, 1e-3);
   const double longest = simulation.config().longest_sweep * 0.05 * mm;
   const StepResult& within = simulation.step(Pose::from_translation(kStart + Vec3(0.999 * longest, 0, 0)), {}, 1e-3);

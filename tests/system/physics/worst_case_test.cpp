@@ -13,14 +13,13 @@
 namespace hapticut::worst_case_test {
 namespace {
 
+using namespace test;
 using units::deg;
 using units::mm;
 
-constexpr double kVoxel = 0.1 * mm;
-
 /// A block in which every head of these tests is wholly buried.
 Workpiece deep_block() {
-  return build_block({Vec3::Constant(-4 * mm), Vec3::Constant(4 * mm)}, kVoxel, test::plain_material());
+  return build_block({Vec3::Constant(-4 * mm), Vec3::Constant(4 * mm)}, kVoxel, plain_material());
 }
 
 std::vector<ToolHead> heads() {
@@ -29,7 +28,7 @@ std::vector<ToolHead> heads() {
 }
 
 TEST(WorstCase, IsNeverExceededAndNotMuchTooLarge) {
-  test::RandomPoses random(5);
+  RandomPoses random(5);
   for (const ToolHead& head : heads()) {
     SimulationConfig config;
     config.removal = RemovalLaw::none;
@@ -63,13 +62,12 @@ struct Groove {
 };
 
 Groove cut_groove(std::size_t budget) {
-  SimulationConfig config;
+  SimulationConfig config = on_foundation(1e13);
   config.voxel_budget = budget;
-  config.reference_stiffness = 1e13;
-  Material hard = test::plain_material();
+  Material hard = plain_material();
   hard.specific_cutting_energy = 3e9;
   Simulation simulation(build_block({Vec3(-4 * mm, -4 * mm, -3 * mm), Vec3(4 * mm, 4 * mm, 0)}, kVoxel, hard),
-                        Tool(SphereHead{1.5 * mm}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
+                        tool_of(SphereHead{1.5 * mm}, 3000), config);
   Groove groove;
   constexpr int kSteps = 800;
   for (int i = 0; i < kSteps; ++i) {
@@ -129,19 +127,14 @@ TEST(StageTimes, AreMeasuredOnlyWhenAskedFor) {
   for (const bool asked : {false, true}) {
     SimulationConfig config;
     config.stage_times = asked;
-    Simulation simulation(deep_block(), Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{2000 * units::rad_per_s}),
-                          config);
-    (void)simulation.step(Pose::from_translation(Vec3::Zero()), {}, 1e-3);
+    Simulation simulation(deep_block(), tool_of(SphereHead{kRadius}, kSpin), config);
+    (void)step_to(simulation, Vec3::Zero());
     const StageTimes& times = simulation.stage_times();
     for (const double time :
          {times.check_input, times.plan_sweep, times.plan_sub_step, times.find_blocks, times.press_and_cut,
           times.remove_emptied, times.hold_deep_contact, times.add_friction, times.book_energy,
           times.transport_to_handle, times.drive_spindle, times.advance_spindle, times.give_output}) {
-      if (asked) {
-        EXPECT_GT(time, 0);
-      } else {
-        EXPECT_EQ(time, 0);
-      }
+      EXPECT_TRUE(asked ? time > 0 : time == 0) << time;
     }
   }
 }

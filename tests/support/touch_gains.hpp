@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/simulation/coupling.hpp"
+
+namespace hapticut::test {
+
+/// The coupling of what a Touch renders.
+/// @param mass  [kg] of the tool; empty: what suits it
+[[nodiscard]] inline CouplingGains touch_gains(std::optional<double> mass = {}) {
+  return coupling_gains(capabilities(device_model("touch")), mass);
+}
+
+}  // namespace hapticut::test
