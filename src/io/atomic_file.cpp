@@ -23,11 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
-  throw Error("cannot write '" + path.string() + "': " + reason +
-              ". Check the folder, its permissions and the free disk space.");
-}
-
 std::string text_of_errno(int error_number) { return std::generic_category().message(error_number); }
 
 constexpr std::string_view kTemporaryPrefix = ".hapticut-";
@@ -74,18 +69,27 @@ void remove_leftovers(const fs::path& folder) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(const fs::path& path) : path_(path) {
+void cannot_write(const fs::path& path, const std::string& reason, const std::string& what) {
+  throw Error("cannot write " + what + "'" + path.string() + "': " + reason +
+              ". Check the folder, its permissions and the free disk space.");
+}
+
+fs::path place_behind_links(const fs::path& path) {
   std::error_code code;
-  if (!path.has_filename()) fail(path, "it has no file name");
-  if (fs::is_symlink(path, code)) path_ = fs::weakly_canonical(path, code);  // keep the link, replace what it names
+  return fs::is_symlink(path, code) ? fs::weakly_canonical(path, code) : path;
+}
+
+AtomicFile::AtomicFile(const fs::path& path) : path_(place_behind_links(path)) {
+  std::error_code code;
+  if (!path.has_filename()) cannot_write(path, "it has no file name");
   const fs::file_status status = fs::status(path_, code);
-  if (fs::exists(status) && !fs::is_regular_file(status)) fail(path, "it exists and is not a regular file");
-  if (path_.filename().string().size() > kLongestName) fail(path, text_of_errno(ENAMETOOLONG));
+  if (fs::exists(status) && !fs::is_regular_file(status)) cannot_write(path, "it exists and is not a regular file");
+  if (path_.filename().string().size() > kLongestName) cannot_write(path, text_of_errno(ENAMETOOLONG));
   remove_leftovers(path_.parent_path());
   temporary_path_ = path_.parent_path() / temporary_name(path_.filename().string());
   // O_EXCL: no other file is ever overwritten under the temporary name.
   const int file = ::open(temporary_path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-  if (file < 0) fail(path, text_of_errno(errno));
+  if (file < 0) cannot_write(path, text_of_errno(errno));
   ::close(file);
 }
 
@@ -95,12 +99,12 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::commit() {
   const int file = ::open(temporary_path_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) fail(path_, text_of_errno(errno));
+  if (file < 0) cannot_write(path_, text_of_errno(errno));
   const bool synced = ::fsync(file) == 0;
   const int sync_error = errno;
   ::close(file);
-  if (!synced) fail(path_, text_of_errno(sync_error));
-  if (::rename(temporary_path_.c_str(), path_.c_str()) != 0) fail(path_, text_of_errno(errno));
+  if (!synced) cannot_write(path_, text_of_errno(sync_error));
+  if (::rename(temporary_path_.c_str(), path_.c_str()) != 0) cannot_write(path_, text_of_errno(errno));
   committed_ = true;
 }
 
@@ -115,9 +119,13 @@ void write_atomically(const fs::path& path, const std::function<void(std::ostrea
     stream.flush();
     stream.close();
   } catch (const std::ios_base::failure&) {
-    fail(path, errno != 0 ? text_of_errno(errno) : "writing failed");
+    cannot_write(path, errno != 0 ? text_of_errno(errno) : "writing failed");
   }
   file.commit();
+}
+
+void write_atomically(const fs::path& path, std::string_view bytes) {
+  write_atomically(path, [&](std::ostream& stream) { stream.write(bytes.data(), std::streamsize(bytes.size())); });
 }
 
 }  // namespace hapticut

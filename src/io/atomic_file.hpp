@@ -4,10 +4,20 @@
 #include <filesystem>
 #include <functional>
 #include <ostream>
+#include <string>
+#include <string_view>
 
 /// @file
 /// Writing files so that nothing is ever half-written: under a temporary name in the same folder, then renamed.
 namespace hapticut {
+
+/// @throws Error that names the file and the reason
+/// @param what  in front of its name: "the recording "
+[[noreturn]] void cannot_write(const std::filesystem::path& path, const std::string& reason,
+                               const std::string& what = "");
+
+/// Where a file of this name really is: a link stays, and what it names is replaced.
+[[nodiscard]] std::filesystem::path place_behind_links(const std::filesystem::path& path);
 
 /// A file being written. Write to `temporary_path()`; `commit()` puts it in place. Without a commit the
 /// temporary file is removed and what was at `path` before is still there. A program that is killed leaves it, and the
@@ -38,5 +48,7 @@ class AtomicFile {
 /// reason, and leaves what was at `path` before.
 /// @param write  is given a binary stream that throws std::ios_base::failure when writing fails
 void write_atomically(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
+/// The same of bytes that are in memory.
+void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace hapticut

@@ -35,6 +35,7 @@ class ByteReader {
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
 
   [[nodiscard]] std::size_t position() const { return at_; }
+  [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
 
   /// The next `count` bytes.
   /// @throws Error when the file has fewer
@@ -45,10 +46,10 @@ class ByteReader {
     return part;
   }
 
-  /// The next bytes as a number, little-endian like the machine.
+  /// The next bytes as a number, little-endian like the machine unless they are reversed.
   template <class T>
-  T take() {
-    return number_in<T>(take(sizeof(T)));
+  T take(bool reversed = false) {
+    return number_in<T>(take(sizeof(T)), reversed);
   }
 
   /// @throws Error when that is behind or outside the file

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cctype>
+#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// @file
@@ -33,6 +37,38 @@ namespace hapticut {
 /// The numbers of a text; nothing where one of its words is none.
 /// @param separators  any of these characters stand between two numbers
 [[nodiscard]] std::optional<std::vector<double>> numbers_in(std::string_view text, std::string_view separators);
+
+/// The parts of a list, between commas.
+[[nodiscard]] inline std::vector<std::string> parts_of(std::string_view list) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at < list.size();) {
+    const std::size_t end = std::min(list.find(',', at), list.size());
+    parts.emplace_back(list.substr(at, end - at));
+    at = end + 1;
+  }
+  return parts;
+}
+
+/// Puts a part behind those that a list has.
+inline void append_part(std::string& list, std::string_view part, std::string_view separator = ",") {
+  if (!list.empty()) list += separator;
+  list += part;
+}
+
+/// What a table has for a key, or null.
+template <class Key, class Value, std::size_t kCount, class Wanted>
+[[nodiscard]] constexpr const Value* found_in(const std::pair<Key, Value> (&table)[kCount], const Wanted& wanted) {
+  for (const auto& [key, value] : table)
+    if (key == wanted) return &value;
+  return nullptr;
+}
+
+/// Puts a number behind a text: the shortest one that reads back as the same number.
+template <class Number>
+void append_number(std::string& text, Number number) {
+  std::array<char, 32> digits;
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+}
 
 /// How a format writes what is not part of a line, and what belongs to it though it stands in the next.
 struct TextRules {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "hapticut/core/errors.hpp"
 #include "io/mesh/mesh_formats.hpp"
 #include "support/mesh_measures.hpp"
+#include "support/refusals.hpp"
 
 /// @file
 /// The readers of mesh formats, given texts.
@@ -26,24 +26,19 @@ inline TriangleMesh only_mesh_in(Parser parse, const std::string& text) {
 }
 
 inline std::string error_of(Parser parse, const std::string& text) {
-  try {
-    (void)meshes_in(parse, text);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of([&] { return meshes_in(parse, text); });
 }
 
 /// A text, and a part of what must be said of it.
 struct BadText {
-  const char* text;
+  std::string text;
   const char* said;
 };
 
 inline void expect_refused(Parser parse, const std::vector<BadText>& texts) {
   for (const BadText& bad : texts) {
-    const std::string error = error_of(parse, bad.text);
-    EXPECT_NE(error.find(bad.said), std::string::npos) << "'" << error << "' for\n" << bad.text;
+    SCOPED_TRACE(bad.text);
+    expect_part(error_of(parse, bad.text), bad.said);
   }
 }
 

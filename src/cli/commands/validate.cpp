@@ -30,7 +30,7 @@ struct ValidateSettings {
 std::string percent(double share) { return rounded(100 * share, 2) + " %"; }
 
 void write_page(const std::string& path, const std::string& text) {
-  if (!path.empty()) write_atomically(path, [&](std::ostream& stream) { stream << text; });
+  if (!path.empty()) write_atomically(path, text);
 }
 
 /// Two lines, so that none is wider than a terminal.

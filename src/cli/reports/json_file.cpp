@@ -16,7 +16,7 @@ void require_writable(const std::filesystem::path& path) {
 
 void write_json(const std::filesystem::path& path, const Json& report) {
   if (path.empty()) return;
-  write_atomically(path, [&](std::ostream& stream) { stream << report.dump(2) << '\n'; });
+  write_atomically(path, report.dump(2) + '\n');
 }
 
 }  // namespace hapticut::cli

@@ -66,9 +66,7 @@ std::string name_of_compression(const std::string& syntax) {
 
 }  // namespace
 
-CodecProcess::CodecProcess() : process_(kDecoder) {}
-
-std::string CodecProcess::unpack(const DicomFile& file, const DicomPicture& picture, std::string_view packed) {
+std::string CodecProcess::operator()(const DicomFile& file, const DicomPicture& picture, std::string_view packed) {
   const std::string compression = name_of_compression(file.syntax);
   if (compression == "JPEG 2000" && !packed.empty()) require_jpeg_2000_of(packed, picture);
   process_.start();

@@ -14,17 +14,15 @@ namespace hapticut {
 /// fork.
 class CodecProcess {
  public:
-  CodecProcess();
-
   /// Unpacks one frame.
   /// @param packed  its compressed values
   /// @return its values as stored, in little-endian order
   /// @throws Error a sentence that begins with "its", when the program fails, dies or takes too long, and when it is
   ///         not there
-  std::string unpack(const DicomFile& file, const DicomPicture& picture, std::string_view packed);
+  std::string operator()(const DicomFile& file, const DicomPicture& picture, std::string_view packed);
 
  private:
-  ChildProcess process_;
+  ChildProcess process_{kDecoder};
 };
 
 }  // namespace hapticut

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "io/dicom/codec_process.hpp"
 #include "io/dicom/dicom_picture.hpp"
 #include "io/file_errors.hpp"
+#include "io/text_lines.hpp"
 #include "io/volume/formats.hpp"
 
 namespace hapticut {
@@ -123,7 +125,7 @@ std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::stri
   };
   std::string list;
   for (AlikeSlices& one : series) {
-    list += (list.empty() ? "" : ", ") + in_words(one);
+    append_part(list, in_words(one), ", ");
     if (!wanted.empty() && one.name == wanted) return slices_of(one);
   }
   if (!wanted.empty()) cannot_read(folder, "it has no DICOM series '" + wanted + "'; it has " + list + ".");
@@ -137,12 +139,6 @@ std::vector<DicomSlice> slices_of_series(const fs::path& folder, const std::stri
   return slices;
 }
 
-FrameDecoder decoder_in(CodecProcess& process) {
-  return [&process](const DicomFile& file, const DicomPicture& picture, std::string_view packed) {
-    return process.unpack(file, picture, packed);
-  };
-}
-
 }  // namespace
 
 bool is_dicom_file(const fs::path& path) { return begins_like_dicom(first_bytes(path, 132)); }
@@ -154,7 +150,7 @@ RawImage read_dicom_file(const fs::path& path) {
     const DicomFile file = parse_dicom(bytes);
     const DicomPicture picture = describe_picture(file);
     if (picture.geometry.dims[2] == 1) throw Error("it is a single slice; pass the folder of its series.");
-    return picture_values(file, picture, decoder_in(process));
+    return picture_values(file, picture, std::ref(process));
   });
 }
 
@@ -187,14 +183,14 @@ std::optional<RawImage> read_dicom_series(const fs::path& folder, const std::str
     const DicomSlice& slice = slices[n];
     const std::string bytes = bytes_of_file(slice.path);
     const RawImage one =
-        naming(slice.path, [&] { return picture_values(parse_dicom(bytes), slice.picture, decoder_in(process)); });
+        naming(slice.path, [&] { return picture_values(parse_dicom(bytes), slice.picture, std::ref(process)); });
     if (n != order.front() && one.type != image.type)
       cannot_read(slice.path, "it differs from the first slice in the type of its values.");
     image.type = one.type;
     const std::size_t first = image.bytes.size() / size_of(image.type);
     for (std::size_t sample = 0; sample < one.padding.size(); ++sample)
       if (one.padding[sample]) image.mark_padding(first + sample);
-    image.bytes.insert(image.bytes.end(), one.bytes.begin(), one.bytes.end());
+    image.bytes += one.bytes;
   }
   return image;
 }

@@ -55,13 +55,13 @@ std::string_view syntax_without_header(std::string_view bytes) {
 
 class DicomWalker {
  public:
-  explicit DicomWalker(std::string_view bytes) : bytes_(bytes), at_(kPreamble + 4) {
+  explicit DicomWalker(std::string_view bytes) : bytes_(bytes), in_(bytes) {
     file_.syntax = syntax_without_header(bytes);
-    if (bytes.starts_with(kFirstElement) || !file_.syntax.empty()) at_ = 0;
+    if (!bytes.starts_with(kFirstElement) && file_.syntax.empty()) in_.take(kPreamble + 4);
   }
 
   DicomFile walk_file() {
-    while (at_ + 8 <= bytes_.size() && bytes_[at_] == 2 && bytes_[at_ + 1] == 0) {
+    while (in_.left() >= 8 && bytes_.substr(in_.position(), 2) == std::string_view("\2\0", 2)) {
       const Element e = take_element();
       const std::string_view value = take(e.length);
       if (e.tag == kTransferSyntax)
@@ -88,16 +88,11 @@ class DicomWalker {
   [[noreturn]] static void fail(const std::string& reason) { throw Error(reason); }
   [[noreturn]] static void fail_cut() { fail("it is damaged or cut short. Get a complete copy."); }
 
-  std::string_view take(std::size_t count) {
-    if (count > bytes_.size() - at_) fail_cut();
-    const std::string_view part = bytes_.substr(at_, count);
-    at_ += count;
-    return part;
-  }
+  std::string_view take(std::size_t count) { return in_.take(count); }
 
   template <class Number>
   Number take_number() {
-    return number_in<Number>(take(sizeof(Number)), big_endian_);
+    return in_.take<Number>(big_endian_);
   }
 
   std::uint32_t take_tag() {
@@ -134,7 +129,7 @@ class DicomWalker {
   void walk_elements(std::size_t end, bool delimited, int depth, DicomItem* item) {
     if (depth > kDeepest) fail("its sequences are nested too deeply.");
     std::uint32_t before = 0;
-    while (at_ < end) {
+    while (in_.position() < end) {
       const Element e = take_element();
       if (delimited && e.tag == kItemEnd) return;
       if (e.tag <= before)
@@ -155,16 +150,16 @@ class DicomWalker {
       else if (const std::string_view value = take(e.length); item != nullptr && is_kept(e.tag))
         item->values[e.tag] = value;
     }
-    if (delimited || at_ != end) fail_cut();
+    if (delimited || in_.position() != end) fail_cut();
   }
 
   void walk_items(const Element& e, int depth, std::vector<DicomItem>* items) {
     const bool delimited = e.length == kUndefined, was_explicit = explicit_;
-    if (!delimited && e.length > bytes_.size() - at_) fail_cut();
+    if (!delimited && e.length > in_.left()) fail_cut();
     if (e.kind == "UN") explicit_ = false;  // of such a sequence the kinds are unknown too
-    const std::size_t end = delimited ? bytes_.size() : at_ + e.length;
+    const std::size_t end = delimited ? bytes_.size() : in_.position() + e.length;
     for (bool ended = false; !ended;) {
-      if (at_ >= end) {
+      if (in_.position() >= end) {
         if (delimited) fail_cut();
         break;
       }
@@ -173,9 +168,9 @@ class DicomWalker {
       ended = delimited && at == kSequenceEnd;
       if (ended) break;
       if (at != kItem) fail("a sequence of it is damaged. Get a complete copy.");
-      if (length != kUndefined && length > end - at_) fail_cut();
+      if (length != kUndefined && length > end - in_.position()) fail_cut();
       DicomItem* item = items != nullptr ? &items->emplace_back() : nullptr;
-      walk_elements(length == kUndefined ? end : at_ + length, length == kUndefined, depth + 1, item);
+      walk_elements(length == kUndefined ? end : in_.position() + length, length == kUndefined, depth + 1, item);
     }
     explicit_ = was_explicit;
   }
@@ -206,7 +201,7 @@ class DicomWalker {
   }
 
   std::string_view bytes_;
-  std::size_t at_;
+  ByteReader in_;
   bool explicit_ = true, big_endian_ = false, has_picture_ = false;
   DicomFile file_;
 };

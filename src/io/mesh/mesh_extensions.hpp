@@ -15,11 +15,10 @@
 /// Which files are meshes and how long their units are, by the endings of their names.
 namespace hapticut {
 
-/// Read by the library itself.
-inline constexpr std::array<std::string_view, 4> kOwnMeshExtensions = {".obj", ".stl", ".ply", ".off"};
-/// Read through Assimp. Its other formats are left out: on damaged 3MF, COLLADA and other files it ends the program or
-/// never comes back, and of 3DS files it turns the transforms of objects into others.
-inline constexpr std::array<std::string_view, 2> kAssimpExtensions = {".glb", ".gltf"};
+/// Read by the library itself; the last two through Assimp. Its other formats are left out: on damaged 3MF, COLLADA and
+/// other files it ends the program or never comes back, and of 3DS files it turns the transforms of objects into
+/// others.
+inline constexpr std::array<std::string_view, 6> kMeshExtensions = {".obj", ".stl", ".ply", ".off", ".glb", ".gltf"};
 
 /// The ending of a name, in lower case.
 [[nodiscard]] inline std::string extension_in_lower_case(const std::filesystem::path& path) {
@@ -27,9 +26,7 @@ inline constexpr std::array<std::string_view, 2> kAssimpExtensions = {".glb", ".
 }
 
 [[nodiscard]] inline bool is_mesh_file(const std::filesystem::path& path) {
-  const std::string extension = extension_in_lower_case(path);
-  return std::ranges::find(kOwnMeshExtensions, extension) != kOwnMeshExtensions.end() ||
-         std::ranges::find(kAssimpExtensions, extension) != kAssimpExtensions.end();
+  return std::ranges::find(kMeshExtensions, extension_in_lower_case(path)) != kMeshExtensions.end();
 }
 
 /// [mm] Length of one unit where nobody says it: glTF is in metres by its specification, the others say nothing.
@@ -51,7 +48,7 @@ inline constexpr double kLongestPlausible = 1000;  ///< [mm] of a mesh whose uni
                                    {1.0, "a millimetre"},
                                    {0.001, "a micrometre"}})
     if (unit * length >= shortest && unit * length <= kLongestPlausible)
-      units += (units.empty() ? "" : ", ") + ("unit_mm = " + format_number(unit)) + " if its unit is " + name;
+      append_part(units, "unit_mm = " + format_number(unit) + " if its unit is " + name, ", ");
   return units;
 }
 

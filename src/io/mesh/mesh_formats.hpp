@@ -30,7 +30,7 @@ inline constexpr std::size_t kMaxMeshBytes = std::size_t(1) << 32U;
 /// Text, with or without normals and colours, which are skipped.
 [[nodiscard]] Polygons parse_off(std::string_view file);
 
-/// Reads a file of one of kAssimpExtensions.
+/// Reads a file of glTF.
 /// @throws Error also when the library was built without Assimp
 [[nodiscard]] Polygons read_with_assimp(const std::filesystem::path& path);
 

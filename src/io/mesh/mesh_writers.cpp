@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
 #include <bit>
-#include <charconv>
 #include <string>
 
 #include "hapticut/core/errors.hpp"
@@ -10,28 +8,35 @@
 #include "io/atomic_file.hpp"
 #include "io/byte_reader.hpp"
 #include "io/mesh/stl_layout.hpp"
+#include "io/text_lines.hpp"
 
 namespace hapticut {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL and PLY are written as the memory has them");
 
+/// A unit of the file that is written.
+struct Unit {
+  explicit Unit(double unit_mm) : mm(unit_mm) { require_positive(unit_mm, "unit_mm [mm]"); }
+  [[nodiscard]] double scale() const { return 1 / (mm * units::mm); }  // [1/m]
+  [[nodiscard]] std::string text() const { return "written by hapticut, one unit is " + format_number(mm) + " mm"; }
+
+  double mm;
+};
+
 void append(std::string& bytes, const Vec3& v, double scale) {
   for (int axis = 0; axis < 3; ++axis) append_bytes_of(bytes, float(v[axis] * scale));
 }
 
 void write_ply(const TriangleMesh& mesh, const std::vector<Color>* colors, const std::filesystem::path& path,
-               double unit_mm) {
-  require_positive(unit_mm, "unit_mm [mm]");
-  const double scale = 1 / (unit_mm * units::mm);
-  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment written by hapticut, one unit is " +
-                      format_number(unit_mm) + " mm\nelement vertex " + std::to_string(mesh.vertices.size()) +
-                      "\nproperty float x\nproperty float y\nproperty float z\n";
+               const Unit& unit) {
+  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment " + unit.text() + "\nelement vertex " +
+                      std::to_string(mesh.vertices.size()) + "\nproperty float x\nproperty float y\nproperty float z\n";
   if (colors != nullptr) bytes += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   bytes += "element face " + std::to_string(mesh.triangles.size()) +
            "\nproperty list uchar int vertex_indices\nend_header\n";
   for (std::size_t n = 0; n < mesh.vertices.size(); ++n) {
-    append(bytes, mesh.vertices[n], scale);
+    append(bytes, mesh.vertices[n], unit.scale());
     if (colors == nullptr) continue;
     for (const std::uint8_t value : {(*colors)[n].red, (*colors)[n].green, (*colors)[n].blue})
       append_bytes_of(bytes, value);
@@ -40,13 +45,7 @@ void write_ply(const TriangleMesh& mesh, const std::vector<Color>* colors, const
     append_bytes_of(bytes, std::uint8_t(3));
     for (const std::uint32_t v : t) append_bytes_of(bytes, std::int32_t(v));
   }
-  write_atomically(path, [&](std::ostream& stream) { stream.write(bytes.data(), std::streamsize(bytes.size())); });
-}
-
-/// Appends a number with as many digits as it takes to read the same number back.
-void append_number(std::string& text, double value) {
-  std::array<char, 32> digits;
-  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+  write_atomically(path, bytes);
 }
 
 /// A name on one line; what would end the line or a word's printing becomes a blank.
@@ -73,21 +72,13 @@ void append_obj(std::string& text, const TriangleMesh& mesh, double scale, std::
   }
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  write_atomically(path, [&](std::ostream& stream) { stream.write(text.data(), std::streamsize(text.size())); });
-}
-
-std::string obj_header(double unit_mm) {
-  require_positive(unit_mm, "unit_mm [mm]");
-  return "# written by hapticut, one unit is " + format_number(unit_mm) + " mm\n";
-}
+std::string obj_header(const Unit& unit) { return "# " + unit.text() + '\n'; }
 
 }  // namespace
 
 void write_stl(const TriangleMesh& mesh, const std::filesystem::path& path, double unit_mm) {
-  require_positive(unit_mm, "unit_mm [mm]");
-  const double scale = 1 / (unit_mm * units::mm);
-  std::string bytes = "written by hapticut, one unit is " + format_number(unit_mm) + " mm";
+  const Unit unit(unit_mm);
+  std::string bytes = unit.text();
   bytes.resize(80, ' ');
   append_bytes_of(bytes, std::uint32_t(mesh.triangles.size()));
   bytes.reserve(kStlHeader + kStlTriangle * mesh.triangles.size());
@@ -95,39 +86,41 @@ void write_stl(const TriangleMesh& mesh, const std::filesystem::path& path, doub
     const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
     const Vec3 normal = (b - a).cross(c - a);
     append(bytes, normal.norm() > 0 ? Vec3(normal / normal.norm()) : Vec3(Vec3::Zero()), 1);
-    for (const Vec3& v : {a, b, c}) append(bytes, v, scale);
+    for (const Vec3& v : {a, b, c}) append(bytes, v, unit.scale());
     append_bytes_of(bytes, std::uint16_t(0));
   }
-  write_atomically(path, [&](std::ostream& stream) { stream.write(bytes.data(), std::streamsize(bytes.size())); });
+  write_atomically(path, bytes);
 }
 
 void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path, double unit_mm) {
-  write_ply(mesh, nullptr, path, unit_mm);
+  write_ply(mesh, nullptr, path, Unit(unit_mm));
 }
 
 void write_ply(const ColoredMesh& mesh, const std::filesystem::path& path, double unit_mm) {
   if (mesh.colors.size() != mesh.mesh.vertices.size())
     throw Error("the mesh has " + std::to_string(mesh.mesh.vertices.size()) + " vertices but " +
                 std::to_string(mesh.colors.size()) + " colours; give one colour per vertex.");
-  write_ply(mesh.mesh, &mesh.colors, path, unit_mm);
+  write_ply(mesh.mesh, &mesh.colors, path, Unit(unit_mm));
 }
 
 void write_obj(const TriangleMesh& mesh, const std::filesystem::path& path, double unit_mm) {
-  std::string text = obj_header(unit_mm);
-  append_obj(text, mesh, 1 / (unit_mm * units::mm), 0);
-  write_text(path, text);
+  const Unit unit(unit_mm);
+  std::string text = obj_header(unit);
+  append_obj(text, mesh, unit.scale(), 0);
+  write_atomically(path, text);
 }
 
 void write_obj(const std::vector<NamedMesh>& objects, const std::filesystem::path& path, double unit_mm) {
-  std::string text = obj_header(unit_mm);
+  const Unit unit(unit_mm);
+  std::string text = obj_header(unit);
   std::size_t vertices = 0;
   for (std::size_t n = 0; n < objects.size(); ++n) {
     const std::string& name = objects[n].name;
     text += "o " + (name.empty() ? "object " + std::to_string(n + 1) : printable(name)) + '\n';
-    append_obj(text, objects[n].mesh, 1 / (unit_mm * units::mm), vertices);
+    append_obj(text, objects[n].mesh, unit.scale(), vertices);
     vertices += objects[n].mesh.vertices.size();
   }
-  write_text(path, text);
+  write_atomically(path, text);
 }
 
 }  // namespace hapticut

@@ -59,10 +59,8 @@ std::vector<NamedMesh> read_mesh(const std::filesystem::path& path, std::optiona
   require_positive(unit, "unit_mm [mm]");
   if (!is_mesh_file(path)) {
     std::string known;
-    for (const std::string_view extension : kOwnMeshExtensions) known += std::string(extension) + " ";
-    for (const std::string_view extension : kAssimpExtensions) known += std::string(extension) + " ";
-    cannot_read(path, "its extension is '" + extension_in_lower_case(path) +
-                          "'; these can be read: " + known.substr(0, known.size() - 1) + ".");
+    for (const std::string_view extension : kMeshExtensions) append_part(known, extension, " ");
+    cannot_read(path, "its extension is '" + extension_in_lower_case(path) + "'; these can be read: " + known + ".");
   }
   require_readable(path);
   std::vector<NamedMesh> meshes = naming(path, [&] { return to_meshes(parse(path), unit * units::mm); });

@@ -8,7 +8,7 @@
 #include "io/mesh/mesh_formats.hpp"
 #include "io/mesh/ply_header.hpp"
 #include "io/text_lines.hpp"
-#include "io/volume/raw_image.hpp"
+#include "io/value_types.hpp"
 
 namespace hapticut {
 namespace {
@@ -29,9 +29,7 @@ class PlyValues {
 
   double take(ValueType type) {
     if (format_ == PlyFormat::text) return take_word();
-    double value = 0;
-    with_value_type(type, [&](auto zero) { value = double(take_bytes<decltype(zero)>()); });
-    return value;
+    return with_value_type(type, [&](auto zero) { return double(take_bytes<decltype(zero)>()); });
   }
 
   /// The length of a list, or 1 for a single value.

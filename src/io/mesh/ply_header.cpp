@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/mesh/ply_header.hpp"
 
-#include <map>
-
 #include "hapticut/core/errors.hpp"
 #include "io/text_lines.hpp"
 
@@ -14,15 +12,14 @@ namespace {
 }
 
 std::optional<ValueType> type_named(std::string_view name) {
-  static const std::map<std::string_view, ValueType> kTypes = {
-      {"char", ValueType::int8},      {"int8", ValueType::int8},       {"uchar", ValueType::uint8},
-      {"uint8", ValueType::uint8},    {"short", ValueType::int16},     {"int16", ValueType::int16},
-      {"ushort", ValueType::uint16},  {"uint16", ValueType::uint16},   {"int", ValueType::int32},
-      {"int32", ValueType::int32},    {"uint", ValueType::uint32},     {"uint32", ValueType::uint32},
-      {"float", ValueType::float32},  {"float32", ValueType::float32}, {"double", ValueType::float64},
-      {"float64", ValueType::float64}};
-  const auto found = kTypes.find(name);
-  return found == kTypes.end() ? std::nullopt : std::optional(found->second);
+  using enum ValueType;
+  static constexpr std::pair<std::string_view, ValueType> kTypes[] = {
+      {"char", int8},     {"int8", int8},       {"uchar", uint8},    {"uint8", uint8},
+      {"short", int16},   {"int16", int16},     {"ushort", uint16},  {"uint16", uint16},
+      {"int", int32},     {"int32", int32},     {"uint", uint32},    {"uint32", uint32},
+      {"float", float32}, {"float32", float32}, {"double", float64}, {"float64", float64}};
+  const ValueType* const type = found_in(kTypes, name);
+  return type == nullptr ? std::nullopt : std::optional(*type);
 }
 
 /// Takes the lines of a header one by one.

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hapticut/io/volume/volumes.hpp"
+#include "hapticut/io/volume/value_type.hpp"
 
 /// @file
 /// The header of a PLY file: a text that says of which elements the file is made, and of which properties each element.

@@ -254,7 +254,7 @@ void write_picture(const std::vector<ColoredMesh>& meshes, const PictureOptions&
     done = png_image_write_to_memory(&png, bytes.data(), &size, 0, pixels.data(), 0, nullptr) != 0;
   }
   if (!done) throw Error("cannot write '" + path.string() + "': libpng says " + png.message + ".");
-  write_atomically(path, [&](std::ostream& stream) { stream.write(bytes.data(), std::streamsize(size)); });
+  write_atomically(path, std::string_view(bytes).substr(0, size));
 }
 
 }  // namespace hapticut

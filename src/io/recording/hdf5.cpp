@@ -2,6 +2,7 @@
 #include "io/recording/hdf5.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 
 namespace hapticut::hdf5 {
@@ -45,6 +46,22 @@ hsize_t size_of_file(hid_t object) {
   return size;
 }
 
+void write_attribute(hid_t object, const std::string& name, hid_t type, const void* value) {
+  const DataSpace space(H5Screate(H5S_SCALAR), "making room for " + name);
+  const Attribute attribute(H5Acreate2(object, name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT),
+                            "creating " + name);
+  checked(H5Awrite(attribute.get(), type, value), "writing " + name);
+}
+
+/// @throws Failure when there is none, or it is more than one value
+std::pair<Attribute, DataType> open_attribute(hid_t object, const std::string& name, const char* what) {
+  Attribute attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), "opening " + name);
+  DataType type(H5Aget_type(attribute.get()), "looking at " + name);
+  const DataSpace space(H5Aget_space(attribute.get()), "looking at " + name);
+  if (H5Sget_simple_extent_npoints(space.get()) != 1) throw Failure("its '" + name + "' is no " + what);
+  return {std::move(attribute), std::move(type)};
+}
+
 std::string until_null(const std::string& text) { return text.substr(0, text.find('\0')); }
 
 }  // namespace
@@ -70,13 +87,11 @@ void fail(const std::string& what) {
   throw Failure(what + " failed" + (reason.empty() ? "" : " (HDF5: " + reason + ")"));
 }
 
-NumberType type_of(double) { return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE}; }
-NumberType type_of(std::uint8_t) { return {H5T_NATIVE_UINT8, H5T_STD_U8LE}; }
-NumberType type_of(std::int32_t) { return {H5T_NATIVE_INT32, H5T_STD_I32LE}; }
-NumberType type_of(std::uint32_t) { return {H5T_NATIVE_UINT32, H5T_STD_U32LE}; }
-NumberType type_of(std::uint64_t) { return {H5T_NATIVE_UINT64, H5T_STD_U64LE}; }
-NumberType type_of(ColumnKind kind) {
-  return with_number_of(kind, [](auto number) { return type_of(number); });
+hid_t type_of(ValueType type) {
+  static_assert(std::endian::native == std::endian::little);
+  const hid_t types[] = {H5T_STD_U8LE,  H5T_STD_I8LE,  H5T_STD_U16LE, H5T_STD_I16LE,  H5T_STD_U32LE,
+                         H5T_STD_I32LE, H5T_STD_U64LE, H5T_STD_I64LE, H5T_IEEE_F32LE, H5T_IEEE_F64LE};
+  return types[std::size_t(type)];
 }
 
 Group create_group(hid_t parent, const std::string& name) {
@@ -96,38 +111,25 @@ Object open_object(hid_t parent, const std::string& name) {
 bool exists(hid_t parent, const std::string& name) { return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0; }
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text) {
-  const DataType type = text_type(text.size());
-  const DataSpace space(H5Screate(H5S_SCALAR), "making room for " + name);
-  const Attribute attribute(H5Acreate2(object, name.c_str(), type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT),
-                            "creating " + name);
-  checked(H5Awrite(attribute.get(), type.get(), text.c_str()), "writing " + name);
+  write_attribute(object, name, text_type(text.size()).get(), text.c_str());
 }
 
 void write_attribute(hid_t object, const std::string& name, std::uint64_t number) {
-  const DataSpace space(H5Screate(H5S_SCALAR), "making room for " + name);
-  const Attribute attribute(H5Acreate2(object, name.c_str(), H5T_STD_U64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT),
-                            "creating " + name);
-  checked(H5Awrite(attribute.get(), H5T_NATIVE_UINT64, &number), "writing " + name);
+  write_attribute(object, name, type_of(ValueType::uint64), &number);
 }
 
 std::string read_text_attribute(hid_t object, const std::string& name) {
-  const Attribute attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), "opening " + name);
-  const DataType type(H5Aget_type(attribute.get()), "looking at " + name);
-  const DataSpace space(H5Aget_space(attribute.get()), "looking at " + name);
-  if (H5Sget_simple_extent_npoints(space.get()) != 1) throw Failure("its '" + name + "' is no text");
+  const auto [attribute, type] = open_attribute(object, name, "text");
   std::string text = buffer_for(type, name);
   checked(H5Aread(attribute.get(), type.get(), text.data()), "reading " + name);
   return until_null(text);
 }
 
 std::uint64_t read_number_attribute(hid_t object, const std::string& name) {
-  const Attribute attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), "opening " + name);
-  const DataType type(H5Aget_type(attribute.get()), "looking at " + name);
-  const DataSpace space(H5Aget_space(attribute.get()), "looking at " + name);
-  if (H5Tget_class(type.get()) != H5T_INTEGER || H5Sget_simple_extent_npoints(space.get()) != 1)
-    throw Failure("its '" + name + "' is no whole number");
+  const auto [attribute, type] = open_attribute(object, name, "whole number");
+  if (H5Tget_class(type.get()) != H5T_INTEGER) throw Failure("its '" + name + "' is no whole number");
   std::uint64_t number = 0;
-  checked(H5Aread(attribute.get(), H5T_NATIVE_UINT64, &number), "reading " + name);
+  checked(H5Aread(attribute.get(), type_of(ValueType::uint64), &number), "reading " + name);
   return number;
 }
 
@@ -165,6 +167,39 @@ H5T_class_t number_class(hid_t data_set, const std::string& name) {
   if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || H5Tget_size(type.get()) > sizeof(double))
     throw Failure("its '" + name + "' holds no numbers");
   return kind;
+}
+
+Appender Appender::create(hid_t group, const std::string& name, ValueType type, const std::vector<hsize_t>& row_shape) {
+  constexpr hsize_t kChunk = 256;  // rows
+  std::vector<hsize_t> now = row_shape, most = row_shape, chunk = row_shape;
+  now.insert(now.begin(), 0);
+  most.insert(most.begin(), H5S_UNLIMITED);
+  chunk.insert(chunk.begin(), kChunk);
+  const DataSpace space(H5Screate_simple(int(now.size()), now.data(), most.data()), "making room for " + name);
+  const Properties properties(H5Pcreate(H5P_DATASET_CREATE), "creating " + name);
+  checked(H5Pset_chunk(properties.get(), int(chunk.size()), chunk.data()), "creating " + name);
+  (void)DataSet(H5Dcreate2(group, name.c_str(), type_of(type), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
+                "creating " + name);
+  return {group, name, type};
+}
+
+Appender::Appender(hid_t group, const std::string& name, ValueType type)
+    : name_(name),
+      set_(H5Dopen2(group, name.c_str(), H5P_DEFAULT), "opening " + name),
+      type_(type),
+      shape_(shape_of(set_.get())) {}
+
+void Appender::append(const void* rows, std::size_t count) {
+  const std::string what = "writing " + name_;
+  std::vector<hsize_t> from(shape_.size(), 0), length = shape_;
+  from.at(0) = shape_.at(0);
+  length[0] = count;
+  shape_[0] += count;
+  checked(H5Dset_extent(set_.get(), shape_.data()), what);
+  const DataSpace target(H5Dget_space(set_.get()), what);
+  checked(H5Sselect_hyperslab(target.get(), H5S_SELECT_SET, from.data(), nullptr, length.data(), nullptr), what);
+  const DataSpace source(H5Screate_simple(int(length.size()), length.data(), nullptr), what);
+  checked(H5Dwrite(set_.get(), type_of(type_), source.get(), target.get(), H5P_DEFAULT, rows), what);
 }
 
 DataSet write_text(hid_t parent, const std::string& name, const std::string& text) {

@@ -75,16 +75,8 @@ using Object = Handle<H5Oclose>;
 using Attribute = Handle<H5Aclose>;
 using Properties = Handle<H5Pclose>;
 
-/// What HDF5 calls a number in memory and in a file.
-struct NumberType {
-  hid_t memory, file;
-};
-[[nodiscard]] NumberType type_of(double);
-[[nodiscard]] NumberType type_of(std::uint8_t);
-[[nodiscard]] NumberType type_of(std::int32_t);
-[[nodiscard]] NumberType type_of(std::uint32_t);
-[[nodiscard]] NumberType type_of(std::uint64_t);
-[[nodiscard]] NumberType type_of(ColumnKind kind);
+/// What HDF5 calls numbers of a type, in a file as in memory, which is little-endian.
+[[nodiscard]] hid_t type_of(ValueType type);
 
 [[nodiscard]] Group create_group(hid_t parent, const std::string& name);
 [[nodiscard]] Group open_group(hid_t parent, const std::string& name);
@@ -116,13 +108,31 @@ void write_attribute(hid_t object, const std::string& name, std::uint64_t number
 /// A data set of a fixed number of rows.
 template <class Number>
 DataSet write_array(hid_t parent, const std::string& name, const Number* values, const std::vector<hsize_t>& shape) {
-  const NumberType type = type_of(Number());
+  const hid_t type = type_of(value_type_of<Number>());
   const DataSpace space(H5Screate_simple(int(shape.size()), shape.data(), nullptr), "making room for " + name);
-  DataSet set(H5Dcreate2(parent, name.c_str(), type.file, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+  DataSet set(H5Dcreate2(parent, name.c_str(), type, space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
               "creating " + name);
-  checked(H5Dwrite(set.get(), type.memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "writing " + name);
+  checked(H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "writing " + name);
   return set;
 }
+
+/// A data set whose first dimension has no end.
+class Appender {
+ public:
+  /// Creates an empty one.
+  static Appender create(hid_t group, const std::string& name, ValueType type, const std::vector<hsize_t>& row_shape);
+  /// Opens one.
+  Appender(hid_t group, const std::string& name, ValueType type);
+
+  void append(const void* rows, std::size_t count);
+  [[nodiscard]] hid_t get() const { return set_.get(); }
+
+ private:
+  std::string name_;
+  DataSet set_;
+  ValueType type_;
+  std::vector<hsize_t> shape_;
+};
 
 /// A text as a data set of its own.
 DataSet write_text(hid_t parent, const std::string& name, const std::string& text);

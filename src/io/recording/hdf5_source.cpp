@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/recording/hdf5_source.hpp"
 
+#include <new>
 #include <string_view>
 
+#include "io/byte_reader.hpp"
 #include "io/file_errors.hpp"
 
 namespace hapticut {
 namespace {
 
-constexpr std::size_t kHead = 12;  // [bytes] of a file that say what it is
+constexpr std::size_t kHead = 12;                                 // [bytes] of a file that say what it is
+constexpr std::uint64_t kLargestBlock = std::uint64_t(1) << 40U;  // [bytes] that a question may ask for
 
 /// Whether a writer has the file open, or was killed while it had: a bit in the head of the file (HDF5 File Format
 /// Specification, superblock version 3).
@@ -25,12 +28,6 @@ hdf5::File require_open(hid_t id, std::string_view head) {
   if (file.valid()) return file;
   if (!head.starts_with("\x89HDF")) throw hdf5::Failure("it is not an HDF5 file, so not a recording of hapticut");
   hdf5::fail("it is a damaged HDF5 file; opening it");
-}
-
-/// The place that holds another, "" for the file itself.
-std::string holder_of(const std::string& place) {
-  const std::size_t slash = place.rfind('/');
-  return slash == std::string::npos ? "" : place.substr(0, slash);
 }
 
 }  // namespace
@@ -68,70 +65,81 @@ hdf5::Group Hdf5Source::group_at(const std::string& place) const {
   return group;
 }
 
+hdf5::Group Hdf5Source::holder_of(const std::string& place) const {
+  const std::size_t slash = place.rfind('/');
+  return group_at(slash == std::string::npos ? "" : place.substr(0, slash));
+}
+
+hdf5::Object Hdf5Source::object_at(const std::string& place) const {
+  if (place.empty()) return {H5Oopen(file_.get(), "/", H5P_DEFAULT), "opening it"};
+  return hdf5::open_object(holder_of(place).get(), name_at(place));
+}
+
 hid_t Hdf5Source::data_set_at(const std::string& place) {
   const auto known = data_sets_.find(place);
   if (known != data_sets_.end()) return known->second.get();
-  hdf5::DataSet set = hdf5::open_data_set(group_at(holder_of(place)).get(), name_at(place));
+  hdf5::DataSet set = hdf5::open_data_set(holder_of(place).get(), name_at(place));
   return data_sets_.emplace(place, std::move(set)).first->second.get();
 }
 
-template <class Use>
-auto Hdf5Source::with_object(const std::string& place, const Use& use) const {
+std::string Hdf5Source::answer(const Question& question, const std::string& place, const std::string& name) {
   const hdf5::Quiet quiet;
-  if (place.empty()) return use(file_.get());
-  return use(hdf5::open_object(group_at(holder_of(place)).get(), name_at(place)).get());
+  std::string content;
+  switch (question.ask) {
+    case Ask::open:
+      break;
+    case Ask::exists:
+      append_bytes_of(content, hdf5::exists(holder_of(place).get(), name_at(place)));
+      break;
+    case Ask::has_attribute:
+      append_bytes_of(content, hdf5::has_attribute(object_at(place).get(), name));
+      break;
+    case Ask::text_attribute:
+      return hdf5::read_text_attribute(object_at(place).get(), name);
+    case Ask::number_attribute:
+      append_bytes_of(content, hdf5::read_number_attribute(object_at(place).get(), name));
+      break;
+    case Ask::text:
+      return hdf5::read_text(holder_of(place).get(), name_at(place));
+    case Ask::layout:
+      return layout_at(place);
+    case Ask::block:
+      return block_of(question, place);
+  }
+  return content;
 }
 
-bool Hdf5Source::exists(const std::string& place) {
-  const hdf5::Quiet quiet;
-  return hdf5::exists(group_at(holder_of(place)).get(), name_at(place));
-}
-
-bool Hdf5Source::has_attribute(const std::string& place, const std::string& name) {
-  return with_object(place, [&](hid_t object) { return hdf5::has_attribute(object, name); });
-}
-
-std::string Hdf5Source::text_attribute(const std::string& place, const std::string& name) {
-  return with_object(place, [&](hid_t object) { return hdf5::read_text_attribute(object, name); });
-}
-
-std::uint64_t Hdf5Source::number_attribute(const std::string& place, const std::string& name) {
-  return with_object(place, [&](hid_t object) { return hdf5::read_number_attribute(object, name); });
-}
-
-std::string Hdf5Source::text(const std::string& place) {
-  const hdf5::Quiet quiet;
-  return hdf5::read_text(group_at(holder_of(place)).get(), name_at(place));
-}
-
-DataSetLayout Hdf5Source::layout(const std::string& place) {
-  const hdf5::Quiet quiet;
+std::string Hdf5Source::layout_at(const std::string& place) {
   const hid_t set = data_set_at(place);
-  const std::vector<hsize_t> shape = hdf5::shape_of(set);
-  return {hdf5::number_class(set, name_at(place)) == H5T_FLOAT, {shape.begin(), shape.end()}};
+  std::string content;
+  append_bytes_of(content, std::uint64_t(hdf5::number_class(set, name_at(place)) == H5T_FLOAT));
+  for (const hsize_t length : hdf5::shape_of(set)) append_bytes_of(content, std::uint64_t(length));
+  return content;
 }
 
-void Hdf5Source::block(const std::string& place, ColumnKind kind, std::uint64_t numbers, std::uint64_t first,
-                       std::uint64_t count, std::byte* bytes) {
-  const hdf5::Quiet quiet;
-  const std::string what = "reading " + name_at(place);
+std::string Hdf5Source::block_of(const Question& q, const std::string& place) {
+  if (double(q.numbers) * double(q.count) > double(kLargestBlock)) throw std::bad_alloc();
+  const std::string its = "its '" + name_at(place) + "'", what = "reading " + name_at(place);
   const hid_t set = data_set_at(place);
   (void)hdf5::number_class(set, name_at(place));
   std::vector<hsize_t> length = hdf5::shape_of(set);
   const hdf5::DataSpace source(H5Dget_space(set), what);
   if (!length.empty()) {
     std::vector<hsize_t> from(length.size(), 0);
-    from[0] = first;
-    if (first > length[0] || count > length[0] - first) throw hdf5::Failure("its '" + name_at(place) + "' is shorter");
-    length[0] = count;
+    from[0] = q.first;
+    if (q.first > length[0] || q.count > length[0] - q.first) throw hdf5::Failure(its + " is shorter");
+    length[0] = q.count;
     hdf5::checked(H5Sselect_hyperslab(source.get(), H5S_SELECT_SET, from.data(), nullptr, length.data(), nullptr),
                   what);
   }
-  const hsize_t expected = numbers * count;
+  const hsize_t expected = q.numbers * q.count;
   if (hdf5::checked(H5Sget_select_npoints(source.get()), what) != hssize_t(expected))
-    throw hdf5::Failure("its '" + name_at(place) + "' has another shape");
+    throw hdf5::Failure(its + " has another shape");
+  std::string bytes(expected * size_of(ValueType(q.kind)), '\0');
   const hdf5::DataSpace target(H5Screate_simple(1, &expected, nullptr), what);
-  hdf5::checked(H5Dread(set, hdf5::type_of(kind).memory, target.get(), source.get(), H5P_DEFAULT, bytes), what);
+  hdf5::checked(H5Dread(set, hdf5::type_of(ValueType(q.kind)), target.get(), source.get(), H5P_DEFAULT, bytes.data()),
+                what);
+  return bytes;
 }
 
 }  // namespace hapticut

@@ -18,22 +18,18 @@ class Hdf5Source final : public RecordingSource {
   Hdf5Source(hdf5::File file, std::uint64_t file_size) : RecordingSource(file_size), file_(std::move(file)) {}
   ~Hdf5Source() override;
 
-  [[nodiscard]] bool exists(const std::string& place) override;
-  [[nodiscard]] bool has_attribute(const std::string& place, const std::string& name) override;
-  [[nodiscard]] std::string text_attribute(const std::string& place, const std::string& name) override;
-  [[nodiscard]] std::uint64_t number_attribute(const std::string& place, const std::string& name) override;
-  [[nodiscard]] std::string text(const std::string& place) override;
-  [[nodiscard]] DataSetLayout layout(const std::string& place) override;
-  void block(const std::string& place, ColumnKind kind, std::uint64_t numbers, std::uint64_t first, std::uint64_t count,
-             std::byte* bytes) override;
+  std::string answer(const Question& question, const std::string& place, const std::string& name) override;
 
  private:
   /// A group inside the file itself; where HDF5 would follow a link, this throws.
   hdf5::Group group_at(const std::string& place) const;
+  /// The group that holds what is at a place.
+  hdf5::Group holder_of(const std::string& place) const;
+  /// A group, a data set or the file.
+  hdf5::Object object_at(const std::string& place) const;
   hid_t data_set_at(const std::string& place);
-  /// Calls `use(object)` with a group, a data set or the file.
-  template <class Use>
-  auto with_object(const std::string& place, const Use& use) const;
+  [[nodiscard]] std::string layout_at(const std::string& place);
+  [[nodiscard]] std::string block_of(const Question& question, const std::string& place);
 
   hdf5::File file_;
   std::map<std::string, hdf5::DataSet> data_sets_;  ///< that are open

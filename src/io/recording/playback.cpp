@@ -6,7 +6,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/io/recording/recording.hpp"
-#include "io/recording/handle_reading.hpp"
+#include "io/recording/recording_file.hpp"
 
 namespace hapticut {
 namespace {

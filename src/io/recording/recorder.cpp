@@ -7,7 +7,6 @@
 
 #include "hapticut/core/build_info.hpp"
 #include "io/atomic_file.hpp"
-#include "io/recording/handle_reading.hpp"
 #include "io/recording/recording_columns.hpp"
 #include "io/recording/recording_file.hpp"
 #include "io/recording/recording_settings.hpp"
@@ -25,37 +24,6 @@ struct Message {
   EffectNumbers effects;
 };
 
-/// Appends rows to a data set whose first dimension has no end.
-class Appender {
- public:
-  Appender(hid_t group, const std::string& name, hid_t memory_type, std::vector<hsize_t> row_shape)
-      : name_(name),
-        set_(H5Dopen2(group, name.c_str(), H5P_DEFAULT), "opening " + name),
-        type_(memory_type),
-        shape_(std::move(row_shape)) {
-    shape_.insert(shape_.begin(), hdf5::shape_of(set_.get()).at(0));
-  }
-
-  void append(const void* rows, std::size_t count) {
-    std::vector<hsize_t> from(shape_.size(), 0), length = shape_;
-    from[0] = shape_[0];
-    length[0] = count;
-    shape_[0] += count;
-    hdf5::checked(H5Dset_extent(set_.get(), shape_.data()), "writing " + name_);
-    const hdf5::DataSpace target(H5Dget_space(set_.get()), "writing " + name_);
-    hdf5::checked(H5Sselect_hyperslab(target.get(), H5S_SELECT_SET, from.data(), nullptr, length.data(), nullptr),
-                  "writing " + name_);
-    const hdf5::DataSpace source(H5Screate_simple(int(length.size()), length.data(), nullptr), "writing " + name_);
-    hdf5::checked(H5Dwrite(set_.get(), type_, source.get(), target.get(), H5P_DEFAULT, rows), "writing " + name_);
-  }
-
- private:
-  std::string name_;
-  hdf5::DataSet set_;
-  hid_t type_;
-  std::vector<hsize_t> shape_;
-};
-
 std::string now_as_text() {
   const std::time_t now = std::time(nullptr);
   std::tm utc{};
@@ -65,25 +33,18 @@ std::string now_as_text() {
   return text;
 }
 
-/// A link stays, and what it names is replaced.
-std::filesystem::path final_path(const std::filesystem::path& path) {
-  std::error_code code;
-  return std::filesystem::is_symlink(path, code) ? std::filesystem::weakly_canonical(path, code) : path;
-}
-
 /// Where a recording grows: at its path, so that others can read it meanwhile; beside it where an older one is, which
 /// stays until the new one is complete.
 std::filesystem::path growing_path(const std::filesystem::path& path) {
   std::error_code code;
-  std::filesystem::path at = final_path(path);
+  std::filesystem::path at = place_behind_links(path);
   if (!std::filesystem::exists(at, code)) return at;
   constexpr std::size_t kLongestName = 251;  // [bytes] with what is put behind it
   return at.parent_path() / (at.filename().string().substr(0, kLongestName) + ".new");
 }
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
-  throw Error("cannot write the recording '" + path.string() + "': " + reason +
-              ". Check the folder, its permissions and the free disk space.");
+  cannot_write(path, reason, "the recording ");
 }
 
 }  // namespace
@@ -114,8 +75,8 @@ struct Recorder::State {
   std::unique_ptr<RoomOnDisk> room;
   hdf5::File file;
   std::vector<const Column*> columns;
-  std::vector<Appender> appenders;
-  std::vector<Appender> effects_appenders;  // numbers of the first steps, and the effects
+  std::vector<hdf5::Appender> appenders;
+  std::vector<hdf5::Appender> effects_appenders;  // numbers of the first steps, and the effects
   EffectNumbers last_effects{};
   std::vector<std::byte> rows;
   std::uint64_t unflushed = 0;  // [bytes] that HDF5 may still hold
@@ -163,12 +124,11 @@ Recorder::Recorder(const std::filesystem::path& path, Simulation& simulation, co
     for (const Column& column : recording_columns()) {
       if (column.side == Column::Side::device && s.options.device.empty()) continue;
       s.columns.push_back(&column);
-      s.appenders.emplace_back(steps.get(), column.name, hdf5::type_of(column.kind).memory, column.shape);
+      s.appenders.emplace_back(steps.get(), column.name, column.kind);
     }
     const hdf5::Group effects = hdf5::open_group(s.file.get(), kEffectsGroup);
-    s.effects_appenders.emplace_back(effects.get(), kFirstSteps, H5T_NATIVE_UINT64, std::vector<hsize_t>{});
-    s.effects_appenders.emplace_back(effects.get(), kEffectValues, H5T_NATIVE_DOUBLE,
-                                     std::vector<hsize_t>{kEffectNumbers});
+    s.effects_appenders.emplace_back(effects.get(), kFirstSteps, ValueType::uint64);
+    s.effects_appenders.emplace_back(effects.get(), kEffectValues, ValueType::float64);
   } catch (const hdf5::Failure& failure) {
     fail(path, failure.what());
   } catch (const RoomOnDisk::Lacking& lacking) {
@@ -307,7 +267,7 @@ void Recorder::close() {
   if (!failure.empty())
     fail(s.path, failure + "; its first " + std::to_string(s.written) + " steps are in '" + s.growing.string() + "'");
   std::error_code code;
-  if (const auto last = final_path(s.path); s.growing != last) std::filesystem::rename(s.growing, last, code);
+  if (const auto last = place_behind_links(s.path); s.growing != last) std::filesystem::rename(s.growing, last, code);
   if (code) {
     s.ending_failed.store(true, std::memory_order_release);
     fail(s.path, code.message() + "; it is complete in '" + s.growing.string() + "'");

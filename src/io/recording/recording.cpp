@@ -59,13 +59,7 @@ RecordingInfo read_info(RecordingSource& source) {
     throw Error("it has format " + std::to_string(info.format) + ", and this version of hapticut reads format " +
                 std::to_string(kRecordingFormat) + "; use " +
                 (info.format < kRecordingFormat ? "the version that wrote it" : "a newer version"));
-  info.version = source.text_attribute("", "version");
-  info.commit = source.text_attribute("", "commit");
-  info.compiler = source.text_attribute("", "compiler");
-  info.cpu = source.text_attribute("", "cpu");
-  info.begun = source.text_attribute("", "begun");
-  info.device = source.text_attribute("", "device");
-  info.note = source.text_attribute("", "note");
+  for (const auto& [name, text] : kInfoTexts) info.*text = source.text_attribute("", name);
   info.closed = source.has_attribute("", "closed");
   if (info.closed) info.workpiece_hash_at_end = source.number_attribute("", "workpiece_hash_at_end");
   return info;
@@ -103,25 +97,25 @@ void open_columns(OpenRecording& s) {
   RecordingSource& source = *s.source;
   if (!source.exists(kStepsGroup)) throw Error("it lacks the group 'steps'");
   s.size = std::numeric_limits<std::uint64_t>::max();
-  const FieldList listed(source, kStepsGroup);
+  const std::vector<std::string> listed = fields_listed(source, kStepsGroup);
   std::size_t known = 0;
   for (const Column& column : recording_columns()) {
     if (column.side == Column::Side::device && s.info.device.empty()) continue;
     const std::string place = place_of(column);
-    if (!listed.contains(column.name)) continue;  // it came later: the steps have its default
+    if (!contains(listed, column.name)) continue;  // it came later: the steps have its default
     ++known;
     if (!source.exists(place)) throw Error("it lacks the column '" + place + "'");
     const DataSetLayout layout = source.layout(place);
     const std::vector<std::uint64_t>& shape = layout.shape;
     if (shape.size() != column.shape.size() + 1 ||
         !std::equal(column.shape.begin(), column.shape.end(), shape.begin() + 1) ||
-        layout.is_real != (column.kind == ColumnKind::real))
+        layout.is_real != (column.kind == ValueType::float64))
       throw Error("its column '" + place + "' has another shape or type than a recording's");
     // A writer that was killed may have left some columns longer than others.
     s.size = std::min(s.size, shape[0]);
     s.columns.push_back(&column);
   }
-  if (known != listed.names.size())
+  if (known != listed.size())
     throw Error("it has a column that this version of hapticut does not know; use a newer version");
   if (s.columns.empty() || s.columns.front()->name != "number") throw Error("it lacks the column 'steps/number'");
 }

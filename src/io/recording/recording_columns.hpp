@@ -2,10 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <cstring>
 #include <functional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "hapticut/io/recording/recording.hpp"
@@ -21,7 +19,7 @@ struct Column {
 
   std::string name, unit, frame, meaning;
   Side side;
-  ColumnKind kind = ColumnKind::real;
+  ValueType kind = ValueType::float64;
   std::vector<hsize_t> shape = {};  ///< of one row; empty: one number
   std::size_t numbers = 1;          ///< in one row
   std::size_t bytes = 0;            ///< of one row

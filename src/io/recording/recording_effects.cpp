@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <sstream>
 
 #include "hapticut/core/errors.hpp"
 #include "io/recording/recording_settings.hpp"
+#include "io/text_lines.hpp"
 
 namespace hapticut {
 namespace {
@@ -32,22 +32,15 @@ void visit_part(const char* prefix, Part& part, const Visit& visit) {
 }
 
 /// The same of one that may be absent: first whether it is there, then its numbers, or their defaults.
-template <class Part, class Visit>
-void visit_part(const char* prefix, const std::optional<Part>& part, const Visit& visit) {
-  const bool is_there = part.has_value();
-  const Part value = part.value_or(Part{});
-  const std::string_view name = prefix;
-  visit([&] { return std::string(name.substr(0, name.size() - 1)); }, is_there);
-  visit_part(prefix, value, visit);
-}
-template <class Part, class Visit>
-void visit_part(const char* prefix, std::optional<Part>& part, const Visit& visit) {
+template <class Maybe, class Visit>
+requires std::is_same_v<std::remove_const_t<Maybe>, std::optional<typename Maybe::value_type>>
+void visit_part(const char* prefix, Maybe& part, const Visit& visit) {
   bool is_there = part.has_value();
-  Part value = part.value_or(Part{});
+  auto value = part.value_or(typename Maybe::value_type{});
   const std::string_view name = prefix;
   visit([&] { return std::string(name.substr(0, name.size() - 1)); }, is_there);
   visit_part(prefix, value, visit);
-  part = is_there ? std::optional(value) : std::nullopt;
+  if constexpr (!std::is_const_v<Maybe>) part = is_there ? std::optional(value) : std::nullopt;
 }
 
 /// Goes over the numbers of the effects in their order.
@@ -72,9 +65,7 @@ EffectNumbers pack(const Effects& effects) noexcept {
 }
 
 Effects unpack(const std::string& names, std::span<const double> numbers) {
-  std::vector<std::string> given;
-  std::istringstream list(names);
-  for (std::string name; std::getline(list, name, ',');) given.push_back(name);
+  const std::vector<std::string> given = parts_of(names);
   if (given.size() != numbers.size()) throw Error("its 'effects/values' has not as many columns as names");
   std::size_t used = 0;
   Effects effects;
@@ -96,10 +87,7 @@ Effects unpack(const std::string& names, std::span<const double> numbers) {
 std::string effect_names() {
   std::string names;
   const Effects none;
-  visit_effects(none, [&](const auto& name, const auto&) {
-    if (!names.empty()) names += ',';
-    names += name();
-  });
+  visit_effects(none, [&](const auto& name, const auto&) { append_part(names, name()); });
   return names;
 }
 

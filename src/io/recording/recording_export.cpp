@@ -4,12 +4,13 @@
 #include <archive_entry.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cstring>
 #include <memory>
 #include <string_view>
 
 #include "io/atomic_file.hpp"
 #include "io/recording/recording_access.hpp"
+#include "io/text_lines.hpp"
 
 namespace hapticut {
 namespace {
@@ -26,25 +27,18 @@ std::vector<std::string> names_of(const Column& column) {
   return names;
 }
 
-/// The shortest text that reads back as the same number.
-template <class Number>
-void append(std::string& line, Number number) {
-  char text[32];
-  line.append(text, std::to_chars(text, text + sizeof text, number).ptr);
-}
-
-void append_number(std::string& line, const Column& column, const std::byte* row, std::size_t element) {
-  if (column.kind != ColumnKind::uint64) return append(line, number_at(column, row, element));
-  std::uint64_t whole;  // does not fit into the digits of a double
-  std::memcpy(&whole, row + element * sizeof whole, sizeof whole);
-  append(line, whole);
+void append_cell(std::string& line, const Column& column, const std::byte* row, std::size_t element) {
+  with_value_type(column.kind, [&](auto number) {
+    std::memcpy(&number, row + element * sizeof number, sizeof number);
+    append_number(line, number);
+  });
 }
 
 // --- NumPy ----------------------------------------------------------------------------------------------------------
 
 /// `<f8`, `|u1`: order of the bytes, kind and length.
-std::string dtype_of(ColumnKind kind) {
-  return with_number_of(kind, []<class Number>(Number) {
+std::string dtype_of(ValueType kind) {
+  return with_value_type(kind, []<class Number>(Number) {
     const char* letter = std::is_floating_point_v<Number> ? "f" : std::is_signed_v<Number> ? "i" : "u";
     return (sizeof(Number) == 1 ? "|" : "<") + (letter + std::to_string(sizeof(Number)));
   });
@@ -116,7 +110,7 @@ void write_csv(const Recording& recording, const std::filesystem::path& path) {
           const Column& column = *columns[n];
           for (std::size_t element = 0; element < column.numbers; ++element) {
             if (!line.empty()) line += ',';
-            append_number(line, column, rows[n].data() + row * column.bytes, element);
+            append_cell(line, column, rows[n].data() + row * column.bytes, element);
           }
         }
         stream << line << '\n';
@@ -143,8 +137,7 @@ void write_npz(const Recording& recording, const std::filesystem::path& path) {
     zip.close();
   } catch (const Error& error) {
     if (std::string_view(error.what()).starts_with("cannot read ")) throw;
-    throw Error("cannot write '" + path.string() + "': " + error.what() +
-                ". Check the folder, its permissions and the free disk space.");
+    cannot_write(path, error.what());
   }
   target.commit();
 }

@@ -12,34 +12,12 @@
 namespace hapticut {
 namespace {
 
-constexpr hsize_t kChunk = 256;                 // rows
 constexpr std::uint64_t kHeaderRoom = 2 << 20;  // [bytes] more than all but the workpiece needs
-
-/// An empty data set whose first dimension has no end.
-hdf5::DataSet create_endless(hid_t group, const std::string& name, hid_t type, const std::vector<hsize_t>& row_shape) {
-  std::vector<hsize_t> now = {0}, most = {H5S_UNLIMITED}, chunk = {kChunk};
-  for (const hsize_t length : row_shape) {
-    now.push_back(length);
-    most.push_back(length);
-    chunk.push_back(length);
-  }
-  const hdf5::DataSpace space(H5Screate_simple(int(now.size()), now.data(), most.data()), "making room for " + name);
-  const hdf5::Properties properties(H5Pcreate(H5P_DATASET_CREATE), "creating " + name);
-  hdf5::checked(H5Pset_chunk(properties.get(), int(chunk.size()), chunk.data()), "creating " + name);
-  return {H5Dcreate2(group, name.c_str(), type, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
-          "creating " + name};
-}
 
 void write_info(hid_t file, const RecordingInfo& info) {
   hdf5::write_attribute(file, "content", kMagic);
   hdf5::write_attribute(file, "format", info.format);
-  hdf5::write_attribute(file, "version", info.version);
-  hdf5::write_attribute(file, "commit", info.commit);
-  hdf5::write_attribute(file, "compiler", info.compiler);
-  hdf5::write_attribute(file, "cpu", info.cpu);
-  hdf5::write_attribute(file, "begun", info.begun);
-  hdf5::write_attribute(file, "device", info.device);
-  hdf5::write_attribute(file, "note", info.note);
+  for (const auto& [name, text] : kInfoTexts) hdf5::write_attribute(file, name, info.*text);
   hdf5::write_attribute(file, "frames",
                         "W world = workpiece, H handle of the tool (origin Ho), T head of the tool, B base of the "
                         "device, S stylus; X_AB takes coordinates of B to A");
@@ -64,30 +42,25 @@ void create_steps(hid_t file, bool with_device) {
   std::string names;
   for (const Column& column : recording_columns()) {
     if (column.side == Column::Side::device && !with_device) continue;
-    const hdf5::DataSet set = create_endless(group.get(), column.name, hdf5::type_of(column.kind).file, column.shape);
+    const auto set = hdf5::Appender::create(group.get(), column.name, column.kind, column.shape);
     hdf5::write_attribute(set.get(), "unit", column.unit);
     if (!column.frame.empty()) hdf5::write_attribute(set.get(), "frame", column.frame);
     hdf5::write_attribute(set.get(), "meaning", column.meaning);
-    if (!names.empty()) names += ',';
-    names += column.name;
+    append_part(names, column.name);
   }
   hdf5::write_attribute(group.get(), kFieldsAttribute, names);
 }
 
 void write_effects(hid_t file, const Effects& effects) {
   const hdf5::Group group = hdf5::create_group(file, kEffectsGroup);
-  const hdf5::DataSet first = create_endless(group.get(), kFirstSteps, H5T_STD_U64LE, {});
+  auto first = hdf5::Appender::create(group.get(), kFirstSteps, ValueType::uint64, {});
   hdf5::write_attribute(first.get(), "meaning", "number of the first step with these effects");
-  const hdf5::DataSet values = create_endless(group.get(), kEffectValues, H5T_IEEE_F64LE, {kEffectNumbers});
+  auto values = hdf5::Appender::create(group.get(), kEffectValues, ValueType::float64, {kEffectNumbers});
   hdf5::write_attribute(values.get(), "columns", effect_names());
   const EffectNumbers numbers = pack(effects);
-  const hsize_t one = 1, row[] = {1, kEffectNumbers};
   const std::uint64_t zero = 0;
-  hdf5::checked(H5Dset_extent(first.get(), &one), "writing effects");
-  hdf5::checked(H5Dset_extent(values.get(), row), "writing effects");
-  hdf5::checked(H5Dwrite(first.get(), H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &zero), "writing effects");
-  hdf5::checked(H5Dwrite(values.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()),
-                "writing effects");
+  first.append(&zero, 1);
+  values.append(numbers.data(), 1);
 }
 
 std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
@@ -140,6 +113,15 @@ void note_result(const StepResult& result, RecordedStep& row) noexcept {
   row.spindle = result.spindle;
   row.sub_steps = result.sub_steps;
   row.status = result.status;
+}
+
+DeviceState reading_of_handle(const RecordedStep& step) noexcept {
+  DeviceState state;
+  state.X_BS = step.input.pose;
+  state.velocity = step.input.velocity;
+  state.time = step.time;
+  state.sequence = step.number + 1;
+  return state;
 }
 
 std::uint64_t full_hash(const Workpiece& workpiece) {

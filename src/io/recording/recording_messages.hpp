@@ -21,7 +21,7 @@ enum class Ask : std::uint32_t {
 
 struct Question {
   Ask ask = Ask::open;
-  std::uint32_t kind = 0;         ///< ColumnKind of a block
+  std::uint32_t kind = 0;         ///< ValueType of a block
   std::uint32_t place_bytes = 0;  ///< that follow
   std::uint32_t name_bytes = 0;   ///< that follow those
   std::uint64_t numbers = 0;      ///< of a row of a block

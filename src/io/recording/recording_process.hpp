@@ -7,7 +7,6 @@
 #include <string>
 
 #include "io/child_process.hpp"
-#include "io/recording/recording_messages.hpp"
 #include "io/recording/recording_source.hpp"
 
 namespace hapticut {
@@ -26,21 +25,8 @@ class RecordingProcess final : public RecordingSource {
   RecordingProcess(const std::filesystem::path& path, std::uint64_t file_size,
                    std::chrono::nanoseconds patience = kPatience);
 
-  [[nodiscard]] bool exists(const std::string& place) override;
-  [[nodiscard]] bool has_attribute(const std::string& place, const std::string& name) override;
-  [[nodiscard]] std::string text_attribute(const std::string& place, const std::string& name) override;
-  [[nodiscard]] std::uint64_t number_attribute(const std::string& place, const std::string& name) override;
-  [[nodiscard]] std::string text(const std::string& place) override;
-  [[nodiscard]] DataSetLayout layout(const std::string& place) override;
-
  private:
-  void block(const std::string& place, ColumnKind kind, std::uint64_t numbers, std::uint64_t first, std::uint64_t count,
-             std::byte* bytes) override;
-
-  /// @return the length of the content, which is to be received
-  std::uint64_t ask(const Question& question, const std::string& place, const std::string& name);
-  [[nodiscard]] std::string ask_short(Ask what, const std::string& place, const std::string& name = "");
-  [[nodiscard]] bool ask_whether(Ask what, const std::string& place, const std::string& name = "");
+  std::string answer(const Question& question, const std::string& place, const std::string& name) override;
   void receive(char* bytes, std::size_t count);
   [[noreturn]] void die();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/recording/recording_settings.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "hapticut/force/laws/foundation.hpp"
@@ -14,73 +15,64 @@ using StoredApart = Except<std::shared_ptr<const ForceLaw>, std::optional<DryFri
 
 // --- heads and handles ----------------------------------------------------------------------------------------------
 
-void write_head(SettingsWriter& write, const ToolHead& head) {
-  if (const auto* sphere = std::get_if<SphereHead>(&head.shape())) {
-    write("head", std::string("sphere"));
-    visit_fields(write, "", *sphere);
-  } else if (const auto* cone = std::get_if<ConeHead>(&head.shape())) {
-    write("head", std::string("cone"));
-    visit_fields(write, "", *cone);
-  } else if (const auto* flat = std::get_if<FlatHead>(&head.shape())) {
-    write("head", std::string("flat"));
-    visit_fields(write, "", *flat, Except<FlatRule>{});
-    write("flat_rule", flat->rule);
-  } else {
-    const auto& profile = std::get<ProfileHead>(head.shape());
-    std::vector<double> rho, z, radius, cutting;
-    for (const ProfileEdge& edge : profile.profile().edges) {
-      rho.push_back(edge.rho);
-      z.push_back(edge.z);
-      radius.push_back(edge.radius);
-      cutting.push_back(edge.kind == EdgeKind::cutting ? 1 : 0);
-    }
-    write("head", std::string("profile"));
-    write("profile_tip", "m", profile.profile().tip);
-    write("profile_rho", "m", rho);
-    write("profile_z", "m", z);
-    write("profile_radius", "m", radius);
-    write("profile_cutting", "1", cutting);
-    write("profile_tolerance", "1", profile.tolerance());
+constexpr const char* kHeads[] = {"sphere", "cone", "flat", "profile"};  // in the order of ToolHead::Shape
+constexpr std::pair<const char*, double ProfileEdge::*> kEdges[] = {
+    {"profile_rho", &ProfileEdge::rho}, {"profile_z", &ProfileEdge::z}, {"profile_radius", &ProfileEdge::radius}};
+
+/// A head of a few numbers.
+template <class Archive, class Head>
+void visit_head(Archive& archive, Head& head) {
+  visit_fields(archive, "", head, Except<FlatRule>{});
+  if constexpr (std::is_same_v<std::remove_const_t<Head>, FlatHead>) archive("flat_rule", head.rule);
+}
+
+void visit_head(SettingsWriter& write, const ProfileHead& head) {
+  const std::vector<ProfileEdge>& edges = head.profile().edges;
+  std::vector<double> numbers(edges.size());
+  write("profile_tip", "m", head.profile().tip);
+  for (const auto& [name, member] : kEdges) {
+    std::transform(edges.begin(), edges.end(), numbers.begin(), [at = member](const auto& edge) { return edge.*at; });
+    write(name, "m", numbers);
   }
+  std::transform(edges.begin(), edges.end(), numbers.begin(),
+                 [](const ProfileEdge& edge) { return edge.kind == EdgeKind::cutting ? 1 : 0; });
+  write("profile_cutting", "1", numbers);
+  write("profile_tolerance", "1", head.tolerance());
+}
+
+void write_head(SettingsWriter& write, const ToolHead& head) {
+  write("head", std::string(kHeads[head.shape().index()]));
+  std::visit([&](const auto& shape) { visit_head(write, shape); }, head.shape());
 }
 
 ToolHead read_profile(SettingsReader& read) {
   Profile profile;
   double tolerance = 0;
-  std::vector<double> rho, z, radius, cutting;
+  std::vector<double> numbers, cutting;
   read("profile_tip", "m", profile.tip);
-  read("profile_rho", "m", rho);
-  read("profile_z", "m", z);
-  read("profile_radius", "m", radius);
   read("profile_cutting", "1", cutting);
+  for (const double cuts : cutting) profile.edges.push_back({.kind = cuts != 0 ? EdgeKind::cutting : EdgeKind::smooth});
+  for (const auto& [name, member] : kEdges) {
+    numbers.clear();
+    read(name, "m", numbers);
+    if (numbers.size() != cutting.size()) throw Error("the columns of its 'tool/profile_...' differ in length");
+    for (std::size_t n = 0; n < numbers.size(); ++n) profile.edges[n].*member = numbers[n];
+  }
   read("profile_tolerance", "1", tolerance);
-  if (z.size() != rho.size() || radius.size() != rho.size() || cutting.size() != rho.size())
-    throw Error("the columns of its 'tool/profile_...' differ in length");
-  for (std::size_t n = 0; n < rho.size(); ++n)
-    profile.edges.push_back({rho[n], z[n], radius[n], cutting[n] != 0 ? EdgeKind::cutting : EdgeKind::smooth});
   return ProfileHead(std::move(profile), tolerance);
 }
 
 ToolHead read_head(SettingsReader& read) {
   std::string kind;
   read("head", kind);
-  if (kind == "sphere") {
-    SphereHead sphere{};
-    visit_fields(read, "", sphere);
-    return sphere;
-  }
-  if (kind == "cone") {
-    ConeHead cone{};
-    visit_fields(read, "", cone);
-    return cone;
-  }
-  if (kind == "flat") {
-    FlatHead flat{};
-    visit_fields(read, "", flat, Except<FlatRule>{});
-    read("flat_rule", flat.rule);
-    return flat;
-  }
-  if (kind == "profile") return read_profile(read);
+  const auto of_numbers = [&](auto head) {
+    visit_head(read, head);
+    return ToolHead(head);
+  };
+  if (kind == kHeads[0]) return of_numbers(SphereHead{});
+  if (kind == kHeads[1]) return of_numbers(ConeHead{});
+  if (kind == kHeads[2]) return of_numbers(FlatHead{});
+  if (kind == kHeads[3]) return read_profile(read);
   throw Error("its 'tool/head' is \"" + kind + "\", but must be one of sphere, cone, flat, profile");
 }
 

@@ -4,23 +4,27 @@
 #include <algorithm>
 #include <cstring>
 
+#include "io/byte_reader.hpp"
+
 namespace hapticut {
 namespace {
 
 constexpr std::uint64_t kBlock = 8 << 20;  // [bytes] that are asked for at once
 
 template <class Number>
-std::vector<Number> numbers_of(const std::vector<std::byte>& bytes) {
-  std::vector<Number> numbers(bytes.size() / sizeof(Number));
-  if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
+std::vector<Number> numbers_of(const void* bytes, std::size_t size) {
+  std::vector<Number> numbers(size / sizeof(Number));
+  if (!numbers.empty()) std::memcpy(numbers.data(), bytes, numbers.size() * sizeof(Number));
   return numbers;
 }
 
-}  // namespace
-
-std::size_t bytes_of(ColumnKind kind) noexcept {
-  return with_number_of(kind, [](auto number) { return sizeof number; });
+template <class Number>
+Number only_number(const std::string& content) {
+  if (content.size() != sizeof(Number)) fail_of_reader();
+  return number_in<Number>(content);
 }
+
+}  // namespace
 
 std::string name_at(const std::string& place) { return place.substr(place.rfind('/') + 1); }
 
@@ -30,35 +34,77 @@ void require_room(double bytes, std::uint64_t file_size, const std::string& name
     throw hdf5::Failure("its '" + name + "' claims " + format_number(bytes) + " bytes, more than the file can hold");
 }
 
-void RecordingSource::rows(const std::string& place, ColumnKind kind, std::uint64_t numbers, std::uint64_t first,
+void fail_of_reader() {
+  throw hdf5::Failure(
+      "it is a damaged HDF5 file: the program that reads it came to an end over it, or needed too long; get a complete "
+      "copy");
+}
+
+std::string RecordingSource::ask(Ask what, const std::string& place, const std::string& name) {
+  Question question;
+  question.ask = what;
+  return answer(question, place, name);
+}
+
+bool RecordingSource::exists(const std::string& place) {
+  return only_number<std::uint8_t>(ask(Ask::exists, place)) != 0;
+}
+bool RecordingSource::has_attribute(const std::string& place, const std::string& name) {
+  return only_number<std::uint8_t>(ask(Ask::has_attribute, place, name)) != 0;
+}
+std::string RecordingSource::text_attribute(const std::string& place, const std::string& name) {
+  return ask(Ask::text_attribute, place, name);
+}
+std::uint64_t RecordingSource::number_attribute(const std::string& place, const std::string& name) {
+  return only_number<std::uint64_t>(ask(Ask::number_attribute, place, name));
+}
+std::string RecordingSource::text(const std::string& place) { return ask(Ask::text, place); }
+
+DataSetLayout RecordingSource::layout(const std::string& place) {
+  const std::string content = ask(Ask::layout, place);
+  const auto numbers = numbers_of<std::uint64_t>(content.data(), content.size());
+  if (numbers.empty() || numbers.size() > 1 + kMostDimensions || content.size() % sizeof(std::uint64_t) != 0)
+    fail_of_reader();
+  return {numbers[0] != 0, {numbers.begin() + 1, numbers.end()}};
+}
+
+void RecordingSource::rows(const std::string& place, ValueType kind, std::uint64_t numbers, std::uint64_t first,
                            std::uint64_t count, std::vector<std::byte>& bytes) {
-  const std::uint64_t row = numbers * bytes_of(kind);
-  require_room(double(numbers) * double(bytes_of(kind)) * double(count), file_size_, name_at(place));
+  const std::uint64_t row = numbers * size_of(kind);
+  require_room(double(numbers) * double(size_of(kind)) * double(count), file_size_, name_at(place));
   bytes.resize(count * row);
   if (bytes.empty()) return;
   const std::uint64_t at_once = std::max<std::uint64_t>(1, kBlock / row);
-  for (std::uint64_t done = 0; done < count; done += at_once)
-    block(place, kind, numbers, first + done, std::min(at_once, count - done), bytes.data() + done * row);
+  for (std::uint64_t done = 0; done < count; done += at_once) {
+    Question question;
+    question.ask = Ask::block;
+    question.kind = std::uint32_t(kind);
+    question.numbers = numbers;
+    question.first = first + done;
+    question.count = std::min(at_once, count - done);
+    const std::string block = answer(question, place, "");
+    if (block.size() != question.count * row) fail_of_reader();
+    std::memcpy(bytes.data() + done * row, block.data(), block.size());
+  }
 }
 
-std::vector<std::byte> RecordingSource::all(const std::string& place, ColumnKind kind) {
+template <class Number>
+std::vector<Number> RecordingSource::all(const std::string& place) {
   const std::vector<std::uint64_t> shape = layout(place).shape;
   double total = 1;  // whose product does not run over
   for (const std::uint64_t length : shape) total *= double(length);
-  require_room(total * double(bytes_of(kind)), file_size_, name_at(place));
+  require_room(total * double(sizeof(Number)), file_size_, name_at(place));
   std::uint64_t numbers = 1;
   for (std::size_t n = 1; n < shape.size(); ++n) numbers *= shape[n];
   std::vector<std::byte> result;
-  if (total > 0) rows(place, kind, numbers, 0, shape.empty() ? 1 : shape[0], result);
-  return result;
+  if (total > 0) rows(place, value_type_of<Number>(), numbers, 0, shape.empty() ? 1 : shape[0], result);
+  return numbers_of<Number>(result.data(), result.size());
 }
 
-std::vector<double> RecordingSource::reals(const std::string& place) {
-  return numbers_of<double>(all(place, ColumnKind::real));
-}
+std::vector<double> RecordingSource::reals(const std::string& place) { return all<double>(place); }
 std::vector<std::uint64_t> RecordingSource::whole_numbers(const std::string& place) {
-  return numbers_of<std::uint64_t>(all(place, ColumnKind::uint64));
+  return all<std::uint64_t>(place);
 }
-std::vector<std::byte> RecordingSource::bytes(const std::string& place) { return all(place, ColumnKind::flag); }
+std::vector<std::byte> RecordingSource::bytes(const std::string& place) { return all<std::byte>(place); }
 
 }  // namespace hapticut

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "hapticut/core/errors.hpp"
+#include "io/recording/recording_messages.hpp"
+#include "io/value_types.hpp"
 
 namespace hapticut {
 
@@ -19,30 +21,6 @@ class Failure : public Error {
 };
 
 }  // namespace hdf5
-
-/// How a column's numbers are stored.
-enum class ColumnKind { real, flag, int32, uint32, uint64 };
-
-/// Calls `use(Number{})` with the C++ type of such a number.
-template <class Use>
-auto with_number_of(ColumnKind kind, const Use& use) {
-  switch (kind) {
-    case ColumnKind::flag:
-      return use(std::uint8_t{});
-    case ColumnKind::int32:
-      return use(std::int32_t{});
-    case ColumnKind::uint32:
-      return use(std::uint32_t{});
-    case ColumnKind::uint64:
-      return use(std::uint64_t{});
-    case ColumnKind::real:
-      break;
-  }
-  return use(double{});
-}
-
-/// [bytes] of one number in memory.
-[[nodiscard]] std::size_t bytes_of(ColumnKind kind) noexcept;
 
 /// What a data set says of itself.
 struct DataSetLayout {
@@ -62,17 +40,17 @@ class RecordingSource {
   RecordingSource(const RecordingSource&) = delete;
   RecordingSource& operator=(const RecordingSource&) = delete;
 
-  [[nodiscard]] virtual bool exists(const std::string& place) = 0;
-  [[nodiscard]] virtual bool has_attribute(const std::string& place, const std::string& name) = 0;
-  [[nodiscard]] virtual std::string text_attribute(const std::string& place, const std::string& name) = 0;
-  [[nodiscard]] virtual std::uint64_t number_attribute(const std::string& place, const std::string& name) = 0;
-  [[nodiscard]] virtual std::string text(const std::string& place) = 0;      ///< a data set that is a text
-  [[nodiscard]] virtual DataSetLayout layout(const std::string& place) = 0;  ///< of a data set of numbers
+  [[nodiscard]] bool exists(const std::string& place);
+  [[nodiscard]] bool has_attribute(const std::string& place, const std::string& name);
+  [[nodiscard]] std::string text_attribute(const std::string& place, const std::string& name);
+  [[nodiscard]] std::uint64_t number_attribute(const std::string& place, const std::string& name);
+  [[nodiscard]] std::string text(const std::string& place);      ///< a data set that is a text
+  [[nodiscard]] DataSetLayout layout(const std::string& place);  ///< of a data set of numbers
 
   /// Rows of a data set, one after the other.
   /// @param kind     what its numbers become
   /// @param numbers  of one row
-  void rows(const std::string& place, ColumnKind kind, std::uint64_t numbers, std::uint64_t first, std::uint64_t count,
+  void rows(const std::string& place, ValueType kind, std::uint64_t numbers, std::uint64_t first, std::uint64_t count,
             std::vector<std::byte>& bytes);
 
   /// All numbers of a data set.
@@ -81,13 +59,13 @@ class RecordingSource {
   [[nodiscard]] std::vector<std::byte> bytes(const std::string& place);
 
  protected:
-  /// At most kBlock bytes, or one row.
-  /// @param bytes  room for them
-  virtual void block(const std::string& place, ColumnKind kind, std::uint64_t numbers, std::uint64_t first,
-                     std::uint64_t count, std::byte* bytes) = 0;
+  /// @return the content that `Ask` tells of
+  virtual std::string answer(const Question& question, const std::string& place, const std::string& name) = 0;
 
  private:
-  [[nodiscard]] std::vector<std::byte> all(const std::string& place, ColumnKind kind);
+  [[nodiscard]] std::string ask(Ask what, const std::string& place, const std::string& name = "");
+  template <class Number>
+  [[nodiscard]] std::vector<Number> all(const std::string& place);
 
   std::uint64_t file_size_;
 };
@@ -97,5 +75,8 @@ class RecordingSource {
 
 /// @throws hdf5::Failure when a file of this size cannot hold so much
 void require_room(double bytes, std::uint64_t file_size, const std::string& name);
+
+/// @throws hdf5::Failure that the program that reads the file died of it, hangs or makes no sense
+[[noreturn]] void fail_of_reader();
 
 }  // namespace hapticut

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -13,6 +13,7 @@
 #include "hapticut/core/spatial.hpp"
 #include "hapticut/core/units.hpp"
 #include "io/recording/hdf5.hpp"
+#include "io/text_lines.hpp"
 
 /// @file
 /// Settings as data sets of a group: a name, a unit and a value. Writer and reader take the same calls, so that one
@@ -24,18 +25,14 @@ namespace hapticut {
 
 inline constexpr char kFieldsAttribute[] = "fields";
 
-/// What a group of a file should hold.
-struct FieldList {
-  FieldList(RecordingSource& source, const std::string& name) {
-    std::istringstream list(source.text_attribute(name, kFieldsAttribute));
-    for (std::string field; std::getline(list, field, ',');) names.push_back(field);
-  }
-  [[nodiscard]] bool contains(const std::string& name) const {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  }
+/// The names of what a group of a file should hold.
+[[nodiscard]] inline std::vector<std::string> fields_listed(RecordingSource& source, const std::string& group) {
+  return parts_of(source.text_attribute(group, kFieldsAttribute));
+}
 
-  std::vector<std::string> names;
-};
+[[nodiscard]] inline bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 /// Writes settings into a group.
 class SettingsWriter {
@@ -49,13 +46,12 @@ class SettingsWriter {
   void operator()(const char* name, const char* unit, const std::vector<double>& values) {
     write(name, unit, values.data(), values.size());
   }
-  void operator()(const char* name, const std::size_t& value) {
+  template <std::integral Whole>
+  void operator()(const char* name, const Whole& value) {
     const auto number = std::uint64_t(value);
     note(name);
     hdf5::write_attribute(hdf5::write_array(group_, name, &number, {1}).get(), "unit", "1");
   }
-  void operator()(const char* name, const int& value) { (*this)(name, std::size_t(value)); }
-  void operator()(const char* name, const bool& value) { (*this)(name, std::size_t(value)); }
   void operator()(const char* name, const std::string& text) {
     note(name);
     hdf5::write_text(group_, name, text);
@@ -77,10 +73,7 @@ class SettingsWriter {
     note(name);
     hdf5::write_attribute(hdf5::write_array(group_, name, values, {count}).get(), "unit", unit);
   }
-  void note(const char* name) {
-    if (!names_.empty()) names_ += ',';
-    names_ += name;
-  }
+  void note(const char* name) { append_part(names_, name); }
 
   hid_t group_;
   std::string names_;
@@ -90,7 +83,7 @@ class SettingsWriter {
 class SettingsReader {
  public:
   SettingsReader(RecordingSource& source, const std::string& group)
-      : source_(source), name_(group), listed_(source, group) {}
+      : source_(source), name_(group), listed_(fields_listed(source, group)) {}
 
   void operator()(const char* name, const char* /*unit*/, double& value) {
     if (has(name)) value = only(name, source_.reals(at(name)));
@@ -101,14 +94,9 @@ class SettingsReader {
   void operator()(const char* name, const char* /*unit*/, std::vector<double>& values) {
     if (has(name)) values = source_.reals(at(name));
   }
-  void operator()(const char* name, std::size_t& value) {
-    if (has(name)) value = std::size_t(only(name, source_.whole_numbers(at(name))));
-  }
-  void operator()(const char* name, int& value) {
-    if (has(name)) value = int(only(name, source_.whole_numbers(at(name))));
-  }
-  void operator()(const char* name, bool& value) {
-    if (has(name)) value = only(name, source_.whole_numbers(at(name))) != 0;
+  template <std::integral Whole>
+  void operator()(const char* name, Whole& value) {
+    if (has(name)) value = Whole(only(name, source_.whole_numbers(at(name))));
   }
   void operator()(const char* name, std::string& text) {
     if (has(name)) text = source_.text(at(name));
@@ -129,8 +117,8 @@ class SettingsReader {
 
   /// @throws Error when the group holds something that was not asked for
   void close() const {
-    for (const std::string& field : listed_.names)
-      if (std::find(asked_.begin(), asked_.end(), field) == asked_.end())
+    for (const std::string& field : listed_)
+      if (!contains(asked_, field))
         throw Error("it has '" + name_ + "/" + field +
                     "', which this version of hapticut does not know; use a newer version");
   }
@@ -141,7 +129,7 @@ class SettingsReader {
   bool has(const char* name) {
     asked_.emplace_back(name);
     if (source_.exists(at(name))) return true;
-    if (!listed_.contains(name)) return false;
+    if (!contains(listed_, name)) return false;
     throw Error("it lacks '" + name_ + "/" + name + "'");
   }
   template <class Number>
@@ -153,8 +141,7 @@ class SettingsReader {
 
   RecordingSource& source_;
   std::string name_;
-  FieldList listed_;
-  std::vector<std::string> asked_;
+  std::vector<std::string> listed_, asked_;
 };
 
 /// A field as data sets.

@@ -13,6 +13,7 @@
 #include "hapticut/workpiece/openvdb.hpp"
 #include "io/atomic_file.hpp"
 #include "io/file_errors.hpp"
+#include "io/text_lines.hpp"
 #include "io/vdb/vdb_bytes.hpp"
 #include "io/vdb/vdb_check.hpp"
 #include "workpiece/grids.hpp"
@@ -62,17 +63,14 @@ Pose pose_of(const openvdb::Mat4d& matrix) {
 }
 
 void describe(const Workpiece& workpiece, openvdb::MetaMap& meta) {
-  meta.insertMeta(kFormatKey, openvdb::Int32Metadata(kFormat));
-  meta.insertMeta(kUnitKey, openvdb::DoubleMetadata(kUnit));
-  meta.insertMeta(kVoxelSizeKey, openvdb::DoubleMetadata(workpiece.voxel_size()));
-  meta.insertMeta(kPoseKey, openvdb::Mat4DMetadata(matrix_of(workpiece.frame().X_WV)));
-  meta.insertMeta(kMaterialsKey, openvdb::Int32Metadata(workpiece.materials().size()));
+  write_meta(meta, kFormatKey, kFormat);
+  write_meta(meta, kUnitKey, kUnit);
+  write_meta(meta, kVoxelSizeKey, workpiece.voxel_size());
+  write_meta(meta, kPoseKey, matrix_of(workpiece.frame().X_WV));
+  write_meta(meta, kMaterialsKey, int(workpiece.materials().size()));
   std::string fields;
-  for_each_field<Material>([&](const auto& field) {
-    if (!fields.empty()) fields += ',';
-    fields += field.name;
-  });
-  meta.insertMeta(kFieldsKey, openvdb::StringMetadata(fields));
+  for_each_field<Material>([&](const auto& field) { append_part(fields, field.name); });
+  write_meta(meta, kFieldsKey, fields);
   int id = 0;
   for (const Material& material : workpiece.materials().all()) {
     ++id;
@@ -127,8 +125,7 @@ VdbFile read_grids(std::string bytes) {
 
 std::string list_of(const VdbFile& file) {
   std::string list;
-  for (const VdbEntry& entry : file.entries)
-    list += (list.empty() ? "" : ", ") + ("'" + entry.name + "' (" + entry.type + ")");
+  for (const VdbEntry& entry : file.entries) append_part(list, "'" + entry.name + "' (" + entry.type + ")", ", ");
   return list.empty() ? "no grid at all" : list;
 }
 
@@ -164,15 +161,13 @@ void read_meta(const openvdb::MetaMap& meta, const std::string& key, std::option
 /// The fields that a file has of each material.
 /// @throws Error when one of them is unknown here
 std::vector<std::string> fields_in(const openvdb::MetaMap& meta) {
-  std::istringstream list(require_meta<std::string>(meta, kFieldsKey));
-  std::vector<std::string> names;
-  for (std::string name; std::getline(list, name, ',');) {
+  std::vector<std::string> names = parts_of(require_meta<std::string>(meta, kFieldsKey));
+  for (const std::string& name : names) {
     bool known = false;
     for_each_field<Material>([&](const auto& field) { known |= name == field.name; });
     if (!known)
       throw Error("its materials have a '" + name +
                   "', which this version of hapticut does not know; use a newer one.");
-    names.push_back(name);
   }
   return names;
 }

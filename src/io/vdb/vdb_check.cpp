@@ -14,10 +14,6 @@ constexpr std::uint32_t kOldestFormat = 222;  // of 2012; before it, a node was 
 constexpr char kDelayedLoading[] = "__delayedload";
 constexpr char kHalf[] = "_HalfFloat";
 
-[[noreturn]] void damaged(const std::string& what) {
-  throw Error("its " + what + ": it is damaged. Get a complete copy.");
-}
-
 std::string_view take_string(ByteReader& in) { return in.take(in.take<std::uint32_t>()); }
 
 /// OpenVDB stops at the first character that does not belong there, and takes the rest for what follows.
@@ -40,8 +36,8 @@ bool check_header(ByteReader& in) {
                 " can be read. Save it again with another version of the program that wrote it.");
   in.take(8);  // version of the library
   const auto offsets = in.take<std::uint8_t>();
-  if (offsets > 1) damaged("header is unreadable");
-  if (!is_unique_id(in.take(36))) damaged("unique id is unreadable");
+  if (offsets > 1) damaged_vdb("header is unreadable");
+  if (!is_unique_id(in.take(36))) damaged_vdb("unique id is unreadable");
   return offsets == 1;
 }
 
@@ -57,7 +53,7 @@ bool check_metadata(ByteReader& in, std::string& bytes) {
     const std::size_t end_of_type = in.position();
     const std::string_view value = take_string(in);
     if (name == openvdb::GridBase::META_SAVE_HALF_FLOAT) {
-      if (type != "bool") damaged("metadata have an entry of the wrong type");
+      if (type != "bool") damaged_vdb("metadata have an entry of the wrong type");
       half = !value.empty() && value[0] != 0;
     }
     if (type == kDelayedLoading) {
@@ -65,9 +61,9 @@ bool check_metadata(ByteReader& in, std::string& bytes) {
       bytes[end_of_type - 1] = '_';
     } else if (type != "string" && openvdb::Metadata::isRegisteredType(type)) {
       if (value.size() != openvdb::Metadata::createMetadata(type)->size())
-        damaged("metadata have an entry of the wrong length");
+        damaged_vdb("metadata have an entry of the wrong length");
       if (type == "bool" && std::uint8_t(value[0]) > 1)
-        damaged("metadata have an entry that is neither true nor false");
+        damaged_vdb("metadata have an entry that is neither true nor false");
     }
   }
   return half;
@@ -89,7 +85,7 @@ void check_transform(ByteReader& in, bool nested = false) {
     in.take(2 * kVector + 2 * sizeof(double));
     check_transform(in, true);
   } else
-    damaged("transform is of an unknown kind");
+    damaged_vdb("transform is of an unknown kind");
 }
 
 /// "Tree_float_5_4_3_HalfFloat" -> "float".
@@ -113,7 +109,7 @@ std::vector<VdbEntry> check_vdb(std::string& bytes) {
   check_metadata(in, bytes);
   const std::size_t at_count = in.position();
   const auto count = in.take<std::int32_t>();
-  if (count < 0) damaged("number of grids is negative");
+  if (count < 0) damaged_vdb("number of grids is negative");
 
   std::vector<VdbEntry> entries;
   std::vector<std::pair<std::size_t, std::size_t>> unusable;  // first and last + 1 byte of grids to take out

@@ -25,6 +25,12 @@ struct VdbEntry {
 /// @throws Error  what is wrong with the file, as a sentence that begins with "it" or "its"
 std::vector<VdbEntry> check_vdb(std::string& bytes);
 
+/// @param what  "tree is not in order"
+/// @throws Error  that it is so, and the file damaged
+[[noreturn]] inline void damaged_vdb(const std::string& what) {
+  throw Error("its " + what + ": it is damaged. Get a complete copy.");
+}
+
 /// How the values of one grid are stored.
 struct VdbStorage {
   std::uint32_t compression = 0;  ///< flags of openvdb::io

@@ -19,10 +19,6 @@ constexpr std::int32_t kUpperEdge = 4096;        // [voxels] of a node of the up
 constexpr std::int32_t kFarthest = 1 << 30;      // [voxels] leaves room for sums of indices
 constexpr std::size_t kFewestBytesOfBlosc = 16;  // length of its header
 
-[[noreturn]] void damaged(const char* what) {
-  throw Error(std::string("its ") + what + ": it is damaged. Get a complete copy.");
-}
-
 /// A bit per entry of a node.
 class Mask {
  public:
@@ -54,20 +50,20 @@ class TreeWalk {
   TreeWalk(ByteReader& in, const VdbStorage& storage) : in_(in), storage_(storage) {}
 
   void walk() {
-    if (in_.take<std::int32_t>() != 1) damaged("tree has an unknown number of buffers");
+    if (in_.take<std::int32_t>() != 1) damaged_vdb("tree has an unknown number of buffers");
     in_.take(kValueSize);  // background
     const auto tiles = in_.take<std::uint32_t>();
     const auto children = in_.take<std::uint32_t>();
     for (std::uint32_t n = 0; n < tiles; ++n) {
       take_origin();
       in_.take(kValueSize);
-      if (in_.take<std::uint8_t>() > 1) damaged("tree has a region that is neither on nor off");
+      if (in_.take<std::uint8_t>() > 1) damaged_vdb("tree has a region that is neither on nor off");
     }
     std::array<std::int32_t, 3> last{};
     for (std::uint32_t n = 0; n < children; ++n) {
       const auto origin = take_origin();
       // OpenVDB reads the nodes in the order of the file, but their values in the order of their places.
-      if (n > 0 && origin <= last) damaged("tree is not in order");
+      if (n > 0 && origin <= last) damaged_vdb("tree is not in order");
       last = origin;
       walk_upper();
     }
@@ -83,7 +79,7 @@ class TreeWalk {
     for (auto& coordinate : origin) {
       coordinate = in_.take<std::int32_t>();
       if (coordinate % kUpperEdge != 0 || coordinate < -kFarthest || coordinate > kFarthest)
-        damaged("tree has a region at an impossible place");
+        damaged_vdb("tree has a region at an impossible place");
     }
     return origin;
   }
@@ -92,7 +88,7 @@ class TreeWalk {
   std::uint64_t walk_node(std::uint64_t entries) {
     const Mask children(in_, entries);
     const Mask values(in_, entries);
-    if (children.overlaps(values)) damaged("tree has a node that is a region as well");
+    if (children.overlaps(values)) damaged_vdb("tree has a node that is a region as well");
     walk_values(entries, values);
     return children.count();
   }
@@ -109,7 +105,7 @@ class TreeWalk {
   void walk_values(std::uint64_t entries, const Mask& active) {
     using namespace openvdb::io;
     const int kind = in_.take<std::uint8_t>();
-    if (kind > NO_MASK_AND_ALL_VALS) damaged("values have an unknown encoding");
+    if (kind > NO_MASK_AND_ALL_VALS) damaged_vdb("values have an unknown encoding");
     if (kind == NO_MASK_AND_ONE_INACTIVE_VAL || kind == MASK_AND_ONE_INACTIVE_VAL) in_.take(kValueSize);
     if (kind == MASK_AND_TWO_INACTIVE_VALS) in_.take(2 * kValueSize);
     if (kind == MASK_AND_NO_INACTIVE_VALS || kind == MASK_AND_ONE_INACTIVE_VAL || kind == MASK_AND_TWO_INACTIVE_VALS)
@@ -131,7 +127,7 @@ class TreeWalk {
     }
     const auto length = in_.take<std::int64_t>();  // negative: not compressed
     if (length <= 0) {
-      if (std::uint64_t(0) - std::uint64_t(length) != size) damaged("values have an impossible length");
+      if (std::uint64_t(0) - std::uint64_t(length) != size) damaged_vdb("values have an impossible length");
       in_.take(size);
       return;
     }
@@ -142,13 +138,14 @@ class TreeWalk {
 
   /// Versions and flags; bytes after and before decompression, between them the size of a block.
   static void check_head_of_blosc(std::string_view packed, std::uint64_t size) {
-    if (packed.size() < kFewestBytesOfBlosc) damaged("compressed values are too short");
+    if (packed.size() < kFewestBytesOfBlosc) damaged_vdb("compressed values are too short");
     ByteReader head(packed);
     head.take(4);
     const auto unpacked_bytes = head.take<std::uint32_t>();
     head.take(4);
     const auto packed_bytes = head.take<std::uint32_t>();
-    if (unpacked_bytes != size || packed_bytes != packed.size()) damaged("compressed values have an impossible length");
+    if (unpacked_bytes != size || packed_bytes != packed.size())
+      damaged_vdb("compressed values have an impossible length");
   }
 
   /// OpenVDB loses the memory of a node whose values it cannot unpack, 270 kB each time; that of a leaf it does not.
@@ -160,7 +157,7 @@ class TreeWalk {
     try {
       (blosc ? openvdb::io::bloscFromStream : openvdb::io::unzipFromStream)(stream, values.data(), values.size());
     } catch (const openvdb::Exception&) {
-      damaged("compressed values cannot be unpacked");
+      damaged_vdb("compressed values cannot be unpacked");
     }
   }
 

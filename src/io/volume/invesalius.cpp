@@ -126,13 +126,10 @@ RawImage parse_invesalius(std::string_view bytes) {
   require_sane_dims({shape[2], shape[1], shape[0]});
   image.geometry.dims = {int(shape[2]), int(shape[1]), int(shape[0])};
   image.geometry.spacing_mm = list.three_numbers("spacing");
-  const double needed = 2 * shape.prod();
-  const std::string values = ProjectArchive(bytes).read(list.get("matrix/filename"), needed);
-  if (double(values.size()) != needed)
-    throw Error("it has " + std::to_string(values.size()) + " bytes of values, but its shape needs " +
-                format_number(needed) + ".");
-  const auto* first = reinterpret_cast<const std::byte*>(values.data());
-  image.bytes.assign(first, first + values.size());
+  image.bytes = ProjectArchive(bytes).read(list.get("matrix/filename"), double(image.needed()));
+  if (image.bytes.size() != image.needed())
+    throw Error("it has " + std::to_string(image.bytes.size()) + " bytes of values, but its shape needs " +
+                std::to_string(image.needed()) + ".");
   return image;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <optional>
 #include <vector>
@@ -63,16 +62,14 @@ MetaHeader parse_meta_header(std::string_view bytes) {
 }
 
 ValueType type_of_meta(const std::string& name) {
-  static const std::map<std::string, ValueType> kTypes = {
-      {"MET_UCHAR", ValueType::uint8},       {"MET_CHAR", ValueType::int8},       {"MET_USHORT", ValueType::uint16},
-      {"MET_SHORT", ValueType::int16},       {"MET_UINT", ValueType::uint32},     {"MET_INT", ValueType::int32},
-      {"MET_ULONG_LONG", ValueType::uint64}, {"MET_LONG_LONG", ValueType::int64}, {"MET_FLOAT", ValueType::float32},
-      {"MET_DOUBLE", ValueType::float64}};
-  const auto found = kTypes.find(name);
-  if (found == kTypes.end())
-    throw Error("its values are of type " + in_quotes(name) +
-                ", which is not read; save them as MET_SHORT, MET_INT or MET_FLOAT.");
-  return found->second;
+  using enum ValueType;
+  static constexpr std::pair<std::string_view, ValueType> kTypes[] = {
+      {"MET_UCHAR", uint8},     {"MET_CHAR", int8},     {"MET_USHORT", uint16}, {"MET_SHORT", int16},
+      {"MET_UINT", uint32},     {"MET_INT", int32},     {"MET_FLOAT", float32}, {"MET_ULONG_LONG", uint64},
+      {"MET_LONG_LONG", int64}, {"MET_DOUBLE", float64}};
+  if (const ValueType* type = found_in(kTypes, name)) return *type;
+  throw Error("its values are of type " + in_quotes(name) +
+              ", which is not read; save them as MET_SHORT, MET_INT or MET_FLOAT.");
 }
 
 /// The numbers of a field that has several names; `otherwise` when it is absent.
@@ -94,15 +91,11 @@ std::vector<double> numbers(const MetaHeader& header, const std::vector<std::str
 FileGeometry geometry_in(const MetaHeader& header, std::size_t dimensions) {
   const auto dims = numbers(header, {"DimSize"}, std::vector<double>(dimensions, 0));
   require_sane_dims({dims[0], dims[1], dims[2]});
-  for (std::size_t axis = 3; axis < dimensions; ++axis)
-    if (dims[axis] != 1)
-      throw Error("it has " + format_number(dims[axis]) +
-                  " volumes or values per sample; take one volume out of it first.");
+  for (std::size_t axis = 3; axis < dimensions; ++axis) require_one_volume(dims[axis]);
   constexpr std::pair<std::string_view, double> kUnits[] = {{"mm", 1}, {"um", 1e-3}, {"cm", 10}, {"m", 1000}};  // [mm]
   const std::string unit = header.get("DistanceUnits", "mm");
-  const auto* known =
-      std::find_if(std::begin(kUnits), std::end(kUnits), [&](const auto& u) { return u.first == unit; });
-  if (known == std::end(kUnits))
+  const double* const unit_mm = found_in(kUnits, unit);
+  if (unit_mm == nullptr)
     throw Error("its field 'DistanceUnits' is " + in_quotes(unit) + "; it must be mm, um, cm or m.");
   const std::vector<double> zeros(dimensions, 0);
   const auto spacing = numbers(header, {"ElementSpacing", "ElementSize"}, zeros);
@@ -113,10 +106,11 @@ FileGeometry geometry_in(const MetaHeader& header, std::size_t dimensions) {
   FileGeometry geometry;
   for (unsigned axis = 0; axis < 3; ++axis) {
     geometry.dims[axis] = int(dims[axis]);
-    geometry.spacing_mm[axis] = known->second * spacing[axis];
-    geometry.origin_mm[axis] = known->second * origin[axis];
+    geometry.spacing_mm[axis] = spacing[axis];
+    geometry.origin_mm[axis] = origin[axis];
     for (unsigned row = 0; row < 3; ++row) geometry.direction(row, axis) = matrix[dimensions * axis + row];
   }
+  geometry.scale(*unit_mm);
   return geometry;
 }
 
@@ -138,21 +132,16 @@ void take_values(const MetaHeader& header, std::string_view bytes, const DataFil
   const std::string elsewhere = local ? std::string() : data_file(name);
   const std::string_view data = local ? bytes.substr(header.end) : std::string_view(elsewhere);
   const std::int64_t skip = header_size(header, local);
-  const double needed =
-      double(image.geometry.dims[0]) * image.geometry.dims[1] * image.geometry.dims[2] * double(size_of(image.type));
+  const std::uint64_t count = image.needed();
   const bool compressed = header.is_true("CompressedData");
-  require_bytes(needed, double(data.size()) - double(std::max<std::int64_t>(skip, 0)),
+  require_bytes(double(count), double(data.size()) - double(std::max<std::int64_t>(skip, 0)),
                 compressed ? kDeflate : kNotCompressed);
-  const auto count = std::size_t(needed);
   if (!local && !compressed && skip != -1) require_no_more(std::uint64_t(skip) + count, data.size());
-  image.bytes.resize(count);
-  if (compressed) {
-    const std::string values = unpack_gzip(data, count);
-    if (values.size() != count) throw Error("its compressed data are damaged or cut short.");
-    std::memcpy(image.bytes.data(), values.data(), count);
-  } else {
-    std::memcpy(image.bytes.data(), data.data() + (skip == -1 ? data.size() - count : std::size_t(skip)), count);
-  }
+  if (compressed)
+    image.bytes = unpack_gzip(data, count);
+  else
+    image.bytes = data.substr(skip == -1 ? data.size() - count : std::size_t(skip), count);
+  if (image.bytes.size() != count) throw Error("its compressed data are damaged or cut short.");
   if (header.is_true("BinaryDataByteOrderMSB") || header.is_true("ElementByteOrderMSB")) swap_bytes(image);
 }
 
@@ -161,9 +150,7 @@ void take_values(const MetaHeader& header, std::string_view bytes, const DataFil
 RawImage parse_meta_image(std::string_view bytes, const DataFile& data_file) {
   const MetaHeader header = parse_meta_header(bytes);
   const std::int64_t dimensions = parse_whole(header.get("NDims", "0")).value_or(0);
-  if (dimensions < 3 || dimensions > 10)
-    throw Error("it has " + std::to_string(dimensions) +
-                " dimensions; a volume has three. Take one volume out of it, or put its slices together.");
+  require_dimensions(double(dimensions), 10);
   const std::string channels = header.get("ElementNumberOfChannels", "1");
   if (channels != "1") throw Error("it has " + in_quotes(channels) + " values per sample; a volume has one.");
   if (numbers(header, {"ElementToIntensityFunctionSlope"}, {1}) != std::vector<double>{1} ||

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "io/byte_reader.hpp"
+#include "io/text_lines.hpp"
 #include "io/volume/formats.hpp"
 #include "io/volume/unpack.hpp"
 
@@ -99,31 +100,13 @@ NiftiHeader parse_nifti_header(std::string_view bytes) {
 }
 
 ValueType type_of_nifti(int code) {
-  switch (code) {
-    case 2:
-      return ValueType::uint8;
-    case 4:
-      return ValueType::int16;
-    case 8:
-      return ValueType::int32;
-    case 16:
-      return ValueType::float32;
-    case 64:
-      return ValueType::float64;
-    case 256:
-      return ValueType::int8;
-    case 512:
-      return ValueType::uint16;
-    case 768:
-      return ValueType::uint32;
-    case 1024:
-      return ValueType::int64;
-    case 1280:
-      return ValueType::uint64;
-    default:
-      throw Error("its values are of type " + std::to_string(code) +
-                  ", which is not read; save it as grey values or labels.");
-  }
+  using enum ValueType;
+  static constexpr std::pair<int, ValueType> kTypes[] = {{2, uint8},    {4, int16},    {8, int32},    {16, float32},
+                                                         {64, float64}, {256, int8},   {512, uint16}, {768, uint32},
+                                                         {1024, int64}, {1280, uint64}};
+  if (const ValueType* type = found_in(kTypes, code)) return *type;
+  throw Error("its values are of type " + std::to_string(code) +
+              ", which is not read; save it as grey values or labels.");
 }
 
 Mat3 rotation_of(const NiftiHeader& h) {
@@ -151,28 +134,18 @@ FileGeometry geometry_of_nifti(const NiftiHeader& h) {
     }
     // Files have x to the right and y to the front.
     const Vec3 signs(-1, -1, 1);
-    axes = signs.asDiagonal() * axes;
+    geometry.set_axes(signs.asDiagonal() * axes);
     geometry.origin_mm = signs.cwiseProduct(geometry.origin_mm).eval();
-    for (int axis = 0; axis < 3; ++axis) {
-      geometry.spacing_mm[axis] = axes.col(axis).norm();
-      geometry.direction.col(axis) = axes.col(axis) / axes.col(axis).norm();
-    }
   }
   constexpr int kMetre = 1, kMicron = 3, kSpace = 7;
-  const double unit_mm = (h.units & kSpace) == kMetre ? 1e3 : (h.units & kSpace) == kMicron ? 1e-3 : 1;
-  geometry.spacing_mm *= unit_mm;
-  geometry.origin_mm *= unit_mm;
+  geometry.scale((h.units & kSpace) == kMetre ? 1e3 : (h.units & kSpace) == kMicron ? 1e-3 : 1);
   return geometry;
 }
 
 double bytes_needed(const NiftiHeader& h) {
-  if (!(h.dim[0] >= 3 && h.dim[0] <= 7))
-    throw Error("it has " + format_number(h.dim[0]) + " dimensions; a volume has three.");
+  require_dimensions(h.dim[0], 7);
   require_sane_dims({h.dim[1], h.dim[2], h.dim[3]});
-  for (std::size_t n = 4; n <= std::size_t(h.dim[0]); ++n)
-    if (h.dim[n] > 1)
-      throw Error("it has " + format_number(h.dim[n]) +
-                  " volumes or values per sample; take one volume out of it first.");
+  for (std::size_t n = 4; n <= std::size_t(h.dim[0]); ++n) require_one_volume(std::max(1.0, h.dim[n]));
   if (h.offset != std::floor(h.offset) || !std::isfinite(h.offset))
     throw Error("its values would begin at byte " + format_number(h.offset) + "; it is damaged. Get a complete copy.");
   return h.offset + h.dim[1] * h.dim[2] * h.dim[3] * double(size_of(type_of_nifti(h.type)));
@@ -182,13 +155,12 @@ double bytes_needed(const NiftiHeader& h) {
 void scale(const NiftiHeader& h, RawImage& image) {
   if (h.slope == 0 || !std::isfinite(h.slope) || (h.slope == 1 && h.intercept == 0)) return;
   if (!std::isfinite(h.intercept)) throw Error("the offset of its values is not a finite number.");
-  std::vector<std::byte> scaled(image.bytes.size() / size_of(image.type) * sizeof(float));
+  std::string scaled;
+  scaled.reserve(image.bytes.size() / size_of(image.type) * sizeof(float));
   with_value_type(image.type, [&](auto stored) {
-    const std::byte* from = image.bytes.data();
-    for (std::size_t to = 0; to < scaled.size(); to += sizeof(float), from += sizeof stored) {
-      std::memcpy(&stored, from, sizeof stored);
-      const auto value = float(double(stored) * h.slope + h.intercept);
-      std::memcpy(scaled.data() + to, &value, sizeof value);
+    for (std::size_t from = 0; from < image.bytes.size(); from += sizeof stored) {
+      std::memcpy(&stored, image.bytes.data() + from, sizeof stored);
+      append_bytes_of(scaled, float(double(stored) * h.slope + h.intercept));
     }
   });
   image.bytes = std::move(scaled);
@@ -202,8 +174,7 @@ RawImage parse_unpacked(std::string_view bytes) {
   RawImage image;
   image.type = type_of_nifti(header.type);
   image.geometry = geometry_of_nifti(header);
-  const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
-  image.bytes.assign(first + std::size_t(header.offset), first + std::size_t(needed));
+  image.bytes = bytes.substr(std::size_t(header.offset), image.needed());
   if (header.swapped) swap_bytes(image);
   scale(header, image);
   return image;

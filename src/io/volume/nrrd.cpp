@@ -18,11 +18,6 @@ namespace {
 // The library that other programs read this format with copies lines of a header into a buffer of fixed length, and
 // takes `left-anterior-superior` for `right-anterior-superior`'s mirror image; so the format is read here.
 
-std::uint64_t samples_of(const NrrdHeader& header) {
-  const auto& dims = header.geometry.dims;
-  return std::uint64_t(dims[0]) * std::uint64_t(dims[1]) * std::uint64_t(dims[2]);
-}
-
 /// Whether unpacked data begin with the header of a NIfTI file, and where its values start.
 std::uint64_t nifti_header_in(const std::string& data) {
   if (data.size() < 352 || data.compare(344, 4, "n+1", 4) != 0) return 0;
@@ -54,19 +49,17 @@ std::size_t after_lines(std::string_view data, std::int64_t count) {
 
 /// Numbers as text, in the type that the header names.
 template <class Value>
-void append_value(double number, std::vector<std::byte>& bytes) {
+void append_value(double number, std::string& bytes) {
   if constexpr (std::is_integral_v<Value>) {
     const double end = std::ldexp(1.0, std::numeric_limits<Value>::digits);  // the first that does not fit
     if (!(number >= double(std::numeric_limits<Value>::min()) && number < end && number == std::floor(number)))
       throw Error("it has the value " + format_number(number) + ", which does not fit its type.");
   }
-  const auto value = Value(number);
-  const auto* first = reinterpret_cast<const std::byte*>(&value);
-  bytes.insert(bytes.end(), first, first + sizeof value);
+  append_bytes_of(bytes, Value(number));
 }
 
-std::vector<std::byte> parse_text_values(std::string_view text, ValueType type, std::uint64_t count) {
-  std::vector<std::byte> bytes;
+std::string parse_text_values(std::string_view text, ValueType type, std::uint64_t count) {
+  std::string bytes;
   TextLines words(text);
   for (std::uint64_t n = 0; n < count; ++n) {
     std::string_view word = words.word_of_any_line();
@@ -95,7 +88,7 @@ std::string from_hex(std::string_view text) {
   return bytes;
 }
 
-std::vector<std::byte> parse_nrrd_values(const NrrdHeader& header, std::string_view data, std::uint64_t samples) {
+std::string parse_nrrd_values(const NrrdHeader& header, std::string_view data, std::uint64_t samples) {
   const std::uint64_t needed = samples * size_of(header.type);
   data.remove_prefix(after_lines(data, header.line_skip));
   if (header.encoding == "ascii") {
@@ -115,8 +108,7 @@ std::vector<std::byte> parse_nrrd_values(const NrrdHeader& header, std::string_v
   const std::uint64_t offset = values_offset(header, nifti, values.size(), needed);
   require_bytes(double(offset) + double(needed), double(values.size()), kNotCompressed);
   if (header.byte_skip >= 0 && !header.data_files.empty()) require_no_more(offset + needed, values.size());
-  const auto* first = reinterpret_cast<const std::byte*>(values.data()) + offset;
-  return {first, first + needed};
+  return std::string(values.substr(offset, needed));
 }
 
 }  // namespace
@@ -126,16 +118,12 @@ RawImage parse_nrrd(std::string_view bytes, const DataFile& data_file) {
   RawImage image;
   image.type = header.type;
   image.geometry = header.geometry;
-  const std::uint64_t samples = samples_of(header), files = std::max<std::size_t>(1, header.data_files.size());
+  const std::uint64_t samples = image.needed() / size_of(image.type),
+                      files = std::max<std::size_t>(1, header.data_files.size());
   if (samples % files != 0) throw Error("its samples cannot be shared among its " + std::to_string(files) + " files.");
-  if (header.data_files.empty()) {
-    image.bytes = parse_nrrd_values(header, bytes.substr(header.end), samples);
-  } else {
-    for (const std::string& name : header.data_files) {
-      const std::vector<std::byte> part = parse_nrrd_values(header, data_file(name), samples / files);
-      image.bytes.insert(image.bytes.end(), part.begin(), part.end());
-    }
-  }
+  if (header.data_files.empty()) image.bytes = parse_nrrd_values(header, bytes.substr(header.end), samples);
+  for (const std::string& name : header.data_files)
+    image.bytes += parse_nrrd_values(header, data_file(name), samples / files);
   if (header.big_endian != (std::endian::native == std::endian::big)) swap_bytes(image);
   return image;
 }

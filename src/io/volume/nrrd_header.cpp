@@ -50,15 +50,15 @@ struct NrrdUnit {
 /// A unit by any of its usual names; none is the millimetre.
 NrrdUnit unit_named(std::string_view text) {
   // Greek mu stands at two places of Unicode, and at one of Latin-1.
-  static const std::map<std::string, double> kUnits = {
+  static constexpr std::pair<std::string_view, double> kUnits[] = {
       {"", 1},      {"m", 1e3},           {"meter", 1e3},      {"metre", 1e3},       {"cm", 10},
       {"mm", 1},    {"centimeter", 10},   {"centimetre", 10},  {"millimeter", 1},    {"millimetre", 1},
       {"um", 1e-3}, {"micrometer", 1e-3}, {"micron", 1e-3},    {"micrometre", 1e-3}, {"\xc2\xb5m", 1e-3},
       {"nm", 1e-6}, {"nanometer", 1e-6},  {"nanometre", 1e-6}, {"\xce\xbcm", 1e-3},  {"\xb5m", 1e-3}};
   std::string name = lower_case(trimmed(text));
   if (name.size() > 2 && name.ends_with('s')) name.pop_back();
-  const auto known = kUnits.find(name);
-  return known == kUnits.end() ? NrrdUnit{1, std::string(text)} : NrrdUnit{known->second};
+  const double* const mm = found_in(kUnits, name);
+  return mm == nullptr ? NrrdUnit{1, std::string(text)} : NrrdUnit{*mm};
 }
 
 /// The unit that these axes have, e.g. `"mm" "mm" "mm"`.
@@ -86,16 +86,14 @@ bool has_time(std::string_view space) { return space.ends_with("-time") || (spac
 /// does not count.
 Vec3 signs_of_space(std::string name) {
   if (has_time(name)) name.resize(name.size() == 4 ? 3 : name.find("-time"));
-  static const std::map<std::string, Vec3> kSigns = {
+  static const std::pair<std::string_view, Vec3> kSigns[] = {
       {"right-anterior-superior", Vec3(-1, -1, 1)}, {"ras", Vec3(-1, -1, 1)},
       {"left-anterior-superior", Vec3(1, -1, 1)},   {"las", Vec3(1, -1, 1)},
       {"left-posterior-superior", Vec3(1, 1, 1)},   {"lps", Vec3(1, 1, 1)}};
-  const auto found = kSigns.find(name);
-  if (found == kSigns.end())
-    throw Error("its field 'space' is " + in_quotes(name) +
-                ", which does not say where left, back and head of the patient are; write left-posterior-superior, "
-                "right-anterior-superior or left-anterior-superior, whichever it is, into its header.");
-  return found->second;
+  if (const Vec3* signs = found_in(kSigns, name)) return *signs;
+  throw Error("its field 'space' is " + in_quotes(name) +
+              ", which does not say where left, back and head of the patient are; write left-posterior-superior, "
+              "right-anterior-superior or left-anterior-superior, whichever it is, into its header.");
 }
 
 /// The lines of a header, and what they say before it is put together.
@@ -181,13 +179,13 @@ class NrrdFields {
     if (line.starts_with('#')) return;
     const std::size_t colon = line.find(": ");
     if (colon == std::string_view::npos || line.find(":=") < colon) return;
-    static const std::map<std::string, std::string> kOtherNames = {{"datafile", "data file"},
-                                                                   {"lineskip", "line skip"},
-                                                                   {"byteskip", "byte skip"},
-                                                                   {"axismins", "axis mins"},
-                                                                   {"centers", "centerings"}};
+    static constexpr std::pair<std::string_view, const char*> kOtherNames[] = {{"datafile", "data file"},
+                                                                               {"lineskip", "line skip"},
+                                                                               {"byteskip", "byte skip"},
+                                                                               {"axismins", "axis mins"},
+                                                                               {"centers", "centerings"}};
     std::string name = lower_case(line.substr(0, colon));
-    if (const auto other = kOtherNames.find(name); other != kOtherNames.end()) name = other->second;
+    if (const char* const* other = found_in(kOtherNames, name)) name = *other;
     if (!fields_.emplace(name, trimmed(line.substr(colon + 2))).second)
       throw Error("its field " + in_quotes(name) + " is there twice.");
   }
@@ -267,11 +265,9 @@ FileGeometry geometry_of_nrrd(const NrrdFields& fields, std::size_t dimensions) 
   if (fields.has("space directions")) {
     const Vec3 signs = fields.has("space") ? signs_of_space(lower_case(fields.get("space"))) : Vec3(1, 1, 1);
     const std::vector<Vec3> directions = fields.vectors("space directions", dimensions);
-    for (int axis = 0; axis < 3; ++axis) {
-      const Vec3 along = directions[axes[std::size_t(axis)]].cwiseProduct(signs);
-      geometry.spacing_mm[axis] = along.norm();
-      geometry.direction.col(axis) = along / along.norm();
-    }
+    Mat3 steps;
+    for (int axis = 0; axis < 3; ++axis) steps.col(axis) = directions[axes[std::size_t(axis)]].cwiseProduct(signs);
+    geometry.set_axes(steps);
     if (fields.has("space origin")) geometry.origin_mm = fields.vectors("space origin", 1)[0].cwiseProduct(signs);
   } else {
     if (fields.has("spacings")) geometry.spacing_mm = three("spacings");
@@ -289,8 +285,7 @@ FileGeometry geometry_of_nrrd(const NrrdFields& fields, std::size_t dimensions) 
   const char* units = of_space ? "space units" : "units";
   const NrrdUnit unit =
       fields.has(units) ? unit_of_nrrd(fields.get(units), of_space ? NrrdAxes{0, 1, 2} : axes) : NrrdUnit{};
-  geometry.spacing_mm *= unit.mm;
-  geometry.origin_mm *= unit.mm;
+  geometry.scale(unit.mm);
   if (geometry.spacing_mm.norm() > 0) geometry.unknown_unit = unit.unknown;
   return geometry;
 }
@@ -300,9 +295,7 @@ FileGeometry geometry_of_nrrd(const NrrdFields& fields, std::size_t dimensions) 
 NrrdHeader parse_nrrd_header(std::string_view bytes) {
   const NrrdFields fields(bytes);
   const std::int64_t dimensions = fields.whole("dimension", 0);
-  if (dimensions < 3 || dimensions > 16)
-    throw Error("it has " + std::to_string(dimensions) +
-                " dimensions; a volume has three. Take one volume out of it, or put its slices together.");
+  require_dimensions(double(dimensions), 16);
   NrrdHeader header;
   const std::optional<ValueType> type = type_of_nrrd(lower_case(fields.get("type")));
   if (!type) fields.fail("type", "a type of numbers");

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <filesystem>
-#include <vector>
+#include <string>
 
 #include "io/volume/raw_image.hpp"
 
@@ -14,10 +13,10 @@
 namespace hapticut {
 
 struct PictureFile {
-  std::array<int, 2> dims;       ///< width, height
-  unsigned channels;             ///< 1 grey, 2 with alpha, 3 colour, 4 with alpha
-  ValueType type;                ///< of a channel
-  std::vector<std::byte> bytes;  ///< row by row from the top, channels together, as the machine orders them
+  std::array<int, 2> dims;  ///< width, height
+  unsigned channels;        ///< 1 grey, 2 with alpha, 3 colour, 4 with alpha
+  ValueType type;           ///< of a channel
+  std::string bytes;        ///< row by row from the top, channels together, as the machine orders them
 };
 
 /// Palettes and depths below 8 bits are expanded; nothing is scaled.

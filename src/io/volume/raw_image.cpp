@@ -105,12 +105,6 @@ Volume<Value> to_volume(const RawImage& image, const std::filesystem::path& path
 
 }  // namespace
 
-std::size_t size_of(ValueType type) {
-  std::size_t size = 0;
-  with_value_type(type, [&](auto zero) { size = sizeof zero; });
-  return size;
-}
-
 void require_sane_dims(const std::array<double, 3>& dims) {
   const std::string claim = format_number(dims[0]) + " x " + format_number(dims[1]) + " x " + format_number(dims[2]);
   for (const double n : dims)
@@ -120,6 +114,17 @@ void require_sane_dims(const std::array<double, 3>& dims) {
   if (!(dims[0] * dims[1] * dims[2] <= double(kMaxVolumeSamples)))
     throw Error("it claims " + claim + " samples; at most " + format_number(double(kMaxVolumeSamples)) +
                 " are read. Crop or downsample it first.");
+}
+
+void require_dimensions(double dimensions, double most) {
+  if (!(dimensions >= 3 && dimensions <= most))
+    throw Error("it has " + format_number(dimensions) +
+                " dimensions; a volume has three. Take one volume out of it, or put its slices together.");
+}
+
+void require_one_volume(double samples) {
+  if (samples != 1)
+    throw Error("it has " + format_number(samples) + " volumes or values per sample; take one volume out of it first.");
 }
 
 void require_bytes(double needed, double available, double best_ratio) {

@@ -10,6 +10,7 @@
 
 #include "hapticut/core/volume.hpp"
 #include "hapticut/io/volume/volumes.hpp"
+#include "io/value_types.hpp"
 
 /// @file
 /// An image as a file stores it, and what becomes of it.
@@ -22,15 +23,31 @@ struct FileGeometry {
   Vec3 origin_mm = Vec3::Zero();      ///< of sample (0,0,0)
   Mat3 direction = Mat3::Identity();  ///< columns: directions of the grid's axes
   std::string unknown_unit = {};      ///< of spacing and origin, where the file names one that is not known
+
+  /// Sets spacing and directions.
+  /// @param steps  columns: from a sample to the next one along each axis
+  void set_axes(const Mat3& steps) {
+    spacing_mm = steps.colwise().norm();
+    direction = steps * spacing_mm.cwiseInverse().asDiagonal();
+  }
+  void scale(double unit_mm) {
+    spacing_mm *= unit_mm;
+    origin_mm *= unit_mm;
+  }
 };
 
 /// Values as stored, x fastest, in the machine's byte order.
 struct RawImage {
   FileGeometry geometry;
   ValueType type = ValueType::uint8;
-  std::vector<std::byte> bytes;
+  std::string bytes;
   std::vector<bool> padding;  ///< samples outside the field of view; shorter than the values: the others are within
 
+  /// [bytes] that the values must have.
+  [[nodiscard]] std::uint64_t needed() const {
+    return std::uint64_t(geometry.dims[0]) * std::uint64_t(geometry.dims[1]) * std::uint64_t(geometry.dims[2]) *
+           size_of(type);
+  }
   [[nodiscard]] bool is_padding(std::size_t sample) const { return sample < padding.size() && padding[sample]; }
   void mark_padding(std::size_t sample) {
     if (padding.size() <= sample) padding.resize(sample + 1);
@@ -42,39 +59,17 @@ struct RawImage {
 /// and three of directions times a spacing of 0.3 mm in NRRD. A gantry is tilted by more: half a degree.
 inline constexpr double kLargestRounding = 6e-3;
 
-[[nodiscard]] std::size_t size_of(ValueType type);
-
-/// Calls `use(Type{})` with the C++ type of the values.
-template <class Use>
-void with_value_type(ValueType type, const Use& use) {
-  switch (type) {
-    case ValueType::uint8:
-      return use(std::uint8_t{});
-    case ValueType::int8:
-      return use(std::int8_t{});
-    case ValueType::uint16:
-      return use(std::uint16_t{});
-    case ValueType::int16:
-      return use(std::int16_t{});
-    case ValueType::uint32:
-      return use(std::uint32_t{});
-    case ValueType::int32:
-      return use(std::int32_t{});
-    case ValueType::uint64:
-      return use(std::uint64_t{});
-    case ValueType::int64:
-      return use(std::int64_t{});
-    case ValueType::float32:
-      return use(float{});
-    case ValueType::float64:
-      return use(double{});
-  }
-}
-
 /// Checks that there are between 1 and kMaxVolumeSamples samples, a whole number along every axis.
 /// @param dims  any numbers that a header may claim
 /// @throws Error a sentence that begins with "it"
 void require_sane_dims(const std::array<double, 3>& dims);
+
+/// @throws Error unless there are three dimensions at least: a sentence that begins with "it"
+/// @param most  that the format can have
+void require_dimensions(double dimensions, double most);
+
+/// @throws Error unless an axis behind the third has one sample: a sentence that begins with "it"
+void require_one_volume(double samples);
 
 /// Reverses the bytes of every value.
 void swap_bytes(RawImage& image);

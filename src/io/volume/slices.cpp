@@ -127,7 +127,7 @@ RawImage read_slices(const fs::path& folder) {
     if (picture.channels != 1)
       cannot_read(file.path, "it is in colour; save grey values, or read labels with read_color_slices.");
     image.type = picture.type;
-    image.bytes.insert(image.bytes.end(), picture.bytes.begin(), picture.bytes.end());
+    image.bytes += picture.bytes;
   });
   return image;
 }

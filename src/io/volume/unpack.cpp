@@ -21,47 +21,56 @@ void append_unpacked(std::string& unpacked, const char* bytes, std::size_t count
   unpacked.append(bytes, count);
 }
 
+/// zlib, unpacking what is in memory.
+class Inflater {
+ public:
+  explicit Inflater(std::string_view packed) : left_(packed) {
+    if (inflateInit2(&stream_, kGzipOrZlib) != Z_OK) throw Error("its data cannot be unpacked.");
+  }
+  ~Inflater() { inflateEnd(&stream_); }
+  Inflater(const Inflater&) = delete;
+  Inflater& operator=(const Inflater&) = delete;
+
+  /// @return how many bytes came out
+  std::size_t unpack(char* to, std::size_t room, int flush) {
+    // zlib counts in 32 bits: large data are handed over in pieces.
+    const std::size_t give = std::min(std::size_t(1) << 30U, left_.size());
+    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(left_.data()));  // it is not written to
+    stream_.avail_in = uInt(give);
+    stream_.next_out = reinterpret_cast<Bytef*>(to);
+    stream_.avail_out = uInt(room);
+    const int status = inflate(&stream_, flush);
+    if (status != Z_OK && status != Z_STREAM_END) throw Error("its compressed data are damaged or cut short.");
+    ended_ = status == Z_STREAM_END;
+    left_.remove_prefix(give - stream_.avail_in);
+    return room - stream_.avail_out;
+  }
+
+  /// Whether nothing follows: another member may, anything else behind the last one is no part of the data.
+  bool is_done() { return ended_ && (!left_.starts_with("\x1f\x8b") || inflateReset(&stream_) != Z_OK); }
+
+ private:
+  z_stream stream_{};
+  std::string_view left_;
+  bool ended_ = false;
+};
+
 }  // namespace
 
 std::string unpack_gzip(std::string_view packed, std::uint64_t most) {
-  z_stream stream{};
-  if (inflateInit2(&stream, kGzipOrZlib) != Z_OK) throw Error("its data cannot be unpacked.");
-  const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, inflateEnd);
+  Inflater inflater(packed);
   std::vector<char> buffer(kAtOnce);
   std::string unpacked;
-  std::size_t at = 0;
-  for (bool done = false; !done;) {
-    // zlib counts in 32 bits: large data are handed over in pieces.
-    const std::size_t give = std::min(std::size_t(1) << 30U, packed.size() - at);
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data() + at));  // it is not written to
-    stream.avail_in = uInt(give);
-    stream.next_out = reinterpret_cast<Bytef*>(buffer.data());
-    stream.avail_out = uInt(buffer.size());
-    const int status = inflate(&stream, Z_NO_FLUSH);
-    at += give - stream.avail_in;
-    append_unpacked(unpacked, buffer.data(), buffer.size() - stream.avail_out, most);
-    if (status == Z_STREAM_END) {
-      // Another member may follow; anything else behind the last one is no part of the data.
-      done = packed.substr(at, 2) != "\x1f\x8b" || inflateReset(&stream) != Z_OK;
-    } else if (status != Z_OK) {
-      throw Error("its compressed data are damaged or cut short.");
-    }
-  }
+  do {
+    const std::size_t count = inflater.unpack(buffer.data(), buffer.size(), Z_NO_FLUSH);
+    append_unpacked(unpacked, buffer.data(), count, most);
+  } while (!inflater.is_done());
   return unpacked;
 }
 
 std::string start_of_gzip(std::string_view packed, std::size_t count) {
-  z_stream stream{};
-  if (inflateInit2(&stream, kGzipOrZlib) != Z_OK) throw Error("its data cannot be unpacked.");
-  const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, inflateEnd);
   std::string start(count, '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
-  stream.avail_in = uInt(std::min(kAtOnce, packed.size()));
-  stream.next_out = reinterpret_cast<Bytef*>(start.data());
-  stream.avail_out = uInt(count);
-  const int status = inflate(&stream, Z_SYNC_FLUSH);
-  if (status != Z_OK && status != Z_STREAM_END) throw Error("its compressed data are damaged or cut short.");
-  start.resize(count - stream.avail_out);
+  start.resize(Inflater(packed.substr(0, kAtOnce)).unpack(start.data(), count, Z_SYNC_FLUSH));
   return start;
 }
 

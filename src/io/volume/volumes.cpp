@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/io/volume/volumes.hpp"
 
-#include <fstream>
 #include <optional>
 #include <utility>
 
@@ -89,18 +88,14 @@ RawImage read_raw(const fs::path& path, const RawLayout& layout) {
   image.type = layout.type;
   image.geometry.dims = layout.dims;
   image.geometry.spacing_mm = layout.spacing / units::mm;
-  const std::uint64_t needed = std::uint64_t(layout.dims[0]) * std::uint64_t(layout.dims[1]) *
-                               std::uint64_t(layout.dims[2]) * size_of(layout.type);
+  const std::uint64_t needed = image.needed();
   const std::uint64_t size = readable_size(path);
   if (size < layout.skip || size - layout.skip != needed)
     cannot_read(path, "it has " + std::to_string(size) + " bytes, but its layout asks for " +
                           std::to_string(layout.skip + needed) +
                           ". Check RawLayout::dims, RawLayout::type and RawLayout::skip.");
-  image.bytes.resize(needed);
-  std::ifstream file(path, std::ios::binary);
-  file.seekg(std::streamoff(layout.skip));
-  file.read(reinterpret_cast<char*>(image.bytes.data()), std::streamsize(needed));
-  if (file.gcount() != std::streamsize(needed)) cannot_read(path, "it could not be read to its end.");
+  image.bytes = bytes_of_file(path);
+  image.bytes.erase(0, layout.skip);
   if (layout.big_endian) swap_bytes(image);
   return image;
 }

@@ -11,6 +11,7 @@
 #include "hapticut/io/volume/volume_filters.hpp"
 #include "hapticut/io/volume/volumes.hpp"
 #include "support/named_material.hpp"
+#include "support/refusals.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
 
@@ -210,12 +211,7 @@ std::string error_of_reading_part(const std::string& name, const Keep& keep) {
   for (const auto& entry : std::filesystem::directory_iterator(data_path(name)))
     if (const auto file = entry.path().filename(); keep(file.string()))
       std::filesystem::create_symlink(std::filesystem::absolute(entry.path()), folder / file.string());
-  try {
-    (void)read_grey_volume(folder / "", {.spacing = Vec3::Constant(1 * mm), .dicom_series = {}});
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { return read_grey_volume(folder / "", {.spacing = Vec3::Constant(1 * mm)}); });
 }
 
 TEST(ImportOracle, AMissingSliceIsNoticed) {
@@ -223,9 +219,9 @@ TEST(ImportOracle, AMissingSliceIsNoticed) {
   const auto few = [](const std::string& name) { return name < "hand0009.png"; };
   EXPECT_EQ(error_of_reading_part("bone/hand_lowres", few), "");
   const auto gap = [&](const std::string& name) { return few(name) && name != "hand0005.png"; };
-  EXPECT_NE(error_of_reading_part("bone/hand_lowres", gap).find("hand0006.png"), std::string::npos);
+  test::expect_part(error_of_reading_part("bone/hand_lowres", gap), "hand0006.png");
   const auto missing = [](const std::string& name) { return !name.ends_with("16580"); };
-  EXPECT_NE(error_of_reading_part("formats/example_ct_dicom", missing).find("evenly spaced"), std::string::npos);
+  test::expect_part(error_of_reading_part("formats/example_ct_dicom", missing), "evenly spaced");
 }
 
 TEST(ImportOracle, AFourthAxisOfOneSampleIsRead) {
@@ -239,13 +235,8 @@ class HostileVolume : public testing::TestWithParam<const char*> {};
 
 TEST_P(HostileVolume, IsRefusedWithAReasonThatNamesIt) {
   HAPTICUT_NEEDS_DATA(GetParam());
-  try {
-    (void)read_grey_volume(data_path(GetParam()));
-    FAIL() << "no error";
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find(GetParam()), std::string::npos) << error.what();
-    EXPECT_NE(std::string(error.what()).find("dimensions"), std::string::npos) << error.what();
-  }
+  const std::string refusal = test::refusal_of([&] { return read_grey_volume(data_path(GetParam())); });
+  for (const char* part : {GetParam(), "dimensions"}) test::expect_part(refusal, part);
 }
 
 INSTANTIATE_TEST_SUITE_P(ImportOracle, HostileVolume,

@@ -115,8 +115,10 @@ TEST(MeshFormats, AnythingThatIsWrittenIsReadBack) {
     }
     write_ply(objects[0].mesh, folder / "a.ply", unit_mm);
     write_stl(objects[0].mesh, folder / "a.stl", unit_mm);
-    for (const char* name : {"a.ply", "a.stl"})
+    write_ply({objects[0].mesh, std::vector<Color>(30, Color{1, 2, 3})}, folder / "colored.ply", unit_mm);
+    for (const char* name : {"a.ply", "a.stl", "colored.ply"})
       expect_same(read_mesh(folder / name, unit_mm).at(0).mesh, objects[0].mesh, kSinglePrecision);
+    EXPECT_THROW(write_ply({objects[0].mesh, {}}, folder / "x.ply"), Error);
   }
 }
 

@@ -9,7 +9,6 @@ namespace {
 using namespace test;
 
 // --- OBJ
-// ---------------------------------------------------------------------------------------------------------------
 
 constexpr char kCubeCorners[] =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";  // counted from 1
@@ -88,7 +87,6 @@ TEST(ObjFormat, WhatIsNoMeshIsRefusedWithTheLine) {
 }
 
 // --- OFF
-// ---------------------------------------------------------------------------------------------------------------
 
 TEST(OffFormat, CountsMayFollowTheKeyAndLinesMayHaveColors) {
   constexpr char kBody[] = "4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";

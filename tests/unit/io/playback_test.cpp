@@ -27,6 +27,18 @@ bool same(const DeviceState& a, const DeviceState& b) {
          a.valid == b.valid && a.fault == b.fault;
 }
 
+/// What a recording says of a device, reading by reading.
+std::vector<DeviceState> readings_of(PlaybackDevice& playback) {
+  std::vector<DeviceState> readings;
+  (void)playback.run(
+      [&](const DeviceState& state) {
+        readings.push_back(state);
+        return DeviceCommand{};
+      },
+      in_simulated_time());
+  return readings;
+}
+
 TEST(Playback, GivesTheReadingsOfARecordedDeviceAgain) {
   const TemporaryFolder folder;
   const auto device = open_device("mock:spiral,seconds=3,hand=nominal");
@@ -76,17 +88,12 @@ TEST(Playback, OfADeviceThatWasOnlyNamedGivesThePosesOfTheHandle) {
   const auto pose_at = [](int n) { return Pose::from_translation(Vec3(1e-5 * n, 0, 50e-3)); };
   for (int n = 0; n < 20; ++n) simulation.step(pose_at(n), {}, 1e-3);
   recorder.close();
-  const auto playback = open_playback(folder / "a.h5");
-  int n = 0;
-  (void)playback->run(
-      [&](const DeviceState& state) {
-        EXPECT_EQ(state.X_BS.translation, pose_at(n).translation) << n;
-        EXPECT_NEAR(state.time, 1e-3 * (n + 1), 1e-12);
-        ++n;
-        return DeviceCommand{};
-      },
-      in_simulated_time());
-  EXPECT_EQ(n, 20);
+  const std::vector<DeviceState> readings = readings_of(*open_playback(folder / "a.h5"));
+  ASSERT_EQ(readings.size(), 20U);
+  for (int n = 0; n < 20; ++n) {
+    EXPECT_EQ(readings[std::size_t(n)].X_BS.translation, pose_at(n).translation) << n;
+    EXPECT_NEAR(readings[std::size_t(n)].time, 1e-3 * (n + 1), 1e-12);
+  }
 }
 
 TEST(Playback, RepeatsAReadingThatCameAgainButNotThePartsOfATick) {
@@ -130,15 +137,8 @@ TEST(Playback, PlaysAPartOfARecording) {
   EXPECT_EQ(open_playback(folder / "a.h5", {150, 1000})->size(), 50U);
   EXPECT_THROW((void)open_playback(folder / "a.h5", {200}), Error);
   EXPECT_THROW((void)open_playback(folder / "a.h5", {0, 0}), Error);
-  double first = 0;
-  (void)open_playback(folder / "a.h5", {50, 1})
-      ->run(
-          [&](const DeviceState& state) {
-            first = state.X_BS.translation.z();
-            return DeviceCommand{};
-          },
-          in_simulated_time());
-  EXPECT_EQ(first, test::find_scene("axial_flat").input(50).pose.translation.z());
+  EXPECT_EQ(readings_of(*open_playback(folder / "a.h5", {50, 1})).at(0).X_BS.translation.z(),
+            test::find_scene("axial_flat").input(50).pose.translation.z());
 }
 
 TEST(Playback, OfARecordingWithoutADeviceGivesThePosesOfTheHandle) {
@@ -147,17 +147,12 @@ TEST(Playback, OfARecordingWithoutADeviceGivesThePosesOfTheHandle) {
   const auto playback = open_playback(folder / "a.h5");
   EXPECT_EQ(playback->size(), 200U);
   EXPECT_EQ(playback->capabilities().output_degrees_of_freedom, 0);
-  const test::Scene& scene = test::find_scene("axial_flat");
-  int tick = 0;
-  (void)playback->run(
-      [&](const DeviceState& state) {
-        EXPECT_TRUE(state.valid);
-        EXPECT_EQ(state.X_BS.translation, scene.input(tick).pose.translation);
-        ++tick;
-        return DeviceCommand{};
-      },
-      in_simulated_time());
-  EXPECT_EQ(tick, 200);
+  const std::vector<DeviceState> readings = readings_of(*playback);
+  ASSERT_EQ(readings.size(), 200U);
+  for (int tick = 0; tick < 200; ++tick) {
+    EXPECT_TRUE(readings[std::size_t(tick)].valid);
+    EXPECT_EQ(readings[std::size_t(tick)].X_BS.translation, test::find_scene("axial_flat").input(tick).pose.translation);
+  }
 }
 
 TEST(Playback, NeedsARecordingWithSteps) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings that somebody damaged on purpose: HDF5 finds them in order, and what they say of themselves is wrong.
+// Recordings that are none, that another version wrote, or that somebody damaged on purpose: HDF5 finds them in order,
+// and what they say of themselves is wrong.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -19,31 +20,31 @@ using test::TemporaryFolder;
 
 constexpr int kSteps = 5;
 
-std::filesystem::path recorded(const TemporaryFolder& folder) {
-  test::record_scene(folder / "a.h5", "axial_flat", kSteps);
-  return folder / "a.h5";
+/// A recording of a few steps.
+const std::string& good_recording() {
+  static const std::string bytes = [] {
+    const TemporaryFolder folder;
+    return test::read_bytes(test::record_scene(folder / "a.h5", "axial_flat", kSteps));
+  }();
+  return bytes;
 }
 
-/// What is said of a recording that was changed.
-std::string refusal_of(const std::function<void(hid_t file)>& change) {
-  const TemporaryFolder folder;
-  const std::filesystem::path path = recorded(folder);
-  {
+/// The same, in a folder of its own, and what is said of it.
+struct Damaged {
+  explicit Damaged(const std::string& bytes) { test::write_bytes(path, bytes); }
+  explicit Damaged(const std::function<void(hid_t file)>& change) : Damaged(good_recording()) { also(change); }
+  void also(const std::function<void(hid_t file)>& change) const {
     const hdf5::File file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "opening");
     change(file.get());
   }
-  try {
-    (void)read_recording(path).workpiece();
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("a.h5"), std::string::npos) << error.what();
-    return error.what();
-  }
-  return "";
-}
+  [[nodiscard]] std::string complaint() const { return test::complaint_about(path); }
+
+  TemporaryFolder folder = {};
+  std::filesystem::path path = folder / "a.h5";
+};
 
 void expect_refusal(const std::string& cause, const std::function<void(hid_t file)>& change) {
-  const std::string refusal = refusal_of(change);
-  EXPECT_NE(refusal.find(cause), std::string::npos) << refusal;
+  test::expect_part(Damaged(change).complaint(), cause);
 }
 
 void remove(hid_t file, const std::string& name) {
@@ -126,7 +127,7 @@ TEST(DamagedRecording, CountsTheLostStepsUpToTheLargestNumber) {
 // The places of a column's values are looked up when it is read, so an export is the first to see that they are wrong.
 TEST(DamagedRecording, IsNamedByAnExportThatCannotReadAColumn) {
   const TemporaryFolder folder;
-  const std::string bytes = test::read_bytes(recorded(folder));
+  const std::string& bytes = good_recording();
   int refused = 0;
   const std::string index = "EAIB";  // begins the places of a data set that grows
   for (std::size_t at = bytes.find(index); at != std::string::npos && refused < 3; at = bytes.find(index, at + 1)) {
@@ -140,17 +141,89 @@ TEST(DamagedRecording, IsNamedByAnExportThatCannotReadAColumn) {
       continue;  // of a column that the reader needs
     }
     for (const auto& write : {write_csv, write_npz}) {
-      try {
-        write(*recording, folder / "out");
-        ADD_FAILURE() << at;
-      } catch (const Error& error) {
-        EXPECT_TRUE(std::string(error.what()).starts_with("cannot read '" + (folder / "b.h5").string()))
-            << error.what();
-      }
+      const std::string refusal = test::refusal_of([&] { write(*recording, folder / "out"); });
+      EXPECT_TRUE(refusal.starts_with("cannot read '" + (folder / "b.h5").string())) << at << refusal;
     }
     ++refused;
   }
   EXPECT_GT(refused, 0);
+}
+
+TEST(BadRecording, IsNamedInOneSentence) {
+  const TemporaryFolder folder;
+  test::expect_part(test::complaint_about(folder / "absent.h5"), "no such file");
+  for (const char* text : {"this is no recording", ""})
+    test::expect_part(Damaged(std::string(text)).complaint(), "not an HDF5 file");
+  H5Fclose(H5Fcreate((folder / "foreign.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  test::expect_part(test::complaint_about(folder / "foreign.h5"), "not a recording of hapticut");
+  const auto of_format = [](std::uint64_t format) {
+    return [format](hid_t file) {
+      hdf5::checked(H5Adelete(file, "format"), "deleting");
+      hdf5::write_attribute(file, "format", format);
+    };
+  };
+  expect_refusal("reads format 3; use a newer version", of_format(kRecordingFormat + 1));
+  expect_refusal("it has format 2, and this version of hapticut reads format 3; use the version that wrote it",
+                 of_format(kRecordingFormat - 1));
+  for (const auto& [name, part] : {std::pair{"steps/force", "steps/force"},
+                                   {"steps", "'steps'"},
+                                   {"effects", "'effects'"},
+                                   {"workpiece", "'workpiece'"},
+                                   {"workpiece/vdb", "vdb"},
+                                   {"simulation/longest_dt", "simulation/longest_dt"},
+                                   {"tool/radius", "tool/radius"},
+                                   {"materials/damping", "materials/damping"},
+                                   {"materials", "'materials'"}})
+    expect_refusal(part, [missing = name](hid_t file) { remove(file, missing); });
+  expect_refusal("reference_stiffness", [](hid_t file) {
+    const double value = -1;
+    const hdf5::DataSet set = hdf5::open_data_set(file, "simulation/reference_stiffness");
+    H5Dwrite(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value);
+  });
+  expect_refusal("cannot read", [](hid_t file) {
+    const std::vector<std::uint8_t> zeros(1 << 20, 0);
+    const hdf5::DataSet set = hdf5::open_data_set(file, "workpiece/vdb");
+    H5Dwrite(set.get(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data());
+  });
+}
+
+TEST(BadRecording, ThatIsCutShortIsRefusedAtEveryLength) {
+  const std::string& bytes = good_recording();
+  for (const double share : {0.0, 0.0001, 0.001, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.999})
+    EXPECT_NE(Damaged(bytes.substr(0, std::size_t(share * double(bytes.size())))).complaint(), "") << share;
+}
+
+/// Changes the list of what a group holds, as another version of hapticut would have written it.
+void change_fields(hid_t file, const char* group_name, const std::function<std::string(std::string)>& change) {
+  const hdf5::Group group = hdf5::open_group(file, group_name);
+  const std::string fields = hdf5::read_text_attribute(group.get(), "fields");
+  hdf5::checked(H5Adelete(group.get(), "fields"), "deleting");
+  hdf5::write_attribute(group.get(), "fields", change(fields));
+}
+
+TEST(Recording, GivesAFieldThatCameLaterItsDefaultAndRefusesOneThatIsMissingOrUnknown) {
+  for (const auto& [group_name, field_name] : {std::pair{"simulation", "longest_sweep"},
+                                               {"tool", "spindle_droop"},
+                                               {"materials", "density"},
+                                               {"steps", "contact_level_of_detail"}}) {
+    const char* const group = group_name;  // which lambdas may capture
+    const std::string field = field_name, place = std::string(group) + "/" + field;
+    SCOPED_TRACE(place);
+    const Damaged recording([&](hid_t file) { remove(file, place); });
+    test::expect_part(recording.complaint(), place);
+    recording.also([&](hid_t file) {
+      change_fields(file, group, [&](std::string list) {
+        const std::size_t at = list.find("," + field);
+        EXPECT_NE(at, std::string::npos) << list;
+        return list.erase(at, field.size() + 1);
+      });
+    });
+    EXPECT_EQ(recording.complaint(), "");
+    EXPECT_EQ(read_recording(recording.path).config().longest_sweep, SimulationConfig{}.longest_sweep);
+    recording.also(
+        [&](hid_t file) { change_fields(file, group, [](const std::string& list) { return list + ",taste"; }); });
+    test::expect_part(recording.complaint(), "newer version");
+  }
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <functional>
 #include <sstream>
 
 #include "hapticut/core/errors.hpp"
@@ -35,8 +37,7 @@ double number(const std::string& text) {
 
 TEST(RecordingExport, WritesEveryDigitAsText) {
   const TemporaryFolder folder;
-  test::record_scene(folder / "a.h5", "axial_flat", kSteps);
-  const Recording recording = read_recording(folder / "a.h5");
+  const Recording recording = read_recording(test::record_scene(folder / "a.h5", "axial_flat", kSteps));
   write_csv(recording, folder / "a.csv");
   std::istringstream lines(test::read_bytes(folder / "a.csv"));
   std::string line;
@@ -70,8 +71,7 @@ TEST(RecordingExport, WritesArraysThatNumPyReads) {
   if (std::system("/usr/bin/python3 -c 'import numpy' > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "needs the Python module numpy (Debian package python3-numpy)";
   const TemporaryFolder folder;
-  test::record_scene(folder / "a.h5", "axial_flat", kSteps);
-  const Recording recording = read_recording(folder / "a.h5");
+  const Recording recording = read_recording(test::record_scene(folder / "a.h5", "axial_flat", kSteps));
   write_npz(recording, folder / "a.npz");
   test::write_bytes(folder / "check.py", R"(
 import sys, numpy
@@ -96,22 +96,22 @@ print(data["force"][-1, 2].hex(), data["energy_cutting"].sum().hex() != "0x0.0p+
 
 TEST(RecordingExport, SaysWhatCannotBeWritten) {
   const TemporaryFolder folder;
-  test::record_scene(folder / "a.h5", "axial_flat", 5);
-  const Recording recording = read_recording(folder / "a.h5");
-  EXPECT_THROW(write_csv(recording, folder / "no/such/a.csv"), Error);
-  EXPECT_THROW(write_npz(recording, folder / "no/such/a.npz"), Error);
+  const Recording recording = read_recording(test::record_scene(folder / "a.h5", "axial_flat", 5));
+  const auto write_sound = [](const Recording& r, const std::filesystem::path& path) { write_wav(r, path); };
+  for (const std::function<void(const Recording&, const std::filesystem::path&)>& write :
+       {std::function(write_csv), std::function(write_npz), std::function(write_sound)})
+    test::expect_refusal([&] { write(recording, folder / "no/such/a"); }, "no/such/a");
 }
 
 // A tone of the recorded spindle is in the file, and it lasts as long as the steps.
 TEST(RecordingExport, WritesTheSoundOfTheDrill) {
   const TemporaryFolder folder;
-  test::record_scene(folder / "a.h5", "axial_flat", kSteps);
-  const Recording recording = read_recording(folder / "a.h5");
+  const Recording recording = read_recording(test::record_scene(folder / "a.h5", "axial_flat", kSteps));
   write_wav(recording, folder / "a.wav", 16'000);
   const std::string bytes = test::read_bytes(folder / "a.wav");
-  const auto number_at = [&](std::size_t place, int length) {
+  const auto number_at = [&](std::size_t place, std::size_t length) {
     std::uint32_t value = 0;
-    for (int n = 0; n < length; ++n) value |= std::uint32_t(std::uint8_t(bytes[place + std::size_t(n)])) << (8 * n);
+    std::memcpy(&value, bytes.data() + place, length);
     return value;
   };
   ASSERT_GT(bytes.size(), 44U);
@@ -142,7 +142,6 @@ TEST(RecordingExport, WritesTheSoundOfTheDrill) {
   EXPECT_GT(strength(turns), 0.05);
   EXPECT_LT(strength(1.3 * turns), 0.5 * strength(turns));
   EXPECT_THROW(write_wav(recording, folder / "a.wav", 1000), Error);
-  EXPECT_THROW(write_wav(recording, folder / "no/such/a.wav"), Error);
 }
 
 }  // namespace

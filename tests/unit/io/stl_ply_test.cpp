@@ -13,7 +13,6 @@ namespace {
 using namespace test;
 
 // --- STL
-// ---------------------------------------------------------------------------------------------------------------
 
 constexpr char kFacet[] =
     "facet normal nan -nan 1.#IND\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n endloop\nendfacet\n";
@@ -51,20 +50,19 @@ TEST(StlFormat, TextOfCarelessProgramsIsRead) {
 
 TEST(StlFormat, DamagedTextIsRefusedWithTheLine) {
   const std::string solid = std::string("solid one\n") + kFacet + "endsolid one\n";
-  const auto refused = [](const std::string& text, const char* said) {
-    expect_refused(parse_stl, {{text.c_str(), said}});
-  };
-  refused(solid.substr(0, solid.find("endsolid")), "ends before 'endsolid'");
-  refused(solid.substr(0, 40), "ends before 'endsolid'");
-  refused(replaced(solid, "vertex 1 0 0", "vertex 1 0"), "line 5: a coordinate is missing");
-  refused(replaced(solid, "vertex 1 0 0", "vertex 1 0 x"), "line 5: 'x'");
-  refused(replaced(solid, "vertex 1 0 0", "vertex 1 0 inf"), "line 5: a coordinate is not a finite number");
-  refused(replaced(solid, "  vertex 1 0 0\n", ""), "'endloop' stands where 'vertex' should");
-  refused(replaced(solid, " endloop", " vertex 1 1 1\nendloop"), "line 7: 'vertex' stands where 'endloop' should");
-  refused(replaced(solid, "outer loop", "outer"), "'vertex' stands where 'loop' should");
-  refused(replaced(solid, "endsolid one", "end one"), "'end' stands where 'facet' should");
-  refused(replaced(solid, "endloop", "end facet"), "'end' stands where 'endloop' should");
-  refused(solid + "more", "line 10: 'more' stands where 'solid' should");
+  expect_refused(
+      parse_stl,
+      {{solid.substr(0, solid.find("endsolid")), "ends before 'endsolid'"},
+       {solid.substr(0, 40), "ends before 'endsolid'"},
+       {replaced(solid, "vertex 1 0 0", "vertex 1 0"), "line 5: a coordinate is missing"},
+       {replaced(solid, "vertex 1 0 0", "vertex 1 0 x"), "line 5: 'x'"},
+       {replaced(solid, "vertex 1 0 0", "vertex 1 0 inf"), "line 5: a coordinate is not a finite number"},
+       {replaced(solid, "  vertex 1 0 0\n", ""), "'endloop' stands where 'vertex' should"},
+       {replaced(solid, " endloop", " vertex 1 1 1\nendloop"), "line 7: 'vertex' stands where 'endloop' should"},
+       {replaced(solid, "outer loop", "outer"), "'vertex' stands where 'loop' should"},
+       {replaced(solid, "endsolid one", "end one"), "'end' stands where 'facet' should"},
+       {replaced(solid, "endloop", "end facet"), "'end' stands where 'endloop' should"},
+       {solid + "more", "line 10: 'more' stands where 'solid' should"}});
 }
 
 std::string binary_stl(const std::string& begin, std::uint32_t announced, const std::vector<float>& coordinates) {
@@ -95,7 +93,6 @@ TEST(StlFormat, ABinaryFileMustBeAsLongAsItSays) {
 }
 
 // --- PLY
-// ---------------------------------------------------------------------------------------------------------------
 
 /// Writes the values of a PLY file in any of its formats.
 class PlyWriter {
@@ -189,39 +186,38 @@ constexpr char kPlyHeader[] =
 
 TEST(PlyFormat, DamagedFilesAreRefusedWithTheirPlace) {
   const std::string header = kPlyHeader, vertices = "0 0 0\n1 0 0\n0 1 0\n";
-  const auto refused = [](const std::string& text, const char* said) {
-    expect_refused(parse_ply, {{text.c_str(), said}});
-  };
   EXPECT_EQ(error_of(parse_ply, header + vertices + "3 0 1 2\n"), "");
-  refused("plx\n", "does not begin like a PLY file");
-  refused("ply", "does not begin like a PLY file");
-  refused(header.substr(0, 60), "ends before 'end_header'");
-  refused(replaced(header, "format ascii 1.0\n", "") + vertices + "3 0 1 2\n", "without a line 'format'");
-  refused(replaced(header, "ascii", "text"), "line 2 of its header: the format 'text'");
-  refused(replaced(header, "vertex 3", "vertex x"), "line 3 of its header: the number 'x'");
-  refused(replaced(header, "vertex 3", "vertex -3"), "the number '-3'");
-  refused(replaced(header, "element face", "element vertex"), "is there twice");
-  refused(replaced(header, "float x", "half x"), "line 4 of its header: 'half' is no type");
-  refused(replaced(header, "list uchar", "list byte"), "'byte' is no type");
-  refused(replaced(header, "float z", "float"), "has no name");
-  refused(replaced(header, "element face", "elemental face"), "'elemental' begins no line");
-  refused(replaced(header, "float z", "float w") + vertices, "names x, y and z");
-  refused(replaced(header, "float z", "float x") + vertices, "names x, y and z");
-  refused(replaced(header, "list uchar int vertex_indices", "int vertex_indices") + vertices, "one list of the name");
-  refused(header + "0 0 0\n1 0 0\n", "element 3 of 3 of 'vertex' is not there");
-  refused(header + "0 0 0\n1 a 0\n", "line 11: 'a' is not a number");
-  refused(header + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2", "vertex 2 of a face has a coordinate that is not a finite number");
-  refused(header + vertices + "2 0 1\n", "element 1 of 1 of 'face' has 2 corners");
-  refused(header + vertices + "-1\n", "has a list 'vertex_indices' of -1 values");
-  refused(header + vertices + "1e300 0\n", "of 1e+300 values");
-  refused(header + vertices + "3 0 1 3\n", "names vertex 3; there are 3");
-  refused(header + vertices + "3 0 1 -1\n", "names vertex -1");
-  refused(header + vertices + "3 0 1 1.5\n", "names vertex 1.5");
-  refused(header + vertices + "3 0 1 nan\n", "names vertex");
-  refused(header + vertices + "3 0 1\n", "element 1 of 1 of 'face' is not there");
-  refused(header + vertices + "3 0 1 2 9\n", "line 13: '9' stands behind all that the header announces");
-  refused(replaced(header, "element face 1", "element face 4000000000") + vertices + "3 0 1 2\n", "cut off");
-  refused(replaced(header, "vertex 3", "vertex 4000000000") + vertices, "cut off");
+  expect_refused(
+      parse_ply,
+      {{"plx\n", "does not begin like a PLY file"},
+       {"ply", "does not begin like a PLY file"},
+       {header.substr(0, 60), "ends before 'end_header'"},
+       {replaced(header, "format ascii 1.0\n", "") + vertices + "3 0 1 2\n", "without a line 'format'"},
+       {replaced(header, "ascii", "text"), "line 2 of its header: the format 'text'"},
+       {replaced(header, "vertex 3", "vertex x"), "line 3 of its header: the number 'x'"},
+       {replaced(header, "vertex 3", "vertex -3"), "the number '-3'"},
+       {replaced(header, "element face", "element vertex"), "is there twice"},
+       {replaced(header, "float x", "half x"), "line 4 of its header: 'half' is no type"},
+       {replaced(header, "list uchar", "list byte"), "'byte' is no type"},
+       {replaced(header, "float z", "float"), "has no name"},
+       {replaced(header, "element face", "elemental face"), "'elemental' begins no line"},
+       {replaced(header, "float z", "float w") + vertices, "names x, y and z"},
+       {replaced(header, "float z", "float x") + vertices, "names x, y and z"},
+       {replaced(header, "list uchar int vertex_indices", "int vertex_indices") + vertices, "one list of the name"},
+       {header + "0 0 0\n1 0 0\n", "element 3 of 3 of 'vertex' is not there"},
+       {header + "0 0 0\n1 a 0\n", "line 11: 'a' is not a number"},
+       {header + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2", "vertex 2 of a face has a coordinate that is not a finite number"},
+       {header + vertices + "2 0 1\n", "element 1 of 1 of 'face' has 2 corners"},
+       {header + vertices + "-1\n", "has a list 'vertex_indices' of -1 values"},
+       {header + vertices + "1e300 0\n", "of 1e+300 values"},
+       {header + vertices + "3 0 1 3\n", "names vertex 3; there are 3"},
+       {header + vertices + "3 0 1 -1\n", "names vertex -1"},
+       {header + vertices + "3 0 1 1.5\n", "names vertex 1.5"},
+       {header + vertices + "3 0 1 nan\n", "names vertex"},
+       {header + vertices + "3 0 1\n", "element 1 of 1 of 'face' is not there"},
+       {header + vertices + "3 0 1 2 9\n", "line 13: '9' stands behind all that the header announces"},
+       {replaced(header, "element face 1", "element face 4000000000") + vertices + "3 0 1 2\n", "cut off"},
+       {replaced(header, "vertex 3", "vertex 4000000000") + vertices, "cut off"}});
 }
 
 }  // namespace

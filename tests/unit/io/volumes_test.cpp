@@ -3,14 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <numeric>
 #include <random>
+#include <tuple>
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/no_disk_space.hpp"
+#include "support/refusals.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/volume_files.hpp"
 
 namespace hapticut::volumes_test {
 namespace {
@@ -35,11 +37,8 @@ std::filesystem::path written(const TemporaryFolder& folder, const std::string& 
 
 /// Values of 16 bits, as files store them.
 std::string short_bytes(int count) {
-  std::string bytes(std::size_t(count) * 2, '\0');
-  for (int n = 0; n < count; ++n) {
-    const auto value = std::int16_t(n * 7 - 50);
-    std::memcpy(bytes.data() + 2 * n, &value, 2);
-  }
+  std::string bytes;
+  for (int n = 0; n < count; ++n) bytes += test::little(std::int16_t(n * 7 - 50));
   return bytes;
 }
 
@@ -53,25 +52,15 @@ std::string meta(const std::string& fields) {
          "ElementType = MET_SHORT\nElementDataFile = LOCAL\n";
 }
 
-/// What reading says; empty when it does not fail. Nothing may be printed.
-std::string error_of_reading(const std::filesystem::path& path, const VolumeReadOptions& options = {}) {
+/// Expects that reading is refused by a sentence that names the file, and that nothing is printed.
+void expect_clear_error(const std::filesystem::path& path, const std::string& part) {
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
-  std::string message;
-  try {
-    (void)read_grey_volume(path, options);
-  } catch (const Error& error) {
-    message = error.what();
-  }
+  const std::string refusal = test::refusal_of([&] { return read_grey_volume(path); });
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << path;
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "") << path;
-  return message;
-}
-
-void expect_clear_error(const std::filesystem::path& path, const std::string& part) {
-  const std::string message = error_of_reading(path);
-  EXPECT_NE(message.find(path.filename().string()), std::string::npos) << path << " gives: " << message;
-  EXPECT_NE(message.find(part), std::string::npos) << path << " gives: " << message;
+  test::expect_part(refusal, path.filename().string());
+  test::expect_part(refusal, part);
 }
 
 TEST(WriteNrrd, IsReadBackTheSame) {
@@ -180,68 +169,39 @@ TEST(ReadVolume, RefusesLabelsThatAreNotWholeNumbers) {
 
 TEST(ReadVolume, RefusesWhatItCannotReadAndPrintsNothing) {
   const TemporaryFolder folder;
-  expect_clear_error(folder / "absent.nrrd", "no such file");
-  expect_clear_error(folder / "absent.mhd", "no such file");
-  expect_clear_error(folder / "absent.nii.gz", "no such file");
-  expect_clear_error(written(folder, "a.txt", "text"), "format");
-  expect_clear_error(written(folder, "a.fbx", "text"), "as a mesh .stl .ply .obj .off .gltf .glb, as a workpiece .vdb");
-  expect_clear_error(written(folder, "a.raw", "text"), "read_raw_grey_volume");
-  std::filesystem::create_directory(folder / "empty_folder");
-  expect_clear_error(folder / "empty_folder", "DICOM");
-  std::filesystem::create_directory(folder / "a_folder.nrrd");
-  expect_clear_error(folder / "a_folder.nrrd", "DICOM");
-  expect_clear_error(written(folder, "colour.mha", meta("ElementNumberOfChannels = 3\n") + short_bytes(180)),
-                     "per sample");
-  expect_clear_error(written(folder, "shear.mha", meta("TransformMatrix = 1 0 0 0.5 1 0 0 0 1\n") + short_bytes(60)),
-                     "perpendicular");
-  expect_clear_error(written(folder, "flat.mha", meta("ElementSpacing = 0.1 0.1 0\n") + short_bytes(60)), "spacing");
+  for (const char* absent : {"absent.nrrd", "absent.mhd", "absent.nii.gz"})
+    expect_clear_error(folder / absent, "no such file");
+  for (const char* empty : {"empty_folder", "a_folder.nrrd"}) {
+    std::filesystem::create_directory(folder / empty);
+    expect_clear_error(folder / empty, "DICOM");
+  }
+  const std::string values = short_bytes(60);
+  const std::tuple<const char*, std::string, const char*> files[] = {
+      {"a.txt", "text", "format"},
+      {"a.fbx", "text", "as a mesh .stl .ply .obj .off .gltf .glb, as a workpiece .vdb"},
+      {"a.raw", "text", "read_raw_grey_volume"},
+      {"colour.mha", meta("ElementNumberOfChannels = 3\n") + short_bytes(180), "per sample"},
+      {"shear.mha", meta("TransformMatrix = 1 0 0 0.5 1 0 0 0 1\n") + values, "perpendicular"},
+      {"flat.mha", meta("ElementSpacing = 0.1 0.1 0\n") + values, "spacing"}};
+  for (const auto& [name, bytes, part] : files) expect_clear_error(written(folder, name, bytes), part);
 }
 
+// What comes of other formats, and without saying "claims": DamagedVolume in self_written_volumes_test.cpp.
 TEST(ReadVolume, RefusesHeadersThatClaimMoreThanTheFileHolds) {
   const TemporaryFolder folder;
-  const auto claim = [&](const std::string& name, const std::string& sizes, const std::string& encoding) {
-    return written(folder, name, nrrd("dimension: 3\nsizes: " + sizes + "\nencoding: " + encoding, short_bytes(60)));
+  const auto claim = [](const char* sizes, const char* encoding) {
+    return nrrd(std::string("dimension: 3\nsizes: ") + sizes + "\nencoding: " + encoding, short_bytes(60));
   };
-  expect_clear_error(claim("tera.nrrd", "10000 10000 10000", "raw"), "claims");
-  expect_clear_error(claim("giga.nrrd", "1000 1000 1000", "raw"), "claims");
-  expect_clear_error(claim("giga_gz.nrrd", "1000 1000 1000", "gzip"), "claims");
-  expect_clear_error(claim("giga_bz2.nrrd", "1000 1000 1000", "bzip2"), "claims");
-  expect_clear_error(claim("zero.nrrd", "10 0 10", "raw"), "claims");
-  expect_clear_error(claim("negative.nrrd", "10 -10 10", "raw"), "claims");
-  expect_clear_error(written(folder, "tera.mha", meta("DimSize = 10000 10000 10000\n")), "claims");
-  expect_clear_error(written(folder, "giga.mha", meta("DimSize = 1000 1000 1000\n") + short_bytes(60)), "claims");
-  expect_clear_error(
-      written(folder, "giga_gz.mha", meta("DimSize = 1000 1000 1000\nCompressedData = True\n") + short_bytes(60)),
-      "claims");
-  std::string nifti(400, '\0');
-  const std::int32_t magic = 348;
-  const std::int16_t dim[] = {3, 10000, 10000, 10000}, bits = 16;
-  std::memcpy(nifti.data(), &magic, sizeof magic);
-  std::memcpy(nifti.data() + 40, dim, sizeof dim);
-  std::memcpy(nifti.data() + 72, &bits, sizeof bits);
-  std::memcpy(nifti.data() + 344, "n+1", 4);
-  expect_clear_error(written(folder, "tera.nii", nifti), "claims");
-}
-
-TEST(ReadVolume, SurvivesRandomBytes) {
-  const TemporaryFolder folder;
-  std::mt19937 random(3);
-  const std::string starts[] = {"",
-                                "NRRD0004\n",
-                                "NRRD0004\ntype: short\ndimension: 3\nsizes: ",
-                                "ObjectType = Image\n",
-                                meta(""),
-                                nrrd(kSmall, "").substr(0, 80)};
-  for (const char* ending : {".nrrd", ".nhdr", ".nii", ".nii.gz", ".mhd", ".mha", ".inv3", ".dcm"})
-    for (const std::string& start : starts)
-      for (int n = 0; n < 5; ++n) {
-        std::string bytes = start;
-        while (bytes.size() < 40 + 150 * std::size_t(n)) bytes += char(random());
-        // meta("") is complete: random values after it are a volume.
-        const std::string message = error_of_reading(written(folder, std::string("random") + ending, bytes));
-        if (start == starts[4]) continue;
-        EXPECT_NE(message, "") << ending << " starting with " << start;
-      }
+  const std::pair<const char*, std::string> files[] = {
+      {"tera.nrrd", claim("10000 10000 10000", "raw")},
+      {"giga.nrrd", claim("1000 1000 1000", "raw")},
+      {"giga_bz2.nrrd", claim("1000 1000 1000", "bzip2")},
+      {"zero.nrrd", claim("10 0 10", "raw")},
+      {"negative.nrrd", claim("10 -10 10", "raw")},
+      {"tera.mha", meta("DimSize = 10000 10000 10000\n")},
+      {"giga_gz.mha", meta("DimSize = 1000 1000 1000\nCompressedData = True\n") + short_bytes(60)},
+      {"tera.nii", test::NiftiFile{.dims = {10000, 10000, 10000}}.bytes()}};
+  for (const auto& [name, bytes] : files) expect_clear_error(written(folder, name, bytes), "claims");
 }
 
 TEST(ReadVolume, RefusesFilesWithoutPermission) {

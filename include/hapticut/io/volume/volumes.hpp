@@ -11,6 +11,7 @@
 #include "hapticut/core/description.hpp"
 #include "hapticut/core/mesh.hpp"
 #include "hapticut/core/volume.hpp"
+#include "hapticut/io/volume/value_type.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 
 /// @file
@@ -52,18 +53,6 @@ struct VolumeReadOptions {
 /// @throws Error also when the slices have no pixel of these colours
 [[nodiscard]] LabelVolume read_color_slices(const std::filesystem::path& folder,
                                             const std::map<Color, std::uint16_t>& label_of, const Vec3& spacing);
-
-/// How a file without a header stores its values.
-enum class ValueType : std::uint8_t { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
-
-constexpr auto names_of(Of<ValueType>) {
-  using enum ValueType;
-  return std::array{
-      Named{uint8, "uint8"},     Named{int8, "int8"},       Named{uint16, "uint16"}, Named{int16, "int16"},
-      Named{uint32, "uint32"},   Named{int32, "int32"},     Named{uint64, "uint64"}, Named{int64, "int64"},
-      Named{float32, "float32"}, Named{float64, "float64"},
-  };
-}
 
 /// What a headerless file does not say itself.
 struct RawLayout {

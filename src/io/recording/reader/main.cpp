@@ -9,10 +9,8 @@
 #include <new>
 #include <string>
 
-#include "io/byte_reader.hpp"
 #include "io/child_side.hpp"
 #include "io/recording/hdf5_source.hpp"
-#include "io/recording/recording_messages.hpp"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define HAPTICUT_SANITIZED
@@ -31,7 +29,6 @@ using child::take;
 
 constexpr std::uint64_t kMemory = std::uint64_t(1) << 30U;  // [bytes] besides some for each byte of the file
 constexpr std::uint64_t kMemoryPerByte = 4;
-constexpr std::uint64_t kLargestBlock = std::uint64_t(1) << 40U;  // [bytes] that a question may ask for
 
 void limit_memory(const std::string& path) {
 #if !defined(HAPTICUT_SANITIZED)
@@ -41,50 +38,6 @@ void limit_memory(const std::string& path) {
 #else
   (void)path;  // the sanitizer reserves more than any limit
 #endif
-}
-
-std::string answer_to(const Question& q, const std::string& place, const std::string& name,
-                      std::unique_ptr<Hdf5Source>& source) {
-  std::string content;
-  if (q.ask == Ask::open) {
-    limit_memory(place);
-    source = open_hdf5_file(place);
-    return content;
-  }
-  if (source == nullptr) throw hdf5::Failure("no file is open");
-  switch (q.ask) {
-    case Ask::open:
-      break;
-    case Ask::exists:
-      content = std::string(1, char(source->exists(place)));
-      break;
-    case Ask::has_attribute:
-      content = std::string(1, char(source->has_attribute(place, name)));
-      break;
-    case Ask::text_attribute:
-      content = source->text_attribute(place, name);
-      break;
-    case Ask::number_attribute:
-      append_bytes_of(content, source->number_attribute(place, name));
-      break;
-    case Ask::text:
-      content = source->text(place);
-      break;
-    case Ask::layout: {
-      const DataSetLayout layout = source->layout(place);
-      append_bytes_of(content, std::uint64_t(layout.is_real));
-      for (const std::uint64_t length : layout.shape) append_bytes_of(content, length);
-      break;
-    }
-    case Ask::block: {
-      const auto kind = ColumnKind(q.kind);
-      if (double(q.numbers) * double(q.count) > double(kLargestBlock)) throw std::bad_alloc();
-      content.resize(q.numbers * q.count * bytes_of(kind));
-      source->block(place, kind, q.numbers, q.first, q.count, reinterpret_cast<std::byte*>(content.data()));
-      break;
-    }
-  }
-  return content;
 }
 
 void answer_all() {
@@ -97,7 +50,14 @@ void answer_all() {
     limit(RLIMIT_CPU, kMostReadingSeconds + given / kBytesPerSecond);
     Answer answer;
     try {
-      content = answer_to(q, place, name, source);
+      if (q.ask == Ask::open) {
+        limit_memory(place);
+        source = open_hdf5_file(place);
+      } else if (source == nullptr) {
+        throw hdf5::Failure("no file is open");
+      } else {
+        content = source->answer(q, place, name);
+      }
     } catch (const std::bad_alloc&) {
       answer.result = Answer::Result::no_memory;
     } catch (const std::exception& error) {
