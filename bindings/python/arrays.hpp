@@ -28,18 +28,21 @@ namespace hapticut::python {
 
 namespace py = pybind11;
 
-/// An argument that is checked by hand, because its message shall name it, and what it is to type checkers.
-#define HAPTICUT_NAMED_ARGUMENT(Name)              \
-  class Name : public pybind11::object {           \
-   public:                                         \
-    PYBIND11_OBJECT_DEFAULT(Name, object, accept)  \
-   private:                                        \
-    static bool accept(PyObject*) { return true; } \
+/// An argument that is checked by hand, because its message shall name it.
+/// @param Type  what it is to type checkers
+#define HAPTICUT_NAMED_ARGUMENT(Name, Type)                                 \
+  class Name : public pybind11::object {                                    \
+   public:                                                                  \
+    static constexpr auto kPythonType = pybind11::detail::const_name(Type); \
+    PYBIND11_OBJECT_DEFAULT(Name, object, accept)                           \
+                                                                            \
+   private:                                                                 \
+    static bool accept(PyObject*) { return true; }                          \
   }
-HAPTICUT_NAMED_ARGUMENT(FewNumbers);    ///< float64 array or a list of numbers
-HAPTICUT_NAMED_ARGUMENT(Float64Array);  ///< nothing but a float64 array
-HAPTICUT_NAMED_ARGUMENT(Durations);     ///< a number or a float64 array
-HAPTICUT_NAMED_ARGUMENT(RealArray);     ///< array of real numbers of any type
+HAPTICUT_NAMED_ARGUMENT(FewNumbers, "numpy.typing.ArrayLike");                 ///< float64 array or a list of numbers
+HAPTICUT_NAMED_ARGUMENT(Float64Array, "numpy.typing.NDArray[numpy.float64]");  ///< nothing but a float64 array
+HAPTICUT_NAMED_ARGUMENT(Durations, "float | numpy.typing.NDArray[numpy.float64]");  ///< a number or a float64 array
+HAPTICUT_NAMED_ARGUMENT(RealArray, "numpy.typing.NDArray[typing.Any]");  ///< array of real numbers of any type
 
 /// "array of shape (3, 4) and dtype float32", or the type of anything else.
 [[nodiscard]] std::string describe_given(py::handle given);
@@ -83,21 +86,10 @@ void write_pose(const Pose& pose, double* matrix);
 
 namespace pybind11::detail {
 
-template <>
-struct handle_type_name<hapticut::python::FewNumbers> {
-  static constexpr auto name = const_name("numpy.typing.ArrayLike");
-};
-template <>
-struct handle_type_name<hapticut::python::Float64Array> {
-  static constexpr auto name = const_name("numpy.typing.NDArray[numpy.float64]");
-};
-template <>
-struct handle_type_name<hapticut::python::Durations> {
-  static constexpr auto name = const_name("float | numpy.typing.NDArray[numpy.float64]");
-};
-template <>
-struct handle_type_name<hapticut::python::RealArray> {
-  static constexpr auto name = const_name("numpy.typing.NDArray[typing.Any]");
+template <class Argument>
+requires requires { Argument::kPythonType; }
+struct handle_type_name<Argument> {
+  static constexpr auto name = Argument::kPythonType;
 };
 
 /// A number in rad/s. A whole one is refused, but 0, for it is one of turns a minute.

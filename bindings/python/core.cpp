@@ -121,9 +121,7 @@ void bind_core(py::module_& m) {
              return ColoredMesh{mesh, colors};
            }),
            py::arg("mesh"), py::arg("colors"))
-      .def_property_readonly(
-          "mesh", [](const ColoredMesh& c) -> const TriangleMesh& { return c.mesh; },
-          py::return_value_policy::reference_internal, "The surface.")
+      .def_readonly("mesh", &ColoredMesh::mesh, "The surface.")
       .def_property_readonly(
           "colors",
           [](const py::object& self) {

@@ -2,8 +2,8 @@
 // include/hapticut/device: the virtual coupling between hand and tool
 #include "hapticut/simulation/coupling.hpp"
 
-#include <algorithm>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "bindings.hpp"
@@ -18,6 +18,12 @@ namespace {
 struct PythonCoupling {
   std::shared_ptr<PythonSimulation> simulation;
   VirtualCoupling coupling;
+
+  /// @throws Error while another thread is at work on the simulation
+  [[nodiscard]] VirtualCoupling& write() {
+    simulation->occupancy.require_writable("The simulation");
+    return coupling;
+  }
 };
 
 /// A tick's result that outlives the next tick.
@@ -32,72 +38,41 @@ struct PythonCoupledResult {
         changed(given.changed_blocks.origins.begin(), given.changed_blocks.origins.end()) {}
 };
 
-struct WrenchRow {
-  double force[3], torque[3];
-};
-
-struct CouplingEnergyRow {
-  double hand_work, tool_work, spring, damper, kinetic, implicit, turnover;
-};
-
-/// One row of what VirtualCoupling.run returns: CoupledResult as plain numbers.
-struct CoupledRow {
-  double time;  // [s] at the end of the tick, since the run began
-  WrenchRow hand, coupling;
-  double X_WH[4][4];
-  double velocity[6];
-  std::int64_t removed_voxels;  // how many
-  double removed_volume;
-  std::int32_t parts, newton_steps, level_of_detail;
-  CouplingEnergyRow energy;
-  std::uint32_t status;
-};
-
-CoupledRow coupled_row(const CoupledResult& result, double time) {
-  CoupledRow row{};
-  row.time = time;
-  const auto copy = [](const Vec3& from, double* to) { std::copy_n(from.data(), 3, to); };
-  copy(result.hand.force, row.hand.force);
-  copy(result.hand.torque, row.hand.torque);
-  copy(result.coupling.force, row.coupling.force);
-  copy(result.coupling.torque, row.coupling.torque);
-  write_pose(result.X_WH, row.X_WH[0]);
-  copy(result.velocity.linear, row.velocity);
-  copy(result.velocity.angular, row.velocity + 3);
-  row.removed_voxels = std::int64_t(result.removed_voxels.size());
-  row.removed_volume = result.removed_volume;
-  row.parts = result.parts;
-  row.newton_steps = result.newton_steps;
-  row.level_of_detail = result.level_of_detail;
-  const CouplingEnergy& e = result.energy;
-  row.energy = {e.hand_work, e.tool_work, e.spring, e.damper, e.kinetic, e.implicit, e.turnover};
-  row.status = std::uint32_t(result.status);
-  return row;
+/// Calls `visit(name, value)` for each field of a row of what VirtualCoupling.run returns.
+/// @param time  [s] at the end of the tick, since the run began
+template <class Visit>
+void for_each_field_of_row(const CoupledResult& result, double time, const Visit& visit) {
+  visit("time", time);
+  visit("hand", result.hand);
+  visit("coupling", result.coupling);
+  visit("X_WH", result.X_WH);
+  visit("velocity", result.velocity);
+  visit("removed_voxels", result.removed_voxels);
+  visit("removed_volume", result.removed_volume);
+  visit("parts", result.parts);
+  visit("newton_steps", result.newton_steps);
+  visit("level_of_detail", result.level_of_detail);
+  visit("energy", result.energy);
+  visit("status", result.status);
 }
 
 py::array run(PythonCoupling& self, const Float64Array& poses, const Float64Array& velocities, const Durations& dt) {
-  PythonSimulation& simulation = *self.simulation;
-  const RunInput input(poses, velocities, dt);
-  py::array_t<CoupledRow> trace{py::ssize_t(input.steps)};
-  CoupledRow* rows = trace.mutable_data();
-  simulation.occupancy.require_writable("The simulation");  // last: what is above may let other threads run
-  simulation.removed.clear();
-  TakenSteps taken;
-  {
-    const std::shared_ptr<void> recorder = simulation.recorder.lock();
-    const ReleasedWriting released(simulation.occupancy);
-    double time = 0;
-    for (std::size_t i = 0; i < input.steps; ++i) {
-      const StepInput now = input[i];
-      const CoupledResult& result = self.coupling.step(now.pose, now.velocity, now.dt);
-      time += now.dt;
-      taken.note(result.status);
-      rows[i] = coupled_row(result, time);
-      simulation.remember(result.removed_voxels, i);
-    }
-  }
-  taken.tell();
-  return trace;
+  py::list fields;
+  for_each_field_of_row({}, 0, [&](const char* name, const auto& value) {
+    fields.append(detail::row_field<std::remove_cvref_t<decltype(value)>>(name));
+  });
+  const auto step = [&](const StepInput& now) -> const CoupledResult& {
+    return self.coupling.step(now.pose, now.velocity, now.dt);
+  };
+  const auto write = [](const CoupledResult& result, double time, std::byte* row) {
+    for_each_field_of_row(result, time, [&](const char*, const auto& value) { detail::put(row, value); });
+  };
+  return make_rows(*self.simulation, RunInput(poses, velocities, dt), row_type(fields), step, write);
+}
+
+template <class T>
+auto of_result(T CoupledResult::*member) {
+  return [member](const PythonCoupledResult& self) { return self.result.*member; };
 }
 
 void bind_gains(py::module_& m) {
@@ -116,14 +91,10 @@ void bind_coupled_result(py::module_& m) {
   py::class_<R>(m, "CoupledResult",
                 "What one tick of the coupling gives. It owns what it holds and stays as it is when further ticks are "
                 "made.")
-      .def_property_readonly(
-          "hand", [](const R& r) { return r.result.hand; }, doc("CoupledResult::hand"))
-      .def_property_readonly(
-          "coupling", [](const R& r) { return r.result.coupling; }, doc("CoupledResult::coupling"))
-      .def_property_readonly(
-          "X_WH", [](const R& r) { return r.result.X_WH; }, doc("CoupledResult::X_WH"))
-      .def_property_readonly(
-          "velocity", [](const R& r) { return r.result.velocity; }, doc("CoupledResult::velocity"))
+      .def_property_readonly("hand", of_result(&CoupledResult::hand), doc("CoupledResult::hand"))
+      .def_property_readonly("coupling", of_result(&CoupledResult::coupling), doc("CoupledResult::coupling"))
+      .def_property_readonly("X_WH", of_result(&CoupledResult::X_WH), doc("CoupledResult::X_WH"))
+      .def_property_readonly("velocity", of_result(&CoupledResult::velocity), doc("CoupledResult::velocity"))
       .def_property_readonly(
           "removed_voxels", [](const py::object& self) { return voxel_indices(self.cast<const R&>().voxels, self); },
           "(n, 3) int32: indices of the voxels that this tick emptied; read-only.")
@@ -131,32 +102,26 @@ void bind_coupled_result(py::module_& m) {
           "removed_materials",
           [](const py::object& self) { return voxel_materials(self.cast<const R&>().voxels, self); },
           "(n,) uint8: what each of the removed voxels was made of; read-only.")
-      .def_property_readonly(
-          "removed_volume", [](const R& r) { return r.result.removed_volume; }, doc("CoupledResult::removed_volume"))
+      .def_property_readonly("removed_volume", of_result(&CoupledResult::removed_volume),
+                             doc("CoupledResult::removed_volume"))
       .def_property_readonly(
           "changed_blocks",
           [](const R& r) { return py::make_tuple(block_origins(r.changed), r.result.changed_blocks.complete); },
           "What the tick has changed: (n, 3) int32 first voxels of blocks, and whether that is all of them.")
-      .def_property_readonly(
-          "parts", [](const R& r) { return r.result.parts; }, doc("CoupledResult::parts"))
-      .def_property_readonly(
-          "newton_steps", [](const R& r) { return r.result.newton_steps; }, doc("CoupledResult::newton_steps"))
-      .def_property_readonly(
-          "level_of_detail", [](const R& r) { return r.result.level_of_detail; }, doc("CoupledResult::level_of_detail"))
+      .def_property_readonly("parts", of_result(&CoupledResult::parts), doc("CoupledResult::parts"))
+      .def_property_readonly("newton_steps", of_result(&CoupledResult::newton_steps),
+                             doc("CoupledResult::newton_steps"))
+      .def_property_readonly("level_of_detail", of_result(&CoupledResult::level_of_detail),
+                             doc("CoupledResult::level_of_detail"))
       .def_property_readonly(
           "status", [](const R& r) { return std::uint32_t(r.result.status); },
           "Bits of StepStatus, of the simulation's steps; 0 = nothing to report.")
-      .def_property_readonly(
-          "energy", [](const R& r) { return r.result.energy; }, doc("CouplingEnergy"));
+      .def_property_readonly("energy", of_result(&CoupledResult::energy), doc("CouplingEnergy"));
 }
 
 }  // namespace
 
 void bind_coupling(py::module_& m) {
-  PYBIND11_NUMPY_DTYPE(WrenchRow, force, torque);
-  PYBIND11_NUMPY_DTYPE(CouplingEnergyRow, hand_work, tool_work, spring, damper, kinetic, implicit, turnover);
-  PYBIND11_NUMPY_DTYPE(CoupledRow, time, hand, coupling, X_WH, velocity, removed_voxels, removed_volume, parts,
-                       newton_steps, level_of_detail, energy, status);
   bind_gains(m);
   bind_coupled_result(m);
   using C = PythonCoupling;
@@ -172,8 +137,7 @@ void bind_coupling(py::module_& m) {
           "step",
           [](C& self, const FewNumbers& pose, const FewNumbers& velocity, double dt) {
             const StepInput input = step_input(pose, velocity, dt);
-            self.simulation->occupancy.require_writable("The simulation");
-            return PythonCoupledResult(self.coupling.step(input.pose, input.velocity, input.dt));
+            return PythonCoupledResult(self.write().step(input.pose, input.velocity, input.dt));
           },
           py::arg("pose"), py::arg("velocity"), py::arg("dt"), doc("VirtualCoupling::step"))
       .def(
@@ -184,26 +148,14 @@ void bind_coupling(py::module_& m) {
           "    (n,) structured; the fields are those of CoupledResult: `trace[\"hand\"][\"force\"]` is (n, 3),\n"
           "    `trace[\"X_WH\"]` (n, 4, 4); removed_voxels is their number, see Simulation.removed_in_run; `time` [s]\n"
           "    is that since the beginning of the run.")
-      .def(
-          "release",
-          [](C& self) {
-            self.simulation->occupancy.require_writable("The simulation");
-            self.coupling.release();
-          },
-          doc("VirtualCoupling::release"))
-      .def(
-          "leave",
-          [](C& self, VirtualCoupling::Rejoin rejoin) {
-            self.simulation->occupancy.require_writable("The simulation");
-            self.coupling.leave(rejoin);
-          },
-          py::arg("rejoin"), doc("VirtualCoupling::leave"))
+      .def("release", writing<C>(&VirtualCoupling::release), doc("VirtualCoupling::release"))
+      .def("leave", writing<C>(&VirtualCoupling::leave), py::arg("rejoin"), doc("VirtualCoupling::leave"))
       .def(
           "set_gains",
           [](C& self, const CouplingGains& gains) {
-            self.simulation->occupancy.require_writable("The simulation");
+            VirtualCoupling& changed = self.write();
             validate(gains);
-            self.coupling.set_gains(gains);
+            changed.set_gains(gains);
           },
           py::arg("gains"), doc("VirtualCoupling::set_gains"))
       .def(

@@ -170,8 +170,7 @@ void bind_map(py::module_& m) {
       .def("set_scale", &M::set_scale, py::arg("scale"), py::arg("X_BS"), doc("WorkspaceMap::set_scale"))
       .def_property_readonly("engaged", &M::engaged, "Whether the clutch is closed.")
       .def_property_readonly("scale", &M::scale, doc("WorkspaceMap::scale"))
-      .def_property_readonly(
-          "options", [](const M& map) { return map.options(); }, doc("WorkspaceMap::options"))
+      .def_property_readonly("options", &M::options, py::return_value_policy::copy, doc("WorkspaceMap::options"))
       .def("to_world", py::overload_cast<const Pose&>(&M::to_world, py::const_), py::arg("X_BS"),
            doc("WorkspaceMap::to_world"))
       .def("to_world", py::overload_cast<const Pose&, const Twist&>(&M::to_world, py::const_), py::arg("X_BS"),

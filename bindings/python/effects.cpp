@@ -40,8 +40,7 @@ void bind_effects(py::module_& m) {
       .def(py::init<>())
       .def("give", &Output::give, py::arg("effects"), py::arg("at"), py::arg("wrench"), py::return_value_policy::copy,
            doc("Output::give"))
-      .def_property_readonly(
-          "given", [](const Output& output) { return output.given(); }, doc("Output::given"))
+      .def_property_readonly("given", &Output::given, py::return_value_policy::copy, doc("Output::given"))
       .def("drop", &Output::drop, doc("Output::drop"))
       .def("restart", &Output::restart, doc("Output::restart"));
 }

@@ -99,8 +99,8 @@ void bind_guard(py::module_& m) {
       .def(
           "count", [](const SafetyGuard& guard, SafetyEvent event) { return guard.log().count(event); },
           py::arg("event"), doc("SafetyLog::count"))
-      .def_property_readonly(
-          "output", [](const SafetyGuard& guard) { return guard.output(); }, "Both sides of the last tick.")
+      .def_property_readonly("output", &SafetyGuard::output, py::return_value_policy::copy,
+                             "Both sides of the last tick.")
       .def_property_readonly("period", &SafetyGuard::period, doc("SafetyGuard::period"))
       .def_property_readonly("slew", &SafetyGuard::slew, doc("SafetyGuard::slew"))
       .def_property_readonly("greatest_force", &SafetyGuard::greatest_force, doc("SafetyGuard::greatest_force"));

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // include/hapticut/heat
+#include <functional>
 #include <memory>
 
 #include "bindings.hpp"
 #include "hapticut/heat/heat_collector.hpp"
 #include "hapticut/heat/heat_field.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 #include "simulation.hpp"
 #include "steps.hpp"
 #include "structs.hpp"
@@ -16,15 +18,15 @@ namespace {
 
 using Cell = std::array<int, 3>;
 
+using CellNumber = double (HeatField::*)(const Cell& cell) const;
+
 /// (nx, ny, nz) of a number that each cell has.
-template <class Number>
-py::array cells_of(const HeatField& field, const Number& number) {
+py::array cells_of(const HeatField& field, CellNumber number) {
   const Cell dims = field.dims();
   py::array_t<double> all({dims[0], dims[1], dims[2]});
   double* next = all.mutable_data();
-  for (int i = 0; i < dims[0]; ++i)
-    for (int j = 0; j < dims[1]; ++j)
-      for (int k = 0; k < dims[2]; ++k) *next++ = number(Cell{i, j, k});
+  for_each_voxel({{0, 0, 0}, {dims[0] - 1, dims[1] - 1, dims[2] - 1}},
+                 [&](const Cell& cell) { *next++ = std::invoke(number, field, cell); });
   return all;
 }
 
@@ -33,6 +35,14 @@ const Cell& inside(const HeatField& field, const Cell& cell) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (cell[axis] < 0 || cell[axis] >= field.dims()[axis]) throw py::index_error("there is no such cell");
   return cell;
+}
+
+/// Of one cell, and of all.
+auto of_cell(CellNumber number) {
+  return [number](const HeatField& field, const Cell& cell) { return std::invoke(number, field, inside(field, cell)); };
+}
+auto of_cells(CellNumber number) {
+  return [number](const HeatField& field) { return cells_of(field, number); };
 }
 
 void bind_collector(py::module_& m) {
@@ -101,37 +111,21 @@ void bind_heat(py::module_& m) {
           py::arg("block"), doc("HeatField::update"))
       .def("advance", &F::advance, py::arg("dt"), doc("HeatField::advance"))
       .def("set_irrigation", &F::set_irrigation, py::arg("coefficient"), doc("HeatField::set_irrigation"))
-      .def_property_readonly(
-          "config", [](const F& self) { return self.config(); }, "A copy of what it was made with.")
+      .def_property_readonly("config", &F::config, py::return_value_policy::copy, "A copy of what it was made with.")
       .def("structures", &F::structures, doc("HeatField::structures"))
       .def("balance", &F::balance, doc("HeatBalance"))
       .def("temperature_at", &F::temperature_at, py::arg("p_WQ"), doc("HeatField::temperature_at"))
-      .def_property_readonly(
-          "dims", [](const F& self) { return self.dims(); }, "How many cells there are along each axis.")
-      .def_property_readonly(
-          "cell_size", [](const F& self) { return self.cell_size(); }, "[m] edge of a cell.")
-      .def(
-          "center", [](const F& self, const Cell& cell) { return self.center(cell); }, py::arg("cell"),
-          "[m] (3,) of a cell, in W.")
-      .def(
-          "temperature", [](const F& self, const Cell& cell) { return self.temperature(inside(self, cell)); },
-          py::arg("cell"), "[deg C] of a cell; nan where it holds no material.")
-      .def(
-          "peak", [](const F& self, const Cell& cell) { return self.peak(inside(self, cell)); }, py::arg("cell"),
-          "[deg C] of a cell, largest so far.")
-      .def(
-          "dose", [](const F& self, const Cell& cell) { return self.dose(inside(self, cell)); }, py::arg("cell"),
-          "[min] CEM43 of a cell.")
-      .def(
-          "temperatures",
-          [](const F& self) { return cells_of(self, [&](const Cell& cell) { return self.temperature(cell); }); },
-          "[deg C] (nx, ny, nz) of all cells; nan where they hold no material.")
-      .def(
-          "peaks", [](const F& self) { return cells_of(self, [&](const Cell& cell) { return self.peak(cell); }); },
-          "[deg C] (nx, ny, nz) largest so far.")
-      .def(
-          "doses", [](const F& self) { return cells_of(self, [&](const Cell& cell) { return self.dose(cell); }); },
-          "[min] (nx, ny, nz) CEM43.");
+      .def_property_readonly("dims", &F::dims, "How many cells there are along each axis.")
+      .def_property_readonly("cell_size", &F::cell_size, "[m] edge of a cell.")
+      .def("center", &F::center, py::arg("cell"), "[m] (3,) of a cell, in W.")
+      .def("temperature", of_cell(&F::temperature), py::arg("cell"),
+           "[deg C] of a cell; nan where it holds no material.")
+      .def("peak", of_cell(&F::peak), py::arg("cell"), "[deg C] of a cell, largest so far.")
+      .def("dose", of_cell(&F::dose), py::arg("cell"), "[min] CEM43 of a cell.")
+      .def("temperatures", of_cells(&F::temperature),
+           "[deg C] (nx, ny, nz) of all cells; nan where they hold no material.")
+      .def("peaks", of_cells(&F::peak), "[deg C] (nx, ny, nz) largest so far.")
+      .def("doses", of_cells(&F::dose), "[min] (nx, ny, nz) CEM43.");
 }
 
 }  // namespace hapticut::python

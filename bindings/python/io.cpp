@@ -41,67 +41,47 @@ m.def(
       workpiece.read_released([&](const Workpiece& w) { save_vdb(w, path); });
     },
     py::arg("workpiece"), py::arg("path"), doc("save_vdb"));
-m.def(
-    "load_vdb", [](const Path& path) { return make_released([&] { return load_vdb(path); }); }, py::arg("path"),
-    doc("load_vdb"));
-m.def(
-    "load_vdb",
-    [](const Path& path, const VdbImport& options) { return make_released([&] { return load_vdb(path, options); }); },
-    py::arg("path"), py::arg("options"), doc("load_vdb#2"));
+m.def("load_vdb", making(py::overload_cast<const Path&>(&load_vdb)), py::arg("path"), doc("load_vdb"));
+m.def("load_vdb", making(py::overload_cast<const Path&, const VdbImport&>(&load_vdb)), py::arg("path"),
+      py::arg("options"), doc("load_vdb#2"));
 }  // namespace
+
+/// What is done alike to grey values and labels.
+template <class Volume>
+void bind_operations_of(py::module_& m) {
+  using V = const Volume&;
+  m.def("with_spacing", py::overload_cast<Volume, const Vec3&>(&with_spacing), py::arg("volume"), py::arg("spacing"),
+        doc("with_spacing"));
+  m.def("box_of_volume", py::overload_cast<V>(&box_of_volume), py::arg("volume"), doc("box_of_volume"));
+  m.def("crop_to_samples", py::overload_cast<V, const IndexBox&>(&crop_to_samples), py::arg("volume"),
+        py::arg("samples"), doc("crop_to_samples"), Released());
+  m.def("crop_to_box", py::overload_cast<V, const Box&>(&crop_to_box), py::arg("volume"), py::arg("box"),
+        doc("crop_to_box"), Released());
+}
 
 void bind_operations(py::module_& m) {
   using Grey = const GreyVolume&;
   using Labels = const LabelVolume&;
-  m.def(
-      "with_spacing", [](Grey v, const Vec3& spacing) { return with_spacing(v, spacing); }, py::arg("volume"),
-      py::arg("spacing"), doc("with_spacing"));
-  m.def(
-      "with_spacing", [](Labels v, const Vec3& spacing) { return with_spacing(v, spacing); }, py::arg("volume"),
-      py::arg("spacing"));
-  m.def(
-      "crop_to_samples", [](Grey v, const IndexBox& samples) { return crop_to_samples(v, samples); }, py::arg("volume"),
-      py::arg("samples"), doc("crop_to_samples"), Released());
-  m.def(
-      "crop_to_samples", [](Labels v, const IndexBox& samples) { return crop_to_samples(v, samples); },
-      py::arg("volume"), py::arg("samples"), Released());
-  m.def(
-      "box_around",
-      [](Labels v, const std::vector<std::uint16_t>& labels, double margin) { return box_around(v, labels, margin); },
-      py::arg("volume"), py::arg("labels") = std::vector<std::uint16_t>{}, py::arg("margin") = 0.0, doc("box_around"),
-      Released());
-  m.def(
-      "box_around", [](Grey v, double threshold, double margin) { return box_around(v, threshold, margin); },
-      py::arg("volume"), py::arg("threshold"), py::arg("margin") = 0.0, doc("box_around#2"), Released());
+  using Numbers = std::vector<std::uint16_t>;
+  bind_operations_of<GreyVolume>(m);
+  bind_operations_of<LabelVolume>(m);
+  m.def("box_around", py::overload_cast<Labels, const Numbers&, double>(&box_around), py::arg("volume"),
+        py::arg("labels") = Numbers{}, py::arg("margin") = 0.0, doc("box_around"), Released());
+  m.def("box_around", py::overload_cast<Grey, double, double>(&box_around), py::arg("volume"), py::arg("threshold"),
+        py::arg("margin") = 0.0, doc("box_around#2"), Released());
   m.def("label_range", &label_range, py::arg("volume"), py::arg("from_"), py::arg("to"), py::arg("label") = 1,
         doc("label_range"), Released());
-  m.def(
-      "box_of_volume", [](Grey v) { return box_of_volume(v); }, py::arg("volume"), doc("box_of_volume"));
-  m.def(
-      "box_of_volume", [](Labels v) { return box_of_volume(v); }, py::arg("volume"));
-  m.def(
-      "crop_to_box", [](Grey v, const Box& box) { return crop_to_box(v, box); }, py::arg("volume"), py::arg("box"),
-      doc("crop_to_box"), Released());
-  m.def(
-      "crop_to_box", [](Labels v, const Box& box) { return crop_to_box(v, box); }, py::arg("volume"), py::arg("box"),
-      Released());
   m.def("grey_range", &grey_range, py::arg("volume"), doc("grey_range"), Released());
   m.def("count_from", &count_from, py::arg("volume"), py::arg("threshold"), doc("count_from"), Released());
-  m.def(
-      "count_labels", [](Labels v) { return count_labels(v); }, py::arg("volume"), doc("count_labels"), Released());
-  m.def(
-      "count_labels", [](Grey v, std::size_t most) { return count_labels(v, most); }, py::arg("volume"),
-      py::arg("most") = 64, doc("count_labels#2"), Released());
+  m.def("count_labels", py::overload_cast<Labels>(&count_labels), py::arg("volume"), doc("count_labels"), Released());
+  m.def("count_labels", py::overload_cast<Grey, std::size_t>(&count_labels), py::arg("volume"), py::arg("most") = 64,
+        doc("count_labels#2"), Released());
   m.def("unused_label", &unused_label, py::arg("volume"), doc("unused_label"));
-  m.def(
-      "keep_largest_component", [](Labels v) { return keep_largest_component(v); }, py::arg("volume"),
-      doc("keep_largest_component"), Released());
-  m.def(
-      "keep_largest_component", [](Grey v, double threshold) { return keep_largest_component(v, threshold); },
-      py::arg("volume"), py::arg("threshold"), doc("keep_largest_component#2"), Released());
-  m.def(
-      "fill_cavities", [](Labels v, std::uint16_t label) { return fill_cavities(v, label); }, py::arg("volume"),
-      py::arg("label"), doc("fill_cavities"), Released());
+  m.def("keep_largest_component", py::overload_cast<LabelVolume>(&keep_largest_component), py::arg("volume"),
+        doc("keep_largest_component"), Released());
+  m.def("keep_largest_component", py::overload_cast<GreyVolume, double>(&keep_largest_component), py::arg("volume"),
+        py::arg("threshold"), doc("keep_largest_component#2"), Released());
+  m.def("fill_cavities", &fill_cavities, py::arg("volume"), py::arg("label"), doc("fill_cavities"), Released());
 }
 
 #ifdef HAPTICUT_PYTHON_WITH_IO
@@ -109,9 +89,7 @@ void bind_operations(py::module_& m) {
 void bind_meshes(py::module_& m) {
   py::class_<NamedMesh>(m, "NamedMesh", doc("NamedMesh"))
       .def_readonly("name", &NamedMesh::name, doc("NamedMesh::name"))
-      .def_property_readonly(
-          "mesh", [](const NamedMesh& n) -> const TriangleMesh& { return n.mesh; },
-          py::return_value_policy::reference_internal, "The surface, in metres.");
+      .def_readonly("mesh", &NamedMesh::mesh, "The surface, in metres.");
   m.def("read_mesh", &read_mesh, py::arg("path"), py::arg("unit_mm") = py::none(), doc("read_mesh"), Released());
   m.def("write_stl", &write_stl, py::arg("mesh"), py::arg("path"), py::arg("unit_mm") = 1.0, doc("write_stl"),
         Released());

@@ -18,7 +18,9 @@ struct PythonModelFactory {
   ModelFactory make;
 };
 
-HAPTICUT_NAMED_ARGUMENT(AnyFactory);  ///< a factory of the library, or a function of Python
+/// A factory of the library, or a function of Python
+HAPTICUT_NAMED_ARGUMENT(
+    AnyFactory, "ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]]");
 
 /// What the closed loop works with. A LinearWall or a ForceModel that a function of Python returns runs in C++ from
 /// then on; anything else that can be called is called at every tick, with the interpreter lock.
@@ -26,13 +28,3 @@ HAPTICUT_NAMED_ARGUMENT(AnyFactory);  ///< a factory of the library, or a functi
 [[nodiscard]] ModelFactory factory_from(const AnyFactory& given);
 
 }  // namespace hapticut::python
-
-namespace pybind11::detail {
-
-template <>
-struct handle_type_name<hapticut::python::AnyFactory> {
-  static constexpr auto name =
-      const_name("ModelFactory | collections.abc.Callable[[float], collections.abc.Callable[[DeviceState], Wrench]]");
-};
-
-}  // namespace pybind11::detail

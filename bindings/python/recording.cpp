@@ -16,6 +16,12 @@ namespace hapticut::python {
 
 namespace {
 
+/// What a recorder says of itself.
+template <class Result>
+auto of_recorder(Result (Recorder::*what)() const) {
+  return [what](const PythonRecorder& self) { return ((*self.recorder).*what)(); };
+}
+
 void bind_recorder(py::module_& m) {
   bind_described<DeviceTick>(m, "DeviceTick");
   using O = RecorderOptions;
@@ -72,12 +78,9 @@ void bind_recorder(py::module_& m) {
             self.recorder->set_device_tick(tick);
           },
           py::arg("tick"), doc("Recorder::set_device_tick"))
-      .def_property_readonly(
-          "recorded", [](const R& r) { return r.recorder->recorded(); }, doc("Recorder::recorded"))
-      .def_property_readonly(
-          "lost", [](const R& r) { return r.recorder->lost(); }, doc("Recorder::lost"))
-      .def_property_readonly(
-          "failed", [](const R& r) { return r.recorder->failed(); }, doc("Recorder::failed"))
+      .def_property_readonly("recorded", of_recorder(&Recorder::recorded), doc("Recorder::recorded"))
+      .def_property_readonly("lost", of_recorder(&Recorder::lost), doc("Recorder::lost"))
+      .def_property_readonly("failed", of_recorder(&Recorder::failed), doc("Recorder::failed"))
       .def("close", &R::close, doc("Recorder::close"))
       .def("__enter__", [](py::object self) { return self; })
       .def(
@@ -115,7 +118,7 @@ void bind_recording(py::module_& m) {
             const auto n = py::ssize_t(steps.size());
             py::array_t<double> poses({n, py::ssize_t(4), py::ssize_t(4)}), velocities({n, py::ssize_t(6)}), dt(n);
             py::array_t<std::int64_t> removed_voxels(n);
-            py::array trace = make_trace(n);
+            py::array trace = empty_rows(trace_type(), steps.size());
             const auto width = std::size_t(trace.itemsize());
             for (py::ssize_t i = 0; i < n; ++i) {
               const RecordedStep& step = steps[std::size_t(i)];
@@ -149,12 +152,9 @@ void bind_recording(py::module_& m) {
           "The steps from one on, all of them without a count: a dict of poses (n, 4, 4), velocities (n, 6) and dt "
           "(n,),\n"
           "as Simulation.run takes them, and trace, as it returns them.")
-      .def_property_readonly(
-          "tool", [](const Recording& r) { return r.tool(); }, "That made the steps.")
-      .def_property_readonly(
-          "config", [](const Recording& r) { return r.config(); }, doc("Recording::config"))
-      .def_property_readonly(
-          "effects", [](const Recording& r) { return r.effects(); }, doc("Recording::effects"))
+      .def_property_readonly("tool", &Recording::tool, py::return_value_policy::copy, "That made the steps.")
+      .def_property_readonly("config", &Recording::config, py::return_value_policy::copy, doc("Recording::config"))
+      .def_property_readonly("effects", &Recording::effects, py::return_value_policy::copy, doc("Recording::effects"))
       .def(
           "workpiece", [](const Recording& r) { return make_released([&] { return r.workpiece(); }); },
           doc("Recording::workpiece"));

@@ -15,10 +15,12 @@ namespace hapticut::python {
 
 namespace {
 
-/// @throws Error while another thread is at work on it
-const Simulation& read(const PythonSimulation& self) {
-  self.occupancy.require_readable("The simulation");
-  return self.simulation;
+/// (256,) of volumes that the simulation has counted.
+auto by_material(const ByMaterial<double>& (Simulation::*volumes)() const) {
+  return [volumes](const PythonSimulation& self) {
+    const ByMaterial<double>& all = (self.read().*volumes)();
+    return py::array_t<double>(py::ssize_t(all.size()), all.data());
+  };
 }
 
 Stepper stepper_of(PythonSimulation& self) {
@@ -102,13 +104,12 @@ void bind_the_simulation(py::module_& m) {
           "probe",
           [](S& self, const FewNumbers& pose, const FewNumbers& velocity, double dt, ProbedMotions motions) {
             const StepInput input = step_input(pose, velocity, dt);
-            self.occupancy.require_writable("The simulation");  // it works in the simulation's own memory
-            return self.simulation.probe(input.pose, input.velocity, input.dt, motions);
+            // It works in the simulation's own memory.
+            return self.write().probe(input.pose, input.velocity, input.dt, motions);
           },
           py::arg("pose"), py::arg("velocity"), py::arg("dt"),
           py::arg_v("motions", ProbedMotions::all, "ProbedMotions.all"), doc("Simulation::probe"))
-      .def_property_readonly(
-          "last_input", [](const S& self) { return read(self).last_input(); }, doc("Simulation::last_input"))
+      .def_property_readonly("last_input", reading<S>(&Simulation::last_input), doc("Simulation::last_input"))
       .def_property_readonly(
           "removed_in_run",
           [](S& self) -> py::array {
@@ -119,174 +120,62 @@ void bind_the_simulation(py::module_& m) {
       .def_property_readonly(
           "workpiece", [](S& self) { return PythonWorkpiece(self.shared_from_this()); },
           "What is left: a look at it, not a copy. It cannot be changed from there.")
+      .def_property_readonly("tool", reading<S>(&Simulation::tool), "As given.")
+      .def_property_readonly("config", reading<S>(&Simulation::config), "As given; a copy.")
       .def_property_readonly(
-          "tool", [](const S& self) { return read(self).tool(); }, "As given.")
-      .def_property_readonly(
-          "config", [](const S& self) { return read(self).config(); }, "As given; a copy.")
-      .def_property_readonly(
-          "last_result", [](const S& self) { return PythonStepResult(read(self).last_result()); },
+          "last_result", [](const S& self) { return PythonStepResult(self.read().last_result()); },
           "The result of the last step.")
-      .def_property_readonly(
-          "removed_volume_by_material",
-          [](const S& self) {
-            const auto& volumes = read(self).removed_volume_by_material();
-            return py::array_t<double>(py::ssize_t(volumes.size()), volumes.data());
-          },
-          "[m^3] (256,) taken away since construction or reset, by material id.")
-      .def_property_readonly(
-          "spindle_setting", [](const S& self) { return read(self).spindle_setting(); },
-          doc("Simulation::spindle_setting"))
-      .def_property_readonly(
-          "steps", [](const S& self) { return read(self).steps(); }, doc("Simulation::steps"))
-      .def_property_readonly(
-          "starts_afresh", [](const S& self) { return read(self).starts_afresh(); }, doc("Simulation::starts_afresh"))
-      .def_property_readonly(
-          "workpiece_exchanges", [](const S& self) { return read(self).workpiece_exchanges(); },
-          doc("Simulation::workpiece_exchanges"))
+      .def_property_readonly("removed_volume_by_material", by_material(&Simulation::removed_volume_by_material),
+                             "[m^3] (256,) taken away since construction or reset, by material id.")
+      .def_property_readonly("spindle_setting", reading<S>(&Simulation::spindle_setting),
+                             doc("Simulation::spindle_setting"))
+      .def_property_readonly("steps", reading<S>(&Simulation::steps), doc("Simulation::steps"))
+      .def_property_readonly("starts_afresh", reading<S>(&Simulation::starts_afresh), doc("Simulation::starts_afresh"))
+      .def_property_readonly("workpiece_exchanges", reading<S>(&Simulation::workpiece_exchanges),
+                             doc("Simulation::workpiece_exchanges"))
       .def(
           "changed_blocks",
           [](const S& self) {
-            const ChangedBlocks changed = read(self).changed_blocks();
+            const ChangedBlocks changed = self.read().changed_blocks();
             return py::make_tuple(block_origins(changed.origins), changed.complete);
           },
           "What the last step has changed: (n, 3) int32 first voxels of blocks, and whether that is all of them.")
-      .def(
-          "worst_case", [](const S& self) { return read(self).worst_case(); }, doc("Simulation::worst_case"))
-      .def_property_readonly(
-          "stage_times",
-          [](const S& self) {
-            self.occupancy.require_readable("The simulation");
-            return self.simulation.stage_times();
-          },
-          doc("Simulation::stage_times"))
-      .def(
-          "set_spindle_speed",
-          [](S& self, AngularSpeed speed) {
-            self.occupancy.require_writable("The simulation");
-            self.simulation.set_spindle_speed(speed);
-          },
-          py::arg("speed"), doc("Simulation::set_spindle_speed"))
-      .def(
-          "set_effects",
-          [](S& self, const Effects& effects) {
-            self.occupancy.require_writable("The simulation");
-            self.simulation.set_effects(effects);
-          },
-          py::arg("effects"), doc("Simulation::set_effects"))
-      .def(
-          "set_tool",
-          [](S& self, const Tool& tool) {
-            self.occupancy.require_writable("The simulation");
-            self.simulation.set_tool(tool);
-          },
-          py::arg("tool"), doc("Simulation::set_tool"))
-      .def(
-          "set_materials",
-          [](S& self, const MaterialTable& materials) {
-            self.occupancy.require_writable("The simulation");
-            self.simulation.set_materials(materials);
-          },
-          py::arg("materials"), doc("Simulation::set_materials"))
-      .def(
-          "set_friction",
-          [](S& self, const std::optional<DryFriction>& friction) {
-            self.occupancy.require_writable("The simulation");
-            self.simulation.set_friction(friction);
-          },
-          py::arg("friction"), doc("Simulation::set_friction"))
-      .def(
-          "set_removal",
-          [](S& self, RemovalLaw removal) {
-            self.occupancy.require_writable("The simulation");
-            self.simulation.set_removal(removal);
-          },
-          py::arg("removal"), doc("Simulation::set_removal"))
-      .def(
-          "halt_spindle",
-          [](S& self) {
-            self.occupancy.require_writable("The simulation");
-            self.simulation.halt_spindle();
-          },
-          doc("Simulation::halt_spindle"))
-      .def(
-          "hold_spindle",
-          [](S& self, bool hold) {
-            self.occupancy.require_writable("The simulation");
-            self.simulation.hold_spindle(hold);
-          },
-          py::arg("hold"), doc("Simulation::hold_spindle"))
-      .def_property_readonly(
-          "spindle_is_held", [](const S& self) { return read(self).spindle_is_held(); },
-          "Whether the spindle is held, whatever it is set to.")
-      .def(
-          "reserve_blocks",
-          [](S& self, std::size_t count) {
-            self.occupancy.require_writable("The simulation");
-            self.simulation.reserve_blocks(count);
-          },
-          py::arg("count"), doc("Simulation::reserve_blocks"))
-      .def(
-          "snapshot", [](const S& self) { return read(self).snapshot(); }, doc("Simulation::snapshot"))
-      .def(
-          "restore",
-          [](S& self, const WorkpieceSnapshot& snapshot) {
-            self.occupancy.require_writable("The simulation");
-            self.simulation.restore(snapshot);
-          },
-          py::arg("snapshot"), doc("Simulation::restore"))
-      .def(
-          "reserve_undo",
-          [](S& self, std::size_t blocks) {
-            self.occupancy.require_writable("The simulation");
-            self.simulation.reserve_undo(blocks);
-          },
-          py::arg("blocks"), doc("Simulation::reserve_undo"))
+      .def("worst_case", reading<S>(&Simulation::worst_case), doc("Simulation::worst_case"))
+      .def_property_readonly("stage_times", reading<S>(&Simulation::stage_times), doc("Simulation::stage_times"))
+      .def("set_spindle_speed", writing<S>(&Simulation::set_spindle_speed), py::arg("speed"),
+           doc("Simulation::set_spindle_speed"))
+      .def("set_effects", writing<S>(&Simulation::set_effects), py::arg("effects"), doc("Simulation::set_effects"))
+      .def("set_tool", writing<S>(&Simulation::set_tool), py::arg("tool"), doc("Simulation::set_tool"))
+      .def("set_materials", writing<S>(&Simulation::set_materials), py::arg("materials"),
+           doc("Simulation::set_materials"))
+      .def("set_friction", writing<S>(&Simulation::set_friction), py::arg("friction"), doc("Simulation::set_friction"))
+      .def("set_removal", writing<S>(&Simulation::set_removal), py::arg("removal"), doc("Simulation::set_removal"))
+      .def("halt_spindle", writing<S>(&Simulation::halt_spindle), doc("Simulation::halt_spindle"))
+      .def("hold_spindle", writing<S>(&Simulation::hold_spindle), py::arg("hold"), doc("Simulation::hold_spindle"))
+      .def_property_readonly("spindle_is_held", reading<S>(&Simulation::spindle_is_held),
+                             "Whether the spindle is held, whatever it is set to.")
+      .def("reserve_blocks", writing<S>(&Simulation::reserve_blocks), py::arg("count"),
+           doc("Simulation::reserve_blocks"))
+      .def("snapshot", reading<S>(&Simulation::snapshot), doc("Simulation::snapshot"))
+      .def("restore", writing<S>(&Simulation::restore), py::arg("snapshot"), doc("Simulation::restore"))
+      .def("reserve_undo", writing<S>(&Simulation::reserve_undo), py::arg("blocks"), doc("Simulation::reserve_undo"))
       .def(
           "set_undo_mark",
           [](S& self) {
-            self.occupancy.require_writable("The simulation");
-            if (!self.simulation.set_undo_mark()) throw Error("There is no memory for undo; call reserve_undo first.");
+            if (!self.write().set_undo_mark()) throw Error("There is no memory for undo; call reserve_undo first.");
           },
           "Marks the present state of the workpiece. Raises Error without `reserve_undo`.")
-      .def_property_readonly(
-          "undo_marks", [](const S& self) { return read(self).undo_marks(); }, "How many marks `undo` can return to.")
+      .def_property_readonly("undo_marks", reading<S>(&Simulation::undo_marks), "How many marks `undo` can return to.")
+      .def("undo", writing<S>(&Simulation::undo), py::arg("most"), doc("Simulation::undo"))
+      .def("remove_island", writing<S>(&Simulation::remove_island), py::arg("removal"), py::arg("most"),
+           doc("Simulation::remove_island"))
+      .def_property_readonly("island_volume_by_material", by_material(&Simulation::island_volume_by_material),
+                             "[m^3] (256,) that left with islands since construction or reset, by material id.")
+      .def_property_readonly("redo_marks", reading<S>(&Simulation::redo_marks),
+                             "How many undone marks `redo` can go forth over.")
+      .def("redo", writing<S>(&Simulation::redo), py::arg("most"), doc("Simulation::redo"))
       .def(
-          "undo",
-          [](S& self, std::size_t most) {
-            self.occupancy.require_writable("The simulation");
-            return self.simulation.undo(most);
-          },
-          py::arg("most"), doc("Simulation::undo"))
-      .def(
-          "remove_island",
-          [](S& self, IslandRemoval& removal, std::size_t most) {
-            self.occupancy.require_writable("The simulation");
-            return self.simulation.remove_island(removal, most);
-          },
-          py::arg("removal"), py::arg("most"), doc("Simulation::remove_island"))
-      .def_property_readonly(
-          "island_volume_by_material",
-          [](const S& self) {
-            const auto& volumes = read(self).island_volume_by_material();
-            return py::array_t<double>(py::ssize_t(volumes.size()), volumes.data());
-          },
-          "[m^3] (256,) that left with islands since construction or reset, by material id.")
-      .def_property_readonly(
-          "redo_marks", [](const S& self) { return read(self).redo_marks(); },
-          "How many undone marks `redo` can go forth over.")
-      .def(
-          "redo",
-          [](S& self, std::size_t most) {
-            self.occupancy.require_writable("The simulation");
-            return self.simulation.redo(most);
-          },
-          py::arg("most"), doc("Simulation::redo"))
-      .def(
-          "reset",
-          [](S& self, const PythonWorkpiece& workpiece) {
-            self.occupancy.require_writable("The simulation");
-            self.simulation.reset(workpiece.read().clone());
-          },
+          "reset", [](S& self, const PythonWorkpiece& workpiece) { self.write().reset(workpiece.read().clone()); },
           py::arg("workpiece"),
           "Starts again with a copy of another workpiece: tool position, energies, removed volumes and undo marks are "
           "forgotten.\nIt gets as much memory for undo as the old one had.\n\nRaises\n------\nError\n    When the "

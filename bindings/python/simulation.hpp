@@ -30,6 +30,17 @@ class PythonSimulation : public std::enable_shared_from_this<PythonSimulation> {
 
   std::vector<std::shared_ptr<StepObserver>> observers;  ///< that were made in Python; the first to go
 
+  /// @throws Error while another thread is at work on it
+  [[nodiscard]] const Simulation& read() const {
+    occupancy.require_readable("The simulation");
+    return simulation;
+  }
+  /// @throws Error as `read`, and while another thread reads it
+  [[nodiscard]] Simulation& write() {
+    occupancy.require_writable("The simulation");
+    return simulation;
+  }
+
   void remember(std::span<const RemovedVoxel> voxels, std::size_t step) {
     for (const RemovedVoxel& voxel : voxels)
       removed.push_back({std::int64_t(step), {voxel.index[0], voxel.index[1], voxel.index[2]}, voxel.material});

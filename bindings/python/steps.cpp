@@ -104,28 +104,7 @@ PythonStepResult make_step(PythonSimulation& simulation, const FewNumbers& pose,
 
 py::array make_steps(PythonSimulation& simulation, const Float64Array& poses, const Float64Array& velocities,
                      const Durations& dt, const Stepper& step) {
-  const RunInput input(poses, velocities, dt);
-  py::array trace = make_trace(py::ssize_t(input.steps));
-  const auto width = std::size_t(trace.itemsize());
-  auto* const rows = static_cast<std::byte*>(trace.mutable_data());
-  simulation.occupancy.require_writable("The simulation");  // last: what is above may let other threads run
-  simulation.removed.clear();
-  TakenSteps taken;
-  {
-    const std::shared_ptr<void> recorder = simulation.recorder.lock();
-    const ReleasedWriting released(simulation.occupancy);
-    double time = 0;
-    for (std::size_t i = 0; i < input.steps; ++i) {
-      const StepInput now = input[i];
-      const StepResult& result = step(now);
-      time += now.dt;
-      taken.note(result.status);
-      write_trace_row(result, time, rows + width * i);
-      simulation.remember(result.removed_voxels, i);
-    }
-  }
-  taken.tell();
-  return trace;
+  return make_rows(simulation, RunInput(poses, velocities, dt), trace_type(), step, write_trace_row);
 }
 
 }  // namespace hapticut::python

@@ -46,6 +46,35 @@ class TakenSteps {
   std::size_t all_ = 0, taken_ = 0;
 };
 
+/// A row of numbers for every step, without the interpreter lock.
+/// @param step  makes one of an input and returns its result
+/// @param write  `write(result, time, row)`
+/// @throws Error while another thread is at work on the simulation
+template <class Step, class Write>
+py::array make_rows(PythonSimulation& simulation, const RunInput& input, const py::dtype& type, const Step& step,
+                    const Write& write) {
+  py::array all = empty_rows(type, input.steps);
+  auto* row = static_cast<std::byte*>(all.mutable_data());
+  simulation.occupancy.require_writable("The simulation");  // last: what is above may let other threads run
+  simulation.removed.clear();
+  TakenSteps taken;
+  {
+    const std::shared_ptr<void> recorder = simulation.recorder.lock();
+    const ReleasedWriting released(simulation.occupancy);
+    double time = 0;
+    for (std::size_t i = 0; i < input.steps; ++i, row += type.itemsize()) {
+      const StepInput now = input[i];
+      const auto& result = step(now);
+      time += now.dt;
+      taken.note(result.status);
+      write(result, time, row);
+      simulation.remember(result.removed_voxels, i);
+    }
+  }
+  taken.tell();
+  return all;
+}
+
 /// (n, 3) int32 and (n,) uint8 that look into a list of voxels which `owner` keeps alive.
 [[nodiscard]] py::array voxel_indices(const std::vector<RemovedVoxel>& voxels, py::handle owner);
 [[nodiscard]] py::array voxel_materials(const std::vector<RemovedVoxel>& voxels, py::handle owner);

@@ -54,6 +54,15 @@ std::string doc_of_described(const hapticut::Field<S, T>& field, const std::stri
   return more.empty() ? text : text + "\n\n" + more;
 }
 
+/// "Name(first=1, second=2)".
+template <class Names>
+std::string text_of(py::handle self, const Names& names) {
+  std::string fields;
+  for (const char* name : names)
+    fields += (fields.empty() ? "" : ", ") + std::string(name) + "=" + std::string(py::repr(self.attr(name)));
+  return std::string(py::str(py::type::of(self).attr("__qualname__"))) + "(" + fields + ")";
+}
+
 }  // namespace detail
 
 /// A field of struct S.
@@ -173,10 +182,6 @@ auto in_python(const hapticut::Field<S, T>& field, const std::string& scope) {
   }
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// How many fields may be given by position: all of a few, else those that must be given, or the first.
 template <class... Fields>
 constexpr std::size_t positional_fields() {
@@ -217,18 +222,8 @@ py::class_<S> bind_struct(py::handle parent, const char* name, const char* scope
   detail::define_constructor(binding, all, std::make_index_sequence<kFirst>(),
                              std::make_index_sequence<sizeof...(Fields) - kFirst>());
   (fields.define(binding, scope), ...);
-  binding.def("__repr__", [all](py::handle self) {
-    std::string text = std::string(py::str(py::type::of(self).attr("__qualname__"))) + "(";
-    std::apply(
-        [&](const auto&... field) {
-          bool first = true;
-          ((text += std::string(first ? "" : ", ") + field.name + "=" + std::string(py::repr(self.attr(field.name))),
-            first = false),
-           ...);
-        },
-        all);
-    return text + ")";
-  });
+  const std::array<const char*, sizeof...(Fields)> names = {fields.name...};
+  binding.def("__repr__", [names](py::handle self) { return detail::text_of(self, names); });
   const auto copy = [](const S& s) { return S(s); };
   binding.def("__copy__", copy);
   binding.def(
@@ -277,14 +272,8 @@ py::class_<S> bind_result(py::handle parent, const char* name, std::pair<const c
        members.first, [member = members.second](const S& s) -> const Members& { return s.*member; },
        py::return_value_policy::copy, doc_or_none(std::string(name) + "::" + members.first)),
    ...);
-  binding.def("__repr__", [members...](py::handle self) {
-    std::string text = std::string(py::str(py::type::of(self).attr("__qualname__"))) + "(";
-    bool first = true;
-    ((text += std::string(first ? "" : ", ") + members.first + "=" + std::string(py::repr(self.attr(members.first))),
-      first = false),
-     ...);
-    return text + ")";
-  });
+  const std::array<const char*, sizeof...(Members)> names = {members.first...};
+  binding.def("__repr__", [names](py::handle self) { return detail::text_of(self, names); });
   return binding;
 }
 
@@ -299,12 +288,7 @@ py::class_<S> bind_described_result(py::handle parent, const char* name) {
         py::return_value_policy::copy, detail::doc_of_described(field, name).c_str());
     names.push_back(field.name);
   });
-  binding.def("__repr__", [names](py::handle self) {
-    std::string text = std::string(py::str(py::type::of(self).attr("__qualname__"))) + "(";
-    for (const char* one : names)
-      text += std::string(one == names.front() ? "" : ", ") + one + "=" + std::string(py::repr(self.attr(one)));
-    return text + ")";
-  });
+  binding.def("__repr__", [names](py::handle self) { return detail::text_of(self, names); });
   return binding;
 }
 

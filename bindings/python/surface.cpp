@@ -40,9 +40,7 @@ py::array of_vertices(const SurfacePage& page, const Of& of) {
 
 void bind_whole_surface(py::module_& m) {
   py::class_<WorkpieceSurface>(m, "WorkpieceSurface", doc("WorkpieceSurface"))
-      .def_property_readonly(
-          "mesh", [](const WorkpieceSurface& s) -> const TriangleMesh& { return s.mesh; },
-          py::return_value_policy::reference_internal, doc("WorkpieceSurface::mesh"))
+      .def_readonly("mesh", &WorkpieceSurface::mesh, doc("WorkpieceSurface::mesh"))
       .def_property_readonly(
           "normals", [](const py::object& self) { return view_of(self.cast<const WorkpieceSurface&>().normals, self); },
           "(n, 3) of each vertex, of length 1, out of the material; in W; read-only.")
@@ -136,8 +134,7 @@ void bind_surface(py::module_& m) {
           "Takes the page that waits nearest to the point looked at, meshed as it is now; None when none waits.")
       .def("look_at", &S::look_at, py::arg("p_WQ"), doc("SurfaceStream::look_at"))
       .def("resend", &S::resend, doc("SurfaceStream::resend"))
-      .def_property_readonly(
-          "frame", [](const S& self) { return self.frame(); }, doc("GridFrame"))
+      .def_property_readonly("frame", &S::frame, py::return_value_policy::copy, doc("GridFrame"))
       .def("waiting", &S::waiting, doc("SurfaceStream::waiting"))
       .def("blocks_meshed", &S::blocks_meshed, doc("SurfaceStream::blocks_meshed"))
       .def("memory_bytes", &S::memory_bytes, doc("SurfaceStream::memory_bytes"));

@@ -10,8 +10,8 @@
 #include "structs.hpp"
 
 /// @file
-/// The structured array that Simulation.run returns: `time`, and the fields of StepResult as they describe themselves.
-/// Of the removed voxels it has their number.
+/// Rows of structured arrays, such as that of Simulation.run: `time`, and the fields of StepResult as they describe
+/// themselves. Of the removed voxels they have the number.
 namespace hapticut::python {
 
 namespace detail {
@@ -26,6 +26,10 @@ py::tuple row_field(const char* name) {
     return py::make_tuple(name, row_fields<T>());
   } else if constexpr (std::is_same_v<T, Vec3>) {
     return py::make_tuple(name, "f8", py::make_tuple(3));
+  } else if constexpr (std::is_same_v<T, Pose>) {
+    return py::make_tuple(name, "f8", py::make_tuple(4, 4));
+  } else if constexpr (std::is_same_v<T, Twist>) {
+    return py::make_tuple(name, "f8", py::make_tuple(6));
   } else if constexpr (std::is_same_v<T, Wrench>) {
     py::list parts;
     parts.append(row_field<Vec3>("force"));
@@ -61,6 +65,13 @@ void put(std::byte*& at, const T& value) noexcept {
     for_each_field<T>([&](const auto& field) { put(at, value.*field.member); });
   } else if constexpr (std::is_same_v<T, Vec3>) {
     for (const double number : value) copy(number);
+  } else if constexpr (std::is_same_v<T, Pose>) {
+    double matrix[16];
+    write_pose(value, matrix);
+    copy(matrix);
+  } else if constexpr (std::is_same_v<T, Twist>) {
+    put(at, value.linear);
+    put(at, value.angular);
   } else if constexpr (std::is_same_v<T, Wrench>) {
     put(at, value.force);
     put(at, value.torque);
@@ -77,23 +88,28 @@ void put(std::byte*& at, const T& value) noexcept {
 
 }  // namespace detail
 
-/// The type of a row. Its last number has half the width of the others; the row is filled up.
-inline py::dtype trace_dtype() {
-  py::list fields;
-  fields.append(detail::row_field<double>("time"));
-  for (const py::handle field : detail::row_fields<StepResult>()) fields.append(field);
+/// The type of a row, which is filled up where its last number has half the width of the others.
+inline py::dtype row_type(const py::list& fields) {
   return py::dtype::from_args(py::module_::import("numpy").attr("dtype")(fields, py::arg("align") = true));
 }
 
+/// The same of Simulation.run.
+inline py::dtype trace_type() {
+  py::list fields;
+  fields.append(detail::row_field<double>("time"));
+  for (const py::handle field : detail::row_fields<StepResult>()) fields.append(field);
+  return row_type(fields);
+}
+
 /// Rows of zeros.
-inline py::array make_trace(py::ssize_t rows) {
-  py::array trace(trace_dtype(), rows);
-  std::memset(trace.mutable_data(), 0, std::size_t(trace.nbytes()));
-  return trace;
+inline py::array empty_rows(const py::dtype& type, std::size_t count) {
+  py::array rows(type, py::ssize_t(count));
+  std::memset(rows.mutable_data(), 0, std::size_t(rows.nbytes()));
+  return rows;
 }
 
 /// @param time  [s] at the end of the step, since the run began
-/// @param row   [bytes of trace_dtype], all zero
+/// @param row   [bytes of trace_type], all zero
 inline void write_trace_row(const StepResult& result, double time, std::byte* row) noexcept {
   detail::put(row, time);
   detail::put(row, result);

@@ -62,25 +62,19 @@ std::array<std::size_t, 3> extent_of(const IndexBox& box) {
 /// Calls `function(block, voxel in the block, place in the array)` for every voxel of a box that the workpiece may
 /// fill.
 template <class Function>
-void for_each_voxel(const Workpiece& workpiece, const IndexBox& box, const Function& function) {
+void for_each_filled_voxel(const Workpiece& workpiece, const IndexBox& box, const Function& function) {
   const std::array<std::size_t, 3> extent = extent_of(box);
-  IndexBox both = workpiece.bounds();  // within +-2^30, so that the loops below end
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    both.min[axis] = std::max(both.min[axis], box.min[axis]);
-    both.max[axis] = std::min(both.max[axis], box.max[axis]);
-  }
-  if (both.empty()) return;
-  const auto place = [&box](int index, std::size_t axis) { return std::size_t(std::int64_t(index) - box.min[axis]); };
+  const auto place = [&box](const VoxelIndex& at, std::size_t axis) {
+    return std::size_t(std::int64_t(at[axis]) - box.min[axis]);
+  };
+  const IndexBox both = overlap(workpiece.bounds(), box);  // within +-2^30, so that the loops below end
   for_each_block_origin(both, [&](const VoxelIndex& origin) {
     const BlockView block = workpiece.block(origin);
     if (block.empty()) return;
-    const auto first = [&](std::size_t axis) { return std::max(origin[axis], both.min[axis]); };
-    const auto last = [&](std::size_t axis) { return std::min(origin[axis] + kBlockEdge - 1, both.max[axis]); };
-    for (int i = first(0); i <= last(0); ++i)
-      for (int j = first(1); j <= last(1); ++j)
-        for (int k = first(2); k <= last(2); ++k)
-          function(block, block_offset(i - origin[0], j - origin[1], k - origin[2]),
-                   (place(i, 0) * extent[1] + place(j, 1)) * extent[2] + place(k, 2));
+    hapticut::for_each_voxel(overlap(voxels_of_block(origin), both), [&](const VoxelIndex& at) {
+      function(block, block_offset(at[0] - origin[0], at[1] - origin[1], at[2] - origin[2]),
+               (place(at, 0) * extent[1] + place(at, 1)) * extent[2] + place(at, 2));
+    });
   });
 }
 
@@ -91,7 +85,7 @@ py::array dense(const PythonWorkpiece& workpiece, const std::optional<IndexBox>&
   Value* values = array.mutable_data();
   std::fill_n(values, array.size(), Value(0));
   workpiece.read_released([&](const Workpiece& w) {
-    for_each_voxel(w, wanted, [&](const BlockView& block, int voxel, std::size_t at) {
+    for_each_filled_voxel(w, wanted, [&](const BlockView& block, int voxel, std::size_t at) {
       if (block.fill_of(voxel) > 0) values[at] = std::invoke(value_of, block, voxel);
     });
   });
@@ -127,22 +121,19 @@ PythonWorkpiece from_arrays(const py::array& material, const std::optional<py::a
   const float* part = fill ? fills.data() : nullptr;
   return make_released([&] {
     return Workpiece::from_blocks(domain, frame, materials, [&](const VoxelIndex& block, BlockContent& content) {
-      for (int x = 0; x < kBlockEdge; ++x)
-        for (int y = 0; y < kBlockEdge; ++y)
-          for (int z = 0; z < kBlockEdge; ++z) {
-            const int i = block[0] + x - origin[0], j = block[1] + y - origin[1], k = block[2] + z - origin[2];
-            const auto voxel = std::size_t(block_offset(x, y, z));
-            content.material[voxel] = kEmpty;
-            content.fill[voxel] = 0;
-            content.centroid[voxel] = {};
-            if (i < 0 || j < 0 || k < 0 || i >= nx || j >= ny || k >= nz) continue;
-            const std::size_t at =
-                (std::size_t(i) * std::size_t(ny) + std::size_t(j)) * std::size_t(nz) + std::size_t(k);
-            const float share = part != nullptr ? part[at] : 1.0F;
-            if (id[at] == kEmpty || share == 0) continue;
-            content.material[voxel] = id[at];
-            content.fill[voxel] = share;
-          }
+      for (int n = 0; n < kBlockVoxels; ++n) {
+        const auto [x, y, z] = voxel_at(block, n);
+        const int i = x - origin[0], j = y - origin[1], k = z - origin[2];
+        content.material[n] = kEmpty;
+        content.fill[n] = 0;
+        content.centroid[n] = {};
+        if (i < 0 || j < 0 || k < 0 || i >= nx || j >= ny || k >= nz) continue;
+        const std::size_t at = (std::size_t(i) * std::size_t(ny) + std::size_t(j)) * std::size_t(nz) + std::size_t(k);
+        const float share = part != nullptr ? part[at] : 1.0F;
+        if (id[at] == kEmpty || share == 0) continue;
+        content.material[n] = id[at];
+        content.fill[n] = share;
+      }
       return BlockKind::mixed();
     });
   });
@@ -274,30 +265,17 @@ void bind_state(py::class_<PythonWorkpiece>& binding) {
       .def("__copy__", [](const W& w) { return W(w.read().clone()); })
       .def(
           "__deepcopy__", [](const W& w, const py::dict&) { return W(w.read().clone()); }, py::arg("memo"))
-      .def_property_readonly(
-          "frame", [](const W& w) { return w.read().frame(); }, doc("GridFrame"))
-      .def_property_readonly(
-          "voxel_size", [](const W& w) { return w.read().voxel_size(); }, doc("Workpiece::voxel_size"))
-      .def_property_readonly(
-          "materials", [](const W& w) { return w.read().materials(); }, "A copy of the table; see set_materials.")
-      .def(
-          "bounds", [](const W& w) { return w.read().bounds(); }, doc("Workpiece::bounds"))
-      .def(
-          "empty", [](const W& w) { return w.read().empty(); }, doc("Workpiece::empty"))
-      .def(
-          "solid_voxels", [](const W& w) { return w.read().solid_voxels(); }, doc("Workpiece::solid_voxels"))
-      .def(
-          "memory_bytes", [](const W& w) { return w.read().memory_bytes(); }, doc("Workpiece::memory_bytes"))
-      .def(
-          "pool_bytes", [](const W& w) { return w.read().pool_bytes(); }, doc("Workpiece::pool_bytes"))
-      .def(
-          "amounts", [](const W& w) { return w.read().amounts(); }, doc("Workpiece::amounts"))
-      .def(
-          "material_at", [](const W& w, const VoxelIndex& i) { return w.read().material_at(i); }, py::arg("index"),
-          doc("Workpiece::material_at"))
-      .def(
-          "fill_at", [](const W& w, const VoxelIndex& i) { return w.read().fill_at(i); }, py::arg("index"),
-          doc("Workpiece::fill_at"))
+      .def_property_readonly("frame", reading<W>(&Workpiece::frame), doc("GridFrame"))
+      .def_property_readonly("voxel_size", reading<W>(&Workpiece::voxel_size), doc("Workpiece::voxel_size"))
+      .def_property_readonly("materials", reading<W>(&Workpiece::materials), "A copy of the table; see set_materials.")
+      .def("bounds", reading<W>(&Workpiece::bounds), doc("Workpiece::bounds"))
+      .def("empty", reading<W>(&Workpiece::empty), doc("Workpiece::empty"))
+      .def("solid_voxels", reading<W>(&Workpiece::solid_voxels), doc("Workpiece::solid_voxels"))
+      .def("memory_bytes", reading<W>(&Workpiece::memory_bytes), doc("Workpiece::memory_bytes"))
+      .def("pool_bytes", reading<W>(&Workpiece::pool_bytes), doc("Workpiece::pool_bytes"))
+      .def("amounts", reading<W>(&Workpiece::amounts), doc("Workpiece::amounts"))
+      .def("material_at", reading<W>(&Workpiece::material_at), py::arg("index"), doc("Workpiece::material_at"))
+      .def("fill_at", reading<W>(&Workpiece::fill_at), py::arg("index"), doc("Workpiece::fill_at"))
       .def(
           "centroid_at",
           [](const W& w, const VoxelIndex& i) {
@@ -319,37 +297,21 @@ void bind_state(py::class_<PythonWorkpiece>& binding) {
           },
           py::arg("box") = py::none(),
           "(nx, ny, nz) float32: the filled fraction of every voxel of a box; without a box, of bounds().")
-      .def(
-          "hash", [](const W& w) { return w.read().hash(); }, doc("Workpiece::hash"))
-      .def(
-          "set_materials", [](W& w, const MaterialTable& table) { w.write().set_materials(table); },
-          py::arg("materials"), doc("Workpiece::set_materials"))
-      .def(
-          "snapshot", [](const W& w) { return w.read().snapshot(); },
-          "A frozen copy of the state, to return to. Cheap to copy; shares memory.")
-      .def(
-          "restore", [](W& w, const WorkpieceSnapshot& snapshot) { w.write().restore(snapshot); }, py::arg("snapshot"),
-          doc("Workpiece::restore"))
-      .def(
-          "reserve_undo", [](W& w, std::size_t blocks) { w.write().reserve_undo(blocks); }, py::arg("blocks"),
-          doc("Workpiece::reserve_undo"))
-      .def_property_readonly(
-          "undo_blocks", [](const W& w) { return w.read().undo_blocks(); }, "How many `reserve_undo` asked for.")
-      .def(
-          "set_mark", [](W& w) { w.write().set_mark(); }, doc("Workpiece::set_mark"))
-      .def_property_readonly(
-          "marks", [](const W& w) { return w.read().marks(); }, "How many marks can be returned to.")
-      .def(
-          "undo_block", [](W& w) { return w.write().undo_block(); }, doc("Workpiece::undo_block"))
-      .def_property_readonly(
-          "redo_marks", [](const W& w) { return w.read().redo_marks(); }, "How many undone marks there are.")
-      .def(
-          "redo_block", [](W& w) { return w.write().redo_block(); }, doc("Workpiece::redo_block"))
-      .def(
-          "reserve_blocks", [](W& w, std::size_t count) { w.write().reserve_blocks(count); }, py::arg("count"),
-          doc("Workpiece::reserve_blocks"))
-      .def(
-          "reserved_blocks", [](const W& w) { return w.read().reserved_blocks(); }, doc("Workpiece::reserved_blocks"))
+      .def("hash", reading<W>(&Workpiece::hash), doc("Workpiece::hash"))
+      .def("set_materials", writing<W>(&Workpiece::set_materials), py::arg("materials"),
+           doc("Workpiece::set_materials"))
+      .def("snapshot", reading<W>(&Workpiece::snapshot),
+           "A frozen copy of the state, to return to. Cheap to copy; shares memory.")
+      .def("restore", writing<W>(&Workpiece::restore), py::arg("snapshot"), doc("Workpiece::restore"))
+      .def("reserve_undo", writing<W>(&Workpiece::reserve_undo), py::arg("blocks"), doc("Workpiece::reserve_undo"))
+      .def_property_readonly("undo_blocks", reading<W>(&Workpiece::undo_blocks), "How many `reserve_undo` asked for.")
+      .def("set_mark", writing<W>(&Workpiece::set_mark), doc("Workpiece::set_mark"))
+      .def_property_readonly("marks", reading<W>(&Workpiece::marks), "How many marks can be returned to.")
+      .def("undo_block", writing<W>(&Workpiece::undo_block), doc("Workpiece::undo_block"))
+      .def_property_readonly("redo_marks", reading<W>(&Workpiece::redo_marks), "How many undone marks there are.")
+      .def("redo_block", writing<W>(&Workpiece::redo_block), doc("Workpiece::redo_block"))
+      .def("reserve_blocks", writing<W>(&Workpiece::reserve_blocks), py::arg("count"), doc("Workpiece::reserve_blocks"))
+      .def("reserved_blocks", reading<W>(&Workpiece::reserved_blocks), doc("Workpiece::reserved_blocks"))
       .def("__repr__", [](const W& w) {
         return "Workpiece(" + std::to_string(w.read().solid_voxels()) + " voxels of " +
                format_number(w.read().voxel_size() * 1e3) + " mm)";

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
@@ -106,6 +107,24 @@ template <class Function>
 PythonWorkpiece make_released(const Function& function) {
   const pybind11::gil_scoped_release released;
   return PythonWorkpiece(function());
+}
+
+/// A function of C++ that makes a workpiece, as Python calls it.
+template <class... Given>
+auto making(Workpiece (*make)(Given...)) {
+  return [make](const std::remove_cvref_t<Given>&... given) { return make_released([&] { return make(given...); }); };
+}
+
+/// A method of C++ that looks at an object, as one of what holds it in Python: of `Holder::read`.
+template <class Holder, class Object, class Result, class... Given>
+auto reading(Result (Object::*method)(Given...) const) {
+  return [method](const Holder& self, Given... given) { return (self.read().*method)(std::forward<Given>(given)...); };
+}
+
+/// The same of one that changes it: of `Holder::write`.
+template <class Holder, class Object, class Result, class... Given>
+auto writing(Result (Object::*method)(Given...)) {
+  return [method](Holder& self, Given... given) { return (self.write().*method)(std::forward<Given>(given)...); };
 }
 
 }  // namespace hapticut::python

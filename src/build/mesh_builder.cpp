@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/build/mesh_builder.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include "build/winding_number.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 
 namespace hapticut {
 namespace {
@@ -199,16 +201,15 @@ class ShellSampler {
     for (const Triangle* t : touching) {
       const Vec3 low = ((*t)[0].cwiseMin((*t)[1]).cwiseMin((*t)[2]) - corner) / voxel_size;
       const Vec3 high = ((*t)[0].cwiseMax((*t)[1]).cwiseMax((*t)[2]) - corner) / voxel_size;
-      VoxelIndex from, to;
+      IndexBox voxels;
       for (int axis = 0; axis < 3; ++axis) {
-        from[std::size_t(axis)] = int(std::floor(std::clamp(low[axis] - 1e-9, 0.0, kBlockEdge - 1.0)));
-        to[std::size_t(axis)] = int(std::floor(std::clamp(high[axis] + 1e-9, 0.0, kBlockEdge - 1.0)));
+        voxels.min[std::size_t(axis)] = int(std::floor(std::clamp(low[axis] - 1e-9, 0.0, kBlockEdge - 1.0)));
+        voxels.max[std::size_t(axis)] = int(std::floor(std::clamp(high[axis] + 1e-9, 0.0, kBlockEdge - 1.0)));
       }
-      for (int x = from[0]; x <= to[0]; ++x)
-        for (int y = from[1]; y <= to[1]; ++y)
-          for (int z = from[2]; z <= to[2]; ++z)
-            if (touches_cube(*t, corner + voxel_size * Vec3(x + 0.5, y + 0.5, z + 0.5), voxel_size / 2))
-              pairs.emplace_back(std::uint32_t(block_offset(x, y, z)), t);
+      for_each_voxel(voxels, [&](const VoxelIndex& at) {
+        if (touches_cube(*t, corner + voxel_size * Vec3(at[0] + 0.5, at[1] + 0.5, at[2] + 0.5), voxel_size / 2))
+          pairs.emplace_back(std::uint32_t(block_offset(at[0], at[1], at[2])), t);
+      });
     }
     std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     block.first.assign(kBlockVoxels + 1, 0);
@@ -361,15 +362,14 @@ void validate(const std::vector<MeshShell>& shells, const MaterialTable& materia
 
 Workpiece build_from_shells(const std::vector<MeshShell>& shells, MaterialTable materials, const MeshImport& options) {
   validate(shells, materials, options);
-  Vec3 min = shells[0].mesh.vertices[shells[0].mesh.triangles[0][0]], max = min;
+  Eigen::AlignedBox3d around;
   for (const MeshShell& shell : shells)
     for (const auto& t : shell.mesh.triangles)
-      for (const std::uint32_t v : t)
-        min = min.cwiseMin(shell.mesh.vertices[v]), max = max.cwiseMax(shell.mesh.vertices[v]);
-  const Vec3 voxels = (max - min) / options.voxel_size;
+      for (const std::uint32_t v : t) around.extend(shell.mesh.vertices[v]);
+  const double length = around.sizes().maxCoeff();
+  const Vec3 voxels = around.sizes() / options.voxel_size;
   if (!(voxels.maxCoeff() < 1e9))
-    throw Error("the surface is " + mm_text((max - min).maxCoeff()) + " long, that is " +
-                format_number(voxels.maxCoeff()) +
+    throw Error("the surface is " + mm_text(length) + " long, that is " + format_number(voxels.maxCoeff()) +
                 " voxels; check its unit (unit_mm of read_mesh), or choose a larger voxel size.");
   const WorkEstimate estimate = estimate_work(shells, options);
   if (options.tell) options.tell(estimate);
@@ -379,10 +379,11 @@ Workpiece build_from_shells(const std::vector<MeshShell>& shells, MaterialTable 
     domain.min[std::size_t(axis)] = 0;
     domain.max[std::size_t(axis)] = int(std::ceil(voxels[axis] - 1e-6)) - 1;
   }
-  const GridFrame frame{options.voxel_size, Pose::from_translation(min + Vec3::Constant(options.voxel_size / 2))};
+  const GridFrame frame{options.voxel_size,
+                        Pose::from_translation(around.min() + Vec3::Constant(options.voxel_size / 2))};
   ShellsFiller filler(shells, frame, options.subsamples);
   Workpiece workpiece = Workpiece::from_blocks(domain, frame, std::move(materials), std::ref(filler));
-  filler.check((max - min).maxCoeff());
+  filler.check(length);
   if (workpiece.empty())
     throw Error("nothing solid is left between the surfaces: the last ones enclose only cavities.");
   return workpiece;

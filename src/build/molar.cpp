@@ -345,34 +345,13 @@ double Molar::surface_height(double x, double y) const {
 }  // namespace
 
 void validate(const MolarParameters& p) {
-  const auto between = [](double value, double low, double high, const char* field) {
-    require_between(value, low, high, (std::string("MolarParameters::") + field + " [m]").c_str());
+  require_fields_within(p, "MolarParameters::");
+  const auto at_most = [](double value, double high, const char* field) {
+    require_between(value, 0, high, (std::string("MolarParameters::") + field + " [m]").c_str());
   };
-  between(p.crown_mesiodistal, 8 * mm, 15 * mm, "crown_mesiodistal");
-  between(p.crown_buccolingual, 8 * mm, 15 * mm, "crown_buccolingual");
-  between(p.crown_height, 5 * mm, 10 * mm, "crown_height");
-  between(p.cervix_mesiodistal, 6.5 * mm, p.crown_mesiodistal, "cervix_mesiodistal");
-  between(p.cervix_buccolingual, 6.5 * mm, p.crown_buccolingual, "cervix_buccolingual");
-  between(p.cervical_curvature, 0, 2 * mm, "cervical_curvature");
-  between(p.mesial_root_length, 8 * mm, 20 * mm, "mesial_root_length");
-  between(p.distal_root_length, 8 * mm, 20 * mm, "distal_root_length");
-  between(p.furcation_depth, 2 * mm, 5 * mm, "furcation_depth");
-  between(p.fossa_depth, 1 * mm, 3.5 * mm, "fossa_depth");
-  between(p.fissure_depth, 0, 0.8 * mm, "fissure_depth");
-  between(p.fissure_half_width, 0.1 * mm, 1 * mm, "fissure_half_width");
-  between(p.enamel_at_cusps, 1.2 * mm, 3 * mm, "enamel_at_cusps");
-  between(p.enamel_on_walls, 0.5 * mm, 2 * mm, "enamel_on_walls");
-  between(p.enamel_in_fossa, 0.5 * mm, 2 * mm, "enamel_in_fossa");
-  between(p.chamber_mesiodistal, 2 * mm, 6 * mm, "chamber_mesiodistal");
-  between(p.chamber_buccolingual, 2 * mm, 6 * mm, "chamber_buccolingual");
-  between(p.chamber_roof, -1 * mm, 2 * mm, "chamber_roof");
-  between(p.chamber_height, 1 * mm, 3 * mm, "chamber_height");
-  between(p.horn_height, 0, 2 * mm, "horn_height");
-  between(p.canal_radius, 0.2 * mm, 0.6 * mm, "canal_radius");
-  between(p.canal_radius_at_apex, 0.1 * mm, p.canal_radius, "canal_radius_at_apex");
-  between(p.apical_dentin, 0.6 * mm, 3 * mm, "apical_dentin");
-  between(p.caries_depth, 0, 5 * mm, "caries_depth");
-  between(p.caries_width, 0.5 * mm, 6 * mm, "caries_width");
+  at_most(p.cervix_mesiodistal, p.crown_mesiodistal, "cervix_mesiodistal");
+  at_most(p.cervix_buccolingual, p.crown_buccolingual, "cervix_buccolingual");
+  at_most(p.canal_radius_at_apex, p.canal_radius, "canal_radius_at_apex");
 }
 
 BodyDescription describe_molar(const MolarParameters& parameters) {

@@ -10,8 +10,10 @@
 #include <string>
 #include <utility>
 
+#include "build/boxes.hpp"
 #include "build/volume_fields.hpp"
 #include "hapticut/core/errors.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 #include "workpiece/coverage.hpp"
 
 namespace hapticut {
@@ -27,27 +29,14 @@ struct Layout {
   bool one_to_one;   // voxel (i, j, k) is sample (i, j, k)
 };
 
-IndexBox intersection(const IndexBox& a, const IndexBox& b) {
-  IndexBox box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.min[axis] = std::max(a.min[axis], b.min[axis]);
-    box.max[axis] = std::min(a.max[axis], b.max[axis]);
-  }
-  return box;
-}
-
 /// Voxels of the smallest grid-aligned box around a box of W.
 IndexBox voxels_around(const Box& box, const GridFrame& frame) {
   if (!is_finite(box.min) || !is_finite(box.max) || !((box.max - box.min).minCoeff() > 0))
     throw Error("VolumeBuildOptions::crop must be finite and have max > min along every axis.");
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (unsigned n = 0; n < 8; ++n) {
-    const Vec3 corner((n & 1U) != 0 ? box.max.x() : box.min.x(), (n & 2U) != 0 ? box.max.y() : box.min.y(),
-                      (n & 4U) != 0 ? box.max.z() : box.min.z());
-    const Vec3 voxel = frame.X_WV.inverse() * corner / frame.voxel_size;
-    low = low.cwiseMin(voxel);
-    high = high.cwiseMax(voxel);
-  }
+  const Pose X_VW = frame.X_WV.inverse();
+  const Eigen::AlignedBox3d around =
+      box_of_moved(box, [&](const Vec3& corner) { return Vec3(X_VW * corner / frame.voxel_size); });
+  const Vec3 low = around.min(), high = around.max();
   IndexBox voxels;
   for (int axis = 0; axis < 3; ++axis) {
     // The voxel reaches half an edge to each side; a face on a boundary does not touch the next voxel.
@@ -74,8 +63,8 @@ Layout layout_of(const Volume<Value>& volume, const VolumeBuildOptions& options)
   const Vec3 p_GV = layout.first.cwiseProduct(volume.spacing);
   layout.frame = {size, volume.X_WG * Pose::from_translation(p_GV)};
 
-  const IndexBox all = {{0, 0, 0}, {volume.dims[0] - 1, volume.dims[1] - 1, volume.dims[2] - 1}};
-  layout.samples = options.crop_samples ? intersection(all, *options.crop_samples) : all;
+  const IndexBox all = samples_of(volume);
+  layout.samples = options.crop_samples ? overlap(all, *options.crop_samples) : all;
   if (layout.samples.empty())
     throw Error("VolumeBuildOptions::crop_samples has no sample of the volume, which has " +
                 std::to_string(volume.dims[0]) + " x " + std::to_string(volume.dims[1]) + " x " +
@@ -90,7 +79,7 @@ Layout layout_of(const Volume<Value>& volume, const VolumeBuildOptions& options)
     layout.voxels.max[axis] = int(std::ceil(high - 1e-6)) - 1;
   }
   if (options.crop) {
-    layout.voxels = intersection(layout.voxels, voxels_around(*options.crop, layout.frame));
+    layout.voxels = overlap(layout.voxels, voxels_around(*options.crop, layout.frame));
     if (layout.voxels.empty())
       throw Error("VolumeBuildOptions::crop does not meet the volume; check its units and pose.");
   }
@@ -140,11 +129,7 @@ BlockKind copy_labels(const LabelVolume& volume, const LabelField& field, const 
   content.material.fill(kEmpty);
   content.fill.fill(0);
   content.centroid.fill({});
-  VoxelIndex low, high;
-  for (int axis = 0; axis < 3; ++axis) {
-    low[axis] = std::max(origin[axis], samples.min[axis]);
-    high[axis] = std::min(origin[axis] + kBlockEdge - 1, samples.max[axis]);
-  }
+  const auto& [low, high] = overlap(voxels_of_block(origin), samples);
   for (int k = low[2]; k <= high[2]; ++k)
     for (int j = low[1]; j <= high[1]; ++j)
       for (int i = low[0]; i <= high[0]; ++i) {

@@ -7,7 +7,9 @@
 #include <limits>
 #include <string>
 
+#include "build/boxes.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 
 namespace hapticut {
 namespace {
@@ -25,11 +27,7 @@ Volume<Value> respaced(Volume<Value> volume, const Vec3& spacing) {
 template <class Value>
 Volume<Value> cropped(const Volume<Value>& volume, const IndexBox& samples) {
   require_valid(volume);
-  IndexBox box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.min[axis] = std::max(samples.min[axis], 0);
-    box.max[axis] = std::min(samples.max[axis], volume.dims[axis] - 1);
-  }
+  const IndexBox box = overlap(samples, samples_of(volume));
   if (box.empty()) throw Error("the box to crop to has no sample of the volume; check that it holds sample indices.");
   Volume<Value> part;
   for (int axis = 0; axis < 3; ++axis) part.dims[axis] = box.max[axis] - box.min[axis] + 1;
@@ -44,33 +42,13 @@ Volume<Value> cropped(const Volume<Value>& volume, const IndexBox& samples) {
   return part;
 }
 
-/// Calls `use(p)` with the corners of a box, whose coordinates are taken from its two ends.
-template <class Use>
-void for_each_corner(const Vec3& low, const Vec3& high, const Use& use) {
-  for (int corner = 0; corner < 8; ++corner)
-    use(Vec3((corner & 1) != 0 ? high.x() : low.x(), (corner & 2) != 0 ? high.y() : low.y(),
-             (corner & 4) != 0 ? high.z() : low.z()));
-}
-
-/// Grown point by point.
-struct GrowingBox {
-  Box box{Vec3::Constant(std::numeric_limits<double>::infinity()),
-          Vec3::Constant(-std::numeric_limits<double>::infinity())};
-
-  void take(const Vec3& p) {
-    box.min = box.min.cwiseMin(p);
-    box.max = box.max.cwiseMax(p);
-  }
-};
-
 template <class Value>
 Box around_samples(const Volume<Value>& volume) {
   require_valid(volume);
   const Vec3 half = Vec3::Constant(0.5), dims(volume.dims[0], volume.dims[1], volume.dims[2]);
-  GrowingBox around;
-  for_each_corner(-half, dims - half,
-                  [&](const Vec3& sample) { around.take(volume.X_WG * sample.cwiseProduct(volume.spacing)); });
-  return around.box;
+  const Eigen::AlignedBox3d around = box_of_moved(
+      {-half, dims - half}, [&](const Vec3& sample) { return volume.X_WG * sample.cwiseProduct(volume.spacing); });
+  return {around.min(), around.max()};
 }
 
 template <class Value>
@@ -78,11 +56,11 @@ Volume<Value> cropped_to(const Volume<Value>& volume, const Box& box) {
   require_valid(volume);
   constexpr double kForInterpolation = 2;  // samples
   const Pose X_GW = volume.X_WG.inverse();
-  GrowingBox wanted;
-  for_each_corner(box.min, box.max, [&](const Vec3& p) { wanted.take((X_GW * p).cwiseQuotient(volume.spacing)); });
+  const Eigen::AlignedBox3d wanted =
+      box_of_moved(box, [&](const Vec3& p) { return Vec3((X_GW * p).cwiseQuotient(volume.spacing)); });
   IndexBox samples;
   for (int axis = 0; axis < 3; ++axis) {
-    const double low = wanted.box.min[axis], high = wanted.box.max[axis], last = volume.dims[axis] - 1;
+    const double low = wanted.min()[axis], high = wanted.max()[axis], last = volume.dims[axis] - 1;
     if (!(high >= 0 && low <= last)) {
       const Box all = around_samples(volume);
       const auto text = [](const Vec3& place) {

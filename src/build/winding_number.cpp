@@ -85,52 +85,48 @@ void WindingNumber::build(std::uint32_t first, std::uint32_t count) {
   nodes_[index] = node;
 }
 
-double WindingNumber::at(const Vec3& point) const {
-  if (nodes_.empty()) return 0;
-  double sum = 0;  // [sr]
+template <class GoesOn>
+void WindingNumber::descend(const GoesOn& goes_on) const {
+  if (nodes_.empty()) return;
   std::array<std::uint32_t, kStackDepth> stack;
   int depth = 0;
   stack[0] = 0;
   while (depth >= 0) {
     const std::uint32_t index = stack[std::size_t(depth--)];
-    const Node& node = nodes_[index];
+    if (!goes_on(nodes_[index])) continue;
+    stack[std::size_t(++depth)] = nodes_[index].second_child;
+    stack[std::size_t(++depth)] = index + 1;
+  }
+}
+
+double WindingNumber::at(const Vec3& point) const {
+  double sum = 0;  // [sr]
+  descend([&](const Node& node) {
     const Vec3 r = node.center - point;
     const double square = r.squaredNorm();
     if (square > kFarDistance * kFarDistance * node.radius * node.radius) {
       const double inverse_cube = 1 / (square * std::sqrt(square));
       sum += inverse_cube * (node.dipole.dot(r) + node.quadrupole.trace() - 3 * r.dot(node.quadrupole * r) / square);
-    } else if (node.count > 0) {
-      for (std::uint32_t n = 0; n < node.count; ++n) sum += solid_angle(triangles_[node.first + n], point);
-    } else {
-      stack[std::size_t(++depth)] = node.second_child;
-      stack[std::size_t(++depth)] = index + 1;
+      return false;
     }
-  }
+    for (std::uint32_t n = 0; n < node.count; ++n) sum += solid_angle(triangles_[node.first + n], point);
+    return node.count == 0;
+  });
   return sum / (4 * units::kPi);
 }
 
 void WindingNumber::append_touching(const Vec3& min, const Vec3& max, std::vector<const Triangle*>& found) const {
-  if (nodes_.empty()) return;
   const auto apart = [&](const Vec3& a_min, const Vec3& a_max) {
     return (a_min.array() > max.array()).any() || (a_max.array() < min.array()).any();
   };
-  std::array<std::uint32_t, kStackDepth> stack;
-  int depth = 0;
-  stack[0] = 0;
-  while (depth >= 0) {
-    const std::uint32_t index = stack[std::size_t(depth--)];
-    const Node& node = nodes_[index];
-    if (apart(node.min, node.max)) continue;
-    if (node.count == 0) {
-      stack[std::size_t(++depth)] = node.second_child;
-      stack[std::size_t(++depth)] = index + 1;
-      continue;
-    }
+  descend([&](const Node& node) {
+    if (apart(node.min, node.max)) return false;
     for (std::uint32_t n = 0; n < node.count; ++n) {
       const Triangle& t = triangles_[node.first + n];
       if (!apart(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]))) found.push_back(&t);
     }
-  }
+    return node.count == 0;
+  });
 }
 
 }  // namespace hapticut

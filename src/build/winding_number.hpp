@@ -41,6 +41,9 @@ class WindingNumber {
     std::uint32_t second_child;  // the first child is the next node
   };
   void build(std::uint32_t first, std::uint32_t count);
+  /// From the root to the children of each node of which `goes_on(node)` says so.
+  template <class GoesOn>
+  void descend(const GoesOn& goes_on) const;
 
   std::vector<Triangle> triangles_;
   std::vector<Node> nodes_;

@@ -25,19 +25,18 @@ WorkEstimate estimate_work(const std::vector<MeshShell>& shells, const MeshImpor
   constexpr double kBytesPerVoxel = 1.3, kBytesPerCutVoxel = 40;
   const double h = options.voxel_size, points = std::pow(options.subsamples, 3);
   WorkEstimate estimate;
-  Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity()), max = -min;
+  Eigen::AlignedBox3d around;
   for (const MeshShell& shell : shells)
     for (const auto& t : shell.mesh.triangles) {
       const Vec3 &a = shell.mesh.vertices[t[0]], &b = shell.mesh.vertices[t[1]], &c = shell.mesh.vertices[t[2]];
-      min = min.cwiseMin(a).cwiseMin(b).cwiseMin(c);
-      max = max.cwiseMax(a).cwiseMax(b).cwiseMax(c);
+      around.extend(a).extend(b).extend(c);
       // As many voxels as its area has seen along the three axes, and a row of them along its edges.
       const Vec3 area = 0.5 * (b - a).cross(c - a).cwiseAbs();
-      const double around = (b - a).norm() + (c - b).norm() + (a - c).norm();
-      estimate.cut_voxels += area.sum() / (h * h) + 0.5 * around / h;
+      const double length = (b - a).norm() + (c - b).norm() + (a - c).norm();
+      estimate.cut_voxels += area.sum() / (h * h) + 0.5 * length / h;
     }
   estimate.voxels = 1;
-  for (int axis = 0; axis < 3; ++axis) estimate.voxels *= std::ceil((max[axis] - min[axis]) / h) + 1;
+  for (int axis = 0; axis < 3; ++axis) estimate.voxels *= std::ceil(around.sizes()[axis] / h) + 1;
   estimate.cut_voxels = std::min(estimate.cut_voxels, estimate.voxels);
   estimate.memory_bytes = kBytesPerVoxel * estimate.voxels + kBytesPerCutVoxel * estimate.cut_voxels;
   estimate.seconds = (kSecondsPerCutVoxel + points * kSecondsPerPoint) * estimate.cut_voxels +

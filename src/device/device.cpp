@@ -6,6 +6,7 @@
 #include <exception>
 #include <utility>
 
+#include "core/at_end.hpp"
 #include "device/run_slots.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/realtime/triple_buffer.hpp"
@@ -59,40 +60,6 @@ std::uint64_t Device::count(SafetyEvent event) const {
   return guard_ ? guard_->log().count(event) : 0;
 }
 
-namespace {
-
-/// What a run holds of the process: its slot, and the signals.
-class RunScope {
- public:
-  explicit RunScope(const RunOptions& options)
-      : signals_(options.stop_on_signals),
-        crashes_(options.stop_on_crash && !options.simulated_time),  // no hand feels simulated time
-        slot_(run_slots::take(crashes_)) {
-    if (slot_ < 0)
-      throw Error("More than " + std::to_string(run_slots::kSlots) +
-                  " devices would be running at once in this process; stop one first.");
-    if (signals_) run_slots::catch_signals();
-    if (crashes_) run_slots::catch_crashes();
-  }
-  ~RunScope() { give_back(); }
-  RunScope(const RunScope&) = delete;
-  RunScope& operator=(const RunScope&) = delete;
-
-  [[nodiscard]] int slot() const { return slot_; }
-  void give_back() noexcept {
-    if (slot_ < 0) return;
-    run_slots::give_back(std::exchange(slot_, -1));
-    if (crashes_) run_slots::release_crashes();
-    if (signals_) run_slots::release_signals();
-  }
-
- private:
-  bool signals_, crashes_;
-  int slot_;
-};
-
-}  // namespace
-
 RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
   if (!callback) throw Error("Device::run was given no callback; pass a function from DeviceState to DeviceCommand.");
   require_fields_within(asked, "RunOptions::");
@@ -100,25 +67,30 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
   Phase idle = Phase::idle;
   if (!phase_.compare_exchange_strong(idle, Phase::beginning))
     throw Error("The device \"" + name_ + "\" runs already; stop it before running it again.");
-  struct Idle {
-    std::atomic<Phase>& phase;
-    ~Idle() { phase.store(Phase::idle); }
-  } const idle_again{phase_};
+  const AtEnd idle_again([this] { phase_.store(Phase::idle); });
   RunOptions options = asked;
   options.guard.period = settle_period(asked.guard.period);
   {
     const std::lock_guard lock(guard_mutex_);
     guard_ = std::make_unique<SafetyGuard>(capabilities_, options.guard, &requests_);
   }
-  struct Off {
-    SafetyGuard& guard;
-    ~Off() { guard.stop(); }
-  } const off_again{*guard_};
+  const AtEnd off_again([this] { guard_->stop(); });
   requests_.forget_stop();  // and none from here on: who sees the device run may stop it
   phase_.store(Phase::running, std::memory_order_release);
-  RunScope scope(options);
+  const bool crashes = options.stop_on_crash && !options.simulated_time;  // no hand feels simulated time
+  const int slot_number = run_slots::take(crashes);
+  if (slot_number < 0)
+    throw Error("More than " + std::to_string(run_slots::kSlots) +
+                " devices would be running at once in this process; stop one first.");
+  if (options.stop_on_signals) run_slots::catch_signals();
+  if (crashes) run_slots::catch_crashes();
+  const AtEnd process_again([&] {
+    run_slots::give_back(slot_number);
+    if (crashes) run_slots::release_crashes();
+    if (options.stop_on_signals) run_slots::release_signals();
+  });
   Servo servo(*this, *guard_, callback, options);
-  servo.slot_ = scope.slot();
+  servo.slot_ = slot_number;
   servo.report_.period = options.guard.period;
   if (options.guard.period != asked.guard.period)
     servo.warn("The device \"" + name_ + "\" keeps ticks of its own: GuardOptions::period = " +
@@ -130,7 +102,7 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
     if (!options.simulated_time)
       watchdog = std::make_unique<WatchdogThread>(
           Watchdog(options.guard.watchdog, options.guard.period), guard_->heartbeat(),
-          [this, &slot = run_slots::slot(scope.slot())](Watchdog::Verdict verdict, double share) {
+          [this, &slot = run_slots::slot(slot_number)](Watchdog::Verdict verdict, double share) {
             // A loop that does not obey an emergency stop may be what has crashed: nobody waits until its force fades.
             if (slot.emergency.load(std::memory_order_acquire)) share = 0;
             scale_output(share);
@@ -143,7 +115,6 @@ RunReport Device::run(const DeviceCallback& callback, const RunOptions& asked) {
   if (guard_->state() != ArmingState::off) report.guard = guard_->state();  // there was no last tick
   for (std::size_t n = 0; n < kSafetyEvents; ++n) report.events[n] = guard_->log().count(SafetyEvent(n));
   report.log = guard_->log().drain();
-  scope.give_back();
   if (servo.exception_) std::rethrow_exception(servo.exception_);
   return report;
 }
@@ -219,10 +190,7 @@ std::string PolledDevice::drive(Servo& servo, const RunOptions& options) {
   begin_run(options);
   std::string end;
   {
-    struct End {
-      PolledDevice& device;
-      ~End() { device.end_run(); }
-    } const the_run{*this};
+    const AtEnd the_run([this] { end_run(); });
     PeriodicClock clock(options.guard.period);
     const auto wait = [&] {
       if (simulated) return;

@@ -118,7 +118,6 @@ int take(bool on_crash) noexcept {
 }
 
 void give_back(int n) noexcept {
-  if (n < 0) return;
   slot(n).quiet.store(true);
   slot(n).used.store(false);
 }

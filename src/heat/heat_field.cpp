@@ -8,6 +8,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/heat/heat_collector.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 
 namespace hapticut {
 namespace {
@@ -17,19 +18,10 @@ constexpr int kFarthest = 3;        // [cells] that heat may have to go to find 
 
 }  // namespace
 
-HeatField::Cells::Cells(std::size_t count)
-    : heat(count),
-      capacity(count),
-      conductivity(count),
-      filled(count),
-      wetted(count),
-      cooling(count),
-      rise(count),
-      peak(count),
-      above(count),
-      dose(count),
-      went(count) {
-  conductance.fill(std::vector<double>(count));
+HeatField::Cells::Cells(std::size_t count) {
+  for (std::vector<double>* numbers : {&heat, &capacity, &conductivity, &filled, &wetted, &cooling, &rise, &peak,
+                                       &above, &dose, &went, &conductance[0], &conductance[1], &conductance[2]})
+    numbers->resize(count);
 }
 
 HeatField::HeatField(const Workpiece& workpiece, HeatConfig config)
@@ -97,17 +89,16 @@ void HeatField::update(const VoxelIndex& origin, const MaterialId* material, con
   }
   std::vector<float> volumes(materials_);
   const float share = 1.0F / float(width * width * width);
-  for (int cell = 0; cell < across * across * across; ++cell) {
-    const int x = cell / (across * across), y = cell / across % across, z = cell % across;
+  const auto cube = [](int edge) { return IndexBox{{0, 0, 0}, {edge - 1, edge - 1, edge - 1}}; };
+  for_each_voxel(cube(across), [&](const VoxelIndex& cell) {
     std::ranges::fill(volumes, 0.0F);
-    for (int i = 0; i < width; ++i)
-      for (int j = 0; j < width; ++j)
-        for (int k = 0; k < width; ++k) {
-          const int n = block_offset(x * width + i, y * width + j, z * width + k);
-          if (material[n] != kEmpty) volumes[material[n] - 1U] += share * fill[n];
-        }
-    set_content(number_of({first[0] + x, first[1] + y, first[2] + z}), volumes);
-  }
+    for_each_voxel(cube(width), [&](const VoxelIndex& in_cell) {
+      const int n =
+          block_offset(cell[0] * width + in_cell[0], cell[1] * width + in_cell[1], cell[2] * width + in_cell[2]);
+      if (material[n] != kEmpty) volumes[material[n] - 1U] += share * fill[n];
+    });
+    set_content(number_of({first[0] + cell[0], first[1] + cell[1], first[2] + cell[2]}), volumes);
+  });
 }
 
 void HeatField::update(const Workpiece& workpiece, std::span<const VoxelIndex> origins) {
@@ -219,13 +210,22 @@ double HeatField::take(HeatCollector& collector) {
   return time;
 }
 
+/// [cells] from the centre of the first one
+Vec3 HeatField::in_cells(const Vec3& p_WQ) const {
+  const Vec3 p_V = frame_.X_WV.inverse() * p_WQ / frame_.voxel_size;
+  Vec3 p_cells;
+  for (int axis = 0; axis < 3; ++axis)
+    p_cells[axis] = (p_V[axis] - first_[std::size_t(axis)] + 0.5) / config_.voxels_per_cell - 0.5;
+  return p_cells;
+}
+
 HeatField::Around HeatField::cells_around(const Vec3& p_WQ) const {
   Around around;
-  const Vec3 p_V = frame_.X_WV.inverse() * p_WQ / frame_.voxel_size;
+  const Vec3 p_cells = in_cells(p_WQ);
   std::array<int, 3> low;
   std::array<double, 3> part;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double at = (p_V[int(axis)] - first_[axis] + 0.5) / config_.voxels_per_cell - 0.5;
+    const double at = p_cells[int(axis)];
     if (!(at > -1 && at < dims_[axis])) return around;
     low[axis] = int(std::floor(at));
     part[axis] = at - low[axis];
@@ -244,18 +244,17 @@ HeatField::Around HeatField::cells_around(const Vec3& p_WQ) const {
 /// In proportion to the surface of the cells whose centres are near.  @return false where none is
 bool HeatField::add_to_surface(const Vec3& p_WQ, double heat, double radius) {
   refresh_changed();
-  const Vec3 p_V = frame_.X_WV.inverse() * p_WQ / frame_.voxel_size;
-  std::array<int, 3> low, high;
+  const Vec3 p_cells = in_cells(p_WQ);
+  IndexBox box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double at = (p_V[int(axis)] - first_[axis] + 0.5) / config_.voxels_per_cell - 0.5, far = radius / cell_size_;
-    low[axis] = int(std::clamp(std::ceil(at - far), 0.0, double(dims_[axis])));
-    high[axis] = int(std::clamp(std::floor(at + far), -1.0, dims_[axis] - 1.0));
+    const double at = p_cells[int(axis)], far = radius / cell_size_;
+    box.min[axis] = int(std::clamp(std::ceil(at - far), 0.0, double(dims_[axis])));
+    box.max[axis] = int(std::clamp(std::floor(at + far), -1.0, dims_[axis] - 1.0));
   }
   const auto for_each = [&](const auto& visit) {
-    for (int i = low[0]; i <= high[0]; ++i)
-      for (int j = low[1]; j <= high[1]; ++j)
-        for (int k = low[2]; k <= high[2]; ++k)
-          if ((center({i, j, k}) - p_WQ).norm() <= radius) visit(number_of({i, j, k}));
+    for_each_voxel(box, [&](const VoxelIndex& cell) {
+      if ((center(cell) - p_WQ).norm() <= radius) visit(number_of(cell));
+    });
   };
   double surface = 0;
   for_each([&](std::size_t cell) { surface += cells_.wetted[cell]; });
@@ -293,23 +292,16 @@ void HeatField::spread(std::size_t cell, double heat) {
   const double own = cells_.filled[cell] * heat;
   double rest = heat - own;
   cells_.heat[cell] += own;
-  const std::array<std::size_t, 3> at = {cell / stride_[0], cell / stride_[1] % std::size_t(dims_[1] + 2),
-                                         cell % stride_[1]};
+  const VoxelIndex at = {int(cell / stride_[0]) - 1, int(cell / stride_[1] % std::size_t(dims_[1] + 2)) - 1,
+                         int(cell % stride_[1]) - 1};
   for (int far = 1; far <= kFarthest && rest > 0; ++far) {
-    std::array<std::size_t, 3> low, high;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::size_t(std::max(1, int(at[axis]) - far));
-      high[axis] = std::size_t(std::min(dims_[axis], int(at[axis]) + far));
-    }
+    const IndexBox box = overlap({{at[0] - far, at[1] - far, at[2] - far}, {at[0] + far, at[1] + far, at[2] + far}},
+                                 {{0, 0, 0}, {dims_[0] - 1, dims_[1] - 1, dims_[2] - 1}});
     const auto for_each = [&](const auto& visit) {
-      for (std::size_t x = low[0]; x <= high[0]; ++x)
-        for (std::size_t y = low[1]; y <= high[1]; ++y)
-          for (std::size_t z = low[2]; z <= high[2]; ++z) {
-            const std::size_t n = x * stride_[0] + y * stride_[1] + z;
-            const int apart =
-                std::abs(int(x) - int(at[0])) + std::abs(int(y) - int(at[1])) + std::abs(int(z) - int(at[2]));
-            if (apart > 0 && apart <= far) visit(n);
-          }
+      for_each_voxel(box, [&](const VoxelIndex& near) {
+        const int apart = std::abs(near[0] - at[0]) + std::abs(near[1] - at[1]) + std::abs(near[2] - at[2]);
+        if (apart > 0 && apart <= far) visit(number_of(near));
+      });
     };
     double capacity = 0;
     for_each([&](std::size_t n) { capacity += cells_.capacity[n]; });

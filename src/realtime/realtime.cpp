@@ -30,9 +30,9 @@ static_assert(range_of(&RealtimeOptions::cpu).high == CPU_SETSIZE - 1);
 
 std::atomic<int> memory_locks{0};
 
-std::int64_t nanoseconds(clockid_t clock) noexcept {
+std::int64_t nanoseconds() noexcept {
   timespec t{};
-  clock_gettime(clock, &t);
+  clock_gettime(CLOCK_MONOTONIC, &t);
   return std::int64_t(t.tv_sec) * kNanoseconds + t.tv_nsec;
 }
 
@@ -124,7 +124,7 @@ void RealtimeScope::lock_memory() {
   }
 }
 
-PeriodicClock::PeriodicClock(double period) : period_(0), start_(nanoseconds(CLOCK_MONOTONIC)), next_(start_) {
+PeriodicClock::PeriodicClock(double period) : period_(0), start_(nanoseconds()), next_(start_) {
   require_between(period, 1e-5, 10, "the period of a loop [s]");
   period_ = std::llround(period * double(kNanoseconds));
 }
@@ -136,7 +136,7 @@ PeriodicClock::Tick PeriodicClock::wait() noexcept {
   wake.tv_nsec = long(next_ % kNanoseconds);
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) == EINTR) {
   }
-  const std::int64_t now = nanoseconds(CLOCK_MONOTONIC);
+  const std::int64_t now = nanoseconds();
   Tick tick;
   tick.late = double(now - next_) / double(kNanoseconds);
   tick.time = double(now - start_) / double(kNanoseconds);
@@ -147,11 +147,8 @@ PeriodicClock::Tick PeriodicClock::wait() noexcept {
   return tick;
 }
 
-double PeriodicClock::now() const noexcept {
-  return double(nanoseconds(CLOCK_MONOTONIC) - start_) / double(kNanoseconds);
-}
+double PeriodicClock::now() const noexcept { return double(nanoseconds() - start_) / double(kNanoseconds); }
 
-double thread_cpu_time() noexcept { return double(nanoseconds(CLOCK_THREAD_CPUTIME_ID)) / double(kNanoseconds); }
-double monotonic_time() noexcept { return double(nanoseconds(CLOCK_MONOTONIC)) / double(kNanoseconds); }
+double monotonic_time() noexcept { return double(nanoseconds()) / double(kNanoseconds); }
 
 }  // namespace hapticut

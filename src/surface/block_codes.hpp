@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -51,19 +53,6 @@ class BlockCodes {
   }
   std::uint32_t& operator[](const VoxelIndex& origin) { return codes_[*blocks_.number_of(origin)]; }
 
-  /// Whether no surface can pass the cells of a block: it and its neighbours are all empty, or all full.
-  [[nodiscard]] bool is_plain(const VoxelIndex& origin) const {
-    const bool empty = at(origin) == kEmpty;
-    for (int i = -1; i <= 1; ++i)
-      for (int j = -1; j <= 1; ++j)
-        for (int k = -1; k <= 1; ++k) {
-          const std::uint32_t code =
-              at({origin[0] + kBlockEdge * i, origin[1] + kBlockEdge * j, origin[2] + kBlockEdge * k});
-          if (code >= kMixed || (code == kEmpty) != empty) return false;
-        }
-    return true;
-  }
-
  private:
   BlockGrid blocks_;
   std::vector<std::uint32_t> codes_;
@@ -78,6 +67,13 @@ struct CodesAround {
       codes[std::size_t(n)] = all.at({origin[0] + kBlockEdge * (n / 9 - 1), origin[1] + kBlockEdge * (n / 3 % 3 - 1),
                                       origin[2] + kBlockEdge * (n % 3 - 1)});
   }
+  /// Whether no surface can pass the cells of the one in the middle: all are empty, or all full.
+  [[nodiscard]] bool are_plain() const {
+    const bool empty = codes[0] == kEmpty;
+    return std::ranges::all_of(
+        codes, [&](std::uint32_t code) { return code < BlockCodes::kMixed && (code == kEmpty) == empty; });
+  }
+
   [[nodiscard]] std::uint32_t at(const std::array<int, 3>& neighbour) const {
     const int n = (neighbour[0] + 1) * 9 + (neighbour[1] + 1) * 3 + neighbour[2] + 1;
     return codes[std::size_t(n)];

@@ -35,8 +35,8 @@ struct ViewedBlocks {
 };
 
 /// @param only  kEmpty: all materials
-void read_views(const ViewedBlocks& blocks, const VoxelIndex& origin, MaterialId only, BlockSamples& samples) {
-  const surface::CodesAround around(blocks.codes, origin);
+void read_views(const ViewedBlocks& blocks, const surface::CodesAround& around, MaterialId only,
+                BlockSamples& samples) {
   surface::read_samples(
       samples, [&](const std::array<int, 3>& neighbour, int first, int count, float* fill, MaterialId* material) {
         const std::uint32_t code = around.at(neighbour);
@@ -69,8 +69,9 @@ std::vector<SlabNets> mesh_slabs(const ViewedBlocks& blocks, MaterialId only) {
       for (int y = 0; y < ny; ++y)
         for (int z = 0; z < nz; ++z) {
           const VoxelIndex origin = {first[0] + kBlockEdge * x, first[1] + kBlockEdge * y, first[2] + kBlockEdge * z};
-          if (only == kEmpty && blocks.codes.is_plain(origin)) continue;
-          read_views(blocks, origin, only, samples);
+          const surface::CodesAround around(blocks.codes, origin);
+          if (only == kEmpty && around.are_plain()) continue;
+          read_views(blocks, around, only, samples);
           surface::mesh_block(samples, net);
           if (net.triangles.empty()) continue;
           slabs[std::size_t(x)].origins.push_back(origin);

@@ -140,20 +140,17 @@ struct SurfaceStream::State {
     std::uint32_t& code = codes[origin];
     const std::uint32_t now = block.code();
     if (now < BlockCodes::kMixed) {
-      if (code >= BlockCodes::kMixed) free.push_back(std::move(stored[code - BlockCodes::kMixed]));
       if (code >= BlockCodes::kMixed) free_codes.push_back(code);
       code = now;
       return;
     }
     if (code < BlockCodes::kMixed) {
       if (free_codes.empty()) {
-        code = BlockCodes::kMixed + std::uint32_t(stored.size());
+        free_codes.push_back(BlockCodes::kMixed + std::uint32_t(stored.size()));
         stored.push_back(std::make_unique<StoredBlock>());
-      } else {
-        code = free_codes.back();
-        stored[code - BlockCodes::kMixed] = std::move(free.back());
-        free_codes.pop_back(), free.pop_back();
       }
+      code = free_codes.back();
+      free_codes.pop_back();
     }
     *stored[code - BlockCodes::kMixed] = block;
   }
@@ -175,14 +172,12 @@ struct SurfaceStream::State {
     store(origin, block);
     const auto first = [&](std::size_t axis) { return low[axis] < BlockSamples::kMargin ? -1 : 0; };
     const auto last = [&](std::size_t axis) { return high[axis] >= kBlockEdge - BlockSamples::kMargin ? 1 : 0; };
-    for (int i = first(0); i <= last(0); ++i)
-      for (int j = first(1); j <= last(1); ++j)
-        for (int k = first(2); k <= last(2); ++k)
-          mark({origin[0] + kBlockEdge * i, origin[1] + kBlockEdge * j, origin[2] + kBlockEdge * k});
+    for_each_voxel({{first(0), first(1), first(2)}, {last(0), last(1), last(2)}}, [&](const VoxelIndex& step) {
+      mark({origin[0] + kBlockEdge * step[0], origin[1] + kBlockEdge * step[1], origin[2] + kBlockEdge * step[2]});
+    });
   }
 
-  void read(const VoxelIndex& origin) {
-    const CodesAround around(codes, origin);
+  void read(const CodesAround& around) {
     surface::read_samples(
         samples, [&](const std::array<int, 3>& neighbour, int first, int count, float* fill, MaterialId* material) {
           const std::uint32_t code = around.at(neighbour);
@@ -201,8 +196,9 @@ struct SurfaceStream::State {
   void mesh(const VoxelIndex& page, const VoxelIndex& origin, BlockMesh& mesh) {
     mesh.vertices.clear();
     mesh.indices.clear();
-    if (codes.is_plain(origin)) return;
-    read(origin);
+    const CodesAround around(codes, origin);
+    if (around.are_plain()) return;
+    read(around);
     surface::mesh_block(samples, net);
     ++meshed;
     for (const NetVertex& vertex : net.vertices) {
@@ -262,11 +258,10 @@ struct SurfaceStream::State {
   BlockCodes codes;
   std::array<int, 3> page_dims;
   std::vector<Page> pages;
-  std::vector<std::unique_ptr<StoredBlock>> stored;  // by code - kMixed; null: free
-  std::vector<std::unique_ptr<StoredBlock>> free;
-  std::vector<std::uint32_t> free_codes;  // as many as `free`
-  std::vector<WaitingPage> waiting;       // heap
-  Vec3 focus;                             // [voxels]
+  std::vector<std::unique_ptr<StoredBlock>> stored;  // by code - kMixed
+  std::vector<std::uint32_t> free_codes;             // of those that no block has
+  std::vector<WaitingPage> waiting;                  // heap
+  Vec3 focus;                                        // [voxels]
   std::uint64_t version = 0, meshed = 0;
   BlockSamples samples;
   BlockNet net;

@@ -14,7 +14,7 @@ using units::kPi;
 
 constexpr EdgeKind kSmooth = EdgeKind::smooth;
 
-std::string in_mm(double length) { return format_number(length / units::mm) + " mm"; }
+using detail::in_mm;
 
 /// Dimensions of a head, each positive.
 void require_dimensions(const std::string& head, std::initializer_list<std::pair<const char*, double>> dimensions) {

@@ -2,6 +2,7 @@
 // Where two edges of a meridian meet.
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "hapticut/core/units.hpp"
 #include "tool/meridian.hpp"
@@ -32,15 +33,12 @@ std::vector<Vec2> on_line(const MeridianEdge& line, const Vec2& center, double r
 
 std::vector<Vec2> candidates(const MeridianEdge& a, const MeridianEdge& b, double tolerance) {
   std::vector<Vec2> points = {a.from, a.to, b.from, b.to};  // for edges that overlap
-  points.erase(std::remove_if(points.begin(), points.end(),
-                              [&](const Vec2& p) {
-                                const auto off = [&](const MeridianEdge& e) {
-                                  return e.straight() ? std::abs(cross(e.start_tangent, p - e.from))
-                                                      : std::abs((p - e.center).norm() - e.radius());
-                                };
-                                return off(a) > tolerance || off(b) > tolerance;
-                              }),
-               points.end());
+  std::erase_if(points, [&](const Vec2& p) {
+    const auto off = [&](const MeridianEdge& e) {
+      return e.straight() ? std::abs(cross(e.start_tangent, p - e.from)) : std::abs((p - e.center).norm() - e.radius());
+    };
+    return off(a) > tolerance || off(b) > tolerance;
+  });
   const auto add = [&](const std::vector<Vec2>& more) { points.insert(points.end(), more.begin(), more.end()); };
   if (a.straight() && b.straight()) {
     const double sine = cross(a.start_tangent, b.start_tangent);
@@ -70,9 +68,7 @@ std::vector<Vec2> candidates(const MeridianEdge& a, const MeridianEdge& b, doubl
 
 std::vector<Vec2> crossings(const MeridianEdge& a, const MeridianEdge& b, double tolerance) {
   std::vector<Vec2> points = candidates(a, b, tolerance);
-  points.erase(std::remove_if(points.begin(), points.end(),
-                              [&](const Vec2& p) { return !holds(a, p, tolerance) || !holds(b, p, tolerance); }),
-               points.end());
+  std::erase_if(points, [&](const Vec2& p) { return !holds(a, p, tolerance) || !holds(b, p, tolerance); });
   return points;
 }
 

@@ -19,7 +19,7 @@ using detail::Vec2;
 
 constexpr double kOnAnEdge = 1e-9;  // [1] of the size
 
-std::string mm_text(double length) { return format_number(length / units::mm) + " mm"; }
+using detail::in_mm;
 
 /// A body around the end of a head need not cut anywhere: its meridian is made as if it did.
 Meridian meridian_of(Profile profile) {
@@ -58,7 +58,7 @@ ToolHead with_body(const ToolHead& head, const Profile& body) {
   const Meridian own(shape), around = meridian_of(body);
   const std::optional<Leaving> leaving = last_crossing(own, around);
   if (!leaving)
-    throw Error("with_body: the body, from z = " + mm_text(around.bottom()) + " to " + mm_text(around.top()) +
+    throw Error("with_body: the body, from z = " + in_mm(around.bottom()) + " to " + in_mm(around.top()) +
                 ", does not leave " + head.description() +
                 ". Let it begin on the axis inside of the head, and be narrower there.");
   Profile all = {shape.tip, {}};
@@ -96,14 +96,14 @@ ToolHead on_shank(const ToolHead& head, const Shank& shank) {
       std::find_if(heights.rbegin(), heights.rend(), [&](double z) { return z < leaves - 2 * kOnAnEdge * own.size(); });
   const double above = own.top() + shank.neck_length, end = own.bottom() + shank.length;
   if (last_in == heights.rend() || !(neck < own.radius() * (1 - kOnAnEdge)))
-    throw Error("Shank::neck_diameter = " + mm_text(shank.neck_diameter) + "; must be less than that of " +
+    throw Error("Shank::neck_diameter = " + in_mm(shank.neck_diameter) + "; must be less than that of " +
                 head.description() + ", from which it leaves.");
   if (neck != wide && !(shank.taper_length > 0))
-    throw Error("Shank::taper_length = 0; must be > 0 between a neck of " + mm_text(shank.neck_diameter) +
-                " and a shank of " + mm_text(shank.diameter) + ".");
+    throw Error("Shank::taper_length = 0; must be > 0 between a neck of " + in_mm(shank.neck_diameter) +
+                " and a shank of " + in_mm(shank.diameter) + ".");
   if (!(end > above + shank.taper_length))
-    throw Error("Shank::length = " + mm_text(shank.length) + "; must be more than head, neck and taper, " +
-                mm_text(above + shank.taper_length - own.bottom()) + ".");
+    throw Error("Shank::length = " + in_mm(shank.length) + "; must be more than head, neck and taper, " +
+                in_mm(above + shank.taper_length - own.bottom()) + ".");
   const double begins = std::max(leaves - neck / 2, (leaves + *last_in) / 2);
   Profile body = {begins, {{neck, begins}}};
   if (above > leaves && neck != wide) body.edges.push_back({neck, above});

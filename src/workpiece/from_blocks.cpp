@@ -2,9 +2,11 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <cmath>
+#include <algorithm>
+#include <vector>
 
 #include "hapticut/core/errors.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 #include "workpiece/state.hpp"
 
@@ -46,14 +48,12 @@ struct BuiltBlock {
 };
 
 void clip_to(const IndexBox& domain, const VoxelIndex& origin, BlockContent& content) {
-  bool inside = true;
-  for (int axis = 0; axis < 3; ++axis)
-    inside &= origin[axis] >= domain.min[axis] && origin[axis] + kBlockEdge - 1 <= domain.max[axis];
-  if (inside) return;
+  const IndexBox kept = overlap(voxels_of_block(origin), domain);
+  if (kept.voxels() == kBlockVoxels) return;
   for (int n = 0; n < kBlockVoxels; ++n) {
     const VoxelIndex at = voxel_at(origin, n);
     for (int axis = 0; axis < 3; ++axis)
-      if (at[axis] < domain.min[axis] || at[axis] > domain.max[axis]) content.material[n] = kEmpty;
+      if (at[axis] < kept.min[axis] || at[axis] > kept.max[axis]) content.material[n] = kEmpty;
   }
 }
 
@@ -114,6 +114,26 @@ BuiltBlock build_block(const VoxelIndex& origin, const IndexBox& domain, const M
   return make_block(origin, content, materials);
 }
 
+/// Puts the blocks of one branch into the trees, in their order.
+void insert(std::vector<BuiltBlock>& blocks, const BlockGrid& branch, VoxelTrees& trees) {
+  const MaterialId first = blocks[0].kind.material;
+  if (std::ranges::all_of(blocks, [&](const BuiltBlock& b) { return b.kind.uniform && b.kind.material == first; })) {
+    if (first != kEmpty) trees.material.addTile(2, to_coord(branch.first()), first, true);
+    return;
+  }
+  for (std::size_t n = 0; n < blocks.size(); ++n) {
+    BuiltBlock& block = blocks[n];
+    if (block.kind.uniform) {
+      if (block.kind.material != kEmpty)
+        trees.material.addTile(1, to_coord(branch.origin_of(n)), block.kind.material, true);
+      continue;
+    }
+    trees.material.addLeaf(block.material.release());
+    if (block.fill) trees.fill.addLeaf(block.fill.release());
+    if (block.centroid) trees.centroid.addLeaf(block.centroid.release());
+  }
+}
+
 }  // namespace
 
 Workpiece Workpiece::from_blocks(const IndexBox& domain, const GridFrame& frame, MaterialTable materials,
@@ -123,47 +143,24 @@ Workpiece Workpiece::from_blocks(const IndexBox& domain, const GridFrame& frame,
   std::vector<BuiltBlock> blocks(kBlocksPerBranch);
   // Branch by branch (128^3 voxels): its blocks are filled in parallel and inserted in order, so the result does not
   // depend on the number of threads.
+  const auto add_branch = [&](int x, int y, int z) {
+    constexpr int kLast = kBranchEdge - 1;
+    const BlockGrid branch({{x, y, z}, {x + kLast, y + kLast, z + kLast}});
+    const tbb::blocked_range<std::size_t> all(0, blocks.size(), 8);
+    tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
+      BlockContent content;
+      for (std::size_t n = range.begin(); n != range.end(); ++n) {
+        const VoxelIndex origin = branch.origin_of(n);
+        const bool is_outside = overlap(voxels_of_block(origin), domain).empty();
+        blocks[n] = is_outside ? BuiltBlock{} : build_block(origin, domain, materials, fill_block, content);
+      }
+    });
+    insert(blocks, branch, *trees);
+  };
   if (!domain.empty())
-    for (int bx = branch_start(domain.min[0]); bx <= domain.max[0]; bx += kBranchEdge)
-      for (int by = branch_start(domain.min[1]); by <= domain.max[1]; by += kBranchEdge)
-        for (int bz = branch_start(domain.min[2]); bz <= domain.max[2]; bz += kBranchEdge) {
-          const auto origin_of = [&](int n) -> VoxelIndex {
-            return {bx + (n >> 8) * kBlockEdge, by + (n >> 4 & 15) * kBlockEdge, bz + (n & 15) * kBlockEdge};
-          };
-          const auto touches_domain = [&](const VoxelIndex& origin) {
-            bool touches = true;
-            for (int axis = 0; axis < 3; ++axis)
-              touches &= origin[axis] <= domain.max[axis] && origin[axis] + kBlockEdge > domain.min[axis];
-            return touches;
-          };
-          tbb::parallel_for(tbb::blocked_range<int>(0, kBlocksPerBranch, 8), [&](const tbb::blocked_range<int>& range) {
-            BlockContent content;
-            for (int n = range.begin(); n != range.end(); ++n) {
-              const VoxelIndex origin = origin_of(n);
-              blocks[std::size_t(n)] =
-                  touches_domain(origin) ? build_block(origin, domain, materials, fill_block, content) : BuiltBlock{};
-            }
-          });
-          bool alike = true;
-          for (const BuiltBlock& block : blocks)
-            alike &= block.kind.uniform && block.kind.material == blocks[0].kind.material;
-          if (alike) {
-            if (blocks[0].kind.material != kEmpty)
-              trees->material.addTile(2, Coord(bx, by, bz), blocks[0].kind.material, true);
-            continue;
-          }
-          for (int n = 0; n < kBlocksPerBranch; ++n) {
-            BuiltBlock& block = blocks[std::size_t(n)];
-            if (block.kind.uniform) {
-              if (block.kind.material != kEmpty)
-                trees->material.addTile(1, to_coord(origin_of(n)), block.kind.material, true);
-              continue;
-            }
-            trees->material.addLeaf(block.material.release());
-            if (block.fill) trees->fill.addLeaf(block.fill.release());
-            if (block.centroid) trees->centroid.addLeaf(block.centroid.release());
-          }
-        }
+    for (int x = branch_start(domain.min[0]); x <= domain.max[0]; x += kBranchEdge)
+      for (int y = branch_start(domain.min[1]); y <= domain.max[1]; y += kBranchEdge)
+        for (int z = branch_start(domain.min[2]); z <= domain.max[2]; z += kBranchEdge) add_branch(x, y, z);
   return WorkpieceAccess::make(frame, std::move(materials), std::move(trees));
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "hapticut/core/errors.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 #include "workpiece/undo.hpp"
 
@@ -40,6 +41,16 @@ struct VoxelTrees {
   FillTree fill{1.0F};       ///< a leaf only where some voxel of a block is partly filled; elsewhere solid means full
   CentroidTree centroid{0};  ///< packed CentroidOffset; a leaf only at antialiased surfaces; never written by cutting
 };
+
+/// Takes a node out of a reserve, to be put where a block or a branch begins.  @pre there is one
+template <class Node>
+Node* take_node(std::vector<std::unique_ptr<Node>>& reserve, const openvdb::Coord& at) {
+  HAPTICUT_ASSERT(!reserve.empty());
+  Node* node = reserve.back().release();
+  reserve.pop_back();
+  node->setOrigin(at);
+  return node;
+}
 
 /// Nodes made at set-up, so that cutting can take them without allocating.
 struct BlockPool {

@@ -187,13 +187,7 @@ void Workpiece::put_content(const SavedBlock& content) noexcept {
       materials->addTile(Branch<MaterialTree>::LEVEL, at, content.uniform_material, content.uniform_material != kEmpty);
     return;
   }
-  if (!materials->isChildMaskOn(n)) {
-    HAPTICUT_ASSERT(!pool.material_leaves.empty());
-    auto* leaf = pool.material_leaves.back().release();
-    pool.material_leaves.pop_back();
-    leaf->setOrigin(at);
-    materials->addLeaf(leaf);
-  }
+  if (!materials->isChildMaskOn(n)) materials->addLeaf(take_node(pool.material_leaves, at));
   auto* leaf = materials->probeLeaf(at);
   std::copy(content.material.begin(), content.material.end(), leaf->buffer().data());
   auto mask = leaf->getValueMask();
@@ -201,13 +195,7 @@ void Workpiece::put_content(const SavedBlock& content) noexcept {
     mask.getWord<openvdb::Index64>(openvdb::Index(word)) = content.solid.words[word];
   leaf->setValueMask(mask);
   if (!content.has_fill) return;
-  if (!fills->isChildMaskOn(n)) {
-    HAPTICUT_ASSERT(!pool.fill_leaves.empty());
-    auto* fill_leaf = pool.fill_leaves.back().release();
-    pool.fill_leaves.pop_back();
-    fill_leaf->setOrigin(at);
-    fills->addLeaf(fill_leaf);
-  }
+  if (!fills->isChildMaskOn(n)) fills->addLeaf(take_node(pool.fill_leaves, at));
   std::copy(content.fill.begin(), content.fill.end(), fills->probeLeaf(at)->buffer().data());
 }
 

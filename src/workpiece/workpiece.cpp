@@ -309,11 +309,9 @@ float* Workpiece::writable_fill(const VoxelIndex& origin) noexcept {
   auto* fill_leaf = own_child_at(branches.fill, at);
   const auto* material_leaf = child_at(branches.material, at);
   if (branches.fill == nullptr) {
-    pool.fill_branches.back()->setOrigin(branches.origin);
     auto* trunk = state.trees->fill.probeNode<Trunk<FillTree>>(at);
     HAPTICUT_ASSERT(trunk != nullptr);
-    trunk->addChild(pool.fill_branches.back().release());
-    pool.fill_branches.pop_back();
+    trunk->addChild(take_node(pool.fill_branches, branches.origin));
     state.cache.valid = false;
   }
   auto* fill_branch = state.branches_at(at).fill;
@@ -322,17 +320,13 @@ float* Workpiece::writable_fill(const VoxelIndex& origin) noexcept {
   if (material_leaf == nullptr) {
     const openvdb::Index n = Branch<MaterialTree>::coordToOffset(at);
     const std::uint8_t id = material_branch->getTable()[n].getValue();
-    auto* leaf = pool.material_leaves.back().release();
-    pool.material_leaves.pop_back();
-    leaf->setOrigin(at);
+    auto* leaf = take_node(pool.material_leaves, at);
     leaf->setValuesOn();
     std::fill_n(leaf->buffer().data(), kBlockVoxels, id);
     material_branch->addLeaf(leaf);
   }
   if (fill_leaf == nullptr) {
-    auto* leaf = pool.fill_leaves.back().release();
-    pool.fill_leaves.pop_back();
-    leaf->setOrigin(at);
+    auto* leaf = take_node(pool.fill_leaves, at);
     float* fill = leaf->buffer().data();
     const auto* solid = child_at(material_branch, at);
     for (int n = 0; n < kBlockVoxels; ++n) fill[n] = solid->isValueOn(openvdb::Index(n)) ? 1.0F : 0.0F;

@@ -19,6 +19,7 @@
 /// the centroid of that part.
 namespace hapticut {
 
+/// What of a volume becomes voxels, and of what size.
 struct VolumeBuildOptions {
   double voxel_size = 0;  ///< [m] 0: the smallest spacing of the volume
   /// Samples to use, both ends included; nothing: all. Voxels keep the indices they would have without the crop.

@@ -198,6 +198,7 @@ class HeatField {
     std::array<std::size_t, 8> cell;
     std::array<double, 8> weight;  // adding up to 1
   };
+  [[nodiscard]] Vec3 in_cells(const Vec3& p_WQ) const;
   [[nodiscard]] Around cells_around(const Vec3& p_WQ) const;
 
   HeatConfig config_;

@@ -84,9 +84,6 @@ class PeriodicClock {
   std::int64_t period_, start_, next_;  // [ns]
 };
 
-/// [s] of processor time that the calling thread has used.
-[[nodiscard]] double thread_cpu_time() noexcept;
-
 /// [s] of the monotonic clock.
 [[nodiscard]] double monotonic_time() noexcept;
 

@@ -79,13 +79,4 @@ class PoseGate {
   Pose X_BS_still_;
 };
 
-constexpr auto names_of(Of<PoseGate::Verdict>) {
-  using enum PoseGate::Verdict;
-  return std::array{
-      Named{accepted, "accepted"},
-      Named{held, "held"},
-      Named{lost, "lost"},
-  };
-}
-
 }  // namespace hapticut

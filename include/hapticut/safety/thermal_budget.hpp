@@ -42,7 +42,6 @@ class ThermalBudget {
 
   /// [N] that may be applied now.
   [[nodiscard]] double limit() const { return limit_; }
-  [[nodiscard]] bool is_limiting() const { return limiting_; }
 
   /// Accounts for a tick.
   /// @param force        [N] that was applied

@@ -57,16 +57,6 @@ class Watchdog {
   double period_;
 };
 
-constexpr auto names_of(Of<Watchdog::Verdict>) {
-  using enum Watchdog::Verdict;
-  return std::array{
-      Named{alive, "alive"},
-      Named{late, "late"},
-      Named{fading, "fading"},
-      Named{dead, "dead"},
-  };
-}
-
 /// A thread that watches a heartbeat by the wall clock, for devices that keep rendering the last force when no new one
 /// is written.
 class WatchdogThread {

@@ -13,6 +13,11 @@
 #include "hapticut/tool/shapes.hpp"
 
 namespace hapticut {
+namespace detail {
+/// "2 mm", of a length [m]
+[[nodiscard]] inline std::string in_mm(double length) { return format_number(length / units::mm) + " mm"; }
+}  // namespace detail
+
 /// Extent of a head in its own frame T.
 struct HeadBox {
   Vec3 min;  ///< [m]
@@ -86,7 +91,7 @@ class ToolHead {
 
   /// Shape and size as messages print them: "a cone of half angle 30 deg and height 2 mm".
   [[nodiscard]] std::string description() const {
-    const auto in_mm = [](double length) { return format_number(length / units::mm) + " mm"; };
+    using detail::in_mm;
     if (const auto* h = as<SphereHead>()) return "a sphere of radius " + in_mm(h->radius);
     if (const auto* h = as<ConeHead>())
       return "a cone of half angle " + format_number(h->half_angle / units::deg) + " deg and height " +

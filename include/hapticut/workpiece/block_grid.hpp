@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,29 @@
 #include "hapticut/workpiece/block.hpp"
 
 namespace hapticut {
+
+/// The voxels that both boxes have.
+[[nodiscard]] inline IndexBox overlap(const IndexBox& a, const IndexBox& b) {
+  IndexBox both;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    both.min[axis] = std::max(a.min[axis], b.min[axis]);
+    both.max[axis] = std::min(a.max[axis], b.max[axis]);
+  }
+  return both;
+}
+
+/// Those of the block that begins at `origin`.
+[[nodiscard]] constexpr IndexBox voxels_of_block(const VoxelIndex& origin) {
+  return {origin, voxel_at(origin, kBlockVoxels - 1)};
+}
+
+/// Calls `function(index)` for each voxel of a box; z runs fastest.
+template <class Function>
+void for_each_voxel(const IndexBox& voxels, const Function& function) {
+  for (int i = voxels.min[0]; i <= voxels.max[0]; ++i)
+    for (int j = voxels.min[1]; j <= voxels.max[1]; ++j)
+      for (int k = voxels.min[2]; k <= voxels.max[2]; ++k) function(VoxelIndex{i, j, k});
+}
 
 /// Calls `function(origin)` for each block that a box of voxels touches; z runs fastest.
 template <class Function>

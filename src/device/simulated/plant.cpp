@@ -80,20 +80,16 @@ void Plant::set_velocity(const Vec3& velocity) {
   axes_.row(kHandSpeed) = velocity.transpose();
 }
 
-void Plant::advance(const Wrench& wrench) {
-  if (options_.dry_friction)
-    translate_with_friction(options_.period, wrench.force);
-  else
-    translate(tick_, wrench.force);
-  if (options_.rotation) rotate(options_.period, wrench.torque);
-}
+void Plant::advance(const Wrench& wrench) { move(options_.period, tick_, wrench); }
 
-void Plant::creep(const Wrench& wrench) {
+void Plant::creep(const Wrench& wrench) { move(options_.fine_step, fine_, wrench); }
+
+void Plant::move(double duration, const Propagator& exactly, const Wrench& wrench) {
   if (options_.dry_friction)
-    translate_with_friction(options_.fine_step, wrench.force);
+    translate_with_friction(duration, wrench.force);
   else
-    translate(fine_, wrench.force);
-  if (options_.rotation) rotate(options_.fine_step, wrench.torque);
+    translate(exactly, wrench.force);
+  if (options_.rotation) rotate(duration, wrench.torque);
 }
 
 void Plant::translate(const Propagator& p, const Vec3& force) {

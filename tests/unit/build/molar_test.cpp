@@ -10,6 +10,7 @@
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 
 namespace hapticut::molar_test {
 namespace {
@@ -25,12 +26,6 @@ const Workpiece& coarse_molar() {
 
 /// [mm^3]
 double volume_of(const Workpiece& molar, MaterialId id) { return molar.amounts().at(id - 1U).volume / units::mm3; }
-
-void for_each_voxel(const IndexBox& box, const std::function<void(const VoxelIndex&)>& function) {
-  for (int i = box.min[0]; i <= box.max[0]; ++i)
-    for (int j = box.min[1]; j <= box.max[1]; ++j)
-      for (int k = box.min[2]; k <= box.max[2]; ++k) function({i, j, k});
-}
 
 /// Number of pieces, joined across faces, of the voxels of a box that satisfy `belongs`.
 int pieces(const IndexBox& box, const std::function<bool(const VoxelIndex&)>& belongs) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hapticut/analysis/faults.hpp"
+#include "hapticut/build/molar.hpp"
 #include "hapticut/build/volume_builders.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/force_dimension.hpp"
@@ -65,7 +66,7 @@ using Structs =
                    DeviceState, DeviceOutput, DeviceTick, PoseGateOptions, ArmingOptions, PassivityOptions,
                    ThermalOptions, WatchdogOptions, GuardOptions, RealtimeOptions, RunOptions, RealtimeLoopOptions,
                    SimulationModelOptions, WorkspaceMapOptions, CouplingGains, CouplingEnergy, DeviceModel, HandModel,
-                   PlantOptions, MockOptions, MouseOptions, OpenHapticsOptions, ForceDimensionOptions>;
+                   PlantOptions, MockOptions, MouseOptions, OpenHapticsOptions, ForceDimensionOptions, MolarParameters>;
 TYPED_TEST_SUITE(DescribedStruct, Structs);
 
 TYPED_TEST(DescribedStruct, HasALineForEachOfItsMembers) {
@@ -126,8 +127,8 @@ struct NamedEnumeration : testing::Test {};
 
 using Enumerations =
     testing::Types<RemovalLaw, Quadrature, FlatRule, EdgeKind, HandleTorque, ContactTime, ProbedMotions, StepStatus,
-                   DeviceFault, OutputChange, ArmingState, SafetyEvent, PoseGate::Verdict, Watchdog::Verdict, MoveKey,
-                   UnclaimedLabels, ValueType, LabelInterpolation, VdbImport::Kind, InjectedFault>;
+                   DeviceFault, OutputChange, ArmingState, SafetyEvent, MoveKey, UnclaimedLabels, ValueType,
+                   LabelInterpolation, VdbImport::Kind, InjectedFault>;
 TYPED_TEST_SUITE(NamedEnumeration, Enumerations);
 
 TYPED_TEST(NamedEnumeration, NamesEachOfItsValuesAsCppDoes) {

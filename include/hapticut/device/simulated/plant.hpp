@@ -80,6 +80,7 @@ class Plant {
 
   [[nodiscard]] bool has_pad() const { return hand_.pad_stiffness > 0; }
   [[nodiscard]] Propagator propagator(double step) const;
+  void move(double duration, const Propagator& exactly, const Wrench& wrench);
   void translate(const Propagator& propagator, const Vec3& force);
   void translate_with_friction(double duration, const Vec3& force);
   void rotate(double duration, const Vec3& torque);

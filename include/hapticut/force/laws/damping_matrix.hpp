@@ -19,6 +19,7 @@ namespace hapticut {
 /// does no work but -m |V|^2, which cuts while the spindle turns. Any head.
 class DampingMatrixLaw final : public LumpedLaw {
  public:
+  /// The numbers of the law.
   struct Constants {
     double resistance = 1e8;  ///< [N·s/m^3] > 0: the product of the K
     double friction = 0.3;    ///< [1] >= 0, mu

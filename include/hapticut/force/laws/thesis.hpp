@@ -34,6 +34,7 @@ namespace hapticut {
 /// may give energy: that term is a loss only for a head that does not turn.
 class ThesisLaw final : public ForceLaw {
  public:
+  /// The numbers of the law.
   struct Constants {
     double reference_voxel_size = 1e-4;  ///< [m] > 0, l0
     double damping = 0;                  ///< [N·s/m] >= 0 of one voxel, b

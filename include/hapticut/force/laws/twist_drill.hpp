@@ -25,6 +25,7 @@ namespace hapticut {
 /// above 180 degrees.
 class TwistDrillLaw final : public LumpedLaw {
  public:
+  /// The numbers of the law.
   struct Constants {
     double specific_energy = 1e8;         ///< [J/m^3] > 0, K_s
     double largest_feed_per_turn = 1e-3;  ///< [m] > 0; a is cut off there, where the spindle turns too slowly to chip

@@ -17,6 +17,7 @@ namespace hapticut {
 /// @param voxel_size  [m]
 [[nodiscard]] GreyVolume resample(const GreyVolume& volume, double voxel_size);
 
+/// How labels between samples are found.
 enum class LabelInterpolation : std::uint8_t {
   nearest,  ///< the label of the nearest sample: steps stay steps
   smooth    ///< the label with the largest share in a Gaussian of half a spacing: rounds steps

@@ -29,6 +29,7 @@ namespace hapticut {
 /// More samples than this are not read: as grey values they would take 8 GiB.
 inline constexpr std::int64_t kMaxVolumeSamples = std::int64_t(1) << 31;
 
+/// What a reader is told that a file does not say.
 struct VolumeReadOptions {
   /// [m] replaces the spacing of the file; needed where the file names no spacing (PNG and TIFF slices).
   std::optional<Vec3> spacing = std::nullopt;
