@@ -258,20 +258,13 @@ void bind_the_simulation(py::module_& m) {
             return self.simulation.undo(most);
           },
           py::arg("most"), doc("Simulation::undo"))
-      .def(
-          "remove_island",
-          [](S& self, IslandRemoval& removal, std::size_t most) {
-            self.occupancy.require_writable("The simulation");
-            return self.simulation.remove_island(removal, most);
-          },
-          py::arg("removal"), py::arg("most"), doc("Simulation::remove_island"))
       .def_property_readonly(
-          "island_volume_by_material",
+          "taken_volume_by_material",
           [](const S& self) {
-            const auto& volumes = read(self).island_volume_by_material();
+            const auto& volumes = read(self).taken_volume_by_material();
             return py::array_t<double>(py::ssize_t(volumes.size()), volumes.data());
           },
-          "[m^3] (256,) that left with islands since construction or reset, by material id.")
+          "[m^3] (256,) that left without a cut since construction or reset, by material id: islands.remove_island.")
       .def_property_readonly(
           "redo_marks", [](const S& self) { return read(self).redo_marks(); },
           "How many undone marks `redo` can go forth over.")

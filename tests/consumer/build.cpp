@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The four components that come with the core, each linked by its own name: a molar, its surface, its temperature and
-// the sound of a drill.
+// The five components that come with the core, each linked by its own name: a molar, its surface, its temperature, its
+// loose pieces and the sound of a drill.
 #include <array>
 #include <hapticut/build/molar.hpp>
 #include <hapticut/heat/heat_field.hpp>
+#include <hapticut/islands/islands.hpp>
 #include <hapticut/sound/drill_sound.hpp>
 #include <hapticut/surface/extract_surface.hpp>
 
@@ -13,5 +14,5 @@ bool use_build() {
   const HeatField heat(molar);
   std::array<float, 480> samples = {};
   DrillSound().render(samples, 48000, SoundInput{});
-  return !extract_surface(molar).mesh.triangles.empty() && samples.back() == 0;
+  return find_islands(molar).empty() && !extract_surface(molar).mesh.triangles.empty() && samples.back() == 0;
 }

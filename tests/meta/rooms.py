@@ -13,7 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 ROOMS = ["core", "tool", "workpiece", "force", "kernels", "simulation", "safety", "realtime", "device", "loop",
-         "build", "surface", "heat", "sound", "io", "settings", "bench", "view", "c", "cli"]
+         "build", "surface", "heat", "islands", "sound", "io", "settings", "bench", "view", "c", "cli"]
 LONGEST = 400
 
 

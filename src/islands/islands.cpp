@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pieces that were cut loose: a search over blocks, 512 voxels at a time as bits.
-#include "hapticut/workpiece/islands.hpp"
+#include "hapticut/islands/islands.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hapticut/loop/island_watch.hpp"
+#include "hapticut/islands/island_watch.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -52,7 +53,7 @@ struct IslandWatch::State {
   // The loop's side.
   Removal current;
   std::vector<VoxelIndex> changed;
-  std::uint64_t count = 0;
+  std::atomic<std::uint64_t> count = 0;
 
   std::thread thread;
 };
@@ -102,7 +103,7 @@ void IslandWatch::tick() noexcept {
   if (!s.current && !(s.over.has_room() && s.to_leave.pop(s.current))) return;
   IslandRemoval& removal = *s.current;
   const std::size_t before = removal.removed;
-  const bool is_over = s.simulation.remove_island(removal, s.options.blocks_per_tick);
+  const bool is_over = remove_island(s.simulation, removal, s.options.blocks_per_tick);
   for (std::size_t n = before; n < removal.removed; ++n) s.changed.push_back(removal.island.blocks[n].origin);
   if (!is_over) return;
   if (removal.joined)  // it is still there: the search must hear of it
@@ -118,6 +119,17 @@ std::uint64_t IslandWatch::count() const noexcept { return state_->count; }
 std::vector<Island> IslandWatch::left() {
   const std::lock_guard lock(state_->mutex);
   return std::exchange(state_->left, {});
+}
+
+Wrench IslandModel::step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept {
+  const Wrench wrench = model_.step(state, dt, snapshot);
+  watch_.tick();
+  return wrench;
+}
+
+void IslandModel::mark_changes(BlockOutbox& outbox) noexcept {
+  model_.mark_changes(outbox);
+  for (const VoxelIndex& origin : watch_.changed()) outbox.mark(origin);
 }
 
 }  // namespace hapticut

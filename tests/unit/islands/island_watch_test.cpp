@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A piece that a tool has cut loose leaves: from a simulation, beside a loop of one's own, and from a model's loop.
-#include "hapticut/loop/island_watch.hpp"
+#include "hapticut/islands/island_watch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,12 +57,12 @@ TEST(RemoveIsland, TakesAPieceOutThatIsBookedAsNotCutAndUndoBringsItBack) {
   const double cut = sum(simulation.removed_volume_by_material()), cutting = simulation.last_result().energy.cutting;
   IslandRemoval removal{islands[0]};
   int slices = 0;
-  while (!simulation.remove_island(removal, 2)) ++slices;
+  while (!remove_island(simulation, removal, 2)) ++slices;
   EXPECT_FALSE(removal.joined);
   EXPECT_GE(slices, 2);
   EXPECT_FALSE(simulation.changed_blocks().origins.empty());
   EXPECT_TRUE(find_islands(simulation.workpiece()).empty());
-  const double left = sum(simulation.island_volume_by_material());
+  const double left = sum(simulation.taken_volume_by_material());
   EXPECT_NEAR(left, double(islands[0].voxels) * std::pow(kVoxel, 3), 0.05 * left);
   EXPECT_EQ(sum(simulation.removed_volume_by_material()), cut);
   EXPECT_EQ(simulation.last_result().energy.cutting, cutting);
@@ -84,14 +84,14 @@ TEST(RemoveIsland, LeavesAPieceThatAnUndoHasJoinedAgain) {
   const std::vector<Island> islands = find_islands(simulation.workpiece());
   ASSERT_EQ(islands.size(), 1U);
   IslandRemoval half{islands[0]}, late{islands[0]};
-  EXPECT_FALSE(simulation.remove_island(half, islands[0].blocks.size() + 1)) << "all was looked at, one block is gone";
+  EXPECT_FALSE(remove_island(simulation, half, islands[0].blocks.size() + 1)) << "all was looked at, one block is gone";
   EXPECT_GT(half.removed, 0U);
   while (!simulation.undo(64)) {
   }
   const std::uint64_t hash = simulation.workpiece().hash();
-  EXPECT_TRUE(simulation.remove_island(half, 64));
+  EXPECT_TRUE(remove_island(simulation, half, 64));
   EXPECT_TRUE(half.joined);
-  EXPECT_TRUE(simulation.remove_island(late, 64));
+  EXPECT_TRUE(remove_island(simulation, late, 64));
   EXPECT_TRUE(late.joined);
   EXPECT_EQ(simulation.workpiece().hash(), hash);
 }
@@ -108,7 +108,7 @@ TEST(RemoveIsland, WaitsWhereNoReservedBlockIsLeft) {
   others.origin = {8, 8, 8};
   EXPECT_TRUE(simulation.remove_voxels(some));
   EXPECT_FALSE(simulation.remove_voxels(others));
-  EXPECT_NEAR(sum(simulation.island_volume_by_material()), 8 * std::pow(kVoxel, 3), 1e-20);
+  EXPECT_NEAR(sum(simulation.taken_volume_by_material()), 8 * std::pow(kVoxel, 3), 1e-20);
   simulation.reserve_blocks(4);
   EXPECT_TRUE(simulation.remove_voxels(others));
 }
@@ -127,7 +127,7 @@ TEST(IslandWatch, LetsAPieceLeaveBesideALoopOfOnesOwn) {
   }
   EXPECT_EQ(watch.count(), 1U);
   EXPECT_TRUE(find_islands(simulation.workpiece()).empty());
-  EXPECT_GT(sum(simulation.island_volume_by_material()), 0);
+  EXPECT_GT(sum(simulation.taken_volume_by_material()), 0);
   std::vector<Island> left;
   while (left.empty()) {
     left = watch.left();
@@ -137,16 +137,16 @@ TEST(IslandWatch, LetsAPieceLeaveBesideALoopOfOnesOwn) {
   EXPECT_GT(left[0].voxels, 800);
 }
 
-TEST(SimulationModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
+TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
   using namespace test::loop_rig;
   // What the hand does not touch is cut loose between two ticks, so that the piece is the same in every run.
   Simulation simulation(block(), ball(), config());
   const std::unique_ptr<Device> device = stiff_mock("rest");
-  SimulationModelOptions options;
-  options.islands = IslandWatchOptions{};
-  options.islands->period = 1e-3;
-  SimulationModel model(simulation, *device, options);
-  BlockOutbox outbox(model.region(), 10000);
+  SimulationModel without(simulation, *device);
+  IslandWatchOptions options;
+  options.period = 1e-3;
+  IslandModel model(without, simulation, options);
+  BlockOutbox outbox(without.region(), 10000);
   LoopSnapshot snapshot;
   // Around a cube of 20 voxels, whose place is 20 ... 39 along each axis.
   for (int x = 16; x < 48; x += 8)
@@ -160,7 +160,7 @@ TEST(SimulationModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
         }
         ASSERT_TRUE(simulation.remove_voxels(around));
       }
-  const double cut_out = sum(simulation.island_volume_by_material());
+  const double cut_out = sum(simulation.taken_volume_by_material());
   std::size_t marked = 0;
   RunOptions run;
   run.simulated_time = true;
@@ -172,18 +172,18 @@ TEST(SimulationModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
         DeviceCommand command{model.step(far, 1e-3, snapshot), false};
         model.mark_changes(outbox);
         marked = outbox.marked();
-        command.stop = snapshot.tool.islands > 0;
+        command.stop = model.watch().count() > 0;
         std::this_thread::yield();
         return command;
       },
       run);
-  EXPECT_EQ(snapshot.tool.islands, 1U);
+  EXPECT_EQ(model.watch().count(), 1U);
   EXPECT_GE(marked, 27U);
-  EXPECT_NEAR(sum(simulation.island_volume_by_material()) - cut_out, 8000 * std::pow(0.2 * mm, 3), 1e-18);
+  EXPECT_NEAR(sum(simulation.taken_volume_by_material()) - cut_out, 8000 * std::pow(0.2 * mm, 3), 1e-18);
   EXPECT_EQ(snapshot.tool.removed_volume, 0);
   std::vector<Island> left;
   while (left.empty()) {
-    left = model.islands_left();
+    left = model.watch().left();
     std::this_thread::yield();
   }
   ASSERT_EQ(left.size(), 1U);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pieces that are cut loose: found by what is left around the voxels that went, as by looking at every voxel.
-#include "hapticut/workpiece/islands.hpp"
+#include "hapticut/islands/islands.hpp"
 
 #include <gtest/gtest.h>
 

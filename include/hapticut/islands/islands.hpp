@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hapticut/core/description.hpp"
+#include "hapticut/simulation/simulation.hpp"
 #include "hapticut/workpiece/block_grid.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
@@ -17,14 +18,6 @@
 /// Pieces that were cut loose. Voxels are joined where they share a face and both are filled enough; what is joined to
 /// nothing that is fixed is an island.
 namespace hapticut {
-
-/// Some voxels of one block.
-struct BlockVoxels {
-  VoxelIndex origin = {0, 0, 0};  ///< of the block's first voxel
-  BlockMask voxels;
-
-  [[nodiscard]] bool operator==(const BlockVoxels&) const = default;
-};
 
 /// What is an island.
 struct IslandOptions {
@@ -93,7 +86,7 @@ class IslandFinder {
 /// @throws Error as IslandFinder
 [[nodiscard]] std::vector<Island> find_islands(const Workpiece& workpiece, const IslandOptions& options = {});
 
-/// The way of an island out of a workpiece, in slices: see Simulation::remove_island.
+/// The way of an island out of a workpiece, in slices: see remove_island.
 struct IslandRemoval {
   Island island;               ///< what is to leave
   std::size_t checked = 0;     ///< blocks of it that were seen to touch nothing else
@@ -103,6 +96,14 @@ struct IslandRemoval {
 
   [[nodiscard]] bool is_over() const noexcept { return joined || removed == island.blocks.size(); }
 };
+
+/// Goes on with the removal of an island, by up to `most` blocks (and at least one), 1 us each: first it is seen
+/// whether it still is one, then it leaves block by block (Simulation::remove_voxels). Between two steps; the tool goes
+/// on as it does, and `Simulation::changed_blocks` names the blocks as well. To be called until it says that it is
+/// over.
+/// @return true when the island is gone, or cannot go: IslandRemoval::joined
+/// @realtime no allocation, no lock; O(most)
+bool remove_island(Simulation& simulation, IslandRemoval& removal, std::size_t most) noexcept;
 
 /// Whether one block of an island touches no voxel that is filled enough and does not belong to it.
 /// @param block  number of the block in Island::blocks

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of an island leaves with a block, and whether it still is one.
+// What of an island leaves with a block, whether it still is one, and its way out.
 #include <algorithm>
 
-#include "hapticut/workpiece/islands.hpp"
+#include "hapticut/islands/islands.hpp"
 
 namespace hapticut {
 namespace {
@@ -38,6 +38,23 @@ BlockVoxels with_skin(const Island& island, std::size_t block, const Workpiece& 
   const BlockView now = workpiece.block(here.origin);
   const BlockMask there = now.filled_voxels(0), skin = there.without(filled_enough(island, now));
   return {here.origin, there & (here.voxels | (skin & around(island, here)))};
+}
+
+bool remove_island(Simulation& simulation, IslandRemoval& removal, std::size_t most) noexcept {
+  const Workpiece& workpiece = simulation.workpiece();
+  std::size_t done = 0;
+  do {  // one at least, or a caller that asks for 0 would never arrive
+    if (removal.checked == 0) removal.exchange = simulation.workpiece_exchanges();
+    if (removal.exchange != simulation.workpiece_exchanges()) removal.joined = true;
+    if (removal.is_over()) return true;
+    if (removal.checked < removal.island.blocks.size()) {
+      if (!is_loose(removal.island, removal.checked++, workpiece)) removal.joined = true;
+    } else {
+      if (!simulation.remove_voxels(with_skin(removal.island, removal.removed, workpiece))) return false;
+      ++removal.removed;
+    }
+  } while (++done < most);
+  return removal.is_over();
 }
 
 }  // namespace hapticut

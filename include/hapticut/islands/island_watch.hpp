@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "hapticut/core/description.hpp"
+#include "hapticut/islands/islands.hpp"
 #include "hapticut/loop/change_feed.hpp"
-#include "hapticut/workpiece/islands.hpp"
+#include "hapticut/loop/realtime_loop.hpp"
 
 namespace hapticut {
 
@@ -33,7 +34,7 @@ constexpr auto fields_of(Of<IslandWatchOptions>) {
 }
 
 /// Finds pieces that were cut loose in a thread of its own, and lets them leave between the ticks of a loop, some
-/// blocks at a time: see IslandFinder and Simulation::remove_island. When a piece leaves depends on when that thread
+/// blocks at a time: see IslandFinder and remove_island. When a piece leaves depends on when that thread
 /// gets its turn, so two runs need not leave the same bits; steps of a recording end with the first piece.
 class IslandWatch {
  public:
@@ -51,7 +52,7 @@ class IslandWatch {
   /// Blocks that the last tick has changed.  @realtime no allocation, no lock; O(1)
   [[nodiscard]] std::span<const VoxelIndex> changed() const noexcept;
 
-  /// Pieces that have left. For the thread of the ticks.
+  /// Pieces that have left. From any thread.
   [[nodiscard]] std::uint64_t count() const noexcept;
 
   /// What has left since the last call, at most the latest 64 pieces: to be shown as bodies. From any thread.
@@ -60,6 +61,28 @@ class IslandWatch {
  private:
   struct State;
   std::unique_ptr<State> state_;
+};
+
+/// A model of a loop from whose workpiece pieces that are cut loose leave, between two of its ticks.
+class IslandModel final : public LoopModel {
+ public:
+  /// @param model  of the loop, as a SimulationModel; it and the simulation must outlive this
+  /// @throws Error as IslandWatch
+  IslandModel(LoopModel& model, Simulation& simulation, const IslandWatchOptions& options = {})
+      : model_(model), watch_(simulation, options) {}
+
+  [[nodiscard]] IslandWatch& watch() noexcept { return watch_; }  ///< `tick` is the loop's
+
+  Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override;
+  [[nodiscard]] ModelContact contact() const noexcept override { return model_.contact(); }
+  void check(const LoopCommand& command) const override { model_.check(command); }
+  bool obey(LoopCommand& command) noexcept override { return model_.obey(command); }
+  void mark_changes(BlockOutbox& outbox) noexcept override;
+  void copy(ChangedBlock& block) noexcept override { model_.copy(block); }
+
+ private:
+  LoopModel& model_;
+  IslandWatch watch_;
 };
 
 }  // namespace hapticut
