@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "device/force_dimension/tests/force_dimension.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/device/simulated/mouse.hpp"
 #include "hapticut/device/simulated/playback.hpp"
 #include "support/device_under_test.hpp"
-#include "support/force_dimension.hpp"
 #include "support/open_haptics.hpp"
 #include "support/written_device.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <string>
 
+#include "device/force_dimension/tests/force_dimension.hpp"
 #include "hapticut/core/errors.hpp"
-#include "support/force_dimension.hpp"
 
 // The library's header has a type of this name at global scope: were it to come with ours, this would not compile.
 enum class uchar { red, green, blue };

@@ -5,8 +5,8 @@
 #include <string>
 #include <thread>
 
+#include "device/force_dimension/tests/force_dimension.hpp"
 #include "hapticut/core/errors.hpp"
-#include "support/force_dimension.hpp"
 
 namespace hapticut::force_dimension_faults_test {
 namespace {

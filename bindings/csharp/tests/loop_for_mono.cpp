@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A loop on a mock device as a program of another runtime holds it: tests/mono/LivesOn.cs.
+// A loop on a mock device as a program of another runtime holds it: bindings/csharp/tests/LivesOn.cs.
 #include <memory>
 
 #include "hapticut/device/device.hpp"
