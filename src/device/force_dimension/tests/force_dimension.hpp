@@ -16,8 +16,8 @@
 namespace hapticut::test {
 
 // Numbers of the library for its devices and errors.
-inline constexpr int kOmega3 = 33, kOmega6 = 34, kOmega7 = 35, kOmega6Left = 36, kFalcon = 60, kCustom = 91,
-                     kSigma7 = 104, kSigma7Left = 105;
+inline constexpr int kOmega3 = 33, kOmega6 = 34, kOmega7 = 35, kFalcon = 60, kCustom = 91, kSigma7 = 104,
+                     kSigma7Left = 105;
 inline constexpr int kErrorCom = 2, kErrorTimeout = 7, kErrorNotReady = 12, kErrorInvalid = 21;
 
 /// A vector of the base in the frame of the library: x towards the user, y to the right, z up.

@@ -48,43 +48,20 @@ void dhdsim_reset(void) {
 }
 
 dhdsim_device dhdsim_device_of(int type, int serial) {
-  dhdsim_device d{type, serial, "custom (stand-in)", 0, 0, 0, 0, 0, 1, 1, 1, 1.0, 0.2};
-  switch (type) {
-    case DHD_DEVICE_OMEGA3:
-      d.name = "omega.3 (stand-in)";
-      break;
-    case DHD_DEVICE_OMEGA6_RIGHT:
-    case DHD_DEVICE_OMEGA6_LEFT:
-      d.name = "omega.6 (stand-in)";
-      d.wrist = 1;
-      break;
-    case DHD_DEVICE_OMEGA7_RIGHT:
-    case DHD_DEVICE_OMEGA7_LEFT:
-      d.name = "omega.7 (stand-in)";
-      d.wrist = d.gripper = d.active_gripper = 1;
-      break;
-    case DHD_DEVICE_SIGMA7_RIGHT:
-    case DHD_DEVICE_SIGMA7_LEFT:
-    case DHD_DEVICE_LAMBDA7_RIGHT:
-    case DHD_DEVICE_LAMBDA7_LEFT:
-      d.name = type <= DHD_DEVICE_SIGMA7_LEFT ? "sigma.7 (stand-in)" : "lambda.7 (stand-in)";
-      d.wrist = d.active_wrist = d.gripper = d.active_gripper = 1;
-      break;
-    case DHD_DEVICE_DELTA3:
-      d.name = "delta.3 (stand-in)";
-      break;
-    case DHD_DEVICE_FALCON:
-      d.name = "Falcon (stand-in)";
-      d.has_watchdog = d.has_brakes = 0;
-      break;
-    default:
-      break;
-  }
-  d.left_handed = type == DHD_DEVICE_OMEGA6_LEFT || type == DHD_DEVICE_OMEGA7_LEFT || type == DHD_DEVICE_SIGMA7_LEFT ||
-                          type == DHD_DEVICE_LAMBDA7_LEFT
-                      ? 1
-                      : 0;
-  return d;
+  //                                     wrist, driven; left-handed; watchdog, brakes, angular velocity
+  constexpr dhdsim_device kinds[] = {
+      {DHD_DEVICE_OMEGA3, 0, "omega.3 (stand-in)", 0, 0, 0, 1, 1, 1},
+      {DHD_DEVICE_OMEGA6_RIGHT, 0, "omega.6 (stand-in)", 1, 0, 0, 1, 1, 1},
+      {DHD_DEVICE_OMEGA7_RIGHT, 0, "omega.7 (stand-in)", 1, 0, 0, 1, 1, 1},
+      {DHD_DEVICE_SIGMA7_RIGHT, 0, "sigma.7 (stand-in)", 1, 1, 0, 1, 1, 1},
+      {DHD_DEVICE_SIGMA7_LEFT, 0, "sigma.7 (stand-in)", 1, 1, 1, 1, 1, 1},
+      {DHD_DEVICE_FALCON, 0, "Falcon (stand-in)", 0, 0, 0, 0, 0, 1},
+  };
+  dhdsim_device device = {type, 0, "custom (stand-in)", 0, 0, 0, 1, 1, 1};
+  for (const dhdsim_device& kind : kinds)
+    if (kind.type == type) device = kind;
+  device.serial = serial;
+  return device;
 }
 
 int dhdsim_add_device(const dhdsim_device* spec) {
@@ -196,7 +173,6 @@ void dhdsim_get_committed(int device, long n, double force[3], double torque[3])
 dhdsim_counters dhdsim_get_counters(int device) {
   return with(device, [](Device& d) {
     dhdsim_counters c = d.counters;
-    c.open = d.open ? 1 : 0;
     c.force_on = d.force_on ? 1 : 0;
     c.brakes_on = d.brakes_on ? 1 : 0;
     c.gravity_on = d.gravity_on ? 1 : 0;

@@ -11,6 +11,8 @@ namespace {
 constexpr double kGravity = 9.81;         // [m/s^2]
 constexpr double kWatchdogUnit = 125e-6;  // [s]
 constexpr double kCarries = 2.5e-3;       // [s] for which the gravity compensation of one command is good
+constexpr double kArmMass = 0.2;          // [kg] that it carries
+constexpr double kSpeedLimit = 1;         // [m/s] faster: brakes
 
 double length(const Vec& v) { return std::hypot(v[0], v[1], v[2]); }
 bool is_zero(const Output& output) { return output.force == Vec{} && output.torque == Vec{}; }
@@ -53,7 +55,7 @@ int set_force(char id, const Output& wanted, double gripper) {
     d.committed = d.force_on ? d.command : Output{};
     d.last_command = simulation().time;
     // Computed here and nowhere else: without commands nothing carries the arm where it has moved to.
-    d.carried = d.gravity_on ? d.spec.arm_mass * kGravity : 0;
+    d.carried = d.gravity_on ? kArmMass * kGravity : 0;
     d.history.push_back(d.committed);
     return d.success;
   });
@@ -123,7 +125,7 @@ void let_pass(double seconds) {
     if (!d.gravity_on || d.last_command < 0 || without > kCarries) d.counters.unsupported += seconds;
     if (d.counters.watchdog > 0 && without > d.counters.watchdog * kWatchdogUnit)
       switch_off(d, DHD_FORCE_OFF_WATCHDOG);
-    else if (length(d.velocity) > d.spec.speed_limit)
+    else if (length(d.velocity) > kSpeedLimit)
       switch_off(d, DHD_FORCE_OFF_VELOCITY);
   }
 }
@@ -154,9 +156,6 @@ int dhdGetAvailableCount() {
 int dhdOpen() {
   return dhdsim::open_first([](int, const Device&) { return true; });
 }
-int dhdOpenID(char id) {
-  return dhdsim::open_first([=](int n, const Device&) { return n == id; });
-}
 int dhdOpenType(int type) {
   return dhdsim::open_first([=](int, const Device& d) { return d.spec.type == type; });
 }
@@ -174,12 +173,6 @@ int dhdClose(char id) {
   dhdsim::switch_off(d, DHD_FORCE_OFF_SOFTWARE);
   d.open = false;
   return 0;
-}
-int dhdStop(char id) {
-  return on(id, [](Device& d) {
-    dhdsim::switch_off(d, DHD_FORCE_OFF_SOFTWARE);
-    return 0;
-  });
 }
 
 int dhdGetSystemType(char id) {
@@ -248,12 +241,6 @@ bool dhdHasWrist(char id) {
 bool dhdHasActiveWrist(char id) {
   return ask(id, [](const Device& d) { return d.spec.active_wrist != 0; });
 }
-bool dhdHasGripper(char id) {
-  return ask(id, [](const Device& d) { return d.spec.gripper != 0; });
-}
-bool dhdHasActiveGripper(char id) {
-  return ask(id, [](const Device& d) { return d.spec.active_gripper != 0; });
-}
 bool dhdIsLeftHanded(char id) {
   return ask(id, [](const Device& d) { return d.spec.left_handed != 0; });
 }
@@ -266,9 +253,6 @@ int dhdGetPositionAndOrientationFrame(double* px, double* py, double* pz, double
     dhdsim::position(d, px, py, pz);
     dhdsim::frame(d, matrix);
   });
-}
-int dhdGetOrientationFrame(double matrix[3][3], char id) {
-  return read(id, DHDSIM_READ, [=](const Device& d) { dhdsim::frame(d, matrix); });
 }
 int dhdGetLinearVelocity(double* vx, double* vy, double* vz, char id) {
   return read(id, DHDSIM_VELOCITY, [=](const Device& d) {
@@ -286,25 +270,11 @@ int dhdGetAngularVelocityRad(double* wx, double* wy, double* wz, char id) {
     return d.success;
   });
 }
-int dhdConfigLinearVelocity(int /*ms*/, int /*mode*/, char id) {
-  return on(id, [](Device&) { return 0; });
-}
 
 int dhdSetForce(double fx, double fy, double fz, char id) { return dhdsim::set_force(id, {{fx, fy, fz}, {}}, 0); }
-int dhdSetForceAndTorque(double fx, double fy, double fz, double tx, double ty, double tz, char id) {
-  return dhdsim::set_force(id, {{fx, fy, fz}, {tx, ty, tz}}, 0);
-}
 int dhdSetForceAndTorqueAndGripperForce(double fx, double fy, double fz, double tx, double ty, double tz, double fg,
                                         char id) {
   return dhdsim::set_force(id, {{fx, fy, fz}, {tx, ty, tz}}, fg);
-}
-int dhdGetForceAndTorqueAndGripperForce(double* fx, double* fy, double* fz, double* tx, double* ty, double* tz,
-                                        double* fg, char id) {
-  return on(id, [=](Device& d) {
-    const auto &f = d.committed.force, &t = d.committed.torque;
-    *fx = f[0], *fy = f[1], *fz = f[2], *tx = t[0], *ty = t[1], *tz = t[2], *fg = 0;
-    return 0;
-  });
 }
 
 uint dhdGetButtonMask(char id) {
@@ -312,10 +282,6 @@ uint dhdGetButtonMask(char id) {
   const Device* d = dhdsim::find(id);
   return d == nullptr ? 0 : d->buttons;
 }
-int dhdGetButton(int index, char id) {
-  return on(id, [=](Device& d) { return int((d.buttons >> unsigned(index)) & 1U); });
-}
-double dhdGetComFreq(char /*id*/) { return 1; }
 
 int dhdSetGravityCompensation(int val, char id) {
   return on(id, [=](Device& d) {
@@ -348,15 +314,5 @@ int dhdSetMaxTorque(double t, char id) {
     d.counters.max_torque = t;
     return 0;
   });
-}
-double dhdGetMaxForce(char id) {
-  const std::lock_guard lock(simulation().mutex);
-  const Device* d = dhdsim::find(id);
-  return d == nullptr ? -1 : d->counters.max_force;
-}
-double dhdGetMaxTorque(char id) {
-  const std::lock_guard lock(simulation().mutex);
-  const Device* d = dhdsim::find(id);
-  return d == nullptr ? -1 : d->counters.max_torque;
 }
 }

@@ -11,7 +11,6 @@ extern "C" {
 int drdOpenID(char id) {
   return on(id, [=](Device&) { return int(id); });
 }
-int drdClose(char id) { return dhdClose(id); }
 bool drdIsInitialized(char id) {
   return on(id, [](Device& d) { return d.calibrated && d.wrist_initialised ? 1 : 0; }) == 1;
 }
@@ -22,5 +21,10 @@ int drdAutoInit(char id) {
     return 0;
   });
 }
-int drdStop(bool /*frc*/, char id) { return dhdStop(id); }
+int drdStop(bool /*frc*/, char id) {
+  return on(id, [](Device& d) {
+    dhdsim::switch_off(d, DHD_FORCE_OFF_SOFTWARE);
+    return 0;
+  });
+}
 }

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What belongs to the library rather than to a device: errors, time, expert mode; and what is only allowed in it.
-#include <chrono>
-#include <thread>
-
+// What belongs to the library rather than to a device: errors, expert mode; and what is only allowed in it.
 #include "stand_in.hpp"
 
 using dhdsim::Device;
@@ -41,16 +38,6 @@ const char* dhdErrorGetLastStr() {
   }
 }
 
-double dhdGetTime() { return dhdsim_time(); }
-void dhdSleep(double sec) {
-  {
-    const std::lock_guard lock(simulation().mutex);
-    if (!simulation().real_time) return dhdsim::let_pass(sec);
-  }
-  std::this_thread::sleep_for(std::chrono::duration<double>(sec));
-}
-void dhdEnableSimulator(bool /*on*/) {}
-
 int dhdEnableExpertMode() {
   const std::lock_guard lock(simulation().mutex);
   simulation().expert = true;
@@ -60,12 +47,6 @@ int dhdDisableExpertMode() {
   const std::lock_guard lock(simulation().mutex);
   simulation().expert = false;
   return 0;
-}
-int dhdSetTimeGuard(int /*us*/, char id) {
-  return expert(id, [](Device&) { return 0; });
-}
-int dhdSetVelocityThreshold(uint /*val*/, char id) {
-  return expert(id, [](Device&) { return 0; });
 }
 int dhdSetWatchdog(unsigned char val, char id) {
   return expert(id, [=](Device& d) {

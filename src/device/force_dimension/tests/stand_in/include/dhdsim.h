@@ -30,16 +30,14 @@ enum dhdsim_call {
   DHDSIM_CALLS
 };
 
-/* What a simulated device is; dhdsim_device_of fills in what the types of real ones have. */
+/* What a simulated device is; dhdsim_device_of fills in what the types of real ones have that the tests ask for. */
 typedef struct {
   int type, serial;
   const char* name;
-  int wrist, active_wrist, gripper, active_gripper, left_handed;
+  int wrist, active_wrist, left_handed;
   int has_watchdog;    /* 0: dhdSetWatchdog is not available */
   int has_brakes;      /* 0: dhdSetBrakes is not available */
   int reports_turning; /* 0: dhdGetAngularVelocityRad is not available */
-  double speed_limit;  /* m/s; faster: brakes */
-  double arm_mass;     /* kg that gravity compensation carries */
 } dhdsim_device;
 
 /* Back to no devices and a clock that stands still at 0. */
@@ -92,7 +90,7 @@ void dhdsim_get_committed(int device, long n, double force[3], double torque[3])
 
 /* What was done right and wrong. */
 typedef struct {
-  int open, force_on, brakes_on, gravity_on;
+  int force_on, brakes_on, gravity_on;
   int brakes_commanded;          /* by the last dhdSetBrakes */
   long commands;                 /* of forces */
   long torques_on_passive_wrist; /* commands with a torque that is not zero */

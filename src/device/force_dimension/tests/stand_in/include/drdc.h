@@ -7,7 +7,6 @@
 
 extern "C" {
 int __SDK drdOpenID(char ID = -1);
-int __SDK drdClose(char ID = -1);
 bool __SDK drdIsInitialized(char ID = -1);
 int __SDK drdAutoInit(char ID = -1);
 int __SDK drdStop(bool frc = false, char ID = -1);
