@@ -195,7 +195,7 @@ TEST_F(OpenHapticsFaults, ReducesTheForceWhileTheMotorsAreWarm) {
   RunOptions options = quick();
   options.guard.thermal.time_constant = 1e6;  // only what the device says
   const Outcome outcome = run(*device, push_for(6000, {Vec3(2, 0, 0), Vec3::Zero()}), options, [&](long tick) {
-    if (tick == 500) hdsim_inject_error(0, kWarmMotors, 0, -1);
+    if (tick == 500) hdsim_inject_error(0, kWarmMotors, 0);
     if (tick == 500) hdsim_set_temperature(0, 0.6);
     if (tick == 3000) warm = committed(0).force.x();
     if (tick == 3000) hdsim_set_temperature(0, 0.3);
@@ -223,7 +223,7 @@ TEST_F(OpenHapticsFaults, ComesBackThroughTheFadeInAfterTheDriverRefusedAForce) 
         },
         quick(),
         [&](long tick) {
-          if (tick == 280) hdsim_inject_error(0, code, 0, -1);
+          if (tick == 280) hdsim_inject_error(0, code, 0);
           forces.push_back(committed(0).force.x());
         });
     EXPECT_EQ(outcome.report.fault, DeviceFault::none) << code;
@@ -304,7 +304,7 @@ TEST_F(OpenHapticsFaults, TakesErrorsOfTheProgrammerAsFatal) {
   add_touch();
   const auto device = open_open_haptics(options_for());
   const Outcome outcome = run(*device, push_for(10000), quick(), [](long tick) {
-    if (tick == 200) hdsim_inject_error(0, kInvalidInputType, 0, -1);
+    if (tick == 200) hdsim_inject_error(0, kInvalidInputType, 0);
   });
   EXPECT_EQ(outcome.report.fault, DeviceFault::driver_error);
   EXPECT_TRUE(committed(0).force.isZero(0));
@@ -312,9 +312,9 @@ TEST_F(OpenHapticsFaults, TakesErrorsOfTheProgrammerAsFatal) {
 
 TEST_F(OpenHapticsFaults, DrainsErrorsThatWaitedBeforeItBegan) {
   add_touch();
-  hdsim_inject_error(0, kCommError, 7, -1);
+  hdsim_inject_error(0, kCommError, 7);
   const auto device = open_open_haptics(options_for());
-  hdsim_inject_error(0, kCommError, 7, -1);
+  hdsim_inject_error(0, kCommError, 7);
   EXPECT_EQ(run(*device, push_for(100)).report.fault, DeviceFault::none);
 }
 
