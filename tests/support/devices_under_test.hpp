@@ -163,8 +163,7 @@ struct OpenHapticsStandIn : DeviceUnderTest {
   }
   [[nodiscard]] long commands() const override { return hdsim_committed_count(0); }
   [[nodiscard]] Wrench command(long n) const override {
-    Wrench w;
-    hdsim_get_committed(0, n, w.force.data(), w.torque.data());
+    Wrench w = committed(0, n);
     w.torque /= 1000;  // of mN·m
     return w;
   }

@@ -13,19 +13,7 @@ namespace {
 
 using namespace test;
 
-class ForceDimensionFaults : public ForceDimensionTest {
- protected:
-  /// A hand that is in contact, lets go for a moment at the 600th tick, and presses again.
-  static DeviceCallback press_and_let_go(long ticks) {
-    return [=, n = 0L](const DeviceState&) mutable {
-      DeviceCommand command;
-      ++n;
-      if (n > 50 && (n < 600 || n > 606)) command.wrench.force.x() = 1;
-      command.stop = n >= ticks;
-      return command;
-    };
-  }
-};
+class ForceDimensionFaults : public ForceDimensionTest {};
 
 TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItsWatchdogHasTripped) {
   add(kOmega6);
@@ -35,7 +23,7 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItsWatchdogHasTripped
   double noticed = 0;  // [s]
   const RunReport report = run(
       *device,
-      [&, press = press_and_let_go(1000)](const DeviceState& state) mutable {
+      [&, press = press_and_let_go(600, 606, 1000)](const DeviceState& state) mutable {
         if (fault == DeviceFault::none && state.fault != fault) noticed = state.time;
         if (state.fault != DeviceFault::none) fault = state.fault;
         return press(state);
@@ -74,7 +62,7 @@ TEST_F(ForceDimensionFaults, ComesBackThroughTheFadeInAfterItBrakedBecauseTheHan
   DeviceFault fault = DeviceFault::none;
   const RunReport report = run(
       *device,
-      [&, press = press_and_let_go(1000)](const DeviceState& state) mutable {
+      [&, press = press_and_let_go(600, 606, 1000)](const DeviceState& state) mutable {
         if (state.fault != DeviceFault::none) fault = state.fault;
         return press(state);
       },
@@ -109,7 +97,7 @@ TEST_F(ForceDimensionFaults, StaysOffUntilSomebodySwitchesItsForcesOnAgain) {
     DeviceFault fault = DeviceFault::none;
     const RunReport report = run(
         *device,
-        [&, press = press_and_let_go(1000)](const DeviceState& state) mutable {
+        [&, press = press_and_let_go(600, 606, 1000)](const DeviceState& state) mutable {
           if (state.fault != DeviceFault::none) fault = state.fault;
           return press(state);
         },
