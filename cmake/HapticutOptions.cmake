@@ -90,7 +90,7 @@ set(HAPTICUT_NEEDS_EXAMPLES "")
 set(HAPTICUT_NEEDS_PYTHON "Python|Python_FOUND|python3-dev" "pybind11|pybind11_FOUND|pybind11-dev")
 
 # Libraries that need nothing but the core, and are found with it.
-set(HAPTICUT_COMPONENTS_WITH_CORE build surface heat sound analysis)
+set(HAPTICUT_COMPONENTS_WITH_CORE build surface heat islands sound analysis)
 
 # Parts of the library hapticut::io, which is the same target with and without them.
 set(HAPTICUT_PARTS_OF_IO ITK ASSIMP)

@@ -46,6 +46,7 @@ fi
 rm -rf "$out"
 mkdir -p "$out"
 cp -r bindings/unity/. "$out"
+rm -r "$out/Tests~" # of this repository
 mkdir -p "$out/Runtime/Binding"
 cp bindings/csharp/*.cs "$out/Runtime/Binding"
 plugins=$out/Runtime/Plugins/Linux/x86_64

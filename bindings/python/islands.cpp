@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// include/hapticut/workpiece/islands.hpp
-#include "hapticut/workpiece/islands.hpp"
+// include/hapticut/islands
+#include "hapticut/islands/islands.hpp"
 
 #include <vector>
 
 #include "bindings.hpp"
-#include "hapticut/loop/island_watch.hpp"
+#include "hapticut/islands/island_watch.hpp"
+#include "simulation.hpp"
 #include "steps.hpp"
 #include "structs.hpp"
 #include "workpiece.hpp"
@@ -66,6 +67,13 @@ void bind_islands(py::module_& m) {
       .def_readonly("joined", &R::joined, doc("IslandRemoval::joined"))
       .def_property_readonly(
           "is_over", [](const R& self) { return self.is_over(); }, "Whether it has left, or stays.");
+  m.def(
+      "remove_island",
+      [](PythonSimulation& simulation, R& removal, std::size_t most) {
+        simulation.occupancy.require_writable("The simulation");
+        return remove_island(simulation.simulation, removal, most);
+      },
+      py::arg("simulation"), py::arg("removal"), py::arg("most"), doc("remove_island"));
 }
 
 }  // namespace hapticut::python

@@ -6,8 +6,10 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "bindings.hpp"
+#include "hapticut/islands/island_watch.hpp"
 #include "hapticut/loop/realtime_loop.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "simulation.hpp"
@@ -22,13 +24,20 @@ struct PythonModel {
   std::shared_ptr<PythonSimulation> simulation;
   py::object device;
   std::unique_ptr<SimulationModel> model;
+  std::unique_ptr<IslandModel> islands;  // around it, where pieces leave
+
+  [[nodiscard]] LoopModel& of_loop() const {
+    if (islands) return *islands;
+    return *model;
+  }
 };
 
 PythonModel model_of(const std::shared_ptr<PythonSimulation>& simulation, const py::object& device,
-                     const SimulationModelOptions& options) {
+                     const SimulationModelOptions& options, const std::optional<IslandWatchOptions>& islands) {
   simulation->occupancy.require_writable("The simulation");
   auto model = std::make_unique<SimulationModel>(simulation->simulation, device.cast<Device&>(), options);
-  return {simulation, device, std::move(model)};
+  auto around = islands ? std::make_unique<IslandModel>(*model, simulation->simulation, *islands) : nullptr;
+  return {simulation, device, std::move(model), std::move(around)};
 }
 
 }  // namespace
@@ -40,7 +49,7 @@ class PythonLoop {
       : model_(std::move(model)),
         simulation_(model_.cast<const PythonModel&>().simulation),
         loop_(std::make_unique<RealtimeLoop>(model_.cast<const PythonModel&>().device.cast<Device&>(),
-                                             *model_.cast<const PythonModel&>().model, options)) {}
+                                             model_.cast<const PythonModel&>().of_loop(), options)) {}
   PythonLoop(PythonLoop&&) = default;
   PythonLoop& operator=(PythonLoop&&) = delete;
   PythonLoop(const PythonLoop&) = delete;
@@ -194,8 +203,8 @@ void bind_messages(py::module_& m) {
                  member("contact_point", &T::contact_point), member("spindle_speed", &T::spindle_speed),
                  member("steps", &T::steps), member("effort", &T::effort), member("most_effort", &T::most_effort),
                  member("undo_marks", &T::undo_marks), member("redo_marks", &T::redo_marks),
-                 member("islands", &T::islands), member("undoing", &T::undoing), member("redoing", &T::redoing),
-                 member("force_held", &T::force_held), member("workpiece", &T::workpiece))
+                 member("undoing", &T::undoing), member("redoing", &T::redoing), member("force_held", &T::force_held),
+                 member("workpiece", &T::workpiece))
       .def_property_readonly("status", bits(&T::status), doc("ToolSnapshot::status"))
       .def_property_readonly("seen", bits(&T::seen), doc("ToolSnapshot::seen"));
   using S = LoopSnapshot;
@@ -227,15 +236,23 @@ void bind_model(py::module_& m) {
   bind_described<O>(m, "SimulationModelOptions");
   using M = PythonModel;
   py::class_<M>(m, "SimulationModel", doc("SimulationModel"))
-      .def(py::init([](const std::shared_ptr<PythonSimulation>& simulation, Device& device, const O& options) {
-             return model_of(simulation, py::cast(&device), options);
+      .def(py::init([](const std::shared_ptr<PythonSimulation>& simulation, Device& device, const O& options,
+                       const std::optional<IslandWatchOptions>& islands) {
+             return model_of(simulation, py::cast(&device), options, islands);
            }),
-           py::arg("simulation"), py::arg("device"), py::arg("options") = O{}, doc("SimulationModel::SimulationModel"))
+           py::arg("simulation"), py::arg("device"), py::arg("options") = O{}, py::arg("islands") = py::none(),
+           (std::string(doc("SimulationModel::SimulationModel")) +
+            "\n\nWith `islands`, pieces that are cut loose leave between the ticks.")
+               .c_str())
       .def_property_readonly(
           "region", [](const M& self) { return self.model->region(); }, doc("SimulationModel::region"))
+      .def_property_readonly(
+          "island_count", [](const M& self) { return self.islands ? self.islands->watch().count() : 0; },
+          doc("IslandWatch::count"))
       .def(
-          "islands_left", [](const M& self) { return self.model->islands_left(); },
-          doc("SimulationModel::islands_left"))
+          "islands_left",
+          [](const M& self) { return self.islands ? self.islands->watch().left() : std::vector<Island>(); },
+          doc("IslandWatch::left"))
       .def(
           "prepare_tool", [](const M& self, const Tool& tool) { return self.model->prepare_tool(tool); },
           py::arg("tool"), doc("SimulationModel::prepare_tool"))

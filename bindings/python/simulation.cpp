@@ -167,10 +167,9 @@ void bind_the_simulation(py::module_& m) {
           "Marks the present state of the workpiece. Raises Error without `reserve_undo`.")
       .def_property_readonly("undo_marks", reading<S>(&Simulation::undo_marks), "How many marks `undo` can return to.")
       .def("undo", writing<S>(&Simulation::undo), py::arg("most"), doc("Simulation::undo"))
-      .def("remove_island", writing<S>(&Simulation::remove_island), py::arg("removal"), py::arg("most"),
-           doc("Simulation::remove_island"))
-      .def_property_readonly("island_volume_by_material", by_material(&Simulation::island_volume_by_material),
-                             "[m^3] (256,) that left with islands since construction or reset, by material id.")
+      .def_property_readonly(
+          "taken_volume_by_material", by_material(&Simulation::taken_volume_by_material),
+          "[m^3] (256,) that left without a cut since construction or reset, by material id: islands.remove_island.")
       .def_property_readonly("redo_marks", reading<S>(&Simulation::redo_marks),
                              "How many undone marks `redo` can go forth over.")
       .def("redo", writing<S>(&Simulation::redo), py::arg("most"), doc("Simulation::redo"))

@@ -2,7 +2,6 @@
 #include "hapticut/loop/simulation_model.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
@@ -35,7 +34,6 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
   if (gains_) coupling_.emplace(simulation, gains_in_world(*gains_, options.map)).leave(VirtualCoupling::Rejoin::free);
   if (options.undo_blocks > 0 && options.undo_blocks != simulation.workpiece().undo_blocks())
     simulation.reserve_undo(options.undo_blocks);  // or the marks that there are would go
-  if (options.islands) watch_ = std::make_unique<IslandWatch>(simulation, *options.islands);
 }
 
 /// Of other laws nobody knows how stiff they are, nor whether they book all that they store: there the guard watches
@@ -72,7 +70,6 @@ Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& 
     const Wrench felt = move_tool(state, dt);
     if (!std::exchange(unfelt_, false)) wrench = tool_.force_held ? hold_force(state) : felt;
   }
-  if (watch_) watch_->tick();
   show(snapshot);
   return wrench;
 }
@@ -186,18 +183,13 @@ void SimulationModel::show(LoopSnapshot& snapshot) const noexcept {
   snapshot.tool.redo_marks = simulation_->redo_marks();
   snapshot.tool.undoing = travel_ == Travel::back;
   snapshot.tool.redoing = travel_ == Travel::forth;
-  snapshot.tool.islands = watch_ ? watch_->count() : 0;
 }
 
 void SimulationModel::mark_changes(BlockOutbox& outbox) noexcept {
   for (const VoxelIndex& origin : changed_.origins) outbox.mark(origin);
-  if (watch_)
-    for (const VoxelIndex& origin : watch_->changed()) outbox.mark(origin);
   if (changed_.complete) return;
   for_each_block_origin(bounds_, [&](const VoxelIndex& origin) { outbox.mark(origin); });
 }
-
-std::vector<Island> SimulationModel::islands_left() { return watch_ ? watch_->left() : std::vector<Island>(); }
 
 void SimulationModel::copy(ChangedBlock& block) noexcept {
   block.workpiece = tool_.workpiece;

@@ -156,7 +156,7 @@ struct Simulation::State {  // NOLINT(clang-analyzer-optin.performance.Padding):
   Observers observers;
 
   RemovalRecord removal;
-  ByMaterial<double> island_volume = {};  // [m^3] by MaterialId
+  ByMaterial<double> taken_volume = {};  // [m^3] by MaterialId
   StepResult result;
   mutable StageTimes times;
 };

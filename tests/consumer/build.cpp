@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The five components that come with the core, each linked by its own name: a molar, its surface, its temperature, the
-// sound of a drill and a hand that presses a ball.
+// The six components that come with the core, each linked by its own name: a molar, its surface, its temperature, its
+// loose pieces, the sound of a drill and a hand that presses a ball.
 #include <array>
 #include <hapticut/analysis/pressed_ball.hpp>
 #include <hapticut/build/molar.hpp>
 #include <hapticut/heat/heat_field.hpp>
+#include <hapticut/islands/islands.hpp>
 #include <hapticut/sound/drill_sound.hpp>
 #include <hapticut/surface/extract_surface.hpp>
 
@@ -17,5 +18,6 @@ bool use_build() {
   DeviceState above;
   above.X_BS.translation.z() = 2e-3;
   const Wrench untouched = contact_models({})(1e12)(above);
-  return !extract_surface(molar).mesh.triangles.empty() && samples.back() == 0 && untouched.force.norm() == 0;
+  return find_islands(molar).empty() && !extract_surface(molar).mesh.triangles.empty() && samples.back() == 0 &&
+         untouched.force.norm() == 0;
 }

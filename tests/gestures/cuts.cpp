@@ -2,7 +2,7 @@
 // A head that cuts.
 #include "gestures/gesture_list.hpp"
 #include "gestures/rigs.hpp"
-#include "hapticut/loop/island_watch.hpp"
+#include "hapticut/islands/island_watch.hpp"
 
 namespace hapticut::gestures {
 namespace {
@@ -114,7 +114,7 @@ void undercut(Report& report) {
   for (Island& found : find_islands(left)) {
     IslandRemoval leaving{std::move(found)};
     do ++ticks;
-    while (!rig.simulation.remove_island(leaving, IslandWatchOptions{}.blocks_per_tick));
+    while (!remove_island(rig.simulation, leaving, IslandWatchOptions{}.blocks_per_tick));
   }
   report.at_most("leaves within", 1e3 * (IslandWatchOptions{}.period + ticks * report.period), 50, "ms",
                  "the period of IslandWatch and its ticks, beside its search");

@@ -41,6 +41,8 @@ class Headers:
         self.path = {}
         for folder in ("include", "src"):
             for path in sorted((ROOT / folder).rglob("*.hpp")):
+                if "tests" in path.relative_to(ROOT).parts:
+                    continue  # of a device, beside its adapter
                 self.path[str(path.relative_to(ROOT / folder))] = path
         self.names = [name for name in self.path if not name.endswith("-inl.hpp")]
         self.closures = {}

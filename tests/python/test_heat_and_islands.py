@@ -81,10 +81,10 @@ def test_a_piece_that_was_cut_loose_is_found_and_leaves():
     assert island.voxels == same.voxels == len(island.indices) and island.least_fill == 0.05
     assert island.indices.dtype == np.int32 and island.indices[:, 2].min() > 40
     removal = h.islands.IslandRemoval(island)
-    while not simulation.remove_island(removal, 4):
+    while not h.islands.remove_island(simulation, removal, 4):
         assert removal.checked > 0
     assert removal.is_over and not removal.joined and removal.removed > 0 and removal.island.voxels == island.voxels
-    assert simulation.island_volume_by_material.sum() == pytest.approx(island.voxels * (0.1 * mm) ** 3, rel=0.05)
+    assert simulation.taken_volume_by_material.sum() == pytest.approx(island.voxels * (0.1 * mm) ** 3, rel=0.05)
     assert h.islands.find_islands(simulation.workpiece) == []
     with pytest.raises(h.Error, match="origins"):
         finder.update(simulation.workpiece, np.zeros(3, dtype=np.int32))
@@ -102,12 +102,12 @@ def test_a_block_of_a_loop_tells_the_finder(simulation, plunge):
 def test_a_model_lets_islands_leave_where_it_is_asked_to(simulation):
     device = h.device.MockDevice(h.device.MockOptions(device=h.device.device_model("touch")))
     gains = h.coupling_gains(h.device.capabilities(h.device.device_model("touch")))
-    watch = h.loop.IslandWatchOptions(period=5e-3, blocks=h.loop.ChangeFeedOptions(block_capacity=100))
+    watch = h.islands.IslandWatchOptions(period=5e-3, blocks=h.loop.ChangeFeedOptions(block_capacity=100))
     coupled = h.Simulation(h.build_block(h.Box([0, 0, 0], [2 * mm] * 3), 0.1 * mm, h.presets.cortical_bone()),
                            simulation.tool, h.SimulationConfig(contact_time=h.ContactTime.end))
-    model = h.loop.SimulationModel(coupled, device, h.loop.SimulationModelOptions(coupling=gains, islands=watch))
+    model = h.loop.SimulationModel(coupled, device, h.loop.SimulationModelOptions(coupling=gains), watch)
     assert model.islands_left() == []
     loop = h.loop.RealtimeLoop(model, h.loop.RealtimeLoopOptions(run=h.device.RunOptions(seconds=0.05, simulated_time=True)))
     loop.start()
     loop.wait()
-    assert loop.latest().tool.islands == 0
+    assert model.island_count == 0

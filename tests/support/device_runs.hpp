@@ -31,6 +31,17 @@ inline DeviceCallback push_for(long ticks, Wrench wrench = {Vec3(1, 0, 0), Vec3:
   };
 }
 
+/// 1 N to the right, but for none in the first 50 ticks and from `free` to `again`.
+inline DeviceCallback press_and_let_go(long free, long again, long ticks) {
+  return [=, n = 0L](const DeviceState&) mutable {
+    DeviceCommand command;
+    ++n;
+    if (n > 50 && (n < free || n > again)) command.wrench.force.x() = 1;
+    command.stop = n >= ticks;
+    return command;
+  };
+}
+
 /// A released device that is nudged against a linear wall, and how it swings in it.
 class NudgedPlant {
  public:

@@ -42,6 +42,13 @@ inline Wrench committed(int device) {
   return w;
 }
 
+/// The n-th of a run.
+inline Wrench committed(int device, long n) {
+  Wrench w;
+  hdsim_get_committed(device, n, w.force.data(), w.torque.data());
+  return w;
+}
+
 inline Vec3 rendered(int device) {
   Vec3 force;
   hdsim_get_rendered_force(device, force.data());

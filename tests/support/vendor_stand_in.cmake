@@ -18,14 +18,14 @@ function(vendor_header_test name will_fail)
   set_tests_properties("${name}" PROPERTIES WILL_FAIL ${will_fail} LABELS unit)
 endfunction()
 
-# vendor_finder_test(Suite.Name PACKAGE LIBRARY): our find module finds an SDK laid out like ${CMAKE_CURRENT_BINARY_DIR}/sdk,
+# vendor_finder_test(Suite.Name PACKAGE LIBRARY modules): our find module in the folder `modules` finds an SDK laid out like ${CMAKE_CURRENT_BINARY_DIR}/sdk,
 # whose include folder is the stand-in's, and only what is there.
-function(vendor_finder_test name package library)
+function(vendor_finder_test name package library modules)
   file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/sdk")
   file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}/include" "${CMAKE_CURRENT_BINARY_DIR}/sdk/include" SYMBOLIC)
   add_test(NAME "${name}" COMMAND ${CMAKE_COMMAND} -DPACKAGE=${package} -DLIBRARY=${library}
     -DSOURCE=${CMAKE_CURRENT_SOURCE_DIR}/finder -DBINARY=${CMAKE_CURRENT_BINARY_DIR}/finder
-    -DSDK=${CMAKE_CURRENT_BINARY_DIR}/sdk "-DFLAGS=${CMAKE_CXX_FLAGS}" -DMODULES=${PROJECT_SOURCE_DIR}/cmake
+    -DSDK=${CMAKE_CURRENT_BINARY_DIR}/sdk "-DFLAGS=${CMAKE_CXX_FLAGS}" -DMODULES=${modules}
     -DCOMPILER=${CMAKE_CXX_COMPILER} -DGENERATOR=${CMAKE_GENERATOR}
     -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/run_finder.cmake)
   set_tests_properties("${name}" PROPERTIES LABELS unit)

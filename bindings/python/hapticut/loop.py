@@ -12,11 +12,8 @@ from ._hapticut import (
     SpindleInterlock as SpindleInterlock,
     commands as commands,
 
-    # Pieces that were cut loose, and blocks on their way out
-    ChangeFeedOptions as ChangeFeedOptions,
-    IslandWatchOptions as IslandWatchOptions,
-
     # What it shows
+    ChangeFeedOptions as ChangeFeedOptions,
     ChangedBlock as ChangedBlock,
     LoopSnapshot as LoopSnapshot,
     TickEffort as TickEffort,

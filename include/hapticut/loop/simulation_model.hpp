@@ -2,12 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <vector>
 
 #include "hapticut/core/description.hpp"
-#include "hapticut/loop/island_watch.hpp"
 #include "hapticut/loop/realtime_loop.hpp"
 #include "hapticut/loop/spindle_interlock.hpp"
 #include "hapticut/loop/workspace_map.hpp"
@@ -33,10 +30,6 @@ struct SimulationModelOptions {
   /// 2.7 kB each, for the way back and forth: see Workpiece::reserve_undo.
   std::size_t undo_blocks = 0;
   std::size_t undo_blocks_per_tick = 64;
-
-  /// Not by itself, because when a piece leaves is no matter of the steps alone: two runs may differ, and a recording
-  /// ends there.
-  std::optional<IslandWatchOptions> islands;
 };
 
 constexpr auto fields_of(Of<SimulationModelOptions>) {
@@ -53,7 +46,6 @@ constexpr auto fields_of(Of<SimulationModelOptions>) {
             "that may be cut after the undo marks, together; 0: reserves nothing"),
       field("undo_blocks_per_tick", &O::undo_blocks_per_tick, "blocks", Range::positive(),
             "put back at most, or forth; 0.5 us each"),
-      field("islands", &O::islands, "pieces that are cut loose leave; empty: they stay where they are"),
   };
 }
 
@@ -89,9 +81,6 @@ class SimulationModel final : public LoopModel {
   ///         was made and its memory for undo
   /// @throws Error as the constructor of Simulation
   [[nodiscard]] commands::ExchangeWorkpiece prepare_workpiece(Workpiece workpiece, Tool tool) const;
-
-  /// Takes the pieces that have left: IslandWatch::left. None without SimulationModelOptions::islands.
-  [[nodiscard]] std::vector<Island> islands_left();
 
   void check(const LoopCommand& command) const override;
 
@@ -172,7 +161,6 @@ class SimulationModel final : public LoopModel {
   bool books_energy_;      // the law, so that it is known what is stored
   ModelContact contact_;   // of the last tick
   ChangedBlocks changed_;  // in this tick
-  std::unique_ptr<IslandWatch> watch_;
 };
 
 /// Content of a block of a workpiece, for pictures and copies.

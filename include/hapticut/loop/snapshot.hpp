@@ -34,7 +34,6 @@ struct ToolSnapshot {
   TickEffort most_effort;              ///< the most of each since the loop began
   std::size_t undo_marks = 0;          ///< that can be returned to
   std::size_t redo_marks = 0;          ///< undone ones that can be gone forth over
-  std::uint64_t islands = 0;           ///< pieces that were cut loose and have left
   bool undoing = false;         ///< on the way back to a mark: nothing is felt or cut, and what is of a step is 0
   bool redoing = false;         ///< on the way forth: the same
   bool force_held = false;      ///< by HoldForce

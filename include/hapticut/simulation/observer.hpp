@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "hapticut/simulation/step.hpp"
-#include "hapticut/workpiece/islands.hpp"
+#include "hapticut/workpiece/block_grid.hpp"
 
 namespace hapticut {
 

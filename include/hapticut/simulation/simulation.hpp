@@ -206,23 +206,15 @@ class Simulation {
   /// @realtime no allocation, no lock; O(most)
   bool redo(std::size_t most) noexcept;
 
-  // --- pieces cut loose, between steps -------------------------------------------------------------------------------
-  /// Goes on with the removal of an island, by up to `most` blocks (and at least one), 1 us each: first it is seen
-  /// whether it still is one, then it leaves block by block. The tool goes on as it does; `changed_blocks` names the
-  /// blocks as well. To be called until it says that it is over.
-  /// @return true when the island is gone, or cannot go: IslandRemoval::joined
-  /// @realtime no allocation, no lock; O(most)
-  bool remove_island(IslandRemoval& removal, std::size_t most) noexcept;
-
-  /// Takes voxels of one block away without cutting them. Their volume is no removed volume, but
-  /// `island_volume_by_material`; what had been pressed in them is EnergyLedger::entered of the next step. Undo brings
+  /// Takes voxels of one block away without cutting them, between two steps. Their volume is no removed volume, but
+  /// `taken_volume_by_material`; what had been pressed in them is EnergyLedger::entered of the next step. Undo brings
   /// them back.
   /// @return false, and nothing has changed, when no reserved block is left for it
   /// @realtime no allocation, no lock; O(512)
   bool remove_voxels(const BlockVoxels& voxels) noexcept;
 
-  /// [m^3] that `remove_voxels` and `remove_island` took away since construction or reset, by MaterialId.
-  [[nodiscard]] const ByMaterial<double>& island_volume_by_material() const noexcept;
+  /// [m^3] that `remove_voxels` took away since construction or reset, by MaterialId.
+  [[nodiscard]] const ByMaterial<double>& taken_volume_by_material() const noexcept;
 
   /// Starts again with another workpiece: tool position, energies, removed volumes and undo marks are forgotten. It
   /// gets as much memory for undo as the old one had.

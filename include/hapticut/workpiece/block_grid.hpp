@@ -43,6 +43,14 @@ void for_each_block_origin(const IndexBox& voxels, const Function& function) {
       for (int k = block_start(voxels.min[2]); k <= voxels.max[2]; k += kBlockEdge) function(VoxelIndex{i, j, k});
 }
 
+/// Some voxels of one block.
+struct BlockVoxels {
+  VoxelIndex origin = {0, 0, 0};  ///< of the block's first voxel
+  BlockMask voxels;
+
+  [[nodiscard]] bool operator==(const BlockVoxels&) const = default;
+};
+
 inline constexpr int kSides = 6;  ///< of a block: -x, +x, -y, +y, -z, +z
 
 /// Origin of the block at a side.

@@ -39,7 +39,6 @@ void hdsim_reset(void) {
   s.current = HD_INVALID_HANDLE;
   s.callbacks.clear();
   s.unscheduled = {};
-  s.planned.clear();
   s.rate = 1000;
   s.ticks = 0;
 }
@@ -103,12 +102,6 @@ void hdsim_set_calibration(int device, unsigned int status) {
 void hdsim_set_calibration_jump(int device, const double jump[3]) {
   with(device, [&](Device& d) { std::copy_n(jump, 3, d.calibration_jump.begin()); });
 }
-void hdsim_freeze_position(int device, int frozen) {
-  with(device, [&](Device& d) {
-    d.frozen = frozen != 0;
-    std::copy_n(d.current.transform.begin() + 12, 3, d.frozen_position.begin());
-  });
-}
 void hdsim_set_nan(int device, int nan) {
   with(device, [&](Device& d) { d.nan = nan != 0; });
 }
@@ -116,12 +109,9 @@ void hdsim_unplug(int device, int unplugged) {
   with(device, [&](Device& d) { d.unplugged = unplugged != 0; });
 }
 
-void hdsim_inject_error(int device, unsigned int code, int internal, long tick) {
+void hdsim_inject_error(int device, unsigned int code, int internal) {
   const std::lock_guard lock(simulation().mutex);
-  if (tick < 0)
-    hdsim::push(code, internal, HHD(device));
-  else
-    simulation().planned.push_back({device, code, internal, tick});
+  hdsim::push(code, internal, HHD(device));
 }
 void hdsim_fail_start(int fail) { simulation().fail_start = fail != 0; }
 void hdsim_use_thread(int use) { simulation().use_thread = use != 0; }
@@ -148,14 +138,8 @@ int hdsim_scheduled_callbacks(void) {
   return int(simulation().callbacks.size());
 }
 
-void hdsim_delay_ticks(int device, int ticks) {
-  with(device, [&](Device& d) { d.delay = ticks; });
-}
 void hdsim_get_committed_force(int device, double force[3], double torque[3]) {
-  with(device, [&](Device& d) {
-    const long n = long(d.history.size()) - 1 - d.delay;
-    copy(n >= 0 ? d.history[std::size_t(n)] : hdsim::Output{}, force, torque);
-  });
+  with(device, [&](Device& d) { copy(d.history.empty() ? hdsim::Output{} : d.history.back(), force, torque); });
 }
 void hdsim_get_rendered_force(int device, double force[3]) {
   with(device, [&](Device& d) { copy(d.rendered, force, nullptr); });

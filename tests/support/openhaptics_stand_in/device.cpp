@@ -30,16 +30,18 @@ Device* needed() {
 void push(HDerror code, int internal, HHD handle) { simulation().errors.push_back({code, internal, handle}); }
 
 void sample(Device& device) {
-  device.last = device.current;
   device.current = device.actual;
   for (int axis = 0; axis < 3; ++axis) {
     double& p = device.current.transform[std::size_t(12 + axis)];
-    p = device.frozen ? device.frozen_position[std::size_t(axis)] : p + device.calibration_offset[std::size_t(axis)];
+    p += device.calibration_offset[std::size_t(axis)];
     if (device.nan) p = std::numeric_limits<double>::quiet_NaN();
   }
 }
 
 namespace {
+
+constexpr double kVelocityLimit = 1200;  // [mm/s]
+constexpr double kRampingRate = 10;      // [N/s]
 
 double length(const Vec& v) { return std::hypot(v[0], v[1], v[2]); }
 
@@ -60,13 +62,13 @@ void render(Device& device, HHD handle) {
   if (on(HD_SOFTWARE_FORCE_IMPULSE_LIMIT) &&
       length({force[0] - before[0], force[1] - before[1], force[2] - before[2]}) > device.impulse_limit)
     exceeded(HD_EXCEEDED_MAX_FORCE_IMPULSE);
-  if (on(HD_SOFTWARE_VELOCITY_LIMIT) && length(force) > 0 && length(device.current.velocity) > device.velocity_limit)
+  if (on(HD_SOFTWARE_VELOCITY_LIMIT) && length(force) > 0 && length(device.current.velocity) > kVelocityLimit)
     exceeded(HD_EXCEEDED_MAX_VELOCITY);
   device.rendered = device.committed;
   if (!on(HD_FORCE_RAMPING)) return;
   if (length(force) > device.ramp)
     for (double& part : device.rendered.force) part *= device.ramp / length(force);
-  device.ramp += device.ramping_rate * tick;
+  device.ramp += kRampingRate * tick;
 }
 
 }  // namespace hdsim
@@ -95,7 +97,6 @@ HHD hdInitDevice(HDstring name) {
       return HD_INVALID_HANDLE;
     }
     device.initialised = true;
-    device.counters.initialised = 1;
     device.counters.running_at_init = s.running ? 1 : 0;
     device.counters.init_locale_point = decimal;
     device.counters.callbacks_at_disable = device.counters.zero_force_before_stop =
@@ -120,7 +121,6 @@ void hdDisableDevice(HHD handle) {
   if (device == nullptr) return hdsim::push(HD_BAD_HANDLE, 0, handle);
   device->counters.callbacks_at_disable = int(simulation().callbacks.size());
   device->counters.zero_force_before_disable = hdsim::is_zero(device->committed) ? 1 : 0;
-  device->counters.initialised = 0;
   device->initialised = false;
   if (simulation().current == handle) simulation().current = HD_INVALID_HANDLE;
 }
@@ -218,25 +218,11 @@ void hdDisable(HDenum capability) {
   device->rendered = {};
 }
 
-HDboolean hdIsEnabled(HDenum capability) {
-  const std::lock_guard lock(simulation().mutex);
-  const Device* device = hdsim::needed();
-  return device != nullptr && device->enabled.count(capability) > 0 ? HD_TRUE : HD_FALSE;
-}
-
 HDenum hdCheckCalibration(void) {
   const std::lock_guard lock(simulation().mutex);
   const Device* device = hdsim::needed();
   return device != nullptr ? device->calibration : HD_CALIBRATION_NEEDS_MANUAL_INPUT;
 }
-
-HDenum hdCheckCalibrationStyle(void) {
-  const std::lock_guard lock(simulation().mutex);
-  const Device* device = hdsim::needed();
-  return device != nullptr ? HDenum(device->spec.calibration_style) : 0;
-}
-
-void hdUpdateCalibrationMessage(HDenum /*style*/) {}
 
 void hdUpdateCalibration(HDenum style) {
   const std::lock_guard lock(simulation().mutex);
@@ -248,8 +234,6 @@ void hdUpdateCalibration(HDenum style) {
   device->calibration = HD_CALIBRATION_OK;
   for (std::size_t n = 0; n < 3; ++n) device->calibration_offset[n] += device->calibration_jump[n];
 }
-
-void hdScaleGimbalAngles(HDdouble /*x*/, HDdouble /*y*/, HDdouble /*z*/, HDdouble /*transform*/[16]) {}
 
 HDboolean hdDeploymentLicense(const char* vendor, const char* application, const char* password) {
   const std::lock_guard lock(simulation().mutex);

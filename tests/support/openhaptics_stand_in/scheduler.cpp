@@ -7,8 +7,6 @@
 namespace hdsim {
 namespace {
 
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
 bool in_servo() { return simulation().servo == std::this_thread::get_id(); }
 
 bool known_rate(HDulong rate) {
@@ -24,6 +22,19 @@ void finish_threads() {
   if (s.thread.joinable() && !in_servo()) s.thread.join();
 }
 
+/// Waits until a callback wants no further call.  @return false when the scheduler was stopped first
+bool has_ended(HDSchedulerHandle handle) {
+  auto& s = simulation();
+  for (;;) {
+    {
+      const std::lock_guard lock(s.mutex);
+      if (s.callbacks.count(handle) == 0) return true;
+      if (!s.running) return false;
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+}
+
 }  // namespace
 
 int run_tick() {
@@ -32,7 +43,6 @@ int run_tick() {
   std::unique_lock lock(s.mutex);
   if (!s.running) return 0;
   s.servo = std::this_thread::get_id();
-  s.tick_began = now();
   for (Device& device : s.devices) device.frame_done = device.frame_this_tick = false;
   s.order.assign(s.callbacks.begin(), s.callbacks.end());
   std::sort(s.order.begin(), s.order.end(),
@@ -48,13 +58,10 @@ int run_tick() {
   }
   for (std::size_t n = 0; n < s.devices.size(); ++n) {
     Device& device = s.devices[n];
-    ++device.counters.ticks;
     if (device.initialised) render(device, HHD(n));
     if (device.frame_depth > 0) ++device.counters.open_frames;
     if (device.initialised && called > 0 && !device.frame_this_tick) ++device.counters.ticks_without_frame;
   }
-  for (const PlannedError& error : s.planned)
-    if (error.tick == s.ticks) push(error.code, error.internal, HHD(error.device));
   ++s.ticks;
   s.servo = {};
   return called;
@@ -121,7 +128,7 @@ void hdScheduleSynchronous(HDSchedulerCallback callback, void* data, HDushort pr
     return;
   }
   const HDSchedulerHandle handle = hdScheduleAsynchronous(callback, data, priority);
-  if (hdWaitForCompletion(handle, HD_WAIT_INFINITE) == HD_TRUE) return;
+  if (hdsim::has_ended(handle)) return;
   {
     const std::lock_guard lock(s.mutex);  // the scheduler was stopped first
     if (s.callbacks.erase(handle) == 0) return;
@@ -148,20 +155,4 @@ void hdUnschedule(HDSchedulerHandle handle) {
   s.unscheduled = found->second;
   s.callbacks.erase(found);
 }
-
-HDboolean hdWaitForCompletion(HDSchedulerHandle handle, HDWaitCode code) {
-  auto& s = simulation();
-  for (;;) {
-    {
-      const std::lock_guard lock(s.mutex);
-      const bool scheduled = s.callbacks.count(handle) > 0;
-      if (code == HD_WAIT_CHECK_STATUS) return scheduled ? HD_TRUE : HD_FALSE;
-      if (!scheduled) return HD_TRUE;
-      if (!s.running) return HD_FALSE;
-    }
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-  }
-}
-
-HDdouble hdGetSchedulerTimeStamp(void) { return hdsim::now() - simulation().tick_began; }
 }

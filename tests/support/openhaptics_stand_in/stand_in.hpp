@@ -34,12 +34,11 @@ struct Device {
   hdsim_device spec{};
   std::string name, model;
   bool initialised = false;
-  Reading actual, current, last;
+  Reading actual, current;
   Output set, committed, previous;  // being set in a frame, of the last frame, of the one before
   Output rendered;                  // by the motors in the last tick
   double ramp = 0;                  // [N] that the amplifiers let through
   std::vector<Output> history;
-  int delay = 0;
   int frame_depth = 0;
   bool frame_done = false, frame_this_tick = false;
   std::set<HDenum> enabled{HD_MAX_FORCE_CLAMPING,      HD_FORCE_RAMPING,   HD_SOFTWARE_FORCE_LIMIT,
@@ -47,9 +46,8 @@ struct Device {
   double temperature = 0;
   HDenum calibration = HD_CALIBRATION_OK;
   Vec calibration_jump{}, calibration_offset{};
-  bool frozen = false, nan = false, unplugged = false;
-  Vec frozen_position{};
-  double velocity_limit = 1200, impulse_limit = 4, ramping_rate = 10;
+  bool nan = false, unplugged = false;
+  double impulse_limit = 4;
   hdsim_counters counters{};
 };
 
@@ -57,13 +55,6 @@ struct Callback {
   HDSchedulerCallback function = nullptr;
   void* data = nullptr;
   HDushort priority = 0;
-};
-
-struct PlannedError {
-  int device;
-  HDerror code;
-  int internal;
-  long tick;
 };
 
 /// One per process, like the library it stands for.
@@ -80,11 +71,9 @@ struct Simulation {
   Callback unscheduled;  // last, by hdUnschedule
   HDSchedulerHandle next_handle = 1;
   std::vector<std::pair<HDSchedulerHandle, Callback>> order;  // of a tick; kept so that a tick allocates nothing
-  std::vector<PlannedError> planned;
   bool running = false, use_thread = false;
   double rate = 1000;
   long ticks = 0;
-  double tick_began = 0;
   std::thread thread;
   std::thread::id servo;  // of the tick that is running
   std::atomic<bool> stop_thread{false};

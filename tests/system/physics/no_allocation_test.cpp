@@ -10,6 +10,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/heat/heat_collector.hpp"
+#include "hapticut/islands/islands.hpp"
 #include "hapticut/simulation/coupling.hpp"
 #include "support/allocation_count.hpp"
 #include "support/cutting.hpp"
@@ -120,7 +121,7 @@ TEST(NoAllocation, WhileAnIslandLeavesBetweenSteps) {
   ASSERT_EQ(islands.size(), 1U);
   IslandRemoval removal{islands[0]};
   expect_no_calls([&] {
-    while (!simulation.remove_island(removal, 5)) {
+    while (!remove_island(simulation, removal, 5)) {
     }
   });
   EXPECT_FALSE(removal.joined);

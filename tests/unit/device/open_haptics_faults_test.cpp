@@ -160,12 +160,9 @@ TEST_F(OpenHapticsFaults, ComesBackThroughAFreeToolAfterAHangThatTheWatchdogSaw)
   const long before = hdsim_committed_count(0);
   hang.released = true;
   runner.join();
-  Wrench stale;
-  hdsim_get_committed(0, before, stale.force.data(), stale.torque.data());
-  EXPECT_TRUE(stale.force.isZero(0)) << "the force of the tick that hung is too old";
+  EXPECT_TRUE(committed(0, before).force.isZero(0)) << "the force of the tick that hung is too old";
   EXPECT_EQ(report.ticks, 600U) << report.end;
-  hdsim_get_committed(0, 550, stale.force.data(), stale.torque.data());
-  EXPECT_EQ(stale.force.x(), 1);
+  EXPECT_EQ(committed(0, 550).force.x(), 1);
 }
 
 TEST_F(OpenHapticsFaults, SeesThePositionThatStandsStillAtTheOrigin) {
@@ -195,7 +192,7 @@ TEST_F(OpenHapticsFaults, ReducesTheForceWhileTheMotorsAreWarm) {
   RunOptions options = quick();
   options.guard.thermal.time_constant = 1e6;  // only what the device says
   const Outcome outcome = run(*device, push_for(6000, {Vec3(2, 0, 0), Vec3::Zero()}), options, [&](long tick) {
-    if (tick == 500) hdsim_inject_error(0, kWarmMotors, 0, -1);
+    if (tick == 500) hdsim_inject_error(0, kWarmMotors, 0);
     if (tick == 500) hdsim_set_temperature(0, 0.6);
     if (tick == 3000) warm = committed(0).force.x();
     if (tick == 3000) hdsim_set_temperature(0, 0.3);
@@ -212,20 +209,10 @@ TEST_F(OpenHapticsFaults, ComesBackThroughTheFadeInAfterTheDriverRefusedAForce) 
     add_touch();
     const auto device = open_open_haptics(options_for());
     std::vector<double> forces;
-    const Outcome outcome = run(
-        *device,
-        [&, n = 0](const DeviceState&) mutable {
-          DeviceCommand command;
-          ++n;
-          if (n > 50 && (n < 300 || n > 350)) command.wrench.force.x() = 1;
-          command.stop = n >= 600;
-          return command;
-        },
-        quick(),
-        [&](long tick) {
-          if (tick == 280) hdsim_inject_error(0, code, 0, -1);
-          forces.push_back(committed(0).force.x());
-        });
+    const Outcome outcome = run(*device, test::press_and_let_go(300, 350, 600), quick(), [&](long tick) {
+      if (tick == 280) hdsim_inject_error(0, code, 0);
+      forces.push_back(committed(0).force.x());
+    });
     EXPECT_EQ(outcome.report.fault, DeviceFault::none) << code;
     EXPECT_EQ(outcome.report.ticks, 600U) << code;
     EXPECT_EQ(forces[279], 1) << code;
@@ -267,9 +254,7 @@ TEST_F(OpenHapticsFaults, LetsAStrongDeviceLetGoAtOnceWithoutTheDriverSwitchingI
     command.stop = n >= 500;
     return command;
   });
-  Wrench before;
-  hdsim_get_committed(0, 398, before.force.data(), before.torque.data());
-  EXPECT_EQ(before.force.x(), 8) << "twice what the driver's default limit lets go in a tick";
+  EXPECT_EQ(committed(0, 398).force.x(), 8) << "twice what the driver's default limit lets go in a tick";
   EXPECT_EQ(hdsim_get_counters(0).amplifier_toggles, 0);
   EXPECT_EQ(outcome.report.events[std::size_t(SafetyEvent::device_fault)], 0U);
 }
@@ -278,20 +263,10 @@ TEST_F(OpenHapticsFaults, ComesBackThroughBothFadeInsAfterTheHandWasTooFastForTh
   add_touch();
   const auto device = open_open_haptics(options_for());
   std::vector<double> motors;
-  const Outcome outcome = run(
-      *device,
-      [n = 0](const DeviceState&) mutable {
-        DeviceCommand command;
-        ++n;
-        if (n > 50 && (n < 500 || n > 550)) command.wrench.force.x() = 1;
-        command.stop = n >= 1000;
-        return command;
-      },
-      quick(),
-      [&](long tick) {
-        place(0, Pose{}, Vec3(tick >= 480 && tick < 483 ? 1.3 : 0, 0, 0));  // 1.2 m/s are the driver's limit
-        motors.push_back(test::rendered(0).x());
-      });
+  const Outcome outcome = run(*device, test::press_and_let_go(500, 550, 1000), quick(), [&](long tick) {
+    place(0, Pose{}, Vec3(tick >= 480 && tick < 483 ? 1.3 : 0, 0, 0));  // 1.2 m/s are the driver's limit
+    motors.push_back(test::rendered(0).x());
+  });
   EXPECT_EQ(outcome.report.fault, DeviceFault::none);
   EXPECT_GE(hdsim_get_counters(0).amplifier_toggles, 1);
   EXPECT_GE(outcome.report.events[std::size_t(SafetyEvent::device_fault)], 1U);
@@ -304,7 +279,7 @@ TEST_F(OpenHapticsFaults, TakesErrorsOfTheProgrammerAsFatal) {
   add_touch();
   const auto device = open_open_haptics(options_for());
   const Outcome outcome = run(*device, push_for(10000), quick(), [](long tick) {
-    if (tick == 200) hdsim_inject_error(0, kInvalidInputType, 0, -1);
+    if (tick == 200) hdsim_inject_error(0, kInvalidInputType, 0);
   });
   EXPECT_EQ(outcome.report.fault, DeviceFault::driver_error);
   EXPECT_TRUE(committed(0).force.isZero(0));
@@ -312,9 +287,9 @@ TEST_F(OpenHapticsFaults, TakesErrorsOfTheProgrammerAsFatal) {
 
 TEST_F(OpenHapticsFaults, DrainsErrorsThatWaitedBeforeItBegan) {
   add_touch();
-  hdsim_inject_error(0, kCommError, 7, -1);
+  hdsim_inject_error(0, kCommError, 7);
   const auto device = open_open_haptics(options_for());
-  hdsim_inject_error(0, kCommError, 7, -1);
+  hdsim_inject_error(0, kCommError, 7);
   EXPECT_EQ(run(*device, push_for(100)).report.fault, DeviceFault::none);
 }
 

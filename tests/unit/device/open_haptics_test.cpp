@@ -137,9 +137,7 @@ TEST_F(OpenHaptics, TwoDevicesShareOneScheduler) {
     EXPECT_EQ(hdsim_get_counters(device).zero_force_before_stop, 1) << device;
     EXPECT_EQ(hdsim_get_counters(device).illegal_begins, 0) << device;
   }
-  Wrench w;
-  hdsim_get_committed(1, 890, w.force.data(), w.torque.data());
-  EXPECT_NEAR(w.force.y(), 2, 1e-12);
+  EXPECT_NEAR(test::committed(1, 890).force.y(), 2, 1e-12);
 }
 
 TEST_F(OpenHaptics, RefusesToOpenADeviceWhileAnotherRuns) {

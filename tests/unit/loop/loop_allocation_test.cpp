@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <dhdsim.h>
 #include <gtest/gtest.h>
 
 #include <array>
-#include <limits>
 #include <variant>
 
-#include "hapticut/device/force_dimension.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/loop/block_outbox.hpp"
 #include "hapticut/loop/realtime_loop.hpp"
@@ -19,24 +16,6 @@
 
 namespace hapticut::loop_allocation_test {
 namespace {
-
-/// A callback that counts what happens in its thread between two of its calls: the whole loop around it.
-struct CountingCallback {
-  long from, to, n = 0;
-  test::CallCounts* counts;
-  DeviceCommand operator()(const DeviceState& state) {
-    ++n;
-    if (n == to) *counts = test::disarm_call_counts();
-    DeviceCommand command;
-    // In and out of contact, saturated, not finite: every branch of the guard that does not end the run.
-    if (n > 50 && n % 400 > 100) command.wrench.force = Vec3(0.02 * double(n % 400), 0, 0);
-    if (n % 777 == 0) command.wrench.force.x() = std::numeric_limits<double>::quiet_NaN();
-    command.wrench.torque = Vec3(0, 0, 1e-3 * state.X_BS.translation.x());
-    command.stop = n >= to;
-    if (n == from) test::arm_call_counts();
-    return command;
-  }
-};
 
 RunOptions quick() {
   RunOptions options;
@@ -205,27 +184,6 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
       EXPECT_GT(watched.obeyed_[kind], 2) << kind;
     }
   }
-}
-
-TEST(LoopOfForceDimension, AllocatesNothingAlsoWhenTheDeviceSwitchesItsForcesOffAndOn) {
-  dhdsim_reset();
-  const dhdsim_device sigma = dhdsim_device_of(104, 1);
-  dhdsim_add_device(&sigma);
-  ForceDimensionOptions options;
-  options.clock = [tick = 0]() mutable {
-    dhdsim_advance(++tick % 1000 == 0 ? 30e-3 : 1e-3);  // its watchdog trips
-    return dhdsim_time();
-  };
-  const auto device = open_force_dimension(options);
-  test::CallCounts counts;
-  RunOptions run = quick();
-  run.simulated_time = true;
-  const RunReport report = device->run(CountingCallback{10, 9000, 0, &counts}, run);
-  EXPECT_EQ(report.ticks, 9000U);
-  EXPECT_EQ(counts.allocations, 0);
-  EXPECT_EQ(counts.deallocations, 0);
-  EXPECT_GT(dhdsim_get_counters(0).enables, 5) << "it must be switched on again, or the test says nothing";
-  dhdsim_reset();
 }
 
 }  // namespace

@@ -42,14 +42,12 @@ void hdsim_set_temperature(int device, double hottest);
 void hdsim_set_calibration(int device, unsigned int status);
 /* hdUpdateCalibration moves the reported position by this much, in mm. */
 void hdsim_set_calibration_jump(int device, const double jump[3]);
-/* The position stays as it is while everything else moves. */
-void hdsim_freeze_position(int device, int frozen);
 void hdsim_set_nan(int device, int nan);
 /* The device stops answering: HD_COMM_ERROR, internal code -28, on every frame. */
 void hdsim_unplug(int device, int unplugged);
 
-/* Pushes an error at the end of the given tick (counted from hdsim_reset), or now for tick < 0. */
-void hdsim_inject_error(int device, unsigned int code, int internal, long tick);
+/* Pushes an error. */
+void hdsim_inject_error(int device, unsigned int code, int internal);
 /* hdStartScheduler fails with HD_TIMER_ERROR. */
 void hdsim_fail_start(int fail);
 
@@ -64,8 +62,7 @@ double hdsim_time(void);
 int hdsim_is_running(void);
 int hdsim_scheduled_callbacks(void);
 
-/* What the motors get now. N and mNm. A committed force is delayed by this many ticks before it acts (default 0). */
-void hdsim_delay_ticks(int device, int ticks);
+/* What the motors get now. N and mNm. */
 void hdsim_get_committed_force(int device, double force[3], double torque[3]);
 /* What the motors rendered in the last tick: the committed force, but for the ramp after the start and after a limit
    was exceeded (speed, step of the force, force without clamping), at HD_FORCE_RAMPING_RATE. */
@@ -76,17 +73,14 @@ void hdsim_get_committed(int device, long n, double force[3], double torque[3]);
 
 /* What was done right and wrong. */
 typedef struct {
-  long ticks;               /* of the scheduler */
   long frames;              /* completed */
   long open_frames;         /* begun and not ended at the end of a tick */
   long ticks_without_frame; /* while the device's owner had a callback */
   long illegal_begins, illegal_ends;
   long sets_outside_frame, gets_outside_frame;
   long torque_sets_on_3dof;
-  long joint_space_sets;  /* of joint or gimbal torques */
   long amplifier_toggles; /* a limit was exceeded: the force was away, and came back on a ramp */
   int force_output_enabled;
-  int initialised;
   int callbacks_at_disable;   /* still scheduled when hdDisableDevice was called; -1: never called */
   int running_at_init;        /* hdInitDevice was called while the scheduler ran */
   int zero_force_before_stop; /* 1: the last committed force was zero when the scheduler stopped; -1: never stopped */

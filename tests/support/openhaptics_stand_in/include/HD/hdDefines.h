@@ -7,18 +7,14 @@
 #include <HD/hdExport.h>
 #include <stddef.h>
 
-typedef unsigned int HDuint;
 typedef unsigned int HDerror;
 typedef unsigned int HDenum;
 typedef unsigned int HHD;
 typedef unsigned char HDboolean;
 typedef unsigned long HDulong;
-typedef long HDlong;
 typedef unsigned short HDushort;
 typedef int HDint;
-typedef float HDfloat;
 typedef double HDdouble;
-typedef char HDchar;
 typedef const char* HDstring;
 
 typedef struct {
@@ -66,47 +62,21 @@ typedef struct {
 
 /* What can be read */
 #define HD_CURRENT_BUTTONS 0x2000
-#define HD_CURRENT_SAFETY_SWITCH 0x2001
-#define HD_CURRENT_INKWELL_SWITCH 0x2002
-#define HD_CURRENT_ENCODER_VALUES 0x2010
-#define HD_CURRENT_PINCH_VALUE 0x2011
-#define HD_LAST_PINCH_VALUE 0x2012
-#define HD_CURRENT_POSITION 0x2050
 #define HD_CURRENT_VELOCITY 0x2051
 #define HD_CURRENT_TRANSFORM 0x2052
-#define HD_CURRENT_ANGULAR_VELOCITY 0x2053
-#define HD_CURRENT_JACOBIAN 0x2054
-#define HD_CURRENT_JOINT_ANGLES 0x2100
-#define HD_CURRENT_GIMBAL_ANGLES 0x2150
-#define HD_LAST_BUTTONS 0x2200
-#define HD_LAST_SAFETY_SWITCH 0x2201
-#define HD_LAST_INKWELL_SWITCH 0x2202
-#define HD_LAST_ENCODER_VALUES 0x2210
-#define HD_LAST_POSITION 0x2250
-#define HD_LAST_VELOCITY 0x2251
-#define HD_LAST_TRANSFORM 0x2252
-#define HD_LAST_ANGULAR_VELOCITY 0x2253
-#define HD_LAST_JACOBIAN 0x2254
-#define HD_LAST_JOINT_ANGLES 0x2300
-#define HD_LAST_GIMBAL_ANGLES 0x2350
 
 /* What the device is */
-#define HD_VERSION 0x2500
 #define HD_DEVICE_MODEL_TYPE 0x2501
 #define HD_DEVICE_DRIVER_VERSION 0x2502
 #define HD_DEVICE_VENDOR 0x2503
 #define HD_DEVICE_SERIAL_NUMBER 0x2504
-#define HD_DEVICE_FIRMWARE_VERSION 0x2505
 #define HD_MAX_WORKSPACE_DIMENSIONS 0x2550
-#define HD_USABLE_WORKSPACE_DIMENSIONS 0x2551
-#define HD_TABLETOP_OFFSET 0x2552
 #define HD_INPUT_DOF 0x2553
 #define HD_OUTPUT_DOF 0x2554
 #define HD_CALIBRATION_STYLE 0x2555
 
 /* Rates and limits */
 #define HD_UPDATE_RATE 0x2600
-#define HD_INSTANTANEOUS_UPDATE_RATE 0x2601
 #define HD_NOMINAL_MAX_STIFFNESS 0x2602
 #define HD_NOMINAL_MAX_FORCE 0x2603
 #define HD_NOMINAL_MAX_CONTINUOUS_FORCE 0x2604
@@ -116,23 +86,12 @@ typedef struct {
 #define HD_FORCE_RAMPING_RATE 0x2608
 #define HD_NOMINAL_MAX_DAMPING 0x2609
 #define HD_NOMINAL_MAX_TORQUE_STIFFNESS 0x2620
-#define HD_NOMINAL_MAX_TORQUE_DAMPING 0x2621
 #define HD_NOMINAL_MAX_TORQUE_FORCE 0x2622
 #define HD_NOMINAL_MAX_TORQUE_CONTINUOUS_FORCE 0x2623
 
 /* Forces */
 #define HD_CURRENT_FORCE 0x2700
 #define HD_CURRENT_TORQUE 0x2701
-#define HD_JOINT_ANGLE_REFERENCES 0x2702
-#define HD_CURRENT_JOINT_TORQUE 0x2703
-#define HD_CURRENT_GIMBAL_TORQUE 0x2704
-#define HD_CURRENT_MOTOR_DAC_VALUES 0x2750
-#define HD_LAST_FORCE 0x2800
-#define HD_LAST_TORQUE 0x2801
-#define HD_LAST_JOINT_TORQUE 0x2802
-#define HD_LAST_GIMBAL_TORQUE 0x2803
-#define HD_LAST_MOTOR_DAC_VALUES 0x2850
-#define HD_USER_STATUS_LIGHT 0x2900
 
 /* What can be switched */
 #define HD_FORCE_OUTPUT 0x4000
@@ -150,18 +109,11 @@ typedef struct {
 #define HD_CALIBRATION_INKWELL 0x4
 
 /* Buttons */
-#define HD_DEVICE_BUTTON_1 0x1
-#define HD_DEVICE_BUTTON_2 0x2
-#define HD_DEVICE_BUTTON_3 0x4
-#define HD_DEVICE_BUTTON_4 0x8
 
 /* Scheduler */
 #define HD_MAX_SCHEDULER_PRIORITY 65535
 #define HD_MIN_SCHEDULER_PRIORITY 0
-#define HD_DEFAULT_SCHEDULER_PRIORITY 32767
 #define HD_CALLBACK_DONE 0
 #define HD_CALLBACK_CONTINUE 1
-#define HD_WAIT_CHECK_STATUS 0
-#define HD_WAIT_INFINITE 1
 
 #endif

@@ -7,7 +7,6 @@
 #include <HD/hdDefines.h>
 
 typedef unsigned int HDCallbackCode;
-typedef unsigned int HDWaitCode;
 typedef unsigned long HDSchedulerHandle;
 typedef HDCallbackCode(HDCALLBACK* HDSchedulerCallback)(void* pUserData);
 
@@ -22,8 +21,6 @@ HDAPI void HDAPIENTRY hdScheduleSynchronous(HDSchedulerCallback pCallback, void*
 HDAPI HDSchedulerHandle HDAPIENTRY hdScheduleAsynchronous(HDSchedulerCallback pCallback, void* pUserData,
                                                           HDushort nPriority);
 HDAPI void HDAPIENTRY hdUnschedule(HDSchedulerHandle hHandle);
-HDAPI HDboolean HDAPIENTRY hdWaitForCompletion(HDSchedulerHandle hHandle, HDWaitCode param);
-HDAPI HDdouble HDAPIENTRY hdGetSchedulerTimeStamp(void);
 
 #ifdef __cplusplus
 }

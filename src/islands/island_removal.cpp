@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of an island leaves with a block, whether it still is one, and its way out.
+#include <algorithm>
+
+#include "hapticut/islands/islands.hpp"
+
+namespace hapticut {
+namespace {
+
+/// The voxels of an island in the block that begins there.
+BlockMask voxels_at(const Island& island, const VoxelIndex& origin) noexcept {
+  const auto at = std::ranges::lower_bound(island.blocks, origin, {}, &BlockVoxels::origin);
+  return at != island.blocks.end() && at->origin == origin ? at->voxels : BlockMask{};
+}
+
+/// The voxels of a block that belong to an island or touch it.
+BlockMask around(const Island& island, const BlockVoxels& block) noexcept {
+  BlockMask mask = block.voxels.grown();
+  for (int side = 0; side < kSides; ++side)
+    mask = mask | voxels_at(island, beside(block.origin, side)).across(side ^ 1);
+  return mask;
+}
+
+BlockMask filled_enough(const Island& island, const BlockView& block) noexcept {
+  return block.filled_voxels(float(island.least_fill));
+}
+
+}  // namespace
+
+bool is_loose(const Island& island, std::size_t block, const Workpiece& workpiece) noexcept {
+  const BlockVoxels& here = island.blocks[block];
+  const BlockMask others = filled_enough(island, workpiece.block(here.origin)).without(here.voxels);
+  return (around(island, here) & others).empty();
+}
+
+BlockVoxels with_skin(const Island& island, std::size_t block, const Workpiece& workpiece) noexcept {
+  const BlockVoxels& here = island.blocks[block];
+  const BlockView now = workpiece.block(here.origin);
+  const BlockMask there = now.filled_voxels(0), skin = there.without(filled_enough(island, now));
+  return {here.origin, there & (here.voxels | (skin & around(island, here)))};
+}
+
+bool remove_island(Simulation& simulation, IslandRemoval& removal, std::size_t most) noexcept {
+  const Workpiece& workpiece = simulation.workpiece();
+  std::size_t done = 0;
+  do {  // one at least, or a caller that asks for 0 would never arrive
+    if (removal.checked == 0) removal.exchange = simulation.workpiece_exchanges();
+    if (removal.exchange != simulation.workpiece_exchanges()) removal.joined = true;
+    if (removal.is_over()) return true;
+    if (removal.checked < removal.island.blocks.size()) {
+      if (!is_loose(removal.island, removal.checked++, workpiece)) removal.joined = true;
+    } else {
+      if (!simulation.remove_voxels(with_skin(removal.island, removal.removed, workpiece))) return false;
+      ++removal.removed;
+    }
+  } while (++done < most);
+  return removal.is_over();
+}
+
+}  // namespace hapticut

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pieces that were cut loose: a search over blocks, 512 voxels at a time as bits.
+#include "hapticut/islands/islands.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+
+#include "hapticut/core/errors.hpp"
+
+namespace hapticut {
+namespace {
+
+constexpr double kMostWatchedBlocks = 1 << 25;  // 2 GB of bits
+
+/// Sets whose members are joined bit by bit, and what is known of each whole set.
+template <class Of>
+class JoinedSets {
+ public:
+  std::size_t add(Of of) {
+    parent_.push_back(parent_.size());
+    of_.push_back(std::move(of));
+    return parent_.size() - 1;
+  }
+  [[nodiscard]] std::size_t root(std::size_t n) {
+    while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
+    return n;
+  }
+  /// @pre both are roots
+  void join(std::size_t into, std::size_t other) { parent_[other] = into; }
+  [[nodiscard]] Of& operator[](std::size_t root) { return of_[root]; }
+  [[nodiscard]] std::size_t size() const { return parent_.size(); }
+
+ private:
+  std::vector<std::size_t> parent_;
+  std::vector<Of> of_;
+};
+
+}  // namespace
+
+/// A search for pieces: each grows over the voxels that are joined to it, until it meets another one, or is closed.
+/// Pieces that were one body before belong to one group; of each group one piece stays.
+class IslandSearch {
+ public:
+  using Parts = std::vector<std::pair<std::size_t, BlockMask>>;  // of a piece, by number of the block
+
+  explicit IslandSearch(const IslandFinder& finder) : finder_(finder) {}
+
+  std::size_t add_group() { return groups_.add({}); }
+
+  /// Begins pieces at some voxels of a block, all of one group.
+  void begin(std::size_t block, BlockMask seeds, std::size_t group) {
+    for (seeds = seeds & finder_.solid_[block]; !seeds.empty();) {
+      const BlockMask one = seeds.first();
+      const std::size_t piece = pieces_.add({groups_.root(group), 0, true, false, {{block, one}}});
+      ++groups_[groups_.root(group)].open;
+      grow(piece);
+      wait_for_turn(piece);
+      for (const Part& part : found_[block])  // other parts may be of other groups, and are still to be met
+        if (!(one & part.voxels).empty()) seeds = seeds.without(part.voxels);
+    }
+  }
+
+  /// Grows the smallest pieces until it is known of each group which of them are closed and do not stay.
+  void grow_until_settled() {
+    while (!waiting_.empty()) {
+      const auto [voxels, piece] = waiting_.top();
+      waiting_.pop();
+      const bool has_grown = pieces_.root(piece) != piece || pieces_[piece].voxels != voxels;
+      if (has_grown || !pieces_[piece].open || is_settled(piece)) continue;
+      grow(piece);
+      wait_for_turn(piece);
+    }
+  }
+
+  /// Grows all pieces to their ends.
+  void grow_all() {
+    for (std::size_t n = 0; n < pieces_.size(); ++n)
+      while (pieces_.root(n) == n && pieces_[n].open) grow(n);
+  }
+
+  [[nodiscard]] BlockMask found_in(std::size_t block) const {
+    BlockMask all = {};
+    if (const auto here = found_.find(block); here != found_.end())
+      for (const Part& part : here->second) all = all | part.voxels;
+    return all;
+  }
+
+  /// The closed pieces, but for the one of each group that stays.
+  [[nodiscard]] std::vector<Parts> islands() {
+    std::unordered_map<std::size_t, Parts> parts;
+    for (const auto& [block, here] : found_)
+      for (const Part& part : here) parts[pieces_.root(part.piece)].emplace_back(block, part.voxels);
+    for (auto& [piece, all] : parts) std::ranges::sort(all);
+    std::unordered_map<std::size_t, std::size_t> stays;  // of each group
+    for (const auto& [piece, all] : parts) {
+      const auto [known, first] = stays.try_emplace(groups_.root(pieces_[piece].group), piece);
+      if (!first && is_rather_kept(piece, known->second, parts)) known->second = piece;
+    }
+    std::vector<Parts> islands;
+    for (auto& [piece, all] : parts) {
+      const Piece& of = pieces_[piece];
+      if (!of.open && !of.fixed && stays[groups_.root(of.group)] != piece) islands.push_back(std::move(all));
+    }
+    std::ranges::sort(islands);
+    return islands;
+  }
+
+ private:
+  struct Piece {
+    std::size_t group;
+    std::int64_t voxels;                                 // found so far
+    bool open;                                           // it may go on
+    bool fixed;                                          // it holds a voxel that is; then it need not go on
+    std::vector<std::pair<std::size_t, BlockMask>> way;  // where it goes on: blocks, and voxels of them
+  };
+  struct Group {
+    int open = 0;             // pieces of it
+    std::int64_t closed = 0;  // [voxels] of its largest closed piece
+    bool fixed = false;       // a piece of it is
+  };
+  struct Part {
+    BlockMask voxels;  // all that is joined to one of them inside the block
+    std::size_t piece;
+  };
+
+  void wait_for_turn(std::size_t piece) {
+    const std::size_t at = pieces_.root(piece);
+    if (pieces_[at].open) waiting_.push({pieces_[at].voxels, at});
+  }
+
+  /// An open piece is the only one, and all the others are known to be smaller, or not to be what is fixed.
+  [[nodiscard]] bool is_settled(std::size_t piece) {
+    const Group& group = groups_[groups_.root(pieces_[piece].group)];
+    if (group.open > 1) return false;
+    return finder_.options_.fixed ? !group.fixed : pieces_[piece].voxels > group.closed;
+  }
+
+  [[nodiscard]] bool is_rather_kept(std::size_t a, std::size_t b, std::unordered_map<std::size_t, Parts>& parts) {
+    const Piece &of_a = pieces_[a], &of_b = pieces_[b];
+    if (of_a.fixed != of_b.fixed) return of_a.fixed;
+    if (of_a.open != of_b.open) return of_a.open;
+    if (of_a.voxels != of_b.voxels) return of_a.voxels > of_b.voxels;
+    return parts[a] < parts[b];
+  }
+
+  /// Goes one block on.
+  void grow(std::size_t piece) {
+    auto [block, bits] = pieces_[piece].way.back();
+    pieces_[piece].way.pop_back();
+    std::vector<Part>& here = found_[block];
+    for (Part& part : here)
+      if (!(bits & part.voxels).empty()) {
+        bits = bits.without(part.voxels);
+        piece = join(piece, pieces_.root(part.piece));
+      }
+    bits = bits.joined(finder_.solid_[block]);
+    if (!bits.empty()) {
+      here.push_back({bits, piece});
+      Piece& of = pieces_[piece];
+      of.voxels += bits.count();
+      const VoxelIndex origin = finder_.blocks_.origin_of(block);
+      for (int side = 0; side < kSides; ++side) {
+        const auto next = finder_.blocks_.number_of(beside(origin, side));
+        if (!next) continue;
+        const BlockMask there = bits.across(side) & finder_.solid_[*next];
+        if (!there.empty()) of.way.emplace_back(*next, there);
+      }
+      if (is_fixed(origin, bits)) fix(piece);
+    }
+    if (pieces_[piece].open && pieces_[piece].way.empty()) close(piece);
+  }
+
+  /// Two pieces are one, and so are their groups.  @return its root
+  std::size_t join(std::size_t a, std::size_t b) {
+    if (a == b) return a;
+    if (pieces_[a].way.size() < pieces_[b].way.size()) std::swap(a, b);
+    Piece &into = pieces_[a], &other = pieces_[b];
+    const std::size_t group = join_groups(groups_.root(into.group), groups_.root(other.group));
+    groups_[group].open -= int(into.open) + int(other.open);
+    pieces_.join(a, b);
+    into.voxels += other.voxels;
+    into.fixed |= other.fixed;
+    into.open = !into.fixed;
+    into.group = group;
+    into.way.insert(into.way.end(), other.way.begin(), other.way.end());
+    other.way = {};
+    groups_[group].open += int(into.open);
+    return a;
+  }
+
+  std::size_t join_groups(std::size_t a, std::size_t b) {
+    if (a == b) return a;
+    Group& into = groups_[a];
+    const Group& other = groups_[b];
+    into.open += other.open;
+    into.closed = std::max(into.closed, other.closed);
+    into.fixed |= other.fixed;
+    groups_.join(a, b);
+    return a;
+  }
+
+  void close(std::size_t piece) {
+    Group& group = groups_[groups_.root(pieces_[piece].group)];
+    pieces_[piece].open = false;
+    --group.open;
+    group.closed = std::max(group.closed, pieces_[piece].voxels);
+  }
+
+  void fix(std::size_t piece) {
+    if (pieces_[piece].fixed) return;
+    Group& group = groups_[groups_.root(pieces_[piece].group)];
+    if (std::exchange(pieces_[piece].open, false)) --group.open;
+    pieces_[piece].fixed = group.fixed = true;
+  }
+
+  [[nodiscard]] bool is_fixed(const VoxelIndex& origin, const BlockMask& voxels) const {
+    const std::optional<Box>& box = finder_.options_.fixed;
+    if (!box) return false;
+    for (int n = 0; n < kBlockVoxels; ++n) {
+      if (!voxels.has(n)) continue;
+      const Vec3 p_W = finder_.frame_.center(voxel_at(origin, n));
+      if ((p_W.array() >= box->min.array()).all() && (p_W.array() <= box->max.array()).all()) return true;
+    }
+    return false;
+  }
+
+  using Turn = std::pair<std::int64_t, std::size_t>;  // voxels, piece
+
+  const IslandFinder& finder_;
+  JoinedSets<Piece> pieces_;
+  JoinedSets<Group> groups_;
+  std::unordered_map<std::size_t, std::vector<Part>> found_;  // by number of the block
+  std::priority_queue<Turn, std::vector<Turn>, std::greater<>> waiting_;
+};
+
+// --- the finder -----------------------------------------------------------------------------------------------------
+
+IslandFinder::IslandFinder(const Workpiece& workpiece, const IslandOptions& options)
+    : options_(options), blocks_(workpiece.bounds()), frame_(workpiece.frame()) {
+  require_fields_within(options_, "IslandOptions::");
+  const double blocks = blocks_.count();
+  if (blocks > kMostWatchedBlocks)
+    throw Error("the workpiece spans " + format_number(blocks) + " blocks, more than " +
+                format_number(kMostWatchedBlocks) + " in which islands can be looked for; crop it.");
+  solid_.resize(std::size_t(blocks));
+  workpiece.for_each_block([&](const BlockView& block) {
+    if (const auto number = blocks_.number_of(block.origin))
+      solid_[*number] = block.filled_voxels(float(options_.least_fill));
+  });
+}
+
+void IslandFinder::update(const VoxelIndex& origin, const float* fill) {
+  BlockView block;
+  block.origin = origin;
+  block.uniform_material = 1;  // whatever it is
+  block.fill = fill;
+  update(block);
+}
+
+void IslandFinder::update(const Workpiece& workpiece, std::span<const VoxelIndex> origins) {
+  for (const VoxelIndex& origin : origins) update(workpiece.block(origin));
+}
+
+void IslandFinder::update(const BlockView& block) {
+  const auto number = blocks_.number_of(block.origin);
+  if (!number) return;
+  // Where nothing is asked of the fill, a voxel without any is empty all the same.
+  const float least = std::max(float(options_.least_fill), std::numeric_limits<float>::min());
+  const BlockMask now = block.filled_voxels(least), went = solid_[*number].without(now);
+  solid_[*number] = now;
+  const auto known = gone_.find(*number);
+  const BlockMask gone = known == gone_.end() ? went : (known->second | went).without(now);
+  if (!gone.empty())
+    gone_.insert_or_assign(*number, gone);
+  else if (known != gone_.end())
+    gone_.erase(known);  // undone
+}
+
+std::vector<Island> IslandFinder::find() {
+  IslandSearch search(*this);
+  // What went and hung together was one body with all that it touched.
+  for (auto gone = std::exchange(gone_, {}); !gone.empty();) {
+    const std::size_t group = search.add_group();
+    std::map<std::size_t, BlockMask> touched;
+    std::vector<std::pair<std::size_t, BlockMask>> way = {{gone.begin()->first, gone.begin()->second.first()}};
+    while (!way.empty()) {
+      const auto [block, seeds] = way.back();
+      way.pop_back();
+      const auto here = gone.find(block);
+      if (here == gone.end()) continue;
+      const BlockMask part = seeds.joined(here->second);
+      if (here->second = here->second.without(part); here->second.empty()) gone.erase(here);
+      touched[block] = touched[block] | part.grown();
+      const VoxelIndex origin = blocks_.origin_of(block);
+      for (int side = 0; side < kSides; ++side)
+        if (const BlockMask there = part.across(side); !there.empty())
+          if (const auto next = blocks_.number_of(beside(origin, side))) {
+            touched[*next] = touched[*next] | there;
+            way.emplace_back(*next, there);
+          }
+    }
+    for (const auto& [block, seeds] : touched) search.begin(block, seeds, group);
+  }
+  search.grow_until_settled();
+  std::vector<Island> islands;
+  for (const IslandSearch::Parts& parts : search.islands()) islands.push_back(take_out(parts));
+  return islands;
+}
+
+/// A piece as an island, with the blocks around it that may hold its skin; it is taken to be gone.
+Island IslandFinder::take_out(const std::vector<std::pair<std::size_t, BlockMask>>& parts) {
+  std::map<std::size_t, BlockMask> all;
+  for (const auto& [block, voxels] : parts) {
+    solid_[block] = solid_[block].without(voxels);
+    all[block] = all[block] | voxels;
+    const VoxelIndex origin = blocks_.origin_of(block);
+    for (int side = 0; side < kSides; ++side)
+      if (!voxels.across(side).empty())
+        if (const auto next = blocks_.number_of(beside(origin, side))) all.try_emplace(*next, BlockMask{});
+  }
+  Island island;
+  island.least_fill = options_.least_fill;
+  for (const auto& [block, voxels] : all) {
+    island.blocks.push_back({blocks_.origin_of(block), voxels});
+    island.voxels += voxels.count();
+  }
+  return island;
+}
+
+std::vector<Island> find_islands(const Workpiece& workpiece, const IslandOptions& options) {
+  IslandFinder finder(workpiece, options);
+  IslandSearch search(finder);
+  const std::size_t group = search.add_group();
+  for (std::size_t block = 0; block < finder.solid_.size(); ++block) {
+    search.begin(block, finder.solid_[block].without(search.found_in(block)), group);
+    search.grow_all();
+  }
+  std::vector<Island> islands;
+  for (const IslandSearch::Parts& parts : search.islands()) islands.push_back(finder.take_out(parts));
+  return islands;
+}
+
+}  // namespace hapticut

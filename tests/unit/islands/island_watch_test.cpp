@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// A piece that a tool has cut loose leaves: from a simulation, beside a loop of one's own, and from a model's loop.
+#include "hapticut/islands/island_watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <thread>
+
+#include "support/loop_rig.hpp"
+
+namespace hapticut::island_watch_test {
+namespace {
+
+using units::mm;
+
+constexpr double kVoxel = 0.1 * mm, kCut = 4 * mm, kRadius = 0.6 * mm;
+
+/// A bar of 0.8 mm x 0.8 mm x 6 mm, and a ball that goes through it at a height of 4 mm.
+Simulation bar_and_ball() {
+  Workpiece bar = build_block({Vec3(-0.4, -0.4, 0) * mm, Vec3(0.4, 0.4, 6) * mm}, kVoxel, test::plain_material());
+  SimulationConfig config;
+  config.reserved_blocks = 500;
+  return Simulation(std::move(bar), Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
+}
+
+constexpr int kThrough = 800;
+void cut_through(Simulation& simulation, int tick) {
+  const double speed = 4 * mm, x = -2 * mm + speed * 1e-3 * tick;
+  (void)simulation.step(Pose::from_translation({x, 0.013 * mm, kCut}), {{speed, 0, 0}, Vec3::Zero()}, 1e-3);
+}
+
+double sum(const ByMaterial<double>& volumes) { return std::accumulate(volumes.begin(), volumes.end(), 0.0); }
+
+double volume_of(const Workpiece& workpiece) {
+  double volume = 0;
+  for (const MaterialAmount& amount : workpiece.amounts()) volume += amount.volume;
+  return volume;
+}
+
+TEST(RemoveIsland, TakesAPieceOutThatIsBookedAsNotCutAndUndoBringsItBack) {
+  Simulation simulation = bar_and_ball();
+  simulation.reserve_undo(500);
+  simulation.set_undo_mark();
+  const double whole = volume_of(simulation.workpiece());
+  const std::uint64_t hash = simulation.workpiece().hash();
+  IslandFinder finder(simulation.workpiece());
+  std::vector<Island> islands;
+  for (int tick = 1; tick <= kThrough && islands.empty(); ++tick) {
+    cut_through(simulation, tick);
+    finder.update(simulation.workpiece(), simulation.changed_blocks().origins);
+    islands = finder.find();
+  }
+  ASSERT_EQ(islands.size(), 1U);
+  EXPECT_NEAR(double(islands[0].voxels), 8 * 8 * 15, 60) << "from 4.6 mm to 6 mm, and the dome that the ball leaves";
+  const double cut = sum(simulation.removed_volume_by_material()), cutting = simulation.last_result().energy.cutting;
+  IslandRemoval removal{islands[0]};
+  int slices = 0;
+  while (!remove_island(simulation, removal, 2)) ++slices;
+  EXPECT_FALSE(removal.joined);
+  EXPECT_GE(slices, 2);
+  EXPECT_FALSE(simulation.changed_blocks().origins.empty());
+  EXPECT_TRUE(find_islands(simulation.workpiece()).empty());
+  const double left = sum(simulation.taken_volume_by_material());
+  EXPECT_NEAR(left, double(islands[0].voxels) * std::pow(kVoxel, 3), 0.05 * left);
+  EXPECT_EQ(sum(simulation.removed_volume_by_material()), cut);
+  EXPECT_EQ(simulation.last_result().energy.cutting, cutting);
+  EXPECT_NEAR(volume_of(simulation.workpiece()) + cut + left, whole, 1e-9 * whole);
+  for (int z = 46; z < 60; ++z) EXPECT_EQ(simulation.workpiece().material_at({4, 4, z}), kEmpty) << z;
+  // The tool goes on, and the ledger closes.
+  for (int tick = kThrough; tick < kThrough + 50; ++tick) cut_through(simulation, tick);
+  EXPECT_LT(std::abs(simulation.last_result().energy.closure()), 1e-3);
+  while (!simulation.undo(64)) {
+  }
+  EXPECT_EQ(simulation.workpiece().hash(), hash);
+}
+
+TEST(RemoveIsland, LeavesAPieceThatAnUndoHasJoinedAgain) {
+  Simulation simulation = bar_and_ball();
+  simulation.reserve_undo(500);
+  simulation.set_undo_mark();
+  for (int tick = 1; tick <= kThrough; ++tick) cut_through(simulation, tick);
+  const std::vector<Island> islands = find_islands(simulation.workpiece());
+  ASSERT_EQ(islands.size(), 1U);
+  IslandRemoval half{islands[0]}, late{islands[0]};
+  EXPECT_FALSE(remove_island(simulation, half, islands[0].blocks.size() + 1)) << "all was looked at, one block is gone";
+  EXPECT_GT(half.removed, 0U);
+  while (!simulation.undo(64)) {
+  }
+  const std::uint64_t hash = simulation.workpiece().hash();
+  EXPECT_TRUE(remove_island(simulation, half, 64));
+  EXPECT_TRUE(half.joined);
+  EXPECT_TRUE(remove_island(simulation, late, 64));
+  EXPECT_TRUE(late.joined);
+  EXPECT_EQ(simulation.workpiece().hash(), hash);
+}
+
+TEST(RemoveIsland, WaitsWhereNoReservedBlockIsLeft) {
+  Material bone = test::plain_material();
+  SimulationConfig config;
+  config.reserved_blocks = 1;
+  Simulation simulation(build_block({Vec3::Zero(), Vec3::Constant(1.6 * mm)}, kVoxel, bone), Tool(SphereHead{kRadius}),
+                        config);
+  BlockVoxels some;
+  some.voxels.words[3] = 0xff;
+  BlockVoxels others = some;
+  others.origin = {8, 8, 8};
+  EXPECT_TRUE(simulation.remove_voxels(some));
+  EXPECT_FALSE(simulation.remove_voxels(others));
+  EXPECT_NEAR(sum(simulation.taken_volume_by_material()), 8 * std::pow(kVoxel, 3), 1e-20);
+  simulation.reserve_blocks(4);
+  EXPECT_TRUE(simulation.remove_voxels(others));
+}
+
+TEST(IslandWatch, LetsAPieceLeaveBesideALoopOfOnesOwn) {
+  Simulation simulation = bar_and_ball();
+  IslandWatch watch(simulation);
+  for (int tick = 1; tick <= kThrough; ++tick) {
+    cut_through(simulation, tick);
+    watch.tick();
+  }
+  while (watch.count() == 0) {  // in the air; the watch has a thread of its own, which gets its turn some time
+    cut_through(simulation, kThrough + 10);
+    watch.tick();
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(watch.count(), 1U);
+  EXPECT_TRUE(find_islands(simulation.workpiece()).empty());
+  EXPECT_GT(sum(simulation.taken_volume_by_material()), 0);
+  std::vector<Island> left;
+  while (left.empty()) {
+    left = watch.left();
+    std::this_thread::yield();
+  }
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_GT(left[0].voxels, 800);
+}
+
+TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
+  using namespace test::loop_rig;
+  // What the hand does not touch is cut loose between two ticks, so that the piece is the same in every run.
+  Simulation simulation(block(), ball(), config());
+  const std::unique_ptr<Device> device = stiff_mock("rest");
+  SimulationModel without(simulation, *device);
+  IslandWatchOptions options;
+  options.period = 1e-3;
+  IslandModel model(without, simulation, options);
+  BlockOutbox outbox(without.region(), 10000);
+  LoopSnapshot snapshot;
+  // Around a cube of 20 voxels, whose place is 20 ... 39 along each axis.
+  for (int x = 16; x < 48; x += 8)
+    for (int y = 16; y < 48; y += 8)
+      for (int z = 8; z < 40; z += 8) {
+        BlockVoxels around{{x, y, z}, {}};
+        for (int n = 0; n < kBlockVoxels; ++n) {
+          const VoxelIndex at = voxel_at({x, y, z}, n);
+          const auto in_cube = [&](int from, int a) { return a >= from && a <= 39; };
+          if (!(in_cube(20, at[0]) && in_cube(20, at[1]) && at[2] >= 12 && at[2] <= 31)) around.voxels.add(n);
+        }
+        ASSERT_TRUE(simulation.remove_voxels(around));
+      }
+  const double cut_out = sum(simulation.taken_volume_by_material());
+  std::size_t marked = 0;
+  RunOptions run;
+  run.simulated_time = true;
+  run.stop_on_signals = false;
+  (void)device->run(
+      [&](const DeviceState& reading) {
+        DeviceState far = reading;
+        far.X_BS.translation = Vec3(0, 0, 20 * mm);
+        DeviceCommand command{model.step(far, 1e-3, snapshot), false};
+        model.mark_changes(outbox);
+        marked = outbox.marked();
+        command.stop = model.watch().count() > 0;
+        std::this_thread::yield();
+        return command;
+      },
+      run);
+  EXPECT_EQ(model.watch().count(), 1U);
+  EXPECT_GE(marked, 27U);
+  EXPECT_NEAR(sum(simulation.taken_volume_by_material()) - cut_out, 8000 * std::pow(0.2 * mm, 3), 1e-18);
+  EXPECT_EQ(snapshot.tool.removed_volume, 0);
+  std::vector<Island> left;
+  while (left.empty()) {
+    left = model.watch().left();
+    std::this_thread::yield();
+  }
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_EQ(left[0].voxels, 8000);
+}
+
+}  // namespace
+}  // namespace hapticut::island_watch_test
