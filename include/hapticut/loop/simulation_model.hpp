@@ -106,11 +106,12 @@ class SimulationModel final : public LoopModel {
   void copy(ChangedBlock& block) noexcept override;
 
  private:
+  template <class Model>
+  struct Commands;                          // what each asks of its sender, and what it does
   enum class Travel { none, back, forth };  // over an undo mark
 
   void require_renderable(double contact_stiffness, const SimulationConfig& config, double relative_stiffness,
                           double scale) const;
-  void check_scale(double scale) const;
   void require_gains_within(const WorkspaceMapOptions& map) const;
   [[nodiscard]] Wrench follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept;
   [[nodiscard]] Wrench move_tool(const DeviceState& state, double dt) noexcept;
@@ -122,21 +123,6 @@ class SimulationModel final : public LoopModel {
                                               double motor) const noexcept;
   void show(LoopSnapshot& snapshot) const noexcept;
 
-  bool apply(const commands::SetSpindleSpeed& command) noexcept;
-  bool apply(const commands::OpenClutch& command) noexcept;
-  bool apply(const commands::CloseClutch& command) noexcept;
-  bool apply(const commands::SetScale& command) noexcept;
-  bool apply(const commands::SetUndoMark& command) noexcept;
-  bool apply(const commands::Undo& command) noexcept;
-  bool apply(const commands::Redo& command) noexcept;
-  bool apply(commands::SetTool& command) noexcept;
-  bool apply(commands::SetMaterials& command) noexcept;
-  bool apply(const commands::SetFriction& command) noexcept;
-  bool apply(const commands::SetEffects& command) noexcept;
-  bool apply(const commands::SetForceMask& command) noexcept;
-  bool apply(const commands::SetRemoval& command) noexcept;
-  bool apply(const commands::HoldForce& command) noexcept;
-  bool apply(commands::ExchangeWorkpiece& command) noexcept;
   bool begin(Travel way, std::size_t marks) noexcept;
   void feel_nothing(StepStatus status) noexcept;
   void after_exchange() noexcept;

@@ -65,7 +65,9 @@ using Structs =
                    DeviceState, DeviceOutput, DeviceTick, PoseGateOptions, ArmingOptions, PassivityOptions,
                    ThermalOptions, WatchdogOptions, GuardOptions, RealtimeOptions, RunOptions, RealtimeLoopOptions,
                    SimulationModelOptions, WorkspaceMapOptions, CouplingGains, CouplingEnergy, DeviceModel, HandModel,
-                   PlantOptions, MockOptions, MouseOptions, OpenHapticsOptions, ForceDimensionOptions>;
+                   PlantOptions, MockOptions, MouseOptions, OpenHapticsOptions, ForceDimensionOptions,
+                   commands::SetSpindleSpeed, commands::SetScale, commands::Undo, commands::HoldForce,
+                   commands::SetRemoval, commands::SetForceMask, commands::SetFriction, commands::SetEffects>;
 TYPED_TEST_SUITE(DescribedStruct, Structs);
 
 TYPED_TEST(DescribedStruct, HasALineForEachOfItsMembers) {
