@@ -156,7 +156,12 @@ void bind_commands(py::module_& m) {
            }),
            py::arg("workpiece"), py::arg("tool"), py::arg("config"),
            "Of a copy of a workpiece, the tool for it and the configuration of both.")
-      .def_readonly("bounds", &c::ExchangeWorkpiece::bounds, doc("commands::ExchangeWorkpiece::bounds"));
+      .def_property_readonly(
+          "bounds",
+          [](const c::ExchangeWorkpiece& self) {
+            return self.simulation != nullptr ? self.simulation->workpiece().bounds() : IndexBox{};
+          },
+          "Of its workpiece; empty once it was sent.");
 }
 
 void bind_messages(py::module_& m) {

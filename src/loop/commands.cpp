@@ -26,7 +26,6 @@ SetMaterials::SetMaterials(MaterialTable table, const SimulationConfig& config) 
 
 ExchangeWorkpiece::ExchangeWorkpiece(Simulation prepared)
     : simulation(std::make_unique<Simulation>(std::move(prepared))),
-      bounds(simulation->workpiece().bounds()),
       lists(simulation->worst_case(), simulation->config()) {}
 
 }  // namespace commands
@@ -230,7 +229,6 @@ struct SimulationModel::Commands {
   bool apply(commands::ExchangeWorkpiece& command) noexcept {
     if (m.gains_ && command.simulation->config().contact_time != ContactTime::end) return false;
     m.simulation_->exchange(*command.simulation);
-    std::swap(m.bounds_, command.bounds);
     if (m.coupling_) m.coupling_->exchange_lists(command.lists);
     m.travel_ = Travel::none;
     m.books_energy_ = m.simulation_->config().law->is_foundation();

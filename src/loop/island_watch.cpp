@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/core/reserve.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "realtime/handover_ring.hpp"
 
@@ -27,9 +26,7 @@ struct IslandWatch::State {
       : simulation(a_simulation),
         options(some_options),
         finder(simulation.workpiece(), options.islands),
-        feed(simulation, options.blocks) {
-    reserve_touched(changed, options.blocks_per_tick);
-  }
+        feed(simulation, options.blocks) {}
 
   void watch();
   void look();
@@ -51,7 +48,6 @@ struct IslandWatch::State {
 
   // The loop's side.
   Removal current;
-  std::vector<VoxelIndex> changed;
   std::uint64_t count = 0;
 
   std::thread thread;
@@ -98,12 +94,9 @@ void IslandWatch::State::look() {
 
 void IslandWatch::tick() noexcept {
   State& s = *state_;
-  s.changed.clear();
   if (!s.current && !(s.over.has_room() && s.to_leave.pop(s.current))) return;
   IslandRemoval& removal = *s.current;
-  const std::size_t before = removal.removed;
   const bool is_over = s.simulation.remove_island(removal, s.options.blocks_per_tick);
-  for (std::size_t n = before; n < removal.removed; ++n) s.changed.push_back(removal.island.blocks[n].origin);
   if (!is_over) return;
   if (removal.joined)  // it is still there: the search must hear of it
     for (const BlockVoxels& block : removal.island.blocks) s.feed.mark(block.origin);
@@ -112,7 +105,6 @@ void IslandWatch::tick() noexcept {
   s.over.push(std::move(s.current));
 }
 
-std::span<const VoxelIndex> IslandWatch::changed() const noexcept { return state_->changed; }
 std::uint64_t IslandWatch::count() const noexcept { return state_->count; }
 
 std::vector<Island> IslandWatch::left() {

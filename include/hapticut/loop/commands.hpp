@@ -132,14 +132,13 @@ struct SetMaterials {
 };
 
 /// Another workpiece, with the tool for it, from a simulation that was made for it: see
-/// Simulation::exchange(Simulation&). Changed blocks of it come as of any other, with another
-/// ChangedBlock::workpiece; the sender, who has the workpiece, makes the first picture of it.
+/// Simulation::exchange(Simulation&). All blocks of it come, some with each tick, with another ChangedBlock::workpiece;
+/// the sender, who has the workpiece, can make a picture of it at once.
 struct ExchangeWorkpiece {
   /// @param prepared  with memory for undo, where it is wanted
   explicit ExchangeWorkpiece(Simulation prepared);
 
   std::unique_ptr<Simulation> simulation;
-  IndexBox bounds;               ///< of its workpiece
   VirtualCoupling::Lists lists;  ///< as long as it needs them, where there is a coupling
 };
 

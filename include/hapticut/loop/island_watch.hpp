@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "hapticut/core/description.hpp"
@@ -47,9 +46,6 @@ class IslandWatch {
   /// Goes on with what is to leave. In the thread that makes the steps, between two of them.
   /// @realtime no allocation, no lock; O(blocks_per_tick)
   void tick() noexcept;
-
-  /// Blocks that the last tick has changed.  @realtime no allocation, no lock; O(1)
-  [[nodiscard]] std::span<const VoxelIndex> changed() const noexcept;
 
   /// Pieces that have left. For the thread of the ticks.
   [[nodiscard]] std::uint64_t count() const noexcept;

@@ -102,8 +102,7 @@ class SimulationModel final : public LoopModel {
     return simulation_->spindle_setting();
   }  ///< [rad/s] while there is a force
   bool obey(LoopCommand& command) noexcept override;
-  void mark_changes(BlockOutbox& outbox) noexcept override;
-  void copy(ChangedBlock& block) noexcept override;
+  [[nodiscard]] Simulation* simulation() noexcept override { return simulation_; }
 
  private:
   template <class Model>
@@ -142,7 +141,6 @@ class SimulationModel final : public LoopModel {
   Device* device_;
   WorkspaceMap map_;
   std::optional<VirtualCoupling> coupling_;
-  IndexBox bounds_;  // of the workpiece in place
   bool spindle_needs_force_;
   int pedal_;
   std::size_t undo_blocks_per_tick_;
@@ -153,17 +151,11 @@ class SimulationModel final : public LoopModel {
   Pose X_WH_;                // of the tool's handle
   ToolSnapshot tool_;
   Travel travel_ = Travel::none;
-  bool unfelt_ = false;    // the next wrench, because the guard hears of its reason at the next reading only
-  bool touches_ = true;    // something, for all that is known
-  bool books_energy_;      // the law, so that it is known what is stored
-  ModelContact contact_;   // of the last tick
-  ChangedBlocks changed_;  // in this tick
+  bool unfelt_ = false;   // the next wrench, because the guard hears of its reason at the next reading only
+  bool touches_ = true;   // something, for all that is known
+  bool books_energy_;     // the law, so that it is known what is stored
+  ModelContact contact_;  // of the last tick
   std::unique_ptr<IslandWatch> watch_;
 };
-
-/// Content of a block of a workpiece, for pictures and copies.
-/// @param block  `origin` is given
-/// @realtime no allocation, no lock; O(512)
-void copy_block(const Workpiece& workpiece, ChangedBlock& block) noexcept;
 
 }  // namespace hapticut

@@ -146,7 +146,6 @@ TEST(SimulationModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
   options.islands = IslandWatchOptions{};
   options.islands->period = 1e-3;
   SimulationModel model(simulation, *device, options);
-  BlockOutbox outbox(model.region(), 10000);
   LoopSnapshot snapshot;
   // Around a cube of 20 voxels, whose place is 20 ... 39 along each axis.
   for (int x = 16; x < 48; x += 8)
@@ -161,7 +160,8 @@ TEST(SimulationModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
         ASSERT_TRUE(simulation.remove_voxels(around));
       }
   const double cut_out = sum(simulation.island_volume_by_material());
-  std::size_t marked = 0;
+  ChangeFeed feed(simulation, model.region(), 10000);
+  feed.follow();
   RunOptions run;
   run.simulated_time = true;
   run.stop_on_signals = false;
@@ -170,15 +170,13 @@ TEST(SimulationModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
         DeviceState far = reading;
         far.X_BS.translation = Vec3(0, 0, 20 * mm);
         DeviceCommand command{model.step(far, 1e-3, snapshot), false};
-        model.mark_changes(outbox);
-        marked = outbox.marked();
         command.stop = snapshot.tool.islands > 0;
         std::this_thread::yield();
         return command;
       },
       run);
   EXPECT_EQ(snapshot.tool.islands, 1U);
-  EXPECT_GE(marked, 27U);
+  EXPECT_GE(feed.waiting(), 27U);
   EXPECT_NEAR(sum(simulation.island_volume_by_material()) - cut_out, 8000 * std::pow(0.2 * mm, 3), 1e-18);
   EXPECT_EQ(snapshot.tool.removed_volume, 0);
   std::vector<Island> left;
