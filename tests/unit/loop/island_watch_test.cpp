@@ -162,9 +162,6 @@ TEST(SimulationModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
   const double cut_out = sum(simulation.island_volume_by_material());
   ChangeFeed feed(simulation, model.region(), 10000);
   feed.follow();
-  RunOptions run;
-  run.simulated_time = true;
-  run.stop_on_signals = false;
   (void)device->run(
       [&](const DeviceState& reading) {
         DeviceState far = reading;
@@ -174,7 +171,7 @@ TEST(SimulationModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
         std::this_thread::yield();
         return command;
       },
-      run);
+      simulated_run());
   EXPECT_EQ(snapshot.tool.islands, 1U);
   EXPECT_GE(feed.waiting(), 27U);
   EXPECT_NEAR(sum(simulation.island_volume_by_material()) - cut_out, 8000 * std::pow(0.2 * mm, 3), 1e-18);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "hapticut/view/protocol.hpp"
@@ -30,5 +34,14 @@ struct Bytes {
   }
   std::vector<std::uint8_t> bytes;
 };
+
+/// What a page reads at a place of a message.
+template <class Number>
+Number number_at(const view::Message& message, std::size_t place) {
+  Number number{};
+  EXPECT_LE(place + sizeof number, message.size());
+  std::memcpy(&number, message.data() + place, sizeof number);
+  return number;
+}
 
 }  // namespace hapticut::view_test

@@ -6,7 +6,6 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include <cstring>
 #include <limits>
 
 #include "unit/view/command_bytes.hpp"
@@ -17,14 +16,7 @@ namespace {
 using namespace view;
 using view_test::Bytes;
 using view_test::CommandKind;
-
-template <class Number>
-Number number_at(const Message& message, std::size_t place) {
-  Number number{};
-  EXPECT_LE(place + sizeof number, message.size());
-  std::memcpy(&number, message.data() + place, sizeof number);
-  return number;
-}
+using view_test::number_at;
 
 TEST(ViewProtocol, HelloTellsTheGridTheMaterialsAndWhoMayWrite) {
   Scene scene;
