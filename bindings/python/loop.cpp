@@ -113,21 +113,20 @@ struct GivenCommand {
         command);
   }
 
-  template <std::size_t kKind = 0>
-  static GivenCommand of(py::object object) {
-    if constexpr (kKind == std::variant_size_v<LoopCommand>) {
-      throw py::type_error(
-          "send() takes a command: one of hapticut.commands, or what SimulationModel.prepare_tool, "
-          "prepare_materials or prepare_workpiece returns");
-    } else {
-      using Command = std::variant_alternative_t<kKind, LoopCommand>;
-      if (!py::isinstance<Command>(object)) return of<kKind + 1>(std::move(object));
-      Command& given = object.cast<Command&>();
+  static GivenCommand of(const py::object& object) {
+    std::optional<LoopCommand> command;
+    find_alternative<LoopCommand>([&]<class Command>(std::size_t, Of<Command>) {
+      if (!py::isinstance<Command>(object)) return false;
       if constexpr (std::is_copy_constructible_v<Command>)
-        return {object, Command(given)};
+        command.emplace(Command(object.cast<Command&>()));
       else
-        return {object, std::move(given)};
-    }
+        command.emplace(std::move(object.cast<Command&>()));
+      return true;
+    });
+    if (command) return {object, std::move(*command)};
+    throw py::type_error(
+        "send() takes a command: one of hapticut.commands, or what SimulationModel.prepare_tool, "
+        "prepare_materials or prepare_workpiece returns");
   }
 };
 
@@ -143,37 +142,17 @@ bool send(const PythonLoop& loop, const py::object& object) {
   return false;
 }
 
-/// A command without fields.
-template <class Command>
-void bind_word(py::handle scope, const char* name) {
-  const std::string full = std::string("commands::") + name;
-  py::class_<Command>(scope, name, doc(full))
-      .def(py::init<>())
-      .def("__repr__", [text = std::string("commands.") + name + "()"](const Command&) { return text; });
-}
-
 void bind_commands(py::module_& m) {
   struct Commands {};
   const py::class_<Commands> scope(m, "commands", doc("commands"));
+  find_alternative<LoopCommand>([&]<class Command>(std::size_t, Of<Command>) {
+    if constexpr (Described<Command>) {
+      const std::string full = py::type_id<Command>(), in_cpp = full.substr(full.find("commands::"));
+      bind_described<Command>(scope, in_cpp.substr(in_cpp.rfind(':') + 1).c_str(), in_cpp.c_str());
+    }
+    return false;
+  });
   namespace c = commands;
-  bind_struct<c::SetSpindleSpeed>(scope, "SetSpindleSpeed", "commands::SetSpindleSpeed",
-                                  field("speed", &c::SetSpindleSpeed::speed));
-  bind_word<c::OpenClutch>(scope, "OpenClutch");
-  bind_word<c::CloseClutch>(scope, "CloseClutch");
-  bind_struct<c::SetScale>(scope, "SetScale", "commands::SetScale", field("scale", &c::SetScale::scale));
-  bind_word<c::SetUndoMark>(scope, "SetUndoMark");
-  bind_word<c::Undo>(scope, "Undo");
-  bind_word<c::Redo>(scope, "Redo");
-  bind_struct<c::SetFriction>(scope, "SetFriction", "commands::SetFriction",
-                              field("friction", &c::SetFriction::friction));
-  bind_struct<c::SetEffects>(scope, "SetEffects", "commands::SetEffects", field("effects", &c::SetEffects::effects));
-  bind_struct<c::SetForceMask>(scope, "SetForceMask", "commands::SetForceMask",
-                               field("enabled", &c::SetForceMask::enabled));
-  const auto removal = computed<c::SetRemoval, RemovalLaw>(
-      "removal", [](const c::SetRemoval& s) { return s.removal; },
-      [](c::SetRemoval& s, RemovalLaw law) { s.removal = law; });
-  bind_struct<c::SetRemoval>(scope, "SetRemoval", "commands::SetRemoval", removal);
-  bind_struct<c::HoldForce>(scope, "HoldForce", "commands::HoldForce", field("hold", &c::HoldForce::hold));
   py::class_<c::SetTool>(scope, "SetTool", doc("commands::SetTool"))
       .def(py::init<const Tool&, double, const SimulationConfig&>(), py::arg("tool"), py::arg("voxel_size"),
            py::arg("config"), doc("commands::SetTool::SetTool"));
@@ -186,7 +165,12 @@ void bind_commands(py::module_& m) {
            }),
            py::arg("workpiece"), py::arg("tool"), py::arg("config"),
            "Of a copy of a workpiece, the tool for it and the configuration of both.")
-      .def_readonly("bounds", &c::ExchangeWorkpiece::bounds, doc("commands::ExchangeWorkpiece::bounds"));
+      .def_property_readonly(
+          "bounds",
+          [](const c::ExchangeWorkpiece& self) {
+            return self.simulation != nullptr ? self.simulation->workpiece().bounds() : IndexBox{};
+          },
+          "Of its workpiece; empty once it was sent.");
 }
 
 void bind_messages(py::module_& m) {

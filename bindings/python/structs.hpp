@@ -252,10 +252,12 @@ py::class_<S> bind_struct(py::handle parent, const char* name, Fields... fields)
 }
 
 /// Binds a struct with the fields that it describes itself.
+/// @param scope  its name in C++, within namespace hapticut, where that is another than in Python
 template <Described S>
-py::class_<S> bind_described(py::handle parent, const char* name) {
+py::class_<S> bind_described(py::handle parent, const char* name, const char* scope = nullptr) {
+  const char* in_cpp = scope != nullptr ? scope : name;
   return std::apply(
-      [&](const auto&... fields) { return bind_struct<S>(parent, name, name, detail::in_python(fields, name)...); },
+      [&](const auto&... fields) { return bind_struct<S>(parent, name, in_cpp, detail::in_python(fields, in_cpp)...); },
       fields_of(Of<S>{}));
 }
 

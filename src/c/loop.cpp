@@ -6,56 +6,62 @@
 
 #include "c/loop_object.hpp"
 #include "c/structs.hpp"
+#include "hapticut/core/description.hpp"
 #include "hapticut/core/errors.hpp"
 
 namespace hapticut::c {
 namespace {
 
-bool switch_of(double value) {
-  if (value != 0 && value != 1)
-    throw Refusal(HAPTICUT_ERROR_ARGUMENT, "value = " + format_number(value) + "; it must be 0 or 1.");
-  return value == 1;
-}
+/// The number of a command as its field; false where that is none.
+struct Number {
+  double value;
+  RemovalLaw of_scene;
 
-commands::SetForceMask mask_of(double value) {
-  if (!(value >= 0 && value <= 63 && value == std::floor(value)))
-    throw Refusal(HAPTICUT_ERROR_ARGUMENT,
-                  "value = " + format_number(value) + "; it must be a whole number from 0 to 63.");
-  const auto bits = unsigned(value);
-  commands::SetForceMask mask;
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    mask.enabled.force[axis] = (bits >> axis & 1U) != 0;
-    mask.enabled.torque[axis] = (bits >> (axis + 3) & 1U) != 0;
+  bool put(auto& /*field*/) const { return false; }
+  bool put(double& field) const { return field = value, true; }
+  bool put(AngularSpeed& field) const { return field = value * units::rad_per_s, true; }
+  bool put(bool& field) const {
+    require(value == 0 || value == 1, "0 or 1");
+    return field = value == 1, true;
   }
-  return mask;
-}
+  bool put(RemovalLaw& field) const {
+    bool cuts = false;
+    put(cuts);
+    return field = cuts ? of_scene : RemovalLaw::none, true;
+  }
+  bool put(AxisMask& field) const {
+    require(value >= 0 && value <= 63 && value == std::floor(value), "a whole number from 0 to 63");
+    const auto bits = unsigned(value);
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      field.force[axis] = (bits >> axis & 1U) != 0;
+      field.torque[axis] = (bits >> (axis + 3) & 1U) != 0;
+    }
+    return true;
+  }
+  void require(bool good, const std::string& allowed) const {
+    if (!good)
+      throw Refusal(HAPTICUT_ERROR_ARGUMENT, "value = " + format_number(value) + "; it must be " + allowed + ".");
+  }
+};
+
+static_assert(std::is_same_v<std::variant_alternative_t<HAPTICUT_COMMAND_SET_FORCE_MASK - 1, LoopCommand>,
+                             commands::SetForceMask>);
 
 LoopCommand command_of(const hapticut_command& given, RemovalLaw removal) {
-  switch (given.kind) {
-    case HAPTICUT_COMMAND_SET_SPINDLE_SPEED:
-      return commands::SetSpindleSpeed{given.value * units::rad_per_s};
-    case HAPTICUT_COMMAND_OPEN_CLUTCH:
-      return commands::OpenClutch{};
-    case HAPTICUT_COMMAND_CLOSE_CLUTCH:
-      return commands::CloseClutch{};
-    case HAPTICUT_COMMAND_SET_SCALE:
-      return commands::SetScale{given.value};
-    case HAPTICUT_COMMAND_SET_UNDO_MARK:
-      return commands::SetUndoMark{};
-    case HAPTICUT_COMMAND_UNDO:
-      return commands::Undo{};
-    case HAPTICUT_COMMAND_REDO:
-      return commands::Redo{};
-    case HAPTICUT_COMMAND_HOLD_FORCE:
-      return commands::HoldForce{switch_of(given.value)};
-    case HAPTICUT_COMMAND_SET_REMOVAL:
-      return commands::SetRemoval{switch_of(given.value) ? removal : RemovalLaw::none};
-    case HAPTICUT_COMMAND_SET_FORCE_MASK:
-      return mask_of(given.value);
-    default:
-      throw Refusal(HAPTICUT_ERROR_ARGUMENT,
-                    "kind = " + std::to_string(given.kind) + "; it must be one of hapticut_command_kind.");
-  }
+  LoopCommand command;
+  const Number number{given.value, removal};
+  bool known = false;
+  find_alternative<LoopCommand>([&]<class Command>(std::size_t n, Of<Command>) {
+    if constexpr (Described<Command>)
+      if (known = n == given.kind; known) {
+        Command& own = command.emplace<Command>();
+        for_each_field<Command>([&](const auto& field) { known = number.put(own.*field.member); });
+      }
+    return known;
+  });
+  if (known) return command;
+  throw Refusal(HAPTICUT_ERROR_ARGUMENT,
+                "kind = " + std::to_string(given.kind) + "; it must be one of hapticut_command_kind.");
 }
 
 int send(LoopObject& object, LoopCommand&& command) {

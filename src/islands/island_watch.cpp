@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/core/reserve.hpp"
 #include "hapticut/simulation/simulation.hpp"
 #include "realtime/handover_ring.hpp"
 
@@ -28,9 +27,7 @@ struct IslandWatch::State {
       : simulation(a_simulation),
         options(some_options),
         finder(simulation.workpiece(), options.islands),
-        feed(simulation, options.blocks) {
-    reserve_touched(changed, options.blocks_per_tick);
-  }
+        feed(simulation, options.blocks) {}
 
   void watch();
   void look();
@@ -52,7 +49,6 @@ struct IslandWatch::State {
 
   // The loop's side.
   Removal current;
-  std::vector<VoxelIndex> changed;
   std::atomic<std::uint64_t> count = 0;
 
   std::thread thread;
@@ -99,12 +95,9 @@ void IslandWatch::State::look() {
 
 void IslandWatch::tick() noexcept {
   State& s = *state_;
-  s.changed.clear();
   if (!s.current && !(s.over.has_room() && s.to_leave.pop(s.current))) return;
   IslandRemoval& removal = *s.current;
-  const std::size_t before = removal.removed;
   const bool is_over = remove_island(s.simulation, removal, s.options.blocks_per_tick);
-  for (std::size_t n = before; n < removal.removed; ++n) s.changed.push_back(removal.island.blocks[n].origin);
   if (!is_over) return;
   if (removal.joined)  // it is still there: the search must hear of it
     for (const BlockVoxels& block : removal.island.blocks) s.feed.mark(block.origin);
@@ -113,7 +106,6 @@ void IslandWatch::tick() noexcept {
   s.over.push(std::move(s.current));
 }
 
-std::span<const VoxelIndex> IslandWatch::changed() const noexcept { return state_->changed; }
 std::uint64_t IslandWatch::count() const noexcept { return state_->count; }
 
 std::vector<Island> IslandWatch::left() {
@@ -125,11 +117,6 @@ Wrench IslandModel::step(const DeviceState& state, double dt, LoopSnapshot& snap
   const Wrench wrench = model_.step(state, dt, snapshot);
   watch_.tick();
   return wrench;
-}
-
-void IslandModel::mark_changes(BlockOutbox& outbox) noexcept {
-  model_.mark_changes(outbox);
-  for (const VoxelIndex& origin : watch_.changed()) outbox.mark(origin);
 }
 
 }  // namespace hapticut

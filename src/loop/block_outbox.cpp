@@ -5,7 +5,8 @@
 #include <boost/lockfree/spsc_queue.hpp>
 
 #include "hapticut/core/errors.hpp"
-#include "hapticut/loop/realtime_loop.hpp"
+#include "hapticut/loop/change_feed.hpp"
+#include "hapticut/workpiece/workpiece.hpp"
 
 namespace hapticut {
 namespace {
@@ -14,6 +15,10 @@ constexpr double kMostBlocks = 64e6;  // 8 bits of mark and 4 bytes of order eac
 
 }  // namespace
 
+void copy_block(const Workpiece& workpiece, ChangedBlock& block) noexcept {
+  workpiece.block(block.origin).copy_to(block.material, block.fill);
+}
+
 struct BlockOutbox::Queue {
   explicit Queue(std::size_t capacity) : blocks(capacity) {}
   boost::lockfree::spsc_queue<ChangedBlock> blocks;
@@ -21,7 +26,7 @@ struct BlockOutbox::Queue {
 
 BlockOutbox::BlockOutbox(const IndexBox& region, std::size_t capacity) : blocks_(region) {
   if (region.empty()) throw Error("The region of a BlockOutbox is empty; give it the voxels that may be cut.");
-  require_within(double(capacity), range_of(&RealtimeLoopOptions::block_capacity),
+  require_within(double(capacity), range_of(&ChangeFeedOptions::block_capacity),
                  "the capacity of a BlockOutbox [blocks]");
   const double blocks = blocks_.count();
   if (blocks > kMostBlocks)
@@ -46,20 +51,20 @@ bool BlockOutbox::mark(const VoxelIndex& origin) noexcept {
   return true;
 }
 
-std::size_t BlockOutbox::send(const Copy& copy, std::size_t most) noexcept {
+void BlockOutbox::send(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t most) noexcept {
   const std::size_t sent = std::min({most, count_, queue_->blocks.write_available()});
   for (std::size_t n = 0; n < sent; ++n) {
     const std::uint32_t number = order_[head_];
     scratch_.origin = blocks_.origin_of(number);
     scratch_.version = ++version_;
-    copy(scratch_);
+    scratch_.workpiece = workpiece_number;
+    copy_block(workpiece, scratch_);
     // There is room: only this thread takes any.
     (void)queue_->blocks.push(scratch_);
     is_marked_[number] = false;
     head_ = (head_ + 1) % order_.size();
     --count_;
   }
-  return sent;
 }
 
 bool BlockOutbox::receive(ChangedBlock& block) { return queue_->blocks.pop(block); }

@@ -26,12 +26,11 @@ SetMaterials::SetMaterials(MaterialTable table, const SimulationConfig& config) 
 
 ExchangeWorkpiece::ExchangeWorkpiece(Simulation prepared)
     : simulation(std::make_unique<Simulation>(std::move(prepared))),
-      bounds(simulation->workpiece().bounds()),
       lists(simulation->worst_case(), simulation->config()) {}
 
 }  // namespace commands
 
-// --- the sender's side ----------------------------------------------------------------------------------------------
+// --- made by their senders -------------------------------------------------------------------------------------------
 
 commands::SetTool SimulationModel::prepare_tool(Tool tool) const { return {std::move(tool), voxel_size_, config_}; }
 
@@ -43,33 +42,6 @@ commands::ExchangeWorkpiece SimulationModel::prepare_workpiece(Workpiece workpie
   Simulation simulation(std::move(workpiece), std::move(tool), config_);
   if (undo_blocks_ > 0) simulation.reserve_undo(undo_blocks_);
   return commands::ExchangeWorkpiece(std::move(simulation));
-}
-
-void SimulationModel::check(const LoopCommand& command) const {
-  if (const auto* spindle = std::get_if<commands::SetSpindleSpeed>(&command)) validate(Spindle{spindle->speed});
-  if (const auto* scale = std::get_if<commands::SetScale>(&command)) check_scale(scale->scale);
-  if (const auto* friction = std::get_if<commands::SetFriction>(&command))
-    if (friction->friction) validate(*friction->friction);
-  if (const auto* effects = std::get_if<commands::SetEffects>(&command))
-    validate(effects->effects, config_.update_rate);
-  const auto* tool = std::get_if<commands::SetTool>(&command);
-  const auto* materials = std::get_if<commands::SetMaterials>(&command);
-  const auto* other = std::get_if<commands::ExchangeWorkpiece>(&command);
-  if ((tool && tool->tool.empty()) || (materials && materials->materials.empty()) || (other && !other->simulation))
-    throw Error("the command was sent already, and what it brings with it; prepare another one.");
-  if (other && gains_ && other->simulation->config().contact_time != ContactTime::end)
-    throw Error(
-        "the other workpiece's simulation evaluates contact in the middle of a step, where the coupling would swing. "
-        "Make it with SimulationConfig::contact_time = ContactTime::end.");
-  const double scale = first_map_.scale;
-  if (tool)
-    require_renderable(largest_contact_stiffness(tool->tool.tool().head()), config_, relative_stiffness_, scale);
-  if (materials)
-    require_renderable(contact_stiffness_, config_, largest_relative_stiffness(materials->materials.materials()),
-                       scale);
-  if (other)
-    require_renderable(largest_contact_stiffness(other->simulation->tool().head()), other->simulation->config(),
-                       largest_relative_stiffness(other->simulation->workpiece().materials()), scale);
 }
 
 /// Whether the coupling has gains in the world.
@@ -85,66 +57,6 @@ void SimulationModel::require_gains_within(const WorkspaceMapOptions& map) const
                 format_number(map.force_scale) + " and a torque scale of " + format_number(map.torque_scale) +
                 ", takes the coupling out of its range: " + error.what() + " Choose scales nearer to 1.");
   }
-}
-
-void SimulationModel::check_scale(double scale) const {
-  require_within(scale, range_of(&WorkspaceMapOptions::scale), "SetScale::scale");
-  WorkspaceMapOptions map = first_map_;
-  map.scale = scale;
-  require_gains_within(map);
-  require_renderable(contact_stiffness_, config_, relative_stiffness_, scale);
-}
-
-// --- the loop's side ------------------------------------------------------------------------------------------------
-
-bool SimulationModel::obey(LoopCommand& command) noexcept {
-  bool obeyed = false;  // std::visit may throw, as far as its type says
-  const auto apply_if = [&](auto* what) noexcept {
-    if (what != nullptr) obeyed = apply(*what);
-    return what != nullptr;
-  };
-  [&]<std::size_t... kKind>(std::index_sequence<kKind...>) { (void)(apply_if(std::get_if<kKind>(&command)) || ...); }
-  (std::make_index_sequence<std::variant_size_v<LoopCommand>>());
-  return obeyed;
-}
-
-bool SimulationModel::apply(const commands::SetSpindleSpeed& command) noexcept {
-  if (!(std::abs(command.speed) <= kFastestSpindle)) return false;
-  simulation_->set_spindle_speed(command.speed);
-  return true;
-}
-
-bool SimulationModel::apply(const commands::OpenClutch& /*command*/) noexcept {
-  map_.release(X_BS_);
-  return true;
-}
-
-bool SimulationModel::apply(const commands::CloseClutch& /*command*/) noexcept {
-  map_.engage(X_BS_);
-  unfelt_ = true;
-  interlock_.interrupt();  // it cuts nothing in this tick; the guard's state says so only from the next one on
-  touches_ = true;         // for all that is known
-  device_->interrupt(SafetyEvent::reclutched);
-  return true;
-}
-
-bool SimulationModel::apply(const commands::SetScale& command) noexcept {
-  if (!map_.set_scale(command.scale, X_BS_)) return false;
-  if (coupling_) coupling_->set_gains(gains_in_world(*gains_, map_.options()));
-  device_->interrupt(SafetyEvent::reclutched);
-  return true;
-}
-
-bool SimulationModel::apply(const commands::SetUndoMark& /*command*/) noexcept {
-  return travel_ == Travel::none && simulation_->set_undo_mark();
-}
-
-bool SimulationModel::apply(const commands::Undo& /*command*/) noexcept {
-  return begin(Travel::back, simulation_->undo_marks());
-}
-
-bool SimulationModel::apply(const commands::Redo& /*command*/) noexcept {
-  return begin(Travel::forth, simulation_->redo_marks());
 }
 
 bool SimulationModel::begin(Travel way, std::size_t marks) noexcept {
@@ -178,65 +90,166 @@ void SimulationModel::after_exchange() noexcept {
   device_->interrupt(SafetyEvent::model_swapped);
 }
 
-bool SimulationModel::apply(commands::SetTool& command) noexcept {
-  if (!simulation_->exchange(command.tool)) return false;
-  if (coupling_) coupling_->exchange_lists(command.lists);
-  after_exchange();
-  return true;
-}
+// --- what each asks of its sender, and what it does -----------------------------------------------------------------
 
-bool SimulationModel::apply(commands::SetMaterials& command) noexcept {
-  if (!simulation_->exchange(command.materials)) return false;
-  after_exchange();
-  return true;
-}
+/// @tparam Model  const for its sender
+template <class Model>
+struct SimulationModel::Commands {
+  Model& m;
 
-bool SimulationModel::apply(const commands::SetFriction& command) noexcept {
-  simulation_->set_friction(command.friction);
-  return true;
-}
+  static void require_unsent(bool has_all) {
+    if (!has_all) throw Error("the command was sent already, and what it brings with it; prepare another one.");
+  }
 
-bool SimulationModel::apply(const commands::SetEffects& command) noexcept {
-  simulation_->set_effects(command.effects);
-  return true;
-}
+  void check(const auto& /*command*/) const {}
 
-bool SimulationModel::apply(const commands::SetForceMask& command) noexcept {
-  Effects effects = simulation_->config().effects;
-  effects.enabled = command.enabled;
-  simulation_->set_effects(effects);
-  return true;
-}
+  void check(const commands::SetSpindleSpeed& command) const { validate(Spindle{command.speed}); }
 
-bool SimulationModel::apply(const commands::SetRemoval& command) noexcept {
-  simulation_->set_removal(command.removal);
-  return true;
-}
-
-bool SimulationModel::apply(const commands::HoldForce& command) noexcept {
-  if (command.hold == tool_.force_held) return true;
-  if (command.hold) {
-    if (travel_ != Travel::none || unfelt_) return false;  // nothing is felt that could be held
-    tool_.force_held = true;
+  bool apply(const commands::SetSpindleSpeed& command) noexcept {
+    if (!(std::abs(command.speed) <= kFastestSpindle)) return false;
+    m.simulation_->set_spindle_speed(command.speed);
     return true;
   }
-  // The tool went on meanwhile: what it has met is not to be felt at once.
-  tool_.force_held = false;
-  unfelt_ = true;
-  device_->interrupt(SafetyEvent::reclutched);
-  return true;
+
+  bool apply(const commands::OpenClutch&) noexcept {
+    m.map_.release(m.X_BS_);
+    return true;
+  }
+
+  bool apply(const commands::CloseClutch&) noexcept {
+    m.map_.engage(m.X_BS_);
+    m.unfelt_ = true;
+    m.interlock_.interrupt();  // it cuts nothing in this tick; the guard's state says so only from the next one on
+    m.touches_ = true;         // for all that is known
+    m.device_->interrupt(SafetyEvent::reclutched);
+    return true;
+  }
+
+  void check(const commands::SetScale& command) const {
+    require_within(command.scale, range_of(&commands::SetScale::scale), "SetScale::scale");
+    WorkspaceMapOptions map = m.first_map_;
+    map.scale = command.scale;
+    m.require_gains_within(map);
+    m.require_renderable(m.contact_stiffness_, m.config_, m.relative_stiffness_, command.scale);
+  }
+
+  bool apply(const commands::SetScale& command) noexcept {
+    if (!m.map_.set_scale(command.scale, m.X_BS_)) return false;
+    if (m.coupling_) m.coupling_->set_gains(gains_in_world(*m.gains_, m.map_.options()));
+    m.device_->interrupt(SafetyEvent::reclutched);
+    return true;
+  }
+
+  bool apply(const commands::SetUndoMark&) noexcept {
+    return m.travel_ == Travel::none && m.simulation_->set_undo_mark();
+  }
+
+  bool apply(const commands::Undo&) noexcept { return m.begin(Travel::back, m.simulation_->undo_marks()); }
+
+  bool apply(const commands::Redo&) noexcept { return m.begin(Travel::forth, m.simulation_->redo_marks()); }
+
+  void check(const commands::SetTool& command) const {
+    require_unsent(!command.tool.empty());
+    m.require_renderable(largest_contact_stiffness(command.tool.tool().head()), m.config_, m.relative_stiffness_,
+                         m.first_map_.scale);
+  }
+
+  bool apply(commands::SetTool& command) noexcept {
+    if (!m.simulation_->exchange(command.tool)) return false;
+    if (m.coupling_) m.coupling_->exchange_lists(command.lists);
+    m.after_exchange();
+    return true;
+  }
+
+  void check(const commands::SetMaterials& command) const {
+    require_unsent(!command.materials.empty());
+    m.require_renderable(m.contact_stiffness_, m.config_, largest_relative_stiffness(command.materials.materials()),
+                         m.first_map_.scale);
+  }
+
+  bool apply(commands::SetMaterials& command) noexcept {
+    if (!m.simulation_->exchange(command.materials)) return false;
+    m.after_exchange();
+    return true;
+  }
+
+  void check(const commands::SetFriction& command) const {
+    if (command.friction) validate(*command.friction);
+  }
+
+  bool apply(const commands::SetFriction& command) noexcept {
+    m.simulation_->set_friction(command.friction);
+    return true;
+  }
+
+  void check(const commands::SetEffects& command) const { validate(command.effects, m.config_.update_rate); }
+
+  bool apply(const commands::SetEffects& command) noexcept {
+    m.simulation_->set_effects(command.effects);
+    return true;
+  }
+
+  bool apply(const commands::SetForceMask& command) noexcept {
+    Effects effects = m.simulation_->config().effects;
+    effects.enabled = command.enabled;
+    m.simulation_->set_effects(effects);
+    return true;
+  }
+
+  bool apply(const commands::SetRemoval& command) noexcept {
+    m.simulation_->set_removal(command.removal);
+    return true;
+  }
+
+  bool apply(const commands::HoldForce& command) noexcept {
+    if (command.hold == m.tool_.force_held) return true;
+    if (command.hold) {
+      if (m.travel_ != Travel::none || m.unfelt_) return false;  // nothing is felt that could be held
+      m.tool_.force_held = true;
+      return true;
+    }
+    // The tool went on meanwhile: what it has met is not to be felt at once.
+    m.tool_.force_held = false;
+    m.unfelt_ = true;
+    m.device_->interrupt(SafetyEvent::reclutched);
+    return true;
+  }
+
+  void check(const commands::ExchangeWorkpiece& command) const {
+    require_unsent(command.simulation != nullptr);
+    const Simulation& other = *command.simulation;
+    if (m.gains_ && other.config().contact_time != ContactTime::end)
+      throw Error(
+          "the other workpiece's simulation evaluates contact in the middle of a step, where the coupling would swing. "
+          "Make it with SimulationConfig::contact_time = ContactTime::end.");
+    m.require_renderable(largest_contact_stiffness(other.tool().head()), other.config(),
+                         largest_relative_stiffness(other.workpiece().materials()), m.first_map_.scale);
+  }
+
+  bool apply(commands::ExchangeWorkpiece& command) noexcept {
+    if (m.gains_ && command.simulation->config().contact_time != ContactTime::end) return false;
+    m.simulation_->exchange(*command.simulation);
+    if (m.coupling_) m.coupling_->exchange_lists(command.lists);
+    m.travel_ = Travel::none;
+    m.books_energy_ = m.simulation_->config().law->is_foundation();
+    ++m.tool_.workpiece;
+    m.after_exchange();
+    return true;
+  }
+};
+
+void SimulationModel::check(const LoopCommand& command) const {
+  std::visit([this](const auto& what) { Commands<const SimulationModel>{*this}.check(what); }, command);
 }
 
-bool SimulationModel::apply(commands::ExchangeWorkpiece& command) noexcept {
-  if (gains_ && command.simulation->config().contact_time != ContactTime::end) return false;
-  simulation_->exchange(*command.simulation);
-  std::swap(bounds_, command.bounds);
-  if (coupling_) coupling_->exchange_lists(command.lists);
-  travel_ = Travel::none;
-  books_energy_ = simulation_->config().law->is_foundation();
-  ++tool_.workpiece;
-  after_exchange();
-  return true;
+bool SimulationModel::obey(LoopCommand& command) noexcept {
+  bool obeyed = false;  // std::visit may throw, as far as its type says
+  find_alternative<LoopCommand>([&]<class Command>(std::size_t, Of<Command>) noexcept {
+    auto* what = std::get_if<Command>(&command);
+    if (what != nullptr) obeyed = Commands<SimulationModel>{*this}.apply(*what);
+    return what != nullptr;
+  });
+  return obeyed;
 }
 
 }  // namespace hapticut

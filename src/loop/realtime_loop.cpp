@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -18,8 +19,9 @@ struct RealtimeLoop::State {
   State(Device& a_device, LoopModel& a_model, const RealtimeLoopOptions& some_options)
       : device(a_device), model(a_model), options(some_options) {
     require_fields_within(options, "RealtimeLoopOptions::");
-    if (!options.region.empty()) outbox = std::make_unique<BlockOutbox>(options.region, options.block_capacity);
-    copy = [this](ChangedBlock& block) { model.copy(block); };
+    Simulation* const simulation = model.simulation();
+    if (simulation != nullptr && !options.region.empty())
+      feed.emplace(*simulation, options.region, options.block_capacity);
   }
 
   DeviceCommand tick(const DeviceState& reading) noexcept;
@@ -36,8 +38,7 @@ struct RealtimeLoop::State {
   std::atomic<std::uint64_t> dropped{0};
   std::uint64_t refused = 0;
   TripleBuffer<LoopSnapshot> snapshots;
-  std::unique_ptr<BlockOutbox> outbox;
-  BlockOutbox::Copy copy;
+  std::optional<ChangeFeed> feed;
 
   std::uint64_t ticks = 0;
   double last_time = 0;
@@ -75,11 +76,10 @@ DeviceCommand RealtimeLoop::State::tick(const DeviceState& reading) noexcept {
   LoopSnapshot& snapshot = snapshots.writing();
   command.wrench = model.step(reading, dt > 0 ? dt : nominal, snapshot);
   command.contact = model.contact();
-  if (outbox) {
-    model.mark_changes(*outbox);
-    outbox->send(copy, options.blocks_per_tick);
-    snapshot.blocks_waiting = outbox->marked();
-    snapshot.blocks_outside = outbox->outside();
+  if (feed) {
+    feed->tick(options.blocks_per_tick, snapshot.tool.workpiece);
+    snapshot.blocks_waiting = feed->waiting();
+    snapshot.blocks_outside = feed->outside();
   }
   snapshot.tick = ++ticks;
   snapshot.device = reading;
@@ -108,6 +108,7 @@ RealtimeLoop::~RealtimeLoop() {
 
 void RealtimeLoop::start() {
   if (state_->thread.joinable()) throw Error("The loop runs already; call wait or stop before starting it again.");
+  if (state_->feed) state_->feed->follow();
   state_->ticks = 0;
   state_->exception = nullptr;
   state_->running.store(true);
@@ -125,6 +126,7 @@ void RealtimeLoop::start() {
 RunReport RealtimeLoop::wait() {
   if (!state_->thread.joinable()) throw Error("The loop does not run; call start first.");
   state_->thread.join();
+  if (state_->feed) state_->feed->leave();
   state_->free_replaced();
   if (state_->exception) std::rethrow_exception(std::exchange(state_->exception, nullptr));
   return std::move(state_->report);
@@ -157,7 +159,7 @@ const LoopSnapshot& RealtimeLoop::latest() noexcept {
 
 bool RealtimeLoop::receive(ChangedBlock& block) {
   state_->free_replaced();
-  return state_->outbox && state_->outbox->receive(block);
+  return state_->feed && state_->feed->receive(block);
 }
 
 }  // namespace hapticut

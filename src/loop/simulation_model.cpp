@@ -23,7 +23,6 @@ SimulationModel::SimulationModel(Simulation& simulation, Device& device, const S
       simulation_(&simulation),
       device_(&device),
       map_(options.map),
-      bounds_(region_),
       spindle_needs_force_(options.spindle_needs_force),
       pedal_(options.pedal),
       undo_blocks_per_tick_(options.undo_blocks_per_tick),
@@ -53,7 +52,6 @@ void SimulationModel::require_renderable(double contact_stiffness, const Simulat
 }
 
 Wrench SimulationModel::step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept {
-  changed_ = {};
   contact_ = {true, {}, {}};  // for all that is known
   Wrench wrench;
   if (state.valid) {
@@ -81,7 +79,6 @@ void SimulationModel::travel(const DeviceState& state) noexcept {
   const bool done =
       travel_ == Travel::back ? simulation_->undo(undo_blocks_per_tick_) : simulation_->redo(undo_blocks_per_tick_);
   if (done) travel_ = Travel::none;
-  changed_ = simulation_->changed_blocks();
   // The material that the tool is in now must not be felt at once.
   device_->interrupt(SafetyEvent::model_swapped);
 }
@@ -113,7 +110,6 @@ Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, dou
   if (coupling_) {
     const CoupledResult& result = coupling_->step(pose, velocity, dt);
     X_WH_ = result.X_WH;
-    changed_ = result.changed_blocks;
     tool_.removed_volume += result.removed_volume;
     tool_.status = result.status;
     tool_.effort = {result.parts, result.newton_steps, result.level_of_detail};
@@ -121,7 +117,6 @@ Wrench SimulationModel::follow_hand(const Pose& pose, const Twist& velocity, dou
   }
   const StepResult& result = simulation_->step(pose, velocity, dt);
   X_WH_ = pose;
-  changed_ = simulation_->changed_blocks();
   tool_.removed_volume += result.removed_volume;
   tool_.status = result.status;
   tool_.effort = {1, 0, result.contact.level_of_detail};
@@ -183,21 +178,6 @@ void SimulationModel::show(LoopSnapshot& snapshot) const noexcept {
   snapshot.tool.redo_marks = simulation_->redo_marks();
   snapshot.tool.undoing = travel_ == Travel::back;
   snapshot.tool.redoing = travel_ == Travel::forth;
-}
-
-void SimulationModel::mark_changes(BlockOutbox& outbox) noexcept {
-  for (const VoxelIndex& origin : changed_.origins) outbox.mark(origin);
-  if (changed_.complete) return;
-  for_each_block_origin(bounds_, [&](const VoxelIndex& origin) { outbox.mark(origin); });
-}
-
-void SimulationModel::copy(ChangedBlock& block) noexcept {
-  block.workpiece = tool_.workpiece;
-  copy_block(simulation_->workpiece(), block);
-}
-
-void copy_block(const Workpiece& workpiece, ChangedBlock& block) noexcept {
-  workpiece.block(block.origin).copy_to(block.material, block.fill);
 }
 
 }  // namespace hapticut

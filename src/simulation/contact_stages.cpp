@@ -307,6 +307,11 @@ void ContactStages::forget_changes() noexcept {
   changed_blocks_ = {};
 }
 
+void ContactStages::change_all() noexcept {
+  changed_.clear();
+  changed_blocks_ = {{}, false};
+}
+
 void ContactStages::list_change(const VoxelIndex& origin) noexcept {
   if (!changed_blocks_.complete) return;
   if (changed_.size() == changed_.capacity()) {  // only in sweeps of very many sub-steps, and in great undos
@@ -348,6 +353,7 @@ bool ContactStages::redo(std::size_t most) noexcept {
 }
 
 void ContactStages::start_afresh() {
+  change_all();
   bounds_ = workpiece_.bounds();
   turn_ = 0;
 }

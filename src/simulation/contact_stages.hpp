@@ -135,6 +135,9 @@ class ContactStages {  // NOLINT(clang-analyzer-optin.performance.Padding): in t
   /// Forgets which blocks have changed, at the beginning of a step.
   void forget_changes() noexcept;
   void list_change(const VoxelIndex& origin) noexcept;
+
+  /// Any block may have changed, for the workpiece is another one.
+  void change_all() noexcept;
   [[nodiscard]] const ChangedBlocks& changed() const noexcept { return changed_blocks_; }
 
   /// Whether some material can be crushed, as the default law does it.

@@ -151,6 +151,7 @@ void Simulation::exchange(Simulation& prepared) noexcept {
   s.exchanges = old.exchanges;
   s.parted = old.parted || old.has_pose;
   s.observers = std::exchange(prepared.state_->observers, {});
+  s.contact_stages.change_all();
   s.start_afresh();
 }
 
@@ -212,8 +213,9 @@ bool Simulation::redo(std::size_t most) noexcept {
   State& s = *state_;
   s.contact_stages.forget_changes();
   if (s.workpiece.redo_marks() == 0) return true;
+  const bool done = s.contact_stages.redo(most);
   s.start_afresh();
-  return s.contact_stages.redo(most);
+  return done;
 }
 
 }  // namespace hapticut

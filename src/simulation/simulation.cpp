@@ -148,8 +148,8 @@ bool Simulation::undo(std::size_t most) noexcept {
   s.contact_stages.forget_changes();
   const std::size_t marks = s.workpiece.marks();
   if (marks == 0) return true;
-  s.start_afresh();
   s.contact_stages.undo(most);
+  s.start_afresh();
   return s.workpiece.marks() < marks;
 }
 
@@ -159,6 +159,7 @@ void Simulation::reset(Workpiece workpiece) {
   if (const std::size_t blocks = state_->workpiece.undo_blocks(); blocks > 0) fresh->workpiece.reserve_undo(blocks);
   fresh->observers = state_->observers;
   fresh->exchanges = state_->exchanges;
+  fresh->contact_stages.change_all();
   const bool held = state_->held;
   state_ = std::move(fresh);
   hold_spindle(held);

@@ -11,7 +11,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "vertices and indices are sent as they lie in memory");
 
-constexpr double kFarthest = 1e3;            // [m] of a point that a page may name
 constexpr double kRotationTolerance = 1e-3;  // of a matrix in single precision
 
 class Writer {
@@ -71,38 +70,44 @@ class Reader {
     at_ += sizeof number;
     return number;
   }
-  double take_number() {
-    const auto number = take<double>();
-    failed_ = failed_ || !std::isfinite(number);
-    return number;
+  // Fields of commands, by their type.
+  template <class Number>
+  requires std::is_arithmetic_v<Number>
+  void take(Number& number, const Range& range) {
+    number = take<Number>();
+    refuse_if(!range.contains(number));
   }
-  bool take_bool() {
+  void take(AngularSpeed& speed, const Range& range) {
+    double rad_per_s = 0;
+    take(rad_per_s, range);
+    speed = rad_per_s * units::rad_per_s;
+  }
+  void take(bool& on, const Range& /*range*/) {
     const auto byte = take<std::uint8_t>();
-    failed_ = failed_ || byte > 1;
-    return byte == 1;
+    refuse_if(byte > 1);
+    on = byte == 1;
   }
-  Vec3 take_point() {
-    Vec3 point;
-    for (int axis = 0; axis < 3; ++axis) point[axis] = take_number();
-    failed_ = failed_ || !(point.cwiseAbs().maxCoeff() <= kFarthest);
-    return point;
+  void take(Vec3& vector, const Range& range) {
+    for (double& number : vector) take(number, range);
   }
-  Pose take_pose() {
-    Pose pose;
+  void take(Pose& pose, const Range& /*range*/) {
     for (int row = 0; row < 3; ++row)
-      for (int column = 0; column < 3; ++column) pose.rotation(row, column) = take_number();
-    pose.translation = take_point();
+      for (int column = 0; column < 3; ++column) take(pose.rotation(row, column), Range::any());
+    take(pose.translation, kPlaces);
     const Mat3 excess = pose.rotation * pose.rotation.transpose() - Mat3::Identity();
-    failed_ = failed_ || !(excess.cwiseAbs().maxCoeff() < kRotationTolerance) || !(pose.rotation.determinant() > 0);
-    return pose;
+    refuse_if(!(excess.cwiseAbs().maxCoeff() < kRotationTolerance) || !(pose.rotation.determinant() > 0));
   }
-  /// All that is left, as text.
-  std::string take_text(std::size_t most) {
+  /// All that is left.
+  void take(std::string& text, const Range& /*range*/) {
     const std::span<const std::uint8_t> rest = bytes_.subspan(at_);
     at_ = bytes_.size();
     const auto is_control = [](std::uint8_t byte) { return byte < 0x20 || byte == 0x7f; };
-    refuse_if(rest.empty() || rest.size() > most || std::any_of(rest.begin(), rest.end(), is_control));
-    return {rest.begin(), rest.end()};
+    refuse_if(rest.empty() || rest.size() > kLongestName || std::ranges::any_of(rest, is_control));
+    text.assign(rest.begin(), rest.end());
+  }
+  template <Described Command>
+  void take(Command& command) {
+    for_each_field<Command>([&](const auto& field) { take(command.*field.member, field.range); });
   }
   void refuse_if(bool wrong) { failed_ = failed_ || wrong; }
 
@@ -113,42 +118,6 @@ class Reader {
   std::size_t at_ = 0;
   bool failed_ = false;
 };
-
-std::optional<ViewCommand> payload_of(CommandKind kind, Reader& reader) {
-  switch (kind) {
-    case CommandKind::set_spindle_speed: {
-      const double speed = reader.take_number();
-      reader.refuse_if(std::abs(speed) > kFastestSpindle);
-      return commands::SetSpindleSpeed{speed * units::rad_per_s};
-    }
-    case CommandKind::set_undo_mark:
-      return commands::SetUndoMark{};
-    case CommandKind::undo:
-      return commands::Undo{};
-    case CommandKind::redo:
-      return commands::Redo{};
-    case CommandKind::hold_force:
-      return commands::HoldForce{reader.take_bool()};
-    case CommandKind::move_hand: {
-      MoveHand command;
-      command.X_WH = reader.take_pose();
-      command.pressed = reader.take_bool();
-      return command;
-    }
-    case CommandKind::stop:
-      return Stop{};
-    case CommandKind::look_at:
-      return LookAt{reader.take_point()};
-    case CommandKind::set_control: {
-      const auto id = reader.take<std::uint16_t>();
-      reader.refuse_if(reader.take<std::uint16_t>() != 0);
-      return SetControl{id, reader.take_number()};
-    }
-    case CommandKind::load:
-      return Load{reader.take_text(kLongestName)};
-  }
-  return std::nullopt;
-}
 
 }  // namespace
 
@@ -248,12 +217,16 @@ Message encode_trace(std::uint64_t first, std::span<const TraceSample> samples) 
 
 std::optional<ViewCommand> decode_command(std::span<const std::uint8_t> message) {
   Reader reader(message);
-  const auto kind = CommandKind(reader.take<std::uint8_t>());
+  const auto kind = reader.take<std::uint8_t>();
   reader.refuse_if(reader.take<std::uint8_t>() != kProtocolVersion);
   reader.refuse_if(reader.take<std::uint16_t>() != 0);
-  std::optional<ViewCommand> command = payload_of(kind, reader);
-  if (!reader.is_complete()) command.reset();
-  return command;
+  ViewCommand command;
+  const bool found = find_alternative<ViewCommand>([&]<class Command>(std::size_t n, Of<Command>) {
+    if (n != kind) return false;
+    if constexpr (Described<Command>) reader.take(command.emplace<Command>());
+    return Described<Command>;
+  });
+  return found && reader.is_complete() ? std::optional(std::move(command)) : std::nullopt;
 }
 
 }  // namespace hapticut::view

@@ -47,6 +47,14 @@ inline SimulationConfig config(bool coupled = false) {
   return config;
 }
 
+/// A run as fast as it goes, whose process is not its own.
+inline RunOptions simulated_run() {
+  RunOptions run;
+  run.simulated_time = true;
+  run.stop_on_signals = false;
+  return run;
+}
+
 /// Ticks of a hand that a test moves along z, and tells the model between them.
 class Rig {
  public:
@@ -57,9 +65,7 @@ class Rig {
   /// @param at      what happens before which tick, and what is to be seen after it
   void run(int ticks, const std::function<double(int)>& height, const std::function<void(int)>& before,
            const std::function<void(int)>& after) {
-    RunOptions run;
-    run.simulated_time = true;
-    run.stop_on_signals = false;
+    RunOptions run = simulated_run();
     run.guard.arming.ramp = run.guard.arming.short_ramp = 0.02;
     report = device->run(
         [&](const DeviceState& reading) {

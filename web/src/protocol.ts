@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What server and page say to each other; docs/view.md has the tables.
 
-export const kVersion = 3;
+export const kVersion = 4;
 
 export type Vec3 = [number, number, number];
 
@@ -279,9 +279,9 @@ export const commands = {
   redo: () => new Writer(4).take(),
   hold: (hold: boolean) => new Writer(5).u8(hold ? 1 : 0).take(),
   moveHand: (X_WH: Pose, pressed: boolean) =>
-    new Writer(8).all(X_WH.rotation).all(X_WH.translation).u8(pressed ? 1 : 0).take(),
-  stop: () => new Writer(9).take(),
-  lookAt: (point: Vec3) => new Writer(10).all(point).take(),
-  setControl: (id: number, value: number) => new Writer(11).u16(id).u16(0).f64(value).take(),
-  load: (name: string) => new Writer(12).text(name).take(),
+    new Writer(6).all(X_WH.rotation).all(X_WH.translation).u8(pressed ? 1 : 0).take(),
+  stop: () => new Writer(7).take(),
+  lookAt: (point: Vec3) => new Writer(8).all(point).take(),
+  setControl: (id: number, value: number) => new Writer(9).u16(id).f64(value).take(),
+  load: (name: string) => new Writer(10).text(name).take(),
 };

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "hapticut/core/description.hpp"
@@ -49,9 +48,6 @@ class IslandWatch {
   /// @realtime no allocation, no lock; O(blocks_per_tick)
   void tick() noexcept;
 
-  /// Blocks that the last tick has changed.  @realtime no allocation, no lock; O(1)
-  [[nodiscard]] std::span<const VoxelIndex> changed() const noexcept;
-
   /// Pieces that have left. From any thread.
   [[nodiscard]] std::uint64_t count() const noexcept;
 
@@ -77,8 +73,7 @@ class IslandModel final : public LoopModel {
   [[nodiscard]] ModelContact contact() const noexcept override { return model_.contact(); }
   void check(const LoopCommand& command) const override { model_.check(command); }
   bool obey(LoopCommand& command) noexcept override { return model_.obey(command); }
-  void mark_changes(BlockOutbox& outbox) noexcept override;
-  void copy(ChangedBlock& block) noexcept override { model_.copy(block); }
+  [[nodiscard]] Simulation* simulation() noexcept override { return model_.simulation(); }
 
  private:
   LoopModel& model_;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -12,6 +11,8 @@
 #include "hapticut/workpiece/block_grid.hpp"
 
 namespace hapticut {
+
+class Workpiece;
 
 /// A copy of one block of the workpiece, on its way to a picture or a recording.
 struct ChangedBlock {
@@ -21,6 +22,11 @@ struct ChangedBlock {
   std::array<MaterialId, kBlockVoxels> material{};  ///< kEmpty where there is nothing
   std::array<float, kBlockVoxels> fill{};           ///< [1]
 };
+
+/// Content of a block of a workpiece, for pictures and copies.
+/// @param block  `origin` is given
+/// @realtime no allocation, no lock; O(512)
+void copy_block(const Workpiece& workpiece, ChangedBlock& block) noexcept;
 
 /// Changed blocks out of the loop: bounded, never blocking, and never losing a block for good.
 ///
@@ -43,13 +49,10 @@ class BlockOutbox {
   /// @realtime no allocation, no lock; O(1)
   bool mark(const VoxelIndex& origin) noexcept;
 
-  /// Fills in `material` and `fill` of a block whose `origin` is given.
-  using Copy = std::function<void(ChangedBlock& block)>;
-
-  /// Sends marked blocks, oldest mark first, at most `most` of them and as many as there is room for.
-  /// @return how many were sent
+  /// Sends marked blocks as they are now, oldest mark first, at most `most` of them and as many as there is room for.
+  /// @param workpiece_number  ChangedBlock::workpiece
   /// @realtime no allocation, no lock; O(most)
-  std::size_t send(const Copy& copy, std::size_t most) noexcept;
+  void send(const Workpiece& workpiece, std::uint32_t workpiece_number, std::size_t most) noexcept;
 
   /// The blocks that may be marked.
   [[nodiscard]] const BlockGrid& blocks() const noexcept { return blocks_; }

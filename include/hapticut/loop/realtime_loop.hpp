@@ -5,7 +5,7 @@
 
 #include "hapticut/core/description.hpp"
 #include "hapticut/device/device.hpp"
-#include "hapticut/loop/block_outbox.hpp"
+#include "hapticut/loop/change_feed.hpp"
 #include "hapticut/loop/commands.hpp"
 #include "hapticut/loop/snapshot.hpp"
 
@@ -36,11 +36,8 @@ class LoopModel {
   /// @return false when it does not suit what is in place, or the model does not know it; it is then counted
   virtual bool obey(LoopCommand& /*command*/) noexcept { return false; }
 
-  /// Marks the blocks that this tick has changed.
-  virtual void mark_changes(BlockOutbox& /*outbox*/) noexcept {}
-
-  /// Copies a block for the outbox.
-  virtual void copy(ChangedBlock& /*block*/) noexcept {}
+  /// Whose changed blocks the loop sends; null: of none.
+  [[nodiscard]] virtual Simulation* simulation() noexcept { return nullptr; }
 };
 
 /// How the loop exchanges data.
@@ -69,7 +66,7 @@ constexpr auto fields_of(Of<RealtimeLoopOptions>) {
 /// also frees what commands have replaced.
 class RealtimeLoop {
  public:
-  /// Neither the device nor the model may go away before the loop.
+  /// None of device, model and simulation may go away before the loop.
   RealtimeLoop(Device& device, LoopModel& model, const RealtimeLoopOptions& options);
 
   /// Stops, and waits until the run has ended.
@@ -77,7 +74,8 @@ class RealtimeLoop {
   RealtimeLoop(const RealtimeLoop&) = delete;
   RealtimeLoop& operator=(const RealtimeLoop&) = delete;
 
-  /// Begins a run in a thread of its own.  @throws Error when one runs already
+  /// Begins a run in a thread of its own.
+  /// @throws Error when one runs already, or the simulation has too many observers
   void start();
 
   /// Waits until the run has ended.  @throws what Device::run threw

@@ -91,15 +91,15 @@ class SimulationModel final : public LoopModel {
     return simulation_->spindle_setting();
   }  ///< [rad/s] while there is a force
   bool obey(LoopCommand& command) noexcept override;
-  void mark_changes(BlockOutbox& outbox) noexcept override;
-  void copy(ChangedBlock& block) noexcept override;
+  [[nodiscard]] Simulation* simulation() noexcept override { return simulation_; }
 
  private:
+  template <class Model>
+  struct Commands;                          // what each asks of its sender, and what it does
   enum class Travel { none, back, forth };  // over an undo mark
 
   void require_renderable(double contact_stiffness, const SimulationConfig& config, double relative_stiffness,
                           double scale) const;
-  void check_scale(double scale) const;
   void require_gains_within(const WorkspaceMapOptions& map) const;
   [[nodiscard]] Wrench follow_hand(const Pose& pose, const Twist& velocity, double dt) noexcept;
   [[nodiscard]] Wrench move_tool(const DeviceState& state, double dt) noexcept;
@@ -111,21 +111,6 @@ class SimulationModel final : public LoopModel {
                                               double motor) const noexcept;
   void show(LoopSnapshot& snapshot) const noexcept;
 
-  bool apply(const commands::SetSpindleSpeed& command) noexcept;
-  bool apply(const commands::OpenClutch& command) noexcept;
-  bool apply(const commands::CloseClutch& command) noexcept;
-  bool apply(const commands::SetScale& command) noexcept;
-  bool apply(const commands::SetUndoMark& command) noexcept;
-  bool apply(const commands::Undo& command) noexcept;
-  bool apply(const commands::Redo& command) noexcept;
-  bool apply(commands::SetTool& command) noexcept;
-  bool apply(commands::SetMaterials& command) noexcept;
-  bool apply(const commands::SetFriction& command) noexcept;
-  bool apply(const commands::SetEffects& command) noexcept;
-  bool apply(const commands::SetForceMask& command) noexcept;
-  bool apply(const commands::SetRemoval& command) noexcept;
-  bool apply(const commands::HoldForce& command) noexcept;
-  bool apply(commands::ExchangeWorkpiece& command) noexcept;
   bool begin(Travel way, std::size_t marks) noexcept;
   void feel_nothing(StepStatus status) noexcept;
   void after_exchange() noexcept;
@@ -145,7 +130,6 @@ class SimulationModel final : public LoopModel {
   Device* device_;
   WorkspaceMap map_;
   std::optional<VirtualCoupling> coupling_;
-  IndexBox bounds_;  // of the workpiece in place
   bool spindle_needs_force_;
   int pedal_;
   std::size_t undo_blocks_per_tick_;
@@ -156,16 +140,10 @@ class SimulationModel final : public LoopModel {
   Pose X_WH_;                // of the tool's handle
   ToolSnapshot tool_;
   Travel travel_ = Travel::none;
-  bool unfelt_ = false;    // the next wrench, because the guard hears of its reason at the next reading only
-  bool touches_ = true;    // something, for all that is known
-  bool books_energy_;      // the law, so that it is known what is stored
-  ModelContact contact_;   // of the last tick
-  ChangedBlocks changed_;  // in this tick
+  bool unfelt_ = false;   // the next wrench, because the guard hears of its reason at the next reading only
+  bool touches_ = true;   // something, for all that is known
+  bool books_energy_;     // the law, so that it is known what is stored
+  ModelContact contact_;  // of the last tick
 };
-
-/// Content of a block of a workpiece, for pictures and copies.
-/// @param block  `origin` is given
-/// @realtime no allocation, no lock; O(512)
-void copy_block(const Workpiece& workpiece, ChangedBlock& block) noexcept;
 
 }  // namespace hapticut

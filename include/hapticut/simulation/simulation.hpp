@@ -86,7 +86,8 @@ class Simulation {
   [[nodiscard]] const SimulationConfig& config() const;
   [[nodiscard]] const StepResult& last_result() const;
 
-  /// What the last step has changed, and removals since.  @realtime no allocation, no lock; O(1)
+  /// What the last step, undo or redo has changed, and removals since; not complete after another workpiece was put in
+  /// place, until the next step.  @realtime no allocation, no lock; O(1)
   [[nodiscard]] ChangedBlocks changed_blocks() const noexcept;
 
   /// [rad/s] that was asked of the spindle last. Its speed is StepResult::spindle: while it ramps, is loaded or is held

@@ -22,13 +22,12 @@
 /// bytes: its kind, the version of the protocol, and two that are 0. docs/view.md has the tables.
 namespace hapticut::view {
 
-inline constexpr std::uint8_t kProtocolVersion = 3;
+inline constexpr std::uint8_t kProtocolVersion = 4;
 inline constexpr std::size_t kLongestCommand = 128;  ///< bytes; a page never has reason to send more
 
 using Message = std::vector<std::uint8_t>;
 
-// --- to the page
-// ------------------------------------------------------------------------------------------------------
+// --- to the page ----------------------------------------------------------------------------------------------------
 
 enum class MessageKind : std::uint8_t {
   hello = 1,
@@ -103,21 +102,9 @@ struct Instruments {
 /// @param first  tick of the first sample
 [[nodiscard]] Message encode_trace(std::uint64_t first, std::span<const TraceSample> samples);
 
-// --- from the page
-// ----------------------------------------------------------------------------------------------------
+// --- from the page --------------------------------------------------------------------------------------------------
 
-enum class CommandKind : std::uint8_t {
-  set_spindle_speed = 1,
-  set_undo_mark = 2,
-  undo = 3,
-  redo = 4,
-  hold_force = 5,
-  move_hand = 8,
-  stop = 9,
-  look_at = 10,
-  set_control = 11,
-  load = 12,
-};
+inline constexpr Range kPlaces = Range::between(-1e3, 1e3);  ///< [m] of a point that a page may name
 
 /// Where the pointer wants the hand.
 struct MoveHand {
@@ -125,12 +112,21 @@ struct MoveHand {
   bool pressed = false;
 };
 
+constexpr auto fields_of(Of<MoveHand>) {
+  return std::tuple{field("X_WH", &MoveHand::X_WH, "of the handle"),
+                    field("pressed", &MoveHand::pressed, "the button")};
+}
+
 /// The emergency stop.
 struct Stop {};
 
+constexpr auto fields_of(Of<Stop>) { return std::tuple{}; }
+
 struct LookAt {
-  Vec3 p_WQ = Vec3::Zero();  ///< [m]
+  Vec3 p_WQ = Vec3::Zero();
 };
+
+constexpr auto fields_of(Of<LookAt>) { return std::tuple{field("p_WQ", &LookAt::p_WQ, "m", kPlaces, "in W")}; }
 
 /// Turns what `Control::id` names. Whether there is such a one, and whether the value is within its range, knows who
 /// described it.
@@ -139,15 +135,24 @@ struct SetControl {
   double value = 0;
 };
 
+constexpr auto fields_of(Of<SetControl>) {
+  return std::tuple{field("id", &SetControl::id, "1", "of a control"),
+                    field("value", &SetControl::value, "1", "in the control's unit")};
+}
+
 /// Another scene, by its name or the path of a file.
 struct Load {
   std::string name;  ///< UTF-8 without control characters, at most kLongestName bytes
 };
 inline constexpr std::size_t kLongestName = 120;
 
+constexpr auto fields_of(Of<Load>) { return std::tuple{field("name", &Load::name, "of a scene, or a file's path")}; }
+
 /// Said by the server itself: the writer has gone. A hand without a device must stop, and a real one be faded out.
 struct WriterLeft {};
 
+/// The place of a command, from 1, is its kind, and its fields are what follows; what has no fields_of is no command of
+/// a page.
 using ViewCommand = std::variant<commands::SetSpindleSpeed, commands::SetUndoMark, commands::Undo, commands::Redo,
                                  commands::HoldForce, MoveHand, Stop, LookAt, SetControl, Load, WriterLeft>;
 

@@ -79,11 +79,10 @@ class ViewSession {
   void tell_guard();
   [[nodiscard]] view::Instruments instruments(const LoopSnapshot& snapshot, double seconds);
 
-  void handle(const commands::SetSpindleSpeed& command) { send(command); }
-  void handle(const commands::SetUndoMark& command) { send(command); }
-  void handle(const commands::Undo& command) { send(command); }
-  void handle(const commands::Redo& command) { send(command); }
-  void handle(const commands::HoldForce& command) { send(command); }
+  template <class Command>
+  void handle(const Command& command) {
+    send(command);
+  }
   void handle(const view::MoveHand& command);
   void handle(const view::Stop&) { device().emergency_stop(); }
   void handle(const view::LookAt& command) {

@@ -83,8 +83,7 @@ class WatchedModel final : public LoopModel {
     settings_.write(settings_now());
     return obeyed;
   }
-  void mark_changes(BlockOutbox& outbox) noexcept override { model_.mark_changes(outbox); }
-  void copy(ChangedBlock& block) noexcept override { model_.copy(block); }
+  [[nodiscard]] Simulation* simulation() noexcept override { return model_.simulation(); }
 
  private:
   [[nodiscard]] ModelSettings settings_now() const noexcept {

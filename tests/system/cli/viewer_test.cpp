@@ -28,8 +28,8 @@ namespace {
 using namespace std::chrono_literals;
 using cli::ViewScene;
 using test::small_scene;
-using view::CommandKind;
 using view_test::Bytes;
+using view_test::CommandKind;
 using view_test::Page;
 using view_test::soon;
 using Clock = std::chrono::steady_clock;
@@ -251,8 +251,7 @@ TEST(Viewer, ASceneThatCannotBeMadeIsSaidOnceAndTheOneBeforeGoesOn) {
     maker.broken = true;
     const cli::ViewControls controls(small_scene("").tool, small_scene("").workpiece.materials(), {}, true);
     for (const view::Control& control : controls.all())
-      if (control.label == "Restart")
-        page.write(Bytes(CommandKind::set_control).add(control.id).add(std::uint16_t(0)).add(1.0).bytes);
+      if (control.label == "Restart") page.write(Bytes(CommandKind::set_control).add(control.id).add(1.0).bytes);
     EXPECT_TRUE(soon([&] { return listener.count("The file is gone") == 1; }));
     std::this_thread::sleep_for(300ms);
     EXPECT_EQ(listener.count("The file is gone"), 1) << "it is tried once";

@@ -66,7 +66,9 @@ using Structs =
                    DeviceState, DeviceOutput, DeviceTick, PoseGateOptions, ArmingOptions, PassivityOptions,
                    ThermalOptions, WatchdogOptions, GuardOptions, RealtimeOptions, RunOptions, RealtimeLoopOptions,
                    SimulationModelOptions, WorkspaceMapOptions, CouplingGains, CouplingEnergy, DeviceModel, HandModel,
-                   PlantOptions, MockOptions, MouseOptions, OpenHapticsOptions, ForceDimensionOptions, MolarParameters>;
+                   PlantOptions, MockOptions, MouseOptions, OpenHapticsOptions, ForceDimensionOptions, MolarParameters,
+                   commands::SetSpindleSpeed, commands::SetScale, commands::Undo, commands::HoldForce,
+                   commands::SetRemoval, commands::SetForceMask, commands::SetFriction, commands::SetEffects>;
 TYPED_TEST_SUITE(DescribedStruct, Structs);
 
 TYPED_TEST(DescribedStruct, HasALineForEachOfItsMembers) {

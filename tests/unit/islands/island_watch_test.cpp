@@ -146,7 +146,6 @@ TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
   IslandWatchOptions options;
   options.period = 1e-3;
   IslandModel model(without, simulation, options);
-  BlockOutbox outbox(without.region(), 10000);
   LoopSnapshot snapshot;
   // Around a cube of 20 voxels, whose place is 20 ... 39 along each axis.
   for (int x = 16; x < 48; x += 8)
@@ -161,24 +160,20 @@ TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
         ASSERT_TRUE(simulation.remove_voxels(around));
       }
   const double cut_out = sum(simulation.taken_volume_by_material());
-  std::size_t marked = 0;
-  RunOptions run;
-  run.simulated_time = true;
-  run.stop_on_signals = false;
+  ChangeFeed feed(simulation, without.region(), 10000);
+  feed.follow();
   (void)device->run(
       [&](const DeviceState& reading) {
         DeviceState far = reading;
         far.X_BS.translation = Vec3(0, 0, 20 * mm);
         DeviceCommand command{model.step(far, 1e-3, snapshot), false};
-        model.mark_changes(outbox);
-        marked = outbox.marked();
         command.stop = model.watch().count() > 0;
         std::this_thread::yield();
         return command;
       },
-      run);
+      simulated_run());
   EXPECT_EQ(model.watch().count(), 1U);
-  EXPECT_GE(marked, 27U);
+  EXPECT_GE(feed.waiting(), 27U);
   EXPECT_NEAR(sum(simulation.taken_volume_by_material()) - cut_out, 8000 * std::pow(0.2 * mm, 3), 1e-18);
   EXPECT_EQ(snapshot.tool.removed_volume, 0);
   std::vector<Island> left;

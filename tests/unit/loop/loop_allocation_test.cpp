@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "hapticut/device/simulated/mock.hpp"
-#include "hapticut/loop/block_outbox.hpp"
+#include "hapticut/loop/change_feed.hpp"
 #include "hapticut/loop/realtime_loop.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "hapticut/tool/catalogue.hpp"
@@ -30,7 +30,7 @@ struct UndoingLoop {
       : simulation(build_block({Vec3(-14e-3, -14e-3, -8e-3), Vec3(14e-3, 14e-3, 0)}, 2e-4, test::plain_material()),
                    Tool(SphereHead{kRadius}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config(coupled)),
         model(simulation, *device, options(coupled)),
-        outbox(model.region(), 64) {}
+        feed(simulation, model.region(), 64) {}
 
   static SimulationConfig config(bool coupled) {
     SimulationConfig config;
@@ -54,8 +54,7 @@ struct UndoingLoop {
     if (ticks % 2000 == 1999) (void)model.obey(undo);
     if (ticks % 4000 == 2199) (void)model.obey(redo);
     const DeviceCommand command{model.step(state, 1e-3, snapshot), ticks >= 9000, model.contact()};
-    model.mark_changes(outbox);
-    outbox.send(copy, 16);
+    feed.tick(16, snapshot.tool.workpiece);
     ticks_back += snapshot.tool.undoing ? 1 : 0;
     ticks_forth += snapshot.tool.redoing ? 1 : 0;
     if (ticks == 8990) counts = test::disarm_call_counts();
@@ -66,8 +65,7 @@ struct UndoingLoop {
   std::unique_ptr<Device> device = test::loop_rig::stiff_mock("spiral");
   Simulation simulation;
   SimulationModel model;
-  BlockOutbox outbox;
-  BlockOutbox::Copy copy = [this](ChangedBlock& block) { model.copy(block); };
+  ChangeFeed feed;
   LoopSnapshot snapshot;
   LoopCommand mark = commands::SetUndoMark{}, undo = commands::Undo{}, redo = commands::Redo{};
   test::CallCounts counts;
@@ -77,6 +75,7 @@ struct UndoingLoop {
 TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockAlsoOnTheWayBackToAMarkAndForth) {
   for (const bool coupled : {false, true}) {
     UndoingLoop loop(coupled);
+    loop.feed.follow();
     RunOptions options = quick();
     options.simulated_time = true;
     (void)loop.device->run([&](const DeviceState& state) { return loop.tick(state); }, options);
@@ -108,8 +107,7 @@ TEST(LoopOfASimulation, AllocatesNothingAndTakesNoLockWhateverItIsTold) {
       if (ticks_ == kTicks - 10) counts_ = test::disarm_call_counts();
       return wrench;
     }
-    void mark_changes(BlockOutbox& outbox) noexcept override { model_->mark_changes(outbox); }
-    void copy(ChangedBlock& block) noexcept override { model_->copy(block); }
+    [[nodiscard]] Simulation* simulation() noexcept override { return model_->simulation(); }
 
     SimulationModel* model_;
     int ticks_ = 0;

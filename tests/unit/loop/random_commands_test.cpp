@@ -38,8 +38,7 @@ class CountingModel final : public LoopModel {
     ++all_;
     return obeyed;
   }
-  void mark_changes(BlockOutbox& outbox) noexcept override { model_->mark_changes(outbox); }
-  void copy(ChangedBlock& block) noexcept override { model_->copy(block); }
+  [[nodiscard]] Simulation* simulation() noexcept override { return model_->simulation(); }
 
   SimulationModel* model_;
   std::array<int, std::variant_size_v<LoopCommand>> obeyed_{}, refused_{};

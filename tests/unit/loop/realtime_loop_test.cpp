@@ -3,26 +3,23 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <atomic>
 #include <chrono>
-#include <map>
 #include <thread>
+#include <vector>
 
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/simulated/mock.hpp"
+#include "hapticut/simulation/simulation.hpp"
+#include "hapticut/workpiece/builders.hpp"
+#include "support/cutting.hpp"
 
 namespace hapticut::realtime_loop_test {
 namespace {
 
-/// The number that a block's content shows: how often it has been changed.
-float& mark_of(ChangedBlock& block) { return block.fill[0]; }
-
-/// A model that changes blocks in a pattern, and shows what it has done.
-class ScribblingModel : public LoopModel {
+/// A model that shows how many steps it has made.
+class CountingModel : public LoopModel {
  public:
-  static constexpr int kEdge = 6;                      // blocks along each axis
-  std::array<float, kEdge * kEdge * kEdge> changes{};  // of every block; the loop's own
   std::atomic<int> obeyed{0};
   double last_number = -1;
   bool in_order = true;
@@ -48,17 +45,6 @@ class ScribblingModel : public LoopModel {
     ++obeyed;
     return true;
   }
-  void mark_changes(BlockOutbox& outbox) noexcept override {
-    for (int n = 0; n < 7; ++n) {  // more than a slow reader takes
-      const int block = int((step_count * 31 + n * 17) % long(changes.size()));
-      ++changes[std::size_t(block)];
-      outbox.mark({8 * (block / (kEdge * kEdge)), 8 * (block / kEdge % kEdge), 8 * (block % kEdge)});
-    }
-  }
-  void copy(ChangedBlock& block) noexcept override {
-    const int n = (block.origin[0] * kEdge + block.origin[1]) * kEdge / 8 + block.origin[2] / 8;
-    block.fill.fill(changes[std::size_t(n)]);
-  }
 };
 
 RealtimeLoopOptions options_for(double seconds) {
@@ -66,36 +52,23 @@ RealtimeLoopOptions options_for(double seconds) {
   options.run.seconds = seconds;
   options.run.simulated_time = true;
   options.run.stop_on_signals = false;
-  constexpr int kLast = 8 * ScribblingModel::kEdge - 1;
-  options.region = {{0, 0, 0}, {kLast, kLast, kLast}};
-  options.block_capacity = 8;
-  options.blocks_per_tick = 4;
   return options;
 }
 
 // 200 simulated seconds at full speed against a reader that looks 60 times a second, or as often as it can: no half
-// snapshot, no command lost, no block lost for good. The sanitizers watch.
-TEST(RealtimeLoop, ExchangesWithASlowReaderWithoutLosingABlockForGood) {
+// snapshot, no command lost. The sanitizers watch.
+TEST(RealtimeLoop, GivesASlowReaderWholeSnapshotsAndObeysInOrder) {
   const auto device = open_device("mock:spiral");
-  ScribblingModel model;
+  CountingModel model;
   RealtimeLoop loop(*device, model, options_for(200));
-  std::map<VoxelIndex, float> seen;
-  std::uint64_t version = 0, tick = 0;
+  std::uint64_t tick = 0;
   double sent = 0;
-  ChangedBlock block;
   const auto look = [&] {
     const LoopSnapshot& snapshot = loop.latest();
     EXPECT_GE(snapshot.tick, tick);
     tick = snapshot.tick;
     EXPECT_EQ(snapshot.tool.force, Vec3::Constant(double(snapshot.tool.steps)));
     EXPECT_EQ(snapshot.tool.removed_volume, double(snapshot.tool.steps));
-    while (loop.receive(block)) {
-      EXPECT_GT(block.version, version);
-      version = block.version;
-      for (const float value : block.fill) ASSERT_EQ(value, mark_of(block));
-      EXPECT_GE(mark_of(block), seen[block.origin]);
-      seen[block.origin] = mark_of(block);
-    }
     if (loop.send(commands::SetScale{sent})) ++sent;
   };
   loop.start();
@@ -109,46 +82,12 @@ TEST(RealtimeLoop, ExchangesWithASlowReaderWithoutLosingABlockForGood) {
   EXPECT_EQ(tick, 200001U);
   EXPECT_TRUE(model.in_order);
   EXPECT_GE(model.obeyed, 1);
-  // The loop has ended with blocks that found no room: they are marked, and one more run with a reader sends them.
-  EXPECT_GT(loop.latest().blocks_waiting, 0U);
-}
-
-TEST(RealtimeLoop, SendsTheLastVersionOfEveryBlockInTheEnd) {
-  class QuietModel : public ScribblingModel {
-    void mark_changes(BlockOutbox& outbox) noexcept override {
-      if (step_count <= 2000) ScribblingModel::mark_changes(outbox);
-    }
-  };
-  const auto device = open_device("mock:rest");
-  QuietModel model;
-  RealtimeLoop loop(*device, model, options_for(0));
-  std::map<VoxelIndex, float> seen;
-  ChangedBlock block;
-  loop.start();
-  // Until all has been sent for a while.
-  for (int calm = 0; calm < 100;) {
-    bool any = false;
-    while (loop.receive(block)) {
-      seen[block.origin] = mark_of(block);
-      any = true;
-    }
-    const LoopSnapshot& snapshot = loop.latest();
-    calm = !any && snapshot.tick > 2000 && snapshot.blocks_waiting == 0 ? calm + 1 : 0;
-    std::this_thread::yield();
-  }
-  loop.stop();
-  while (loop.receive(block)) seen[block.origin] = mark_of(block);
-  ASSERT_EQ(seen.size(), model.changes.size());
-  for (auto& [origin, value] : seen) {
-    const int n = (origin[0] * ScribblingModel::kEdge + origin[1]) * ScribblingModel::kEdge / 8 + origin[2] / 8;
-    EXPECT_EQ(value, model.changes[std::size_t(n)]);
-  }
 }
 
 TEST(RealtimeLoop, TellsTheLargestForceOfTicksThatNobodyLookedAt) {
-  class PushingModel : public ScribblingModel {
+  class PushingModel : public CountingModel {
     Wrench step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept override {
-      Wrench wrench = ScribblingModel::step(state, dt, snapshot);
+      Wrench wrench = CountingModel::step(state, dt, snapshot);
       wrench.force.z() = step_count == 1500 ? 2 : 0;
       return wrench;
     }
@@ -166,7 +105,7 @@ TEST(RealtimeLoop, TellsTheLargestForceOfTicksThatNobodyLookedAt) {
 
 TEST(RealtimeLoop, CountsCommandsThatFindTheQueueFullAndLeavesThemAsTheyWere) {
   const auto device = open_device("mock:rest");
-  ScribblingModel model;
+  CountingModel model;
   RealtimeLoop loop(*device, model, options_for(1));
   std::size_t taken = 0;
   for (int n = 0; n < 1000; ++n)
@@ -184,7 +123,7 @@ TEST(RealtimeLoop, CountsCommandsThatFindTheQueueFullAndLeavesThemAsTheyWere) {
 
 TEST(RealtimeLoop, CountsCommandsThatTheModelDoesNotKnow) {
   const auto device = open_device("mock:rest");
-  ScribblingModel model;
+  CountingModel model;
   RealtimeLoop loop(*device, model, options_for(0.1));
   loop.send(commands::Undo{});
   loop.send(commands::SetScale{0});
@@ -196,7 +135,7 @@ TEST(RealtimeLoop, CountsCommandsThatTheModelDoesNotKnow) {
 }
 
 TEST(RealtimeLoop, HandsBackWhatWasReplacedHoweverMuchThereIs) {
-  class SwappingModel : public ScribblingModel {
+  class SwappingModel : public CountingModel {
    public:
     explicit SwappingModel(PreparedTool tool) : in_place(std::move(tool)) {}
     bool obey(LoopCommand& command) noexcept override {
@@ -227,7 +166,7 @@ TEST(RealtimeLoop, HandsBackWhatWasReplacedHoweverMuchThereIs) {
 
 TEST(RealtimeLoop, StopsByRequestByCallAndWhenItGoesAway) {
   const auto device = open_device("mock:circle");
-  ScribblingModel model;
+  CountingModel model;
   {
     RealtimeLoop loop(*device, model, options_for(0));
     loop.start();
@@ -245,7 +184,7 @@ TEST(RealtimeLoop, StopsByRequestByCallAndWhenItGoesAway) {
 
 TEST(RealtimeLoop, HasTheMailboxOfItsDevice) {
   const auto device = open_device("mock:rest");
-  ScribblingModel model;
+  CountingModel model;
   RealtimeLoop loop(*device, model, options_for(0));
   EXPECT_EQ(&loop.requests(), &device->requests());
   loop.start();
@@ -267,6 +206,51 @@ TEST(BlockOutbox, RefusesRegionsThatItCannotHold) {
   EXPECT_FALSE(outbox.mark({8, 0, 0}));
   EXPECT_FALSE(outbox.mark({-24, 0, 0}));
   EXPECT_EQ(outbox.outside(), 2U);
+}
+
+TEST(ChangeFeed, SendsWhatAnUndoBringsBackAndAllOfAnotherWorkpiece) {
+  const auto make = [] {
+    return Simulation(build_block({Vec3::Constant(-4e-3), Vec3::Constant(4e-3)}, 2e-4, test::plain_material()),
+                      Tool(SphereHead{1e-3}), {});
+  };
+  Simulation simulation = make(), other = make();
+  simulation.reserve_blocks(10);
+  other.reserve_blocks(10);
+  simulation.reserve_undo(10);
+  ASSERT_TRUE(simulation.set_undo_mark());
+  constexpr std::uint32_t kNumber = 3;
+  ChangeFeed feed(simulation);
+  const auto origins_received = [&] {
+    std::vector<VoxelIndex> origins;
+    for (ChangedBlock block; feed.receive(block);) {
+      EXPECT_EQ(block.workpiece, kNumber);
+      origins.push_back(block.origin);
+    }
+    return origins;
+  };
+  BlockVoxels some{{8, 0, 0}, {}};
+  some.voxels.add(7);
+  ASSERT_TRUE(simulation.remove_voxels(some));
+  feed.tick(16, kNumber);
+  EXPECT_EQ(origins_received(), std::vector{some.origin});
+  ASSERT_TRUE(simulation.undo(16));
+  feed.tick(16, kNumber);
+  EXPECT_EQ(origins_received(), std::vector{some.origin});
+  feed.tick(16, kNumber);
+  EXPECT_TRUE(origins_received().empty());
+  simulation.exchange(other);
+  const std::size_t all = feed.waiting();
+  EXPECT_GT(all, 100U);
+  ASSERT_TRUE(simulation.remove_voxels(some));
+  feed.tick(16, kNumber);
+  std::vector<VoxelIndex> origins = origins_received();
+  ASSERT_EQ(origins.size(), 16U);
+  EXPECT_EQ(origins.front(), some.origin) << "what has changed does not wait for the others";
+  while (feed.waiting() > 0) {
+    feed.tick(16, kNumber);
+    for (const VoxelIndex& origin : origins_received()) origins.push_back(origin);
+  }
+  EXPECT_GE(origins.size(), all);
 }
 
 }  // namespace

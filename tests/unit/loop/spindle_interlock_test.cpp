@@ -20,9 +20,6 @@ TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInALoopOfOnesOwn) {
     SpindleInterlock interlock;
     double unfelt = 0, felt = 0;  // [m^3]
     int n = 0;
-    RunOptions run;
-    run.simulated_time = true;
-    run.stop_on_signals = false;
     (void)device->run(
         [&](const DeviceState& state) {
           // Pressed in before there is a force, out at 300, and in again at 2500, when the force is there.
@@ -36,7 +33,7 @@ TEST(SpindleInterlock, CutsNothingThatTheHandCannotFeelInALoopOfOnesOwn) {
           (void)state;
           return DeviceCommand{result.hand, ++n >= 3000};
         },
-        run);
+        simulated_run());
     EXPECT_EQ(unfelt > 0, !interlocked);
     EXPECT_GT(felt, 0) << "once there is a force";
   }
@@ -93,14 +90,11 @@ TEST(SpindleInterlock, OfAModelLetsGoOfTheSpindleWithIt) {
   {
     SimulationModel model(rig.simulation, *rig.device);
     LoopSnapshot snapshot;
-    RunOptions run;
-    run.simulated_time = true;
-    run.stop_on_signals = false;
     (void)rig.device->run(
         [&](const DeviceState& state) {
           return DeviceCommand{model.step(state, 1e-3, snapshot), true};
         },
-        run);
+        simulated_run());
     EXPECT_TRUE(rig.simulation.spindle_is_held()) << "there was no force yet";
   }
   EXPECT_FALSE(rig.simulation.spindle_is_held());
@@ -114,9 +108,7 @@ TEST(SpindleInterlock, OfAModelWithAPedalTurnsWhileItIsDown) {
   EXPECT_THROW(SimulationModel(rig.simulation, *rig.device, options), Error);
   options.pedal = 3;
   SimulationModel model(rig.simulation, *rig.device, options);
-  RunOptions run;
-  run.simulated_time = true;
-  run.stop_on_signals = false;
+  RunOptions run = simulated_run();
   run.guard.arming.ramp = run.guard.arming.short_ramp = 0.02;
   LoopSnapshot snapshot;
   int touched = 0;      // [voxels] before the pedal goes down, where nothing was removed

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "hapticut/view/protocol.hpp"
 
 namespace hapticut::view_test {
 
+/// As docs/view.md numbers them.
+struct CommandKind {
+  static constexpr std::uint8_t set_spindle_speed = 1, set_undo_mark = 2, undo = 3, redo = 4, hold_force = 5,
+                                move_hand = 6, stop = 7, look_at = 8, set_control = 9, load = 10;
+};
+
 /// A message as a page writes it.
 struct Bytes {
-  explicit Bytes(view::CommandKind kind) : bytes{std::uint8_t(kind), view::kProtocolVersion, 0, 0} {}
+  explicit Bytes(std::uint8_t kind) : bytes{kind, view::kProtocolVersion, 0, 0} {}
   template <class Number>
   Bytes& add(Number number) {
     const auto* first = reinterpret_cast<const std::uint8_t*>(&number);
@@ -24,5 +34,14 @@ struct Bytes {
   }
   std::vector<std::uint8_t> bytes;
 };
+
+/// What a page reads at a place of a message.
+template <class Number>
+Number number_at(const view::Message& message, std::size_t place) {
+  Number number{};
+  EXPECT_LE(place + sizeof number, message.size());
+  std::memcpy(&number, message.data() + place, sizeof number);
+  return number;
+}
 
 }  // namespace hapticut::view_test

@@ -2,54 +2,46 @@
 // Byte by byte what the panels of a page are told.
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <string>
 
-#include "hapticut/view/protocol.hpp"
+#include "unit/view/command_bytes.hpp"
 
 namespace hapticut::panel_messages_test {
 namespace {
 
 using namespace view;
-
-template <class Number>
-Number at(const Message& message, std::size_t place) {
-  Number number{};
-  EXPECT_LE(place + sizeof number, message.size());
-  std::memcpy(&number, message.data() + place, sizeof number);
-  return number;
-}
+using view_test::number_at;
 
 TEST(PanelMessages, AToolIsItsHandleAndItsOutline) {
   const Tool tool(FlatHead{1e-3, 3e-3, FlatRule::bottom_only}, LHandle{0.1, 0.015, 0.5});
   const Message message = encode(tool);
   EXPECT_EQ(message[0], 5);
-  EXPECT_EQ(at<std::uint32_t>(message, 100), 1U) << "an L";
-  EXPECT_EQ(at<double>(message, 104), 0.1);
-  EXPECT_EQ(at<double>(message, 112), 0.015);
-  EXPECT_EQ(at<double>(message, 120), 0.5);
-  EXPECT_EQ(at<double>(message, 128), 0.0) << "its tip";
-  ASSERT_EQ(at<std::uint32_t>(message, 136), 3U) << "edges";
+  EXPECT_EQ(number_at<std::uint32_t>(message, 100), 1U) << "an L";
+  EXPECT_EQ(number_at<double>(message, 104), 0.1);
+  EXPECT_EQ(number_at<double>(message, 112), 0.015);
+  EXPECT_EQ(number_at<double>(message, 120), 0.5);
+  EXPECT_EQ(number_at<double>(message, 128), 0.0) << "its tip";
+  ASSERT_EQ(number_at<std::uint32_t>(message, 136), 3U) << "edges";
   ASSERT_EQ(message.size(), 140 + 3 * 28U);
-  EXPECT_EQ(at<double>(message, 140), 1e-3);
-  EXPECT_EQ(at<std::uint32_t>(message, 140 + 24), 1U) << "the bottom cuts";
-  EXPECT_EQ(at<std::uint32_t>(message, 140 + 28 + 24), 0U) << "the side is smooth";
+  EXPECT_EQ(number_at<double>(message, 140), 1e-3);
+  EXPECT_EQ(number_at<std::uint32_t>(message, 140 + 24), 1U) << "the bottom cuts";
+  EXPECT_EQ(number_at<std::uint32_t>(message, 140 + 28 + 24), 0U) << "the side is smooth";
   const Message straight = encode(Tool(SphereHead{1e-3}, RayHandle{0.2}));
-  EXPECT_EQ(at<std::uint32_t>(straight, 100), 0U);
-  EXPECT_EQ(at<double>(straight, 104), 0.2);
+  EXPECT_EQ(number_at<std::uint32_t>(straight, 100), 0U);
+  EXPECT_EQ(number_at<double>(straight, 104), 0.2);
 }
 
 TEST(PanelMessages, ControlsDescribeThemselves) {
   const std::vector<Control> controls = {{7, Control::Kind::choice, 1, 0, 2, "tool", "Head", "mm", "ball|cone|flat"}};
   const Message message = encode(controls);
   EXPECT_EQ(message[0], 6);
-  EXPECT_EQ(at<std::uint32_t>(message, 4), 1U);
-  EXPECT_EQ(at<std::uint16_t>(message, 8), 7);
+  EXPECT_EQ(number_at<std::uint32_t>(message, 4), 1U);
+  EXPECT_EQ(number_at<std::uint16_t>(message, 8), 7);
   EXPECT_EQ(message[10], 2) << "a choice";
   EXPECT_EQ(message[11], 0);
-  EXPECT_EQ(at<double>(message, 12), 1);
-  EXPECT_EQ(at<double>(message, 28), 2);
-  EXPECT_EQ(at<std::uint16_t>(message, 36), 4);
+  EXPECT_EQ(number_at<double>(message, 12), 1);
+  EXPECT_EQ(number_at<double>(message, 28), 2);
+  EXPECT_EQ(number_at<std::uint16_t>(message, 36), 4);
   EXPECT_EQ(std::string(message.begin() + 38, message.begin() + 42), "tool");
   EXPECT_EQ(message.size(), 36 + (2 + 4) + (2 + 4) + (2 + 2) + (2 + 14U));
 }
@@ -59,18 +51,18 @@ TEST(PanelMessages, ATraceIsSixNumbersATick) {
   const Message message = encode_trace(99, samples);
   ASSERT_EQ(message.size(), 16 + 48U);
   EXPECT_EQ(message[0], 7);
-  EXPECT_EQ(at<std::uint64_t>(message, 4), 99U);
-  EXPECT_EQ(at<std::uint32_t>(message, 12), 2U);
-  EXPECT_EQ(at<float>(message, 16 + 4), 2);
-  EXPECT_EQ(at<float>(message, 16 + 24 + 20), 12);
+  EXPECT_EQ(number_at<std::uint64_t>(message, 4), 99U);
+  EXPECT_EQ(number_at<std::uint32_t>(message, 12), 2U);
+  EXPECT_EQ(number_at<float>(message, 16 + 4), 2);
+  EXPECT_EQ(number_at<float>(message, 16 + 24 + 20), 12);
 }
 
 TEST(PanelMessages, ANoticeIsASentenceAndHowBadItIs) {
   const Message message = encode_notice(Severity::failed, "No.");
   ASSERT_EQ(message.size(), 15U);
   EXPECT_EQ(message[0], 8);
-  EXPECT_EQ(at<std::uint32_t>(message, 4), 2U);
-  EXPECT_EQ(at<std::uint32_t>(message, 8), 3U);
+  EXPECT_EQ(number_at<std::uint32_t>(message, 4), 2U);
+  EXPECT_EQ(number_at<std::uint32_t>(message, 8), 3U);
   EXPECT_EQ(std::string(message.begin() + 12, message.end()), "No.");
 }
 
@@ -86,15 +78,15 @@ TEST(PanelMessages, InstrumentsHaveLatencyAndVolumes) {
   const Message message = encode(given);
   ASSERT_EQ(message.size(), 132 + 4 + 8 + 4 + 24U);
   EXPECT_EQ(message[0], 9);
-  EXPECT_EQ(at<double>(message, 4 + 72), 0.1);
-  EXPECT_EQ(at<double>(message, 100), 4);
-  EXPECT_EQ(at<std::uint64_t>(message, 108), 1000U);
-  EXPECT_EQ(at<std::uint64_t>(message, 116), 2U);
-  EXPECT_EQ(at<double>(message, 124), 25e-6);
-  EXPECT_EQ(at<std::uint32_t>(message, 132), 2U);
-  EXPECT_EQ(at<std::uint32_t>(message, 136), 998U);
-  EXPECT_EQ(at<std::uint32_t>(message, 144), 3U);
-  EXPECT_EQ(at<double>(message, 148 + 16), 3e-9);
+  EXPECT_EQ(number_at<double>(message, 4 + 72), 0.1);
+  EXPECT_EQ(number_at<double>(message, 100), 4);
+  EXPECT_EQ(number_at<std::uint64_t>(message, 108), 1000U);
+  EXPECT_EQ(number_at<std::uint64_t>(message, 116), 2U);
+  EXPECT_EQ(number_at<double>(message, 124), 25e-6);
+  EXPECT_EQ(number_at<std::uint32_t>(message, 132), 2U);
+  EXPECT_EQ(number_at<std::uint32_t>(message, 136), 998U);
+  EXPECT_EQ(number_at<std::uint32_t>(message, 144), 3U);
+  EXPECT_EQ(number_at<double>(message, 148 + 16), 3e-9);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include <cstring>
 #include <limits>
 
 #include "unit/view/command_bytes.hpp"
@@ -16,14 +15,8 @@ namespace {
 
 using namespace view;
 using view_test::Bytes;
-
-template <class Number>
-Number number_at(const Message& message, std::size_t place) {
-  Number number{};
-  EXPECT_LE(place + sizeof number, message.size());
-  std::memcpy(&number, message.data() + place, sizeof number);
-  return number;
-}
+using view_test::CommandKind;
+using view_test::number_at;
 
 TEST(ViewProtocol, HelloTellsTheGridTheMaterialsAndWhoMayWrite) {
   Scene scene;
@@ -145,8 +138,8 @@ TEST(ViewProtocol, WhatIsNoCommandInEveryByteIsRefused) {
   EXPECT_TRUE(is_refused(Bytes(CommandKind::set_spindle_speed).add(1.0).add(std::uint8_t(0)))) << "too long";
   EXPECT_TRUE(is_refused(Bytes(CommandKind::set_spindle_speed).add(1.0F))) << "too short";
   EXPECT_TRUE(is_refused(Bytes(CommandKind::hold_force).add(std::uint8_t(2))));
-  EXPECT_TRUE(is_refused(Bytes(CommandKind(0))));
-  EXPECT_TRUE(is_refused(Bytes(CommandKind(13))));
+  EXPECT_TRUE(is_refused(Bytes(0)));
+  EXPECT_TRUE(is_refused(Bytes(11)));
   EXPECT_TRUE(is_refused(Bytes(CommandKind::look_at).add(Vec3(1, nan, 1))));
   EXPECT_TRUE(is_refused(Bytes(CommandKind::look_at).add(Vec3(1, 1e4, 1))));
   Pose bent;
@@ -165,15 +158,12 @@ TEST(ViewProtocol, WhatIsNoCommandInEveryByteIsRefused) {
 }
 
 TEST(ViewProtocol, AControlIsSetWithinItsBytes) {
-  const Bytes given = Bytes(CommandKind::set_control).add(std::uint16_t(513)).add(std::uint16_t(0)).add(-2.5);
+  const Bytes given = Bytes(CommandKind::set_control).add(std::uint16_t(513)).add(-2.5);
   const auto command = std::get<SetControl>(*decode_command(given.bytes));
   EXPECT_EQ(command.id, 513);
   EXPECT_EQ(command.value, -2.5);
-  Bytes wrong = given;
-  wrong.bytes[6] = 1;
-  EXPECT_FALSE(decode_command(wrong.bytes)) << "what must be 0 is not";
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(decode_command(Bytes(CommandKind::set_control).add(std::uint32_t(1)).add(nan).bytes));
+  EXPECT_FALSE(decode_command(Bytes(CommandKind::set_control).add(std::uint16_t(1)).add(nan).bytes));
 }
 
 TEST(ViewProtocol, ANameToLoadIsShortAndHasNoControlCharacters) {
@@ -193,7 +183,7 @@ TEST(ViewProtocol, ANameToLoadIsShortAndHasNoControlCharacters) {
 RC_GTEST_PROP(ViewProtocol, AnyBytesAreACommandOrNone, ()) {
   auto bytes = *rc::gen::container<std::vector<std::uint8_t>>(rc::gen::arbitrary<std::uint8_t>());
   if (bytes.size() > 3 && *rc::gen::arbitrary<bool>())
-    bytes[0] = std::uint8_t(1 + bytes[0] % 12), bytes[1] = kProtocolVersion, bytes[2] = bytes[3] = 0;
+    bytes[0] = std::uint8_t(1 + bytes[0] % 10), bytes[1] = kProtocolVersion, bytes[2] = bytes[3] = 0;
   const auto command = decode_command(bytes);
   if (!command) return;
   RC_ASSERT(bytes.size() <= kLongestCommand);

@@ -19,6 +19,7 @@ namespace {
 using namespace view;
 using view_test::ask;
 using view_test::Bytes;
+using view_test::CommandKind;
 using view_test::Page;
 using view_test::soon;
 

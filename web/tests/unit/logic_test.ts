@@ -105,10 +105,10 @@ test("the least and the greatest of each column are kept", () => {
 
 test("a command is its bytes", () => {
   assert.deepEqual([...commands.undo()], [3, kVersion, 0, 0]);
-  assert.deepEqual([...commands.load("clay")], [12, kVersion, 0, 0, 99, 108, 97, 121]);
+  assert.deepEqual([...commands.load("clay")], [10, kVersion, 0, 0, 99, 108, 97, 121]);
   const set = commands.setControl(513, -2.5);
-  assert.deepEqual([...set.subarray(0, 8)], [11, kVersion, 0, 0, 1, 2, 0, 0]);
-  assert.equal(new DataView(set.buffer).getFloat64(8, true), -2.5);
+  assert.deepEqual([...set.subarray(0, 6)], [9, kVersion, 0, 0, 1, 2]);
+  assert.equal(new DataView(set.buffer).getFloat64(6, true), -2.5);
   assert.equal(commands.moveHand(identity, true).length, 4 + 96 + 1);
 });
 
