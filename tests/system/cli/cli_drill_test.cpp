@@ -183,10 +183,9 @@ TEST_F(Drill, WarnsWhenThePathStartsInside) {
 }
 
 TEST_F(Drill, FailsWhenStepsAreRejected) {
-  const Outcome outcome = run("drill " + kBlock + kBall + "--path line --from_mm -20,3,2 --to_mm 20,3,2 " +
-                              "--feed_mm_per_s 10000 --json " + path("report.json"));
-  EXPECT_EQ(outcome.code, 1);
-  EXPECT_NE(outcome.errors.find("rejected"), std::string::npos) << outcome.errors;
+  expect_refused("drill " + kBlock + kBall + "--path line --from_mm -20,3,2 --to_mm 20,3,2 --feed_mm_per_s 10000 " +
+                     "--json " + path("report.json"),
+                 {"rejected"});
   EXPECT_GT(read_json(folder / "report.json")["status"]["jump_rejected"], 0);
 }
 
