@@ -48,6 +48,24 @@ inline const std::string kGroove = "--path line --from_mm -2,3,2.5 --to_mm 8,3,2
 
 inline constexpr int kFailed = 1, kWrongUsage = 2;  // codes
 
+/// The columns of a CSV file by name; text cells read as 0.
+inline std::map<std::string, std::vector<double>> read_csv(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line, cell;
+  std::vector<std::string> names;
+  std::map<std::string, std::vector<double>> columns;
+  for (int row = 0; std::getline(lines, line); ++row) {
+    std::istringstream cells(line);
+    for (std::size_t i = 0; std::getline(cells, cell, ','); ++i) {
+      if (row == 0)
+        names.push_back(cell);
+      else
+        columns[names.at(i)].push_back(std::atof(cell.c_str()));
+    }
+  }
+  return columns;
+}
+
 class Program : public testing::Test {
  protected:
   Outcome run(const std::string& arguments) { return run_program(folder, arguments); }
@@ -62,6 +80,11 @@ class Program : public testing::Test {
     const nlohmann::json of_run = report("drill " + arguments);
     EXPECT_EQ(read_bytes(folder / "stderr"), "") << arguments;
     return of_run;
+  }
+  /// Every step of a path, by the columns of its file.
+  std::map<std::string, std::vector<double>> steps(const std::string& arguments) {
+    (void)drill(arguments + " --steps_csv " + path("steps.csv"));
+    return read_csv(read_bytes(folder / "steps.csv"));
   }
   /// What is said instead of doing it: one line in words of the program, no name of C++.
   std::string refusal(const std::string& arguments, int code = kFailed, const std::string& program = kProgram) {
@@ -82,23 +105,5 @@ class Program : public testing::Test {
 
   TemporaryFolder folder;
 };
-
-/// The columns of a CSV file by name; text cells read as 0.
-inline std::map<std::string, std::vector<double>> read_csv(const std::string& text) {
-  std::istringstream lines(text);
-  std::string line, cell;
-  std::vector<std::string> names;
-  std::map<std::string, std::vector<double>> columns;
-  for (int row = 0; std::getline(lines, line); ++row) {
-    std::istringstream cells(line);
-    for (std::size_t i = 0; std::getline(cells, cell, ','); ++i) {
-      if (row == 0)
-        names.push_back(cell);
-      else
-        columns[names.at(i)].push_back(std::atof(cell.c_str()));
-    }
-  }
-  return columns;
-}
 
 }  // namespace hapticut::test

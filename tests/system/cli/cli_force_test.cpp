@@ -19,8 +19,7 @@ class ForceSettings : public test::Program {
   }
   std::map<std::string, std::vector<double>> steps(const std::string& settings, const std::string& head,
                                                    const std::string& way = kDown) {
-    (void)drill(test::kBlock + head + way + settings + " --steps_csv " + path("s.csv"));
-    return test::read_csv(test::read_bytes(path("s.csv")));
+    return Program::steps(test::kBlock + head + way + settings);
   }
   void expect_failure(const std::string& settings, const std::vector<std::string>& words) {
     expect_refused("drill " + test::kBlock + test::kSpinningBall + kDown + settings, words);
