@@ -62,36 +62,33 @@ int hapticut_coupling_step(hapticut_coupling coupling, const hapticut_step_input
   hapticut_step_input in;
   if (const int code = take(input, "input", in); code != HAPTICUT_OK) return code;
   if (const int code = check_size(result, "result"); code != HAPTICUT_OK) return code;
-  const Use<CouplingObject> use(coupling);
-  if (!use) return use.code();
-  SimulationObject& object = *use->simulation;
-  const IdleStay stay(object);
-  if (!stay) return stay.code();
-  if (object.tools.load() != use->tools)
-    return fail(HAPTICUT_ERROR_REFUSED,
-                "The simulation has another tool than this coupling was made for; open another.");
-  const Twist velocity{vector_of(in.linear_velocity), vector_of(in.angular_velocity)};
-  const CoupledResult& tick = use->coupling.step(pose_of(in.X_WH), velocity, in.dt);
-  hapticut_step_result own{};
-  put_step(object.simulation.last_result(), own);
-  own.status = std::uint32_t(tick.status);
-  put(tick.hand.force, own.force);
-  put(tick.hand.torque, own.torque);
-  own.removed_volume = tick.removed_volume;
-  own.removed_voxels = tick.removed_voxels.size();
-  own.sub_steps = std::uint32_t(tick.parts);
-  put(tick.X_WH, own.X_WH);
-  give(own, result);
-  return HAPTICUT_OK;
+  return within(Use<CouplingObject>(coupling), [&](const auto& use) -> int {
+    SimulationObject& object = *use->simulation;
+    const IdleStay stay(object);
+    if (!stay) return stay.code();
+    if (object.tools.load() != use->tools)
+      return fail(HAPTICUT_ERROR_REFUSED,
+                  "The simulation has another tool than this coupling was made for; open another.");
+    const Twist velocity{vector_of(in.linear_velocity), vector_of(in.angular_velocity)};
+    const CoupledResult& tick = use->coupling.step(pose_of(in.X_WH), velocity, in.dt);
+    hapticut_step_result own{};
+    put_step(object.simulation.last_result(), own);
+    own.status = std::uint32_t(tick.status);
+    put(tick.hand.force, own.force);
+    put(tick.hand.torque, own.torque);
+    own.removed_volume = tick.removed_volume;
+    own.removed_voxels = tick.removed_voxels.size();
+    own.sub_steps = std::uint32_t(tick.parts);
+    put(tick.X_WH, own.X_WH);
+    give(own, result);
+    return HAPTICUT_OK;
+  });
 }
 
 int hapticut_coupling_let_go(hapticut_coupling coupling) {
-  const Use<CouplingObject> use(coupling);
-  if (!use) return use.code();
-  const IdleStay stay(*use->simulation);
-  if (!stay) return stay.code();
-  use->coupling.release();
-  return HAPTICUT_OK;
+  return within(Use<CouplingObject>(coupling), [](const auto& use) {
+    return within(IdleStay(*use->simulation), [&](const auto&) { use->coupling.release(); });
+  });
 }
 
 }  // extern "C"

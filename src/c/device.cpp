@@ -41,35 +41,33 @@ using namespace hapticut::c;
 extern "C" {
 
 int hapticut_device_open(const char* name, hapticut_device* device) {
-  return guarded([&]() -> int {
+  return guarded([&] {
     require_argument(name, "name");
     require_argument(device, "device");
     use_all_devices();
     *device = add_object(Kind::device, std::make_shared<DeviceObject>(open_device(name)));
-    return HAPTICUT_OK;
   });
 }
 
 int hapticut_device_describe(hapticut_device device, hapticut_device_info* info) {
   if (const int code = check_size(info, "info"); code != HAPTICUT_OK) return code;
-  const Use<DeviceObject> use(device);
-  if (!use) return use.code();
-  const DeviceCapabilities& has = use->device->capabilities();
-  hapticut_device_info own{};
-  own.input_degrees_of_freedom = has.input_degrees_of_freedom;
-  own.output_degrees_of_freedom = has.output_degrees_of_freedom;
-  own.rate = has.rate;
-  own.peak_force = has.peak_force;
-  own.continuous_force = has.continuous_force;
-  own.peak_torque = has.peak_torque;
-  own.stiffness = has.stiffness;
-  own.damping = has.damping;
-  put(has.workspace_low, own.workspace_min);
-  put(has.workspace_high, own.workspace_max);
-  copy_text(has.model, own.model, sizeof own.model);
-  copy_text(has.serial_number, own.serial_number, sizeof own.serial_number);
-  give(own, info);
-  return HAPTICUT_OK;
+  return within(Use<DeviceObject>(device), [&](const auto& use) {
+    const DeviceCapabilities& has = use->device->capabilities();
+    hapticut_device_info own{};
+    own.input_degrees_of_freedom = has.input_degrees_of_freedom;
+    own.output_degrees_of_freedom = has.output_degrees_of_freedom;
+    own.rate = has.rate;
+    own.peak_force = has.peak_force;
+    own.continuous_force = has.continuous_force;
+    own.peak_torque = has.peak_torque;
+    own.stiffness = has.stiffness;
+    own.damping = has.damping;
+    put(has.workspace_low, own.workspace_min);
+    put(has.workspace_high, own.workspace_max);
+    copy_text(has.model, own.model, sizeof own.model);
+    copy_text(has.serial_number, own.serial_number, sizeof own.serial_number);
+    give(own, info);
+  });
 }
 
 }  // extern "C"

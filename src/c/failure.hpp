@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <type_traits>
 
 #include "hapticut/c/hapticut.h"
 
@@ -29,11 +29,15 @@ int fail(int code, const char* sentence) noexcept;
 /// The number and the sentence of the exception that is being handled.
 int fail_by_exception() noexcept;
 
-/// Runs a function that may throw and returns a number.
+/// Runs a function that may throw and returns a number, or nothing where all is well.
 template <class Body>
 int guarded(Body&& body) noexcept {
   try {
-    return std::forward<Body>(body)();
+    if constexpr (std::is_void_v<decltype(body())>)
+      body();
+    else
+      return body();
+    return HAPTICUT_OK;
   } catch (...) {
     return fail_by_exception();
   }

@@ -89,6 +89,13 @@ class Use {
   int code_ = HAPTICUT_OK;
 };
 
+/// Runs `body(stay)` in a stay, or returns the number of what keeps the caller out.
+/// @param stay  Use, or one of those of simulation_object.hpp
+template <class InCall, class Body>
+int within(const InCall& stay, Body&& body) noexcept {
+  return stay ? guarded([&] { return body(stay); }) : stay.code();
+}
+
 /// A lane of an object that is known otherwise than by its handle.
 class Stay {
  public:

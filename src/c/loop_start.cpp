@@ -191,8 +191,7 @@ int hapticut_loop_is_running(hapticut_loop loop, int* running) {
 
 int hapticut_loop_stop(hapticut_loop loop, hapticut_loop_report* report) {
   return guarded([&]() -> int {
-    if (report != nullptr)
-      if (const int code = check_size(report, "report"); code != HAPTICUT_OK) return code;
+    if (const int code = check_size_if_given(report, "report"); code != HAPTICUT_OK) return code;
     const Use<LoopObject> use(loop);
     if (!use) return use.code();
     const bool was_stopped = !use->running.load();

@@ -53,11 +53,9 @@ extern "C" {
 
 int hapticut_recording_start(hapticut_simulation simulation, hapticut_device device, const char* path,
                              hapticut_recording* recording) {
-  return guarded([&]() -> int {
+  return within(IdleSimulation(simulation), [&](const auto& use) -> int {
     require_argument(path, "path");
     require_argument(recording, "recording");
-    const IdleSimulation use(simulation);
-    if (!use) return use.code();
     std::shared_ptr<DeviceObject> hand;
     if (device != 0) {
       const Use<DeviceObject> held(device);
@@ -82,8 +80,7 @@ int hapticut_recording_start(hapticut_simulation simulation, hapticut_device dev
 
 int hapticut_recording_stop(hapticut_recording recording, hapticut_recording_report* report) {
   return guarded([&]() -> int {
-    if (report != nullptr)
-      if (const int code = check_size(report, "report"); code != HAPTICUT_OK) return code;
+    if (const int code = check_size_if_given(report, "report"); code != HAPTICUT_OK) return code;
     const Use<RecordingObject> use(recording);
     if (!use) return use.code();
 #ifdef HAPTICUT_HAS_IO

@@ -8,38 +8,33 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/settings/scene.hpp"
+#include "loop/hand_map.hpp"
 #include "settings/settings_file.hpp"
 #include "settings/tool_settings.hpp"
 
 namespace hapticut::c {
 namespace {
 
-/// Axis-parallel in W, around all voxels that are not empty.
-Box box_of(const Workpiece& workpiece) {
-  const IndexBox bounds = workpiece.bounds();
-  const GridFrame& frame = workpiece.frame();
-  Box box{Vec3::Zero(), Vec3::Zero()};
-  for (int corner = 0; corner < 8; ++corner) {
-    Vec3 p_V;
-    for (int axis = 0; axis < 3; ++axis)
-      p_V[axis] = (corner >> axis & 1) != 0 ? bounds.max[std::size_t(axis)] + 0.5 : bounds.min[std::size_t(axis)] - 0.5;
-    const Vec3 p_W = frame.X_WV * (frame.voxel_size * p_V);
-    box.min = corner == 0 ? p_W : box.min.cwiseMin(p_W).eval();
-    box.max = corner == 0 ? p_W : box.max.cwiseMax(p_W).eval();
-  }
-  return box;
-}
-
-int make(settings::Scene scene, const hapticut_simulation_options& options, hapticut_simulation* to) {
-  if (options.for_coupling > 1)
-    throw Refusal(HAPTICUT_ERROR_ARGUMENT,
-                  "for_coupling = " + std::to_string(options.for_coupling) + "; it must be 0 or 1.");
-  if (options.for_coupling == 1) scene.config.contact_time = ContactTime::end;
-  Simulation simulation(std::move(scene.workpiece), std::move(scene.tool), std::move(scene.config));
-  if (options.undo_blocks > 0) simulation.reserve_undo(options.undo_blocks);
-  *to =
-      add_object(Kind::simulation, std::make_shared<SimulationObject>(std::move(simulation), std::move(scene.motion)));
-  return HAPTICUT_OK;
+/// @param source  what the scene is made of, and its name
+template <class MakeScene>
+int make(const char* source, const char* name, const MakeScene& make_scene, const hapticut_simulation_options* options,
+         hapticut_simulation* to) {
+  return guarded([&]() -> int {
+    require_argument(source, name);
+    require_argument(to, "simulation");
+    hapticut_simulation_options own;
+    if (const int code = take_if_given(options, "options", own); code != HAPTICUT_OK) return code;
+    settings::Scene scene = make_scene();
+    if (own.for_coupling > 1)
+      throw Refusal(HAPTICUT_ERROR_ARGUMENT,
+                    "for_coupling = " + std::to_string(own.for_coupling) + "; it must be 0 or 1.");
+    if (own.for_coupling == 1) scene.config.contact_time = ContactTime::end;
+    Simulation simulation(std::move(scene.workpiece), std::move(scene.tool), std::move(scene.config));
+    if (own.undo_blocks > 0) simulation.reserve_undo(own.undo_blocks);
+    *to = add_object(Kind::simulation,
+                     std::make_shared<SimulationObject>(std::move(simulation), std::move(scene.motion)));
+    return HAPTICUT_OK;
+  });
 }
 
 }  // namespace
@@ -49,7 +44,7 @@ SimulationObject::SimulationObject(Simulation a_simulation, std::optional<settin
       motion(std::move(a_motion)),
       first_tool(simulation.tool()),
       removal(simulation.config().removal),
-      box(box_of(simulation.workpiece())),
+      box(box_of_workpiece(simulation.workpiece())),
       bounds(simulation.workpiece().bounds()),
       rate(simulation.config().update_rate) {}
 
@@ -99,31 +94,19 @@ extern "C" {
 
 int hapticut_simulation_from_toml(const char* text, const hapticut_simulation_options* options,
                                   hapticut_simulation* simulation) {
-  return guarded([&]() -> int {
-    require_argument(text, "text");
-    require_argument(simulation, "simulation");
-    hapticut_simulation_options own;
-    if (const int code = take_if_given(options, "options", own); code != HAPTICUT_OK) return code;
-    return make(settings::from_toml(text), own, simulation);
-  });
+  return make(
+      text, "text", [&] { return settings::from_toml(text); }, options, simulation);
 }
 
 int hapticut_simulation_from_file(const char* path, const hapticut_simulation_options* options,
                                   hapticut_simulation* simulation) {
-  return guarded([&]() -> int {
-    require_argument(path, "path");
-    require_argument(simulation, "simulation");
-    hapticut_simulation_options own;
-    if (const int code = take_if_given(options, "options", own); code != HAPTICUT_OK) return code;
-    return make(settings::from_file(path), own, simulation);
-  });
+  return make(
+      path, "path", [&] { return settings::from_file(path); }, options, simulation);
 }
 
 int hapticut_scene(hapticut_simulation simulation, hapticut_scene_info* info) {
   if (const int code = check_size(info, "info"); code != HAPTICUT_OK) return code;
-  const Use<SimulationObject> use(simulation);
-  if (!use) return use.code();
-  return guarded([&]() -> int {
+  return within(Use<SimulationObject>(simulation), [&](const auto& use) {
     // Frame and number of materials never change; of the tool it is the scene's.
     const Workpiece& workpiece = use->simulation.workpiece();
     const Tool& tool = use->first_tool;
@@ -141,15 +124,12 @@ int hapticut_scene(hapticut_simulation simulation, hapticut_scene_info* info) {
     own.path_duration = use->motion ? use->motion->duration() : 0;
     own.flutes = std::uint32_t(tool.cutter().lips);
     give(own, info);
-    return HAPTICUT_OK;
   });
 }
 
 int hapticut_material(hapticut_simulation simulation, uint32_t id, hapticut_material_info* info) {
   if (const int code = check_size(info, "info"); code != HAPTICUT_OK) return code;
-  const IdleSimulation use(simulation);
-  if (!use) return use.code();
-  return guarded([&]() -> int {
+  return within(IdleSimulation(simulation), [&](const auto& use) {
     const Workpiece& workpiece = use->simulation.workpiece();
     const int materials = workpiece.materials().size();
     if (id < 1 || id > std::uint32_t(materials))
@@ -161,15 +141,12 @@ int hapticut_material(hapticut_simulation simulation, uint32_t id, hapticut_mate
     own.volume = workpiece.amounts().at(id - 1).volume;
     copy_text(workpiece.materials()[MaterialId(id)].name, own.name, sizeof own.name);
     give(own, info);
-    return HAPTICUT_OK;
   });
 }
 
 int hapticut_path_pose(hapticut_simulation simulation, double time, hapticut_pose* X_WH) {
-  return guarded([&]() -> int {
+  return within(Use<SimulationObject>(simulation), [&](const auto& use) -> int {
     require_argument(X_WH, "X_WH");
-    const Use<SimulationObject> use(simulation);
-    if (!use) return use.code();
     if (!use->motion) return HAPTICUT_NOTHING;
     if (!std::isfinite(time)) throw Refusal(HAPTICUT_ERROR_ARGUMENT, "time is no finite number; it must be one.");
     put(use->motion->pose_at(time) * use->first_tool.X_HT().inverse(), *X_WH);
@@ -178,25 +155,19 @@ int hapticut_path_pose(hapticut_simulation simulation, double time, hapticut_pos
 }
 
 int hapticut_set_tool(hapticut_simulation simulation, const char* text) {
-  return guarded([&]() -> int {
+  return within(IdleSimulation(simulation), [&](const auto& use) {
     require_argument(text, "text");
-    const IdleSimulation use(simulation);
-    if (!use) return use.code();
     use->simulation.set_tool(tool_from_toml(text, use->first_tool));
     use->tools.fetch_add(1);
-    return HAPTICUT_OK;
   });
 }
 
 int hapticut_save_workpiece(hapticut_simulation simulation, const char* path) {
-  return guarded([&]() -> int {
+  return within(IdleSimulation(simulation), [&](const auto& use) {
     require_argument(path, "path");
-    const IdleSimulation use(simulation);
-    if (!use) return use.code();
     if (!std::string_view(path).ends_with(".vdb"))
       throw Refusal(HAPTICUT_ERROR_ARGUMENT, "path = '" + std::string(path) + "'; it must end with .vdb.");
     save_vdb(use->simulation.workpiece(), path);
-    return HAPTICUT_OK;
   });
 }
 

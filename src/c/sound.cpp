@@ -41,10 +41,9 @@ int hapticut_sound_render(hapticut_sound sound, const hapticut_sound_input* inpu
   if (const int code = take(input, "input", in); code != HAPTICUT_OK) return code;
   if (samples == nullptr)
     return fail(HAPTICUT_ERROR_ARGUMENT, "samples is a null pointer; it must point to something.");
-  const Use<SoundObject> use(sound);
-  if (!use) return use.code();
-  use->sound.render({samples, count}, sample_rate, {in.spindle_speed, in.power, in.removal_rate, in.touching != 0});
-  return HAPTICUT_OK;
+  return within(Use<SoundObject>(sound), [&](const auto& use) {
+    use->sound.render({samples, count}, sample_rate, {in.spindle_speed, in.power, in.removal_rate, in.touching != 0});
+  });
 }
 
 }  // extern "C"

@@ -70,11 +70,10 @@ const char* hapticut_last_error(void) { return last_failure(); }
 int hapticut_release(hapticut_handle handle) { return release_object(handle); }
 
 int hapticut_status_text(uint32_t status, char* text, size_t capacity) {
-  return guarded([&]() -> int {
+  return guarded([&] {
     require_argument(text, "text");
     if (capacity == 0) throw Refusal(HAPTICUT_ERROR_ARGUMENT, "capacity = 0; there must be room for one character.");
     copy_text(describe(StepStatus(status)), text, capacity);
-    return HAPTICUT_OK;
   });
 }
 
@@ -82,125 +81,110 @@ int hapticut_step(hapticut_simulation simulation, const hapticut_step_input* inp
   hapticut_step_input in;
   if (const int code = take(input, "input", in); code != HAPTICUT_OK) return code;
   if (const int code = check_size(result, "result"); code != HAPTICUT_OK) return code;
-  const IdleSimulation use(simulation);
-  if (!use) return use.code();
-  const StepResult& stepped = use->simulation.step(pose_of(in.X_WH), twist_of(in), in.dt);
-  hapticut_step_result own{};
-  put_step(stepped, own);
-  put(stepped.force, own.force);
-  put(stepped.torque, own.torque);
-  own.X_WH = in.X_WH;
-  give(own, result);
-  return HAPTICUT_OK;
+  return within(IdleSimulation(simulation), [&](const auto& use) {
+    const StepResult& stepped = use->simulation.step(pose_of(in.X_WH), twist_of(in), in.dt);
+    hapticut_step_result own{};
+    put_step(stepped, own);
+    put(stepped.force, own.force);
+    put(stepped.torque, own.torque);
+    own.X_WH = in.X_WH;
+    give(own, result);
+  });
 }
 
 int hapticut_probe(hapticut_simulation simulation, const hapticut_step_input* input, hapticut_probe_result* result) {
   hapticut_step_input in;
   if (const int code = take(input, "input", in); code != HAPTICUT_OK) return code;
   if (const int code = check_size(result, "result"); code != HAPTICUT_OK) return code;
-  const IdleSimulation use(simulation);
-  if (!use) return use.code();
-  const ContactProbe probe = use->simulation.probe(pose_of(in.X_WH), twist_of(in), in.dt);
-  hapticut_probe_result own{};
-  own.contact_voxels = std::uint32_t(probe.contact.voxels);
-  put(probe.wrench.force, own.force);
-  put(probe.wrench.torque, own.torque);
-  for (int row = 0; row < 6; ++row)
-    for (int column = 0; column < 6; ++column) own.stiffness[6 * row + column] = probe.stiffness(row, column);
-  own.contact_depth = probe.contact.depth;
-  give(own, result);
-  return HAPTICUT_OK;
+  return within(IdleSimulation(simulation), [&](const auto& use) {
+    const ContactProbe probe = use->simulation.probe(pose_of(in.X_WH), twist_of(in), in.dt);
+    hapticut_probe_result own{};
+    own.contact_voxels = std::uint32_t(probe.contact.voxels);
+    put(probe.wrench.force, own.force);
+    put(probe.wrench.torque, own.torque);
+    for (int row = 0; row < 6; ++row)
+      for (int column = 0; column < 6; ++column) own.stiffness[6 * row + column] = probe.stiffness(row, column);
+    own.contact_depth = probe.contact.depth;
+    give(own, result);
+  });
 }
 
 int hapticut_touches(hapticut_simulation simulation, const hapticut_pose* X_WH, int* touches) {
   if (X_WH == nullptr || touches == nullptr)
     return fail(HAPTICUT_ERROR_ARGUMENT, "X_WH or touches is a null pointer; both must point to something.");
-  const IdleSimulation use(simulation);
-  if (!use) return use.code();
-  *touches = use->simulation.touches(pose_of(*X_WH)) ? 1 : 0;
-  return HAPTICUT_OK;
+  return within(IdleSimulation(simulation),
+                [&](const auto& use) { *touches = use->simulation.touches(pose_of(*X_WH)) ? 1 : 0; });
 }
 
 int hapticut_energy(hapticut_simulation simulation, hapticut_energy_ledger* ledger) {
   if (const int code = check_size(ledger, "ledger"); code != HAPTICUT_OK) return code;
-  const IdleSimulation use(simulation);
-  if (!use) return use.code();
-  const EnergyLedger& energy = use->simulation.last_result().energy;
-  hapticut_energy_ledger own{};
-  own.hand_work = energy.hand_work;
-  own.motor_work = energy.motor_work;
-  own.elastic = energy.elastic;
-  own.cutting = energy.cutting;
-  own.crushed = energy.crushed;
-  own.released = energy.released;
-  own.damping = energy.damping;
-  own.rubbing = energy.rubbing;
-  own.anchored = energy.anchored;
-  own.sliding = energy.sliding;
-  own.credited = energy.credited;
-  own.entered = energy.entered;
-  own.imbalance = energy.imbalance();
-  own.turnover = energy.turnover;
-  give(own, ledger);
-  return HAPTICUT_OK;
-}
-
-int hapticut_set_spindle_speed(hapticut_simulation simulation, double rad_per_s) {
-  const IdleSimulation use(simulation);
-  if (!use) return use.code();
-  return guarded([&]() -> int {
-    use->simulation.set_spindle_speed(rad_per_s * units::rad_per_s);
-    return HAPTICUT_OK;
+  return within(IdleSimulation(simulation), [&](const auto& use) {
+    const EnergyLedger& energy = use->simulation.last_result().energy;
+    hapticut_energy_ledger own{};
+    own.hand_work = energy.hand_work;
+    own.motor_work = energy.motor_work;
+    own.elastic = energy.elastic;
+    own.cutting = energy.cutting;
+    own.crushed = energy.crushed;
+    own.released = energy.released;
+    own.damping = energy.damping;
+    own.rubbing = energy.rubbing;
+    own.anchored = energy.anchored;
+    own.sliding = energy.sliding;
+    own.credited = energy.credited;
+    own.entered = energy.entered;
+    own.imbalance = energy.imbalance();
+    own.turnover = energy.turnover;
+    give(own, ledger);
   });
 }
 
+int hapticut_set_spindle_speed(hapticut_simulation simulation, double rad_per_s) {
+  return within(IdleSimulation(simulation),
+                [&](const auto& use) { use->simulation.set_spindle_speed(rad_per_s * units::rad_per_s); });
+}
+
 int hapticut_snapshot_take(hapticut_simulation simulation, hapticut_snapshot* snapshot) {
-  return guarded([&]() -> int {
+  return within(IdleSimulation(simulation), [&](const auto& use) {
     require_argument(snapshot, "snapshot");
-    const IdleSimulation use(simulation);
-    if (!use) return use.code();
     *snapshot = add_object(Kind::snapshot, std::make_shared<SnapshotObject>(use->simulation.snapshot(), use.share()));
-    return HAPTICUT_OK;
   });
 }
 
 int hapticut_snapshot_restore(hapticut_simulation simulation, hapticut_snapshot snapshot) {
-  const IdleSimulation use(simulation);
-  if (!use) return use.code();
-  const Use<SnapshotObject> state(snapshot);
-  if (!state) return state.code();
-  return guarded([&]() -> int {
-    if (state->simulation.lock() != use.share())
-      throw Refusal(HAPTICUT_ERROR_REFUSED, "The snapshot is of another simulation; take one of this simulation.");
-    use->simulation.restore(state->state);
-    return HAPTICUT_OK;
+  return within(IdleSimulation(simulation), [&](const auto& use) {
+    return within(Use<SnapshotObject>(snapshot), [&](const auto& state) {
+      if (state->simulation.lock() != use.share())
+        throw Refusal(HAPTICUT_ERROR_REFUSED, "The snapshot is of another simulation; take one of this simulation.");
+      use->simulation.restore(state->state);
+    });
   });
 }
 
 int hapticut_set_undo_mark(hapticut_simulation simulation) {
-  const IdleSimulation use(simulation);
-  if (!use) return use.code();
-  if (use->simulation.set_undo_mark()) return HAPTICUT_OK;
-  return fail(HAPTICUT_ERROR_REFUSED,
-              "There is no memory for undo; make the simulation with hapticut_simulation_options.undo_blocks.");
+  return within(IdleSimulation(simulation), [&](const auto& use) -> int {
+    if (use->simulation.set_undo_mark()) return HAPTICUT_OK;
+    return fail(HAPTICUT_ERROR_REFUSED,
+                "There is no memory for undo; make the simulation with hapticut_simulation_options.undo_blocks.");
+  });
 }
 
 int hapticut_undo(hapticut_simulation simulation) {
-  const IdleSimulation use(simulation);
-  if (!use) return use.code();
-  if (use->simulation.undo_marks() == 0) return HAPTICUT_NOTHING;
-  while (!use->simulation.undo(kBlocksAtOnce)) {
-  }
-  return HAPTICUT_OK;
+  return within(IdleSimulation(simulation), [&](const auto& use) -> int {
+    if (use->simulation.undo_marks() == 0) return HAPTICUT_NOTHING;
+    while (!use->simulation.undo(kBlocksAtOnce)) {
+    }
+    return HAPTICUT_OK;
+  });
 }
 
 int hapticut_redo(hapticut_simulation simulation) {
-  const IdleSimulation use(simulation);
-  if (!use) return use.code();
-  if (use->simulation.redo_marks() == 0) return HAPTICUT_NOTHING;
-  while (!use->simulation.redo(kBlocksAtOnce)) {
-  }
-  return HAPTICUT_OK;
+  return within(IdleSimulation(simulation), [&](const auto& use) -> int {
+    if (use->simulation.redo_marks() == 0) return HAPTICUT_NOTHING;
+    while (!use->simulation.redo(kBlocksAtOnce)) {
+    }
+    return HAPTICUT_OK;
+  });
 }
 
 }  // extern "C"

@@ -36,6 +36,12 @@ template <class S>
   return fail(HAPTICUT_ERROR_STRUCT_SIZE, text);
 }
 
+/// The same of a struct that may be left out.
+template <class S>
+[[nodiscard]] int check_size_if_given(const S* given, const char* name) noexcept {
+  return given == nullptr ? int(HAPTICUT_OK) : check_size(given, name);
+}
+
 /// Reads a caller's struct: what it does not have is 0.
 /// @realtime as check_size
 template <class S>
@@ -57,7 +63,7 @@ template <class S>
   return HAPTICUT_OK;
 }
 
-/// The same of a struct that may be left out.
+/// The same of one that may be left out.
 template <class S>
 [[nodiscard]] int take_if_given(const S* given, const char* name, S& own) noexcept {
   std::memset(static_cast<void*>(&own), 0, sizeof(S));

@@ -79,21 +79,16 @@ using namespace hapticut::c;
 extern "C" {
 
 int hapticut_surface_open(hapticut_simulation simulation, hapticut_surface* surface) {
-  return guarded([&]() -> int {
+  return within(IdleSimulation(simulation), [&](const auto& use) {
     require_argument(surface, "surface");
-    const IdleSimulation use(simulation);
-    if (!use) return use.code();
     use.share()->sweep();
     *surface = add_object(Kind::surface, std::make_shared<SurfaceObject>(use.share()));
-    return HAPTICUT_OK;
   });
 }
 
 int hapticut_surface_poll(hapticut_surface surface, hapticut_page* page) {
   if (const int code = check_size(page, "page"); code != HAPTICUT_OK) return code;
-  const Use<SurfaceObject> use(surface);
-  if (!use) return use.code();
-  return guarded([&]() -> int {
+  return within(Use<SurfaceObject>(surface), [&](const auto& use) -> int {
     if (page->struct_size < sizeof(hapticut_page))
       throw Refusal(HAPTICUT_ERROR_STRUCT_SIZE,
                     "page->struct_size is too small to hold the ticket by which a page is released.");
@@ -112,39 +107,33 @@ int hapticut_surface_poll(hapticut_surface surface, hapticut_page* page) {
 }
 
 int hapticut_surface_release_page(hapticut_surface surface, uint64_t ticket) {
-  const Use<SurfaceObject> use(surface);
-  if (!use) return use.code();
-  const auto found =
-      std::find_if(use->pages.begin(), use->pages.end(), [&](const auto& one) { return one->ticket == ticket; });
-  if (ticket == 0 || found == use->pages.end())
-    return fail(HAPTICUT_ERROR_ARGUMENT, "No page of this surface that is held has this ticket.");
-  (*found)->ticket = 0;
-  return HAPTICUT_OK;
-}
-
-int hapticut_surface_look_at(hapticut_surface surface, const double* p_WQ) {
-  return guarded([&]() -> int {
-    require_argument(p_WQ, "p_WQ");
-    const Use<SurfaceObject> use(surface);
-    if (!use) return use.code();
-    use->stream.look_at(vector_of(p_WQ));
+  return within(Use<SurfaceObject>(surface), [&](const auto& use) -> int {
+    const auto found =
+        std::find_if(use->pages.begin(), use->pages.end(), [&](const auto& one) { return one->ticket == ticket; });
+    if (ticket == 0 || found == use->pages.end())
+      return fail(HAPTICUT_ERROR_ARGUMENT, "No page of this surface that is held has this ticket.");
+    (*found)->ticket = 0;
     return HAPTICUT_OK;
   });
 }
 
+int hapticut_surface_look_at(hapticut_surface surface, const double* p_WQ) {
+  return within(Use<SurfaceObject>(surface), [&](const auto& use) {
+    require_argument(p_WQ, "p_WQ");
+    use->stream.look_at(vector_of(p_WQ));
+  });
+}
+
 int hapticut_surface_catch_up(hapticut_surface surface) {
-  const Use<SurfaceObject> use(surface);
-  if (!use) return use.code();
-  const IdleStay stay(*use->simulation);
-  if (!stay) return stay.code();
-  return guarded([&]() -> int {
-    for (ChangedBlock old; use->feed->receive(old);) {  // is older than what comes now
-    }
-    const Workpiece& workpiece = use->simulation->simulation.workpiece();
-    for_each_block_origin(use->bounds, [&](const VoxelIndex& origin) {
-      (void)use->stream.update(workpiece, {&origin, 1});  // all of them are within its bounds
+  return within(Use<SurfaceObject>(surface), [&](const auto& use) {
+    return within(IdleStay(*use->simulation), [&](const auto&) {
+      for (ChangedBlock old; use->feed->receive(old);) {  // is older than what comes now
+      }
+      const Workpiece& workpiece = use->simulation->simulation.workpiece();
+      for_each_block_origin(use->bounds, [&](const VoxelIndex& origin) {
+        (void)use->stream.update(workpiece, {&origin, 1});  // all of them are within its bounds
+      });
     });
-    return HAPTICUT_OK;
   });
 }
 

@@ -11,6 +11,22 @@ namespace hapticut {
 /// Which axis of the device's base points up.
 enum class Up { y, z };
 
+/// Axis-parallel in W, around all voxels that are not empty; at the origin where there is none.
+[[nodiscard]] inline Box box_of_workpiece(const Workpiece& workpiece) {
+  const IndexBox bounds = workpiece.bounds();
+  const GridFrame& frame = workpiece.frame();
+  Box box{Vec3::Zero(), Vec3::Zero()};
+  for (int corner = 0; corner < 8 && !bounds.empty(); ++corner) {
+    Vec3 p_V;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      p_V[int(axis)] = (corner >> axis & 1) != 0 ? bounds.max[axis] + 0.5 : bounds.min[axis] - 0.5;
+    const Vec3 p_W = frame.X_WV * (frame.voxel_size * p_V);
+    box.min = corner == 0 ? p_W : box.min.cwiseMin(p_W).eval();
+    box.max = corner == 0 ? p_W : box.max.cwiseMax(p_W).eval();
+  }
+  return box;
+}
+
 /// Puts the origin of the device's base where the tool stands on the middle of the workpiece's top.
 /// @param scale  metres in the world per metre of the hand
 [[nodiscard]] inline WorkspaceMapOptions map_above(const DeviceCapabilities& capabilities, const Box& box,

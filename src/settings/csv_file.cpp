@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <string_view>
@@ -61,10 +62,23 @@ CsvFile::CsvFile(const std::filesystem::path& path, const std::string& what, con
 CsvFile::CsvFile(std::string text, std::string name)
     : name_(std::move(name)), stream_(std::make_unique<std::istringstream>(std::move(text))) {}
 
-void CsvFile::require_names_once(const std::vector<std::string>& names) const {
-  for (auto name = names.begin(); name != names.end(); ++name)
-    if (!name->empty() && std::find(names.begin(), name, *name) != name)
+const std::vector<std::string>& CsvFile::read_names(const std::string& must) {
+  if (!next(names_)) fail("the file is empty; its first line must " + must + ".");
+  for (auto name = names_.begin(); name != names_.end(); ++name)
+    if (!name->empty() && std::find(names_.begin(), name, *name) != name)
       fail("the column " + *name + " is named twice; leave one of them out.");
+  return names_;
+}
+
+std::optional<std::size_t> CsvFile::column(const std::string& name) const {
+  const auto place = std::find(names_.begin(), names_.end(), name);
+  return place == names_.end() ? std::nullopt : std::optional(std::size_t(place - names_.begin()));
+}
+
+double CsvFile::number_at(const std::vector<std::string>& cells, std::size_t column) {
+  const std::optional<double> value = number(cells[column]);
+  if (!value || !std::isfinite(*value)) fail(names_[column] + " = \"" + cells[column] + "\"; must be a number.");
+  return *value;
 }
 
 bool CsvFile::next_line(std::string& line) {

@@ -33,9 +33,17 @@ class CsvFile {
   /// @throws Error when some numbers have commas, others points
   std::optional<double> number(std::string cell);
 
-  /// @param names  of the columns, in the first line
-  /// @throws Error when two columns have the same
-  void require_names_once(const std::vector<std::string>& names) const;
+  /// The names of the columns, from the first line.
+  /// @param must  what is said of that line where the file is empty: "name the columns t_s, x_mm ..."
+  /// @throws Error also when two columns have the same name
+  const std::vector<std::string>& read_names(const std::string& must);
+
+  /// Where a column is; nothing where the file has none of that name.
+  [[nodiscard]] std::optional<std::size_t> column(const std::string& name) const;
+
+  /// The finite number in a cell of a line.
+  /// @throws Error naming the column and what is there
+  double number_at(const std::vector<std::string>& cells, std::size_t column);
 
   /// @throws Error that begins with file and line
   [[noreturn]] void fail(const std::string& message) const;
@@ -49,6 +57,7 @@ class CsvFile {
   std::unique_ptr<std::istream> stream_;
   int line_ = 0;
   std::size_t columns_ = 0;
+  std::vector<std::string> names_;
   char separator_ = 0;  // 0: not known yet
   bool has_points_ = false, has_commas_ = false, has_decimals_ = false;
   std::string doubtful_;  // the first number that may mark thousands

@@ -42,11 +42,10 @@ std::optional<Gravity> make_gravity(const EffectsSettings& s) {
 
 std::optional<Vibration> make_vibration(const EffectsSettings& s, double update_rate) {
   if (!s.vibration_Hz) {
-    refuse(s.vibration_N, "effects.vibration_N", "a tool without effects.vibration_Hz", "set --vibration_Hz");
-    refuse(s.vibration_N_per_W, "effects.vibration_N_per_W", "a tool without effects.vibration_Hz",
-           "set --vibration_Hz");
-    refuse(s.vibration_largest_N, "effects.vibration_largest_N", "a tool without effects.vibration_Hz",
-           "set --vibration_Hz");
+    for (const auto& [key, value] :
+         {std::pair("effects.vibration_N", s.vibration_N), std::pair("effects.vibration_N_per_W", s.vibration_N_per_W),
+          std::pair("effects.vibration_largest_N", s.vibration_largest_N)})
+      refuse(value, key, "a tool without effects.vibration_Hz", "set --vibration_Hz");
     return std::nullopt;
   }
   Vibration vibration;
@@ -68,10 +67,9 @@ std::optional<Vibration> make_vibration(const EffectsSettings& s, double update_
 
 std::optional<DeltaFilter> make_filter(const EffectsSettings& s) {
   if (!s.thesis_filter) {
-    refuse(s.filter_delta_N, "effects.filter_delta_N", "an output without effects.thesis_filter",
-           "set --thesis_filter");
-    refuse(s.filter_epsilon_N, "effects.filter_epsilon_N", "an output without effects.thesis_filter",
-           "set --thesis_filter");
+    for (const auto& [key, value] : {std::pair("effects.filter_delta_N", s.filter_delta_N),
+                                     std::pair("effects.filter_epsilon_N", s.filter_epsilon_N)})
+      refuse(value, key, "an output without effects.thesis_filter", "set --thesis_filter");
     return std::nullopt;
   }
   DeltaFilter filter;

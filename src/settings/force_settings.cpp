@@ -149,8 +149,9 @@ std::vector<Setting> law_settings_of(ForceSettings& s) {
 }
 
 std::vector<Setting> settings_of(ForceSettings& s) {
-  std::vector<Setting> all = law_settings_of(s);
-  for (Setting& setting : std::vector<Setting>{
+  return together(
+      {law_settings_of(s),
+       {
            number("force.static_friction", "--static_friction", s.static_friction,
                   range_of(&DryFriction::static_friction),
                   "of the standing spindle, for all materials [each material's own]"),
@@ -167,9 +168,8 @@ std::vector<Setting> settings_of(ForceSettings& s) {
            choice("force.handle_torque", "--handle_torque", s.handle_torque,
                   "torque at the hand: exact, or by the formulas of the thesis [full_wrench]"),
            number("force.handle_torque_scale", "--handle_torque_scale", s.handle_torque_scale, Range::any(),
-                  "handle_torque thesis: its constant zeta [1]")})
-    all.push_back(std::move(setting));
-  return all;
+                  "handle_torque thesis: its constant zeta [1]"),
+       }});
 }
 
 void apply(const ForceSettings& s, SimulationConfig& config) {

@@ -36,10 +36,9 @@ void apply(const MaterialChange& change, Material& material) {
 void require_preset(const std::string& name) {
   const std::vector<std::string> presets = known_presets();
   if (std::find(presets.begin(), presets.end(), name) != presets.end()) return;
-  std::string known;
-  for (const std::string& preset : presets) known += (known.empty() ? "" : ", ") + preset;
-  throw Error("there is no material " + name + "; the presets are " + known + "." + suggestion(name, presets) +
-              " For one of your own write [material." + name + "] with based_on = \"a preset\".");
+  throw Error("there is no material " + name + "; the presets are " + joined(presets) + "." +
+              suggestion(name, presets) + " For one of your own write [material." + name +
+              "] with based_on = \"a preset\".");
 }
 
 }  // namespace

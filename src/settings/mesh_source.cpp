@@ -17,10 +17,7 @@ namespace {
 constexpr double kVoxel_mm = 0.1;
 
 std::string names_of(const std::vector<NamedMesh>& objects) {
-  std::string names;
-  for (const NamedMesh& object : objects)
-    names += (names.empty() ? "" : ", ") + (object.name.empty() ? "one without a name" : object.name);
-  return names;
+  return joined(objects, ", ", [](const NamedMesh& o) { return o.name.empty() ? "one without a name" : o.name; });
 }
 
 /// All objects of a name as one surface, with one vertex where they touch, as a reader makes it of one object.

@@ -12,137 +12,112 @@
 namespace hapticut::settings {
 namespace {
 
-using PathKind = PathSettings::Kind;
-using Point = PathSettings::Point;
+using P = PathSettings;
+using PathKind = P::Kind;
+using K = PathKind;
+using Point = P::Point;
 
 const std::vector<std::pair<std::string, PathKind>>& kinds() {
-  static const std::vector<std::pair<std::string, PathKind>> kKinds = {{"line", PathKind::line},
-                                                                       {"circle", PathKind::circle},
-                                                                       {"spiral", PathKind::spiral},
-                                                                       {"cavity", PathKind::cavity},
-                                                                       {"poses", PathKind::poses}};
+  static const std::vector<std::pair<std::string, PathKind>> kKinds = {
+      {"line", K::line}, {"circle", K::circle}, {"spiral", K::spiral}, {"cavity", K::cavity}, {"poses", K::poses}};
   return kKinds;
 }
 
 const std::string& name_of(PathKind kind) {
-  return std::find_if(kinds().begin(), kinds().end(), [&](const auto& known) { return known.second == kind; })->first;
+  return std::ranges::find(kinds(), kind, &std::pair<std::string, PathKind>::second)->first;
 }
 
-/// A number or vector of some kinds of path.
-template <class Value>
+using NumberMember = std::optional<double> P::*;
+using VectorMember = std::optional<Vec3> P::*;
+
+/// What some kinds of path have.
 struct PathField {
   std::string name;  // of the key and of the flag
-  std::optional<Value> PathSettings::*member;
+  std::variant<NumberMember, VectorMember> member;
   std::vector<PathKind> kinds;
   Range range;
   const char* meaning;
 };
 
-const std::vector<PathField<double>>& number_fields() {
+const std::vector<PathField>& path_fields() {
   const Range any = Range::any(), positive = Range::positive(), not_negative = Range::not_negative();
-  constexpr PathKind kLine = PathKind::line, kCircle = PathKind::circle, kSpiral = PathKind::spiral,
-                     kCavity = PathKind::cavity;
-  static const std::vector<PathField<double>> fields = {
-      {"feed_mm_per_s",
-       &PathSettings::feed_mm_per_s,
-       {kLine, kCircle, kSpiral, kCavity},
-       positive,
-       "speed along the path"},
-      {"approach_mm",
-       &PathSettings::approach_mm,
-       {kLine, kCircle, kSpiral, kCavity},
-       not_negative,
+  const std::vector<PathKind> all = {K::line, K::circle, K::spiral, K::cavity},
+                              round = {K::circle, K::spiral, K::cavity};
+  static const std::vector<PathField> fields = {
+      {"from_mm", &P::from_mm, {K::line}, any, "start"},
+      {"to_mm", &P::to_mm, {K::line}, any, "end"},
+      {"center_mm", &P::center_mm, round, any, "centre"},
+      {"axis", &P::axis, round, any, "normal of the curve, out of the material [the tool axis]"},
+      {"feed_mm_per_s", &P::feed_mm_per_s, all, positive, "speed along the path"},
+      {"approach_mm", &P::approach_mm, all, not_negative,
        "distance along the tool axis from which the path is entered [0]"},
-      {"approach_feed_mm_per_s",
-       &PathSettings::approach_feed_mm_per_s,
-       {kLine, kCircle, kSpiral, kCavity},
-       positive,
-       "speed of approach and retract [the feed]"},
-      {"retract_mm",
-       &PathSettings::retract_mm,
-       {kLine, kCircle, kSpiral, kCavity},
-       not_negative,
+      {"approach_feed_mm_per_s", &P::approach_feed_mm_per_s, all, positive, "speed of approach and retract [the feed]"},
+      {"retract_mm", &P::retract_mm, all, not_negative,
        "distance along the tool axis to which the tool is pulled out at the end [0]"},
-      {"circle_radius_mm", &PathSettings::radius_mm, {kCircle}, positive, "radius"},
-      {"turns", &PathSettings::turns, {kCircle}, positive, "number of turns"},
-      {"start_angle_deg", &PathSettings::start_angle_deg, {kCircle}, any, "where it starts [0]"},
-      {"start_radius_mm", &PathSettings::start_radius_mm, {kSpiral}, not_negative, "first radius"},
-      {"end_radius_mm", &PathSettings::end_radius_mm, {kSpiral}, not_negative, "last radius"},
-      {"pitch_mm", &PathSettings::pitch_mm, {kSpiral, kCavity}, positive, "distance of neighbouring turns"},
-      {"depth_mm", &PathSettings::depth_mm, {kSpiral, kCavity}, not_negative, "depth below the centre"},
-      {"top_radius_mm", &PathSettings::top_radius_mm, {kCavity}, not_negative, "radius of the first layer"},
-      {"bottom_radius_mm", &PathSettings::bottom_radius_mm, {kCavity}, not_negative, "radius of the last layer"},
-      {"layer_mm", &PathSettings::layer_mm, {kCavity}, positive, "distance of neighbouring layers"},
+      {"circle_radius_mm", &P::radius_mm, {K::circle}, positive, "radius"},
+      {"turns", &P::turns, {K::circle}, positive, "number of turns"},
+      {"start_angle_deg", &P::start_angle_deg, {K::circle}, any, "where it starts [0]"},
+      {"start_radius_mm", &P::start_radius_mm, {K::spiral}, not_negative, "first radius"},
+      {"end_radius_mm", &P::end_radius_mm, {K::spiral}, not_negative, "last radius"},
+      {"pitch_mm", &P::pitch_mm, {K::spiral, K::cavity}, positive, "distance of neighbouring turns"},
+      {"depth_mm", &P::depth_mm, {K::spiral, K::cavity}, not_negative, "depth below the centre"},
+      {"top_radius_mm", &P::top_radius_mm, {K::cavity}, not_negative, "radius of the first layer"},
+      {"bottom_radius_mm", &P::bottom_radius_mm, {K::cavity}, not_negative, "radius of the last layer"},
+      {"layer_mm", &P::layer_mm, {K::cavity}, positive, "distance of neighbouring layers"},
   };
   return fields;
-}
-
-const std::vector<PathField<Vec3>>& vector_fields() {
-  const std::vector<PathKind> round = {PathKind::circle, PathKind::spiral, PathKind::cavity};
-  static const std::vector<PathField<Vec3>> fields = {
-      {"from_mm", &PathSettings::from_mm, {PathKind::line}, Range::any(), "start"},
-      {"to_mm", &PathSettings::to_mm, {PathKind::line}, Range::any(), "end"},
-      {"center_mm", &PathSettings::center_mm, round, Range::any(), "centre"},
-      {"axis", &PathSettings::axis, round, Range::any(), "normal of the curve, out of the material [the tool axis]"},
-  };
-  return fields;
-}
-
-std::string joined(const std::vector<PathKind>& some, const std::string& separator) {
-  std::string list;
-  for (const PathKind kind : some) list += (list.empty() ? "" : separator) + name_of(kind);
-  return list;
 }
 
 /// "circle, spiral: radius", or without the kinds when only poses are left out.
-template <class Value>
-std::string meaning_of(const PathField<Value>& field) {
+std::string meaning_of(const PathField& field) {
   if (field.kinds.size() + 1 == kinds().size()) return field.meaning;
-  return joined(field.kinds, ", ") + ": " + field.meaning;
+  return joined(field.kinds, ", ", name_of) + ": " + field.meaning;
 }
 
-template <class Value>
-const Value& need(const std::optional<Value>& value, PathKind kind, const std::string& name) {
-  if (!value)
-    throw Error("path." + name + " is missing; a path of kind " + name_of(kind) + " needs it. Set --" + name + ", or " +
-                name + " under [path] in the settings file.");
-  return *value;
+Setting setting_of(const PathField& f, PathSettings& p) {
+  const std::string key = "path." + f.name, flag = "--" + f.name;
+  if (const VectorMember* member = std::get_if<VectorMember>(&f.member))
+    return vector(key, flag, p.**member, f.range, meaning_of(f));
+  return number(key, flag, p.*std::get<NumberMember>(f.member), f.range, meaning_of(f));
 }
 
+/// What was given of a field.
+/// @throws Error when it is missing
 template <class Value>
-void refuse_what_does_not_belong(const PathSettings& s, const std::vector<PathField<Value>>& fields) {
-  for (const PathField<Value>& field : fields)
-    if (s.*field.member && std::find(field.kinds.begin(), field.kinds.end(), *s.kind) == field.kinds.end())
-      throw Error("path." + field.name + equals(*(s.*field.member)) + "; must be left out, because a path of kind " +
-                  name_of(*s.kind) + " has none. " +
-                  (*s.kind == PathKind::poses ? "Put it into the file of poses."
-                                              : "Leave it out, or choose --path " + joined(field.kinds, " or ") + "."));
+const Value& need(const PathSettings& s, std::optional<Value> P::*member) {
+  const auto is_this = [&](const PathField& field) {
+    return field.member == std::variant<NumberMember, VectorMember>(member);
+  };
+  if (!(s.*member))
+    fail_missing("path." + std::find_if(path_fields().begin(), path_fields().end(), is_this)->name,
+                 "a path of kind " + name_of(*s.kind));
+  return *(s.*member);
 }
 
 void refuse_what_does_not_belong(const PathSettings& s) {
-  refuse_what_does_not_belong(s, number_fields());
-  refuse_what_does_not_belong(s, vector_fields());
-  if (!s.file.empty() && *s.kind != PathKind::poses)
-    throw Error("path.file = \"" + s.file + "\"; must be left out, because a path of kind " + name_of(*s.kind) +
-                " has none. Leave it out, or choose --path poses.");
+  const std::string owner = "a path of kind " + name_of(*s.kind);
+  for (const PathField& field : path_fields()) {
+    if (std::ranges::find(field.kinds, *s.kind) != field.kinds.end()) continue;
+    const std::string instead =
+        *s.kind == K::poses ? "put it into the file of poses" : "choose --path " + joined(field.kinds, " or ", name_of);
+    std::visit([&](const auto member) { refuse(s.*member, "path." + field.name, owner, instead); }, field.member);
+  }
+  if (*s.kind != K::poses && !s.file.empty()) refuse(std::optional(s.file), "path.file", owner, "choose --path poses");
 }
 
 std::vector<Vec3> curve_of(const PathSettings& s, const Vec3& tool_axis) {
   const PathKind kind = *s.kind;
   using units::mm;
-  if (kind == PathKind::line) return {need(s.from_mm, kind, "from_mm") * mm, need(s.to_mm, kind, "to_mm") * mm};
-  const CurvePlane plane{need(s.center_mm, kind, "center_mm") * mm, s.axis.value_or(tool_axis)};
+  if (kind == K::line) return {need(s, &P::from_mm) * mm, need(s, &P::to_mm) * mm};
+  const CurvePlane plane{need(s, &P::center_mm) * mm, s.axis.value_or(tool_axis)};
   if (!(plane.axis.norm() > 0)) throw Error("path.axis = 0 0 0; must have a length. Set path.axis, e.g. 0,0,1.");
-  if (kind == PathKind::circle)
-    return circle(plane, need(s.radius_mm, kind, "circle_radius_mm") * mm, need(s.turns, kind, "turns"),
-                  s.start_angle_deg.value_or(0) * units::deg);
-  const double pitch = need(s.pitch_mm, kind, "pitch_mm") * mm, depth = need(s.depth_mm, kind, "depth_mm") * mm;
-  if (kind == PathKind::spiral)
-    return spiral(plane, need(s.start_radius_mm, kind, "start_radius_mm") * mm,
-                  need(s.end_radius_mm, kind, "end_radius_mm") * mm, pitch, depth);
-  return cavity(plane, {need(s.top_radius_mm, kind, "top_radius_mm") * mm,
-                        need(s.bottom_radius_mm, kind, "bottom_radius_mm") * mm, depth,
-                        need(s.layer_mm, kind, "layer_mm") * mm, pitch});
+  if (kind == K::circle)
+    return circle(plane, need(s, &P::radius_mm) * mm, need(s, &P::turns), s.start_angle_deg.value_or(0) * units::deg);
+  const double pitch = need(s, &P::pitch_mm) * mm, depth = need(s, &P::depth_mm) * mm;
+  if (kind == K::spiral)
+    return spiral(plane, need(s, &P::start_radius_mm) * mm, need(s, &P::end_radius_mm) * mm, pitch, depth);
+  return cavity(plane, {need(s, &P::top_radius_mm) * mm, need(s, &P::bottom_radius_mm) * mm, depth,
+                        need(s, &P::layer_mm) * mm, pitch});
 }
 
 Mat3 orientation_of(const PathSettings& s) {
@@ -153,24 +128,24 @@ Mat3 orientation_of(const PathSettings& s) {
 }
 
 /// Moves on along a straight line.
-void append(std::vector<TimedPose>& poses, const Vec3& target, const Mat3& rotation, double feed) {
-  const double length = (target - poses.back().pose.translation).norm();
-  if (length > 1e-12) poses.push_back({poses.back().t + length / feed, {rotation, target}});
+void append(std::vector<TimedPose>& motion, const Vec3& target, const Mat3& rotation, double feed) {
+  const double length = (target - motion.back().pose.translation).norm();
+  if (length > 1e-12) motion.push_back({motion.back().t + length / feed, {rotation, target}});
 }
 
 std::vector<TimedPose> follow(const PathSettings& s) {
   const Mat3 rotation = orientation_of(s);
   const Vec3 outwards = rotation.col(2);
-  const double feed = need(s.feed_mm_per_s, *s.kind, "feed_mm_per_s") * units::mm_per_s;
+  const double feed = need(s, &P::feed_mm_per_s) * units::mm_per_s;
   const double approach_feed = s.approach_feed_mm_per_s ? *s.approach_feed_mm_per_s * units::mm_per_s : feed;
   const std::vector<Vec3> points = curve_of(s, outwards);
 
-  std::vector<TimedPose> poses;
-  poses.push_back({0, {rotation, points.front() + outwards * s.approach_mm.value_or(0) * units::mm}});
-  append(poses, points.front(), rotation, approach_feed);
-  for (const Vec3& point : points) append(poses, point, rotation, feed);
-  append(poses, points.back() + outwards * s.retract_mm.value_or(0) * units::mm, rotation, approach_feed);
-  return poses;
+  std::vector<TimedPose> motion;
+  motion.push_back({0, {rotation, points.front() + outwards * s.approach_mm.value_or(0) * units::mm}});
+  append(motion, points.front(), rotation, approach_feed);
+  for (const Vec3& point : points) append(motion, point, rotation, feed);
+  append(motion, points.back() + outwards * s.retract_mm.value_or(0) * units::mm, rotation, approach_feed);
+  return motion;
 }
 
 }  // namespace
@@ -190,10 +165,7 @@ std::vector<Setting> settings_of(PathSettings& p) {
       number("path.tool_roll_deg", "--tool_roll_deg", p.tool_roll_deg, Range::any(),
              "turn of the tool about its axis [0]"),
   };
-  for (const auto& f : vector_fields())
-    settings.push_back(vector("path." + f.name, "--" + f.name, p.*f.member, f.range, meaning_of(f)));
-  for (const auto& f : number_fields())
-    settings.push_back(number("path." + f.name, "--" + f.name, p.*f.member, f.range, meaning_of(f)));
+  for (const PathField& field : path_fields()) settings.push_back(setting_of(field, p));
   settings.push_back(path("path.file", "--poses", p.file,
                           "poses: a CSV file with the columns t_s, x_mm, y_mm, z_mm and, for the rotation, qw, qx, "
                           "qy, qz or r00 ... r22"));
@@ -207,22 +179,22 @@ Motion make_motion(const PathSettings& s, const Tool& tool) {
         "settings file.");
   refuse_what_does_not_belong(s);
   const Point point = s.point.value_or(Point::tip);
-  std::vector<TimedPose> poses;
-  if (*s.kind == PathKind::poses) {
+  std::vector<TimedPose> motion;
+  if (*s.kind == K::poses) {
     if (s.file.empty()) throw Error("path.file is missing; a path of poses needs it. Set --poses FILE.csv.");
-    poses = read_poses(s.file, orientation_of(s));
+    motion = read_poses(s.file, orientation_of(s));
   } else {
     if (point == Point::handle)
       throw Error("path.point = handle goes with a path of poses only. Set path.point to tip or head.");
-    poses = follow(s);
+    motion = follow(s);
   }
 
   // From the named point to the frame of the head.
   Pose X_PT = Pose::from_translation(Vec3::Zero());
   if (point == Point::tip) X_PT.translation = -tip_in_head(tool.head());
   if (point == Point::handle) X_PT = tool.X_HT();
-  for (TimedPose& timed : poses) timed.pose = timed.pose * X_PT;
-  return Motion(std::move(poses));
+  for (TimedPose& timed : motion) timed.pose = timed.pose * X_PT;
+  return Motion(std::move(motion));
 }
 
 }  // namespace hapticut::settings

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings/pose_file.hpp"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -27,9 +26,8 @@ class PoseFile {
   std::vector<TimedPose> read() {
     std::vector<TimedPose> poses;
     std::vector<std::string> cells;
-    if (!lines_.next(cells)) fail("the file is empty; its first line must name the columns t_s, x_mm, y_mm, z_mm ...");
-    lines_.require_names_once(cells);
-    read_names(cells);
+    (void)lines_.read_names("name the columns t_s, x_mm, y_mm, z_mm ...");
+    find_columns();
     while (lines_.next(cells)) {
       if (poses.size() == kMostPoses)
         fail("there are more than " + format_number(double(kMostPoses)) + " poses; leave some out, or cut the path.");
@@ -50,10 +48,8 @@ class PoseFile {
     std::string missing;
     std::size_t found = 0;
     for (std::size_t i = 0; i < kCount; ++i) {
-      const auto at = std::find(names_.begin(), names_.end(), wanted[i]);
-      places[i] = std::size_t(at - names_.begin());
-      if (at != names_.end())
-        ++found;
+      if (const std::optional<std::size_t> at = lines_.column(wanted[i]))
+        places[i] = *at, ++found;
       else
         missing += std::string(missing.empty() ? "" : ", ") + wanted[i];
     }
@@ -62,8 +58,7 @@ class PoseFile {
     return places;
   }
 
-  void read_names(const std::vector<std::string>& names) {
-    names_ = names;
+  void find_columns() {
     const Columns<4> place = find<4>({"t_s", "x_mm", "y_mm", "z_mm"});
     if (!place)
       fail(
@@ -75,14 +70,8 @@ class PoseFile {
     if (quaternion_ && matrix_) fail("there is a quaternion and a matrix; leave one of them out.");
   }
 
-  double number_at(const std::vector<std::string>& cells, std::size_t column) {
-    const std::optional<double> value = lines_.number(cells[column]);
-    if (!value || !std::isfinite(*value)) fail(names_[column] + " = \"" + cells[column] + "\"; must be a number.");
-    return *value;
-  }
-
   TimedPose read_pose(const std::vector<std::string>& cells) {
-    const auto number = [&](std::size_t column) { return number_at(cells, column); };
+    const auto number = [&](std::size_t column) { return lines_.number_at(cells, column); };
     const double t = number(place_[0]);
     const Vec3 position = Vec3(number(place_[1]), number(place_[2]), number(place_[3])) * units::mm;
     return {t, {read_rotation(number), position}};
@@ -107,7 +96,6 @@ class PoseFile {
 
   CsvFile lines_;
   Mat3 rotation_;
-  std::vector<std::string> names_;
   std::array<std::size_t, 4> place_ = {};
   Columns<4> quaternion_;
   Columns<9> matrix_;

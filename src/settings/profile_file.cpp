@@ -2,8 +2,6 @@
 #include "settings/profile_file.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,9 +23,7 @@ class ProfileFile {
 
   Profile read() {
     std::vector<std::string> cells;
-    if (!lines_.next(cells)) fail("the file is empty; its first line must name the columns rho_mm, z_mm ...");
-    lines_.require_names_once(cells);
-    read_names(cells);
+    require_known(lines_.read_names("name the columns rho_mm, z_mm ..."));
     Profile profile;
     std::size_t points = 0;
     for (; lines_.next(cells); ++points) {
@@ -46,39 +42,29 @@ class ProfileFile {
  private:
   [[noreturn]] void fail(const std::string& message) const { lines_.fail(message); }
 
-  void read_names(const std::vector<std::string>& names) {
+  void require_known(const std::vector<std::string>& names) const {
     const std::vector<std::string> known = {"rho_mm", "z_mm", "radius_mm", "kind"};
-    for (std::size_t n = 0; n < names.size(); ++n) {
-      if (names[n].empty()) continue;  // a column that a spreadsheet added
-      const auto place = std::find(known.begin(), known.end(), names[n]);
-      if (place == known.end())
-        fail("there is no column " + names[n] + "; must be one of rho_mm, z_mm, radius_mm, kind." +
-             suggestion(names[n], known));
-      place_[std::size_t(place - known.begin())] = n;
-    }
-    if (!place_[0] || !place_[1]) fail("the columns rho_mm and z_mm must be there.");
-  }
-
-  double length(const std::string& cell) {
-    const std::optional<double> value = lines_.number(cell);
-    if (!value || !std::isfinite(*value)) fail("'" + cell + "' is not a number.");
-    return *value * units::mm;
+    for (const std::string& name : names)  // one without a name a spreadsheet has added
+      if (!name.empty() && std::ranges::find(known, name) == known.end())
+        fail("there is no column " + name + "; must be one of " + joined(known) + "." + suggestion(name, known));
+    if (!lines_.column("rho_mm") || !lines_.column("z_mm")) fail("the columns rho_mm and z_mm must be there.");
   }
 
   ProfileEdge read_edge(const std::vector<std::string>& cells) {
     ProfileEdge edge;
-    edge.rho = length(cells[*place_[0]]);
-    edge.z = length(cells[*place_[1]]);
-    if (place_[2]) edge.radius = length(cells[*place_[2]]);
-    if (!place_[3]) return edge;
-    const std::string& kind = cells[*place_[3]];
+    for (const auto& [name, length] :
+         {std::pair("rho_mm", &edge.rho), std::pair("z_mm", &edge.z), std::pair("radius_mm", &edge.radius)})
+      if (const std::optional<std::size_t> column = lines_.column(name))
+        *length = lines_.number_at(cells, *column) * units::mm;
+    const std::optional<std::size_t> column = lines_.column("kind");
+    if (!column) return edge;
+    const std::string& kind = cells[*column];
     if (kind != "cutting" && kind != "smooth") fail("kind = " + kind + "; must be cutting or smooth.");
     edge.kind = kind == "cutting" ? EdgeKind::cutting : EdgeKind::smooth;
     return edge;
   }
 
   CsvFile lines_;
-  std::array<std::optional<std::size_t>, 4> place_ = {};
 };
 
 Profile profile_in(const std::filesystem::path& path) {

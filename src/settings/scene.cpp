@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hapticut/settings/scene.hpp"
 
-#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
@@ -17,10 +16,7 @@ const std::set<std::string> kOfTheProgram = {"output", "loop"};
 }  // namespace
 
 std::vector<Setting> settings_of(SceneSettings& s) {
-  std::vector<Setting> all = settings_of(s.workpiece);
-  for (std::vector<Setting> more : {settings_of(s.tool), settings_of(s.path), settings_of(s.simulation)})
-    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  return all;
+  return together({settings_of(s.workpiece), settings_of(s.tool), settings_of(s.path), settings_of(s.simulation)});
 }
 
 Scene make_scene(const SceneSettings& s, bool with_motion) {

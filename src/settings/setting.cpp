@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
 
 #include "hapticut/core/units.hpp"
@@ -135,6 +136,13 @@ Setting path(std::string key, std::string flag, std::string& target, std::string
   return setting;
 }
 
+std::vector<Setting> together(std::vector<std::vector<Setting>> lists) {
+  std::vector<Setting> all;
+  for (std::vector<Setting>& list : lists)
+    all.insert(all.end(), std::make_move_iterator(list.begin()), std::make_move_iterator(list.end()));
+  return all;
+}
+
 Setting boolean(std::string key, std::string flag, bool& target, std::string meaning) {
   return {std::move(key),
           std::move(flag),
@@ -166,10 +174,7 @@ std::string describe(const Value& value) {
   if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "true" : "false";
   if (const auto* one = std::get_if<double>(&value)) return format_number(*one);
   if (const auto* words = std::get_if<std::string>(&value)) return '"' + *words + '"';
-  std::string list = "[";
-  for (const double each : std::get<std::vector<double>>(value))
-    list += (list.size() > 1 ? ", " : "") + format_number(each);
-  return list + "]";
+  return "[" + joined(std::get<std::vector<double>>(value), ", ", format_number) + "]";
 }
 
 std::optional<std::string> nearest_name(std::string_view misspelled, const std::vector<std::string>& candidates) {

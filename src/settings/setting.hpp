@@ -53,6 +53,18 @@ struct Setting {
   const std::string* file = nullptr;  ///< the same: where its name is kept
 };
 
+/// Lists of settings as one.
+[[nodiscard]] std::vector<Setting> together(std::vector<std::vector<Setting>> lists);
+
+/// Words in a sentence: "block, slab, molar".
+/// @param word_of  what stands for an element of the list
+template <class List, class WordOf = std::identity>
+[[nodiscard]] std::string joined(const List& list, const std::string& separator = ", ", const WordOf& word_of = {}) {
+  std::string text;
+  for (const auto& element : list) text += (text.empty() ? "" : separator) + std::string(std::invoke(word_of, element));
+  return text;
+}
+
 namespace detail {
 
 inline double& stored(double& target) { return target; }
@@ -60,16 +72,19 @@ inline double& stored(std::optional<double>& target) { return target.emplace(); 
 
 }  // namespace detail
 
-/// A number.  @tparam Target  double or std::optional<double>
+/// A number.
+/// @tparam Target  double or std::optional<double>
+/// @param factor   what is stored, and must be within the range, over what is given
 template <class Target>
-[[nodiscard]] Setting number(std::string key, std::string flag, Target& target, Range range, std::string meaning) {
+[[nodiscard]] Setting number(std::string key, std::string flag, Target& target, Range range, std::string meaning,
+                             double factor = 1) {
   return {std::move(key),
           std::move(flag),
           std::move(meaning),
           range.text(),
           Setting::Kind::number,
-          [&target, range](const Value& value) {
-            const double given = std::get<double>(value);
+          [&target, range, factor](const Value& value) {
+            const double given = std::get<double>(value) * factor;
             if (!std::isfinite(given) || !range.contains(given)) return false;
             detail::stored(target) = given;
             return true;
@@ -93,16 +108,10 @@ void add_fields(const std::string& table, S& target, double S::*except, std::vec
     const ShownUnit shown = shown_unit(field.unit);
     const std::string name = field.name + (shown.name.empty() ? "" : "_" + shown.name);
     const double standard = S{}.*field.member / shown.factor;
-    Setting setting =
+    settings.push_back(
         number(table + "." + name, "--" + name, target.*field.member, field.range,
-               std::string(field.text) + " [" + (std::isinf(standard) ? "no limit" : format_number(standard)) + "]");
-    setting.assign = [&value = target.*field.member, range = field.range, factor = shown.factor](const Value& given) {
-      const double si = std::get<double>(given) * factor;
-      if (!std::isfinite(si) || !range.contains(si)) return false;
-      value = si;
-      return true;
-    };
-    settings.push_back(std::move(setting));
+               std::string(field.text) + " [" + (std::isinf(standard) ? "no limit" : format_number(standard)) + "]",
+               shown.factor));
   });
 }
 
@@ -130,12 +139,10 @@ void add_fields(const std::string& table, S& target, double S::*except, std::vec
 template <class Meaning>
 [[nodiscard]] Setting choice(std::string key, std::string flag, std::optional<Meaning>& target,
                              std::vector<std::pair<std::string, Meaning>> words, std::string meaning) {
-  std::string allowed = "one of";
-  for (const auto& [word, unused] : words) allowed += (&word == &words.front().first ? " " : ", ") + word;
   return {std::move(key),
           std::move(flag),
           std::move(meaning),
-          std::move(allowed),
+          "one of " + joined(words, ", ", &std::pair<std::string, Meaning>::first),
           Setting::Kind::text,
           [&target, words = std::move(words)](const Value& value) {
             for (const auto& [word, stands_for] : words)

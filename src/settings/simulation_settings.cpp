@@ -51,9 +51,7 @@ std::vector<Setting> settings_of(SimulationSettings& s) {
       integer("simulation.voxel_budget", "--voxel_budget", s.config.voxel_budget, 0, 1e9,
               "most voxels that a step evaluates, at least 4096, the others take turns; 0: all [0]"),
   };
-  for (std::vector<Setting> more : {settings_of(s.force), settings_of(s.effects)})
-    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  return all;
+  return together({std::move(all), settings_of(s.force), settings_of(s.effects)});
 }
 
 SimulationConfig make_config(const SimulationSettings& given) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -37,10 +36,10 @@ std::string key_of(HeadDimension dimension) {
 
 /// The heads that have a dimension: "choose --head cone or flat".
 std::string heads_with(HeadDimension dimension) {
-  std::string names;
+  std::vector<std::string> names;
   for (const HeadShape& shape : head_shapes())
-    if (shape.find(dimension) != nullptr) names += (names.empty() ? "" : " or ") + std::string(shape.name);
-  return "choose --head " + names;
+    if (shape.find(dimension) != nullptr) names.emplace_back(shape.name);
+  return "choose --head " + joined(names, " or ");
 }
 
 ToolHead make_head(const ToolSettings& s) {
@@ -153,8 +152,7 @@ std::vector<Setting> settings_of(ToolSettings& t) {
              "what the head cuts with [twist_drill of a twist drill, carbide_bur of others]"),
       integer("tool.lips", "--lips", t.lips, 1, 1000, "cutting edges that pass a place in a turn [as common cutters]"),
   };
-  std::move(others.begin(), others.end(), std::back_inserter(settings));
-  return settings;
+  return together({std::move(settings), std::move(others)});
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "io/mesh/mesh_extensions.hpp"
+#include "settings/required.hpp"
 #include "settings/workpiece_settings.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "settings/mesh_source.hpp"
@@ -62,21 +63,16 @@ void refuse_all_but(const Source& s, const std::set<std::string>& used) {
                   " does not use it. Leave it out, or choose a workpiece that does: docs/command-line.md lists them.");
 }
 
-[[noreturn]] void fail_missing(const Source& s, const std::string& name) {
-  throw Error("workpiece." + name + " is missing; " + s.source + " needs it. Set --" + name + ", or " + name +
-              " under [workpiece] in the settings file.");
-}
-
 double voxel_size(const Source& s) { return s.voxel_mm.value_or(0.1) * units::mm; }
 
 Box box_of(const Source& s) {
-  if (!s.size_mm) fail_missing(s, "size_mm");
+  if (!s.size_mm) fail_missing("workpiece.size_mm", s.source);
   return {Vec3::Zero(), *s.size_mm * units::mm};
 }
 
 Workpiece make_block(const Source& s) {
   refuse_all_but(s, {"voxel_mm", "size_mm", "material"});
-  if (s.material.empty()) fail_missing(s, "material");
+  if (s.material.empty()) fail_missing("workpiece.material", s.source);
   return build_block(box_of(s), voxel_size(s), s.materials.find(s.material));
 }
 

@@ -46,19 +46,7 @@ inline const std::string kBall = kSpinningBall + "--reference_stiffness 1e14 ";
 inline const std::string kStiffBall = kSpinningBall + "--reference_stiffness 3e15 ";  // a thin engaged layer
 inline const std::string kGroove = "--path line --from_mm -2,3,2.5 --to_mm 8,3,2.5 --feed_mm_per_s 20 ";
 
-class Program : public testing::Test {
- protected:
-  Outcome run(const std::string& arguments) { return run_program(folder, arguments); }
-  nlohmann::json drill(const std::string& arguments) {
-    const Outcome outcome = run("drill " + arguments + " --json " + path("report.json"));
-    EXPECT_EQ(outcome.code, 0) << outcome.errors;
-    EXPECT_EQ(outcome.errors, "");
-    return outcome.code == 0 ? read_json(folder / "report.json") : nlohmann::json();
-  }
-  std::string path(const std::string& name) const { return (folder / name).string(); }
-
-  TemporaryFolder folder;
-};
+inline constexpr int kFailed = 1, kWrongUsage = 2;  // codes
 
 /// The columns of a CSV file by name; text cells read as 0.
 inline std::map<std::string, std::vector<double>> read_csv(const std::string& text) {
@@ -77,5 +65,45 @@ inline std::map<std::string, std::vector<double>> read_csv(const std::string& te
   }
   return columns;
 }
+
+class Program : public testing::Test {
+ protected:
+  Outcome run(const std::string& arguments) { return run_program(folder, arguments); }
+  /// The report of a command that does what it is asked.
+  nlohmann::json report(const std::string& arguments) {
+    const Outcome outcome = run(arguments + " --json " + path("report.json"));
+    EXPECT_EQ(outcome.code, 0) << arguments << '\n' << outcome.errors;
+    return outcome.code == 0 ? read_json(folder / "report.json") : nlohmann::json();
+  }
+  nlohmann::json inspect(const std::string& arguments) { return report("inspect " + arguments); }
+  nlohmann::json drill(const std::string& arguments) {
+    const nlohmann::json of_run = report("drill " + arguments);
+    EXPECT_EQ(read_bytes(folder / "stderr"), "") << arguments;
+    return of_run;
+  }
+  /// Every step of a path, by the columns of its file.
+  std::map<std::string, std::vector<double>> steps(const std::string& arguments) {
+    (void)drill(arguments + " --steps_csv " + path("steps.csv"));
+    return read_csv(read_bytes(folder / "steps.csv"));
+  }
+  /// What is said instead of doing it: one line in words of the program, no name of C++.
+  std::string refusal(const std::string& arguments, int code = kFailed, const std::string& program = kProgram) {
+    const Outcome outcome = run_program(folder, arguments, program);
+    EXPECT_EQ(outcome.code, code) << arguments << '\n' << outcome.errors;
+    EXPECT_TRUE(outcome.errors.starts_with("hapticut: ")) << outcome.errors;
+    EXPECT_EQ(outcome.errors.find('\n'), outcome.errors.size() - 1) << outcome.errors;
+    EXPECT_EQ(outcome.errors.find("::"), std::string::npos) << outcome.errors;
+    return outcome.errors;
+  }
+  void expect_refused(const std::string& arguments, const std::vector<std::string>& parts, int code = kFailed,
+                      const std::string& program = kProgram) {
+    const std::string said = refusal(arguments, code, program);
+    for (const std::string& part : parts)
+      EXPECT_NE(said.find(part), std::string::npos) << arguments << '\n' << said << "lacks: " << part;
+  }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+
+  TemporaryFolder folder;
+};
 
 }  // namespace hapticut::test

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "cli/commands/command.hpp"
@@ -51,14 +52,12 @@ double number_at(CsvFile& file, const std::vector<std::string>& cells, std::size
 /// @throws Error naming the file, the line and the column
 std::vector<DrillingTest> read_tests(const std::string& path) {
   CsvFile file(path, "file of drilling tests", "hapticut calibrate");
-  std::vector<std::string> cells;
-  if (!file.next(cells)) file.fail("the file is empty; its first line must be " + joined_columns() + ".");
-  const std::size_t columns = cells.size();
-  if ((columns != kNeeded && columns != kColumns.size()) ||
-      !std::equal(cells.begin(), cells.end(), kColumns.begin(), kColumns.begin() + std::ptrdiff_t(columns)))
+  const std::vector<std::string>& names = file.read_names("be " + joined_columns());
+  const std::size_t columns = names.size();
+  if ((columns != kNeeded && columns != kColumns.size()) || !std::equal(names.begin(), names.end(), kColumns.begin()))
     file.fail("the first line must name the columns " + joined_columns() + ", in this order.");
   std::vector<DrillingTest> tests;
-  while (file.next(cells)) {
+  for (std::vector<std::string> cells; file.next(cells);) {
     const auto value = [&](std::size_t column) { return number_at(file, cells, column); };
     tests.push_back({value(0) * units::mm, value(1) * units::rpm, value(2) * units::mm_per_s, value(3),
                      value(4) * units::N_mm, columns > kNeeded ? value(5) : DrillingTest{}.lips});
@@ -82,14 +81,10 @@ void run_calibrate(const CalibrateSettings& s) {
   const std::string not_known = c.edge_identified ? ""
                                 : c.edge_assumed  ? ", assumed as in bone: the tests do not identify it"
                                                   : ": the tests do not identify it";
-  if (s.fitted() == ChipTerm::edge_length) table.add("edge_length", rounded(c.edge_length, 4) + " m" + not_known);
-  if (s.fitted() == ChipTerm::size_length) table.add("size_length", rounded(c.size_length, 4) + " m" + not_known);
-  if (s.fitted() == ChipTerm::edge_pressure)
-    table.add("edge_pressure", rounded(c.edge_pressure, 4) + " Pa" + not_known);
-  for (const auto& [term, name] :
-       {std::pair(ChipTerm::edge_length, "edge_length"), std::pair(ChipTerm::size_length, "size_length"),
-        std::pair(ChipTerm::edge_pressure, "edge_pressure")})
-    if (s.fitted() != term) table.add(name, "0");
+  for (const auto& [term, value, unit] :
+       {std::tuple(ChipTerm::edge_length, c.edge_length, " m"), std::tuple(ChipTerm::size_length, c.size_length, " m"),
+        std::tuple(ChipTerm::edge_pressure, c.edge_pressure, " Pa")})
+    table.add(name_or_null(term), s.fitted() == term ? rounded(value, 4) + unit + not_known : "0");
   table.add("residuals", "thrust " + rounded(100 * c.thrust_residual, 3) + " %, torque " +
                              rounded(100 * c.torque_residual, 3) + " % (root mean square)" +
                              (c.checked ? "" : ", unchecked: as many constants as measured numbers"));

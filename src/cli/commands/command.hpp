@@ -18,6 +18,15 @@ struct Command {
   std::function<void()> run;  ///< does the work, once the settings are set; @throws Error when it was not done
 };
 
+/// @param component  "io", that this program was built without
+/// @throws Error with how it comes in; begins with `what`, that cannot be done
+[[noreturn]] inline void fail_without(const std::string& component, const std::string& what) {
+  std::string option = "HAPTICUT_WITH_";
+  for (const char letter : component) option += char(letter - 'a' + 'A');
+  throw Error(what + ", because this program was built without its " + component + " component. Build it with " +
+              option + "=ON.");
+}
+
 [[nodiscard]] Command drill_command();
 [[nodiscard]] Command inspect_command();
 [[nodiscard]] Command convert_command();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
-#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -21,13 +20,6 @@ struct DrillSettings {
   SceneSettings scene;
   OutputSettings output;
 };
-
-std::vector<Setting> settings_of(DrillSettings& s) {
-  std::vector<Setting> all = settings_of(s.scene);
-  std::vector<Setting> more = settings_of(s.output);
-  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  return all;
-}
 
 void write_files(const OutputSettings& output, const Json& report, const DrillResult& result,
                  const Workpiece& workpiece) {
@@ -69,7 +61,8 @@ Command drill_command() {
   auto settings = std::make_shared<DrillSettings>();
   tell_on_stderr(settings->scene.workpiece);
   return {"drill", "Move a tool along a path through a workpiece at a fixed rate and report forces and removal",
-          settings_of(*settings), [settings] { run_drill(*settings); }};
+          together({settings_of(settings->scene), settings_of(settings->output)}),
+          [settings] { run_drill(*settings); }};
 }
 
 }  // namespace hapticut::cli

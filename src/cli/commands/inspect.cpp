@@ -62,8 +62,7 @@ void inspect_volume(const InspectSettings& s) {
                  {"not_a_number", v.not_a_number},
                  {"padding", v.padding}};
   Table table("hapticut inspect: " + s.workpiece.source);
-  table.add("samples",
-            std::to_string(v.dims[0]) + " x " + std::to_string(v.dims[1]) + " x " + std::to_string(v.dims[2]));
+  table.add("samples", dims_text(v.dims));
   table.add("spacing", rounded(spacing.x()) + " x " + rounded(spacing.y()) + " x " + rounded(spacing.z()) + " mm");
   table.add("box", box_text(v.box) + (v.X_WG.rotation.isIdentity(1e-9) ? "" : ", axes turned"));
   table.add("axes", axes_text(v.X_WG.rotation));
@@ -100,8 +99,7 @@ void inspect_workpiece(const InspectSettings& s) {
   report["spacing_mm"] = {size, size, size};
 
   Table table("hapticut inspect: " + summary.source);
-  table.add("voxels", std::to_string(summary.dims[0]) + " x " + std::to_string(summary.dims[1]) + " x " +
-                          std::to_string(summary.dims[2]) + " of " + rounded(size) + " mm");
+  table.add("voxels", dims_text(summary.dims) + " of " + rounded(size) + " mm");
   table.add("box", box_text(summary.box) + (summary.X_WV.rotation.isIdentity(1e-9) ? "" : ", axes turned"));
   for (const MaterialAmount& amount : summary.amounts)
     if (amount.voxels > 0)

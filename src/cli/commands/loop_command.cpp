@@ -69,9 +69,7 @@ std::vector<Setting> settings_of(LoopSettings& s) {
     return device.starts_with(kReplay) ? std::string(kReplay) + (folder / device.substr(kReplay.size())).string()
                                        : device;
   };
-  for (std::vector<Setting> more : {settings_of(s.workpiece), settings_of(s.tool), settings_of(s.simulation)})
-    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  return all;
+  return together({std::move(all), settings_of(s.workpiece), settings_of(s.tool), settings_of(s.simulation)});
 }
 
 /// What is cut with what where nothing else is said: a block of bone with a ball.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/commands/recording_source.hpp"
 
+#include "cli/commands/command.hpp"
 #include "hapticut/core/errors.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/recording/playback.hpp"
@@ -46,9 +47,7 @@ void use_recordings_if_possible() { use_recordings(); }
 struct RunRecorder::State {};
 
 RunRecorder::RunRecorder(const std::string& path, Simulation&, Pace, const Device*) {
-  if (!path.empty())
-    throw Error("cannot write the recording '" + path +
-                "', because this program was built without its io component. Build it with HAPTICUT_WITH_IO=ON.");
+  if (!path.empty()) fail_without("io", "cannot write the recording '" + path + "'");
 }
 
 std::uint64_t RunRecorder::close() { return 0; }

@@ -8,7 +8,6 @@
 #include "cli/reports/json_file.hpp"
 #include "cli/reports/progress.hpp"
 #include "cli/reports/table.hpp"
-#include "hapticut/core/build_info.hpp"
 #include "settings/force_settings.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/recording/replay.hpp"
@@ -75,18 +74,14 @@ void run_replay(const ReplaySettings& s) {
   for (const std::string& remark : info.remarks) table.add("remark", remark);
   std::fputs(table.text().c_str(), stdout);
 
-  const BuildInfo build = build_info();
-  write_json(
-      s.json,
-      {{"steps", report.steps},
-       {"identical", report.identical},
-       {"first_difference", to_json(report.first_difference)},
-       {"largest_force_difference_N", report.largest_force_difference},
-       {"recorded_steps", recording.size()},
-       {"left_out", report.left_out},
-       {"recording", to_json(info)},
-       {"build",
-        {{"version", build.version}, {"commit", build.commit}, {"compiler", build.compiler}, {"cpu", build.cpu}}}});
+  write_json(s.json, {{"steps", report.steps},
+                      {"identical", report.identical},
+                      {"first_difference", to_json(report.first_difference)},
+                      {"largest_force_difference_N", report.largest_force_difference},
+                      {"recorded_steps", recording.size()},
+                      {"left_out", report.left_out},
+                      {"recording", to_json(info)},
+                      {"build", build_json()}});
   if (!report.identical)
     throw Error("the replay of '" + s.recording + "' leaves the recording at " + text_of(*report.first_difference) +
                 ". docs/recording.md says when bits are promised.");
@@ -100,9 +95,7 @@ void write_html(const Recording& recording, const ExportSettings& s) {
   write_replay_page(recording, find_page(s.page), s.target);
 #else
   (void)recording;
-  throw Error("'" + s.target +
-              "' cannot be written, because this program was built without its view component. Build "
-              "it with HAPTICUT_WITH_VIEW=ON.");
+  fail_without("view", "'" + s.target + "' cannot be written");
 #endif
 }
 
@@ -123,11 +116,7 @@ void run_export(const ExportSettings& s) {
   std::printf("%s: %llu steps\n", s.target.c_str(), (unsigned long long)recording.size());
 }
 #else
-void run_replay(const ReplaySettings& s) {
-  throw Error("'" + s.recording +
-              "' cannot be read, because this program was built without its io component. Build it with "
-              "HAPTICUT_WITH_IO=ON.");
-}
+void run_replay(const ReplaySettings& s) { fail_without("io", "'" + s.recording + "' cannot be read"); }
 
 void run_export(const ExportSettings& s) { run_replay({s.recording, "", {}}); }
 #endif
@@ -136,11 +125,11 @@ void run_export(const ExportSettings& s) { run_replay({s.recording, "", {}}); }
 
 Command replay_command() {
   auto settings = std::make_shared<ReplaySettings>();
-  std::vector<Setting> all = law_settings_of(settings->force);
-  all.insert(all.begin(),
-             {path("replay.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
-              path("output.json", "--json", settings->json, "report for machines")});
-  return {"replay", "Run a recording again and compare bit by bit", std::move(all), [settings] {
+  std::vector<Setting> all = {
+      path("replay.recording", "RECORDING", settings->recording, "file of drill --record or loop --record"),
+      path("output.json", "--json", settings->json, "report for machines")};
+  return {"replay", "Run a recording again and compare bit by bit",
+          together({std::move(all), law_settings_of(settings->force)}), [settings] {
             if (settings->recording.empty()) throw UsageError("the recording is missing. Use: hapticut replay FILE.");
             run_replay(*settings);
           }};

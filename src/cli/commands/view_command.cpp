@@ -82,9 +82,7 @@ void run_view(const ViewSettings& s) {
 #ifdef HAPTICUT_HAS_IO
     return show_recording(s, options);
 #else
-    throw Error("'" + s.scene +
-                "' cannot be read, because this program was built without its io component. Build it "
-                "with HAPTICUT_WITH_IO=ON.");
+    fail_without("io", "'" + s.scene + "' cannot be read");
 #endif
   }
   use_all_devices();
@@ -104,9 +102,7 @@ void run_view(const ViewSettings& s) {
   std::_Exit(0);  // nobody waits for a scene that nobody will see
 }
 #else
-void run_view(const ViewSettings&) {
-  throw Error("this program was built without its view component. Build it with HAPTICUT_WITH_VIEW=ON.");
-}
+void run_view(const ViewSettings&) { fail_without("view", "there is no page to show"); }
 #endif
 
 }  // namespace

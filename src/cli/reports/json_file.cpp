@@ -3,9 +3,15 @@
 
 #include <system_error>
 
+#include "hapticut/core/build_info.hpp"
 #include "io/atomic_file.hpp"
 
 namespace hapticut::cli {
+
+Json build_json() {
+  const BuildInfo build = build_info();
+  return {{"version", build.version}, {"commit", build.commit}, {"compiler", build.compiler}, {"cpu", build.cpu}};
+}
 
 void require_writable(const std::filesystem::path& path) {
   if (path.empty()) return;

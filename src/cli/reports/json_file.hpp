@@ -10,6 +10,9 @@ namespace hapticut::cli {
 /// A report; its fields keep the order in which they were added.
 using Json = nlohmann::ordered_json;
 
+/// Which build of the program made a report.
+[[nodiscard]] Json build_json();
+
 /// Writes a report; the file appears when it is complete. Does nothing when there is no file name.
 /// @throws Error when it cannot be written
 void write_json(const std::filesystem::path& path, const Json& report);

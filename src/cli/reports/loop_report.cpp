@@ -5,7 +5,6 @@
 
 #include "cli/reports/flag_words.hpp"
 #include "cli/reports/table.hpp"
-#include "hapticut/core/build_info.hpp"
 #include "hapticut/core/units.hpp"
 
 namespace hapticut::cli {
@@ -58,7 +57,6 @@ Json to_json(const LoopReport& r) {
   for (const SafetyLogEntry& entry : r.run.log)
     log.push_back({{"time_s", entry.time}, {"event", std::string(name_of(entry.event))}, {"value", entry.value}});
   const DeviceCapabilities& device = r.device.capabilities();
-  const BuildInfo build = build_info();
   return {
       {"device",
        {{"name", r.device.name()},
@@ -92,8 +90,7 @@ Json to_json(const LoopReport& r) {
        {{"frames", r.seen.frames}, {"blocks", r.seen.blocks}, {"most_blocks_waiting", r.seen.most_blocks_waiting}}},
       {"steps_lost_by_recorder", r.steps_lost},
       {"workpiece", to_json(r.workpiece, r.simulation.workpiece().materials())},
-      {"build",
-       {{"version", build.version}, {"commit", build.commit}, {"compiler", build.compiler}, {"cpu", build.cpu}}},
+      {"build", build_json()},
       {"warnings", warnings_of(r)},
   };
 }

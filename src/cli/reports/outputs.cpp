@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/reports/outputs.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -30,17 +31,12 @@ std::string names_of(StepStatus status) {
 }
 
 bool has_extension(const std::string& path, const std::vector<std::string>& extensions) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  for (const std::string& allowed : extensions)
-    if (extension == allowed) return true;
-  return false;
+  return std::ranges::find(extensions, std::filesystem::path(path).extension().string()) != extensions.end();
 }
 
 void require_extension(const std::string& path, const std::vector<std::string>& extensions) {
   if (path.empty() || has_extension(path, extensions)) return;
-  std::string list;
-  for (const std::string& allowed : extensions) list += (list.empty() ? "" : ", ") + allowed;
-  throw Error("cannot write '" + path + "': its name must end in one of " + list + ".");
+  throw Error("cannot write '" + path + "': its name must end in one of " + joined(extensions) + ".");
 }
 
 /// Whether this program has what it takes to write such a file.

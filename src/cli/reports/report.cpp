@@ -2,8 +2,8 @@
 #include "cli/reports/report.hpp"
 
 #include "cli/reports/table.hpp"
-#include "hapticut/core/build_info.hpp"
 #include "hapticut/core/units.hpp"
+#include "loop/hand_map.hpp"
 
 namespace hapticut::cli {
 namespace {
@@ -31,15 +31,7 @@ Json status_json(const DrillResult& result) {
   return json;
 }
 
-Json to_json(const BuildInfo& build) {
-  return {{"version", build.version}, {"commit", build.commit}, {"compiler", build.compiler}, {"cpu", build.cpu}};
-}
-
 Json in_mm(const Vec3& p) { return {p.x() / units::mm, p.y() / units::mm, p.z() / units::mm}; }
-
-std::string dims_text(const std::array<int, 3>& dims) {
-  return std::to_string(dims[0]) + " x " + std::to_string(dims[1]) + " x " + std::to_string(dims[2]);
-}
 
 }  // namespace
 
@@ -50,15 +42,7 @@ WorkpieceSummary summarize(const std::string& source, const Workpiece& workpiece
   for (std::size_t axis = 0; axis < 3; ++axis) summary.dims[axis] = box.empty() ? 0 : box.max[axis] - box.min[axis] + 1;
   summary.voxel_size = workpiece.voxel_size();
   summary.X_WV = workpiece.frame().X_WV;
-  summary.box = {Vec3::Zero(), Vec3::Zero()};
-  for (int corner = 0; corner < 8 && !box.empty(); ++corner) {
-    Vec3 index;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      index[int(axis)] = (corner >> axis & 1) != 0 ? box.max[axis] + 0.5 : box.min[axis] - 0.5;
-    const Vec3 p = summary.X_WV * (summary.voxel_size * index);
-    summary.box.min = corner == 0 ? p : summary.box.min.cwiseMin(p).eval();
-    summary.box.max = corner == 0 ? p : summary.box.max.cwiseMax(p).eval();
-  }
+  summary.box = box_of_workpiece(workpiece);
   summary.memory_bytes = workpiece.memory_bytes();
   summary.amounts = workpiece.amounts();
   return summary;
@@ -72,6 +56,10 @@ Json to_json(const Pose& pose) {
 }
 
 Json to_json(const Box& box) { return {{"min_mm", in_mm(box.min)}, {"max_mm", in_mm(box.max)}}; }
+
+std::string dims_text(const std::array<int, 3>& dims) {
+  return std::to_string(dims[0]) + " x " + std::to_string(dims[1]) + " x " + std::to_string(dims[2]);
+}
 
 std::string box_text(const Box& box) {
   const auto corner = [](const Vec3& p) {
@@ -110,7 +98,7 @@ Json to_json(const DrillReport& report, const DrillResult& r, const Simulation& 
       {"step_time_us", {{"p50", r.times.p50}, {"p99", r.times.p99}, {"p999", r.times.p999}, {"max", r.times.max}}},
       {"deadline_misses", r.times.deadline_misses},
       {"workpiece", to_json(report.workpiece, materials)},
-      {"build", to_json(build_info())},
+      {"build", build_json()},
       {"status", status_json(r)},
       {"warnings", report.warnings},
   };

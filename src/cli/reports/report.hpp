@@ -27,6 +27,9 @@ struct WorkpieceSummary {
 [[nodiscard]] Json to_json(const Pose& pose);
 [[nodiscard]] Json to_json(const Box& box);
 
+/// "1 x 2 x 3".
+[[nodiscard]] std::string dims_text(const std::array<int, 3>& dims);
+
 /// "0 0 0 to 1 2 3 mm".
 [[nodiscard]] std::string box_text(const Box& box);
 

@@ -104,9 +104,7 @@ TEST_F(Drill, InterpolatesBetweenTimedPoses) {
   write_bytes(folder / "poses.csv",
               "# made by hand\n t_s , x_mm, y_mm, z_mm, qw, qx, qy, qz, note\n"
               "0, 3, 3, 5, 1, 0, 0, 0, upright\n\n0.5, 3, 3, 5, 0.70710678, 0, 0.70710678, 0, lying\n");
-  (void)drill(kBlock + kBall + "--path poses --point head --poses " + path("poses.csv") + " --rate 100 --steps_csv " +
-              path("steps.csv"));
-  const auto columns = read_csv(read_bytes(folder / "steps.csv"));
+  const auto columns = steps(kBlock + kBall + "--path poses --point head --poses " + path("poses.csv") + " --rate 100");
   ASSERT_EQ(columns.at("qw").size(), 50U);
   EXPECT_NEAR(columns.at("qw")[24], std::cos(units::kPi / 16 * 2), 1e-6);  // halfway: an eighth of a turn
   EXPECT_NEAR(columns.at("qy")[24], std::sin(units::kPi / 16 * 2), 1e-6);
@@ -117,16 +115,15 @@ TEST_F(Drill, ReadsRotationMatricesAndPosesOfTheHand) {
   write_bytes(folder / "poses.csv",
               "t_s,x_mm,y_mm,z_mm,r00,r01,r02,r10,r11,r12,r20,r21,r22\n"
               "0,3,3,53,1,0,0,0,1,0,0,0,1\n1,3,3,52,1,0,0,0,1,0,0,0,1\n");
-  (void)drill(kBlock + kBall + "--handle_length_mm 50 --path poses --point handle --poses " + path("poses.csv") +
-              " --steps_csv " + path("steps.csv"));
-  EXPECT_NEAR(read_csv(read_bytes(folder / "steps.csv")).at("z_mm").back(), 2, 1e-9);
+  const auto columns =
+      steps(kBlock + kBall + "--handle_length_mm 50 --path poses --point handle --poses " + path("poses.csv"));
+  EXPECT_NEAR(columns.at("z_mm").back(), 2, 1e-9);
 }
 
 TEST_F(Drill, FollowsCirclesAtConstantFeed) {
-  (void)drill(kBlock + kBall +
-              "--path circle --center_mm 3,3,2.5 --circle_radius_mm 1.5 --turns 1 --feed_mm_per_s 10 " +
-              "--approach_mm 2 --steps_csv " + path("steps.csv"));
-  const auto columns = read_csv(read_bytes(folder / "steps.csv"));
+  const auto columns =
+      steps(kBlock + kBall + "--path circle --center_mm 3,3,2.5 --circle_radius_mm 1.5 --turns 1 --feed_mm_per_s 10 " +
+            "--approach_mm 2");
   const std::size_t steps = columns.at("t_s").size();
   EXPECT_EQ(steps, std::size_t(std::ceil((2 + 2 * units::kPi * 1.5) / 10 * 1000)));
   EXPECT_NEAR(columns.at("z_mm")[0], 5.49, 1e-6);
@@ -135,10 +132,9 @@ TEST_F(Drill, FollowsCirclesAtConstantFeed) {
 }
 
 TEST_F(Drill, WidensAndDeepensAlongASpiral) {
-  (void)drill(kBlock + kBall +
-              "--path spiral --center_mm 3,3,3 --start_radius_mm 0.2 --end_radius_mm 1.4 --depth_mm 0.9 " +
-              "--pitch_mm 0.5 --feed_mm_per_s 20 --approach_mm 1 --point head --steps_csv " + path("steps.csv"));
-  const auto columns = read_csv(read_bytes(folder / "steps.csv"));
+  const auto columns = steps(
+      kBlock + kBall + "--path spiral --center_mm 3,3,3 --start_radius_mm 0.2 --end_radius_mm 1.4 --depth_mm 0.9 " +
+      "--pitch_mm 0.5 --feed_mm_per_s 20 --approach_mm 1 --point head");
   EXPECT_NEAR(columns.at("z_mm").back(), 2.1, 1e-6);
   EXPECT_NEAR(std::hypot(columns.at("x_mm").back() - 3, columns.at("y_mm").back() - 3), 1.4, 1e-6);
   // sqrt(1.2^2 + 0.9^2) = 1.5 mm of cone at 0.5 mm per turn: three turns, so it ends where it began to turn.
@@ -155,9 +151,9 @@ TEST_F(Drill, ClearsACavityLayerByLayer) {
 }
 
 TEST_F(Drill, EntersAndLeavesAlongTheToolAxis) {
-  (void)drill(kBlock + kBall + "--path line --from_mm 1,3,2.5 --to_mm 5,3,2.5 --feed_mm_per_s 10 --tool_axis 0,0,2 " +
-              "--approach_mm 3 --retract_mm 4 --approach_feed_mm_per_s 20 --steps_csv " + path("steps.csv"));
-  const auto columns = read_csv(read_bytes(folder / "steps.csv"));
+  const auto columns =
+      steps(kBlock + kBall + "--path line --from_mm 1,3,2.5 --to_mm 5,3,2.5 --feed_mm_per_s 10 --tool_axis 0,0,2 " +
+            "--approach_mm 3 --retract_mm 4 --approach_feed_mm_per_s 20");
   const std::size_t steps = columns.at("t_s").size();
   EXPECT_EQ(steps, 150U + 400 + 200);
   const double kRadius = 1;  // the tip is below the centre
@@ -183,10 +179,9 @@ TEST_F(Drill, WarnsWhenThePathStartsInside) {
 }
 
 TEST_F(Drill, FailsWhenStepsAreRejected) {
-  const Outcome outcome = run("drill " + kBlock + kBall + "--path line --from_mm -20,3,2 --to_mm 20,3,2 " +
-                              "--feed_mm_per_s 10000 --json " + path("report.json"));
-  EXPECT_EQ(outcome.code, 1);
-  EXPECT_NE(outcome.errors.find("rejected"), std::string::npos) << outcome.errors;
+  expect_refused("drill " + kBlock + kBall + "--path line --from_mm -20,3,2 --to_mm 20,3,2 --feed_mm_per_s 10000 " +
+                     "--json " + path("report.json"),
+                 {"rejected"});
   EXPECT_GT(read_json(folder / "report.json")["status"]["jump_rejected"], 0);
 }
 

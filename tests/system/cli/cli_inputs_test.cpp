@@ -38,23 +38,9 @@ json = "results/report.json"
 
 class Inputs : public test::Program {
  protected:
-  /// What is said instead of doing it: one line, and no name of C++.
-  std::string refusal(const std::string& arguments, const std::string& program = test::kProgram) {
-    const Outcome outcome = test::run_program(folder, arguments, program);
-    EXPECT_NE(outcome.code, 0) << arguments;
-    EXPECT_EQ(outcome.errors.find("::"), std::string::npos) << outcome.errors;
-    EXPECT_EQ(outcome.errors.find('\n'), outcome.errors.size() - 1) << outcome.errors;
-    return outcome.errors;
-  }
-  void expect_refused(const std::string& arguments, const std::vector<std::string>& parts) {
-    const std::string said = refusal(arguments);
-    for (const std::string& part : parts) EXPECT_NE(said.find(part), std::string::npos) << part << '\n' << said;
-  }
   /// [mm^3] of cortical bone.
   double volume(const std::string& arguments) {
-    const Outcome outcome = run("inspect " + arguments + " --json " + path("i.json"));
-    EXPECT_EQ(outcome.code, 0) << outcome.errors;
-    return outcome.code == 0 ? test::read_json(folder / "i.json")["volume_mm3"]["cortical_bone"].get<double>() : 0;
+    return inspect(arguments)["volume_mm3"]["cortical_bone"].get<double>();
   }
   /// A scene with its files in the folder `case`, none of which is in the folder where the program runs.
   void write_scene() {
@@ -135,7 +121,7 @@ TEST_F(Inputs, OfASettingsFileThatAreNotThereAreNamedWithTheirPlace) {
     write_scene();
     std::filesystem::remove(folder / "case" / file);
     const std::string in_folder = "cd " + path("case") + " && " + test::kProgram;
-    const std::string said = refusal("drill --settings scene.toml", in_folder);
+    const std::string said = refusal("drill --settings scene.toml", test::kFailed, in_folder);
     EXPECT_NE(said.find(place), std::string::npos) << place << '\n' << said;
   };
   expect_missing("shapes/cube.stl", "there is no file '" + path("case/shapes/cube.stl") + "'");

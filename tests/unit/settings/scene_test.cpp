@@ -96,6 +96,14 @@ TEST(Scene, NamesLineKeyAndRangeOfAWrongValue) {
             "scene:2: workpiece.source: must be a text that is not empty, not a number.");
   EXPECT_EQ(complaint("cutting_ratio = 0.4", "cutting_ratio = -2").substr(0, 53),
             "scene:8: material.cortical_bone.cutting_ratio: must b");
+  EXPECT_EQ(complaint("rate_Hz = 2000", "rate_Hz = 5"),
+            "scene:18: simulation.rate_Hz: must be a number from 10 to 1e+06, not 5.");
+  EXPECT_EQ(complaint("[simulation]", "[force]\nthesis_spin_exponent = 11\n[simulation]"),
+            "scene:18: force.thesis_spin_exponent: must be a number from -10 to 10, not 11.");
+  EXPECT_EQ(complaint("[simulation]", "[effects]\nforce_axes = [1, 2, 0]\n[simulation]"),
+            "scene:18: effects.force_axes: must be 3 numbers, each 0 or 1, not [1, 2, 0].");
+  EXPECT_EQ(complaint("[workpiece]", "effects = 3\n[workpiece]"),
+            "scene:1: effects: must be a table, written [effects].");
 }
 
 TEST(Scene, SaysOfATextThatIsNoTomlWhatToWrite) {
@@ -134,8 +142,18 @@ TEST(Scene, RefusesControlCharactersInNamesOfFiles) {
 }
 
 TEST(Scene, NamesTheNearestKeyOfAnUnknownOne) {
-  EXPECT_EQ(complaint("radius_mm = 0.8", "radios_mm = 0.8"),
-            "scene:12: tool.radios_mm: there is no such setting. Did you mean tool.radius_mm?");
+  const auto expect = [](const std::string& part, const std::string& in_its_place, const std::string& said) {
+    EXPECT_EQ(complaint(part, in_its_place), "scene:" + said);
+  };
+  const std::string no = ": there is no such setting. Did you mean ";
+  expect("radius_mm = 0.8", "radios_mm = 0.8", "12: tool.radios_mm" + no + "tool.radius_mm?");
+  expect("radius_mm = 0.8", "radius_cm = 0.08", "12: tool.radius_cm" + no + "tool.radius_mm?");
+  expect("feed_mm_per_s = 3", "feed_m_per_s = 3", "25: path.feed_m_per_s" + no + "path.feed_mm_per_s?");
+  expect("size_mm = [3, 3, 1]", "layers = [{material = \"dentin\", thickness = 2}]",
+         "3: workpiece.layers.thickness" + no + "workpiece.layers.thickness_mm?");
+  EXPECT_TRUE(
+      complaint("cutting_ratio", "hardness").starts_with("scene:8: material.cortical_bone.hardness: there is no"));
+  EXPECT_TRUE(complaint("[tool]", "[tol]").starts_with("scene:10: tol: there is no such setting."));
 }
 
 TEST(Scene, SaysWhatIsMissingAndWhatDoesNotFit) {

@@ -94,11 +94,21 @@ TEST(PosesOfText, AreNotGuessedWhereACommaMayMeanTwoThings) {
 }
 
 TEST(PosesOfText, SayTheLineThatIsWrong) {
-  const std::string names = "t_s,x_mm,y_mm,z_mm\n";
-  EXPECT_TRUE(refusal_of(kReadPoses, "").starts_with("a.csv:0: "));
-  EXPECT_TRUE(refusal_of(kReadPoses, names + "0,0,0,0\n1,nan,0,0\n").starts_with("a.csv:3: x_mm = \"nan\""));
-  EXPECT_TRUE(refusal_of(kReadPoses, names + "0,0,0\n").starts_with("a.csv:2: 3 values"));
-  EXPECT_TRUE(refusal_of(kReadPoses, names + "1,0,0,0\n0,0,0,0\n").starts_with("a.csv:3: t_s = 0"));
+  const std::string names = "t_s,x_mm,y_mm,z_mm";
+  for (const auto& [text, part] : std::vector<std::pair<std::string, const char*>>{
+           {"", "0: the file is empty"},
+           {"a,b\n1,2\n", "1: the columns t_s, x_mm, y_mm, z_mm are missing"},
+           {"t_s,x_mm,y_mm\n", "1: the column z_mm is missing"},
+           {names + ",qw,qx,qy\n", "1: the column qz is missing"},
+           {names + "\n0,0,0,0\n1,0,0\n", "3: 3 values; there must be 4"},
+           {names + "\n0,0,zero,0\n", "2: y_mm = \"zero\"; must be a number"},
+           {names + "\n0,0,0,0\n1,nan,0,0\n", "3: x_mm = \"nan\"; must be a number"},
+           {names + "\n1,0,0,0\n\n1,0,0,0\n", "4: t_s = 1; times must increase"},
+           {names + "\n1,0,0,0\n", "2: there must be at least two poses"},
+           {names + ",qw,qx,qy,qz\n0,0,0,0,1,1,0,0\n", "2: the quaternion has length"},
+           {names + ",r00,r01,r02,r10,r11,r12,r20,r21,r22\n0,0,0,0,1,0,0,0,1,0,0,0,-1\n",
+            "2: r00 ... r22 is not a rotation"}})
+    EXPECT_TRUE(refusal_of(kReadPoses, text).starts_with(std::string("a.csv:") + part)) << refusal_of(kReadPoses, text);
 }
 
 TEST(TextFiles, NameEachColumnOnce) {
@@ -125,10 +135,17 @@ TEST(ProfileOfText, IsReadFromASpreadsheetOfAnotherCountry) {
 }
 
 TEST(ProfileOfText, SaysTheLineThatIsWrong) {
-  EXPECT_TRUE(refusal_of(kReadProfile, "rho_mm,z_mm,color\n").starts_with("a.csv:1: there is no column color"));
-  EXPECT_TRUE(refusal_of(kReadProfile, "rho_mm,z_mm\n0,0\n1,x\n").starts_with("a.csv:3: 'x' is not a number"));
-  EXPECT_TRUE(refusal_of(kReadProfile, "rho_mm,z_mm\n0,nan\n").starts_with("a.csv:2: 'nan' is not a number"));
-  EXPECT_TRUE(refusal_of(kReadProfile, "rho_mm,z_mm\n1,0\n").starts_with("a.csv:2: rho_mm = 1"));
+  for (const auto& [text, part] : std::vector<std::pair<const char*, const char*>>{
+           {"", "0: the file is empty"},
+           {"rho_mm,color\n", "1: there is no column color"},
+           {"rho_mm\n", "1: the columns rho_mm and z_mm must be there."},
+           {"rho_mm,z_mm\n0,0\n1\n", "3: 1 values; there must be 2"},
+           {"rho_mm,z_mm\n0,0\n1,wide\n", "3: z_mm = \"wide\"; must be a number."},
+           {"rho_mm,z_mm\n0,nan\n", "2: z_mm = \"nan\"; must be a number."},
+           {"rho_mm,z_mm\n1,0\n1,1\n", "2: rho_mm = 1; the first point is the tip"},
+           {"rho_mm,z_mm,kind\n0,0,cutting\n1,1,sharp\n", "3: kind = sharp; must be cutting or smooth."}})
+    EXPECT_TRUE(refusal_of(kReadProfile, text).starts_with(std::string("a.csv:") + part))
+        << refusal_of(kReadProfile, text);
 }
 
 }  // namespace

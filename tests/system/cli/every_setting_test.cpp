@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every setting of every command refuses what is of another type, by its flag and by its key, and says what is allowed.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cli/commands/command.hpp"
+#include "settings/settings_file.hpp"
+
+namespace hapticut::every_setting_test {
+namespace {
+
+using settings::Setting;
+using Kind = Setting::Kind;
+
+std::string refusal_of(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+const std::map<Kind, std::vector<std::string>>& wrong_texts() {
+  static const std::map<Kind, std::vector<std::string>> texts = {
+      {Kind::number, {"wide", "2mm", "1,2", "nan", "inf", ""}},
+      {Kind::integer, {"wide", "1.5", "-1", "nan"}},
+      {Kind::numbers, {"1", "1,2", "1,2,x", "1,2,3,4,5,6,7", "nan,1,1"}},
+      {Kind::text, {""}},
+      {Kind::boolean, {"maybe"}},
+      {Kind::tables, {"enamel", "=1", "enamel="}}};
+  return texts;
+}
+
+TEST(EverySetting, RefusesATextOfAnotherTypeByItsFlag) {
+  std::size_t flags = 0;
+  for (const cli::Command& command : cli::all_commands())
+    for (const Setting& setting : command.settings) {
+      if (setting.flag.empty()) continue;
+      ++flags;
+      for (const std::string& text : wrong_texts().at(setting.kind))
+        EXPECT_EQ(refusal_of([&] { apply_flag(setting, {text}); }),
+                  setting.flag + " " + text + ": must be " + setting.allowed + ".")
+            << command.name;
+    }
+  EXPECT_GT(flags, 200U);
+}
+
+/// A value that no setting of a kind takes, as TOML writes it and as messages call it.
+const std::map<Kind, std::vector<std::pair<const char*, const char*>>>& wrong_values() {
+  static const std::map<Kind, std::vector<std::pair<const char*, const char*>>> values = {
+      {Kind::number,
+       {{"true", "true"}, {"\"2 mm\"", "the text \"2 mm\""}, {"[1]", "a list"}, {"nan", "nan"}, {"inf", "inf"}}},
+      {Kind::integer, {{"2.5", "a number"}, {"-1", "-1"}}},
+      {Kind::numbers, {{"3", "a number"}, {"[1, 2, \"x\"]", "a list"}, {"[nan]", "[nan]"}}},
+      {Kind::text, {{"3", "a number"}, {"\"\"", "\"\""}}},
+      {Kind::boolean, {{"1", "a number"}, {"\"true\"", "the text \"true\""}}}};
+  return values;
+}
+
+void expect_refused_in_file(const std::vector<Setting>& all, const std::string& begin, const std::string& end,
+                            const std::string& prefix, const Setting& setting) {
+  const std::string name = prefix + setting.key;
+  const auto said = [&](const std::string& value) {
+    return refusal_of([&] { read_settings("\n" + begin + setting.key + " = " + value + end, "s.toml", all); });
+  };
+  if (setting.kind == Kind::tables) {
+    EXPECT_EQ(said("3"), "s.toml:2: " + name + ": must be a list of tables, each " + setting.allowed + ".");
+    for (const Setting& inner : setting.open_table(""))
+      expect_refused_in_file(all, begin + setting.key + " = [{", "}]", name + ".", inner);
+  } else if (setting.kind == Kind::named_tables) {
+    EXPECT_EQ(said("3"), "s.toml:2: " + name + ": must hold tables, written [" + name + ".NAME].");
+    for (const Setting& inner : setting.open_table("dentin"))
+      expect_refused_in_file(all, begin + setting.key + ".dentin.", end, name + ".dentin.", inner);
+  } else {
+    for (const auto& [value, called] : wrong_values().at(setting.kind))
+      EXPECT_EQ(said(value), "s.toml:2: " + name + ": must be " + setting.allowed + ", not " + called + ".");
+  }
+}
+
+TEST(EverySetting, RefusesAValueOfAnotherTypeInAFileWithLineAndKey) {
+  for (const cli::Command& command : cli::all_commands())
+    for (const Setting& setting : command.settings) expect_refused_in_file(command.settings, "", "", "", setting);
+}
+
+}  // namespace
+}  // namespace hapticut::every_setting_test
