@@ -17,9 +17,6 @@ namespace hapticut::implicit {
   return std::min(a, b) - (blend > 0 ? overlap * overlap / (4 * blend) : 0.0);
 }
 
-/// What is left of a where b is taken away, with the edge rounded over a width `blend`.
-[[nodiscard]] inline double carve(double a, double b, double blend) { return -join(-a, b, blend); }
-
 [[nodiscard]] inline double ball(const Vec3& p, const Vec3& center, double radius) {
   return (p - center).norm() - radius;
 }
