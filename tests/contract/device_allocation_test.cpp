@@ -44,8 +44,7 @@ TEST_P(DeviceAllocation, AllocatesNothingInTheLoopAndOfItsOwnTakesNoLock) {
   EXPECT_GT(report.events[std::size_t(SafetyEvent::force_not_finite)], 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Devices, DeviceAllocation, testing::ValuesIn(devices_under_test()),
-                         [](const auto& named) { return named.param.name; });
+INSTANTIATE_TEST_SUITE_P(Devices, DeviceAllocation, testing::ValuesIn(devices_under_test()), kNameOfDevice);
 
 }  // namespace
 }  // namespace hapticut::device_allocation_test

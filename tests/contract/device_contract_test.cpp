@@ -309,12 +309,11 @@ TEST_P(MakersDeviceContract, RefusesSimulatedTimeThatItDoesNotKnowAndRunsAfterwa
   EXPECT_EQ(device->run(rests, options).ticks, 1U);
 }
 
-constexpr auto name_of_device = [](const auto& named) { return named.param.name; };
-INSTANTIATE_TEST_SUITE_P(Devices, DeviceContract, testing::ValuesIn(devices_under_test()), name_of_device);
-INSTANTIATE_TEST_SUITE_P(Devices, MakersDeviceContract, testing::ValuesIn(devices_that(&DeviceTraits::is_makers)),
-                         name_of_device);
+INSTANTIATE_TEST_SUITE_P(Devices, DeviceContract, testing::ValuesIn(devices_under_test()), kNameOfDevice);
+INSTANTIATE_TEST_SUITE_P(Devices, MakersDeviceContract, testing::ValuesIn(devices_that({&DeviceTraits::is_makers})),
+                         kNameOfDevice);
 INSTANTIATE_TEST_SUITE_P(Devices, SimulatedDeviceContract,
-                         testing::ValuesIn(devices_that(&DeviceTraits::is_makers, false)), name_of_device);
+                         testing::ValuesIn(devices_that({&DeviceTraits::is_makers}, false)), kNameOfDevice);
 
 }  // namespace
 }  // namespace hapticut::device_contract_test

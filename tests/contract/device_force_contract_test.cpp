@@ -250,15 +250,6 @@ TEST_P(DeviceForceContract, WaitsForAFreeToolAfterAnInterruption) {
   EXPECT_EQ(report.events[std::size_t(SafetyEvent::reclutched)], 1U);
 }
 
-TEST_P(DeviceForceContract, IsNotThereAfterTheDeviceIsClosed) {
-  auto device = tested.open();
-  run(*device, pressing(200));
-  expect_no_force_now();
-  device.reset();
-  expect_no_force_now();
-  tested.expect_left_in_order();
-}
-
 // --- when the device fails ------------------------------------------------------------------------------------------
 TEST_P(FollowingDeviceForceContract, IsGoneForGoodWhenThePoseStaysNoNumber) {
   tested.story = [](long tick) { return Happening{{}, {}, 0, tick >= 200, false}; };
@@ -306,29 +297,20 @@ TEST_P(ClosedLoopContract, AddsNoDelay) {
   EXPECT_GT(swing(1.02 * limit), 1);
 }
 
-constexpr auto name_of_device = [](const auto& named) { return named.param.name; };
-
-std::vector<NamedDevice> live_devices_with_motors() {
-  std::vector<NamedDevice> all = devices_that(&DeviceTraits::follows);
-  std::erase_if(all, [](const NamedDevice& one) { return !one.traits.is_live || !one.traits.has_motors; });
-  return all;
-}
-std::vector<NamedDevice> fixed_devices_with_motors() {
-  std::vector<NamedDevice> all = devices_that(&DeviceTraits::follows);
-  std::erase_if(all, [](const NamedDevice& one) { return !one.traits.has_motors; });
-  return all;
-}
-
-INSTANTIATE_TEST_SUITE_P(Devices, DeviceForceContract, testing::ValuesIn(devices_under_test()), name_of_device);
-INSTANTIATE_TEST_SUITE_P(Devices, MotorContract, testing::ValuesIn(devices_that(&DeviceTraits::has_motors)),
-                         name_of_device);
-INSTANTIATE_TEST_SUITE_P(Devices, FixedDeviceForceContract, testing::ValuesIn(fixed_devices_with_motors()),
-                         name_of_device);
-INSTANTIATE_TEST_SUITE_P(Devices, FollowingDeviceForceContract, testing::ValuesIn(devices_that(&DeviceTraits::follows)),
-                         name_of_device);
-INSTANTIATE_TEST_SUITE_P(Devices, CableContract, testing::ValuesIn(devices_that(&DeviceTraits::has_cable)),
-                         name_of_device);
-INSTANTIATE_TEST_SUITE_P(Devices, ClosedLoopContract, testing::ValuesIn(live_devices_with_motors()), name_of_device);
+INSTANTIATE_TEST_SUITE_P(Devices, DeviceForceContract, testing::ValuesIn(devices_under_test()), kNameOfDevice);
+INSTANTIATE_TEST_SUITE_P(Devices, MotorContract, testing::ValuesIn(devices_that({&DeviceTraits::has_motors})),
+                         kNameOfDevice);
+INSTANTIATE_TEST_SUITE_P(Devices, FixedDeviceForceContract,
+                         testing::ValuesIn(devices_that({&DeviceTraits::follows, &DeviceTraits::has_motors})),
+                         kNameOfDevice);
+INSTANTIATE_TEST_SUITE_P(Devices, FollowingDeviceForceContract,
+                         testing::ValuesIn(devices_that({&DeviceTraits::follows})), kNameOfDevice);
+INSTANTIATE_TEST_SUITE_P(Devices, CableContract, testing::ValuesIn(devices_that({&DeviceTraits::has_cable})),
+                         kNameOfDevice);
+INSTANTIATE_TEST_SUITE_P(Devices, ClosedLoopContract,
+                         testing::ValuesIn(devices_that({&DeviceTraits::follows, &DeviceTraits::is_live,
+                                                         &DeviceTraits::has_motors})),
+                         kNameOfDevice);
 
 }  // namespace
 }  // namespace hapticut::device_force_contract_test

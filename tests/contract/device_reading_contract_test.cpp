@@ -128,14 +128,13 @@ TEST_P(FollowingDeviceContract, HoldsTheLastGoodPoseThroughReadingsThatAreNoNumb
   EXPECT_EQ(report.guard, ArmingState::on);
 }
 
-constexpr auto name_of_device = [](const auto& named) { return named.param.name; };
-INSTANTIATE_TEST_SUITE_P(Devices, ReadingContract, testing::ValuesIn(devices_under_test()), name_of_device);
-INSTANTIATE_TEST_SUITE_P(Devices, FollowingDeviceContract, testing::ValuesIn(devices_that(&DeviceTraits::follows)),
-                         name_of_device);
-INSTANTIATE_TEST_SUITE_P(Devices, ButtonContract, testing::ValuesIn(devices_that(&DeviceTraits::has_buttons)),
-                         name_of_device);
-INSTANTIATE_TEST_SUITE_P(Devices, MakersReadingContract, testing::ValuesIn(devices_that(&DeviceTraits::is_makers)),
-                         name_of_device);
+INSTANTIATE_TEST_SUITE_P(Devices, ReadingContract, testing::ValuesIn(devices_under_test()), kNameOfDevice);
+INSTANTIATE_TEST_SUITE_P(Devices, FollowingDeviceContract, testing::ValuesIn(devices_that({&DeviceTraits::follows})),
+                         kNameOfDevice);
+INSTANTIATE_TEST_SUITE_P(Devices, ButtonContract, testing::ValuesIn(devices_that({&DeviceTraits::has_buttons})),
+                         kNameOfDevice);
+INSTANTIATE_TEST_SUITE_P(Devices, MakersReadingContract, testing::ValuesIn(devices_that({&DeviceTraits::is_makers})),
+                         kNameOfDevice);
 
 }  // namespace
 }  // namespace hapticut::device_reading_contract_test

@@ -11,6 +11,7 @@
 #include "support/catalogue_heads.hpp"
 #include "support/profiles.hpp"
 #include "support/random_pose.hpp"
+#include "support/springs.hpp"
 
 namespace hapticut::head_contract_test {
 namespace {
@@ -60,11 +61,6 @@ class HeadContract : public testing::TestWithParam<NamedHead> {
     for (int n = 0; n < 20000; ++n) check(random.between(0, reach), random.between(-reach, reach));
   }
 
-  template <class Real>
-  MeridianSpring<Real> spring(double rho, double z) const {
-    return head().visit_springs<Real>(
-        [&](const auto& springs) -> MeridianSpring<Real> { return springs.spring(Real(rho), Real(z)); });
-  }
   /// Whether the exact head has this direction at a point or next to it: on a ridge between two surfaces, rounding
   /// decides for one of them.
   bool is_direction_near(const MeridianSpring<float>& fast, double rho, double z, double step) const {
@@ -79,9 +75,11 @@ class HeadContract : public testing::TestWithParam<NamedHead> {
     const auto* profile = std::get_if<ProfileHead>(&head().shape());
     return profile == nullptr ? 1e-12 : 1e-12 + profile->table().error;
   }
-  double margin(double rho, double z) const {
-    return head().visit_springs<double>([&](const auto& springs) -> double { return springs.margin(rho, z); });
+  template <class Real>
+  MeridianSpring<Real> spring(double rho, double z) const {
+    return test::spring_at<Real>(head(), rho, z);
   }
+  double margin(double rho, double z) const { return test::margin_at(head(), rho, z); }
 
  private:
   ToolHead head_ = GetParam().make();

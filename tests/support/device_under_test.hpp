@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "hapticut/core/errors.hpp"
 #include "support/device_runs.hpp"
+#include "support/refusal.hpp"
 
 /// @file
 /// A device as the contract suite sees it: opened, moved by a hand, run, and watched at its motors.
@@ -130,13 +130,9 @@ class DeviceContractTest : public testing::TestWithParam<NamedDevice> {
   /// What is said when something cannot be done.
   template <class Work>
   static std::string refusal(const Work& work) {
-    try {
-      work();
-    } catch (const Error& e) {
-      return e.what();
-    }
-    ADD_FAILURE() << "nothing was refused";
-    return "";
+    const std::string said = test::refusal([&] { work(); });
+    EXPECT_NE(said, "") << "nothing was refused";
+    return said;
   }
 
   /// Expects that the motors got nothing from the n-th command on.
@@ -155,10 +151,5 @@ class DeviceContractTest : public testing::TestWithParam<NamedDevice> {
  protected:
   DeviceUnderTest& tested = *made_;
 };
-
-/// @return whether one of the sentences contains the words
-inline bool contains(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
 
 }  // namespace hapticut::test

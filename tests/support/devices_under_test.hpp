@@ -239,11 +239,13 @@ inline std::vector<NamedDevice> devices_under_test() {
           named_device<ForceDimensionStandIn>("Falcon", kFalcon)};
 }
 
-/// Those of them that have something.
-inline std::vector<NamedDevice> devices_that(bool DeviceTraits::*has, bool wanted = true) {
+/// Those of them that have all of this, or that have not.
+inline std::vector<NamedDevice> devices_that(const std::vector<bool DeviceTraits::*>& have, bool wanted = true) {
   std::vector<NamedDevice> all = devices_under_test();
-  std::erase_if(all, [&](const NamedDevice& named) { return named.traits.*has != wanted; });
+  for (const auto has : have) std::erase_if(all, [&](const NamedDevice& named) { return named.traits.*has != wanted; });
   return all;
 }
+
+inline constexpr auto kNameOfDevice = [](const auto& named) { return named.param.name; };
 
 }  // namespace hapticut::test

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <map>
 #include <utility>
 
@@ -23,17 +25,30 @@ inline double area(const TriangleMesh& mesh) {
   return sum / 2;
 }
 
-/// Whether each edge is passed as often in one direction as in the other.
-inline bool is_closed(const TriangleMesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
+/// How often the edges of a mesh are passed.
+struct EdgeCount {
+  bool balanced = true;        ///< each as often one way as the other
+  std::size_t twice = 0;       ///< once each way
+  std::size_t more_often = 0;  ///< twice each way: two bodies touch along it
+};
+
+inline EdgeCount count_edges(const TriangleMesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> edges;
   for (const auto& t : mesh.triangles)
-    for (int n = 0; n < 3; ++n) {
-      const auto a = t[std::size_t(n)], b = t[std::size_t((n + 1) % 3)];
-      balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+    for (std::size_t n = 0; n < 3; ++n) {
+      const auto a = t[n], b = t[(n + 1) % 3];
+      auto& [there, back] = edges[{std::min(a, b), std::max(a, b)}];
+      ++(a < b ? there : back);
     }
-  for (const auto& [edge, sum] : balance)
-    if (sum != 0) return false;
-  return !mesh.triangles.empty();
+  EdgeCount count;
+  for (const auto& [edge, passed] : edges) {
+    count.balanced = count.balanced && passed.first == passed.second && edge.first != edge.second;
+    ++(passed.first == 1 ? count.twice : count.more_often);
+  }
+  return count;
 }
+
+/// Whether each edge is passed as often in one direction as in the other.
+inline bool is_closed(const TriangleMesh& mesh) { return !mesh.triangles.empty() && count_edges(mesh).balanced; }
 
 }  // namespace hapticut::test

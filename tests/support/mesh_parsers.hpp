@@ -9,7 +9,7 @@
 
 #include "io/mesh/mesh_formats.hpp"
 #include "support/mesh_measures.hpp"
-#include "support/refusals.hpp"
+#include "support/refusal.hpp"
 
 /// @file
 /// The readers of mesh formats, given texts.
@@ -26,7 +26,7 @@ inline TriangleMesh only_mesh_in(Parser parse, const std::string& text) {
 }
 
 inline std::string error_of(Parser parse, const std::string& text) {
-  return refusal_of([&] { return meshes_in(parse, text); });
+  return refusal([&] { return meshes_in(parse, text); });
 }
 
 /// A text, and a part of what must be said of it.
@@ -35,7 +35,7 @@ struct BadText {
   const char* said;
 };
 
-inline void expect_refused(Parser parse, const std::vector<BadText>& texts) {
+inline void expect_all_refused(Parser parse, const std::vector<BadText>& texts) {
   for (const BadText& bad : texts) {
     SCOPED_TRACE(bad.text);
     expect_part(error_of(parse, bad.text), bad.said);

@@ -63,4 +63,12 @@ inline TriangleMesh cube_mesh(const Vec3& min, double edge, int cells) {
   return mesh;
 }
 
+/// Two meshes as one, each with its own vertices.
+inline TriangleMesh joined(TriangleMesh mesh, const TriangleMesh& other) {
+  const auto first = std::uint32_t(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
+  return mesh;
+}
+
 }  // namespace hapticut::test

@@ -6,7 +6,7 @@
 #include "hapticut/io/recording/recorder.hpp"
 #include "hapticut/io/recording/recording.hpp"
 #include "hapticut/io/recording/replay.hpp"
-#include "support/refusals.hpp"
+#include "support/refusal.hpp"
 #include "support/scenes.hpp"
 
 /// @file
@@ -39,7 +39,7 @@ inline void step_in_the_air(Recorder& recorder, int steps) {
 
 /// What is said of a recording that cannot be replayed: one sentence that names it; empty when it can.
 inline std::string complaint_about(const std::filesystem::path& path) {
-  const std::string text = refusal_of([&] { return replay(read_recording(path)); });
+  const std::string text = refusal([&] { return replay(read_recording(path)); });
   if (text.empty()) return text;
   EXPECT_TRUE(text.starts_with("cannot read '" + path.string() + "': ")) << text;
   EXPECT_EQ(text.back(), '.') << text;

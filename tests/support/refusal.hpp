@@ -27,12 +27,21 @@ inline bool contains(const std::string& text, const std::string& words) {
   return text.find(words) != std::string::npos;
 }
 
+inline void expect_part(const std::string& text, const std::string& part) {
+  EXPECT_TRUE(contains(text, part)) << "'" << text << "' lacks '" << part << "'";
+}
+
 /// Expects that an action is refused in a sentence with all of these words.
 template <class Action>
-void expect_refused(const Action& action, std::initializer_list<const char*> words) {
+void expect_refused(const Action& action, std::initializer_list<std::string> words) {
   const std::string said = refusal(action);
   EXPECT_NE(said, "") << "it is not refused";
-  for (const char* word : words) EXPECT_TRUE(contains(said, word)) << "'" << said << "' lacks '" << word << "'";
+  for (const std::string& word : words) expect_part(said, word);
+}
+
+template <class Action>
+void expect_refused(const Action& action, const std::string& words) {
+  expect_refused(action, {words});
 }
 
 }  // namespace hapticut::test

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <utility>
 #include <vector>
 
 #include "hapticut/surface/surface_stream.hpp"
+#include "support/mesh_measures.hpp"
 
 /// @file
 /// Pages of a surface put together, as somebody who draws them has them.
@@ -66,29 +65,6 @@ inline TriangleMesh welded(const Pages& pages, const GridFrame& frame) {
       mesh.triangles.push_back(triangle);
     }
   return mesh;
-}
-
-/// How often the edges of a mesh are passed.
-struct EdgeCount {
-  bool balanced = true;        ///< each as often one way as the other
-  std::size_t twice = 0;       ///< once each way
-  std::size_t more_often = 0;  ///< twice each way: two bodies touch along it
-};
-
-inline EdgeCount count_edges(const TriangleMesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> edges;
-  for (const auto& t : mesh.triangles)
-    for (std::size_t n = 0; n < 3; ++n) {
-      const auto a = t[n], b = t[(n + 1) % 3];
-      auto& [there, back] = edges[{std::min(a, b), std::max(a, b)}];
-      ++(a < b ? there : back);
-    }
-  EdgeCount count;
-  for (const auto& [edge, passed] : edges) {
-    count.balanced = count.balanced && passed.first == passed.second && edge.first != edge.second;
-    ++(passed.first == 1 ? count.twice : count.more_often);
-  }
-  return count;
 }
 
 }  // namespace hapticut::test

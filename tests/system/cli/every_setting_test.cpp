@@ -16,7 +16,7 @@ namespace {
 using settings::Setting;
 using Kind = Setting::Kind;
 
-std::string refusal_of(const std::function<void()>& call) {
+std::string refusal(const std::function<void()>& call) {
   try {
     call();
   } catch (const Error& error) {
@@ -43,7 +43,7 @@ TEST(EverySetting, RefusesATextOfAnotherTypeByItsFlag) {
       if (setting.flag.empty()) continue;
       ++flags;
       for (const std::string& text : wrong_texts().at(setting.kind))
-        EXPECT_EQ(refusal_of([&] { apply_flag(setting, {text}); }),
+        EXPECT_EQ(refusal([&] { apply_flag(setting, {text}); }),
                   setting.flag + " " + text + ": must be " + setting.allowed + ".")
             << command.name;
     }
@@ -66,7 +66,7 @@ void expect_refused_in_file(const std::vector<Setting>& all, const std::string& 
                             const std::string& prefix, const Setting& setting) {
   const std::string name = prefix + setting.key;
   const auto said = [&](const std::string& value) {
-    return refusal_of([&] { read_settings("\n" + begin + setting.key + " = " + value + end, "s.toml", all); });
+    return refusal([&] { read_settings("\n" + begin + setting.key + " = " + value + end, "s.toml", all); });
   };
   if (setting.kind == Kind::tables) {
     EXPECT_EQ(said("3"), "s.toml:2: " + name + ": must be a list of tables, each " + setting.allowed + ".");

@@ -11,7 +11,7 @@
 #include "hapticut/io/volume/volume_filters.hpp"
 #include "hapticut/io/volume/volumes.hpp"
 #include "support/named_material.hpp"
-#include "support/refusals.hpp"
+#include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
 
@@ -211,7 +211,7 @@ std::string error_of_reading_part(const std::string& name, const Keep& keep) {
   for (const auto& entry : std::filesystem::directory_iterator(data_path(name)))
     if (const auto file = entry.path().filename(); keep(file.string()))
       std::filesystem::create_symlink(std::filesystem::absolute(entry.path()), folder / file.string());
-  return test::refusal_of([&] { return read_grey_volume(folder / "", {.spacing = Vec3::Constant(1 * mm)}); });
+  return test::refusal([&] { return read_grey_volume(folder / "", {.spacing = Vec3::Constant(1 * mm)}); });
 }
 
 TEST(ImportOracle, AMissingSliceIsNoticed) {
@@ -235,7 +235,7 @@ class HostileVolume : public testing::TestWithParam<const char*> {};
 
 TEST_P(HostileVolume, IsRefusedWithAReasonThatNamesIt) {
   HAPTICUT_NEEDS_DATA(GetParam());
-  const std::string refusal = test::refusal_of([&] { return read_grey_volume(data_path(GetParam())); });
+  const std::string refusal = test::refusal([&] { return read_grey_volume(data_path(GetParam())); });
   for (const char* part : {GetParam(), "dimensions"}) test::expect_part(refusal, part);
 }
 

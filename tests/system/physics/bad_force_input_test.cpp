@@ -14,7 +14,7 @@ using units::mm;
 
 /// With these words, in a whole sentence.
 template <class Action>
-void expect_refusal(const Action& action, std::initializer_list<const char*> words) {
+void expect_refused(const Action& action, std::initializer_list<const char*> words) {
   expect_refused(action, words);
   EXPECT_TRUE(refusal(action).ends_with('.')) << refusal(action);
 }
@@ -31,14 +31,14 @@ TEST(BadForceInput, ADynamicFrictionAboveTheStaticOneIsRefused) {
   Material material = plain_material();
   material.static_friction = 0.2;
   material.dynamic_friction = 0.3;
-  expect_refusal([&] { (void)block(material); }, {"dynamic_friction = 0.3", "static_friction = 0.2"});
+  expect_refused([&] { (void)block(material); }, {"dynamic_friction = 0.3", "static_friction = 0.2"});
 }
 
 TEST(BadForceInput, NegativeConstantsAreRefusedByName) {
   for_each_number<Material>([](const auto& field) {
     Material material = plain_material();
     material.*field.member = -1;
-    expect_refusal([&] { (void)block(material); }, {field.name, "= -1; must be"});
+    expect_refused([&] { (void)block(material); }, {field.name, "= -1; must be"});
   });
 
   const auto with = [](const auto& change) {
@@ -46,16 +46,16 @@ TEST(BadForceInput, NegativeConstantsAreRefusedByName) {
     change(config);
     (void)ball_on_block(config);
   };
-  expect_refusal([&] { with([](auto& c) { c.reference_stiffness = -1; }); }, {"reference_stiffness", "-1", "must be"});
-  expect_refusal([&] { with([](auto& c) { c.friction = DryFriction{0.3, -0.1, 1}; }); }, {"-0.1", "must be"});
-  expect_refusal([&] { with([](auto& c) { c.friction = DryFriction{0.3, 0.3, -1}; }); }, {"-1", "must be"});
-  expect_refusal([&] { with([](auto& c) { c.effects.gravity = Gravity{-1}; }); }, {"Gravity::mass", "-1", "must be"});
-  expect_refusal([&] { with([](auto& c) { c.effects.vibration = Vibration{-1}; }); }, {"frequency", "-1", "must be"});
-  expect_refusal([&] { with([](auto& c) { c.effects.vibration = Vibration{100, -1}; }); }, {"amplitude", "-1"});
-  expect_refusal([&] { with([](auto& c) { c.effects.delta_filter = DeltaFilter{-1}; }); }, {"delta", "-1"});
-  expect_refusal([&] { with([](auto& c) { c.effects.limits.force_growth = -1; }); }, {"force_growth", "-1", "must be"});
+  expect_refused([&] { with([](auto& c) { c.reference_stiffness = -1; }); }, {"reference_stiffness", "-1", "must be"});
+  expect_refused([&] { with([](auto& c) { c.friction = DryFriction{0.3, -0.1, 1}; }); }, {"-0.1", "must be"});
+  expect_refused([&] { with([](auto& c) { c.friction = DryFriction{0.3, 0.3, -1}; }); }, {"-1", "must be"});
+  expect_refused([&] { with([](auto& c) { c.effects.gravity = Gravity{-1}; }); }, {"Gravity::mass", "-1", "must be"});
+  expect_refused([&] { with([](auto& c) { c.effects.vibration = Vibration{-1}; }); }, {"frequency", "-1", "must be"});
+  expect_refused([&] { with([](auto& c) { c.effects.vibration = Vibration{100, -1}; }); }, {"amplitude", "-1"});
+  expect_refused([&] { with([](auto& c) { c.effects.delta_filter = DeltaFilter{-1}; }); }, {"delta", "-1"});
+  expect_refused([&] { with([](auto& c) { c.effects.limits.force_growth = -1; }); }, {"force_growth", "-1", "must be"});
 
-  expect_refusal(
+  expect_refused(
       [] {
         Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{1 * units::rad_per_s, -1});
       },
@@ -73,18 +73,18 @@ TEST(BadForceInput, ConstantsBeyondSinglePrecisionAreRefused) {
       (void)Simulation(block(material), Tool(SphereHead{1 * mm}), config);
     };
   };
-  expect_refusal(with(&Material::damping, 1e50), {"damping", "= 1e+50", "must be between 0 and 1e+06"});
-  expect_refusal(with(&Material::cutting_ratio, 1e50), {"cutting_ratio", "= 1e+50", "must be between 0 and 1e+06"});
-  expect_refusal(with(&Material::specific_cutting_energy, 1e-50), {"specific_cutting_energy", "at least 1000"});
-  expect_refusal(with(&Material::specific_cutting_energy, 1e50), {"specific_cutting_energy", "between 1000 and 1e+18"});
+  expect_refused(with(&Material::damping, 1e50), {"damping", "= 1e+50", "must be between 0 and 1e+06"});
+  expect_refused(with(&Material::cutting_ratio, 1e50), {"cutting_ratio", "= 1e+50", "must be between 0 and 1e+06"});
+  expect_refused(with(&Material::specific_cutting_energy, 1e-50), {"specific_cutting_energy", "at least 1000"});
+  expect_refused(with(&Material::specific_cutting_energy, 1e50), {"specific_cutting_energy", "between 1000 and 1e+18"});
   for (const double share : {1e-50, 1e50})
-    expect_refusal(with(&Material::relative_stiffness, share),
+    expect_refused(with(&Material::relative_stiffness, share),
                    {"reference_stiffness times relative_stiffness of 'plain'", "must be between 1 and 1e+25"});
   for (const double speed : {1e39, -1e39}) {
-    expect_refusal([&] { Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{speed * units::rad_per_s}); },
+    expect_refused([&] { Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{speed * units::rad_per_s}); },
                    {"Spindle::speed", "no spindle is faster than a million"});
     Simulation simulation(block(), Tool(SphereHead{1 * mm}));
-    expect_refusal([&] { simulation.set_spindle_speed(speed * units::rad_per_s); },
+    expect_refused([&] { simulation.set_spindle_speed(speed * units::rad_per_s); },
                    {"Spindle::speed", "no spindle is faster"});
     EXPECT_EQ(simulation.spindle_setting(), 0);
   }

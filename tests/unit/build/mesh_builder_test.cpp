@@ -9,7 +9,7 @@
 #include "hapticut/core/units.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/meshes.hpp"
-#include "support/named_material.hpp"
+#include "support/workpieces.hpp"
 
 namespace hapticut::mesh_builder_test {
 namespace {
@@ -17,14 +17,9 @@ namespace {
 using test::ball_mesh;
 using test::cube_mesh;
 using test::named;
+using test::solid_volume;
 using units::mm;
 using units::mm3;
-
-double volume(const Workpiece& workpiece) {
-  double sum = 0;
-  for (const MaterialAmount& amount : workpiece.amounts()) sum += amount.volume;
-  return sum;
-}
 
 TEST(MeshBuilder, ABallConvergesToTheVolumeOfItsMesh) {
   const TriangleMesh ball = ball_mesh(Vec3(1, 2, 3) * mm, 2 * mm, 48);
@@ -32,7 +27,7 @@ TEST(MeshBuilder, ABallConvergesToTheVolumeOfItsMesh) {
   // The error of subsampling is noise of the lattice; it stays below what the surface's share of voxels allows.
   for (const auto& [voxel_size, tolerance] : {std::pair{0.4 * mm, 2e-3}, {0.2 * mm, 7e-4}, {0.1 * mm, 2e-4}}) {
     const Workpiece workpiece = build_from_mesh(ball, named("clay"), {voxel_size, 8});
-    EXPECT_NEAR(volume(workpiece), exact, tolerance * exact) << "at " << voxel_size / mm << " mm";
+    EXPECT_NEAR(solid_volume(workpiece), exact, tolerance * exact) << "at " << voxel_size / mm << " mm";
   }
 }
 
@@ -45,8 +40,7 @@ TEST(MeshBuilder, CentroidsOfCutVoxelsPutTheBodyWhereItIs) {
     for (int n = 0; n < kBlockVoxels; ++n) {
       const VoxelIndex at = voxel_at(block.origin, n);
       const double fill = workpiece.fill_at(at);
-      const auto steps = workpiece.centroid_at(at).steps;
-      const Vec3 offset = Vec3(steps[0], steps[1], steps[2]) / CentroidOffset::kSteps * workpiece.voxel_size();
+      const Vec3 offset = test::centroid_of(workpiece, at) * workpiece.voxel_size();
       const Vec3 p = workpiece.frame().center(at) + offset - center;
       sum += fill * p;
       weight += fill;
@@ -60,7 +54,7 @@ TEST(MeshBuilder, CentroidsOfCutVoxelsPutTheBodyWhereItIs) {
 TEST(MeshBuilder, ACubeOnTheLatticeIsExactAndMadeOfTiles) {
   const Workpiece cube = build_from_mesh(cube_mesh(Vec3::Zero(), 6.4 * mm, 1), named("clay"), {0.1 * mm, 8});
   EXPECT_EQ(cube.solid_voxels(), 64 * 64 * 64);
-  EXPECT_NEAR(volume(cube), 262.144 * mm3, 1e-9 * mm3);
+  EXPECT_NEAR(solid_volume(cube), 262.144 * mm3, 1e-9 * mm3);
   EXPECT_EQ(cube.block({8, 8, 8}).material, nullptr);
 }
 
@@ -72,24 +66,13 @@ TEST(MeshBuilder, AHoleInACubeIsClosed) {
                        cube.triangles.begin() + std::ptrdiff_t(last) - 91);
   ASSERT_FALSE(test::is_closed(cube));
   const Workpiece workpiece = build_from_mesh(cube, named("clay"), {0.1 * mm, 4});
-  EXPECT_NEAR(volume(workpiece), 125 * mm3, 0.002 * 125 * mm3);
+  EXPECT_NEAR(solid_volume(workpiece), 125 * mm3, 0.002 * 125 * mm3);
   EXPECT_EQ(workpiece.material_at({25, 25, 25}), 1);
 }
 
-TEST(MeshBuilder, ASurfaceThatIsInsideOutIsTurnedRound) {
-  TriangleMesh ball = ball_mesh(Vec3::Zero(), 1 * mm, 24);
-  const Workpiece proper = build_from_mesh(ball, named("clay"), {0.1 * mm, 4});
-  for (auto& t : ball.triangles) std::swap(t[0], t[1]);
-  EXPECT_NEAR(volume(build_from_mesh(ball, named("clay"), {0.1 * mm, 4})), volume(proper), 1e-6 * volume(proper));
-}
-
 TEST(MeshBuilder, OverlappingPartsOfOneSurfaceAreOneBody) {
-  TriangleMesh two = cube_mesh(Vec3::Zero(), 2 * mm, 2);
-  const TriangleMesh other = cube_mesh(Vec3(1, 0, 0) * mm, 2 * mm, 2);
-  const auto shift = std::uint32_t(two.vertices.size());
-  two.vertices.insert(two.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const auto& t : other.triangles) two.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
-  EXPECT_NEAR(volume(build_from_mesh(two, named("clay"), {0.1 * mm, 4})), 12 * mm3, 0.01 * 12 * mm3);
+  const TriangleMesh two = test::joined(cube_mesh(Vec3::Zero(), 2 * mm, 2), cube_mesh(Vec3(1, 0, 0) * mm, 2 * mm, 2));
+  EXPECT_NEAR(solid_volume(build_from_mesh(two, named("clay"), {0.1 * mm, 4})), 12 * mm3, 0.01 * 12 * mm3);
 }
 
 TEST(MeshBuilder, TheLastShellThatEnclosesAPointWins) {

@@ -12,16 +12,14 @@
 namespace hapticut::orient_test {
 namespace {
 
+TriangleMesh turned(TriangleMesh mesh) {
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
 /// Balls of one centre, the second facing the other way: a shell with a cavity.
-TriangleMesh hollow_ball(const Vec3& center, bool inside_out) {
-  TriangleMesh shell = test::ball_mesh(center, 2e-3, 8);
-  const TriangleMesh cavity = test::ball_mesh(center, 1e-3, 8);
-  const auto first = std::uint32_t(shell.vertices.size());
-  shell.vertices.insert(shell.vertices.end(), cavity.vertices.begin(), cavity.vertices.end());
-  for (const auto& [a, b, c] : cavity.triangles) shell.triangles.push_back({first + a, first + c, first + b});
-  if (inside_out)
-    for (auto& t : shell.triangles) std::swap(t[1], t[2]);
-  return shell;
+TriangleMesh hollow_ball(const Vec3& center) {
+  return test::joined(test::ball_mesh(center, 2e-3, 8), turned(test::ball_mesh(center, 1e-3, 8)));
 }
 
 TEST(Orient, ASurfaceWhoseFacesAreTurnedAtRandomEnclosesWhatItDid) {
@@ -35,23 +33,17 @@ TEST(Orient, ASurfaceWhoseFacesAreTurnedAtRandomEnclosesWhatItDid) {
 }
 
 TEST(Orient, ASurfaceThatIsRightStaysAsItIs) {
-  for (const TriangleMesh& mesh : {test::ball_mesh(Vec3::Zero(), 2e-3, 8), hollow_ball(Vec3::Zero(), false)})
+  for (const TriangleMesh& mesh : {test::ball_mesh(Vec3::Zero(), 2e-3, 8), hollow_ball(Vec3::Zero())})
     EXPECT_EQ(oriented(mesh).triangles, mesh.triangles);
 }
 
 TEST(Orient, APieceThatIsInsideOutBesideAnotherIsTurnedWithItsCavity) {
-  const auto both = [](bool inside_out) {
-    TriangleMesh mesh = hollow_ball(Vec3::Zero(), false);
-    const TriangleMesh other = hollow_ball(Vec3(7e-3, 0, 0), inside_out);
-    const auto first = std::uint32_t(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-    for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
-    return mesh;
-  };
+  const TriangleMesh one = hollow_ball(Vec3::Zero()), other = hollow_ball(Vec3(7e-3, 0, 0)),
+                     both = test::joined(one, other);
   const Material bone = presets::cortical_bone();
-  const Workpiece right = build_from_mesh(both(false), bone), turned = build_from_mesh(both(true), bone);
-  EXPECT_EQ(turned.hash(), right.hash());
-  const double expected = test::signed_volume(both(false));
+  const Workpiece right = build_from_mesh(both, bone);
+  EXPECT_EQ(build_from_mesh(test::joined(one, turned(other)), bone).hash(), right.hash());
+  const double expected = test::signed_volume(both);
   EXPECT_NEAR(right.amounts().at(0).volume, expected, 0.02 * expected) << "the cavities are empty";
 }
 

@@ -8,7 +8,8 @@
 
 #include "hapticut/build/volume_builders.hpp"
 #include "hapticut/core/units.hpp"
-#include "support/named_material.hpp"
+#include "support/volumes.hpp"
+#include "support/workpieces.hpp"
 
 namespace hapticut::partial_volume_test {
 namespace {
@@ -37,31 +38,28 @@ struct Ball {
 };
 
 GreyVolume scan(const Ball& ball, double spacing, double sigma, double noise = 0) {
-  GreyVolume volume;
   const int n = int(14 * mm / spacing);
-  volume.dims = {n, n, n};
-  volume.spacing = Vec3::Constant(spacing);
-  volume.values.resize(volume.size());
+  auto volume = test::volume_of<float>({n, n, n}, Vec3::Constant(spacing), {});
   std::mt19937 random(3);
   std::normal_distribution<double> grain(0, 1);
-  for (int k = 0; k < n; ++k)
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) {
-        const double r = (volume.position(i, j, k) - kMiddle).norm();
-        double grey = ball.around, before = grey;
-        for (const Ball::Layer& layer : ball.layers) {
-          grey += (layer.grey - before) * blurred_ball(r, layer.radius, sigma);
-          before = layer.grey;
-        }
-        volume.at(i, j, k) = float(grey + noise * grain(random));
-      }
+  test::for_each_sample(volume, [&](int i, int j, int k) {
+    const double r = (volume.position(i, j, k) - kMiddle).norm();
+    double grey = ball.around, before = grey;
+    for (const Ball::Layer& layer : ball.layers) {
+      grey += (layer.grey - before) * blurred_ball(r, layer.radius, sigma);
+      before = layer.grey;
+    }
+    volume.at(i, j, k) = float(grey + noise * grain(random));
+  });
   return volume;
 }
 
 constexpr double kAir = -1000, kMarrow = 0, kSoft = 450, kHard = 1600;
 constexpr double kBone = (kAir + kHard) / 2, kCortical = (kSoft + kHard) / 2;  // half-way, where the blurred edges are
-const std::vector<GreyRange> kRanges = {{kBone, kCortical, named("trabecular")},
-                                        {kCortical, kInfinity, named("cortical")}};
+std::vector<GreyRange> bone_from(double grey) {
+  return {{grey, kCortical, named("trabecular")}, {kCortical, kInfinity, named("cortical")}};
+}
+const std::vector<GreyRange> kRanges = bone_from(kBone);
 constexpr MaterialId kTrabecularId = 1, kCorticalId = 2;
 
 double ball_volume(double r) { return 4 * kPi / 3 * r * r * r; }
@@ -69,13 +67,10 @@ double ball_volume(double r) { return 4 * kPi / 3 * r * r * r; }
 /// How many voxels with a centre between two distances from the middle are of a material.
 int voxels_between(const Workpiece& workpiece, double from, double to, MaterialId material) {
   int count = 0;
-  const IndexBox box = workpiece.bounds();
-  for (int i = box.min[0]; i <= box.max[0]; ++i)
-    for (int j = box.min[1]; j <= box.max[1]; ++j)
-      for (int k = box.min[2]; k <= box.max[2]; ++k) {
-        const double r = (workpiece.frame().center({i, j, k}) - kMiddle).norm();
-        count += r >= from && r < to && workpiece.material_at({i, j, k}) == material ? 1 : 0;
-      }
+  test::for_each_voxel(workpiece.bounds(), [&](const VoxelIndex& at) {
+    const double r = (workpiece.frame().center(at) - kMiddle).norm();
+    count += r >= from && r < to && workpiece.material_at(at) == material ? 1 : 0;
+  });
   return count;
 }
 
@@ -104,24 +99,19 @@ TEST(PartialVolume, ChangesNeitherFillNorCentroid) {
   const GreyVolume volume = scan({kAir, {{6 * mm, kHard}, {5 * mm, kSoft}}}, 0.6 * mm, 0.3 * mm);
   const Workpiece on = build_from_grey(volume, kRanges, {.voxel_size = 0.25 * mm});
   const Workpiece off = build_from_grey(volume, kRanges, {.voxel_size = 0.25 * mm, .partial_volume = false});
-  const IndexBox box = off.bounds();
-  for (int i = box.min[0]; i <= box.max[0]; ++i)
-    for (int j = box.min[1]; j <= box.max[1]; ++j)
-      for (int k = box.min[2]; k <= box.max[2]; ++k) {
-        ASSERT_EQ(on.fill_at({i, j, k}), off.fill_at({i, j, k}));
-        ASSERT_EQ(on.centroid_at({i, j, k}).steps, off.centroid_at({i, j, k}).steps);
-      }
+  test::for_each_voxel(off.bounds(), [&](const VoxelIndex& at) {
+    ASSERT_EQ(on.fill_at(at), off.fill_at(at));
+    ASSERT_EQ(on.centroid_at(at).steps, off.centroid_at(at).steps);
+  });
 }
 
 TEST(PartialVolume, SwitchedOffLeavesEachSampleTheMaterialOfItsValue) {
   const GreyVolume volume = scan({kAir, {{6 * mm, kHard}, {5 * mm, kSoft}}}, 0.6 * mm, 0.3 * mm);
   const Workpiece off = build_from_grey(volume, kRanges, {.antialias = false, .partial_volume = false});
-  for (int k = 0; k < volume.dims[2]; ++k)
-    for (int j = 0; j < volume.dims[1]; ++j)
-      for (int i = 0; i < volume.dims[0]; ++i) {
-        const double grey = double(volume.at(i, j, k));
-        ASSERT_EQ(off.material_at({i, j, k}), grey < kBone ? kEmpty : grey < kCortical ? kTrabecularId : kCorticalId);
-      }
+  test::for_each_sample(volume, [&](int i, int j, int k) {
+    const double grey = double(volume.at(i, j, k));
+    ASSERT_EQ(off.material_at({i, j, k}), grey < kBone ? kEmpty : grey < kCortical ? kTrabecularId : kCorticalId);
+  });
 }
 
 TEST(PartialVolume, IsSeenInBlocksThatLieInOneRangeToo) {
@@ -133,8 +123,7 @@ TEST(PartialVolume, IsSeenInBlocksThatLieInOneRangeToo) {
 
 TEST(PartialVolume, LeavesTrabecularBoneThatIsOpenToTheAir) {
   const GreyVolume volume = scan({kAir, {{6 * mm, kSoft}}}, 0.3 * mm, 0.2 * mm, 60);
-  const Workpiece bone =
-      build_from_grey(volume, {{-275, kCortical, named("trabecular")}, {kCortical, kInfinity, named("cortical")}});
+  const Workpiece bone = build_from_grey(volume, bone_from(-275));
   EXPECT_EQ(bone.amounts()[1].voxels, 0);
   EXPECT_NEAR(bone.amounts()[0].volume / ball_volume(6 * mm), 1, 0.01);
 }
@@ -142,17 +131,14 @@ TEST(PartialVolume, LeavesTrabecularBoneThatIsOpenToTheAir) {
 TEST(PartialVolume, LeavesALayerOfTrabecularBoneThatTheScanResolves) {
   constexpr double kSpacing = 0.3 * mm, kLayer = 3 * kSpacing;
   const GreyVolume volume = scan({kAir, {{6 * mm, kSoft}, {6 * mm - kLayer, kHard}}}, kSpacing, 0.5 * kSpacing);
-  const std::vector<GreyRange> ranges = {{-275, kCortical, named("trabecular")},
-                                         {kCortical, kInfinity, named("cortical")}};
-  const auto amounts = build_from_grey(volume, ranges).amounts();
+  const auto amounts = build_from_grey(volume, bone_from(-275)).amounts();
   EXPECT_NEAR(amounts[1].volume / ball_volume(6 * mm - kLayer), 1, 0.02);
 }
 
 TEST(PartialVolume, OfAHoleIsOfWhatIsAroundIt) {
-  const std::vector<GreyRange> ranges = {{kMarrow + 150, kCortical, named("trabecular")},
-                                         {kCortical, kInfinity, named("cortical")}};
   const auto wall = [&](double grey) {
-    return build_from_grey(scan({kHard, {{6 * mm, grey}, {2 * mm, kMarrow}}}, 0.3 * mm, 0.2 * mm), ranges);
+    const GreyVolume volume = scan({kHard, {{6 * mm, grey}, {2 * mm, kMarrow}}}, 0.3 * mm, 0.2 * mm);
+    return build_from_grey(volume, bone_from(kMarrow + 150));
   };
   EXPECT_EQ(voxels_between(wall(kSoft), 0, 5 * mm, kCorticalId), 0);
   EXPECT_EQ(voxels_between(wall(kHard), 0, 5 * mm, kTrabecularId), 0);
@@ -186,9 +172,7 @@ TEST(PartialVolume, OfAGradeIsOfTheGradeBehindIt) {
 }
 
 TEST(PartialVolume, IsNothingToLabels) {
-  LabelVolume volume;
-  volume.dims = {20, 20, 20};
-  volume.values.resize(volume.size());
+  auto volume = test::volume_of<std::uint16_t>({20, 20, 20}, LabelVolume{}.spacing, {});
   for (std::size_t n = 0; n < volume.size(); ++n) volume.values[n] = std::uint16_t(n / 7 % 3);
   const std::vector<LabelMaterial> materials = {{{1}, named("a")}, {{2}, named("b")}};
   const auto on = build_from_labels(volume, materials, {.voxel_size = 0.7 * mm}).amounts();

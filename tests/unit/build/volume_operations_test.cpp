@@ -10,6 +10,7 @@
 #include <string>
 
 #include "hapticut/core/units.hpp"
+#include "support/refusal.hpp"
 #include "support/volumes.hpp"
 
 namespace hapticut::volume_operations_test {
@@ -70,13 +71,11 @@ TEST(CropToABox, KeepsWhatAWorkpieceInTheBoxNeeds) {
   EXPECT_EQ(part.at(2, 2, 2), volume.at(5, 6, 7));
   EXPECT_LT((part.position(2, 2, 2) - low).norm(), 1e-15);
   EXPECT_EQ(crop_to_box(volume, {low - Vec3::Ones(), high + Vec3::Ones()}).dims, volume.dims);
-  try {
-    (void)crop_to_box(volume, {high + Vec3::Ones(), high + 2 * Vec3::Ones()});
-    ADD_FAILURE() << "a box outside the volume was cropped to";
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("lies outside the volume, which reaches from (2.95, "), std::string::npos)
-        << error.what();
-  }
+  test::expect_refused(
+      [&] {
+        (void)crop_to_box(volume, {high + Vec3::Ones(), high + 2 * Vec3::Ones()});
+      },
+      {"lies outside the volume, which reaches from (2.95, "});
 }
 
 TEST(CropToABox, TurnsTheBoxIntoTheGridOfTheVolume) {
@@ -144,24 +143,6 @@ TEST(KeepLargestComponent, DropsSpecksAndWhatTouchesByAnEdgeOnly) {
   EXPECT_THROW((void)keep_largest_component(volume_of<std::uint16_t>({3, 3, 3}, Vec3::Constant(1 * mm))), Error);
 }
 
-TEST(FillCavities, FillsWhatIsEnclosedAndNothingElse) {
-  auto volume = volume_of<std::uint16_t>({30, 30, 30}, Vec3::Constant(0.1 * mm));
-  add_ball(volume, {1.5, 1.5, 1.5}, 1.2, 1);
-  add_ball(volume, {1.2, 1.5, 1.5}, 0.4, 0);
-  add_ball(volume, {2.2, 1.5, 1.5}, 0.3, 0);
-  const std::int64_t body = count(volume, 1);
-  auto opened = volume;
-  for (int i = 0; i < 10; ++i) opened.at(i, 15, 15) = 0;  // a canal from the first cavity to the outside
-  const LabelVolume both = fill_cavities(volume, 6), one = fill_cavities(opened, 6);
-  EXPECT_EQ(count(both, 1), body);
-  EXPECT_GT(count(both, 6), 300);
-  EXPECT_EQ(both.at(12, 15, 15), 6);
-  EXPECT_EQ(both.at(22, 15, 15), 6);
-  EXPECT_EQ(both.at(0, 0, 0), 0);
-  EXPECT_EQ(one.at(12, 15, 15), 0);
-  EXPECT_EQ(one.at(22, 15, 15), 6);
-}
-
 TEST(KeepLargestComponent, OfGreyValuesLeavesWhatIsBelowTheThreshold) {
   auto volume = volume_of<float>({9, 3, 3}, Vec3::Constant(1 * mm));
   volume.values.assign(volume.size(), -5);
@@ -206,19 +187,15 @@ TEST(Components, AreThoseThatAWalkFromSampleToSampleFinds) {
     std::vector<VoxelIndex> border;
     std::vector<bool> largest;
     std::int64_t size = 0;
-    for (int k = 0; k < volume.dims[2]; ++k)
-      for (int j = 0; j < volume.dims[1]; ++j)
-        for (int i = 0; i < volume.dims[0]; ++i) {
-          if (i == 0 || j == 0 || k == 0 || i + 1 == volume.dims[0] || j + 1 == volume.dims[1] ||
-              k + 1 == volume.dims[2])
-            border.push_back({i, j, k});
-          const std::vector<bool> body = reached(volume, {{i, j, k}}, false);
-          const std::int64_t samples = std::count(body.begin(), body.end(), true);
-          if (samples > size) {
-            size = samples;
-            largest = body;
-          }
-        }
+    test::for_each_sample(volume, [&](int i, int j, int k) {
+      if (i == 0 || j == 0 || k == 0 || i + 1 == volume.dims[0] || j + 1 == volume.dims[1] || k + 1 == volume.dims[2])
+        border.push_back({i, j, k});
+      const std::vector<bool> body = reached(volume, {{i, j, k}}, false);
+      const std::int64_t samples = std::count(body.begin(), body.end(), true);
+      if (samples <= size) return;
+      size = samples;
+      largest = body;
+    });
     const std::vector<bool> open = reached(volume, border, true);
     const LabelVolume kept = keep_largest_component(volume), filled = fill_cavities(volume, 7);
     for (std::size_t n = 0; n < volume.size(); ++n) {

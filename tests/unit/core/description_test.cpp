@@ -12,7 +12,6 @@
 #include "hapticut/analysis/faults.hpp"
 #include "hapticut/build/molar.hpp"
 #include "hapticut/build/volume_builders.hpp"
-#include "hapticut/core/errors.hpp"
 #include "hapticut/device/force_dimension.hpp"
 #include "hapticut/device/open_haptics.hpp"
 #include "hapticut/device/simulated/mock.hpp"
@@ -23,6 +22,7 @@
 #include "hapticut/loop/device_tick.hpp"
 #include "hapticut/loop/simulation_model.hpp"
 #include "hapticut/simulation/simulation.hpp"
+#include "support/refusal.hpp"
 
 namespace hapticut::description_test {
 
@@ -151,12 +151,7 @@ TYPED_TEST(NamedEnumeration, NamesEachOfItsValuesAsCppDoes) {
 // --- ranges and units -----------------------------------------------------------------------------------------------
 
 std::string refusal(double value, const Range& range) {
-  try {
-    require_within(value, range, "x [m]");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal([&] { require_within(value, range, "x [m]"); });
 }
 
 TEST(RangeOfAField, HoldsItsEndsAsItSays) {

@@ -128,6 +128,7 @@ TEST(LimitSurface, WeighsEachPointByItsOwnCoefficient) {
   EXPECT_NEAR(slid(contact, twist_of(0, kR, 0, 0, 0, 0)).force.y(), -0.25 * kNormal, 1e-9);
 }
 
+// Proves: energy of the anchor.
 TEST(LimitSurface, GivesBackTheWorkOfAClosedPathThatNeverSlid) {
   const SpreadFriction contact = contact_of(groove());
   LimitSurface anchor;

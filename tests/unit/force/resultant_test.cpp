@@ -78,20 +78,5 @@ TEST(SumResultant, AddsToWhatOtherBlocksGave) {
   EXPECT_EQ(both.depth, std::max(one.depth, other.depth));
 }
 
-TEST(SumResultant, AForceThroughTheOriginHasNoTorque) {
-  auto block = std::make_unique<ContactBlock>();
-  block->rows = 1;
-  block->samples = 1;
-  for (auto* values : {&block->x, &block->y, &block->z, &block->force_x, &block->force_y, &block->force_z, &block->fill,
-                       &block->depth})
-    values->fill(0);
-  block->x[3] = 1e-3F, block->y[3] = 2e-3F, block->z[3] = -1e-3F;
-  block->force_x[3] = 2, block->force_y[3] = 4, block->force_z[3] = -2;
-  Resultant total;
-  sum_resultant(*block, total);
-  EXPECT_EQ(total.wrench_T.force, Vec3(2, 4, -2));
-  EXPECT_LT(total.wrench_T.torque.norm(), 1e-9);
-}
-
 }  // namespace
 }  // namespace hapticut::resultant_test

@@ -11,6 +11,7 @@
 #include "hapticut/force/chip.hpp"
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/tool/catalogue.hpp"
+#include "support/named_material.hpp"
 
 namespace hapticut::stiffness_test {
 namespace {
@@ -36,8 +37,7 @@ TEST(Stiffness, ALongNearestFlatIsStifferSidewaysThanAlongItsAxis) {
 }
 
 TEST(Stiffness, AccuracyAsksForAnEngagedLayerOfATenthOfTheRadius) {
-  Material bone;
-  bone.name = "bone";
+  const Material bone = test::named("bone");
   const double radius = 1 * mm, feed = 2 * mm;
   const AngularSpeed speed = 2000 * units::rad_per_s;
   const double k = stiffness_for_accuracy(SphereHead{radius}, bone, speed, feed);
@@ -58,8 +58,7 @@ TEST(Stiffness, TheDeviceBoundKeepsTheContactBelowTheDevicesStiffness) {
 }
 
 TEST(Stiffness, RefusesAStandingSpindleAndAZeroFeed) {
-  Material bone;
-  bone.name = "bone";
+  const Material bone = test::named("bone");
   EXPECT_THROW((void)stiffness_for_accuracy(SphereHead{1 * mm}, bone, 0, 1 * mm), Error);
   EXPECT_THROW((void)stiffness_for_accuracy(SphereHead{1 * mm}, bone, 100 * units::rad_per_s, 0), Error);
   EXPECT_THROW((void)stiffness_for_accuracy(SphereHead{1 * mm}, bone, 100 * units::rad_per_s, 2), Error) << "mm/s";

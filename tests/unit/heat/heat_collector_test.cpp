@@ -23,41 +23,45 @@ using units::ms;
 
 constexpr int kDown = 1500;
 
-Simulation bone_drilling() {
-  Workpiece block = build_block({Vec3(-4, -4, -5) * mm, Vec3(4, 4, 0) * mm}, 0.1 * mm, presets::cortical_bone());
+Simulation bone_under(const ToolHead& head, RemovalLaw removal = RemovalLaw::constant_energy) {
   SimulationConfig config;
   config.reserved_blocks = 1000;
-  return Simulation(std::move(block), Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
+  config.removal = removal;
+  return Simulation(build_block({Vec3(-4, -4, -5) * mm, Vec3(4, 4, 0) * mm}, 0.1 * mm, presets::cortical_bone()),
+                    Tool(head, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
 }
 
-/// A ball drills down at 0.2 mm/s: heat is as fast over a millimetre of bone.
-const StepResult& drill(Simulation& simulation, int tick) {
-  const double speed = 0.2 * mm, dt = 5 * ms, z = 1 * mm - speed * tick * dt;
-  return simulation.step(Pose::from_translation({0.013 * mm, 0.021 * mm, z}), {{0, 0, -speed}, Vec3::Zero()}, dt);
-}
+/// A ball that drills down into bone at 0.2 mm/s, as fast as heat is over a millimetre of it, and the field beside it.
+struct Drilling {
+  explicit Drilling(HeatConfig config = {}, const HeatCollectorOptions& options = {})
+      : collector(simulation, options), field(simulation.workpiece(), std::move(config)) {}
 
-struct Drilled {
-  HeatField field;
-  EnergyLedger energy;
-};
-Drilled drill(HeatConfig config, const HeatCollectorOptions& options = {}) {
-  Simulation simulation = bone_drilling();
-  HeatCollector collector(simulation, options);
-  HeatField field(simulation.workpiece(), std::move(config));
-  for (int tick = 1; tick <= kDown; ++tick) {
-    (void)drill(simulation, tick);
-    if (tick % 10 == 0) field.advance(field.take(collector));
+  void down_one_tick(int tick) {
+    const double speed = 0.2 * mm, dt = 5 * ms, z = 1 * mm - speed * tick * dt;
+    (void)simulation.step(Pose::from_translation({0.013 * mm, 0.021 * mm, z}), {{0, 0, -speed}, Vec3::Zero()}, dt);
   }
-  return {std::move(field), simulation.last_result().energy};
-}
+  void down(int ticks_between_looks = 10) {
+    for (int tick = 1; tick <= kDown; ++tick) {
+      down_one_tick(tick);
+      if (tick % ticks_between_looks == 0) look();
+    }
+  }
+  void stay_in_the_air() { (void)simulation.step(Pose::from_translation({0, 0, 10 * mm}), {}, 1 * ms); }
+  void look() { field.advance(field.take(collector)); }
+  /// [J] that stays in the workpiece, of what all steps took
+  [[nodiscard]] double stays() const { return 0.2 * simulation.last_result().energy.losses(); }
 
-double stays(const EnergyLedger& e) { return 0.2 * e.losses(); }
+  Simulation simulation = bone_under(SphereHead{1 * mm});
+  HeatCollector collector;
+  HeatField field;
+};
 
 TEST(HeatCollector, BringsTheSharesOfTheLedgerToTheField) {
-  const Drilled drilled = drill({});
-  const HeatBalance balance = drilled.field.balance();
+  Drilling drilling;
+  drilling.down();
+  const HeatBalance balance = drilling.field.balance();
   EXPECT_GT(balance.brought_in, 0.1);
-  EXPECT_NEAR(balance.brought_in, stays(drilled.energy), 1e-9 * balance.brought_in);
+  EXPECT_NEAR(balance.brought_in, drilling.stays(), 1e-9 * balance.brought_in);
   EXPECT_LT(std::abs(balance.imbalance()), 1e-9 * balance.brought_in);
   EXPECT_GT(balance.chips, 0);
 }
@@ -67,26 +71,21 @@ TEST(HeatCollector, LosesNothingWhereItsQueuesAreFull) {
   tight.pulses = 3;
   tight.blocks.block_capacity = 2;
   tight.blocks.blocks_per_step = 1;
-  Simulation simulation = bone_drilling();
-  HeatCollector collector(simulation, tight);
-  HeatField field(simulation.workpiece());
-  for (int tick = 1; tick <= kDown; ++tick) {
-    (void)drill(simulation, tick);
-    if (tick % 10 == 0) field.advance(field.take(collector));
-  }
+  Drilling drilling({}, tight);
+  drilling.down();
   double time = 0;
   for (int tick = 0; tick < 400; ++tick) {  // the spindle stands, the rest comes out
-    simulation.halt_spindle();
-    (void)simulation.step(Pose::from_translation({0, 0, 10 * mm}), {}, 1 * ms);
-    time += field.take(collector);
+    drilling.simulation.halt_spindle();
+    drilling.stay_in_the_air();
+    time += drilling.field.take(drilling.collector);
   }
-  field.advance(time);
-  EXPECT_NEAR(field.balance().brought_in, stays(simulation.last_result().energy), 1e-9);
-  const HeatField known(simulation.workpiece());
+  drilling.field.advance(time);
+  EXPECT_NEAR(drilling.field.balance().brought_in, drilling.stays(), 1e-9);
+  const HeatField known(drilling.simulation.workpiece());
   for (int z = 0; z < known.dims()[2]; ++z)
     for (int x = 0; x < known.dims()[0]; ++x) {
       const std::array<int, 3> cell = {x, known.dims()[1] / 2, z};
-      EXPECT_EQ(std::isnan(known.temperature(cell)), std::isnan(field.temperature(cell)));
+      EXPECT_EQ(std::isnan(known.temperature(cell)), std::isnan(drilling.field.temperature(cell)));
     }
 }
 
@@ -94,7 +93,9 @@ TEST(HeatField, IsWarmestAtTheGroundOfTheHoleAndCoolerUnderWater) {
   HeatConfig wet;
   wet.irrigation = 3000;
   wet.water_temperature = 37;
-  const Drilled dry = drill({}), cooled = drill(wet);
+  Drilling dry, cooled(wet);
+  dry.down();
+  cooled.down();
   const Vec3 below = Vec3(0, 0, -2.0) * mm, beside = Vec3(2.5, 0, -0.5) * mm;
   EXPECT_GT(dry.field.temperature_at(below), 38);
   EXPECT_GT(dry.field.temperature_at(below), dry.field.temperature_at(beside) + 1);
@@ -107,7 +108,9 @@ TEST(HeatField, IsWarmestAtTheGroundOfTheHoleAndCoolerUnderWater) {
 TEST(HeatField, IsNearlyTheSameOnCellsOfHalfTheSize) {
   HeatConfig fine;
   fine.voxels_per_cell = 2;
-  const Drilled coarse = drill({}), finer = drill(fine);
+  Drilling coarse, finer(fine);
+  coarse.down();
+  finer.down();
   // What leaves with the chips is the heat of the layer that goes, which is warmer the thinner it is seen.
   EXPECT_NEAR(coarse.field.balance().stored / finer.field.balance().stored, 1, 0.05);
   EXPECT_NEAR((coarse.field.structures()[0].peak - 37) / (finer.field.structures()[0].peak - 37), 1, 0.35)
@@ -120,11 +123,7 @@ TEST(HeatField, IsNearlyTheSameOnCellsOfHalfTheSize) {
 }
 
 TEST(HeatField, TakesTheHeatOfAHeadThatOnlyRubsWhereItTouches) {
-  Workpiece block = build_block({Vec3(-4, -4, -5) * mm, Vec3(4, 4, 0) * mm}, 0.1 * mm, presets::cortical_bone());
-  SimulationConfig config;
-  config.removal = RemovalLaw::none;
-  Simulation simulation(std::move(block),
-                        Tool(FlatHead{1 * mm, 3 * mm}, RayHandle{0}, Spindle{3000 * units::rad_per_s}), config);
+  Simulation simulation = bone_under(FlatHead{1 * mm, 3 * mm}, RemovalLaw::none);
   HeatCollector collector(simulation);
   HeatField field(simulation.workpiece());
   for (int tick = 0; tick < 500; ++tick) {
@@ -140,59 +139,40 @@ TEST(HeatField, TakesTheHeatOfAHeadThatOnlyRubsWhereItTouches) {
   EXPECT_LT(rise_at(2.8, 0.5), 0.1 * rise_at(1, 0.5));
 }
 
-TEST(HeatCollector, CountsWhatCrushingTakes) {
-  Simulation block(build_block({Vec3(-2, -2, -2) * mm, Vec3(2, 2, 0) * mm}, 0.1 * mm, presets::clay()),
-                   Tool(SphereHead{1 * mm}, RayHandle{0}, Spindle{0}));
-  HeatCollector collector(block);
-  HeatField field(block.workpiece());
-  for (int tick = 1; tick <= 100; ++tick)
-    (void)block.step(Pose::from_translation({0, 0, (1 - 0.005 * tick) * mm}), {}, 1 * ms);
-  field.advance(field.take(collector));
-  const EnergyLedger& energy = block.last_result().energy;
-  ASSERT_GT(energy.crushed, 0.5 * energy.losses());
-  EXPECT_NEAR(field.balance().brought_in / stays(energy), 1, 1e-9);
-}
-
 TEST(HeatCollector, HandsItsHeatToAnotherThread) {
-  Simulation simulation = bone_drilling();
-  HeatCollector collector(simulation);
-  HeatField field(simulation.workpiece());
+  Drilling drilling;
   std::atomic<bool> done = false;
   std::thread beside([&] {
     while (!done) {
-      field.advance(field.take(collector));
+      drilling.look();
       std::this_thread::yield();
     }
-    field.advance(field.take(collector));
+    drilling.look();
   });
-  for (int tick = 1; tick <= kDown; ++tick) (void)drill(simulation, tick);
-  simulation.halt_spindle();
-  for (int tick = 0; tick < 100; ++tick) (void)simulation.step(Pose::from_translation({0, 0, 10 * mm}), {}, 1 * ms);
+  for (int tick = 1; tick <= kDown; ++tick) drilling.down_one_tick(tick);
+  drilling.simulation.halt_spindle();
+  for (int tick = 0; tick < 100; ++tick) drilling.stay_in_the_air();
   done = true;
   beside.join();
-  EXPECT_NEAR(field.balance().brought_in, stays(simulation.last_result().energy), 1e-9);
+  EXPECT_NEAR(drilling.field.balance().brought_in, drilling.stays(), 1e-9);
 }
 
 TEST(HeatCollector, GoesOnAfterAnUndoWithMaterialThatIsBack) {
-  Simulation simulation = bone_drilling();
-  simulation.reserve_undo(500);
-  HeatCollector collector(simulation);
-  HeatField field(simulation.workpiece());
-  simulation.set_undo_mark();
-  for (int tick = 1; tick <= kDown; ++tick) {
-    (void)drill(simulation, tick);
-    field.advance(field.take(collector));
-  }
+  Drilling drilling;
+  drilling.simulation.reserve_undo(500);
+  drilling.simulation.set_undo_mark();
+  drilling.down(1);
   const Vec3 in_hole = Vec3(0, 0, -0.6) * mm;
-  EXPECT_TRUE(std::isnan(field.temperature_at(in_hole)));
-  while (!simulation.undo(64)) {
+  EXPECT_TRUE(std::isnan(drilling.field.temperature_at(in_hole)));
+  while (!drilling.simulation.undo(64)) {
   }
   for (int tick = 0; tick < 400; ++tick) {
-    (void)simulation.step(Pose::from_translation({0, 0, 10 * mm}), {}, 1 * ms);
-    field.advance(field.take(collector));
+    drilling.stay_in_the_air();
+    drilling.look();
   }
-  EXPECT_FALSE(std::isnan(field.temperature_at(in_hole)));
-  EXPECT_LT(std::abs(field.balance().imbalance()), 1e-9 * field.balance().brought_in);
+  EXPECT_FALSE(std::isnan(drilling.field.temperature_at(in_hole)));
+  const HeatBalance balance = drilling.field.balance();
+  EXPECT_LT(std::abs(balance.imbalance()), 1e-9 * balance.brought_in);
 }
 
 TEST(TouchingPoint, IsWhereTheForceComesFrom) {

@@ -10,6 +10,7 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "hapticut/workpiece/material_presets.hpp"
+#include "support/workpieces.hpp"
 
 namespace hapticut::heat_field_test {
 namespace {
@@ -21,18 +22,12 @@ constexpr ThermalProperties kBone;
 
 double diffusivity() { return kBone.conductivity / kBone.heat_capacity; }
 
-Material bone() {
-  Material material;
-  material.name = "bone";
-  return material;
-}
-
 /// A block around the origin of W, of whole cells, with the origin in the middle of one.
 HeatField block_field(const Vec3& half_size, double cell, HeatConfig config = {}) {
   config.voxels_per_cell = 8;
   const double voxel = cell / 8;
   const Vec3 odd = Vec3::Constant(cell / 2);
-  return HeatField(build_block({-half_size - odd, half_size + odd}, voxel, bone()), config);
+  return HeatField(build_block({-half_size - odd, half_size + odd}, voxel, test::named("bone")), config);
 }
 
 /// [K] largest error of an instantaneous point source after 8 s, relative to the middle.
@@ -65,7 +60,8 @@ TEST(HeatField, TrailsAMovingLineSourceAsJaegersClosedForm) {
   constexpr double kCell = 0.25 * mm, kSpeed = 0.25 * mm, kPower = 0.05, kTime = 60, kTick = 0.02;
   HeatConfig config;
   config.voxels_per_cell = 8;
-  HeatField field(build_block({Vec3(-16, -12, 0) * mm, Vec3(16, 12, kCell / mm) * mm}, kCell / 8, bone()), config);
+  HeatField field(build_block({Vec3(-16, -12, 0) * mm, Vec3(16, 12, kCell / mm) * mm}, kCell / 8, test::named("bone")),
+                  config);
   const double begin = -9 * mm, per_length = kPower / kCell;
   const int ticks = int(std::lround(kTime / kTick));
   for (int n = 0; n < ticks; ++n) {
@@ -100,9 +96,11 @@ double wetted_area(const Workpiece& workpiece) {
 
 TEST(HeatField, TakesTheSurfaceOfABodyForWhatItIs) {
   // Cells of 0.4 mm. A plate's faces are exact; where faces meet in an edge the diagonal across it counts.
-  const double ball = wetted_area(build_sphere({0.03 * mm, 0.01 * mm, 0.02 * mm}, 3 * mm, 0.1 * mm, bone()));
+  const double ball =
+      wetted_area(build_sphere({0.03 * mm, 0.01 * mm, 0.02 * mm}, 3 * mm, 0.1 * mm, test::named("bone")));
   EXPECT_NEAR(ball / (4 * kPi * 9e-6), 1, 0.03);
-  const double plate = wetted_area(build_block({Vec3(0, 0, 0) * mm, Vec3(32, 32, 0.8) * mm}, 0.1 * mm, bone()));
+  const double plate =
+      wetted_area(build_block({Vec3(0, 0, 0) * mm, Vec3(32, 32, 0.8) * mm}, 0.1 * mm, test::named("bone")));
   EXPECT_NEAR(plate / (2 * 32 * 32 * 1e-6), 1, 0.03);
 }
 
@@ -112,7 +110,7 @@ TEST(HeatField, IsCooledByWaterAsAPlateIs) {
   config.body_temperature = 60;
   config.water_temperature = 20;
   config.irrigation = 20;
-  HeatField field(build_block({Vec3(0, 0, 0) * mm, Vec3(32, 32, 0.8) * mm}, 0.1 * mm, bone()), config);
+  HeatField field(build_block({Vec3(0, 0, 0) * mm, Vec3(32, 32, 0.8) * mm}, 0.1 * mm, test::named("bone")), config);
   field.advance(40);
   const double expected = 20 + 40 * std::exp(-2 * 20 * 40 / (kBone.heat_capacity * 0.8 * mm));
   EXPECT_NEAR(field.temperature_at(Vec3(16, 16, 0.4) * mm), expected, 0.005 * 40);
@@ -213,11 +211,13 @@ TEST(HeatField, ReportsByMaterialAndForgetsTheTimeOfWhatIsGone) {
 TEST(HeatField, RefusesWhatItCannotDo) {
   HeatConfig config;
   config.voxels_per_cell = 3;
-  EXPECT_THROW(HeatField(build_block({Vec3::Zero(), Vec3::Constant(1 * mm)}, 0.1 * mm, bone()), config), Error);
+  EXPECT_THROW(HeatField(build_block({Vec3::Zero(), Vec3::Constant(1 * mm)}, 0.1 * mm, test::named("bone")), config),
+               Error);
   config = {};
   config.by_material = {{-1, 1e6}};
-  EXPECT_THROW(HeatField(build_block({Vec3::Zero(), Vec3::Constant(1 * mm)}, 0.1 * mm, bone()), config), Error);
-  HeatField field(build_block({Vec3::Zero(), Vec3::Constant(1 * mm)}, 0.1 * mm, bone()));
+  EXPECT_THROW(HeatField(build_block({Vec3::Zero(), Vec3::Constant(1 * mm)}, 0.1 * mm, test::named("bone")), config),
+               Error);
+  HeatField field(build_block({Vec3::Zero(), Vec3::Constant(1 * mm)}, 0.1 * mm, test::named("bone")));
   EXPECT_THROW(field.advance(-1), Error);
   EXPECT_THROW(field.set_irrigation(-1), Error);
 }

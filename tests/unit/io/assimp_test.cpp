@@ -10,7 +10,7 @@
 #include "hapticut/io/mesh/meshes.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/meshes.hpp"
-#include "support/refusals.hpp"
+#include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace hapticut::assimp_test {
@@ -97,21 +97,21 @@ TEST(Assimp, AMirroredNodeEnclosesWhatItDid) {
   EXPECT_NEAR(volume, test::signed_volume(ball), 1e-6 * volume);
 }
 
-std::string refusal_of(const std::filesystem::path& path) {
-  return test::refusal_of([&] { return read_mesh(path); });
+std::string refusal(const std::filesystem::path& path) {
+  return test::refusal([&] { return read_mesh(path); });
 }
 
 TEST(Assimp, RefusalsAreOfOurOwnWords) {
   const test::TemporaryFolder folder;
   (void)export_ball("gltf2", folder / "ball.gltf");
   std::filesystem::remove(folder / "ball.bin");
-  test::expect_part(refusal_of(folder / "ball.gltf"),
+  test::expect_part(refusal(folder / "ball.gltf"),
                     "the file 'ball.bin' that it needs cannot be read; keep them together");
   for (const char* text :
        {"{", "no gltf", "{\"asset\":{\"version\":\"2.0\"}}", "{\"asset\":{\"version\":\"2.0\"},\"meshes\":3}"}) {
     test::write_bytes(folder / "bad.gltf", text);
     SCOPED_TRACE(text);
-    test::expect_part(refusal_of(folder / "bad.gltf"), "export it again as glTF 2.0 without compression");
+    test::expect_part(refusal(folder / "bad.gltf"), "export it again as glTF 2.0 without compression");
   }
 }
 
@@ -139,7 +139,7 @@ TEST(Assimp, ExtensionsThatChangeTheShapeAreRefusedByName) {
     const std::string file = export_ball(format, folder / name);
     const auto refusal_with = [&](const std::string& member) {
       test::write_bytes(folder / name, with_member(file, member));
-      return refusal_of(folder / name);
+      return refusal(folder / name);
     };
     for (const char* extension : {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "VENDOR_shape"}) {
       test::expect_part(
@@ -163,7 +163,7 @@ TEST(Assimp, AShapeThatIsPosedIsRefused) {
     std::string changed = file;
     ASSERT_NE(file.find(before), std::string::npos) << file;
     test::write_bytes(folder / "ball.gltf", changed.insert(file.find(before), member));
-    EXPECT_EQ(refusal_of(folder / "ball.gltf").find("posed by bones") != std::string::npos, posed) << member;
+    EXPECT_EQ(refusal(folder / "ball.gltf").find("posed by bones") != std::string::npos, posed) << member;
   }
 }
 
@@ -177,7 +177,7 @@ TEST(Assimp, FilesBesideAreFoundByTheirUris) {
   std::filesystem::rename(folder / "ball.bin", folder / "my ball%2.bin");
   for (const char* mark : {"", "\xef\xbb\xbf"}) {
     test::write_bytes(folder / "ball.gltf", mark + text);
-    EXPECT_EQ(refusal_of(folder / "ball.gltf"), "");
+    EXPECT_EQ(refusal(folder / "ball.gltf"), "");
   }
 }
 

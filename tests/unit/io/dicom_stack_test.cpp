@@ -8,7 +8,7 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/volume/volumes.hpp"
 #include "support/dicom_files.hpp"
-#include "support/refusals.hpp"
+#include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace hapticut::dicom_stack_test {
@@ -45,7 +45,7 @@ GreyVolume read(const DicomElements& elements, const VolumeReadOptions& options 
 }
 
 std::string error_of(const DicomElements& elements) {
-  return test::refusal_of([&] { return read(elements); });
+  return test::refusal([&] { return read(elements); });
 }
 
 TEST(DicomFrames, AreSortedByPlaceWithTheirValuesAndScales) {
@@ -123,8 +123,8 @@ class DicomSlices : public testing::Test {
     for (const double height : heights) places.emplace_back(0, 0, height);
     write(places);
   }
-  void expect_refusal(const std::string& part) {
-    test::expect_refusal([&] { return read_grey_volume(folder_ / ""); }, part);
+  void expect_refused(const std::string& part) {
+    test::expect_refused([&] { return read_grey_volume(folder_ / ""); }, part);
   }
 
   test::TemporaryFolder folder_;
@@ -140,7 +140,7 @@ TEST_F(DicomSlices, ThatAreMissingFarAwayOrThereTwiceAreNamed) {
   for (const auto& [heights, part] : series) {
     for (int n = 0; n < 10; ++n) std::filesystem::remove(folder_ / test::slice_name(n));
     write_heights(heights);
-    expect_refusal(part);
+    expect_refused(part);
   }
 }
 
@@ -170,18 +170,18 @@ TEST_F(DicomSlices, OfATiltedGantryAreRefused) {
   std::vector<Vec3> places;
   for (int n = 0; n < 20; ++n) places.emplace_back(0, 0.5 * std::tan(1 * units::deg) * n, 0.5 * n);
   write(places);
-  expect_refusal("tilted gantry");
+  expect_refused("tilted gantry");
 }
 
 TEST_F(DicomSlices, OfWhichOneIsShiftedAreRefused) {
   write({{0, 0, 0}, {0, 0, 0.5}, {0, 0.2, 1}, {0, 0, 1.5}});
-  expect_refusal("shifted against each other at 's2'");
+  expect_refused("shifted against each other at 's2'");
 }
 
 TEST_F(DicomSlices, WithDecimalCommasAreRefusedBySayingSo) {
   const DicomElements e = test::dicom_slice(1, 1, 0, {1}).set(0x00280030, "DS", "0,3\\0,3");
   test::write_bytes(folder_ / "s0", test::dicom_file(e));
-  expect_refusal("there must be 2 numbers, with decimal points");
+  expect_refused("there must be 2 numbers, with decimal points");
 }
 
 TEST_F(DicomSlices, WithoutAPlaceAreRefused) {
@@ -189,8 +189,8 @@ TEST_F(DicomSlices, WithoutAPlaceAreRefused) {
   e.values.erase(kPosition);
   test::write_bytes(folder_ / "s0", test::dicom_file(e));
   test::write_bytes(folder_ / "s1", test::dicom_file(e));
-  expect_refusal("it does not say where it lies");
-  expect_refusal("Export the series with positions, or save it in one NRRD");
+  expect_refused("it does not say where it lies");
+  expect_refused("Export the series with positions, or save it in one NRRD");
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "io/child_process.hpp"
 #include "io/dicom/dicom_picture.hpp"
 #include "support/dicom_files.hpp"
-#include "support/refusals.hpp"
+#include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace hapticut::dicom_test {
@@ -35,7 +35,7 @@ std::string compressed(int number, const std::string& syntax, const std::string&
 }
 
 std::string error_of(const std::filesystem::path& path, const VolumeReadOptions& options = {}) {
-  return test::refusal_of([&] { return read_grey_volume(path, options); });
+  return test::refusal([&] { return read_grey_volume(path, options); });
 }
 
 /// Three slices of the series 1.2.3.6.
@@ -243,7 +243,7 @@ TEST(Dicom, ADecoderThatWasNotBuiltIsSaidToNeedItk) {
   unbuilt.variable = "HAPTICUT_NO_SUCH_PROGRAM";
   unbuilt.installed = "";
   unbuilt.built = "";
-  EXPECT_EQ(test::refusal_of([&] { ChildProcess(unbuilt).start(); }),
+  EXPECT_EQ(test::refusal([&] { ChildProcess(unbuilt).start(); }),
             "its values are compressed and must be unpacked, which needs ITK; this build of hapticut is without it. "
             "Install libinsighttoolkit5-dev and build it with HAPTICUT_WITH_ITK=ON, or save the file uncompressed.");
 }

@@ -13,7 +13,7 @@
 #include "support/meshes.hpp"
 #include "support/named_material.hpp"
 #include "support/no_disk_space.hpp"
-#include "support/refusals.hpp"
+#include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
 
@@ -22,7 +22,7 @@ namespace {
 
 using test::data_path;
 using test::named;
-using test::refusal_of;
+using test::refusal;
 using test::TemporaryFolder;
 using units::mm;
 using units::mm3;
@@ -66,12 +66,12 @@ TEST(Meshes, AFullDiskIsReportedAndTheOldFileStays) {
   test::write_bytes(folder / "ball.stl", "old");
   {
     const test::NoDiskSpace no_space;
-    test::expect_refusal([&] { write_stl(ball, folder / "ball.stl"); }, "ball.stl");
-    test::expect_refusal([&] { write_ply(ball, folder / "ball.ply"); }, "ball.ply");
+    test::expect_refused([&] { write_stl(ball, folder / "ball.stl"); }, "ball.stl");
+    test::expect_refused([&] { write_ply(ball, folder / "ball.ply"); }, "ball.ply");
   }
   EXPECT_EQ(test::read_bytes(folder / "ball.stl"), "old");
   EXPECT_EQ(folder.file_count(), 1U);
-  test::expect_refusal([&] { write_stl(ball, folder / "no/folder.stl"); }, "folder.stl");
+  test::expect_refused([&] { write_stl(ball, folder / "no/folder.stl"); }, "folder.stl");
 }
 
 TEST(Meshes, BadFilesAreRefusedByName) {
@@ -90,9 +90,9 @@ TEST(Meshes, BadFilesAreRefusedByName) {
   }
   for (const auto& [name, bytes] : files) {
     test::write_bytes(folder / name, bytes);
-    test::expect_part(refusal_of([&, path = folder / name] { return read_mesh(path); }), name);
+    test::expect_part(refusal([&, path = folder / name] { return read_mesh(path); }), name);
   }
-  test::expect_part(refusal_of([&] { return read_mesh(folder / "missing.obj"); }), "missing.obj");
+  test::expect_part(refusal([&] { return read_mesh(folder / "missing.obj"); }), "missing.obj");
   EXPECT_THROW((void)read_mesh(folder / "mesh.xyz", 0), Error);
 }
 
@@ -170,7 +170,7 @@ TEST_P(HostileMesh, GivesAWorkpieceOrAClearError) {
   const std::string name = std::string("meshes/") + hostile.name;
   HAPTICUT_NEEDS_DATA(name);
   double volume = 0;
-  const std::string error = refusal_of([&] {
+  const std::string error = refusal([&] {
     for (const NamedMesh& object : read_mesh(data_path(name)))
       volume += volume_mm3(build_from_mesh(object.mesh, named("clay"), {hostile.voxel_size_mm * mm, 4}));
   });

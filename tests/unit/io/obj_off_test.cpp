@@ -61,27 +61,27 @@ TEST(ObjFormat, NamesAfterOAndGAreObjectsThatMayGoOnLater) {
 }
 
 TEST(ObjFormat, WhatIsNoMeshIsRefusedWithTheLine) {
-  expect_refused(parse_obj,
-                 {{"v 0 0\n", "line 1: a coordinate is missing"},
-                  {"v 0 0 0\nv 1 0,5 0\n", "line 2: '0,5'"},
-                  {"v 0 0 0 1 2\n", "5 numbers"},
-                  {"v 0 0 0 0\n", "weight"},
-                  {"v 0 0 0 1 2 3 4 5\n", "more than three coordinates"},
-                  {"v 0 0 0\nf 1 1\n", "line 2: a face has 2 corners"},
-                  {"v 0 0 0\nf\n", "a face has 0 corners"},
-                  {"v 0 0 0\nf 1 1 0\n", "vertices are counted from 1"},
-                  {"v 0 0 0\n\nf 1 1 2\n", "line 3: a face names vertex 2, but the file has only 1"},
-                  {"v 0 0 0\nf 1 1 -2\n", "names vertex -2"},
-                  {"v 0 0 0\nf 1 1 99999999999\n", "names vertex 99999999999"},
-                  {"v 0 0 0\nf 1 1 1e1\n", "'1e1' is no corner"},
-                  {"v 0 0 0\nf 1 1 /1\n", "'/1' is no corner"},
-                  {"v 0 0 0\nf 1 1 1/x\n", "no corner"},
-                  {"v 0 0 0\nf 1 1 1/1/1/1\n", "no corner"},
-                  {"v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "vertex 1 of a face has a coordinate that is not"},
-                  {"v 0 1e999 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "not a finite number"},
-                  {"v 0 0 0\ncurv2 1 2\n", "free-form"},
-                  {"\n\nthis is no mesh\n", "line 3: 'this' begins no line"},
-                  {"\x89PNG\r\n", "'?PNG'"}});
+  expect_all_refused(parse_obj,
+                     {{"v 0 0\n", "line 1: a coordinate is missing"},
+                      {"v 0 0 0\nv 1 0,5 0\n", "line 2: '0,5'"},
+                      {"v 0 0 0 1 2\n", "5 numbers"},
+                      {"v 0 0 0 0\n", "weight"},
+                      {"v 0 0 0 1 2 3 4 5\n", "more than three coordinates"},
+                      {"v 0 0 0\nf 1 1\n", "line 2: a face has 2 corners"},
+                      {"v 0 0 0\nf\n", "a face has 0 corners"},
+                      {"v 0 0 0\nf 1 1 0\n", "vertices are counted from 1"},
+                      {"v 0 0 0\n\nf 1 1 2\n", "line 3: a face names vertex 2, but the file has only 1"},
+                      {"v 0 0 0\nf 1 1 -2\n", "names vertex -2"},
+                      {"v 0 0 0\nf 1 1 99999999999\n", "names vertex 99999999999"},
+                      {"v 0 0 0\nf 1 1 1e1\n", "'1e1' is no corner"},
+                      {"v 0 0 0\nf 1 1 /1\n", "'/1' is no corner"},
+                      {"v 0 0 0\nf 1 1 1/x\n", "no corner"},
+                      {"v 0 0 0\nf 1 1 1/1/1/1\n", "no corner"},
+                      {"v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "vertex 1 of a face has a coordinate that is not"},
+                      {"v 0 1e999 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "not a finite number"},
+                      {"v 0 0 0\ncurv2 1 2\n", "free-form"},
+                      {"\n\nthis is no mesh\n", "line 3: 'this' begins no line"},
+                      {"\x89PNG\r\n", "'?PNG'"}});
   // What no face uses may be anything that is a number.
   EXPECT_EQ(only_mesh_in(parse_obj, "v nan 1e999 0\nv 0 0 1e-999\nv 1 0 0\nv 0 1 0\nf 2 3 4\n").vertices[0].z(), 0);
 }
@@ -102,21 +102,21 @@ TEST(OffFormat, CountsMayFollowTheKeyAndLinesMayHaveColors) {
 }
 
 TEST(OffFormat, DamagedFilesAreRefusedWithTheLine) {
-  expect_refused(parse_off, {{"", "begins with ''"},
-                             {"4OFF\n", "begins with '4OFF'"},
-                             {"OFF4x 4 6\n", "'4x' stands where the number of vertices should"},
-                             {"OFFER\n", "begins with 'OFFER'"},
-                             {"OFF BINARY\n", "'BINARY' stands where the number of vertices should"},
-                             {"OFF\n1 -1 0\n", "'-1' stands where"},
-                             {"OFF\n4000000000 1 0\n0 0 0\n", "but ends after 1"},
-                             {"OFF\n1 2 0\n0 0 0\n3 0 0 0\n", "ends after 1; it was cut off"},
-                             {"OFF\n1 1 0\n0 0\n", "line 3: a coordinate is missing"},
-                             {"OFF\n1 1 0\nx 0 0\n", "line 3: 'x'"},
-                             {"OFF\n1 1 0\n0 0 0\n2 0 0\n", "line 4: a face has '2' corners"},
-                             {"OFF\n1 1 0\n0 0 0\n3 0 0\n", "fewer corners"},
-                             {"OFF\n1 1 0\n0 0 0\n9000000000000000000 0 0\n", "fewer corners"},
-                             {"OFF\n1 1 0\n0 0 0\n3 0 0 1\n", "names vertex '1'; there are 0 to 0"},
-                             {"OFF\n1 1 0\n0 0 0\n3 0 0 -1e10\n", "names vertex '-1e10'"}});
+  expect_all_refused(parse_off, {{"", "begins with ''"},
+                                 {"4OFF\n", "begins with '4OFF'"},
+                                 {"OFF4x 4 6\n", "'4x' stands where the number of vertices should"},
+                                 {"OFFER\n", "begins with 'OFFER'"},
+                                 {"OFF BINARY\n", "'BINARY' stands where the number of vertices should"},
+                                 {"OFF\n1 -1 0\n", "'-1' stands where"},
+                                 {"OFF\n4000000000 1 0\n0 0 0\n", "but ends after 1"},
+                                 {"OFF\n1 2 0\n0 0 0\n3 0 0 0\n", "ends after 1; it was cut off"},
+                                 {"OFF\n1 1 0\n0 0\n", "line 3: a coordinate is missing"},
+                                 {"OFF\n1 1 0\nx 0 0\n", "line 3: 'x'"},
+                                 {"OFF\n1 1 0\n0 0 0\n2 0 0\n", "line 4: a face has '2' corners"},
+                                 {"OFF\n1 1 0\n0 0 0\n3 0 0\n", "fewer corners"},
+                                 {"OFF\n1 1 0\n0 0 0\n9000000000000000000 0 0\n", "fewer corners"},
+                                 {"OFF\n1 1 0\n0 0 0\n3 0 0 1\n", "names vertex '1'; there are 0 to 0"},
+                                 {"OFF\n1 1 0\n0 0 0\n3 0 0 -1e10\n", "names vertex '-1e10'"}});
 }
 
 }  // namespace

@@ -151,7 +151,8 @@ TEST(Playback, OfARecordingWithoutADeviceGivesThePosesOfTheHandle) {
   ASSERT_EQ(readings.size(), 200U);
   for (int tick = 0; tick < 200; ++tick) {
     EXPECT_TRUE(readings[std::size_t(tick)].valid);
-    EXPECT_EQ(readings[std::size_t(tick)].X_BS.translation, test::find_scene("axial_flat").input(tick).pose.translation);
+    EXPECT_EQ(readings[std::size_t(tick)].X_BS.translation,
+              test::find_scene("axial_flat").input(tick).pose.translation);
   }
 }
 

@@ -240,7 +240,7 @@ TEST(Recorder, GoesOnSteppingWhenTheDiskIsFullAndSaysSoAtTheEnd) {
     EXPECT_TRUE(recorder.failed());
     EXPECT_GT(recorder.lost(), 0U);
     EXPECT_EQ(simulation.steps(), 50000U);
-    const std::string refusal = test::refusal_of([&] { recorder.close(); });
+    const std::string refusal = test::refusal([&] { recorder.close(); });
     for (const char* part : {"a.h5", "free disk space"}) test::expect_part(refusal, part);
   }
   // What was written before is in order.

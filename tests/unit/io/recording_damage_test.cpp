@@ -43,7 +43,7 @@ struct Damaged {
   std::filesystem::path path = folder / "a.h5";
 };
 
-void expect_refusal(const std::string& cause, const std::function<void(hid_t file)>& change) {
+void expect_refused(const std::string& cause, const std::function<void(hid_t file)>& change) {
   test::expect_part(Damaged(change).complaint(), cause);
 }
 
@@ -64,7 +64,7 @@ void replace(hid_t file, const std::string& name, hid_t type, const std::vector<
 
 // A list of texts was read into the room of one.
 TEST(DamagedRecording, MayNotHaveManyTextsInThePlaceOfOne) {
-  expect_refusal("'note' is no text", [](hid_t file) {
+  expect_refused("'note' is no text", [](hid_t file) {
     const hsize_t many = 1000;
     hdf5::checked(H5Adelete(file, "note"), "deleting");
     const hdf5::DataSpace space(H5Screate_simple(1, &many, nullptr), "changing");
@@ -76,15 +76,15 @@ TEST(DamagedRecording, MayNotHaveManyTextsInThePlaceOfOne) {
 
 // HDF5 opens whatever a link or a data set names: a device, a pipe, another user's file.
 TEST(DamagedRecording, IsReadOnlyFromItself) {
-  expect_refusal("'simulation' is only a link", [](hid_t file) {
+  expect_refused("'simulation' is only a link", [](hid_t file) {
     remove(file, "simulation");
     hdf5::checked(H5Lcreate_external("/dev/zero", "/a", file, "simulation", H5P_DEFAULT, H5P_DEFAULT), "linking");
   });
-  expect_refusal("'dt' is only a link", [](hid_t file) {
+  expect_refused("'dt' is only a link", [](hid_t file) {
     remove(file, "steps/dt");
     hdf5::checked(H5Lcreate_soft("/steps/time", file, "steps/dt", H5P_DEFAULT, H5P_DEFAULT), "linking");
   });
-  expect_refusal("'dt' lies in another file", [](hid_t file) {
+  expect_refused("'dt' lies in another file", [](hid_t file) {
     replace(file, "steps/dt", H5T_IEEE_F64LE, {kSteps},
             [](hid_t properties) { H5Pset_external(properties, "/dev/zero", 0, kSteps * sizeof(double)); });
   });
@@ -97,17 +97,17 @@ TEST(DamagedRecording, MayNotClaimMoreThanItHolds) {
       H5Pset_alloc_time(properties, H5D_ALLOC_TIME_INCR);
     };
   };
-  expect_refusal("'vdb' claims", [&](hid_t file) {
+  expect_refused("'vdb' claims", [&](hid_t file) {
     replace(file, "workpiece/vdb", H5T_STD_U8LE, {hsize_t(1) << 31U}, chunks_of({4096}));
   });
   // As whole numbers, the product of the lengths is 0.
-  expect_refusal("'vdb' claims", [&](hid_t file) {
+  expect_refused("'vdb' claims", [&](hid_t file) {
     replace(file, "workpiece/vdb", H5T_STD_U8LE, {hsize_t(1) << 32U, hsize_t(1) << 32U}, chunks_of({64, 64}));
   });
-  expect_refusal("'dt' claims", [&](hid_t file) {
+  expect_refused("'dt' claims", [&](hid_t file) {
     replace(file, "steps/dt", H5T_IEEE_F64LE, {hsize_t(1) << 29U}, chunks_of({hsize_t(1) << 28U}));
   });
-  expect_refusal("holds nothing", [](hid_t file) {
+  expect_refused("holds nothing", [](hid_t file) {
     remove(file, "simulation/longest_sweep");
     const hdf5::DataSpace space(H5Screate(H5S_NULL), "replacing");
     const hdf5::DataSet set(H5Dcreate2(file, "simulation/longest_sweep", H5T_IEEE_F64LE, space.get(), H5P_DEFAULT,
@@ -117,7 +117,7 @@ TEST(DamagedRecording, MayNotClaimMoreThanItHolds) {
 }
 
 TEST(DamagedRecording, CountsTheLostStepsUpToTheLargestNumber) {
-  expect_refusal("do not increase", [](hid_t file) {
+  expect_refused("do not increase", [](hid_t file) {
     std::uint64_t numbers[kSteps] = {std::numeric_limits<std::uint64_t>::max(), 1, 2, 3, 4};
     const hdf5::DataSet set = hdf5::open_data_set(file, "steps/number");
     hdf5::checked(H5Dwrite(set.get(), H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers), "changing");
@@ -141,7 +141,7 @@ TEST(DamagedRecording, IsNamedByAnExportThatCannotReadAColumn) {
       continue;  // of a column that the reader needs
     }
     for (const auto& write : {write_csv, write_npz}) {
-      const std::string refusal = test::refusal_of([&] { write(*recording, folder / "out"); });
+      const std::string refusal = test::refusal([&] { write(*recording, folder / "out"); });
       EXPECT_TRUE(refusal.starts_with("cannot read '" + (folder / "b.h5").string())) << at << refusal;
     }
     ++refused;
@@ -162,8 +162,8 @@ TEST(BadRecording, IsNamedInOneSentence) {
       hdf5::write_attribute(file, "format", format);
     };
   };
-  expect_refusal("reads format 3; use a newer version", of_format(kRecordingFormat + 1));
-  expect_refusal("it has format 2, and this version of hapticut reads format 3; use the version that wrote it",
+  expect_refused("reads format 3; use a newer version", of_format(kRecordingFormat + 1));
+  expect_refused("it has format 2, and this version of hapticut reads format 3; use the version that wrote it",
                  of_format(kRecordingFormat - 1));
   for (const auto& [name, part] : {std::pair{"steps/force", "steps/force"},
                                    {"steps", "'steps'"},
@@ -174,13 +174,13 @@ TEST(BadRecording, IsNamedInOneSentence) {
                                    {"tool/radius", "tool/radius"},
                                    {"materials/damping", "materials/damping"},
                                    {"materials", "'materials'"}})
-    expect_refusal(part, [missing = name](hid_t file) { remove(file, missing); });
-  expect_refusal("reference_stiffness", [](hid_t file) {
+    expect_refused(part, [missing = name](hid_t file) { remove(file, missing); });
+  expect_refused("reference_stiffness", [](hid_t file) {
     const double value = -1;
     const hdf5::DataSet set = hdf5::open_data_set(file, "simulation/reference_stiffness");
     H5Dwrite(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value);
   });
-  expect_refusal("cannot read", [](hid_t file) {
+  expect_refused("cannot read", [](hid_t file) {
     const std::vector<std::uint8_t> zeros(1 << 20, 0);
     const hdf5::DataSet set = hdf5::open_data_set(file, "workpiece/vdb");
     H5Dwrite(set.get(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data());

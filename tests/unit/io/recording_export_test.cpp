@@ -100,7 +100,7 @@ TEST(RecordingExport, SaysWhatCannotBeWritten) {
   const auto write_sound = [](const Recording& r, const std::filesystem::path& path) { write_wav(r, path); };
   for (const std::function<void(const Recording&, const std::filesystem::path&)>& write :
        {std::function(write_csv), std::function(write_npz), std::function(write_sound)})
-    test::expect_refusal([&] { write(recording, folder / "no/such/a"); }, "no/such/a");
+    test::expect_refused([&] { write(recording, folder / "no/such/a"); }, "no/such/a");
 }
 
 // A tone of the recorded spindle is in the file, and it lasts as long as the steps.

@@ -14,7 +14,7 @@
 #include "hapticut/io/volume/volumes.hpp"
 #include "support/dicom_files.hpp"
 #include "support/memory_growth.hpp"
-#include "support/refusals.hpp"
+#include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/volume_files.hpp"
 
@@ -77,8 +77,8 @@ TEST(Slices, With8Or16BitsAreInTheOrderOfTheirNumbers) {
   }
 }
 
-void expect_refusal(const std::filesystem::path& path, const std::string& part) {
-  test::expect_refusal([&] { return read(path); }, part);
+void expect_refused(const std::filesystem::path& path, const std::string& part) {
+  test::expect_refused([&] { return read(path); }, part);
 }
 
 TEST(Slices, WithTransparencyAreRefused) {
@@ -86,7 +86,7 @@ TEST(Slices, WithTransparencyAreRefused) {
   const TemporaryFolder folder;
   write_slices(folder, ".png",
                [](int) { return test::png_slice(8, 3, ramp<std::uint8_t>(0, 24), 4, 3, kGreyAndAlpha); });
-  expect_refusal(folder / "", "grey values and transparency");
+  expect_refused(folder / "", "grey values and transparency");
 }
 
 TEST(Slices, OfTiffThatAreTurnedAreRefused) {
@@ -98,7 +98,7 @@ TEST(Slices, OfTiffThatAreTurnedAreRefused) {
   turned.replace(turned.find(entry(kSamples, 1)), 12, entry(kOrientation, 3));
   const TemporaryFolder folder;
   write_slices(folder, ".tif", [&](int) { return turned; });
-  expect_refusal(folder / "", "turned or mirrored");
+  expect_refused(folder / "", "turned or mirrored");
 }
 
 TEST(Slices, ThatDoNotBelongTogetherAreRefusedByName) {
@@ -116,11 +116,11 @@ TEST(Slices, ThatDoNotBelongTogetherAreRefusedByName) {
     const TemporaryFolder folder;
     write_slices(folder, ".png", png<std::uint8_t>);
     write_bytes(folder / name, bytes);
-    expect_refusal(folder / "", part);
+    expect_refused(folder / "", part);
   }
   const TemporaryFolder folder;
   write_slices(folder, ".png", png<std::uint8_t>);
-  test::expect_refusal([&] { return read_grey_volume(folder / ""); }, "how far apart");
+  test::expect_refused([&] { return read_grey_volume(folder / ""); }, "how far apart");
 }
 
 TEST(Slices, AreInTheOrderOfTheNumberThatChanges) {
@@ -130,7 +130,7 @@ TEST(Slices, AreInTheOrderOfTheNumberThatChanges) {
   write_bytes(folder / "._scan2_z9_300um.png", "of macOS");
   expect_ramp(read(folder / ""));
   write_bytes(folder / "scan2_z14_200um.png", png<std::uint8_t>(5));
-  expect_refusal(folder / "", "of another series");
+  expect_refused(folder / "", "of another series");
 }
 
 TEST(Slices, InOneFileOfSeveralPagesAreRefusedAsThat) {
@@ -139,8 +139,8 @@ TEST(Slices, InOneFileOfSeveralPagesAreRefusedAsThat) {
   constexpr std::size_t kDirectory = 2 + 9 * 12 + 4;  // [bytes], with the place of the next one at its end
   const std::string next = test::little(std::uint32_t(page.size()));
   write_bytes(folder / "stack.tif", page.substr(0, page.size() - 4) + next + page.substr(page.size() - kDirectory));
-  expect_refusal(folder / "", "it has several pages; save one slice per file");
-  expect_refusal(folder / "stack.tif", "save each page as a file of its own");
+  expect_refused(folder / "", "it has several pages; save one slice per file");
+  expect_refused(folder / "stack.tif", "save each page as a file of its own");
 }
 
 // --- NIfTI
@@ -170,7 +170,7 @@ TEST(Nifti, AFourthDimensionOfOneIsStillAVolumeAndALongerOneIsNot) {
   expect_ramp(read_nifti(file));
   file.dims = {4, 3, 5, 2};
   file.values.resize(2 * file.values.size());
-  test::expect_refusal([&] { return read_nifti(file); }, "take one volume out of it");
+  test::expect_refused([&] { return read_nifti(file); }, "take one volume out of it");
 }
 
 TEST(Nifti, ScaledValuesAreScaled) {
@@ -314,7 +314,7 @@ class DamagedVolume : public testing::TestWithParam<Format> {
     write_bytes(folder_ / GetParam().file, bytes);
     testing::internal::CaptureStderr();
     testing::internal::CaptureStdout();
-    const std::string message = test::refusal_of([&] { check(read(target())); });
+    const std::string message = test::refusal([&] { check(read(target())); });
     const std::string errors = testing::internal::GetCapturedStderr(), out = testing::internal::GetCapturedStdout();
     EXPECT_EQ(errors + out, "");
     const bool refused = !message.empty();

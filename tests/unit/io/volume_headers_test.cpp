@@ -8,7 +8,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "hapticut/io/volume/volumes.hpp"
-#include "support/refusals.hpp"
+#include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/volume_files.hpp"
 
@@ -37,15 +37,15 @@ GreyVolume read(const std::string& name, const std::string& bytes, const VolumeR
 GreyVolume read_nrrd(const std::string& fields) { return read("v.nrrd", kNrrd + fields + "\n" + ramp()); }
 GreyVolume read_meta(const std::string& fields) { return read("v.mha", fields + kLocal + ramp()); }
 
-void expect_refusal(const std::string& name, const std::string& bytes, const std::string& part) {
+void expect_refused(const std::string& name, const std::string& bytes, const std::string& part) {
   SCOPED_TRACE(bytes.substr(0, 300));
-  test::expect_refusal([&] { return read(name, bytes); }, part);
+  test::expect_refused([&] { return read(name, bytes); }, part);
 }
 void expect_meta_refusal(const std::string& fields, const std::string& part) {
-  expect_refusal("v.mha", fields + kLocal + ramp(), part);
+  expect_refused("v.mha", fields + kLocal + ramp(), part);
 }
 void expect_nrrd_refusal(const std::string& fields, const std::string& part) {
-  expect_refusal("v.nrrd", kNrrd + fields + "\n" + ramp(), part);
+  expect_refused("v.nrrd", kNrrd + fields + "\n" + ramp(), part);
 }
 
 void expect_ramp(const GreyVolume& volume) {
@@ -68,14 +68,14 @@ TEST(VolumeHeader, WithoutASpacingIsRefusedUnlessTheCallerGivesOne) {
       {"v.mha", kMeta3 + "ElementSpacing = 1 nan 1\n" + kLocal + ramp()},
       {"v.mhd", kMeta3 + "ElementDataFile = v.raw\n"}};
   for (const auto& [name, bytes] : files) {
-    expect_refusal(name, bytes, "does not say how far apart its samples are");
-    expect_refusal(name, bytes, "; set VolumeReadOptions::spacing.");
+    expect_refused(name, bytes, "does not say how far apart its samples are");
+    expect_refused(name, bytes, "; set VolumeReadOptions::spacing.");
     expect_ramp(read(name, bytes, {.spacing = Vec3(0.1, 0.2, 0.7) * mm}));
   }
   test::NiftiFile nifti;
   nifti.spacing = {0, 0, 0};
   nifti.values.resize(60);
-  expect_refusal("v.nii", nifti.bytes(), "; set VolumeReadOptions::spacing.");
+  expect_refused("v.nii", nifti.bytes(), "; set VolumeReadOptions::spacing.");
 }
 
 TEST(Nrrd, KnowsUnitsByTheirUsualNames) {
@@ -101,7 +101,7 @@ TEST(Nrrd, OfAUnitThatIsNotKnownIsRefusedUnlessTheCallerGivesASpacing) {
                            "dimension: 3\nspace: LPS\nsizes: 4 3 5\nspace directions: (1,0,0) (0,2,0) (0,0,7)\n"
                            "space origin: (10,20,30)\nspace units: \"parsec\" \"parsec\" \"parsec\"\n\n" +
                            ramp();
-  expect_refusal("v.nrrd", file,
+  expect_refused("v.nrrd", file,
                  "its unit 'parsec' is not known; write m, cm, mm, um or nm into its header, or set "
                  "VolumeReadOptions::spacing.");
   const GreyVolume volume = read("v.nrrd", file, {.spacing = Vec3(0.1, 0.2, 0.7) * mm});
@@ -126,10 +126,10 @@ TEST(Nrrd, WithAnAxisThatIsNoneOfSpaceIsRefused) {
 // As somebody writes one by hand for values in a file of their own: of 16 bits, or one slice short.
 TEST(VolumeHeader, OfLessThanThereIsIsRefused) {
   const std::string detached = "dimension: 3\nspacings: 1 1 1\ndata file: v.raw\n";
-  expect_refusal("v.nhdr", kNrrd + detached + "sizes: 4 3 4\n",
+  expect_refused("v.nhdr", kNrrd + detached + "sizes: 4 3 4\n",
                  "its header claims 48 bytes of data, but there are 60. Check the type and the sizes");
   expect_ramp(read("v.nrrd", kNrrd + "dimension: 3\nsizes: 4 3 5\nspacings: 0.1 0.2 0.7\n\n" + ramp() + "\n"));
-  expect_refusal("v.mhd", kMeta + "NDims = 3\nDimSize = 4 3 4\nElementSpacing = 1 1 1\nElementDataFile = v.raw\n",
+  expect_refused("v.mhd", kMeta + "NDims = 3\nDimSize = 4 3 4\nElementSpacing = 1 1 1\nElementDataFile = v.raw\n",
                  "but there are 60");
   EXPECT_EQ(read("v.mhd", kMeta + "NDims = 3\nDimSize = 4 3 4\nElementSpacing = 1 1 1\nHeaderSize = -1\n"
                                   "ElementDataFile = v.raw\n")
@@ -212,7 +212,7 @@ TEST(MetaImage, SkipsKeysThatItDoesNotKnowHoweverManyAndLong) {
 TEST(MetaImage, ReadsWhatStandsBehindTheNameOfItsDataFile) {
   const std::string header = kMeta3 + "ElementDataFile = v.raw\n";
   expect_ramp(read("v.mhd", header + "ElementSpacing = 0.1 0.2 0.7\n\n"));
-  expect_refusal("v.mhd", header + "ElementSpacing = 0.1 0.2 0.7\nabc\n", "damaged at 'abc'");
+  expect_refused("v.mhd", header + "ElementSpacing = 0.1 0.2 0.7\nabc\n", "damaged at 'abc'");
 }
 
 /// Directions of a turned grid as a writer rounds them, times a length, each in brackets or not.

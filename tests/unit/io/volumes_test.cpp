@@ -10,7 +10,7 @@
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/no_disk_space.hpp"
-#include "support/refusals.hpp"
+#include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/volume_files.hpp"
 
@@ -56,7 +56,7 @@ std::string meta(const std::string& fields) {
 void expect_clear_error(const std::filesystem::path& path, const std::string& part) {
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
-  const std::string refusal = test::refusal_of([&] { return read_grey_volume(path); });
+  const std::string refusal = test::refusal([&] { return read_grey_volume(path); });
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << path;
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "") << path;
   test::expect_part(refusal, path.filename().string());

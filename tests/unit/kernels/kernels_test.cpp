@@ -85,10 +85,6 @@ std::vector<Profile> plain_profiles() {
             {0, 1 * mm, 0, kSmooth}}}};
 }
 
-TEST(Kernels, KnowTheRuleOfPlainProfiles) {
-  for (const Profile& profile : plain_profiles()) EXPECT_NE(ProfileHead(profile).table().everywhere, 0U);
-}
-
 std::vector<ToolHead> all_heads() {
   std::vector<ToolHead> heads = {SphereHead{0.6 * mm},
                                  ConeHead{30 * deg, 1 * mm},
@@ -97,7 +93,10 @@ std::vector<ToolHead> all_heads() {
                                  FlatHead{0.5 * mm, 1 * mm, FlatRule::side_only},
                                  FlatHead{0.5 * mm, 1 * mm, FlatRule::both}};
   for (const test::NamedProfile& p : test::all_profiles()) heads.emplace_back(ProfileHead(p.profile));
-  for (const Profile& profile : plain_profiles()) heads.emplace_back(ProfileHead(profile));
+  for (const Profile& profile : plain_profiles()) {
+    heads.emplace_back(ProfileHead(profile));
+    EXPECT_NE(std::get<ProfileHead>(heads.back().shape()).table().everywhere, 0U) << "it is not plain";
+  }
   return heads;
 }
 
@@ -309,12 +308,11 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       at_a_jump += off < 40 * kRounding * size ? 0 : 1;
       stiff += k.norm() > 0 ? 1 : 0;
       if (motion.spin == 0) {
-        const SpreadFriction all = friction.total(volume, 1);
-        EXPECT_LE((all.directions - expected.friction.directions).norm(),
-                  20 * kRounding * expected.friction.static_limit);
-        EXPECT_NEAR(all.static_limit, expected.friction.static_limit, kRounding * scale);
-        EXPECT_NEAR(all.dynamic_limit, expected.friction.dynamic_limit, kRounding * scale);
-        EXPECT_NEAR(all.stiffness(), expected.friction.stiffness(), 1e-3 * expected.friction.stiffness() + 1e-9);
+        const SpreadFriction all = friction.total(volume, 1), &exact = expected.friction;
+        EXPECT_LE((all.directions - exact.directions).norm(), 20 * kRounding * exact.static_limit);
+        EXPECT_NEAR(all.static_limit, exact.static_limit, kRounding * scale);
+        EXPECT_NEAR(all.dynamic_limit, exact.dynamic_limit, kRounding * scale);
+        EXPECT_NEAR(all.stiffness(), exact.stiffness(), 1e-3 * exact.stiffness() + 1e-9);
         rubbed += all.static_limit > 0 ? 1 : 0;
       }
       for (std::size_t id = 1; id <= 3; ++id) EXPECT_NEAR(sums.removed[id], expected.removed[id], kRounding * 512);
@@ -322,11 +320,11 @@ TEST_P(KernelTarget, PressesABlockAsTheScalarStagesDoOneByOne) {
       // A voxel may be finished in one and keep the last thousandth in the other; count those, compare the rest.
       int differently_finished = 0;
       for (int n = 0; n < kBlockVoxels; ++n) {
-        const auto gone = [n](const BlockChange& c) { return c.emptied.has(n); };
-        if (gone(task.change) != gone(expected.change)) ++differently_finished;
-        emptied += gone(task.change) ? 1 : 0;
+        const bool gone = task.change.emptied.has(n), expected_gone = expected.change.emptied.has(n);
+        differently_finished += gone != expected_gone ? 1 : 0;
+        emptied += gone ? 1 : 0;
         if ((expected.change.strips >> (n / BlockChange::kStrip) & 1) == 0) continue;
-        const bool kept = !gone(task.change) && !gone(expected.change);
+        const bool kept = !gone && !expected_gone;
         const double apart = std::abs(double(fill_after[std::size_t(n)]) - double(expected.fill_after[std::size_t(n)]));
         // Where the feed grazes a surface, ChipChord::share_of_chips magnifies what speeds are rounded by.
         ASSERT_LE(apart, kept ? (motion.tooth_rate > 0 ? 100 : 1) * kRounding : 2 * double(kSmallestFill)) << n;

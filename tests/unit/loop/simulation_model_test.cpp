@@ -88,7 +88,7 @@ bool is_empty(const ChangedBlock& block) {
 // What a device of 700 N/m would do to a hand in a contact of 16 kN/m, or of what the simulation chooses.
 TEST(SimulationModel, RefusesToDriveADeviceDirectlyByWhatItCannotRender) {
   const auto device = open_device("mock:rest");
-  const auto refusal_of = [&](double stiffness) -> std::string {
+  const auto refusal = [&](double stiffness) -> std::string {
     SimulationConfig config;
     config.reference_stiffness = stiffness;
     Simulation simulation(build_block({Vec3::Constant(-2e-3), Vec3::Constant(2e-3)}, 2e-4, test::plain_material()),
@@ -100,9 +100,9 @@ TEST(SimulationModel, RefusesToDriveADeviceDirectlyByWhatItCannotRender) {
     }
     return "";
   };
-  EXPECT_NE(refusal_of(0).find("driven directly"), std::string::npos);
-  EXPECT_NE(refusal_of(1e13).find("lower the reference stiffness to 4.4"), std::string::npos);
-  EXPECT_EQ(refusal_of(4.4e11), "");
+  EXPECT_NE(refusal(0).find("driven directly"), std::string::npos);
+  EXPECT_NE(refusal(1e13).find("lower the reference stiffness to 4.4"), std::string::npos);
+  EXPECT_EQ(refusal(4.4e11), "");
 }
 
 // The stress test: simulated seconds of cutting at full speed, a reader that looks 60 times a second and keeps a

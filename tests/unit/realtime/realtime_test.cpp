@@ -62,17 +62,6 @@ TEST(LatencyHistogram, TakesOddDurationsWithoutHarm) {
   EXPECT_EQ(h.longer(), 2U);
 }
 
-TEST(TripleBuffer, HandsOverTheLatestValue) {
-  TripleBuffer<int> buffer(7);
-  EXPECT_EQ(buffer.latest(), 7);
-  buffer.write(1);
-  buffer.write(2);
-  EXPECT_EQ(buffer.latest(), 2);
-  EXPECT_EQ(buffer.latest(), 2);
-  buffer.write(3);
-  EXPECT_EQ(buffer.latest(), 3);
-}
-
 TEST(TripleBuffer, NeverShowsHalfAValueNorAnOlderOneToAnotherThread) {
   using Value = std::array<long, 64>;
   TripleBuffer<Value> buffer;

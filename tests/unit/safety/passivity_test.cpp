@@ -8,8 +8,7 @@
 #include <deque>
 #include <optional>
 
-#include "hapticut/device/simulated/device_models.hpp"
-#include "hapticut/safety/guard.hpp"
+#include "support/guarded_loop.hpp"
 
 namespace hapticut::passivity_test {
 namespace {
@@ -192,23 +191,17 @@ TEST(PassivityController, CountsForceAndTorqueInOneAccount) {
 // The same through the guard of a device that renders torque.
 TEST(Guard, LeavesAHandAloneThatPivotsAboutTheTip) {
   constexpr double kLength = 0.05, kTurn = 1e-4;  // [m], [rad] a tick
-  SafetyGuard guard(capabilities(device_model("premium6dof")), {});
-  guard.start();
-  DeviceState reading;
-  reading.valid = true;
-  ModelContact contact;
-  contact.stored = 0;
+  test::GuardedLoop loop({}, "premium6dof");
+  loop.reading.valid = true;
+  loop.contact.stored = 0;
   double angle = 0;
   const auto tick = [&](const Wrench& wrench) {
-    reading.time += kTick;
-    ++reading.sequence;
-    reading.X_BS.rotation = Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
-    reading.X_BS.translation = reading.X_BS.rotation * Vec3(0, 0, kLength);
-    guard.admit(reading);
-    return guard.release(wrench, contact);
+    loop.reading.X_BS.rotation = Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
+    loop.reading.X_BS.translation = loop.reading.X_BS.rotation * Vec3(0, 0, kLength);
+    loop.tick(wrench.force, wrench.torque);
   };
-  for (int n = 0; n < 5000 && guard.state() != ArmingState::on; ++n) tick({});
-  ASSERT_EQ(guard.state(), ArmingState::on);
+  tick({});
+  loop.engage();
   Wrench at_tip{Vec3(0.4, 0, 0), Vec3(0, -0.4 * kLength, 0)};
   for (int n = 0; n < 200; ++n) tick(at_tip);  // as fast as force may grow
   const auto turn = [&] {
@@ -218,10 +211,10 @@ TEST(Guard, LeavesAHandAloneThatPivotsAboutTheTip) {
     }
   };
   turn();
-  EXPECT_EQ(guard.log().count(SafetyEvent::passivity), 0U);
+  EXPECT_EQ(loop.count(SafetyEvent::passivity), 0U);
   at_tip.torque.setZero();  // now it pushes the hand on
   turn();
-  EXPECT_GT(guard.log().count(SafetyEvent::passivity), 0U);
+  EXPECT_GT(loop.count(SafetyEvent::passivity), 0U);
 }
 
 TEST(PassivityController, ClosesTheAccountWithTheLastForce) {

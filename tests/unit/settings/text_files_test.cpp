@@ -12,7 +12,7 @@ namespace hapticut::text_files_test {
 namespace {
 
 template <class Read>
-std::string refusal_of(const Read& read, const std::string& text) {
+std::string refusal(const Read& read, const std::string& text) {
   try {
     (void)read(text);
   } catch (const Error& error) {
@@ -59,7 +59,7 @@ TEST(PosesOfText, AreTheSameFromEverySpreadsheet) {
         "\xEF\xBB\xBF" + all_quoted, replaced(plain, ",a\n", ",\"1, \"\"2\"\"; 3\"\n"),
         replaced(plain, ",a\n", ",5\" long\n"), german.substr(0, german.size() - 1)}) {
     std::vector<settings::TimedPose> poses;
-    ASSERT_NO_THROW(poses = kReadPoses(text)) << text << refusal_of(kReadPoses, text);
+    ASSERT_NO_THROW(poses = kReadPoses(text)) << text << refusal(kReadPoses, text);
     ASSERT_EQ(poses.size(), path.size()) << text;
     for (std::size_t n = 0; n < path.size(); ++n) {
       EXPECT_EQ(poses[n].t, path[n].t) << text;
@@ -70,7 +70,7 @@ TEST(PosesOfText, AreTheSameFromEverySpreadsheet) {
 
 TEST(PosesOfText, AreNotGuessedWhereACommaMayMeanTwoThings) {
   const auto expect = [](const std::string& text, const std::string& part) {
-    EXPECT_NE(refusal_of(kReadPoses, text).find(part), std::string::npos) << refusal_of(kReadPoses, text);
+    EXPECT_NE(refusal(kReadPoses, text).find(part), std::string::npos) << refusal(kReadPoses, text);
   };
   expect("t_s,x_mm,y_mm,z_mm\n0,\"1,234\",0,0\n",
          "a.csv:2: \"1,234\" may have a decimal comma, or one that marks thou");
@@ -108,16 +108,16 @@ TEST(PosesOfText, SayTheLineThatIsWrong) {
            {names + ",qw,qx,qy,qz\n0,0,0,0,1,1,0,0\n", "2: the quaternion has length"},
            {names + ",r00,r01,r02,r10,r11,r12,r20,r21,r22\n0,0,0,0,1,0,0,0,1,0,0,0,-1\n",
             "2: r00 ... r22 is not a rotation"}})
-    EXPECT_TRUE(refusal_of(kReadPoses, text).starts_with(std::string("a.csv:") + part)) << refusal_of(kReadPoses, text);
+    EXPECT_TRUE(refusal(kReadPoses, text).starts_with(std::string("a.csv:") + part)) << refusal(kReadPoses, text);
 }
 
 TEST(TextFiles, NameEachColumnOnce) {
   const std::string path = "t_s,x_mm,y_mm,z_mm,x_mm\n0,1,2,3,4\n1,1,2,3,4\n",
                     profile = "rho_mm,z_mm,z_mm\n0,0,0\n1,1,1\n";
-  EXPECT_NE(refusal_of(kReadPoses, path).find("a.csv:1: the column x_mm is named twice"), std::string::npos)
-      << refusal_of(kReadPoses, path);
-  EXPECT_NE(refusal_of(kReadProfile, profile).find("z_mm is named twice"), std::string::npos);
-  EXPECT_EQ(refusal_of(kReadPoses, "t_s,x_mm,y_mm,z_mm,,\n0,1,2,3,,\n1,1,2,3,,\n"), "");
+  EXPECT_NE(refusal(kReadPoses, path).find("a.csv:1: the column x_mm is named twice"), std::string::npos)
+      << refusal(kReadPoses, path);
+  EXPECT_NE(refusal(kReadProfile, profile).find("z_mm is named twice"), std::string::npos);
+  EXPECT_EQ(refusal(kReadPoses, "t_s,x_mm,y_mm,z_mm,,\n0,1,2,3,,\n1,1,2,3,,\n"), "");
 }
 
 TEST(ProfileOfText, HasItsTipAtZero) {
@@ -144,8 +144,7 @@ TEST(ProfileOfText, SaysTheLineThatIsWrong) {
            {"rho_mm,z_mm\n0,nan\n", "2: z_mm = \"nan\"; must be a number."},
            {"rho_mm,z_mm\n1,0\n1,1\n", "2: rho_mm = 1; the first point is the tip"},
            {"rho_mm,z_mm,kind\n0,0,cutting\n1,1,sharp\n", "3: kind = sharp; must be cutting or smooth."}})
-    EXPECT_TRUE(refusal_of(kReadProfile, text).starts_with(std::string("a.csv:") + part))
-        << refusal_of(kReadProfile, text);
+    EXPECT_TRUE(refusal(kReadProfile, text).starts_with(std::string("a.csv:") + part)) << refusal(kReadProfile, text);
 }
 
 }  // namespace

@@ -28,6 +28,13 @@ Samples heard(DrillSound& sound, const SoundInput& input, double seconds, double
   return samples;
 }
 
+/// Of an input that has lasted for a while.
+Samples lasting(const SoundInput& input, double before = 0.5, double seconds = 0.5) {
+  DrillSound sound;
+  (void)heard(sound, input, before);
+  return heard(sound, input, seconds);
+}
+
 /// Amplitude of one frequency, by the correlation with it under a Hann window.
 double strength_at(const Samples& samples, double frequency, double rate = kRate) {
   double cosine = 0, sine = 0, weight = 0;
@@ -65,10 +72,7 @@ double middle_of(const Samples& samples) {
 
 TEST(DrillSound, TonesAreThoseOfTheSpindleAndItsFlutes) {
   for (const double speed : {10'000 * rpm, -40'000 * rpm, 200'000 * rpm, 400'000 * rpm}) {
-    DrillSound sound;
-    const SoundInput input{speed, 0, 0, false};
-    (void)heard(sound, input, 0.5);  // runs up
-    const Samples samples = heard(sound, input, 0.5);
+    const Samples samples = lasting({speed, 0, 0, false});
     const double turns = std::abs(speed) / (2 * kPi);
     EXPECT_NEAR(strongest_near(samples, turns) / turns, 1, 0.01);
     EXPECT_GT(strength_at(samples, turns), 0.05);
@@ -79,11 +83,8 @@ TEST(DrillSound, TonesAreThoseOfTheSpindleAndItsFlutes) {
 }
 
 TEST(DrillSound, NoToneComesBackFromBeyondTheSampleRate) {
-  DrillSound sound;
   const double turns = 400'000 / 60.0;  // 6.7 kHz; the flutes' 40 kHz would be heard at 8 kHz
-  const SoundInput input{2 * kPi * turns, 0, 0, false};
-  (void)heard(sound, input, 0.5);
-  const Samples samples = heard(sound, input, 0.5);
+  const Samples samples = lasting({2 * kPi * turns, 0, 0, false});
   EXPECT_LT(strength_at(samples, kRate - 6 * turns), 1e-4);
   EXPECT_LT(strength_at(samples, 6 * turns - kRate / 2), 1e-4);
 }
@@ -113,10 +114,7 @@ TEST(DrillSound, IsSilentWhenItStands) {
 TEST(DrillSound, LevelGrowsWithPower) {
   double before = -1;
   for (const double power : {0.0, 0.01, 0.05, 0.2, 0.5, 1.0, 2.0, 5.0, 20.0, 100.0}) {
-    DrillSound sound;
-    const SoundInput input{0, power, power / 1e9, false};
-    (void)heard(sound, input, 0.3);
-    const double level = rms(heard(sound, input, 1));
+    const double level = rms(lasting({0, power, power / 1e9, false}, 0.3, 1));
     EXPECT_GT(level, 1.02 * before) << power << " W";
     before = level;
     // The band holds what the header says, whatever its middle.
@@ -127,18 +125,13 @@ TEST(DrillSound, LevelGrowsWithPower) {
 TEST(DrillSound, HarderMaterialSoundsBrighterAndRubbingBrightest) {
   double before = 0;
   for (const double energy : {1e7, 1e8, 1e9, 1e10}) {
-    DrillSound sound;
-    const SoundInput input{0, 2, 2 / energy, false};
-    (void)heard(sound, input, 0.5);
-    const double middle = middle_of(heard(sound, input, 0.5));
+    const double middle = middle_of(lasting({0, 2, 2 / energy, false}));
     EXPECT_GT(middle, 1.3 * before) << energy;
     EXPECT_GT(middle, 1000);
     EXPECT_LT(middle, 11'000);
     before = middle;
   }
-  DrillSound rubs;
-  (void)heard(rubs, {0, 2, 0, false}, 0.5);
-  EXPECT_NEAR(middle_of(heard(rubs, {0, 2, 0, false}, 0.5)) / before, 1, 0.05);
+  EXPECT_NEAR(middle_of(lasting({0, 2, 0, false})) / before, 1, 0.05) << "it rubs";
 }
 
 TEST(DrillSound, ClicksAtFirstTouchOnce) {

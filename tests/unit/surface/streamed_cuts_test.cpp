@@ -13,6 +13,7 @@
 #include "support/generators.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/surface_pages.hpp"
+#include "support/workpieces.hpp"
 
 namespace hapticut::streamed_cuts_test {
 namespace {
@@ -55,10 +56,8 @@ class FollowedBlock {
     block_.reserve_blocks(1500);
     // Nobody knows what has changed: all blocks are sent again, as ChangeFeed does.
     std::vector<VoxelIndex> all;
-    const int last = block_start(int(voxels_)) + kBlockEdge;
-    for (int i = -kBlockEdge; i <= last; i += kBlockEdge)
-      for (int j = -kBlockEdge; j <= last; j += kBlockEdge)
-        for (int k = -kBlockEdge; k <= last; k += kBlockEdge) all.push_back({i, j, k});
+    const int last = int(voxels_) + kBlockEdge;
+    for_each_block_origin({{-1, -1, -1}, {last, last, last}}, [&](const VoxelIndex& at) { all.push_back(at); });
     (void)stream_.update(block_, all);
   }
   void take() { take_pages(stream_, pages_); }
@@ -138,9 +137,8 @@ TEST(StreamedCuts, TenThousandCutsGiveThePagesOfARebuild) {
   EXPECT_GT(block.pages().size(), 8U);
   const TriangleMesh mesh = test::welded(block.pages(), block.workpiece().frame());
   EXPECT_TRUE(test::count_edges(mesh).balanced);
-  double volume = 0;
-  for (const MaterialAmount& amount : block.workpiece().amounts()) volume += amount.volume;
-  EXPECT_NEAR(test::signed_volume(mesh) / volume, 1, 0.03);  // a sponge of pieces that are a voxel thick
+  // A sponge of pieces that are a voxel thick.
+  EXPECT_NEAR(test::signed_volume(mesh) / test::solid_volume(block.workpiece()), 1, 0.03);
 }
 
 TEST(StreamedCuts, ASimulationIsFollowedThroughItsFeedBesideTheSteps) {

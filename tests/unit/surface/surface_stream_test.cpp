@@ -13,11 +13,13 @@
 #include "support/mesh_measures.hpp"
 #include "support/random_pose.hpp"
 #include "support/surface_pages.hpp"
+#include "support/workpieces.hpp"
 
 namespace hapticut::surface_stream_test {
 namespace {
 
 using test::count_edges;
+using test::named;
 using test::Pages;
 using test::pages_of;
 using test::take_pages;
@@ -26,18 +28,6 @@ using units::mm;
 
 constexpr double kVoxel = 0.1 * mm;
 
-Material clay() {
-  Material material;
-  material.name = "clay";
-  return material;
-}
-
-double volume_of(const Workpiece& workpiece) {
-  double sum = 0;
-  for (const MaterialAmount& amount : workpiece.amounts()) sum += amount.volume;
-  return sum;
-}
-
 std::size_t triangles_of(const Pages& pages) {
   std::size_t count = 0;
   for (const auto& [origin, page] : pages) count += page.indices.size() / 3;
@@ -45,7 +35,7 @@ std::size_t triangles_of(const Pages& pages) {
 }
 
 TEST(SurfaceStream, PagesPutTogetherAreClosedAndHoldTheVolumeOfTheWorkpiece) {
-  Workpiece ball = build_sphere(Vec3(0.3, -0.2, 0.1) * mm, 4 * mm, kVoxel, clay());
+  Workpiece ball = build_sphere(Vec3(0.3, -0.2, 0.1) * mm, 4 * mm, kVoxel, named("clay"));
   Workpiece drilled = test::two_materials(9.13 * mm, kVoxel);
   drilled.reserve_blocks(4000);
   std::mt19937 random(5);
@@ -62,7 +52,7 @@ TEST(SurfaceStream, PagesPutTogetherAreClosedAndHoldTheVolumeOfTheWorkpiece) {
     // Four triangles meet where two pieces touch along an edge: nowhere on a ball, in the ruins of a block here and
     // there.
     EXPECT_LE(double(edges.more_often), workpiece == &ball ? 0.0 : 1e-3 * double(edges.twice));
-    EXPECT_NEAR(test::signed_volume(mesh) / volume_of(*workpiece), 1, 0.01);
+    EXPECT_NEAR(test::signed_volume(mesh) / test::solid_volume(*workpiece), 1, 0.01);
   }
 }
 
@@ -91,7 +81,7 @@ NormalError normal_error(const Workpiece& workpiece, const TrueNormal& true_norm
 TEST(SurfaceStream, NormalsOfBallsAreWithinThreeDegrees) {
   for (const double radius : {0.8, 1.5, 4.0}) {
     const Vec3 center = Vec3(0.31, -0.17, 0.23) * mm;
-    const Workpiece ball = build_sphere(center, radius * mm, kVoxel, clay());
+    const Workpiece ball = build_sphere(center, radius * mm, kVoxel, named("clay"));
     const NormalError error = normal_error(ball, [&](const Vec3& p) { return (p - center).normalized(); });
     EXPECT_LT(error.largest, 3) << radius;
     EXPECT_LT(error.mean, 1.5) << radius;
@@ -106,7 +96,7 @@ TEST(SurfaceStream, NormalsOfPlanesAreWithinThreeDegrees) {
     const Workpiece half = build_body({{Vec3::Constant(-2 * mm), Vec3::Constant(2 * mm)},
                                        [&](const Vec3& p) { return p.dot(normal) - 0.013 * mm; },
                                        [](const Vec3&) { return MaterialId(1); }},
-                                      kVoxel, MaterialTable({clay()}));
+                                      kVoxel, MaterialTable({named("clay")}));
     const NormalError error = normal_error(
         half, [&](const Vec3& p) { return p.cwiseAbs().maxCoeff() > 1.7 * mm ? Vec3(Vec3::Zero()) : normal; });
     EXPECT_LT(error.largest, 3) << normal.transpose();
@@ -116,7 +106,7 @@ TEST(SurfaceStream, NormalsOfPlanesAreWithinThreeDegrees) {
 
 TEST(SurfaceStream, VerticesLieOnTheSurface) {
   const Vec3 center = Vec3(0.31, -0.17, 0.23) * mm;
-  const Workpiece ball = build_sphere(center, 4 * mm, kVoxel, clay());
+  const Workpiece ball = build_sphere(center, 4 * mm, kVoxel, named("clay"));
   double squares = 0, count = 0;
   for (const auto& [origin, page] : pages_of(ball))
     for (const SurfaceVertex& vertex : page.vertices) {
@@ -165,7 +155,7 @@ TEST(SurfaceStream, WallsOfACavityShowWhatIsInThem) {
 }
 
 TEST(SurfaceStream, PagesNearestToThePointLookedAtComeFirst) {
-  const Workpiece ball = build_sphere(Vec3::Zero(), 8 * mm, kVoxel, clay());
+  const Workpiece ball = build_sphere(Vec3::Zero(), 8 * mm, kVoxel, named("clay"));
   SurfaceStream stream(ball);
   const Vec3 looked_at = Vec3(6, -3, 2) * mm;
   stream.look_at(looked_at);
@@ -185,7 +175,7 @@ TEST(SurfaceStream, PagesNearestToThePointLookedAtComeFirst) {
 }
 
 TEST(SurfaceStream, AnotherOneWhoLooksOnGetsAllPages) {
-  const Workpiece ball = build_sphere(Vec3::Zero(), 4 * mm, kVoxel, clay());
+  const Workpiece ball = build_sphere(Vec3::Zero(), 4 * mm, kVoxel, named("clay"));
   SurfaceStream stream(ball);
   Pages first, second;
   take_pages(stream, first);
@@ -198,7 +188,7 @@ TEST(SurfaceStream, AnotherOneWhoLooksOnGetsAllPages) {
 }
 
 TEST(SurfaceStream, WhatIsCutAwayWhollyLeavesEmptyPages) {
-  Workpiece ball = build_sphere(Vec3::Zero(), 2 * mm, kVoxel, clay());
+  Workpiece ball = build_sphere(Vec3::Zero(), 2 * mm, kVoxel, named("clay"));
   ball.reserve_blocks(1000);
   SurfaceStream stream(ball);
   Pages pages;
@@ -215,7 +205,7 @@ TEST(SurfaceStream, WhatIsCutAwayWhollyLeavesEmptyPages) {
 }
 
 TEST(SurfaceStream, OfNothingHasNoPages) {
-  const Workpiece nothing = Workpiece::from_blocks({{0, 0, 0}, {7, 7, 7}}, GridFrame{}, MaterialTable({clay()}),
+  const Workpiece nothing = Workpiece::from_blocks({{0, 0, 0}, {7, 7, 7}}, GridFrame{}, MaterialTable({named("clay")}),
                                                    [](const VoxelIndex&, BlockContent&) { return BlockKind::empty(); });
   SurfaceStream stream(nothing);
   SurfacePage page;
@@ -224,7 +214,7 @@ TEST(SurfaceStream, OfNothingHasNoPages) {
 }
 
 TEST(SurfaceStream, AVoxelInTheMiddleOfABlockDirtiesItAloneAndOneInACornerItsEightNeighbours) {
-  Workpiece block = build_block({Vec3::Zero(), Vec3(6.4, 6.4, 6.4) * mm}, kVoxel, clay());
+  Workpiece block = build_block({Vec3::Zero(), Vec3(6.4, 6.4, 6.4) * mm}, kVoxel, named("clay"));
   block.reserve_blocks(100);
   SurfaceStream stream(block);
   Pages pages;
@@ -246,7 +236,7 @@ TEST(SurfaceStream, AVoxelInTheMiddleOfABlockDirtiesItAloneAndOneInACornerItsEig
 
 TEST(SurfaceStream, TheLargestPageHasRoomInSixteenBits) {
   // A checkerboard: each cell has a vertex, each edge a quadrilateral.
-  const Workpiece board = Workpiece::from_blocks({{0, 0, 0}, {63, 63, 63}}, GridFrame{}, MaterialTable({clay()}),
+  const Workpiece board = Workpiece::from_blocks({{0, 0, 0}, {63, 63, 63}}, GridFrame{}, MaterialTable({named("clay")}),
                                                  [](const VoxelIndex&, BlockContent& content) {
                                                    for (int n = 0; n < kBlockVoxels; ++n) {
                                                      const bool full = ((n >> 6) + (n >> 3) + n) % 2 == 0;
@@ -269,7 +259,7 @@ TEST(SurfaceStream, TheLargestPageHasRoomInSixteenBits) {
 }
 
 TEST(SurfaceStream, MemoryIsWhatTheHeaderSays) {
-  const Workpiece ball = build_sphere(Vec3::Zero(), 8 * mm, kVoxel, clay());
+  const Workpiece ball = build_sphere(Vec3::Zero(), 8 * mm, kVoxel, named("clay"));
   SurfaceStream stream(ball);
   Pages pages;
   take_pages(stream, pages);

@@ -5,18 +5,19 @@
 
 #include <cstdio>
 #include <fstream>
-#include <functional>
 #include <sstream>
 
-#include "hapticut/core/errors.hpp"
 #include "hapticut/tool/tool.hpp"
 #include "support/catalogue_heads.hpp"
 #include "support/places.hpp"
+#include "support/refusal.hpp"
+#include "support/springs.hpp"
 
 namespace hapticut::catalogue_test {
 namespace {
 
 using test::CatalogueHead;
+using test::margin_at;
 using units::deg;
 using units::kPi;
 using units::mm;
@@ -64,12 +65,9 @@ TEST(Catalogue, RoundEndsTouchTheirWallsWithoutAnEdge) {
 TEST(Catalogue, TheFlameIsWidestWhereItIsSaidToBe) {
   const ToolHead flame = flame_head(1.4 * mm, 4 * mm, 0.9 * mm, 2.2 * mm);
   EXPECT_NEAR(flame.largest_radius(), 0.7 * mm, kRounding * mm);
-  const auto margin = [&](double rho, double z) {
-    return flame.visit_springs<double>([&](const auto& s) -> double { return s.margin(rho, z); });
-  };
-  EXPECT_GT(margin(0.6999 * mm, 2.2 * mm), 0);
-  EXPECT_LT(margin(0.6999 * mm, 2.0 * mm), 0);
-  EXPECT_LT(margin(0.6999 * mm, 2.4 * mm), 0);
+  EXPECT_GT(margin_at(flame, 0.6999 * mm, 2.2 * mm), 0);
+  EXPECT_LT(margin_at(flame, 0.6999 * mm, 2.0 * mm), 0);
+  EXPECT_LT(margin_at(flame, 0.6999 * mm, 2.4 * mm), 0);
 }
 
 TEST(Catalogue, TheTwistDrillCutsWithItsPointOnly) {
@@ -103,15 +101,6 @@ INSTANTIATE_TEST_SUITE_P(Heads, CatalogueShape, testing::ValuesIn(test::catalogu
 
 // --- bad input -----------------------------------------------------------------------------------------------------
 
-std::string message_of(const std::function<void()>& make) {
-  try {
-    make();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 // It had six lips, and pressed with nearly three times the force of a drill.
 TEST(Catalogue, ADrillHasTwoLipsAndABurSix) {
   const Tool drill(twist_drill_head(2 * mm, 5 * mm));
@@ -130,22 +119,20 @@ TEST(Catalogue, ADrillHasTwoLipsAndABurSix) {
 }
 
 TEST(Catalogue, RefusesDimensionsThatDoNotFitTogether) {
-  const auto expect = [](const std::string& message, const std::vector<const char*>& words) {
-    for (const char* word : words) EXPECT_NE(message.find(word), std::string::npos) << message << "\n lacks: " << word;
-  };
-  expect(message_of([] { (void)round_head(0); }), {"diameter", "= 0", "> 0"});
-  expect(message_of([] { (void)inverted_cone_head(1 * mm, 1 * mm, 1 * mm); }), {"neck_diameter = 1 mm", "less", "tip"});
-  expect(message_of([] { (void)tapered_head(2 * mm, 1 * mm, 1 * mm); }), {"tip_diameter = 2 mm", "less", "1 mm"});
-  expect(message_of([] { (void)round_end_cylinder_head(2 * mm, 0.5 * mm); }), {"length = 0.5 mm", "radius", "1 mm"});
-  expect(message_of([] { (void)round_end_tapered_head(2 * mm, 1 * mm, 1 * mm); }), {"tip_diameter = 2 mm", "less"});
-  expect(message_of([] { (void)round_end_tapered_head(0.5 * mm, 3 * mm, 1 * mm); }), {"1.5 mm", "length, 1 mm"});
-  expect(message_of([] { (void)flame_head(2 * mm, 4 * mm, 1 * mm, 0.5 * mm); }), {"widest_height = 0.5 mm", "radius"});
-  expect(message_of([] { (void)flame_head(2 * mm, 4 * mm, 3 * mm, 2 * mm); }), {"neck_diameter = 3 mm", "less"});
-  expect(message_of([] { (void)pear_head(2 * mm, 1.5 * mm, 0.5 * mm); }), {"length above", "0.5 mm"});
-  expect(message_of([] { (void)wheel_head(2 * mm, 1 * mm, 2 * mm); }), {"shank_diameter = 2 mm", "less"});
-  expect(message_of([] { (void)christmas_tree_head(2 * mm, 1 * mm, 0); }), {"tiers = 0", "between 1 and 20"});
-  expect(message_of([] { (void)twist_drill_head(2 * mm, 5 * mm, 4); }), {"point_angle = 4 rad", "pi"});
-  expect(message_of([] { (void)twist_drill_head(2 * mm, 0.3 * mm); }), {"point", "less", "length, 0.3 mm"});
+  using test::expect_refused;
+  expect_refused([] { (void)round_head(0); }, {"diameter", "= 0", "> 0"});
+  expect_refused([] { (void)inverted_cone_head(1 * mm, 1 * mm, 1 * mm); }, {"neck_diameter = 1 mm", "less", "tip"});
+  expect_refused([] { (void)tapered_head(2 * mm, 1 * mm, 1 * mm); }, {"tip_diameter = 2 mm", "less", "1 mm"});
+  expect_refused([] { (void)round_end_cylinder_head(2 * mm, 0.5 * mm); }, {"length = 0.5 mm", "radius", "1 mm"});
+  expect_refused([] { (void)round_end_tapered_head(2 * mm, 1 * mm, 1 * mm); }, {"tip_diameter = 2 mm", "less"});
+  expect_refused([] { (void)round_end_tapered_head(0.5 * mm, 3 * mm, 1 * mm); }, {"1.5 mm", "length, 1 mm"});
+  expect_refused([] { (void)flame_head(2 * mm, 4 * mm, 1 * mm, 0.5 * mm); }, {"widest_height = 0.5 mm", "radius"});
+  expect_refused([] { (void)flame_head(2 * mm, 4 * mm, 3 * mm, 2 * mm); }, {"neck_diameter = 3 mm", "less"});
+  expect_refused([] { (void)pear_head(2 * mm, 1.5 * mm, 0.5 * mm); }, {"length above", "0.5 mm"});
+  expect_refused([] { (void)wheel_head(2 * mm, 1 * mm, 2 * mm); }, {"shank_diameter = 2 mm", "less"});
+  expect_refused([] { (void)christmas_tree_head(2 * mm, 1 * mm, 0); }, {"tiers = 0", "between 1 and 20"});
+  expect_refused([] { (void)twist_drill_head(2 * mm, 5 * mm, 4); }, {"point_angle = 4 rad", "pi"});
+  expect_refused([] { (void)twist_drill_head(2 * mm, 0.3 * mm); }, {"point", "less", "length, 0.3 mm"});
 }
 
 // --- the drawing in docs/heads.md ------------------------------------------------------------------------------------

@@ -8,11 +8,14 @@
 #include "support/catalogue_heads.hpp"
 #include "support/profiles.hpp"
 #include "support/random_pose.hpp"
+#include "support/springs.hpp"
 
 namespace hapticut::profile_test {
 namespace {
 
+using test::margin_at;
 using test::NamedProfile;
+using test::spring_at;
 using units::deg;
 using units::kPi;
 using units::mm;
@@ -27,15 +30,6 @@ void for_points(const ToolHead& head, int count, Check&& check) {
   const double slack = 0.05 * head.reach();
   for (int n = 0; n < count; ++n)
     check(random.between(0, box.max.x() + slack), random.between(box.min.z() - slack, box.max.z() + slack));
-}
-
-MeridianSpring<double> spring_at(const ToolHead& head, double rho, double z) {
-  return head.visit_springs<double>(
-      [&](const auto& springs) -> MeridianSpring<double> { return springs.spring(rho, z); });
-}
-
-double margin_at(const ToolHead& head, double rho, double z) {
-  return head.visit_springs<double>([&](const auto& springs) -> double { return springs.margin(rho, z); });
 }
 
 // --- the analytic heads are profiles too ---------------------------------------------------------------------------
@@ -83,12 +77,8 @@ TEST_P(ProfileOfAnAnalyticHead, HasTheSameMarginBoxReachAndVolume) {
   // The analytic margin is the exact distance inside, a bound on it outside.
   for_points(profile, 20000, [&](double rho, double z) {
     const double exact = margin_at(profile, rho, z), bound = margin_at(analytic, rho, z);
-    if (bound > 0) {
-      ASSERT_NEAR(exact, bound, kRounding * mm);
-    }
-    if (bound <= 0) {
-      ASSERT_LE(exact, bound + kRounding * mm);
-    }
+    ASSERT_LE(exact, bound + kRounding * mm);
+    ASSERT_TRUE(bound <= 0 || exact >= bound - kRounding * mm);
   });
 }
 
@@ -101,33 +91,25 @@ INSTANTIATE_TEST_SUITE_P(
                     Twins{"BluntCone", ConeHead{70 * deg, 1 * mm}, test::cone_profile(70 * deg, 1 * mm)}),
     [](const auto& twins) { return std::string(twins.param.name); });
 
-TEST(ProfileHead, WithSmoothSidesHasTheDepthBelowItsBottomUntilASideIsNearer) {
-  const ToolHead profile = ProfileHead({0, {{0.8 * mm, 0}, {0.8 * mm, 2 * mm, 0, kSmooth}, {0, 2 * mm, 0, kSmooth}}});
-  for_points(profile, 20000, [&](double rho, double z) {
-    const double side = kSmoothScale * (0.8 * mm - rho), top = kSmoothScale * (2 * mm - z);
-    const MeridianSpring<double> s = spring_at(profile, rho, z);
-    ASSERT_NEAR(std::max(0.0, s.depth), std::max(0.0, std::min({z, side, top})), kRounding * mm);
-    if (s.depth <= 0) return;
-    ASSERT_EQ(s.on_smooth(), std::min(side, top) < z);
-    ASSERT_NEAR(s.n_radial, side < std::min(z, top) ? 1 : 0, kRounding);
-    if (!s.on_smooth()) return;
-    const double corner = std::hypot(0.8 * mm - rho, z);
-    ASSERT_NEAR(std::sqrt(s.smooth), corner, kRounding * mm);
-  });
-}
-
-TEST(ProfileHead, WithASmoothBottomHasTheDepthBelowItsSideUntilTheBottomIsNearer) {
-  const ToolHead profile = ProfileHead({0, {{0.8 * mm, 0, 0, kSmooth}, {0.8 * mm, 2 * mm}, {0, 2 * mm, 0, kSmooth}}});
-  for_points(profile, 20000, [&](double rho, double z) {
-    const double bottom = kSmoothScale * z, top = kSmoothScale * (2 * mm - z), side = 0.8 * mm - rho;
-    const MeridianSpring<double> s = spring_at(profile, rho, z);
-    ASSERT_NEAR(std::max(0.0, s.depth), std::max(0.0, std::min({side, bottom, top})), kRounding * mm);
-    if (s.depth <= 0) return;
-    ASSERT_EQ(s.on_smooth(), std::min(bottom, top) < side);
-    if (s.on_smooth()) {
-      ASSERT_NEAR(std::sqrt(s.smooth), std::hypot(side, std::min(z, 2 * mm - z)), kRounding * mm);
-    }
-  });
+TEST(ProfileHead, WithSmoothSidesOrASmoothBottomHasTheDepthBelowWhatCutsUntilWhatIsSmoothIsNearer) {
+  constexpr double kR = 0.8 * mm, kTop = 2 * mm;
+  for (const bool bottom_cuts : {true, false}) {
+    const EdgeKind bottom = bottom_cuts ? EdgeKind::cutting : kSmooth, side = bottom_cuts ? kSmooth : EdgeKind::cutting;
+    const ToolHead profile = ProfileHead({0, {{kR, 0, 0, bottom}, {kR, kTop, 0, side}, {0, kTop, 0, kSmooth}}});
+    for_points(profile, 20000, [&](double rho, double z) {
+      const double from_cutting = bottom_cuts ? z : kR - rho, from_smooth = bottom_cuts ? kR - rho : z;
+      const double smooth = kSmoothScale * std::min(from_smooth, kTop - z);
+      const MeridianSpring<double> s = spring_at(profile, rho, z);
+      ASSERT_NEAR(std::max(0.0, s.depth), std::max(0.0, std::min(from_cutting, smooth)), kRounding * mm);
+      if (s.depth <= 0) return;
+      ASSERT_EQ(s.on_smooth(), smooth < from_cutting);
+      const bool side_is_next = kSmoothScale * from_smooth < std::min(z, kSmoothScale * (kTop - z));
+      ASSERT_TRUE(!bottom_cuts || std::abs(s.n_radial - (side_is_next ? 1 : 0)) <= kRounding);
+      if (!s.on_smooth()) return;
+      const double corner = std::hypot(kR - rho, bottom_cuts ? z : std::min(z, kTop - z));
+      ASSERT_NEAR(std::sqrt(s.smooth), corner, kRounding * mm);
+    });
+  }
 }
 
 // --- any profile ---------------------------------------------------------------------------------------------------
@@ -153,20 +135,6 @@ TEST_P(AnyProfile, TableIsWithinItsBoundAndItsBoundWithinTheTolerance) {
     // Few cells have an error at all.
     EXPECT_LT(sum / kPoints, 1e-4 * table.radius);
   }
-}
-
-TEST_P(AnyProfile, ATableOfFinerCellsIsBetter) {
-  const ProfileHead coarse(GetParam().profile, 0.1), fine(GetParam().profile, 0.003);
-  EXPECT_LE(fine.table().error, coarse.table().error);
-  const auto mean_error = [](const ProfileHead& head) {
-    double sum = 0;
-    for_points(head, 100000, [&](double rho, double z) {
-      sum += std::abs(std::max(0.0, head.exact_spring(rho, z).depth) -
-                      std::max(0.0, ProfileSprings<double>(head.table()).spring(rho, z).depth));
-    });
-    return sum / 100000;
-  };
-  EXPECT_LE(mean_error(fine), mean_error(coarse) + 1e-9 * mm);
 }
 
 TEST_P(AnyProfile, DirectionIsMinusTheGradientOfTheDepth) {
@@ -275,21 +243,6 @@ TEST_P(SmoothProfile, DepthIsTheLesserOfTheDistancesFromTheTwoSurfaces) {
 
 INSTANTIATE_TEST_SUITE_P(Profiles, SmoothProfile, testing::ValuesIn(test::profiles_with_smooth_edges()),
                          [](const auto& p) { return p.param.name; });
-
-TEST(ProfileHead, ACuttingEdgeEndsWhereASmoothOneContinuesIt) {
-  // A cylinder that cuts with its bottom and the lower 0.9 mm of its side.
-  const ToolHead head =
-      ProfileHead({0, {{0.6 * mm, 0}, {0.6 * mm, 0.9 * mm}, {0.6 * mm, 2 * mm, 0, kSmooth}, {0, 2 * mm, 0, kSmooth}}});
-  const double error = std::get<ProfileHead>(head.shape()).table().error;
-  for_points(head, 20000, [&](double rho, double z) {
-    const bool inside = rho < 0.6 * mm && z > 0 && z < 2 * mm;
-    const double side = std::hypot(0.6 * mm - rho, std::max(0.0, z - 0.9 * mm));
-    const double smooth =
-        kSmoothScale * std::min(2 * mm - z, z > 0.9 * mm ? 0.6 * mm - rho : std::hypot(0.6 * mm - rho, 0.9 * mm - z));
-    const double expected = inside ? std::min({z, side, smooth}) : 0;
-    ASSERT_NEAR(std::max(0.0, spring_at(head, rho, z).depth), expected, error + 1e-6 * mm) << rho << " " << z;
-  });
-}
 
 TEST(ProfileHead, ASmoothPointCutsTheSideOffExactly) {
   // Its slope passes through points that the table is made from.

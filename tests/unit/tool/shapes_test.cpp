@@ -5,23 +5,17 @@
 #include <rapidcheck/gtest.h>
 
 #include "support/generators.hpp"
+#include "support/springs.hpp"
 
 namespace hapticut::shapes_test {
 namespace {
 
 using test::arbitrary_head;
+using test::margin_at;
 using test::number_between;
+using test::spring_at;
 using units::kPi;
 using units::mm;
-
-double margin_at(const ToolHead& head, double rho, double z) {
-  return head.visit_springs<double>([&](const auto& springs) { return double(springs.margin(rho, z)); });
-}
-
-MeridianSpring<double> spring_at(const ToolHead& head, double rho, double z) {
-  return head.visit_springs<double>(
-      [&](const auto& springs) -> MeridianSpring<double> { return springs.spring(rho, z); });
-}
 
 /// Whether a point of the meridian plane is inside the body, from its definition.
 bool is_inside(const ToolHead& head, double rho, double z) {
@@ -49,22 +43,6 @@ RC_GTEST_PROP(Shapes, MarginIsPositiveExactlyInside, ()) {
   const double margin = margin_at(head, rho, z);
   if (std::abs(margin) < 1e-12) return;  // on the surface, within rounding
   RC_ASSERT((margin > 0) == is_inside(head, rho, z));
-}
-
-RC_GTEST_PROP(Shapes, ASpringIsFeltExactlyInside, ()) {
-  const ToolHead head = *arbitrary_head();
-  const double reach = 1.2 * head.reach();
-  const double rho = *number_between(0, reach), z = *number_between(-reach, reach);
-  if (std::abs(margin_at(head, rho, z)) < 1e-12) return;
-  RC_ASSERT((spring_at(head, rho, z).depth > 0) == is_inside(head, rho, z));
-}
-
-RC_GTEST_PROP(Shapes, DirectionIsAUnitVector, ()) {
-  const ToolHead head = *arbitrary_head();
-  const double rho = *number_between(1e-6, head.reach()), z = *number_between(-head.reach(), head.reach());
-  const MeridianSpring<double> s = spring_at(head, rho, z);
-  if (!(s.depth > 0)) return;
-  RC_ASSERT(std::abs(std::hypot(s.n_radial, s.n_axial) - 1) < 1e-9);
 }
 
 // The springs push down the slope of their depth: with one spring per point, its scale times n is -grad w.

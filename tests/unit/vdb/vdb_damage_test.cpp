@@ -14,7 +14,7 @@
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/workpiece/builders.hpp"
 #include "support/named_material.hpp"
-#include "support/refusals.hpp"
+#include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
 
@@ -29,7 +29,7 @@ enum class Answer { workpiece, refused };
 /// Reads bytes as a file of ours or of another program; anything but a workpiece or an Error ends the test.
 Answer answer_to(const std::string& bytes, const TemporaryFolder& folder, const VdbImport* import = nullptr) {
   test::write_bytes(folder / "a.vdb", bytes);
-  const std::string refusal = test::refusal_of([&] {
+  const std::string refusal = test::refusal([&] {
     const Workpiece loaded = import == nullptr ? load_vdb(folder / "a.vdb") : load_vdb(folder / "a.vdb", *import);
     EXPECT_GE(loaded.solid_voxels(), 0);
   });
@@ -196,7 +196,7 @@ TEST(DamagedVdb, ValuesOfANodeThatCannotBeUnpackedAreRefusedBeforeOpenVdb) {
     std::string wrong = bytes;
     wrong[chunk] = 99;  // version of Blosc
     test::write_bytes(folder / "a.vdb", wrong);
-    const std::string refusal = test::refusal_of([&] { return load_vdb(folder / "a.vdb"); });
+    const std::string refusal = test::refusal([&] { return load_vdb(folder / "a.vdb"); });
     EXPECT_NE(refusal, "") << chunk;
     if (refusal.find("compressed values cannot be unpacked") != std::string::npos) ++in_nodes;
   }

@@ -15,7 +15,7 @@
 #include "hapticut/workpiece/builders.hpp"
 #include "support/named_material.hpp"
 #include "support/no_disk_space.hpp"
-#include "support/refusals.hpp"
+#include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/test_data.hpp"
 
@@ -182,7 +182,7 @@ TEST(Vdb, AFileOfAnotherFormatIsRefusedAndSaysWhatReadsIt) {
     for (const auto& grid : *grids)
       if (grid->getName() == "material") grid->insertMeta("hapticut_format", openvdb::Int32Metadata(format));
     openvdb::io::File((folder / "b.vdb").string()).write(*grids);
-    const std::string error = test::refusal_of([&] { return load_vdb(folder / "b.vdb"); });
+    const std::string error = test::refusal([&] { return load_vdb(folder / "b.vdb"); });
     test::expect_part(error, "format " + std::to_string(format));
     test::expect_part(error, "Use the version that wrote it");
   }
@@ -197,8 +197,8 @@ TEST(Vdb, RandomBytesAndOtherFilesAreRefused) {
     test::write_bytes(folder / "random.vdb", bytes);
     EXPECT_THROW((void)load_vdb(folder / "random.vdb"), Error);
   }
-  test::expect_refusal([&] { return load_vdb(folder / "missing.vdb"); }, "missing.vdb");
-  test::expect_refusal([&] { return load_vdb(folder / "."); }, "folder");
+  test::expect_refused([&] { return load_vdb(folder / "missing.vdb"); }, "missing.vdb");
+  test::expect_refused([&] { return load_vdb(folder / "."); }, "folder");
 }
 
 TEST(Vdb, AFullDiskIsReportedAndTheOldFileStays) {
@@ -207,7 +207,7 @@ TEST(Vdb, AFullDiskIsReportedAndTheOldFileStays) {
   save_vdb(old_one, folder / "a.vdb");
   for (const rlim_t bytes : {0, 100, 1000, 5000}) {
     const test::NoDiskSpace no_space(bytes);
-    test::expect_refusal([&] { save_vdb(intricate_workpiece(), folder / "a.vdb"); }, "a.vdb");
+    test::expect_refused([&] { save_vdb(intricate_workpiece(), folder / "a.vdb"); }, "a.vdb");
   }
   EXPECT_EQ(load_vdb(folder / "a.vdb").hash(), old_one.hash());
   EXPECT_EQ(folder.file_count(), 1U);
@@ -217,12 +217,12 @@ TEST(Vdb, WhatCannotBeWrittenIsReported) {
   const TemporaryFolder folder;
   const Workpiece ball = build_sphere(Vec3::Zero(), 1 * mm, 0.2 * mm, named("clay"));
   EXPECT_THROW(save_vdb(ball, folder / "no" / "such" / "folder.vdb"), Error);
-  test::expect_refusal([&] { save_vdb(ball, "/dev/full"); }, "not a regular file");
+  test::expect_refused([&] { save_vdb(ball, "/dev/full"); }, "not a regular file");
   EXPECT_THROW(save_vdb(ball, folder / "."), Error);
   if (::geteuid() == 0) return;  // root may write anywhere
   std::filesystem::create_directory(folder / "locked");
   ::chmod((folder / "locked").c_str(), 0555);
-  test::expect_refusal([&] { save_vdb(ball, folder / "locked" / "a.vdb"); }, "ermission");
+  test::expect_refused([&] { save_vdb(ball, folder / "locked" / "a.vdb"); }, "ermission");
 }
 
 TEST(Vdb, ALevelSetOfAnotherProgramGivesItsBall) {
@@ -247,7 +247,7 @@ TEST(Vdb, AFogVolumeOfAnotherProgramKeepsItsPlace) {
 
 TEST(Vdb, AFogVolumeOfAnythingButFractionsIsRefused) {
   HAPTICUT_NEEDS_DATA("vdb/smoke.vdb");  // densities up to 5.7
-  test::expect_refusal(
+  test::expect_refused(
       [] {
         return load_vdb(test::data_path("vdb/smoke.vdb"), {named("smoke"), "density"});
       },
@@ -261,7 +261,7 @@ TEST(Vdb, GridsThatCannotBeTakenAreRefusedWithWhatHelps) {
     openvdb::io::File file((folder / "a.vdb").string());
     file.write(grids);
     file.close();
-    test::expect_refusal([&] { return load_vdb(folder / "a.vdb", {named("clay"), grid}); }, part);
+    test::expect_refused([&] { return load_vdb(folder / "a.vdb", {named("clay"), grid}); }, part);
   };
   const auto exact = openvdb::DoubleGrid::create();
   exact->setName("exact");
@@ -277,11 +277,11 @@ TEST(Vdb, GridsThatCannotBeTakenAreRefusedWithWhatHelps) {
 TEST(Vdb, FilesOfTheWrongKindAreRefusedWithTheirContents) {
   HAPTICUT_NEEDS_DATA("vdb/sphere_points.vdb");
   const auto path = test::data_path("vdb/sphere_points.vdb");
-  test::expect_refusal([&] { return load_vdb(path); }, "'points'");
-  test::expect_refusal([&] { return load_vdb(path, {named("clay")}); }, "'points'");
+  test::expect_refused([&] { return load_vdb(path); }, "'points'");
+  test::expect_refused([&] { return load_vdb(path, {named("clay")}); }, "'points'");
   const auto sphere = test::data_path("vdb/sphere.vdb");
-  test::expect_refusal([&] { return load_vdb(sphere); }, "'ls_sphere'");
-  test::expect_refusal([&] { return load_vdb(sphere, {named("clay"), "other"}); }, "'other'");
+  test::expect_refused([&] { return load_vdb(sphere); }, "'ls_sphere'");
+  test::expect_refused([&] { return load_vdb(sphere, {named("clay"), "other"}); }, "'other'");
 }
 
 }  // namespace

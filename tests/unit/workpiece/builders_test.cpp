@@ -6,7 +6,7 @@
 #include <atomic>
 
 #include "hapticut/core/units.hpp"
-#include "support/named_material.hpp"
+#include "support/workpieces.hpp"
 
 namespace hapticut::builders_test {
 namespace {
@@ -31,11 +31,10 @@ TEST(BuildLayeredSlab, GivesEachLayerItsVolume) {
 }
 
 TEST(BuildSphere, ConvergesToItsVolume) {
-  const double exact = 4 * kPi / 3 * 8e-9;
-  const double coarse = build_sphere(Vec3(1, 2, 3) * mm, 2 * mm, 0.2 * mm, named("clay")).amounts()[0].volume;
-  const double fine = build_sphere(Vec3(1, 2, 3) * mm, 2 * mm, 0.1 * mm, named("clay")).amounts()[0].volume;
-  EXPECT_NEAR(coarse / exact, 1, 1e-4);
-  EXPECT_NEAR(fine / exact, 1, 3e-5);
+  for (const auto& [voxel, tolerance] : {std::pair{0.2 * mm, 1e-4}, {0.1 * mm, 3e-5}}) {
+    const Workpiece ball = build_sphere(Vec3(1, 2, 3) * mm, 2 * mm, voxel, named("clay"));
+    EXPECT_NEAR(test::solid_volume(ball) / (4 * kPi / 3 * 8e-9), 1, tolerance);
+  }
 }
 
 constexpr int kPoints = 32;  // per voxel edge
@@ -57,11 +56,9 @@ double counted_fill(const BodyDescription& body, const Workpiece& workpiece, con
 /// Largest difference between the fill of a voxel and the counted one.
 double worst_fill(const BodyDescription& body, const Workpiece& workpiece) {
   double worst = 0;
-  const IndexBox box = workpiece.bounds();
-  for (int i = box.min[0]; i <= box.max[0]; ++i)
-    for (int j = box.min[1]; j <= box.max[1]; ++j)
-      for (int k = box.min[2]; k <= box.max[2]; ++k)
-        worst = std::max(worst, std::abs(workpiece.fill_at({i, j, k}) - counted_fill(body, workpiece, {i, j, k})));
+  test::for_each_voxel(workpiece.bounds(), [&](const VoxelIndex& at) {
+    worst = std::max(worst, std::abs(workpiece.fill_at(at) - counted_fill(body, workpiece, at)));
+  });
   return worst;
 }
 
@@ -100,9 +97,7 @@ TEST(BuildBody, PutsFacesAlongTheGridWhereTheyAre) {
         EXPECT_NEAR(workpiece.fill_at(index), fill, 1e-5) << "axis " << axis << " shift " << shift;
         Vec3 middle = Vec3::Zero();
         middle[axis] = fill > 1e-6 && fill < 1 - 1e-6 ? (upper ? -1 : 1) * (1 - fill) / 2 : 0;
-        const auto steps = workpiece.centroid_at(index).steps;
-        const Vec3 centroid = Vec3(steps[0], steps[1], steps[2]) / CentroidOffset::kSteps;
-        EXPECT_LT((centroid - middle).norm(), kPacked) << "axis " << axis;
+        EXPECT_LT((test::centroid_of(workpiece, index) - middle).norm(), kPacked) << "axis " << axis;
       }
     const double kEdges = 1e-4;  // cells that two faces cut at once
     EXPECT_NEAR(workpiece.amounts()[0].volume / (high - low).prod(), 1, kEdges) << shift;
@@ -140,8 +135,8 @@ TEST(BuildBody, AsksTheFunctionOfASmoothBodyOnlyAFewTimesForEachVoxelOfItsSurfac
                                 only_material};
   (void)build_body(ball, 0.1 * mm, MaterialTable({named("clay")}));
   const double surface_voxels = 4 * kPi * 49 * 49;
-  EXPECT_LT(double(calls),
-            30 * surface_voxels);  // the centres of whole blocks included; point by point it would be 900
+  // The centres of whole blocks included; point by point it would be 900.
+  EXPECT_LT(double(calls), 30 * surface_voxels);
 }
 
 TEST(CentroidOffset, SurvivesPacking) {

@@ -57,15 +57,6 @@ RC_GTEST_PROP(VoxelSection, IntegralsAreThoseOfTheSection, ()) {
   RC_ASSERT(std::abs(found.cutting - expected.cutting) < 1e-3 * expected.depth);  // its edge lies within a step
 }
 
-// A thin layer's force is pressure times section: with the width of the slowest axis exactly that of the grid's steps,
-// sections add up to the plane wherever it lies. With both widths off they would ripple by 4 % along <111>.
-RC_GTEST_PROP(VoxelSection, TheSectionsOfARowOfVoxelsAddUpToAPlane, ()) {
-  const double largest = *number_between(0.57736, 1), shift = *number_between(0, 1);
-  double sum = 0;
-  for (int row = -3; row <= 3; ++row) sum += section(largest, (row + shift) * largest);
-  RC_ASSERT(std::abs(sum * largest - 1) < 1e-9);
-}
-
 RC_GTEST_PROP(VoxelSection, TheMeanDepthIsThatOfACubeThatAPlaneCuts, ()) {
   const Vec3 n = (*arbitrary_rotation()).col(0);
   const double fill = *number_between(0.02, 1), center = *number_between(-0.6, 0.6);  // [voxel edges]

@@ -6,31 +6,17 @@
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 #include "hapticut/workpiece/builders.hpp"
+#include "support/workpieces.hpp"
 
 namespace hapticut::workpiece_test {
 namespace {
 
+using test::cut_voxel;
+using test::named;
 using units::mm;
 
-Material clay() {
-  Material material;
-  material.name = "clay";
-  return material;
-}
-
-/// Empties one voxel the way the step does.
-bool cut_voxel(Workpiece& workpiece, const VoxelIndex& index) {
-  const VoxelIndex origin = {block_start(index[0]), block_start(index[1]), block_start(index[2])};
-  if (workpiece.writable_fill(origin) == nullptr) return false;
-  const int n = block_offset(index[0] - origin[0], index[1] - origin[1], index[2] - origin[2]);
-  BlockMask emptied;
-  emptied.add(n);
-  workpiece.empty_voxels(origin, emptied);
-  return true;
-}
-
 TEST(Workpiece, ASolidBlockOf256MillionVoxelsFitsIn16MegabytesUntilItIsCut) {
-  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(40, 40, 20) * mm}, 0.05 * mm, clay());
+  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(40, 40, 20) * mm}, 0.05 * mm, named("clay"));
   EXPECT_EQ(workpiece.solid_voxels(), std::int64_t(800) * 800 * 400);
   workpiece.reserve_blocks(2048);
   RecordProperty("tree_bytes", int(workpiece.memory_bytes()));
@@ -39,7 +25,7 @@ TEST(Workpiece, ASolidBlockOf256MillionVoxelsFitsIn16MegabytesUntilItIsCut) {
 }
 
 TEST(Workpiece, CuttingOneVoxelOfATileChangesThatVoxelOnly) {
-  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(40, 40, 40) * mm}, 0.1 * mm, clay());
+  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(40, 40, 40) * mm}, 0.1 * mm, named("clay"));
   workpiece.reserve_blocks(4);
   const std::int64_t before = workpiece.solid_voxels();
   ASSERT_TRUE(cut_voxel(workpiece, {200, 201, 202}));
@@ -52,7 +38,7 @@ TEST(Workpiece, CuttingOneVoxelOfATileChangesThatVoxelOnly) {
 }
 
 TEST(Workpiece, ABlockCutEmptyGoesBackToThePool) {
-  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(4, 4, 4) * mm}, 0.1 * mm, clay());
+  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(4, 4, 4) * mm}, 0.1 * mm, named("clay"));
   workpiece.reserve_blocks(1);
   for (int n = 0; n < kBlockVoxels; ++n) ASSERT_TRUE(cut_voxel(workpiece, voxel_at({8, 8, 8}, n)));
   EXPECT_TRUE(workpiece.block({8, 8, 8}).empty());
@@ -61,9 +47,9 @@ TEST(Workpiece, ABlockCutEmptyGoesBackToThePool) {
 }
 
 TEST(Workpiece, TakesOtherConstantsButNotAnotherNumberOfMaterials) {
-  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(1, 1, 1) * mm}, 0.1 * mm, clay());
+  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(1, 1, 1) * mm}, 0.1 * mm, named("clay"));
   const std::uint64_t before = workpiece.hash();
-  Material heavy = clay();
+  Material heavy = named("clay");
   heavy.density *= 2;
   const double mass = workpiece.amounts()[0].mass;
   workpiece.set_materials(MaterialTable({heavy}));
@@ -73,7 +59,7 @@ TEST(Workpiece, TakesOtherConstantsButNotAnotherNumberOfMaterials) {
 }
 
 TEST(Workpiece, AnExhaustedPoolLeavesTheBlockAsItIs) {
-  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(4, 4, 4) * mm}, 0.1 * mm, clay());
+  Workpiece workpiece = build_block({Vec3::Zero(), Vec3(4, 4, 4) * mm}, 0.1 * mm, named("clay"));
   workpiece.reserve_blocks(1);
   ASSERT_TRUE(cut_voxel(workpiece, {8, 8, 8}));
   const std::uint64_t before = workpiece.hash();
@@ -82,7 +68,7 @@ TEST(Workpiece, AnExhaustedPoolLeavesTheBlockAsItIs) {
 }
 
 TEST(Workpiece, RestoreBringsBackTheSnapshotBitByBit) {
-  Workpiece workpiece = build_sphere(Vec3::Zero(), 2 * mm, 0.1 * mm, clay());
+  Workpiece workpiece = build_sphere(Vec3::Zero(), 2 * mm, 0.1 * mm, named("clay"));
   workpiece.reserve_blocks(8);
   const WorkpieceSnapshot snapshot = workpiece.snapshot();
   const std::uint64_t before = workpiece.hash();
@@ -94,7 +80,7 @@ TEST(Workpiece, RestoreBringsBackTheSnapshotBitByBit) {
 }
 
 TEST(Workpiece, ACloneIsEqualAndIndependent) {
-  Workpiece original = build_sphere(Vec3::Zero(), 1 * mm, 0.1 * mm, clay());
+  Workpiece original = build_sphere(Vec3::Zero(), 1 * mm, 0.1 * mm, named("clay"));
   Workpiece copy = original.clone();
   EXPECT_EQ(copy.hash(), original.hash());
   copy.reserve_blocks(1);
@@ -104,7 +90,7 @@ TEST(Workpiece, ACloneIsEqualAndIndependent) {
 
 TEST(Workpiece, TheHashDoesNotDependOnHowAUniformBlockIsStored) {
   const auto build = [](bool as_tiles) {
-    return Workpiece::from_blocks({{0, 0, 0}, {15, 15, 15}}, GridFrame{}, MaterialTable({clay()}),
+    return Workpiece::from_blocks({{0, 0, 0}, {15, 15, 15}}, GridFrame{}, MaterialTable({named("clay")}),
                                   [&](const VoxelIndex&, BlockContent& content) {
                                     if (as_tiles) return BlockKind::solid(1);
                                     content.material.fill(1);
@@ -118,12 +104,13 @@ TEST(Workpiece, TheHashDoesNotDependOnHowAUniformBlockIsStored) {
 
 TEST(Workpiece, RefusesAMaterialIdThatIsNotInTheTable) {
   const auto fill_block = [](const VoxelIndex&, BlockContent&) { return BlockKind::solid(2); };
-  EXPECT_THROW((void)Workpiece::from_blocks({{0, 0, 0}, {7, 7, 7}}, GridFrame{}, MaterialTable({clay()}), fill_block),
-               Error);
+  EXPECT_THROW(
+      (void)Workpiece::from_blocks({{0, 0, 0}, {7, 7, 7}}, GridFrame{}, MaterialTable({named("clay")}), fill_block),
+      Error);
 }
 
 TEST(Workpiece, RefusesATrillionVoxels) {
-  EXPECT_THROW((void)build_block({Vec3::Zero(), Vec3(1, 1, 1)}, 0.1 * mm, clay()), Error);
+  EXPECT_THROW((void)build_block({Vec3::Zero(), Vec3(1, 1, 1)}, 0.1 * mm, named("clay")), Error);
 }
 
 }  // namespace

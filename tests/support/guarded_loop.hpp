@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "hapticut/device/simulated/device_models.hpp"
+#include "hapticut/safety/guard.hpp"
+
+namespace hapticut::test {
+
+inline constexpr double kPeriod = 1e-3;  // [s]
+
+/// A guard in a hand: readings with good time stamps, and forces through it.
+class GuardedLoop {
+ public:
+  explicit GuardedLoop(const GuardOptions& options = {}, const char* device = "touch")
+      : guard(capabilities(device_model(device)), options) {
+    guard.start();
+  }
+  Wrench tick(const Vec3& force = Vec3::Zero(), double period = kPeriod) { return tick(force, Vec3::Zero(), period); }
+  Wrench tick(const Vec3& force, const Vec3& torque, double period = kPeriod) {
+    reading.time += period;
+    ++reading.sequence;
+    guard.admit(reading);
+    return guard.release({force, torque}, contact);
+  }
+  /// Until the full force is allowed.
+  void engage() {
+    for (int n = 0; n < 5000 && guard.state() != ArmingState::on; ++n) tick();
+    ASSERT_EQ(guard.state(), ArmingState::on);
+  }
+  /// Of 1 N, which is given as soon as it has grown.
+  void push() {
+    for (int n = 0; n < 10; ++n) tick({0, 0, 1});
+    EXPECT_NEAR(tick({0, 0, 1}).force.z(), 1, 1e-12);
+  }
+  /// Pushes for a while: no force may come through, and the guard waits until the tool is free.
+  void expect_no_force_until_free() {
+    for (int n = 0; n < 100; ++n) {
+      EXPECT_TRUE(tick({0, 0, 1}).force.isZero(0));
+      EXPECT_EQ(guard.state(), ArmingState::wait_free);
+    }
+    engage();
+    push();
+  }
+  [[nodiscard]] std::uint64_t count(SafetyEvent event) const { return guard.log().count(event); }
+
+  SafetyGuard guard;
+  DeviceState reading;
+  ModelContact contact;
+};
+
+}  // namespace hapticut::test

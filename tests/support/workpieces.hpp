@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hapticut/workpiece/block_grid.hpp"
+#include "hapticut/workpiece/workpiece.hpp"
+#include "support/named_material.hpp"
+
+/// @file
+/// What tests ask of a workpiece, and do to it.
+namespace hapticut::test {
+
+/// Calls `function` with each index of a box, its ends included.
+template <class Function>
+void for_each_voxel(const IndexBox& box, const Function& function) {
+  for (int i = box.min[0]; i <= box.max[0]; ++i)
+    for (int j = box.min[1]; j <= box.max[1]; ++j)
+      for (int k = box.min[2]; k <= box.max[2]; ++k) function(VoxelIndex{i, j, k});
+}
+
+/// [m^3] of all materials
+inline double solid_volume(const Workpiece& workpiece) {
+  double sum = 0;
+  for (const MaterialAmount& amount : workpiece.amounts()) sum += amount.volume;
+  return sum;
+}
+
+/// [voxels] from the centre of a voxel to that of its filled part
+inline Vec3 centroid_of(const Workpiece& workpiece, const VoxelIndex& at) {
+  const auto steps = workpiece.centroid_at(at).steps;
+  return Vec3(steps[0], steps[1], steps[2]) / CentroidOffset::kSteps;
+}
+
+/// Empties one voxel the way the step does.  @return false: the pool is exhausted
+inline bool cut_voxel(Workpiece& workpiece, const VoxelIndex& at) {
+  const VoxelIndex origin = {block_start(at[0]), block_start(at[1]), block_start(at[2])};
+  if (workpiece.writable_fill(origin) == nullptr) return false;
+  BlockMask emptied;
+  emptied.add(block_offset(at[0] - origin[0], at[1] - origin[1], at[2] - origin[2]));
+  workpiece.empty_voxels(origin, emptied);
+  return true;
+}
+
+}  // namespace hapticut::test
