@@ -9,14 +9,6 @@
 /// What tests ask of a workpiece, and do to it.
 namespace hapticut::test {
 
-/// Calls `function` with each index of a box, its ends included.
-template <class Function>
-void for_each_voxel(const IndexBox& box, const Function& function) {
-  for (int i = box.min[0]; i <= box.max[0]; ++i)
-    for (int j = box.min[1]; j <= box.max[1]; ++j)
-      for (int k = box.min[2]; k <= box.max[2]; ++k) function(VoxelIndex{i, j, k});
-}
-
 /// [m^3] of all materials
 inline double solid_volume(const Workpiece& workpiece) {
   double sum = 0;

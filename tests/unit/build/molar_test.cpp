@@ -16,7 +16,7 @@
 namespace hapticut::molar_test {
 namespace {
 
-using test::for_each_voxel;
+using for_each_voxel;
 using units::mm;
 
 constexpr double kCoarse = 0.2 * mm;

@@ -67,7 +67,7 @@ double ball_volume(double r) { return 4 * kPi / 3 * r * r * r; }
 /// How many voxels with a centre between two distances from the middle are of a material.
 int voxels_between(const Workpiece& workpiece, double from, double to, MaterialId material) {
   int count = 0;
-  test::for_each_voxel(workpiece.bounds(), [&](const VoxelIndex& at) {
+  for_each_voxel(workpiece.bounds(), [&](const VoxelIndex& at) {
     const double r = (workpiece.frame().center(at) - kMiddle).norm();
     count += r >= from && r < to && workpiece.material_at(at) == material ? 1 : 0;
   });
@@ -99,7 +99,7 @@ TEST(PartialVolume, ChangesNeitherFillNorCentroid) {
   const GreyVolume volume = scan({kAir, {{6 * mm, kHard}, {5 * mm, kSoft}}}, 0.6 * mm, 0.3 * mm);
   const Workpiece on = build_from_grey(volume, kRanges, {.voxel_size = 0.25 * mm});
   const Workpiece off = build_from_grey(volume, kRanges, {.voxel_size = 0.25 * mm, .partial_volume = false});
-  test::for_each_voxel(off.bounds(), [&](const VoxelIndex& at) {
+  for_each_voxel(off.bounds(), [&](const VoxelIndex& at) {
     ASSERT_EQ(on.fill_at(at), off.fill_at(at));
     ASSERT_EQ(on.centroid_at(at).steps, off.centroid_at(at).steps);
   });

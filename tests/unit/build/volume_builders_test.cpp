@@ -51,7 +51,7 @@ struct Moments {
 Moments moments_of(const Workpiece& workpiece) {
   Moments m;
   const double h = workpiece.voxel_size();
-  test::for_each_voxel(workpiece.bounds(), [&](const VoxelIndex& at) {
+  for_each_voxel(workpiece.bounds(), [&](const VoxelIndex& at) {
     const double part = workpiece.fill_at(at) * h * h * h;
     if (part == 0) return;
     const Vec3 p_VC = h * (Vec3(at[0], at[1], at[2]) + test::centroid_of(workpiece, at));

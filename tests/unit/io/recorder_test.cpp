@@ -58,7 +58,7 @@ class SharedCounter {
 TEST(RecorderChild, DISABLED_RecordsUntilItIsKilled) {
   const std::filesystem::path folder = std::getenv(kFolderVariable);
   SharedCounter steps(folder / "counter");
-  const Scene& scene = find_scene("axial_flat");
+  const test::Scene& scene = test::find_scene("axial_flat");
   Simulation simulation = scene.make();
   Recorder recorder(folder / "killed.h5", simulation);
   PeriodicClock clock(1e-3);
@@ -107,7 +107,7 @@ TEST(Recorder, LosesLessThanASecondWhenItsProcessIsKilled) {
 
 TEST(Recorder, CountsTheStepsThatFindItsMemoryFullAndTheRecordingSaysSo) {
   const TemporaryFolder folder;
-  Simulation simulation = find_scene("axial_flat").make();
+  Simulation simulation = test::find_scene("axial_flat").make();
   RecorderOptions options;
   options.steps = 16;
   Recorder recorder(folder / "a.h5", simulation, options);
@@ -131,7 +131,7 @@ TEST(Recorder, CountsTheStepsThatFindItsMemoryFullAndTheRecordingSaysSo) {
 
 TEST(Recorder, LosesNothingWhereItMayWait) {
   const TemporaryFolder folder;
-  Simulation simulation = find_scene("axial_flat").make();
+  Simulation simulation = test::find_scene("axial_flat").make();
   RecorderOptions options = patient();
   options.steps = 16;
   Recorder recorder(folder / "a.h5", simulation, options);
@@ -143,7 +143,7 @@ TEST(Recorder, LosesNothingWhereItMayWait) {
 
 TEST(Recorder, CountsTheStepsAfterItsEndAsLostAndDoesNotWaitForRoom) {
   const TemporaryFolder folder;
-  Simulation simulation = find_scene("axial_flat").make();
+  Simulation simulation = test::find_scene("axial_flat").make();
   RecorderOptions options = patient();
   options.steps = 16;
   Recorder recorder(folder / "a.h5", simulation, options);
@@ -157,7 +157,7 @@ TEST(Recorder, CountsTheStepsAfterItsEndAsLostAndDoesNotWaitForRoom) {
 
 TEST(Recorder, EndsTheRecordingWhereTheWorkpieceIsExchanged) {
   const TemporaryFolder folder;
-  const Scene& scene = find_scene("axial_flat");
+  const test::Scene& scene = test::find_scene("axial_flat");
   for (const bool reset : {false, true}) {
     Simulation simulation = scene.make();
     const WorkpieceSnapshot fresh = simulation.snapshot();
@@ -184,7 +184,7 @@ TEST(Recorder, RecordsEveryStepOfAFastToolBehindACoupling) {
   config.reference_stiffness = 1e15;
   config.contact_time = ContactTime::end;
   Simulation simulation(build_block({Vec3(-3e-3, -3e-3, -3e-3), Vec3(3e-3, 3e-3, 0)}, 1e-4,
-                                    find_scene("axial_flat").make().workpiece().materials()[1]),
+                                    test::find_scene("axial_flat").make().workpiece().materials()[1]),
                         Tool(SphereHead{1e-3}, RayHandle{0}, Spindle{2000 * units::rad_per_s}), config);
   VirtualCoupling coupling(simulation, {});
   Recorder recorder(folder / "a.h5", simulation, patient());
@@ -221,7 +221,7 @@ TEST(Recorder, RecordsEveryStepOfAFastToolBehindACoupling) {
 
 TEST(Recorder, RecordsTheStepsThatSomebodyElseMakes) {
   const TemporaryFolder folder;
-  Simulation simulation = find_scene("axial_flat").make();
+  Simulation simulation = test::find_scene("axial_flat").make();
   Recorder recorder(folder / "a.h5", simulation, patient());
   step_in_the_air(recorder, 10);
   simulation.step({}, {}, 1e-3);
@@ -232,7 +232,7 @@ TEST(Recorder, RecordsTheStepsThatSomebodyElseMakes) {
 
 TEST(Recorder, GoesOnSteppingWhenTheDiskIsFullAndSaysSoAtTheEnd) {
   const TemporaryFolder folder;
-  Simulation simulation = find_scene("axial_flat").make();
+  Simulation simulation = test::find_scene("axial_flat").make();
   {
     const test::NoDiskSpace full(16 << 20);
     Recorder recorder(folder / "a.h5", simulation, patient());
@@ -251,7 +251,7 @@ TEST(Recorder, GoesOnSteppingWhenTheDiskIsFullAndSaysSoAtTheEnd) {
 
 TEST(Recorder, HasFailedWhereItsEndCannotBeWritten) {
   const TemporaryFolder folder;
-  Simulation simulation = find_scene("axial_flat").make();
+  Simulation simulation = test::find_scene("axial_flat").make();
   Recorder recorder(folder / "a.h5", simulation, patient());
   step_in_the_air(recorder, 10);
   EXPECT_FALSE(recorder.failed());
@@ -263,7 +263,7 @@ TEST(Recorder, HasFailedWhereItsEndCannotBeWritten) {
 
 TEST(Recorder, RefusesPlacesAndOptionsThatCannotBe) {
   const TemporaryFolder folder;
-  Simulation simulation = find_scene("axial_flat").make();
+  Simulation simulation = test::find_scene("axial_flat").make();
   EXPECT_THROW(Recorder(folder / "no/such/folder.h5", simulation), Error);
   EXPECT_THROW(Recorder(folder / "", simulation), Error);
   RecorderOptions options;
@@ -279,7 +279,7 @@ TEST(Recorder, RefusesPlacesAndOptionsThatCannotBe) {
 
 TEST(Recorder, EndsWhenAPieceThatWasCutLooseLeavesAndWhatCameBeforeReplays) {
   const TemporaryFolder folder;
-  Simulation simulation = find_scene("axial_flat").make();
+  Simulation simulation = test::find_scene("axial_flat").make();
   Recorder recorder(folder / "a.h5", simulation, patient());
   step_in_the_air(recorder, 10);
   BlockVoxels some;
@@ -297,7 +297,7 @@ TEST(Recorder, EndsWhenAPieceThatWasCutLooseLeavesAndWhatCameBeforeReplays) {
 
 TEST(Recorder, IsOneOfTheObserversOfItsSimulation) {
   const TemporaryFolder folder;
-  Simulation simulation = find_scene("axial_flat").make();
+  Simulation simulation = test::find_scene("axial_flat").make();
   {
     Recorder first(folder / "a.h5", simulation, patient()), second(folder / "b.h5", simulation, patient());
     step_in_the_air(first, 10);

@@ -61,7 +61,7 @@ void expect_identical(const ReplayReport& report, std::uint64_t steps, const std
 
 TEST(Recording, ReplaysEverySceneWithTheSameBits) {
   const TemporaryFolder folder;
-  for (const Scene& scene : scenes()) {
+  for (const test::Scene& scene : test::scenes()) {
     const Recording recording = read_recording(test::record_scene(folder / "scene.h5", scene.name, 700));
     EXPECT_TRUE(recording.info().closed);
     EXPECT_TRUE(recording.info().remarks.empty());

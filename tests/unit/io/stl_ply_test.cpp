@@ -50,7 +50,7 @@ TEST(StlFormat, TextOfCarelessProgramsIsRead) {
 
 TEST(StlFormat, DamagedTextIsRefusedWithTheLine) {
   const std::string solid = std::string("solid one\n") + kFacet + "endsolid one\n";
-  expect_refused(
+  expect_all_refused(
       parse_stl,
       {{solid.substr(0, solid.find("endsolid")), "ends before 'endsolid'"},
        {solid.substr(0, 40), "ends before 'endsolid'"},
@@ -187,7 +187,7 @@ constexpr char kPlyHeader[] =
 TEST(PlyFormat, DamagedFilesAreRefusedWithTheirPlace) {
   const std::string header = kPlyHeader, vertices = "0 0 0\n1 0 0\n0 1 0\n";
   EXPECT_EQ(error_of(parse_ply, header + vertices + "3 0 1 2\n"), "");
-  expect_refused(
+  expect_all_refused(
       parse_ply,
       {{"plx\n", "does not begin like a PLY file"},
        {"ply", "does not begin like a PLY file"},

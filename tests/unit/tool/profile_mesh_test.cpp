@@ -133,7 +133,7 @@ TEST(RecognizedProfile, TurnsTheAxisTowardsTheShank) {
 
 // --- what is not a body of revolution -------------------------------------------------------------------------------
 
-void expect_no_body_of_revolution(const TriangleMesh& mesh, std::initializer_list<const char*> words) {
+void expect_no_body_of_revolution(const TriangleMesh& mesh, std::initializer_list<std::string> words) {
   test::expect_refused([&] { (void)profile_from_mesh(mesh); }, words);
 }
 

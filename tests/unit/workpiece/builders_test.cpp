@@ -56,7 +56,7 @@ double counted_fill(const BodyDescription& body, const Workpiece& workpiece, con
 /// Largest difference between the fill of a voxel and the counted one.
 double worst_fill(const BodyDescription& body, const Workpiece& workpiece) {
   double worst = 0;
-  test::for_each_voxel(workpiece.bounds(), [&](const VoxelIndex& at) {
+  for_each_voxel(workpiece.bounds(), [&](const VoxelIndex& at) {
     worst = std::max(worst, std::abs(workpiece.fill_at(at) - counted_fill(body, workpiece, at)));
   });
   return worst;
