@@ -14,8 +14,8 @@ using units::mm;
 
 /// With these words, in a whole sentence.
 template <class Action>
-void expect_refused(const Action& action, std::initializer_list<const char*> words) {
-  expect_refused(action, words);
+void expect_refused(const Action& action, std::initializer_list<std::string> words) {
+  test::expect_refused(action, words);
   EXPECT_TRUE(refusal(action).ends_with('.')) << refusal(action);
 }
 

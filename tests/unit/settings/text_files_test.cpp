@@ -4,21 +4,16 @@
 
 #include <string>
 
-#include "hapticut/core/errors.hpp"
 #include "settings/pose_file.hpp"
 #include "settings/profile_file.hpp"
+#include "support/refusal.hpp"
 
 namespace hapticut::text_files_test {
 namespace {
 
 template <class Read>
 std::string refusal(const Read& read, const std::string& text) {
-  try {
-    (void)read(text);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal([&] { return read(text); });
 }
 
 const auto kReadPoses = [](const std::string& text) {
