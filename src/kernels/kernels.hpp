@@ -140,8 +140,8 @@ struct PressTask {
   BlockChange change;           ///< the result
 };
 
-/// Stages `sample_contact`, `evaluate_law` of FoundationLaw and `sum_resultant` in one pass that never leaves the
-/// registers: what the step runs unless it was given another law.
+/// Stages `sample_contact`, `evaluate_law` of FoundationLaw and `sum_resultant` in one pass, which stores a sample
+/// once, in a list: what the step runs unless it was given another law.
 /// @param sums       of the sub-step, to add to; `pressed` says what they mean
 /// @param stiffness  sums to add to; null: not wanted
 /// @param friction   likewise; of a head that stands

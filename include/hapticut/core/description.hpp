@@ -25,8 +25,8 @@
 ///       return std::tuple{field("radius", &Ball::radius, "m", Range::positive(), "to the cutting surface")};
 ///     }
 ///
-/// Validation, settings files and their help, recordings, .vdb files, Python with its docstrings and the tables of the
-/// documentation all go through this list. So a new field is a member and a line; its default stands at the member.
+/// Validation, settings files and their help, recordings, .vdb files and Python with its docstrings go through this
+/// list; tables of pages are compared with it. A new field is a member and a line; its default stands at the member.
 namespace hapticut {
 
 /// The numbers that a field may have.

@@ -100,8 +100,8 @@ inline constexpr std::size_t kHeadDimensions = names_of(Of<HeadDimension>{}).siz
   return dimension == tiers ? "1" : "m";
 }
 
-/// A shape of heads: what it is called, what describes it, how it is made. Settings, the page, tests and docs/heads.md
-/// walk `head_shapes`: a new bur is a function above and an entry there.
+/// A shape of heads: what it is called, what describes it, how it is made. Settings, the browser page, tests and the
+/// drawing in docs/heads.md walk `head_shapes`. CONTRIBUTING.md lists where a new bur goes.
 struct HeadShape {
   struct Dimension {
     HeadDimension what;

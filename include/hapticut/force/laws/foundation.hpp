@@ -46,7 +46,7 @@ namespace hapticut {
 class FoundationLaw final : public ForceLaw {
  public:
   /// The place to read the formulas, and the reference for the vector instructions that a simulation runs instead
-  /// (src/kernels/press-inl.hpp). The block must be sampled by Quadrature::sub_voxel.
+  /// (`press_parts_of` in src/kernels/cut_voxels-inl.hpp). The block must be sampled by Quadrature::sub_voxel.
   LawTotals evaluate(const HeadMotion& motion, const ContactMaterials& materials,
                      ContactBlock& block) const noexcept override {
     HAPTICUT_ASSERT(block.sub_voxel);

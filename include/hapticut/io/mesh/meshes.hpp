@@ -9,8 +9,8 @@
 #include "hapticut/core/mesh.hpp"
 
 /// @file
-/// Triangle meshes from and to files. Files hold plain numbers; here they are millimetres, and metres in glTF, unless
-/// `unit_mm` says otherwise.
+/// Triangle meshes from and to files. Files hold plain numbers: millimetres unless `unit_mm` says otherwise, or the
+/// format does (`read_mesh`).
 namespace hapticut {
 
 /// One object of a mesh file.
