@@ -55,6 +55,14 @@ inline void append_part(std::string& list, std::string_view part, std::string_vi
   list += part;
 }
 
+/// Words with a blank between each two.
+template <class Words>
+[[nodiscard]] std::string in_one_line(const Words& words) {
+  std::string line;
+  for (const std::string_view word : words) append_part(line, word, " ");
+  return line;
+}
+
 /// What a table has for a key, or null.
 template <class Key, class Value, std::size_t kCount, class Wanted>
 [[nodiscard]] constexpr const Value* found_in(const std::pair<Key, Value> (&table)[kCount], const Wanted& wanted) {

@@ -15,8 +15,8 @@ namespace hapticut::settings {
 /// < 0: hollow); `kind` of the edge from the point before, `cutting` (or no column) or `smooth`. The first point is the
 /// tip, its radius and kind mean nothing. Empty lines and lines that begin with # are skipped.
 ///
-/// Any other file is a mesh (STL, PLY, OBJ, OFF), where the program was built with the component io: one object, in mm,
-/// that is a body of revolution, with its shank towards +z.
+/// Any other file is a mesh of a format that read_mesh reads, where the program was built with the component io: one
+/// object that is a body of revolution, in the unit that its format has there, with its shank towards +z.
 /// @throws Error `file:line: ...`, or as profile_from_mesh
 [[nodiscard]] Profile read_profile(const std::filesystem::path& path);
 

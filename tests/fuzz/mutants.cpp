@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads many damaged files: hapticut_mutants COUNT [SEED [FOLDER_OF_FINDINGS [MORE_SEEDS...]]]. Each mutant is a right
-// file with some bytes changed, and must be read, or refused by one sentence that names it, within 20 s and 4 GB.
-// MORE_SEEDS are files; what their names end in says how they are read. The last line counts what was found; the exit
-// code is 0 when nothing was.
+// file with some bytes changed, and must be read, or refused by one sentence that names it, within 20 s and 4 GB; the
+// right files are read first. MORE_SEEDS are files; what their names end in says how they are read. The last line
+// counts what was found; the exit code is 0 when nothing was, 1 when something was or a right file is not read, and 2
+// when nobody knows how to read one of MORE_SEEDS.
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
 #include <random>
 #include <stdexcept>
 
@@ -129,18 +129,29 @@ std::string fault_of(const std::string& sentence, const fs::path& file) {
   return "";
 }
 
+/// Writes a file, and beside it the slice that it is read with, which stays right.
+fs::path write_file(const MutantSeed& seed, const std::string& bytes, const fs::path& folder) {
+  fs::path path = folder / seed.path.filename();
+  write_bytes(path, bytes);
+  if (seed.format == "slices") write_bytes(folder / ("a2" + path.extension().string()), seed.bytes);
+  constexpr std::string_view kPlace = "\\20\\0.7", kNext = "\\20\\1.4";  // of the slice among our own seeds
+  if (const std::size_t at = seed.bytes.find(kPlace); seed.format == "dicom" && at != std::string::npos)
+    write_bytes(folder / "companion2.dcm", std::string(seed.bytes).replace(at, kPlace.size(), kNext));
+  return path;
+}
+
+void make_empty(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder)) fs::remove(entry.path());
+}
+
 /// One mutant of many: which seed, and how it is changed, follow from its number alone.
 void read_mutant(const std::vector<MutantSeed>& seeds, std::uint64_t seed, std::uint64_t index, const fs::path& folder,
                  Shared& shared) {
   Mutator mutator(seed * 1'000'003 + index);
   const MutantSeed& chosen = seeds[mutator.below(seeds.size())];
   const std::string bytes = mutator.mutant_of(chosen.bytes, seeds[mutator.below(seeds.size())].bytes);
-  fs::path path = folder / chosen.path.filename();
-  write_bytes(path, bytes);
+  const fs::path path = write_file(chosen, bytes, folder);
   shared.format[chosen.format.copy(shared.format, sizeof shared.format - 1)] = '\0';
-  if (chosen.format == "slices") write_bytes(folder / ("a2" + path.extension().string()), chosen.bytes);
-  if (const std::size_t place = chosen.bytes.find("\\0.7000"); chosen.format == "dicom" && place != std::string::npos)
-    write_bytes(folder / "companion2.dcm", std::string(chosen.bytes).replace(place, 7, "\\1.4000"));
   std::string fault;
   try {
     read_as(chosen.format, path);
@@ -158,7 +169,7 @@ void read_mutant(const std::vector<MutantSeed>& seeds, std::uint64_t seed, std::
     std::fflush(stdout);
     ::_exit(3);
   }
-  for (const auto& entry : fs::directory_iterator(folder)) fs::remove(entry.path());
+  make_empty(folder);
 }
 
 /// Numbers in a file that processes share.
@@ -195,11 +206,36 @@ int run_again(std::vector<std::string> arguments) {
   return status;
 }
 
-int work(const fs::path& folder, std::uint64_t count, std::uint64_t seed) {
+/// Bounds the memory of this process, and keeps what it prints on stderr.
+void begin_reading(const fs::path& folder) {
   const rlimit memory = {kMostMemory, kMostMemory};
   ::setrlimit(RLIMIT_AS, &memory);
   const int errors = ::open((folder / "stderr").c_str(), O_CREAT | O_WRONLY | O_APPEND, 0600);
   ::dup2(errors, STDERR_FILENO);
+}
+
+/// Reads each seed as it is: where one is refused, so are its mutants, and nothing is tried.
+/// @return exit code
+int read_seeds(const fs::path& folder) {
+  begin_reading(folder);
+  int refused = 0;
+  for (const MutantSeed& seed : seeds_in(folder / "seeds")) {
+    ::alarm(kLongest);
+    const fs::path path = write_file(seed, seed.bytes, folder / "work");
+    try {
+      read_as(seed.format, path);
+    } catch (const std::exception& error) {
+      ++refused;
+      std::printf("seed %s of %s: %s\n", seed.path.filename().c_str(), seed.format.c_str(), error.what());
+      std::fflush(stdout);
+    }
+    make_empty(folder / "work");
+  }
+  return refused == 0 ? 0 : 1;
+}
+
+int work(const fs::path& folder, std::uint64_t count, std::uint64_t seed) {
+  begin_reading(folder);
   Shared& shared = shared_in(folder / "shared");
   const std::vector<MutantSeed> seeds = seeds_in(folder / "seeds");
   while (shared.index < count) {
@@ -210,13 +246,24 @@ int work(const fs::path& folder, std::uint64_t count, std::uint64_t seed) {
   return 0;  // as a program ends: libraries have their last word
 }
 
-std::string format_of(const fs::path& path) {
-  static const std::map<std::string, std::string> kEndings = {
-      {".nrrd", "nrrd"}, {".nii", "nifti"},    {".mha", "meta"},     {".dcm", "dicom"},
-      {".stl", "stl"},   {".ply", "ply"},      {".obj", "obj"},      {".off", "off"},
+/// Puts files of others beside our own.
+/// @return whether their endings say how each of them is read; else a message says which does not
+bool take_seeds(const std::vector<fs::path>& files, const fs::path& seeds) {
+  static constexpr std::pair<std::string_view, const char*> kEndings[] = {
+      {".nrrd", "nrrd"}, {".nii", "nifti"},    {".gz", "nifti"},     {".mha", "meta"}, {".dcm", "dicom"},
+      {".inv3", "inv3"}, {".stl", "stl"},      {".ply", "ply"},      {".obj", "obj"},  {".off", "off"},
       {".vdb", "vdb"},   {".h5", "recording"}, {".toml", "settings"}};
-  const auto found = kEndings.find(path.extension().string());
-  return found == kEndings.end() ? "" : found->second;
+  for (const fs::path& file : files) {
+    const char* const* format = found_in(kEndings, extension_in_lower_case(file));
+    if (format == nullptr) {
+      std::fprintf(stderr, "%s: its ending does not say how it is read; seeds end in", file.c_str());
+      for (const auto& [ending, name] : kEndings) std::fprintf(stderr, " %s", std::string(ending).c_str());
+      std::fputs(".\n", stderr);
+      return false;
+    }
+    fs::copy_file(file, seeds / *format / file.filename());
+  }
+  return true;
 }
 
 int run(int argc, char** argv) {
@@ -227,9 +274,12 @@ int run(int argc, char** argv) {
   fs::create_directories(folder / "work");
   const std::string root = (folder / "").string();
   if (run_again({"--seeds", (folder / "seeds").string()}) != 0) throw std::runtime_error("the seeds cannot be written");
-  for (int n = 4; n < argc; ++n)
-    if (const std::string format = format_of(argv[n]); !format.empty())
-      fs::copy_file(argv[n], folder / "seeds" / format / fs::path(argv[n]).filename());
+  if (!take_seeds({argv + std::min(argc, 4), argv + argc}, folder / "seeds")) return 2;
+  if (const int status = run_again({"--unchanged", root}); status != 0) {
+    std::printf("not every seed is read as it is (%s %d)\n", WIFSIGNALED(status) ? "signal" : "exit code",
+                WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status));
+    return 1;
+  }
   const std::size_t seed_count = seeds_in(folder / "seeds").size();
   Shared& shared = shared_in(folder / "shared");
   int findings = 0;
@@ -246,7 +296,7 @@ int run(int argc, char** argv) {
       fs::create_directories(kept);
       fs::copy(folder / "work", kept, fs::copy_options::overwrite_existing);
     }
-    for (const auto& entry : fs::directory_iterator(folder / "work")) fs::remove(entry.path());
+    make_empty(folder / "work");
     ++shared.index;
   }
   const std::string printed = read_bytes(folder / "stderr");
@@ -272,6 +322,7 @@ int main(int argc, char** argv) {
   }
   const std::string mode = argv[1];
   if (mode == "--seeds") return hapticut::test::write_seeds(argv[2]), 0;
+  if (mode == "--unchanged") return hapticut::test::read_seeds(argv[2]);
   if (mode == "--work")
     return hapticut::test::work(argv[2], std::strtoull(argv[3], nullptr, 10), std::strtoull(argv[4], nullptr, 10));
   return hapticut::test::run(argc, argv);

@@ -9,25 +9,26 @@
 #include "hapticut/io/recording/recording.hpp"
 #include "hapticut/io/vdb/vdb.hpp"
 #include "hapticut/io/volume/volumes.hpp"
+#include "io/mesh/mesh_extensions.hpp"
 #include "settings/pose_file.hpp"
 #include "settings/profile_file.hpp"
 #include "settings/scene_settings.hpp"
 #include "settings/settings_file.hpp"
 
 /// @file
-/// Reads a file as what its folder of seeds says it is.
+/// Reads a file as what its folder of seeds says it is, and a mesh by the ending of its name.
 namespace hapticut::test {
 
 /// @throws Error when it is refused; anything else that is thrown is a finding
 inline void read_as(const std::string& format, const std::filesystem::path& path) {
   // A slice is one of two.
   const bool series = std::filesystem::exists(path.parent_path() / "companion2.dcm");
-  if (format == "dicom" && series)
+  if (is_mesh_file(path))
+    (void)read_mesh(path);
+  else if (format == "dicom" && series)
     (void)read_grey_volume(path.parent_path());
   else if (format == "slices")
     (void)read_grey_volume(path.parent_path(), {.spacing = Vec3::Constant(1e-3)});
-  else if (format == "stl" || format == "ply" || format == "obj" || format == "off")
-    (void)read_mesh(path);
   else if (format == "vdb")
     (void)load_vdb(path);
   else if (format == "recording") {
@@ -36,7 +37,7 @@ inline void read_as(const std::string& format, const std::filesystem::path& path
     (void)recording.workpiece();
   } else if (format == "settings") {
     settings::SceneSettings scene;
-    settings::read_settings_file(path, settings_of(scene));
+    settings::read_settings_file(path, settings_of(scene), {"output", "loop"});
   } else if (format == "poses")
     (void)settings::read_poses(path, Mat3::Identity());
   else if (format == "profile")

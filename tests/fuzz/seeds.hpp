@@ -52,8 +52,10 @@ inline void volumes(const std::filesystem::path& folder) {
       "space: left-posterior-superior\nspace directions: (0.1,0,0) (0,0.2,0) (0,0,0.7)\nspace origin: (1,2,3)\n";
   write_bytes(folder / "nrrd/raw.nrrd", nrrd(oblique + "encoding: raw\n", data));
   write_bytes(folder / "nrrd/gzip.nrrd", nrrd("spacings: 1 1 2\naxis mins: 0 0 0\nencoding: gzip\n", gzipped(data)));
-  write_bytes(folder / "nrrd/text.nrrd", nrrd("encoding: ascii\nspace units: \"um\" \"um\" \"um\"\n", as_text(values)));
-  write_bytes(folder / "nrrd/skip.nrrd", nrrd("encoding: raw\nbyte skip: -1\nline skip: 1\n", "a line\n" + data));
+  write_bytes(folder / "nrrd/text.nrrd",
+              nrrd("encoding: ascii\nspacings: 90 90 90\nspace units: \"um\" \"um\" \"um\"\n", as_text(values)));
+  write_bytes(folder / "nrrd/skip.nrrd",
+              nrrd("spacings: 1 1 1\nencoding: raw\nbyte skip: -1\nline skip: 1\n", "a line\n" + data));
   NiftiFile nifti;
   nifti.values = values;
   write_bytes(folder / "nifti/plain.nii", nifti.bytes());
@@ -105,7 +107,7 @@ inline void texts(const std::filesystem::path& folder) {
               "feed_mm_per_s = 4\napproach_mm = 1\n[simulation]\nrate_Hz = 500\nthesis_mode = true\n[output]\n"
               "json = \"a.json\"\n");
   write_bytes(folder / "poses/a.csv",
-              "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n# a comment\n1,2,3,4,0.7,0.7,0,0\n");
+              "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n# a comment\n1,2,3,4,0.6,0.8,0,0\n");
   write_bytes(folder / "poses/b.csv",
               "\xEF\xBB\xBFr00,r01,r02,r10,r11,r12,r20,r21,r22,t_s,x_mm,y_mm,z_mm,remark\r\n"
               "1,0,0,0,1,0,0,0,1,0,1e-3,2,3,a\r\n0,-1,0,1,0,0,0,0,1,0.5,4,5,6,\r\n");

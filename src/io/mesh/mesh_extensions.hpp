@@ -4,21 +4,45 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "hapticut/core/errors.hpp"
+#include "io/file_errors.hpp"
+#include "io/mesh/mesh_formats.hpp"
 #include "io/text_lines.hpp"
 
 /// @file
-/// Which files are meshes and how long their units are, by the endings of their names.
+/// Which files are meshes, how each is read and how long its units are, by the ending of its name.
 namespace hapticut {
 
-/// Read by the library itself; the last two through Assimp. Its other formats are left out: on damaged 3MF, COLLADA and
-/// other files it ends the program or never comes back, and of 3DS files it turns the transforms of objects into
-/// others.
-inline constexpr std::array<std::string_view, 6> kMeshExtensions = {".obj", ".stl", ".ply", ".off", ".glb", ".gltf"};
+struct MeshFormat {
+  std::string_view ending;  ///< in lower case
+  Polygons (*read)(const std::filesystem::path& path);
+  double unit_mm;  ///< [mm] length of one unit where nobody says it
+};
+
+/// Reads a file with a parser of our own.
+template <Polygons (*kParse)(std::string_view)>
+Polygons parsed(const std::filesystem::path& path) {
+  return kParse(bytes_of_file(path));
+}
+
+/// All that are read. glTF is in metres by its specification, the others say nothing. Other formats of Assimp are left
+/// out: on damaged 3MF, COLLADA and other files it ends the program or never comes back, and of 3DS files it turns the
+/// transforms of objects into others.
+inline constexpr MeshFormat kMeshFormats[] = {{".stl", parsed<parse_stl>, 1},    {".ply", parsed<parse_ply>, 1},
+                                              {".obj", parsed<parse_obj>, 1},    {".off", parsed<parse_off>, 1},
+                                              {".gltf", read_with_assimp, 1000}, {".glb", read_with_assimp, 1000}};
+
+/// Those of the table, for callers that read no mesh: they need not be linked to the parsers.
+inline constexpr auto kMeshEndings = [] {
+  std::array<std::string_view, std::size(kMeshFormats)> endings;
+  std::ranges::transform(kMeshFormats, endings.begin(), &MeshFormat::ending);
+  return endings;
+}();
 
 /// The ending of a name, in lower case.
 [[nodiscard]] inline std::string extension_in_lower_case(const std::filesystem::path& path) {
@@ -26,13 +50,19 @@ inline constexpr std::array<std::string_view, 6> kMeshExtensions = {".obj", ".st
 }
 
 [[nodiscard]] inline bool is_mesh_file(const std::filesystem::path& path) {
-  return std::ranges::find(kMeshExtensions, extension_in_lower_case(path)) != kMeshExtensions.end();
+  return std::ranges::find(kMeshEndings, extension_in_lower_case(path)) != kMeshEndings.end();
 }
 
-/// [mm] Length of one unit where nobody says it: glTF is in metres by its specification, the others say nothing.
+/// By the ending of its name; null where that is none of a mesh.
+[[nodiscard]] inline const MeshFormat* mesh_format_of(const std::filesystem::path& path) {
+  const MeshFormat* const found = std::ranges::find(kMeshFormats, extension_in_lower_case(path), &MeshFormat::ending);
+  return found == std::end(kMeshFormats) ? nullptr : found;
+}
+
+/// [mm] Length of one unit where nobody says it.
 [[nodiscard]] inline double common_unit_mm(const std::filesystem::path& path) {
-  const std::string extension = extension_in_lower_case(path);
-  return extension == ".glb" || extension == ".gltf" ? 1000 : 1;
+  const MeshFormat* const format = mesh_format_of(path);
+  return format == nullptr ? 1 : format->unit_mm;
 }
 
 inline constexpr double kLongestPlausible = 1000;  ///< [mm] of a mesh whose unit nobody need ask for

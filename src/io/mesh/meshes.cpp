@@ -4,7 +4,6 @@
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
 #include "io/mesh/mesh_extensions.hpp"
-#include "io/mesh/mesh_formats.hpp"
 
 namespace hapticut {
 namespace {
@@ -20,15 +19,6 @@ void require_readable(const std::filesystem::path& path) {
   if (size > kMaxMeshBytes)
     cannot_read(path, "it has " + format_number(double(size)) + " bytes; at most " +
                           format_number(double(kMaxMeshBytes)) + " are read. Reduce the mesh first.");
-}
-
-Polygons parse(const std::filesystem::path& path) {
-  const std::string extension = extension_in_lower_case(path);
-  if (extension == ".obj") return parse_obj(bytes_of_file(path));
-  if (extension == ".stl") return parse_stl(bytes_of_file(path));
-  if (extension == ".ply") return parse_ply(bytes_of_file(path));
-  if (extension == ".off") return parse_off(bytes_of_file(path));
-  return read_with_assimp(path);
 }
 
 void check_extent(const std::vector<NamedMesh>& meshes, const std::filesystem::path& path, double unit_mm) {
@@ -57,13 +47,12 @@ void check_extent(const std::vector<NamedMesh>& meshes, const std::filesystem::p
 std::vector<NamedMesh> read_mesh(const std::filesystem::path& path, std::optional<double> unit_mm) {
   const double unit = unit_mm.value_or(common_unit_mm(path));
   require_positive(unit, "unit_mm [mm]");
-  if (!is_mesh_file(path)) {
-    std::string known;
-    for (const std::string_view extension : kMeshExtensions) append_part(known, extension, " ");
-    cannot_read(path, "its extension is '" + extension_in_lower_case(path) + "'; these can be read: " + known + ".");
-  }
+  const MeshFormat* const format = mesh_format_of(path);
+  if (format == nullptr)
+    cannot_read(path, "its extension is '" + extension_in_lower_case(path) +
+                          "'; these can be read: " + in_one_line(kMeshEndings) + ".");
   require_readable(path);
-  std::vector<NamedMesh> meshes = naming(path, [&] { return to_meshes(parse(path), unit * units::mm); });
+  std::vector<NamedMesh> meshes = naming(path, [&] { return to_meshes(format->read(path), unit * units::mm); });
   if (meshes.empty()) cannot_read(path, "there is no triangle with an area in it.");
   check_extent(meshes, path, unit);
   return meshes;

@@ -7,12 +7,16 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/volume/raw_image.hpp"
 
 /// @file
 /// One reader per format. Each checks what the header claims against the size of the file before it allocates.
 namespace hapticut {
+
+/// What the names of files end in that read_grey_volume and read_label_volume read, in lower case.
+[[nodiscard]] std::vector<std::string_view> volume_endings();
 
 /// Gives the content of a file that a header names.
 using DataFile = std::function<std::string(const std::string& name)>;

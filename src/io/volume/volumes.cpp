@@ -6,6 +6,7 @@
 
 #include "hapticut/core/units.hpp"
 #include "io/file_errors.hpp"
+#include "io/mesh/mesh_extensions.hpp"
 #include "io/text_lines.hpp"
 #include "io/volume/formats.hpp"
 #include "io/volume/raw_image.hpp"
@@ -45,10 +46,30 @@ DataFile data_files_beside(const fs::path& path) {
   };
 }
 
-template <class Parse>
-RawImage read_whole(const fs::path& path, const Parse& parse) {
-  return naming(path, [&] { return parse(bytes_of_file(path)); });
+template <RawImage (*kParse)(std::string_view)>
+RawImage read_alone(const fs::path& path) {
+  return naming(path, [&] { return kParse(bytes_of_file(path)); });
 }
+
+template <RawImage (*kParse)(std::string_view, const DataFile&)>
+RawImage read_with_data_files(const fs::path& path) {
+  return naming(path, [&] { return kParse(bytes_of_file(path), data_files_beside(path)); });
+}
+
+struct VolumeFormat {
+  std::string_view ending;  ///< of a file's name, in lower case
+  RawImage (*read)(const fs::path& path);
+};
+
+/// All that are read by the ending of a file's name.
+constexpr VolumeFormat kVolumeFormats[] = {{".nrrd", read_with_data_files<parse_nrrd>},
+                                           {".nhdr", read_with_data_files<parse_nrrd>},
+                                           {".nii", read_alone<parse_nifti>},
+                                           {".nii.gz", read_alone<parse_nifti>},
+                                           {".mhd", read_with_data_files<parse_meta_image>},
+                                           {".mha", read_with_data_files<parse_meta_image>},
+                                           {".inv3", read_alone<parse_invesalius>},
+                                           {".dcm", read_dicom_file}};
 
 RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
   if (options.spacing)
@@ -57,14 +78,8 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
   if (fs::is_directory(path, code)) return read_folder(path, options);
   require_no_series(path, options);
   const std::string name = lower_case(path.filename().string());
-  const DataFile beside = data_files_beside(path);
-  if (name.ends_with(".nrrd") || name.ends_with(".nhdr"))
-    return read_whole(path, [&](const std::string& file) { return parse_nrrd(file, beside); });
-  if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return read_whole(path, parse_nifti);
-  if (name.ends_with(".mhd") || name.ends_with(".mha"))
-    return read_whole(path, [&](const std::string& file) { return parse_meta_image(file, beside); });
-  if (name.ends_with(".inv3")) return read_whole(path, parse_invesalius);
-  if (name.ends_with(".dcm")) return read_dicom_file(path);
+  for (const VolumeFormat& format : kVolumeFormats)
+    if (name.ends_with(format.ending)) return format.read(path);
   (void)readable_size(path);
   if (name.ends_with(".raw"))
     cannot_read(path, "a raw file does not say how large it is; use read_raw_grey_volume or read_raw_label_volume.");
@@ -75,10 +90,9 @@ RawImage read_image(const fs::path& path, const VolumeReadOptions& options) {
   if (name.ends_with(".h5"))
     cannot_read(path, "its ending is that of a recording, which is no volume; use read_recording.");
   if (is_dicom_file(path)) return read_dicom_file(path);
-  cannot_read(path,
-              "its ending is not that of a format that is read: .nrrd .nhdr .nii .nii.gz .mhd .mha .inv3 .dcm, or a "
-              "folder with a DICOM series or with PNG or TIFF slices; as a mesh .stl .ply .obj .off .gltf .glb, as a "
-              "workpiece .vdb.");
+  cannot_read(path, "its ending is not that of a format that is read: " + in_one_line(volume_endings()) +
+                        ", or a folder with a DICOM series or with PNG or TIFF slices; as a mesh " +
+                        in_one_line(kMeshEndings) + ", as a workpiece .vdb.");
 }
 
 RawImage read_raw(const fs::path& path, const RawLayout& layout) {
@@ -101,6 +115,12 @@ RawImage read_raw(const fs::path& path, const RawLayout& layout) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> volume_endings() {
+  std::vector<std::string_view> endings;
+  for (const VolumeFormat& format : kVolumeFormats) endings.push_back(format.ending);
+  return endings;
+}
 
 GreyVolume read_grey_volume(const fs::path& path, const VolumeReadOptions& options) {
   return to_grey_volume(read_image(path, options), path, options.spacing);

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <filesystem>
+#include <vector>
 
+#include "io/mesh/mesh_extensions.hpp"
+#include "io/volume/formats.hpp"
 #include "support/program.hpp"
 
 namespace hapticut::not_files_test {
@@ -18,8 +20,12 @@ using NotFiles = Program;
 const std::string kLimited = std::string("timeout -k 1 120 ") + test::kProgram;
 
 TEST_F(NotFiles, ArePipesAndEndlessDevices) {
-  for (const std::string ending : {".stl", ".obj", ".ply", ".vdb", ".nrrd", ".nii", ".mha", ".dcm", ".inv3"}) {
-    const std::string pipe = path("pipe" + ending), endless = path("endless" + ending);
+  std::vector<std::string_view> endings = volume_endings();
+  endings.insert(endings.end(), kMeshEndings.begin(), kMeshEndings.end());
+  endings.push_back(".vdb");
+  for (const std::string_view ending : endings) {
+    const std::string pipe = path(std::string("pipe").append(ending));
+    const std::string endless = path(std::string("endless").append(ending));
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     std::filesystem::create_symlink("/dev/zero", endless);
     for (const std::string& name : {pipe, endless})

@@ -39,10 +39,10 @@ struct VolumeReadOptions {
 };
 
 /// Reads grey values.
-/// @param path  a file: NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), MetaImage (.mhd, .mha), InVesalius (.inv3,
-///              which has no pose: the first sample is at the origin) or multi-frame DICOM, whatever its ending; or a
-///              folder: one DICOM series, or PNG or TIFF slices, ordered by the number that changes along their names.
-///              The spacing of a DICOM series is the distance of its slices, not their thickness.
+/// @param path  a file: NRRD, NIfTI, MetaImage or InVesalius (which has no pose: the first sample is at the origin), by
+///              the ending of its name (docs/files.md), or multi-frame DICOM, whatever its ending; or a folder: one
+///              DICOM series, or PNG or TIFF slices, ordered by the number that changes along their names. The spacing
+///              of a DICOM series is the distance of its slices, not their thickness.
 [[nodiscard]] GreyVolume read_grey_volume(const std::filesystem::path& path, const VolumeReadOptions& options = {});
 
 /// Reads labels: the same formats; every value must be a whole number, 0 ... 65535.
