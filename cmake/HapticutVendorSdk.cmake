@@ -2,7 +2,8 @@
 # Parts that need the SDK of a maker of devices: not in Debian, and not to be installed by a script.
 
 # hapticut_vendor_sdk(NAME "whose devices" package variable_with_its_library "what to install"): decides HAPTICUT_<NAME> from
-# HAPTICUT_WITH_<NAME>, which is AUTO, ON or OFF. HAPTICUT_VENDORS are the names whose SDK is here.
+# HAPTICUT_WITH_<NAME>, which is AUTO, ON or OFF. HAPTICUT_VENDORS are the names whose SDK is here,
+# HAPTICUT_VENDOR_PACKAGES their packages; a component has the name of its package in lower case.
 macro(hapticut_vendor_sdk name purpose package library install)
   set_property(CACHE HAPTICUT_WITH_${name} PROPERTY STRINGS AUTO ON OFF)
   set(HAPTICUT_${name} FALSE)
@@ -11,6 +12,7 @@ macro(hapticut_vendor_sdk name purpose package library install)
     if(${package}_FOUND)
       set(HAPTICUT_${name} TRUE)
       list(APPEND HAPTICUT_VENDORS ${name})
+      list(APPEND HAPTICUT_VENDOR_PACKAGES ${package})
       list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: on  (${purpose}, ${${library}})")
     elseif(NOT HAPTICUT_WITH_${name} STREQUAL "AUTO")
       message(FATAL_ERROR "HAPTICUT_WITH_${name}=ON, but the SDK was not found: install ${install}, or set ${package}_ROOT.")
