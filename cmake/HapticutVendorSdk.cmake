@@ -2,7 +2,8 @@
 # Parts that need the SDK of a maker of devices: not in Debian, and not to be installed by a script.
 
 # hapticut_vendor_sdk(NAME "whose devices" package variable_with_its_library "what to install"): decides HAPTICUT_<NAME> from
-# HAPTICUT_WITH_<NAME>, which is AUTO, ON or OFF.
+# HAPTICUT_WITH_<NAME>, which is AUTO, ON or OFF. HAPTICUT_VENDORS are the names whose SDK is here,
+# HAPTICUT_VENDOR_PACKAGES their packages; a component has the name of its package in lower case.
 macro(hapticut_vendor_sdk name purpose package library install)
   set_property(CACHE HAPTICUT_WITH_${name} PROPERTY STRINGS AUTO ON OFF)
   set(HAPTICUT_${name} FALSE)
@@ -10,6 +11,8 @@ macro(hapticut_vendor_sdk name purpose package library install)
     find_package(${package} QUIET MODULE)
     if(${package}_FOUND)
       set(HAPTICUT_${name} TRUE)
+      list(APPEND HAPTICUT_VENDORS ${name})
+      list(APPEND HAPTICUT_VENDOR_PACKAGES ${package})
       list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: on  (${purpose}, ${${library}})")
     elseif(NOT HAPTICUT_WITH_${name} STREQUAL "AUTO")
       message(FATAL_ERROR "HAPTICUT_WITH_${name}=ON, but the SDK was not found: install ${install}, or set ${package}_ROOT.")
@@ -20,6 +23,15 @@ macro(hapticut_vendor_sdk name purpose package library install)
     list(APPEND HAPTICUT_COMPONENT_REPORT "${name}: off (${purpose}, HAPTICUT_WITH_${name}=OFF)")
   endif()
 endmacro()
+
+# hapticut_use_vendor_devices(target): it has what device/use_vendor_devices.hpp announces.
+function(hapticut_use_vendor_devices target)
+  foreach(name IN LISTS HAPTICUT_VENDORS)
+    string(TOLOWER ${name} component)
+    target_compile_definitions(${target} PRIVATE HAPTICUT_HAS_${name})
+    target_link_libraries(${target} PRIVATE hapticut::${component})
+  endforeach()
+endfunction()
 
 # hapticut_device_adapter(component NAME SDK_TARGET sources...): the component's own library, because only those who have the
 # SDK can build and link it. The tests build the same sources, HAPTICUT_<NAME>_SOURCES, against a stand-in.

@@ -6,17 +6,12 @@
 #include <optional>
 
 #include "bindings.hpp"
+#include "device/use_vendor_devices.hpp"
 #include "hapticut/device/simulated/mock.hpp"
 #include "hapticut/device/simulated/mouse.hpp"
 #include "hapticut/device/simulated/playback.hpp"
 #include "hapticut/loop/workspace_map.hpp"
 #include "structs.hpp"
-#ifdef HAPTICUT_PYTHON_WITH_FORCEDIMENSION
-#include "hapticut/device/force_dimension.hpp"
-#endif
-#ifdef HAPTICUT_PYTHON_WITH_OPENHAPTICS
-#include "hapticut/device/open_haptics.hpp"
-#endif
 
 namespace hapticut::python {
 
@@ -183,12 +178,7 @@ void bind_map(py::module_& m) {
 }  // namespace
 
 void bind_device(py::module_& m) {
-#ifdef HAPTICUT_PYTHON_WITH_FORCEDIMENSION
-  use_force_dimension();  // open_device("forcedimension")
-#endif
-#ifdef HAPTICUT_PYTHON_WITH_OPENHAPTICS
-  use_open_haptics();  // open_device("openhaptics")
-#endif
+  use_vendor_devices();
   bind_models(m);
   bind_runs(m);
   bind_devices(m);

@@ -3,14 +3,9 @@
 
 #include "c/device_object.hpp"
 #include "c/structs.hpp"
+#include "device/use_vendor_devices.hpp"
 #ifdef HAPTICUT_HAS_IO
 #include "hapticut/io/recording/playback.hpp"
-#endif
-#ifdef HAPTICUT_HAS_FORCEDIMENSION
-#include "hapticut/device/force_dimension.hpp"
-#endif
-#ifdef HAPTICUT_HAS_OPENHAPTICS
-#include "hapticut/device/open_haptics.hpp"
 #endif
 
 namespace hapticut::c {
@@ -23,12 +18,7 @@ void use_all_devices() {
 #ifdef HAPTICUT_HAS_IO
     use_recordings();
 #endif
-#ifdef HAPTICUT_HAS_FORCEDIMENSION
-    use_force_dimension();
-#endif
-#ifdef HAPTICUT_HAS_OPENHAPTICS
-    use_open_haptics();
-#endif
+    use_vendor_devices();
   });
 }
 

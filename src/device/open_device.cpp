@@ -3,6 +3,7 @@
 #include <mutex>
 #include <utility>
 
+#include "device/usages.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/device/device.hpp"
 #include "hapticut/device/simulated/mock.hpp"
@@ -57,14 +58,13 @@ Registry& registry() {
       {
           mock_driver(),
           mouse_driver(),
-          unannounced("replay", "replay:FILE, FILE a recording",
+          unannounced("replay", kReplayUsage,
                       {kHasIo, "io", "-DHAPTICUT_WITH_IO", "use_recordings",
                        "what hapticut's component io needs (scripts/install-deps.sh)"}),
-          unannounced("openhaptics", "openhaptics[:NAME], NAME as in the maker's setup program",
+          unannounced("openhaptics", kOpenHapticsUsage,
                       {kHasOpenHaptics, "openhaptics", "-DHAPTICUT_WITH_OPENHAPTICS", "use_open_haptics",
                        "3D Systems OpenHaptics 3.0 or later and the device's driver"}),
-          unannounced("forcedimension",
-                      "forcedimension[:NAME], NAME a serial number or a model, e.g. omega.7 or sigma.7-left",
+          unannounced("forcedimension", kForceDimensionUsage,
                       {kHasForceDimension, "forcedimension", "-DHAPTICUT_WITH_FORCEDIMENSION", "use_force_dimension",
                        "the Force Dimension SDK 3.17 or later"}),
       }};

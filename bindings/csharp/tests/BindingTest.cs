@@ -2,7 +2,9 @@
 // What bindings/csharp promises, under Mono. Ends with 1 at the first promise that is broken.
 using System;
 using System.Diagnostics;
+using System.IO;
 using System.Runtime.InteropServices;
+using System.Text.RegularExpressions;
 using System.Threading;
 using Hapticut;
 
@@ -55,6 +57,21 @@ spindle_rpm = 40000
     int[] sizes = { 96, 16, 336, 88, 160, 272, 240, 160, 440, 1344, 12, 32, 24 };
     for (int n = 0; n < types.Length; ++n)
       Require(Marshal.SizeOf(types[n]) == sizes[n], types[n].Name + " has " + Marshal.SizeOf(types[n]) + " bytes");
+  }
+
+  // Names and numbers as C has them: HAPTICUT_COMMAND_SET_SCALE = 4 is CommandKind.SetScale.
+  static void Enumerations(string header) {
+    string text = File.ReadAllText(header);
+    string[] prefixes = { "COMMAND", "ARMING", "COUPLING", "UP", "LOOP" };
+    Type[] types = { typeof(CommandKind), typeof(Arming), typeof(CouplingChoice), typeof(Up), typeof(LoopFlags) };
+    for (int n = 0; n < types.Length; ++n) {
+      MatchCollection values = Regex.Matches(text, "HAPTICUT_" + prefixes[n] + @"_(\w+) = (\d+)");
+      Require(values.Count == Enum.GetNames(types[n]).Length, types[n].Name + " has other values than in C");
+      foreach (Match value in values) {
+        string name = Enum.GetName(types[n], uint.Parse(value.Groups[2].Value));
+        Require(name != null && name.ToUpperInvariant() == value.Groups[1].Value.Replace("_", ""), value + " is " + name);
+      }
+    }
   }
 
   static void Steps() {
@@ -215,9 +232,10 @@ spindle_rpm = 40000
   static void Near(Vec3 a, Vec3 b, string what) { Near(a.x, b.x, what); Near(a.y, b.y, what); Near(a.z, b.z, what); }
   static void Near(double a, double b, string what) { Require(Math.Abs(a - b) < 1e-12, what + ": " + a + " and " + b); }
 
-  static int Main() {
+  static int Main(string[] arguments) {
     Require(Library.AbiVersion == 1 && Library.Version.StartsWith("0."), "the version");
     Sizes();
+    Enumerations(arguments[0]);
     Frames();
     Steps();
     Errors();

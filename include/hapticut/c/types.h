@@ -247,6 +247,8 @@ typedef struct hapticut_loop_state {
   double contact_point[3];   /**< [m] in W, where an arrow of the force begins; zero without a contact */
 } hapticut_loop_state;
 
+/** A kind is the place of a command in hapticut::LoopCommand, from 1. Those of 11 to 15 (friction, effects, tool,
+    materials, workpiece) are not told by a number and have no name here; the next new one is 16. */
 enum hapticut_command_kind {
   HAPTICUT_COMMAND_SET_SPINDLE_SPEED = 1, /**< value [rad/s], as 40000 * HAPTICUT_RPM */
   HAPTICUT_COMMAND_OPEN_CLUTCH = 2,       /**< the hand moves, the tool stays */

@@ -152,7 +152,8 @@ constexpr auto fields_of(Of<Load>) { return std::tuple{field("name", &Load::name
 struct WriterLeft {};
 
 /// The place of a command, from 1, is its kind, and its fields are what follows; what has no fields_of is no command of
-/// a page.
+/// a page. A new one stands before WriterLeft, which comes last, for no page sends it. It raises kProtocolVersion, here
+/// and in web/src/protocol.ts: a server closes its door to a page that sends what it does not know.
 using ViewCommand = std::variant<commands::SetSpindleSpeed, commands::SetUndoMark, commands::Undo, commands::Redo,
                                  commands::HoldForce, MoveHand, Stop, LookAt, SetControl, Load, WriterLeft>;
 

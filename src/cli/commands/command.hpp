@@ -9,7 +9,10 @@
 
 namespace hapticut::cli {
 
-/// A subcommand of the program.
+/// A subcommand of the program: a function in <name>_command.cpp, which is declared and listed below. What makes a
+/// workpiece calls `tell_on_stderr` for its settings and makes it in `with_bar`; what writes a file calls
+/// `require_writable` before the work begins, so that hours are not lost. A name of the library that may come in an
+/// error has its flag in the table of reports/flag_words.cpp. docs/command-line.md has the settings as they are here.
 struct Command {
   std::string name;
   std::string summary;  ///< one line for the help

@@ -4,13 +4,8 @@
 #include <utility>
 
 #include "cli/commands/recording_source.hpp"
+#include "device/use_vendor_devices.hpp"
 #include "hapticut/device/device.hpp"
-#ifdef HAPTICUT_HAS_FORCEDIMENSION
-#include "hapticut/device/force_dimension.hpp"
-#endif
-#ifdef HAPTICUT_HAS_OPENHAPTICS
-#include "hapticut/device/open_haptics.hpp"
-#endif
 
 namespace hapticut::cli {
 
@@ -22,12 +17,7 @@ void use_all_devices() {
       register_device_driver(std::move(driver));
     }
   use_recordings_if_possible();
-#ifdef HAPTICUT_HAS_FORCEDIMENSION
-  use_force_dimension();
-#endif
-#ifdef HAPTICUT_HAS_OPENHAPTICS
-  use_open_haptics();
-#endif
+  use_vendor_devices();
 }
 
 }  // namespace hapticut::cli

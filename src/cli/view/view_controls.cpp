@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "cli/view/watched_model.hpp"
@@ -38,6 +39,13 @@ constexpr MaterialNumber kMaterialNumbers[] = {
     {"static friction", "", &Material::static_friction, 1, 0, 2},
     {"dynamic friction", "", &Material::dynamic_friction, 1, 0, 2},
 };
+constexpr int kIdsOfAMaterial = 10;
+static_assert(std::size(kMaterialNumbers) <= kIdsOfAMaterial);
+
+/// As it stands to `whole` in a common bur, of which this one has `chosen`; the usual one where there is no such whole.
+double in_proportion(const HeadShape::Dimension& part, const HeadShape::Dimension* whole, double chosen) {
+  return whole != nullptr ? part.usual * chosen / whole->usual : part.usual;
+}
 
 }  // namespace
 
@@ -95,7 +103,7 @@ void ViewControls::add_materials() {
     const Material& material = materials_[MaterialId(n + 1)];
     std::string name = material.name;
     std::replace(name.begin(), name.end(), '_', ' ');
-    auto id = std::uint16_t(kMaterial + 10 * n);
+    auto id = std::uint16_t(kMaterial + kIdsOfAMaterial * n);
     for (const MaterialNumber& one : kMaterialNumbers)
       number(id++, "material", name + " " + one.label, one.unit, material.*one.member / one.factor, one.min, one.max);
   }
@@ -170,7 +178,7 @@ Change ViewControls::set(const view::SetControl& command) {
 
 void ViewControls::show(const MaterialTable& materials) {
   for (int n = 0; n < std::min(materials.size(), kShownMaterials); ++n) {
-    auto id = std::uint16_t(kMaterial + 10 * n);
+    auto id = std::uint16_t(kMaterial + kIdsOfAMaterial * n);
     for (const MaterialNumber& one : kMaterialNumbers) at(id++) = materials[MaterialId(n + 1)].*one.member / one.factor;
   }
 }
@@ -244,7 +252,7 @@ MaterialTable ViewControls::materials() const {
   for (int n = 0; n < materials_.size(); ++n) {
     Material& material = changed.emplace_back(materials_[MaterialId(n + 1)]);
     if (n >= kShownMaterials) continue;
-    auto id = std::uint16_t(kMaterial + 10 * n);
+    auto id = std::uint16_t(kMaterial + kIdsOfAMaterial * n);
     for (const MaterialNumber& one : kMaterialNumbers) material.*one.member = at(id++) * one.factor;
     material.static_friction = std::max(material.static_friction, material.dynamic_friction);
   }
@@ -259,33 +267,31 @@ ToolHead ViewControls::head() const {
   const double diameter_m = at(kDiameter) * units::mm, length_m = at(kLength) * units::mm;
   const HeadShape::Dimension* across =
       shape.find(diameter) != nullptr ? shape.find(diameter) : shape.find(tip_diameter);
-  std::vector<double> values;
-  for (const HeadShape::Dimension& dimension : shape.dimensions) {
+  const auto value_of = [&](const HeadShape::Dimension& dimension) {
     switch (dimension.what) {
       case radius:
-        values.push_back(diameter_m / 2);
-        break;
+        return diameter_m / 2;
       case diameter:
-        values.push_back(diameter_m);
-        break;
+        return diameter_m;
       case height:
       case length:
-        values.push_back(length_m);
-        break;
+        return length_m;
       case half_angle:
-        values.push_back(at(kAngle) * units::deg);
-        break;
+        return at(kAngle) * units::deg;
       case widest_height:
-        values.push_back(std::max(diameter_m / 2, dimension.usual * length_m / shape.find(length)->usual));
-        break;
+        return std::max(diameter_m / 2, in_proportion(dimension, shape.find(length), length_m));
+      case tip_diameter:
+      case neck_diameter:
+      case shank_diameter:
+        return in_proportion(dimension, across, diameter_m);
       case tiers:
       case point_angle:
-        values.push_back(dimension.usual);
         break;
-      default:  // other diameters keep their proportion
-        values.push_back(dimension.usual * diameter_m / across->usual);
     }
-  }
+    return dimension.usual;
+  };
+  std::vector<double> values;
+  for (const HeadShape::Dimension& dimension : shape.dimensions) values.push_back(value_of(dimension));
   return shape.make(values);
 }
 

@@ -79,7 +79,7 @@ class ViewControls {
     kPerWatt,
     kLargest,
     kMask = 60,
-    kMaterial = 100,  // and ten for each
+    kMaterial = 100,  // and kIdsOfAMaterial for each
   };
 
   void add_application(const Tool& tool, bool can_record);

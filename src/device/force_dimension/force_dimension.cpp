@@ -8,6 +8,7 @@
 #include "device/force_dimension/connection.hpp"
 #include "device/ticks_in.hpp"
 #include "device/turning_estimate.hpp"
+#include "device/usages.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/realtime/realtime.hpp"
 
@@ -214,9 +215,7 @@ std::unique_ptr<Device> open_force_dimension(const ForceDimensionOptions& option
 }
 
 void use_force_dimension() {
-  register_device_driver({"forcedimension",
-                          "forcedimension[:NAME], NAME a serial number or a model, e.g. omega.7 or sigma.7-left", "",
-                          [](const std::string& rest) {
+  register_device_driver({"forcedimension", kForceDimensionUsage, "", [](const std::string& rest) {
                             ForceDimensionOptions options;
                             options.device_name = rest;
                             return open_force_dimension(options);

@@ -15,6 +15,7 @@
 #include "device/open_haptics/scheduler.hpp"
 #include "device/ticks_in.hpp"
 #include "device/turning_estimate.hpp"
+#include "device/usages.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/core/units.hpp"
 
@@ -319,12 +320,11 @@ std::unique_ptr<Device> open_open_haptics(const OpenHapticsOptions& options) {
 }
 
 void use_open_haptics() {
-  register_device_driver(
-      {"openhaptics", "openhaptics[:NAME], NAME as in the maker's setup program", "", [](const std::string& rest) {
-         OpenHapticsOptions options;
-         options.device_name = rest;
-         return open_open_haptics(options);
-       }});
+  register_device_driver({"openhaptics", kOpenHapticsUsage, "", [](const std::string& rest) {
+                            OpenHapticsOptions options;
+                            options.device_name = rest;
+                            return open_open_haptics(options);
+                          }});
 }
 
 }  // namespace hapticut

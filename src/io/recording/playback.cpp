@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "device/usages.hpp"
 #include "hapticut/core/errors.hpp"
 #include "hapticut/io/recording/recording.hpp"
 #include "io/recording/recording_file.hpp"
@@ -49,11 +50,11 @@ std::unique_ptr<PlaybackDevice> open_playback(const std::filesystem::path& path,
 }
 
 void use_recordings() {
-  register_device_driver(
-      {"replay", "replay:FILE, FILE a recording", "", [](const std::string& rest) -> std::unique_ptr<Device> {
-         if (rest.empty()) throw Error("The device \"replay\" needs the file of a recording: replay:FILE.");
-         return open_playback(rest);
-       }});
+  register_device_driver({"replay", kReplayUsage, "", [](const std::string& rest) -> std::unique_ptr<Device> {
+                            if (rest.empty())
+                              throw Error("The device \"replay\" needs the file of a recording: replay:FILE.");
+                            return open_playback(rest);
+                          }});
 }
 
 }  // namespace hapticut

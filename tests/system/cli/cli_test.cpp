@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
+#include "cli/commands/command.hpp"
 #include "hapticut/core/units.hpp"
 #include "support/program.hpp"
 
@@ -36,10 +38,12 @@ TEST_F(Convert, KeepsAWorkpieceInVdb) {
 }
 
 TEST_F(Program, HelpsAndSaysItsVersion) {
-  for (const char* command : {"", "drill ", "inspect ", "convert ", "validate ", "calibrate "}) {
-    const Outcome outcome = run(std::string(command) + "--help");
-    EXPECT_EQ(outcome.code, 0);
-    EXPECT_NE(outcome.out.find("Usage: hapticut"), std::string::npos);
+  std::vector<std::string> names = {""};
+  for (const cli::Command& command : cli::all_commands()) names.push_back(command.name + " ");
+  for (const std::string& name : names) {
+    const Outcome outcome = run(name + "--help");
+    EXPECT_EQ(outcome.code, 0) << name;
+    EXPECT_NE(outcome.out.find("Usage: hapticut"), std::string::npos) << name;
   }
   EXPECT_EQ(run("--version").out, HAPTICUT_PROGRAM_VERSION "\n");
 }

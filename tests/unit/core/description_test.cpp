@@ -7,7 +7,9 @@
 
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
+#include <variant>
 
 #include "hapticut/analysis/faults.hpp"
 #include "hapticut/build/molar.hpp"
@@ -59,16 +61,25 @@ static_assert(members_of<Ball>() == 2);
 template <class S>
 struct DescribedStruct : testing::Test {};
 
-using Structs =
+template <class... Structs, class... Commands>
+auto together(testing::Types<Structs...>, std::tuple<Commands...>) -> testing::Types<Structs..., Commands...>;
+
+/// Those that have a list of fields.
+template <class... Commands>
+auto described(std::variant<Commands...>) -> decltype(std::tuple_cat(
+    std::declval<std::conditional_t<Described<Commands>, std::tuple<Commands>, std::tuple<>>>()...));
+
+using OfCommands = decltype(described(std::declval<LoopCommand>()));
+using Structs = decltype(together(
     testing::Types<Material, SphereHead, ConeHead, FlatHead, RayHandle, LHandle, Spindle, DryFriction, Gravity,
                    Vibration, DeltaFilter, AxisMask, OutputLimits, Effects, StepInput, Contact, SpindleState,
                    EnergyLedger, StepResult, ContactProbe, StageTimes, SimulationConfig, DeviceCapabilities,
                    DeviceState, DeviceOutput, DeviceTick, PoseGateOptions, ArmingOptions, PassivityOptions,
                    ThermalOptions, WatchdogOptions, GuardOptions, RealtimeOptions, RunOptions, RealtimeLoopOptions,
                    SimulationModelOptions, WorkspaceMapOptions, CouplingGains, CouplingEnergy, DeviceModel, HandModel,
-                   PlantOptions, MockOptions, MouseOptions, OpenHapticsOptions, ForceDimensionOptions, MolarParameters,
-                   commands::SetSpindleSpeed, commands::SetScale, commands::Undo, commands::HoldForce,
-                   commands::SetRemoval, commands::SetForceMask, commands::SetFriction, commands::SetEffects>;
+                   PlantOptions, MockOptions, MouseOptions, OpenHapticsOptions, ForceDimensionOptions,
+                   MolarParameters>{},
+    std::declval<OfCommands>()));
 TYPED_TEST_SUITE(DescribedStruct, Structs);
 
 TYPED_TEST(DescribedStruct, HasALineForEachOfItsMembers) {

@@ -180,7 +180,7 @@ void tell_a_hundred_thousand(bool simulated_time, bool coupled, unsigned seed) {
   EXPECT_EQ(last.blocks_outside, 0U);
   std::uint64_t refused = 0;
   for (std::size_t kind = 0; kind < counting.obeyed_.size(); ++kind) {
-    EXPECT_GT(counting.obeyed_[kind], 20) << "of kind " << kind;
+    EXPECT_GT(counting.obeyed_[kind], 20) << "of kind " << kind << "; send it in next() above";
     refused += std::uint64_t(counting.refused_[kind]);
   }
   EXPECT_EQ(last.commands_refused, refused);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <variant>
 #include <vector>
 
 #include "hapticut/view/protocol.hpp"
@@ -17,6 +18,8 @@ struct CommandKind {
   static constexpr std::uint8_t set_spindle_speed = 1, set_undo_mark = 2, undo = 3, redo = 4, hold_force = 5,
                                 move_hand = 6, stop = 7, look_at = 8, set_control = 9, load = 10;
 };
+inline constexpr std::uint8_t kCommandKinds = std::variant_size_v<view::ViewCommand> - 1;  // all but WriterLeft
+static_assert(CommandKind::load == kCommandKinds, "a new command has its kind above");
 
 /// A message as a page writes it.
 struct Bytes {

@@ -16,6 +16,7 @@ namespace {
 using namespace view;
 using view_test::Bytes;
 using view_test::CommandKind;
+using view_test::kCommandKinds;
 using view_test::number_at;
 
 TEST(ViewProtocol, HelloTellsTheGridTheMaterialsAndWhoMayWrite) {
@@ -139,7 +140,7 @@ TEST(ViewProtocol, WhatIsNoCommandInEveryByteIsRefused) {
   EXPECT_TRUE(is_refused(Bytes(CommandKind::set_spindle_speed).add(1.0F))) << "too short";
   EXPECT_TRUE(is_refused(Bytes(CommandKind::hold_force).add(std::uint8_t(2))));
   EXPECT_TRUE(is_refused(Bytes(0)));
-  EXPECT_TRUE(is_refused(Bytes(11)));
+  EXPECT_TRUE(is_refused(Bytes(kCommandKinds + 1)));
   EXPECT_TRUE(is_refused(Bytes(CommandKind::look_at).add(Vec3(1, nan, 1))));
   EXPECT_TRUE(is_refused(Bytes(CommandKind::look_at).add(Vec3(1, 1e4, 1))));
   Pose bent;
@@ -182,8 +183,10 @@ TEST(ViewProtocol, ANameToLoadIsShortAndHasNoControlCharacters) {
 
 RC_GTEST_PROP(ViewProtocol, AnyBytesAreACommandOrNone, ()) {
   auto bytes = *rc::gen::container<std::vector<std::uint8_t>>(rc::gen::arbitrary<std::uint8_t>());
-  if (bytes.size() > 3 && *rc::gen::arbitrary<bool>())
-    bytes[0] = std::uint8_t(1 + bytes[0] % 10), bytes[1] = kProtocolVersion, bytes[2] = bytes[3] = 0;
+  if (bytes.size() > 3 && *rc::gen::arbitrary<bool>()) {
+    bytes[0] = std::uint8_t(1 + bytes[0] % kCommandKinds);
+    bytes[1] = kProtocolVersion, bytes[2] = bytes[3] = 0;
+  }
   const auto command = decode_command(bytes);
   if (!command) return;
   RC_ASSERT(bytes.size() <= kLongestCommand);
