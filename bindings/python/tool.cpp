@@ -101,7 +101,7 @@ void bind_heads(py::module_& m) {
   m.def("christmas_tree_head", &christmas_tree_head, py::arg("diameter"), py::arg("length"), py::arg("tiers"),
         doc("christmas_tree_head"));
   m.def("twist_drill_head", &twist_drill_head, py::arg("diameter"), py::arg("length"),
-        py::arg("point_angle") = 118 * units::deg, doc("twist_drill_head"));
+        py::arg("point_angle") = kCommonDrillPoint, doc("twist_drill_head"));
 
   py::class_<RecognizedProfile>(m, "RecognizedProfile", doc("RecognizedProfile"))
       .def_readonly("profile", &RecognizedProfile::profile, doc("RecognizedProfile::profile"))

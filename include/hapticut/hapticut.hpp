@@ -23,8 +23,10 @@
 #include "hapticut/workpiece/material_presets.hpp"
 #include "hapticut/workpiece/workpiece.hpp"
 
-// The force: laws to choose from. The default, FoundationLaw, needs no choice. Also there: friction, effects.
+// The force: every law to choose from, all of `force/laws/`. The default, FoundationLaw, needs no choice. Also there:
+// friction, effects.
 #include "hapticut/force/laws/contact_mechanics.hpp"
+#include "hapticut/force/laws/damping_matrix.hpp"
 #include "hapticut/force/laws/foundation.hpp"
 #include "hapticut/force/laws/hertzian_burr.hpp"
 #include "hapticut/force/laws/lumped.hpp"

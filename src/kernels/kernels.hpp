@@ -11,7 +11,7 @@
 #include "hapticut/tool/head.hpp"
 #include "hapticut/workpiece/contact.hpp"
 #include "hapticut/workpiece/removal.hpp"
-#include "kernels/stiffness.hpp"
+#include "kernels/stiffness_sums.hpp"
 
 /// @file
 /// The stages that work on one block, in the widest vector instructions of the machine, chosen when the program starts.
@@ -34,7 +34,7 @@
 /// A strip is the unit of `press_blocks`: sixteen lanes, which are one vector with AVX-512, two with AVX2, four with
 /// NEON. A row is that of the staged kernels, whose vectors have at most eight lanes.
 ///
-///     press = sample + law + sum, in one pass:
+///     press = sample + law + sum, in one pass over the voxels of a few blocks:
 ///
 ///     block -> strips near the head -> voxels in it    ->  sample           ->  law                  ->  sum
 ///              Gather::for_each        Gather::append      Press::sample        Press::press_parts       PressSums
@@ -49,12 +49,17 @@
 ///     profile_springs-inl.hpp   and for profiles
 ///     strips-inl.hpp            lanes, masks, materials and velocities of a strip
 ///     gather-inl.hpp            which voxels of a block may be inside the head
-///     press_sums-inl.hpp        what is added up
-///     stiffness-inl.hpp         and what a coupling wants besides,
-///     friction-inl.hpp          and dry friction
+///     contact_sums.hpp          what a sub-step adds up in double precision, lane by lane,
+///     press_sums-inl.hpp        and in vectors over a few blocks;
+///     stiffness_sums.hpp        what a coupling wants besides,
+///     stiffness_sums-inl.hpp    and its vectors;
+///     friction_sums.hpp         what dry friction wants,
+///     friction-inl.hpp          and its vectors
 ///     materials-inl.hpp         constants of the voxels in work, and what was removed of each material
 ///     places-inl.hpp            where they come from, and where goes what is left
 ///     motion-inl.hpp            how the head's surface moves at them
+///     smooth-inl.hpp            what is different at smooth surfaces
+///     chip-inl.hpp              cutting energy that depends on the chip
 ///     cut_voxels-inl.hpp        the default law on parts of voxels
 ///     press-inl.hpp             the default law on blocks: Press::press_deep for whole voxels of a standing head, and
 ///                               for all others Press::sample, then Press::press_parts
@@ -140,8 +145,8 @@ struct PressTask {
   BlockChange change;           ///< the result
 };
 
-/// Stages `sample_contact`, `evaluate_law` of FoundationLaw and `sum_resultant` in one pass, which stores a sample
-/// once, in a list: what the step runs unless it was given another law.
+/// `sample_contact`, FoundationLaw::evaluate and `sum_resultant` in one pass, which stores a sample once, in a list:
+/// what the step runs unless it was given another law.
 /// @param sums       of the sub-step, to add to; `pressed` says what they mean
 /// @param stiffness  sums to add to; null: not wanted
 /// @param friction   likewise; of a head that stands

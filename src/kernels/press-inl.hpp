@@ -15,7 +15,7 @@
 #include "kernels/places-inl.hpp"
 #include "kernels/press_sums-inl.hpp"
 #include "kernels/smooth-inl.hpp"
-#include "kernels/stiffness-inl.hpp"
+#include "kernels/stiffness_sums-inl.hpp"
 #include "kernels/strips-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -244,7 +244,7 @@ class Press : Places {
     return s;
   }
 
-  /// Stages evaluate_law and sum_resultant.
+  /// FoundationLaw::evaluate and sum_resultant.
   /// @param first  of the list
   template <bool kStands>
   HWY_INLINE void press_parts(int first, const Vectors& r, Vec old_fill, const Sample& s, PressSums& sums) {

@@ -23,14 +23,16 @@ struct Constant {
   const char* name;  // of the key and of the flag
   std::optional<double> S::*value;
   Range range;
-  const char* meaning;
+  std::string meaning;
   bool needed = false;
 };
 
-/// What a law is called, which constants it has, and how it is made.
+/// " [0.3]": what a constant is where none is given.
+std::string or_else(double usual) { return " [" + format_number(usual) + "]"; }
+
+/// Which constants a law has, and how it is made.
 struct LawKind {
   Law law;
-  const char* name;
   const char* owner;  // in messages
   std::vector<Constant> constants;
   std::shared_ptr<const ForceLaw> (*make)(const S& s);
@@ -38,26 +40,27 @@ struct LawKind {
 
 const std::vector<LawKind>& law_kinds() {
   using Pointer = std::shared_ptr<const ForceLaw>;
+  static const ThesisLaw::Constants thesis;
+  static const DampingMatrixLaw::Constants matrix;
+  static const TwistDrillLaw::Constants drill;
   static const std::vector<LawKind> kinds = {
       {Law::foundation,
-       "foundation",
        "the foundation law",
        {},
        [](const S&) -> Pointer { return std::make_shared<FoundationLaw>(); }},
       {Law::thesis,
-       "thesis",
        "the law of the thesis",
        {{"thesis_voxel_mm", &S::thesis_voxel_mm, Range::positive(),
-         "law thesis: voxel size at which its force is that of the foundation law [0.1]"},
+         "voxel size at which its force is that of the foundation law" +
+             or_else(thesis.reference_voxel_size / units::mm)},
         {"thesis_damping_Ns_per_m", &S::thesis_damping_Ns_per_m, Range::not_negative(),
-         "law thesis: damper of one voxel [0]"},
+         "damper of one voxel" + or_else(thesis.damping)},
         {"thesis_spin_torque", &S::thesis_spin_torque, Range::not_negative(),
-         "law thesis: lambda, torque of the spin over normal forces times radius [0.3]"},
+         "lambda, torque of the spin over normal forces times radius" + or_else(thesis.spin_torque)},
         {"thesis_spin_exponent", &S::thesis_spin_exponent, Range::between(-10, 10),
-         "law thesis: power of the spindle speed in that torque [0]"},
+         "power of the spindle speed in that torque" + or_else(thesis.spin_exponent)},
         {"thesis_required_power", &S::thesis_required_power, Range::not_negative(),
-         "law thesis: power that takes a voxel away over its stiffness, W/(N/m^2) [where a ball would press with 2 "
-         "N]"}},
+         "power that takes a voxel away over its stiffness, W/(N/m^2) [where a ball would press with 2 N]"}},
        [](const S& s) -> Pointer {
          ThesisLaw::Constants c;
          if (s.thesis_voxel_mm) c.reference_voxel_size = *s.thesis_voxel_mm * units::mm;
@@ -68,24 +71,20 @@ const std::vector<LawKind>& law_kinds() {
          return std::make_shared<ThesisLaw>(c);
        }},
       {Law::contact_mechanics,
-       "contact_mechanics",
        "the law of contact mechanics",
-       {{"effective_modulus_Pa", &S::effective_modulus_Pa, Range::positive(),
-         "law contact_mechanics: E/(1 - nu^2) of the material", true}},
+       {{"effective_modulus_Pa", &S::effective_modulus_Pa, Range::positive(), "E/(1 - nu^2) of the material", true}},
        [](const S& s) -> Pointer { return std::make_shared<ContactMechanicsLaw>(*s.effective_modulus_Pa); }},
       {Law::hertzian_burr,
-       "hertzian_burr",
        "the law of the Hertzian burr",
-       {{"burr_stiffness_Pa", &S::burr_stiffness_Pa, Range::positive(),
-         "law hertzian_burr: C1 of the elastic force C1 R^2 (h/R)^1.5", true}},
+       {{"burr_stiffness_Pa", &S::burr_stiffness_Pa, Range::positive(), "C1 of the elastic force C1 R^2 (h/R)^1.5",
+         true}},
        [](const S& s) -> Pointer { return std::make_shared<HertzianBurrLaw>(*s.burr_stiffness_Pa); }},
       {Law::damping_matrix,
-       "damping_matrix",
        "the law of the damping matrix",
        {{"resistance_Ns_per_m3", &S::resistance_Ns_per_m3, Range::positive(),
-         "law damping_matrix: product of its factors, over the contact area [1e8]"},
+         "product of its factors, over the contact area" + or_else(matrix.resistance)},
         {"matrix_friction", &S::matrix_friction, Range::not_negative(),
-         "law damping_matrix: part of the force that the spin turns across [0.3]"}},
+         "part of the force that the spin turns across" + or_else(matrix.friction)}},
        [](const S& s) -> Pointer {
          DampingMatrixLaw::Constants c;
          c.resistance = s.resistance_Ns_per_m3.value_or(c.resistance);
@@ -93,12 +92,12 @@ const std::vector<LawKind>& law_kinds() {
          return std::make_shared<DampingMatrixLaw>(c);
        }},
       {Law::twist_drill,
-       "twist_drill",
        "the law of the twist drill",
        {{"chip_energy_J_per_m3", &S::chip_energy_J_per_m3, Range::positive(),
-         "law twist_drill: K_s, energy of the chips [1e8]"},
+         "K_s, energy of the chips" + or_else(drill.specific_energy)},
         {"largest_feed_per_turn_mm", &S::largest_feed_per_turn_mm, Range::positive(),
-         "law twist_drill: feed per turn beyond which thrust and torque grow no more [1]"}},
+         "feed per turn beyond which thrust and torque grow no more" +
+             or_else(drill.largest_feed_per_turn / units::mm)}},
        [](const S& s) -> Pointer {
          TwistDrillLaw::Constants c;
          c.specific_energy = s.chip_energy_J_per_m3.value_or(c.specific_energy);
@@ -126,25 +125,24 @@ std::optional<DryFriction> make_friction(const S& s) {
 
 std::shared_ptr<const ForceLaw> make_law(const S& s) {
   const Law law = s.law.value_or(Law::foundation);
-  const LawKind& chosen =
-      *std::find_if(law_kinds().begin(), law_kinds().end(), [&](const LawKind& kind) { return kind.law == law; });
+  const LawKind& chosen = *std::ranges::find(law_kinds(), law, &LawKind::law);
   for (const LawKind& kind : law_kinds())
     for (const Constant& constant : kind.constants) {
       if (&kind != &chosen)
-        refuse(s.*constant.value, key_of(constant), chosen.owner, std::string("choose --law ") + kind.name);
+        refuse(s.*constant.value, key_of(constant), chosen.owner,
+               std::string("choose --law ") + name_or_null(kind.law));
       if (&kind == &chosen && constant.needed) (void)required(s.*constant.value, key_of(constant), chosen.owner);
     }
   return chosen.make(s);
 }
 
 std::vector<Setting> law_settings_of(ForceSettings& s) {
-  std::vector<std::pair<std::string, Law>> names;
-  for (const LawKind& kind : law_kinds()) names.emplace_back(kind.name, kind.law);
-  std::vector<Setting> all = {choice("force.law", "--law", s.law, std::move(names),
-                                     "force law; docs/forces.md has their formulas [foundation]")};
+  std::vector<Setting> all = {
+      choice("force.law", "--law", s.law, "force law; docs/forces.md has their formulas [foundation]")};
   for (const LawKind& kind : law_kinds())
     for (const Constant& c : kind.constants)
-      all.push_back(number(key_of(c), std::string("--") + c.name, s.*c.value, c.range, c.meaning));
+      all.push_back(number(key_of(c), std::string("--") + c.name, s.*c.value, c.range,
+                           std::string("law ") + name_or_null(kind.law) + ": " + c.meaning));
   return all;
 }
 

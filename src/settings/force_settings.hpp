@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -27,6 +28,16 @@ struct ForceSettings {
   std::optional<HandleTorque> handle_torque;
   std::optional<double> handle_torque_scale;
 };
+
+constexpr auto names_of(Of<ForceSettings::Law>) {
+  using enum ForceSettings::Law;
+  return std::array{Named{foundation, "foundation"},
+                    Named{thesis, "thesis"},
+                    Named{contact_mechanics, "contact_mechanics"},
+                    Named{hertzian_burr, "hertzian_burr"},
+                    Named{damping_matrix, "damping_matrix"},
+                    Named{twist_drill, "twist_drill"}};
+}
 
 [[nodiscard]] std::vector<Setting> settings_of(ForceSettings& force);
 

@@ -79,14 +79,23 @@ std::vector<std::pair<std::string, const HeadShape*>> names_of_heads() {
   return names;
 }
 
+/// What a dimension is, with its usual value where it may be left out: "full angle of its point [118]".
+std::string meaning_of(const Named<HeadDimension>& dimension) {
+  std::string meaning = dimension.words;
+  for (const HeadShape& shape : head_shapes())
+    if (const auto* found = shape.find(dimension.value); found != nullptr && found->may_be_left_out)
+      meaning += " [" + format_number(found->usual / shown_unit(unit_of(dimension.value)).factor) + "]";
+  return meaning;
+}
+
 Setting setting_of(const Named<HeadDimension>& dimension, ToolSettings& t) {
   using enum HeadDimension;
   const std::string key = key_of(dimension.value), flag = "--" + key.substr(key.find('.') + 1);
-  if (dimension.value == tiers) return integer(key, flag, t.tiers, 1, 20, dimension.words);
+  if (dimension.value == tiers) return integer(key, flag, t.tiers, 1, kMostTiers, dimension.words);
   const Range range = dimension.value == half_angle    ? Range{0, 90, true}
                       : dimension.value == point_angle ? Range{0, 180, true}
                                                        : Range::positive();
-  return number(key, flag, t.lengths_and_angles[std::size_t(dimension.value)], range, dimension.words);
+  return number(key, flag, t.lengths_and_angles[std::size_t(dimension.value)], range, meaning_of(dimension));
 }
 
 Handle make_handle(const ToolSettings& s) {

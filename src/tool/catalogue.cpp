@@ -122,7 +122,7 @@ ToolHead wheel_head(double diameter, double thickness, double shank_diameter) {
 
 ToolHead christmas_tree_head(double diameter, double length, int tiers) {
   require_dimensions("christmas_tree_head", {{"diameter", diameter}, {"length", length}});
-  require_between(tiers, 1, 20, "christmas_tree_head tiers");
+  require_between(tiers, 1, kMostTiers, "christmas_tree_head tiers");
   std::vector<ProfileEdge> edges;
   for (int n = 1; n <= tiers; ++n) {
     const double rim = diameter / 2 * n / tiers, z = length * n / tiers;
@@ -215,7 +215,7 @@ const std::vector<HeadShape>& head_shapes() {
        [](Values v) { return christmas_tree_head(v[0], v[1], int(v[2])); }},
       {"twist_drill",
        "a twist drill",
-       {{diameter, 2 * mm}, {length, 5 * mm}, {point_angle, 118 * deg, true}},
+       {{diameter, 2 * mm}, {length, 5 * mm}, {point_angle, kCommonDrillPoint, true}},
        [](Values v) { return twist_drill_head(v[0], v[1], v[2]); }}};
   return shapes;
 }

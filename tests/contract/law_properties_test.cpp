@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <set>
+
 #include "support/cut_scene.hpp"
 #include "support/laws.hpp"
 
@@ -78,6 +80,15 @@ const LawFamily kFamilies[] = {{"Foundation", foundation, any_head, true, kLight
                                {"HertzianBurr", hertzian_burr, a_ball, true, 0},
                                {"DampingMatrix", damping_matrix, any_head, true, 0},
                                {"TwistDrill", twist_drill, a_drill, true, 0}};
+
+TEST(LawFamilies, AreOfEveryLaw) {
+  std::set<std::type_index> drawn;
+  EXPECT_TRUE(rc::check([&] {
+    for (const LawFamily& family : kFamilies) drawn.insert(type_of(*family.draw()));
+  }));
+  for (const NamedLaw& named : all_laws())
+    EXPECT_TRUE(drawn.contains(type_of(*named.law))) << "kFamilies has no law like " << named.name;
+}
 
 class LawProperty : public testing::TestWithParam<LawFamily> {
  protected:

@@ -5,6 +5,8 @@
     rooms.py arrows    what each room includes stands before it in the order below, which CONTRIBUTING.md tells
     rooms.py lengths   of the files in include, src, bindings, tests and examples
     rooms.py physics   what physics.hpp names includes nothing but words, tools, forces and what it names itself
+    rooms.py laws      physics.hpp and hapticut.hpp name every header of force/laws
+    rooms.py kernels   the reading order in kernels.hpp names every file of src/kernels
     rooms.py abi       what else is declared in a header and compiled in src asks the linker for core/abi.hpp
 """
 import re
@@ -70,9 +72,13 @@ def lengths():
     return mistakes
 
 
+def headers_in(path):
+    return re.findall(r'^#include "(hapticut/[^"]+)"', path.read_text("utf-8"), re.M)
+
+
 def physics():
     include = ROOT / "include"
-    named = re.findall(r'^#include "(hapticut/[^"]+)"', (include / "hapticut/physics.hpp").read_text("utf-8"), re.M)
+    named = headers_in(include / "hapticut/physics.hpp")
     mistakes, seen, waiting = [], set(), [(name, "physics.hpp") for name in named]
     while waiting:
         name, by = waiting.pop()
@@ -83,7 +89,7 @@ def physics():
             mistakes.append(f"{by} includes {name}, which is no part of hapticut::physics")
             continue
         text = (include / name).read_text("utf-8")
-        waiting += [(other, name) for other in re.findall(r'^#include "(hapticut/[^"]+)"', text, re.M)]
+        waiting += [(other, name) for other in headers_in(include / name)]
         for other in re.findall(r"^#include <(\w+/)", text, re.M):
             if other != "Eigen/":
                 mistakes.append(f"{name} includes <{other}...>; hapticut::physics needs Eigen alone")
@@ -92,13 +98,32 @@ def physics():
     return mistakes
 
 
+def laws():
+    include = ROOT / "include"
+    every = [str(path.relative_to(include)) for path in sorted((include / "hapticut/force/laws").glob("*.hpp"))]
+    mistakes = [f"{index} does not name {name}" for index in ("physics.hpp", "hapticut.hpp")
+                for name in every if name not in headers_in(include / "hapticut" / index)]
+    if len(every) < 7:
+        mistakes.append(f"only {len(every)} laws were found")
+    return mistakes
+
+
+def kernels():
+    folder = ROOT / "src/kernels"
+    named = re.findall(r"^///     ([\w-]+\.[ch]pp) ", (folder / "kernels.hpp").read_text("utf-8"), re.M)
+    files = [path.name for path in sorted(folder.glob("*.?pp"))]
+    return ([f"the reading order in kernels.hpp does not name {name}" for name in files if name not in named] +
+            [f"the reading order in kernels.hpp names {name}, which is not there" for name in named
+             if name not in files])
+
+
 def abi():
     include, asks = ROOT / "include", "hapticut/core/abi.hpp"
 
     def all_of(name, seen):
         if name not in seen and (include / name).exists():
             seen.add(name)
-            for other in re.findall(r'^#include "(hapticut/[^"]+)"', (include / name).read_text("utf-8"), re.M):
+            for other in headers_in(include / name):
                 all_of(other, seen)
         return seen
 
@@ -115,7 +140,8 @@ def abi():
 
 
 def main():
-    mistakes = {"arrows": arrows, "lengths": lengths, "physics": physics, "abi": abi}[sys.argv[1]]()
+    checks = (arrows, lengths, physics, laws, kernels, abi)
+    mistakes = {check.__name__: check for check in checks}[sys.argv[1]]()
     for mistake in mistakes:
         print(mistake, file=sys.stderr)
     sys.exit(1 if mistakes else 0)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
 
 import hapticut as h
+from conftest import REPOSITORY
 from hapticut.units import deg, mm, rpm
 
 HEADS = {
@@ -24,6 +26,15 @@ HEADS = {
     "christmas_tree_head": h.catalogue.christmas_tree_head(1.6 * mm, 5 * mm, 4),
     "twist_drill_head": h.catalogue.twist_drill_head(2.5 * mm, 8 * mm),
 }
+
+
+def test_every_head_of_the_catalogue_is_bound_and_tested():
+    page = (REPOSITORY / "docs" / "command-line.md").read_text(encoding="utf-8")
+    [row] = re.findall(r"^\| `tool\.head` .* one of (.*) \|$", page, re.M)
+    names = row.split(", ")
+    of_shapes = {"sphere", "cone", "flat", "profile"}  # which have constructors
+    assert of_shapes < set(names)
+    assert [f"{name}_head" for name in names if name not in of_shapes] == list(HEADS)
 
 
 @pytest.mark.parametrize("name", HEADS)

@@ -4,6 +4,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <typeindex>
 #include <vector>
 
 #include "hapticut/core/units.hpp"
@@ -25,6 +26,9 @@ struct NamedLaw {
   ToolHead head;
   bool always_loses = true;  // false: a spinning head may gain energy from one of its terms
 };
+
+/// Which law it is, whatever its constants.
+inline std::type_index type_of(const ForceLaw& law) { return typeid(law); }
 
 inline void PrintTo(const NamedLaw& named, std::ostream* out) { *out << named.name; }
 

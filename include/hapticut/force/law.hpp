@@ -10,7 +10,7 @@
 #include "hapticut/workpiece/contact.hpp"
 
 /// @file
-/// Stage `evaluate_law`: what a force law is given and what it must deliver. One law per file in `force/laws/`.
+/// `ForceLaw::evaluate`: what a force law is given and what it must deliver. One law per file in `force/laws/`.
 namespace hapticut {
 
 /// Whether and by which energy balance the spinning head takes material away.

@@ -51,16 +51,19 @@ namespace hapticut {
 [[nodiscard]] ToolHead wheel_head(double diameter, double thickness, double shank_diameter);
 
 /// Cones on top of each other, each growing from `kTreeWaist` of the rim below: the X'mas cutter of the thesis.
-/// @param tiers  1 ... 20 cones of the same height; the rim of the last has the full diameter
+/// @param tiers  1 ... `kMostTiers` cones of the same height; the rim of the last has the full diameter
 [[nodiscard]] ToolHead christmas_tree_head(double diameter, double length, int tiers);
 
 /// [1] Radius at the foot of a tier of `christmas_tree_head`, of that of the rim below.
 inline constexpr double kTreeWaist = 0.6;
+inline constexpr int kMostTiers = 20;  ///< of `christmas_tree_head`
+
+inline constexpr double kCommonDrillPoint = 118 * units::deg;  ///< [rad] full angle of the point of a common drill
 
 /// A twist drill: only the cone of its point cuts, its side is smooth. A Tool with it has two lips (`usual_cutter`).
-/// @param point_angle  full angle of the point, less than pi; 118 degrees for a common drill
+/// @param point_angle  full angle of the point, less than pi
 /// @param length       of the whole, more than that of the point
-[[nodiscard]] ToolHead twist_drill_head(double diameter, double length, double point_angle = 118 * units::deg);
+[[nodiscard]] ToolHead twist_drill_head(double diameter, double length, double point_angle = kCommonDrillPoint);
 
 /// The numbers that describe heads.
 enum class HeadDimension {
@@ -89,7 +92,7 @@ constexpr auto names_of(Of<HeadDimension>) {
       Named{shank_diameter, "shank_diameter", "of a wheel: what of its upper face does not cut"},
       Named{widest_height, "widest_height", "of a flame: from the tip to its widest place"},
       Named{tiers, "tiers", "of a christmas_tree: number of cones"},
-      Named{point_angle, "point_angle", "of a twist_drill: full angle of its point [118]"}};
+      Named{point_angle, "point_angle", "of a twist_drill: full angle of its point"}};
 }
 inline constexpr std::size_t kHeadDimensions = names_of(Of<HeadDimension>{}).size();
 
@@ -101,7 +104,8 @@ inline constexpr std::size_t kHeadDimensions = names_of(Of<HeadDimension>{}).siz
 }
 
 /// A shape of heads: what it is called, what describes it, how it is made. Settings, the browser page, tests and the
-/// drawing in docs/heads.md walk `head_shapes`. CONTRIBUTING.md lists where a new bur goes.
+/// drawing in docs/heads.md walk `head_shapes`. A shape has a `diameter` or a `tip_diameter`, by which the browser page
+/// scales its others. CONTRIBUTING.md lists where a new bur goes.
 struct HeadShape {
   struct Dimension {
     HeadDimension what;

@@ -99,8 +99,6 @@ TEST_P(CatalogueShape, IsTheSameAsAProfile) {
 INSTANTIATE_TEST_SUITE_P(Heads, CatalogueShape, testing::ValuesIn(test::catalogue_heads()),
                          [](const auto& h) { return h.param.name; });
 
-// --- bad input -----------------------------------------------------------------------------------------------------
-
 // It had six lips, and pressed with nearly three times the force of a drill.
 TEST(Catalogue, ADrillHasTwoLipsAndABurSix) {
   const Tool drill(twist_drill_head(2 * mm, 5 * mm));
@@ -117,6 +115,8 @@ TEST(Catalogue, ADrillHasTwoLipsAndABurSix) {
   }
   EXPECT_EQ(tooth_rate(Cutter{CutterKind::twist_drill}, 2 * units::kPi), 2);
 }
+
+// --- bad input -------------------------------------------------------------------------------------------------------
 
 TEST(Catalogue, RefusesDimensionsThatDoNotFitTogether) {
   using test::expect_refused;
@@ -135,7 +135,17 @@ TEST(Catalogue, RefusesDimensionsThatDoNotFitTogether) {
   expect_refused([] { (void)twist_drill_head(2 * mm, 0.3 * mm); }, {"point", "less", "length, 0.3 mm"});
 }
 
-// --- the drawing in docs/heads.md ------------------------------------------------------------------------------------
+// --- docs/heads.md ---------------------------------------------------------------------------------------------------
+
+TEST(Catalogue, HasARowForEachHeadInTheDocs) {
+  std::ifstream page(test::source_path("docs/heads.md"));
+  std::vector<std::string> rows, functions;
+  for (std::string line; std::getline(page, line);)
+    if (const std::size_t end = line.find("_head` |"); line.starts_with("| `") && end != std::string::npos)
+      rows.push_back(line.substr(3, end - 3));
+  for (const CatalogueHead& head : test::catalogue_heads()) functions.push_back(head.name);
+  EXPECT_EQ(rows, functions);
+}
 
 constexpr double kScale = 40;  // [px/mm]
 

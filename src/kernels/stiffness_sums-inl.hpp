@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sums of the contact's stiffness, in vectors; included once per instruction set.
-#if defined(HAPTICUT_KERNELS_STIFFNESS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef HAPTICUT_KERNELS_STIFFNESS_INL_HPP
-#undef HAPTICUT_KERNELS_STIFFNESS_INL_HPP
+#if defined(HAPTICUT_KERNELS_STIFFNESS_SUMS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAPTICUT_KERNELS_STIFFNESS_SUMS_INL_HPP
+#undef HAPTICUT_KERNELS_STIFFNESS_SUMS_INL_HPP
 #else
-#define HAPTICUT_KERNELS_STIFFNESS_INL_HPP
+#define HAPTICUT_KERNELS_STIFFNESS_SUMS_INL_HPP
 #endif
 
 #include "kernels/motion-inl.hpp"
