@@ -113,7 +113,7 @@ TEST(ReplayPage, HoldsEveryStepThatWasRecorded) {
 /// A recording of 250 steps, something that no step does, and 100 steps more.
 template <class Happens>
 Recording interrupted(const std::filesystem::path& path, const Happens& happens) {
-  const Scene& scene = find_scene(kScene);
+  const test::Scene& scene = test::find_scene(kScene);
   Simulation simulation = scene.make();
   simulation.reserve_undo(10000);
   {

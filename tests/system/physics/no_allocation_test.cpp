@@ -16,6 +16,7 @@
 #include "support/cutting.hpp"
 #include "support/laws.hpp"
 #include "support/named_material.hpp"
+#include "support/scenes.hpp"
 
 namespace hapticut::no_allocation_test {
 namespace {

@@ -16,7 +16,6 @@
 namespace hapticut::molar_test {
 namespace {
 
-using for_each_voxel;
 using units::mm;
 
 constexpr double kCoarse = 0.2 * mm;
