@@ -85,8 +85,8 @@ PYBIND11_MODULE(_hapticut, m) {
   bind_results(m);
   bind_changed_block(m);
   bind_surface(m);
-  bind_islands(m);
   bind_simulation(m);
+  bind_islands(m);
   bind_io(m);
   bind_guard(m);
   bind_coupling(m);

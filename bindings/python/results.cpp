@@ -75,6 +75,7 @@ void bind_result_of_step(py::module_& m) {
 
 void bind_results(py::module_& m) {
   PYBIND11_NUMPY_DTYPE(RemovedInRun, step, index, material);
+  bind_described<StepInput>(m, "StepInput");
   bind_result_of_step(m);
 }
 

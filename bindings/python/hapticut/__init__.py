@@ -165,6 +165,7 @@ from ._hapticut import (
     Simulation as Simulation,
     SimulationConfig as SimulationConfig,
     StageTimes as StageTimes,
+    StepInput as StepInput,
     StepResult as StepResult,
     StepStatus as StepStatus,
     ThesisMode as ThesisMode,
