@@ -36,7 +36,7 @@ IndexBox voxels_around(const Box& box, const GridFrame& frame) {
   const Pose X_VW = frame.X_WV.inverse();
   const Eigen::AlignedBox3d around =
       box_of_moved(box, [&](const Vec3& corner) { return Vec3(X_VW * corner / frame.voxel_size); });
-  const Vec3 low = around.min(), high = around.max();
+  const Vec3 &low = around.min(), &high = around.max();
   IndexBox voxels;
   for (int axis = 0; axis < 3; ++axis) {
     // The voxel reaches half an edge to each side; a face on a boundary does not touch the next voxel.

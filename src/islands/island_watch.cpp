@@ -114,7 +114,7 @@ std::vector<Island> IslandWatch::left() {
 }
 
 Wrench IslandModel::step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept {
-  const Wrench wrench = model_.step(state, dt, snapshot);
+  Wrench wrench = model_.step(state, dt, snapshot);
   watch_.tick();
   return wrench;
 }

@@ -74,7 +74,7 @@ class ColumnList {
       c.numbers = c.bytes / size_of(c.kind);
       c.pack = [access](const RecordedStep& s, std::byte* row) {
         const auto stored = Stored(access(s));
-        std::memcpy(row, &stored, sizeof stored);
+        std::memcpy(row, static_cast<const void*>(&stored), sizeof stored);
       };
       c.unpack = [access](RecordedStep& s, const std::byte* row) {
         Stored stored{};
