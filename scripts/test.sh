@@ -170,7 +170,7 @@ address() {
 # Only what threads exchange: the rest of the library is built for it without its optional parts.
 threads() {
   check "configure: threads" cmake --preset threads &&
-    check "build: threads" build threads -t test_realtime test_loop test_device test_force_dimension test_device_contract test_safety test_view &&
+    check "build: threads" build threads -t test_realtime test_loop test_islands test_device test_force_dimension test_device_contract test_safety test_view &&
     run_tests threads threads
 }
 
