@@ -36,7 +36,7 @@ PythonModel model_of(const std::shared_ptr<PythonSimulation>& simulation, const 
                      const SimulationModelOptions& options, const std::optional<IslandWatchOptions>& islands) {
   simulation->occupancy.require_writable("The simulation");
   auto model = std::make_unique<SimulationModel>(simulation->simulation, device.cast<Device&>(), options);
-  auto around = islands ? std::make_unique<IslandModel>(*model, simulation->simulation, *islands) : nullptr;
+  auto around = islands ? std::make_unique<IslandModel>(*model, *islands) : nullptr;
   return {simulation, device, std::move(model), std::move(around)};
 }
 

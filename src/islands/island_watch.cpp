@@ -18,6 +18,13 @@ namespace {
 constexpr std::size_t kIslands = 256;  // under way at once; more wait in the watching thread
 constexpr std::size_t kMostLeft = 64;  // that are kept for `left`
 
+Simulation& simulation_of(LoopModel& model) {
+  Simulation* const simulation = model.simulation();
+  if (simulation == nullptr)
+    throw Error("The model of an IslandModel drives no simulation; give it one whose simulation() is not null.");
+  return *simulation;
+}
+
 }  // namespace
 
 struct IslandWatch::State {
@@ -112,6 +119,9 @@ std::vector<Island> IslandWatch::left() {
   const std::lock_guard lock(state_->mutex);
   return std::exchange(state_->left, {});
 }
+
+IslandModel::IslandModel(LoopModel& model, const IslandWatchOptions& options)
+    : model_(model), watch_(simulation_of(model), options) {}
 
 Wrench IslandModel::step(const DeviceState& state, double dt, LoopSnapshot& snapshot) noexcept {
   Wrench wrench = model_.step(state, dt, snapshot);

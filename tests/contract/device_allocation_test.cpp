@@ -2,8 +2,6 @@
 // What every device promises to the loop: the exchange of reading and force allocates nothing.
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "support/allocation_count.hpp"
 #include "support/devices_under_test.hpp"
 
@@ -26,11 +24,7 @@ TEST_P(DeviceAllocation, AllocatesNothingInTheLoopAndOfItsOwnTakesNoLock) {
       [&, n = 0L](const DeviceState& state) mutable {
         ++n;
         if (n == kTo) counts = disarm_call_counts();
-        DeviceCommand command;
-        // In and out of contact, saturated, not finite: every branch of the guard that does not end the run.
-        if (n > 50 && n % 400 > 100) command.wrench.force = Vec3(0.04 * double(n % 400), 0, 0);
-        if (n % 777 == 0) command.wrench.force.x() = std::numeric_limits<double>::quiet_NaN();
-        command.wrench.torque = Vec3(0, 0, 1e-3 * state.X_BS.translation.x());
+        DeviceCommand command = through_the_guard(n, state, 0.04);
         command.stop = n >= kTo;
         if (n == kFrom) arm_call_counts();
         return command;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hapticut/device/device.hpp"
 #include "hapticut/device/simulated/plant.hpp"
@@ -40,6 +41,17 @@ inline DeviceCallback press_and_let_go(long free, long again, long ticks) {
     command.stop = n >= ticks;
     return command;
   };
+}
+
+/// In and out of contact, saturated, not finite: every branch of the guard that does not end the run.
+/// @param n       tick, from 1
+/// @param growth  [N] a tick, over 300 ticks of each 400
+inline DeviceCommand through_the_guard(long n, const DeviceState& state, double growth) {
+  DeviceCommand command;
+  if (n > 50 && n % 400 > 100) command.wrench.force = Vec3(growth * double(n % 400), 0, 0);
+  if (n % 777 == 0) command.wrench.force.x() = std::numeric_limits<double>::quiet_NaN();
+  command.wrench.torque = Vec3(0, 0, 1e-3 * state.X_BS.translation.x());
+  return command;
 }
 
 /// A released device that is nudged against a linear wall, and how it swings in it.

@@ -62,10 +62,9 @@ class IslandWatch {
 /// A model of a loop from whose workpiece pieces that are cut loose leave, between two of its ticks.
 class IslandModel final : public LoopModel {
  public:
-  /// @param model  of the loop, as a SimulationModel; it and the simulation must outlive this
-  /// @throws Error as IslandWatch
-  IslandModel(LoopModel& model, Simulation& simulation, const IslandWatchOptions& options = {})
-      : model_(model), watch_(simulation, options) {}
+  /// @param model  of a simulation, as a SimulationModel; both must outlive this
+  /// @throws Error when the model drives no simulation, or as IslandWatch
+  explicit IslandModel(LoopModel& model, const IslandWatchOptions& options = {});
 
   [[nodiscard]] IslandWatch& watch() noexcept { return watch_; }  ///< `tick` is the loop's
 

@@ -25,8 +25,8 @@ namespace hapticut {
 /// pointers, and what was in place before goes back in the command, to be freed outside of the loop.
 ///
 /// After `SetTool`, `SetMaterials`, `ExchangeWorkpiece`, `Undo` and `Redo` the guard waits until the tool is free
-/// (`SafetyEvent::model_swapped`), for material may be where the tool is. Which of these and the
-/// others end a recording says docs/recording.md.
+/// (`SafetyEvent::model_swapped`), for material may be where the tool is. docs/recording.md says which commands end a
+/// recording.
 namespace commands {
 
 /// A command without fields.

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "support/loop_rig.hpp"
+#include "support/refusal.hpp"
 
 namespace hapticut::island_watch_test {
 namespace {
@@ -137,6 +138,16 @@ TEST(IslandWatch, LetsAPieceLeaveBesideALoopOfOnesOwn) {
   EXPECT_GT(left[0].voxels, 800);
 }
 
+TEST(IslandModel, NeedsAModelOfASimulation) {
+  struct : LoopModel {
+    Wrench step(const DeviceState& /*state*/, double /*dt*/, LoopSnapshot& /*snapshot*/) noexcept override {
+      return {};
+    }
+  } of_nothing;
+  test::expect_refused([&] { IslandModel model(of_nothing); },
+                       {"drives no simulation", "whose simulation() is not null"});
+}
+
 TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
   using namespace test::loop_rig;
   // What the hand does not touch is cut loose between two ticks, so that the piece is the same in every run.
@@ -145,7 +156,7 @@ TEST(IslandModel, LetsIslandsLeaveAndTellsTheReaderOfTheirBlocks) {
   SimulationModel without(simulation, *device);
   IslandWatchOptions options;
   options.period = 1e-3;
-  IslandModel model(without, simulation, options);
+  IslandModel model(without, options);
   LoopSnapshot snapshot;
   // Around a cube of 20 voxels, whose place is 20 ... 39 along each axis.
   for (int x = 16; x < 48; x += 8)
